@@ -1,0 +1,48 @@
+//! The linear search: every ray asks every shape.
+
+use crate::accel::{Accel, Count};
+use crate::math::{interval::Interval, ray::Ray};
+use crate::shape::{Hit, Shape};
+
+/// Shapes in no order, all of them tested: right by inspection, and the judge of every faster structure.
+#[derive(Clone, Debug)]
+pub struct List<S> {
+    shapes: Vec<S>,
+}
+
+impl<S: Shape> List<S> {
+    /// A list of shapes.
+    pub fn new(shapes: Vec<S>) -> Self {
+        Self { shapes }
+    }
+
+    // ANCHOR: mesh_hit
+    /// As [`Accel::closest`], and counts the tests. Whatever is hit shortens the interval for the shapes after it.
+    pub fn closest_counted(
+        &self,
+        ray: &Ray,
+        mut within: Interval,
+        count: &mut impl Count,
+    ) -> Option<(&S, Hit)> {
+        let mut closest = None;
+        for shape in &self.shapes {
+            count.tested_shape();
+            if let Some(hit) = shape.hit(ray, within) {
+                within = within.before(hit.t);
+                closest = Some((shape, hit));
+            }
+        }
+        closest
+    }
+    // ANCHOR_END: mesh_hit
+}
+
+impl<S: Shape> Accel<S> for List<S> {
+    fn closest(&self, ray: &Ray, within: Interval) -> Option<(&S, Hit)> {
+        self.closest_counted(ray, within, &mut ())
+    }
+
+    fn any(&self, ray: &Ray, within: Interval) -> bool {
+        self.shapes.iter().any(|shape| shape.blocks(ray, within))
+    }
+}

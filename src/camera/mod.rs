@@ -1,0 +1,15 @@
+//! Floor 5: cameras, which turn a place on the film into a ray.
+
+pub mod pinhole;
+
+use crate::math::ray::Ray;
+use glam::Vec2;
+
+/// Something that takes a picture.
+pub trait Camera: Send + Sync {
+    /// The ray whose light arrives at a place on the film.
+    ///
+    /// `film` is in [0, 1]², from the picture's top left to its bottom right; `lens`, in [0, 1)², chooses a point of the
+    /// lens where the camera has one.
+    fn ray(&self, film: Vec2, lens: Vec2) -> Ray;
+}

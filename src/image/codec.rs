@@ -1,0 +1,83 @@
+//! The bytes of picture files, by the crates `exr` and `image`.
+
+use crate::image::{Image, rgb::Rgb, tone};
+use exr::prelude::{ReadChannels, ReadLayers, WritableImage};
+use std::io::Cursor;
+
+pub(super) fn encode_exr(picture: &Image) -> Result<Vec<u8>, String> {
+    let mut bytes = Cursor::new(Vec::new());
+    let channels = exr::prelude::SpecificChannels::rgb(|at: exr::prelude::Vec2<usize>| {
+        let Rgb { r, g, b } = picture.at(at.x(), at.y());
+        (r, g, b)
+    });
+    exr::prelude::Image::from_channels((picture.width(), picture.height()), channels)
+        .write()
+        .to_buffered(&mut bytes)
+        .map_err(|e| e.to_string())?;
+    Ok(bytes.into_inner())
+}
+
+pub(super) fn decode_exr(bytes: &[u8]) -> Result<Image, String> {
+    let read = exr::prelude::read()
+        .no_deep_data()
+        .largest_resolution_level()
+        .rgb_channels(
+            |size, _| Image::from_fn(size.width(), size.height(), |_, _| Rgb::BLACK),
+            |picture, at, (r, g, b): (f32, f32, f32)| {
+                picture.set(at.x(), at.y(), Rgb::new(r, g, b));
+            },
+        )
+        .first_valid_layer()
+        .all_attributes()
+        .from_buffered(Cursor::new(bytes));
+    read.map(|file| file.layer_data.channel_data.pixels)
+        .map_err(|e| e.to_string())
+}
+
+pub(super) fn encode_hdr(picture: &Image) -> Result<Vec<u8>, String> {
+    let pixels: Vec<_> = picture
+        .pixels()
+        .iter()
+        .map(|p| image::Rgb(p.channels()))
+        .collect();
+    let mut bytes = Vec::new();
+    image::codecs::hdr::HdrEncoder::new(&mut bytes)
+        .encode(&pixels, picture.width(), picture.height())
+        .map_err(|e| e.to_string())?;
+    Ok(bytes)
+}
+
+pub(super) fn encode_png(picture: &Image) -> Result<Vec<u8>, String> {
+    let mut bytes = Cursor::new(Vec::new());
+    to_display(picture)
+        .write_to(&mut bytes, image::ImageFormat::Png)
+        .map_err(|e| e.to_string())?;
+    Ok(bytes.into_inner())
+}
+
+pub(super) fn decode_with_image(
+    bytes: &[u8],
+    format: image::ImageFormat,
+    to_linear: fn(f32) -> f32,
+) -> Result<Image, String> {
+    let decoded = image::load_from_memory_with_format(bytes, format)
+        .map_err(|e| e.to_string())?
+        .to_rgb32f();
+    let (width, height) = (decoded.width() as usize, decoded.height() as usize);
+    Ok(Image::from_fn(width, height, |x, y| {
+        let [r, g, b] = decoded.get_pixel(x as u32, y as u32).0;
+        Rgb::new(r, g, b).map(to_linear)
+    }))
+}
+
+/// The picture as a display shows it: clamped, encoded as sRGB, 8 bits a channel.
+pub fn to_display(picture: &Image) -> image::RgbImage {
+    image::RgbImage::from_fn(picture.width() as u32, picture.height() as u32, |x, y| {
+        image::Rgb(
+            picture
+                .at(x as usize, y as usize)
+                .channels()
+                .map(tone::to_byte),
+        )
+    })
+}

@@ -1,0 +1,179 @@
+//! Whether two pictures show the same: a gate, then tolerances that each catch another kind of error.
+
+use crate::image::Image;
+
+/// How far a picture may stray from the expected one.
+#[derive(Clone, Copy, Debug)]
+pub struct Tolerance {
+    /// A channel may differ by this fraction of the expected value …
+    pub relative: f32,
+    /// … plus this much, before its pixel counts as an outlier.
+    pub absolute: f32,
+    /// At most this fraction of the pixels may be outliers: a silhouette that another processor rounds otherwise.
+    pub outliers: f32,
+    /// Outliers that touch (also at corners) form a cluster; at most this many pixels in one.
+    pub cluster: usize,
+    /// The means of the two pictures may differ by this fraction: it sees what is small but everywhere.
+    pub mean: f32,
+}
+
+impl Tolerance {
+    /// For a picture rendered again by the same program, perhaps on another processor, whose `sin` or `pow` may differ
+    /// in the last bit and turn a ray on a silhouette.
+    pub const RENDERED_AGAIN: Self = Self {
+        relative: 0.02,
+        absolute: 0.01,
+        outliers: 0.004,
+        cluster: 3,
+        mean: 0.005,
+    };
+}
+
+/// The first test that a picture failed.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Difference {
+    /// Not the same size.
+    #[error("the picture is {} × {} pixels, {} × {} were expected", actual.0, actual.1, expected.0, expected.1)]
+    Size {
+        /// Width and height expected.
+        expected: (usize, usize),
+        /// Width and height found.
+        actual: (usize, usize),
+    },
+    /// NaN or infinite where the expected picture is not.
+    #[error("pixel ({x}, {y}) is not a finite number")]
+    NotFinite {
+        /// Column.
+        x: usize,
+        /// Row.
+        y: usize,
+    },
+    /// Too bright or too dark as a whole.
+    #[error("the mean is {actual}, {expected} was expected: {:+.2} %", 100.0 * (actual / expected - 1.0))]
+    Mean {
+        /// Mean over all channels of the expected picture.
+        expected: f32,
+        /// Mean over all channels of the picture.
+        actual: f32,
+    },
+    /// Outliers side by side: a dead column, a shifted edge.
+    #[error("{size} neighbouring pixels differ, the first at ({x}, {y})")]
+    Cluster {
+        /// Pixels in the largest cluster.
+        size: usize,
+        /// Column of its first pixel.
+        x: usize,
+        /// Row of its first pixel.
+        y: usize,
+    },
+    /// Too many outliers in all.
+    #[error("{count} pixels differ, at most {allowed} may; the first is ({x}, {y})")]
+    Outliers {
+        /// Outliers found.
+        count: usize,
+        /// Outliers allowed.
+        allowed: usize,
+        /// Column of the first.
+        x: usize,
+        /// Row of the first.
+        y: usize,
+    },
+}
+
+/// Compares a picture with the expected one.
+///
+/// # Errors
+/// The first [`Difference`] in this order: size, finiteness, mean, clusters, number of outliers.
+pub fn compare(expected: &Image, actual: &Image, tolerance: &Tolerance) -> Result<(), Difference> {
+    let (width, height) = (expected.width(), expected.height());
+    if (width, height) != (actual.width(), actual.height()) {
+        return Err(Difference::Size {
+            expected: (width, height),
+            actual: (actual.width(), actual.height()),
+        });
+    }
+    let finite =
+        |picture: &Image, i: usize| picture.pixels()[i].channels().iter().all(|v| v.is_finite());
+    if let Some(i) = (0..width * height).find(|&i| !finite(actual, i) || !finite(expected, i)) {
+        return Err(Difference::NotFinite {
+            x: i % width,
+            y: i / width,
+        });
+    }
+    let (expected_mean, actual_mean) = (mean(expected), mean(actual));
+    if (actual_mean - expected_mean).abs() > tolerance.mean * expected_mean.abs() {
+        return Err(Difference::Mean {
+            expected: expected_mean,
+            actual: actual_mean,
+        });
+    }
+    let mut outlier: Vec<bool> = expected
+        .pixels()
+        .iter()
+        .zip(actual.pixels())
+        .map(|(e, a)| {
+            let far = |(e, a): (f32, f32)| {
+                (a - e).abs() > tolerance.absolute + tolerance.relative * e.abs()
+            };
+            e.channels().into_iter().zip(a.channels()).any(far)
+        })
+        .collect();
+    let count = outlier.iter().filter(|&&far| far).count();
+    let Some(first) = outlier.iter().position(|&far| far) else {
+        return Ok(());
+    };
+    let (start, size) = largest_cluster(&mut outlier, width);
+    if size > tolerance.cluster {
+        return Err(Difference::Cluster {
+            size,
+            x: start % width,
+            y: start / width,
+        });
+    }
+    let allowed = (tolerance.outliers * (width * height) as f32) as usize;
+    if count > allowed {
+        return Err(Difference::Outliers {
+            count,
+            allowed,
+            x: first % width,
+            y: first / width,
+        });
+    }
+    Ok(())
+}
+
+/// Mean over all channels of all pixels; summed in `f64`, where millions of pixels lose nothing.
+fn mean(picture: &Image) -> f32 {
+    let sum: f64 = picture
+        .pixels()
+        .iter()
+        .flat_map(|p| p.channels())
+        .map(f64::from)
+        .sum();
+    (sum / (3 * picture.pixels().len()).max(1) as f64) as f32
+}
+
+/// The first pixel and the size of the largest group of marked pixels that touch; unmarks them all.
+fn largest_cluster(marked: &mut [bool], width: usize) -> (usize, usize) {
+    let mut largest = (0, 0);
+    for start in 0..marked.len() {
+        let mut size = 0;
+        let mut open = vec![start];
+        while let Some(i) = open.pop() {
+            if !std::mem::take(&mut marked[i]) {
+                continue;
+            }
+            size += 1;
+            let (x, y) = (i % width, i / width);
+            for ny in y.saturating_sub(1)..=(y + 1).min(marked.len() / width - 1) {
+                for nx in x.saturating_sub(1)..=(x + 1).min(width - 1) {
+                    open.push(ny * width + nx);
+                }
+            }
+        }
+        if size > largest.1 {
+            largest = (start, size);
+        }
+    }
+    largest
+}

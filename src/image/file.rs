@@ -1,0 +1,131 @@
+//! Picture files: OpenEXR and Radiance HDR keep the radiance, PNG keeps what a display shows.
+
+use crate::image::{Image, codec, tone};
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// Why a picture could not be read or written; every kind names the file.
+#[derive(Debug, thiserror::Error)]
+pub enum FileError {
+    /// The system refused.
+    #[error("{}: cannot {doing} this file: {source}", path.display())]
+    Io {
+        /// The file.
+        path: PathBuf,
+        /// "read" or "write".
+        doing: &'static str,
+        /// The system's answer.
+        source: io::Error,
+    },
+    /// The name does not end like a picture's.
+    #[error("{}: a picture's name must end in .exr, .hdr or .png", path.display())]
+    Format {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The content is not what the name promises.
+    #[error("{}: this is not a {format} picture that can be read: {reason}", path.display())]
+    Content {
+        /// The file.
+        path: PathBuf,
+        /// The format that its name promises.
+        format: &'static str,
+        /// What the decoder found.
+        reason: String,
+    },
+}
+
+#[derive(Clone, Copy)]
+enum Format {
+    Exr,
+    Hdr,
+    Png,
+}
+
+/// Writes a picture in the format that its name ends in.
+///
+/// `.exr` keeps each `f32` as it is; `.hdr` keeps about 8 bits a channel with a shared exponent;
+/// `.png` keeps 8 bits of the sRGB encoding and clamps to [0, 1]. The folder is made if need be,
+/// and the file appears whole or not at all.
+///
+/// # Errors
+/// If the name ends otherwise, the picture has no pixels, or the file cannot be written.
+pub fn save(path: &Path, picture: &Image) -> Result<(), FileError> {
+    let bytes = match format_of(path)? {
+        Format::Exr => codec::encode_exr(picture),
+        Format::Hdr => codec::encode_hdr(picture),
+        Format::Png => codec::encode_png(picture),
+    };
+    let bytes = bytes.map_err(|reason| FileError::Io {
+        path: path.into(),
+        doing: "write",
+        source: io::Error::other(reason),
+    })?;
+    write_whole(path, &bytes).map_err(|source| FileError::Io {
+        path: path.into(),
+        doing: "write",
+        source,
+    })
+}
+
+/// Reads a picture of linear radiance; a PNG's code values are decoded from sRGB.
+///
+/// # Errors
+/// If the file cannot be read, or holds something else than its name promises.
+pub fn load(path: &Path) -> Result<Image, FileError> {
+    let format = format_of(path)?;
+    let bytes = fs::read(path).map_err(|source| FileError::Io {
+        path: path.into(),
+        doing: "read",
+        source,
+    })?;
+    let (name, decoded) = match format {
+        Format::Exr => ("OpenEXR", codec::decode_exr(&bytes)),
+        Format::Hdr => (
+            "Radiance HDR",
+            codec::decode_with_image(&bytes, image::ImageFormat::Hdr, |v| v),
+        ),
+        Format::Png => (
+            "PNG",
+            codec::decode_with_image(&bytes, image::ImageFormat::Png, tone::decode_srgb),
+        ),
+    };
+    decoded.map_err(|reason| FileError::Content {
+        path: path.into(),
+        format: name,
+        reason,
+    })
+}
+
+/// Writes a file so that it appears whole or not at all: under another name first, then renamed.
+///
+/// # Errors
+/// If the folder cannot be made or the file cannot be written.
+pub fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    if let Some(folder) = path.parent() {
+        fs::create_dir_all(folder)?;
+    }
+    let mut partial = path.as_os_str().to_owned();
+    partial.push(".partial");
+    let written = fs::write(&partial, bytes).and_then(|()| fs::rename(&partial, path));
+    if written.is_err() {
+        // The first error is the one worth reporting.
+        let _ = fs::remove_file(&partial);
+    }
+    written
+}
+
+fn format_of(path: &Path) -> Result<Format, FileError> {
+    let extension = path
+        .extension()
+        .and_then(|e| e.to_str())
+        .unwrap_or_default()
+        .to_ascii_lowercase();
+    match extension.as_str() {
+        "exr" => Ok(Format::Exr),
+        "hdr" => Ok(Format::Hdr),
+        "png" => Ok(Format::Png),
+        _ => Err(FileError::Format { path: path.into() }),
+    }
+}

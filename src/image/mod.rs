@@ -1,0 +1,87 @@
+//! Floor 1: pictures of linear radiance, their files, their way to a display, and their comparison.
+
+pub mod codec;
+pub mod compare;
+pub mod file;
+pub mod rgb;
+pub mod tone;
+
+use crate::image::rgb::Rgb;
+
+/// A picture: `height` rows of `width` pixels, from the top left, row by row.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Image {
+    width: usize,
+    height: usize,
+    pixels: Vec<Rgb>,
+}
+
+impl Image {
+    /// The picture whose pixel in column x and row y is `pixel(x, y)`.
+    pub fn from_fn(
+        width: usize,
+        height: usize,
+        mut pixel: impl FnMut(usize, usize) -> Rgb,
+    ) -> Self {
+        let pixels = (0..width * height)
+            .map(|i| pixel(i % width, i / width))
+            .collect();
+        Self {
+            width,
+            height,
+            pixels,
+        }
+    }
+
+    /// Columns.
+    pub fn width(&self) -> usize {
+        self.width
+    }
+
+    /// Rows.
+    pub fn height(&self) -> usize {
+        self.height
+    }
+
+    /// All pixels, row by row from the top left.
+    pub fn pixels(&self) -> &[Rgb] {
+        &self.pixels
+    }
+
+    /// The pixel in column x and row y.
+    ///
+    /// # Panics
+    /// If x or y is outside the picture.
+    pub fn at(&self, x: usize, y: usize) -> Rgb {
+        assert!(
+            x < self.width && y < self.height,
+            "no pixel ({x}, {y}) in {}×{}",
+            self.width,
+            self.height
+        );
+        self.pixels[y * self.width + x]
+    }
+
+    /// Replaces the pixel in column x and row y.
+    ///
+    /// # Panics
+    /// If x or y is outside the picture.
+    pub fn set(&mut self, x: usize, y: usize, colour: Rgb) {
+        assert!(
+            x < self.width && y < self.height,
+            "no pixel ({x}, {y}) in {}×{}",
+            self.width,
+            self.height
+        );
+        self.pixels[y * self.width + x] = colour;
+    }
+
+    /// The picture with f applied to each pixel: an exposure, a tone curve.
+    #[must_use]
+    pub fn map(&self, f: impl Fn(Rgb) -> Rgb) -> Self {
+        Self {
+            pixels: self.pixels.iter().map(|&p| f(p)).collect(),
+            ..*self
+        }
+    }
+}

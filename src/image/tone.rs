@@ -1,0 +1,62 @@
+//! From radiance without a limit to a display that ends at one.
+
+use crate::image::rgb::Rgb;
+
+// ANCHOR: expose
+/// The radiance after an exposure of so many stops: L·2^stops. One stop more is twice the light.
+pub fn expose(radiance: Rgb, stops: f32) -> Rgb {
+    radiance * stops.exp2()
+}
+// ANCHOR_END: expose
+
+/// What a sensor does with too much light: every channel stops at 1, and the hue goes with it.
+pub fn clamp(radiance: Rgb) -> Rgb {
+    radiance.map(|v| v.clamp(0.0, 1.0))
+}
+
+// ANCHOR: tone_map
+/// Reinhard's curve on the luminance, L′ = L/(1 + L), with the colour kept:
+/// all of [0, ∞) fits below 1 (Reinhard et al., "Photographic tone reproduction for digital images", 2002).
+///
+/// Every channel is scaled by L′/L = 1/(1 + L), so a saturated channel may still exceed 1.
+pub fn reinhard(radiance: Rgb) -> Rgb {
+    radiance / (1.0 + radiance.luminance())
+}
+// ANCHOR_END: tone_map
+
+/// A film-like curve per channel, (x(2.51x + 0.03)) / (x(2.43x + 0.59) + 0.14), clamped to [0, 1]:
+/// dark in the shadows, steep in the middle, and bright colours fade to white
+/// (Narkowicz, "ACES filmic tone mapping curve", 2015, a fit to the Academy's reference transform).
+pub fn aces(radiance: Rgb) -> Rgb {
+    radiance.map(|x| {
+        let x = x.clamp(0.0, 1e6); // beyond it the squares overflow, and the curve has long reached 1
+        (x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14)).clamp(0.0, 1.0)
+    })
+}
+
+// ANCHOR: encode_srgb
+/// The sRGB code value of a linear value, both in [0, 1]: 12.92 v up to 0.0031308, then 1.055 v^(1/2.4) − 0.055
+/// (IEC 61966-2-1). Values outside are clamped; NaN is encoded as 0.
+pub fn encode_srgb(v: f32) -> f32 {
+    let v = if v > 0.0 { v.min(1.0) } else { 0.0 };
+    if v <= 0.003_130_8 {
+        12.92 * v
+    } else {
+        (1.055 * v.powf(1.0 / 2.4) - 0.055).min(1.0)
+    }
+}
+// ANCHOR_END: encode_srgb
+
+/// The linear value of an sRGB code value: the inverse of [`encode_srgb`].
+pub fn decode_srgb(code: f32) -> f32 {
+    if code <= 0.040_45 {
+        code / 12.92
+    } else {
+        ((code + 0.055) / 1.055).powf(2.4)
+    }
+}
+
+/// The byte that a PNG stores for a linear value: round(255 · [`encode_srgb`]).
+pub fn to_byte(v: f32) -> u8 {
+    (255.0 * encode_srgb(v)).round() as u8
+}

@@ -1,0 +1,97 @@
+//! `index.html`: every chapter's pictures, what they show, what is new, and the command that draws them.
+
+use crate::image::file;
+use crate::lab::stage::Output;
+use crate::workbook::curriculum::Chapter;
+use maud::{DOCTYPE, PreEscaped, html};
+use std::io;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// A chapter that was drawn.
+pub struct Drawing {
+    /// Its row of the curriculum.
+    pub chapter: &'static Chapter,
+    /// Its pictures.
+    pub outputs: Vec<Output>,
+    /// How long it took.
+    pub time: Duration,
+}
+
+const STYLE: &str = "
+body { font: 17px/1.5 system-ui, sans-serif; max-width: 1240px; margin: 2rem auto; padding: 0 1rem; color: #222; background: #fff }
+h1 { margin-bottom: 0 } section { margin-top: 3rem; border-top: 1px solid #ccc }
+.pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(480px, 100%), 1fr)); gap: 1.5rem }
+figure { margin: 0 } img { width: 100%; height: auto } figcaption { color: #444; font-size: 15px }
+code { background: #f0f0f0; padding: .1em .3em; border-radius: 3px }
+nav a { margin-right: 1em; white-space: nowrap }
+@media (prefers-color-scheme: dark) { body { color: #ddd; background: #1b1b1b } figcaption { color: #bbb } code { background: #333 } a { color: #8bf } }";
+
+/// Writes the gallery into the folder that holds the chapters' folders, and returns its path.
+///
+/// # Errors
+/// If the file cannot be written.
+pub fn write(folder: &Path, drawings: &[Drawing]) -> io::Result<PathBuf> {
+    let page = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                title { "raybook: the pictures" }
+                style { (PreEscaped(STYLE)) }
+            }
+            body {
+                h1 { "raybook" }
+                p { "A ray-tracing course that you can run. Every picture here was drawn on this machine; click one to see it whole." }
+                nav { @for drawing in drawings { a href={ "#" (drawing.chapter.name) } { (drawing.chapter.number()) " " (drawing.chapter.title()) } } }
+                @for drawing in drawings { (section(folder, drawing)) }
+            }
+        }
+    };
+    let path = folder.join("index.html");
+    file::write_whole(&path, page.into_string().as_bytes())?;
+    Ok(path)
+}
+
+fn section(folder: &Path, drawing: &Drawing) -> PreEscaped<String> {
+    let Drawing {
+        chapter,
+        outputs,
+        time,
+    } = drawing;
+    html! {
+        section id=(chapter.name) {
+            h2 { "Chapter " (chapter.number()) ": " (chapter.title()) }
+            p { (chapter.teaches()) }
+            p {
+                "Run it: " code { "cargo run --release --bin " (chapter.name) }
+                " (" (format!("{:.1}", time.as_secs_f32())) " s here). New in " code { "src/" } ": "
+                @for (i, file) in chapter.new_files().iter().enumerate() { @if i > 0 { ", " } code { (file) } }
+                "."
+            }
+            div class="pictures" {
+                @for output in outputs {
+                    @let png = link(folder, &output.png);
+                    figure {
+                        a href=(png) { img src=(png) alt=(output.caption) loading="lazy"; }
+                        figcaption {
+                            (output.caption)
+                            @if let Some(exr) = &output.exr { " (" a href=(link(folder, exr)) { "EXR" } ")" }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The file as a page in the folder names it, with forward slashes.
+fn link(folder: &Path, file: &Path) -> String {
+    let relative = file.strip_prefix(folder).unwrap_or(file);
+    relative
+        .components()
+        .map(|c| c.as_os_str().to_string_lossy())
+        .collect::<Vec<_>>()
+        .join("/")
+}

@@ -1,0 +1,36 @@
+//! Colours that the colour-blind can tell apart.
+
+use crate::image::{rgb::Rgb, tone};
+use plotters::style::{
+    RGBColor,
+    colors::colormaps::{ColorMap, ViridisRGB},
+};
+
+/// Okabe and Ito's palette (2008), in the order in which a plot takes its colours.
+pub const BLUE: RGBColor = RGBColor(0, 114, 178);
+/// The second colour.
+pub const ORANGE: RGBColor = RGBColor(230, 159, 0);
+/// The third colour.
+pub const GREEN: RGBColor = RGBColor(0, 158, 115);
+/// The fourth colour.
+pub const VERMILION: RGBColor = RGBColor(213, 94, 0);
+/// The fifth colour.
+pub const PURPLE: RGBColor = RGBColor(204, 121, 167);
+/// The sixth colour.
+pub const SKY: RGBColor = RGBColor(86, 180, 233);
+/// Text and axes.
+pub const INK: RGBColor = RGBColor(40, 40, 40);
+/// Guides and what is of no importance.
+pub const FAINT: RGBColor = RGBColor(190, 190, 190);
+
+/// The colour of a number from 0 to 1, from dark blue to yellow: viridis, whose lightness rises evenly.
+pub fn viridis(x: f32) -> Rgb {
+    let x = if x.is_nan() { 0.0 } else { x.clamp(0.0, 1.0) };
+    linear(ViridisRGB.get_color(x))
+}
+
+/// A display's colour as linear values.
+pub fn linear(colour: RGBColor) -> Rgb {
+    let RGBColor(r, g, b) = colour;
+    Rgb::new(f32::from(r), f32::from(g), f32::from(b)).map(|code| tone::decode_srgb(code / 255.0))
+}

@@ -1,0 +1,62 @@
+//! The axis-aligned bounding box.
+
+use glam::Vec3;
+
+/// The points p with min ≤ p ≤ max in every component.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Aabb {
+    /// The least corner.
+    pub min: Vec3,
+    /// The greatest corner.
+    pub max: Vec3,
+}
+
+impl Aabb {
+    /// The box of no points: inverted and infinite, so that its union with any box is that box.
+    pub const EMPTY: Self = Self {
+        min: Vec3::INFINITY,
+        max: Vec3::NEG_INFINITY,
+    };
+
+    /// The box of all points: the bounds of a plane.
+    pub const EVERYTHING: Self = Self {
+        min: Vec3::NEG_INFINITY,
+        max: Vec3::INFINITY,
+    };
+
+    // ANCHOR: bounds_of
+    /// The smallest box that holds all the points; [`Aabb::EMPTY`] for none.
+    ///
+    /// A NaN coordinate is passed over: f32's `min` and `max` return the other operand.
+    pub fn of(points: impl IntoIterator<Item = Vec3>) -> Self {
+        points.into_iter().fold(Self::EMPTY, |bounds, p| Self {
+            min: bounds.min.min(p),
+            max: bounds.max.max(p),
+        })
+    }
+    // ANCHOR_END: bounds_of
+
+    /// The smallest box that holds both.
+    #[must_use]
+    pub fn union(&self, other: &Self) -> Self {
+        Self {
+            min: self.min.min(other.min),
+            max: self.max.max(other.max),
+        }
+    }
+
+    /// Whether p lies inside or on a face.
+    pub fn contains(&self, p: Vec3) -> bool {
+        self.min.cmple(p).all() && p.cmple(self.max).all()
+    }
+
+    /// The point in the middle.
+    pub fn center(&self) -> Vec3 {
+        0.5 * (self.min + self.max)
+    }
+
+    /// The extent along each axis, in metres; negative for an empty box.
+    pub fn size(&self) -> Vec3 {
+        self.max - self.min
+    }
+}

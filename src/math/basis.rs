@@ -1,0 +1,37 @@
+//! Two directions square to a given one.
+
+use crate::math::dir3::Dir3;
+use glam::{Vec3, vec3};
+
+/// Three directions at right angles, x × y = z.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Basis {
+    /// The first tangent.
+    pub x: Dir3,
+    /// The second tangent.
+    pub y: Dir3,
+    /// The direction the basis was built around.
+    pub z: Dir3,
+}
+
+impl Basis {
+    /// A basis whose z is the given direction, without a branch and without a degenerate direction
+    /// (Duff et al., "Building an orthonormal basis, revisited", 2017).
+    pub fn around(z: Dir3) -> Self {
+        let sign = 1.0_f32.copysign(z.z);
+        let a = -1.0 / (sign + z.z);
+        let b = z.x * z.y * a;
+        let x = vec3(1.0 + sign * z.x * z.x * a, sign * b, -sign * z.x);
+        let y = vec3(b, sign + z.y * z.y * a, -z.y);
+        Self {
+            x: Dir3::new_or(x, Dir3::X),
+            y: Dir3::new_or(y, Dir3::Y),
+            z,
+        }
+    }
+
+    /// The world's vector for coordinates in this basis: x·v.x + y·v.y + z·v.z.
+    pub fn to_world(&self, v: Vec3) -> Vec3 {
+        v.x * *self.x + v.y * *self.y + v.z * *self.z
+    }
+}

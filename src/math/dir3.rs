@@ -1,0 +1,50 @@
+//! A direction: a vector that has length 1 by construction.
+
+use glam::Vec3;
+use std::ops::{Deref, Neg};
+
+/// A direction: a [`Vec3`] of length 1.
+///
+/// Whoever holds a `Dir3` need not ask whether it is normalised; this is why a ray's parameter is a distance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dir3(Vec3);
+
+impl Dir3 {
+    /// The world's x axis.
+    pub const X: Self = Self(Vec3::X);
+    /// The world's y axis, which points up.
+    pub const Y: Self = Self(Vec3::Y);
+    /// The world's z axis, which points at the reader of a map whose x points right.
+    pub const Z: Self = Self(Vec3::Z);
+
+    /// v/|v|, or `None` where v has no direction: zero, infinite or NaN.
+    ///
+    /// v is first scaled by its largest component, so that no square overflows or vanishes:
+    /// a vector of length 1e-30 has a direction too.
+    pub fn new(v: Vec3) -> Option<Self> {
+        let largest = v.abs().max_element();
+        let usable = largest > 0.0 && v.is_finite();
+        usable.then(|| Self((v / largest).normalize()))
+    }
+
+    /// v/|v|, or `otherwise` where v has no direction.
+    pub fn new_or(v: Vec3, otherwise: Self) -> Self {
+        Self::new(v).unwrap_or(otherwise)
+    }
+}
+
+impl Deref for Dir3 {
+    type Target = Vec3;
+
+    fn deref(&self) -> &Vec3 {
+        &self.0
+    }
+}
+
+impl Neg for Dir3 {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}

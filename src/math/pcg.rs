@@ -1,0 +1,22 @@
+//! The one random number generator, and one stream of it per pixel.
+
+/// The generator of every random number in this book: PCG-XSH-RR, 64 bits of state (O'Neill 2014).
+///
+/// Its numbers are the same on every machine and in every version, which `StdRng` does not promise.
+pub type Pcg = rand_pcg::Pcg32;
+
+/// The generator of stream number `stream` (a pixel, say) under `seed`.
+///
+/// Each stream depends on these two numbers only, so a picture is the same whichever thread draws which pixel.
+/// Both numbers are mixed first: neighbouring pixels must not start with similar states.
+pub fn stream(seed: u64, stream: u64) -> Pcg {
+    Pcg::new(mix(seed ^ mix(stream)), stream)
+}
+
+/// `SplitMix64`'s finaliser (Steele, Lea and Flood 2014): every bit of the input changes half the bits of the output.
+fn mix(x: u64) -> u64 {
+    let x = x.wrapping_add(0x9e37_79b9_7f4a_7c15);
+    let x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    let x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    x ^ (x >> 31)
+}

@@ -1,0 +1,21 @@
+//! The quadratic equation, solved without cancellation.
+
+// ANCHOR: solve_quadratic
+/// Solves a·t² + b·t + c = 0 for t₀ ≤ t₁; `None` without a real root, or if a = 0.
+///
+/// The schoolbook's −b + √(b² − 4ac) subtracts nearly equal numbers when b² ≫ 4ac, and its digits are lost.
+/// So the root in which both terms have the same sign is computed first, and the other from t₀·t₁ = c/a:
+/// with q = −(b + sign(b)·√(b² − 4ac))/2 the roots are q/a and c/q (Press et al., *Numerical Recipes*, §5.6).
+pub fn solve(a: f32, b: f32, c: f32) -> Option<(f32, f32)> {
+    let discriminant = b * b - 4.0 * a * c;
+    if a == 0.0 || discriminant < 0.0 || discriminant.is_nan() {
+        return None;
+    }
+    let q = -0.5 * (b + discriminant.sqrt().copysign(b));
+    if q == 0.0 {
+        return Some((0.0, 0.0)); // b = c = 0
+    }
+    let (t0, t1) = (q / a, c / q);
+    Some((t0.min(t1), t0.max(t1)))
+}
+// ANCHOR_END: solve_quadratic

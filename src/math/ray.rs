@@ -1,0 +1,29 @@
+//! A ray: where light travels.
+
+use crate::math::dir3::Dir3;
+use glam::Vec3;
+
+/// A half line from a point in a direction: r(t) = o + t·d.
+///
+/// The direction has length 1, so t is a distance in metres.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ray {
+    /// o: where the ray starts, in metres.
+    pub origin: Vec3,
+    /// d: where it goes.
+    pub direction: Dir3,
+}
+
+impl Ray {
+    /// A ray from a point in a direction.
+    pub fn new(origin: Vec3, direction: Dir3) -> Self {
+        Self { origin, direction }
+    }
+
+    // ANCHOR: ray_at
+    /// The point at distance t: r(t) = o + t·d.
+    pub fn at(&self, t: f32) -> Vec3 {
+        self.origin + t * *self.direction
+    }
+    // ANCHOR_END: ray_at
+}

@@ -1,0 +1,112 @@
+//! The film loop: every pixel asks for the radiance of its samples and keeps their mean.
+
+use crate::image::{Image, rgb::Rgb};
+use crate::math::pcg::{self, Pcg};
+use glam::{Vec2, vec2};
+use rand::RngExt;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
+
+/// Edge of a tile in pixels: small enough to share the work evenly, large enough to fetch seldom.
+const TILE: usize = 16;
+
+/// What a picture is taken on.
+#[derive(Clone, Copy)]
+pub struct Film<'a> {
+    /// Columns.
+    pub width: usize,
+    /// Rows.
+    pub height: usize,
+    /// Samples per pixel.
+    pub samples: usize,
+    /// What every random number follows from.
+    pub seed: u64,
+    /// How many threads work; the picture does not depend on it.
+    pub threads: usize,
+    /// Told the number of pixels whenever some are done, from any thread.
+    pub progress: &'a (dyn Fn(usize) + Sync),
+}
+
+impl Film<'_> {
+    /// Width over height.
+    pub fn aspect(&self) -> f32 {
+        self.width as f32 / self.height as f32
+    }
+
+    // ANCHOR: film_loop
+    /// The picture whose pixels are the mean of `radiance` over their samples.
+    ///
+    /// `radiance` is given the place on the film, in [0, 1]² from the top left, and the pixel's random numbers.
+    pub fn render(&self, radiance: impl Fn(Vec2, &mut Pcg) -> Rgb + Sync) -> Image {
+        self.render_pixels(|x, y, rng| {
+            let places = place_in_pixel(self.samples, rng);
+            let sum: Rgb = (0..self.samples)
+                .map(|i| {
+                    let place = vec2(x as f32, y as f32) + places(i);
+                    radiance(place / vec2(self.width as f32, self.height as f32), rng)
+                })
+                .sum();
+            sum / self.samples as f32
+        })
+    }
+    // ANCHOR_END: film_loop
+
+    /// The picture whose pixel in column x and row y is `pixel(x, y, its random numbers)`.
+    ///
+    /// The threads fetch tiles one by one until none is left; each pixel has its own stream of random numbers,
+    /// so the picture does not depend on which thread draws which.
+    pub fn render_pixels(&self, pixel: impl Fn(usize, usize, &mut Pcg) -> Rgb + Sync) -> Image {
+        let (columns, rows) = (self.width.div_ceil(TILE), self.height.div_ceil(TILE));
+        let next = AtomicUsize::new(0);
+        let work = || {
+            let mut done = Vec::new();
+            loop {
+                let tile = next.fetch_add(1, Ordering::Relaxed);
+                if tile >= columns * rows {
+                    return done;
+                }
+                let (left, top) = (tile % columns * TILE, tile / columns * TILE);
+                for y in top..(top + TILE).min(self.height) {
+                    for x in left..(left + TILE).min(self.width) {
+                        let mut rng = pcg::stream(self.seed, (y * self.width + x) as u64);
+                        done.push((x, y, pixel(x, y, &mut rng)));
+                    }
+                }
+                (self.progress)((TILE.min(self.width - left)) * (TILE.min(self.height - top)));
+            }
+        };
+        let mut picture = Image::from_fn(self.width, self.height, |_, _| Rgb::BLACK);
+        thread::scope(|scope| {
+            let workers: Vec<_> = (0..self.threads.max(1))
+                .map(|_| scope.spawn(work))
+                .collect();
+            for worker in workers {
+                let pixels = worker
+                    .join()
+                    .unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+                for (x, y, colour) in pixels {
+                    picture.set(x, y, colour);
+                }
+            }
+        });
+        picture
+    }
+}
+
+/// Where in its pixel each sample falls, in [0, 1)².
+///
+/// One sample is at the centre. More of them are a lattice of irrational steps, which fills the pixel evenly for any
+/// number (R₂: Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018), shifted at random per pixel,
+/// so that their mean has no bias. Chapter 22 compares it with other patterns.
+fn place_in_pixel(samples: usize, rng: &mut Pcg) -> impl Fn(usize) -> Vec2 + use<> {
+    /// (1/ρ, 1/ρ²), where ρ³ = ρ + 1.
+    const STEP: Vec2 = vec2(0.754_877_7, 0.569_840_3);
+    let shift = vec2(rng.random(), rng.random());
+    move |i| {
+        if samples == 1 {
+            Vec2::splat(0.5)
+        } else {
+            (shift + i as f32 * STEP).fract()
+        }
+    }
+}

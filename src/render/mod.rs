@@ -1,0 +1,3 @@
+//! Floor 6: from rays to a picture.
+
+pub mod film;

@@ -1,0 +1,3 @@
+//! Floor 4: stock scenes that chapters share.
+
+pub mod window;

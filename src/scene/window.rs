@@ -1,0 +1,1 @@
+//! A dark room with a bright window: radiances over five orders of magnitude.

@@ -1,0 +1,42 @@
+//! What a mesh knows at its vertices, and how it is found in between.
+
+use crate::math::dir3::Dir3;
+use glam::{Vec2, Vec3};
+
+// ANCHOR: vertex_normals
+/// One normal per vertex: the sum of e₁ × e₂ over the triangles around it, normalised.
+///
+/// |e₁ × e₂| is twice a triangle's area, so large triangles weigh more. This costs nothing, a triangle without area adds
+/// nothing, and splitting a triangle in two changes nothing at its other corners' neighbours.
+/// A vertex whose triangles cancel out, or that has none, gets +y.
+pub fn vertex_normals(positions: &[Vec3], triangles: &[[u32; 3]]) -> Vec<Dir3> {
+    let mut sums = vec![Vec3::ZERO; positions.len()];
+    for corners in triangles {
+        let [p0, p1, p2] = corners.map(|i| positions[i as usize]);
+        let twice_area = (p1 - p0).cross(p2 - p0);
+        for &i in corners {
+            sums[i as usize] += twice_area;
+        }
+    }
+    sums.into_iter()
+        .map(|sum| Dir3::new_or(sum, Dir3::Y))
+        .collect()
+}
+// ANCHOR_END: vertex_normals
+
+// ANCHOR: interpolate_normal
+/// The normal inside a triangle: (1 − b₁ − b₂)·n₀ + b₁·n₁ + b₂·n₂, normalised again, for it is shorter than 1 between
+/// corners whose normals differ.
+pub fn interpolate_normal(normals: [Dir3; 3], b: Vec2) -> Dir3 {
+    let [n0, n1, n2] = normals;
+    Dir3::new_or((1.0 - b.x - b.y) * *n0 + b.x * *n1 + b.y * *n2, n0)
+}
+// ANCHOR_END: interpolate_normal
+
+// ANCHOR: interpolate_texture
+/// The texture coordinates inside a triangle: (1 − b₁ − b₂)·t₀ + b₁·t₁ + b₂·t₂.
+pub fn interpolate_texture(textures: [Vec2; 3], b: Vec2) -> Vec2 {
+    let [t0, t1, t2] = textures;
+    (1.0 - b.x - b.y) * t0 + b.x * t1 + b.y * t2
+}
+// ANCHOR_END: interpolate_texture

@@ -1,0 +1,66 @@
+//! The box whose faces are parallel to the axes.
+
+use crate::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray, slab};
+use crate::shape::{Hit, ROUNDING, Shape, Surface};
+use glam::{Vec2, Vec3};
+
+/// The six faces of an axis-aligned box. (`Box` is Rust's word for something else.)
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cuboid {
+    /// The box.
+    pub bounds: Aabb,
+}
+
+impl Cuboid {
+    /// The box between two opposite corners, whichever they are.
+    pub fn between(a: Vec3, b: Vec3) -> Self {
+        Self {
+            bounds: Aabb::of([a, b]),
+        }
+    }
+}
+
+impl Shape for Cuboid {
+    fn bounds(&self) -> Aabb {
+        self.bounds
+    }
+
+    /// Clips the whole line by the box; the ray hits where it enters or, from inside, where it leaves.
+    fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
+        let line = Interval::new(f32::NEG_INFINITY, f32::INFINITY);
+        let inside = slab::clip(&self.bounds, ray, line)?;
+        let t = [inside.min, inside.max]
+            .into_iter()
+            .find(|&t| within.contains(t))?;
+        Some(Hit {
+            t,
+            uv: Vec2::ZERO,
+            id: 0,
+        })
+    }
+
+    /// The face is the one whose plane is nearest to the point; texture coordinates run over it from 0 to 1.
+    fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
+        let Aabb { min, max } = self.bounds;
+        let p = ray.at(hit.t);
+        let (below, above) = ((p - min).abs(), (p - max).abs());
+        let axis = below.min(above).min_position();
+        let outward = match below[axis].total_cmp(&above[axis]) {
+            std::cmp::Ordering::Less => -1.0,
+            std::cmp::Ordering::Greater => 1.0,
+            // A box without thickness: the side that the ray sees.
+            std::cmp::Ordering::Equal => -1.0_f32.copysign(ray.direction[axis]),
+        };
+        let mut position = p.max(min).min(max);
+        position[axis] = if outward < 0.0 { min[axis] } else { max[axis] };
+        let normal = Dir3::new_or(outward * Vec3::AXES[axis], Dir3::Y);
+        let across = (position - min) / (max - min).max(Vec3::splat(f32::MIN_POSITIVE));
+        Surface {
+            position,
+            error: ROUNDING * min.abs().max(max.abs()).max_element(),
+            normal,
+            shading_normal: normal,
+            texture: Vec2::new(across[(axis + 1) % 3], across[(axis + 2) % 3]),
+        }
+    }
+}

@@ -1,0 +1,187 @@
+//! A triangle mesh: shared vertices, their attributes, and triangles that name three of them.
+
+use crate::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray};
+use crate::shape::attributes::{interpolate_normal, interpolate_texture, vertex_normals};
+use crate::shape::{Hit, Shape, Surface, triangle::Triangle};
+use glam::{Vec2, Vec3};
+
+/// A surface of triangles.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mesh {
+    positions: Vec<Vec3>,
+    normals: Vec<Dir3>,
+    textures: Vec<Vec2>,
+    triangles: Vec<[u32; 3]>,
+}
+
+/// Why numbers do not make a mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum MeshError {
+    /// A triangle names a vertex that does not exist.
+    #[error(
+        "triangle {triangle} uses vertex {index}, but there are only {vertices} (the first is 0)"
+    )]
+    Index {
+        /// Which triangle, from 0.
+        triangle: usize,
+        /// The index it holds.
+        index: u32,
+        /// How many vertices there are.
+        vertices: usize,
+    },
+    /// A coordinate is NaN or infinite.
+    #[error("vertex {vertex} has a coordinate that is not a finite number")]
+    NotFinite {
+        /// Which vertex, from 0.
+        vertex: usize,
+    },
+    /// Attributes must be given for every vertex, or not at all.
+    #[error("{attributes} {kind} were given for {vertices} vertices: one for each is needed")]
+    Attributes {
+        /// "normals" or "texture coordinates".
+        kind: &'static str,
+        /// How many were given.
+        attributes: usize,
+        /// How many vertices there are.
+        vertices: usize,
+    },
+}
+
+impl Mesh {
+    /// A mesh of n vertices, with n normals and n texture coordinates where there are any, and triangles that are
+    /// counter-clockwise seen from outside.
+    ///
+    /// Without normals, they are averaged from the triangles ([`vertex_normals`]); without texture coordinates, they are 0.
+    ///
+    /// # Errors
+    /// If an index is out of range, a coordinate is not finite, or an attribute is missing for some vertices.
+    pub fn new(
+        positions: Vec<Vec3>,
+        triangles: Vec<[u32; 3]>,
+        normals: Option<Vec<Dir3>>,
+        textures: Option<Vec<Vec2>>,
+    ) -> Result<Self, MeshError> {
+        let vertices = positions.len();
+        for (triangle, corners) in triangles.iter().enumerate() {
+            if let Some(&index) = corners.iter().find(|&&i| i as usize >= vertices) {
+                return Err(MeshError::Index {
+                    triangle,
+                    index,
+                    vertices,
+                });
+            }
+        }
+        if let Some(vertex) = positions.iter().position(|p| !p.is_finite()) {
+            return Err(MeshError::NotFinite { vertex });
+        }
+        let normals = normals.unwrap_or_else(|| vertex_normals(&positions, &triangles));
+        let textures = textures.unwrap_or_else(|| vec![Vec2::ZERO; vertices]);
+        for (kind, attributes) in [
+            ("normals", normals.len()),
+            ("texture coordinates", textures.len()),
+        ] {
+            if attributes != vertices {
+                return Err(MeshError::Attributes {
+                    kind,
+                    attributes,
+                    vertices,
+                });
+            }
+        }
+        Ok(Self {
+            positions,
+            normals,
+            textures,
+            triangles,
+        })
+    }
+
+    /// The vertices, in metres.
+    pub fn positions(&self) -> &[Vec3] {
+        &self.positions
+    }
+
+    /// One normal per vertex.
+    pub fn normals(&self) -> &[Dir3] {
+        &self.normals
+    }
+
+    /// One pair of texture coordinates per vertex.
+    pub fn textures(&self) -> &[Vec2] {
+        &self.textures
+    }
+
+    /// Three indices of vertices per triangle.
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        &self.triangles
+    }
+
+    /// The smallest box that holds all vertices.
+    pub fn bounds(&self) -> Aabb {
+        Aabb::of(self.positions.iter().copied())
+    }
+
+    /// The triangles as shapes of their own, in order: facet i has the id i.
+    pub fn facets(&self) -> Vec<Facet> {
+        (0..)
+            .map_while(|id| {
+                Some(Facet {
+                    triangle: self.triangle(id)?,
+                    id,
+                })
+            })
+            .collect()
+    }
+
+    /// The surface where a ray hit one of the facets: `hit.id` says which, `hit.uv` where on it.
+    pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
+        let (Some(triangle), Some(corners)) =
+            (self.triangle(hit.id), self.triangles.get(hit.id as usize))
+        else {
+            unreachable!(
+                "hit {hit:?} is not of this mesh of {} triangles",
+                self.triangles.len()
+            )
+        };
+        let corners = corners.map(|i| i as usize);
+        Surface {
+            shading_normal: interpolate_normal(corners.map(|i| self.normals[i]), hit.uv),
+            texture: interpolate_texture(corners.map(|i| self.textures[i]), hit.uv),
+            ..triangle.surface(ray, hit)
+        }
+    }
+
+    fn triangle(&self, id: u32) -> Option<Triangle> {
+        let [p0, p1, p2] = self
+            .triangles
+            .get(id as usize)?
+            .map(|i| self.positions[i as usize]);
+        Some(Triangle::new(p0, p1, p2))
+    }
+}
+
+/// One triangle of a mesh; its hits carry its number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Facet {
+    /// The triangle.
+    pub triangle: Triangle,
+    /// Its place in [`Mesh::triangles`].
+    pub id: u32,
+}
+
+impl Shape for Facet {
+    fn bounds(&self) -> Aabb {
+        self.triangle.bounds()
+    }
+
+    fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
+        self.triangle
+            .hit(ray, within)
+            .map(|hit| Hit { id: self.id, ..hit })
+    }
+
+    /// The flat surface; the smooth one is [`Mesh::surface`].
+    fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
+        self.triangle.surface(ray, hit)
+    }
+}

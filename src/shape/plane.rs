@@ -1,0 +1,58 @@
+//! The infinite plane.
+
+use crate::math::{aabb::Aabb, basis::Basis, dir3::Dir3, interval::Interval, ray::Ray};
+use crate::shape::{Hit, ROUNDING, Shape, Surface};
+use glam::{Vec2, Vec3, vec2};
+
+/// All points p with n·p = c. Its outside is where n points.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plane {
+    /// n: the side that is outside.
+    pub normal: Dir3,
+    /// c: the distance from the world's origin along n, in metres.
+    pub offset: f32,
+}
+
+impl Plane {
+    /// The plane through a point, square to a direction.
+    pub fn through(point: Vec3, normal: Dir3) -> Self {
+        Self {
+            normal,
+            offset: normal.dot(point),
+        }
+    }
+}
+
+impl Shape for Plane {
+    fn bounds(&self) -> Aabb {
+        Aabb::EVERYTHING
+    }
+
+    // ANCHOR: plane_hit
+    /// Solves n·(o + t·d) = c for t: t = (c − n·o)/(n·d).
+    ///
+    /// A ray along the plane divides by zero: t is infinite or, in the plane itself, NaN, and neither is in the interval.
+    fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
+        let t = (self.offset - self.normal.dot(ray.origin)) / self.normal.dot(*ray.direction);
+        within.contains(t).then_some(Hit {
+            t,
+            uv: Vec2::ZERO,
+            id: 0,
+        })
+    }
+    // ANCHOR_END: plane_hit
+
+    /// The texture coordinates are metres along two directions in the plane.
+    fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
+        let near = ray.at(hit.t);
+        let position = near + (self.offset - self.normal.dot(near)) * *self.normal;
+        let basis = Basis::around(self.normal);
+        Surface {
+            position,
+            error: ROUNDING * (position.abs().max_element() + self.offset.abs()),
+            normal: self.normal,
+            shading_normal: self.normal,
+            texture: vec2(position.dot(*basis.x), position.dot(*basis.y)),
+        }
+    }
+}

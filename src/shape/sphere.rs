@@ -1,0 +1,88 @@
+//! The sphere.
+
+use crate::math::{aabb::Aabb, dir3::Dir3, interval::Interval, quadratic, ray::Ray};
+use crate::shape::{Hit, ROUNDING, Shape, Surface};
+use glam::{Vec2, Vec3, vec2};
+use std::f32::consts::{PI, TAU};
+
+/// All points p with |p − c| = r. Its outside is the outside.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sphere {
+    /// c, in metres.
+    pub center: Vec3,
+    /// r > 0, in metres.
+    pub radius: f32,
+}
+
+impl Sphere {
+    /// A sphere from its centre and radius.
+    pub fn new(center: Vec3, radius: f32) -> Self {
+        Self { center, radius }
+    }
+
+    // ANCHOR: sphere_normal
+    /// The outward normal at a point p of the sphere: (p − c)/r.
+    pub fn normal_at(&self, p: Vec3) -> Dir3 {
+        Dir3::new_or(p - self.center, Dir3::Y)
+    }
+    // ANCHOR_END: sphere_normal
+}
+
+impl Shape for Sphere {
+    fn bounds(&self) -> Aabb {
+        Aabb {
+            min: self.center - self.radius,
+            max: self.center + self.radius,
+        }
+    }
+
+    // ANCHOR: sphere_hit
+    /// Solves |o + t·d − c|² = r² for t.
+    ///
+    /// From far away, r² would be the difference of two huge squares, and its digits would be lost.
+    /// So t is counted from the point p where the ray passes closest to the centre: t = (c − o)·d + s,
+    /// and s² + 2(p − c)·d s + |p − c|² − r² = 0 has numbers no larger than they need be (after Haines et al. 2019).
+    /// (p − c)·d would be 0 without rounding; keeping it makes up for the rounding of p along the ray.
+    fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
+        let from_center = ray.origin - self.center;
+        let closest = -from_center.dot(*ray.direction);
+        let p = from_center + closest * *ray.direction;
+        let (near, far) = quadratic::solve(
+            1.0,
+            2.0 * p.dot(*ray.direction),
+            p.length_squared() - self.radius * self.radius,
+        )?;
+        let s = [near, far]
+            .into_iter()
+            .find(|s| within.contains(closest + s))?;
+        Some(Hit {
+            t: closest + s,
+            uv: vec2(s, 0.0),
+            id: 0,
+        })
+    }
+    // ANCHOR_END: sphere_hit
+
+    fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
+        // As in `hit`: from the closest point by s, where o + t·d would round away what is smaller than t's last digit.
+        let from_center = ray.origin - self.center;
+        let closest = -from_center.dot(*ray.direction);
+        let p = from_center + closest * *ray.direction + hit.uv.x * *ray.direction;
+        let normal = Dir3::new_or(p, Dir3::Y);
+        Surface {
+            position: self.center + self.radius * *normal,
+            error: ROUNDING * (self.center.abs().max_element() + self.radius),
+            normal,
+            shading_normal: normal,
+            texture: longitude_latitude(normal),
+        }
+    }
+}
+
+/// Longitude and latitude as texture coordinates in [0, 1]²: u eastward from +z, v from the south pole (−y) to the north.
+fn longitude_latitude(n: Dir3) -> Vec2 {
+    vec2(
+        n.x.atan2(n.z) / TAU + 0.5,
+        n.y.clamp(-1.0, 1.0).asin() / PI + 0.5,
+    )
+}

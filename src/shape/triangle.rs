@@ -1,0 +1,90 @@
+//! The triangle, hit by the method of Möller and Trumbore.
+
+use crate::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray};
+use crate::shape::{Hit, ROUNDING, Shape, Surface};
+use glam::{Vec3, vec2};
+
+/// The points p₀ + b₁·e₁ + b₂·e₂ with b₁ ≥ 0, b₂ ≥ 0, b₁ + b₂ ≤ 1.
+///
+/// Its outside is the side from which p₀, p₁, p₂ run counter-clockwise. Both sides can be hit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Triangle {
+    /// The first corner.
+    pub p0: Vec3,
+    /// e₁ = p₁ − p₀.
+    pub e1: Vec3,
+    /// e₂ = p₂ − p₀.
+    pub e2: Vec3,
+}
+
+impl Triangle {
+    /// A triangle from its corners.
+    pub fn new(p0: Vec3, p1: Vec3, p2: Vec3) -> Self {
+        Self {
+            p0,
+            e1: p1 - p0,
+            e2: p2 - p0,
+        }
+    }
+
+    /// The three corners.
+    pub fn corners(&self) -> [Vec3; 3] {
+        [self.p0, self.p0 + self.e1, self.p0 + self.e2]
+    }
+
+    // ANCHOR: triangle_normal
+    /// The outward normal: e₁ × e₂, normalised; `None` for a triangle without area.
+    pub fn normal(&self) -> Option<Dir3> {
+        Dir3::new(self.e1.cross(self.e2))
+    }
+    // ANCHOR_END: triangle_normal
+}
+
+impl Shape for Triangle {
+    fn bounds(&self) -> Aabb {
+        Aabb::of(self.corners())
+    }
+
+    // ANCHOR: triangle_hit
+    /// Solves o + t·d = p₀ + b₁·e₁ + b₂·e₂ for (t, b₁, b₂); `uv` is (b₁, b₂).
+    ///
+    /// By Cramer's rule with |a b c| = (a × b)·c, and s₁ = d × e₂, s = o − p₀, s₂ = s × e₁:
+    /// (t, b₁, b₂) = (s₂·e₂, s₁·s, s₂·d) / s₁·e₁ (Möller and Trumbore 1997).
+    ///
+    /// Without area, or with the ray in its plane, s₁·e₁ is 0: the quotients are infinite or NaN,
+    /// and one of the comparisons is false.
+    fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
+        let s1 = ray.direction.cross(self.e2);
+        let inverse = 1.0 / s1.dot(self.e1);
+        let s = ray.origin - self.p0;
+        let b1 = s1.dot(s) * inverse;
+        if !(0.0..=1.0).contains(&b1) {
+            return None;
+        }
+        let s2 = s.cross(self.e1);
+        let b2 = s2.dot(*ray.direction) * inverse;
+        let t = s2.dot(self.e2) * inverse;
+        let inside = b2 >= 0.0 && b1 + b2 <= 1.0;
+        (inside && within.contains(t)).then_some(Hit {
+            t,
+            uv: vec2(b1, b2),
+            id: 0,
+        })
+    }
+    // ANCHOR_END: triangle_hit
+
+    fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
+        let normal = self.normal().unwrap_or(-ray.direction);
+        let largest =
+            self.p0.abs().max_element() + self.e1.abs().max_element() + self.e2.abs().max_element();
+        // On a thin triangle, all of it is near an edge's line: the hit test loses digits as e₁ and e₂ get parallel.
+        let thinness = self.e1.length() * self.e2.length() / self.e1.cross(self.e2).length();
+        Surface {
+            position: self.p0 + hit.uv.x * self.e1 + hit.uv.y * self.e2,
+            error: ROUNDING * largest * thinness,
+            normal,
+            shading_normal: normal,
+            texture: hit.uv,
+        }
+    }
+}

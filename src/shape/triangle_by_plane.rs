@@ -1,0 +1,29 @@
+//! A triangle hit in two steps: the plane first, then whether the point is inside.
+
+use crate::math::{interval::Interval, ray::Ray};
+use crate::shape::{Hit, triangle::Triangle};
+use glam::vec2;
+
+// ANCHOR: hit
+/// The same answer as [`Triangle::hit`](crate::shape::Shape::hit): where the ray meets the plane n·p = n·p₀ with n = e₁ × e₂,
+/// and whether that point p lies to the left of all three edges.
+///
+/// With q = p − p₀, twice the area of (p₀, p, p₂) is (q × e₂)·n/|n|, so b₁ = (q × e₂)·n/n·n, and b₂ = (e₁ × q)·n/n·n.
+pub fn hit(triangle: &Triangle, ray: &Ray, within: Interval) -> Option<Hit> {
+    let Triangle { p0, e1, e2 } = *triangle;
+    let n = e1.cross(e2);
+    let t = n.dot(p0 - ray.origin) / n.dot(*ray.direction);
+    if !within.contains(t) {
+        return None;
+    }
+    let q = ray.at(t) - p0;
+    let b1 = q.cross(e2).dot(n) / n.length_squared();
+    let b2 = e1.cross(q).dot(n) / n.length_squared();
+    let inside = b1 >= 0.0 && b2 >= 0.0 && b1 + b2 <= 1.0;
+    inside.then_some(Hit {
+        t,
+        uv: vec2(b1, b2),
+        id: 0,
+    })
+}
+// ANCHOR_END: hit

@@ -1,0 +1,126 @@
+//! The tour: every chapter's pictures in one run.
+
+use clap::Args;
+use indicatif::MultiProgress;
+use raybook::lab::gallery::{self, Drawing};
+use raybook::lab::options::Options;
+use raybook::lab::stage::{Drawn, Stage, progress_bar};
+use raybook::workbook::curriculum::{CHAPTERS, Chapter};
+use std::time::Instant;
+
+/// The chapters' files once more, as modules: their `main`s are for their own binaries.
+#[expect(
+    dead_code,
+    reason = "a chapter's `main` is called in its own binary only"
+)]
+#[path = "."]
+mod chapters {
+    #[path = "../chapters/ch01_rays.rs"]
+    pub mod ch01_rays;
+    #[path = "../chapters/ch02_hdr.rs"]
+    pub mod ch02_hdr;
+    #[path = "../chapters/ch03_sphere.rs"]
+    pub mod ch03_sphere;
+    #[path = "../chapters/ch04_plane.rs"]
+    pub mod ch04_plane;
+    #[path = "../chapters/ch05_box.rs"]
+    pub mod ch05_box;
+    #[path = "../chapters/ch06_triangle.rs"]
+    pub mod ch06_triangle;
+    #[path = "../chapters/ch07_mesh.rs"]
+    pub mod ch07_mesh;
+}
+
+/// How to draw each chapter, by name.
+const DRAW: &[(&str, fn(&Stage) -> Drawn)] = &[
+    ("ch01_rays", chapters::ch01_rays::draw),
+    ("ch02_hdr", chapters::ch02_hdr::draw),
+    ("ch03_sphere", chapters::ch03_sphere::draw),
+    ("ch04_plane", chapters::ch04_plane::draw),
+    ("ch05_box", chapters::ch05_box::draw),
+    ("ch06_triangle", chapters::ch06_triangle::draw),
+    ("ch07_mesh", chapters::ch07_mesh::draw),
+];
+
+/// The options of `raybook tour`.
+#[derive(Args)]
+pub struct Tour {
+    #[command(flatten)]
+    options: Options,
+    /// Only these chapters, by the beginning of their names: ch03,ch06
+    #[arg(long, value_delimiter = ',')]
+    only: Vec<String>,
+}
+
+impl Tour {
+    /// Draws the chapters, one after the other, then the gallery.
+    pub fn run(self) -> Drawn {
+        let start = Instant::now();
+        let bars = MultiProgress::new();
+        let mut drawings = Vec::new();
+        for chapter in self.chosen()? {
+            let (_, draw) = DRAW
+                .iter()
+                .find(|(name, _)| *name == chapter.name)
+                .ok_or_else(|| format!("{} cannot be drawn", chapter.name))?;
+            let chapter_start = Instant::now();
+            let stage = Stage::new(
+                chapter.name,
+                self.options.clone(),
+                false,
+                bars.add(progress_bar()),
+            );
+            draw(&stage).map_err(|error| format!("{}: {error}", chapter.name))?;
+            let (outputs, time) = (stage.into_outputs(), chapter_start.elapsed());
+            if bars.is_hidden() {
+                println!(
+                    "{:<16} {} pictures in {:.1} s",
+                    chapter.name,
+                    outputs.len(),
+                    time.as_secs_f32()
+                );
+            }
+            drawings.push(Drawing {
+                chapter,
+                outputs,
+                time,
+            });
+        }
+        let page = gallery::write(&self.options.out, &drawings)?;
+        println!(
+            "{} chapters in {:.1} s; look at {}",
+            drawings.len(),
+            start.elapsed().as_secs_f32(),
+            page.display()
+        );
+        Ok(())
+    }
+
+    fn chosen(&self) -> Result<Vec<&'static Chapter>, String> {
+        let names = || {
+            CHAPTERS
+                .iter()
+                .map(|chapter| chapter.name)
+                .collect::<Vec<_>>()
+                .join(", ")
+        };
+        if let Some(wrong) = self
+            .only
+            .iter()
+            .find(|start| !CHAPTERS.iter().any(|c| c.name.starts_with(start.as_str())))
+        {
+            return Err(format!(
+                "--only {wrong}: no chapter's name begins so; there are {}",
+                names()
+            ));
+        }
+        let wanted = |chapter: &&Chapter| {
+            self.only.is_empty()
+                || self
+                    .only
+                    .iter()
+                    .any(|start| chapter.name.starts_with(start.as_str()))
+        };
+        Ok(CHAPTERS.iter().filter(wanted).collect())
+    }
+}

@@ -1,0 +1,3 @@
+//! Floor 7: the curriculum.
+
+pub mod curriculum;

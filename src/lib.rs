@@ -24,9 +24,11 @@
 //! | 6 | render |
 //! | 7 | workbook |
 //! | 8 | lab |
+//! | 9 | grade |
 
 pub mod accel;
 pub mod camera;
+pub mod grade;
 pub mod image;
 pub mod lab;
 pub mod math;

@@ -1,3 +1,7 @@
-//! Floor 7: the curriculum.
+//! Floor 7: the curriculum, the exercises, and the program that answers them.
 
+pub mod answer;
 pub mod curriculum;
+pub mod exercise;
+pub mod exercises;
+pub mod row;

@@ -1,0 +1,116 @@
+//! Asking an answer program: any program, which may crash, hang, flood or lie.
+
+use crate::grade::converse::{Conversation, End, Limits, Program, converse};
+use std::io;
+use std::time::Duration;
+
+/// What came back for one question.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reply {
+    /// The answer, or why there is none.
+    pub said: Said,
+    /// What else the program printed before it.
+    pub printed: String,
+}
+
+/// An answer, or why there is none.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Said {
+    /// An answer, as its words.
+    Answer(String),
+    /// This function is not written yet.
+    Todo(String),
+    /// The student's function panicked, with this message; the program went on.
+    Panicked(String),
+    /// The program could not read the question.
+    Refused(String),
+    /// The program ended without an answer.
+    Ended(String),
+    /// No answer came in this time.
+    TimedOut(Duration),
+    /// So many bytes were printed without an answer.
+    Flooded(usize),
+    /// So many answers were given to the one question.
+    TooMany(usize),
+}
+
+/// So many times a program may be well alone and ill in company; from then on it is asked one question at a time.
+const PATIENCE: usize = 3;
+
+/// Asks all the questions, whatever happens, and returns a reply to each.
+///
+/// All are sent at once, so a program that does not flush its output is answered for too. When it ends early, the
+/// question it had reached is asked again alone, to blame the right one, and the others go to a new process.
+///
+/// # Errors
+/// If the program cannot be started.
+pub fn ask(program: &Program, questions: &[String], limits: Limits) -> io::Result<Vec<Reply>> {
+    let mut replies = Vec::new();
+    let mut misfortunes = 0;
+    while replies.len() < questions.len() {
+        let rest = &questions[replies.len()..];
+        let together = if misfortunes < PATIENCE {
+            rest.len()
+        } else {
+            1
+        };
+        let Conversation {
+            mut answers,
+            end,
+            leftover,
+        } = converse(program, &rest[..together], limits)?;
+        if answers.len() > together {
+            if together == 1 {
+                let printed = answers.swap_remove(0).1;
+                replies.push(Reply {
+                    said: Said::TooMany(answers.len() + 1),
+                    printed,
+                });
+            } else {
+                misfortunes = PATIENCE; // who said too much? ask them one by one
+            }
+            continue;
+        }
+        let complete = answers.len() == together;
+        replies.extend(answers.into_iter().map(|(answer, printed)| Reply {
+            said: understand(&answer),
+            printed,
+        }));
+        if complete {
+            continue;
+        }
+        let (said, printed) = (silence(end), leftover);
+        if together == 1 {
+            replies.push(Reply { said, printed });
+        } else {
+            let alone = ask(program, &questions[replies.len()..=replies.len()], limits)?;
+            misfortunes += usize::from(
+                alone
+                    .iter()
+                    .all(|reply| matches!(reply.said, Said::Answer(_))),
+            );
+            replies.extend(alone);
+        }
+    }
+    Ok(replies)
+}
+
+/// An answer line without its `= `.
+fn understand(answer: &str) -> Said {
+    let (first, rest) = answer.split_once(' ').unwrap_or((answer, ""));
+    let rest = rest.trim().to_owned();
+    match first {
+        "todo" => Said::Todo(rest),
+        "panic" => Said::Panicked(rest),
+        "error" => Said::Refused(rest),
+        _ => Said::Answer(answer.to_owned()),
+    }
+}
+
+fn silence(end: End) -> Said {
+    match end {
+        End::Exited(how) => Said::Ended(how),
+        End::TimedOut(limit) => Said::TimedOut(limit),
+        End::Flooded(bytes) => Said::Flooded(bytes),
+    }
+}

@@ -1,0 +1,91 @@
+//! Floor 9: what the course knows and the student does not: cases, judges, mistakes. It never travels with the starter.
+
+pub mod ask;
+pub mod cases;
+pub mod contain;
+pub mod converse;
+pub mod diagnose;
+pub mod examine;
+pub mod hidden;
+pub mod judge;
+pub mod sample;
+
+use crate::image::rgb::Rgb;
+use crate::math::pcg::Pcg;
+use crate::workbook::exercise::Exercise;
+
+/// Whether an answer is right; if not, why not, in the exercise's own words and units.
+pub type Verdict = Result<(), String>;
+
+/// An exercise with everything that grading needs.
+pub trait Graded: Exercise + Sized + 'static {
+    /// Wrong implementations that students are known to write.
+    const MISTAKES: &'static [Mistake<Self>];
+
+    /// The picture that the answers make, where the exercise is one of pixels.
+    const PICTURE: Option<Picture<Self>> = None;
+
+    /// The cases that are most often got wrong, each with a name.
+    fn edges() -> Vec<Edge<Self>>;
+
+    /// An ordinary question. It is kept only if its answer does not hang on the last digits of its numbers.
+    fn random(rng: &mut Pcg) -> Self::Question;
+
+    /// Compares an answer with the golden one.
+    ///
+    /// # Errors
+    /// Why the answer is wrong.
+    fn judge(question: &Self::Question, golden: &Self::Answer, got: &Self::Answer) -> Verdict;
+}
+
+/// A question that matters, by name.
+pub struct Edge<E: Exercise> {
+    /// What is special about it.
+    pub name: &'static str,
+    /// The question.
+    pub question: E::Question,
+    /// Answers that are as right as the reference's.
+    pub also_right: Vec<E::Answer>,
+}
+
+impl<E: Exercise> Edge<E> {
+    /// A question with one right answer.
+    pub fn new(name: &'static str, question: E::Question) -> Self {
+        Self {
+            name,
+            question,
+            also_right: Vec::new(),
+        }
+    }
+
+    /// The same, with another right answer.
+    #[must_use]
+    pub fn or(mut self, answer: E::Answer) -> Self {
+        self.also_right.push(answer);
+        self
+    }
+}
+
+/// A wrong implementation.
+pub struct Mistake<E: Exercise> {
+    /// What it does, as a verb: "takes the far root".
+    pub name: &'static str,
+    /// A sentence that leads the student on and does not give the answer away.
+    pub hint: &'static str,
+    /// The wrong answer.
+    pub answer: fn(&E::Question) -> E::Answer,
+}
+
+/// A picture with a question per pixel.
+pub struct Picture<E: Exercise> {
+    /// Columns.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
+    /// What it shows, for those who cannot see it.
+    pub alt: &'static str,
+    /// The question of the pixel in column x and row y.
+    pub question: fn(x: u32, y: u32) -> E::Question,
+    /// The colour of an answer.
+    pub colour: fn(&E::Question, &E::Answer) -> Rgb,
+}

@@ -1,6 +1,6 @@
 //! The `raybook` command: parse, call, print.
 
-mod tour;
+mod commands;
 
 use clap::{Parser, Subcommand};
 use raybook::lab::chapter::report;
@@ -8,34 +8,55 @@ use raybook::workbook::curriculum::CHAPTERS;
 use std::process::ExitCode;
 
 /// A ray-tracing course that you can run. Without a command: the map of the course.
+///
+/// Exit codes: 0 all right, 1 some answers are wrong or missing, 2 wrong usage or input.
 #[derive(Parser)]
 #[command(version)]
 struct Command {
     #[command(subcommand)]
-    command: Option<Task>,
+    task: Option<Task>,
 }
 
 #[derive(Subcommand)]
 enum Task {
     /// Draw every chapter's pictures, and a gallery of them
-    Tour(tour::Tour),
+    Tour(commands::tour::Tour),
+    /// Make a workbook: a folder in which you write the functions
+    New(commands::new::New),
+    /// Check a workbook: what is right, what is not, and the next step
+    Check(commands::check::Check),
+    /// Hint at what is wrong, without giving the answer away
+    Hint(commands::hint::Hint),
+    /// Say what an exercise asks and how it is answered
+    Exercise(commands::exercise::Exercise),
+    /// Copy in the reference for a chapter that you missed; your files are kept
+    Solve(commands::solve::Solve),
+    /// Write the golden answers (for course authors)
+    Bless(commands::bless::Bless),
 }
 
 fn main() -> ExitCode {
-    let done = match Command::parse().command {
+    let done = match Command::parse().task {
         None => {
             print_map();
-            Ok(())
+            Ok(true)
         }
-        Some(Task::Tour(tour)) => tour.run(),
+        Some(Task::Tour(task)) => task.run(),
+        Some(Task::New(task)) => task.run(),
+        Some(Task::Check(task)) => task.run(),
+        Some(Task::Hint(task)) => task.run(),
+        Some(Task::Exercise(task)) => task.run(),
+        Some(Task::Solve(task)) => task.run(),
+        Some(Task::Bless(task)) => task.run(),
     };
-    done.map_or_else(
-        |error| {
+    match done {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::from(1),
+        Err(error) => {
             report(&*error);
             ExitCode::from(2)
-        },
-        |()| ExitCode::SUCCESS,
-    )
+        }
+    }
 }
 
 /// The course map and the next step.
@@ -43,7 +64,7 @@ fn print_map() {
     println!("raybook: a ray-tracing course that you can run\n");
     for chapter in CHAPTERS {
         println!(
-            "  {:2}  {:<12} {}",
+            "  {:2}  {:<20} {}",
             chapter.number(),
             chapter.title(),
             chapter.teaches()
@@ -51,7 +72,8 @@ fn print_map() {
     }
     println!("\nNext: see every chapter's pictures   cargo run --release -- tour");
     println!(
-        "      or draw one chapter           cargo run --release --bin {}",
+        "      draw one chapter               cargo run --release --bin {}",
         CHAPTERS[0].name
     );
+    println!("      write your own ray tracer      cargo run --release -- new my-rays");
 }

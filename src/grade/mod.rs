@@ -2,13 +2,21 @@
 
 pub mod ask;
 pub mod cases;
+pub mod check;
 pub mod contain;
 pub mod converse;
 pub mod diagnose;
 pub mod examine;
+pub mod feedback;
+pub mod golden;
 pub mod hidden;
+pub mod json;
 pub mod judge;
+pub mod picture;
+pub mod progress;
 pub mod sample;
+pub mod starter;
+pub mod student;
 
 use crate::image::rgb::Rgb;
 use crate::math::pcg::Pcg;

@@ -84,4 +84,12 @@ impl Image {
             ..*self
         }
     }
+
+    /// The picture with each pixel as a square of so many pixels: for looking at single pixels.
+    #[must_use]
+    pub fn enlarged(&self, times: usize) -> Self {
+        Self::from_fn(self.width * times, self.height * times, |x, y| {
+            self.at(x / times, y / times)
+        })
+    }
 }

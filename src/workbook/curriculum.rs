@@ -1,48 +1,37 @@
 //! The curriculum as data. What a chapter says of itself stands once, at the top of its file in `chapters/`.
 
+use crate::workbook::exercise::Asked;
+use crate::workbook::exercises;
+
 /// One chapter of the course.
 #[derive(Clone, Copy, Debug)]
 pub struct Chapter {
     /// The name of its binary, its folder of pictures and golden answers, and its page: `ch03_sphere`.
     pub name: &'static str,
-    /// The functions that a student writes; the names are grade keys.
-    pub exercises: &'static [&'static str],
     /// The text of `chapters/<name>.rs`.
     pub source: &'static str,
 }
 
-/// A row, from the chapter's name and its exercises.
-macro_rules! chapter {
-    ($name:literal, $exercises:expr) => {
-        Chapter {
+/// The rows, from the chapters' names.
+macro_rules! chapters {
+    ($($name:literal),+ $(,)?) => {
+        /// All chapters that exist, in order.
+        pub const CHAPTERS: &[Chapter] = &[$(Chapter {
             name: $name,
-            exercises: &$exercises,
             source: include_str!(concat!("../../chapters/", $name, ".rs")),
-        }
+        }),+];
     };
 }
 
-/// All chapters that exist, in order.
-pub const CHAPTERS: &[Chapter] = &[
-    chapter!("ch01_rays", ["ray_at", "camera_ray"]),
-    chapter!("ch02_hdr", ["expose", "tone_map", "encode_srgb"]),
-    chapter!(
-        "ch03_sphere",
-        ["solve_quadratic", "sphere_hit", "sphere_normal"]
-    ),
-    chapter!("ch04_plane", ["plane_hit"]),
-    chapter!("ch05_box", ["box_clip", "bounds_of"]),
-    chapter!("ch06_triangle", ["triangle_hit", "triangle_normal"]),
-    chapter!(
-        "ch07_mesh",
-        [
-            "interpolate_normal",
-            "interpolate_texture",
-            "vertex_normals",
-            "mesh_hit"
-        ]
-    ),
-];
+chapters!(
+    "ch01_rays",
+    "ch02_hdr",
+    "ch03_sphere",
+    "ch04_plane",
+    "ch05_box",
+    "ch06_triangle",
+    "ch07_mesh"
+);
 
 /// The chapter whose binary has this name.
 pub fn find(name: &str) -> Option<&'static Chapter> {
@@ -50,6 +39,11 @@ pub fn find(name: &str) -> Option<&'static Chapter> {
 }
 
 impl Chapter {
+    /// The functions that a student writes; their names are grade keys.
+    pub fn exercises(&self) -> &'static [&'static dyn Asked] {
+        exercises::of_chapter(self.name)
+    }
+
     /// "3", from `ch03_sphere`.
     pub fn number(&self) -> u32 {
         self.name[2..4].parse().unwrap_or(0)

@@ -1,5 +1,6 @@
 //! The tour: every chapter's pictures in one run.
 
+use super::Done;
 use clap::Args;
 use indicatif::MultiProgress;
 use raybook::lab::gallery::{self, Drawing};
@@ -15,19 +16,19 @@ use std::time::Instant;
 )]
 #[path = "."]
 mod chapters {
-    #[path = "../chapters/ch01_rays.rs"]
+    #[path = "../../chapters/ch01_rays.rs"]
     pub mod ch01_rays;
-    #[path = "../chapters/ch02_hdr.rs"]
+    #[path = "../../chapters/ch02_hdr.rs"]
     pub mod ch02_hdr;
-    #[path = "../chapters/ch03_sphere.rs"]
+    #[path = "../../chapters/ch03_sphere.rs"]
     pub mod ch03_sphere;
-    #[path = "../chapters/ch04_plane.rs"]
+    #[path = "../../chapters/ch04_plane.rs"]
     pub mod ch04_plane;
-    #[path = "../chapters/ch05_box.rs"]
+    #[path = "../../chapters/ch05_box.rs"]
     pub mod ch05_box;
-    #[path = "../chapters/ch06_triangle.rs"]
+    #[path = "../../chapters/ch06_triangle.rs"]
     pub mod ch06_triangle;
-    #[path = "../chapters/ch07_mesh.rs"]
+    #[path = "../../chapters/ch07_mesh.rs"]
     pub mod ch07_mesh;
 }
 
@@ -54,7 +55,7 @@ pub struct Tour {
 
 impl Tour {
     /// Draws the chapters, one after the other, then the gallery.
-    pub fn run(self) -> Drawn {
+    pub fn run(&self) -> Done {
         let start = Instant::now();
         let bars = MultiProgress::new();
         let mut drawings = Vec::new();
@@ -93,7 +94,7 @@ impl Tour {
             start.elapsed().as_secs_f32(),
             page.display()
         );
-        Ok(())
+        Ok(true)
     }
 
     fn chosen(&self) -> Result<Vec<&'static Chapter>, String> {

@@ -1,0 +1,21 @@
+//! `raybook exercise`: what an exercise asks, word by word.
+
+use super::{Done, Target};
+use raybook::grade::feedback;
+
+/// Describes exercises.
+#[derive(clap::Args)]
+pub struct Exercise {
+    #[command(flatten)]
+    target: Target,
+}
+
+impl Exercise {
+    /// Describes them; without a name, all.
+    pub fn run(&self) -> Done {
+        let (_, examiners) = self.target.resolve()?;
+        let texts: Vec<_> = examiners.into_iter().map(feedback::describe).collect();
+        print!("{}", texts.join("\n"));
+        Ok(true)
+    }
+}

@@ -1,0 +1,75 @@
+//! What the `raybook` command can do, a file for each task.
+
+pub mod bless;
+pub mod check;
+pub mod exercise;
+pub mod hint;
+pub mod new;
+pub mod solve;
+pub mod tour;
+
+use raybook::grade::cases;
+use raybook::grade::examine::Examiner;
+use raybook::workbook::curriculum::CHAPTERS;
+use std::error::Error;
+use std::path::PathBuf;
+
+/// Whether everything that was asked for is right; else the exit code is 1.
+pub type Done = Result<bool, Box<dyn Error>>;
+
+/// Which folder, and what of it.
+#[derive(clap::Args)]
+pub struct Target {
+    /// A chapter (3, ch03, sphere) or an exercise (sphere_hit), and the student's folder if it is not the present one
+    #[arg(value_name = "CHAPTER|EXERCISE|FOLDER")]
+    pub what: Vec<String>,
+}
+
+impl Target {
+    /// The folder, and the exercises in the order of the course.
+    ///
+    /// # Errors
+    /// If a word is neither a folder nor a chapter nor an exercise.
+    pub fn resolve(&self) -> Result<(PathBuf, Vec<&'static dyn Examiner>), Box<dyn Error>> {
+        let mut folder = PathBuf::from(".");
+        let mut names: Vec<&str> = Vec::new();
+        for word in &self.what {
+            let of_word = exercises_of(word);
+            if !of_word.is_empty() {
+                names.extend(of_word);
+            } else if PathBuf::from(word).is_dir() {
+                folder = PathBuf::from(word);
+            } else {
+                let all: Vec<_> = cases::all()
+                    .iter()
+                    .map(|examiner| examiner.name())
+                    .collect();
+                return Err(format!("`{word}` is neither a chapter, nor an exercise, nor a folder; the exercises are {}", all.join(", ")).into());
+            }
+        }
+        let wanted =
+            |examiner: &&dyn Examiner| names.is_empty() || names.contains(&examiner.name());
+        Ok((folder, cases::all().into_iter().filter(wanted).collect()))
+    }
+}
+
+/// The exercises that a word means: of a chapter by number or name, or the one of this name.
+fn exercises_of(word: &str) -> Vec<&'static str> {
+    let chapter = CHAPTERS.iter().find(|chapter| {
+        let (number, topic) = chapter.name.split_once('_').unwrap_or((chapter.name, ""));
+        [chapter.name, number, topic].contains(&word) || word.parse() == Ok(chapter.number())
+    });
+    let of_chapter = chapter.map(|chapter| {
+        chapter
+            .exercises()
+            .iter()
+            .map(|exercise| exercise.name())
+            .collect()
+    });
+    of_chapter.unwrap_or_else(|| {
+        cases::find(word)
+            .map(|examiner| examiner.name())
+            .into_iter()
+            .collect()
+    })
+}

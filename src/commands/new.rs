@@ -1,0 +1,43 @@
+//! `raybook new`: a student's folder.
+
+use super::Done;
+use raybook::grade::{cases, starter};
+use raybook::workbook::curriculum::CHAPTERS;
+use std::path::PathBuf;
+
+/// Makes a workbook folder.
+#[derive(clap::Args)]
+pub struct New {
+    /// The folder to make
+    folder: PathBuf,
+}
+
+impl New {
+    /// Makes it, and says what to do next.
+    pub fn run(&self) -> Done {
+        starter::create(&self.folder)?;
+        println!(
+            "made {}, with {} exercises:\n",
+            self.folder.display(),
+            cases::all().len()
+        );
+        for chapter in CHAPTERS {
+            let names: Vec<_> = chapter
+                .exercises()
+                .iter()
+                .map(|exercise| exercise.name())
+                .collect();
+            println!(
+                "  {:2}  {:<20} {}",
+                chapter.number(),
+                chapter.title(),
+                names.join(", ")
+            );
+        }
+        println!(
+            "\nNext:  cd {}\n       raybook check        (the first time, this compiles for a minute)",
+            self.folder.display()
+        );
+        Ok(true)
+    }
+}

@@ -1,0 +1,173 @@
+//! Checking one exercise: asks the student's program, judges, diagnoses, and draws.
+
+use crate::grade::ask::{Reply, Said, ask};
+use crate::grade::converse::{Limits, Program};
+use crate::grade::diagnose::{Diagnosis, diagnose};
+use crate::grade::examine::{Case, Examiner};
+use crate::grade::picture::{Triple, triple};
+use std::io;
+
+/// What became of one exercise.
+#[derive(Clone, Debug)]
+pub struct Report {
+    /// The exercise's name.
+    pub exercise: &'static str,
+    /// Its cases, in order.
+    pub cases: Vec<Outcome>,
+    /// The mistake that explains the wrong answers.
+    pub diagnosis: Option<Diagnosis>,
+    /// The pictures of the answers, where the exercise is one of pixels and has been begun.
+    pub pictures: Option<Triple>,
+}
+
+/// What became of one case.
+#[derive(Clone, Debug)]
+pub struct Outcome {
+    /// The case.
+    pub case: Case,
+    /// The verdict on the reply.
+    pub verdict: Verdict,
+    /// What the program said.
+    pub reply: Reply,
+}
+
+/// The verdict on a reply.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// Right.
+    Right,
+    /// The exercise, or one that it builds on, is not written yet.
+    NotStarted,
+    /// Wrong, and why.
+    Wrong(String),
+}
+
+/// What became of an exercise as a whole.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum State {
+    /// Every case is right.
+    Right,
+    /// Its function still says `todo!`.
+    NotStarted,
+    /// It calls this function, which still says `todo!`.
+    WaitsFor(String),
+    /// Some case is wrong.
+    Wrong,
+}
+
+impl Report {
+    /// The exercise as a whole.
+    pub fn state(&self) -> State {
+        if self
+            .cases
+            .iter()
+            .any(|outcome| matches!(outcome.verdict, Verdict::Wrong(_)))
+        {
+            return State::Wrong;
+        }
+        let todo = self
+            .cases
+            .iter()
+            .find_map(|outcome| match &outcome.reply.said {
+                Said::Todo(name) if outcome.verdict == Verdict::NotStarted => Some(name),
+                _ => None,
+            });
+        match todo {
+            None => State::Right,
+            Some(name) if name == self.exercise || name.is_empty() => State::NotStarted,
+            Some(name) => State::WaitsFor(name.clone()),
+        }
+    }
+
+    /// How many cases are right.
+    pub fn right(&self) -> usize {
+        self.cases
+            .iter()
+            .filter(|outcome| outcome.verdict == Verdict::Right)
+            .count()
+    }
+
+    /// The first wrong case, and its number from 1.
+    pub fn first_wrong(&self) -> Option<(usize, &Outcome, &str)> {
+        (1..)
+            .zip(&self.cases)
+            .find_map(|(number, outcome)| match &outcome.verdict {
+                Verdict::Wrong(why) => Some((number, outcome, why.as_str())),
+                _ => None,
+            })
+    }
+}
+
+/// Asks the program all the cases, and judges its replies.
+///
+/// # Errors
+/// If the program cannot be started.
+pub fn check(
+    program: &Program,
+    examiner: &dyn Examiner,
+    cases: Vec<Case>,
+    limits: Limits,
+) -> io::Result<Report> {
+    let questions: Vec<_> = cases
+        .iter()
+        .map(|case| format!("{} {}", examiner.name(), case.question))
+        .collect();
+    let replies = ask(program, &questions, limits)?;
+    let outcomes: Vec<_> = cases
+        .into_iter()
+        .zip(replies)
+        .map(|(case, reply)| Outcome {
+            verdict: judge(examiner, &case, &reply.said, limits),
+            case,
+            reply,
+        })
+        .collect();
+    let mut report = Report {
+        exercise: examiner.name(),
+        cases: outcomes,
+        diagnosis: None,
+        pictures: None,
+    };
+    if report.state() == State::Wrong {
+        report.diagnosis = diagnose_outcomes(examiner, &report.cases);
+    }
+    if matches!(report.state(), State::Wrong | State::Right) {
+        report.pictures = triple(program, examiner, limits)?;
+    }
+    Ok(report)
+}
+
+fn diagnose_outcomes(examiner: &dyn Examiner, outcomes: &[Outcome]) -> Option<Diagnosis> {
+    let cases: Vec<_> = outcomes
+        .iter()
+        .map(|outcome| outcome.case.clone())
+        .collect();
+    let answer = |outcome: &Outcome| match &outcome.reply.said {
+        Said::Answer(answer) => Some(answer.clone()),
+        _ => None,
+    };
+    let answers: Vec<_> = outcomes
+        .iter()
+        .map(|outcome| (answer(outcome), outcome.verdict == Verdict::Right))
+        .collect();
+    diagnose(examiner, &cases, &answers)
+}
+
+fn judge(examiner: &dyn Examiner, case: &Case, said: &Said, limits: Limits) -> Verdict {
+    Verdict::Wrong(match said {
+        Said::Answer(answer) => match examiner.judge(&case.question, &case.answers, answer) {
+            Ok(()) => return Verdict::Right,
+            Err(why) => why,
+        },
+        Said::Todo(_) => return Verdict::NotStarted,
+        Said::Panicked(message) => format!("your function panicked: {message}"),
+        Said::Refused(why) => format!("your program could not read the question: {why}"),
+        Said::Ended(how) => format!("your program ended without an answer: {how}"),
+        Said::TimedOut(_) => format!(
+            "no answer within {} s: does a loop never end? (--time-limit gives more time)",
+            limits.time.as_secs_f32()
+        ),
+        Said::Flooded(bytes) => format!("your program printed {bytes} bytes and no answer"),
+        Said::TooMany(answers) => format!("your program gave {answers} answers to one question"),
+    })
+}

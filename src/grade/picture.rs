@@ -1,0 +1,151 @@
+//! Pictures made of answers: the student's, the golden one, and the difference with its sign.
+
+use crate::grade::ask::{Said, ask};
+use crate::grade::converse::{Limits, Program};
+use crate::grade::examine::Examiner;
+use crate::image::{Image, rgb::Rgb};
+use std::io;
+
+/// Three pictures of the same pixels.
+#[derive(Clone, Debug)]
+pub struct Triple {
+    /// Of the student's answers; magenta where there is none.
+    pub yours: Image,
+    /// Of the golden answers.
+    pub golden: Image,
+    /// Yours minus golden in luminance: orange where yours is brighter, blue where it is darker, white where equal.
+    pub difference: Image,
+    /// The first wrong pixel in reading order.
+    pub first_bad: Option<BadPixel>,
+    /// How many pixels are wrong.
+    pub bad: usize,
+    /// What the picture shows.
+    pub alt: &'static str,
+}
+
+/// A pixel whose answer is wrong.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct BadPixel {
+    /// Column.
+    pub x: usize,
+    /// Row.
+    pub y: usize,
+    /// The pixel's question, without the exercise's name.
+    pub question: String,
+    /// The golden answer.
+    pub golden: String,
+    /// The student's answer, or `None` without one.
+    pub got: Option<String>,
+}
+
+/// Where there is no answer.
+const MISSING: Rgb = Rgb::new(0.8, 0.0, 0.8);
+
+/// Asks the program a question per pixel; `None` if the exercise has no picture.
+///
+/// A program that cannot answer one question after the other gets no picture: the first pixel without an answer ends it.
+///
+/// # Errors
+/// If the program cannot be started.
+pub fn triple(
+    program: &Program,
+    examiner: &dyn Examiner,
+    limits: Limits,
+) -> io::Result<Option<Triple>> {
+    let Some(size) = examiner.picture() else {
+        return Ok(None);
+    };
+    let (width, height) = (size.width as usize, size.height as usize);
+    let pixels = (0..size.width * size.height)
+        .map(|i| examiner.pixel_question(i % size.width, i / size.width));
+    let questions: Vec<_> = pixels.collect();
+    let asked: Vec<_> = questions
+        .iter()
+        .map(|question| format!("{} {question}", examiner.name()))
+        .collect();
+    let answers: Vec<_> = ask_until_silent(program, &asked, limits)?;
+    let golden: Vec<_> = questions
+        .iter()
+        .map(|question| examiner.answer_line(question).unwrap_or_default())
+        .collect();
+    let mut bad = Vec::new();
+    for (i, (question, golden)) in questions.iter().zip(&golden).enumerate() {
+        let got = answers[i].as_ref();
+        let right = got.is_some_and(|got| {
+            examiner
+                .judge(question, std::slice::from_ref(golden), got)
+                .is_ok()
+        });
+        if !right {
+            bad.push(i);
+        }
+    }
+    let colour = |i: usize, answer: Option<&String>| {
+        answer
+            .and_then(|a| examiner.pixel_colour(&questions[i], a))
+            .unwrap_or(MISSING)
+    };
+    let yours = Image::from_fn(width, height, |x, y| {
+        colour(y * width + x, answers[y * width + x].as_ref())
+    });
+    let golden_picture = Image::from_fn(width, height, |x, y| {
+        colour(y * width + x, Some(&golden[y * width + x]))
+    });
+    let difference = Image::from_fn(width, height, |x, y| {
+        signed(yours.at(x, y).luminance() - golden_picture.at(x, y).luminance())
+    });
+    let first_bad = bad.first().map(|&i| BadPixel {
+        x: i % width,
+        y: i / width,
+        question: questions[i].clone(),
+        golden: golden[i].clone(),
+        got: answers[i].clone(),
+    });
+    Ok(Some(Triple {
+        yours,
+        golden: golden_picture,
+        difference,
+        first_bad,
+        bad: bad.len(),
+        alt: size.alt,
+    }))
+}
+
+/// The answers, as long as they come; `None` from the first question on that breaks the program.
+fn ask_until_silent(
+    program: &Program,
+    questions: &[String],
+    limits: Limits,
+) -> io::Result<Vec<Option<String>>> {
+    const ROWS_AT_ONCE: usize = 512;
+    let mut answers = Vec::with_capacity(questions.len());
+    for chunk in questions.chunks(ROWS_AT_ONCE) {
+        let replies = ask(program, chunk, limits)?;
+        let broken = replies.iter().any(|reply| {
+            matches!(
+                reply.said,
+                Said::Ended(_) | Said::TimedOut(_) | Said::Flooded(_) | Said::TooMany(_)
+            )
+        });
+        answers.extend(replies.into_iter().map(|reply| match reply.said {
+            Said::Answer(answer) => Some(answer),
+            _ => None,
+        }));
+        if broken {
+            break;
+        }
+    }
+    answers.resize(questions.len(), None);
+    Ok(answers)
+}
+
+/// White for 0, towards orange above, towards blue below; full colour from a difference of a quarter on.
+fn signed(difference: f32) -> Rgb {
+    let amount = (4.0 * difference.abs()).clamp(0.0, 1.0).sqrt();
+    let full = if difference > 0.0 {
+        Rgb::new(0.79, 0.35, 0.0)
+    } else {
+        Rgb::new(0.0, 0.17, 0.45)
+    };
+    Rgb::WHITE.lerp(full, if difference.is_nan() { 1.0 } else { amount })
+}

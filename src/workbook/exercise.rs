@@ -12,6 +12,8 @@ pub trait Exercise: Sync {
     const NAME: &'static str;
     /// What to do, in a sentence; also the comment above the student's stub.
     const TASK: &'static str;
+    /// What an answer that is a single value is called.
+    const ANSWER: &'static str = "answer";
 
     /// Calls the library's function; in a student's copy of the library, the student's.
     fn answer(question: &Self::Question) -> Self::Answer;
@@ -52,7 +54,7 @@ impl<E: Exercise> Asked for E {
     }
 
     fn answer_names(&self) -> Vec<String> {
-        E::Answer::names("answer")
+        E::Answer::names(E::ANSWER)
     }
 
     fn answer_line(&self, question: &str) -> Result<String, RowError> {

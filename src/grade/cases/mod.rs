@@ -14,7 +14,7 @@ macro_rules! chapters {
     };
 }
 
-chapters!(ch01_rays, ch03_sphere);
+chapters!(ch01_rays, ch02_hdr, ch03_sphere, ch04_plane, ch05_box);
 
 /// The graded exercise of this name.
 pub fn find(exercise: &str) -> Option<&'static dyn Examiner> {

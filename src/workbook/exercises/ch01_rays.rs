@@ -26,6 +26,7 @@ impl Exercise for RayAt {
     type Question = RayAtQuestion;
     type Answer = Vec3;
     const NAME: &'static str = "ray_at";
+    const ANSWER: &'static str = "point";
     const TASK: &'static str = "Return the point at distance t along the ray.";
 
     fn answer(q: &Self::Question) -> Self::Answer {

@@ -28,6 +28,7 @@ impl Exercise for SolveQuadratic {
     type Question = Coefficients;
     type Answer = Option<Vec2>;
     const NAME: &'static str = "solve_quadratic";
+    const ANSWER: &'static str = "t";
     const TASK: &'static str = "Return both real roots of a·t² + b·t + c = 0, the smaller first, or None where there is none or a is 0; \
         lose no digits where b² is much larger than 4ac.";
 
@@ -57,6 +58,7 @@ impl Exercise for SphereHit {
     type Question = SphereHitQuestion;
     type Answer = Option<f32>;
     const NAME: &'static str = "sphere_hit";
+    const ANSWER: &'static str = "t";
     const TASK: &'static str = "Return the smallest distance t in the interval (min < t < max) at which the ray meets the sphere, \
         as `Hit { t, uv: Vec2::ZERO, id: 0 }`, or None.";
 
@@ -84,6 +86,7 @@ impl Exercise for SphereNormal {
     type Question = SphereNormalQuestion;
     type Answer = Vec3;
     const NAME: &'static str = "sphere_normal";
+    const ANSWER: &'static str = "normal";
     const TASK: &'static str = "Return the unit vector that points out of the sphere at its point p.";
 
     fn answer(q: &Self::Question) -> Self::Answer {

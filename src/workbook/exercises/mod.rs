@@ -22,4 +22,12 @@ macro_rules! chapters {
     };
 }
 
-chapters!(ch01_rays, ch03_sphere);
+chapters!(
+    ch01_rays,
+    ch02_hdr,
+    ch03_sphere,
+    ch04_plane,
+    ch05_box,
+    ch06_triangle,
+    ch07_mesh
+);

@@ -14,7 +14,15 @@ macro_rules! chapters {
     };
 }
 
-chapters!(ch01_rays, ch02_hdr, ch03_sphere, ch04_plane, ch05_box);
+chapters!(
+    ch01_rays,
+    ch02_hdr,
+    ch03_sphere,
+    ch04_plane,
+    ch05_box,
+    ch06_triangle,
+    ch07_mesh
+);
 
 /// The graded exercise of this name.
 pub fn find(exercise: &str) -> Option<&'static dyn Examiner> {

@@ -1,0 +1,215 @@
+//! Chapter 6: `triangle_hit`, `triangle_normal`.
+
+use crate::grade::examine::Examiner;
+use crate::grade::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
+use crate::image::rgb::Rgb;
+use crate::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
+use crate::workbook::exercise::Exercise;
+use crate::workbook::exercises::ch06_triangle::{
+    TriangleHit, TriangleHitAnswer, TriangleHitQuestion, TriangleNormal, TriangleQuestion,
+};
+use glam::{Vec3, vec3};
+use rand::RngExt;
+
+/// This chapter's exercises, in order.
+pub const GRADED: &[&dyn Examiner] = &[&TriangleHit, &TriangleNormal];
+
+impl Graded for TriangleHit {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "forgets b1 + b2 <= 1",
+            hint: "Which shape do b1 >= 0 and b2 >= 0 alone, each at most 1, describe?",
+            answer: |q| plane(q, |b1, b2| b1 >= 0.0 && b2 >= 0.0 && b1 <= 1.0 && b2 <= 1.0),
+        },
+        Mistake {
+            name: "accepts negative weights",
+            hint: "On which side of an edge is a point whose weight for the opposite corner is negative?",
+            answer: |q| plane(q, |b1, b2| b1 + b2 <= 1.0),
+        },
+        Mistake {
+            name: "hits the whole plane",
+            hint: "The plane is found; is the point inside the triangle?",
+            answer: |q| plane(q, |_, _| true),
+        },
+        Mistake {
+            name: "sees the front only",
+            hint: "Walk around the triangle: it has two sides.",
+            answer: |q| TriangleHit::answer(q).filter(|_| normal(q).dot(*q.ray.direction) < 0.0),
+        },
+        Mistake {
+            name: "sees the back only",
+            hint: "What is the sign of the determinant for the side you look at?",
+            answer: |q| TriangleHit::answer(q).filter(|_| normal(q).dot(*q.ray.direction) > 0.0),
+        },
+        Mistake {
+            name: "swaps b1 and b2",
+            hint: "At the second corner, which of the two weights is 1?",
+            answer: |q| TriangleHit::answer(q).map(|hit| TriangleHitAnswer { b1: hit.b2, b2: hit.b1, ..hit }),
+        },
+        Mistake {
+            name: "returns the weight of the first corner for b1",
+            hint: "The three weights add up to 1; which two are b1 and b2?",
+            answer: |q| TriangleHit::answer(q).map(|hit| TriangleHitAnswer { b1: 1.0 - hit.b1 - hit.b2, b2: hit.b1, ..hit }),
+        },
+        Mistake {
+            name: "ignores the interval",
+            hint: "Is every t you return between min and max?",
+            answer: |q| TriangleHit::answer(&on_the_line(q)),
+        },
+        Mistake {
+            name: "forgets to divide the weights by the determinant",
+            hint: "Make the triangle twice as large: the weights must not change.",
+            answer: |q| {
+                let determinant = -normal(q).dot(*q.ray.direction);
+                TriangleHit::answer(q).map(|hit| TriangleHitAnswer { b1: hit.b1 * determinant, b2: hit.b2 * determinant, ..hit })
+            },
+        },
+        Mistake {
+            name: "takes a small triangle for one without area",
+            hint: "A determinant is a volume: how small is it for a triangle of a millimetre?",
+            answer: |q| TriangleHit::answer(q).filter(|_| normal(q).dot(*q.ray.direction).abs() > 1e-4),
+        },
+    ];
+
+    const PICTURE: Option<Picture<Self>> = Some(Picture {
+        width: 96,
+        height: 54,
+        alt: "A triangle whose colours are the weights of its corners",
+        question: |x, y| {
+            let toward = vec3((x as f32 - 47.5) / 54.0, (26.5 - y as f32) / 54.0, -1.0);
+            TriangleHitQuestion {
+                ray: Ray::new(vec3(0.0, 0.0, 3.0), Dir3::new_or(toward, Dir3::Z)),
+                within: Interval::AHEAD,
+                p0: vec3(-1.7, -1.1, 0.3),
+                p1: vec3(1.6, -0.8, -0.5),
+                p2: vec3(0.2, 1.2, 0.1),
+            }
+        },
+        colour: |_, hit| hit.as_ref().map_or(Rgb::gray(0.1), |hit| Rgb::new(1.0 - hit.b1 - hit.b2, hit.b1, hit.b2)),
+    });
+
+    fn edges() -> Vec<Edge<Self>> {
+        let question = |origin, toward, within| TriangleHitQuestion {
+            ray: Ray::new(origin, Dir3::new_or(toward, Dir3::Z)),
+            within,
+            p0: vec3(0.0, 0.0, 0.0),
+            p1: vec3(2.0, 0.0, 0.0),
+            p2: vec3(0.0, 2.0, 0.0),
+        };
+        let (ahead, into) = (Interval::AHEAD, Vec3::NEG_Z);
+        let above = |x, y| vec3(x, y, 3.0);
+        let tiny = |q: TriangleHitQuestion| TriangleHitQuestion { p1: 1e-3 * q.p1, p2: 1e-3 * q.p2, ..q };
+        let line = |q: TriangleHitQuestion| TriangleHitQuestion { p2: vec3(1.0, 0.0, 0.0), ..q };
+        vec![
+            Edge::new("in the middle", question(above(0.5, 0.5), into, ahead)),
+            Edge::new("from behind", question(vec3(0.5, 0.5, -3.0), Vec3::Z, ahead)),
+            Edge::new("askew", question(vec3(2.0, 2.0, 3.0), vec3(-1.0, -1.5, -3.0), ahead)),
+            Edge::new("near the second corner", question(above(1.75, 0.125), into, ahead)),
+            Edge::new("past the long edge", question(above(1.5, 1.5), into, ahead)),
+            Edge::new("left of it", question(above(-0.5, 0.5), into, ahead)),
+            Edge::new("below it", question(above(0.5, -0.5), into, ahead)),
+            Edge::new("it is behind the ray", question(above(0.5, 0.5), Vec3::Z, ahead)),
+            Edge::new("in the plane of the triangle", question(vec3(-1.0, 0.5, 0.0), Vec3::X, ahead)),
+            Edge::new("beyond the interval", question(above(0.5, 0.5), into, Interval::new(0.0, 2.0))),
+            Edge::new("before the interval", question(above(0.5, 0.5), into, Interval::new(4.0, 9.0))),
+            Edge::new("a triangle of two millimetres", tiny(question(above(0.0005, 0.0005), into, ahead))),
+            Edge::new("three corners on a line", line(question(above(0.5, 0.0), into, ahead))),
+        ]
+    }
+
+    fn random(rng: &mut Pcg) -> TriangleHitQuestion {
+        let [p0, p1, p2] = std::array::from_fn(|_| sample::point(rng, 3.0));
+        let (b1, b2) = (sample::number(rng, -0.3, 0.8), sample::number(rng, -0.3, 0.8));
+        let aim = p0 + b1 * (p1 - p0) + b2 * (p2 - p0);
+        let origin = aim - sample::number(rng, 1.0, 6.0) * *sample::direction(rng);
+        let max = if rng.random_bool(0.2) { sample::number(rng, 1.0, 5.0) } else { f32::INFINITY };
+        let direction = Dir3::new_or(aim - origin, Dir3::X);
+        TriangleHitQuestion { ray: Ray::new(origin, direction), within: Interval::new(0.0, max), p0, p1, p2 }
+    }
+
+    fn judge(_q: &TriangleHitQuestion, golden: &Option<TriangleHitAnswer>, got: &Option<TriangleHitAnswer>) -> Verdict {
+        judge::option("a hit", golden.as_ref(), got.as_ref(), |golden, got| {
+            judge::number("t", "m", golden.t, got.t)?;
+            judge::number("b1", "", golden.b1, got.b1)?;
+            judge::number("b2", "", golden.b2, got.b2)
+        })
+    }
+}
+
+/// Twice the triangle's area, as a vector along its normal.
+fn normal(q: &TriangleHitQuestion) -> Vec3 {
+    (q.p1 - q.p0).cross(q.p2 - q.p0)
+}
+
+/// The question for the whole line.
+fn on_the_line(q: &TriangleHitQuestion) -> TriangleHitQuestion {
+    TriangleHitQuestion { within: Interval::new(f32::NEG_INFINITY, f32::INFINITY), ..q.clone() }
+}
+
+/// The hit of the triangle's plane, if the weights there are to one's taste.
+fn plane(q: &TriangleHitQuestion, inside: fn(f32, f32) -> bool) -> Option<TriangleHitAnswer> {
+    let (n, e1, e2) = (normal(q), q.p1 - q.p0, q.p2 - q.p0);
+    let t = n.dot(q.p0 - q.ray.origin) / n.dot(*q.ray.direction);
+    let from_p0 = q.ray.at(t) - q.p0;
+    let (b1, b2) = (from_p0.cross(e2).dot(n) / n.length_squared(), e1.cross(from_p0).dot(n) / n.length_squared());
+    (inside(b1, b2) && q.within.contains(t)).then_some(TriangleHitAnswer { t, b1, b2 })
+}
+
+impl Graded for TriangleNormal {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "points to the other side",
+            hint: "Curl the fingers of your right hand from p0 over p1 to p2: where does the thumb point?",
+            answer: |q| TriangleNormal::answer(q).map(|n| -n),
+        },
+        Mistake {
+            name: "forgets to normalise",
+            hint: "The cross product's length is twice the triangle's area.",
+            answer: |q| TriangleNormal::answer(q).map(|_| (q.p1 - q.p0).cross(q.p2 - q.p0)),
+        },
+        Mistake {
+            name: "crosses the corners instead of the edges",
+            hint: "Move the triangle by one metre: the normal must not change.",
+            answer: |q| Dir3::new(q.p1.cross(q.p2)).map(|n| *n),
+        },
+        Mistake {
+            name: "returns NaN for a triangle without area",
+            hint: "Three corners on a line: how long is the cross product, and what happens when you divide by that?",
+            answer: |q| Some((q.p1 - q.p0).cross(q.p2 - q.p0).normalize()),
+        },
+        Mistake {
+            name: "always points up",
+            hint: "It is the order of the corners that decides which side is outside, not the world.",
+            answer: |q| TriangleNormal::answer(q).map(|n| if n.y < 0.0 { -n } else { n }),
+        },
+        Mistake {
+            name: "returns the direction of an edge",
+            hint: "What is the normal's dot product with each edge?",
+            answer: |q| TriangleNormal::answer(q).map(|_| (q.p1 - q.p0).normalize()),
+        },
+    ];
+
+    fn edges() -> Vec<Edge<Self>> {
+        let edge = |name, p0, p1, p2| Edge::new(name, TriangleQuestion { p0, p1, p2 });
+        let (x, y, z) = (Vec3::X, Vec3::Y, Vec3::Z);
+        vec![
+            edge("counter-clockwise seen from +z", Vec3::ZERO, x, y),
+            edge("clockwise seen from +z", Vec3::ZERO, y, x),
+            edge("lying on the floor, face down", Vec3::ZERO, x, z),
+            edge("away from the origin", vec3(5.0, 5.0, 5.0), vec3(6.0, 5.0, 5.0), vec3(5.0, 6.0, 5.0)),
+            edge("a small one", Vec3::ZERO, 0.001 * x, 0.001 * z),
+            edge("a large one", Vec3::ZERO, 1000.0 * y, 1000.0 * z),
+            edge("three corners on a line", Vec3::ZERO, x, 2.0 * x),
+            edge("a single point", y, y, y),
+        ]
+    }
+
+    fn random(rng: &mut Pcg) -> TriangleQuestion {
+        let [p0, p1, p2] = std::array::from_fn(|_| sample::point(rng, 4.0));
+        TriangleQuestion { p0, p1, p2 }
+    }
+
+    fn judge(_q: &TriangleQuestion, golden: &Option<Vec3>, got: &Option<Vec3>) -> Verdict {
+        judge::option("a normal", golden.as_ref(), got.as_ref(), |golden, got| judge::direction("the normal", *golden, *got))
+    }
+}

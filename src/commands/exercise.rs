@@ -1,7 +1,7 @@
 //! `raybook exercise`: what an exercise asks, word by word.
 
 use super::{Done, Target};
-use raybook::grade::feedback;
+use raybook::grade::describe::describe;
 
 /// Describes exercises.
 #[derive(clap::Args)]
@@ -14,7 +14,7 @@ impl Exercise {
     /// Describes them; without a name, all.
     pub fn run(&self) -> Done {
         let (_, examiners) = self.target.resolve()?;
-        let texts: Vec<_> = examiners.into_iter().map(feedback::describe).collect();
+        let texts: Vec<_> = examiners.into_iter().map(describe).collect();
         print!("{}", texts.join("\n"));
         Ok(true)
     }

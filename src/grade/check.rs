@@ -4,7 +4,7 @@ use crate::grade::ask::{Reply, Said, ask};
 use crate::grade::converse::{Limits, Program};
 use crate::grade::diagnose::{Diagnosis, diagnose};
 use crate::grade::examine::{Case, Examiner};
-use crate::grade::picture::{Triple, triple};
+use crate::grade::picture::{Triple, ask_pixels};
 use std::io;
 
 /// What became of one exercise.
@@ -112,29 +112,30 @@ pub fn check(
         .iter()
         .map(|case| format!("{} {}", examiner.name(), case.question))
         .collect();
-    let replies = ask(program, &questions, limits)?;
-    let outcomes: Vec<_> = cases
-        .into_iter()
-        .zip(replies)
-        .map(|(case, reply)| Outcome {
-            verdict: judge(examiner, &case, &reply.said, limits),
-            case,
-            reply,
-        })
-        .collect();
+    let mut report = assess(examiner, cases, ask(program, &questions, limits)?);
+    if matches!(report.state(), State::Wrong | State::Right) {
+        report.pictures = ask_pixels(program, examiner, limits)?;
+    }
+    Ok(report)
+}
+
+/// Judges the replies to the cases.
+pub fn assess(examiner: &dyn Examiner, cases: Vec<Case>, replies: Vec<Reply>) -> Report {
+    let outcomes = cases.into_iter().zip(replies).map(|(case, reply)| Outcome {
+        verdict: judge(examiner, &case, &reply.said),
+        case,
+        reply,
+    });
     let mut report = Report {
         exercise: examiner.name(),
-        cases: outcomes,
+        cases: outcomes.collect(),
         diagnosis: None,
         pictures: None,
     };
     if report.state() == State::Wrong {
         report.diagnosis = diagnose_outcomes(examiner, &report.cases);
     }
-    if matches!(report.state(), State::Wrong | State::Right) {
-        report.pictures = triple(program, examiner, limits)?;
-    }
-    Ok(report)
+    report
 }
 
 fn diagnose_outcomes(examiner: &dyn Examiner, outcomes: &[Outcome]) -> Option<Diagnosis> {
@@ -153,7 +154,7 @@ fn diagnose_outcomes(examiner: &dyn Examiner, outcomes: &[Outcome]) -> Option<Di
     diagnose(examiner, &cases, &answers)
 }
 
-fn judge(examiner: &dyn Examiner, case: &Case, said: &Said, limits: Limits) -> Verdict {
+fn judge(examiner: &dyn Examiner, case: &Case, said: &Said) -> Verdict {
     Verdict::Wrong(match said {
         Said::Answer(answer) => match examiner.judge(&case.question, &case.answers, answer) {
             Ok(()) => return Verdict::Right,
@@ -163,9 +164,9 @@ fn judge(examiner: &dyn Examiner, case: &Case, said: &Said, limits: Limits) -> V
         Said::Panicked(message) => format!("your function panicked: {message}"),
         Said::Refused(why) => format!("your program could not read the question: {why}"),
         Said::Ended(how) => format!("your program ended without an answer: {how}"),
-        Said::TimedOut(_) => format!(
+        Said::TimedOut(limit) => format!(
             "no answer within {} s: does a loop never end? (--time-limit gives more time)",
-            limits.time.as_secs_f32()
+            limit.as_secs_f32()
         ),
         Said::Flooded(bytes) => format!("your program printed {bytes} bytes and no answer"),
         Said::TooMany(answers) => format!("your program gave {answers} answers to one question"),

@@ -73,11 +73,10 @@ fn alike(one: &str, other: &str) -> bool {
         other.split_whitespace().collect(),
     );
     let close = |(a, b): (&&str, &&str)| match (a.parse::<f32>(), b.parse::<f32>()) {
-        (Ok(a), Ok(b)) => {
-            a == b
-                || (a.is_nan() && b.is_nan())
-                || (a - b).abs() <= 1e-5 + 1e-3 * a.abs().max(b.abs())
+        (Ok(a), Ok(b)) if a.is_finite() && b.is_finite() => {
+            (a - b).abs() <= 1e-5 + 1e-3 * a.abs().max(b.abs())
         }
+        (Ok(a), Ok(b)) => a == b || (a.is_nan() && b.is_nan()),
         _ => a == b,
     };
     one.len() == other.len() && one.iter().zip(&other).all(close)

@@ -74,6 +74,9 @@ pub trait Examiner: Asked {
     /// The parts of a question, by name.
     fn question_parts(&self, question: &str) -> Vec<(String, String)>;
 
+    /// The parts of an answer, by name; the words themselves if it cannot be read.
+    fn answer_parts(&self, answer: &str) -> Vec<(String, String)>;
+
     /// The picture that answers make, if any.
     fn picture(&self) -> Option<PictureSize>;
 
@@ -134,10 +137,10 @@ impl<E: Graded> Examiner for E {
     fn judge(&self, question: &str, answers: &[String], got: &str) -> Result<(), String> {
         let read_error = |e: RowError| format!("the answer cannot be read: {e}");
         let question: E::Question = row::read(question, "question").map_err(|e| e.to_string())?;
-        let got: E::Answer = row::read(got, "answer").map_err(read_error)?;
+        let got: E::Answer = row::read(got, E::ANSWER).map_err(read_error)?;
         let mut verdict = Err("there is no right answer to compare with".to_owned());
         for golden in answers.iter().rev() {
-            let golden: E::Answer = row::read(golden, "answer").map_err(read_error)?;
+            let golden: E::Answer = row::read(golden, E::ANSWER).map_err(read_error)?;
             verdict = E::judge(&question, &golden, &got);
             if verdict.is_ok() {
                 break;
@@ -161,6 +164,12 @@ impl<E: Graded> Examiner for E {
     fn question_parts(&self, question: &str) -> Vec<(String, String)> {
         row::read::<E::Question>(question, "question")
             .map_or_else(|_| Vec::new(), |q| q.parts("question"))
+    }
+
+    fn answer_parts(&self, answer: &str) -> Vec<(String, String)> {
+        let as_it_is = |_| vec![(E::ANSWER.to_owned(), answer.to_owned())];
+        row::read::<E::Answer>(answer, E::ANSWER)
+            .map_or_else(as_it_is, |answer| answer.parts(E::ANSWER))
     }
 
     fn picture(&self) -> Option<PictureSize> {

@@ -1,49 +1,12 @@
 //! What a check says to a student, in words.
 
 use crate::grade::ask::Said;
-use crate::grade::check::{Outcome, Report, State};
+use crate::grade::check::{Outcome, Report, State, Verdict};
+use crate::grade::diagnose::Diagnosis;
+use crate::grade::dress::Dress;
 use crate::grade::examine::Examiner;
-use crate::grade::starter;
-use std::fmt::Write;
+use crate::grade::picture::Triple;
 use std::path::Path;
-
-/// How text is dressed. A symbol or colour only ever repeats what a word says.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Dress {
-    /// ANSI colours.
-    pub colour: bool,
-    /// Symbols beyond ASCII in front of words.
-    pub symbols: bool,
-}
-
-impl Dress {
-    fn paint(self, code: &str, text: &str) -> String {
-        if self.colour {
-            format!("\u{1b}[{code}m{text}\u{1b}[0m")
-        } else {
-            text.to_owned()
-        }
-    }
-
-    /// The state as a symbol and a word.
-    fn state(self, state: &State) -> String {
-        let (symbol, colour, word) = match state {
-            State::Right => ("✓", "32", "right"),
-            State::Wrong => ("✗", "31", "wrong"),
-            State::NotStarted => ("·", "2", "not started"),
-            State::WaitsFor(_) => ("…", "2", "waits"),
-        };
-        let word = format!("{word:<11}");
-        self.paint(
-            colour,
-            &if self.symbols {
-                format!("{symbol} {word}")
-            } else {
-                word
-            },
-        )
-    }
-}
 
 /// One line on an exercise: its state, its name, and how many cases are right.
 pub fn line(report: &Report, dress: Dress) -> String {
@@ -72,185 +35,171 @@ pub fn explain(
     let Some((number, outcome, why)) = report.first_wrong() else {
         return String::new();
     };
-    let mut text = String::new();
+    let name = report.exercise;
     let title = format!(
-        "{}, case {number} of {}: {}",
-        report.exercise,
+        "{name}, case {number} of {}: {}",
         report.cases.len(),
         outcome.case.name
     );
-    let _ = writeln!(text, "{}", dress.paint("1", &title));
-    let _ = writeln!(text, "  {why}.");
-    question(&mut text, examiner, outcome);
-    printed(&mut text, &outcome.reply.printed);
-    if let Some(diagnosis) = &report.diagnosis {
-        let _ = writeln!(
-            text,
-            "\n  Your answers are those of a function that {}: it explains {} of your {} wrong answers.\n  Hint: {}",
-            dress.paint("1", diagnosis.name),
-            diagnosis.explained,
-            diagnosis.wrong,
-            diagnosis.hint
-        );
-    } else {
-        kinds(&mut text, report);
+    let mut lines = vec![dress.paint("1", &title), format!("  {}.", capitalised(why))];
+    lines.extend(asked(examiner, outcome));
+    lines.extend(printed(outcome));
+    lines.push(String::new());
+    match &report.diagnosis {
+        Some(diagnosis) => lines.extend(diagnosed(diagnosis, dress)),
+        None => lines.extend(kinds(report)),
     }
     if let (Some(pictures), Some(path)) = (&report.pictures, picture) {
-        let _ = writeln!(
-            text,
-            "\n  Picture: {} (yours, the right one, and the difference: orange where yours is too bright, blue where it is too dark)",
-            path.display()
-        );
-        if let Some(bad) = &pictures.first_bad {
-            let size = pictures.yours.width() * pictures.yours.height();
-            let _ = writeln!(
-                text,
-                "  {} of its {size} pixels are wrong; the first, in column {} of row {}, asks",
-                pictures.bad, bad.x, bad.y
-            );
-            let _ = writeln!(text, "      {} {}", report.exercise, bad.question);
-            let _ = writeln!(
-                text,
-                "      right: {}; yours: {}",
-                bad.golden,
-                bad.got.as_deref().unwrap_or("nothing")
-            );
-        }
+        lines.push(String::new());
+        lines.extend(pictured(name, pictures, path));
     }
-    let _ = writeln!(
-        text,
-        "\n  Ask this case again: raybook check {} --case {number}",
-        report.exercise
-    );
-    text
+    lines.extend([
+        String::new(),
+        format!("  Ask this case again: raybook check {name} --case {number}"),
+        String::new(),
+    ]);
+    lines.join("\n")
+}
+
+/// The sentence with a capital letter first, unless that is a name of its own: t, b1.
+fn capitalised(sentence: &str) -> String {
+    let mut letters = sentence.chars();
+    match (letters.next(), letters.clone().next()) {
+        // A formula's letter stays as it is.
+        (Some(first), Some(second)) if second.is_alphabetic() => {
+            first.to_uppercase().chain(letters).collect()
+        }
+        _ => sentence.to_owned(),
+    }
 }
 
 /// What was asked, what came back, and what was right.
-fn question(text: &mut String, examiner: &dyn Examiner, outcome: &Outcome) {
-    let mut rows: Vec<_> = examiner
-        .question_parts(&outcome.case.question)
-        .into_iter()
-        .map(|(name, value)| ("asked", name, value))
-        .collect();
-    let answer_names = examiner.answer_names().join(" ");
+fn asked(examiner: &dyn Examiner, outcome: &Outcome) -> Vec<String> {
+    let mut rows = Vec::new();
+    let mut add = |kind: &'static str, parts: Vec<(String, String)>| {
+        // The kind is said once, before its first part.
+        let kinds = std::iter::once(kind).chain(std::iter::repeat(""));
+        rows.extend(
+            kinds
+                .zip(parts)
+                .map(|(kind, (name, value))| (kind, name, value)),
+        );
+    };
+    add("asked", examiner.question_parts(&outcome.case.question));
     if let Said::Answer(answer) = &outcome.reply.said {
-        rows.push(("yours", answer_names.clone(), answer.clone()));
+        add("yours", examiner.answer_parts(answer));
     }
-    for answer in &outcome.case.answers {
-        rows.push(("right", answer_names.clone(), answer.clone()));
+    for (i, answer) in outcome.case.answers.iter().enumerate() {
+        add(
+            if i == 0 { "right" } else { "or" },
+            examiner.answer_parts(answer),
+        );
     }
     let widest = rows
         .iter()
         .map(|(_, name, _)| name.chars().count())
         .max()
         .unwrap_or(0);
-    let mut last = "";
-    for (kind, name, value) in &rows {
-        let kind_once = if *kind == last { "" } else { *kind };
-        let _ = writeln!(text, "    {kind_once:<6} {name:<widest$}   {value}");
-        last = kind;
-    }
+    rows.iter()
+        .map(|(kind, name, value)| format!("    {kind:<6} {name:<widest$}   {value}"))
+        .collect()
 }
 
 /// The student's own prints.
-fn printed(text: &mut String, printed: &str) {
+fn printed(outcome: &Outcome) -> Vec<String> {
+    /// More lines, or longer ones, nobody reads here.
     const MOST: usize = 12;
-    let lines: Vec<_> = printed
+    const WIDEST: usize = 160;
+    let visible = |c: char| {
+        if c.is_control() && c != '\t' {
+            '\u{fffd}'
+        } else {
+            c
+        }
+    };
+    let printed: Vec<_> = outcome
+        .reply
+        .printed
         .lines()
         .filter(|line| !line.trim().is_empty())
         .collect();
-    if lines.is_empty() {
-        return;
+    let mut lines = Vec::new();
+    if !printed.is_empty() {
+        lines.push("  Printed on the way:".to_owned());
     }
-    let _ = writeln!(text, "  Printed on the way:");
-    for line in lines.iter().take(MOST) {
-        let shown: String = line
-            .chars()
-            .map(|c| {
-                if c.is_control() && c != '\t' {
-                    '\u{fffd}'
-                } else {
-                    c
-                }
-            })
-            .take(160)
-            .collect();
-        let _ = writeln!(text, "    | {shown}");
+    lines.extend(printed.iter().take(MOST).map(|line| {
+        format!(
+            "    | {}",
+            line.chars().map(visible).take(WIDEST).collect::<String>()
+        )
+    }));
+    if printed.len() > MOST {
+        lines.push(format!("    | … and {} more lines", printed.len() - MOST));
     }
-    if lines.len() > MOST {
-        let _ = writeln!(text, "    | … and {} more lines", lines.len() - MOST);
+    let swallowed = printed.iter().any(|line| line.contains("= "));
+    if swallowed && !matches!(outcome.reply.said, Said::Answer(_)) {
+        lines.push("  An answer must begin its line with `= `. Is one of these meant to be one? End the print before it with a newline.".to_owned());
     }
-    if printed
-        .lines()
-        .any(|line| line.contains("= ") && !line.starts_with("= "))
-    {
-        let _ = writeln!(
-            text,
-            "  (An answer must begin its line with `= `. If one of these was meant to be one, end the print before it with a newline.)"
-        );
-    }
+    lines
+}
+
+fn diagnosed(diagnosis: &Diagnosis, dress: Dress) -> [String; 2] {
+    let Diagnosis {
+        name,
+        hint,
+        explained,
+        wrong,
+    } = diagnosis;
+    [
+        format!(
+            "  Your answers are those of a function that {}: this explains {explained} of the {wrong} wrong ones.",
+            dress.paint("1", name)
+        ),
+        format!("  Hint: {hint}"),
+    ]
 }
 
 /// Where no mistake explains the answers: which kinds of cases are right, and which are wrong.
-fn kinds(text: &mut String, report: &Report) {
+fn kinds(report: &Report) -> Vec<String> {
+    if report.right() == 0 {
+        return vec![format!(
+            "  None of the {} cases is right.",
+            report.cases.len()
+        )];
+    }
     let named = |right: bool| {
         let outcomes = report
             .cases
             .iter()
             .filter(|outcome| !outcome.case.name.starts_with("random "));
-        let of_kind = outcomes.filter(|outcome| {
-            matches!(outcome.verdict, crate::grade::check::Verdict::Right) == right
-        });
+        let of_kind = outcomes.filter(|outcome| (outcome.verdict == Verdict::Right) == right);
         of_kind
             .map(|outcome| outcome.case.name.as_str())
             .collect::<Vec<_>>()
             .join("; ")
     };
-    let (wrong, right) = (named(false), named(true));
-    if !wrong.is_empty() {
-        let _ = writeln!(text, "\n  Wrong too: {wrong}.");
-    }
-    if !right.is_empty() {
-        let _ = writeln!(text, "  Already right: {right}.");
-    }
+    let kinds = [("Wrong", named(false)), ("Right", named(true))];
+    kinds
+        .into_iter()
+        .filter(|(_, names)| !names.is_empty())
+        .map(|(what, names)| format!("  {what} are: {names}."))
+        .collect()
 }
 
-/// What an exercise asks: task, place, words, an example, the number of cases.
-pub fn describe(examiner: &dyn Examiner) -> String {
-    let cases = examiner
-        .cases(&mut crate::grade::examine::visible_rng(examiner.name()))
-        .cases;
-    let mut text = format!("{}\n  {}\n", examiner.name(), examiner.task());
-    if let Some(file) = starter::place(examiner.name()) {
-        let _ = writeln!(text, "  Write it in {file}.");
+/// Where the pictures are, and the ray of the first wrong pixel.
+fn pictured(exercise: &str, pictures: &Triple, path: &Path) -> Vec<String> {
+    let mut lines = vec![
+        format!("  Picture: {}", path.display()),
+        "  It shows yours, the right one, and the difference: orange where yours is too bright, blue where it is too dark.".to_owned(),
+    ];
+    if let Some(bad) = &pictures.first_bad {
+        let pixels = pictures.yours.width() * pictures.yours.height();
+        let got = bad.got.as_deref().unwrap_or("nothing");
+        lines.extend([
+            format!("  {} of {pixels} pixels are wrong; the first, in column {} of row {} from the top left, asks", pictures.bad, bad.x, bad.y),
+            format!("      {exercise} {}", bad.question),
+            format!("      yours: {got}; right: {}", bad.golden),
+        ]);
     }
-    let _ = writeln!(
-        text,
-        "\n  A question is the name and these words, on one line:"
-    );
-    let _ = writeln!(
-        text,
-        "    {} {}",
-        examiner.name(),
-        examiner.question_names().join(" ")
-    );
-    let _ = writeln!(text, "  An answer is `=` and these words:");
-    let _ = writeln!(text, "    = {}", examiner.answer_names().join(" "));
-    if let Some(case) = cases.first() {
-        let _ = writeln!(text, "  For example ({}):", case.name);
-        let _ = writeln!(
-            text,
-            "    {} {}\n    = {}",
-            examiner.name(),
-            case.question,
-            case.answers[0]
-        );
-    }
-    let _ = writeln!(
-        text,
-        "\n  {} cases are visible; `raybook check {}` asks them.",
-        cases.len(),
-        examiner.name()
-    );
-    text
+    lines
 }

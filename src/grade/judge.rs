@@ -47,7 +47,12 @@ pub fn number_within(name: &str, unit: &str, golden: f32, got: f32, tolerance: f
             (got - golden).abs(),
             if got > golden { "large" } else { "small" },
         );
-        Err(format!("{name} is {much:.3e}{unit} too {side}").replace("e0", ""))
+        let much = if much >= 0.001 {
+            format!("{much:.4}")
+        } else {
+            format!("{much:.1e}")
+        };
+        Err(format!("{name} is {much}{unit} too {side}"))
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::grade::ask::{Said, ask};
 use crate::grade::converse::{Limits, Program};
-use crate::grade::examine::Examiner;
+use crate::grade::examine::{Examiner, PictureSize};
 use crate::image::{Image, rgb::Rgb};
 use std::io;
 
@@ -43,56 +43,61 @@ const MISSING: Rgb = Rgb::new(0.8, 0.0, 0.8);
 
 /// Asks the program a question per pixel; `None` if the exercise has no picture.
 ///
-/// A program that cannot answer one question after the other gets no picture: the first pixel without an answer ends it.
+/// A program that breaks on the way gets no more questions.
 ///
 /// # Errors
 /// If the program cannot be started.
-pub fn triple(
+pub fn ask_pixels(
     program: &Program,
     examiner: &dyn Examiner,
     limits: Limits,
 ) -> io::Result<Option<Triple>> {
-    let Some(size) = examiner.picture() else {
-        return Ok(None);
-    };
-    let (width, height) = (size.width as usize, size.height as usize);
-    let pixels = (0..size.width * size.height)
-        .map(|i| examiner.pixel_question(i % size.width, i / size.width));
-    let questions: Vec<_> = pixels.collect();
-    let asked: Vec<_> = questions
+    let asked: Vec<_> = pixel_questions(examiner)
         .iter()
         .map(|question| format!("{} {question}", examiner.name()))
         .collect();
-    let answers: Vec<_> = ask_until_silent(program, &asked, limits)?;
+    let answers = ask_until_silent(program, &asked, limits)?;
+    Ok(triple(examiner, &answers))
+}
+
+/// The questions of the pixels in reading order; none if the exercise has no picture.
+pub fn pixel_questions(examiner: &dyn Examiner) -> Vec<String> {
+    let Some(PictureSize { width, height, .. }) = examiner.picture() else {
+        return Vec::new();
+    };
+    (0..width * height)
+        .map(|i| examiner.pixel_question(i % width, i / width))
+        .collect()
+}
+
+/// The pictures of the answers to [`pixel_questions`]; `None` if the exercise has no picture.
+pub fn triple(examiner: &dyn Examiner, answers: &[Option<String>]) -> Option<Triple> {
+    let PictureSize { width, height, alt } = examiner.picture()?;
+    let (width, height) = (width as usize, height as usize);
+    let questions = pixel_questions(examiner);
     let golden: Vec<_> = questions
         .iter()
         .map(|question| examiner.answer_line(question).unwrap_or_default())
         .collect();
-    let mut bad = Vec::new();
-    for (i, (question, golden)) in questions.iter().zip(&golden).enumerate() {
-        let got = answers[i].as_ref();
-        let right = got.is_some_and(|got| {
-            examiner
-                .judge(question, std::slice::from_ref(golden), got)
-                .is_ok()
-        });
-        if !right {
-            bad.push(i);
-        }
-    }
+    let right = |i: usize| {
+        let judge = |got: &String| examiner.judge(&questions[i], &golden[i..=i], got).is_ok();
+        answers[i].as_ref().is_some_and(judge)
+    };
+    let bad: Vec<_> = (0..questions.len()).filter(|&i| !right(i)).collect();
     let colour = |i: usize, answer: Option<&String>| {
         answer
-            .and_then(|a| examiner.pixel_colour(&questions[i], a))
+            .and_then(|answer| examiner.pixel_colour(&questions[i], answer))
             .unwrap_or(MISSING)
     };
+    let at = |x: usize, y: usize| y * width + x;
     let yours = Image::from_fn(width, height, |x, y| {
-        colour(y * width + x, answers[y * width + x].as_ref())
+        colour(at(x, y), answers[at(x, y)].as_ref())
     });
-    let golden_picture = Image::from_fn(width, height, |x, y| {
-        colour(y * width + x, Some(&golden[y * width + x]))
+    let right = Image::from_fn(width, height, |x, y| {
+        colour(at(x, y), Some(&golden[at(x, y)]))
     });
     let difference = Image::from_fn(width, height, |x, y| {
-        signed(yours.at(x, y).luminance() - golden_picture.at(x, y).luminance())
+        signed(yours.at(x, y).luminance() - right.at(x, y).luminance())
     });
     let first_bad = bad.first().map(|&i| BadPixel {
         x: i % width,
@@ -101,14 +106,14 @@ pub fn triple(
         golden: golden[i].clone(),
         got: answers[i].clone(),
     });
-    Ok(Some(Triple {
+    Some(Triple {
         yours,
-        golden: golden_picture,
+        golden: right,
         difference,
         first_bad,
         bad: bad.len(),
-        alt: size.alt,
-    }))
+        alt,
+    })
 }
 
 /// The answers, as long as they come; `None` from the first question on that breaks the program.

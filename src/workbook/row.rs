@@ -243,10 +243,10 @@ impl<T: Row> Row for Option<T> {
 
 impl<T: Row> Row for Vec<T> {
     fn names(name: &str) -> Vec<String> {
-        vec![format!(
-            "count, then for each: {}",
-            T::names(name).join(" ")
-        )]
+        vec![
+            format!("{name}.count"),
+            format!("[{}]…", T::names(name).join(" ")),
+        ]
     }
 
     fn write(&self) -> String {

@@ -3,6 +3,7 @@
 #![allow(dead_code)] // each test file uses its own part
 
 pub mod source;
+pub mod starter;
 
 use raybook::math::{interval::Interval, ray::Ray};
 use raybook::shape::Shape;

@@ -1,0 +1,221 @@
+//! The student's folder: it compiles, it is honest about what is not written, and it gives nothing away.
+
+mod common;
+
+use common::starter::{build, write};
+use raybook::grade::ask::{Said, ask};
+use raybook::grade::cases;
+use raybook::grade::converse::{Limits, Program};
+use raybook::grade::examine::{Examiner, visible_rng};
+use raybook::grade::starter::{files, place, reference, stub};
+use raybook::workbook::anchor::{Anchored, functions};
+use std::path::PathBuf;
+use std::time::Duration;
+
+const LIMITS: Limits = Limits {
+    time: Duration::from_secs(10),
+    output: 1 << 20,
+};
+
+/// The names of the exercises.
+fn names() -> Vec<&'static str> {
+    cases::all()
+        .iter()
+        .map(|examiner| examiner.name())
+        .collect()
+}
+
+#[test]
+fn every_exercise_is_stubbed_once_with_its_task() {
+    let files = files("my-rays", &stub).expect("the library's anchors are right");
+    for examiner in cases::all() {
+        let todo = format!("todo!(\"{}\")", examiner.name());
+        let places: Vec<_> = files
+            .iter()
+            .filter(|(_, bytes)| String::from_utf8_lossy(bytes).contains(&todo))
+            .collect();
+        assert_eq!(
+            places.len(),
+            1,
+            "{} is stubbed in one file",
+            examiner.name()
+        );
+        let (path, bytes) = places[0];
+        assert_eq!(
+            path.to_string_lossy(),
+            place(examiner.name()).expect("it has a place"),
+            "where the student is told"
+        );
+        assert!(
+            String::from_utf8_lossy(bytes).contains(&format!("/// {}", examiner.task())),
+            "{}: the stub says what to do",
+            examiner.name()
+        );
+    }
+}
+
+#[test]
+fn the_starter_holds_no_reference_no_cases_and_no_mistakes() {
+    let squeeze = |text: &str| {
+        text.lines()
+            .filter(|line| !line.trim_start().starts_with("//"))
+            .collect::<String>()
+            .replace(char::is_whitespace, "")
+    };
+    let files: Vec<_> = files("my-rays", &stub)
+        .expect("the library's anchors are right")
+        .into_iter()
+        .map(|(path, bytes)| (path, String::from_utf8_lossy(&bytes).into_owned()))
+        .collect();
+    for name in names() {
+        let text = format!(
+            "// ANCHOR: {name}\n{}// ANCHOR_END: {name}\n",
+            reference(name).expect("every exercise has a reference")
+        );
+        let body = squeeze(functions(&text).expect("it is a function")[0].body);
+        assert!(body.len() > 15, "{name}: a body worth hiding, not {body}");
+        for (path, file) in &files {
+            assert!(
+                !squeeze(file).contains(&body),
+                "{} gives {name} away",
+                path.display()
+            );
+        }
+    }
+    for examiner in cases::all() {
+        for (mistake, hint) in examiner.mistakes() {
+            assert!(
+                files
+                    .iter()
+                    .all(|(_, file)| !file.contains(&format!("\"{mistake}\""))
+                        && !file.contains(hint)),
+                "{}: who {mistake} is given away",
+                examiner.name()
+            );
+        }
+    }
+    for word in ["Graded", "Mistake", "fn edges", "visible_rng", "ANCHOR"] {
+        let found: Vec<_> = files
+            .iter()
+            .filter(|(_, file)| file.contains(word))
+            .map(|(path, _)| path.display().to_string())
+            .collect();
+        assert!(
+            found.is_empty() || (word == "ANCHOR" && found == ["src/workbook/anchor.rs"]),
+            "{word} is in {found:?}"
+        );
+    }
+}
+
+#[test]
+fn the_untouched_starter_compiles_and_everything_is_todo() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    write(folder.path(), &stub);
+    let program = build(folder.path(), "answer");
+    for examiner in cases::all() {
+        for (case, said) in replies(&program, examiner) {
+            assert_eq!(
+                said,
+                Said::Todo(examiner.name().into()),
+                "{} {case}: not written yet",
+                examiner.name()
+            );
+        }
+    }
+}
+
+/// One build in which an environment variable says which exercise is stubbed: the same text as the stub's and the
+/// reference's, without compiling once per exercise.
+#[test]
+fn each_exercise_stubbed_alone_is_the_only_one_that_turns_todo() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    write(folder.path(), &|function: &Anchored<'_>| {
+        let Anchored {
+            name, text, body, ..
+        } = *function;
+        let switch = format!(
+            "if std::env::var(\"RAYBOOK_STUB\").is_ok_and(|stub| stub == \"{name}\") {{ todo!(\"{name}\") }}"
+        );
+        stub(function).map(|_| text.replacen(body, &format!("\n{switch}\n{body}"), 1))
+    });
+    let program = build(folder.path(), "answer");
+    for stubbed in names() {
+        let program = Program {
+            file: PathBuf::from("env"),
+            arguments: vec![
+                format!("RAYBOOK_STUB={stubbed}").into(),
+                program.file.clone().into(),
+            ],
+            folder: PathBuf::new(),
+        };
+        let mut todo = 0;
+        for examiner in cases::all() {
+            let cases = examiner.cases(&mut visible_rng(examiner.name())).cases;
+            for (case, (name, said)) in cases.iter().zip(replies(&program, examiner)) {
+                match said {
+                    Said::Todo(waits_for) => {
+                        assert_eq!(
+                            waits_for,
+                            stubbed,
+                            "{} {name} waits for what is stubbed",
+                            examiner.name()
+                        );
+                        todo += usize::from(examiner.name() == stubbed);
+                    }
+                    Said::Answer(answer) => {
+                        assert_ne!(
+                            examiner.name(),
+                            stubbed,
+                            "{name}: {stubbed} is stubbed and cannot answer"
+                        );
+                        assert_eq!(
+                            examiner.judge(&case.question, &case.answers, &answer),
+                            Ok(()),
+                            "{} {name}",
+                            examiner.name()
+                        );
+                    }
+                    said => panic!("{} {name}: {said:?}", examiner.name()),
+                }
+            }
+        }
+        assert!(todo > 0, "{stubbed} itself turned todo");
+    }
+}
+
+#[test]
+fn the_chapters_run_on_the_students_functions() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    // Everything written, but the sphere's normal points inwards.
+    write(folder.path(), &|function: &Anchored<'_>| {
+        (function.name == "sphere_normal")
+            .then(|| function.text.replace("p - self.center", "self.center - p"))
+    });
+    let chapter = build(folder.path(), "ch03_sphere");
+    let out = tempfile::tempdir().expect("a temporary folder");
+    let status = std::process::Command::new(&chapter.file)
+        .args(["--width", "64", "--samples", "1", "--out"])
+        .arg(out.path())
+        .status()
+        .expect("the chapter runs");
+    assert!(status.success(), "the student's chapter draws");
+    assert!(
+        out.path().join("ch03_sphere/picture.png").is_file(),
+        "and writes its picture"
+    );
+}
+
+/// What a program says to an exercise's visible cases, with their names.
+fn replies(program: &Program, examiner: &dyn Examiner) -> Vec<(String, Said)> {
+    let cases = examiner.cases(&mut visible_rng(examiner.name())).cases;
+    let questions: Vec<_> = cases
+        .iter()
+        .map(|case| format!("{} {}", examiner.name(), case.question))
+        .collect();
+    let replies = ask(program, &questions, LIMITS).expect("the program starts");
+    cases
+        .into_iter()
+        .zip(replies)
+        .map(|(case, reply)| (case.name, reply.said))
+        .collect()
+}

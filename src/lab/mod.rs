@@ -1,5 +1,6 @@
 //! Floor 8: the stage on which a chapter draws, and the figures that explain its picture.
 
+pub mod cancellation;
 pub mod chapter;
 pub mod figure;
 pub mod gallery;

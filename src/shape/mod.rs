@@ -69,7 +69,8 @@ impl Surface {
     /// So it is certainly on that side, at any scale of the scene, and AHEAD needs no 0.001.
     pub fn leave(&self, direction: Dir3) -> Ray {
         let off = self.error * self.normal.abs().element_sum();
-        let side = off.copysign(self.normal.dot(*direction));
+        let inward = self.normal.dot(*direction) < 0.0;
+        let side = if inward { -off } else { off };
         Ray::new(self.position + side * *self.normal, direction)
     }
 }

@@ -8,11 +8,10 @@ use glam::{Vec2, Vec3, vec2, vec3};
 use raybook::camera::{Camera, pinhole::Pinhole};
 use raybook::image::{Image, rgb::Rgb};
 use raybook::lab::stage::{Drawn, Stage};
-use raybook::lab::{cancellation, chapter, palette, sheet::sheet};
+use raybook::lab::{cancellation, chapter, outdoors::checker, palette, sheet::sheet};
 use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
 use raybook::render::film::Film;
 use raybook::shape::{Shape, Surface, sphere::Sphere};
-use std::error::Error;
 use std::iter::successors;
 use std::process::ExitCode;
 
@@ -31,11 +30,11 @@ pub(crate) fn draw(stage: &Stage) -> Drawn {
 
     let caption = "One sphere, three answers. The far root is the back: its normals point away from the eye. \
         From inside, the near root is behind the eye, and the far one is what it sees.";
-    stage.figure("roots", caption, &roots(&stage.film(3.0))?)?;
+    stage.figure("roots", caption, &roots(stage.tile(3, 1.0))?)?;
 
     let caption = "A sphere of 10 cm through a telescope. Top: the schoolbook formula loses it within a kilometre. \
         Middle: counted from the closest point, nothing is lost. Bottom: a slanting ray is itself rounded.";
-    let figure = cancellation::figure(&stage.film(5.0 / 3.0))?;
+    let figure = cancellation::figure(stage.tile(5, 1.0))?;
     stage.figure("cancellation", caption, &figure)
 }
 
@@ -58,9 +57,7 @@ fn nearest(spheres: &[Sphere], ray: &Ray) -> Option<Dir3> {
 }
 
 /// The near root, the far root, and the root that is left from inside.
-fn roots(film: &Film) -> Result<Image, Box<dyn Error>> {
-    let width = film.width / 3;
-    let film = Film { width, ..*film };
+fn roots(film: Film) -> Result<Image, Box<dyn std::error::Error>> {
     let sphere = Sphere::new(Vec3::ZERO, 1.0);
     let outside = Pinhole::look_at(vec3(0.0, 1.6, 3.6), Vec3::ZERO, Vec3::Y, 0.035, 1.0)?;
     let inside = Pinhole::look_at(vec3(0.0, 0.4, 0.9), Vec3::ZERO, Vec3::Y, 0.012, 1.0)?;
@@ -84,8 +81,7 @@ fn roots(film: &Film) -> Result<Image, Box<dyn Error>> {
 
 /// The normal as a colour, darker on every other field of 15° of longitude and latitude.
 fn globe(at: &Surface) -> Rgb {
-    let odd = (at.texture * vec2(24.0, 12.0)).floor().element_sum() % 2.0;
-    palette::direction(*at.normal) * (1.0 - 0.35 * odd)
+    palette::direction(*at.normal) * checker(at.texture * vec2(24.0, 12.0), 1.0, 0.65)
 }
 
 fn main() -> ExitCode {

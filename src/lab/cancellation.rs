@@ -20,18 +20,12 @@ const DISTANCES: [(f32, &str); 5] = [
     (1e7, "10 000 km"),
 ];
 
-/// Three rows of tiles, one column per distance: the schoolbook formula and [`Sphere::hit`] with rays along z, and
+/// Three rows of tiles of the film's size, one column per distance: the schoolbook formula and [`Sphere::hit`] with rays along z, and
 /// [`Sphere::hit`] with rays in a slanting direction. The rays are parallel, so that the sphere keeps its size.
 ///
 /// # Errors
 /// If a caption cannot be drawn.
-pub fn figure(film: &Film) -> Result<Image, Box<dyn Error>> {
-    let (width, height) = (film.width / DISTANCES.len(), film.height / 3);
-    let film = Film {
-        width,
-        height,
-        ..*film
-    };
+pub fn figure(film: Film) -> Result<Image, Box<dyn Error>> {
     let slanting = Dir3::new_or(vec3(-0.61, -0.34, -0.71), Dir3::Z);
     let rows: [(&str, Dir3, Normal); 3] = [
         ("schoolbook", -Dir3::Z, schoolbook),

@@ -5,6 +5,8 @@ pub mod chapter;
 pub mod figure;
 pub mod gallery;
 pub mod options;
+pub mod outdoors;
 pub mod palette;
 pub mod sheet;
+pub mod slabs;
 pub mod stage;

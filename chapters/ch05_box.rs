@@ -17,14 +17,14 @@ use std::process::ExitCode;
 /// Draws the chapter's pictures.
 pub(crate) fn draw(stage: &Stage) -> Drawn {
     let columns: Vec<_> = (0..289).filter_map(column).collect();
-    let (from, to) = (vec3(12.0, 13.0, 17.0), vec3(0.0, -1.6, 0.0));
+    let (from, to) = (vec3(12.0, 13.0, 17.0), vec3(0.0, -1.75, 0.0));
     let film = stage.film(16.0 / 9.0);
     let camera = Pinhole::look_at(from, to, Vec3::Y, 0.042, film.aspect())?;
     let picture = view(&film, &camera, |ray| nearest(&columns, ray));
     let caption = "More than two hundred boxes. The colour is the height of the box; the brightness tells which face was hit.";
     stage.picture("picture", caption, &picture)?;
 
-    let caption = "One box. Each ray is inside from t_near to t_far; from blue to yellow they grow. The way between is longest \
+    let caption = "One box. Each ray is inside from t_near to t_far; yellow is farther. The way between is longest \
         where the ray crosses from face to opposite face, and nothing at the silhouette.";
     stage.figure("inside", caption, &inside(&stage.tile(2, 1.5))?)?;
 
@@ -72,15 +72,16 @@ fn inside(film: &Film) -> Result<Image, Box<dyn std::error::Error>> {
         let hit = cuboid.hit(ray, Interval::AHEAD)?;
         Some(palette::direction(*cuboid.surface(ray, &hit).normal))
     });
-    let tile = |number: fn(Interval) -> f32| {
+    let tile = |from: f32, to: f32, number: fn(Interval) -> f32| {
         view(film, &camera, |ray| {
             let inside = slab::clip(&cuboid.bounds, ray, Interval::AHEAD)?;
-            Some(palette::viridis(number(inside)))
+            Some(palette::viridis((number(inside) - from) / (to - from)))
         })
     };
-    let near = ("t_near, 3.5 to 7 m", tile(|t| (t.min - 3.5) / 3.5));
-    let far = ("t_far, 3.5 to 7 m", tile(|t| (t.max - 3.5) / 3.5));
-    let way = ("t_far − t_near, 0 to 3 m", tile(|t| (t.max - t.min) / 3.0));
+    let near = ("t_near: blue 3.5 m, yellow 7 m", tile(3.5, 7.0, |t| t.min));
+    let far = ("t_far: blue 3.5 m, yellow 7 m", tile(3.5, 7.0, |t| t.max));
+    let way = tile(0.0, 3.0, |t| t.max - t.min);
+    let way = ("t_far − t_near: blue 0 m, yellow 3 m", way);
     sheet(2, &[("normal of the face", faces), near, far, way])
 }
 

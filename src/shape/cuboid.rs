@@ -57,7 +57,9 @@ impl Shape for Cuboid {
         };
         let mut position = ray.at(hit.t).max(min).min(max);
         position[axis] = if outward < 0.0 { min[axis] } else { max[axis] };
-        let normal = Dir3::new_or(outward * Vec3::AXES[axis], Dir3::Y);
+        let mut normal = Vec3::ZERO;
+        normal[axis] = outward;
+        let normal = Dir3::new_or(normal, Dir3::Y);
         let across = (position - min) / (max - min).max(Vec3::splat(f32::MIN_POSITIVE));
         Surface {
             position,

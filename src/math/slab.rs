@@ -24,7 +24,7 @@ pub fn clip(bounds: &Aabb, ray: &Ray, within: Interval) -> Option<Interval> {
         min = min.max((near - o) / d);
         max = max.min((far - o) / d);
     }
-    // Not min <= max: beside a slab and parallel to it both are ∞, or both −∞, and their difference is NaN.
+    // Not min <= max: along a box without end, but beside it, both are ∞, or both −∞; their difference is NaN.
     (max - min >= 0.0).then_some(Interval { min, max })
 }
 // ANCHOR_END: box_clip

@@ -15,6 +15,7 @@ pub mod triangle_by_plane;
 use crate::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray};
 use glam::{Vec2, Vec3};
 
+// ANCHOR: shape
 /// Something with a surface that a ray can hit.
 ///
 /// No ray makes a shape panic, not even one with NaN or infinite coordinates; at worst the answer is a miss.
@@ -33,6 +34,7 @@ pub trait Shape: Send + Sync {
     /// The surface where this ray hit it; asked once, for the nearest hit of all.
     fn surface(&self, ray: &Ray, hit: &Hit) -> Surface;
 }
+// ANCHOR_END: shape
 
 /// The little that a candidate for the nearest hit must carry.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,6 +63,7 @@ pub struct Surface {
 }
 
 impl Surface {
+    // ANCHOR: leave
     /// A ray that leaves this point in a direction and does not find this surface again.
     ///
     /// This is the one rule against self-intersection: `position` is not exactly on the surface, but at most
@@ -73,6 +76,7 @@ impl Surface {
         let side = if inward { -off } else { off };
         Ray::new(self.position + side * *self.normal, direction)
     }
+    // ANCHOR_END: leave
 }
 
 /// The bound on rounding errors that a shape states as [`Surface::error`]: so many times the largest number

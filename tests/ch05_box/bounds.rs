@@ -2,7 +2,7 @@
 
 use crate::rays::{random_direction, ray, sure_hit};
 use glam::{Vec3, vec3};
-use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg, ray::Ray};
+use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg, ray::Ray, slab};
 use raybook::shape::{Shape, cuboid::Cuboid};
 
 const NAN: Vec3 = Vec3::NAN;
@@ -92,22 +92,27 @@ fn a_box_without_thickness_is_hit_from_both_sides() {
 
 #[test]
 fn boxes_without_end_or_without_points_are_boxes_too() {
-    let slab = Cuboid {
+    let endless = Cuboid {
         bounds: Aabb {
             min: vec3(f32::NEG_INFINITY, 0.0, f32::NEG_INFINITY),
             max: vec3(f32::INFINITY, 1.0, f32::INFINITY),
         },
     };
-    let (hit, at) = sure_hit(&slab, &ray(vec3(0.0, 4.0, 0.0), vec3(4.0, -3.0, 0.0)));
+    let (hit, at) = sure_hit(&endless, &ray(vec3(0.0, 4.0, 0.0), vec3(4.0, -3.0, 0.0)));
     assert_eq!(
         (hit.t, at.position, *at.normal),
         (5.0, vec3(4.0, 1.0, 0.0), Vec3::Y),
         "a slab is hit like a plane"
     );
     assert!(
-        slab.hit(&at.leave(Dir3::Y), Interval::AHEAD).is_none(),
+        endless.hit(&at.leave(Dir3::Y), Interval::AHEAD).is_none(),
         "and left like one"
     );
+    for (y, zero) in [(-1.0, 0.0), (-1.0, -0.0), (2.0, 0.0), (2.0, -0.0)] {
+        let beside = ray(vec3(0.0, y, 0.0), vec3(1.0, zero, 0.0));
+        let clipped = slab::clip(&endless.bounds, &beside, Interval::AHEAD);
+        assert_eq!(clipped, None, "{beside:?} is never in the slab");
+    }
     let mut rng = pcg::stream(5, 3);
     for bounds in [Aabb::EMPTY, Aabb::EVERYTHING] {
         for _ in 0..1000 {

@@ -6,8 +6,11 @@ use raybook::math::{aabb::Aabb, interval::Interval, pcg, ray::Ray, slab};
 use raybook::shape::{Shape, cuboid::Cuboid};
 use std::f32::consts::SQRT_2;
 
+/// From where to where a ray is inside the box, in metres.
+type Inside = Option<(f32, f32)>;
+
 /// Rays about the box (0, 0, 0) … (4, 2, 1), and the part of each that is inside it, ahead.
-fn known_rays() -> Vec<(&'static str, Ray, Option<(f32, f32)>)> {
+fn known_rays() -> Vec<(&'static str, Ray, Inside)> {
     let along_x = |x: f32, y: f32, z: f32| ray(vec3(x, y, z), Vec3::X);
     let corner = 3.0_f32.sqrt();
     vec![

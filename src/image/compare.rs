@@ -40,7 +40,7 @@ pub enum Difference {
         /// Width and height found.
         actual: (usize, usize),
     },
-    /// NaN or infinite where the expected picture is not.
+    /// NaN or infinite, in either picture: nothing can be said of how far apart they are.
     #[error("pixel ({x}, {y}) is not a finite number")]
     NotFinite {
         /// Column.

@@ -1,9 +1,11 @@
 //! Floor 7: the stage on which a chapter draws, and the figures that explain its picture.
 
+pub mod camera_diagram;
 pub mod chapter;
 pub mod figure;
 pub mod gallery;
 pub mod options;
 pub mod palette;
 pub mod sheet;
+pub mod sketch;
 pub mod stage;

@@ -9,3 +9,4 @@ pub mod palette;
 pub mod sheet;
 pub mod sketch;
 pub mod stage;
+pub mod stops;

@@ -1,13 +1,13 @@
 //! # High dynamic range
 //!
-//! Radiance has no upper limit, but a display has: how to choose an exposure, map what is too bright, and keep it all in a file.
+//! Radiance has no upper limit, but a display has: how to expose, how to map what is too bright, and how to keep it all.
 //!
 //! New: image/tone.rs image/file.rs image/codec.rs image/compare.rs
 //! New: scene/mod.rs scene/noise.rs scene/evening.rs scene/window.rs
 
 use glam::{Vec2, Vec3};
 use raybook::camera::{Camera, pinhole::Pinhole};
-use raybook::image::{Image, file, rgb::Rgb, tone};
+use raybook::image::{file, rgb::Rgb, tone};
 use raybook::lab::stage::{Drawn, Stage};
 use raybook::lab::{chapter, sheet::sheet, stops};
 use raybook::render::film::Film;
@@ -26,13 +26,11 @@ pub(crate) fn draw(stage: &Stage) -> Drawn {
     let picture = take(&film).map(|p| tone::expose(p, EXPOSURE));
     stage.picture(
         "picture",
-        "An evening room, two stops under: the display clamps the sky at white and hides the far wall in black. \
-         The EXR beside it still knows both.",
+        "An evening room, two stops under. The display clamps the sky at white; the EXR keeps it.",
         &picture,
     )?;
-    let kept = file::load(&stage.folder().join("picture.exr"))?;
-    if kept != picture {
-        return Err("the EXR does not hold the radiance that was written".into());
+    if !file::load(&stage.folder().join("picture.exr"))?.same_bits(&picture) {
+        return Err("picture.exr does not hold the radiance that was written".into());
     }
 
     let small = take(&Film {
@@ -43,52 +41,46 @@ pub(crate) fn draw(stage: &Stage) -> Drawn {
         ..film
     });
     let exposed = |stops: f32| small.map(|p| tone::expose(p, stops));
+    let tiles = [
+        ("+3 stops", exposed(3.0)),
+        ("0 stops", exposed(0.0)),
+        ("−3 stops", exposed(-3.0)),
+        ("−6 stops", exposed(-6.0)),
+        ("−10 stops", exposed(-10.0)),
+        ("−17 stops", exposed(-17.0)),
+    ];
     stage.figure(
         "exposures",
-        "One picture of linear radiance at six exposures. Every stop halves or doubles the light, \
-         and each tile has detail where the others are black or white.",
-        &sheet(
-            3,
-            &[
-                ("+3 stops", exposed(3.0)),
-                ("0 stops", exposed(0.0)),
-                ("−3 stops", exposed(-3.0)),
-                ("−6 stops", exposed(-6.0)),
-                ("−10 stops", exposed(-10.0)),
-                ("−17 stops", exposed(-17.0)),
-            ],
-        )?,
+        "One radiance, six exposures: each shows what the others clamp to white or lose in black.",
+        &sheet(3, &tiles)?,
     )?;
-    let toned = |curve: fn(Rgb) -> Rgb| -> Image { exposed(EXPOSURE).map(curve) };
+    let toned = |name, curve: fn(Rgb) -> Rgb| (name, exposed(EXPOSURE).map(curve));
+    let tiles = [
+        toned("clamped", tone::clamp),
+        toned("Reinhard", tone::reinhard),
+        toned("ACES-like", tone::aces),
+    ];
     stage.figure(
         "tone",
-        "The same exposure three times: clamped, the sky is lost; Reinhard's curve keeps it and flattens the rest; \
-         the film-like curve keeps contrast in the middle and lets the brightest fade to white.",
-        &sheet(3, &[
-            ("clamped", toned(tone::clamp)),
-            ("Reinhard", toned(tone::reinhard)),
-            ("ACES-like", toned(tone::aces)),
-        ])?,
+        "One exposure, three ways to end at white: clamping loses the sky, Reinhard's curve keeps it \
+         but pales, the film-like curve keeps the contrast and fades to white.",
+        &sheet(3, &tiles)?,
     )?;
     stage.figure(
         "curves",
         "What each of the three makes of a grey: the byte over the radiance in stops.",
         &stops::curves()?,
     )?;
+    let marks = [
+        (-7.5, "far wall"),
+        (-4.5, "room"),
+        (1.2, "sky"),
+        (13.5, "sun"),
+    ];
     stage.figure(
         "histogram",
-        "How many pixels are how bright. The scene spans more than twenty stops; the band is what a PNG holds of them.",
-        &stops::histogram(
-            &picture,
-            &[
-                (-7.5, "far wall"),
-                (-4.5, "room"),
-                (-1.8, "floor"),
-                (1.2, "sky"),
-                (6.0, "glitter"),
-                (13.5, "sun"),
-            ],
-        )?,
+        "How many pixels are how bright: over more than twenty stops, of which a PNG holds the band.",
+        &stops::histogram(&picture, &marks)?,
     )
 }
 

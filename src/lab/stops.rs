@@ -16,6 +16,9 @@ const BARS: f32 = 2.0;
 /// The stop at which a PNG's least byte that is not black begins: log₂ of the linear value of code ½/255.
 const DARKEST: f32 = -12.7;
 
+/// Where the histogram's logarithmic axis begins, in percent of the pixels.
+const LEAST: f32 = 0.001;
+
 /// How many of the pixels are how bright, in half stops; `marks` name a brightness each, in stops.
 ///
 /// The band is what a PNG can show at the exposure of 0 stops.
@@ -41,9 +44,9 @@ pub fn histogram(picture: &Image, marks: &[(f32, &str)]) -> Result<Image, Box<dy
             .margin(30)
             .x_label_area_size(100)
             .y_label_area_size(140)
-            .build_cartesian_2d(from..to, (0.001_f32..100.0).log_scale())?;
+            .build_cartesian_2d(from..to, (LEAST..100.0).log_scale())?;
         chart.draw_series([Rectangle::new(
-            [(from.max(DARKEST), 0.001), (0.0, 100.0)],
+            [(from.max(DARKEST), LEAST), (0.0, 100.0)],
             SKY.mix(0.25).filled(),
         )])?;
         chart
@@ -59,10 +62,10 @@ pub fn histogram(picture: &Image, marks: &[(f32, &str)]) -> Result<Image, Box<dy
             .label_style(text(30))
             .axis_desc_style(text(32))
             .draw()?;
-        let drawn = ((least * BARS) as i32..(most * BARS) as i32).filter(|&bar| share(bar) > 0.0);
+        let drawn = ((least * BARS) as i32..(most * BARS) as i32).filter(|&bar| share(bar) > LEAST);
         chart.draw_series(drawn.map(|bar| {
             let (left, right) = (bar as f32 / BARS + 0.04, (bar + 1) as f32 / BARS - 0.04);
-            Rectangle::new([(left, 0.001), (right, share(bar))], BLUE.filled())
+            Rectangle::new([(left, LEAST), (right, share(bar))], BLUE.filled())
         }))?;
         chart.draw_series(marks.iter().map(|&(stop, name)| label((stop, 28.0), name)))?;
         let band = 0.5 * from.max(DARKEST);

@@ -20,6 +20,20 @@ const THICKNESS: f32 = 0.36;
 const COLUMNS: [[f32; 2]; 3] = [[-1.60, -0.585], [-0.515, 0.515], [0.585, 1.60]];
 const ROWS: [[f32; 2]; 3] = [[0.12, 0.80], [0.87, 1.60], [1.67, 2.40]];
 
+/// The fraction of the light that each surface reflects.
+const BARS: Rgb = Rgb::new(0.62, 0.60, 0.55);
+const PLASTER: Rgb = Rgb::new(0.72, 0.70, 0.66);
+const PAPER: Rgb = Rgb::new(0.20, 0.31, 0.30);
+const WOOD: Rgb = Rgb::new(0.42, 0.24, 0.12);
+
+/// What the panes send on average, and what the floor sends where the sun lights it.
+const SKY: Rgb = Rgb::new(7.0, 5.2, 4.6);
+const LIT_FLOOR: Rgb = Rgb::new(2.2, 1.15, 0.45);
+/// What has been reflected so often that it comes from everywhere.
+const AMBIENT: Rgb = Rgb::new(0.075, 0.06, 0.05);
+/// What the open air sends into the depth of the wall.
+const OPEN_AIR: Rgb = Rgb::new(0.9, 0.75, 0.8);
+
 /// Where to stand: the sun is in an upper pane.
 pub const EYE: Vec3 = vec3(0.95, 1.42, 4.7);
 /// Where to look.
@@ -28,18 +42,18 @@ pub const MIDDLE: Vec3 = vec3(0.12, 1.27, 0.0);
 /// The radiance that arrives along a ray from inside the room.
 pub fn radiance(ray: &Ray) -> Rgb {
     let (p, n) = inside_of_box(ray, ROOM[0], ROOM[1]);
-    if p.z > 0.0 || !is_open(p) {
+    if n != Vec3::Z || !is_open(p) {
         return wall(ray, p, n);
     }
     let (bars, outside) = (at_depth(ray, 0.5 * THICKNESS), at_depth(ray, THICKNESS));
     if is_open(bars) && panes(bars, 0.0) == 0.0 {
-        light_on(bars, Vec3::Z) * Rgb::new(0.62, 0.6, 0.55)
+        light_on(bars, Vec3::Z) * BARS
     } else if is_open(outside) {
         evening::radiance(ray.direction)
     } else {
         let deep = vec3(0.0, 0.0, -2.0 * THICKNESS);
         let (p, n) = inside_of_box(ray, OPENING[0].extend(0.0) + deep, OPENING[1].extend(9.0));
-        light_on(p, n) * Rgb::new(0.75, 0.73, 0.68)
+        light_on(p, n) * PLASTER
     }
 }
 
@@ -48,14 +62,15 @@ fn inside_of_box(ray: &Ray, min: Vec3, max: Vec3) -> (Vec3, Vec3) {
     let d = *ray.direction;
     let ahead = Vec3::select(d.cmplt(Vec3::ZERO), min, max);
     let t = (ahead - ray.origin) / d;
-    let axis = if t.x < t.y.min(t.z) {
+    let nearest = t.min_element();
+    let axis = if t.x == nearest {
         Vec3::X
-    } else if t.y < t.z {
+    } else if t.y == nearest {
         Vec3::Y
     } else {
         Vec3::Z
     };
-    (ray.at(t.dot(axis)), -axis * d.signum())
+    (ray.at(nearest), -axis * d.signum())
 }
 
 /// Where a ray is so deep in the wall with the window.
@@ -83,8 +98,8 @@ fn panes(p: Vec3, radius: f32) -> f32 {
 fn light_on(p: Vec3, n: Vec3) -> Rgb {
     let sky = panes_from(p, n);
     let from_floor = patch(vec3(0.9, 0.0, 2.2) - p, n, Vec3::Y, 6.0);
-    let ambient = Rgb::new(0.075, 0.06, 0.05) * corner_shade(p);
-    sky + Rgb::new(2.2, 1.15, 0.45) * from_floor + ambient + sun_on(p, n)
+    let ambient = AMBIENT * corner_shade(p);
+    sky + LIT_FLOOR * from_floor + ambient + sun_on(p, n)
 }
 
 /// The part of the view from a point that a patch fills, weighted by the cosine: cos θ cos θ′ A/(π r² + A).
@@ -100,14 +115,10 @@ fn panes_from(p: Vec3, n: Vec3) -> Rgb {
         for (row, [bottom, top]) in ROWS.into_iter().enumerate() {
             let middle = vec3(0.5 * (left + right), 0.5 * (bottom + top), -0.5 * THICKNESS);
             let seen = patch(middle - p, n, Vec3::Z, (right - left) * (top - bottom));
-            sum += Rgb::new(7.0, 5.2, 4.6) * (seen * [0.6, 1.0, 1.1][row]);
+            sum += SKY * (seen * [0.6, 1.0, 1.1][row]);
         }
     }
-    if p.z < 0.0 {
-        sum + Rgb::new(0.9, 0.75, 0.8)
-    } else {
-        sum
-    }
+    if p.z < 0.0 { sum + OPEN_AIR } else { sum }
 }
 
 /// The sun on a point, through the panes; its disc blurs the shadows of the bars with distance.
@@ -128,63 +139,56 @@ fn corner_shade(p: Vec3) -> f32 {
     shade(to_walls.x) * shade(to_walls.y) * shade(to_walls.z) / 0.6
 }
 
-/// Floor boards, papered walls and a white ceiling.
+/// Floor boards, papered walls, a white ceiling, and white boards along the floor and around the window.
 fn wall(ray: &Ray, p: Vec3, n: Vec3) -> Rgb {
     if n == Vec3::Y {
         return floor(ray, p);
     }
-    let white = Rgb::new(0.72, 0.7, 0.66);
-    let along = if n.z == 0.0 { p.z } else { p.x };
-    let colour = if n == Vec3::NEG_Y || p.y < 0.13 {
-        white
+    let from_window = (p.truncate() - p.truncate().clamp(OPENING[0], OPENING[1])).length();
+    let framed = n == Vec3::Z && from_window < 0.11;
+    let colour = if n == Vec3::NEG_Y || p.y < 0.13 || framed {
+        PLASTER
     } else {
-        paper(along, p.y)
+        paper(if n == Vec3::Z { p.x } else { p.z }, p.y)
     };
-    let framed =
-        (p.truncate() - p.truncate().clamp(OPENING[0], OPENING[1])).length() < 0.11 && n.z > 0.0;
-    light_on(p, n) * if framed { white } else { colour }
+    light_on(p, n) * colour
 }
 
-/// Wallpaper: broad stripes with a chain of lozenges on every second one.
+/// Wallpaper: stripes, with a chain of lozenges on every second one.
 fn paper(along: f32, y: f32) -> Rgb {
-    let stripe = (along / 0.16).floor() as i32;
-    let across = (along / 0.16).fract().abs() - 0.5;
-    let lozenge = (across.abs() * 2.2 + ((y / 0.24).fract() - 0.5).abs()) < 0.42;
-    let dark = Rgb::new(0.20, 0.31, 0.30);
-    if stripe % 2 == 0 {
-        dark * if lozenge { 1.45 } else { 1.0 }
-    } else {
-        dark * 1.25
-    }
+    /// Width of a stripe, and height of a lozenge, in metres.
+    const TILE: Vec2 = vec2(0.16, 0.24);
+    let tile = vec2(along, y) / TILE;
+    let from_middle = ((tile - tile.floor()) - 0.5).abs();
+    let lozenge = 2.2 * from_middle.x + from_middle.y < 0.42;
+    let plain = tile.x.floor().rem_euclid(2.0) == 1.0;
+    PAPER
+        * if plain {
+            1.25
+        } else if lozenge {
+            1.45
+        } else {
+            1.0
+        }
 }
 
-/// Varnished boards: each has its own tone and grain, and mirrors the window at grazing angles.
+/// Varnished boards: each has its own tone and grain, and mirrors the window where one looks along it.
 fn floor(ray: &Ray, p: Vec3) -> Rgb {
+    /// Width and length of a board, in metres.
     const BOARD: Vec2 = vec2(0.17, 1.6);
     let column = (p.x / BOARD.x).floor();
     let row = (p.z / BOARD.y + hash(column as i32, 7)).floor();
     let tone = hash(column as i32, row as i32);
     let grain = layers(vec2(55.0 * p.x, 2.5 * p.z) + 40.0 * tone, 3);
-    let gap = rise(
-        0.0,
-        0.012,
-        (p.x / BOARD.x)
-            .fract()
-            .abs()
-            .min(1.0 - (p.x / BOARD.x).fract().abs()),
-    );
-    let wood =
-        Rgb::new(0.42, 0.24, 0.12) * ((0.6 + 0.5 * tone) * (0.7 + 0.6 * grain) * (0.3 + 0.7 * gap));
+    let across = p.x / BOARD.x - column;
+    let joint = rise(0.0, 0.012, across.min(1.0 - across));
+    let wood = WOOD * ((0.6 + 0.5 * tone) * (0.7 + 0.6 * grain) * (0.3 + 0.7 * joint));
+
     let d = *ray.direction;
-    let mirrored = Ray::new(
-        p,
-        Dir3::new_or(
-            d * vec3(1.0, -1.0, 1.0) + 0.012 * (tone - 0.5) * Vec3::X,
-            Dir3::Y,
-        ),
-    );
-    let fresnel = 0.04 + 0.96 * (1.0 + d.y).powi(5);
-    let glass = at_depth(&mirrored, 0.5 * THICKNESS);
-    let gloss = panes(glass, 0.04 * p.z) * fresnel * 0.8 * gap;
+    let tilt = 0.012 * (tone - 0.5) * Vec3::X;
+    let mirrored = Ray::new(p, Dir3::new_or(vec3(d.x, -d.y, d.z) + tilt, Dir3::Y));
+    let fresnel = 0.04 + 0.96 * (1.0 + d.y).powi(5); // Schlick 1994
+    let glass = panes(at_depth(&mirrored, 0.5 * THICKNESS), 0.04 * p.z);
+    let gloss = 0.8 * fresnel * glass * joint;
     light_on(p, Vec3::Y) * wood + evening::radiance(mirrored.direction) * gloss
 }

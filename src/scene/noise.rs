@@ -6,7 +6,12 @@ use glam::Vec2;
 /// (value noise, after Perlin, "An image synthesizer", 1985).
 pub fn noise(p: Vec2) -> f32 {
     let cell = p.floor();
-    let corner = |x: i32, y: i32| hash(cell.x as i32 + x, cell.y as i32 + y);
+    let corner = |x, y| {
+        hash(
+            (cell.x as i32).wrapping_add(x),
+            (cell.y as i32).wrapping_add(y),
+        )
+    };
     let f = p - cell;
     let blend = f * f * (3.0 - 2.0 * f);
     let across = |y: i32| corner(0, y) + (corner(1, y) - corner(0, y)) * blend.x;

@@ -61,7 +61,7 @@ pub fn radiance(ray: &Ray) -> Rgb {
 fn inside_of_box(ray: &Ray, min: Vec3, max: Vec3) -> (Vec3, Vec3) {
     let d = *ray.direction;
     let ahead = Vec3::select(d.cmplt(Vec3::ZERO), min, max);
-    let t = (ahead - ray.origin) / d;
+    let t = ((ahead - ray.origin) / d).abs(); // a direction of −0 would make −∞ of what never comes
     let nearest = t.min_element();
     let axis = if t.x == nearest {
         Vec3::X
@@ -188,7 +188,11 @@ fn floor(ray: &Ray, p: Vec3) -> Rgb {
     let tilt = 0.012 * (tone - 0.5) * Vec3::X;
     let mirrored = Ray::new(p, Dir3::new_or(vec3(d.x, -d.y, d.z) + tilt, Dir3::Y));
     let fresnel = 0.04 + 0.96 * (1.0 + d.y).powi(5); // Schlick 1994
-    let glass = panes(at_depth(&mirrored, 0.5 * THICKNESS), 0.04 * p.z);
+    let glass = if d.z < 0.0 {
+        panes(at_depth(&mirrored, 0.5 * THICKNESS), 0.04 * p.z)
+    } else {
+        0.0
+    };
     let gloss = 0.8 * fresnel * glass * joint;
     light_on(p, Vec3::Y) * wood + evening::radiance(mirrored.direction) * gloss
 }

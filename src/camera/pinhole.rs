@@ -51,6 +51,7 @@ pub enum LookAtError {
 }
 
 impl Pinhole {
+    // ANCHOR: look_at
     /// A camera at `from` that sees `to` in the middle of its picture, and `up` towards the top.
     ///
     /// The axes are forward = (to − from)/|to − from|, right ∥ forward × up and, square to both, right × forward,
@@ -90,6 +91,7 @@ impl Pinhole {
         })
     }
 
+    // ANCHOR_END: look_at
     // ANCHOR: camera_ray
     /// The ray from the focal point through a place on the image plane; `film` as for [`Camera::ray`].
     ///

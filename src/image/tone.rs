@@ -25,6 +25,7 @@ pub fn reinhard(radiance: Rgb) -> Rgb {
 }
 // ANCHOR_END: tone_map
 
+// ANCHOR: film_like
 /// A film-like curve per channel, (x(2.51x + 0.03)) / (x(2.43x + 0.59) + 0.14), clamped to [0, 1]:
 /// dark in the shadows, steep in the middle, and bright colours fade to white
 /// (Narkowicz, "ACES filmic tone mapping curve", 2015, a fit to the Academy's reference transform).
@@ -34,6 +35,7 @@ pub fn aces(radiance: Rgb) -> Rgb {
         (x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14)).clamp(0.0, 1.0)
     })
 }
+// ANCHOR_END: film_like
 
 // ANCHOR: encode_srgb
 /// The sRGB code value of a linear value, both in [0, 1]: 12.92 v up to 0.0031308, then 1.055 v^(1/2.4) − 0.055

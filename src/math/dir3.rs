@@ -17,6 +17,7 @@ impl Dir3 {
     /// The world's z axis, which points at the viewer of a picture whose x points right: the world is right-handed.
     pub const Z: Self = Self(Vec3::Z);
 
+    // ANCHOR: direction
     /// v/|v|, or `None` where v has no direction: zero, infinite or NaN.
     ///
     /// v is first divided by its largest component, so that no square overflows or vanishes:
@@ -26,6 +27,7 @@ impl Dir3 {
         let usable = largest > 0.0 && v.is_finite();
         usable.then(|| Self((v / largest).normalize()))
     }
+    // ANCHOR_END: direction
 
     /// v/|v|, or `otherwise` where v has no direction.
     pub fn new_or(v: Vec3, otherwise: Self) -> Self {

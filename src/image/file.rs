@@ -35,7 +35,7 @@ pub enum FileError {
         height: usize,
     },
     /// The content is not what the name promises.
-    #[error("{}: this is not a {format} picture that can be read: {reason}", path.display())]
+    #[error("{}: cannot be read as {format}: {reason}", path.display())]
     Content {
         /// The file.
         path: PathBuf,

@@ -5,6 +5,8 @@
 
 #![allow(dead_code)] // each of the two uses its own part
 
+#[cfg(test)]
+mod bad_lines;
 pub mod judge;
 pub mod meeting;
 pub mod meshes;

@@ -25,31 +25,34 @@ pub struct Recorded {
     pub answer: Option<Answer>,
 }
 
-impl Recorded {
-    /// The line without the answer.
-    pub fn question(&self) -> String {
-        let Self {
-            name,
-            ray,
-            within,
-            target,
-            ..
-        } = self;
-        let (o, d) = (spaced(ray.origin), spaced(*ray.direction));
-        format!(
-            "{name}  {o}  {d}  {} {}  {}",
-            within.min, within.max, target.words
-        )
-    }
+/// The line that records a question and its answer.
+pub fn line(
+    name: &str,
+    ray: &Ray,
+    within: Interval,
+    target: &Target,
+    answer: Option<Answer>,
+) -> String {
+    let (o, d) = (spaced(ray.origin), spaced(*ray.direction));
+    let answer = answer.map_or_else(
+        || "none".to_owned(),
+        |Answer { t, id, uv, normal }| format!("{t} {id} {} {} {}", uv.x, uv.y, spaced(normal)),
+    );
+    format!(
+        "{name}  {o}  {d}  {} {}  {}  = {answer}",
+        within.min, within.max, target.words
+    )
+}
 
-    /// The line.
-    pub fn line(&self) -> String {
-        let answer = self.answer.map_or_else(
-            || "none".to_owned(),
-            |Answer { t, id, uv, normal }| format!("{t} {id} {} {} {}", uv.x, uv.y, spaced(normal)),
-        );
-        format!("{}  = {answer}", self.question())
-    }
+/// A shape from its words.
+///
+/// # Errors
+/// A sentence that says which word is not what was expected.
+pub fn shape(text: &str) -> Result<Target, String> {
+    let mut words = Words(text.split_whitespace());
+    let target = target(&mut words)?;
+    words.end()?;
+    Ok(target)
 }
 
 /// All lines of a recording.

@@ -26,7 +26,7 @@ impl Campaign {
     pub fn run(
         name: &str,
         targets: impl IntoIterator<Item = (Target, usize)>,
-    ) -> Result<Self, embree3::Error> {
+    ) -> Result<Self, String> {
         let embree = Embree::new()?;
         let mut campaign = Self {
             name: name.to_owned(),
@@ -105,7 +105,9 @@ impl Campaign {
         }
         let [fast, robust] = [0, 1].map(|mode| {
             let mut all = Tally::default();
-            rows.iter().for_each(|row| all.merge(&row[mode]));
+            for row in rows {
+                all.merge(&row[mode]);
+            }
             all
         });
         for all in [fast, robust] {

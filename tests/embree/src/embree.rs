@@ -26,7 +26,7 @@ impl Embree {
     ///
     /// # Errors
     /// If Embree does not start.
-    pub fn new() -> Result<Self, Error> {
+    pub fn new() -> Result<Self, String> {
         Self::with(None)
     }
 
@@ -34,7 +34,7 @@ impl Embree {
     ///
     /// # Errors
     /// If Embree does not start, or this processor lacks the instructions.
-    pub fn with(isa: Option<Isa>) -> Result<Self, Error> {
+    pub fn with(isa: Option<Isa>) -> Result<Self, String> {
         let threads = 1; // to build a tree; thousands of scenes of one triangle need no more
         Device::with_config(Config {
             isa,
@@ -42,14 +42,15 @@ impl Embree {
             ..Config::default()
         })
         .map(Self)
+        .map_err(told)
     }
 
     /// The library's version: "3.13.5".
     ///
     /// # Errors
     /// If Embree does not tell.
-    pub fn version(&self) -> Result<String, Error> {
-        let part = |property| self.0.get_property(property);
+    pub fn version(&self) -> Result<String, String> {
+        let part = |property| self.0.get_property(property).map_err(told);
         Ok(format!(
             "{}.{}.{}",
             part(DeviceProperty::VERSION_MAJOR)?,
@@ -62,16 +63,16 @@ impl Embree {
     ///
     /// # Errors
     /// If Embree refuses the shape, or has no memory left.
-    pub fn scene(&self, solid: &Solid, mode: Mode) -> Result<Oracle, Error> {
-        let mut scene = self.0.create_scene()?;
+    pub fn scene(&self, solid: &Solid, mode: Mode) -> Result<Oracle, String> {
+        let mut scene = self.0.create_scene().map_err(told)?;
         if mode == Mode::Robust {
             scene.set_flags(SceneFlags::ROBUST);
         }
-        scene.attach_geometry(&self.geometry(solid)?);
+        scene.attach_geometry(&self.geometry(solid).map_err(told)?);
         scene.commit();
         match self.0.get_error() {
             Error::NONE => Ok(Oracle(scene)),
-            error => Err(error),
+            error => Err(told(error)),
         }
     }
 
@@ -105,6 +106,11 @@ impl Embree {
             }
         })
     }
+}
+
+/// Embree's errors are no Rust errors: they only print.
+fn told(error: Error) -> String {
+    format!("Embree: {error}")
 }
 
 /// A scene of Embree that answers raybook's question.

@@ -11,7 +11,7 @@
 //!
 //! # Where Embree answers otherwise, and is not wrong
 //!
-//! Found by experiment (`tests/facts.rs`), with Embree 3.13.5.
+//! Found by experiment (`tests/facts.rs`, `tests/facts_about_meshes.rs`), with Embree 3.13.5.
 //!
 //! | question | raybook | Embree |
 //! |---|---|---|
@@ -37,6 +37,8 @@ pub mod campaign;
 pub mod embree;
 #[path = "../../common/oracle/mod.rs"]
 pub mod oracle;
+pub mod patch;
+pub mod questions;
 pub mod rays;
 pub mod sample;
 pub mod shapes;

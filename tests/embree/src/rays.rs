@@ -1,7 +1,8 @@
 //! Rays at a target, of five kinds.
 
-use crate::oracle::target::{Solid, Target, corners};
-use glam::{Vec3, vec3};
+use crate::oracle::target::{Solid, Target};
+use crate::patch::{Patch, direction, size_of};
+use glam::Vec3;
 use rand::RngExt;
 use raybook::math::{basis::Basis, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 
@@ -42,9 +43,6 @@ pub const KINDS: [Kind; 5] = [
     Kind::AxisParallel,
 ];
 
-/// The part of a plane's stand-in that rays are aimed at: 2 m of its 16.
-const PLANE_PART: f32 = 0.125;
-
 /// The rays that see a patch side by side: in each direction so many.
 const SIDE: u32 = 10;
 
@@ -64,73 +62,12 @@ pub fn rays(kind: Kind, target: &Target, n: usize, rng: &mut Pcg) -> Vec<(Ray, I
     for (i, (_, within)) in rays.iter_mut().enumerate() {
         // Every eighth ray looks at a stretch only.
         if i % 8 == 7 && *within == Interval::AHEAD && kind != Kind::FromSurface {
-            within.min = target_size(target) * rng.random_range(0.0..1.5);
-            within.max = within.min + target_size(target) * rng.random_range(0.0..3.0);
+            within.min = size_of(target) * rng.random_range(0.0..1.5);
+            within.max = within.min + size_of(target) * rng.random_range(0.0..3.0);
         }
         within.max = within.max.min(target.far);
     }
     rays
-}
-
-/// A parallelogram that covers a triangle and a margin around it, or a sphere seen from a side.
-struct Patch {
-    corner: Vec3,
-    along: [Vec3; 2],
-    normal: Dir3,
-    /// A point of the shape itself.
-    inside: Vec3,
-}
-
-impl Patch {
-    fn of(target: &Target, rng: &mut Pcg) -> Self {
-        match &target.solid {
-            // A plane: a part of it, for its rays may not look at the edges of its stand-in.
-            Solid::Triangles(mesh) if target.far.is_finite() => {
-                let &[a, b, _, d] = mesh.positions() else {
-                    unreachable!("a plane's stand-in has four corners")
-                };
-                let along = [b - a, d - a].map(|side| PLANE_PART * side);
-                let corner = mesh.bounds().center() - 0.5 * (along[0] + along[1]);
-                Self {
-                    corner,
-                    along,
-                    normal: Dir3::new_or(along[0].cross(along[1]), Dir3::Y),
-                    inside: corner
-                        + rng.random::<f32>() * along[0]
-                        + rng.random::<f32>() * along[1],
-                }
-            }
-            Solid::Triangles(mesh) => {
-                let id = rng.random_range(0..mesh.triangles().len() as u32);
-                let [p0, p1, p2] =
-                    corners(mesh, id).expect("the number was drawn below the length");
-                let (e1, e2) = (p1 - p0, p2 - p0);
-                let (mut b1, mut b2) = (rng.random::<f32>(), rng.random::<f32>());
-                if b1 + b2 > 1.0 {
-                    (b1, b2) = (1.0 - b1, 1.0 - b2);
-                }
-                Self {
-                    corner: p0 - 0.1 * (e1 + e2),
-                    along: [1.2 * e1, 1.2 * e2],
-                    normal: Dir3::new_or(e1.cross(e2), Dir3::Y),
-                    inside: p0 + b1 * e1 + b2 * e2,
-                }
-            }
-            Solid::Sphere(sphere) => {
-                let Basis { x, y, z } = Basis::around(direction(rng));
-                Self {
-                    corner: sphere.center - 1.2 * sphere.radius * (*x + *y),
-                    along: [2.4 * sphere.radius * *x, 2.4 * sphere.radius * *y],
-                    normal: z,
-                    inside: sphere.center + sphere.radius * *z,
-                }
-            }
-        }
-    }
-
-    fn at(&self, i: f32, j: f32) -> Vec3 {
-        self.corner + i * self.along[0] + j * self.along[1]
-    }
 }
 
 fn coherent(target: &Target, rng: &mut Pcg) -> impl Iterator<Item = Ray> + use<> {
@@ -171,7 +108,7 @@ fn grazing(target: &Target, rng: &mut Pcg) -> Ray {
         ),
         Solid::Sphere(sphere) => (patch.inside + small * sphere.radius * *patch.normal, along),
     };
-    let back = target_size(target) * rng.random::<f32>();
+    let back = size_of(target) * rng.random::<f32>();
     Ray::new(through - back * *direction, direction)
 }
 
@@ -190,7 +127,7 @@ fn from_surface(target: &Target, rng: &mut Pcg) -> (Ray, Interval) {
         1 => (Ray::new(leaving.origin, -away), Interval::AHEAD),
         _ => (
             Ray::new(surface.position, away),
-            Interval::new(1e-3 * target_size(target), f32::INFINITY),
+            Interval::new(1e-3 * size_of(target), f32::INFINITY),
         ),
     }
 }
@@ -201,31 +138,16 @@ fn axis_parallel(target: &Target, rng: &mut Pcg) -> Ray {
     let axis = [Dir3::X, Dir3::Y, Dir3::Z][rng.random_range(0..3)];
     if axis.dot(*patch.normal) == 0.0 {
         // In a face there is no right answer (`tests/facts.rs`): move off it, into the box.
-        through -= target_size(target) * rng.random_range(0.05..0.5_f32) * *patch.normal;
+        through -= size_of(target) * rng.random_range(0.05..0.5_f32) * *patch.normal;
     }
     let direction = if rng.random() { axis } else { -axis };
-    let back = target_size(target) * rng.random_range(-0.2..1.0_f32);
+    let back = size_of(target) * rng.random_range(-0.2..1.0_f32);
     Ray::new(through - back * *direction, direction)
 }
 
 /// A point at most about two sizes of the target away.
 fn around(p: Vec3, target: &Target, rng: &mut Pcg) -> Vec3 {
-    p + target_size(target) * rng.random_range(0.2..2.0_f32) * *direction(rng)
-}
-
-/// How large the target is, in metres.
-fn target_size(target: &Target) -> f32 {
-    let size = target.shape.bounds().size().length();
-    if size.is_finite() { size } else { 1.0 }
-}
-
-fn direction(rng: &mut Pcg) -> Dir3 {
-    loop {
-        let v = vec3(rng.random(), rng.random(), rng.random()) * 2.0 - 1.0;
-        if let (true, Some(direction)) = (v.length_squared() <= 1.0, Dir3::new(v)) {
-            return direction;
-        }
-    }
+    p + size_of(target) * rng.random_range(0.2..2.0_f32) * *direction(rng)
 }
 
 fn sign(rng: &mut Pcg) -> f32 {

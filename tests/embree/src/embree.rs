@@ -120,7 +120,8 @@ impl Oracle {
     /// The nearest hit within the interval; whether its ends belong to it, `tests/facts.rs` tells.
     ///
     /// # Panics
-    /// If the ray is not finite or the interval begins before 0: Debian's Embree would end the process without a word of why.
+    /// If the interval begins before 0, where Debian's Embree would end the process by an assertion of its own,
+    /// or if the ray is not finite.
     pub fn closest(&self, ray: &Ray, within: Interval) -> Option<Answer> {
         assert!(
             ray.origin.is_finite() && ray.direction.is_finite() && within.min >= 0.0,

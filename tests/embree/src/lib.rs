@@ -19,7 +19,7 @@
 //! | hit at the interval's end | no | yes |
 //! | so a ray that starts on a surface | does not find it at t = 0 | robust triangles and spheres: finds it at t = 0 |
 //! | interval that begins below 0 | a stretch like any other | forbidden; Debian's library ends the process |
-//! | ray with a NaN or an infinity | a miss | forbidden, likewise |
+//! | ray with a NaN or an infinity | a miss | not asked: `Oracle::closest` refuses it |
 //! | back side of a triangle, sphere from inside | hit; the normal stays outward | the same |
 //! | exactly on an edge or a corner of one triangle | hit | the same |
 //! | edge between two triangles | either, by rounding, or for one in 20 rays aimed at it neither | fast mode: the same; robust mode: always one of them |

@@ -11,7 +11,7 @@ use glam::vec2;
 use oracle::judge::{Answer, Verdict, judge};
 use oracle::recording::{Recorded, parse};
 
-/// The files, and what a wrong answer of each kind of shape can be told by.
+/// The files of `golden/embree`, without their ending.
 const FILES: [&str; 5] = ["triangle", "sphere", "plane", "cuboid", "mesh"];
 
 #[test]

@@ -37,10 +37,14 @@ impl Patch {
 
 /// The cubic Bézier curve r³·p₀ + 3r²t·p₁ + 3rt²·p₂ + t³·p₃ with r = 1 − t.
 ///
-/// At t = 0 and 1 it is exactly p₀ and p₃, and neighbouring patches fit without a gap.
+/// The four weights add up to 1, so only differences from the nearer end are weighed. That is exact where it matters:
+/// at both ends, so that neighbouring patches fit without a gap, and where all points are the same.
 fn curve([p0, p1, p2, p3]: [Vec3; 4], t: f32) -> Vec3 {
+    if t > 0.5 {
+        return curve([p3, p2, p1, p0], 1.0 - t);
+    }
     let r = 1.0 - t;
-    r * r * r * p0 + 3.0 * r * r * t * p1 + 3.0 * r * t * t * p2 + t * t * t * p3
+    p0 + 3.0 * r * r * t * (p1 - p0) + 3.0 * r * t * t * (p2 - p0) + t * t * t * (p3 - p0)
 }
 
 /// Its derivative, 3r²·(p₁ − p₀) + 6rt·(p₂ − p₁) + 3t²·(p₃ − p₂): exactly 0 if all points are the same.

@@ -40,7 +40,12 @@ pub fn parse(text: &str) -> Result<Mesh, Wrong> {
     for words in word::lines(text) {
         match words[0].text {
             "v" => {
-                let n = word::numbers(&words, 3..=7, "a vertex (v)", "3 numbers")?;
+                let n = word::numbers(
+                    &words,
+                    3..=7,
+                    "a vertex (v)",
+                    "3 numbers, or 4 to 7 with a weight or colour",
+                )?;
                 obj.positions.push(vec3(n[0], n[1], n[2]));
             }
             "vt" => {

@@ -32,7 +32,7 @@ pub enum BinaryError {
         /// How many triangles the header promises.
         triangles: u32,
         /// How many bytes they need.
-        needed: usize,
+        needed: u64,
         /// How many bytes there are.
         found: usize,
     },
@@ -52,15 +52,18 @@ pub enum BinaryError {
 ///
 /// Some programs begin a binary file with `solid` too, so the size is asked first.
 pub fn is_binary(bytes: &[u8]) -> bool {
-    promised(bytes).is_some_and(|(_, needed)| needed == bytes.len())
+    promised(bytes).is_some_and(|(_, needed)| needed == bytes.len() as u64)
         || !bytes.trim_ascii_start().starts_with(b"solid")
 }
 
 /// The number of triangles in the header, and the size of a file that holds them.
-fn promised(bytes: &[u8]) -> Option<(u32, usize)> {
+fn promised(bytes: &[u8]) -> Option<(u32, u64)> {
     let count = bytes.get(HEADER - 4..HEADER)?.first_chunk()?;
     let triangles = u32::from_le_bytes(*count);
-    Some((triangles, HEADER + RECORD * triangles as usize))
+    Some((
+        triangles,
+        HEADER as u64 + RECORD as u64 * u64::from(triangles),
+    ))
 }
 
 /// The mesh of a binary STL file.
@@ -70,7 +73,7 @@ fn promised(bytes: &[u8]) -> Option<(u32, usize)> {
 pub fn parse_binary(bytes: &[u8]) -> Result<Mesh, BinaryError> {
     let found = bytes.len();
     let (triangles, needed) = promised(bytes).ok_or(BinaryError::Header { found })?;
-    if needed != found {
+    if needed != found as u64 {
         return Err(BinaryError::Size {
             triangles,
             needed,

@@ -63,9 +63,9 @@ pub fn parts(text: &str) -> Result<Vec<Part>, Wrong> {
     Ok(parts)
 }
 
-/// The teapot, each of its 32 patches cut into n × n quadrilaterals, that is 64n² − 8n triangles; at least 1 × 1.
+/// The teapot, each of its 32 patches cut into n × n quadrilaterals, which is 64n² − 8n triangles from n = 2.
 ///
-/// It stands on the plane y = 0 with its axis on the y axis, the spout to +x and the handle to −x, and is 3.15 high.
+/// Its axis is the y axis, from the middle of the bottom at y = 0 to the top of the knob at 3.15; the spout points to +x.
 /// The lid is widened until it meets the rim, so that body and lid together are watertight; the handle and the spout
 /// are tubes that end inside the body.
 /// The normals are those of the patches, not averages. The texture coordinates count patches: x around a part,

@@ -54,7 +54,7 @@ pub enum Reason {
         found: String,
     },
     /// A number that is given to nothing.
-    #[error("there is no {what} {index}: {given} are given above this line, the first is 1")]
+    #[error("there is no {what} {index}: above this line are {given}, counted from 1")]
     Index {
         /// What is numbered.
         what: &'static str,

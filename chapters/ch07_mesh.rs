@@ -33,15 +33,15 @@ pub(crate) fn draw(stage: &Stage) -> Drawn {
     let tiles = [
         ("2 × 2 per patch", tile(2)),
         ("3 × 3", tile(3)),
-        ("6 × 6", tile(6)),
+        ("5 × 5", tile(5)),
     ];
-    let caption = "The teapot's 32 patches cut into 4, 9 and 36 quadrilaterals each. The interpolated normals look round from the start; the outline does not.";
+    let caption = "The teapot's 32 patches cut into 4, 9 and 25 quadrilaterals each. The interpolated normals look round from the start; the outline does not.";
     stage.figure("tessellation", caption, &sheet(3, &tiles)?)
 }
 
 fn draw_mesh<'a>(stage: &'a Stage, mesh: &Mesh) -> Result<Film<'a>, Box<dyn Error>> {
     let triangles = mesh.triangles().len();
-    let width = (5.6e8 / triangles as f32).sqrt().clamp(160.0, 640.0); // a few seconds' work
+    let width = (4.9e8 / triangles as f32).sqrt().clamp(160.0, 640.0); // a few seconds' work
     let film = stage.film_of(width as u32, 4, 1.6);
     let (main, tests) = picture(&film, mesh, showroom::SMOOTH);
     let caption = format!(

@@ -107,6 +107,46 @@ fn a_seam_in_the_texture_does_not_show_in_missing_normals() {
     );
 }
 
+#[test]
+fn the_chapter_draws_any_mesh_or_says_why_not() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let draw = |text: &str| {
+        let path = folder.path().join("any.obj");
+        std::fs::write(&path, text).expect("the file can be written");
+        let mut command =
+            assert_cmd::Command::cargo_bin("ch07_mesh").expect("the chapter has a binary");
+        command
+            .args(["--width", "16", "--samples", "1", "--mesh"])
+            .arg(&path);
+        command
+            .arg("--out")
+            .arg(folder.path())
+            .output()
+            .expect("it runs")
+    };
+    // Of a size, of no size, and so large that sums overflow: whatever is there to see, nothing panics.
+    for corner in ["0 1 0", "0 0 0", "0 3e38 -3e38"] {
+        let done = draw(&format!("v 0 0 0\nv 1 0 0\nv {corner}\nf 1 2 3\n"));
+        assert!(
+            done.status.success(),
+            "{corner}: {}",
+            String::from_utf8_lossy(&done.stderr)
+        );
+        assert!(
+            folder.path().join("ch07_mesh/picture.exr").is_file(),
+            "{corner}: there is a picture"
+        );
+    }
+    let refused = draw("v 0 0\n");
+    assert_eq!(
+        refused.status.code(),
+        Some(2),
+        "an error of the input, not a panic"
+    );
+    let said = String::from_utf8_lossy(&refused.stderr);
+    assert!(said.contains("any.obj:1:1: a vertex"), "{said}");
+}
+
 proptest! {
     #[test]
     fn nothing_makes_the_reader_panic(

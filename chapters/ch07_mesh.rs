@@ -20,7 +20,7 @@ use std::process::ExitCode;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 #[derive(clap::Args)]
-struct Options {
+struct MeshOptions {
     /// Draw this mesh (.obj or .stl) instead of the teapot
     #[arg(long)]
     mesh: Option<PathBuf>,
@@ -81,8 +81,10 @@ fn picture(film: &Film, mesh: &Mesh, look: Look) -> (Image, u64) {
 }
 
 fn main() -> ExitCode {
-    chapter::run_with("ch07_mesh", |stage, options: Options| match options.mesh {
-        Some(path) => draw_mesh(stage, &mesh_file::load(&path)?).map(|_| ()),
-        None => draw(stage),
+    chapter::run_with("ch07_mesh", |stage, options: MeshOptions| {
+        match options.mesh {
+            Some(path) => draw_mesh(stage, &mesh_file::load(&path)?).map(|_| ()),
+            None => draw(stage),
+        }
     })
 }

@@ -6,4 +6,5 @@ pub mod gallery;
 pub mod options;
 pub mod palette;
 pub mod sheet;
+pub mod showroom;
 pub mod stage;

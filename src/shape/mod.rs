@@ -1,8 +1,10 @@
 //! Floor 2: what a ray can hit.
 
 pub mod attributes;
+pub mod bezier;
 pub mod cuboid;
 pub mod mesh;
+pub mod mesh_file;
 pub mod obj;
 pub mod plane;
 pub mod sphere;
@@ -11,6 +13,7 @@ pub mod teapot;
 pub mod triangle;
 pub mod triangle_by_determinants;
 pub mod triangle_by_plane;
+pub mod word;
 
 use crate::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray};
 use glam::{Vec2, Vec3};

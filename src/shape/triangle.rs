@@ -38,6 +38,16 @@ impl Triangle {
         Dir3::new(self.e1.cross(self.e2))
     }
     // ANCHOR_END: triangle_normal
+
+    // ANCHOR: solvable
+    /// Whether |−d e₁ e₂| is more than the rounding errors of its own terms, which are as large as |e₁|·|e₂|.
+    ///
+    /// It is 0 for a triangle without area, and for a ray in its plane; but the terms that should cancel are rounded,
+    /// and what is left of them is a number like any other, by which b₁, b₂ and t can be divided.
+    pub fn solvable(&self, determinant: f32) -> bool {
+        determinant.abs() > ROUNDING * (self.e1.length() * self.e2.length())
+    }
+    // ANCHOR_END: solvable
 }
 
 impl Shape for Triangle {
@@ -55,7 +65,8 @@ impl Shape for Triangle {
     /// and one of the comparisons is false.
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         let s1 = ray.direction.cross(self.e2);
-        let inverse = 1.0 / s1.dot(self.e1);
+        let determinant = s1.dot(self.e1);
+        let inverse = 1.0 / determinant;
         let s = ray.origin - self.p0;
         let b1 = s1.dot(s) * inverse;
         if !(0.0..=1.0).contains(&b1) {
@@ -65,7 +76,7 @@ impl Shape for Triangle {
         let b2 = s2.dot(*ray.direction) * inverse;
         let t = s2.dot(self.e2) * inverse;
         let inside = b2 >= 0.0 && b1 + b2 <= 1.0;
-        (inside && within.contains(t)).then_some(Hit {
+        (inside && within.contains(t) && self.solvable(determinant)).then_some(Hit {
             t,
             uv: vec2(b1, b2),
             id: 0,
@@ -75,13 +86,12 @@ impl Shape for Triangle {
 
     fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
         let normal = self.normal().unwrap_or(-ray.direction);
-        let largest =
-            self.p0.abs().max_element() + self.e1.abs().max_element() + self.e2.abs().max_element();
-        // On a thin triangle, all of it is near an edge's line: the hit test loses digits as e₁ and e₂ get parallel.
-        let thinness = self.e1.length() * self.e2.length() / self.e1.cross(self.e2).length();
+        let (length1, length2) = (self.e1.length(), self.e2.length());
+        // `hit` loses digits of the distance to the plane as e₁ and e₂ get parallel: 1/sin of the angle between them.
+        let lost = length1 * length2 / self.e1.cross(self.e2).length();
         Surface {
             position: self.p0 + hit.uv.x * self.e1 + hit.uv.y * self.e2,
-            error: ROUNDING * largest * thinness,
+            error: ROUNDING * (self.p0.abs().max_element() + lost * length1.max(length2)),
             normal,
             shading_normal: normal,
             texture: hit.uv,

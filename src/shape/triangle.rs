@@ -61,8 +61,8 @@ impl Shape for Triangle {
     /// By Cramer's rule with |a b c| = (a × b)·c, and s₁ = d × e₂, s = o − p₀, s₂ = s × e₁:
     /// (t, b₁, b₂) = (s₂·e₂, s₁·s, s₂·d) / s₁·e₁ (Möller and Trumbore 1997).
     ///
-    /// Without area, or with the ray in its plane, s₁·e₁ is 0: the quotients are infinite or NaN,
-    /// and one of the comparisons is false.
+    /// Without area, or with the ray in its plane, s₁·e₁ is 0 or a rounding error of 0, and the quotients are
+    /// infinite, NaN or noise: one of the comparisons is false, or [`Triangle::solvable`] is.
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         let s1 = ray.direction.cross(self.e2);
         let determinant = s1.dot(self.e1);

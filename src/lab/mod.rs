@@ -5,6 +5,7 @@ pub mod barycentrics;
 pub mod chapter;
 pub mod figure;
 pub mod gallery;
+pub mod looks;
 pub mod options;
 pub mod palette;
 pub mod platonic;

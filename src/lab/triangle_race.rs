@@ -64,7 +64,7 @@ pub fn figure() -> Result<Image, Box<dyn Error>> {
         .filter(|[a, b, c]| same(*a, *b) && same(*a, *c))
         .count();
     let note = format!(
-        "{} random rays and triangles, {hits} hits; all three agree on {same} of them",
+        "{same} of {} answers agree, {hits} of them hits",
         questions.len()
     );
     bars(

@@ -40,12 +40,14 @@ impl Triangle {
     // ANCHOR_END: triangle_normal
 
     // ANCHOR: solvable
-    /// Whether |−d e₁ e₂| is more than the rounding errors of its own terms, which are as large as |e₁|·|e₂|.
+    /// Whether the determinant |−d e₁ e₂| is more than the rounding errors of its six products, whose sizes add up to
+    /// at most ‖e₁‖₁·‖e₂‖₁, where ‖e‖₁ = |eₓ| + |e_y| + |e_z|.
     ///
-    /// It is 0 for a triangle without area, and for a ray in its plane; but the terms that should cancel are rounded,
-    /// and what is left of them is a number like any other, by which b₁, b₂ and t can be divided.
+    /// It is 0 for a triangle without area, and for a ray in its plane. But products that should cancel are rounded, and
+    /// what is left of them is a number like any other: divided by it, noise looks like a hit.
     pub fn solvable(&self, determinant: f32) -> bool {
-        determinant.abs() > ROUNDING * (self.e1.length() * self.e2.length())
+        let products = self.e1.abs().element_sum() * self.e2.abs().element_sum();
+        determinant.abs() > ROUNDING * products
     }
     // ANCHOR_END: solvable
 }
@@ -69,13 +71,10 @@ impl Shape for Triangle {
         let inverse = 1.0 / determinant;
         let s = ray.origin - self.p0;
         let b1 = s1.dot(s) * inverse;
-        if !(0.0..=1.0).contains(&b1) {
-            return None;
-        }
         let s2 = s.cross(self.e1);
         let b2 = s2.dot(*ray.direction) * inverse;
         let t = s2.dot(self.e2) * inverse;
-        let inside = b2 >= 0.0 && b1 + b2 <= 1.0;
+        let inside = b1 >= 0.0 && b2 >= 0.0 && b1 + b2 <= 1.0;
         (inside && within.contains(t) && self.solvable(determinant)).then_some(Hit {
             t,
             uv: vec2(b1, b2),

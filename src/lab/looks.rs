@@ -8,9 +8,9 @@ use crate::shape::{Hit, Surface};
 /// A way to colour what a ray hit.
 pub type Look = fn(&Ray, &Hit, &Surface) -> Rgb;
 
-/// The distance: yellow where the ray begins, dark blue at ten metres.
+/// The distance: yellow at 5 metres, dark blue at 8.5.
 pub fn distance(_ray: &Ray, hit: &Hit, _at: &Surface) -> Rgb {
-    viridis(1.0 - 0.1 * hit.t)
+    viridis((8.5 - hit.t) / 3.5)
 }
 
 /// The geometric normal: x, y and z, each from −1 to 1, as red, green and blue from 0 to 1.

@@ -61,7 +61,7 @@ pub fn still_life() -> Vec<Triangle> {
     let mut all = icosahedron(1.05, vec3(0.0, 1.02, 0.0), 0.32);
     let at_viewer = vec3(0.0, 0.5, 0.86);
     all.retain(|face| face.normal().is_some_and(|n| n.dot(at_viewer) < 0.9));
-    all.extend(tetrahedron(1.0, vec3(-2.1, 0.34, 0.2), 0.7));
+    all.extend(tetrahedron(1.0, vec3(-2.1, 0.34, 0.2), 0.5));
     all.extend(octahedron(0.85, vec3(2.1, 0.9, 0.2), 0.35));
     all
 }

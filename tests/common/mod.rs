@@ -22,7 +22,11 @@ pub fn snapshot(name: &str, table: &str) {
 
 /// A line per ray: its name, and what it hits ahead of it, with five digits after the point.
 pub fn hit_table(shape: &dyn Shape, rays: &[(&str, Ray)]) -> String {
-    let widest = rays.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
+    let widest = rays
+        .iter()
+        .map(|(name, _)| name.chars().count())
+        .max()
+        .unwrap_or(0);
     let mut table = String::new();
     for (name, ray) in rays {
         let answer = shape.hit(ray, Interval::AHEAD).map_or_else(

@@ -11,8 +11,11 @@ use std::error::Error;
 /// A triangle and a ray.
 pub type Question = (Triangle, Ray);
 
+/// A way to answer.
+pub type Way = fn(&Question) -> Option<Hit>;
+
 /// The contestants: each hits the triangle in its own way.
-pub const WAYS: [(&str, fn(&Question) -> Option<Hit>); 3] = [
+pub const WAYS: [(&str, Way); 3] = [
     ("plane, then inside", |(triangle, ray)| {
         triangle_by_plane::hit(triangle, ray, Interval::AHEAD)
     }),

@@ -22,7 +22,8 @@
 //! | 4 | light, material, scene |
 //! | 5 | camera, sample |
 //! | 6 | render |
-//! | 7 | lab, workbook |
+//! | 7 | workbook |
+//! | 8 | lab |
 
 pub mod accel;
 pub mod camera;

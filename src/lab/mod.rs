@@ -1,4 +1,4 @@
-//! Floor 7: the stage on which a chapter draws, and the figures that explain its picture.
+//! Floor 8: the stage on which a chapter draws, and the figures that explain its picture.
 
 pub mod bars;
 pub mod barycentrics;

@@ -2,6 +2,8 @@
 
 #![allow(dead_code)] // each test file uses its own part
 
+pub mod source;
+
 use raybook::math::{interval::Interval, ray::Ray};
 use raybook::shape::Shape;
 use std::fmt::Write;

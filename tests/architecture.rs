@@ -1,0 +1,154 @@
+//! The rules about the house: floors, claims and the length of files.
+
+mod common;
+
+use common::project;
+use common::source::{file_of, read, rust_files, top_module, used_paths};
+use raybook::workbook::curriculum::CHAPTERS;
+use std::collections::BTreeMap;
+
+/// Files that may be longer than 200 lines, each with a reason.
+const LONG_FILES: &[(&str, &str)] = &[];
+
+#[test]
+fn a_module_uses_only_lower_floors() {
+    let floors = floors();
+    let mut uses = 0;
+    for (file, text) in rust_files("src") {
+        let Some(&floor) = floors.get(top_module(&file)) else {
+            assert!(
+                !file.contains('/'),
+                "{file}: its module is not in the map of floors in src/lib.rs"
+            );
+            continue;
+        };
+        for path in used_paths(&text, "crate") {
+            let module = path.split("::").next().expect("a path has a first part");
+            let used = *floors
+                .get(module)
+                .unwrap_or_else(|| panic!("{file}: `{module}` is not in the map of floors"));
+            assert!(
+                used < floor || module == top_module(&file),
+                "{file} (floor {floor}) uses {path} (floor {used}): a module may use only lower floors"
+            );
+            uses += 1;
+        }
+    }
+    assert!(uses > 50, "the test must see the uses; it saw {uses}");
+}
+
+#[test]
+fn every_file_of_the_course_is_new_in_exactly_one_chapter() {
+    let floors = floors();
+    let mut claims = BTreeMap::<&str, Vec<&str>>::new();
+    for chapter in CHAPTERS {
+        for file in chapter.new_files() {
+            assert!(
+                project("src").join(file).is_file(),
+                "{} claims src/{file}, which does not exist",
+                chapter.name
+            );
+            claims.entry(file).or_default().push(chapter.name);
+        }
+    }
+    for (file, _) in rust_files("src") {
+        if floors
+            .get(top_module(&file))
+            .is_some_and(|&floor| floor <= 6)
+        {
+            let by = claims.remove(file.as_str()).unwrap_or_default();
+            assert_eq!(
+                by.len(),
+                1,
+                "src/{file} must be on the `New:` lines of exactly one chapter, not of {by:?}"
+            );
+        }
+    }
+    assert!(
+        claims.is_empty(),
+        "only files on floors 0 to 6 are claimed, not {claims:?}"
+    );
+}
+
+#[test]
+fn no_chapter_uses_a_file_that_a_later_one_claims() {
+    let chapter_of: BTreeMap<_, _> = CHAPTERS
+        .iter()
+        .flat_map(|c| c.new_files().into_iter().map(|file| (file, c.number())))
+        .collect();
+    let sources: BTreeMap<_, _> = rust_files("src").collect();
+    let mut uses = 0;
+    for chapter in CHAPTERS {
+        let own = chapter
+            .new_files()
+            .into_iter()
+            .map(|file| (file, sources[file].as_str(), "crate"));
+        for (file, text, root) in own.chain([(chapter.name, chapter.source, "raybook")]) {
+            for path in used_paths(text, root) {
+                let used = file_of(&path, &sources);
+                let Some(&by) = chapter_of.get(used.as_str()) else {
+                    continue;
+                }; // higher floors belong to all
+                assert!(
+                    by <= chapter.number(),
+                    "{file} of {} uses {path} (src/{used}), which chapter {by} introduces",
+                    chapter.name
+                );
+                uses += 1;
+            }
+        }
+    }
+    assert!(uses > 30, "the test must see the uses; it saw {uses}");
+}
+
+#[test]
+fn no_file_is_long() {
+    for folder in ["src", "chapters", "tests", "benches"] {
+        for (file, text) in rust_files(folder) {
+            let (path, lines) = (format!("{folder}/{file}"), text.lines().count());
+            let excused = LONG_FILES.iter().any(|(long, _)| *long == path);
+            assert!(
+                lines <= 200 || excused,
+                "{path} has {lines} lines; one idea needs at most 200"
+            );
+            assert!(
+                lines > 200 || !excused,
+                "{path} is short now: take it off the list of long files"
+            );
+        }
+    }
+}
+
+/// Module → floor, from the table in `lib.rs`.
+fn floors() -> BTreeMap<String, u32> {
+    let text = read("src/lib.rs");
+    let rows = text
+        .lines()
+        .filter_map(|line| line.strip_prefix("//! | ")?.split_once(" | "));
+    let floors: BTreeMap<_, _> = rows
+        .filter_map(|(floor, modules)| {
+            Some((floor.parse::<u32>().ok()?, modules.trim_end_matches(" |")))
+        })
+        .flat_map(|(floor, modules)| {
+            modules
+                .split(", ")
+                .map(move |module| (module.to_owned(), floor))
+        })
+        .collect();
+    assert!(
+        floors.len() >= 10,
+        "the map of floors in src/lib.rs has a row per floor"
+    );
+    floors
+}
+
+#[test]
+fn uses_are_taken_apart() {
+    let text =
+        "use crate::a::{self, b::{C, d::E}, F};\nfn f() { crate::g::h() } // crate::not::this";
+    assert_eq!(
+        used_paths(text, "crate"),
+        ["a", "a::b::C", "a::b::d::E", "a::F", "g::h"],
+        "each path on its own"
+    );
+}

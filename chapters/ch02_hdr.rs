@@ -1,4 +1,4 @@
-//! # HDR
+//! # High dynamic range
 //!
 //! Radiance has no upper limit, but a display has: how to expose, how to map what is too bright, and how to keep it all.
 //!

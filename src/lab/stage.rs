@@ -75,6 +75,14 @@ impl Stage {
         &self.folder
     }
 
+    /// As [`Stage::film`], for one of so many tiles side by side: a sheet of them is about as wide as a picture.
+    pub fn tile(&self, columns: u32, aspect: f32) -> Film<'_> {
+        let mut film = self.film(aspect);
+        film.width = (film.width / columns as usize).max(1);
+        film.height = ((film.width as f32 / aspect).round() as usize).max(1);
+        film
+    }
+
     /// Writes a picture of radiance: `name.exr` keeps it, `name.png` clamps it to what a display shows.
     ///
     /// # Errors

@@ -18,6 +18,7 @@ pub mod word;
 use crate::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray};
 use glam::{Vec2, Vec3};
 
+// ANCHOR: shape
 /// Something with a surface that a ray can hit.
 ///
 /// No ray makes a shape panic, not even one with NaN or infinite coordinates; at worst the answer is a miss.
@@ -36,6 +37,7 @@ pub trait Shape: Send + Sync {
     /// The surface where this ray hit it; asked once, for the nearest hit of all.
     fn surface(&self, ray: &Ray, hit: &Hit) -> Surface;
 }
+// ANCHOR_END: shape
 
 /// The little that a candidate for the nearest hit must carry.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -64,6 +66,7 @@ pub struct Surface {
 }
 
 impl Surface {
+    // ANCHOR: leave
     /// A ray that leaves this point in a direction and does not find this surface again.
     ///
     /// This is the one rule against self-intersection: `position` is not exactly on the surface, but at most
@@ -72,9 +75,11 @@ impl Surface {
     /// So it is certainly on that side, at any scale of the scene, and AHEAD needs no 0.001.
     pub fn leave(&self, direction: Dir3) -> Ray {
         let off = self.error * self.normal.abs().element_sum();
-        let side = off.copysign(self.normal.dot(*direction));
+        let inward = self.normal.dot(*direction) < 0.0;
+        let side = if inward { -off } else { off };
         Ray::new(self.position + side * *self.normal, direction)
     }
+    // ANCHOR_END: leave
 }
 
 /// The bound on rounding errors that a shape states as [`Surface::error`]: so many times the largest number

@@ -43,6 +43,7 @@ impl Shape for Sphere {
     /// So t is counted from the point p where the ray passes closest to the centre: t = (c − o)·d + s,
     /// and s² + 2(p − c)·d s + |p − c|² − r² = 0 has numbers no larger than they need be (after Haines et al. 2019).
     /// (p − c)·d would be 0 without rounding; keeping it makes up for the rounding of p along the ray.
+    /// `uv` keeps s for the surface: t's last digit may be larger than the whole sphere.
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         let from_center = ray.origin - self.center;
         let closest = -from_center.dot(*ray.direction);

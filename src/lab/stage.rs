@@ -6,7 +6,7 @@ use crate::render::film::Film;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::cell::RefCell;
 use std::error::Error;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// What drawing a chapter returns.
 pub type Drawn = Result<(), Box<dyn Error>>;
@@ -68,6 +68,11 @@ impl Stage {
         };
         self.bar.inc_length((film.width * film.height) as u64);
         film
+    }
+
+    /// The folder that holds the chapter's pictures.
+    pub fn folder(&self) -> &Path {
+        &self.folder
     }
 
     /// As [`Stage::film`], for one of so many tiles side by side: a sheet of them is about as wide as a picture.

@@ -7,7 +7,7 @@
 /// So the root in which both terms have the same sign is computed first, and the other from t₀·t₁ = c/a:
 /// with q = −(b + sign(b)·√(b² − 4ac))/2 the roots are q/a and c/q (Press et al., *Numerical Recipes*, §5.6).
 pub fn solve(a: f32, b: f32, c: f32) -> Option<(f32, f32)> {
-    // In f64 both products are exact: near a double root, b² − 4ac would lose its digits just so.
+    // b² − 4ac too subtracts nearly equal numbers, near a double root; in f64 the two products are exact.
     let [a, b, c] = [a, b, c].map(f64::from);
     let discriminant = b * b - 4.0 * a * c;
     if a == 0.0 || discriminant < 0.0 || discriminant.is_nan() {

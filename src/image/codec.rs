@@ -16,6 +16,7 @@ pub(super) fn encode_exr(picture: &Image) -> Result<Vec<u8>, String> {
     });
     exr::prelude::Image::from_channels((picture.width(), picture.height()), channels)
         .write()
+        .non_parallel() // in parallel, the blocks are written in the order in which they get ready
         .to_buffered(&mut bytes)
         .map_err(|e| e.to_string())?;
     Ok(bytes.into_inner())

@@ -43,7 +43,6 @@ impl Shape for Sphere {
     /// So t is counted from the point p where the ray passes closest to the centre: t = (c − o)·d + s,
     /// and s² + 2(p − c)·d s + |p − c|² − r² = 0 has numbers no larger than they need be (after Haines et al. 2019).
     /// (p − c)·d would be 0 without rounding; keeping it makes up for the rounding of p along the ray.
-    /// `uv` keeps s for the surface: t's last digit may be larger than the whole sphere.
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         let from_center = ray.origin - self.center;
         let closest = -from_center.dot(*ray.direction);
@@ -58,18 +57,27 @@ impl Shape for Sphere {
             .find(|s| within.contains(closest + s))?;
         Some(Hit {
             t: closest + s,
-            uv: vec2(s, 0.0),
+            uv: Vec2::ZERO,
             id: 0,
         })
     }
     // ANCHOR_END: sphere_hit
 
     fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
-        // As in `hit`: from the closest point by s, where o + t·d would round away what is smaller than t's last digit.
+        // t's last digit may be larger than the whole sphere. So t only tells before or behind the point where the ray
+        // passes closest to the centre; how far, Pythagoras does.
         let from_center = ray.origin - self.center;
         let closest = -from_center.dot(*ray.direction);
-        let p = from_center + closest * *ray.direction + hit.uv.x * *ray.direction;
-        let normal = Dir3::new_or(p, Dir3::Y);
+        let p = from_center + closest * *ray.direction;
+        let half_chord = (self.radius * self.radius - p.length_squared())
+            .max(0.0)
+            .sqrt();
+        let s = if hit.t > closest {
+            half_chord
+        } else {
+            -half_chord
+        };
+        let normal = Dir3::new_or(p + s * *ray.direction, Dir3::Y);
         Surface {
             position: self.center + self.radius * *normal,
             error: ROUNDING * (self.center.abs().max_element() + self.radius),

@@ -7,7 +7,8 @@ use raybook::grade::ask::{Said, ask};
 use raybook::grade::cases;
 use raybook::grade::converse::{Limits, Program};
 use raybook::grade::examine::{Examiner, visible_rng};
-use raybook::grade::starter::{files, place, reference, stub};
+use raybook::grade::library::{place, reference};
+use raybook::grade::starter::{files, stub};
 use raybook::workbook::anchor::{Anchored, functions};
 use std::path::PathBuf;
 use std::time::Duration;
@@ -27,7 +28,7 @@ fn names() -> Vec<&'static str> {
 
 #[test]
 fn every_exercise_is_stubbed_once_with_its_task() {
-    let files = files("my-rays", &stub).expect("the library's anchors are right");
+    let files = files(&stub).expect("the library's anchors are right");
     for examiner in cases::all() {
         let todo = format!("todo!(\"{}\")", examiner.name());
         let places: Vec<_> = files
@@ -62,7 +63,7 @@ fn the_starter_holds_no_reference_no_cases_and_no_mistakes() {
             .collect::<String>()
             .replace(char::is_whitespace, "")
     };
-    let files: Vec<_> = files("my-rays", &stub)
+    let files: Vec<_> = files(&stub)
         .expect("the library's anchors are right")
         .into_iter()
         .map(|(path, bytes)| (path, String::from_utf8_lossy(&bytes).into_owned()))

@@ -40,7 +40,7 @@ pub enum LookAtError {
     },
     /// The picture could be turned anyhow.
     #[error(
-        "the camera looks along {forward}, and its up, {up}, is parallel to that: choose another up"
+        "the camera looks along {forward}, and its up, {up}, is zero or parallel to that: choose another up"
     )]
     UpParallelToView {
         /// Where the camera looks.
@@ -51,9 +51,12 @@ pub enum LookAtError {
 }
 
 impl Pinhole {
+    // ANCHOR: look_at
     /// A camera at `from` that sees `to` in the middle of its picture, and `up` towards the top.
     ///
-    /// `focal_length` is in metres: 0.05 for the photographer's 50 mm, whose view is 2·atan(12/50) = 27° high.
+    /// The axes are forward = (to − from)/|to − from|, right ∥ forward × up and, square to both, right × forward,
+    /// which is as near to `up` as the view allows.
+    /// `focal_length` is in metres and positive: 0.05 for the photographer's 50 mm, whose view is 2·atan(12/50) = 27° high.
     /// `aspect` is the picture's width over its height.
     ///
     /// # Errors
@@ -88,6 +91,7 @@ impl Pinhole {
         })
     }
 
+    // ANCHOR_END: look_at
     // ANCHOR: camera_ray
     /// The ray from the focal point through a place on the image plane; `film` as for [`Camera::ray`].
     ///

@@ -9,7 +9,7 @@ use raybook::grade::examine::{Examiner, visible_rng};
 use raybook::grade::feedback;
 use raybook::grade::hidden::Key;
 use raybook::grade::progress::{Progress, Standing};
-use raybook::grade::{cases, json, starter, student};
+use raybook::grade::{cases, json, library, student};
 use raybook::image::file;
 use raybook::lab::sheet::sheet;
 use raybook::workbook::curriculum::CHAPTERS;
@@ -232,7 +232,7 @@ impl Check {
 fn next_step(reports: &[(Report, Option<PathBuf>)]) -> String {
     let first =
         |state: fn(&State) -> bool| reports.iter().map(|(r, _)| r).find(|r| state(&r.state()));
-    let place = |report: &Report| starter::place(report.exercise).unwrap_or_default();
+    let place = |report: &Report| library::place(report.exercise).unwrap_or_default();
     if let Some(report) = first(|state| *state == State::Wrong) {
         format!("Next: mend {} in {}.", report.exercise, place(report))
     } else if let Some(report) = first(|state| *state == State::NotStarted) {
@@ -269,7 +269,7 @@ fn remember(folder: &Path, reports: &[(Report, Option<PathBuf>)]) -> std::io::Re
 fn keep_reference(folder: &Path, chapter: &str, exercises: &[&str]) -> std::io::Result<PathBuf> {
     let texts = exercises
         .iter()
-        .filter_map(|exercise| starter::reference(exercise));
+        .filter_map(|exercise| library::reference(exercise));
     let text = texts.collect::<Vec<_>>().join("\n");
     let path = folder
         .join(".raybook")

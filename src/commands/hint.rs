@@ -4,7 +4,7 @@ use super::{Done, Target};
 use raybook::grade::check::{State, check};
 use raybook::grade::converse::Limits;
 use raybook::grade::examine::visible_rng;
-use raybook::grade::{starter, student};
+use raybook::grade::{library, student};
 use std::time::Duration;
 
 /// Hints at what is wrong.
@@ -37,11 +37,11 @@ impl Hint {
                     println!(
                         "{name}: {}\nWrite it in {}.",
                         examiner.task(),
-                        starter::place(name).unwrap_or_default()
+                        library::place(name).unwrap_or_default()
                     );
                 }
                 (State::WaitsFor(other), ..) => {
-                    println!("{name} calls {other}, which you have not written yet.")
+                    println!("{name} calls {other}, which you have not written yet.");
                 }
                 (State::Wrong, Some(diagnosis), _) => println!("{name}: {}", diagnosis.hint),
                 (State::Wrong, None, first) => {

@@ -11,11 +11,15 @@ pub mod tour;
 use raybook::grade::cases;
 use raybook::grade::examine::Examiner;
 use raybook::workbook::curriculum::CHAPTERS;
+use raybook::workbook::exercise::Asked;
 use std::error::Error;
 use std::path::PathBuf;
 
 /// Whether everything that was asked for is right; else the exit code is 1.
 pub type Done = Result<bool, Box<dyn Error>>;
+
+/// Exercises, in the order of the course.
+pub type Examiners = Vec<&'static dyn Examiner>;
 
 /// Which folder, and what of it.
 #[derive(clap::Args)]
@@ -30,7 +34,7 @@ impl Target {
     ///
     /// # Errors
     /// If a word is neither a folder nor a chapter nor an exercise.
-    pub fn resolve(&self) -> Result<(PathBuf, Vec<&'static dyn Examiner>), Box<dyn Error>> {
+    pub fn resolve(&self) -> Result<(PathBuf, Examiners), Box<dyn Error>> {
         let mut folder = PathBuf::from(".");
         let mut names: Vec<&str> = Vec::new();
         for word in &self.what {
@@ -40,10 +44,7 @@ impl Target {
             } else if PathBuf::from(word).is_dir() {
                 folder = PathBuf::from(word);
             } else {
-                let all: Vec<_> = cases::all()
-                    .iter()
-                    .map(|examiner| examiner.name())
-                    .collect();
+                let all: Vec<_> = cases::all().iter().map(|e| e.name()).collect();
                 return Err(format!("`{word}` is neither a chapter, nor an exercise, nor a folder; the exercises are {}", all.join(", ")).into());
             }
         }
@@ -63,13 +64,8 @@ fn exercises_of(word: &str) -> Vec<&'static str> {
         chapter
             .exercises()
             .iter()
-            .map(|exercise| exercise.name())
+            .map(|exercise| Asked::name(*exercise))
             .collect()
     });
-    of_chapter.unwrap_or_else(|| {
-        cases::find(word)
-            .map(|examiner| examiner.name())
-            .into_iter()
-            .collect()
-    })
+    of_chapter.unwrap_or_else(|| cases::find(word).map(Asked::name).into_iter().collect())
 }

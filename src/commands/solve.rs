@@ -1,7 +1,7 @@
 //! `raybook solve`: the reference for a chapter that a student missed.
 
 use super::{Done, Target};
-use raybook::grade::{starter, student};
+use raybook::grade::{library, student};
 use raybook::image::file;
 use std::collections::BTreeSet;
 use std::fs;
@@ -24,10 +24,10 @@ impl Solve {
         }
         let places: BTreeSet<_> = examiners
             .iter()
-            .filter_map(|examiner| starter::place(examiner.name()))
+            .filter_map(|examiner| library::place(examiner.name()))
             .collect();
         for place in places {
-            let reference = starter::reference_file(&place)
+            let reference = library::reference_file(&place)
                 .ok_or_else(|| format!("{place} has no reference"))?;
             let (path, kept) = (
                 folder.join(&place),

@@ -32,8 +32,11 @@ mod chapters {
     pub mod ch07_mesh;
 }
 
+/// Draws a chapter.
+type Draw = fn(&Stage) -> Drawn;
+
 /// How to draw each chapter, by name.
-const DRAW: &[(&str, fn(&Stage) -> Drawn)] = &[
+const DRAW: &[(&str, Draw)] = &[
     ("ch01_rays", chapters::ch01_rays::draw),
     ("ch02_hdr", chapters::ch02_hdr::draw),
     ("ch03_sphere", chapters::ch03_sphere::draw),

@@ -1,14 +1,14 @@
 //! What an exercise asks: task, place, words, an example, the number of cases.
 
 use crate::grade::examine::{Examiner, visible_rng};
-use crate::grade::starter;
+use crate::grade::library;
 
 /// The description of an exercise for people.
 pub fn describe(examiner: &dyn Examiner) -> String {
     let name = examiner.name();
     let cases = examiner.cases(&mut visible_rng(name)).cases;
     let mut lines = vec![name.to_owned(), format!("  {}", examiner.task())];
-    lines.extend(starter::place(name).map(|file| format!("  Write it in {file}.")));
+    lines.extend(library::place(name).map(|file| format!("  Write it in {file}.")));
     lines.extend([
         String::new(),
         "  A question is the name and these words, on one line:".to_owned(),

@@ -14,6 +14,8 @@ pub mod golden;
 pub mod hidden;
 pub mod json;
 pub mod judge;
+pub mod library;
+pub mod manifest;
 pub mod picture;
 pub mod progress;
 pub mod sample;

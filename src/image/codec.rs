@@ -4,6 +4,10 @@ use crate::image::{Image, rgb::Rgb, tone};
 use exr::prelude::{ReadChannels, ReadLayers, WritableImage};
 use std::io::Cursor;
 
+/// No EXR file packs more pixels into a byte: its densest blocks, of 256 rows, take tens of bytes each.
+/// A damaged header may claim any size, and memory for it must not be asked for before it is known to be a lie.
+const PIXELS_PER_BYTE: usize = 1 << 14;
+
 pub(super) fn encode_exr(picture: &Image) -> Result<Vec<u8>, String> {
     let mut bytes = Cursor::new(Vec::new());
     let channels = exr::prelude::SpecificChannels::rgb(|at: exr::prelude::Vec2<usize>| {
@@ -12,12 +16,24 @@ pub(super) fn encode_exr(picture: &Image) -> Result<Vec<u8>, String> {
     });
     exr::prelude::Image::from_channels((picture.width(), picture.height()), channels)
         .write()
+        .non_parallel() // in parallel, the blocks are written in the order in which they get ready
         .to_buffered(&mut bytes)
         .map_err(|e| e.to_string())?;
     Ok(bytes.into_inner())
 }
 
 pub(super) fn decode_exr(bytes: &[u8]) -> Result<Image, String> {
+    let file = exr::block::read(Cursor::new(bytes), false).map_err(|e| e.to_string())?;
+    for header in file.headers() {
+        let (width, height) = (header.layer_size.width(), header.layer_size.height());
+        let most = bytes.len().saturating_mul(PIXELS_PER_BYTE);
+        if width.saturating_mul(height) > most {
+            return Err(format!(
+                "{} bytes cannot hold {width} × {height} pixels",
+                bytes.len()
+            ));
+        }
+    }
     let read = exr::prelude::read()
         .no_deep_data()
         .largest_resolution_level()
@@ -29,16 +45,26 @@ pub(super) fn decode_exr(bytes: &[u8]) -> Result<Image, String> {
         )
         .first_valid_layer()
         .all_attributes()
-        .from_buffered(Cursor::new(bytes));
+        .from_chunks(file);
     read.map(|file| file.layer_data.channel_data.pixels)
         .map_err(|e| e.to_string())
 }
 
 pub(super) fn encode_hdr(picture: &Image) -> Result<Vec<u8>, String> {
+    /// The exponent is a byte, and the encoder lets it overflow: from 2¹²⁷ on white would turn black,
+    /// and below 2⁻¹²⁸ black would turn white.
+    const LARGEST: f32 = 1.7e38;
+    let representable = |v: f32| {
+        if v >= f32::MIN_POSITIVE {
+            v.min(LARGEST)
+        } else {
+            0.0 // negative, NaN, or smaller than any light
+        }
+    };
     let pixels: Vec<_> = picture
         .pixels()
         .iter()
-        .map(|p| image::Rgb(p.channels()))
+        .map(|p| image::Rgb(p.map(representable).channels()))
         .collect();
     let mut bytes = Vec::new();
     image::codecs::hdr::HdrEncoder::new(&mut bytes)

@@ -9,14 +9,14 @@ use std::path::{Path, PathBuf};
 #[derive(Debug, thiserror::Error)]
 pub enum FileError {
     /// The system refused.
-    #[error("{}: cannot {doing} this file: {source}", path.display())]
+    #[error("{}: cannot {doing} this file: {reason}", path.display())]
     Io {
         /// The file.
         path: PathBuf,
         /// "read" or "write".
         doing: &'static str,
         /// The system's answer.
-        source: io::Error,
+        reason: io::Error,
     },
     /// The name does not end like a picture's.
     #[error("{}: a picture's name must end in .exr, .hdr or .png", path.display())]
@@ -24,8 +24,18 @@ pub enum FileError {
         /// The file.
         path: PathBuf,
     },
+    /// There is nothing to write.
+    #[error("{}: a picture of {width} × {height} pixels cannot be written: it needs at least one pixel", path.display())]
+    Empty {
+        /// The file.
+        path: PathBuf,
+        /// Columns of the picture.
+        width: usize,
+        /// Rows of the picture.
+        height: usize,
+    },
     /// The content is not what the name promises.
-    #[error("{}: this is not a {format} picture that can be read: {reason}", path.display())]
+    #[error("{}: cannot be read as {format}: {reason}", path.display())]
     Content {
         /// The file.
         path: PathBuf,
@@ -45,28 +55,33 @@ enum Format {
 
 /// Writes a picture in the format that its name ends in.
 ///
-/// `.exr` keeps each `f32` as it is; `.hdr` keeps about 8 bits a channel with a shared exponent;
-/// `.png` keeps 8 bits of the sRGB encoding and clamps to [0, 1]. The folder is made if need be,
-/// and the file appears whole or not at all.
+/// `.exr` keeps each `f32` as it is, bit for bit; `.hdr` keeps 8 bits a channel with one exponent for the three, so that
+/// each is right to 1/128 of the largest; `.png` keeps 8 bits of the sRGB encoding and clamps to [0, 1].
+/// The folder is made if need be, and the file appears whole or not at all.
 ///
 /// # Errors
 /// If the name ends otherwise, the picture has no pixels, or the file cannot be written.
 pub fn save(path: &Path, picture: &Image) -> Result<(), FileError> {
-    let bytes = match format_of(path)? {
+    let format = format_of(path)?;
+    if picture.pixels().is_empty() {
+        return Err(FileError::Empty {
+            path: path.into(),
+            width: picture.width(),
+            height: picture.height(),
+        });
+    }
+    let failed = |reason| FileError::Io {
+        path: path.into(),
+        doing: "write",
+        reason,
+    };
+    let bytes = match format {
         Format::Exr => codec::encode_exr(picture),
         Format::Hdr => codec::encode_hdr(picture),
         Format::Png => codec::encode_png(picture),
     };
-    let bytes = bytes.map_err(|reason| FileError::Io {
-        path: path.into(),
-        doing: "write",
-        source: io::Error::other(reason),
-    })?;
-    write_whole(path, &bytes).map_err(|source| FileError::Io {
-        path: path.into(),
-        doing: "write",
-        source,
-    })
+    let bytes = bytes.map_err(|reason| failed(io::Error::other(reason)))?;
+    write_whole(path, &bytes).map_err(failed)
 }
 
 /// Reads a picture of linear radiance; a PNG's code values are decoded from sRGB.
@@ -75,10 +90,10 @@ pub fn save(path: &Path, picture: &Image) -> Result<(), FileError> {
 /// If the file cannot be read, or holds something else than its name promises.
 pub fn load(path: &Path) -> Result<Image, FileError> {
     let format = format_of(path)?;
-    let bytes = fs::read(path).map_err(|source| FileError::Io {
+    let bytes = fs::read(path).map_err(|reason| FileError::Io {
         path: path.into(),
         doing: "read",
-        source,
+        reason,
     })?;
     let (name, decoded) = match format {
         Format::Exr => ("OpenEXR", codec::decode_exr(&bytes)),
@@ -98,13 +113,18 @@ pub fn load(path: &Path) -> Result<Image, FileError> {
     })
 }
 
-/// Writes a file so that it appears whole or not at all: under another name first, then renamed.
+/// Writes a file so that it appears whole or not at all: under the name `….partial` first, then renamed.
 ///
 /// # Errors
 /// If the folder cannot be made or the file cannot be written.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
     if let Some(folder) = path.parent() {
-        fs::create_dir_all(folder)?;
+        fs::create_dir_all(folder).map_err(|e| {
+            io::Error::new(
+                e.kind(),
+                format!("the folder {} cannot be made: {e}", folder.display()),
+            )
+        })?;
     }
     let mut partial = path.as_os_str().to_owned();
     partial.push(".partial");

@@ -92,4 +92,15 @@ impl Image {
             self.at(x / times, y / times)
         })
     }
+
+    /// Whether the other picture has the same size and the same bits in every channel.
+    ///
+    /// This is stricter than `==`, for which 0 is −0, and laxer, for here NaN is itself.
+    pub fn same_bits(&self, other: &Self) -> bool {
+        let bits = |picture: &Self| -> Vec<u32> {
+            let channels = picture.pixels.iter().flat_map(|p| p.channels());
+            channels.map(f32::to_bits).collect()
+        };
+        (self.width, self.height) == (other.width, other.height) && bits(self) == bits(other)
+    }
 }

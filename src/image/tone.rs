@@ -9,7 +9,7 @@ pub fn expose(radiance: Rgb, stops: f32) -> Rgb {
 }
 // ANCHOR_END: expose
 
-/// What a sensor does with too much light: every channel stops at 1, and the hue goes with it.
+/// What a sensor does with too much light: every channel stops at 1, and the hue changes with it.
 pub fn clamp(radiance: Rgb) -> Rgb {
     radiance.map(|v| v.clamp(0.0, 1.0))
 }
@@ -18,12 +18,14 @@ pub fn clamp(radiance: Rgb) -> Rgb {
 /// Reinhard's curve on the luminance, L′ = L/(1 + L), with the colour kept:
 /// all of [0, ∞) fits below 1 (Reinhard et al., "Photographic tone reproduction for digital images", 2002).
 ///
-/// Every channel is scaled by L′/L = 1/(1 + L), so a saturated channel may still exceed 1.
+/// L is the luminance. Every channel is scaled by L′/L = 1/(1 + L), which keeps the hue, so a channel of a saturated
+/// colour may still exceed 1.
 pub fn reinhard(radiance: Rgb) -> Rgb {
     radiance / (1.0 + radiance.luminance())
 }
 // ANCHOR_END: tone_map
 
+// ANCHOR: film_like
 /// A film-like curve per channel, (x(2.51x + 0.03)) / (x(2.43x + 0.59) + 0.14), clamped to [0, 1]:
 /// dark in the shadows, steep in the middle, and bright colours fade to white
 /// (Narkowicz, "ACES filmic tone mapping curve", 2015, a fit to the Academy's reference transform).
@@ -33,6 +35,7 @@ pub fn aces(radiance: Rgb) -> Rgb {
         (x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14)).clamp(0.0, 1.0)
     })
 }
+// ANCHOR_END: film_like
 
 // ANCHOR: encode_srgb
 /// The sRGB code value of a linear value, both in [0, 1]: 12.92 v up to 0.0031308, then 1.055 v^(1/2.4) − 0.055
@@ -42,7 +45,8 @@ pub fn encode_srgb(v: f32) -> f32 {
     if v <= 0.003_130_8 {
         12.92 * v
     } else {
-        (1.055 * v.powf(1.0 / 2.4) - 0.055).min(1.0)
+        let root = v.powf(1.0 / 2.4);
+        root + 0.055 * (root - 1.0) // exactly 1 at 1, where 1.055 - 0.055 is 0.99999994 in f32
     }
 }
 // ANCHOR_END: encode_srgb

@@ -1,6 +1,7 @@
 //! Colours that the colour-blind can tell apart.
 
 use crate::image::{rgb::Rgb, tone};
+use glam::Vec3;
 use plotters::style::{
     RGBColor,
     colors::colormaps::{ColorMap, ViridisRGB},
@@ -33,4 +34,14 @@ pub fn viridis(x: f32) -> Rgb {
 pub fn linear(colour: RGBColor) -> Rgb {
     let RGBColor(r, g, b) = colour;
     Rgb::new(f32::from(r), f32::from(g), f32::from(b)).map(|code| tone::decode_srgb(code / 255.0))
+}
+
+/// The colour of a direction: −1 … 1 along x, y, z is 0 … 1 of the display's red, green, blue.
+pub fn direction(d: Vec3) -> Rgb {
+    Rgb::new(d.x, d.y, d.z).map(|v| tone::decode_srgb(0.5 + 0.5 * v))
+}
+
+/// What is behind everything, from 0 at the top of a picture to 1 at its bottom: a soft gradient.
+pub fn backdrop(y: f32) -> Rgb {
+    Rgb::new(0.80, 0.86, 0.95).lerp(Rgb::new(0.98, 0.95, 0.90), y)
 }

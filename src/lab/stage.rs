@@ -6,7 +6,7 @@ use crate::render::film::Film;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::cell::RefCell;
 use std::error::Error;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// What drawing a chapter returns.
 pub type Drawn = Result<(), Box<dyn Error>>;
@@ -67,6 +67,19 @@ impl Stage {
             progress: &*self.advance,
         };
         self.bar.inc_length((film.width * film.height) as u64);
+        film
+    }
+
+    /// The folder that holds the chapter's pictures.
+    pub fn folder(&self) -> &Path {
+        &self.folder
+    }
+
+    /// As [`Stage::film`], for one of so many tiles side by side: a sheet of them is about as wide as a picture.
+    pub fn tile(&self, columns: u32, aspect: f32) -> Film<'_> {
+        let mut film = self.film(aspect);
+        film.width = (film.width / columns as usize).max(1);
+        film.height = ((film.width as f32 / aspect).round() as usize).max(1);
         film
     }
 

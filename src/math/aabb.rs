@@ -27,11 +27,12 @@ impl Aabb {
     // ANCHOR: bounds_of
     /// The smallest box that holds all the points; [`Aabb::EMPTY`] for none.
     ///
-    /// A NaN coordinate is passed over: f32's `min` and `max` return the other operand.
+    /// A NaN coordinate is passed over.
     pub fn of(points: impl IntoIterator<Item = Vec3>) -> Self {
+        // p first: where a comparison is false, as with NaN, glam's a.min(b) and a.max(b) are b.
         points.into_iter().fold(Self::EMPTY, |bounds, p| Self {
-            min: bounds.min.min(p),
-            max: bounds.max.max(p),
+            min: p.min(bounds.min),
+            max: p.max(bounds.max),
         })
     }
     // ANCHOR_END: bounds_of

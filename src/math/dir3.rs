@@ -14,18 +14,20 @@ impl Dir3 {
     pub const X: Self = Self(Vec3::X);
     /// The world's y axis, which points up.
     pub const Y: Self = Self(Vec3::Y);
-    /// The world's z axis, which points at the reader of a map whose x points right.
+    /// The world's z axis, which points at the viewer of a picture whose x points right: the world is right-handed.
     pub const Z: Self = Self(Vec3::Z);
 
+    // ANCHOR: direction
     /// v/|v|, or `None` where v has no direction: zero, infinite or NaN.
     ///
-    /// v is first scaled by its largest component, so that no square overflows or vanishes:
-    /// a vector of length 1e-30 has a direction too.
+    /// v is first divided by its largest component, so that no square overflows or vanishes:
+    /// a vector of length 1e-30 has a direction too, though its square is 0 in `f32`.
     pub fn new(v: Vec3) -> Option<Self> {
         let largest = v.abs().max_element();
         let usable = largest > 0.0 && v.is_finite();
         usable.then(|| Self((v / largest).normalize()))
     }
+    // ANCHOR_END: direction
 
     /// v/|v|, or `otherwise` where v has no direction.
     pub fn new_or(v: Vec3, otherwise: Self) -> Self {

@@ -5,6 +5,7 @@
 /// Its numbers are the same on every machine and in every version, which `StdRng` does not promise.
 pub type Pcg = rand_pcg::Pcg32;
 
+// ANCHOR: stream
 /// The generator of stream number `stream` (a pixel, say) under `seed`.
 ///
 /// Each stream depends on these two numbers only, so a picture is the same whichever thread draws which pixel.
@@ -12,6 +13,7 @@ pub type Pcg = rand_pcg::Pcg32;
 pub fn stream(seed: u64, stream: u64) -> Pcg {
     Pcg::new(mix(seed ^ mix(stream)), stream)
 }
+// ANCHOR_END: stream
 
 /// `SplitMix64`'s finaliser (Steele, Lea and Flood 2014): every bit of the input changes half the bits of the output.
 fn mix(x: u64) -> u64 {

@@ -7,6 +7,8 @@
 /// So the root in which both terms have the same sign is computed first, and the other from t₀·t₁ = c/a:
 /// with q = −(b + sign(b)·√(b² − 4ac))/2 the roots are q/a and c/q (Press et al., *Numerical Recipes*, §5.6).
 pub fn solve(a: f32, b: f32, c: f32) -> Option<(f32, f32)> {
+    // b² − 4ac too subtracts nearly equal numbers, near a double root; in f64 the two products are exact.
+    let [a, b, c] = [a, b, c].map(f64::from);
     let discriminant = b * b - 4.0 * a * c;
     if a == 0.0 || discriminant < 0.0 || discriminant.is_nan() {
         return None;
@@ -15,7 +17,7 @@ pub fn solve(a: f32, b: f32, c: f32) -> Option<(f32, f32)> {
     if q == 0.0 {
         return Some((0.0, 0.0)); // b = c = 0
     }
-    let (t0, t1) = (q / a, c / q);
+    let (t0, t1) = ((q / a) as f32, (c / q) as f32);
     Some((t0.min(t1), t0.max(t1)))
 }
 // ANCHOR_END: solve_quadratic

@@ -10,6 +10,7 @@ use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
 /// The box is where the three intervals and `within` overlap (Kay and Kajiya 1986).
 ///
 /// A ray in a face, along an edge or through a corner touches the box; there the interval may be a single distance.
+/// Along an axis in which the ray does not move, it is inside from −∞ to ∞, or never: division by 0 says so by itself.
 pub fn clip(bounds: &Aabb, ray: &Ray, within: Interval) -> Option<Interval> {
     let Interval { mut min, mut max } = within;
     for axis in 0..3 {
@@ -23,6 +24,7 @@ pub fn clip(bounds: &Aabb, ray: &Ray, within: Interval) -> Option<Interval> {
         min = min.max((near - o) / d);
         max = max.min((far - o) / d);
     }
-    (min <= max).then_some(Interval { min, max })
+    // Not min <= max: along a box without end, but beside it, both are ∞, or both −∞; their difference is NaN.
+    (max - min >= 0.0).then_some(Interval { min, max })
 }
 // ANCHOR_END: box_clip

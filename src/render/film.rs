@@ -17,7 +17,7 @@ pub struct Film<'a> {
     pub width: usize,
     /// Rows.
     pub height: usize,
-    /// Samples per pixel.
+    /// Samples per pixel, at least 1.
     pub samples: usize,
     /// What every random number follows from.
     pub seed: u64,
@@ -98,15 +98,21 @@ impl Film<'_> {
 /// One sample is at the centre. More of them are a lattice of irrational steps, which fills the pixel evenly for any
 /// number (R₂: Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018), shifted at random per pixel,
 /// so that their mean has no bias. Chapter 22 compares it with other patterns.
+///
+/// The steps are counted in units of 2⁻³², whose overflow drops the whole pixels: in `f32`, i times the step would have
+/// lost half its digits after a few thousand samples.
 fn place_in_pixel(samples: usize, rng: &mut Pcg) -> impl Fn(usize) -> Vec2 + use<> {
-    /// (1/ρ, 1/ρ²), where ρ³ = ρ + 1.
-    const STEP: Vec2 = vec2(0.754_877_7, 0.569_840_3);
-    let shift = vec2(rng.random(), rng.random());
+    /// (1/ρ, 1/ρ²) · 2³², where ρ³ = ρ + 1.
+    const STEP: [u32; 2] = [3_242_174_889, 2_447_445_414];
+    let shift: [u32; 2] = [rng.random(), rng.random()];
     move |i| {
         if samples == 1 {
-            Vec2::splat(0.5)
-        } else {
-            (shift + i as f32 * STEP).fract()
+            return Vec2::splat(0.5);
         }
+        let along = |axis: usize| {
+            let place = shift[axis].wrapping_add(STEP[axis].wrapping_mul(i as u32));
+            (place >> 8) as f32 / (1 << 24) as f32 // f32 has 24 digits: with more, this could round to 1
+        };
+        vec2(along(0), along(1))
     }
 }

@@ -1,3 +1,5 @@
 //! Floor 4: stock scenes that chapters share.
 
+pub mod evening;
+pub mod noise;
 pub mod window;

@@ -4,11 +4,14 @@ use crate::math::dir3::Dir3;
 use glam::{Vec2, Vec3};
 
 // ANCHOR: vertex_normals
-/// One normal per vertex: the sum of e₁ × e₂ over the triangles around it, normalised.
+/// One normal per vertex: the sum of e₁ × e₂ over the triangles around it, normalised (after Gouraud 1971).
 ///
-/// |e₁ × e₂| is twice a triangle's area, so large triangles weigh more. This costs nothing, a triangle without area adds
-/// nothing, and splitting a triangle in two changes nothing at its other corners' neighbours.
-/// A vertex whose triangles cancel out, or that has none, gets +y.
+/// |e₁ × e₂| is twice a triangle's area, so large triangles weigh more. That is what they deserve: a triangle without
+/// area adds nothing, where its normal would be NaN, and cutting one in two, from this vertex to the side opposite,
+/// changes nothing here. A vertex whose triangles cancel out, or that has none, gets +y.
+///
+/// # Panics
+/// If a triangle names a vertex that does not exist.
 pub fn vertex_normals(positions: &[Vec3], triangles: &[[u32; 3]]) -> Vec<Dir3> {
     let mut sums = vec![Vec3::ZERO; positions.len()];
     for corners in triangles {
@@ -26,7 +29,7 @@ pub fn vertex_normals(positions: &[Vec3], triangles: &[[u32; 3]]) -> Vec<Dir3> {
 
 // ANCHOR: interpolate_normal
 /// The normal inside a triangle: (1 − b₁ − b₂)·n₀ + b₁·n₁ + b₂·n₂, normalised again, for it is shorter than 1 between
-/// corners whose normals differ.
+/// corners whose normals differ (Phong 1975). Where the three cancel out, n₀.
 pub fn interpolate_normal(normals: [Dir3; 3], b: Vec2) -> Dir3 {
     let [n0, n1, n2] = normals;
     Dir3::new_or((1.0 - b.x - b.y) * *n0 + b.x * *n1 + b.y * *n2, n0)

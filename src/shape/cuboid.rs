@@ -39,11 +39,15 @@ impl Shape for Cuboid {
         })
     }
 
-    /// The face is the one whose plane is nearest to the point; texture coordinates run over it from 0 to 1.
+    /// The face is the one whose plane the ray meets nearest to t; texture coordinates run over it from 0 to 1.
     fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
         let Aabb { min, max } = self.bounds;
-        let p = ray.at(hit.t);
-        let (below, above) = ((p - min).abs(), (p - max).abs());
+        // 0/0: the ray runs in this face, and hit another; glam's a.min(∞) is ∞ for NaN.
+        let off = |planes: Vec3| {
+            let t = (planes - ray.origin) / *ray.direction;
+            (t - hit.t).abs().min(Vec3::INFINITY)
+        };
+        let (below, above) = (off(min), off(max));
         let axis = below.min(above).min_position();
         let outward = match below[axis].total_cmp(&above[axis]) {
             std::cmp::Ordering::Less => -1.0,
@@ -51,13 +55,15 @@ impl Shape for Cuboid {
             // A box without thickness: the side that the ray sees.
             std::cmp::Ordering::Equal => -1.0_f32.copysign(ray.direction[axis]),
         };
-        let mut position = p.max(min).min(max);
+        let mut position = ray.at(hit.t).max(min).min(max);
         position[axis] = if outward < 0.0 { min[axis] } else { max[axis] };
-        let normal = Dir3::new_or(outward * Vec3::AXES[axis], Dir3::Y);
+        let mut normal = Vec3::ZERO;
+        normal[axis] = outward;
+        let normal = Dir3::new_or(normal, Dir3::Y);
         let across = (position - min) / (max - min).max(Vec3::splat(f32::MIN_POSITIVE));
         Surface {
             position,
-            error: ROUNDING * min.abs().max(max.abs()).max_element(),
+            error: ROUNDING * position.abs().max_element(),
             normal,
             shading_normal: normal,
             texture: Vec2::new(across[(axis + 1) % 3], across[(axis + 2) % 3]),

@@ -12,6 +12,7 @@ pub struct Mesh {
     normals: Vec<Dir3>,
     textures: Vec<Vec2>,
     triangles: Vec<[u32; 3]>,
+    bounds: Aabb,
 }
 
 /// Why numbers do not make a mesh.
@@ -89,6 +90,7 @@ impl Mesh {
             }
         }
         Ok(Self {
+            bounds: Aabb::of(positions.iter().copied()),
             positions,
             normals,
             textures,
@@ -118,7 +120,7 @@ impl Mesh {
 
     /// The smallest box that holds all vertices.
     pub fn bounds(&self) -> Aabb {
-        Aabb::of(self.positions.iter().copied())
+        self.bounds
     }
 
     /// The triangles as shapes of their own, in order: facet i has the id i.

@@ -1,1 +1,137 @@
-//! Wavefront OBJ files.
+//! Wavefront OBJ files: a line per vertex, a line per face.
+//!
+//! A reader of its own, though crates for it exist: `tobj` 4 reports no line, takes NaN for a number and the index 0 for
+//! a missing one, and shifts the normals where only some corners have one. The tests compare the two on sound files.
+
+use crate::math::dir3::Dir3;
+use crate::shape::attributes::vertex_normals;
+use crate::shape::mesh::Mesh;
+use crate::shape::word::{self, Reason, Word, Wrong};
+use glam::{Vec2, Vec3, vec2, vec3};
+use std::collections::HashMap;
+
+/// What a face says of one of its corners, counted from 0.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+struct Corner {
+    position: u32,
+    texture: Option<u32>,
+    normal: Option<u32>,
+}
+
+#[derive(Default)]
+struct Obj {
+    positions: Vec<Vec3>,
+    textures: Vec<Vec2>,
+    /// `None` for a normal of length 0, which some programs write: it counts as missing.
+    normals: Vec<Option<Dir3>>,
+    triangles: Vec<[Corner; 3]>,
+}
+
+/// The mesh of all faces of an OBJ text.
+///
+/// Read are `v` (a weight or colour after x, y, z is passed over), `vt`, `vn` and `f`, with indices that count from the
+/// first, 1, or back from the last, −1; what stands further down cannot be used yet. Other keywords are passed over.
+/// A face of more than three corners becomes a fan of triangles around its first one, which is right for convex faces.
+///
+/// # Errors
+/// The first thing that is wrong, with its line and column.
+pub fn parse(text: &str) -> Result<Mesh, Wrong> {
+    let mut obj = Obj::default();
+    for words in word::lines(text) {
+        match words[0].text {
+            "v" => {
+                let n = word::numbers(
+                    &words,
+                    3..=7,
+                    "a vertex (v)",
+                    "3 numbers, or 4 to 7 with a weight or colour",
+                )?;
+                obj.positions.push(vec3(n[0], n[1], n[2]));
+            }
+            "vt" => {
+                let n = word::numbers(&words, 1..=3, "a texture point (vt)", "1 to 3 numbers")?;
+                obj.textures
+                    .push(vec2(n[0], n.get(1).copied().unwrap_or(0.0)));
+            }
+            "vn" => {
+                let n = word::numbers(&words, 3..=3, "a normal (vn)", "3 numbers")?;
+                obj.normals.push(Dir3::new(vec3(n[0], n[1], n[2])));
+            }
+            "f" => obj.face(&words)?,
+            _ => {}
+        }
+    }
+    Ok(obj.into_mesh())
+}
+
+impl Obj {
+    fn face(&mut self, words: &[Word]) -> Result<(), Wrong> {
+        let corners = words[1..]
+            .iter()
+            .map(|word| self.corner(word))
+            .collect::<Result<Vec<_>, _>>()?;
+        if corners.len() < 3 {
+            return Err(words[0].wrong(Reason::Count {
+                what: "a face (f)",
+                needs: "3 corners or more",
+                found: corners.len(),
+            }));
+        }
+        let fan = corners[1..].windows(2);
+        self.triangles
+            .extend(fan.map(|side| [corners[0], side[0], side[1]]));
+        Ok(())
+    }
+
+    /// A corner: `v`, `v/vt`, `v//vn` or `v/vt/vn`.
+    fn corner(&self, word: &Word) -> Result<Corner, Wrong> {
+        let mut parts = word.text.split('/');
+        let mut next = |what, given| match parts.next() {
+            None | Some("") => Ok(None),
+            Some(part) => word.index(part, what, given).map(|i| Some(i as u32)),
+        };
+        let position = next("vertex (v)", self.positions.len())?;
+        let texture = next("texture point (vt)", self.textures.len())?;
+        let normal = next("normal (vn)", self.normals.len())?;
+        match (position, parts.next()) {
+            (Some(position), None) => Ok(Corner {
+                position,
+                texture,
+                normal,
+            }),
+            _ => Err(word.expected(word::INDICES)),
+        }
+    }
+
+    /// One vertex for each different corner: a position with two normals, at a sharp edge, becomes two vertices.
+    ///
+    /// Missing normals are averaged before that, so a seam in the texture does not show in the shading.
+    fn into_mesh(self) -> Mesh {
+        let by_position: Vec<_> = self
+            .triangles
+            .iter()
+            .map(|corners| corners.map(|corner| corner.position))
+            .collect();
+        let averaged = vertex_normals(&self.positions, &by_position);
+        let (mut positions, mut normals, mut textures) = (Vec::new(), Vec::new(), Vec::new());
+        let mut vertices = HashMap::new();
+        let mut vertex = |corner: Corner| {
+            *vertices.entry(corner).or_insert_with(|| {
+                let position = corner.position as usize;
+                positions.push(self.positions[position]);
+                let given = corner.normal.and_then(|i| self.normals[i as usize]);
+                normals.push(given.unwrap_or(averaged[position]));
+                let texture = corner.texture.map(|i| self.textures[i as usize]);
+                textures.push(texture.unwrap_or(Vec2::ZERO));
+                positions.len() as u32 - 1
+            })
+        };
+        let triangles = self
+            .triangles
+            .iter()
+            .map(|corners| corners.map(&mut vertex))
+            .collect();
+        Mesh::new(positions, triangles, Some(normals), Some(textures))
+            .unwrap_or_else(|error| unreachable!("every number and index was checked: {error}"))
+    }
+}

@@ -57,18 +57,27 @@ impl Shape for Sphere {
             .find(|s| within.contains(closest + s))?;
         Some(Hit {
             t: closest + s,
-            uv: vec2(s, 0.0),
+            uv: Vec2::ZERO,
             id: 0,
         })
     }
     // ANCHOR_END: sphere_hit
 
     fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
-        // As in `hit`: from the closest point by s, where o + t·d would round away what is smaller than t's last digit.
+        // t's last digit may be larger than the whole sphere. So t only tells before or behind the point where the ray
+        // passes closest to the centre; how far, Pythagoras does.
         let from_center = ray.origin - self.center;
         let closest = -from_center.dot(*ray.direction);
-        let p = from_center + closest * *ray.direction + hit.uv.x * *ray.direction;
-        let normal = Dir3::new_or(p, Dir3::Y);
+        let p = from_center + closest * *ray.direction;
+        let half_chord = (self.radius * self.radius - p.length_squared())
+            .max(0.0)
+            .sqrt();
+        let s = if hit.t > closest {
+            half_chord
+        } else {
+            -half_chord
+        };
+        let normal = Dir3::new_or(p + s * *ray.direction, Dir3::Y);
         Surface {
             position: self.center + self.radius * *normal,
             error: ROUNDING * (self.center.abs().max_element() + self.radius),

@@ -1,1 +1,179 @@
-//! STL files.
+//! STL files, as 3D printers read them: every triangle on its own, in text or in binary.
+//!
+//! Corners at the same place become one vertex, whose normal is averaged; the normals in the file, one per triangle and
+//! often wrong, are passed over. An own reader, because a wrong number is to be reported with its line or byte.
+
+use crate::shape::mesh::Mesh;
+use crate::shape::word::{self, Reason, Wrong};
+use glam::{Vec3, vec3};
+use std::collections::HashMap;
+
+/// A binary file begins with 80 bytes of anything, then the number of triangles.
+const HEADER: usize = 84;
+/// A triangle in a binary file: 12 numbers (the normal and three corners), and 2 bytes of anything.
+const RECORD: usize = 50;
+
+/// What can be wrong with a binary file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum BinaryError {
+    /// Cut short, something else altogether, or text that does not begin with `solid`.
+    #[error(
+        "this is neither STL text (there is no `solid`) nor binary STL: {found} bytes cannot hold a header of 84"
+    )]
+    Header {
+        /// How many bytes there are.
+        found: usize,
+    },
+    /// Cut short, or too long.
+    #[error(
+        "byte 80 promises {triangles} triangles, that is a file of {needed} bytes, but it has {found}"
+    )]
+    Size {
+        /// How many triangles the header promises.
+        triangles: u32,
+        /// How many bytes they need.
+        needed: u64,
+        /// How many bytes there are.
+        found: usize,
+    },
+    /// NaN or infinity.
+    #[error(
+        "byte {byte}: a corner of triangle {triangle} (the first is 0) is not at a finite place"
+    )]
+    NotFinite {
+        /// Where the corner begins, from 0.
+        byte: usize,
+        /// Which triangle, from 0.
+        triangle: usize,
+    },
+}
+
+/// Whether the bytes are of the binary kind: the size fits the number of triangles, or they do not begin with `solid`.
+///
+/// Some programs begin a binary file with `solid` too, so the size is asked first.
+pub fn is_binary(bytes: &[u8]) -> bool {
+    promised(bytes).is_some_and(|(_, needed)| needed == bytes.len() as u64)
+        || !bytes.trim_ascii_start().starts_with(b"solid")
+}
+
+/// The number of triangles in the header, and the size of a file that holds them.
+fn promised(bytes: &[u8]) -> Option<(u32, u64)> {
+    let count = bytes.get(HEADER - 4..HEADER)?.first_chunk()?;
+    let triangles = u32::from_le_bytes(*count);
+    Some((
+        triangles,
+        HEADER as u64 + RECORD as u64 * u64::from(triangles),
+    ))
+}
+
+/// The mesh of a binary STL file.
+///
+/// # Errors
+/// If the size does not fit the header, or a corner is not finite.
+pub fn parse_binary(bytes: &[u8]) -> Result<Mesh, BinaryError> {
+    let found = bytes.len();
+    let (triangles, needed) = promised(bytes).ok_or(BinaryError::Header { found })?;
+    if needed != found as u64 {
+        return Err(BinaryError::Size {
+            triangles,
+            needed,
+            found,
+        });
+    }
+    let mut soup = Soup::default();
+    for (triangle, record) in bytes[HEADER..].chunks_exact(RECORD).enumerate() {
+        for (k, corner) in record[12..48].chunks_exact(12).enumerate() {
+            let number = |i: usize| {
+                corner[4 * i..]
+                    .first_chunk()
+                    .map_or(f32::NAN, |bytes| f32::from_le_bytes(*bytes))
+            };
+            let place = vec3(number(0), number(1), number(2));
+            if !place.is_finite() {
+                let byte = HEADER + RECORD * triangle + 12 * (k + 1);
+                return Err(BinaryError::NotFinite { byte, triangle });
+            }
+            soup.add(place);
+        }
+    }
+    Ok(soup.into_mesh())
+}
+
+/// The mesh of an STL text.
+///
+/// # Errors
+/// The first thing that is wrong, with its line and column.
+pub fn parse(text: &str) -> Result<Mesh, Wrong> {
+    /// What may come next; a name follows `solid`, and may be anything.
+    const GRAMMAR: [(&str, &str); 7] = [
+        ("facet", "`facet normal …` or `endsolid`"),
+        ("outer", "`outer loop`"),
+        ("vertex", "`vertex x y z`, three times"),
+        ("vertex", "`vertex x y z`, three times"),
+        ("vertex", "`vertex x y z`, three times"),
+        ("endloop", "`endloop`"),
+        ("endfacet", "`endfacet`"),
+    ];
+    let mut soup = Soup::default();
+    let (mut step, mut solid, mut last) = (0, false, None);
+    for words in word::lines(text) {
+        let (keyword, expected) = if solid {
+            GRAMMAR[step]
+        } else {
+            ("solid", "`solid`")
+        };
+        let first = words[0];
+        last = words.last().copied();
+        match first.text.to_ascii_lowercase().as_str() {
+            "solid" if !solid => solid = true,
+            "endsolid" if solid && step == 0 => solid = false,
+            found if !solid || found != keyword => return Err(first.expected(expected)),
+            found => {
+                if found == "vertex" {
+                    let n = word::numbers(&words, 3..=3, "a vertex", "3 numbers")?;
+                    soup.add(vec3(n[0], n[1], n[2]));
+                }
+                step = (step + 1) % GRAMMAR.len();
+            }
+        }
+    }
+    match last {
+        Some(word) if solid => Err(word.wrong(Reason::End(if step == 0 {
+            "`endsolid`"
+        } else {
+            GRAMMAR[step].1
+        }))),
+        _ => Ok(soup.into_mesh()),
+    }
+}
+
+/// Triangles that know nothing of each other, while they are being welded together.
+#[derive(Default)]
+struct Soup {
+    positions: Vec<Vec3>,
+    /// Three after another are a triangle.
+    corners: Vec<u32>,
+    vertices: HashMap<[u32; 3], u32>,
+}
+
+impl Soup {
+    /// The next corner; the vertex that is exactly there already, or a new one.
+    fn add(&mut self, place: Vec3) {
+        let place = place + Vec3::ZERO; // −0.0 becomes 0.0: the same place, but other bits
+        let vertex = *self
+            .vertices
+            .entry(place.to_array().map(f32::to_bits))
+            .or_insert_with(|| {
+                self.positions.push(place);
+                self.positions.len() as u32 - 1
+            });
+        self.corners.push(vertex);
+    }
+
+    fn into_mesh(self) -> Mesh {
+        let triangles = self.corners.chunks_exact(3);
+        let triangles = triangles.map(|c| [c[0], c[1], c[2]]).collect();
+        Mesh::new(self.positions, triangles, None, None)
+            .unwrap_or_else(|error| unreachable!("every number was checked: {error}"))
+    }
+}

@@ -38,6 +38,18 @@ impl Triangle {
         Dir3::new(self.e1.cross(self.e2))
     }
     // ANCHOR_END: triangle_normal
+
+    // ANCHOR: solvable
+    /// Whether the determinant |−d e₁ e₂| is more than the rounding errors of its six products, whose sizes add up to
+    /// at most ‖e₁‖₁·‖e₂‖₁, where ‖e‖₁ = |eₓ| + |e_y| + |e_z|.
+    ///
+    /// It is 0 for a triangle without area, and for a ray in its plane. But products that should cancel are rounded, and
+    /// what is left of them is a number like any other: divided by it, noise looks like a hit.
+    pub fn solvable(&self, determinant: f32) -> bool {
+        let products = self.e1.abs().element_sum() * self.e2.abs().element_sum();
+        determinant.abs() > ROUNDING * products
+    }
+    // ANCHOR_END: solvable
 }
 
 impl Shape for Triangle {
@@ -51,21 +63,19 @@ impl Shape for Triangle {
     /// By Cramer's rule with |a b c| = (a × b)·c, and s₁ = d × e₂, s = o − p₀, s₂ = s × e₁:
     /// (t, b₁, b₂) = (s₂·e₂, s₁·s, s₂·d) / s₁·e₁ (Möller and Trumbore 1997).
     ///
-    /// Without area, or with the ray in its plane, s₁·e₁ is 0: the quotients are infinite or NaN,
-    /// and one of the comparisons is false.
+    /// Without area, or with the ray in its plane, s₁·e₁ is 0 or a rounding error of 0, and the quotients are
+    /// infinite, NaN or noise: one of the comparisons is false, or [`Triangle::solvable`] is.
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         let s1 = ray.direction.cross(self.e2);
-        let inverse = 1.0 / s1.dot(self.e1);
+        let determinant = s1.dot(self.e1);
+        let inverse = 1.0 / determinant;
         let s = ray.origin - self.p0;
         let b1 = s1.dot(s) * inverse;
-        if !(0.0..=1.0).contains(&b1) {
-            return None;
-        }
         let s2 = s.cross(self.e1);
         let b2 = s2.dot(*ray.direction) * inverse;
         let t = s2.dot(self.e2) * inverse;
-        let inside = b2 >= 0.0 && b1 + b2 <= 1.0;
-        (inside && within.contains(t)).then_some(Hit {
+        let inside = b1 >= 0.0 && b2 >= 0.0 && b1 + b2 <= 1.0;
+        (inside && within.contains(t) && self.solvable(determinant)).then_some(Hit {
             t,
             uv: vec2(b1, b2),
             id: 0,
@@ -75,13 +85,12 @@ impl Shape for Triangle {
 
     fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
         let normal = self.normal().unwrap_or(-ray.direction);
-        let largest =
-            self.p0.abs().max_element() + self.e1.abs().max_element() + self.e2.abs().max_element();
-        // On a thin triangle, all of it is near an edge's line: the hit test loses digits as e₁ and e₂ get parallel.
-        let thinness = self.e1.length() * self.e2.length() / self.e1.cross(self.e2).length();
+        let (length1, length2) = (self.e1.length(), self.e2.length());
+        // `hit` loses digits of the distance to the plane as e₁ and e₂ get parallel: 1/sin of the angle between them.
+        let lost = length1 * length2 / self.e1.cross(self.e2).length();
         Surface {
             position: self.p0 + hit.uv.x * self.e1 + hit.uv.y * self.e2,
-            error: ROUNDING * largest * thinness,
+            error: ROUNDING * (self.p0.abs().max_element() + lost * length1.max(length2)),
             normal,
             shading_normal: normal,
             texture: hit.uv,

@@ -17,7 +17,7 @@ pub fn hit(triangle: &Triangle, ray: &Ray, within: Interval) -> Option<Hit> {
     let b1 = Mat3::from_cols(minus_d, s, e2).determinant() / all;
     let b2 = Mat3::from_cols(minus_d, e1, s).determinant() / all;
     let inside = b1 >= 0.0 && b2 >= 0.0 && b1 + b2 <= 1.0;
-    (inside && within.contains(t)).then_some(Hit {
+    (inside && within.contains(t) && triangle.solvable(all)).then_some(Hit {
         t,
         uv: vec2(b1, b2),
         id: 0,

@@ -12,7 +12,8 @@ use glam::vec2;
 pub fn hit(triangle: &Triangle, ray: &Ray, within: Interval) -> Option<Hit> {
     let Triangle { p0, e1, e2 } = *triangle;
     let n = e1.cross(e2);
-    let t = n.dot(p0 - ray.origin) / n.dot(*ray.direction);
+    let determinant = n.dot(*ray.direction);
+    let t = n.dot(p0 - ray.origin) / determinant;
     if !within.contains(t) {
         return None;
     }
@@ -20,7 +21,7 @@ pub fn hit(triangle: &Triangle, ray: &Ray, within: Interval) -> Option<Hit> {
     let b1 = q.cross(e2).dot(n) / n.length_squared();
     let b2 = e1.cross(q).dot(n) / n.length_squared();
     let inside = b1 >= 0.0 && b2 >= 0.0 && b1 + b2 <= 1.0;
-    inside.then_some(Hit {
+    (inside && triangle.solvable(determinant)).then_some(Hit {
         t,
         uv: vec2(b1, b2),
         id: 0,

@@ -9,7 +9,7 @@ use std::process::Command;
 
 /// Writes a starter whose anchored functions are rewritten so.
 pub fn write(folder: &Path, rewrite: &dyn Fn(&Anchored<'_>) -> Option<String>) {
-    for (path, bytes) in files("my-rays", rewrite).expect("the library's anchors are right") {
+    for (path, bytes) in files(rewrite).expect("the library's anchors are right") {
         let path = folder.join(path);
         fs::create_dir_all(path.parent().expect("a file is in a folder"))
             .expect("the folder can be made");

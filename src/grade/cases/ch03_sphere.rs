@@ -134,7 +134,7 @@ impl Graded for SphereHit {
                 let (d, from) = (*q.ray.direction, q.ray.origin - q.center);
                 let (b, c) = (2.0 * from.dot(d), from.length_squared() - q.radius * q.radius);
                 let root = (b * b - 4.0 * c).sqrt();
-                [(-b - root) / 2.0, (-b + root) / 2.0].into_iter().find(|t| q.within.contains(*t))
+                [0.5 * (-b - root), 0.5 * (-b + root)].into_iter().find(|t| q.within.contains(*t))
             },
         },
     ];

@@ -1,0 +1,84 @@
+//! Counting what comes of many comparisons, for one row of a table.
+
+use crate::oracle::judge::{Excuse, Verdict};
+use std::fmt;
+
+/// The counts of one kind of rays at one kind of shape.
+#[derive(Clone, Debug, Default)]
+pub struct Tally {
+    /// All comparisons.
+    pub rays: u64,
+    /// Both hit the same.
+    pub hits: u64,
+    /// Of these, those whose bounds are narrow.
+    pub sharp: u64,
+    /// They differ at an edge or the silhouette.
+    pub edge: u64,
+    /// They differ at an end of the interval.
+    pub end: u64,
+    /// They differ because two triangles are hit at once.
+    pub tie: u64,
+    /// How much of its bounds the largest difference used.
+    pub share: f64,
+    /// The comparisons in which somebody is wrong.
+    pub wrong: Vec<String>,
+}
+
+impl Tally {
+    /// Counts one comparison.
+    pub fn add(&mut self, verdict: Verdict) {
+        self.rays += 1;
+        match verdict {
+            Verdict::BothMiss => {}
+            Verdict::Same { share, sharp } => {
+                self.hits += 1;
+                self.sharp += u64::from(sharp);
+                self.share = self.share.max(share);
+            }
+            Verdict::Excused(Excuse::Edge) => self.edge += 1,
+            Verdict::Excused(Excuse::End) => self.end += 1,
+            Verdict::Excused(Excuse::Tie) => self.tie += 1,
+            Verdict::Wrong(why) => self.wrong.push(why),
+        }
+    }
+
+    /// Adds the counts of another.
+    pub fn merge(&mut self, other: &Self) {
+        self.rays += other.rays;
+        self.hits += other.hits;
+        self.sharp += other.sharp;
+        self.edge += other.edge;
+        self.end += other.end;
+        self.tie += other.tie;
+        self.share = self.share.max(other.share);
+        self.wrong.extend_from_slice(&other.wrong);
+    }
+
+    /// The comparisons in which the two differ and may.
+    pub fn excused(&self) -> u64 {
+        self.edge + self.end + self.tie
+    }
+}
+
+/// The head of the table.
+pub const HEAD: &str =
+    "      rays       hits   sharp hits    edge     end     tie   largest difference / bound";
+
+impl fmt::Display for Tally {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            rays,
+            hits,
+            sharp,
+            edge,
+            end,
+            tie,
+            share,
+            ..
+        } = self;
+        write!(
+            f,
+            "{rays:10} {hits:10} {sharp:12} {edge:7} {end:7} {tie:7}   {share:.3}"
+        )
+    }
+}

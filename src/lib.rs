@@ -25,6 +25,7 @@
 //! | 7 | workbook |
 //! | 8 | lab |
 //! | 9 | grade |
+//! | 10 | commands |
 
 pub mod accel;
 pub mod camera;

@@ -4,7 +4,6 @@ mod commands;
 
 use clap::{Parser, Subcommand};
 use raybook::lab::chapter::report;
-use raybook::workbook::curriculum::CHAPTERS;
 use std::process::ExitCode;
 
 /// A ray-tracing course that you can run. Without a command: the map of the course.
@@ -38,7 +37,7 @@ enum Task {
 fn main() -> ExitCode {
     let done = match Command::parse().task {
         None => {
-            print_map();
+            commands::map::print();
             Ok(true)
         }
         Some(Task::Tour(task)) => task.run(),
@@ -57,23 +56,4 @@ fn main() -> ExitCode {
             ExitCode::from(2)
         }
     }
-}
-
-/// The course map and the next step.
-fn print_map() {
-    println!("raybook: a ray-tracing course that you can run\n");
-    for chapter in CHAPTERS {
-        println!(
-            "  {:2}  {:<20} {}",
-            chapter.number(),
-            chapter.title(),
-            chapter.teaches()
-        );
-    }
-    println!("\nNext: see every chapter's pictures   cargo run --release -- tour");
-    println!(
-        "      draw one chapter               cargo run --release --bin {}",
-        CHAPTERS[0].name
-    );
-    println!("      write your own ray tracer      cargo run --release -- new my-rays");
 }

@@ -41,7 +41,13 @@ fn told(report: &Report) -> String {
     format!(
         "{}\n\n{}",
         feedback::line(report, DRESS),
-        feedback::explain(report, examiner, picture, DRESS)
+        feedback::explain(
+            report,
+            examiner,
+            picture,
+            &format!("raybook check {}", report.exercise),
+            DRESS
+        )
     )
 }
 

@@ -1,18 +1,17 @@
 //! `raybook check`: what is right, what is not, and the next step.
 
+use super::tell::Telling;
 use super::{Done, Target};
 use indicatif::ProgressBar;
 use raybook::grade::check::{Report, State, check};
 use raybook::grade::converse::{Limits, Program};
 use raybook::grade::dress::Dress;
 use raybook::grade::examine::{Examiner, visible_rng};
-use raybook::grade::feedback;
 use raybook::grade::hidden::Key;
-use raybook::grade::progress::{Progress, Standing};
-use raybook::grade::{cases, json, library, student};
+use raybook::grade::progress::Progress;
+use raybook::grade::{json, student};
 use raybook::image::file;
 use raybook::lab::sheet::sheet;
-use raybook::workbook::curriculum::CHAPTERS;
 use std::error::Error;
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
@@ -74,12 +73,19 @@ impl Check {
         }
         bar.finish_and_clear();
         if let (Some(folder), None, None) = (&folder, self.case, &self.key) {
-            remember(folder, &reports)?;
+            Progress::remember(folder, reports.iter().map(|(report, _)| report))?;
         }
         if self.json {
             println!("{:#}", json::results(&reports));
         } else {
-            self.tell(&reports, folder.as_deref())?;
+            let again = |exercise: &str| self.again(exercise);
+            let whole = self.case.is_none();
+            Telling {
+                folder: folder.as_deref().filter(|_| whole),
+                again: &again,
+                dress: self.dress(),
+            }
+            .tell(&reports, whole)?;
         }
         Ok(reports
             .iter()
@@ -163,60 +169,21 @@ impl Check {
         Ok(Some(path))
     }
 
-    fn tell(
-        &self,
-        reports: &[(Report, Option<PathBuf>)],
-        folder: Option<&Path>,
-    ) -> Result<(), Box<dyn Error>> {
-        let dress = self.dress();
-        for chapter in CHAPTERS {
-            let of_chapter: Vec<_> = chapter
-                .exercises()
-                .iter()
-                .filter_map(|e| reports.iter().find(|(r, _)| r.exercise == e.name()))
-                .collect();
-            if of_chapter.is_empty() {
-                continue;
-            }
-            println!("{} {}", chapter.number(), chapter.title());
-            for (report, _) in &of_chapter {
-                println!("  {}", feedback::line(report, dress));
-            }
-            let done = of_chapter
-                .iter()
-                .all(|(report, _)| report.state() == State::Right);
-            if let (true, Some(folder), None) = (done, folder, self.case)
-                && of_chapter.len() == chapter.exercises().len()
-            {
-                let names: Vec<_> = of_chapter
-                    .iter()
-                    .map(|(report, _)| report.exercise)
-                    .collect();
-                let path = keep_reference(folder, chapter.name, &names)?;
-                println!(
-                    "  reference solution: compare yours with {}",
-                    path.display()
-                );
-            }
-        }
-        let wrong = reports
-            .iter()
-            .find(|(report, _)| report.state() == State::Wrong);
-        if let Some((report, picture)) = wrong
-            && let Some(examiner) = cases::find(report.exercise)
-        {
-            print!(
-                "\n{}",
-                feedback::explain(report, examiner, picture.as_deref(), dress)
-            );
-        }
-        let right = reports
-            .iter()
-            .filter(|(report, _)| report.state() == State::Right)
-            .count();
-        println!("\n{right} of {} exercises are right.", reports.len());
-        println!("{}", next_step(reports));
-        Ok(())
+    /// The command that asks one of these cases again, but for its number.
+    fn again(&self, exercise: &str) -> String {
+        let program = self
+            .program
+            .as_ref()
+            .map(|file| format!(" --program {}", file.display()));
+        let hidden = self
+            .student
+            .as_ref()
+            .map(|student| format!(" --key … --student {student}"));
+        format!(
+            "raybook check {exercise}{}{}",
+            program.unwrap_or_default(),
+            hidden.unwrap_or_default()
+        )
     }
 
     fn dress(&self) -> Dress {
@@ -227,53 +194,4 @@ impl Check {
             symbols: !self.plain,
         }
     }
-}
-
-fn next_step(reports: &[(Report, Option<PathBuf>)]) -> String {
-    let first =
-        |state: fn(&State) -> bool| reports.iter().map(|(r, _)| r).find(|r| state(&r.state()));
-    let place = |report: &Report| library::place(report.exercise).unwrap_or_default();
-    if let Some(report) = first(|state| *state == State::Wrong) {
-        format!("Next: mend {} in {}.", report.exercise, place(report))
-    } else if let Some(report) = first(|state| *state == State::NotStarted) {
-        format!(
-            "Next: write {0} in {1}; `raybook exercise {0}` says what it is asked.",
-            report.exercise,
-            place(report)
-        )
-    } else if let Some(report) = first(|state| matches!(state, State::WaitsFor(_))) {
-        format!("Next: write what {} waits for.", report.exercise)
-    } else {
-        "Everything that was asked for is right.".to_owned()
-    }
-}
-
-/// Keeps how the exercises stand in the student's folder.
-fn remember(folder: &Path, reports: &[(Report, Option<PathBuf>)]) -> std::io::Result<()> {
-    let mut progress = Progress::load(folder);
-    for (report, _) in reports {
-        let state = json::state_name(&report.state()).0.to_owned();
-        let standing = Standing {
-            state,
-            right: report.right(),
-            asked: report.cases.len(),
-        };
-        progress
-            .exercises
-            .insert(report.exercise.to_owned(), standing);
-    }
-    progress.save(folder)
-}
-
-/// Writes a chapter's reference functions beside the student's, once these are right.
-fn keep_reference(folder: &Path, chapter: &str, exercises: &[&str]) -> std::io::Result<PathBuf> {
-    let texts = exercises
-        .iter()
-        .filter_map(|exercise| library::reference(exercise));
-    let text = texts.collect::<Vec<_>>().join("\n");
-    let path = folder
-        .join(".raybook")
-        .join(format!("{chapter}_reference.rs"));
-    file::write_whole(&path, text.as_bytes())?;
-    Ok(path)
 }

@@ -45,9 +45,8 @@ impl Hint {
                 }
                 (State::Wrong, Some(diagnosis), _) => println!("{name}: {}", diagnosis.hint),
                 (State::Wrong, None, first) => {
-                    let (case, why) = first.map_or(("", ""), |(_, outcome, why)| {
-                        (outcome.case.name.as_str(), why)
-                    });
+                    let (case, why) =
+                        first.map_or(("", ""), |(outcome, why)| (outcome.case.name.as_str(), why));
                     println!("{name}: think of the case \"{case}\": {why}.");
                 }
             }

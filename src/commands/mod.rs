@@ -4,8 +4,10 @@ pub mod bless;
 pub mod check;
 pub mod exercise;
 pub mod hint;
+pub mod map;
 pub mod new;
 pub mod solve;
+pub mod tell;
 pub mod tour;
 
 use raybook::grade::cases;

@@ -87,12 +87,12 @@ impl Report {
             .count()
     }
 
-    /// The first wrong case, and its number from 1.
-    pub fn first_wrong(&self) -> Option<(usize, &Outcome, &str)> {
-        (1..)
-            .zip(&self.cases)
-            .find_map(|(number, outcome)| match &outcome.verdict {
-                Verdict::Wrong(why) => Some((number, outcome, why.as_str())),
+    /// The first wrong case, and why it is wrong.
+    pub fn first_wrong(&self) -> Option<(&Outcome, &str)> {
+        self.cases
+            .iter()
+            .find_map(|outcome| match &outcome.verdict {
+                Verdict::Wrong(why) => Some((outcome, why.as_str())),
                 _ => None,
             })
     }

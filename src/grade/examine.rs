@@ -1,24 +1,19 @@
 //! Making cases, judging answers and recognising mistakes, with everything as lines.
 
-use crate::grade::Graded;
+use crate::grade::{Graded, stable};
 use crate::image::rgb::Rgb;
 use crate::math::pcg::{self, Pcg};
 use crate::workbook::exercise::Asked;
 use crate::workbook::row::{self, Row, RowError};
-use rand::RngExt;
 
 /// How many random cases an exercise has beside its named ones.
 pub const RANDOM_CASES: usize = 34;
 
-/// A random question must keep its answer in so many tries …
-const JIGGLES: usize = 8;
-
-/// … of moving each of its numbers by at most so many of its last digits.
-const ULPS: i32 = 8;
-
 /// One question with its right answers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Case {
+    /// Its number among the exercise's cases, from 1.
+    pub number: usize,
     /// What is special about it, or "random 7".
     pub name: String,
     /// The question, without the exercise's name.
@@ -105,6 +100,7 @@ impl<E: Graded> Examiner for E {
                     .chain(also_right)
                     .collect();
                 Case {
+                    number: 0,
                     name: edge.name.to_owned(),
                     question: edge.question.write(),
                     answers,
@@ -114,10 +110,11 @@ impl<E: Graded> Examiner for E {
         let (mut kept, mut thrown_away) = (0, 0);
         while kept < RANDOM_CASES {
             let question = E::random(rng);
-            if is_stable::<E>(&question, rng) {
+            if stable::is_stable::<E>(&question, rng) {
                 kept += 1;
                 let answers = vec![E::answer(&question).write()];
                 cases.push(Case {
+                    number: 0,
                     name: format!("random {kept}"),
                     question: question.write(),
                     answers,
@@ -130,6 +127,9 @@ impl<E: Graded> Examiner for E {
                     E::NAME
                 );
             }
+        }
+        for (case, number) in cases.iter_mut().zip(1..) {
+            case.number = number;
         }
         Cases { cases, thrown_away }
     }
@@ -191,29 +191,4 @@ impl<E: Graded> Examiner for E {
             &row::read(answer, "answer").ok()?,
         ))
     }
-}
-
-/// Whether the answer stays right when the question's numbers move in their last digits.
-///
-/// A ray that grazes a silhouette is nobody's fault.
-fn is_stable<E: Graded>(question: &E::Question, rng: &mut Pcg) -> bool {
-    let golden = E::answer(question);
-    (0..JIGGLES).all(|_| {
-        let moved = row::read::<E::Question>(&jiggle(&question.write(), rng), "question");
-        moved.is_ok_and(|moved| E::judge(question, &golden, &E::answer(&moved)).is_ok())
-    })
-}
-
-/// The row with every number that is not whole moved by a few of its last digits.
-fn jiggle(row: &str, rng: &mut Pcg) -> String {
-    let moved = row
-        .split_whitespace()
-        .map(|word| match word.parse::<f32>() {
-            Ok(v) if v.is_finite() && v.fract() != 0.0 => {
-                let bits = v.to_bits() as i32 + rng.random_range(-ULPS..=ULPS);
-                f32::from_bits(bits as u32).write()
-            }
-            _ => word.to_owned(),
-        });
-    moved.collect::<Vec<_>>().join(" ")
 }

@@ -6,6 +6,7 @@ use crate::grade::diagnose::Diagnosis;
 use crate::grade::dress::Dress;
 use crate::grade::examine::Examiner;
 use crate::grade::picture::Triple;
+use crate::grade::prints;
 use std::path::Path;
 
 /// One line on an exercise: its state, its name, and how many cases are right.
@@ -23,42 +24,62 @@ pub fn line(report: &Report, dress: Dress) -> String {
         .to_owned()
 }
 
-/// The first wrong case of an exercise, what explains it, and how to ask it again; empty if nothing is wrong.
+/// The first wrong case of an exercise, and what explains it; empty if nothing is wrong.
 ///
-/// `picture` is the file in which the pictures were written.
+/// `picture` is the file in which the pictures were written, `again` the command that asks a case again, but for its number.
 pub fn explain(
     report: &Report,
     examiner: &dyn Examiner,
     picture: Option<&Path>,
+    again: &str,
     dress: Dress,
 ) -> String {
-    let Some((number, outcome, why)) = report.first_wrong() else {
+    let Some((outcome, _)) = report.first_wrong() else {
         return String::new();
     };
-    let name = report.exercise;
-    let title = format!(
-        "{name}, case {number} of {}: {}",
-        report.cases.len(),
-        outcome.case.name
-    );
-    let mut lines = vec![dress.paint("1", &title), format!("  {}.", capitalised(why))];
-    lines.extend(asked(examiner, outcome));
-    lines.extend(printed(outcome));
-    lines.push(String::new());
-    match &report.diagnosis {
-        Some(diagnosis) => lines.extend(diagnosed(diagnosis, dress)),
-        None => lines.extend(kinds(report)),
+    let mut lines = case(report, examiner, outcome, dress);
+    if report.cases.len() > 1 {
+        lines.push(String::new());
+        match &report.diagnosis {
+            Some(diagnosis) => lines.extend(diagnosed(diagnosis, dress)),
+            None => lines.extend(kinds(report)),
+        }
     }
     if let (Some(pictures), Some(path)) = (&report.pictures, picture) {
         lines.push(String::new());
-        lines.extend(pictured(name, pictures, path));
+        lines.extend(pictured(report.exercise, pictures, path));
     }
     lines.extend([
         String::new(),
-        format!("  Ask this case again: raybook check {name} --case {number}"),
+        format!(
+            "  Ask this case again: {again} --case {}",
+            outcome.case.number
+        ),
         String::new(),
     ]);
     lines.join("\n")
+}
+
+/// One case: what is wrong with it, what was asked and answered, and the student's prints.
+pub fn case(
+    report: &Report,
+    examiner: &dyn Examiner,
+    outcome: &Outcome,
+    dress: Dress,
+) -> Vec<String> {
+    let title = format!(
+        "{}, case {}: {}",
+        report.exercise, outcome.case.number, outcome.case.name
+    );
+    let mut lines = vec![dress.paint("1", &title)];
+    lines.push(match &outcome.verdict {
+        Verdict::Right => "  Right.".to_owned(),
+        Verdict::NotStarted => "  Not written yet.".to_owned(),
+        Verdict::Wrong(why) => format!("  {}.", capitalised(why)),
+    });
+    lines.extend(asked(examiner, outcome));
+    lines.extend(prints::printed(outcome));
+    lines
 }
 
 /// The sentence with a capital letter first, unless that is a name of its own: t, b1.
@@ -103,44 +124,6 @@ fn asked(examiner: &dyn Examiner, outcome: &Outcome) -> Vec<String> {
     rows.iter()
         .map(|(kind, name, value)| format!("    {kind:<6} {name:<widest$}   {value}"))
         .collect()
-}
-
-/// The student's own prints.
-fn printed(outcome: &Outcome) -> Vec<String> {
-    /// More lines, or longer ones, nobody reads here.
-    const MOST: usize = 12;
-    const WIDEST: usize = 160;
-    let visible = |c: char| {
-        if c.is_control() && c != '\t' {
-            '\u{fffd}'
-        } else {
-            c
-        }
-    };
-    let printed: Vec<_> = outcome
-        .reply
-        .printed
-        .lines()
-        .filter(|line| !line.trim().is_empty())
-        .collect();
-    let mut lines = Vec::new();
-    if !printed.is_empty() {
-        lines.push("  Printed on the way:".to_owned());
-    }
-    lines.extend(printed.iter().take(MOST).map(|line| {
-        format!(
-            "    | {}",
-            line.chars().map(visible).take(WIDEST).collect::<String>()
-        )
-    }));
-    if printed.len() > MOST {
-        lines.push(format!("    | … and {} more lines", printed.len() - MOST));
-    }
-    let swallowed = printed.iter().any(|line| line.contains("= "));
-    if swallowed && !matches!(outcome.reply.said, Said::Answer(_)) {
-        lines.push("  An answer must begin its line with `= `. Is one of these meant to be one? End the print before it with a newline.".to_owned());
-    }
-    lines
 }
 
 fn diagnosed(diagnosis: &Diagnosis, dress: Dress) -> [String; 2] {

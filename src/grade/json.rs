@@ -45,10 +45,7 @@ pub fn state_name(state: &State) -> (&'static str, Option<&str>) {
 fn exercise(report: &Report, picture: Option<&PathBuf>) -> Value {
     let state = report.state();
     let (state, waits_for) = state_name(&state);
-    let cases: Vec<_> = (1..)
-        .zip(&report.cases)
-        .map(|(number, outcome)| case(number, outcome))
-        .collect();
+    let cases: Vec<_> = report.cases.iter().map(case).collect();
     let diagnosis = report.diagnosis.as_ref().map(
         |d| json!({ "name": d.name, "hint": d.hint, "explained": d.explained, "wrong": d.wrong }),
     );
@@ -60,7 +57,7 @@ fn exercise(report: &Report, picture: Option<&PathBuf>) -> Value {
     })
 }
 
-fn case(number: usize, outcome: &Outcome) -> Value {
+fn case(outcome: &Outcome) -> Value {
     let (verdict, why) = match &outcome.verdict {
         Verdict::Right => ("right", None),
         Verdict::NotStarted => ("not started", None),
@@ -71,7 +68,7 @@ fn case(number: usize, outcome: &Outcome) -> Value {
         _ => None,
     };
     json!({
-        "number": number, "name": outcome.case.name, "verdict": verdict, "why": why,
+        "number": outcome.case.number, "name": outcome.case.name, "verdict": verdict, "why": why,
         "question": outcome.case.question, "answers": outcome.case.answers, "got": got, "printed": outcome.reply.printed,
     })
 }

@@ -17,8 +17,10 @@ pub mod judge;
 pub mod library;
 pub mod manifest;
 pub mod picture;
+pub mod prints;
 pub mod progress;
 pub mod sample;
+pub mod stable;
 pub mod starter;
 pub mod student;
 

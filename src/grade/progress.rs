@@ -1,5 +1,7 @@
 //! What a student has finished, kept in the folder between checks.
 
+use crate::grade::check::Report;
+use crate::grade::json;
 use crate::image::file;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -31,6 +33,28 @@ impl Progress {
         serde_json::from_str(&text).unwrap_or_default()
     }
 
+    /// Whether an exercise was right when it was last checked.
+    pub fn is_right(&self, exercise: &str) -> bool {
+        self.exercises
+            .get(exercise)
+            .is_some_and(|standing| standing.state == "right")
+    }
+
+    /// Adds these reports to the progress kept in a student's folder.
+    ///
+    /// # Errors
+    /// If the file cannot be written.
+    pub fn remember<'a>(
+        folder: &Path,
+        reports: impl Iterator<Item = &'a Report>,
+    ) -> io::Result<()> {
+        let mut progress = Self::load(folder);
+        progress
+            .exercises
+            .extend(reports.map(|report| (report.exercise.to_owned(), Standing::of(report))));
+        progress.save(folder)
+    }
+
     /// Keeps the progress in a student's folder.
     ///
     /// # Errors
@@ -38,6 +62,17 @@ impl Progress {
     pub fn save(&self, folder: &Path) -> io::Result<()> {
         let text = serde_json::to_string_pretty(self).map_err(io::Error::other)?;
         file::write_whole(&path(folder), format!("{text}\n").as_bytes())
+    }
+}
+
+impl Standing {
+    fn of(report: &Report) -> Self {
+        let state = json::state_name(&report.state()).0.to_owned();
+        Self {
+            state,
+            right: report.right(),
+            asked: report.cases.len(),
+        }
     }
 }
 

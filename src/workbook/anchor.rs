@@ -22,22 +22,17 @@ pub enum AnchorError {
     /// An anchor begins and does not end.
     #[error("`// ANCHOR: {0}` has no `// ANCHOR_END: {0}` after it")]
     Open(String),
-    /// What stands between the marks is not one whole function.
-    #[error("between the marks of {0} there is not one whole function")]
-    NotAFunction(String),
 }
 
-/// The anchored functions of a source file, in order.
+/// The anchored functions of a source file, in order; anchors around other things, such as a trait, are left out.
 ///
 /// # Errors
-/// If an anchor has no end, or holds something else than a function.
+/// If an anchor has no end.
 pub fn functions(source: &str) -> Result<Vec<Anchored<'_>>, AnchorError> {
-    regions(source)?
+    Ok(regions(source)?
         .into_iter()
-        .map(|(name, text)| {
-            split(name, text).ok_or_else(|| AnchorError::NotAFunction(name.to_owned()))
-        })
-        .collect()
+        .filter_map(|(name, text)| split(name, text))
+        .collect())
 }
 
 /// The names and the texts between the marks.
@@ -64,7 +59,7 @@ pub fn regions(source: &str) -> Result<Vec<(&str, &str)>, AnchorError> {
 /// or `None` to keep it.
 ///
 /// # Errors
-/// As for [`functions`].
+/// If an anchor has no end.
 pub fn rewrite(
     source: &str,
     rewrite: impl Fn(&Anchored<'_>) -> Option<String>,

@@ -6,3 +6,4 @@ pub mod curriculum;
 pub mod exercise;
 pub mod exercises;
 pub mod row;
+pub mod row_types;

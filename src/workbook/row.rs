@@ -3,10 +3,6 @@
 //! A row is words with spaces in between. A number is written as people write it, or `inf`, `-inf`, `nan`;
 //! a missing value is `none`; a list begins with its length. Two spaces between fields are for the eye only.
 
-use crate::image::rgb::Rgb;
-use crate::math::{dir3::Dir3, interval::Interval, ray::Ray};
-use glam::{Vec2, Vec3};
-
 /// Something that can be written as a row.
 pub trait Row: Sized {
     /// The names of the words, in order, of a value of this name.
@@ -40,7 +36,7 @@ pub fn read<R: Row>(line: &str, name: &str) -> Result<R, RowError> {
     match words.rest.next() {
         None => Ok(value),
         Some(found) => Err(RowError::TooLong {
-            word: words.taken + 1,
+            word: words.position(),
             found: found.to_owned(),
         }),
     }
@@ -86,14 +82,22 @@ pub enum RowError {
 }
 
 impl<'a> Words<'a> {
+    /// The number of the next word, from 1.
+    pub fn position(&self) -> usize {
+        self.taken + 1
+    }
+
     /// The next word, parsed.
-    fn next<T>(
+    ///
+    /// # Errors
+    /// If there is none, or `parse` refuses it; `name` and `expected` say what it should have been.
+    pub fn next<T>(
         &mut self,
         name: &str,
         expected: &'static str,
         parse: impl Fn(&'a str) -> Option<T>,
     ) -> Result<T, RowError> {
-        let word = self.taken + 1;
+        let word = self.position();
         let found = self.rest.next().ok_or_else(|| RowError::TooShort {
             word,
             name: name.to_owned(),
@@ -108,7 +112,7 @@ impl<'a> Words<'a> {
     }
 
     /// Whether the next word is this one; then it is taken.
-    fn take(&mut self, word: &str) -> bool {
+    pub fn take(&mut self, word: &str) -> bool {
         let mut ahead = self.rest.clone();
         let found = ahead.next() == Some(word);
         if found {
@@ -119,153 +123,7 @@ impl<'a> Words<'a> {
     }
 }
 
-/// One word, by `FromStr` and a format.
-macro_rules! word_row {
-    ($type:ty, $expected:literal, $write:expr) => {
-        impl Row for $type {
-            fn names(name: &str) -> Vec<String> {
-                vec![name.to_owned()]
-            }
-
-            fn write(&self) -> String {
-                $write(*self)
-            }
-
-            fn read(words: &mut Words<'_>, name: &str) -> Result<Self, RowError> {
-                words.next(name, $expected, |word| word.parse().ok())
-            }
-        }
-    };
-}
-
-word_row!(f32, "a number", |v: f32| format!("{v:?}")
-    .trim_end_matches(".0")
-    .to_lowercase());
-word_row!(u32, "a whole number from 0 up", |v: u32| v.to_string());
-
-/// Several values in a row, and how the whole is made of them.
-macro_rules! several_row {
-    ($type:ty, $($part:ident: $kind:ty = $get:expr),+ => $make:expr) => {
-        impl Row for $type {
-            fn names(name: &str) -> Vec<String> {
-                [$(<$kind>::names(&format!("{name}.{}", stringify!($part)))),+].concat()
-            }
-
-            fn write(&self) -> String {
-                [$(<$kind as Row>::write(&($get)(self))),+].join(" ")
-            }
-
-            fn read(words: &mut Words<'_>, name: &str) -> Result<Self, RowError> {
-                $(let $part = <$kind>::read(words, &format!("{name}.{}", stringify!($part)))?;)+
-                Ok($make)
-            }
-        }
-    };
-}
-
-several_row!(Vec2, x: f32 = |v: &Vec2| v.x, y: f32 = |v: &Vec2| v.y => Vec2::new(x, y));
-several_row!(Vec3, x: f32 = |v: &Vec3| v.x, y: f32 = |v: &Vec3| v.y, z: f32 = |v: &Vec3| v.z => Vec3::new(x, y, z));
-several_row!(Rgb, r: f32 = |v: &Rgb| v.r, g: f32 = |v: &Rgb| v.g, b: f32 = |v: &Rgb| v.b => Rgb::new(r, g, b));
-several_row!(Interval, min: f32 = |v: &Interval| v.min, max: f32 = |v: &Interval| v.max => Interval::new(min, max));
-
-impl Row for Ray {
-    fn names(_name: &str) -> Vec<String> {
-        [Vec3::names("origin"), Dir3::names("direction")].concat()
-    }
-
-    fn write(&self) -> String {
-        [self.origin.write(), self.direction.write()].join("  ")
-    }
-
-    fn read(words: &mut Words<'_>, _name: &str) -> Result<Self, RowError> {
-        Ok(Self::new(
-            Vec3::read(words, "origin")?,
-            Dir3::read(words, "direction")?,
-        ))
-    }
-
-    fn parts(&self, _name: &str) -> Vec<(String, String)> {
-        [
-            self.origin.parts("origin"),
-            self.direction.parts("direction"),
-        ]
-        .concat()
-    }
-}
-
-impl Row for Dir3 {
-    fn names(name: &str) -> Vec<String> {
-        Vec3::names(name)
-    }
-
-    fn write(&self) -> String {
-        Vec3::write(self)
-    }
-
-    /// Any vector but zero; it is normalised unless it already is, to the last digit that matters.
-    fn read(words: &mut Words<'_>, name: &str) -> Result<Self, RowError> {
-        let word = words.taken + 1;
-        let v = Vec3::read(words, name)?;
-        Dir3::new(v).ok_or_else(|| RowError::Word {
-            word,
-            name: name.to_owned(),
-            expected: "a direction",
-            found: v.write(),
-        })
-    }
-}
-
-impl<T: Row> Row for Option<T> {
-    fn names(name: &str) -> Vec<String> {
-        let names = T::names(name);
-        vec![format!("none | {}", names.join(" "))]
-    }
-
-    fn write(&self) -> String {
-        self.as_ref().map_or_else(|| "none".to_owned(), Row::write)
-    }
-
-    fn read(words: &mut Words<'_>, name: &str) -> Result<Self, RowError> {
-        if words.take("none") {
-            Ok(None)
-        } else {
-            T::read(words, name).map(Some)
-        }
-    }
-
-    fn parts(&self, name: &str) -> Vec<(String, String)> {
-        self.as_ref().map_or_else(
-            || vec![(name.to_owned(), "none".to_owned())],
-            |value| value.parts(name),
-        )
-    }
-}
-
-impl<T: Row> Row for Vec<T> {
-    fn names(name: &str) -> Vec<String> {
-        vec![
-            format!("{name}.count"),
-            format!("[{}]…", T::names(name).join(" ")),
-        ]
-    }
-
-    fn write(&self) -> String {
-        std::iter::once(self.len().to_string())
-            .chain(self.iter().map(Row::write))
-            .collect::<Vec<_>>()
-            .join("  ")
-    }
-
-    fn read(words: &mut Words<'_>, name: &str) -> Result<Self, RowError> {
-        let count = u32::read(words, &format!("the number of {name}"))?;
-        (0..count)
-            .map(|i| T::read(words, &format!("{name}[{i}]")))
-            .collect()
-    }
-}
-
 /// Defines a struct of rows that is a row itself: its fields in order.
-#[macro_export]
 macro_rules! row {
     ($(#[$doc:meta])* pub struct $name:ident { $($(#[$field_doc:meta])* pub $field:ident: $kind:ty),+ $(,)? }) => {
         $(#[$doc])*
@@ -274,25 +132,27 @@ macro_rules! row {
             $($(#[$field_doc])* pub $field: $kind),+
         }
 
-        impl $crate::workbook::row::Row for $name {
+        impl crate::workbook::row::Row for $name {
             fn names(_name: &str) -> Vec<String> {
-                [$(<$kind as $crate::workbook::row::Row>::names(stringify!($field))),+].concat()
+                [$(<$kind as crate::workbook::row::Row>::names(stringify!($field))),+].concat()
             }
 
             fn write(&self) -> String {
-                [$(<$kind as $crate::workbook::row::Row>::write(&self.$field)),+].join("  ")
+                [$(<$kind as crate::workbook::row::Row>::write(&self.$field)),+].join("  ")
             }
 
             fn read(
-                words: &mut $crate::workbook::row::Words<'_>,
+                words: &mut crate::workbook::row::Words<'_>,
                 _name: &str,
-            ) -> Result<Self, $crate::workbook::row::RowError> {
-                Ok(Self { $($field: <$kind as $crate::workbook::row::Row>::read(words, stringify!($field))?),+ })
+            ) -> Result<Self, crate::workbook::row::RowError> {
+                Ok(Self { $($field: <$kind as crate::workbook::row::Row>::read(words, stringify!($field))?),+ })
             }
 
             fn parts(&self, _name: &str) -> Vec<(String, String)> {
-                [$(<$kind as $crate::workbook::row::Row>::parts(&self.$field, stringify!($field))),+].concat()
+                [$(<$kind as crate::workbook::row::Row>::parts(&self.$field, stringify!($field))),+].concat()
             }
         }
     };
 }
+
+pub(crate) use row;

@@ -5,7 +5,9 @@ use crate::grade::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
 use crate::image::rgb::Rgb;
 use crate::math::{basis::Basis, dir3::Dir3, pcg::Pcg, ray::Ray};
 use crate::workbook::exercise::Exercise;
-use crate::workbook::exercises::ch01_rays::{CameraRay, CameraRayQuestion, RayAt, RayAtQuestion};
+use crate::workbook::exercises::ch01_rays::{
+    CameraRay, CameraRayAnswer, CameraRayQuestion, RayAt, RayAtQuestion,
+};
 use glam::{Vec2, Vec3, vec2, vec3};
 
 /// This chapter's exercises, in order.
@@ -101,8 +103,17 @@ impl Graded for CameraRay {
             name: "starts at the image plane",
             hint: "All rays of a pin-hole camera pass through one point: which?",
             answer: |q| {
-                let ray = CameraRay::answer(q);
-                Ray::new(ray.at(q.focal_length / ray.direction.dot(*q.forward)), ray.direction)
+                let CameraRayAnswer { origin, direction } = CameraRay::answer(q);
+                let to_plane = q.focal_length / direction.dot(*q.forward);
+                CameraRayAnswer { origin: origin + to_plane * direction, direction }
+            },
+        },
+        Mistake {
+            name: "forgets to normalise the direction",
+            hint: "If t is to be a distance, how long must the direction be?",
+            answer: |q| {
+                let CameraRayAnswer { origin, direction } = CameraRay::answer(q);
+                CameraRayAnswer { origin, direction: q.focal_length / direction.dot(*q.forward) * direction }
             },
         },
         Mistake {
@@ -138,9 +149,9 @@ impl Graded for CameraRay {
         question(sample::point(rng, 5.0), sample::direction(rng), sample::number(rng, 0.02, 0.1), film)
     }
 
-    fn judge(_q: &CameraRayQuestion, golden: &Ray, got: &Ray) -> Verdict {
+    fn judge(_q: &CameraRayQuestion, golden: &CameraRayAnswer, got: &CameraRayAnswer) -> Verdict {
         judge::point("the ray's origin", golden.origin, got.origin)?;
-        judge::direction("the ray", *golden.direction, *got.direction)
+        judge::direction("the ray's direction", golden.direction, got.direction)
     }
 }
 
@@ -151,7 +162,7 @@ fn question(focal_point: Vec3, forward: Dir3, focal_length: f32, film: Vec2) -> 
 }
 
 /// The right answer to a question that was misread.
-fn ask(q: &CameraRayQuestion, misread: fn(&mut CameraRayQuestion)) -> Ray {
+fn ask(q: &CameraRayQuestion, misread: fn(&mut CameraRayQuestion)) -> CameraRayAnswer {
     let mut q = q.clone();
     misread(&mut q);
     CameraRay::answer(&q)

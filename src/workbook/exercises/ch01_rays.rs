@@ -2,8 +2,8 @@
 
 use crate::camera::pinhole::Pinhole;
 use crate::math::{dir3::Dir3, ray::Ray};
-use crate::row;
 use crate::workbook::exercise::{Asked, Exercise};
+use crate::workbook::row::row;
 use glam::{Vec2, Vec3};
 
 /// This chapter's exercises, in order.
@@ -57,15 +57,32 @@ row! {
     }
 }
 
+row! {
+    /// A ray, as it was answered: its direction may have any length.
+    pub struct CameraRayAnswer {
+        /// Where it starts.
+        pub origin: Vec3,
+        /// Where it goes.
+        pub direction: Vec3,
+    }
+}
+
+impl From<Ray> for CameraRayAnswer {
+    fn from(ray: Ray) -> Self {
+        Self { origin: ray.origin, direction: *ray.direction }
+    }
+}
+
 impl Exercise for CameraRay {
     type Question = CameraRayQuestion;
-    type Answer = Ray;
+    type Answer = CameraRayAnswer;
     const NAME: &'static str = "camera_ray";
     const TASK: &'static str = "Return the ray from the focal point through the place `film` of the image plane; \
         film (0, 0) is the picture's top left, (1, 1) its bottom right.";
 
     fn answer(q: &Self::Question) -> Self::Answer {
         let Self::Question { focal_point, forward, right, up, focal_length, plane, film } = *q;
-        Pinhole { focal_point, forward, right, up, focal_length, plane }.ray_through(film)
+        let camera = Pinhole { focal_point, forward, right, up, focal_length, plane };
+        camera.ray_through(film).into()
     }
 }

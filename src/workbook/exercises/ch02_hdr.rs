@@ -1,8 +1,8 @@
 //! Chapter 2: `expose`, `tone_map`, `encode_srgb`.
 
 use crate::image::{rgb::Rgb, tone};
-use crate::row;
 use crate::workbook::exercise::{Asked, Exercise};
+use crate::workbook::row::row;
 
 /// This chapter's exercises, in order.
 pub const EXERCISES: &[&dyn Asked] = &[&Expose, &ToneMap, &EncodeSrgb];

@@ -1,9 +1,9 @@
 //! Chapter 3: `solve_quadratic`, `sphere_hit`, `sphere_normal`.
 
 use crate::math::{interval::Interval, quadratic, ray::Ray};
-use crate::row;
 use crate::shape::{Shape, sphere::Sphere};
 use crate::workbook::exercise::{Asked, Exercise};
+use crate::workbook::row::row;
 use glam::{Vec2, Vec3};
 
 /// This chapter's exercises, in order.

@@ -1,9 +1,9 @@
 //! Chapter 4: `plane_hit`.
 
 use crate::math::{dir3::Dir3, interval::Interval, ray::Ray};
-use crate::row;
 use crate::shape::{Shape, plane::Plane};
 use crate::workbook::exercise::{Asked, Exercise};
+use crate::workbook::row::row;
 
 /// This chapter's exercises, in order.
 pub const EXERCISES: &[&dyn Asked] = &[&PlaneHit];

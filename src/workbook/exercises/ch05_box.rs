@@ -1,8 +1,8 @@
 //! Chapter 5: `box_clip`, `bounds_of`.
 
 use crate::math::{aabb::Aabb, interval::Interval, ray::Ray, slab};
-use crate::row;
 use crate::workbook::exercise::{Asked, Exercise};
+use crate::workbook::row::row;
 use glam::Vec3;
 
 /// This chapter's exercises, in order.

@@ -1,9 +1,9 @@
 //! Chapter 6: `triangle_hit`, `triangle_normal`.
 
 use crate::math::{interval::Interval, ray::Ray};
-use crate::row;
 use crate::shape::{Shape, triangle::Triangle};
 use crate::workbook::exercise::{Asked, Exercise};
+use crate::workbook::row::row;
 use glam::Vec3;
 
 /// This chapter's exercises, in order.

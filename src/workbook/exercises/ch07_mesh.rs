@@ -2,9 +2,9 @@
 
 use crate::accel::{Accel, list::List};
 use crate::math::{dir3::Dir3, interval::Interval, ray::Ray};
-use crate::row;
 use crate::shape::{attributes, mesh::Facet, triangle::Triangle};
 use crate::workbook::exercise::{Asked, Exercise};
+use crate::workbook::row::row;
 use glam::{Vec2, Vec3};
 
 /// This chapter's exercises, in order.

@@ -1,0 +1,37 @@
+//! Whether a question is fair: whether its answer survives a change in the last digits of its numbers.
+
+use crate::grade::Graded;
+use crate::math::pcg::Pcg;
+use crate::workbook::row::{self, Row};
+use rand::RngExt;
+
+/// A random question must keep its answer in so many tries …
+const JIGGLES: usize = 8;
+
+/// … of moving each of its numbers by at most so many of its last digits.
+const ULPS: i32 = 8;
+
+/// Whether the answer stays right when the question's numbers move in their last digits.
+///
+/// A ray that grazes a silhouette is nobody's fault.
+pub fn is_stable<E: Graded>(question: &E::Question, rng: &mut Pcg) -> bool {
+    let golden = E::answer(question);
+    (0..JIGGLES).all(|_| {
+        let moved = row::read::<E::Question>(&jiggle(&question.write(), rng), "question");
+        moved.is_ok_and(|moved| E::judge(question, &golden, &E::answer(&moved)).is_ok())
+    })
+}
+
+/// The row with every number that is not whole moved by a few of its last digits.
+fn jiggle(row: &str, rng: &mut Pcg) -> String {
+    let moved = row
+        .split_whitespace()
+        .map(|word| match word.parse::<f32>() {
+            Ok(v) if v.is_finite() && v.fract() != 0.0 => {
+                let bits = v.to_bits() as i32 + rng.random_range(-ULPS..=ULPS);
+                f32::from_bits(bits as u32).write()
+            }
+            _ => word.to_owned(),
+        });
+    moved.collect::<Vec<_>>().join(" ")
+}

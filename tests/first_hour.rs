@@ -1,0 +1,246 @@
+//! A student's first hour, by the command: new, check, write, check, hint, solve.
+
+mod common;
+
+use assert_cmd::Command;
+use common::starter::target;
+use raybook::grade::library::{place, reference};
+use std::fs;
+use std::path::Path;
+
+/// Runs `raybook` in a folder: its exit code, and what it said on both outputs.
+fn raybook(folder: &Path, arguments: &[&str]) -> (i32, String) {
+    let output = Command::cargo_bin("raybook")
+        .expect("the command is built")
+        .args(arguments)
+        .current_dir(folder)
+        .env("CARGO_TARGET_DIR", target())
+        .env("CARGO_NET_OFFLINE", "true")
+        .output()
+        .expect("the command runs");
+    let said = [output.stdout, output.stderr]
+        .map(|bytes| String::from_utf8_lossy(&bytes).into_owned())
+        .concat();
+    (output.status.code().expect("it ends by itself"), said)
+}
+
+/// Writes an exercise: replaces its stub.
+fn write(folder: &Path, exercise: &str, body: &str) {
+    let path = folder.join(place(exercise).expect("the exercise has a place"));
+    let text = fs::read_to_string(&path).expect("the file is there");
+    let stub = format!("todo!(\"{exercise}\")");
+    assert!(text.contains(&stub), "{exercise} is not written yet");
+    fs::write(path, text.replace(&stub, body)).expect("the file can be written");
+}
+
+#[test]
+#[expect(clippy::too_many_lines, reason = "one hour, told in order")]
+fn the_first_hour() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let (code, said) = raybook(home.path(), &["new", "my-rays"]);
+    assert_eq!(code, 0, "{said}");
+    assert!(
+        said.contains("raybook check") && said.contains("sphere_hit"),
+        "it shows the map and the next step: {said}"
+    );
+    let rays = home.path().join("my-rays");
+    let readme = fs::read_to_string(rays.join("README.md")).expect("there is a README");
+    assert!(
+        (8..=14).contains(&readme.lines().count()),
+        "of about ten lines"
+    );
+
+    let (code, said) = raybook(&rays, &["check", "--plain"]);
+    assert_eq!(code, 1, "not everything is right: {said}");
+    assert!(
+        said.contains("not started ray_at") && !said.contains("wrong "),
+        "everything is not started: {said}"
+    );
+    assert!(
+        said.contains("Next: write ray_at in src/math/ray.rs"),
+        "and the next step is said: {said}"
+    );
+
+    write(&rays, "ray_at", "self.origin + t * *self.direction");
+    write(
+        &rays,
+        "camera_ray",
+        "let x = (film.x - 0.5) * self.plane.x;
+        let y = (0.5 - film.y) * self.plane.y;
+        let toward = self.focal_length * *self.forward + x * *self.right + y * *self.up;
+        Ray::new(self.focal_point, Dir3::new_or(toward, self.forward))",
+    );
+    write(
+        &rays,
+        "sphere_hit",
+        "println!(\"radius {}\", self.radius);
+        let from = ray.origin - self.center;
+        let b = from.dot(*ray.direction);
+        let root = (b * b - from.length_squared() + self.radius * self.radius).sqrt();
+        let t = -b + root;
+        within.contains(t).then_some(Hit { t, uv: Vec2::ZERO, id: 0 })",
+    );
+    let (code, said) = raybook(&rays, &["check", "ch01"]);
+    assert_eq!(code, 0, "chapter 1 is right: {said}");
+    assert!(
+        said.contains("reference solution: compare yours"),
+        "then the reference is shown: {said}"
+    );
+    assert!(
+        rays.join(".raybook/ch01_rays_reference.rs").is_file(),
+        "where it says"
+    );
+    assert!(
+        rays.join(".raybook/camera_ray.png").is_file(),
+        "and a picture is made of the answers"
+    );
+
+    // From above, the folder is named; the exercise alone is enough of a name.
+    let (code, said) = raybook(home.path(), &["check", "sphere_hit", "my-rays", "--plain"]);
+    assert_eq!(code, 1, "it is wrong: {said}");
+    for part in [
+        "takes the far root",
+        "| radius 1",
+        "Hint: ",
+        "sphere_hit.png",
+        "--case 1",
+        "m too large",
+    ] {
+        assert!(said.contains(part), "the feedback tells `{part}`: {said}");
+    }
+    let (code, said) = raybook(&rays, &["check", "sphere_hit", "--case", "1"]);
+    assert!(
+        code == 1 && said.contains("case 1: head on"),
+        "one case alone: {said}"
+    );
+    let (_, said) = raybook(&rays, &["hint", "sphere_hit"]);
+    assert!(
+        said.contains("which of the two does the eye see"),
+        "the hint is the mistake's: {said}"
+    );
+    let (code, said) = raybook(&rays, &[]);
+    assert!(
+        code == 0 && said.contains("[2 of 2]") && said.contains("Next: raybook check"),
+        "progress is kept: {said}"
+    );
+
+    let (code, said) = raybook(
+        &rays,
+        &[
+            "check",
+            "ray_at",
+            "--key",
+            "secret",
+            "--student",
+            "7",
+            "--json",
+        ],
+    );
+    assert_eq!(code, 0, "the hidden cases are right too: {said}");
+    let json = said
+        .split_once('{')
+        .map(|(_, rest)| format!("{{{rest}"))
+        .expect("it is JSON");
+    let json: serde_json::Value = serde_json::Deserializer::from_str(&json)
+        .into_iter()
+        .next()
+        .expect("a value")
+        .expect("valid");
+    assert_eq!(
+        (&json["version"], &json["exercises"][0]["state"]),
+        (&1.into(), &"right".into()),
+        "of version 1"
+    );
+
+    let (code, said) = raybook(&rays, &["solve", "ch03"]);
+    assert_eq!(code, 0, "{said}");
+    assert!(
+        rays.join(".raybook/yours/src/shape/sphere.rs").is_file(),
+        "the student's own file is kept: {said}"
+    );
+    let (code, said) = raybook(&rays, &["check", "3"]);
+    assert_eq!(code, 0, "the reference is right: {said}");
+
+    fs::write(rays.join("src/math/ray.rs"), "fn broken(").expect("the file can be written");
+    let (code, said) = raybook(&rays, &["check"]);
+    assert!(
+        code == 2 && said.contains("does not compile") && said.contains("src/math/ray.rs"),
+        "the compiler is heard: {said}"
+    );
+}
+
+#[test]
+fn wrong_usage_is_explained() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    fs::create_dir(home.path().join("full")).expect("a folder");
+    fs::write(home.path().join("full/file"), "").expect("a file");
+    for (arguments, part) in [
+        (&["new", "full"][..], "not empty"),
+        (&["check"], "raybook new"),
+        (&["check", "sphere_hitt"], "sphere_hit"),
+        (&["check", "--case", "0"], "--case"),
+        (&["check", "--case", "1"], "one exercise"),
+        (&["check", "--time-limit", "0"], "seconds"),
+        (&["check", "--key", "secret"], "--student"),
+        (
+            &["check", "--program", "no/such/program"],
+            "no/such/program",
+        ),
+        (&["solve"], "raybook new"),
+        (&["bless"], "golden"),
+        (&["exercise", "nothing"], "neither a chapter"),
+    ] {
+        let (code, said) = raybook(home.path(), arguments);
+        assert!(
+            code == 2 && said.contains(part),
+            "{arguments:?} says `{part}`: {code} {said}"
+        );
+    }
+}
+
+#[test]
+fn any_program_can_be_asked() {
+    let (_, said) = raybook(&common::project(""), &["exercise", "ray_at"]);
+    assert!(
+        said.contains("ray_at origin.x origin.y origin.z direction.x")
+            && said.contains("= point.x point.y point.z"),
+        "{said}"
+    );
+    assert!(
+        reference("ray_at").is_some(),
+        "the reference is in the command"
+    );
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        let home = tempfile::tempdir().expect("a temporary folder");
+        let program = home.path().join("answers");
+        fs::write(
+            &program,
+            "#!/bin/sh\nwhile read -r name x y z rest; do echo \"= $x $y $z\"; done\n",
+        )
+        .expect("a script");
+        fs::set_permissions(&program, fs::Permissions::from_mode(0o755)).expect("it can be run");
+        let (code, said) = raybook(home.path(), &["check", "ray_at", "--program", "answers"]);
+        assert!(
+            code == 1 && said.contains("1 of 40 cases"),
+            "only t = 0 is right: {said}"
+        );
+        assert!(
+            said.contains("ignores t") || said.contains("Wrong are"),
+            "and it says what is wrong: {said}"
+        );
+    }
+}
+
+#[test]
+fn the_golden_answers_are_those_of_today() {
+    for examiner in raybook::grade::cases::all() {
+        let (path, text, _) = raybook::grade::golden::page(examiner);
+        let kept = fs::read_to_string(common::project("golden").join(&path)).unwrap_or_default();
+        assert!(
+            kept == text,
+            "golden/{path} is stale; `cargo run -- bless` writes it: read the difference"
+        );
+    }
+}

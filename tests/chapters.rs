@@ -12,7 +12,7 @@ fn every_chapter_has_all_its_parts() {
     let manifest = read("Cargo.toml");
     let readme = read("README.md");
     let summary = read("book/src/SUMMARY.md");
-    let tour = read("src/tour.rs");
+    let tour = read("src/commands/tour.rs");
     for chapter in CHAPTERS {
         let name = chapter.name;
         let has = |part: bool, what: &str| assert!(part, "{name} lacks {what}");
@@ -22,7 +22,7 @@ fn every_chapter_has_all_its_parts() {
         );
         has(
             tour.contains(&format!("(\"{name}\", ")),
-            "a line in src/tour.rs",
+            "a line in src/commands/tour.rs",
         );
         has(
             project("golden").join(name).join("picture.exr").is_file(),

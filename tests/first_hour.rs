@@ -45,9 +45,12 @@ fn the_first_hour() {
     );
     let rays = home.path().join("my-rays");
     let readme = fs::read_to_string(rays.join("README.md")).expect("there is a README");
+    let (tasks, map) = readme
+        .split_once("## The course")
+        .expect("it has the course map");
     assert!(
-        (8..=14).contains(&readme.lines().count()),
-        "of about ten lines"
+        (8..=12).contains(&tasks.lines().count()) && map.contains("sphere_hit"),
+        "ten lines, and the map"
     );
 
     let (code, said) = raybook(&rays, &["check", "--plain"]);

@@ -2,7 +2,6 @@
 
 use super::Done;
 use raybook::grade::{cases, starter};
-use raybook::workbook::curriculum::CHAPTERS;
 use std::path::PathBuf;
 
 /// Makes a workbook folder.
@@ -21,19 +20,7 @@ impl New {
             self.folder.display(),
             cases::all().len()
         );
-        for chapter in CHAPTERS {
-            let names: Vec<_> = chapter
-                .exercises()
-                .iter()
-                .map(|exercise| exercise.name())
-                .collect();
-            println!(
-                "  {:2}  {:<20} {}",
-                chapter.number(),
-                chapter.title(),
-                names.join(", ")
-            );
-        }
+        print!("{}", starter::course_map());
         println!(
             "\nNext:  cd {}\n       raybook check        (the first time, this compiles for a minute)",
             self.folder.display()

@@ -3,6 +3,7 @@
 use crate::grade::{cases, library, manifest};
 use crate::image::file;
 use crate::workbook::anchor::{self, AnchorError, Anchored};
+use crate::workbook::curriculum::{CHAPTERS, Chapter};
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -103,11 +104,16 @@ pub fn files(
         ));
     }
     let manifest = manifest::text(&files);
+    let readme = format!(
+        "{}\n## The course\n\n{}",
+        include_str!("starter/README.md"),
+        course_map()
+    );
     for (path, text) in [
         ("Cargo.toml", manifest.as_str()),
         ("Cargo.lock", LOCK),
         ("src/bin/answer.rs", include_str!("starter/answer.rs.txt")),
-        ("README.md", include_str!("starter/README.md")),
+        ("README.md", readme.as_str()),
         (
             MARKER,
             "# This folder is a raybook workbook: `raybook check` grades it.\nlanguage = \"rust\"\n",
@@ -117,4 +123,22 @@ pub fn files(
         files.push((PathBuf::from(path), text.as_bytes().to_vec()));
     }
     Ok(files)
+}
+
+/// A line per chapter: its number, its title and its exercises.
+pub fn course_map() -> String {
+    let line = |chapter: &Chapter| {
+        let names: Vec<_> = chapter
+            .exercises()
+            .iter()
+            .map(|exercise| exercise.name())
+            .collect();
+        format!(
+            "    {:2}  {:<20} {}\n",
+            chapter.number(),
+            chapter.title(),
+            names.join(", ")
+        )
+    };
+    CHAPTERS.iter().map(line).collect()
 }

@@ -46,8 +46,10 @@ impl Triangle {
     /// It is 0 for a triangle without area, and for a ray in its plane. But products that should cancel are rounded, and
     /// what is left of them is a number like any other: divided by it, noise looks like a hit.
     pub fn solvable(&self, determinant: f32) -> bool {
+        /// A product of three factors and a sum of six of them: four roundings of 2⁻²⁴ in a row.
+        const ROUNDINGS: f32 = 4.0 * (f32::EPSILON / 2.0);
         let products = self.e1.abs().element_sum() * self.e2.abs().element_sum();
-        determinant.abs() > ROUNDING * products
+        determinant.abs() > ROUNDINGS * products
     }
     // ANCHOR_END: solvable
 }

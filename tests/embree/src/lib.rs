@@ -6,6 +6,7 @@
 //! | command | does |
 //! |---|---|
 //! | `cargo test --release -p raybook-embree` | compares millions of rays (`tests/agreement.rs`), checks that the recorded sample is fresh |
+//! | the same with `--test golden` | asks Embree the workbook's questions about hits, and confirms the golden answers |
 //! | the same with `-- --nocapture` | also prints the tables: how many rays hit, how close the answers are, how many differ at an edge |
 //! | the same with `RAYBOOK_BLESS=1` before it | writes the sample anew |
 //!
@@ -42,4 +43,5 @@ pub mod questions;
 pub mod rays;
 pub mod sample;
 pub mod shapes;
+pub mod student;
 pub mod tally;

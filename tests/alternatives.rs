@@ -1,0 +1,105 @@
+//! The judges are fair: programs that are right by another method pass, and programs that are a little wrong do not.
+//!
+//! Everything goes by lines of text, as between `raybook check` and a student's program.
+
+#![allow(clippy::unnecessary_wraps)] // an answer may be none, if not in every exercise
+
+#[path = "alternatives/flat.rs"]
+mod flat;
+#[path = "alternatives/light.rs"]
+mod light;
+#[path = "alternatives/mesh.rs"]
+mod mesh;
+#[path = "alternatives/numbers.rs"]
+mod numbers;
+#[path = "alternatives/sphere.rs"]
+mod sphere;
+#[path = "alternatives/student.rs"]
+mod student;
+#[path = "alternatives/triangle.rs"]
+mod triangle;
+#[path = "alternatives/wrong.rs"]
+mod wrong;
+
+use raybook::grade::cases;
+use raybook::grade::examine::{Case, Examiner, visible_rng};
+use raybook::grade::hidden::Key;
+use student::{Alternative, STYLES};
+
+/// So many students' hidden cases are tried.
+const KEYS: usize = 20;
+
+/// The exercises of which at least two alternatives are asked.
+const HITS: [&str; 5] = [
+    "sphere_hit",
+    "plane_hit",
+    "box_clip",
+    "triangle_hit",
+    "mesh_hit",
+];
+
+#[test]
+fn programs_that_are_right_by_another_method_pass_every_case() {
+    for Alternative { exercise, .. } in alternatives() {
+        assert!(cases::find(exercise).is_some(), "there is no `{exercise}`");
+    }
+    let mut unfair = Vec::new();
+    for examiner in cases::all() {
+        let name = examiner.name();
+        let others: Vec<_> = alternatives()
+            .filter(|other| other.exercise == name)
+            .collect();
+        let needed = if HITS.contains(&name) { 2 } else { 1 };
+        assert!(
+            others.len() >= needed,
+            "{name}: {} alternatives; {needed} are needed",
+            others.len()
+        );
+        let cases = all_cases(examiner);
+        for other in others {
+            for case in &cases {
+                for (style, print) in STYLES {
+                    let got = other.answer_line(&case.question, print);
+                    if let Err(why) = examiner.judge(&case.question, &case.answers, &got) {
+                        unfair.push(format!(
+                            "{name}, {}, numbers {style}; {}: {}\n  right {:?}\n  got   {got}\n  {why}",
+                            other.method, case.name, case.question, case.answers
+                        ));
+                    }
+                }
+            }
+        }
+    }
+    assert!(
+        unfair.is_empty(),
+        "{} right answers are called wrong, such as\n{}",
+        unfair.len(),
+        unfair[..unfair.len().min(10)].join("\n")
+    );
+}
+
+fn alternatives() -> impl Iterator<Item = &'static Alternative> {
+    [
+        light::ALTERNATIVES,
+        sphere::ALTERNATIVES,
+        flat::ALTERNATIVES,
+        triangle::ALTERNATIVES,
+        mesh::ALTERNATIVES,
+    ]
+    .into_iter()
+    .flatten()
+}
+
+/// The visible cases, and the hidden ones of some students.
+fn all_cases(examiner: &dyn Examiner) -> Vec<Case> {
+    let mut cases = examiner.cases(&mut visible_rng(examiner.name())).cases;
+    for student in 0..KEYS {
+        let key = Key {
+            course: "another course's secret".into(),
+            term: "spring".into(),
+            student: format!("student {student}"),
+        };
+        cases.extend(examiner.cases(&mut key.rng(examiner.name())).cases);
+    }
+    cases
+}

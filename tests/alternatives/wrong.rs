@@ -1,0 +1,122 @@
+//! Programs that are a little wrong, each in a way of its own: none of them is in the lists of mistakes.
+
+use crate::all_cases;
+use crate::student::{STYLES, line};
+use glam::DVec3;
+use raybook::grade::cases;
+use raybook::grade::examine::{Case, Examiner};
+
+/// Exercises, what is wrong with the answers, and how a right one is spoilt.
+type Wrong = (&'static [&'static str], &'static str, fn(&mut [f64]));
+
+const CAMERA: &[&str] = &["camera_ray"];
+const COLOURS: &[&str] = &["expose", "tone_map"];
+const DIRECTIONS: &[&str] = &["sphere_normal", "triangle_normal", "interpolate_normal"];
+const HITS: &[&str] = &crate::HITS;
+
+const WRONGS: &[Wrong] = &[
+    (&["ray_at"], "1 % too far", |p| scale(p, 1.01)),
+    (CAMERA, "turned by 1°", |ray| turn(&mut ray[3..])),
+    (CAMERA, "1 cm to the right", |ray| ray[0] += 0.01),
+    (COLOURS, "1 % too bright", |c| scale(c, 1.01)),
+    (COLOURS, "blue is red", |c| c[2] = c[0]),
+    (&["encode_srgb"], "a byte too dark", |code| {
+        code[0] -= 1.0 / 255.0;
+    }),
+    (&["solve_quadratic"], "1 % too large", |t| scale(t, 1.01)),
+    (HITS, "t is 1 % too large", |t| t[0] *= 1.01),
+    (HITS, "t is NaN", |t| t[0] = f64::NAN),
+    (&["box_clip"], "leaves 1 % too late", |t| t[1] *= 1.01),
+    (&["bounds_of"], "a millimetre too large", |b| b[4] += 1e-3),
+    (&["bounds_of"], "ends at 1", |b| b[3] = 1.0),
+    (&["triangle_hit"], "b1 is off by 0.01", |hit| hit[1] += 0.01),
+    (&["triangle_hit"], "b2 is off by 0.01", |hit| hit[2] -= 0.01),
+    (DIRECTIONS, "turned by 1°", |n| turn(n)),
+    (DIRECTIONS, "1 % too long", |n| scale(n, 1.01)),
+    (&["interpolate_texture"], "v is off by 0.01", |uv| {
+        uv[1] += 0.01;
+    }),
+    (&["vertex_normals"], "the last is turned by 1°", |normals| {
+        turn(normals.last_chunk_mut::<3>().expect("a normal"));
+    }),
+    (&["mesh_hit"], "ids count from 1", |hit| hit[1] += 1.0),
+];
+
+/// Of so many answers that are spoilt, in percent, all these must be noticed: 1 % of 0 is right.
+const NOTICED: usize = 90;
+
+#[test]
+fn programs_that_are_a_little_wrong_fail_nearly_everywhere() {
+    for examiner in cases::all() {
+        let name = examiner.name();
+        let cases = all_cases(examiner);
+        let wrongs: Vec<_> = WRONGS.iter().filter(|w| w.0.contains(&name)).collect();
+        assert!(!wrongs.is_empty(), "{name}: try a wrong program");
+        for (_, what, spoil) in wrongs {
+            let spoilt = |case: &Case| {
+                let numbers = case.answers[0].split_whitespace().map(str::parse);
+                let mut numbers = numbers.collect::<Result<Vec<_>, _>>().ok()?;
+                spoil(&mut numbers);
+                Some(line(&Some(numbers), STYLES[0].1))
+            };
+            let (noticed, all) = count(examiner, &cases, spoilt);
+            println!("{name:20} {what:26} {noticed} of {all}");
+            assert!(
+                all >= 100 && 100 * noticed >= NOTICED * all,
+                "{name}, {what}: only {noticed} of {all} are called wrong"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_program_that_says_the_same_to_everything_fails_nearly_everywhere() {
+    for examiner in cases::all() {
+        let cases = all_cases(examiner);
+        for same in ["none", cases[0].answers[0].as_str()] {
+            let (noticed, all) = count(examiner, &cases, |case| {
+                (case.answers[0] != same).then(|| same.to_owned())
+            });
+            let name = examiner.name();
+            println!("{name:20} always {same:26} {noticed} of {all}");
+            // Not all: 0.24999999 is another answer than 0.25, and as right.
+            assert!(
+                100 * noticed >= 97 * all,
+                "{name}: `{same}` is called right for {} other answers",
+                all - noticed
+            );
+            assert!(
+                4 * all >= cases.len(),
+                "{name}: {} of {} answers are `{same}`",
+                cases.len() - all,
+                cases.len()
+            );
+        }
+    }
+}
+
+/// How many of the answers are called wrong, and how many there are.
+fn count(
+    examiner: &dyn Examiner,
+    cases: &[Case],
+    answer: impl Fn(&Case) -> Option<String>,
+) -> (usize, usize) {
+    let verdicts = cases
+        .iter()
+        .filter_map(|case| Some(examiner.judge(&case.question, &case.answers, &answer(case)?)));
+    let (wrong, right): (Vec<_>, Vec<_>) = verdicts.partition(Result::is_err);
+    (wrong.len(), wrong.len() + right.len())
+}
+
+fn scale(numbers: &mut [f64], by: f64) {
+    for number in numbers {
+        *number *= by;
+    }
+}
+
+/// Turns the direction in three numbers by 1°.
+fn turn(direction: &mut [f64]) {
+    let d = DVec3::from_slice(direction).normalize();
+    let (sin, cos) = 1.0_f64.to_radians().sin_cos();
+    (cos * d + sin * d.any_orthonormal_vector()).write_to_slice(direction);
+}

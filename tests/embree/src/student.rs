@@ -1,0 +1,138 @@
+//! Embree as a student: it answers the workbook's questions about hits, by lines.
+
+use crate::embree::{Embree, Mode};
+use crate::oracle::judge::Answer;
+use crate::oracle::meshes;
+use crate::oracle::target::Solid;
+use glam::Vec3;
+use raybook::math::{aabb::Aabb, basis::Basis, interval::Interval, ray::Ray};
+use raybook::shape::{mesh::Mesh, sphere::Sphere};
+use raybook::workbook::exercises::ch03_sphere::SphereHitQuestion;
+use raybook::workbook::exercises::ch04_plane::PlaneHitQuestion;
+use raybook::workbook::exercises::ch05_box::BoxClipQuestion;
+use raybook::workbook::exercises::ch06_triangle::{TriangleHitAnswer, TriangleHitQuestion};
+use raybook::workbook::exercises::ch07_mesh::{MeshHitAnswer, MeshHitQuestion};
+use raybook::workbook::row::{Row, RowError, read};
+
+/// What Embree answers to a question's line; an error if it cannot be asked.
+pub type Student = fn(&Embree, &str) -> Result<String, String>;
+
+/// The exercises, and how Embree does them.
+pub const STUDENTS: [(&str, Student); 5] = [
+    ("sphere_hit", sphere_hit),
+    ("plane_hit", plane_hit),
+    ("box_clip", box_clip),
+    ("triangle_hit", triangle_hit),
+    ("mesh_hit", mesh_hit),
+];
+
+fn question<Q: Row>(line: &str) -> Result<Q, String> {
+    read(line, "question").map_err(|error: RowError| error.to_string())
+}
+
+fn ask(
+    embree: &Embree,
+    solid: &Solid,
+    ray: &Ray,
+    within: Interval,
+) -> Result<Option<Answer>, String> {
+    // Robust: no ray slips through the edge between two triangles of a face.
+    Ok(embree.scene(solid, Mode::Robust)?.closest(ray, within))
+}
+
+/// Triangles, each with corners of its own.
+fn triangles(corners: &[[Vec3; 3]]) -> Result<Solid, String> {
+    let indices = (0..corners.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]);
+    let mesh = Mesh::new(corners.concat(), indices.collect(), None, None);
+    mesh.map(Solid::Triangles)
+        .map_err(|error| error.to_string())
+}
+
+fn sphere_hit(embree: &Embree, line: &str) -> Result<String, String> {
+    let SphereHitQuestion {
+        ray,
+        within,
+        center,
+        radius,
+    } = question(line)?;
+    let solid = Solid::Sphere(Sphere::new(center, radius));
+    Ok(ask(embree, &solid, &ray, within)?.map(|hit| hit.t).write())
+}
+
+/// The plane is two triangles, a square around the ray's foot; it reaches farther than all but parallel rays.
+fn plane_hit(embree: &Embree, line: &str) -> Result<String, String> {
+    let PlaneHitQuestion {
+        ray,
+        within,
+        normal,
+        offset,
+    } = question(line)?;
+    let height = normal.dot(ray.origin) - offset;
+    let reach = (height / normal.dot(*ray.direction)).abs();
+    let half = (2.0 + 2.0 * reach).min(1e6); // where this is NaN, the ray is in the plane
+    let Basis { x, y, z } = Basis::around(normal);
+    let corner = |(i, j): (f32, f32)| ray.origin - height * *z + half * (i * *x + j * *y);
+    let [a, b, c, d] = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(corner);
+    let hit = ask(embree, &triangles(&[[a, b, c], [a, c, d]])?, &ray, within)?;
+    Ok(hit.map(|hit| hit.t).write())
+}
+
+/// The box is twelve triangles, asked from both ends of a long stretch of the line: where it enters, and where it leaves.
+fn box_clip(embree: &Embree, line: &str) -> Result<String, String> {
+    const AWAY: f32 = 32.0;
+    let BoxClipQuestion {
+        ray,
+        within,
+        min,
+        max,
+    } = question(line)?;
+    let solid =
+        Solid::Triangles(meshes::around(Aabb { min, max }).map_err(|error| error.to_string())?);
+    let first = |from: f32, direction| {
+        let hit = ask(
+            embree,
+            &solid,
+            &Ray::new(ray.at(from), direction),
+            Interval::AHEAD,
+        );
+        hit.map(|hit| hit.map(|hit| hit.t - AWAY))
+    };
+    let ends = first(-AWAY, ray.direction)?.zip(first(AWAY, -ray.direction)?);
+    let inside =
+        ends.map(|(enter, leave)| Interval::new(enter.max(within.min), within.max.min(-leave)));
+    Ok(inside.filter(|inside| inside.min <= inside.max).write())
+}
+
+fn triangle_hit(embree: &Embree, line: &str) -> Result<String, String> {
+    let TriangleHitQuestion {
+        ray,
+        within,
+        p0,
+        p1,
+        p2,
+    } = question(line)?;
+    let hit = ask(embree, &triangles(&[[p0, p1, p2]])?, &ray, within)?;
+    Ok(hit
+        .map(|hit| TriangleHitAnswer {
+            t: hit.t,
+            b1: hit.uv.x,
+            b2: hit.uv.y,
+        })
+        .write())
+}
+
+fn mesh_hit(embree: &Embree, line: &str) -> Result<String, String> {
+    let MeshHitQuestion {
+        ray,
+        within,
+        triangles: list,
+    } = question(line)?;
+    let corners: Vec<_> = list.iter().map(|t| [t.p0, t.p1, t.p2]).collect();
+    let hit = ask(embree, &triangles(&corners)?, &ray, within)?;
+    Ok(hit
+        .map(|hit| MeshHitAnswer {
+            t: hit.t,
+            id: hit.id,
+        })
+        .write())
+}

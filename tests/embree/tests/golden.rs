@@ -1,0 +1,106 @@
+//! The workbook's golden answers are Embree's: it takes the exercises of hits like a student, and is judged by the same judge.
+
+use raybook::grade::cases::find;
+use raybook::grade::examine::{Case, Examiner, visible_rng};
+use raybook::grade::hidden::Key;
+use raybook_embree::embree::Embree;
+use raybook_embree::student::STUDENTS;
+
+/// So many students' hidden cases are asked beside the visible ones.
+const KEYS: usize = 5;
+
+/// Named cases to which Embree answers otherwise, and why nobody is wrong.
+const OTHERWISE: &[(&str, &str, &str)] = &[(
+    "mesh_hit",
+    "an empty list",
+    "Embree takes no buffer without triangles, so it is not asked",
+)];
+
+#[test]
+fn embree_confirms_the_golden_answers() {
+    let embree = Embree::new().expect("Embree works");
+    println!("exercise       cases   hits  confirmed  otherwise");
+    for (exercise, answer) in STUDENTS {
+        let examiner = find(exercise).expect("an exercise");
+        let cases = cases(examiner);
+        let (mut confirmed, mut hits, mut otherwise) = (0, 0, vec![]);
+        for case in &cases {
+            hits += usize::from(case.answers[0] != "none");
+            let verdict = answer(&embree, &case.question).and_then(|said| {
+                let verdict = examiner.judge(&case.question, &case.answers, &said);
+                verdict.map_err(|why| format!("{why}: Embree says {said}"))
+            });
+            match verdict {
+                Ok(()) => confirmed += 1,
+                Err(_) if is_listed(exercise, case) => otherwise.push(case.name.as_str()),
+                Err(why) => panic!(
+                    "{exercise}, {}: {} is answered {:?}, but {why}",
+                    case.name, case.question, case.answers
+                ),
+            }
+        }
+        println!(
+            "{exercise:13} {:6} {hits:6} {confirmed:10} {:10}",
+            cases.len(),
+            otherwise.len()
+        );
+        assert!(
+            10 * confirmed >= 9 * cases.len() && 4 * hits >= cases.len(),
+            "{exercise}: too few cases say something"
+        );
+        for (_, name, _) in OTHERWISE.iter().filter(|(listed, ..)| *listed == exercise) {
+            assert!(
+                otherwise.contains(name),
+                "{exercise}, {name}: Embree agrees; take it off the list"
+            );
+        }
+    }
+}
+
+#[test]
+fn embree_contradicts_the_golden_answers_of_every_mistake() {
+    let embree = Embree::new().expect("Embree works");
+    for (exercise, answer) in STUDENTS {
+        let examiner = find(exercise).expect("an exercise");
+        let cases = examiner.cases(&mut visible_rng(exercise)).cases;
+        let cases = cases.iter().filter(|case| !is_listed(exercise, case));
+        let said: Vec<_> = cases
+            .map(|case| {
+                (
+                    &case.question,
+                    answer(&embree, &case.question).expect("an answer"),
+                )
+            })
+            .collect();
+        for (i, (mistake, _)) in examiner.mistakes().into_iter().enumerate() {
+            let mut contradicted = said.iter().filter(|(question, said)| {
+                let golden = examiner.mistaken(i, question).expect("a question");
+                examiner.judge(question, &[golden], said).is_err()
+            });
+            assert!(
+                contradicted.next().is_some(),
+                "{exercise}: if the reference {mistake}, Embree must contradict it"
+            );
+        }
+    }
+}
+
+fn is_listed(exercise: &str, case: &Case) -> bool {
+    OTHERWISE
+        .iter()
+        .any(|(listed, name, _)| *listed == exercise && *name == case.name)
+}
+
+/// The visible cases, and the hidden ones of some students.
+fn cases(examiner: &dyn Examiner) -> Vec<Case> {
+    let mut cases = examiner.cases(&mut visible_rng(examiner.name())).cases;
+    for student in 0..KEYS {
+        let key = Key {
+            course: "Embree's course".into(),
+            term: "summer".into(),
+            student: student.to_string(),
+        };
+        cases.extend(examiner.cases(&mut key.rng(examiner.name())).cases);
+    }
+    cases
+}

@@ -30,6 +30,11 @@ fn rows_go_there_and_back() {
     there_and_back(&Ray::new(Vec3::ZERO, -Dir3::Z), "0 0 0  -0 -0 -1");
     there_and_back(&Rgb::new(0.1, 2.0, 3.0), "0.1 2 3");
     there_and_back(&None::<f32>, "none");
+    assert_eq!(
+        read::<Option<f32>>("None", "t"),
+        Ok(None),
+        "as Python prints it"
+    );
     there_and_back(&Some(Vec2::ONE), "1 1");
     there_and_back(&vec![1_u32, 7], "2  1  7");
     let mesh = MeshQuestion {

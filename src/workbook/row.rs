@@ -111,10 +111,12 @@ impl<'a> Words<'a> {
         })
     }
 
-    /// Whether the next word is this one; then it is taken.
+    /// Whether the next word is this one, in small or capital letters (Python prints `None`); then it is taken.
     pub fn take(&mut self, word: &str) -> bool {
         let mut ahead = self.rest.clone();
-        let found = ahead.next() == Some(word);
+        let found = ahead
+            .next()
+            .is_some_and(|next| next.eq_ignore_ascii_case(word));
         if found {
             self.rest = ahead;
             self.taken += 1;

@@ -142,16 +142,3 @@ fn with_a_thirty_second_of_the_error_rays_do_find_the_surface_again() {
         );
     }
 }
-
-/// Prints how many rays find their surface again, by the factor in `ROUNDING`: the figures in its comment.
-#[test]
-#[ignore = "a measurement of some minutes: cargo test --release --test laws -- --ignored --nocapture"]
-fn measure_the_factor_in_rounding() {
-    let stated = raybook::shape::ROUNDING / (f32::EPSILON / 2.0);
-    for (name, both_sides, make) in SHAPES {
-        for factor in [1.0, 2.0, 4.0] {
-            let found = found_again(make, both_sides, factor / stated, 2_000_000);
-            println!("{name}: factor {factor}: {found} of 2000000");
-        }
-    }
-}

@@ -50,7 +50,7 @@ fn nearest(spheres: &[Sphere], ray: &Ray) -> Option<Dir3> {
     for sphere in spheres {
         if let Some(hit) = sphere.hit(ray, within) {
             within = within.before(hit.t);
-            normal = Some(sphere.surface(ray, &hit).normal);
+            normal = Some(sphere.normal_at(ray.at(hit.t)));
         }
     }
     normal

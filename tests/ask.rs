@@ -190,6 +190,16 @@ fn too_many_answers_are_noticed() {
 }
 
 #[test]
+fn endless_answers_are_stopped() {
+    let said = replies("yes '= 1'", 2);
+    assert_eq!(
+        said,
+        vec![Said::TooMany(2); 2],
+        "each question alone gets more than one answer"
+    );
+}
+
+#[test]
 fn todo_panic_and_error_are_understood() {
     let said = replies(
         "read q; echo '= todo sphere_hit'; read q; echo '= panic index out of range'; read q; echo '= error no'",
@@ -212,6 +222,10 @@ fn no_child_is_left_behind() {
         1,
     );
     replies(&format!("sleep {seconds} & sleep {seconds}"), 1);
+    replies(
+        &format!("setsid sleep {seconds} & while read q; do echo \"= $q\"; done"),
+        1,
+    );
     let alive = std::fs::read_dir("/proc")
         .into_iter()
         .flatten()

@@ -186,23 +186,27 @@ fn each_exercise_stubbed_alone_is_the_only_one_that_turns_todo() {
 
 #[test]
 fn the_chapters_run_on_the_students_functions() {
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    // Everything written, but the sphere's normal points inwards.
-    write(folder.path(), &|function: &Anchored<'_>| {
+    let draw = |rewrite: &dyn Fn(&Anchored<'_>) -> Option<String>| {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        write(folder.path(), rewrite);
+        let chapter = build(folder.path(), "ch03_sphere");
+        let status = std::process::Command::new(&chapter.file)
+            .args(["--width", "64", "--samples", "1", "--out"])
+            .arg(folder.path().join("out"))
+            .status()
+            .expect("the chapter runs");
+        assert!(status.success(), "the student's chapter draws");
+        raybook::image::file::load(&folder.path().join("out/ch03_sphere/picture.exr"))
+            .expect("and writes its picture")
+    };
+    let right = draw(&|_| None);
+    let inwards = draw(&|function: &Anchored<'_>| {
         (function.name == "sphere_normal")
             .then(|| function.text.replace("p - self.center", "self.center - p"))
     });
-    let chapter = build(folder.path(), "ch03_sphere");
-    let out = tempfile::tempdir().expect("a temporary folder");
-    let status = std::process::Command::new(&chapter.file)
-        .args(["--width", "64", "--samples", "1", "--out"])
-        .arg(out.path())
-        .status()
-        .expect("the chapter runs");
-    assert!(status.success(), "the student's chapter draws");
     assert!(
-        out.path().join("ch03_sphere/picture.png").is_file(),
-        "and writes its picture"
+        right != inwards,
+        "a normal that points inwards is seen in the chapter's picture"
     );
 }
 

@@ -3,6 +3,7 @@
 use super::{Done, Target};
 use raybook::grade::golden;
 use raybook::image::file;
+use raybook::lab::say::say;
 use std::path::PathBuf;
 
 /// Writes `golden/<chapter>/<exercise>.txt`; run it in the project's folder.
@@ -29,11 +30,11 @@ impl Bless {
             let path: PathBuf = golden.join(path);
             file::write_whole(&path, text.as_bytes())?;
             let percent = 100.0 * cases.thrown_away_fraction();
-            println!(
+            say(format!(
                 "{}: {} cases; {percent:.0} % of the random questions thrown away",
                 path.display(),
                 cases.cases.len()
-            );
+            ));
         }
         Ok(true)
     }

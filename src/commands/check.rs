@@ -8,9 +8,11 @@ use raybook::grade::converse::{Limits, Program};
 use raybook::grade::dress::Dress;
 use raybook::grade::examine::{Examiner, visible_rng};
 use raybook::grade::hidden::Key;
+use raybook::grade::picture::ask_pixels;
 use raybook::grade::progress::Progress;
 use raybook::grade::{json, student};
 use raybook::image::file;
+use raybook::lab::say::say;
 use raybook::lab::sheet::sheet;
 use std::error::Error;
 use std::io::IsTerminal;
@@ -38,21 +40,14 @@ pub struct Check {
     #[arg(long, default_value = "", requires = "key")]
     term: String,
     /// How long to wait for one answer, in seconds
-    #[arg(long, default_value_t = 2.0, value_parser = seconds)]
+    #[arg(long, default_value_t = 2.0, value_parser = super::seconds)]
     time_limit: f32,
     /// Print JSON (its fields are described in `raybook::grade::json`)
     #[arg(long)]
     json: bool,
-    /// No colours and no symbols beyond ASCII
+    /// No colours and no symbols in front of words
     #[arg(long)]
     plain: bool,
-}
-
-fn seconds(text: &str) -> Result<f32, String> {
-    text.parse()
-        .ok()
-        .filter(|&s| s > 0.0 && s <= 3600.0)
-        .ok_or_else(|| "a number of seconds, above 0 and at most 3600".to_owned())
 }
 
 impl Check {
@@ -66,7 +61,10 @@ impl Check {
         let bar = ProgressBar::new(examiners.len() as u64);
         let mut reports = Vec::new();
         for examiner in &examiners {
-            let report = self.examine(&program, *examiner)?;
+            let mut report = self.examine(&program, *examiner)?;
+            if folder.is_some() && self.case.is_none() && report.answers() {
+                report.pictures = ask_pixels(&program, *examiner, self.limits())?;
+            }
             let picture = self.keep_picture(&report, folder.as_deref())?;
             reports.push((report, picture));
             bar.inc(1);
@@ -76,13 +74,12 @@ impl Check {
             Progress::remember(folder, reports.iter().map(|(report, _)| report))?;
         }
         if self.json {
-            println!("{:#}", json::results(&reports));
+            say(format!("{:#}", json::results(&reports)));
         } else {
-            let again = |exercise: &str| self.again(exercise);
             let whole = self.case.is_none();
             Telling {
                 folder: folder.as_deref().filter(|_| whole),
-                again: &again,
+                again: &|exercise| self.again(exercise),
                 dress: self.dress(),
             }
             .tell(&reports, whole)?;
@@ -95,7 +92,6 @@ impl Check {
     /// The program to ask, and the workbook it is of, if it is.
     fn program(&self, from: &Path) -> Result<(Program, Option<PathBuf>), Box<dyn Error>> {
         if let Some(file) = &self.program {
-            // A bare name would be looked for on the PATH.
             let file = std::path::absolute(file)?;
             return Ok((
                 Program {
@@ -135,12 +131,15 @@ impl Check {
                 )
             })?];
         }
-        let limits = Limits {
-            time: Duration::from_secs_f32(self.time_limit),
-            output: 1 << 20,
-        };
-        check(program, examiner, cases, limits)
+        check(program, examiner, cases, self.limits())
             .map_err(|e| format!("{}: cannot be run: {e}", program.file.display()).into())
+    }
+
+    fn limits(&self) -> Limits {
+        Limits {
+            time: Duration::from_secs_f32(self.time_limit),
+            ..Limits::default()
+        }
     }
 
     /// Writes the pictures of one exercise side by side; returns the file.
@@ -169,21 +168,25 @@ impl Check {
         Ok(Some(path))
     }
 
-    /// The command that asks one of these cases again, but for its number.
+    /// The command that asks a case of an exercise again, but for its number: what was typed, with this exercise only.
     fn again(&self, exercise: &str) -> String {
-        let program = self
-            .program
-            .as_ref()
-            .map(|file| format!(" --program {}", file.display()));
-        let hidden = self
-            .student
-            .as_ref()
-            .map(|student| format!(" --key … --student {student}"));
-        format!(
-            "raybook check {exercise}{}{}",
-            program.unwrap_or_default(),
-            hidden.unwrap_or_default()
-        )
+        let mut words = vec!["raybook check".to_owned(), exercise.to_owned()];
+        words.extend(self.target.folder().map(|folder| format!("{folder:?}")));
+        words.extend(
+            self.program
+                .as_ref()
+                .map(|file| format!("--program {}", file.display())),
+        );
+        if let Some(student) = &self.student {
+            words.push(format!(
+                "--key … --term {:?} --student {student:?}",
+                self.term
+            ));
+        }
+        if self.limits() != Limits::default() {
+            words.push(format!("--time-limit {}", self.time_limit));
+        }
+        words.join(" ")
     }
 
     fn dress(&self) -> Dress {

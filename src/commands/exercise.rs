@@ -2,6 +2,7 @@
 
 use super::{Done, Target};
 use raybook::grade::describe::describe;
+use raybook::lab::say::say;
 
 /// Describes exercises.
 #[derive(clap::Args)]
@@ -15,7 +16,7 @@ impl Exercise {
     pub fn run(&self) -> Done {
         let (_, examiners) = self.target.resolve()?;
         let texts: Vec<_> = examiners.into_iter().map(describe).collect();
-        print!("{}", texts.join("\n"));
+        say(texts.join("\n"));
         Ok(true)
     }
 }

@@ -5,7 +5,7 @@ use raybook::grade::check::{State, check};
 use raybook::grade::converse::Limits;
 use raybook::grade::examine::visible_rng;
 use raybook::grade::{library, student};
-use std::time::Duration;
+use raybook::lab::say::say;
 
 /// Hints at what is wrong.
 #[derive(clap::Args)]
@@ -19,10 +19,7 @@ impl Hint {
     pub fn run(&self) -> Done {
         let (from, examiners) = self.target.resolve()?;
         let program = student::build(&student::workbook(&from)?)?;
-        let limits = Limits {
-            time: Duration::from_secs(2),
-            output: 1 << 20,
-        };
+        let limits = Limits::default();
         for examiner in examiners {
             let report = check(
                 &program,
@@ -34,25 +31,27 @@ impl Hint {
             match (report.state(), &report.diagnosis, report.first_wrong()) {
                 (State::Right, ..) => continue,
                 (State::NotStarted, ..) => {
-                    println!(
+                    say(format!(
                         "{name}: {}\nWrite it in {}.",
                         examiner.task(),
                         library::place(name).unwrap_or_default()
-                    );
+                    ));
                 }
                 (State::WaitsFor(other), ..) => {
-                    println!("{name} calls {other}, which you have not written yet.");
+                    say(format!(
+                        "{name} calls {other}, which you have not written yet."
+                    ));
                 }
-                (State::Wrong, Some(diagnosis), _) => println!("{name}: {}", diagnosis.hint),
+                (State::Wrong, Some(diagnosis), _) => say(format!("{name}: {}", diagnosis.hint)),
                 (State::Wrong, None, first) => {
                     let (case, why) =
                         first.map_or(("", ""), |(outcome, why)| (outcome.case.name.as_str(), why));
-                    println!("{name}: think of the case \"{case}\": {why}.");
+                    say(format!("{name}: think of the case \"{case}\": {why}."));
                 }
             }
             return Ok(true);
         }
-        println!("Nothing to hint at: everything that was asked for is right.");
+        say("Nothing to hint at: everything that was asked for is right.");
         Ok(true)
     }
 }

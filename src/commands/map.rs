@@ -2,6 +2,7 @@
 
 use raybook::grade::progress::Progress;
 use raybook::grade::student;
+use raybook::lab::say::say;
 use raybook::workbook::curriculum::{CHAPTERS, Chapter};
 use std::path::Path;
 
@@ -10,17 +11,17 @@ pub fn print() {
     let progress = student::workbook(Path::new("."))
         .ok()
         .map(|folder| Progress::load(&folder));
-    println!("raybook: a ray-tracing course that you can run\n");
+    say("raybook: a ray-tracing course that you can run\n");
     for chapter in CHAPTERS {
         let done = progress
             .as_ref()
             .map_or_else(String::new, |progress| standing(chapter, progress));
-        println!(
+        say(format!(
             "  {:2}  {:<20} {done}{}",
             chapter.number(),
             chapter.title(),
             chapter.teaches()
-        );
+        ));
     }
     if let Some(progress) = progress {
         let all = CHAPTERS.iter().flat_map(Chapter::exercises);
@@ -28,16 +29,16 @@ pub fn print() {
             .into_iter()
             .find(|exercise| !progress.is_right(exercise.name()))
         {
-            Some(exercise) => println!("\nNext: raybook check {}", exercise.name()),
-            None => println!("\nEvery exercise is right."),
+            Some(exercise) => say(format!("\nNext: raybook check {}", exercise.name())),
+            None => say("\nEvery exercise is right."),
         }
     } else {
-        println!("\nNext: see every chapter's pictures   cargo run --release -- tour");
-        println!(
+        say("\nNext: see every chapter's pictures   cargo run --release -- tour");
+        say(format!(
             "      draw one chapter               cargo run --release --bin {}",
             CHAPTERS[0].name
-        );
-        println!("      write your own ray tracer      cargo run --release -- new ../my-rays");
+        ));
+        say("      write your own ray tracer      cargo run --release -- new ../my-rays");
     }
 }
 

@@ -15,7 +15,7 @@ use raybook::grade::examine::Examiner;
 use raybook::workbook::curriculum::CHAPTERS;
 use raybook::workbook::exercise::Asked;
 use std::error::Error;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Whether everything that was asked for is right; else the exit code is 1.
 pub type Done = Result<bool, Box<dyn Error>>;
@@ -32,6 +32,14 @@ pub struct Target {
 }
 
 impl Target {
+    /// The folder, if one was named.
+    pub fn folder(&self) -> Option<&str> {
+        self.what
+            .iter()
+            .map(String::as_str)
+            .find(|word| exercises_of(word).is_empty() && Path::new(word).is_dir())
+    }
+
     /// The folder, and the exercises in the order of the course.
     ///
     /// # Errors
@@ -70,4 +78,12 @@ fn exercises_of(word: &str) -> Vec<&'static str> {
             .collect()
     });
     of_chapter.unwrap_or_else(|| cases::find(word).map(Asked::name).into_iter().collect())
+}
+
+/// A time limit in seconds.
+fn seconds(text: &str) -> Result<f32, String> {
+    text.parse()
+        .ok()
+        .filter(|&s| s > 0.0 && s <= 3600.0)
+        .ok_or_else(|| "a number of seconds, above 0 and at most 3600".to_owned())
 }

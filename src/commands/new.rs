@@ -2,6 +2,7 @@
 
 use super::Done;
 use raybook::grade::{cases, starter};
+use raybook::lab::say::say;
 use std::path::PathBuf;
 
 /// Makes a workbook folder.
@@ -15,16 +16,16 @@ impl New {
     /// Makes it, and says what to do next.
     pub fn run(&self) -> Done {
         starter::create(&self.folder)?;
-        println!(
+        say(format!(
             "made {}, with {} exercises:\n",
             self.folder.display(),
             cases::all().len()
-        );
-        print!("{}", starter::course_map());
-        println!(
+        ));
+        say(starter::course_map().trim_end());
+        say(format!(
             "\nNext:  cd {}\n       raybook check        (the first time, this compiles for a minute)",
             self.folder.display()
-        );
+        ));
         Ok(true)
     }
 }

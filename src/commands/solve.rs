@@ -3,8 +3,10 @@
 use super::{Done, Target};
 use raybook::grade::{library, student};
 use raybook::image::file;
+use raybook::lab::say::say;
 use std::collections::BTreeSet;
 use std::fs;
+use std::path::{Path, PathBuf};
 
 /// Copies in the reference; what was there is kept.
 #[derive(clap::Args)]
@@ -29,26 +31,35 @@ impl Solve {
         for place in places {
             let reference = library::reference_file(&place)
                 .ok_or_else(|| format!("{place} has no reference"))?;
-            let (path, kept) = (
-                folder.join(&place),
-                folder.join(".raybook/yours").join(&place),
-            );
+            let path = folder.join(&place);
             match fs::read(&path) {
                 Ok(yours) if yours == reference.as_bytes() => {
-                    println!("{place} is the reference already");
+                    say(format!("{place} is the reference already"));
                     continue;
                 }
                 Ok(yours) => {
+                    let kept = unused(&folder.join(".raybook/yours").join(&place));
                     file::write_whole(&kept, &yours)?;
-                    println!(
+                    say(format!(
                         "{place} is now the reference; yours is kept in {}",
                         kept.display()
-                    );
+                    ));
                 }
-                Err(_) => println!("{place} is now the reference"),
+                Err(_) => say(format!("{place} is now the reference")),
             }
             file::write_whole(&path, reference.as_bytes())?;
         }
         Ok(true)
     }
+}
+
+/// The path, or with `.2`, `.3`, … after it the first at which there is nothing yet.
+fn unused(path: &Path) -> PathBuf {
+    let mut free = path.to_owned();
+    let mut number = 1;
+    while free.exists() {
+        number += 1;
+        free = PathBuf::from(format!("{}.{number}", path.display()));
+    }
+    free
 }

@@ -5,6 +5,7 @@ use raybook::grade::dress::Dress;
 use raybook::grade::examine::Examiner;
 use raybook::grade::{cases, feedback, library};
 use raybook::image::file;
+use raybook::lab::say::say;
 use raybook::workbook::curriculum::{CHAPTERS, Chapter};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -38,10 +39,10 @@ impl Telling<'_> {
             && let Some(examiner) = cases::find(report.exercise)
         {
             let again = (self.again)(report.exercise);
-            print!(
+            say(format!(
                 "\n{}",
                 feedback::explain(report, examiner, picture.as_deref(), &again, self.dress)
-            );
+            ));
         } else if !whole {
             for (report, examiner) in reports
                 .iter()
@@ -55,11 +56,11 @@ impl Telling<'_> {
                 .iter()
                 .filter(|(report, _)| report.state() == State::Right)
                 .count();
-            println!(
+            say(format!(
                 "\n{right} of {} exercises are right.\n{}",
                 reports.len(),
                 next_step(reports)
-            );
+            ));
         }
         Ok(())
     }
@@ -79,9 +80,22 @@ impl Telling<'_> {
         if of_chapter.is_empty() {
             return Ok(());
         }
-        println!("{} {}", chapter.number(), chapter.title());
+        say(format!("{} {}", chapter.number(), chapter.title()));
         for report in &of_chapter {
-            println!("  {}", feedback::line(report, self.dress));
+            say(format!("  {}", feedback::line(report, self.dress)));
+            let picture = reports
+                .iter()
+                .find(|(of, _)| of.exercise == report.exercise)
+                .and_then(|(_, picture)| picture.as_ref());
+            if let (Some(picture), State::Right) = (picture, report.state()) {
+                let bad = report.pictures.as_ref().map_or(0, |pictures| pictures.bad);
+                let but = if bad > 0 {
+                    format!(", in which {bad} pixels are wrong")
+                } else {
+                    String::new()
+                };
+                say(format!("    your picture: {}{but}", picture.display()));
+            }
         }
         let all_asked = of_chapter.len() == chapter.exercises().len();
         let all_right = of_chapter
@@ -89,20 +103,20 @@ impl Telling<'_> {
             .all(|report| report.state() == State::Right);
         if let (true, true, Some(folder)) = (all_asked, all_right, self.folder) {
             let path = keep_reference(folder, chapter)?;
-            println!(
+            say(format!(
                 "  reference solution: compare yours with {}",
                 path.display()
-            );
+            ));
         }
         Ok(())
     }
 
     fn tell_cases(&self, report: &Report, examiner: &dyn Examiner) {
         for outcome in &report.cases {
-            println!(
+            say(format!(
                 "\n{}",
                 feedback::case(report, examiner, outcome, self.dress).join("\n")
-            );
+            ));
         }
     }
 }

@@ -5,6 +5,7 @@ use clap::Args;
 use indicatif::MultiProgress;
 use raybook::lab::gallery::{self, Drawing};
 use raybook::lab::options::Options;
+use raybook::lab::say::say;
 use raybook::lab::stage::{Drawn, Stage, progress_bar};
 use raybook::workbook::curriculum::{CHAPTERS, Chapter};
 use std::time::Instant;
@@ -77,12 +78,12 @@ impl Tour {
             draw(&stage).map_err(|error| format!("{}: {error}", chapter.name))?;
             let (outputs, time) = (stage.into_outputs(), chapter_start.elapsed());
             if bars.is_hidden() {
-                println!(
+                say(format!(
                     "{:<16} {} pictures in {:.1} s",
                     chapter.name,
                     outputs.len(),
                     time.as_secs_f32()
-                );
+                ));
             }
             drawings.push(Drawing {
                 chapter,
@@ -91,12 +92,12 @@ impl Tour {
             });
         }
         let page = gallery::write(&self.options.out, &drawings)?;
-        println!(
+        say(format!(
             "{} chapters in {:.1} s; look at {}",
             drawings.len(),
             start.elapsed().as_secs_f32(),
             page.display()
-        );
+        ));
         Ok(true)
     }
 

@@ -34,7 +34,7 @@ pub enum Said {
     TooMany(usize),
 }
 
-/// So many times a program may be well alone and ill in company; from then on it is asked one question at a time.
+/// So many times a program may end early; from then on it is asked one question at a time, which blames the right one at once.
 const PATIENCE: usize = 3;
 
 /// Asks all the questions, whatever happens, and returns a reply to each.
@@ -84,11 +84,7 @@ pub fn ask(program: &Program, questions: &[String], limits: Limits) -> io::Resul
             replies.push(Reply { said, printed });
         } else {
             let alone = ask(program, &questions[replies.len()..=replies.len()], limits)?;
-            misfortunes += usize::from(
-                alone
-                    .iter()
-                    .all(|reply| matches!(reply.said, Said::Answer(_))),
-            );
+            misfortunes += 1;
             replies.extend(alone);
         }
     }
@@ -96,7 +92,7 @@ pub fn ask(program: &Program, questions: &[String], limits: Limits) -> io::Resul
 }
 
 /// An answer line without its `= `.
-fn understand(answer: &str) -> Said {
+pub fn understand(answer: &str) -> Said {
     let (first, rest) = answer.split_once(' ').unwrap_or((answer, ""));
     let rest = rest.trim().to_owned();
     match first {
@@ -112,5 +108,6 @@ fn silence(end: End) -> Said {
         End::Exited(how) => Said::Ended(how),
         End::TimedOut(limit) => Said::TimedOut(limit),
         End::Flooded(bytes) => Said::Flooded(bytes),
+        End::TooMany => Said::TooMany(2),
     }
 }

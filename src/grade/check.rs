@@ -4,7 +4,7 @@ use crate::grade::ask::{Reply, Said, ask};
 use crate::grade::converse::{Limits, Program};
 use crate::grade::diagnose::{Diagnosis, diagnose};
 use crate::grade::examine::{Case, Examiner};
-use crate::grade::picture::{Triple, ask_pixels};
+use crate::grade::picture::Triple;
 use std::io;
 
 /// What became of one exercise.
@@ -16,7 +16,7 @@ pub struct Report {
     pub cases: Vec<Outcome>,
     /// The mistake that explains the wrong answers.
     pub diagnosis: Option<Diagnosis>,
-    /// The pictures of the answers, where the exercise is one of pixels and has been begun.
+    /// The pictures of the answers, where the exercise is one of pixels and they were asked for.
     pub pictures: Option<Triple>,
 }
 
@@ -79,6 +79,13 @@ impl Report {
         }
     }
 
+    /// Whether the program answers every case, if not rightly: then it can be asked for a picture.
+    pub fn answers(&self) -> bool {
+        self.cases
+            .iter()
+            .all(|outcome| matches!(outcome.reply.said, Said::Answer(_) | Said::Panicked(_)))
+    }
+
     /// How many cases are right.
     pub fn right(&self) -> usize {
         self.cases
@@ -108,15 +115,9 @@ pub fn check(
     cases: Vec<Case>,
     limits: Limits,
 ) -> io::Result<Report> {
-    let questions: Vec<_> = cases
-        .iter()
-        .map(|case| format!("{} {}", examiner.name(), case.question))
-        .collect();
-    let mut report = assess(examiner, cases, ask(program, &questions, limits)?);
-    if matches!(report.state(), State::Wrong | State::Right) {
-        report.pictures = ask_pixels(program, examiner, limits)?;
-    }
-    Ok(report)
+    let question = |case: &Case| format!("{} {}", examiner.name(), case.question);
+    let questions: Vec<_> = cases.iter().map(question).collect();
+    Ok(assess(examiner, cases, ask(program, &questions, limits)?))
 }
 
 /// Judges the replies to the cases.

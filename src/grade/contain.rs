@@ -1,23 +1,43 @@
-//! Holding a student's process and its children together, so that none is left behind. The Unix-only code is here.
+//! Holding a student's process and its children together, so that none is left behind. The system's own code is here.
 
 use crate::grade::converse::wait;
 use std::process::{Child, Command, ExitStatus};
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 
-/// Starts the command as the head of a process group of its own: its children can then be ended with it.
-pub fn own_group(command: &mut Command) {
+/// The environment variable that marks a process as a student's.
+const MARK: &str = "RAYBOOK_ASKED";
+
+/// Prepares a command so that [`end_group`] can find all of it: it becomes the head of a process group, and it and its
+/// children carry a mark, which is returned. On Linux it also ends when the grader does, by Ctrl-C for example.
+pub fn hold(command: &mut Command) -> String {
+    static NUMBER: AtomicU64 = AtomicU64::new(0);
+    let mark = format!(
+        "{}-{}",
+        std::process::id(),
+        NUMBER.fetch_add(1, Ordering::Relaxed)
+    );
+    command.env(MARK, &mark);
     #[cfg(unix)]
     std::os::unix::process::CommandExt::process_group(command, 0);
-    #[cfg(not(unix))]
-    let _ = command;
+    #[cfg(target_os = "linux")]
+    die_with_the_grader(command);
+    mark
 }
 
-/// Ends the child and all of its group. If it closed its output by itself, it has so long to end by itself.
-pub fn end_group(child: &mut Child, by_itself: bool, limit: Duration) -> Option<ExitStatus> {
+/// Ends the child and all that it started. If it closed its output by itself, it has so long to end by itself.
+pub fn end_group(
+    child: &mut Child,
+    mark: &str,
+    by_itself: bool,
+    limit: Duration,
+) -> Option<ExitStatus> {
     let status = if by_itself { wait(child, limit) } else { None };
     // The child may have ended and been waited for, but its own children may not.
     kill_group(child);
-    status.or_else(|| child.wait().ok())
+    let status = status.or_else(|| child.wait().ok());
+    kill_marked(mark);
+    status
 }
 
 /// A signal by its name.
@@ -37,6 +57,21 @@ pub fn signal_name(status: ExitStatus) -> String {
     status.to_string()
 }
 
+#[cfg(target_os = "linux")]
+#[expect(
+    unsafe_code,
+    reason = "`pre_exec` runs in the new process, where only few calls are allowed"
+)]
+fn die_with_the_grader(command: &mut Command) {
+    let ask = || {
+        Ok(rustix::process::set_parent_process_death_signal(Some(
+            rustix::process::Signal::KILL,
+        ))?)
+    };
+    // SAFETY: between fork and exec the closure makes one system call, prctl, which is async-signal-safe; it allocates nothing.
+    unsafe { std::os::unix::process::CommandExt::pre_exec(command, ask) };
+}
+
 fn kill_group(child: &mut Child) {
     #[cfg(unix)]
     if let Some(group) = i32::try_from(child.id())
@@ -48,4 +83,41 @@ fn kill_group(child: &mut Child) {
     }
     #[cfg(not(unix))]
     let _ = child.kill();
+}
+
+/// Ends the processes that left the group, by `setsid` for example: on Linux, all that carry the mark.
+fn kill_marked(mark: &str) {
+    #[cfg(target_os = "linux")]
+    for _ in 0..LOOKS {
+        marked(mark).for_each(|process| {
+            // Already gone is no error.
+            let _ = rustix::process::kill_process(process, rustix::process::Signal::KILL);
+        });
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    #[cfg(not(target_os = "linux"))]
+    let _ = mark;
+}
+
+/// A process that is just starting a program has no environment to be known by: a millisecond later it has.
+#[cfg(target_os = "linux")]
+const LOOKS: usize = 3;
+
+/// The processes whose environment carries the mark.
+#[cfg(target_os = "linux")]
+fn marked(mark: &str) -> impl Iterator<Item = rustix::process::Pid> {
+    let variable = format!("{MARK}={mark}").into_bytes();
+    std::fs::read_dir("/proc")
+        .into_iter()
+        .flatten()
+        .flatten()
+        .filter_map(move |entry| {
+            let process =
+                rustix::process::Pid::from_raw(entry.file_name().to_str()?.parse().ok()?)?;
+            let environment = std::fs::read(entry.path().join("environ")).ok()?;
+            environment
+                .split(|&byte| byte == 0)
+                .any(|found| found == variable)
+                .then_some(process)
+        })
 }

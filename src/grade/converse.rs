@@ -21,12 +21,22 @@ pub struct Program {
 }
 
 /// What a program may use for one answer.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
     /// Time until the next answer.
     pub time: Duration,
     /// Bytes printed until the next answer.
     pub output: usize,
+}
+
+impl Default for Limits {
+    /// Two seconds, a thousand times what an answer takes in any language; and a megabyte, more than anyone reads.
+    fn default() -> Self {
+        Self {
+            time: Duration::from_secs(2),
+            output: 1 << 20,
+        }
+    }
 }
 
 /// What one process did.
@@ -49,6 +59,8 @@ pub enum End {
     TimedOut(Duration),
     /// Stopped, because it printed so many bytes without an answer.
     Flooded(usize),
+    /// Stopped, because it gave more answers than it was asked questions.
+    TooMany,
 }
 
 /// A line longer than this is cut: nobody reads it.
@@ -77,7 +89,7 @@ pub fn converse(
     if !program.folder.as_os_str().is_empty() {
         command.current_dir(&program.folder);
     }
-    contain::own_group(&mut command);
+    let mark = contain::hold(&mut command);
     let mut child = command.spawn()?;
     drop(command); // it holds the pipe's other end
     if let Some(mut stdin) = child.stdin.take() {
@@ -89,9 +101,10 @@ pub fn converse(
         thread::spawn(move || stdin.write_all(text.as_bytes()));
     }
     let lines = read_lines(output);
-    let mut conversation = listen(&lines, limits);
+    let mut conversation = listen(&lines, questions.len(), limits);
     let status = contain::end_group(
         &mut child,
+        &mark,
         matches!(conversation.end, End::Exited(_)),
         limits.time,
     );
@@ -123,13 +136,16 @@ fn read_lines(output: PipeReader) -> Receiver<(String, bool)> {
     receiver
 }
 
-fn listen(lines: &Receiver<(String, bool)>, limits: Limits) -> Conversation {
+fn listen(lines: &Receiver<(String, bool)>, wanted: usize, limits: Limits) -> Conversation {
     let (mut answers, mut printed, mut bytes) = (Vec::new(), String::new(), 0);
     let mut deadline = Instant::now() + limits.time;
     let end = loop {
         match lines.recv_timeout(deadline.saturating_duration_since(Instant::now())) {
             Ok((line, true)) if line.starts_with("= ") => {
                 answers.push((line[2..].trim().to_owned(), std::mem::take(&mut printed)));
+                if answers.len() > wanted {
+                    break End::TooMany;
+                }
                 bytes = 0;
                 deadline = Instant::now() + limits.time;
             }

@@ -1,7 +1,7 @@
 //! Pictures made of answers: the student's, the golden one, and the difference with its sign.
 
-use crate::grade::ask::{Said, ask};
-use crate::grade::converse::{Limits, Program};
+use crate::grade::ask::{Said, understand};
+use crate::grade::converse::{Conversation, Limits, Program, converse};
 use crate::grade::examine::{Examiner, PictureSize};
 use crate::image::{Image, rgb::Rgb};
 use std::io;
@@ -52,11 +52,23 @@ pub fn ask_pixels(
     examiner: &dyn Examiner,
     limits: Limits,
 ) -> io::Result<Option<Triple>> {
-    let asked: Vec<_> = pixel_questions(examiner)
+    let questions = pixel_questions(examiner);
+    if questions.is_empty() {
+        return Ok(None);
+    }
+    let asked: Vec<_> = questions
         .iter()
         .map(|question| format!("{} {question}", examiner.name()))
         .collect();
-    let answers = ask_until_silent(program, &asked, limits)?;
+    let Conversation { answers, .. } = converse(program, &asked, limits)?;
+    let mut answers: Vec<_> = answers
+        .into_iter()
+        .map(|(answer, _)| match understand(&answer) {
+            Said::Answer(answer) => Some(answer),
+            _ => None,
+        })
+        .collect();
+    answers.resize(questions.len(), None);
     Ok(triple(examiner, &answers))
 }
 
@@ -114,34 +126,6 @@ pub fn triple(examiner: &dyn Examiner, answers: &[Option<String>]) -> Option<Tri
         bad: bad.len(),
         alt,
     })
-}
-
-/// The answers, as long as they come; `None` from the first question on that breaks the program.
-fn ask_until_silent(
-    program: &Program,
-    questions: &[String],
-    limits: Limits,
-) -> io::Result<Vec<Option<String>>> {
-    const ROWS_AT_ONCE: usize = 512;
-    let mut answers = Vec::with_capacity(questions.len());
-    for chunk in questions.chunks(ROWS_AT_ONCE) {
-        let replies = ask(program, chunk, limits)?;
-        let broken = replies.iter().any(|reply| {
-            matches!(
-                reply.said,
-                Said::Ended(_) | Said::TimedOut(_) | Said::Flooded(_) | Said::TooMany(_)
-            )
-        });
-        answers.extend(replies.into_iter().map(|reply| match reply.said {
-            Said::Answer(answer) => Some(answer),
-            _ => None,
-        }));
-        if broken {
-            break;
-        }
-    }
-    answers.resize(questions.len(), None);
-    Ok(answers)
 }
 
 /// White for 0, towards orange above, towards blue below; full colour from a difference of a quarter on.

@@ -1,7 +1,7 @@
 //! Whether a question is fair: whether its answer survives a change in the last digits of its numbers.
 
 use crate::grade::Graded;
-use crate::math::pcg::Pcg;
+use crate::math::pcg::{self, Pcg};
 use crate::workbook::row::{self, Row};
 use rand::RngExt;
 
@@ -15,6 +15,8 @@ const ULPS: i32 = 8;
 ///
 /// A ray that grazes a silhouette is nobody's fault.
 pub fn is_stable<E: Graded>(question: &E::Question, rng: &mut Pcg) -> bool {
+    // A stream of its own: how many tries are made must not change the questions that follow.
+    let rng = &mut pcg::stream(rng.random(), 0);
     let golden = E::answer(question);
     (0..JIGGLES).all(|_| {
         let moved = row::read::<E::Question>(&jiggle(&question.write(), rng), "question");

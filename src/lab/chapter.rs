@@ -1,6 +1,7 @@
 //! The `main` of every chapter binary.
 
 use crate::lab::options::Options;
+use crate::lab::say::say;
 use crate::lab::stage::{Drawn, Stage, progress_bar};
 use crate::workbook::curriculum::{self, Chapter};
 use clap::{Args, CommandFactory, FromArgMatches, Parser};
@@ -39,7 +40,7 @@ pub fn run_with<E: Args>(chapter: &'static str, draw: impl FnOnce(&Stage, E) -> 
     match draw(&stage, command.extra) {
         Ok(()) => {
             for output in stage.into_outputs() {
-                println!(
+                say(format!(
                     "wrote {}{}",
                     output.png.display(),
                     if output.exr.is_some() {
@@ -47,7 +48,7 @@ pub fn run_with<E: Args>(chapter: &'static str, draw: impl FnOnce(&Stage, E) -> 
                     } else {
                         ""
                     }
-                );
+                ));
             }
             ExitCode::SUCCESS
         }

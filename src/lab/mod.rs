@@ -13,6 +13,7 @@ pub mod outdoors;
 pub mod palette;
 pub mod platonic;
 pub mod race;
+pub mod say;
 pub mod sheet;
 pub mod showroom;
 pub mod sketch;

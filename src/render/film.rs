@@ -77,7 +77,7 @@ impl Film<'_> {
         };
         let mut picture = Image::from_fn(self.width, self.height, |_, _| Rgb::BLACK);
         thread::scope(|scope| {
-            let workers: Vec<_> = (0..self.threads.max(1))
+            let workers: Vec<_> = (0..self.threads.clamp(1, (columns * rows).max(1)))
                 .map(|_| scope.spawn(work))
                 .collect();
             for worker in workers {

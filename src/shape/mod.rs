@@ -21,7 +21,7 @@ use glam::{Vec2, Vec3};
 // ANCHOR: shape
 /// Something with a surface that a ray can hit.
 ///
-/// No ray makes a shape panic, not even one with NaN or infinite coordinates; at worst the answer is a miss.
+/// No ray makes a shape panic, not even one with NaN or infinite coordinates; its answer then means nothing.
 pub trait Shape: Send + Sync {
     /// A box that holds the whole shape; infinite for a plane.
     fn bounds(&self) -> Aabb;
@@ -88,6 +88,6 @@ impl Surface {
 /// An `f32` operation is right to 2⁻²⁴ = 6.0e-8 of its result. The shapes here need fewer than ten in a row for a
 /// position, and a hit test on the way back adds about as many; most of their errors cancel. Measured over 2 million rays
 /// per shape at scales from 1e-6 to 1e6: with 2 of them up to 30 rays find the surface that they left, with 4 none.
-/// 32 leave a margin of 8 (`tests/laws/leave.rs` holds both ends of this claim), and Embree, which rounds otherwise,
+/// 32 leave a margin of 8 (`tests/laws/leave.rs` sees none fail with 32, and some with 1), and Embree, which rounds otherwise,
 /// agrees about rays that start there (`tests/embree`): with 16 it found a plane again.
 pub const ROUNDING: f32 = 32.0 * (f32::EPSILON / 2.0);

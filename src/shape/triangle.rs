@@ -46,7 +46,7 @@ impl Triangle {
     /// It is 0 for a triangle without area, and for a ray in its plane. But products that should cancel are rounded, and
     /// what is left of them is a number like any other: divided by it, noise looks like a hit.
     pub fn solvable(&self, determinant: f32) -> bool {
-        /// A product of three factors and a sum of six of them: four roundings of 2⁻²⁴ in a row.
+        /// Five roundings of 2⁻²⁴ in a row, and the products' sizes add up to less than their bound where they should cancel.
         const ROUNDINGS: f32 = 4.0 * (f32::EPSILON / 2.0);
         let products = self.e1.abs().element_sum() * self.e2.abs().element_sum();
         determinant.abs() > ROUNDINGS * products
@@ -87,12 +87,13 @@ impl Shape for Triangle {
 
     fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
         let normal = self.normal().unwrap_or(-ray.direction);
-        let (length1, length2) = (self.e1.length(), self.e2.length());
         // `hit` loses digits of the distance to the plane as e₁ and e₂ get parallel: 1/sin of the angle between them.
-        let lost = length1 * length2 / self.e1.cross(self.e2).length();
+        let sides = [self.e1, self.e2].map(|e| Dir3::new_or(e, normal));
+        let lost = 1.0 / sides[0].cross(*sides[1]).length();
+        let longest = self.e1.length().max(self.e2.length());
         Surface {
             position: self.p0 + hit.uv.x * self.e1 + hit.uv.y * self.e2,
-            error: ROUNDING * (self.p0.abs().max_element() + lost * length1.max(length2)),
+            error: ROUNDING * (self.p0.abs().max_element() + lost * longest),
             normal,
             shading_normal: normal,
             texture: hit.uv,

@@ -4,7 +4,7 @@ use crate::math::{interval::Interval, ray::Ray};
 use crate::shape::{Hit, triangle::Triangle};
 use glam::{Mat3, vec2};
 
-// ANCHOR: hit
+// ANCHOR: hit_by_determinants
 /// The same answer as [`Triangle::hit`](crate::shape::Shape::hit): Cramer's rule for the three equations
 /// −t·d + b₁·e₁ + b₂·e₂ = s, with s = o − p₀.
 ///
@@ -23,4 +23,4 @@ pub fn hit(triangle: &Triangle, ray: &Ray, within: Interval) -> Option<Hit> {
         id: 0,
     })
 }
-// ANCHOR_END: hit
+// ANCHOR_END: hit_by_determinants

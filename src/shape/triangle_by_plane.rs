@@ -4,7 +4,7 @@ use crate::math::{interval::Interval, ray::Ray};
 use crate::shape::{Hit, triangle::Triangle};
 use glam::vec2;
 
-// ANCHOR: hit
+// ANCHOR: hit_by_plane
 /// The same answer as [`Triangle::hit`](crate::shape::Shape::hit): where the ray meets the plane n·p = n·p₀ with n = e₁ × e₂,
 /// and whether that point p lies to the left of all three edges.
 ///
@@ -27,4 +27,4 @@ pub fn hit(triangle: &Triangle, ray: &Ray, within: Interval) -> Option<Hit> {
         id: 0,
     })
 }
-// ANCHOR_END: hit
+// ANCHOR_END: hit_by_plane

@@ -88,7 +88,7 @@ impl Row for Dir3 {
         Vec3::write(self)
     }
 
-    /// Any vector but zero; it is normalised unless it already is, to the last digit that matters.
+    /// Any vector that has a direction; it is normalised.
     fn read(words: &mut Words<'_>, name: &str) -> Result<Self, RowError> {
         let word = words.position();
         let v = Vec3::read(words, name)?;

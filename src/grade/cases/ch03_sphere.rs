@@ -128,6 +128,14 @@ impl Graded for SphereHit {
             answer: |q| SphereHit::answer(&SphereHitQuestion { radius: q.radius.sqrt(), ..q.clone() }),
         },
         Mistake {
+            name: "skips the first millimetre",
+            hint: "You may have learnt to ignore small t against self-intersection; the interval you are given already says where hits begin to count.",
+            answer: |q| {
+                let within = Interval::new(q.within.min.max(1e-3), q.within.max);
+                SphereHit::answer(&SphereHitQuestion { within, ..q.clone() })
+            },
+        },
+        Mistake {
             name: "computes b² − 4ac from far away",
             hint: "From a thousand radii away, |o − c|² and r² differ in size by a million: what is left of r² after the subtraction? Could you move the ray's start closer first?",
             answer: |q| {
@@ -170,6 +178,10 @@ impl Graded for SphereHit {
             Edge::new("the interval begins inside", question(back, Vec3::Z, Interval::new(3.0, f32::INFINITY), Vec3::ZERO, 1.0)),
             Edge::new("the interval lies inside", question(back, Vec3::Z, Interval::new(2.5, 3.5), Vec3::ZERO, 1.0)),
             Edge::new("away from the origin", question(vec3(4.0, -2.0, 7.0), vec3(0.0, 0.0, 1.0), ahead, vec3(4.2, -2.1, 12.0), 0.5)),
+            Edge::new(
+                "starts a quarter of a millimetre before the surface",
+                question(vec3(0.0, 0.0, -1.0 - 1.0 / 4096.0), Vec3::Z, ahead, Vec3::ZERO, 1.0),
+            ),
             Edge::new("a small sphere, far away", question(vec3(0.0, 0.0, -4096.0), Vec3::Z, ahead, vec3(0.0625, 0.0, 0.0), 0.125)),
         ]
     }

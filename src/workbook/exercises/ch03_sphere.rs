@@ -60,7 +60,7 @@ impl Exercise for SphereHit {
     const NAME: &'static str = "sphere_hit";
     const ANSWER: &'static str = "t";
     const TASK: &'static str = "Return the smallest distance t in the interval (min < t < max) at which the ray meets the sphere, \
-        as `Hit { t, uv: Vec2::ZERO, id: 0 }`, or None.";
+        as `Hit { t, uv: Vec2::ZERO, id: 0 }`, or None; lose no digits where the sphere is small and far away.";
 
     fn answer(q: &Self::Question) -> Self::Answer {
         Sphere::new(q.center, q.radius).hit(&q.ray, q.within).map(|hit| hit.t)

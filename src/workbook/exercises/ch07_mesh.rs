@@ -147,7 +147,7 @@ impl Exercise for MeshHit {
     type Question = MeshHitQuestion;
     type Answer = Option<MeshHitAnswer>;
     const NAME: &'static str = "mesh_hit";
-    const TASK: &'static str = "Return the nearest shape of the list that the ray hits with min < t < max, and that hit, or None; call count.tested_shape() for each shape that you test.";
+    const TASK: &'static str = "Return the nearest shape of the list that the ray hits with min < t < max, and that hit, or None.";
 
     fn answer(q: &Self::Question) -> Self::Answer {
         let facets = q.triangles.iter().zip(0..).map(|(t, id)| Facet { triangle: Triangle::new(t.p0, t.p1, t.p2), id });

@@ -201,7 +201,7 @@ fn everything_right() {
     assert_eq!(all.state(), State::Right, "the reference is right");
     assert_eq!(
         feedback::line(&all, Dress::default()),
-        "right       camera_ray           41 of 41 cases",
+        "right       camera_ray           41 of 41 cases right",
         "in plain text too"
     );
 }

@@ -226,7 +226,7 @@ fn any_program_can_be_asked() {
         fs::set_permissions(&program, fs::Permissions::from_mode(0o755)).expect("it can be run");
         let (code, said) = raybook(home.path(), &["check", "ray_at", "--program", "answers"]);
         assert!(
-            code == 1 && said.contains("1 of 40 cases"),
+            code == 1 && said.contains("1 of 40 cases right"),
             "only t = 0 is right: {said}"
         );
         assert!(

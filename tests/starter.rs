@@ -210,6 +210,22 @@ fn the_chapters_run_on_the_students_functions() {
     );
 }
 
+#[test]
+fn the_first_chapter_draws_when_its_own_exercises_are_written() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let written = ["ray_at", "camera_ray"];
+    write(folder.path(), &|function: &Anchored<'_>| {
+        stub(function).filter(|_| !written.contains(&function.name))
+    });
+    let chapter = build(folder.path(), "ch01_rays");
+    let status = std::process::Command::new(&chapter.file)
+        .args(["--width", "64", "--samples", "1", "--out"])
+        .arg(folder.path().join("out"))
+        .status()
+        .expect("the chapter runs");
+    assert!(status.success(), "it needs nothing of the chapters to come");
+}
+
 /// What a program says to an exercise's visible cases, with their names.
 fn replies(program: &Program, examiner: &dyn Examiner) -> Vec<(String, Said)> {
     let cases = examiner.cases(&mut visible_rng(examiner.name())).cases;

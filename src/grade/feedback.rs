@@ -16,7 +16,7 @@ pub fn line(report: &Report, dress: Dress) -> String {
         State::NotStarted => String::new(),
         State::WaitsFor(name) => format!("for {name}"),
         State::Right | State::Wrong => {
-            format!("{} of {} cases", report.right(), report.cases.len())
+            format!("{} of {} cases right", report.right(), report.cases.len())
         }
     };
     format!("{} {:<20} {counts}", dress.state(&state), report.exercise)
@@ -171,6 +171,12 @@ fn kinds(report: &Report) -> Vec<String> {
 
 /// Where the pictures are, and the ray of the first wrong pixel.
 fn pictured(exercise: &str, pictures: &Triple, path: &Path) -> Vec<String> {
+    if pictures.bad == 0 {
+        return vec![format!(
+            "  Every pixel of your picture is right: these cases are not in it. {}",
+            path.display()
+        )];
+    }
     let mut lines = vec![
         format!("  Picture: {}", path.display()),
         "  It shows yours, the right one, and the difference: orange where yours is too bright, blue where it is too dark.".to_owned(),

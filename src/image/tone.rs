@@ -1,6 +1,7 @@
 //! From radiance without a limit to a display that ends at one.
 
 use crate::image::rgb::Rgb;
+use std::sync::LazyLock;
 
 // ANCHOR: expose
 /// The radiance after an exposure of so many stops: L·2^stops. One stop more is twice the light.
@@ -60,7 +61,10 @@ pub fn decode_srgb(code: f32) -> f32 {
     }
 }
 
-/// The byte that a PNG stores for a linear value: round(255 · [`encode_srgb`]).
+/// The byte that a PNG stores for a linear value: round(255 · [`encode_srgb`]), by looking where v lies among the values
+/// at which the byte changes. NaN is stored as 0.
 pub fn to_byte(v: f32) -> u8 {
-    (255.0 * encode_srgb(v)).round() as u8
+    static CHANGES: LazyLock<[f32; 255]> =
+        LazyLock::new(|| std::array::from_fn(|byte| decode_srgb((byte as f32 + 0.5) / 255.0)));
+    CHANGES.partition_point(|&change| change <= v) as u8
 }

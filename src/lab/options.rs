@@ -1,7 +1,6 @@
 //! The options that every chapter and the tour share.
 
 use clap::Args;
-use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use std::thread;
 
@@ -18,8 +17,8 @@ pub struct Options {
     #[arg(long, default_value_t = 1)]
     pub seed: u64,
     /// How many threads draw; the pictures do not depend on it [default: one per core]
-    #[arg(long)]
-    pub threads: Option<NonZeroUsize>,
+    #[arg(long, value_parser = clap::value_parser!(u32).range(1..=1024))]
+    pub threads: Option<u32>,
     /// The folder for the pictures; each chapter has a folder of its own in it
     #[arg(long, default_value = "out")]
     pub out: PathBuf,
@@ -28,8 +27,7 @@ pub struct Options {
 impl Options {
     /// How many threads draw: what was asked for, or one per core.
     pub fn threads(&self) -> usize {
-        self.threads
-            .or_else(|| thread::available_parallelism().ok())
-            .map_or(1, NonZeroUsize::get)
+        let cores = || thread::available_parallelism().map_or(1, std::num::NonZeroUsize::get);
+        self.threads.map_or_else(cores, |threads| threads as usize)
     }
 }

@@ -12,26 +12,34 @@ pub struct Chapter {
     pub source: &'static str,
 }
 
+/// Calls a macro with the names of all chapters that exist, in order: what has a part per chapter is made from this list.
+macro_rules! for_each_chapter {
+    ($then:ident) => {
+        $then!(
+            ch01_rays,
+            ch02_hdr,
+            ch03_sphere,
+            ch04_plane,
+            ch05_box,
+            ch06_triangle,
+            ch07_mesh
+        );
+    };
+}
+pub(crate) use for_each_chapter;
+
 /// The rows, from the chapters' names.
-macro_rules! chapters {
-    ($($name:literal),+ $(,)?) => {
+macro_rules! rows {
+    ($($name:ident),+) => {
         /// All chapters that exist, in order.
         pub const CHAPTERS: &[Chapter] = &[$(Chapter {
-            name: $name,
-            source: include_str!(concat!("../../chapters/", $name, ".rs")),
+            name: stringify!($name),
+            source: include_str!(concat!("../../chapters/", stringify!($name), ".rs")),
         }),+];
     };
 }
 
-chapters!(
-    "ch01_rays",
-    "ch02_hdr",
-    "ch03_sphere",
-    "ch04_plane",
-    "ch05_box",
-    "ch06_triangle",
-    "ch07_mesh"
-);
+for_each_chapter!(rows);
 
 /// The chapter whose binary has this name.
 pub fn find(name: &str) -> Option<&'static Chapter> {

@@ -12,7 +12,13 @@ type Wrong = (&'static [&'static str], &'static str, fn(&mut [f64]));
 const CAMERA: &[&str] = &["camera_ray"];
 const COLOURS: &[&str] = &["expose", "tone_map"];
 const DIRECTIONS: &[&str] = &["sphere_normal", "triangle_normal", "interpolate_normal"];
-const HITS: &[&str] = &crate::HITS;
+const HITS: &[&str] = &[
+    "sphere_hit",
+    "plane_hit",
+    "box_clip",
+    "triangle_hit",
+    "mesh_hit",
+];
 
 const WRONGS: &[Wrong] = &[
     (&["ray_at"], "1 % too far", |p| scale(p, 1.01)),

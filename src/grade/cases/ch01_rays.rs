@@ -15,13 +15,21 @@ pub const GRADED: &[&dyn Examiner] = &[&RayAt, &CameraRay];
 
 impl Graded for RayAt {
     const MISTAKES: &'static [Mistake<Self>] = &[
-        Mistake { name: "forgets the origin", hint: "At t = 0, where is the ray?", answer: |q| q.t * *q.ray.direction },
+        Mistake {
+            name: "forgets the origin",
+            hint: "At t = 0, where is the ray?",
+            answer: |q| q.t * *q.ray.direction,
+        },
         Mistake {
             name: "ignores t",
             hint: "How far from the origin is your point? How far should it be?",
             answer: |q| q.ray.origin + *q.ray.direction,
         },
-        Mistake { name: "goes backwards", hint: "A positive t lies ahead.", answer: |q| q.ray.origin - q.t * *q.ray.direction },
+        Mistake {
+            name: "goes backwards",
+            hint: "A positive t lies ahead.",
+            answer: |q| q.ray.origin - q.t * *q.ray.direction,
+        },
         Mistake {
             name: "scales the origin too",
             hint: "Only one of the two vectors grows with t.",
@@ -41,7 +49,13 @@ impl Graded for RayAt {
 
     fn edges() -> Vec<Edge<Self>> {
         let edge = |name, origin, toward, t| {
-            Edge::new(name, RayAtQuestion { ray: Ray::new(origin, Dir3::new_or(toward, Dir3::Z)), t })
+            Edge::new(
+                name,
+                RayAtQuestion {
+                    ray: Ray::new(origin, Dir3::new_or(toward, Dir3::Z)),
+                    t,
+                },
+            )
         };
         vec![
             edge("t is 0", vec3(1.0, 2.0, 3.0), Vec3::X, 0.0),
@@ -54,7 +68,10 @@ impl Graded for RayAt {
     }
 
     fn random(rng: &mut Pcg) -> RayAtQuestion {
-        RayAtQuestion { ray: Ray::new(sample::point(rng, 5.0), sample::direction(rng)), t: sample::number(rng, -5.0, 20.0) }
+        RayAtQuestion {
+            ray: Ray::new(sample::point(rng, 5.0), sample::direction(rng)),
+            t: sample::number(rng, -5.0, 20.0),
+        }
     }
 
     fn judge(_q: &RayAtQuestion, golden: &Vec3, got: &Vec3) -> Verdict {
@@ -105,7 +122,10 @@ impl Graded for CameraRay {
             answer: |q| {
                 let CameraRayAnswer { origin, direction } = CameraRay::answer(q);
                 let to_plane = q.focal_length / direction.dot(*q.forward);
-                CameraRayAnswer { origin: origin + to_plane * direction, direction }
+                CameraRayAnswer {
+                    origin: origin + to_plane * direction,
+                    direction,
+                }
             },
         },
         Mistake {
@@ -113,7 +133,10 @@ impl Graded for CameraRay {
             hint: "If t is to be a distance, how long must the direction be?",
             answer: |q| {
                 let CameraRayAnswer { origin, direction } = CameraRay::answer(q);
-                CameraRayAnswer { origin, direction: q.focal_length / direction.dot(*q.forward) * direction }
+                CameraRayAnswer {
+                    origin,
+                    direction: q.focal_length / direction.dot(*q.forward) * direction,
+                }
             },
         },
         Mistake {
@@ -127,12 +150,26 @@ impl Graded for CameraRay {
         width: 96,
         height: 54,
         alt: "The direction of each pixel's ray as a colour",
-        question: |x, y| question(Vec3::ZERO, -Dir3::Z, 0.024, vec2((x as f32 + 0.5) / 96.0, (y as f32 + 0.5) / 54.0)),
-        colour: |_, ray| Rgb::new(ray.direction.x, ray.direction.y, ray.direction.z).map(|v| 0.5 + 0.5 * v),
+        question: |x, y| {
+            question(
+                Vec3::ZERO,
+                -Dir3::Z,
+                0.024,
+                vec2((x as f32 + 0.5) / 96.0, (y as f32 + 0.5) / 54.0),
+            )
+        },
+        colour: |_, ray| {
+            Rgb::new(ray.direction.x, ray.direction.y, ray.direction.z).map(|v| 0.5 + 0.5 * v)
+        },
     });
 
     fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, x, y| Edge::new(name, question(vec3(1.0, 2.0, 3.0), -Dir3::Z, 0.05, vec2(x, y)));
+        let edge = |name, x, y| {
+            Edge::new(
+                name,
+                question(vec3(1.0, 2.0, 3.0), -Dir3::Z, 0.05, vec2(x, y)),
+            )
+        };
         vec![
             edge("the middle of the film", 0.5, 0.5),
             edge("the top left corner", 0.0, 0.0),
@@ -140,13 +177,21 @@ impl Graded for CameraRay {
             edge("the middle of the top", 0.5, 0.0),
             edge("the middle of the right", 1.0, 0.5),
             edge("the centre of pixel (0, 0) of 4 × 2", 0.125, 0.25),
-            Edge::new("a wide angle", question(Vec3::ZERO, Dir3::X, 0.01, vec2(0.1, 0.8))),
+            Edge::new(
+                "a wide angle",
+                question(Vec3::ZERO, Dir3::X, 0.01, vec2(0.1, 0.8)),
+            ),
         ]
     }
 
     fn random(rng: &mut Pcg) -> CameraRayQuestion {
         let film = vec2(sample::number(rng, 0.0, 1.0), sample::number(rng, 0.0, 1.0));
-        question(sample::point(rng, 5.0), sample::direction(rng), sample::number(rng, 0.02, 0.1), film)
+        question(
+            sample::point(rng, 5.0),
+            sample::direction(rng),
+            sample::number(rng, 0.02, 0.1),
+            film,
+        )
     }
 
     fn judge(_q: &CameraRayQuestion, golden: &CameraRayAnswer, got: &CameraRayAnswer) -> Verdict {
@@ -158,7 +203,15 @@ impl Graded for CameraRay {
 /// A camera of the 35 mm format whose up is anything square to its view.
 fn question(focal_point: Vec3, forward: Dir3, focal_length: f32, film: Vec2) -> CameraRayQuestion {
     let Basis { x: right, y, .. } = Basis::around(-forward);
-    CameraRayQuestion { focal_point, forward, right, up: y, focal_length, plane: vec2(0.036, 0.024), film }
+    CameraRayQuestion {
+        focal_point,
+        forward,
+        right,
+        up: y,
+        focal_length,
+        plane: vec2(0.036, 0.024),
+        film,
+    }
 }
 
 /// The right answer to a question that was misread.

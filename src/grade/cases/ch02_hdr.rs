@@ -47,7 +47,15 @@ impl Graded for Expose {
     ];
 
     fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, r, g, b, stops| Edge::new(name, ExposeQuestion { radiance: Rgb::new(r, g, b), stops });
+        let edge = |name, r, g, b, stops| {
+            Edge::new(
+                name,
+                ExposeQuestion {
+                    radiance: Rgb::new(r, g, b),
+                    stops,
+                },
+            )
+        };
         vec![
             edge("no change", 0.2, 0.5, 0.8, 0.0),
             edge("one stop more", 0.1, 0.2, 0.3, 1.0),
@@ -60,7 +68,10 @@ impl Graded for Expose {
     }
 
     fn random(rng: &mut Pcg) -> ExposeQuestion {
-        ExposeQuestion { radiance: colour(rng, 4.0), stops: sample::number(rng, -6.0, 6.0) }
+        ExposeQuestion {
+            radiance: colour(rng, 4.0),
+            stops: sample::number(rng, -6.0, 6.0),
+        }
     }
 
     fn judge(_q: &ExposeQuestion, golden: &Rgb, got: &Rgb) -> Verdict {
@@ -108,15 +119,26 @@ impl Graded for ToneMap {
         alt: "Colours from left to right by hue, upwards ever brighter",
         question: |x, y| {
             let hue = x as f32 / 96.0 * 6.0;
-            let wave = |shift: f32| (0.5 + 0.5 * ((hue - shift) * std::f32::consts::FRAC_PI_3).cos()).max(0.02);
+            let wave = |shift: f32| {
+                (0.5 + 0.5 * ((hue - shift) * std::f32::consts::FRAC_PI_3).cos()).max(0.02)
+            };
             let brightness = ((53 - y) as f32 / 53.0 * 6.0 - 3.0).exp2();
-            ToneMapQuestion { radiance: Rgb::new(wave(0.0), wave(2.0), wave(4.0)) * brightness }
+            ToneMapQuestion {
+                radiance: Rgb::new(wave(0.0), wave(2.0), wave(4.0)) * brightness,
+            }
         },
         colour: |_, mapped| *mapped,
     });
 
     fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, r, g, b| Edge::new(name, ToneMapQuestion { radiance: Rgb::new(r, g, b) });
+        let edge = |name, r, g, b| {
+            Edge::new(
+                name,
+                ToneMapQuestion {
+                    radiance: Rgb::new(r, g, b),
+                },
+            )
+        };
         vec![
             edge("gray 1 becomes 1/2", 1.0, 1.0, 1.0),
             edge("gray 3 becomes 3/4", 3.0, 3.0, 3.0),
@@ -129,7 +151,9 @@ impl Graded for ToneMap {
     }
 
     fn random(rng: &mut Pcg) -> ToneMapQuestion {
-        ToneMapQuestion { radiance: colour(rng, 8.0) }
+        ToneMapQuestion {
+            radiance: colour(rng, 8.0),
+        }
     }
 
     fn judge(_q: &ToneMapQuestion, golden: &Rgb, got: &Rgb) -> Verdict {
@@ -159,21 +183,39 @@ impl Graded for EncodeSrgb {
             hint: "Does the curve rise above v or sag below it?",
             answer: |q| {
                 let v = q.v.clamp(0.0, 1.0);
-                if v <= 0.003_130_8 { 12.92 * v } else { 1.055 * v.powf(2.4) - 0.055 }
+                if v <= 0.003_130_8 {
+                    12.92 * v
+                } else {
+                    1.055 * v.powf(2.4) - 0.055
+                }
             },
         },
         Mistake {
             name: "does not clamp",
             hint: "A display has no code value above 1 or below 0.",
-            answer: |q| if q.v <= 0.003_130_8 { 12.92 * q.v } else { 1.055 * q.v.powf(1.0 / 2.4) - 0.055 },
+            answer: |q| {
+                if q.v <= 0.003_130_8 {
+                    12.92 * q.v
+                } else {
+                    1.055 * q.v.powf(1.0 / 2.4) - 0.055
+                }
+            },
         },
-        Mistake { name: "leaves v as it is", hint: "Is 0.5 half as bright to the eye?", answer: |q| q.v.clamp(0.0, 1.0) },
+        Mistake {
+            name: "leaves v as it is",
+            hint: "Is 0.5 half as bright to the eye?",
+            answer: |q| q.v.clamp(0.0, 1.0),
+        },
         Mistake {
             name: "forgets the 0.055 at the end",
             hint: "Try v = 1: is the code value 1?",
             answer: |q| {
                 let v = q.v.clamp(0.0, 1.0);
-                if v <= 0.003_130_8 { 12.92 * v } else { 1.055 * v.powf(1.0 / 2.4) }
+                if v <= 0.003_130_8 {
+                    12.92 * v
+                } else {
+                    1.055 * v.powf(1.0 / 2.4)
+                }
             },
         },
     ];
@@ -213,12 +255,26 @@ impl Graded for EncodeSrgb {
 
 /// A colour whose channels are up to so much.
 fn colour(rng: &mut Pcg, most: f32) -> Rgb {
-    Rgb::new(sample::number(rng, 0.05, most), sample::number(rng, 0.05, most), sample::number(rng, 0.05, most))
+    Rgb::new(
+        sample::number(rng, 0.05, most),
+        sample::number(rng, 0.05, most),
+        sample::number(rng, 0.05, most),
+    )
 }
 
 fn channels(golden: Rgb, got: Rgb) -> Verdict {
-    for (name, golden, got) in [("red", golden.r, got.r), ("green", golden.g, got.g), ("blue", golden.b, got.b)] {
-        judge::number_within(name, "", golden, got, judge::RELATIVE * golden.abs().max(0.01))?;
+    for (name, golden, got) in [
+        ("red", golden.r, got.r),
+        ("green", golden.g, got.g),
+        ("blue", golden.b, got.b),
+    ] {
+        judge::number_within(
+            name,
+            "",
+            golden,
+            got,
+            judge::RELATIVE * golden.abs().max(0.01),
+        )?;
     }
     Ok(())
 }

@@ -44,12 +44,24 @@ impl Graded for TriangleHit {
         Mistake {
             name: "swaps b1 and b2",
             hint: "At the second corner, which of the two weights is 1?",
-            answer: |q| TriangleHit::answer(q).map(|hit| TriangleHitAnswer { b1: hit.b2, b2: hit.b1, ..hit }),
+            answer: |q| {
+                TriangleHit::answer(q).map(|hit| TriangleHitAnswer {
+                    b1: hit.b2,
+                    b2: hit.b1,
+                    ..hit
+                })
+            },
         },
         Mistake {
             name: "returns the weight of the first corner for b1",
             hint: "The three weights add up to 1; which two are b1 and b2?",
-            answer: |q| TriangleHit::answer(q).map(|hit| TriangleHitAnswer { b1: 1.0 - hit.b1 - hit.b2, b2: hit.b1, ..hit }),
+            answer: |q| {
+                TriangleHit::answer(q).map(|hit| TriangleHitAnswer {
+                    b1: 1.0 - hit.b1 - hit.b2,
+                    b2: hit.b1,
+                    ..hit
+                })
+            },
         },
         Mistake {
             name: "ignores the interval",
@@ -61,13 +73,19 @@ impl Graded for TriangleHit {
             hint: "Make the triangle twice as large: the weights must not change.",
             answer: |q| {
                 let determinant = -normal(q).dot(*q.ray.direction);
-                TriangleHit::answer(q).map(|hit| TriangleHitAnswer { b1: hit.b1 * determinant, b2: hit.b2 * determinant, ..hit })
+                TriangleHit::answer(q).map(|hit| TriangleHitAnswer {
+                    b1: hit.b1 * determinant,
+                    b2: hit.b2 * determinant,
+                    ..hit
+                })
             },
         },
         Mistake {
             name: "takes a small triangle for one without area",
             hint: "A determinant is a volume: how small is it for a triangle of a millimetre?",
-            answer: |q| TriangleHit::answer(q).filter(|_| normal(q).dot(*q.ray.direction).abs() > 1e-4),
+            answer: |q| {
+                TriangleHit::answer(q).filter(|_| normal(q).dot(*q.ray.direction).abs() > 1e-4)
+            },
         },
     ];
 
@@ -85,7 +103,11 @@ impl Graded for TriangleHit {
                 p2: vec3(0.2, 1.2, 0.1),
             }
         },
-        colour: |_, hit| hit.as_ref().map_or(Rgb::gray(0.1), |hit| Rgb::new(1.0 - hit.b1 - hit.b2, hit.b1, hit.b2)),
+        colour: |_, hit| {
+            hit.as_ref().map_or(Rgb::gray(0.1), |hit| {
+                Rgb::new(1.0 - hit.b1 - hit.b2, hit.b1, hit.b2)
+            })
+        },
     });
 
     fn edges() -> Vec<Edge<Self>> {
@@ -98,36 +120,87 @@ impl Graded for TriangleHit {
         };
         let (ahead, into) = (Interval::AHEAD, Vec3::NEG_Z);
         let above = |x, y| vec3(x, y, 3.0);
-        let tiny = |q: TriangleHitQuestion| TriangleHitQuestion { p1: 1e-3 * q.p1, p2: 1e-3 * q.p2, ..q };
-        let line = |q: TriangleHitQuestion| TriangleHitQuestion { p2: vec3(1.0, 0.0, 0.0), ..q };
+        let tiny = |q: TriangleHitQuestion| TriangleHitQuestion {
+            p1: 1e-3 * q.p1,
+            p2: 1e-3 * q.p2,
+            ..q
+        };
+        let line = |q: TriangleHitQuestion| TriangleHitQuestion {
+            p2: vec3(1.0, 0.0, 0.0),
+            ..q
+        };
         vec![
             Edge::new("in the middle", question(above(0.5, 0.5), into, ahead)),
-            Edge::new("from behind", question(vec3(0.5, 0.5, -3.0), Vec3::Z, ahead)),
-            Edge::new("askew", question(vec3(2.0, 2.0, 3.0), vec3(-1.0, -1.5, -3.0), ahead)),
-            Edge::new("near the second corner", question(above(1.75, 0.125), into, ahead)),
+            Edge::new(
+                "from behind",
+                question(vec3(0.5, 0.5, -3.0), Vec3::Z, ahead),
+            ),
+            Edge::new(
+                "askew",
+                question(vec3(2.0, 2.0, 3.0), vec3(-1.0, -1.5, -3.0), ahead),
+            ),
+            Edge::new(
+                "near the second corner",
+                question(above(1.75, 0.125), into, ahead),
+            ),
             Edge::new("past the long edge", question(above(1.5, 1.5), into, ahead)),
             Edge::new("left of it", question(above(-0.5, 0.5), into, ahead)),
             Edge::new("below it", question(above(0.5, -0.5), into, ahead)),
-            Edge::new("it is behind the ray", question(above(0.5, 0.5), Vec3::Z, ahead)),
-            Edge::new("in the plane of the triangle", question(vec3(-1.0, 0.5, 0.0), Vec3::X, ahead)),
-            Edge::new("beyond the interval", question(above(0.5, 0.5), into, Interval::new(0.0, 2.0))),
-            Edge::new("before the interval", question(above(0.5, 0.5), into, Interval::new(4.0, 9.0))),
-            Edge::new("a triangle of two millimetres", tiny(question(above(0.0005, 0.0005), into, ahead))),
-            Edge::new("three corners on a line", line(question(above(0.5, 0.0), into, ahead))),
+            Edge::new(
+                "it is behind the ray",
+                question(above(0.5, 0.5), Vec3::Z, ahead),
+            ),
+            Edge::new(
+                "in the plane of the triangle",
+                question(vec3(-1.0, 0.5, 0.0), Vec3::X, ahead),
+            ),
+            Edge::new(
+                "beyond the interval",
+                question(above(0.5, 0.5), into, Interval::new(0.0, 2.0)),
+            ),
+            Edge::new(
+                "before the interval",
+                question(above(0.5, 0.5), into, Interval::new(4.0, 9.0)),
+            ),
+            Edge::new(
+                "a triangle of two millimetres",
+                tiny(question(above(0.0005, 0.0005), into, ahead)),
+            ),
+            Edge::new(
+                "three corners on a line",
+                line(question(above(0.5, 0.0), into, ahead)),
+            ),
         ]
     }
 
     fn random(rng: &mut Pcg) -> TriangleHitQuestion {
         let [p0, p1, p2] = std::array::from_fn(|_| sample::point(rng, 3.0));
-        let (b1, b2) = (sample::number(rng, -0.3, 0.8), sample::number(rng, -0.3, 0.8));
+        let (b1, b2) = (
+            sample::number(rng, -0.3, 0.8),
+            sample::number(rng, -0.3, 0.8),
+        );
         let aim = p0 + b1 * (p1 - p0) + b2 * (p2 - p0);
         let origin = aim - sample::number(rng, 1.0, 6.0) * *sample::direction(rng);
-        let max = if rng.random_bool(0.2) { sample::number(rng, 1.0, 5.0) } else { f32::INFINITY };
+        let max = if rng.random_bool(0.2) {
+            sample::number(rng, 1.0, 5.0)
+        } else {
+            f32::INFINITY
+        };
         let direction = Dir3::new_or(aim - origin, Dir3::X);
-        TriangleHitQuestion { ray: Ray::new(origin, direction), within: Interval::new(0.0, max), p0, p1, p2 }
+        TriangleHitQuestion {
+            ray: Ray::new(origin, direction),
+            within: Interval::new(0.0, max),
+            p0,
+            p1,
+            p2,
+        }
     }
 
-    fn judge(_q: &TriangleHitQuestion, golden: &Option<TriangleHitAnswer>, got: &Option<TriangleHitAnswer>) -> Verdict {
+    fn judge(
+        _q: &TriangleHitQuestion,
+        golden: &Option<TriangleHitAnswer>,
+        got: &Option<TriangleHitAnswer>,
+    ) -> Verdict {
         judge::option("a hit", golden.as_ref(), got.as_ref(), |golden, got| {
             judge::number("t", "m", golden.t, got.t)?;
             judge::number("b1", "", golden.b1, got.b1)?;
@@ -143,7 +216,10 @@ fn normal(q: &TriangleHitQuestion) -> Vec3 {
 
 /// The question for the whole line.
 fn on_the_line(q: &TriangleHitQuestion) -> TriangleHitQuestion {
-    TriangleHitQuestion { within: Interval::new(f32::NEG_INFINITY, f32::INFINITY), ..q.clone() }
+    TriangleHitQuestion {
+        within: Interval::new(f32::NEG_INFINITY, f32::INFINITY),
+        ..q.clone()
+    }
 }
 
 /// The hit of the triangle's plane, if the weights there are to one's taste.
@@ -151,7 +227,10 @@ fn plane(q: &TriangleHitQuestion, inside: fn(f32, f32) -> bool) -> Option<Triang
     let (n, e1, e2) = (normal(q), q.p1 - q.p0, q.p2 - q.p0);
     let t = n.dot(q.p0 - q.ray.origin) / n.dot(*q.ray.direction);
     let from_p0 = q.ray.at(t) - q.p0;
-    let (b1, b2) = (from_p0.cross(e2).dot(n) / n.length_squared(), e1.cross(from_p0).dot(n) / n.length_squared());
+    let (b1, b2) = (
+        from_p0.cross(e2).dot(n) / n.length_squared(),
+        e1.cross(from_p0).dot(n) / n.length_squared(),
+    );
     (inside(b1, b2) && q.within.contains(t)).then_some(TriangleHitAnswer { t, b1, b2 })
 }
 
@@ -196,7 +275,12 @@ impl Graded for TriangleNormal {
             edge("counter-clockwise seen from +z", Vec3::ZERO, x, y),
             edge("clockwise seen from +z", Vec3::ZERO, y, x),
             edge("lying on the floor, face down", Vec3::ZERO, x, z),
-            edge("away from the origin", vec3(5.0, 5.0, 5.0), vec3(6.0, 5.0, 5.0), vec3(5.0, 6.0, 5.0)),
+            edge(
+                "away from the origin",
+                vec3(5.0, 5.0, 5.0),
+                vec3(6.0, 5.0, 5.0),
+                vec3(5.0, 6.0, 5.0),
+            ),
             edge("a small one", Vec3::ZERO, 0.001 * x, 0.001 * z),
             edge("a large one", Vec3::ZERO, 1000.0 * y, 1000.0 * z),
             edge("three corners on a line", Vec3::ZERO, x, 2.0 * x),
@@ -210,6 +294,8 @@ impl Graded for TriangleNormal {
     }
 
     fn judge(_q: &TriangleQuestion, golden: &Option<Vec3>, got: &Option<Vec3>) -> Verdict {
-        judge::option("a normal", golden.as_ref(), got.as_ref(), |golden, got| judge::direction("the normal", *golden, *got))
+        judge::option("a normal", golden.as_ref(), got.as_ref(), |golden, got| {
+            judge::direction("the normal", *golden, *got)
+        })
     }
 }

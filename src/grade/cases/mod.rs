@@ -1,10 +1,11 @@
 //! The cases, judges and mistakes: a file per chapter.
 
 use crate::grade::examine::Examiner;
+use crate::workbook::curriculum::for_each_chapter;
 
 /// The modules, and all their exercises in order.
-macro_rules! chapters {
-    ($($chapter:ident),+ $(,)?) => {
+macro_rules! modules {
+    ($($chapter:ident),+) => {
         $(pub mod $chapter;)+
 
         /// Every graded exercise of the course.
@@ -14,15 +15,7 @@ macro_rules! chapters {
     };
 }
 
-chapters!(
-    ch01_rays,
-    ch02_hdr,
-    ch03_sphere,
-    ch04_plane,
-    ch05_box,
-    ch06_triangle,
-    ch07_mesh
-);
+for_each_chapter!(modules);
 
 /// The graded exercise of this name.
 pub fn find(exercise: &str) -> Option<&'static dyn Examiner> {

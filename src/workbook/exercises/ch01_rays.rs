@@ -69,7 +69,10 @@ row! {
 
 impl From<Ray> for CameraRayAnswer {
     fn from(ray: Ray) -> Self {
-        Self { origin: ray.origin, direction: *ray.direction }
+        Self {
+            origin: ray.origin,
+            direction: *ray.direction,
+        }
     }
 }
 
@@ -81,8 +84,23 @@ impl Exercise for CameraRay {
         film (0, 0) is the picture's top left, (1, 1) its bottom right.";
 
     fn answer(q: &Self::Question) -> Self::Answer {
-        let Self::Question { focal_point, forward, right, up, focal_length, plane, film } = *q;
-        let camera = Pinhole { focal_point, forward, right, up, focal_length, plane };
+        let Self::Question {
+            focal_point,
+            forward,
+            right,
+            up,
+            focal_length,
+            plane,
+            film,
+        } = *q;
+        let camera = Pinhole {
+            focal_point,
+            forward,
+            right,
+            up,
+            focal_length,
+            plane,
+        };
         camera.ray_through(film).into()
     }
 }

@@ -25,7 +25,8 @@ impl Exercise for Expose {
     type Answer = Rgb;
     const NAME: &'static str = "expose";
     const ANSWER: &'static str = "exposed";
-    const TASK: &'static str = "Return the radiance after an exposure of so many stops: one stop more is twice the light.";
+    const TASK: &'static str =
+        "Return the radiance after an exposure of so many stops: one stop more is twice the light.";
 
     fn answer(q: &Self::Question) -> Self::Answer {
         tone::expose(q.radiance, q.stops)

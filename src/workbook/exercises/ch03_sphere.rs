@@ -63,7 +63,9 @@ impl Exercise for SphereHit {
         as `Hit { t, uv: Vec2::ZERO, id: 0 }`, or None; lose no digits where the sphere is small and far away.";
 
     fn answer(q: &Self::Question) -> Self::Answer {
-        Sphere::new(q.center, q.radius).hit(&q.ray, q.within).map(|hit| hit.t)
+        Sphere::new(q.center, q.radius)
+            .hit(&q.ray, q.within)
+            .map(|hit| hit.t)
     }
 }
 
@@ -87,7 +89,8 @@ impl Exercise for SphereNormal {
     type Answer = Vec3;
     const NAME: &'static str = "sphere_normal";
     const ANSWER: &'static str = "normal";
-    const TASK: &'static str = "Return the unit vector that points out of the sphere at its point p.";
+    const TASK: &'static str =
+        "Return the unit vector that points out of the sphere at its point p.";
 
     fn answer(q: &Self::Question) -> Self::Answer {
         *Sphere::new(q.center, q.radius).normal_at(q.p)

@@ -33,6 +33,11 @@ impl Exercise for PlaneHit {
     const TASK: &'static str = "Return the distance t in the interval (min < t < max) at which the ray meets the plane n·p = offset, as `Hit { t, uv: Vec2::ZERO, id: 0 }`, or None.";
 
     fn answer(q: &Self::Question) -> Self::Answer {
-        Plane { normal: q.normal, offset: q.offset }.hit(&q.ray, q.within).map(|hit| hit.t)
+        Plane {
+            normal: q.normal,
+            offset: q.offset,
+        }
+        .hit(&q.ray, q.within)
+        .map(|hit| hit.t)
     }
 }

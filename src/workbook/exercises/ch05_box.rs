@@ -33,7 +33,14 @@ impl Exercise for BoxClip {
     const TASK: &'static str = "Return the part of the interval on which the ray is inside the box, as an Interval, or None if it never is; a ray in a face touches the box.";
 
     fn answer(q: &Self::Question) -> Self::Answer {
-        slab::clip(&Aabb { min: q.min, max: q.max }, &q.ray, q.within)
+        slab::clip(
+            &Aabb {
+                min: q.min,
+                max: q.max,
+            },
+            &q.ray,
+            q.within,
+        )
     }
 }
 
@@ -62,7 +69,8 @@ impl Exercise for BoundsOf {
     type Question = BoundsOfQuestion;
     type Answer = Corners;
     const NAME: &'static str = "bounds_of";
-    const TASK: &'static str = "Return the smallest box that holds all the points: its least and its greatest corner.";
+    const TASK: &'static str =
+        "Return the smallest box that holds all the points: its least and its greatest corner.";
 
     fn answer(q: &Self::Question) -> Self::Answer {
         let Aabb { min, max } = Aabb::of(q.points.iter().copied());

@@ -49,7 +49,11 @@ impl Exercise for TriangleHit {
     fn answer(q: &Self::Question) -> Self::Answer {
         Triangle::new(q.p0, q.p1, q.p2)
             .hit(&q.ray, q.within)
-            .map(|hit| TriangleHitAnswer { t: hit.t, b1: hit.uv.x, b2: hit.uv.y })
+            .map(|hit| TriangleHitAnswer {
+                t: hit.t,
+                b1: hit.uv.x,
+                b2: hit.uv.y,
+            })
     }
 }
 

@@ -8,7 +8,12 @@ use crate::workbook::row::row;
 use glam::{Vec2, Vec3};
 
 /// This chapter's exercises, in order.
-pub const EXERCISES: &[&dyn Asked] = &[&InterpolateNormal, &InterpolateTexture, &VertexNormals, &MeshHit];
+pub const EXERCISES: &[&dyn Asked] = &[
+    &InterpolateNormal,
+    &InterpolateTexture,
+    &VertexNormals,
+    &MeshHit,
+];
 
 /// See [`Exercise::TASK`].
 pub struct InterpolateNormal;
@@ -102,7 +107,10 @@ impl Exercise for VertexNormals {
 
     fn answer(q: &Self::Question) -> Self::Answer {
         let triangles: Vec<_> = q.triangles.iter().map(|t| [t.a, t.b, t.c]).collect();
-        attributes::vertex_normals(&q.positions, &triangles).into_iter().map(|n| *n).collect()
+        attributes::vertex_normals(&q.positions, &triangles)
+            .into_iter()
+            .map(|n| *n)
+            .collect()
     }
 }
 
@@ -150,9 +158,15 @@ impl Exercise for MeshHit {
     const TASK: &'static str = "Return the nearest shape of the list that the ray hits with min < t < max, and that hit, or None.";
 
     fn answer(q: &Self::Question) -> Self::Answer {
-        let facets = q.triangles.iter().zip(0..).map(|(t, id)| Facet { triangle: Triangle::new(t.p0, t.p1, t.p2), id });
+        let facets = q.triangles.iter().zip(0..).map(|(t, id)| Facet {
+            triangle: Triangle::new(t.p0, t.p1, t.p2),
+            id,
+        });
         let list = List::new(facets.collect());
         let (_, hit) = list.closest(&q.ray, q.within)?;
-        Some(MeshHitAnswer { t: hit.t, id: hit.id })
+        Some(MeshHitAnswer {
+            t: hit.t,
+            id: hit.id,
+        })
     }
 }

@@ -1,10 +1,11 @@
 //! What is asked: a file per chapter, a type per exercise. This part travels with the student.
 
+use crate::workbook::curriculum::for_each_chapter;
 use crate::workbook::exercise::Asked;
 
 /// The modules, and all their exercises in order.
-macro_rules! chapters {
-    ($($chapter:ident),+ $(,)?) => {
+macro_rules! modules {
+    ($($chapter:ident),+) => {
         $(pub mod $chapter;)+
 
         /// Every exercise of the course.
@@ -22,12 +23,4 @@ macro_rules! chapters {
     };
 }
 
-chapters!(
-    ch01_rays,
-    ch02_hdr,
-    ch03_sphere,
-    ch04_plane,
-    ch05_box,
-    ch06_triangle,
-    ch07_mesh
-);
+for_each_chapter!(modules);

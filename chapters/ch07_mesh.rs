@@ -4,9 +4,9 @@
 //! look smooth, and texture coordinates tell where on it we are. The search for the nearest triangle still asks them all.
 //!
 //! New: accel/mod.rs accel/list.rs shape/attributes.rs shape/mesh.rs shape/bezier.rs shape/teapot.rs
-//! New: shape/mesh_file.rs shape/word.rs shape/obj.rs shape/stl.rs
+//! New: shape/triangle_watertight.rs shape/mesh_file.rs shape/word.rs shape/obj.rs shape/stl.rs
 
-use raybook::accel::{Meshed, Tests, list::List};
+use raybook::accel::{Accel, Meshed, Tests, list::List};
 use raybook::image::Image;
 use raybook::lab::showroom::{self, Look, Showroom};
 use raybook::lab::stage::{Drawn, Stage};

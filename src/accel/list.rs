@@ -15,10 +15,12 @@ impl<S: Shape> List<S> {
     pub fn new(shapes: Vec<S>) -> Self {
         Self { shapes }
     }
+}
 
+impl<S: Shape> Accel<S> for List<S> {
     // ANCHOR: mesh_hit
-    /// As [`Accel::closest`], and counts the tests. Whatever is hit shortens the interval for the shapes after it.
-    pub fn closest_counted(
+    /// Whatever is hit shortens the interval for the shapes after it.
+    fn closest_counted(
         &self,
         ray: &Ray,
         mut within: Interval,
@@ -35,12 +37,6 @@ impl<S: Shape> List<S> {
         closest
     }
     // ANCHOR_END: mesh_hit
-}
-
-impl<S: Shape> Accel<S> for List<S> {
-    fn closest(&self, ray: &Ray, within: Interval) -> Option<(&S, Hit)> {
-        self.closest_counted(ray, within, &mut ())
-    }
 
     fn any(&self, ray: &Ray, within: Interval) -> bool {
         self.shapes.iter().any(|shape| shape.blocks(ray, within))

@@ -1,6 +1,8 @@
 //! Floor 3: which of many shapes a ray hits first.
 
+pub mod bounded;
 pub mod list;
+pub mod ray_box;
 
 use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use crate::shape::mesh::{Facet, Mesh};
@@ -8,8 +10,18 @@ use crate::shape::{Hit, Shape, Surface};
 
 /// Many shapes, searched for the one that a ray hits.
 pub trait Accel<S: Shape>: Send + Sync {
-    /// The nearest shape that the ray hits within the interval, and the hit.
-    fn closest(&self, ray: &Ray, within: Interval) -> Option<(&S, Hit)>;
+    /// The nearest shape that the ray hits within the interval, and the hit; counts the work.
+    fn closest_counted(
+        &self,
+        ray: &Ray,
+        within: Interval,
+        count: &mut impl Count,
+    ) -> Option<(&S, Hit)>;
+
+    /// The same, uncounted.
+    fn closest(&self, ray: &Ray, within: Interval) -> Option<(&S, Hit)> {
+        self.closest_counted(ray, within, &mut ())
+    }
 
     /// Whether the ray hits any shape within the interval: all that a shadow needs to know.
     fn any(&self, ray: &Ray, within: Interval) -> bool;

@@ -22,6 +22,10 @@ const OTHER_WAYS: &[(&str, &str)] = &[
         "hit_by_determinants",
         "crate::shape::Shape::hit(triangle, ray, within)",
     ),
+    (
+        "hit_watertight",
+        "let [p0, p1, p2] = *corners;\n    crate::shape::Shape::hit(&crate::shape::triangle::Triangle::new(p0, p1, p2), ray, within)",
+    ),
 ];
 
 /// The file by which a student's folder is known.

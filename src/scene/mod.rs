@@ -2,4 +2,6 @@
 
 pub mod evening;
 pub mod noise;
+pub mod soup;
+pub mod terrain;
 pub mod window;

@@ -2,7 +2,7 @@
 
 use crate::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray};
 use crate::shape::attributes::{interpolate_normal, interpolate_texture, vertex_normals};
-use crate::shape::{Hit, Shape, Surface, triangle::Triangle};
+use crate::shape::{Hit, Shape, Surface, triangle::Triangle, triangle_watertight};
 use glam::{Vec2, Vec3};
 
 /// A surface of triangles.
@@ -125,14 +125,12 @@ impl Mesh {
 
     /// The triangles as shapes of their own, in order: facet i has the id i.
     pub fn facets(&self) -> Vec<Facet> {
-        (0..)
-            .map_while(|id| {
-                Some(Facet {
-                    triangle: self.triangle(id)?,
-                    id,
-                })
-            })
-            .collect()
+        let corners = |indices: &[u32; 3]| indices.map(|i| self.positions[i as usize]);
+        let facet = |(indices, id)| Facet {
+            corners: corners(indices),
+            id,
+        };
+        self.triangles.iter().zip(0..).map(facet).collect()
     }
 
     /// The surface where a ray hit one of the facets: `hit.id` says which, `hit.uv` where on it.
@@ -163,27 +161,36 @@ impl Mesh {
 }
 
 /// One triangle of a mesh; its hits carry its number.
+///
+/// It keeps the corners as they are, and not p₀, e₁, e₂: p₀ + e₁ is rounded, and neighbours must share p₁ to the last digit
+/// for no ray to slip through between them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Facet {
-    /// The triangle.
-    pub triangle: Triangle,
+    /// p₀, p₁, p₂.
+    pub corners: [Vec3; 3],
     /// Its place in [`Mesh::triangles`].
     pub id: u32,
 }
 
+impl Facet {
+    /// The triangle.
+    pub fn triangle(&self) -> Triangle {
+        let [p0, p1, p2] = self.corners;
+        Triangle::new(p0, p1, p2)
+    }
+}
+
 impl Shape for Facet {
     fn bounds(&self) -> Aabb {
-        self.triangle.bounds()
+        Aabb::of(self.corners)
     }
 
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
-        self.triangle
-            .hit(ray, within)
-            .map(|hit| Hit { id: self.id, ..hit })
+        triangle_watertight::hit(&self.corners, ray, within).map(|hit| Hit { id: self.id, ..hit })
     }
 
     /// The flat surface; the smooth one is [`Mesh::surface`].
     fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
-        self.triangle.surface(ray, hit)
+        self.triangle().surface(ray, hit)
     }
 }

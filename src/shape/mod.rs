@@ -13,6 +13,7 @@ pub mod teapot;
 pub mod triangle;
 pub mod triangle_by_determinants;
 pub mod triangle_by_plane;
+pub mod triangle_watertight;
 pub mod word;
 
 use crate::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray};

@@ -2,7 +2,7 @@
 
 use crate::accel::{Accel, list::List};
 use crate::math::{dir3::Dir3, interval::Interval, ray::Ray};
-use crate::shape::{attributes, mesh::Facet, triangle::Triangle};
+use crate::shape::{attributes, mesh::Facet};
 use crate::workbook::exercise::{Asked, Exercise};
 use crate::workbook::row::row;
 use glam::{Vec2, Vec3};
@@ -159,7 +159,7 @@ impl Exercise for MeshHit {
 
     fn answer(q: &Self::Question) -> Self::Answer {
         let facets = q.triangles.iter().zip(0..).map(|(t, id)| Facet {
-            triangle: Triangle::new(t.p0, t.p1, t.p2),
+            corners: [t.p0, t.p1, t.p2],
             id,
         });
         let list = List::new(facets.collect());

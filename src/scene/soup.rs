@@ -1,0 +1,23 @@
+//! A soup: triangles that have nothing to do with each other.
+
+use crate::math::pcg;
+use crate::shape::mesh::Mesh;
+use glam::Vec3;
+use rand::RngExt;
+
+/// A cube of side 1, uniformly filled with n small triangles, each about as large as a cube of 1/n of the volume.
+///
+/// All grids and trees can be compared with theory here: it is the one scene in which every place is like every other.
+pub fn soup(n: u32, seed: u64) -> Mesh {
+    let mut rng = pcg::stream(seed, 0);
+    let size = 0.5 / (n.max(1) as f32).cbrt();
+    let mut vector = || Vec3::from_array(std::array::from_fn(|_| rng.random::<f32>()));
+    let mut positions = Vec::with_capacity(3 * n as usize);
+    for _ in 0..n {
+        let center = vector();
+        positions.extend([(); 3].map(|()| center + size * (2.0 * vector() - Vec3::ONE)));
+    }
+    let triangles = (0..n).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+    Mesh::new(positions, triangles, None, None)
+        .unwrap_or_else(|error| unreachable!("a soup is finite: {error}"))
+}

@@ -5,7 +5,7 @@ use rand::RngExt;
 use raybook::accel::{Accel, list::List};
 use raybook::math::pcg::{self, Pcg};
 use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
-use raybook::shape::mesh::Mesh;
+use raybook::shape::mesh::{Facet, Mesh};
 use raybook::shape::triangle::Triangle;
 use raybook::shape::{Shape, triangle_watertight};
 
@@ -65,7 +65,7 @@ fn no_ray_leaks_through_an_edge_or_a_vertex() {
         let scaled = mesh.positions().iter().map(|p| scale * p).collect();
         let scaled = Mesh::new(scaled, mesh.triangles().to_vec(), None, None).expect("a mesh");
         let facets = List::new(scaled.facets());
-        let others: Vec<Triangle> = scaled.facets().iter().map(|f| f.triangle()).collect();
+        let others: Vec<Triangle> = scaled.facets().iter().map(Facet::triangle).collect();
         let others = List::new(others);
         for _ in 0..4 {
             for ray in rays_at_edges(&mesh, &mut rng) {

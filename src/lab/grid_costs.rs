@@ -5,8 +5,10 @@ use crate::accel::{Accel, Tests};
 use crate::image::Image;
 use crate::lab::figure::{FONT, figure};
 use crate::lab::palette::{BLUE, FAINT, GREEN, INK, VERMILION};
-use crate::math::{interval::Interval, ray::Ray};
+use crate::lab::showroom::Showroom;
+use crate::math::interval::Interval;
 use crate::shape::mesh::Mesh;
+use glam::vec2;
 use plotters::prelude::{
     ChartBuilder, Circle, Color, IntoFont, IntoLogRange, LineSeries, PathElement, RGBColor,
     SeriesLabelPosition, Text, TextStyle, WHITE,
@@ -17,7 +19,12 @@ use std::hint::black_box;
 use std::time::Instant;
 
 /// Cells per triangle, λ.
-const DENSITIES: [f32; 10] = [0.003, 0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0];
+const DENSITIES: [f32; 12] = [
+    0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0, 300.0,
+];
+
+/// How many rays each grid is asked.
+const RAYS: usize = 2000;
 
 /// What a ray costs, on average, in a grid of so many cells per triangle.
 #[derive(Clone, Copy, Debug)]
@@ -32,21 +39,25 @@ pub struct Cost {
     pub triangles: f32,
 }
 
-/// The costs over [`DENSITIES`], measured now.
-pub fn measure(mesh: &Mesh, rays: &[Ray]) -> Vec<Cost> {
-    let per_ray = |x: f64| (x / rays.len().max(1) as f64) as f32;
+/// The costs over [`DENSITIES`] of a showroom's rays, measured now.
+pub fn measure(mesh: &Mesh) -> Vec<Cost> {
+    let room = Showroom::around(mesh, 1.6);
+    // Evenly over the picture, but no neighbours in a row.
+    let place = |i: usize| vec2(i as f32 * 0.618_034 % 1.0, i as f32 / RAYS as f32);
+    let rays: Vec<_> = (0..RAYS).map(|i| room.ray(place(i))).collect();
+    let per_ray = |x: f64| (x / RAYS as f64) as f32;
     let cost = |&density: &f32| {
         let facets = mesh.facets();
         let resolution = grid_resolution(mesh.bounds().size(), facets.len(), density);
         let grid = Grid::of_facets_with_resolution(facets, resolution);
         let mut tests = Tests::default();
-        for ray in rays {
+        for ray in &rays {
             grid.closest_counted(ray, Interval::AHEAD, &mut tests);
         }
         let mut best = f64::INFINITY;
         for _ in 0..3 {
             let start = Instant::now();
-            for ray in rays {
+            for ray in &rays {
                 black_box(grid.closest(ray, Interval::AHEAD));
             }
             best = best.min(start.elapsed().as_secs_f64());
@@ -61,8 +72,13 @@ pub fn measure(mesh: &Mesh, rays: &[Ray]) -> Vec<Cost> {
     DENSITIES.iter().map(cost).collect()
 }
 
+/// Rays per second in the grid that takes the least time.
+pub fn rate(costs: &[Cost]) -> f32 {
+    best(costs).map_or(0.0, |best| 1e9 / best.time)
+}
+
 /// The one that takes the least time.
-pub fn best(costs: &[Cost]) -> Option<&Cost> {
+fn best(costs: &[Cost]) -> Option<&Cost> {
     costs.iter().min_by(|a, b| a.time.total_cmp(&b.time))
 }
 
@@ -87,7 +103,7 @@ pub fn plot(costs: &[Cost]) -> Result<Image, Box<dyn Error>> {
             .x_label_area_size(100)
             .y_label_area_size(150)
             .build_cartesian_2d(
-                (0.002_f32..150.0).log_scale(),
+                (0.0007_f32..450.0).log_scale(),
                 (0.7..2.0 * most).log_scale(),
             )?;
         chart
@@ -120,16 +136,16 @@ pub fn plot(costs: &[Cost]) -> Result<Image, Box<dyn Error>> {
                 Text::new(words.to_owned(), (x, y), style)
             };
             chart.draw_series([
-                label(best.density, 0.55 * best.time, "the least time", GREEN),
-                label(0.011, 0.25 * most, "too few cells:", INK),
-                label(0.011, 0.16 * most, "nearly a list", INK),
-                label(50.0, 4.6 * best.time, "too many cells:", INK),
-                label(50.0, 2.9 * best.time, "steps through nothing", INK),
+                label(best.density, 0.5 * best.time, "the least time", GREEN),
+                label(0.006, 30.0, "too few cells:", INK),
+                label(0.006, 18.0, "nearly a list", INK),
+                label(30.0, 30.0 * best.time, "too many cells:", INK),
+                label(30.0, 18.0 * best.time, "steps through nothing", INK),
             ])?;
         }
         chart
             .configure_series_labels()
-            .position(SeriesLabelPosition::UpperRight)
+            .position(SeriesLabelPosition::UpperMiddle)
             .label_font(text(32))
             .legend_area_size(70)
             .margin(30)

@@ -21,6 +21,7 @@ pub mod sheet;
 pub mod showroom;
 pub mod sketch;
 pub mod slabs;
+pub mod stadium_figure;
 pub mod stage;
 pub mod stops;
 pub mod triangle_race;

@@ -18,11 +18,11 @@ const CELLS: UVec3 = uvec3(8, 5, 1);
 
 /// The triangles, seen from their edges.
 const TRIANGLES: [[Vec3; 2]; 6] = [
-    [vec3(5.15, 4.55, 0.5), vec3(6.35, 3.35, 0.5)],
-    [vec3(6.35, 3.35, 0.5), vec3(7.7, 4.2, 0.5)],
+    [vec3(5.0, 4.0, 0.5), vec3(6.35, 3.15, 0.5)],
+    [vec3(6.35, 3.15, 0.5), vec3(7.7, 4.2, 0.5)],
     [vec3(1.3, 3.3, 0.5), vec3(2.6, 4.2, 0.5)],
-    [vec3(2.6, 0.55, 0.5), vec3(4.6, 1.3, 0.5)],
-    [vec3(3.25, 2.85, 0.5), vec3(3.75, 2.4, 0.5)],
+    [vec3(2.3, 1.2, 0.5), vec3(4.4, 0.4, 0.5)],
+    [vec3(0.4, 2.7, 0.5), vec3(0.75, 2.25, 0.5)],
     [vec3(6.4, 0.35, 0.5), vec3(7.4, 1.5, 0.5)],
 ];
 
@@ -118,19 +118,23 @@ pub fn diagram() -> Result<Image, Box<dyn Error>> {
                 (enters.x - enters.x.round()).abs() < (enters.y - enters.y.round()).abs();
             let colour = if through_x { BLUE } else { GREEN };
             canvas.draw(&Circle::new(at(enters), 13, colour.filled()))?;
-            let corner = cell.as_vec3() + vec3(0.17, 0.82, 0.0);
+            // In the corner that is farthest from the ray.
+            let middle = cell.as_vec3() + 0.5;
+            let beside = ray.at(0.5 * (inside.min + inside.max)) - middle;
+            let side = if beside.x < beside.y { 1.0 } else { -1.0 };
+            let corner = middle + 0.33 * side * vec3(1.0, -1.0, 0.0);
             text(&number.to_string(), corner, 52, INK)?;
         }
         canvas.draw(&Circle::new(at(ray.at(hit)), 17, VERMILION.filled()))?;
         text("hit", ray.at(hit) + vec3(0.32, -0.08, 0.0), 46, VERMILION)?;
 
         let legend = [
-            (0.55, "crosses a plane x = i", BLUE),
-            (3.15, "crosses a plane y = j", GREEN),
-            (5.55, "triangle tested", VERMILION),
+            (0.9, "crosses a plane x = i", BLUE),
+            (3.9, "crosses a plane y = j", GREEN),
+            (6.9, "triangle tested", VERMILION),
         ];
         for (x, name, colour) in legend {
-            let place = vec3(x - 0.85, 5.55, 0.0);
+            let place = vec3(x - 0.85, 5.5, 0.0);
             canvas.draw(&Circle::new(at(place), 13, colour.filled()))?;
             let start = Pos::new(HPos::Left, VPos::Center);
             let style = (FONT, 42).into_font().color(&INK).pos(start);

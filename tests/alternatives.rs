@@ -6,6 +6,8 @@
 
 #[path = "alternatives/flat.rs"]
 mod flat;
+#[path = "alternatives/grid.rs"]
+mod grid;
 #[path = "alternatives/light.rs"]
 mod light;
 #[path = "alternatives/mesh.rs"]
@@ -83,6 +85,7 @@ fn alternatives() -> impl Iterator<Item = &'static Alternative> {
         flat::ALTERNATIVES,
         triangle::ALTERNATIVES,
         mesh::ALTERNATIVES,
+        grid::ALTERNATIVES,
     ]
     .into_iter()
     .flatten()

@@ -2,6 +2,7 @@
 
 pub mod bounded;
 pub mod list;
+pub mod octree;
 pub mod ray_box;
 
 use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};

@@ -36,19 +36,21 @@ pub struct Walk<'a> {
 struct Visit {
     node: u32,
     cell: Aabb,
-    inside: Interval,
+    enters: f32,
+    leaves: f32,
 }
 
 /// A node whose children are being visited.
 #[derive(Clone, Copy)]
 struct Open {
     children: u32,
-    /// The children still to be visited, as the ray counts them.
+    /// The children still to be visited, as the ray counts them, one bit each.
     waiting: u8,
-    cell: Aabb,
-    inside: Interval,
-    /// The distances of the three middle planes; NaN for a plane in which the ray runs.
-    middle: Vec3,
+    /// Per axis the lower face, the middle plane and the upper face.
+    planes: [[f32; 3]; 3],
+    /// Where the ray enters and leaves each child, as it counts them.
+    enters: [f32; 8],
+    leaves: [f32; 8],
 }
 
 impl<'a> Walk<'a> {
@@ -76,11 +78,16 @@ impl<'a> Walk<'a> {
     /// A ray crosses each plane once, so it is never in child 1 before child 0, nor in 3 before 1 or 2: for every ray the
     /// order of the numbers is an order from front to back, and nothing needs to be sorted.
     ///
-    /// Child i is entered if the ray crosses every plane that the child lies behind before it leaves the cell and before it
-    /// crosses any plane that the child lies in front of. This is asked for all eight at once, one bit for each.
+    /// A child is entered where the ray has crossed all the planes that the child lies behind, and left where it crosses the
+    /// first of those that the child lies in front of. If it is left before it is entered, the ray is never in it.
     pub fn next_leaf(&mut self, limit: f32, count: &mut impl Count) -> Option<u32> {
         loop {
-            let Visit { node, cell, inside } = match self.next.take() {
+            let Visit {
+                node,
+                cell,
+                enters,
+                leaves,
+            } = match self.next.take() {
                 Some(root) => root,
                 None => self.next_child(limit)?,
             };
@@ -89,28 +96,28 @@ impl<'a> Walk<'a> {
                 Kind::Leaf { .. } => return Some(node),
                 Kind::Inner { children, occupied } => (children, occupied),
             };
-            let middle = self.distances(cell.center());
-            let mut waiting = self.mirrored(occupied);
-            // 0·∞: the ray runs in a middle plane. The comparisons are false for the NaN, and both halves are entered.
-            for a in 0..3 {
-                if later(middle[a]) < inside.min {
-                    waiting &= !NEAR[a];
-                }
-                if middle[a] > inside.max {
-                    waiting &= NEAR[a];
-                }
-                for b in 0..3 {
-                    if middle[a] > later(middle[b]) {
-                        waiting &= NEAR[a] | !NEAR[b];
+            let center = cell.center();
+            let t = self.distances(center);
+            let (mut enters, mut leaves) = ([enters; 8], [leaves; 8]);
+            for axis in 0..3 {
+                let (behind, crossed) = (1 << axis, later(t[axis]));
+                for i in 0..8 {
+                    // 0·∞: the ray runs in this plane. The comparisons are false for the NaN, and it is in both halves.
+                    if i & behind != 0 {
+                        enters[i] = greater(enters[i], t[axis]);
+                    } else {
+                        leaves[i] = less(leaves[i], crossed);
                     }
                 }
             }
+            let entered = (0..8).fold(0, |bits, i| bits | u8::from(enters[i] <= leaves[i]) << i);
+            let planes = [0, 1, 2].map(|axis| [cell.min[axis], center[axis], cell.max[axis]]);
             self.open[self.opened] = Open {
                 children,
-                waiting,
-                cell,
-                inside,
-                middle,
+                waiting: entered & self.mirrored(occupied),
+                planes,
+                enters,
+                leaves,
             };
             self.opened += 1;
         }
@@ -130,20 +137,18 @@ impl<'a> Walk<'a> {
                 (low[axis], high[axis])
             };
             // 0·∞: the ray runs in this face. The comparisons are false for the NaN, and the other face decides.
-            enters = if near > enters { near } else { enters };
-            leaves = if later(far) < leaves {
-                later(far)
-            } else {
-                leaves
-            };
+            enters = greater(enters, near);
+            leaves = less(leaves, later(far));
         }
         (enters <= leaves).then_some(Visit {
             node: 0,
             cell: self.tree.bounds,
-            inside: Interval::new(enters, leaves),
+            enters,
+            leaves,
         })
     }
 
+    #[inline]
     /// The next child of the deepest open node that has one left.
     fn next_child(&mut self, limit: f32) -> Option<Visit> {
         while self.opened > 0 {
@@ -152,29 +157,22 @@ impl<'a> Walk<'a> {
                 self.opened -= 1;
                 continue;
             }
-            let first = open.waiting.trailing_zeros();
+            let first = open.waiting.trailing_zeros() as usize;
             open.waiting &= open.waiting - 1;
-            let number = first as u8 ^ self.mirror;
-            let center = open.cell.center();
-            let (mut cell, mut inside) = (open.cell, open.inside);
-            for axis in 0..3 {
-                let t = open.middle[axis];
-                if first >> axis & 1 != 0 {
-                    inside.min = if t > inside.min { t } else { inside.min };
-                } else {
-                    inside.max = if later(t) < inside.max { later(t) } else { inside.max };
-                }
-                if number >> axis & 1 != 0 {
-                    cell.min[axis] = center[axis];
-                } else {
-                    cell.max[axis] = center[axis];
-                }
-            }
-            if inside.min <= limit {
+            if open.enters[first] <= limit {
+                let child = first ^ self.mirror as usize;
+                let [x, y, z] = [0, 1, 2].map(|axis| {
+                    let above = child >> axis & 1;
+                    (open.planes[axis][above], open.planes[axis][above + 1])
+                });
                 return Some(Visit {
-                    node: open.children + u32::from(number),
-                    cell,
-                    inside,
+                    node: open.children + child as u32,
+                    cell: Aabb {
+                        min: Vec3::new(x.0, y.0, z.0),
+                        max: Vec3::new(x.1, y.1, z.1),
+                    },
+                    enters: open.enters[first],
+                    leaves: open.leaves[first],
                 });
             }
         }
@@ -205,13 +203,23 @@ impl Open {
     const NONE: Self = Self {
         children: 0,
         waiting: 0,
-        cell: Aabb::EMPTY,
-        inside: Interval::AHEAD,
-        middle: Vec3::ZERO,
+        planes: [[0.0; 3]; 3],
+        enters: [0.0; 8],
+        leaves: [0.0; 8],
     };
 }
 
 /// The distance a little later, by [`SLACK`] of its size.
 fn later(t: f32) -> f32 {
     t * (1.0 + SLACK.copysign(t))
+}
+
+/// The greater of two; a if b is NaN.
+fn greater(a: f32, b: f32) -> f32 {
+    if b > a { b } else { a }
+}
+
+/// The less of two; a if b is NaN.
+fn less(a: f32, b: f32) -> f32 {
+    if b < a { b } else { a }
 }

@@ -5,9 +5,11 @@ pub mod tree;
 pub mod validate;
 pub mod walk;
 
-use crate::accel::{Accel, Count, bounded::bounded, list::List};
+use crate::accel::{
+    Accel, Count, bounded::bounded, list::List, overlap::triangle_meets_box,
+};
 use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
-use crate::shape::{Hit, Shape};
+use crate::shape::{Hit, Shape, mesh::Facet};
 use build::{Limits, build};
 use tree::Tree;
 use walk::Walk;
@@ -60,6 +62,15 @@ impl<S: Shape> Octree<S> {
     /// The memory that it needs, with its shapes, in bytes.
     pub fn bytes(&self) -> usize {
         size_of_val(&*self.tree.nodes) + size_of_val(&*self.tree.named) + size_of_val(&*self.shapes)
+    }
+}
+
+impl Octree<Facet> {
+    /// An octree of facets, each only in the leaves that it itself meets, not all those that its box meets.
+    pub fn of_facets(facets: Vec<Facet>) -> Self {
+        Self::with(facets, Limits::USUAL, &|facet, cell| {
+            triangle_meets_box(&facet.corners, cell)
+        })
     }
 }
 

@@ -1,12 +1,13 @@
 //! A ray's way through the leaves, front to back.
 
 use crate::accel::Count;
+use crate::accel::octree::build::Limits;
 use crate::accel::octree::tree::{Kind, Tree};
 use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use glam::Vec3;
 
-/// More than the depth that [`Limits`](crate::accel::octree::build::Limits) allow.
-const LEVELS: usize = 21;
+/// A node of each depth may be open, from the root on.
+const LEVELS: usize = Limits::DEEPEST as usize + 1;
 
 /// A distance (b − o)·(1/d) has three roundings, of 2⁻²⁴ each. Two of them are compared, and a shape's own test sees the
 /// ray a few roundings off too: a cell is left only when the ray is so much beyond it.

@@ -46,7 +46,7 @@ impl Lattice {
     }
 
     /// All cells, in the order of their places in an array.
-    pub fn all(&self) -> impl Iterator<Item = UVec3> {
+    pub fn all(&self) -> impl Iterator<Item = UVec3> + use<> {
         range(UVec3::ZERO, self.resolution - UVec3::ONE)
     }
 

@@ -6,7 +6,7 @@
 //! New: accel/octree/mod.rs accel/octree/tree.rs accel/octree/reach.rs accel/octree/build.rs accel/octree/walk.rs
 //! New: accel/octree/validate.rs
 
-use raybook::accel::octree::Octree;
+use raybook::accel::octree::{Octree, build::Limits, reach::by_triangle};
 use raybook::lab::law::{Reach, fit, mean_tests};
 use raybook::lab::lines::{Line, lines};
 use raybook::lab::palette::{BLUE, FAINT, VERMILION};
@@ -21,12 +21,19 @@ pub(crate) fn draw(stage: &Stage) -> Drawn {
     let mesh = teapot::mesh(24);
     let octree = Octree::of_facets(mesh.facets());
     let film = stage.film_of(640, 4, 1.6);
-    let caption = "The teapot, and the cells that the octree makes of it: from left to right its triangles, then the cells after 7, 6, 5 and 4 cuts. Where cells are larger than their neighbours, another cut did not pay.";
-    let picture = blocks::dissolving(&film, &mesh, &octree);
+    // Finer than pays, so that a level shows all its cells.
+    let limits = Limits {
+        opening: 0.0,
+        copies: 500.0,
+        depth: 7,
+    };
+    let fine = Octree::with(mesh.facets(), limits, by_triangle);
+    let caption = "The teapot, and the cells that an octree makes of it: from left to right its triangles, then the cells after 7, 6, 5 and 4 cuts.";
+    let picture = blocks::dissolving(&film, &mesh, &fine);
     stage.picture("picture", caption, &picture)?;
 
     let tiles = [3, 4, 5, 6].map(|depth| {
-        let cells = blocks::cells(&octree, |_| depth);
+        let cells = blocks::cells(&fine, |_| depth);
         let name = format!("{depth} cuts: {} cells", cells.len());
         (
             name,

@@ -36,6 +36,7 @@ pub fn lines(title: &str, x: &str, y: &str, lines: &[Line]) -> Result<Image, Box
     figure(900, 560, |canvas| {
         let mut chart = ChartBuilder::on(canvas)
             .margin(30)
+            .margin_right(110)
             .caption(title, (FONT, 1.25 * TEXT).into_font().color(&INK))
             .x_label_area_size(110)
             .y_label_area_size(130)
@@ -49,6 +50,7 @@ pub fn lines(title: &str, x: &str, y: &str, lines: &[Line]) -> Result<Image, Box
             .x_labels(9)
             .x_label_formatter(&|v| label(*v))
             .y_labels(6)
+            .y_label_formatter(&|v| format!("{v:.0}"))
             .label_style((FONT, TEXT))
             .axis_desc_style((FONT, TEXT))
             .draw()?;

@@ -29,4 +29,5 @@ pub mod speed;
 pub mod stage;
 pub mod stops;
 pub mod sunshine;
+pub mod teapot_in_stadium;
 pub mod triangle_race;

@@ -33,7 +33,7 @@ pub struct Densities {
 impl Densities {
     /// Measured, see the chapter's page.
     pub const USUAL: Self = Self {
-        coarse: 1.0 / 16.0,
+        coarse: 1.0 / 8.0,
         fine: 5.0,
     };
 }

@@ -16,6 +16,8 @@ mod numbers;
 mod sphere;
 #[path = "alternatives/student.rs"]
 mod student;
+#[path = "alternatives/trees.rs"]
+mod trees;
 #[path = "alternatives/triangle.rs"]
 mod triangle;
 #[path = "alternatives/wrong.rs"]
@@ -83,6 +85,7 @@ fn alternatives() -> impl Iterator<Item = &'static Alternative> {
         flat::ALTERNATIVES,
         triangle::ALTERNATIVES,
         mesh::ALTERNATIVES,
+        trees::ALTERNATIVES,
     ]
     .into_iter()
     .flatten()

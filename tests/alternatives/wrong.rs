@@ -19,6 +19,12 @@ const HITS: &[&str] = &[
     "triangle_hit",
     "mesh_hit",
 ];
+const LISTS: &[&str] = &[
+    "refine_cell",
+    "two_level_walk",
+    "octree_build",
+    "octree_walk",
+];
 
 const WRONGS: &[Wrong] = &[
     (&["ray_at"], "1 % too far", |p| scale(p, 1.01)),
@@ -46,6 +52,12 @@ const WRONGS: &[Wrong] = &[
         turn(normals.last_chunk_mut::<3>().expect("a normal"));
     }),
     (&["mesh_hit"], "ids count from 1", |hit| hit[1] += 1.0),
+    (LISTS, "the last counts from 1", |cells| {
+        *cells.last_mut().expect("a count") += 1.0;
+    }),
+    (&["octree_child"], "upside down", |child| {
+        child[0] = (child[0] + 2.0) % 8.0;
+    }),
 ];
 
 /// Of so many answers that are spoilt, in percent, all these must be noticed: 1 % of 0 is right.

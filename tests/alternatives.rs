@@ -6,6 +6,8 @@
 
 #[path = "alternatives/flat.rs"]
 mod flat;
+#[path = "alternatives/grid.rs"]
+mod grid;
 #[path = "alternatives/light.rs"]
 mod light;
 #[path = "alternatives/mesh.rs"]
@@ -85,6 +87,7 @@ fn alternatives() -> impl Iterator<Item = &'static Alternative> {
         flat::ALTERNATIVES,
         triangle::ALTERNATIVES,
         mesh::ALTERNATIVES,
+        grid::ALTERNATIVES,
         trees::ALTERNATIVES,
     ]
     .into_iter()

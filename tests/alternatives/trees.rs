@@ -26,7 +26,9 @@ pub const ALTERNATIVES: &[Alternative] = &[
         method: "by the fraction of the cell, in f64",
         answer: |q| {
             let (min, max, p) = (q.vector(), q.vector(), q.vector());
-            let upper = (2.0 * (p - min) / (max - min)).floor().clamp(DVec3::ZERO, DVec3::ONE);
+            let upper = (2.0 * (p - min) / (max - min))
+                .floor()
+                .clamp(DVec3::ZERO, DVec3::ONE);
             Some(vec![upper.dot(DVec3::new(1.0, 2.0, 4.0))])
         },
     },

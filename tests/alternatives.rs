@@ -18,6 +18,8 @@ mod numbers;
 mod sphere;
 #[path = "alternatives/student.rs"]
 mod student;
+#[path = "alternatives/trees.rs"]
+mod trees;
 #[path = "alternatives/triangle.rs"]
 mod triangle;
 #[path = "alternatives/wrong.rs"]
@@ -86,6 +88,7 @@ fn alternatives() -> impl Iterator<Item = &'static Alternative> {
         triangle::ALTERNATIVES,
         mesh::ALTERNATIVES,
         grid::ALTERNATIVES,
+        trees::ALTERNATIVES,
     ]
     .into_iter()
     .flatten()

@@ -33,6 +33,10 @@ mod chapters {
     pub mod ch07_mesh;
     #[path = "../../chapters/ch08_grid.rs"]
     pub mod ch08_grid;
+    #[path = "../../chapters/ch09_two_level_grid.rs"]
+    pub mod ch09_two_level_grid;
+    #[path = "../../chapters/ch10_octree.rs"]
+    pub mod ch10_octree;
 }
 
 /// Draws a chapter.
@@ -48,6 +52,8 @@ const DRAW: &[(&str, Draw)] = &[
     ("ch06_triangle", chapters::ch06_triangle::draw),
     ("ch07_mesh", chapters::ch07_mesh::draw),
     ("ch08_grid", chapters::ch08_grid::draw),
+    ("ch09_two_level_grid", chapters::ch09_two_level_grid::draw),
+    ("ch10_octree", chapters::ch10_octree::draw),
 ];
 
 /// The options of `raybook tour`.

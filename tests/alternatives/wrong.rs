@@ -19,6 +19,12 @@ const HITS: &[&str] = &[
     "triangle_hit",
     "mesh_hit",
 ];
+const LISTS: &[&str] = &[
+    "refine_cell",
+    "two_level_walk",
+    "octree_build",
+    "octree_walk",
+];
 
 const WRONGS: &[Wrong] = &[
     (&["ray_at"], "1 % too far", |p| scale(p, 1.01)),
@@ -57,6 +63,12 @@ const WRONGS: &[Wrong] = &[
     }),
     (&["grid_walk"], "leaves 1 % too late", |visits| {
         visits[1..].chunks_mut(4).for_each(|visit| visit[3] *= 1.01);
+    }),
+    (LISTS, "the last counts from 1", |cells| {
+        *cells.last_mut().expect("a count") += 1.0;
+    }),
+    (&["octree_child"], "upside down", |child| {
+        child[0] = (child[0] + 2.0) % 8.0;
     }),
 ];
 

@@ -1,15 +1,18 @@
 //! The bounding volume hierarchy: boxes in boxes, and shapes in the smallest.
 
 pub mod build;
+pub mod pair;
 pub mod validate;
 
 use crate::accel::bvh::build::cost::Cost;
-use crate::accel::bvh::build::flat::{Flat, Node, Pair};
+use crate::accel::bvh::build::flat::{Flat, Node};
 use crate::accel::bvh::build::tree::MAX_DEPTH;
 use crate::accel::bvh::build::{Method, build};
-use crate::accel::{Accel, Count, bounded::bounded, list::List, ray_box::RayBox};
+use crate::accel::bvh::pair::{Link, Pair, RayPair, limits};
+use crate::accel::{Accel, Count, bounded::bounded, list::List};
 use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use crate::shape::{Hit, Shape};
+use glam::Vec4Swizzles;
 use rayon::prelude::*;
 
 /// A tree of boxes. Each holds the boxes below it, so a ray that misses it misses everything below.
@@ -80,44 +83,41 @@ impl<S: Shape> Accel<S> for Bvh<S> {
         if let Some((_, hit)) = closest {
             within = within.before(hit.t);
         }
-        let boxes = RayBox::new(ray);
-        let Some(mut node) = self.root else {
+        let Some(root) = self.root else {
             return closest;
         };
-        count.tested_box();
-        let mut stack = [(0.0_f32, Node::EMPTY); MAX_DEPTH as usize];
+        let ready = RayPair::new(ray);
+        let mut limit = limits(within);
+        let mut node = Link {
+            first: root.first,
+            count: root.count,
+        };
+        let mut stack = [(0.0_f32, node); MAX_DEPTH as usize];
         let mut height = 0;
-        if boxes.enters(&node.bounds, within).is_none() {
-            return closest;
-        }
         loop {
             if node.count == 0 {
-                let Pair([left, right]) = self.pairs[node.first as usize];
+                let pair = &self.pairs[node.first as usize];
                 count.tested_box();
                 count.tested_box();
-                match [left, right].map(|n| boxes.enters(&n.bounds, within)) {
-                    [Some(a), Some(b)] => {
-                        let far = if a <= b { (b, right) } else { (a, left) };
-                        node = if a <= b { left } else { right };
-                        stack[height] = far;
-                        height += 1;
-                        continue;
-                    }
-                    [Some(_), None] => {
-                        node = left;
-                        continue;
-                    }
-                    [None, Some(_)] => {
-                        node = right;
-                        continue;
-                    }
-                    [None, None] => {}
+                let t = ready.enters(pair, limit);
+                let hit = t.cmple(-t.zwxy()).bitmask() & 3;
+                if hit == 3 {
+                    let far = usize::from(t.x <= t.y);
+                    node = pair.links[1 - far];
+                    stack[height] = (if far == 1 { t.y } else { t.x }, pair.links[far]);
+                    height += 1;
+                    continue;
+                }
+                if hit != 0 {
+                    node = pair.links[hit as usize - 1];
+                    continue;
                 }
             } else {
                 for shape in &self.shapes[node.first as usize..][..node.count as usize] {
                     count.tested_shape();
                     if let Some(hit) = shape.hit(ray, within) {
                         within = within.before(hit.t);
+                        limit = limits(within);
                         closest = Some((shape, hit));
                     }
                 }

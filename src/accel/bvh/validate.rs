@@ -1,7 +1,8 @@
 //! What every tree keeps to.
 
-use crate::accel::bvh::build::flat::{Node, Pair};
+use crate::accel::bvh::build::flat::Node;
 use crate::accel::bvh::build::tree::MAX_DEPTH;
+use crate::accel::bvh::pair::Pair;
 use crate::math::aabb::Aabb;
 
 /// Checks a tree over boxes, which are in the order of its leaves:
@@ -63,7 +64,7 @@ impl Walk<'_> {
             boxes.iter().fold(Aabb::EMPTY, |all, b| all.union(b))
         } else {
             let pair = self.pairs.get(first).filter(|_| first == self.pair);
-            let Pair([left, right]) = pair.ok_or_else(|| {
+            let pair = pair.ok_or_else(|| {
                 format!(
                     "a branch has pair {first} of {}, and {} comes next",
                     self.pairs.len(),
@@ -76,8 +77,9 @@ impl Walk<'_> {
                 ));
             }
             self.pair += 1;
-            self.node(left, depth + 1)?;
-            self.node(right, depth + 1)?;
+            let [left, right] = [pair.node(0), pair.node(1)];
+            self.node(&left, depth + 1)?;
+            self.node(&right, depth + 1)?;
             left.bounds.union(&right.bounds)
         };
         if below == node.bounds {

@@ -1,6 +1,7 @@
 //! Stage 3: the tree as an array, without pointers.
 
 use crate::accel::bvh::build::tree::{Inside, Tree};
+use crate::accel::bvh::pair::Pair;
 use crate::math::aabb::Aabb;
 
 /// A box with either two children or some shapes, in 32 bytes.
@@ -23,11 +24,6 @@ impl Node {
         count: 0,
     };
 }
-
-/// The children of a branch, side by side: 64 bytes, one cache line.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[repr(C, align(64))]
-pub struct Pair(pub [Node; 2]);
 
 /// A tree as an array of pairs of nodes, depth-first: a branch's left subtree follows it.
 #[derive(Clone, Debug, PartialEq)]
@@ -65,9 +61,9 @@ fn place(tree: &Tree, pairs: &mut Vec<Pair>, shapes: &mut u32) -> Node {
         }
         Inside::Branch(children) => {
             let at = pairs.len();
-            pairs.push(Pair([Node::EMPTY; 2]));
+            pairs.push(Pair::new([Node::EMPTY; 2]));
             let [left, right] = &**children;
-            pairs[at] = Pair([place(left, pairs, shapes), place(right, pairs, shapes)]);
+            pairs[at] = Pair::new([place(left, pairs, shapes), place(right, pairs, shapes)]);
             Node {
                 bounds,
                 first: at as u32,

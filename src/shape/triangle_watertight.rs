@@ -13,10 +13,11 @@ use glam::{Vec3, Vec3A, Vec3Swizzles, vec2};
 /// of the triangles that 0 forms with the edges, have the same sign. Neighbours move a shared corner to the same place
 /// and compute the same products for a shared edge, so they see 0 on the same side of it. A rounded difference of rounded
 /// products never has the wrong sign, but it may be 0: then double precision, in which the products are exact, decides.
+/// The vectors x, y and z hold these coordinates of a, b and c, so one operation does the same for all three.
 #[inline]
 pub fn hit(corners: &[Vec3; 3], ray: &Ray, within: Interval) -> Option<Hit> {
     let [x, y, z] = Shear::along(ray).apply(corners, ray.origin);
-    let mut areas = x.zxy() * y.yzx() - y.zxy() * x.yzx();
+    let mut areas = x.zxy() * y.yzx() - y.zxy() * x.yzx(); // (u, v, w)
     if areas.cmpeq(Vec3A::ZERO).any() {
         let (x, y) = (x.as_dvec3(), y.as_dvec3());
         areas = (x.zxy() * y.yzx() - y.zxy() * x.yzx()).as_vec3a();
@@ -47,7 +48,7 @@ impl Shear {
     #[inline]
     fn along(ray: &Ray) -> Self {
         let d = *ray.direction;
-        let [x, y, z] = d.abs().to_array();
+        let Vec3 { x, y, z } = d.abs();
         let axes = if x >= y && x >= z {
             [1, 2, 0]
         } else if y >= z {

@@ -8,7 +8,7 @@ use crate::lab::figure::{Canvas, FONT, figure};
 use crate::lab::palette::{BLUE, FAINT, GREEN, INK, ORANGE, PURPLE, VERMILION};
 use crate::math::{aabb::Aabb, pcg};
 use glam::{Vec2, vec2};
-use plotters::prelude::{Color, IntoFont, PathElement, Polygon, RGBColor, Text};
+use plotters::prelude::{Color, IntoFont, Polygon, RGBColor, Rectangle, Text};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use rand::RngExt;
 use std::error::Error;
@@ -81,14 +81,13 @@ impl Paper<'_, '_> {
     /// # Errors
     /// As for [`Paper::triangle`].
     pub fn outline(&self, bounds: &Aabb, margin: f32, colour: RGBColor, width: u32) -> Drawn {
-        let (a, b) = (
+        let corners = [
             bounds.min.truncate() - margin,
             bounds.max.truncate() + margin,
-        );
-        let corners = [a, vec2(b.x, a.y), b, vec2(a.x, b.y), a, vec2(b.x, a.y)];
-        let corners = corners.map(|p| self.pixel(p)).to_vec();
+        ];
+        let corners = corners.map(|p| self.pixel(p));
         self.canvas
-            .draw(&PathElement::new(corners, colour.stroke_width(width)))?;
+            .draw(&Rectangle::new(corners, colour.stroke_width(width)))?;
         Ok(())
     }
 

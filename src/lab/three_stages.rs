@@ -130,7 +130,8 @@ impl Diagram<'_, '_, '_> {
     }
 
     fn line(&self, from: Vec2, to: Vec2) -> Drawn {
-        let ends = [from, to].map(|p| {
+        let rim = 27.0 / SCALE * (to - from).normalize_or_zero();
+        let ends = [from + rim, to - rim].map(|p| {
             let p = self.paper.origin + self.paper.scale * vec2(p.x, -p.y);
             (p.x as i32, p.y as i32)
         });

@@ -46,6 +46,18 @@ const WRONGS: &[Wrong] = &[
         turn(normals.last_chunk_mut::<3>().expect("a normal"));
     }),
     (&["mesh_hit"], "ids count from 1", |hit| hit[1] += 1.0),
+    (&["sah_cost"], "1 % too dear", |cost| scale(cost, 1.01)),
+    (&["sah_split"], "a box that is not there", |left| {
+        left[1] = 99.0
+    }),
+    (&["bvh_build"], "the root is too small", |tree| {
+        tree[1] += 0.1
+    }),
+    (&["bvh_closest"], "t is 1 % too large", |hit| hit[2] *= 1.01),
+    (&["bvh_closest"], "ids count from 1", |hit| hit[3] += 1.0),
+    (&["bvh_closest"], "twice as many tests", |hit| {
+        hit[0] = 2.0 * hit[0] + 3.0;
+    }),
 ];
 
 /// Of so many answers that are spoilt, in percent, all these must be noticed: 1 % of 0 is right.

@@ -10,6 +10,8 @@ mod boxes;
 mod ch11;
 #[path = "alternatives/flat.rs"]
 mod flat;
+#[path = "alternatives/grid.rs"]
+mod grid;
 #[path = "alternatives/light.rs"]
 mod light;
 #[path = "alternatives/mesh.rs"]
@@ -87,6 +89,7 @@ fn alternatives() -> impl Iterator<Item = &'static Alternative> {
         flat::ALTERNATIVES,
         triangle::ALTERNATIVES,
         mesh::ALTERNATIVES,
+        grid::ALTERNATIVES,
         ch11::ALTERNATIVES,
     ]
     .into_iter()

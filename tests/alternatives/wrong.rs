@@ -46,6 +46,18 @@ const WRONGS: &[Wrong] = &[
         turn(normals.last_chunk_mut::<3>().expect("a normal"));
     }),
     (&["mesh_hit"], "ids count from 1", |hit| hit[1] += 1.0),
+    (&["grid_resolution"], "one cell too many along y", |n| {
+        n[1] += 1.0;
+    }),
+    (&["voxels_of_triangle"], "x and z are swapped", |cells| {
+        cells[1..].chunks_mut(3).for_each(|cell| cell.swap(0, 2));
+    }),
+    (&["grid_walk"], "cells count from 1", |visits| {
+        visits[1..].chunks_mut(4).for_each(|visit| visit[0] += 1.0);
+    }),
+    (&["grid_walk"], "leaves 1 % too late", |visits| {
+        visits[1..].chunks_mut(4).for_each(|visit| visit[3] *= 1.01);
+    }),
     (&["sah_cost"], "1 % too dear", |cost| scale(cost, 1.01)),
     (&["sah_split"], "a box that is not there", |left| {
         left[1] = 99.0

@@ -97,7 +97,7 @@ impl Graded for GridResolution {
             edge("a stick", vec3(0.0, 3.0, 0.0), 50, 2.0),
             edge("a thin stick", vec3(0.02, 3.0, 0.001), 50, 2.0),
             edge("one point", Vec3::ZERO, 10, 5.0),
-            edge("one shape", vec3(1.0, 1.2, 0.9), 1, 5.0),
+            edge("one shape", vec3(1.0, 1.3, 0.7), 1, 5.0),
             edge("no shape", Vec3::ONE, 0, 5.0),
             edge("a grain", vec3(2e-4, 1e-4, 1.3e-4), 500, 5.0),
             edge("fewer cells than shapes", vec3(3.0, 2.0, 1.0), 5000, 0.1),
@@ -626,7 +626,7 @@ impl Graded for GridWalk {
         let aim = center + sample::point(rng, 0.9) * half;
         let within = match rng.random_range(0..6) {
             0 => Interval::new(0.0, 0.9 * origin.distance(aim)),
-            1 => Interval::new(0.4 * origin.distance(aim), f32::INFINITY),
+            1 => Interval::new(0.8 * origin.distance(aim), f32::INFINITY),
             _ => Interval::AHEAD,
         };
         GridWalkQuestion {

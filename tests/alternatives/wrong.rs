@@ -60,10 +60,10 @@ const WRONGS: &[Wrong] = &[
     }),
     (&["sah_cost"], "1 % too dear", |cost| scale(cost, 1.01)),
     (&["sah_split"], "a box that is not there", |left| {
-        left[1] = 99.0
+        left[1] = 99.0;
     }),
     (&["bvh_build"], "the root is too small", |tree| {
-        tree[1] += 0.1
+        tree[1] += 0.1;
     }),
     (&["bvh_closest"], "t is 1 % too large", |hit| hit[2] *= 1.01),
     (&["bvh_closest"], "ids count from 1", |hit| hit[3] += 1.0),

@@ -4,6 +4,10 @@
 
 #![allow(clippy::unnecessary_wraps)] // an answer may be none, if not in every exercise
 
+#[path = "alternatives/boxes.rs"]
+mod boxes;
+#[path = "alternatives/ch11.rs"]
+mod ch11;
 #[path = "alternatives/flat.rs"]
 mod flat;
 #[path = "alternatives/grid.rs"]
@@ -89,6 +93,7 @@ fn alternatives() -> impl Iterator<Item = &'static Alternative> {
         mesh::ALTERNATIVES,
         grid::ALTERNATIVES,
         trees::ALTERNATIVES,
+        ch11::ALTERNATIVES,
     ]
     .into_iter()
     .flatten()

@@ -37,6 +37,8 @@ mod chapters {
     pub mod ch09_two_level_grid;
     #[path = "../../chapters/ch10_octree.rs"]
     pub mod ch10_octree;
+    #[path = "../../chapters/ch11_bvh.rs"]
+    pub mod ch11_bvh;
 }
 
 /// Draws a chapter.
@@ -54,6 +56,7 @@ const DRAW: &[(&str, Draw)] = &[
     ("ch08_grid", chapters::ch08_grid::draw),
     ("ch09_two_level_grid", chapters::ch09_two_level_grid::draw),
     ("ch10_octree", chapters::ch10_octree::draw),
+    ("ch11_bvh", chapters::ch11_bvh::draw),
 ];
 
 /// The options of `raybook tour`.

@@ -26,6 +26,7 @@ macro_rules! for_each_chapter {
             ch08_grid,
             ch09_two_level_grid,
             ch10_octree
+            ch11_bvh
         );
     };
 }

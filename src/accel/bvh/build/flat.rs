@@ -1,0 +1,64 @@
+//! Stage 3: the tree as an array, without pointers.
+
+use crate::accel::bvh::build::tree::{Inside, Tree};
+use crate::accel::bvh::pair::{Link, Pair};
+use crate::math::aabb::Aabb;
+
+/// A box with either two children or some shapes, in 32 bytes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Node {
+    /// Holds all that is below.
+    pub bounds: Aabb,
+    /// What is below.
+    pub link: Link,
+}
+
+impl Node {
+    /// A place for a node.
+    pub const NONE: Self = Self {
+        bounds: Aabb::EMPTY,
+        link: Link::NONE,
+    };
+}
+
+/// A tree as an array of pairs of nodes, depth-first: a branch's left subtree comes right after its pair.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Flat {
+    /// The node of all; none without shapes.
+    pub root: Option<Node>,
+    /// All other nodes.
+    pub pairs: Vec<Pair>,
+    /// The numbers of the shapes, in the order of the leaves.
+    pub order: Vec<u32>,
+}
+
+impl Flat {
+    /// Flattens a tree whose leaves hold the shapes in this order.
+    pub fn new(tree: &Tree, order: Vec<u32>) -> Self {
+        let mut pairs = Vec::with_capacity(order.len());
+        let root = (!order.is_empty()).then(|| place(tree, &mut pairs, &mut 0));
+        pairs.shrink_to_fit();
+        Self { root, pairs, order }
+    }
+}
+
+/// Appends all that is below a subtree, and returns its node; `shapes` counts those in the leaves so far.
+fn place(tree: &Tree, pairs: &mut Vec<Pair>, shapes: &mut u32) -> Node {
+    let bounds = tree.bounds.into();
+    let (first, count) = match &tree.inside {
+        &Inside::Leaf(count) => {
+            let first = *shapes;
+            *shapes += count;
+            (first, count)
+        }
+        Inside::Branch(children) => {
+            let at = pairs.len();
+            pairs.push(Pair::new([Node::NONE; 2])); // its place is before its children's
+            let [left, right] = &**children;
+            pairs[at] = Pair::new([place(left, pairs, shapes), place(right, pairs, shapes)]);
+            (at as u32, 0)
+        }
+    };
+    let link = Link { first, count };
+    Node { bounds, link }
+}

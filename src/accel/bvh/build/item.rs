@@ -1,0 +1,116 @@
+//! Stage 1: all that a builder knows of a shape.
+
+use crate::math::aabb::Aabb;
+use glam::Vec3A;
+
+/// A box whose corners are four floats wide, for the builders: they unite boxes by the million.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    /// The least corner.
+    pub min: Vec3A,
+    /// The greatest corner.
+    pub max: Vec3A,
+}
+
+impl Bounds {
+    /// The box of no points: its union with any box is that box.
+    pub const EMPTY: Self = Self {
+        min: Vec3A::INFINITY,
+        max: Vec3A::NEG_INFINITY,
+    };
+
+    /// The smallest box that holds both.
+    #[must_use]
+    pub fn union(&self, other: &Self) -> Self {
+        Self {
+            min: self.min.min(other.min),
+            max: self.max.max(other.max),
+        }
+    }
+
+    /// Half the surface area: xy + yz + zx, in square metres; 0 for an empty box.
+    pub fn half_area(&self) -> f32 {
+        let size = (self.max - self.min).max(Vec3A::ZERO);
+        size.x * size.y + size.y * size.z + size.z * size.x
+    }
+}
+
+impl From<&Aabb> for Bounds {
+    fn from(bounds: &Aabb) -> Self {
+        Self {
+            min: bounds.min.into(),
+            max: bounds.max.into(),
+        }
+    }
+}
+
+impl From<Bounds> for Aabb {
+    fn from(bounds: Bounds) -> Self {
+        Self {
+            min: bounds.min.into(),
+            max: bounds.max.into(),
+        }
+    }
+}
+
+/// A shape as a builder sees it: its box, and which one it is.
+#[derive(Clone, Copy, Debug)]
+pub struct Item {
+    /// The box.
+    pub bounds: Bounds,
+    /// Which shape.
+    pub index: u32,
+}
+
+impl Item {
+    /// The item of a box and its place.
+    pub fn new((index, bounds): (usize, &Aabb)) -> Self {
+        Self {
+            bounds: bounds.into(),
+            index: index as u32,
+        }
+    }
+
+    /// Twice the centre of the box, which is as good as the centre for comparing.
+    pub fn center2(&self) -> Vec3A {
+        self.bounds.min + self.bounds.max
+    }
+
+    /// The same along one axis.
+    pub fn center2_along(&self, axis: usize) -> f32 {
+        // A reference, for glam's `[axis]` asks which axis it is: a branch, in the innermost loop.
+        let (min, max): (&[f32; 3], &[f32; 3]) =
+            (self.bounds.min.as_ref(), self.bounds.max.as_ref());
+        min[axis] + max[axis]
+    }
+}
+
+/// How far items extend.
+#[derive(Clone, Copy, Debug)]
+pub struct Extent {
+    /// The smallest box that holds their boxes.
+    pub bounds: Bounds,
+    /// The smallest box that holds twice their centres.
+    pub centers2: Bounds,
+}
+
+impl Extent {
+    /// How far these items extend.
+    pub fn of(items: &[Item]) -> Self {
+        let mut all = Self {
+            bounds: Bounds::EMPTY,
+            centers2: Bounds::EMPTY,
+        };
+        for item in items {
+            let (min, max) = (item.center2(), item.center2());
+            all.bounds = all.bounds.union(&item.bounds);
+            all.centers2 = all.centers2.union(&Bounds { min, max });
+        }
+        all
+    }
+
+    /// The axis along which the centres are spread most.
+    pub fn widest(&self) -> usize {
+        (self.centers2.max - self.centers2.min).max_position()
+    }
+}

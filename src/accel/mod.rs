@@ -3,6 +3,7 @@
 pub mod bounded;
 pub mod list;
 pub mod ray_box;
+pub mod wide_bvh;
 
 use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use crate::shape::mesh::{Facet, Mesh};

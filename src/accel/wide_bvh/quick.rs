@@ -84,6 +84,8 @@ pub fn build(facets: Vec<Facet>) -> Tree {
     tree.largest = bounds.min.abs().max(bounds.max.abs()).into();
     let order: Vec<u32> = items.iter().map(|i| i.2).collect();
     tree.root = Some(collapse(&mut tree, &order, &bin));
+    let mut nodes = super::pages::list(tree.nodes.len()); nodes.append(&mut tree.nodes); tree.nodes = nodes;
+    let mut leaves = super::pages::list(tree.leaves.len()); leaves.append(&mut tree.leaves); tree.leaves = leaves;
     tree
 }
 

@@ -2,9 +2,14 @@
 
 pub mod bounded;
 pub mod bvh;
+pub mod grid;
+pub mod lattice;
 pub mod list;
+pub mod margin;
+pub mod overlap;
 pub mod ray_box;
 pub mod wide_bvh;
+pub mod walk;
 
 use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use crate::shape::mesh::{Facet, Mesh};

@@ -23,7 +23,8 @@ macro_rules! for_each_chapter {
             ch05_box,
             ch06_triangle,
             ch07_mesh,
-            ch08_grid
+            ch08_grid,
+            ch11_bvh
         );
     };
 }

@@ -31,7 +31,7 @@ pub fn build(facets: Vec<Facet>, method: Method) -> Tree {
     }
     let kept = families.iter().flat_map(|family| &family.children);
     let kept = old.first().map(|_| &0).into_iter().chain(kept);
-    let chosen: Vec<u32> = kept.copied().filter(|&i| old[i as usize].count > 0).collect();
+    let chosen: Vec<u32> = kept.copied().filter(|&i| old[i as usize].link.count > 0).collect();
     for (place, &leaf) in chosen.iter().enumerate() {
         links[leaf as usize] = Link::leaf(place);
     }
@@ -42,7 +42,7 @@ pub fn build(facets: Vec<Facet>, method: Method) -> Tree {
     let mut leaves = pages::list(chosen.len());
     let leaf = |i: usize| {
         let node = &old[chosen[i] as usize];
-        Leaf::new(&facets, &flat.order[node.first as usize..][..node.count as usize])
+        Leaf::new(&facets, &flat.order[node.link.first as usize..][..node.link.count as usize])
     };
     (0..chosen.len()).into_par_iter().map(leaf).collect_into_vec(&mut leaves);
     Tree {

@@ -49,10 +49,17 @@ impl Shear {
     /// The shear of a ray.
     #[inline]
     pub fn along(ray: &Ray) -> Self {
-        let d = ray.direction.to_array();
-        let z = ray.direction.abs().max_position();
-        let (x, y) = ((z + 1) % 3, (z + 2) % 3);
-        let inverse = 1.0 / d[z];
+        let d = *ray.direction;
+        let Vec3 { x, y, z } = d.abs();
+        let axes = if x >= y && x >= z {
+            [1, 2, 0]
+        } else if y >= z {
+            [2, 0, 1]
+        } else {
+            [0, 1, 2]
+        };
+        let [dx, dy, dz] = [d[axes[0]], d[axes[1]], d[axes[2]]];
+        let inverse = 1.0 / dz;
         Self {
             axes,
             slopes: [dx * inverse, dy * inverse, inverse],

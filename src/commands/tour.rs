@@ -33,6 +33,8 @@ mod chapters {
     pub mod ch07_mesh;
     #[path = "../../chapters/ch08_grid.rs"]
     pub mod ch08_grid;
+    #[path = "../../chapters/ch11_bvh.rs"]
+    pub mod ch11_bvh;
 }
 
 /// Draws a chapter.
@@ -48,6 +50,7 @@ const DRAW: &[(&str, Draw)] = &[
     ("ch06_triangle", chapters::ch06_triangle::draw),
     ("ch07_mesh", chapters::ch07_mesh::draw),
     ("ch08_grid", chapters::ch08_grid::draw),
+    ("ch11_bvh", chapters::ch11_bvh::draw),
 ];
 
 /// The options of `raybook tour`.

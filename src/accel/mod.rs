@@ -8,8 +8,8 @@ pub mod list;
 pub mod margin;
 pub mod overlap;
 pub mod ray_box;
-pub mod wide_bvh;
 pub mod walk;
+pub mod wide_bvh;
 
 use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use crate::shape::mesh::{Facet, Mesh};

@@ -35,6 +35,8 @@ mod chapters {
     pub mod ch08_grid;
     #[path = "../../chapters/ch11_bvh.rs"]
     pub mod ch11_bvh;
+    #[path = "../../chapters/ch24_wide_bvh.rs"]
+    pub mod ch24_wide_bvh;
 }
 
 /// Draws a chapter.
@@ -51,6 +53,7 @@ const DRAW: &[(&str, Draw)] = &[
     ("ch07_mesh", chapters::ch07_mesh::draw),
     ("ch08_grid", chapters::ch08_grid::draw),
     ("ch11_bvh", chapters::ch11_bvh::draw),
+    ("ch24_wide_bvh", chapters::ch24_wide_bvh::draw),
 ];
 
 /// The options of `raybook tour`.

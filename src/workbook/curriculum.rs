@@ -24,7 +24,8 @@ macro_rules! for_each_chapter {
             ch06_triangle,
             ch07_mesh,
             ch08_grid,
-            ch11_bvh
+            ch11_bvh,
+            ch24_wide_bvh
         );
     };
 }

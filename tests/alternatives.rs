@@ -8,6 +8,8 @@
 mod boxes;
 #[path = "alternatives/ch11.rs"]
 mod ch11;
+#[path = "alternatives/ch24.rs"]
+mod ch24;
 #[path = "alternatives/flat.rs"]
 mod flat;
 #[path = "alternatives/grid.rs"]
@@ -94,6 +96,7 @@ fn alternatives() -> impl Iterator<Item = &'static Alternative> {
         grid::ALTERNATIVES,
         trees::ALTERNATIVES,
         ch11::ALTERNATIVES,
+        ch24::ALTERNATIVES,
     ]
     .into_iter()
     .flatten()

@@ -12,6 +12,7 @@ pub mod overlap;
 pub mod ray_box;
 pub mod two_level_grid;
 pub mod walk;
+pub mod wide_bvh;
 
 use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use crate::shape::mesh::{Facet, Mesh};

@@ -25,8 +25,9 @@ macro_rules! for_each_chapter {
             ch07_mesh,
             ch08_grid,
             ch09_two_level_grid,
-            ch10_octree
-            ch11_bvh
+            ch10_octree,
+            ch11_bvh,
+            ch24_wide_bvh
         );
     };
 }

@@ -69,6 +69,7 @@ const WRONGS: &[Wrong] = &[
     }),
     (&["octree_child"], "upside down", |child| {
         child[0] = (child[0] + 2.0) % 8.0;
+    }),
     (&["sah_cost"], "1 % too dear", |cost| scale(cost, 1.01)),
     (&["sah_split"], "a box that is not there", |left| {
         left[1] = 99.0;
@@ -80,6 +81,22 @@ const WRONGS: &[Wrong] = &[
     (&["bvh_closest"], "ids count from 1", |hit| hit[3] += 1.0),
     (&["bvh_closest"], "twice as many tests", |hit| {
         hit[0] = 2.0 * hit[0] + 3.0;
+    }),
+    (
+        &["collapse"],
+        "the last child is its neighbour",
+        |families| {
+            *families.last_mut().expect("a number") += 1.0;
+        },
+    ),
+    (&["wide_closest"], "t is 1 % too large", |hit| {
+        hit[2] *= 1.01
+    }),
+    (&["wide_closest"], "three times as many nodes", |hit| {
+        hit[0] = 3.0 * hit[0] + 2.0;
+    }),
+    (&["wide_closest"], "three times as many tests", |hit| {
+        hit[1] = 3.0 * hit[1] + 2.0;
     }),
 ];
 

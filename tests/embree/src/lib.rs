@@ -42,6 +42,7 @@ pub mod patch;
 pub mod questions;
 pub mod rays;
 pub mod sample;
+pub mod scans;
 pub mod shapes;
 pub mod student;
 pub mod tally;

@@ -1,0 +1,40 @@
+//! Everyone in the race. One more is a line here, and a [`Search`] where there is none yet.
+
+pub mod bvh_crate;
+pub mod embree;
+pub mod obvhs;
+pub mod ours;
+pub mod parry;
+
+use crate::racer::{Entry, Racer, Search};
+use ours::Ours;
+use raybook::accel::list::List;
+use raybook::shape::mesh::Mesh;
+
+/// All that take part; the first is what the others are compared with.
+pub const ENTRIES: &[Entry] = &[
+    entry("Embree", false, embree::build),
+    Entry {
+        at_most: 10_000,
+        ..entry("List", true, |mesh, _| boxed(Ours(List::new(mesh.facets()))))
+    },
+    entry("obvhs BVH2", false, |mesh, _| boxed(obvhs::Bvh2::new(mesh))),
+    entry("obvhs CwBvh", false, |mesh, _| boxed(obvhs::Wide::new(mesh))),
+    entry("bvh", false, |mesh, _| boxed(bvh_crate::Bvh::new(mesh))),
+    entry("parry3d", false, |mesh, _| boxed(parry::Trimesh::new(mesh)?)),
+];
+
+type Build = fn(&Mesh, usize) -> Result<Box<dyn Racer>, String>;
+
+const fn entry(name: &'static str, ours: bool, build: Build) -> Entry {
+    Entry {
+        name,
+        ours,
+        build,
+        at_most: usize::MAX,
+    }
+}
+
+fn boxed<S: Search + 'static>(search: S) -> Result<Box<dyn Racer>, String> {
+    Ok(Box::new(search))
+}

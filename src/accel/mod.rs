@@ -1,8 +1,14 @@
 //! Floor 3: which of many shapes a ray hits first.
 
 pub mod bounded;
+pub mod grid;
+pub mod lattice;
 pub mod list;
+pub mod margin;
+pub mod octree;
+pub mod overlap;
 pub mod ray_box;
+pub mod walk;
 
 use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use crate::shape::mesh::{Facet, Mesh};

@@ -46,6 +46,15 @@ impl Aabb {
         }
     }
 
+    /// The box that reaches so much further on each side.
+    #[must_use]
+    pub fn grown(&self, margin: f32) -> Self {
+        Self {
+            min: self.min - margin,
+            max: self.max + margin,
+        }
+    }
+
     /// Whether p lies inside or on a face.
     pub fn contains(&self, p: Vec3) -> bool {
         self.min.cmple(p).all() && p.cmple(self.max).all()

@@ -185,6 +185,7 @@ impl Shape for Facet {
         Aabb::of(self.corners)
     }
 
+    #[inline]
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         triangle_watertight::hit(&self.corners, ray, within).map(|hit| Hit { id: self.id, ..hit })
     }

@@ -13,6 +13,7 @@ use glam::{Vec3, vec2};
 /// of the triangles that 0 forms with the edges, have the same sign. Neighbours move a shared corner to the same place
 /// and compute the same products for a shared edge, so they see 0 on the same side of it. A rounded difference of rounded
 /// products never has the wrong sign, but it may be 0: then double precision, in which the products are exact, decides.
+#[inline]
 pub fn hit(corners: &[Vec3; 3], ray: &Ray, within: Interval) -> Option<Hit> {
     let shear = Shear::along(ray);
     let [a, b, c] = corners.map(|corner| shear.apply(corner - ray.origin));
@@ -43,6 +44,7 @@ struct Shear {
 }
 
 impl Shear {
+    #[inline]
     fn along(ray: &Ray) -> Self {
         let d = ray.direction.to_array();
         let z = ray.direction.abs().max_position();
@@ -54,6 +56,7 @@ impl Shear {
         }
     }
 
+    #[inline]
     fn apply(&self, p: Vec3) -> Vec3 {
         let p = p.to_array();
         let [x, y, z] = self.axes.map(|axis| p[axis]);

@@ -1,0 +1,132 @@
+//! Which shapes are in which cell.
+
+use crate::accel::lattice::{Lattice, range};
+use crate::accel::{margin::margin, overlap::Separation};
+use crate::math::aabb::Aabb;
+use crate::shape::{Shape, mesh::Facet};
+use glam::{UVec3, Vec3};
+
+/// The parts of a grid.
+#[derive(Clone, Debug)]
+pub struct Parts<S> {
+    /// The shapes, in the order of the first cell in which they are.
+    pub shapes: Vec<S>,
+    /// The cells' planes.
+    pub lattice: Lattice,
+    /// How far a cell looks beyond its planes.
+    pub margin: f32,
+    /// Cell i holds the references from starts[i] to starts[i + 1].
+    pub starts: Vec<u32>,
+    /// Places in `shapes`.
+    pub references: Vec<u32>,
+}
+
+/// More references than this and than 16 per shape, or more cells, mean shapes or a wish that suit no grid.
+const MOST: usize = 1 << 26;
+
+/// Sorts shapes with finite bounds into cells: `resolution` is told the extents of the box of all shapes and their number,
+/// and `cells_of` which cells a shape is in.
+///
+/// A counting sort: the first pass counts the shapes of each cell, the sums of the counts are where the lists begin, and the
+/// second pass writes each shape into its lists. So there are two arrays, and not a list of its own for each cell.
+///
+/// Where shapes are so large that the lists would not fit into memory, the resolution is halved until they do.
+pub fn build<S: Shape>(
+    shapes: Vec<S>,
+    resolution: impl FnOnce(Vec3, usize) -> UVec3,
+    cells_of: impl Fn(&Lattice, f32, &S) -> Vec<UVec3>,
+) -> Parts<S> {
+    let all = shapes.iter().map(Shape::bounds).reduce(|a, b| a.union(&b));
+    let bounds = all.unwrap_or(Aabb::of([Vec3::ZERO]));
+    let margin = margin(&bounds);
+    let grown = bounds.grown(margin);
+    // No cell is smaller than what it looks beyond its planes.
+    let most = (grown.size() / margin).as_uvec3();
+    let mut lattice = Lattice::new(&grown, resolution(bounds.size(), shapes.len()).min(most));
+    let lists = loop {
+        match lists(&shapes, &lattice, |shape| cells_of(&lattice, margin, shape)) {
+            Some(lists) => break lists,
+            None => lattice = Lattice::new(&grown, lattice.resolution / 2),
+        }
+    };
+
+    // Neighbours in space become neighbours in memory.
+    let mut listed: Vec<_> = lists.into_iter().zip(shapes).collect();
+    listed.sort_by_key(|(cells, _)| cells.first().copied());
+    let mut starts = vec![0; lattice.cells() + 1];
+    for (cells, _) in &listed {
+        for &cell in cells {
+            starts[cell as usize + 1] += 1;
+        }
+    }
+    for i in 1..starts.len() {
+        starts[i] += starts[i - 1];
+    }
+    let mut next = starts.clone();
+    let mut references = vec![0; starts[lattice.cells()] as usize];
+    for ((cells, _), place) in listed.iter().zip(0..) {
+        for &cell in cells {
+            references[next[cell as usize] as usize] = place;
+            next[cell as usize] += 1;
+        }
+    }
+    Parts {
+        shapes: listed.into_iter().map(|(_, shape)| shape).collect(),
+        lattice,
+        margin,
+        starts,
+        references,
+    }
+}
+
+/// The cells of each shape, by their places in an array of all cells; `None` if there are too many.
+fn lists<S>(
+    shapes: &[S],
+    lattice: &Lattice,
+    cells_of: impl Fn(&S) -> Vec<UVec3>,
+) -> Option<Vec<Vec<u32>>> {
+    let mut left = MOST.max(16 * shapes.len());
+    if lattice.cells() > MOST {
+        return None;
+    }
+    let list = |shape| {
+        let cells = cells_of(shape);
+        left = left.checked_sub(cells.len())?;
+        Some(
+            cells
+                .into_iter()
+                .map(|cell| lattice.index(cell) as u32)
+                .collect(),
+        )
+    };
+    shapes.iter().map(list).collect()
+}
+
+/// The cells that the shape's bounding box reaches.
+pub fn by_bounds<S: Shape>(lattice: &Lattice, margin: f32, shape: &S) -> Vec<UVec3> {
+    let (first, last) = lattice.cells_of(&shape.bounds().grown(margin));
+    range(first, last).collect()
+}
+
+/// The cells that the triangle itself reaches.
+pub fn by_triangle(lattice: &Lattice, margin: f32, facet: &Facet) -> Vec<UVec3> {
+    voxels_of_triangle(lattice, margin, &facet.corners)
+}
+
+// ANCHOR: voxels_of_triangle
+/// The cells of the lattice that a triangle reaches, with a margin: those whose box, grown by the margin on each side,
+/// meets it.
+///
+/// The cells of its bounding box are tried one by one with the separating axes; most are out of its plane.
+pub fn voxels_of_triangle(lattice: &Lattice, margin: f32, corners: &[Vec3; 3]) -> Vec<UVec3> {
+    let (first, last) = lattice.cells_of(&Aabb::of(*corners).grown(margin));
+    if first == last {
+        return vec![first];
+    }
+    let separation = Separation::new(corners, 0.5 * lattice.cell + margin);
+    let center = |cell: UVec3| lattice.min + (cell.as_vec3() + 0.5) * lattice.cell;
+    range(first, last)
+        .filter(|&cell| !separation.separates(center(cell)))
+        .collect()
+}
+// ANCHOR_END: voxels_of_triangle

@@ -1,0 +1,153 @@
+//! The uniform grid: space cut into equal cells, each with a list of the shapes in it.
+
+pub mod build;
+pub mod mailbox;
+pub mod resolution;
+pub mod validate;
+
+use crate::accel::grid::{
+    build::Parts,
+    mailbox::Mailbox,
+    resolution::{DENSITY, grid_resolution},
+};
+use crate::accel::{
+    Accel, Count, bounded::bounded, lattice::Lattice, list::List, margin::is_too_far, walk::walk,
+};
+use crate::math::{interval::Interval, ray::Ray};
+use crate::shape::{Hit, Shape, mesh::Facet};
+use glam::UVec3;
+use std::ops::ControlFlow;
+
+/// A uniform grid. As boxes it counts the cells that it visits.
+#[derive(Clone, Debug)]
+pub struct Grid<S> {
+    parts: Parts<S>,
+    /// The shapes without a finite box, asked by every ray.
+    unbounded: List<S>,
+}
+
+impl<S: Shape> Grid<S> {
+    /// A grid with the resolution of [`grid_resolution`]; a shape is in each cell that its bounding box meets.
+    pub fn new(shapes: Vec<S>) -> Self {
+        Self::built(shapes, None, build::by_bounds)
+    }
+
+    /// A grid of so many cells along each axis.
+    pub fn with_resolution(shapes: Vec<S>, resolution: UVec3) -> Self {
+        Self::built(shapes, Some(resolution), build::by_bounds)
+    }
+
+    /// The grid's planes.
+    pub fn lattice(&self) -> &Lattice {
+        &self.parts.lattice
+    }
+
+    /// How many places in all lists: the shapes, each as often as there are cells in which it is.
+    pub fn references(&self) -> usize {
+        self.parts.references.len()
+    }
+
+    /// The memory that the grid takes, with its shapes, in bytes.
+    pub fn bytes(&self) -> usize {
+        size_of_val(&*self.parts.shapes)
+            + size_of_val(&*self.parts.starts)
+            + size_of_val(&*self.parts.references)
+    }
+
+    fn built(
+        shapes: Vec<S>,
+        resolution: Option<UVec3>,
+        cells_of: impl Fn(&Lattice, f32, &S) -> Vec<UVec3>,
+    ) -> Self {
+        let (shapes, unbounded) = bounded(shapes);
+        let resolution =
+            |size, count| resolution.unwrap_or_else(|| grid_resolution(size, count, DENSITY));
+        Self {
+            parts: build::build(shapes, resolution, cells_of),
+            unbounded,
+        }
+    }
+
+    /// Visits the lists of the cells along the ray, each with the distance at which the ray leaves the cell.
+    fn visit(
+        &self,
+        ray: &Ray,
+        within: Interval,
+        mut visit: impl FnMut(&[u32], f32) -> ControlFlow<()>,
+    ) {
+        if is_too_far(ray, &self.parts.lattice.bounds(), self.parts.margin) {
+            let _ = visit(&self.parts.references, f32::INFINITY);
+            return;
+        }
+        walk(&self.parts.lattice, ray, within, |cell, inside| {
+            let i = self.parts.lattice.index(cell);
+            let list = self.parts.starts[i] as usize..self.parts.starts[i + 1] as usize;
+            visit(&self.parts.references[list], inside.max)
+        });
+    }
+}
+
+impl Grid<Facet> {
+    /// A grid with the resolution of [`grid_resolution`]; a facet is only in the cells that it itself meets.
+    pub fn of_facets(facets: Vec<Facet>) -> Self {
+        Self::built(facets, None, build::by_triangle)
+    }
+
+    /// The same, with so many cells along each axis.
+    pub fn of_facets_with_resolution(facets: Vec<Facet>, resolution: UVec3) -> Self {
+        Self::built(facets, Some(resolution), build::by_triangle)
+    }
+}
+
+impl<S: Shape> Accel<S> for Grid<S> {
+    fn closest_counted(
+        &self,
+        ray: &Ray,
+        mut within: Interval,
+        count: &mut impl Count,
+    ) -> Option<(&S, Hit)> {
+        let mut closest = self.unbounded.closest_counted(ray, within, count);
+        if let Some((_, hit)) = closest {
+            within = within.before(hit.t);
+        }
+        let mut asked = Mailbox::new();
+        self.visit(ray, within, |places, leave| {
+            count.tested_box();
+            for &place in places {
+                if asked.is_first(place) {
+                    count.tested_shape();
+                    let shape = &self.parts.shapes[place as usize];
+                    if let Some(hit) = shape.hit(ray, within) {
+                        within = within.before(hit.t);
+                        closest = Some((shape, hit));
+                    }
+                }
+            }
+            // The hit may be in a later cell, where something nearer may be too.
+            break_if(within.max <= leave)
+        });
+        closest
+    }
+
+    fn any(&self, ray: &Ray, within: Interval) -> bool {
+        let mut blocked = self.unbounded.any(ray, within);
+        if !blocked {
+            let mut asked = Mailbox::new();
+            self.visit(ray, within, |places, _| {
+                blocked = places.iter().any(|&place| {
+                    asked.is_first(place) && self.parts.shapes[place as usize].blocks(ray, within)
+                });
+                break_if(blocked)
+            });
+        }
+        blocked
+    }
+}
+
+fn break_if(done: bool) -> ControlFlow<()> {
+    if done {
+        ControlFlow::Break(())
+    } else {
+        ControlFlow::Continue(())
+    }
+}

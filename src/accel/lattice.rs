@@ -1,0 +1,76 @@
+//! A box cut into equal cells.
+
+use crate::math::aabb::Aabb;
+use glam::{UVec3, Vec3};
+
+/// A box cut into equal cells by planes square to the axes.
+///
+/// Plane i of an axis is at minᵢ + i·cellᵢ, for i from 0 to the resolution; cell i lies between the planes i and i + 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lattice {
+    /// The least corner of the box.
+    pub min: Vec3,
+    /// The extent of one cell along each axis, in metres.
+    pub cell: Vec3,
+    /// How many cells there are along each axis; at least 1.
+    pub resolution: UVec3,
+}
+
+impl Lattice {
+    /// A box cut into so many cells along each axis, at least 1.
+    pub fn new(bounds: &Aabb, resolution: UVec3) -> Self {
+        let resolution = resolution.max(UVec3::ONE);
+        Self {
+            min: bounds.min,
+            cell: bounds.size() / resolution.as_vec3(),
+            resolution,
+        }
+    }
+
+    /// How many cells there are.
+    pub fn cells(&self) -> usize {
+        self.resolution.as_usizevec3().element_product()
+    }
+
+    /// All cells together.
+    pub fn bounds(&self) -> Aabb {
+        self.bounds_of(UVec3::ZERO, self.resolution - UVec3::ONE)
+    }
+
+    /// The cells from `first` to `last`, both included.
+    pub fn bounds_of(&self, first: UVec3, last: UVec3) -> Aabb {
+        Aabb {
+            min: self.min + first.as_vec3() * self.cell,
+            max: self.min + (last + UVec3::ONE).as_vec3() * self.cell,
+        }
+    }
+
+    /// The cell that holds a point, or the one that is nearest to it along each axis.
+    ///
+    /// A point on a plane, or as near to it as rounding can tell, may be in either cell.
+    pub fn cell_at(&self, p: Vec3) -> UVec3 {
+        // A conversion to an integer rounds down, takes what is negative or NaN (0/0: a box without extent) for 0,
+        // and keeps what is too large within the integers.
+        ((p - self.min) / self.cell)
+            .as_uvec3()
+            .min(self.resolution - UVec3::ONE)
+    }
+
+    /// The first and the last cell along each axis of those that hold a box, or are nearest to it.
+    pub fn cells_of(&self, bounds: &Aabb) -> (UVec3, UVec3) {
+        (self.cell_at(bounds.min), self.cell_at(bounds.max))
+    }
+
+    /// The place of a cell in an array of all cells: along x first, then y, then z.
+    pub fn index(&self, cell: UVec3) -> usize {
+        let (cell, along) = (cell.as_usizevec3(), self.resolution.as_usizevec3());
+        cell.x + along.x * (cell.y + along.y * cell.z)
+    }
+}
+
+/// All cells from `first` to `last`, both included, along x first.
+pub fn range(first: UVec3, last: UVec3) -> impl Iterator<Item = UVec3> {
+    (first.z..=last.z).flat_map(move |z| {
+        (first.y..=last.y).flat_map(move |y| (first.x..=last.x).map(move |x| UVec3::new(x, y, z)))
+    })
+}

@@ -1,0 +1,142 @@
+//! The octree: cells cut in eight where there is much in them.
+
+pub mod build;
+pub mod tree;
+pub mod validate;
+pub mod walk;
+
+use crate::accel::{
+    Accel, Count, bounded::bounded, list::List, overlap::triangle_meets_box,
+};
+use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
+use crate::shape::{Hit, Shape, mesh::Facet};
+use build::{Limits, build};
+use tree::Tree;
+use walk::Walk;
+
+/// An octree (Meagher 1980; for rays: Glassner 1984).
+#[derive(Clone, Debug)]
+pub struct Octree<S> {
+    tree: Tree,
+    /// The shapes that the leaves name, in the order in which leaves name them first: neighbours are near in memory too.
+    shapes: Vec<S>,
+    /// Shapes without a finite box.
+    unbounded: List<S>,
+}
+
+impl<S: Shape> Octree<S> {
+    /// An octree of shapes, each in the leaves that its box overlaps.
+    pub fn new(shapes: Vec<S>) -> Self {
+        Self::with(shapes, Limits::USUAL, &|_, _| true)
+    }
+
+    /// An octree with limits of one's own; `overlaps` says whether a shape has a point in a cell that its box overlaps.
+    pub fn with(shapes: Vec<S>, limits: Limits, overlaps: &impl Fn(&S, &Aabb) -> bool) -> Self {
+        let (mut shapes, unbounded) = bounded(shapes);
+        let boxes: Vec<_> = shapes.iter().map(Shape::bounds).collect();
+        let inside = |i: u32, cell: &Aabb| {
+            let bounds = &boxes[i as usize];
+            bounds.min.cmple(cell.max).all()
+                && cell.min.cmple(bounds.max).all()
+                && overlaps(&shapes[i as usize], cell)
+        };
+        let mut tree = build(cube_around(&boxes), boxes.len() as u32, limits, &inside);
+        sort_by_first_leaf(&mut shapes, &mut tree.named);
+        Self {
+            tree,
+            shapes,
+            unbounded,
+        }
+    }
+
+    /// The tree of cells.
+    pub fn tree(&self) -> &Tree {
+        &self.tree
+    }
+
+    /// The shapes, by the numbers that [`Tree::named`] gives them.
+    pub fn shapes(&self) -> &[S] {
+        &self.shapes
+    }
+
+    /// The memory that it needs, with its shapes, in bytes.
+    pub fn bytes(&self) -> usize {
+        size_of_val(&*self.tree.nodes) + size_of_val(&*self.tree.named) + size_of_val(&*self.shapes)
+    }
+}
+
+impl Octree<Facet> {
+    /// An octree of facets, each only in the leaves that it itself meets, not all those that its box meets.
+    pub fn of_facets(facets: Vec<Facet>) -> Self {
+        Self::with(facets, Limits::USUAL, &|facet, cell| {
+            triangle_meets_box(&facet.corners, cell)
+        })
+    }
+}
+
+impl<S: Shape> Accel<S> for Octree<S> {
+    /// The boxes that are counted are the nodes that the ray enters.
+    fn closest_counted(
+        &self,
+        ray: &Ray,
+        mut within: Interval,
+        count: &mut impl Count,
+    ) -> Option<(&S, Hit)> {
+        let mut closest = self.unbounded.closest_counted(ray, within, count);
+        if let Some((_, hit)) = closest {
+            within = within.before(hit.t);
+        }
+        let mut walk = Walk::new(&self.tree, ray, within);
+        while let Some(leaf) = walk.next_leaf(within.max, count) {
+            for &i in self.tree.shapes_in(leaf) {
+                let shape = &self.shapes[i as usize];
+                count.tested_shape();
+                if let Some(hit) = shape.hit(ray, within) {
+                    within = within.before(hit.t);
+                    closest = Some((shape, hit));
+                }
+            }
+        }
+        closest
+    }
+
+    fn any(&self, ray: &Ray, within: Interval) -> bool {
+        let mut walk = Walk::new(&self.tree, ray, within);
+        while let Some(leaf) = walk.next_leaf(within.max, &mut ()) {
+            let mut shapes = self.tree.shapes_in(leaf).iter();
+            if shapes.any(|&i| self.shapes[i as usize].blocks(ray, within)) {
+                return true;
+            }
+        }
+        self.unbounded.any(ray, within)
+    }
+}
+
+/// The smallest cube around boxes: cut in halves, its cells remain cubes.
+fn cube_around(boxes: &[Aabb]) -> Aabb {
+    let bounds = boxes.iter().fold(Aabb::EMPTY, |all, one| all.union(one));
+    let half = 0.5 * bounds.size().max_element();
+    let around = Aabb {
+        min: bounds.center() - half,
+        max: bounds.center() + half,
+    };
+    bounds.union(&around)
+}
+
+/// Renumbers the shapes in the order in which the leaves name them.
+fn sort_by_first_leaf<S>(shapes: &mut Vec<S>, named: &mut [u32]) {
+    const NONE: u32 = u32::MAX;
+    let mut numbers = vec![NONE; shapes.len()];
+    let mut given = 0;
+    for name in named {
+        let number = &mut numbers[*name as usize];
+        if *number == NONE {
+            *number = given;
+            given += 1;
+        }
+        *name = *number;
+    }
+    let mut numbered: Vec<_> = numbers.into_iter().zip(shapes.drain(..)).collect();
+    numbered.sort_unstable_by_key(|&(number, _)| number);
+    shapes.extend(numbered.into_iter().map(|(_, shape)| shape));
+}

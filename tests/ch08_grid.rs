@@ -1,0 +1,4 @@
+//! Chapter 8: the uniform grid.
+
+#[path = "ch08_grid/agreement.rs"]
+mod agreement;

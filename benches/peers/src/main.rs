@@ -51,7 +51,11 @@ fn main() -> ExitCode {
 }
 
 fn run(options: &Options) -> Result<(), Box<dyn Error>> {
-    let (side, count, rounds, builds) = if options.quick { (256, 1 << 15, 3, 1) } else { (1024, 1 << 18, 5, 3) };
+    let (side, count, rounds, builds) = if options.quick {
+        (256, 1 << 15, 3, 1)
+    } else {
+        (1024, 1 << 18, 5, 3)
+    };
     let rounds = options.rounds.map_or(rounds, usize::from);
     let names: Vec<_> = if options.meshes.is_empty() {
         meshes::NAMES.map(str::to_owned).to_vec()
@@ -60,7 +64,9 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     };
     let is_wanted = |name: &str| {
         let part = |part: &String| name.to_lowercase().contains(&part.to_lowercase());
-        name == ENTRIES[0].name || options.structures.is_empty() || options.structures.iter().any(part)
+        name == ENTRIES[0].name
+            || options.structures.is_empty()
+            || options.structures.iter().any(part)
     };
     let how = how(side, count, rounds);
     println!("{}", how.join("\n"));
@@ -88,10 +94,16 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
                 rows.push(Row::new(scene.name, set.name, entry, built, lap));
             }
         }
-        print!("{}", report::table(&rows[first..].iter().collect::<Vec<_>>()));
+        print!(
+            "{}",
+            report::table(&rows[first..].iter().collect::<Vec<_>>())
+        );
         save(&options.out, &rows, &how)?; // after each mesh: what was measured is not lost if the next one fails
     }
-    println!("\n{} has ratios.csv, builds.csv, how.txt and ratios.png", options.out.display());
+    println!(
+        "\n{} has ratios.csv, builds.csv, how.txt and ratios.png",
+        options.out.display()
+    );
     Ok(())
 }
 
@@ -106,7 +118,8 @@ fn how(side: usize, count: usize, rounds: usize) -> Vec<String> {
     let processor = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let field = |name: &str| {
         let line = processor.lines().find(|line| line.starts_with(name));
-        line.and_then(|line| line.split_once(": ")).map_or("unknown", |(_, value)| value)
+        line.and_then(|line| line.split_once(": "))
+            .map_or("unknown", |(_, value)| value)
     };
     let has: Vec<_> = ["avx2", "fma", "avx512f"]
         .into_iter()
@@ -114,7 +127,11 @@ fn how(side: usize, count: usize, rounds: usize) -> Vec<String> {
         .collect();
     let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
     vec![
-        format!("processor: {} ({cores} of them), with {}", field("model name"), has.join(", ")),
+        format!(
+            "processor: {} ({cores} of them), with {}",
+            field("model name"),
+            has.join(", ")
+        ),
         format!("compiled: {}", env!("HOW")),
         format!(
             "rays: {side}² primary ones, {count} of every other set, in one thread; {rounds} rounds, in which all take turns; \

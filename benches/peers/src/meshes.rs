@@ -25,7 +25,8 @@ pub const NAMES: [&str; 5] = ["teapot", "bunny", "dragon", "terrain", "soup"];
 /// If it cannot be fetched, or there is no such name.
 pub fn scene(name: &str) -> Result<Scene, String> {
     let name = NAMES.into_iter().find(|known| *known == name);
-    let name = name.ok_or_else(|| format!("there is no mesh of this name, only {}", NAMES.join(", ")))?;
+    let name =
+        name.ok_or_else(|| format!("there is no mesh of this name, only {}", NAMES.join(", ")))?;
     let mesh = match name {
         "bunny" => scans::bunny()?,
         "dragon" => scans::dragon()?,
@@ -38,7 +39,8 @@ pub fn scene(name: &str) -> Result<Scene, String> {
         "terrain" => (vec3(-4.9, 2.5, -4.9), vec3(0.0, 0.5, 0.0)), // from a corner, above the peaks
         _ => (center + 2.2 * radius * vec3(0.4, 0.35, 0.85), center),
     };
-    let camera = Pinhole::look_at(from, to, Vec3::Y, 0.024, 1.0).map_err(|error| error.to_string())?;
+    let camera =
+        Pinhole::look_at(from, to, Vec3::Y, 0.024, 1.0).map_err(|error| error.to_string())?;
     Ok(Scene { name, mesh, camera })
 }
 

@@ -110,7 +110,11 @@ impl Runner {
             (a == MISS && b == MISS) || (a - b).abs() <= TOLERANCE * (a.abs() + scale)
         };
         self.asked += questions.len();
-        self.same += expected.iter().zip(answers).filter(|pair| same(*pair)).count();
+        self.same += expected
+            .iter()
+            .zip(answers)
+            .filter(|pair| same(*pair))
+            .count();
     }
 
     fn lap(&self, embree: &Self, turns: &[&[Question]], rounds: usize) -> Lap {

@@ -27,7 +27,13 @@ pub struct Row {
 
 impl Row {
     /// A row.
-    pub fn new(mesh: &'static str, set: &'static str, entry: &Entry, built: &Built, lap: Lap) -> Self {
+    pub fn new(
+        mesh: &'static str,
+        set: &'static str,
+        entry: &Entry,
+        built: &Built,
+        lap: Lap,
+    ) -> Self {
         Self {
             mesh,
             set,
@@ -65,7 +71,11 @@ pub fn table(rows: &[&Row]) -> String {
     for column in COLUMNS {
         let _ = write!(text, "{column:>14}");
     }
-    let _ = writeln!(text, "{:>8}{:>10}{:>9}{:>9}{:>11}", "mean", "agree", "build 1", "build 2", "bytes/tri");
+    let _ = writeln!(
+        text,
+        "{:>8}{:>10}{:>9}{:>9}{:>11}",
+        "mean", "agree", "build 1", "build 2", "bytes/tri"
+    );
     let mut names: Vec<_> = rows.iter().map(|row| row.structure).collect();
     names.dedup();
     names.sort_unstable_by_key(|name| rows.iter().position(|row| row.structure == *name));
@@ -113,11 +123,20 @@ pub fn geometric_mean(numbers: impl Iterator<Item = f64>) -> f64 {
 /// # Errors
 /// If a file cannot be written.
 pub fn write(folder: &Path, rows: &[Row], how: &[String]) -> io::Result<()> {
-    let mut ratios = String::from("mesh,set,query,structure,ratio,agree,build_s,bytes_per_triangle\n");
+    let mut ratios =
+        String::from("mesh,set,query,structure,ratio,agree,build_s,bytes_per_triangle\n");
     let mut builds = String::from("mesh,structure,threads,build_s,bytes_per_triangle\n");
     let mut last = ("", "");
     for row in rows {
-        let Row { mesh, set, structure, lap, build, bytes_per_triangle, .. } = row;
+        let Row {
+            mesh,
+            set,
+            structure,
+            lap,
+            build,
+            bytes_per_triangle,
+            ..
+        } = row;
         let _ = writeln!(
             ratios,
             "{mesh},{set},{},{structure},{:.4},{:.6},{:.4},{bytes_per_triangle:.1}",
@@ -128,7 +147,10 @@ pub fn write(folder: &Path, rows: &[Row], how: &[String]) -> io::Result<()> {
         );
         if last != (*mesh, *structure) && !builds.contains(&format!("{mesh},{structure},")) {
             for (threads, seconds) in (1..).zip(build) {
-                let _ = writeln!(builds, "{mesh},{structure},{threads},{seconds:.4},{bytes_per_triangle:.1}");
+                let _ = writeln!(
+                    builds,
+                    "{mesh},{structure},{threads},{seconds:.4},{bytes_per_triangle:.1}"
+                );
             }
         }
         last = (*mesh, *structure);

@@ -28,7 +28,9 @@ const NEARBY: f32 = 0.1;
 ///
 /// The later sets begin where the primary rays of Embree end: at visible points, in the order of the pixels.
 pub fn sets(scene: &Scene, embree: &Embree, side: usize, count: usize) -> Vec<Set> {
-    let primary: Vec<_> = (0..side * side).map(|i| through_pixel(scene, side, i)).collect();
+    let primary: Vec<_> = (0..side * side)
+        .map(|i| through_pixel(scene, side, i))
+        .collect();
     let seen: Vec<Surface> = primary
         .iter()
         .filter_map(|question| {
@@ -41,25 +43,42 @@ pub fn sets(scene: &Scene, embree: &Embree, side: usize, count: usize) -> Vec<Se
         // Evenly over the picture, and again from the start if there are too few.
         let place = |i: usize| (i * seen.len() / count.min(seen.len()).max(1)) % seen.len().max(1);
         let points = (0..2 * count).map_while(|i| seen.get(place(i)));
-        points.filter_map(|surface| leave(surface, &mut rng)).take(count).collect()
+        points
+            .filter_map(|surface| leave(surface, &mut rng))
+            .take(count)
+            .collect()
     };
     let (center, radius) = ball(&scene.mesh);
     let mut rng = pcg::stream(3, 0);
-    let random = (0..count).map(|_| through_ball(center, radius, &mut rng)).collect();
-    let bounce = |surface: &Surface, rng: &mut Pcg| {
-        Some((cosine_ray(surface, scene, rng), Interval::AHEAD))
-    };
+    let random = (0..count)
+        .map(|_| through_ball(center, radius, &mut rng))
+        .collect();
+    let bounce =
+        |surface: &Surface, rng: &mut Pcg| Some((cosine_ray(surface, scene, rng), Interval::AHEAD));
     let shadow = |surface: &Surface, rng: &mut Pcg| {
-        let light = center + radius * vec3(0.3 + 0.1 * rng.random::<f32>(), 1.5, 0.5 + 0.1 * rng.random::<f32>());
+        let light = center
+            + radius
+                * vec3(
+                    0.3 + 0.1 * rng.random::<f32>(),
+                    1.5,
+                    0.5 + 0.1 * rng.random::<f32>(),
+                );
         let toward = Dir3::new(light - surface.position)?;
         let ray = facing(surface, scene).leave(toward);
         Some((ray, Interval::new(0.0, light.distance(ray.origin))))
     };
     let occlusion = |surface: &Surface, rng: &mut Pcg| {
-        Some((cosine_ray(surface, scene, rng), Interval::new(0.0, NEARBY * radius)))
+        Some((
+            cosine_ray(surface, scene, rng),
+            Interval::new(0.0, NEARBY * radius),
+        ))
     };
     let both: &[Query] = &[Query::Closest, Query::ClosestMany];
-    let set = |name, queries, questions| Set { name, queries, questions };
+    let set = |name, queries, questions| Set {
+        name,
+        queries,
+        questions,
+    };
     vec![
         set("random", both, random),
         set("diffuse", both, from_seen(1, &bounce)),
@@ -84,7 +103,11 @@ fn through_ball(center: Vec3, radius: f32, rng: &mut Pcg) -> Question {
 /// The surface as its viewer sees it: the normal on his side.
 fn facing(surface: &Surface, scene: &Scene) -> Surface {
     let toward_viewer = scene.camera.focal_point - surface.position;
-    let normal = if surface.normal.dot(toward_viewer) < 0.0 { -surface.normal } else { surface.normal };
+    let normal = if surface.normal.dot(toward_viewer) < 0.0 {
+        -surface.normal
+    } else {
+        surface.normal
+    };
     Surface { normal, ..*surface }
 }
 

@@ -5,9 +5,7 @@ pub mod tree;
 pub mod validate;
 pub mod walk;
 
-use crate::accel::{
-    Accel, Count, bounded::bounded, list::List, overlap::triangle_meets_box,
-};
+use crate::accel::{Accel, Count, bounded::bounded, list::List, overlap::triangle_meets_box};
 use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use crate::shape::{Hit, Shape, mesh::Facet};
 use build::{Limits, build};

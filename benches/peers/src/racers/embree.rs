@@ -45,7 +45,9 @@ impl Embree {
         });
         let mut scene = device.create_scene().map_err(told)?;
         scene.set_build_quality(BuildQuality::HIGH);
-        let mut geometry = device.create_geometry(GeometryKind::TRIANGLE).map_err(told)?;
+        let mut geometry = device
+            .create_geometry(GeometryKind::TRIANGLE)
+            .map_err(told)?;
         let positions: Vec<_> = mesh.positions().iter().map(Vec3::to_array).collect();
         geometry
             .set_new_buffer::<[f32; 3]>(BufferUsage::VERTEX, 0, Format::FLOAT3, 12, positions.len())

@@ -16,12 +16,18 @@ pub const ENTRIES: &[Entry] = &[
     entry("Embree", false, embree::build),
     Entry {
         at_most: 10_000,
-        ..entry("List", true, |mesh, _| boxed(Ours(List::new(mesh.facets()))))
+        ..entry("List", true, |mesh, _| {
+            boxed(Ours(List::new(mesh.facets())))
+        })
     },
     entry("obvhs BVH2", false, |mesh, _| boxed(obvhs::Bvh2::new(mesh))),
-    entry("obvhs CwBvh", false, |mesh, _| boxed(obvhs::Wide::new(mesh))),
+    entry("obvhs CwBvh", false, |mesh, _| {
+        boxed(obvhs::Wide::new(mesh))
+    }),
     entry("bvh", false, |mesh, _| boxed(bvh_crate::Bvh::new(mesh))),
-    entry("parry3d", false, |mesh, _| boxed(parry::Trimesh::new(mesh)?)),
+    entry("parry3d", false, |mesh, _| {
+        boxed(parry::Trimesh::new(mesh)?)
+    }),
 ];
 
 type Build = fn(&Mesh, usize) -> Result<Box<dyn Racer>, String>;

@@ -9,9 +9,7 @@ pub struct Ours<A>(pub A);
 
 impl<A: Accel<Facet>> Search for Ours<A> {
     fn closest(&self, (ray, within): &Question) -> f32 {
-        self.0
-            .closest(ray, *within)
-            .map_or(MISS, |(_, hit)| hit.t)
+        self.0.closest(ray, *within).map_or(MISS, |(_, hit)| hit.t)
     }
 
     fn any(&self, (ray, within): &Question) -> bool {

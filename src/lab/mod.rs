@@ -7,6 +7,7 @@ pub mod cancellation;
 pub mod chapter;
 pub mod figure;
 pub mod gallery;
+pub mod heat;
 pub mod looks;
 pub mod options;
 pub mod outdoors;

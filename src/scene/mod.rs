@@ -3,5 +3,6 @@
 pub mod evening;
 pub mod noise;
 pub mod soup;
+pub mod stadium;
 pub mod terrain;
 pub mod window;

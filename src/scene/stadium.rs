@@ -1,0 +1,170 @@
+//! The teapot in a stadium: a little thing of many triangles in the middle of a large one.
+
+use crate::shape::mesh::Mesh;
+use crate::shape::teapot;
+use glam::{Vec3, vec3};
+use std::f32::consts::TAU;
+
+/// A teapot of life's size on the centre spot of a stadium.
+pub struct Stadium {
+    /// All of it, in metres.
+    pub mesh: Mesh,
+    /// Each part with the number of the first triangle after it, in order.
+    ends: Vec<(Part, u32)>,
+}
+
+/// What a triangle of the stadium belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// The teapot.
+    Teapot,
+    /// The field and what is under the seats.
+    Ground,
+    /// The steps on which the seats are, and the wall behind the last.
+    Steps,
+    /// The seats.
+    Seats,
+    /// The roof over them.
+    Roof,
+}
+
+/// The teapot's width from spout to handle, in metres.
+const TEAPOT: f32 = 0.4;
+
+/// Half the length and the width of what the seats surround, in metres.
+const FIELD: (f32, f32) = (58.0, 40.0);
+
+/// Rows of seats.
+const ROWS: u16 = 24;
+
+/// From one row to the next, in metres.
+const DEPTH: f32 = 0.85;
+
+/// The stadium whose teapot is [`teapot::mesh`] of `fineness`, with 40·`fineness` seats in a row: about 70·n² + 6000·n
+/// triangles, that is 30 000 for n = 5 and 100 000 for n = 14.
+///
+/// It is the classical example for a uniform grid at its worst: a cell that suits the seats swallows the teapot whole.
+pub fn stadium(fineness: u32) -> Stadium {
+    let fineness = fineness.clamp(1, 100);
+    let columns = 40 * fineness;
+    let height = |row: f32| 1.2 + 0.38 * row + 0.008 * row * row;
+    let back = f32::from(ROWS) * DEPTH;
+    let top = height(f32::from(ROWS));
+
+    let mut steps = vec![(0.0, 0.0), (0.0, height(0.0))];
+    for row in (0..ROWS).map(f32::from) {
+        steps.push(((row + 1.0) * DEPTH, height(row)));
+        steps.push(((row + 1.0) * DEPTH, height(row + 1.0)));
+    }
+    steps.extend([
+        (back, top + 1.5),
+        (back + 2.0, top + 1.5),
+        (back + 2.0, 0.0),
+    ]);
+    let roof = [
+        (back + 2.5, top + 6.0),
+        (back - 0.5 * back, top + 7.5),
+        (back - 0.5 * back, top + 7.0),
+    ];
+
+    let mut builder = Builder::default();
+    let pot = teapot::mesh(fineness as usize);
+    let scale = TEAPOT / pot.bounds().size().x;
+    builder.positions = pot.positions().iter().map(|&p| scale * p).collect();
+    builder.triangles = pot.triangles().to_vec();
+    builder.end(Part::Teapot);
+    let corner = |x: f32, z: f32| vec3(x * FIELD.0, 0.0, z * FIELD.1);
+    builder.quad([(-1.0, 1.0), (1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)].map(|(x, z)| corner(x, z)));
+    builder.end(Part::Ground);
+    builder.sweep(&steps, columns);
+    builder.end(Part::Steps);
+    for row in (0..ROWS).map(f32::from) {
+        let (depth, floor) = ((row + 0.55) * DEPTH, height(row));
+        for column in (0..columns).filter(|column| column % 20 > 0) {
+            let place = |across: f32, s: f32, y: f32| {
+                around((column as f32 + across) / columns as f32, s, y)
+            };
+            let [front, seat, back] = [
+                (depth - 0.3, floor + 0.42),
+                (depth, floor + 0.4),
+                (depth + 0.1, floor + 0.8),
+            ];
+            for [(s0, y0), (s1, y1)] in [[front, seat], [seat, back]] {
+                builder.quad([
+                    place(0.1, s0, y0),
+                    place(0.9, s0, y0),
+                    place(0.9, s1, y1),
+                    place(0.1, s1, y1),
+                ]);
+            }
+        }
+    }
+    builder.end(Part::Seats);
+    builder.sweep(&roof, columns);
+    builder.end(Part::Roof);
+    Stadium {
+        mesh: Mesh::new(builder.positions, builder.triangles, None, None)
+            .unwrap_or_else(|error| unreachable!("a stadium is finite: {error}")),
+        ends: builder.ends,
+    }
+}
+
+impl Stadium {
+    /// What a triangle belongs to.
+    pub fn part(&self, triangle: u32) -> Part {
+        let found = self.ends.iter().find(|&&(_, end)| triangle < end);
+        found.map_or(Part::Ground, |&(part, _)| part)
+    }
+}
+
+/// A place around the field: `turn` of the whole way, s metres behind the first seat and at the height y.
+///
+/// The way is |x/a|³ + |z/b|³ = 1, which is between an ellipse and a rectangle.
+fn around(turn: f32, s: f32, y: f32) -> Vec3 {
+    let (sin, cos) = (TAU * turn).sin_cos();
+    let (a, b) = (FIELD.0 + s, FIELD.1 + s);
+    let r = ((cos / a).abs().powi(3) + (sin / b).abs().powi(3)).powf(-1.0 / 3.0);
+    vec3(r * cos, y, r * sin)
+}
+
+/// Triangles, as they come.
+#[derive(Default)]
+struct Builder {
+    positions: Vec<Vec3>,
+    triangles: Vec<[u32; 3]>,
+    ends: Vec<(Part, u32)>,
+}
+
+impl Builder {
+    /// Whatever came since the last end belongs to this part.
+    fn end(&mut self, part: Part) {
+        self.ends.push((part, self.triangles.len() as u32));
+    }
+
+    /// Four corners, counter-clockwise.
+    fn quad(&mut self, corners: [Vec3; 4]) {
+        let first = self.positions.len() as u32;
+        self.positions.extend(corners);
+        self.triangles
+            .extend([[0, 1, 2], [0, 2, 3]].map(|t| t.map(|i| first + i)));
+    }
+
+    /// A line of points (s, y), swept around the field in so many columns.
+    fn sweep(&mut self, line: &[(f32, f32)], columns: u32) {
+        let first = self.positions.len() as u32;
+        for column in 0..columns {
+            let turn = column as f32 / columns as f32;
+            self.positions
+                .extend(line.iter().map(|&(s, y)| around(turn, s, y)));
+        }
+        let points = line.len() as u32;
+        let vertex = |column, point| first + column % columns * points + point;
+        for column in 0..columns {
+            for point in 1..points {
+                let [a, b] = [vertex(column, point - 1), vertex(column + 1, point - 1)];
+                let [c, d] = [vertex(column + 1, point), vertex(column, point)];
+                self.triangles.extend([[a, b, c], [a, c, d]]);
+            }
+        }
+    }
+}

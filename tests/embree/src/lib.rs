@@ -35,6 +35,8 @@
 //! away is hit at 0.99999994. From 10⁷ m it misses a sphere of 1 m that raybook hits.
 
 pub mod campaign;
+pub mod closed;
+pub mod contest;
 pub mod embree;
 #[path = "../../common/oracle/mod.rs"]
 pub mod oracle;

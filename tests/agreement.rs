@@ -155,11 +155,14 @@ fn same<S: Shape + PartialEq>(
 #[test]
 fn wrong_structures_are_found_out() {
     for (wrong, why) in [
-        (structures::Wrong::ForgetsOne, "a hit is lost"),
-        (structures::Wrong::Last, "the distances differ"),
+        (
+            structures::Wrong::ForgetsOne,
+            &["a hit is lost", "the distances differ"][..],
+        ),
+        (structures::Wrong::Last, &["the distances differ"]),
         (
             structures::Wrong::IgnoresTheEnd,
-            "a hit where the list has none",
+            &["a hit where the list has none", "any and closest differ"],
         ),
     ] {
         let seen = Seen::default();
@@ -173,8 +176,8 @@ fn wrong_structures_are_found_out() {
             .to_string();
         assert!(said.contains("wrong: "), "{wrong:?}: {said}");
         assert!(
-            said.contains(why) || said.contains("any and closest differ"),
-            "{wrong:?} should be told by {why:?}: {said}"
+            why.iter().any(|why| said.contains(why)),
+            "{wrong:?} should be told by one of {why:?}: {said}"
         );
     }
 }

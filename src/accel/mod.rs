@@ -1,6 +1,7 @@
 //! Floor 3: which of many shapes a ray hits first.
 
 pub mod bounded;
+pub mod bvh;
 pub mod grid;
 pub mod lattice;
 pub mod list;

@@ -1,7 +1,7 @@
 //! All structures, behind one face. A new one is a line in [`facets`], and one in [`things`] if it takes any shapes.
 
 use crate::scenes::Thing;
-use raybook::accel::{Accel, Count, Tests, grid::Grid, list::List, octree::Octree};
+use raybook::accel::{Accel, Count, Tests, bvh::Bvh, grid::Grid, list::List, octree::Octree};
 use raybook::math::{interval::Interval, ray::Ray};
 use raybook::shape::{Hit, Shape, mesh::Facet};
 
@@ -58,6 +58,7 @@ pub fn facets(shapes: &[Facet]) -> Vec<Named<Facet>> {
         named("Grid::new", Grid::new(shapes()), Grid::validate),
         named("Octree", Octree::of_facets(shapes()), Octree::validate),
         named("Octree::new", Octree::new(shapes()), Octree::validate),
+        named("Bvh", Bvh::new(shapes()), Bvh::validate),
     ]
 }
 
@@ -67,6 +68,7 @@ pub fn things(shapes: &[Thing]) -> Vec<Named<Thing>> {
     vec![
         named("Grid", Grid::new(shapes()), Grid::validate),
         named("Octree", Octree::new(shapes()), Octree::validate),
+        named("Bvh", Bvh::new(shapes()), Bvh::validate),
     ]
 }
 

@@ -2,7 +2,7 @@
 
 use glam::{Vec3, vec3};
 use raybook::camera::pinhole::Pinhole;
-use raybook::scene::{soup, terrain};
+use raybook::scene::{soup, stadium, terrain};
 use raybook::shape::{mesh::Mesh, teapot};
 use raybook_embree::scans;
 
@@ -17,7 +17,7 @@ pub struct Scene {
 }
 
 /// The names of all.
-pub const NAMES: [&str; 5] = ["teapot", "bunny", "dragon", "terrain", "soup"];
+pub const NAMES: [&str; 6] = ["teapot", "bunny", "dragon", "stadium", "terrain", "soup"];
 
 /// The mesh of a name.
 ///
@@ -31,6 +31,7 @@ pub fn scene(name: &str) -> Result<Scene, String> {
         "bunny" => scans::bunny()?,
         "dragon" => scans::dragon()?,
         "terrain" => terrain::terrain(707), // 999,698 triangles
+        "stadium" => stadium::stadium(14).mesh, // about 100,000 triangles
         "soup" => soup::soup(1_000_000, 1),
         _ => teapot::mesh(10),
     };

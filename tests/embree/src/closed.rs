@@ -125,8 +125,9 @@ fn close(positions: &mut Vec<Vec3>, triangles: &mut Vec<[u32; 3]>) {
         let mut rim = vec![first[0]];
         let mut hole = Vec::new();
         loop {
-            let (found, rest): (Vec<_>, Vec<_>) =
-                open.into_iter().partition(|[p, q]| rim.contains(p) || rim.contains(q));
+            let (found, rest): (Vec<_>, Vec<_>) = open
+                .into_iter()
+                .partition(|[p, q]| rim.contains(p) || rim.contains(q));
             open = rest;
             if found.is_empty() {
                 break;

@@ -3,7 +3,7 @@
 //! More than 10⁸ rays at the teapot and at the bunny, whose holes are closed with triangles. `-- --nocapture` prints the
 //! counts. Why no answer is excused is said in `src/closed.rs`.
 
-use raybook::accel::{Accel, grid::Grid, list::List, octree::Octree};
+use raybook::accel::{Accel, bvh::Bvh, grid::Grid, list::List, octree::Octree};
 use raybook::math::{aabb::Aabb, interval::Interval, pcg, ray::Ray};
 use raybook::shape::mesh::Facet;
 use raybook::shape::{Hit, Shape, Surface, teapot, triangle::Triangle};
@@ -42,8 +42,15 @@ impl Counts<'_> {
     fn none<A: Accel<Facet>>(&mut self, structure: &str, rays: u64, accel: &A) {
         let leaks = leaks(self.closed, accel, rays);
         self.rays += rays;
-        println!("{:8} {structure:13} {rays:11} rays {leaks:6} leaks", self.name);
-        assert_eq!(leaks, 0, "{structure}, {}: {leaks} of {rays} rays leak", self.name);
+        println!(
+            "{:8} {structure:13} {rays:11} rays {leaks:6} leaks",
+            self.name
+        );
+        assert_eq!(
+            leaks, 0,
+            "{structure}, {}: {leaks} of {rays} rays leak",
+            self.name
+        );
     }
 }
 
@@ -56,8 +63,13 @@ fn nothing_leaks(name: &'static str, closed: &Closed) {
     );
     assert!(closed.is_closed(), "{name} must be closed");
     let facets = || closed.mesh.facets();
-    let mut counts = Counts { name, closed, rays: 0 };
+    let mut counts = Counts {
+        name,
+        closed,
+        rays: 0,
+    };
     counts.none("Grid", SPACE, &Grid::of_facets(facets()));
+    counts.none("Bvh", TREE, &Bvh::new(facets()));
     counts.none("Octree", SPACE, &Octree::of_facets(facets()));
     if triangles < 10_000 {
         counts.none("List", LIST, &List::new(facets()));
@@ -93,8 +105,12 @@ fn through_triangles_that_are_not_watertight_rays_do_leak() {
         }
     }
     let closed = Closed::new(&teapot::mesh(8)).expect("the teapot is finite");
-    let leaky = closed.mesh.facets().iter().map(|facet| Leaky(facet.triangle()));
-    let leaks = leaks(&closed, &Octree::new(leaky.collect()), 200_000);
+    let leaky = closed
+        .mesh
+        .facets()
+        .into_iter()
+        .map(|facet| Leaky(facet.triangle()));
+    let leaks = leaks(&closed, &Bvh::new(leaky.collect()), 200_000);
     println!("teapot   Moeller-Trumbore   200000 rays {leaks:6} leaks");
     assert!(leaks > 100, "of 200,000 rays only {leaks} leak");
 }

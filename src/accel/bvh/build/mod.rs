@@ -1,0 +1,50 @@
+//! From boxes to a tree: the three stages of building a bounding volume hierarchy.
+//!
+//! 1. [`item`]: each shape's box, and its centre. Nothing else of a shape is looked at.
+//! 2. [`tree`]: top-down by the middle, the median or the surface-area heuristic, or bottom-up.
+//! 3. [`flat`]: the tree as a compact array without pointers.
+
+pub mod binned;
+pub mod bottom_up;
+pub mod cost;
+pub mod flat;
+pub mod halves;
+pub mod item;
+pub mod sweep;
+pub mod top_down;
+pub mod tree;
+
+use crate::accel::bvh::build::{cost::Cost, flat::Flat, item::Item, top_down::top_down};
+use crate::math::aabb::Aabb;
+use rayon::prelude::*;
+
+/// How stage 2 makes a tree.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// Top-down: half of the shapes to each side.
+    Median,
+    /// Top-down: cut the box of the centres in the middle.
+    Middle,
+    /// Top-down: the best of all cuts by the surface-area heuristic.
+    Sweep,
+    /// Top-down: the best cut between bins, by the same heuristic.
+    Binned,
+    /// Bottom-up: the neighbours that fit together best are merged, again and again.
+    BottomUp,
+}
+
+/// Builds a tree over boxes: finite ones, with coordinates up to 1e18 (`accel/bounded.rs`).
+///
+/// The same boxes give the same tree, whatever the number of threads.
+pub fn build(boxes: &[Aabb], method: Method, cost: &Cost) -> Flat {
+    let mut items: Vec<_> = boxes.par_iter().enumerate().map(Item::new).collect();
+    let split = match method {
+        Method::Median => halves::median,
+        Method::Middle => halves::middle,
+        Method::Sweep => sweep::split,
+        Method::Binned => binned::split,
+        Method::BottomUp => return bottom_up::build(items, cost),
+    };
+    let tree = top_down(&mut items, cost, split);
+    Flat::new(&tree, items.iter().map(|item| item.index).collect())
+}

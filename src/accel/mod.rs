@@ -10,6 +10,7 @@ pub mod octree;
 pub mod overlap;
 pub mod ray_box;
 pub mod walk;
+pub mod wide_bvh;
 
 use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use crate::shape::mesh::{Facet, Mesh};

@@ -1,14 +1,16 @@
 //! The octree: cells cut in eight where there is much in them.
 
 pub mod build;
+pub mod reach;
 pub mod tree;
 pub mod validate;
 pub mod walk;
 
-use crate::accel::{Accel, Count, bounded::bounded, list::List, overlap::triangle_meets_box};
+use crate::accel::{Accel, Count, bounded::bounded, list::List};
 use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use crate::shape::{Hit, Shape, mesh::Facet};
 use build::{Limits, build};
+use glam::Vec3;
 use tree::Tree;
 use walk::Walk;
 
@@ -23,22 +25,24 @@ pub struct Octree<S> {
 }
 
 impl<S: Shape> Octree<S> {
-    /// An octree of shapes, each in the leaves that its box overlaps.
+    /// An octree of shapes, each in the leaves that its bounding box reaches.
     pub fn new(shapes: Vec<S>) -> Self {
-        Self::with(shapes, Limits::USUAL, &|_, _| true)
+        Self::with(shapes, Limits::USUAL, reach::by_bounds)
     }
 
-    /// An octree with limits of one's own; `overlaps` says whether a shape has a point in a cell that its box overlaps.
-    pub fn with(shapes: Vec<S>, limits: Limits, overlaps: &impl Fn(&S, &Aabb) -> bool) -> Self {
+    /// An octree with limits of one's own; `reached` says which of eight cells a shape reaches, one bit each.
+    pub fn with(shapes: Vec<S>, limits: Limits, reached: impl Fn(&S, &[Aabb; 8]) -> u8) -> Self {
         let (mut shapes, unbounded) = bounded(shapes);
-        let boxes: Vec<_> = shapes.iter().map(Shape::bounds).collect();
-        let inside = |i: u32, cell: &Aabb| {
-            let bounds = &boxes[i as usize];
-            bounds.min.cmple(cell.max).all()
-                && cell.min.cmple(bounds.max).all()
-                && overlaps(&shapes[i as usize], cell)
+        let limits = Limits {
+            depth: limits.depth.min(Limits::DEEPEST),
+            ..limits
         };
-        let mut tree = build(cube_around(&boxes), boxes.len() as u32, limits, &inside);
+        let mut tree = build(
+            cube_around(&shapes),
+            shapes.len() as u32,
+            limits,
+            &|i, cells| reached(&shapes[i as usize], cells),
+        );
         sort_by_first_leaf(&mut shapes, &mut tree.named);
         Self {
             tree,
@@ -64,11 +68,9 @@ impl<S: Shape> Octree<S> {
 }
 
 impl Octree<Facet> {
-    /// An octree of facets, each only in the leaves that it itself meets, not all those that its box meets.
+    /// An octree of facets, each only in the leaves that it itself reaches, not in all those that its box reaches.
     pub fn of_facets(facets: Vec<Facet>) -> Self {
-        Self::with(facets, Limits::USUAL, &|facet, cell| {
-            triangle_meets_box(&facet.corners, cell)
-        })
+        Self::with(facets, Limits::USUAL, reach::by_triangle)
     }
 }
 
@@ -110,15 +112,16 @@ impl<S: Shape> Accel<S> for Octree<S> {
     }
 }
 
-/// The smallest cube around boxes: cut in halves, its cells remain cubes.
-fn cube_around(boxes: &[Aabb]) -> Aabb {
-    let bounds = boxes.iter().fold(Aabb::EMPTY, |all, one| all.union(one));
+/// The smallest cube around shapes: cut in halves, its cells remain cubes.
+fn cube_around<S: Shape>(shapes: &[S]) -> Aabb {
+    let all = shapes.iter().map(Shape::bounds).reduce(|a, b| a.union(&b));
+    let bounds = all.unwrap_or(Aabb::of([Vec3::ZERO]));
     let half = 0.5 * bounds.size().max_element();
-    let around = Aabb {
+    // The union: a centre is rounded.
+    bounds.union(&Aabb {
         min: bounds.center() - half,
         max: bounds.center() + half,
-    };
-    bounds.union(&around)
+    })
 }
 
 /// Renumbers the shapes in the order in which the leaves name them.

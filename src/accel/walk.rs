@@ -38,24 +38,25 @@ pub fn walk(
         if t.is_nan() { f32::INFINITY } else { t }
     };
     let mut next = [0, 1, 2].map(|axis| plane(axis, cell));
+    let last = [0, 1, 2].map(|axis| if backward[axis] { 0 } else { lattice.resolution[axis] - 1 });
+    let step = |cell: &mut UVec3, next: &mut [f32; 3], axis: usize| {
+        let ends = cell[axis] == last[axis];
+        cell[axis] = if backward[axis] { cell[axis].wrapping_sub(1) } else { cell[axis] + 1 };
+        next[axis] = plane(axis, *cell);
+        ends
+    };
     loop {
-        let axis = least(next);
-        let leave = next[axis].min(within.max);
+        let leave = next[0].min(next[1]).min(next[2]).min(within.max);
         let visited = visit(cell, Interval::new(enter, leave));
-        let last = if backward[axis] {
-            0
-        } else {
-            lattice.resolution[axis] - 1
-        };
-        if visited.is_break() || leave >= within.max || cell[axis] == last {
+        if visited.is_break() || leave >= within.max {
             return;
         }
-        cell[axis] = if backward[axis] {
-            cell[axis] - 1
-        } else {
-            cell[axis] + 1
+        let ends = match least(next) {
+            0 => step(&mut cell, &mut next, 0),
+            1 => step(&mut cell, &mut next, 1),
+            _ => step(&mut cell, &mut next, 2),
         };
-        next[axis] = plane(axis, cell);
+        if ends { return; }
         enter = leave;
     }
 }

@@ -16,10 +16,15 @@ use glam::{Vec3, vec2};
 #[inline]
 pub fn hit(corners: &[Vec3; 3], ray: &Ray, within: Interval) -> Option<Hit> {
     let shear = Shear::along(ray);
-    let [a, b, c] = corners.map(|corner| shear.apply(corner - ray.origin));
-    let [mut u, mut v, mut w] = [cross(c, b), cross(a, c), cross(b, a)];
+    let [p0, p1, p2] = *corners;
+    let (a, b, c) = (
+        shear.apply(p0 - ray.origin),
+        shear.apply(p1 - ray.origin),
+        shear.apply(p2 - ray.origin),
+    );
+    let (mut u, mut v, mut w) = (cross(c, b), cross(a, c), cross(b, a));
     if u == 0.0 || v == 0.0 || w == 0.0 {
-        [u, v, w] = [cross_f64(c, b), cross_f64(a, c), cross_f64(b, a)];
+        (u, v, w) = (cross_f64(c, b), cross_f64(a, c), cross_f64(b, a));
     }
     if u.min(v).min(w) < 0.0 && u.max(v).max(w) > 0.0 {
         return None;
@@ -61,8 +66,8 @@ impl Shear {
     #[inline]
     fn apply(&self, p: Vec3) -> Vec3 {
         let p = p.to_array();
-        let [x, y, z] = self.axes.map(|axis| p[axis]);
-        let [sx, sy, sz] = self.slopes;
+        let ([x, y, z], [sx, sy, sz]) = (self.axes, self.slopes);
+        let (x, y, z) = (p[x], p[y], p[z]);
         Vec3::new(x - sx * z, y - sy * z, sz * z)
     }
 }

@@ -7,10 +7,13 @@ mod scenes;
 #[path = "agreement/structures.rs"]
 mod structures;
 
+use glam::Vec3;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed, TestCaseError, TestRunner};
+use rand::RngExt;
 use raybook::accel::{Accel, list::List};
-use raybook::math::{interval::Interval, ray::Ray};
+use raybook::math::{dir3::Dir3, interval::Interval, pcg, ray::Ray};
+use raybook::scene::soup;
 use raybook::shape::{Hit, Shape};
 use rays::RayRecipe;
 use scenes::Scene;
@@ -178,6 +181,39 @@ fn wrong_structures_are_found_out() {
         assert!(
             why.iter().any(|why| said.contains(why)),
             "{wrong:?} should be told by one of {why:?}: {said}"
+        );
+    }
+}
+
+/// Zeros in the direction make infinite distances; a structure that takes one of them for a hit still answers right, but visits
+/// everything.
+#[test]
+fn rays_along_an_axis_cost_no_more_than_others() {
+    let soup = soup::soup(10_000, 2).facets();
+    let mut rng = pcg::stream(2, 2);
+    let mut place = || Vec3::from_array(std::array::from_fn(|_| rng.random::<f32>()));
+    let rays: Vec<_> = (0..300)
+        .map(|i| {
+            let (from, to) = (place(), place());
+            let axis = [Vec3::X, -Vec3::X, Vec3::Y, -Vec3::Y, Vec3::Z, -Vec3::Z][i % 6];
+            // −1·Y is (−0, −1, −0): zeros of both signs are among them.
+            [axis, to - from].map(|toward| Ray::new(from, Dir3::new_or(toward, Dir3::X)))
+        })
+        .collect();
+    for (name, structure) in facets(&soup) {
+        let work = |which: usize| -> u64 {
+            let count =
+                |rays: &[Ray; 2]| structure.closest_counted(&rays[which], Interval::AHEAD).1;
+            rays.iter()
+                .map(count)
+                .map(|tests| tests.boxes + tests.shapes)
+                .sum()
+        };
+        let [axis, other] = [work(0), work(1)];
+        println!("{name:12} {axis:8} along axes, {other:8} otherwise");
+        assert!(
+            2 * axis < 3 * other,
+            "{name}: {axis} boxes and shapes tested for rays along axes, {other} for others"
         );
     }
 }

@@ -38,10 +38,20 @@ pub fn walk(
         if t.is_nan() { f32::INFINITY } else { t }
     };
     let mut next = [0, 1, 2].map(|axis| plane(axis, cell));
-    let last = [0, 1, 2].map(|axis| if backward[axis] { 0 } else { lattice.resolution[axis] - 1 });
+    let last = [0, 1, 2].map(|axis| {
+        if backward[axis] {
+            0
+        } else {
+            lattice.resolution[axis] - 1
+        }
+    });
     let step = |cell: &mut UVec3, next: &mut [f32; 3], axis: usize| {
         let ends = cell[axis] == last[axis];
-        cell[axis] = if backward[axis] { cell[axis].wrapping_sub(1) } else { cell[axis] + 1 };
+        cell[axis] = if backward[axis] {
+            cell[axis].wrapping_sub(1)
+        } else {
+            cell[axis] + 1
+        };
         next[axis] = plane(axis, *cell);
         ends
     };
@@ -56,7 +66,9 @@ pub fn walk(
             1 => step(&mut cell, &mut next, 1),
             _ => step(&mut cell, &mut next, 2),
         };
-        if ends { return; }
+        if ends {
+            return;
+        }
         enter = leave;
     }
 }

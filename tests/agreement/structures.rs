@@ -1,7 +1,9 @@
 //! All structures, behind one face. A new one is a line in [`facets`], and one in [`things`] if it takes any shapes.
 
 use crate::scenes::Thing;
-use raybook::accel::{Accel, Count, Tests, bvh::Bvh, grid::Grid, list::List, octree::Octree};
+use raybook::accel::{
+    Accel, Count, Tests, bvh::Bvh, grid::Grid, list::List, octree::Octree, wide_bvh::WideBvh,
+};
 use raybook::math::{interval::Interval, ray::Ray};
 use raybook::shape::{Hit, Shape, mesh::Facet};
 
@@ -59,6 +61,7 @@ pub fn facets(shapes: &[Facet]) -> Vec<Named<Facet>> {
         named("Octree", Octree::of_facets(shapes()), Octree::validate),
         named("Octree::new", Octree::new(shapes()), Octree::validate),
         named("Bvh", Bvh::new(shapes()), Bvh::validate),
+        named("WideBvh", WideBvh::new(shapes()), |_| Ok(())),
     ]
 }
 

@@ -100,7 +100,8 @@ impl RayPair {
             (vec4(near.x, near.y, far.x, far.y) - self.origin[i]) * self.inverse[i]
         };
         let t = t(0).max(t(1)).max(t(2));
-        (t - t.abs() * SLACK).max(limits)
+        // Not ∞ − ∞: a NaN would be taken for a hit, and a ray along an axis would visit every box.
+        (t - t.abs().min(Vec4::MAX) * SLACK).max(limits)
     }
 }
 

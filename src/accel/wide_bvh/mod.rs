@@ -11,8 +11,8 @@ pub mod ray;
 pub mod stack;
 pub mod walk;
 
-use crate::accel::{Accel, Count, list::List};
 use crate::accel::bounded::bounded;
+use crate::accel::{Accel, Count, list::List};
 use crate::math::{interval::Interval, ray::Ray};
 use crate::shape::{Hit, mesh::Facet};
 #[cfg(target_arch = "x86_64")]
@@ -51,13 +51,23 @@ impl WideBvh {
 
     /// Memory in use, in bytes.
     pub fn bytes(&self) -> usize {
-        let Tree { nodes, leaves, facets, .. } = &self.tree;
+        let Tree {
+            nodes,
+            leaves,
+            facets,
+            ..
+        } = &self.tree;
         size_of_val(&nodes[..]) + size_of_val(&leaves[..]) + size_of_val(&facets[..])
     }
 }
 
 impl Accel<Facet> for WideBvh {
-    fn closest_counted(&self, ray: &Ray, within: Interval, count: &mut impl Count) -> Option<(&Facet, Hit)> {
+    fn closest_counted(
+        &self,
+        ray: &Ray,
+        within: Interval,
+        count: &mut impl Count,
+    ) -> Option<(&Facet, Hit)> {
         let beside = self.rest.closest_counted(ray, within, count);
         let within = beside.map_or(within, |(_, hit)| within.before(hit.t));
         let nearest = 'found: {
@@ -67,7 +77,9 @@ impl Accel<Facet> for WideBvh {
             }
             walk::closest(Portable, &self.tree, ray, within, count)
         };
-        nearest.map(|n| (&self.tree.facets[n.facet as usize], n.hit())).or(beside)
+        nearest
+            .map(|n| (&self.tree.facets[n.facet as usize], n.hit()))
+            .or(beside)
     }
 
     fn any(&self, ray: &Ray, within: Interval) -> bool {

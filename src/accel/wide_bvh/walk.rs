@@ -3,8 +3,8 @@
 use super::Tree;
 use super::lanes::Lanes;
 use super::node::{CHILDREN, Link};
-use super::stack::{PLACES, Places, Waiting};
 use super::ray::WideRay;
+use super::stack::{PLACES, Places, Waiting};
 use crate::accel::Count;
 use crate::math::{interval::Interval, ray::Ray};
 use crate::shape::{Hit, Shape};
@@ -70,7 +70,9 @@ fn closest_below<L: Lanes>(
             test_leaf(lanes, tree, leaf, ray, wide, &mut limit, &mut best, count);
         } else if len + CHILDREN > PLACES {
             best = deeper(lanes, tree, link, ray, wide, limit, best, count);
-            if let Some(best) = best { limit = best.t.next_up(); }
+            if let Some(best) = best {
+                limit = best.t.next_up();
+            }
         } else {
             let node = &tree.nodes[link.index()];
             count.tested_box();
@@ -101,7 +103,9 @@ fn closest_below<L: Lanes>(
             }
         }
         loop {
-            if len == 0 { return best; }
+            if len == 0 {
+                return best;
+            }
             len -= 1;
             let next = stack.0[len];
             if next.t() < limit {
@@ -134,15 +138,31 @@ fn test_leaf<L: Lanes>(
         let lane = mask.trailing_zeros() as usize;
         mask &= mask - 1;
         let lane = lane % 4;
-        let found = Nearest { facet: leaf.facets[lane], id: leaf.ids[lane], t: hits.t[lane], uv: [hits.b1[lane], hits.b2[lane]] };
+        let found = Nearest {
+            facet: leaf.facets[lane],
+            id: leaf.ids[lane],
+            t: hits.t[lane],
+            uv: [hits.b1[lane], hits.b2[lane]],
+        };
         take(found, limit, best);
     }
     let mut mask = hits.unsure;
     while mask != 0 {
         let lane = mask.trailing_zeros() as usize;
         mask &= mask - 1;
-        if let Some(hit) = tree.facets[leaf.facets[lane] as usize].hit(ray, Interval::new(wide.min, *limit)) {
-            take(Nearest { facet: leaf.facets[lane], id: leaf.ids[lane], t: hit.t, uv: hit.uv.to_array() }, limit, best);
+        if let Some(hit) =
+            tree.facets[leaf.facets[lane] as usize].hit(ray, Interval::new(wide.min, *limit))
+        {
+            take(
+                Nearest {
+                    facet: leaf.facets[lane],
+                    id: leaf.ids[lane],
+                    t: hit.t,
+                    uv: hit.uv.to_array(),
+                },
+                limit,
+                best,
+            );
         }
     }
 }
@@ -161,7 +181,9 @@ pub fn any<L: Lanes>(lanes: L, tree: &Tree, ray: &Ray, within: Interval) -> bool
     let wide = WideRay::new(ray, within.min, tree.largest);
     let mut stack = [Link(0); 64];
     let mut len = 0;
-    let Some(mut link) = tree.root else { return false };
+    let Some(mut link) = tree.root else {
+        return false;
+    };
     loop {
         if let Some(leaf) = link.as_leaf() {
             let leaf = &tree.leaves[leaf];
@@ -188,7 +210,9 @@ pub fn any<L: Lanes>(lanes: L, tree: &Tree, ray: &Ray, within: Interval) -> bool
                 len += 1;
             }
         }
-        if len == 0 { return false; }
+        if len == 0 {
+            return false;
+        }
         len -= 1;
         link = stack[len];
     }
@@ -196,6 +220,10 @@ pub fn any<L: Lanes>(lanes: L, tree: &Tree, ray: &Ray, within: Interval) -> bool
 
 impl Nearest {
     pub fn hit(&self) -> Hit {
-        Hit { t: self.t, uv: vec2(self.uv[0], self.uv[1]), id: self.id }
+        Hit {
+            t: self.t,
+            uv: vec2(self.uv[0], self.uv[1]),
+            id: self.id,
+        }
     }
 }

@@ -4,7 +4,7 @@
 //! two triangles is no excuse for a miss. Who is slower is asked a part of the questions. Run with `-- --nocapture` to see
 //! the table.
 
-use raybook::accel::{bvh::Bvh, grid::Grid, octree::Octree};
+use raybook::accel::{bvh::Bvh, grid::Grid, octree::Octree, wide_bvh::WideBvh};
 use raybook::scene::{soup, stadium, terrain};
 use raybook::shape::mesh::Mesh;
 use raybook_embree::contest::Contest;
@@ -17,9 +17,10 @@ const RAYS: usize = 2_000_000;
 const SPACE: usize = 8;
 
 fn all_agree(name: &'static str, mesh: Mesh, grid_every: usize) {
-    let contest = Contest::new(name, mesh, RAYS, Bvh::new).expect("Embree works");
+    let contest = Contest::new(name, mesh, RAYS, WideBvh::new).expect("Embree works");
     contest.ask("Grid", grid_every, Grid::of_facets);
-    contest.ask("Bvh", 1, Bvh::new);
+    contest.ask("WideBvh", 1, WideBvh::new);
+    contest.ask("Bvh", 2, Bvh::new);
     contest.ask("Octree", SPACE, Octree::of_facets);
 }
 

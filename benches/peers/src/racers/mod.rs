@@ -8,7 +8,7 @@ pub mod parry;
 
 use crate::racer::{Entry, Racer, Search};
 use ours::Ours;
-use raybook::accel::{bvh::Bvh, grid::Grid, list::List, octree::Octree};
+use raybook::accel::{bvh::Bvh, grid::Grid, list::List, octree::Octree, wide_bvh::WideBvh};
 use raybook::shape::mesh::Mesh;
 
 /// All that take part; the first is what the others are compared with.
@@ -27,6 +27,9 @@ pub const ENTRIES: &[Entry] = &[
         boxed(Ours(Octree::of_facets(mesh.facets())))
     }),
     entry("Bvh", true, |mesh, _| boxed(Ours(Bvh::new(mesh.facets())))),
+    entry("WideBvh", true, |mesh, _| {
+        boxed(Ours(WideBvh::new(mesh.facets())))
+    }),
     entry("obvhs BVH2", false, |mesh, _| boxed(obvhs::Bvh2::new(mesh))),
     entry("obvhs CwBvh", false, |mesh, _| {
         boxed(obvhs::Wide::new(mesh))

@@ -137,10 +137,12 @@ fn same<S: Shape + PartialEq>(
         (Some(_), None) => return Err("a hit where the list has none".into()),
         (None, Some(_)) => return Err("a hit is lost".into()),
     };
-    let scale = scene
-        .scale
-        .max(ray.origin.abs().max_element())
-        .max(expected.t.abs());
+    let numbers = [
+        scene.largest(),
+        ray.origin.abs().max_element(),
+        expected.t.abs(),
+    ];
+    let scale = numbers.into_iter().fold(0.0, f32::max);
     let tolerance = EQUAL * scale;
     if (found.t - expected.t).abs() > tolerance {
         return Err(format!("the distances differ by more than {tolerance}"));

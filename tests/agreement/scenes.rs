@@ -14,6 +14,20 @@ pub struct Scene<S> {
     pub center: Vec3,
 }
 
+impl<S: Shape> Scene<S> {
+    /// The largest coordinate of all.
+    pub fn largest(&self) -> f32 {
+        let of_shape = |shape: &S| {
+            let Aabb { min, max } = shape.bounds();
+            min.abs().max(max.abs()).max_element()
+        };
+        let coordinates = self.shapes.iter().map(of_shape);
+        coordinates
+            .filter(|largest| largest.is_finite())
+            .fold(self.scale, f32::max)
+    }
+}
+
 /// Points of a small lattice: shapes made of them share corners, edges and planes, or have no area.
 pub fn lattice_point() -> impl Strategy<Value = Vec3> {
     prop::array::uniform3(-2_i8..=2).prop_map(|p| Vec3::from(p.map(f32::from)))

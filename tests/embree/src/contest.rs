@@ -16,9 +16,9 @@ pub struct Contest {
     questions: Vec<(Ray, Interval, Option<Answer>)>,
 }
 
-/// How many answers may differ at edges, silhouettes and ends of intervals: 0.1 %. (Measured: at most 0.02 %; most of it
-/// grazes.)
-const MAY_DIFFER: f64 = 1e-3;
+/// How many answers may differ at edges, silhouettes and ends of intervals: 0.3 %. (Measured: 0.12 % in the stadium, whose
+/// teapot is small beside its distance from the rays' origins; elsewhere at most 0.09 %.)
+const MAY_DIFFER: f64 = 3e-3;
 
 impl Contest {
     /// So many rays at a mesh, a fifth of each kind. `guide` finds the points from which rays leave the surface.

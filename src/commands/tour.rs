@@ -31,6 +31,10 @@ mod chapters {
     pub mod ch06_triangle;
     #[path = "../../chapters/ch07_mesh.rs"]
     pub mod ch07_mesh;
+    #[path = "../../chapters/ch09_two_level_grid.rs"]
+    pub mod ch09_two_level_grid;
+    #[path = "../../chapters/ch10_octree.rs"]
+    pub mod ch10_octree;
 }
 
 /// Draws a chapter.
@@ -45,6 +49,8 @@ const DRAW: &[(&str, Draw)] = &[
     ("ch05_box", chapters::ch05_box::draw),
     ("ch06_triangle", chapters::ch06_triangle::draw),
     ("ch07_mesh", chapters::ch07_mesh::draw),
+    ("ch09_two_level_grid", chapters::ch09_two_level_grid::draw),
+    ("ch10_octree", chapters::ch10_octree::draw),
 ];
 
 /// The options of `raybook tour`.

@@ -22,7 +22,9 @@ macro_rules! for_each_chapter {
             ch04_plane,
             ch05_box,
             ch06_triangle,
-            ch07_mesh
+            ch07_mesh,
+            ch09_two_level_grid,
+            ch10_octree
         );
     };
 }

@@ -6,7 +6,7 @@ pub mod tree;
 pub mod validate;
 pub mod walk;
 
-use crate::accel::{Accel, Count, bounded::bounded, list::List};
+use crate::accel::{Accel, Count, bounded::bounded, list::List, order};
 use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use crate::shape::{Hit, Shape, mesh::Facet};
 use build::{Limits, build};
@@ -43,7 +43,7 @@ impl<S: Shape> Octree<S> {
             limits,
             &|i, cells| reached(&shapes[i as usize], cells),
         );
-        sort_by_first_leaf(&mut shapes, &mut tree.named);
+        order::by_first_use(&mut shapes, &mut tree.named);
         Self {
             tree,
             shapes,
@@ -122,22 +122,4 @@ fn cube_around<S: Shape>(shapes: &[S]) -> Aabb {
         min: bounds.center() - half,
         max: bounds.center() + half,
     })
-}
-
-/// Renumbers the shapes in the order in which the leaves name them.
-fn sort_by_first_leaf<S>(shapes: &mut Vec<S>, named: &mut [u32]) {
-    const NONE: u32 = u32::MAX;
-    let mut numbers = vec![NONE; shapes.len()];
-    let mut given = 0;
-    for name in named {
-        let number = &mut numbers[*name as usize];
-        if *number == NONE {
-            *number = given;
-            given += 1;
-        }
-        *name = *number;
-    }
-    let mut numbered: Vec<_> = numbers.into_iter().zip(shapes.drain(..)).collect();
-    numbered.sort_unstable_by_key(|&(number, _)| number);
-    shapes.extend(numbered.into_iter().map(|(_, shape)| shape));
 }

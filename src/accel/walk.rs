@@ -2,7 +2,7 @@
 
 use crate::accel::{lattice::Lattice, ray_box::RayBox};
 use crate::math::{interval::Interval, ray::Ray};
-use glam::UVec3;
+use glam::{UVec3, Vec3, vec3};
 use std::ops::ControlFlow;
 
 // ANCHOR: grid_walk
@@ -26,59 +26,56 @@ pub fn walk(
         return;
     };
     let mut cell = lattice.cell_at(ray.at(enter));
-    let inverse = ray.direction.recip();
-    let first = ((lattice.min - ray.origin) * inverse).to_array();
-    let apart = (lattice.cell * inverse).to_array();
+    let first = (lattice.min - ray.origin) / *ray.direction;
+    let apart = lattice.cell / *ray.direction;
     // The sign bit, not d < 0: with −0.0 the ray stays in its cell just as with +0.0.
-    let backward = ray.direction.to_array().map(f32::is_sign_negative);
-    let plane = |axis: usize, cell: UVec3| {
-        let ahead = cell[axis] + u32::from(!backward[axis]);
-        let t = first[axis] + ahead as f32 * apart[axis];
+    let backward = |axis: usize| ray.direction[axis].is_sign_negative();
+    let plane_ahead = |axis: usize, cell: u32| {
+        let plane = cell + u32::from(!backward(axis));
+        let t = first[axis] + plane as f32 * apart[axis];
         // ∞ − ∞ where the ray does not move along this axis: it never meets a plane.
         if t.is_nan() { f32::INFINITY } else { t }
     };
-    let mut next = [0, 1, 2].map(|axis| plane(axis, cell));
-    let last = [0, 1, 2].map(|axis| {
-        if backward[axis] {
+    let mut next = vec3(
+        plane_ahead(0, cell.x),
+        plane_ahead(1, cell.y),
+        plane_ahead(2, cell.z),
+    );
+    let step = |axis: usize, cell: &mut UVec3, next: &mut Vec3| {
+        let last = if backward(axis) {
             0
         } else {
             lattice.resolution[axis] - 1
+        };
+        if cell[axis] == last {
+            return false;
         }
-    });
-    let step = |cell: &mut UVec3, next: &mut [f32; 3], axis: usize| {
-        let ends = cell[axis] == last[axis];
-        cell[axis] = if backward[axis] {
-            cell[axis].wrapping_sub(1)
+        cell[axis] = if backward(axis) {
+            cell[axis] - 1
         } else {
             cell[axis] + 1
         };
-        next[axis] = plane(axis, *cell);
-        ends
+        next[axis] = plane_ahead(axis, cell[axis]);
+        true
     };
     loop {
-        let leave = next[0].min(next[1]).min(next[2]).min(within.max);
-        let visited = visit(cell, Interval::new(enter, leave));
-        if visited.is_break() || leave >= within.max {
+        let leave = next.min_element().min(within.max);
+        let seen = visit(cell, Interval::new(enter, leave));
+        if seen.is_break() || leave >= within.max {
             return;
         }
-        let ends = match least(next) {
-            0 => step(&mut cell, &mut next, 0),
-            1 => step(&mut cell, &mut next, 1),
-            _ => step(&mut cell, &mut next, 2),
+        // Constants for the axis: so nothing is looked up in memory.
+        let inside = if next.x < next.y && next.x < next.z {
+            step(0, &mut cell, &mut next)
+        } else if next.y < next.z {
+            step(1, &mut cell, &mut next)
+        } else {
+            step(2, &mut cell, &mut next)
         };
-        if ends {
+        if !inside {
             return;
         }
         enter = leave;
     }
 }
 // ANCHOR_END: grid_walk
-
-/// Which of three numbers is the least.
-fn least([x, y, z]: [f32; 3]) -> usize {
-    match (x < y, x < z, y < z) {
-        (true, true, _) => 0,
-        (false, _, true) => 1,
-        _ => 2,
-    }
-}

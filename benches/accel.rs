@@ -8,7 +8,8 @@ use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use glam::Vec3;
 use rand::RngExt;
 use raybook::accel::{
-    Accel, Tests, bvh::Bvh, grid::Grid, list::List, octree::Octree, wide_bvh::WideBvh,
+    Accel, Tests, bvh::Bvh, grid::Grid, list::List, octree::Octree, two_level_grid::TwoLevelGrid,
+    wide_bvh::WideBvh,
 };
 use raybook::math::{dir3::Dir3, interval::Interval, pcg, ray::Ray};
 use raybook::shape::mesh::{Facet, Mesh};
@@ -74,6 +75,7 @@ fn bench<A: Accel<Facet>>(
 fn structures(criterion: &mut Criterion) {
     bench(criterion, "List", 100, List::new);
     bench(criterion, "Grid", 1, Grid::of_facets);
+    bench(criterion, "TwoLevelGrid", 1, TwoLevelGrid::of_facets);
     bench(criterion, "Octree", 1, Octree::of_facets);
     bench(criterion, "Bvh", 1, Bvh::new);
     bench(criterion, "WideBvh", 1, WideBvh::new);

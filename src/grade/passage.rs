@@ -33,14 +33,19 @@ pub fn passage(
         }
         let Some((_, leaves)) = way.inside(bounds, way.tolerance) else {
             let number = number(got.len());
-            return Err(format!("the ray does not pass through {what} {cell} ({number})"));
+            return Err(format!(
+                "the ray does not pass through {what} {cell} ({number})"
+            ));
         };
         if leaves < reached {
             return Err(format!(
                 "{what} {cell} comes too late: the ray leaves it before it enters the {what} before it in your list"
             ));
         }
-        reached = reached.max(way.inside(bounds, 0.0).map_or(reached, |(enters, _)| enters));
+        reached = reached.max(
+            way.inside(bounds, 0.0)
+                .map_or(reached, |(enters, _)| enters),
+        );
     }
     for &cell in golden {
         let Some((enters, leaves)) = way.inside(&cells[cell as usize], -way.tolerance) else {
@@ -59,8 +64,16 @@ pub fn passage(
         }
     }
     // In a plane between cells, none is entered with a tolerance; but not all of them may be left out.
-    if got.is_empty() && !golden.is_empty() && golden.iter().any(|&cell| way.is_long(&cells[cell as usize])) {
-        return Err(format!("you visit no {what}, the reference {}", golden.len()));
+    if got.is_empty()
+        && !golden.is_empty()
+        && golden
+            .iter()
+            .any(|&cell| way.is_long(&cells[cell as usize]))
+    {
+        return Err(format!(
+            "you visit no {what}, the reference {}",
+            golden.len()
+        ));
     }
     Ok(())
 }

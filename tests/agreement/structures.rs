@@ -2,7 +2,8 @@
 
 use crate::scenes::Thing;
 use raybook::accel::{
-    Accel, Count, Tests, bvh::Bvh, grid::Grid, list::List, octree::Octree, wide_bvh::WideBvh,
+    Accel, Count, Tests, bvh::Bvh, grid::Grid, list::List, octree::Octree,
+    two_level_grid::TwoLevelGrid, wide_bvh::WideBvh,
 };
 use raybook::math::{interval::Interval, ray::Ray};
 use raybook::shape::{Hit, Shape, mesh::Facet};
@@ -58,6 +59,16 @@ pub fn facets(shapes: &[Facet]) -> Vec<Named<Facet>> {
     vec![
         named("Grid", Grid::of_facets(shapes()), Grid::validate),
         named("Grid::new", Grid::new(shapes()), Grid::validate),
+        named(
+            "TwoLevelGrid",
+            TwoLevelGrid::of_facets(shapes()),
+            TwoLevelGrid::validate,
+        ),
+        named(
+            "TwoLevelGrid::new",
+            TwoLevelGrid::new(shapes()),
+            TwoLevelGrid::validate,
+        ),
         named("Octree", Octree::of_facets(shapes()), Octree::validate),
         named("Octree::new", Octree::new(shapes()), Octree::validate),
         named("Bvh", Bvh::new(shapes()), Bvh::validate),
@@ -70,6 +81,11 @@ pub fn things(shapes: &[Thing]) -> Vec<Named<Thing>> {
     let shapes = || shapes.to_vec();
     vec![
         named("Grid", Grid::new(shapes()), Grid::validate),
+        named(
+            "TwoLevelGrid",
+            TwoLevelGrid::new(shapes()),
+            TwoLevelGrid::validate,
+        ),
         named("Octree", Octree::new(shapes()), Octree::validate),
         named("Bvh", Bvh::new(shapes()), Bvh::validate),
     ]

@@ -67,9 +67,15 @@ pub const COLUMNS: [&str; 7] = [
 
 /// The table of one mesh.
 pub fn table(rows: &[&Row]) -> String {
-    let mut text = format!("{:14}", "");
+    let mut text = format!("{:13}", "");
     for column in COLUMNS {
-        let _ = write!(text, "{column:>14}");
+        let _ = write!(
+            text,
+            "{:>9}",
+            column
+                .replace("random, many", "random +")
+                .replace("diffuse, many", "diffuse +")
+        );
     }
     let _ = writeln!(
         text,
@@ -82,18 +88,18 @@ pub fn table(rows: &[&Row]) -> String {
     names.dedup();
     for name in names {
         let own: Vec<_> = rows.iter().filter(|row| row.structure == name).collect();
-        let _ = write!(text, "{name:14}");
+        let _ = write!(text, "{name:13}");
         for column in COLUMNS {
             match own.iter().find(|row| row.column() == column) {
                 Some(row) if name == "Embree" => {
-                    let speed = format!("{:.2} M/s", row.lap.speed / 1e6);
-                    let _ = write!(text, "{speed:>14}");
+                    let speed = format!("{:.1} M/s", row.lap.speed / 1e6);
+                    let _ = write!(text, "{speed:>9}");
                 }
                 Some(row) => {
-                    let _ = write!(text, "{:>14.3}", row.lap.ratio);
+                    let _ = write!(text, "{:>9.3}", row.lap.ratio);
                 }
                 None => {
-                    let _ = write!(text, "{:>14}", "");
+                    let _ = write!(text, "{:>9}", "");
                 }
             }
         }

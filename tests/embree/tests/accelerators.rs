@@ -4,7 +4,9 @@
 //! two triangles is no excuse for a miss. Who is slower is asked a part of the questions. Run with `-- --nocapture` to see
 //! the table.
 
-use raybook::accel::{bvh::Bvh, grid::Grid, octree::Octree, wide_bvh::WideBvh};
+use raybook::accel::{
+    bvh::Bvh, grid::Grid, octree::Octree, two_level_grid::TwoLevelGrid, wide_bvh::WideBvh,
+};
 use raybook::scene::{soup, stadium, terrain};
 use raybook::shape::mesh::Mesh;
 use raybook_embree::contest::Contest;
@@ -21,6 +23,7 @@ fn all_agree(name: &'static str, mesh: Mesh, grid_every: usize) {
     contest.ask("Grid", grid_every, Grid::of_facets);
     contest.ask("WideBvh", 1, WideBvh::new);
     contest.ask("Bvh", 1, Bvh::new);
+    contest.ask("TwoLevelGrid", SPACE, TwoLevelGrid::of_facets);
     contest.ask("Octree", SPACE, Octree::of_facets);
 }
 

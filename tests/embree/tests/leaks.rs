@@ -3,7 +3,10 @@
 //! More than 10⁸ rays at the teapot and at the bunny, whose holes are closed with triangles. `-- --nocapture` prints the
 //! counts. Why no answer is excused is said in `src/closed.rs`.
 
-use raybook::accel::{Accel, bvh::Bvh, grid::Grid, list::List, octree::Octree, wide_bvh::WideBvh};
+use raybook::accel::{
+    Accel, bvh::Bvh, grid::Grid, list::List, octree::Octree, two_level_grid::TwoLevelGrid,
+    wide_bvh::WideBvh,
+};
 use raybook::math::{aabb::Aabb, interval::Interval, pcg, ray::Ray};
 use raybook::shape::mesh::Facet;
 use raybook::shape::{Hit, Shape, Surface, teapot, triangle::Triangle};
@@ -71,6 +74,7 @@ fn nothing_leaks(name: &'static str, closed: &Closed) {
     counts.none("Grid", SPACE, &Grid::of_facets(facets()));
     counts.none("WideBvh", FASTEST, &WideBvh::new(facets()));
     counts.none("Bvh", TREE, &Bvh::new(facets()));
+    counts.none("TwoLevelGrid", SPACE, &TwoLevelGrid::of_facets(facets()));
     counts.none("Octree", SPACE, &Octree::of_facets(facets()));
     if triangles < 10_000 {
         counts.none("List", LIST, &List::new(facets()));

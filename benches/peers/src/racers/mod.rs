@@ -8,7 +8,10 @@ pub mod parry;
 
 use crate::racer::{Entry, Racer, Search};
 use ours::Ours;
-use raybook::accel::{bvh::Bvh, grid::Grid, list::List, octree::Octree, wide_bvh::WideBvh};
+use raybook::accel::{
+    bvh::Bvh, grid::Grid, list::List, octree::Octree, two_level_grid::TwoLevelGrid,
+    wide_bvh::WideBvh,
+};
 use raybook::shape::mesh::Mesh;
 
 /// All that take part; the first is what the others are compared with.
@@ -22,6 +25,9 @@ pub const ENTRIES: &[Entry] = &[
     },
     entry("Grid", true, |mesh, _| {
         boxed(Ours(Grid::of_facets(mesh.facets())))
+    }),
+    entry("TwoLevelGrid", true, |mesh, _| {
+        boxed(Ours(TwoLevelGrid::of_facets(mesh.facets())))
     }),
     entry("Octree", true, |mesh, _| {
         boxed(Ours(Octree::of_facets(mesh.facets())))

@@ -38,6 +38,7 @@ pub fn scene(name: &str) -> Result<Scene, String> {
     let (center, radius) = ball(&mesh);
     let (from, to) = match name {
         "terrain" => (vec3(-4.9, 2.5, -4.9), vec3(0.0, 0.5, 0.0)), // from a corner, above the peaks
+        "stadium" => (vec3(0.45, 0.35, 0.6), vec3(0.0, 0.15, 0.0)), // the teapot, and the seats behind it
         _ => (center + 2.2 * radius * vec3(0.4, 0.35, 0.85), center),
     };
     let camera =

@@ -4,30 +4,29 @@ pub mod build;
 pub mod pair;
 pub mod validate;
 
-use crate::accel::bvh::build::cost::Cost;
+use crate::accel::bvh::build::cost::{self, Cost};
 use crate::accel::bvh::build::flat::{Flat, Node};
 use crate::accel::bvh::build::tree::MAX_DEPTH;
 use crate::accel::bvh::build::{Method, build};
-use crate::accel::bvh::pair::{Link, Pair, RayPair, limits};
+use crate::accel::bvh::pair::{Link, Order, Pair, RayPair};
 use crate::accel::{Accel, Count, bounded::bounded, list::List};
-use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
+use crate::math::{interval::Interval, ray::Ray};
 use crate::shape::{Hit, Shape};
-use glam::Vec4Swizzles;
 use rayon::prelude::*;
 
-/// A tree of boxes. Each holds the boxes below it, so a ray that misses it misses everything below.
+/// A tree of boxes: a ray that misses a box misses all that is in it.
 ///
-/// A box counts as tested when a ray is tested against it; the two of a pair are tested together.
+/// Two boxes are counted for each branch that a search opens: those of its children.
 #[derive(Clone, Debug)]
 pub struct Bvh<S> {
     root: Option<Node>,
     pairs: Vec<Pair>,
-    /// As they follow each other in the leaves.
+    /// In the order of the leaves.
     shapes: Vec<S>,
     unbounded: List<S>,
 }
 
-/// Testing a shape costs about as much as testing the two boxes of a pair.
+/// What a step costs here: testing a shape takes as long as testing the two boxes of a pair.
 pub const COST: Cost = Cost {
     branch: 1.0,
     block: 1.0,
@@ -36,27 +35,45 @@ pub const COST: Cost = Cost {
 };
 
 impl<S: Shape> Bvh<S> {
-    /// The tree that is best for its time.
+    /// A tree by the best method for its time: the surface-area heuristic with bins.
     pub fn new(shapes: Vec<S>) -> Self {
         Self::build(shapes, Method::Binned)
     }
 
-    /// A tree made by a method of choice.
+    /// A tree by a method of one's choice.
     pub fn build(shapes: Vec<S>, method: Method) -> Self {
         let (shapes, unbounded) = bounded(shapes);
-        let boxes: Vec<Aabb> = shapes.par_iter().map(Shape::bounds).collect();
-        let Flat { root, pairs, order } = build(&boxes, method, &COST);
-        let mut shapes: Vec<_> = shapes.into_iter().map(Some).collect();
-        let ordered = order.iter().filter_map(|&i| shapes[i as usize].take());
+        let boxes: Vec<_> = shapes.par_iter().map(Shape::bounds).collect();
+        let flat = build(&boxes, method, &COST);
         Self {
-            root,
-            pairs,
-            shapes: ordered.collect(),
             unbounded,
+            ..Self::from_flat(flat, shapes)
         }
     }
 
-    /// Checks the invariants of `accel/bvh/validate.rs`.
+    /// A tree that is there already, over the shapes whose boxes it was built from.
+    pub fn from_flat(flat: Flat, shapes: Vec<S>) -> Self {
+        let mut shapes: Vec<_> = shapes.into_iter().map(Some).collect();
+        let in_order = flat.order.iter().filter_map(|&i| shapes[i as usize].take());
+        Self {
+            shapes: in_order.collect(),
+            root: flat.root,
+            pairs: flat.pairs,
+            unbounded: List::new(Vec::new()),
+        }
+    }
+
+    /// The node of all, and the pairs of all others, depth-first.
+    pub fn nodes(&self) -> (Option<&Node>, &[Pair]) {
+        (self.root.as_ref(), &self.pairs)
+    }
+
+    /// The cost of a search by the surface-area heuristic, if pairs and shapes take as long as each other.
+    pub fn sah_cost(&self) -> f32 {
+        cost::sah_cost(self.root.as_ref(), &self.pairs, &COST)
+    }
+
+    /// Checks the invariants that `accel/bvh/validate.rs` states.
     ///
     /// # Errors
     /// Says which one is broken, and where.
@@ -65,14 +82,17 @@ impl<S: Shape> Bvh<S> {
         validate::validate(self.root.as_ref(), &self.pairs, &boxes)
     }
 
-    /// Memory in use, in bytes.
+    /// Memory in use, with the shapes, in bytes.
     pub fn bytes(&self) -> usize {
-        size_of_val(&*self.pairs) + size_of_val(&*self.shapes)
+        size_of::<Self>() + size_of_val(&*self.pairs) + size_of_val(&*self.shapes)
     }
 }
+
 impl<S: Shape> Accel<S> for Bvh<S> {
     // ANCHOR: bvh_closest
-    /// The nearer child is searched first; whatever is hit there shortens the interval for the farther one.
+    /// Opens boxes from the root on, always the nearer one of a pair first.
+    ///
+    /// The farther one waits on a stack. A hit ends the interval there, and who waits beyond it is dropped.
     fn closest_counted(
         &self,
         ray: &Ray,
@@ -83,60 +103,70 @@ impl<S: Shape> Accel<S> for Bvh<S> {
         if let Some((_, hit)) = closest {
             within = within.before(hit.t);
         }
-        let Some(root) = self.root else {
-            return closest;
-        };
-        let ready = RayPair::new(ray);
-        let mut limit = limits(within);
-        let mut node = Link {
-            first: root.first,
-            count: root.count,
-        };
-        let mut stack = [(0.0_f32, node); MAX_DEPTH as usize];
+        let mut ready = RayPair::new(ray, within);
+        let mut stack = [(0.0, Link::NONE); 1 + MAX_DEPTH as usize];
         let mut height = 0;
-        loop {
-            if node.count == 0 {
-                let pair = &self.pairs[node.first as usize];
-                count.tested_box();
-                count.tested_box();
-                let t = ready.enters(pair, limit);
-                let hit = t.cmple(-t.zwxy()).bitmask() & 3;
-                if hit == 3 {
-                    let far = usize::from(t.x <= t.y);
-                    node = pair.links[1 - far];
-                    stack[height] = (if far == 1 { t.y } else { t.x }, pair.links[far]);
-                    height += 1;
-                    continue;
-                }
-                if hit != 0 {
-                    node = pair.links[hit as usize - 1];
-                    continue;
-                }
-            } else {
-                for shape in &self.shapes[node.first as usize..][..node.count as usize] {
-                    count.tested_shape();
-                    if let Some(hit) = shape.hit(ray, within) {
-                        within = within.before(hit.t);
-                        limit = limits(within);
-                        closest = Some((shape, hit));
-                    }
-                }
+        if let Some(root) = self.root {
+            stack[0] = (f32::NEG_INFINITY, root.link);
+            height = 1;
+        }
+        'search: while height > 0 {
+            height -= 1;
+            let (enters, mut link) = stack[height];
+            if enters >= within.max {
+                continue;
             }
-            loop {
-                if height == 0 {
-                    return closest;
+            while link.count == 0 {
+                let pair = &self.pairs[link.first as usize];
+                count.tested_box();
+                count.tested_box();
+                let Order { near, first, last } = ready.order(pair);
+                if first == f32::INFINITY {
+                    continue 'search;
                 }
-                height -= 1;
-                if stack[height].0 < within.max {
-                    node = stack[height].1;
-                    break;
+                // Always written, and kept only if the ray meets both.
+                stack[height] = (last, pair.links[1 - near]);
+                height += usize::from(last < f32::INFINITY);
+                link = pair.links[near];
+            }
+            let leaf = &self.shapes[link.first as usize..][..link.count as usize];
+            for shape in leaf {
+                count.tested_shape();
+                if let Some(hit) = shape.hit(ray, within) {
+                    within = within.before(hit.t);
+                    ready.shorten(hit.t);
+                    closest = Some((shape, hit));
                 }
             }
         }
+        closest
     }
     // ANCHOR_END: bvh_closest
 
+    /// The same without order: the first hit that turns up is enough.
     fn any(&self, ray: &Ray, within: Interval) -> bool {
-        self.closest(ray, within).is_some()
+        let Some(root) = self.root else {
+            return self.unbounded.any(ray, within);
+        };
+        let ready = RayPair::new(ray, within);
+        let mut stack = [root.link; 1 + MAX_DEPTH as usize];
+        let mut height = 1;
+        while height > 0 {
+            height -= 1;
+            let link = stack[height];
+            if link.count > 0 {
+                let leaf = &self.shapes[link.first as usize..][..link.count as usize];
+                if leaf.iter().any(|shape| shape.blocks(ray, within)) {
+                    return true;
+                }
+            } else {
+                let pair = &self.pairs[link.first as usize];
+                for (link, meets) in pair.links.into_iter().zip(ready.meets(pair)) {
+                    stack[height] = link;
+                    height += usize::from(meets);
+                }
+            }
+        }
+        self.unbounded.any(ray, within)
     }
 }

@@ -2,15 +2,17 @@
 
 use crate::accel::bvh::build::flat::Node;
 use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
-use glam::{Vec2, Vec3, Vec4, vec2, vec4};
+use glam::{Vec2, Vec3, Vec4, Vec4Swizzles, vec2, vec4};
 
-/// The two children of a branch: 64 bytes, one cache line.
+/// The two children of a branch: two nodes of 32 bytes, in one cache line of 64.
+///
+/// Their coordinates are interleaved, for a processor does with four numbers side by side what it does with one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C, align(64))]
 pub struct Pair {
-    /// Per axis, the least and the greatest coordinate of (left, right).
+    /// Per axis, the least coordinates of the left and the right box, and their greatest.
     planes: [[Vec2; 2]; 3],
-    /// Of the left and the right one.
+    /// What is in the left and in the right one.
     pub links: [Link; 2],
 }
 
@@ -23,90 +25,134 @@ pub struct Link {
     pub count: u32,
 }
 
+impl Link {
+    /// A place for a link.
+    pub const NONE: Self = Self { first: 0, count: 0 };
+}
+
 impl Pair {
-    /// The pair of two nodes.
+    /// The pair of a left and a right node.
     pub fn new([left, right]: [Node; 2]) -> Self {
+        let (l, r) = (&left.bounds, &right.bounds);
         let planes = |axis| {
             [
-                vec2(left.bounds.min[axis], right.bounds.min[axis]),
-                vec2(left.bounds.max[axis], right.bounds.max[axis]),
+                vec2(l.min[axis], r.min[axis]),
+                vec2(l.max[axis], r.max[axis]),
             ]
         };
         Self {
             planes: [planes(0), planes(1), planes(2)],
-            links: [left, right].map(|node| Link {
-                first: node.first,
-                count: node.count,
-            }),
+            links: [left.link, right.link],
         }
     }
 
-    /// The left node, 0, or the right one, 1.
-    pub fn node(&self, side: usize) -> Node {
-        let corner = |end: usize| Vec3::from_array(self.planes.map(|ends| ends[end][side]));
-        let Link { first, count } = self.links[side];
-        Node {
-            bounds: Aabb {
-                min: corner(0),
-                max: corner(1),
-            },
-            first,
-            count,
-        }
+    /// The two nodes.
+    pub fn nodes(&self) -> [Node; 2] {
+        [0, 1].map(|side| {
+            let corner = |end: usize| Vec3::from_array(self.planes.map(|ends| ends[end][side]));
+            let (min, max) = (corner(0), corner(1));
+            Node {
+                bounds: Aabb { min, max },
+                link: self.links[side],
+            }
+        })
     }
 }
 
-/// A ray with what its tests of pairs share: a test of four planes at a time, the near and far ones of both boxes.
+/// A ray with what its tests of pairs share.
+///
+/// The same test as that of [`RayBox`](crate::accel::ray_box::RayBox), and as careful; but of four planes at a time, the
+/// two near ones and the two far ones of an axis. The far ones are negated, so that one maximum takes the last of the
+/// near ones and the first of the far ones.
 #[derive(Clone, Copy, Debug)]
 pub struct RayPair {
-    /// Per axis, which of (min, max) the ray meets first: 0 or 1.
-    near: [usize; 3],
-    /// The ray's origin, a little further on for the near planes, and a little back for the far ones.
+    /// Per axis, whether the ray meets the greatest coordinates first.
+    falls: [bool; 3],
+    /// The ray's origin, a rounding further on for the near planes and further back for the far ones.
     origin: [Vec4; 3],
     /// 1/d for the near planes, −1/d for the far ones.
     inverse: [Vec4; 3],
+    /// Where the interval begins, for the near planes, and minus where it ends, for the far ones.
+    within: Vec4,
 }
 
+/// Three roundings in a distance, and two in making it safe, each of 2⁻²⁴ of the result (Ize 2013); with a margin.
 const SLACK: f32 = 8.0 * (f32::EPSILON / 2.0);
 
 impl RayPair {
     /// Makes a ray ready.
     #[inline]
-    pub fn new(ray: &Ray) -> Self {
-        let (d, o) = (ray.direction.to_array(), ray.origin.to_array());
+    pub fn new(ray: &Ray, within: Interval) -> Self {
+        let (o, d) = (ray.origin, *ray.direction);
+        // So the ray never starts in a plane, and where it runs in one, 0·∞ does not happen.
+        let step = (o.abs() * f32::EPSILON + f32::MIN_POSITIVE).copysign(d);
+        let (near, far, inverse) = (o + step, o - step, d.recip());
         let both = |near: f32, far: f32| vec4(near, near, far, far);
-        let near = d.map(|d| usize::from(d.is_sign_negative()));
-        let axes = [0, 1, 2];
         Self {
-            near,
-            origin: axes.map(|i| {
-                let (up, down) = (o[i].next_up(), o[i].next_down());
-                if near[i] == 0 {
-                    both(up, down)
-                } else {
-                    both(down, up)
-                }
-            }),
-            inverse: axes.map(|i| both(1.0 / d[i], -1.0 / d[i])),
+            // The sign bit, not d < 0: −0.0 is the mirror image of +0.0.
+            falls: d.to_array().map(f32::is_sign_negative),
+            origin: [
+                both(near.x, far.x),
+                both(near.y, far.y),
+                both(near.z, far.z),
+            ],
+            inverse: [
+                both(inverse.x, -inverse.x),
+                both(inverse.y, -inverse.y),
+                both(inverse.z, -inverse.z),
+            ],
+            within: both(within.min, -within.max),
         }
     }
 
-    /// (enter left, enter right, −leave left, −leave right), all clipped by `limits`.
+    /// Ends the interval at t.
     #[inline]
-    pub fn enters(&self, pair: &Pair, limits: Vec4) -> Vec4 {
-        let t = |i: usize| {
-            let near = pair.planes[i][self.near[i]];
-            let far = pair.planes[i][1 - self.near[i]];
-            (vec4(near.x, near.y, far.x, far.y) - self.origin[i]) * self.inverse[i]
+    pub fn shorten(&mut self, t: f32) {
+        self.within = vec4(self.within.x, self.within.y, -t, -t);
+    }
+
+    /// Where the ray enters the left and the right box, at the earliest; infinite for a box that it certainly does not meet
+    /// within the interval.
+    #[inline]
+    fn distances(&self, pair: &Pair) -> Vec4 {
+        let t = |axis: usize| {
+            let falls = usize::from(self.falls[axis]);
+            let (near, far) = (pair.planes[axis][falls], pair.planes[axis][1 - falls]);
+            (vec4(near.x, near.y, far.x, far.y) - self.origin[axis]) * self.inverse[axis]
         };
         let t = t(0).max(t(1)).max(t(2));
-        // Not ∞ − ∞: a NaN would be taken for a hit, and a ray along an axis would visit every box.
-        (t - t.abs().min(Vec4::MAX) * SLACK).max(limits)
+        let t = (t - t.abs().min(Vec4::MAX) * SLACK).max(self.within);
+        Vec4::select(t.cmple(-t.zwxy()), t, Vec4::INFINITY)
+    }
+
+    /// The order in which the ray meets the boxes.
+    #[inline]
+    pub fn order(&self, pair: &Pair) -> Order {
+        let t = self.distances(pair);
+        let other = t.yxwz();
+        // No `if`s: which box is nearer, nobody can predict.
+        Order {
+            near: usize::from(other.x < t.x),
+            first: t.min(other).x,
+            last: t.max(other).x,
+        }
+    }
+
+    /// Whether the ray meets the left and the right box.
+    #[inline]
+    pub fn meets(&self, pair: &Pair) -> [bool; 2] {
+        let t = self.distances(pair);
+        [t.x < f32::INFINITY, t.y < f32::INFINITY]
     }
 }
 
-/// x
-#[inline]
-pub fn limits(within: Interval) -> Vec4 {
-    vec4(within.min, within.min, -within.max, -within.max)
+/// The order in which a ray meets the two boxes of a pair.
+#[derive(Clone, Copy, Debug)]
+pub struct Order {
+    /// Which box comes first: the left one, 0, or the right one, 1.
+    pub near: usize,
+    /// Where the ray enters it; infinite if it meets neither.
+    pub first: f32,
+    /// Where it enters the other; infinite if it does not meet it.
+    pub last: f32,
 }

@@ -49,9 +49,9 @@ struct Walk<'a> {
 
 impl Walk<'_> {
     fn node(&mut self, node: &Node, depth: u32) -> Result<(), String> {
-        let first = node.first as usize;
-        let below = if node.count > 0 {
-            let end = first + node.count as usize;
+        let first = node.link.first as usize;
+        let below = if node.link.count > 0 {
+            let end = first + node.link.count as usize;
             let boxes = self.boxes.get(first..end);
             let boxes = boxes.filter(|_| first == self.shape).ok_or_else(|| {
                 format!(
@@ -77,7 +77,7 @@ impl Walk<'_> {
                 ));
             }
             self.pair += 1;
-            let [left, right] = [pair.node(0), pair.node(1)];
+            let [left, right] = pair.nodes();
             self.node(&left, depth + 1)?;
             self.node(&right, depth + 1)?;
             left.bounds.union(&right.bounds)

@@ -1,11 +1,8 @@
 //! Eight boxes and four triangles at once by the instructions AVX2 and FMA of x86-64 processors.
-#![expect(
-    unsafe_code,
-    reason = "vector instructions, and their loads by address"
-)]
+#![expect(unsafe_code, reason = "vector instructions, and their loads by address")]
 
 use super::Tree;
-use super::lanes::{Entered, Lanes, Struck};
+use super::lanes::{Lanes, Struck};
 use super::node::{CHILDREN, Leaf, Link, Node, TRIANGLES};
 use super::ray::WideRay;
 use super::walk::{self, Nearest};
@@ -25,21 +22,9 @@ impl Avx2 {
     }
 
     /// [`walk::closest`], compiled for this processor.
-    pub fn closest(
-        self,
-        tree: &Tree,
-        ray: &Ray,
-        within: Interval,
-        count: &mut impl Count,
-    ) -> Option<Nearest> {
+    pub fn closest(self, tree: &Tree, ray: &Ray, within: Interval, count: &mut impl Count) -> Option<Nearest> {
         #[target_feature(enable = "avx2,fma")]
-        fn compiled(
-            lanes: Avx2,
-            tree: &Tree,
-            ray: &Ray,
-            within: Interval,
-            count: &mut impl Count,
-        ) -> Option<Nearest> {
+        fn compiled(lanes: Avx2, tree: &Tree, ray: &Ray, within: Interval, count: &mut impl Count) -> Option<Nearest> {
             walk::closest(lanes, tree, ray, within, count)
         }
         // SAFETY: the proof is there.
@@ -57,6 +42,24 @@ impl Avx2 {
     }
 }
 
+/// For each mask, the numbers of its bits.
+const PACKED: [[u8; CHILDREN]; 256] = {
+    let mut table = [[0; CHILDREN]; 256];
+    let mut mask = 0;
+    while mask < 256 {
+        let (mut lane, mut place) = (0, 0);
+        while lane < CHILDREN {
+            if mask >> lane & 1 == 1 {
+                table[mask][place] = lane as u8;
+                place += 1;
+            }
+            lane += 1;
+        }
+        mask += 1;
+    }
+    table
+};
+
 #[inline(always)]
 unsafe fn splats(v: glam::Vec3A) -> [__m256; 3] {
     let v: __m128 = v.into();
@@ -71,7 +74,7 @@ unsafe fn splats(v: glam::Vec3A) -> [__m256; 3] {
 
 impl Lanes for Avx2 {
     #[inline(always)]
-    fn boxes(self, node: &Node, ray: &WideRay, max: f32) -> Entered {
+    fn boxes(self, node: &Node, ray: &WideRay, max: f32) -> (u32, [f32; CHILDREN]) {
         // SAFETY: the proof is there; the rows are 0 to 5, each of eight numbers, and start at multiples of 32 bytes.
         unsafe {
             let rows = node.rows.as_ptr();
@@ -80,27 +83,35 @@ impl Lanes for Avx2 {
             let [ix, iy, iz] = splats(ray.inverse);
             let [ex, ey, ez] = splats(ray.enter);
             let [lx, ly, lz] = splats(ray.leave);
-            let enter = _mm256_max_ps(
-                _mm256_max_ps(
-                    _mm256_fmadd_ps(row(nx), ix, ex),
-                    _mm256_fmadd_ps(row(ny), iy, ey),
-                ),
-                _mm256_max_ps(_mm256_fmadd_ps(row(nz), iz, ez), _mm256_set1_ps(ray.min)),
+            let plane = |i: usize, inverse: __m256, offset: __m256| {
+                _mm256_castps_si256(_mm256_fmadd_ps(row(i), inverse, offset))
+            };
+            let splat = |v: f32| _mm256_castps_si256(_mm256_set1_ps(v));
+            let enter = _mm256_max_epi32(
+                _mm256_max_epi32(plane(nx, ix, ex), plane(ny, iy, ey)),
+                _mm256_max_epi32(plane(nz, iz, ez), splat(ray.min)),
             );
-            let leave = _mm256_min_ps(
-                _mm256_min_ps(
-                    _mm256_fmadd_ps(row(nx ^ 1), ix, lx),
-                    _mm256_fmadd_ps(row(ny ^ 1), iy, ly),
-                ),
-                _mm256_min_ps(_mm256_fmadd_ps(row(nz ^ 1), iz, lz), _mm256_set1_ps(max)),
+            let leave = _mm256_min_epi32(
+                _mm256_min_epi32(plane(nx ^ 1, ix, lx), plane(ny ^ 1, iy, ly)),
+                _mm256_min_epi32(plane(nz ^ 1, iz, lz), splat(max)),
             );
-            let met = _mm256_cmp_ps::<_CMP_LE_OQ>(enter, leave);
+            let missed = _mm256_movemask_ps(_mm256_castsi256_ps(_mm256_cmpgt_epi32(enter, leave)));
             let mut t = [0.0; CHILDREN];
-            _mm256_storeu_ps(t.as_mut_ptr(), enter);
-            Entered {
-                mask: _mm256_movemask_ps(met) as u32,
-                t,
-            }
+            _mm256_storeu_si256(t.as_mut_ptr().cast(), enter);
+            (missed as u32 ^ 255, t)
+        }
+    }
+
+    #[inline(always)]
+    fn packed(self, node: &Node, mask: u32) -> [Link; CHILDREN] {
+        // SAFETY: the proof is there; a mask has eight bits, and the links are eight numbers.
+        unsafe {
+            let lanes = _mm_loadl_epi64(PACKED[mask as usize & 255].as_ptr().cast());
+            let links = _mm256_load_si256(node.links.as_ptr().cast());
+            let links = _mm256_permutevar8x32_epi32(links, _mm256_cvtepu8_epi32(lanes));
+            let mut packed = [Link(0); CHILDREN];
+            _mm256_storeu_si256(packed.as_mut_ptr().cast(), links);
+            packed
         }
     }
 
@@ -112,15 +123,7 @@ impl Lanes for Avx2 {
             let [sx, sy, sz] = ray.shear.slopes.map(|v| _mm_set1_ps(v));
             let [ox, oy, oz] = ray.origin.map(|v| _mm_set1_ps(v));
             let corner = |i: usize| {
-                let row = |axis: usize| {
-                    _mm_load_ps(
-                        leaf.corners
-                            .as_ptr()
-                            .add(i)
-                            .cast::<f32>()
-                            .add(TRIANGLES * axis),
-                    )
-                };
+                let row = |axis: usize| _mm_load_ps(leaf.corners.as_ptr().add(i).cast::<f32>().add(TRIANGLES * axis));
                 let x = _mm_sub_ps(row(ax), ox);
                 let y = _mm_sub_ps(row(ay), oy);
                 let z = _mm_sub_ps(row(az), oz);
@@ -131,9 +134,7 @@ impl Lanes for Avx2 {
                 ]
             };
             let (a, b, c) = (corner(0), corner(1), corner(2));
-            let cross = |p: [__m128; 3], q: [__m128; 3]| {
-                _mm_sub_ps(_mm_mul_ps(p[0], q[1]), _mm_mul_ps(p[1], q[0]))
-            };
+            let cross = |p: [__m128; 3], q: [__m128; 3]| _mm_sub_ps(_mm_mul_ps(p[0], q[1]), _mm_mul_ps(p[1], q[0]));
             let (u, v, w) = (cross(c, b), cross(a, c), cross(b, a));
             let zero = _mm_setzero_ps();
             let least = _mm_min_ps(u, _mm_min_ps(v, w));
@@ -142,21 +143,12 @@ impl Lanes for Avx2 {
             if _mm_movemask_ps(inside) == 0 {
                 return Struck::NONE;
             }
-            let on_edge = _mm_or_ps(
-                _mm_cmpeq_ps(u, zero),
-                _mm_or_ps(_mm_cmpeq_ps(v, zero), _mm_cmpeq_ps(w, zero)),
-            );
+            let on_edge = _mm_or_ps(_mm_cmpeq_ps(u, zero), _mm_or_ps(_mm_cmpeq_ps(v, zero), _mm_cmpeq_ps(w, zero)));
             let unsure = _mm_movemask_ps(_mm_and_ps(inside, on_edge)) as u32;
             let inverse = _mm_div_ps(_mm_set1_ps(1.0), _mm_add_ps(_mm_add_ps(u, v), w));
-            let sum = _mm_add_ps(
-                _mm_add_ps(_mm_mul_ps(u, a[2]), _mm_mul_ps(v, b[2])),
-                _mm_mul_ps(w, c[2]),
-            );
+            let sum = _mm_add_ps(_mm_add_ps(_mm_mul_ps(u, a[2]), _mm_mul_ps(v, b[2])), _mm_mul_ps(w, c[2]));
             let t = _mm_mul_ps(sum, inverse);
-            let counts = _mm_and_ps(
-                _mm_cmplt_ps(_mm_set1_ps(ray.min), t),
-                _mm_cmplt_ps(t, _mm_set1_ps(max)),
-            );
+            let counts = _mm_and_ps(_mm_cmplt_ps(_mm_set1_ps(ray.min), t), _mm_cmplt_ps(t, _mm_set1_ps(max)));
             let mask = _mm_movemask_ps(_mm_and_ps(inside, counts)) as u32 & !unsure;
             if mask | unsure == 0 {
                 return Struck::NONE;

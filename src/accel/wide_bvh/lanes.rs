@@ -6,23 +6,17 @@ use super::ray::WideRay;
 
 /// Tests of several boxes, and of several triangles, at once.
 pub trait Lanes: Copy {
-    /// The children that the ray meets before `max`.
-    fn boxes(self, node: &Node, ray: &WideRay, max: f32) -> Entered;
+    /// The children that the ray meets before `max`, as bits, and where it enters each of them.
+    fn boxes(self, node: &Node, ray: &WideRay, max: f32) -> (u32, [f32; CHILDREN]);
+
+    /// The children of a mask in any order; what follows the last of them means nothing.
+    fn packed(self, node: &Node, mask: u32) -> [Link; CHILDREN];
 
     /// The triangles that the ray hits before `max`.
     fn triangles(self, leaf: &Leaf, ray: &WideRay, max: f32) -> Struck;
 
     /// Asks the memory for a child, to have it when it is needed.
     fn prefetch(self, tree: &Tree, link: Link);
-}
-
-/// Children that a ray meets.
-#[derive(Clone, Copy, Debug)]
-pub struct Entered {
-    /// Bit i: child i.
-    pub mask: u32,
-    /// Where it enters each of them.
-    pub t: [f32; CHILDREN],
 }
 
 /// Triangles that a ray hits.

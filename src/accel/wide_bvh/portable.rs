@@ -1,9 +1,12 @@
 //! Eight boxes and four triangles at once, by plain arithmetic on arrays, on any processor.
 
 use super::Tree;
-use super::lanes::{Entered, Lanes, Struck};
+use super::lanes::{Lanes, Struck};
 use super::node::{CHILDREN, Leaf, Link, Node, TRIANGLES};
 use super::ray::WideRay;
+use super::walk::{self, Nearest};
+use crate::accel::Count;
+use crate::math::{interval::Interval, ray::Ray};
 
 /// What every processor can do.
 ///
@@ -12,9 +15,23 @@ use super::ray::WideRay;
 #[derive(Clone, Copy, Debug)]
 pub struct Portable;
 
+impl Portable {
+    /// [`walk::closest`].
+    #[inline(never)]
+    pub fn closest(self, tree: &Tree, ray: &Ray, within: Interval, count: &mut impl Count) -> Option<Nearest> {
+        walk::closest(self, tree, ray, within, count)
+    }
+
+    /// [`walk::any`].
+    #[inline(never)]
+    pub fn any(self, tree: &Tree, ray: &Ray, within: Interval) -> bool {
+        walk::any(self, tree, ray, within)
+    }
+}
+
 impl Lanes for Portable {
     #[inline(always)]
-    fn boxes(self, node: &Node, ray: &WideRay, max: f32) -> Entered {
+    fn boxes(self, node: &Node, ray: &WideRay, max: f32) -> (u32, [f32; CHILDREN]) {
         let mut enter = [ray.min; CHILDREN];
         let mut leave = [max; CHILDREN];
         for axis in 0..3 {
@@ -25,10 +42,17 @@ impl Lanes for Portable {
             }
         }
         let met = (0..CHILDREN).map(|lane| u32::from(enter[lane] <= leave[lane]) << lane);
-        Entered {
-            mask: met.sum(),
-            t: enter,
+        (met.sum(), enter)
+    }
+
+    #[inline(always)]
+    fn packed(self, node: &Node, mask: u32) -> [Link; CHILDREN] {
+        let mut packed = [Link(0); CHILDREN];
+        let lanes = (0..CHILDREN).filter(|lane| mask >> lane & 1 == 1);
+        for (place, lane) in lanes.enumerate() {
+            packed[place] = node.links[lane];
         }
+        packed
     }
 
     #[inline(always)]

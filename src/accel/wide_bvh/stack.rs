@@ -7,6 +7,7 @@ use super::node::Link;
 /// Distances of 0 and more are in the same order as their bits. Among those below 0 the order is another; it
 /// is of no importance for the answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[repr(transparent)]
 pub struct Waiting(u64);
 
 impl Waiting {

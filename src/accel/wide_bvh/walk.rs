@@ -3,8 +3,8 @@
 use super::Tree;
 use super::lanes::Lanes;
 use super::node::{CHILDREN, Link};
-use super::ray::WideRay;
 use super::stack::{PLACES, Places, Waiting};
+use super::ray::WideRay;
 use crate::accel::Count;
 use crate::math::{interval::Interval, ray::Ray};
 use crate::shape::{Hit, Shape};
@@ -43,12 +43,12 @@ fn deeper<L: Lanes>(
     tree: &Tree,
     link: Link,
     ray: &Ray,
-    wide: &WideRay,
+    wide: WideRay,
     limit: f32,
     best: Option<Nearest>,
     count: &mut impl Count,
 ) -> Option<Nearest> {
-    closest_below(lanes, tree, link, ray, wide, limit, best, count)
+    closest_below(lanes, tree, link, ray, &wide, limit, best, count)
 }
 
 #[inline(always)]
@@ -69,33 +69,29 @@ fn closest_below<L: Lanes>(
         if let Some(leaf) = link.as_leaf() {
             test_leaf(lanes, tree, leaf, ray, wide, &mut limit, &mut best, count);
         } else if len + CHILDREN > PLACES {
-            best = deeper(lanes, tree, link, ray, wide, limit, best, count);
-            if let Some(best) = best {
-                limit = best.t.next_up();
-            }
+            best = deeper(lanes, tree, link, ray, *wide, limit, best, count);
+            if let Some(best) = best { limit = best.t.next_up(); }
         } else {
             let node = &tree.nodes[link.index()];
             count.tested_box();
-            let met = lanes.boxes(node, wide, limit);
-            let mut mask = met.mask;
+            let (mask, t) = lanes.boxes(node, wide, limit);
             if mask != 0 {
                 let lane = mask.trailing_zeros() as usize % CHILDREN;
-                mask &= mask - 1;
+                let mut others = mask & (mask - 1);
                 link = node.links[lane];
-                if mask == 0 {
+                if others == 0 {
                     continue;
                 }
                 lanes.prefetch(tree, link);
-                let mut near = Waiting::new(met.t[lane], link);
+                let mut near = Waiting::new(t[lane], link);
                 let base = len;
-                while mask != 0 {
-                    let lane = mask.trailing_zeros() as usize % CHILDREN;
-                    mask &= mask - 1;
-                    let other = Waiting::new(met.t[lane], node.links[lane]);
+                while others != 0 {
+                    let lane = others.trailing_zeros() as usize % CHILDREN;
+                    others &= others - 1;
+                    let other = Waiting::new(t[lane], node.links[lane]);
                     lanes.prefetch(tree, other.link());
-                    let far = near.max(other);
+                    stack.insert(base, len, near.max(other));
                     near = near.min(other);
-                    stack.insert(base, len, far);
                     len += 1;
                 }
                 link = near.link();
@@ -103,9 +99,7 @@ fn closest_below<L: Lanes>(
             }
         }
         loop {
-            if len == 0 {
-                return best;
-            }
+            if len == 0 { return best; }
             len -= 1;
             let next = stack.0[len];
             if next.t() < limit {
@@ -138,31 +132,15 @@ fn test_leaf<L: Lanes>(
         let lane = mask.trailing_zeros() as usize;
         mask &= mask - 1;
         let lane = lane % 4;
-        let found = Nearest {
-            facet: leaf.facets[lane],
-            id: leaf.ids[lane],
-            t: hits.t[lane],
-            uv: [hits.b1[lane], hits.b2[lane]],
-        };
+        let found = Nearest { facet: leaf.facets[lane], id: leaf.ids[lane], t: hits.t[lane], uv: [hits.b1[lane], hits.b2[lane]] };
         take(found, limit, best);
     }
     let mut mask = hits.unsure;
     while mask != 0 {
         let lane = mask.trailing_zeros() as usize;
         mask &= mask - 1;
-        if let Some(hit) =
-            tree.facets[leaf.facets[lane] as usize].hit(ray, Interval::new(wide.min, *limit))
-        {
-            take(
-                Nearest {
-                    facet: leaf.facets[lane],
-                    id: leaf.ids[lane],
-                    t: hit.t,
-                    uv: hit.uv.to_array(),
-                },
-                limit,
-                best,
-            );
+        if let Some(hit) = tree.facets[leaf.facets[lane] as usize].hit(ray, Interval::new(wide.min, *limit)) {
+            take(Nearest { facet: leaf.facets[lane], id: leaf.ids[lane], t: hit.t, uv: hit.uv.to_array() }, limit, best);
         }
     }
 }
@@ -179,15 +157,23 @@ fn take(found: Nearest, limit: &mut f32, best: &mut Option<Nearest>) {
 #[inline(always)]
 pub fn any<L: Lanes>(lanes: L, tree: &Tree, ray: &Ray, within: Interval) -> bool {
     let wide = WideRay::new(ray, within.min, tree.largest);
+    tree.root.is_some_and(|root| any_below(lanes, tree, root, ray, &wide, within))
+}
+
+#[cold]
+#[inline(never)]
+fn deeper_any<L: Lanes>(lanes: L, tree: &Tree, link: Link, ray: &Ray, wide: WideRay, within: Interval) -> bool {
+    any_below(lanes, tree, link, ray, &wide, within)
+}
+
+#[inline(always)]
+fn any_below<L: Lanes>(lanes: L, tree: &Tree, mut link: Link, ray: &Ray, wide: &WideRay, within: Interval) -> bool {
     let mut stack = [Link(0); 64];
     let mut len = 0;
-    let Some(mut link) = tree.root else {
-        return false;
-    };
     loop {
         if let Some(leaf) = link.as_leaf() {
             let leaf = &tree.leaves[leaf];
-            let hits = lanes.triangles(leaf, &wide, within.max);
+            let hits = lanes.triangles(leaf, wide, within.max);
             if hits.mask != 0 {
                 return true;
             }
@@ -199,15 +185,21 @@ pub fn any<L: Lanes>(lanes: L, tree: &Tree, ray: &Ray, within: Interval) -> bool
                     return true;
                 }
             }
+        } else if len + CHILDREN > 64 {
+            if deeper_any(lanes, tree, link, ray, *wide, within) {
+                return true;
+            }
         } else {
             let node = &tree.nodes[link.index()];
-            let mut mask = lanes.boxes(node, &wide, within.max).mask;
-            while mask != 0 {
-                let lane = mask.trailing_zeros() as usize;
-                mask &= mask - 1;
-                lanes.prefetch(tree, node.links[lane % CHILDREN]);
-                stack[len] = node.links[lane % CHILDREN];
-                len += 1;
+            let (mask, _) = lanes.boxes(node, wide, within.max);
+            if mask != 0 {
+                link = node.links[mask.trailing_zeros() as usize % CHILDREN];
+                let others = mask & (mask - 1);
+                if others != 0 {
+                    stack[len..len + CHILDREN].copy_from_slice(&lanes.packed(node, others));
+                    len += others.count_ones() as usize;
+                }
+                continue;
             }
         }
         if len == 0 {
@@ -220,10 +212,6 @@ pub fn any<L: Lanes>(lanes: L, tree: &Tree, ray: &Ray, within: Interval) -> bool
 
 impl Nearest {
     pub fn hit(&self) -> Hit {
-        Hit {
-            t: self.t,
-            uv: vec2(self.uv[0], self.uv[1]),
-            id: self.id,
-        }
+        Hit { t: self.t, uv: vec2(self.uv[0], self.uv[1]), id: self.id }
     }
 }

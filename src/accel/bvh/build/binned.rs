@@ -2,17 +2,58 @@
 
 use crate::accel::bvh::build::cost::Cost;
 use crate::accel::bvh::build::halves::partition;
-use crate::accel::bvh::build::item::{Bounds, Item, centers2};
-use glam::Vec3A;
+use crate::accel::bvh::build::item::{Bounds, Extent, Item};
 
-/// Bins per axis.
-const BINS: usize = 32;
+/// From so many items on, all three axes are tried with 32 bins each; else the widest one with 8.
+const MANY: usize = 64;
 
-/// The boxes of the items whose centres fall into a slice of the box of all centres, together, and how many these are.
+/// Splits the items between two bins, where the surface-area heuristic is least, if that is better than a leaf (Wald 2007).
+pub fn split(items: &mut [Item], extent: &Extent, cost: &Cost) -> Option<usize> {
+    let cut = if items.len() < MANY {
+        Cut::best_along::<8>(extent.widest(), items, extent, cost)
+    } else {
+        let cuts = [0, 1, 2].map(|axis| Cut::best_along::<32>(axis, items, extent, cost));
+        let [x, y, z] = cuts;
+        let xy = if y.cost < x.cost { y } else { x };
+        if z.cost < xy.cost { z } else { xy }
+    };
+    let parent = extent.bounds.half_area();
+    let better = cost.branch * parent + cut.cost < cost.shapes(items.len()) * parent;
+    better.then(|| partition(items, |item| cut.slices.of(item) < cut.before))
+}
+
+/// The box of all centres cut into slices of the same thickness along an axis.
+#[derive(Clone, Copy)]
+struct Slices {
+    axis: usize,
+    min: f32,
+    scale: f32,
+    last: usize,
+}
+
+impl Slices {
+    fn new(count: usize, axis: usize, centers2: &Bounds) -> Self {
+        let (min, max) = (centers2.min[axis], centers2.max[axis]);
+        Self {
+            axis,
+            min,
+            // A little less than the count: the greatest centre belongs to the last slice.
+            scale: count as f32 * 0.9999 / (max - min).max(f32::MIN_POSITIVE),
+            last: count - 1,
+        }
+    }
+
+    /// The slice in which the item's centre lies.
+    fn of(&self, item: &Item) -> usize {
+        (((item.center2_along(self.axis) - self.min) * self.scale) as usize).min(self.last)
+    }
+}
+
+/// The items with centres in a slice: a box around them, and how many there are.
 #[derive(Clone, Copy)]
 struct Bin {
     bounds: Bounds,
-    count: u32,
+    count: usize,
 }
 
 impl Bin {
@@ -21,82 +62,60 @@ impl Bin {
         count: 0,
     };
 
-    fn union(&self, other: &Self) -> Self {
-        Self {
-            bounds: self.bounds.union(&other.bounds),
-            count: self.count + other.count,
-        }
+    fn add(&mut self, other: &Self) {
+        self.bounds = self.bounds.union(&other.bounds);
+        self.count += other.count;
     }
 
     fn cost(&self, cost: &Cost) -> f32 {
-        if self.count == 0 {
-            0.0
-        } else {
-            self.bounds.half_area() * cost.shapes(self.count as usize)
+        self.bounds.half_area() * cost.shapes(self.count)
+    }
+}
+
+/// A cut between two slices.
+#[derive(Clone, Copy)]
+struct Cut {
+    slices: Slices,
+    /// The first slice on the right.
+    before: usize,
+    /// The cost of both sides.
+    cost: f32,
+}
+
+impl Cut {
+    /// The best cut along an axis.
+    fn best_along<const BINS: usize>(
+        axis: usize,
+        items: &[Item],
+        extent: &Extent,
+        cost: &Cost,
+    ) -> Self {
+        let slices = Slices::new(BINS, axis, &extent.centers2);
+        let mut bins = [Bin::EMPTY; BINS];
+        for item in items {
+            let (bounds, count) = (item.bounds, 1);
+            bins[slices.of(item)].add(&Bin { bounds, count });
         }
-    }
-}
-
-/// Which bin a centre falls into, along each axis: (c − min)·scale, rounded down.
-struct Slices {
-    min: Vec3A,
-    scale: Vec3A,
-}
-
-impl Slices {
-    fn of(items: &[Item]) -> Self {
-        let centers2 = centers2(items);
-        let size = centers2.max - centers2.min;
-        Self {
-            min: centers2.min,
-            // Just below BINS: the largest centre must not fall behind the last bin.
-            scale: Vec3A::splat(BINS as f32 * (1.0 - 1e-6))
-                / size.max(Vec3A::splat(f32::MIN_POSITIVE)),
-        }
-    }
-
-    fn of_item(&self, item: &Item) -> [usize; 3] {
-        let at = (item.center2() - self.min) * self.scale;
-        at.to_array().map(|at| (at as usize).min(BINS - 1))
-    }
-}
-
-/// Splits the items between two bins, where the surface-area heuristic is least, if that is better than a leaf (Wald 2007).
-pub fn split(items: &mut [Item], bounds: &Bounds, cost: &Cost) -> Option<usize> {
-    let slices = Slices::of(items);
-    let mut bins = [[Bin::EMPTY; BINS]; 3];
-    for item in items.iter() {
-        for (bins, at) in bins.iter_mut().zip(slices.of_item(item)) {
-            bins[at].bounds = bins[at].bounds.union(&item.bounds);
-            bins[at].count += 1;
-        }
-    }
-    let (axis, before, total) = best_cut(&bins, cost);
-    let parent = bounds.half_area();
-    if cost.branch * parent + total >= cost.shapes(items.len()) * parent {
-        return None;
-    }
-    Some(partition(items, |item| slices.of_item(item)[axis] < before))
-}
-
-/// The axis, the first bin on the right, and the cost of the best cut.
-fn best_cut(bins: &[[Bin; BINS]; 3], cost: &Cost) -> (usize, usize, f32) {
-    let mut best = (0, 0, f32::INFINITY);
-    for (axis, bins) in bins.iter().enumerate() {
         let mut right = [0.0; BINS];
-        let mut all = Bin::EMPTY;
+        let mut side = Bin::EMPTY;
         for i in (1..BINS).rev() {
-            all = all.union(&bins[i]);
-            right[i] = all.cost(cost);
+            side.add(&bins[i]);
+            right[i] = side.cost(cost);
         }
-        all = Bin::EMPTY;
+        let mut best = (0, f32::INFINITY);
+        side = Bin::EMPTY;
         for i in 1..BINS {
-            all = all.union(&bins[i - 1]);
-            let total = all.cost(cost) + right[i];
-            if total < best.2 {
-                best = (axis, i, total);
+            side.add(&bins[i - 1]);
+            let both = side.cost(cost) + right[i];
+            if both < best.1 {
+                best = (i, both);
             }
         }
+        let (before, cost) = best;
+        Self {
+            slices,
+            before,
+            cost,
+        }
     }
-    best
 }

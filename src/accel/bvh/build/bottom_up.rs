@@ -2,7 +2,7 @@
 
 use crate::accel::bvh::build::cost::Cost;
 use crate::accel::bvh::build::flat::Flat;
-use crate::accel::bvh::build::item::{Bounds, Item, centers2};
+use crate::accel::bvh::build::item::{Bounds, Extent, Item};
 use crate::accel::bvh::build::tree::{Inside, MAX_DEPTH, Tree, halvings};
 use glam::Vec3A;
 use rayon::prelude::*;
@@ -125,7 +125,7 @@ fn gather(tree: Tree, cost: &Cost, order: &mut Vec<u32>) -> (Tree, f32) {
 
 /// Sorts the items by the Morton codes of their centres: 21 bits per axis, one of each axis in turn.
 fn sort_along_curve(items: &mut [Item]) {
-    let centers2 = centers2(items);
+    let centers2 = Extent::of(items).centers2;
     let size = (centers2.max - centers2.min).max(Vec3A::splat(f32::MIN_POSITIVE));
     let code = |item: &Item| {
         let at = (item.center2() - centers2.min) / size * ((1 << 21) - 1) as f32;

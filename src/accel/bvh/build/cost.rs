@@ -1,5 +1,8 @@
 //! What a search costs: the surface-area heuristic.
 
+use crate::accel::bvh::build::flat::Node;
+use crate::accel::bvh::pair::Pair;
+
 /// The price of a ray's steps through a tree; only their ratio matters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cost {
@@ -7,7 +10,7 @@ pub struct Cost {
     pub branch: f32,
     /// Testing a block of shapes.
     pub block: f32,
-    /// Shapes in a block, which are tested at once.
+    /// Shapes in a block, which are tested at once: a power of two.
     pub block_size: u32,
     /// Leaves have at most so many shapes.
     pub most: u32,
@@ -16,6 +19,33 @@ pub struct Cost {
 impl Cost {
     /// The price of testing so many shapes.
     pub fn shapes(&self, count: usize) -> f32 {
-        self.block * count.div_ceil(self.block_size as usize) as f32
+        let last = self.block_size as usize - 1;
+        self.block * ((count + last) >> last.count_ones()) as f32
     }
 }
+
+// ANCHOR: sah_cost
+/// The price of a search by a ray that meets the root's box, from a random place in a random direction.
+///
+/// Such a ray meets a convex body inside another with the probability of their surface areas' ratio. So the price is
+/// Σ A(n)/A(root)·c(n) over all nodes n: c is [`Cost::branch`] for a branch and the price of its shapes for a leaf.
+pub fn sah_cost(root: Option<&Node>, pairs: &[Pair], cost: &Cost) -> f32 {
+    let price = |node: &Node| {
+        let size = node.bounds.size();
+        let area = 2.0 * (size.x * size.y + size.y * size.z + size.z * size.x);
+        let price = match node.link.count {
+            0 => cost.branch,
+            count => cost.shapes(count as usize),
+        };
+        (area, f64::from(area) * f64::from(price))
+    };
+    let Some((whole, all)) = root.map(price) else {
+        return 0.0;
+    };
+    let below = pairs
+        .iter()
+        .flat_map(Pair::nodes)
+        .map(|node| price(&node).1);
+    ((all + below.sum::<f64>()) / f64::from(whole.max(f32::MIN_POSITIVE))) as f32
+}
+// ANCHOR_END: sah_cost

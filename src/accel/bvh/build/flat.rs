@@ -1,38 +1,34 @@
 //! Stage 3: the tree as an array, without pointers.
 
 use crate::accel::bvh::build::tree::{Inside, Tree};
-use crate::accel::bvh::pair::Pair;
+use crate::accel::bvh::pair::{Link, Pair};
 use crate::math::aabb::Aabb;
 
 /// A box with either two children or some shapes, in 32 bytes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[repr(C)]
 pub struct Node {
     /// Holds all that is below.
     pub bounds: Aabb,
-    /// Of a branch: which pair its children are. Of a leaf: its first shape, in the order of the leaves.
-    pub first: u32,
-    /// How many shapes a leaf has; 0 for a branch.
-    pub count: u32,
+    /// What is below.
+    pub link: Link,
 }
 
 impl Node {
-    /// A leaf without shapes.
-    pub const EMPTY: Self = Self {
+    /// A place for a node.
+    pub const NONE: Self = Self {
         bounds: Aabb::EMPTY,
-        first: 0,
-        count: 0,
+        link: Link::NONE,
     };
 }
 
-/// A tree as an array of pairs of nodes, depth-first: a branch's left subtree follows it.
+/// A tree as an array of pairs of nodes, depth-first: a branch's left subtree comes right after its pair.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Flat {
-    /// The node of all.
+    /// The node of all; none without shapes.
     pub root: Option<Node>,
     /// All other nodes.
     pub pairs: Vec<Pair>,
-    /// The numbers of the shapes, as they follow each other in the leaves.
+    /// The numbers of the shapes, in the order of the leaves.
     pub order: Vec<u32>,
 }
 
@@ -46,29 +42,23 @@ impl Flat {
     }
 }
 
-/// Appends what is below a subtree, and returns its node; `shapes` counts those in the leaves so far.
+/// Appends all that is below a subtree, and returns its node; `shapes` counts those in the leaves so far.
 fn place(tree: &Tree, pairs: &mut Vec<Pair>, shapes: &mut u32) -> Node {
     let bounds = tree.bounds.into();
-    match &tree.inside {
+    let (first, count) = match &tree.inside {
         &Inside::Leaf(count) => {
             let first = *shapes;
             *shapes += count;
-            Node {
-                bounds,
-                first,
-                count,
-            }
+            (first, count)
         }
         Inside::Branch(children) => {
             let at = pairs.len();
-            pairs.push(Pair::new([Node::EMPTY; 2]));
+            pairs.push(Pair::new([Node::NONE; 2])); // its place is before its children's
             let [left, right] = &**children;
             pairs[at] = Pair::new([place(left, pairs, shapes), place(right, pairs, shapes)]);
-            Node {
-                bounds,
-                first: at as u32,
-                count: 0,
-            }
+            (at as u32, 0)
         }
-    }
+    };
+    let link = Link { first, count };
+    Node { bounds, link }
 }

@@ -1,34 +1,30 @@
 //! Splits without a heuristic: by the median, or in the middle.
 
 use crate::accel::bvh::build::cost::Cost;
-use crate::accel::bvh::build::item::{Bounds, Item, centers2};
+use crate::accel::bvh::build::item::{Extent, Item};
 
 /// Splits by median and middle go on until so few shapes are left.
 const FEW: usize = 4;
 
 /// Half of the items to each side, along the axis on which the centres are spread most.
-pub fn median(items: &mut [Item], _bounds: &Bounds, _cost: &Cost) -> Option<usize> {
-    (items.len() > FEW).then(|| halve(items))
+pub fn median(items: &mut [Item], extent: &Extent, _cost: &Cost) -> Option<usize> {
+    (items.len() > FEW).then(|| halve(items, extent))
 }
 
 /// Cuts the box of the centres in the middle of its longest axis.
-pub fn middle(items: &mut [Item], _bounds: &Bounds, _cost: &Cost) -> Option<usize> {
-    let centers2 = centers2(items);
-    let axis = widest(&centers2);
+pub fn middle(items: &mut [Item], extent: &Extent, _cost: &Cost) -> Option<usize> {
+    let (axis, centers2) = (extent.widest(), &extent.centers2);
     let middle2 = 0.5 * (centers2.min[axis] + centers2.max[axis]);
-    (items.len() > FEW).then(|| partition(items, |item| item.center2()[axis] < middle2))
+    (items.len() > FEW).then(|| partition(items, |item| item.center2_along(axis) < middle2))
 }
 
 /// Splits the items by the median of their centres along their widest axis; equal centres go to either side.
-pub fn halve(items: &mut [Item]) -> usize {
-    let (axis, half) = (widest(&centers2(items)), items.len() / 2);
-    items.select_nth_unstable_by(half, |a, b| a.center2()[axis].total_cmp(&b.center2()[axis]));
+pub fn halve(items: &mut [Item], extent: &Extent) -> usize {
+    let (axis, half) = (extent.widest(), items.len() / 2);
+    items.select_nth_unstable_by(half, |a, b| {
+        a.center2_along(axis).total_cmp(&b.center2_along(axis))
+    });
     half
-}
-
-/// The axis along which the box is longest.
-fn widest(bounds: &Bounds) -> usize {
-    (bounds.max - bounds.min).max_position()
 }
 
 /// Moves the items for which `left` holds to the front; returns how many these are.

@@ -28,12 +28,6 @@ impl Bounds {
         }
     }
 
-    /// The smallest box that holds all boxes of the items.
-    pub fn of(items: &[Item]) -> Self {
-        let boxes = items.iter().map(|item| &item.bounds);
-        boxes.fold(Self::EMPTY, |all, bounds| all.union(bounds))
-    }
-
     /// Half the surface area: xy + yz + zx, in square metres; 0 for an empty box.
     pub fn half_area(&self) -> f32 {
         let size = (self.max - self.min).max(Vec3A::ZERO);
@@ -81,15 +75,42 @@ impl Item {
     pub fn center2(&self) -> Vec3A {
         self.bounds.min + self.bounds.max
     }
+
+    /// The same along one axis.
+    pub fn center2_along(&self, axis: usize) -> f32 {
+        // A reference, for glam's `[axis]` asks which axis it is: a branch, in the innermost loop.
+        let (min, max): (&[f32; 3], &[f32; 3]) =
+            (self.bounds.min.as_ref(), self.bounds.max.as_ref());
+        min[axis] + max[axis]
+    }
 }
 
-/// The smallest box that holds twice the centres of the items.
-pub fn centers2(items: &[Item]) -> Bounds {
-    items.iter().fold(Bounds::EMPTY, |all, item| {
-        let p = item.center2();
-        Bounds {
-            min: all.min.min(p),
-            max: all.max.max(p),
+/// How far items extend.
+#[derive(Clone, Copy, Debug)]
+pub struct Extent {
+    /// The smallest box that holds their boxes.
+    pub bounds: Bounds,
+    /// The smallest box that holds twice their centres.
+    pub centers2: Bounds,
+}
+
+impl Extent {
+    /// How far these items extend.
+    pub fn of(items: &[Item]) -> Self {
+        let mut all = Self {
+            bounds: Bounds::EMPTY,
+            centers2: Bounds::EMPTY,
+        };
+        for item in items {
+            let (min, max) = (item.center2(), item.center2());
+            all.bounds = all.bounds.union(&item.bounds);
+            all.centers2 = all.centers2.union(&Bounds { min, max });
         }
-    })
+        all
+    }
+
+    /// The axis along which the centres are spread most.
+    pub fn widest(&self) -> usize {
+        (self.centers2.max - self.centers2.min).max_position()
+    }
 }

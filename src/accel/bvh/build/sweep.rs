@@ -1,53 +1,52 @@
 //! The best of all splits, by the surface-area heuristic.
 
 use crate::accel::bvh::build::cost::Cost;
-use crate::accel::bvh::build::item::{Bounds, Item};
+use crate::accel::bvh::build::item::{Bounds, Extent, Item};
 
-/// Splits the items by the best of all cuts between two centres that follow each other along an axis, if that is better
-/// than a leaf.
-pub fn split(items: &mut [Item], bounds: &Bounds, cost: &Cost) -> Option<usize> {
-    let (axis, left, area) = sah_split(items, cost);
-    let parent = bounds.half_area();
-    if cost.branch * parent + area >= cost.shapes(items.len()) * parent {
-        return None;
-    }
-    sort_along(items, axis);
-    Some(left)
+/// Splits the items where it is best, if that is better than a leaf.
+pub fn split(items: &mut [Item], extent: &Extent, cost: &Cost) -> Option<usize> {
+    let (left, both) = sah_split(items, cost);
+    let parent = extent.bounds.half_area();
+    let better = cost.branch * parent + both < cost.shapes(items.len()) * parent;
+    better.then_some(left)
 }
 
 // ANCHOR: sah_split
-/// The axis, the number of items on the left, and the cost of the best split.
+/// Finds the best place to split the items; returns how many of them are on the left, after reordering them, and the
+/// cost.
 ///
-/// The cost is A(L)·C(|L|) + A(R)·C(|R|), where A is half the area of a side's box and C the price of testing its
-/// shapes: a ray that meets the parent's box meets a side's box with the probability A(side)/A(parent)
-/// (Goldsmith and Salmon 1987, MacDonald and Booth 1990).
-pub fn sah_split(items: &mut [Item], cost: &Cost) -> (usize, usize, f32) {
-    let mut best = (0, items.len() / 2, f32::INFINITY);
-    let mut right = vec![0.0; items.len()];
-    for axis in 0..3 {
-        sort_along(items, axis);
-        let mut bounds = Bounds::EMPTY;
-        for (i, item) in items.iter().enumerate().rev() {
-            bounds = bounds.union(&item.bounds);
-            right[i] = bounds.half_area() * cost.shapes(items.len() - i);
+/// A split is a cut between two centres that follow each other along an axis. Its cost is A(L)·c(L) + A(R)·c(R): A is half
+/// the surface area of a side's box, to which the number of rays that meet it is proportional, and c the price of testing
+/// all of its shapes (Goldsmith and Salmon 1987, MacDonald and Booth 1990).
+pub fn sah_split(items: &mut [Item], cost: &Cost) -> (usize, f32) {
+    let n = items.len();
+    let (mut axis, mut left, mut least) = (0, n / 2, f32::INFINITY);
+    let mut right = vec![0.0; n];
+    for along in 0..3 {
+        sort_along(items, along);
+        let mut side = Bounds::EMPTY;
+        for i in (1..n).rev() {
+            side = side.union(&items[i].bounds);
+            right[i] = side.half_area() * cost.shapes(n - i);
         }
-        bounds = Bounds::EMPTY;
-        for (i, item) in items.iter().enumerate() {
-            let total = bounds.half_area() * cost.shapes(i) + right[i];
-            if i > 0 && total < best.2 {
-                best = (axis, i, total);
+        side = Bounds::EMPTY;
+        for i in 1..n {
+            side = side.union(&items[i - 1].bounds);
+            let both = side.half_area() * cost.shapes(i) + right[i];
+            if both < least {
+                (axis, left, least) = (along, i, both);
             }
-            bounds = bounds.union(&item.bounds);
         }
     }
-    best
+    sort_along(items, axis);
+    (left, least)
 }
 // ANCHOR_END: sah_split
 
-/// Sorts by the centres along an axis, equal ones by their numbers.
+/// Sorts by the centres along an axis; equal ones by their numbers.
 fn sort_along(items: &mut [Item], axis: usize) {
     items.sort_unstable_by(|a, b| {
-        let by_center = a.center2()[axis].total_cmp(&b.center2()[axis]);
+        let by_center = a.center2_along(axis).total_cmp(&b.center2_along(axis));
         by_center.then(a.index.cmp(&b.index))
     });
 }

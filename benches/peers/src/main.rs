@@ -1,6 +1,6 @@
 //! raybook's accelerators against Embree 3 and the crates `obvhs`, `bvh` and `parry3d`, in one thread.
 //!
-//! `cargo run --release -p raybook-peers` prints a table for each mesh, and writes `target/peers/ratios.csv`, `builds.csv`,
+//! `benches/peers/run` (or `cargo run --release -p raybook-peers`) prints a table for each mesh, and writes `target/peers/ratios.csv`, `builds.csv`,
 //! `how.txt` and `ratios.png`. `README.md` beside this package says what is measured and how.
 
 mod construction;
@@ -15,6 +15,7 @@ mod sets;
 use clap::Parser;
 use racer::Racer;
 use racers::{ENTRIES, embree::Embree};
+use raybook_embree::scans;
 use report::Row;
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -70,11 +71,16 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     };
     let how = how(side, count, rounds);
     println!("{}", how.join("\n"));
+    if names.iter().any(|name| name == "bunny" || name == "dragon") {
+        println!("{}", scans::credits()?);
+    }
     let mut rows = Vec::new();
     for name in &names {
         let scene = meshes::scene(name)?;
         let triangles = scene.mesh.triangles().len();
-        println!("\n{name}: {triangles} triangles; rays per second, divided by Embree's");
+        println!(
+            "\n{name}: {triangles} triangles; rays per second, divided by Embree's (+: in batches)"
+        );
         let embree = Embree::new(&scene.mesh, 2)?;
         let sets = sets::sets(&scene, &embree, side, count);
         drop(embree);
@@ -94,10 +100,7 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
                 rows.push(Row::new(scene.name, set.name, entry, built, lap));
             }
         }
-        print!(
-            "{}",
-            report::table(&rows[first..].iter().collect::<Vec<_>>())
-        );
+        print!("{}", report::table(&rows[first..]));
         save(&options.out, &rows, &how)?; // after each mesh: what was measured is not lost if the next one fails
     }
     println!(

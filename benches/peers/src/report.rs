@@ -66,48 +66,34 @@ pub const COLUMNS: [&str; 7] = [
 ];
 
 /// The table of one mesh.
-pub fn table(rows: &[&Row]) -> String {
+pub fn table(rows: &[Row]) -> String {
     let mut text = format!("{:13}", "");
     for column in COLUMNS {
-        let _ = write!(
-            text,
-            "{:>9}",
-            column
-                .replace("random, many", "random +")
-                .replace("diffuse, many", "diffuse +")
-        );
+        let _ = write!(text, "{:>10}", column.replace(", many", "+"));
     }
     let _ = writeln!(
         text,
-        "{:>8}{:>10}{:>9}{:>9}{:>11}",
-        "mean", "agree", "build 1", "build 2", "bytes/tri"
+        "{:>7}{:>10}{:>9}{:>9}{:>7}",
+        "mean", "agree", "build 1", "build 2", "bytes"
     );
-    let mut names: Vec<_> = rows.iter().map(|row| row.structure).collect();
-    names.dedup();
-    names.sort_unstable_by_key(|name| rows.iter().position(|row| row.structure == *name));
-    names.dedup();
-    for name in names {
+    for name in structures(rows) {
         let own: Vec<_> = rows.iter().filter(|row| row.structure == name).collect();
         let _ = write!(text, "{name:13}");
         for column in COLUMNS {
-            match own.iter().find(|row| row.column() == column) {
-                Some(row) if name == "Embree" => {
-                    let speed = format!("{:.1} M/s", row.lap.speed / 1e6);
-                    let _ = write!(text, "{speed:>9}");
+            let cell = own.iter().find(|row| row.column() == column).map(|row| {
+                if name == "Embree" {
+                    format!("{:.1} M/s", row.lap.speed / 1e6)
+                } else {
+                    format!("{:.3}", row.lap.ratio)
                 }
-                Some(row) => {
-                    let _ = write!(text, "{:>9.3}", row.lap.ratio);
-                }
-                None => {
-                    let _ = write!(text, "{:>9}", "");
-                }
-            }
+            });
+            let _ = write!(text, "{:>10}", cell.unwrap_or_default());
         }
         let single = own.iter().filter(|row| row.lap.query != Query::ClosestMany);
         let least = own.iter().map(|row| row.lap.agree).fold(1.0, f64::min);
         let _ = writeln!(
             text,
-            "{:>8.2}{:>9.3}%{:>8.3}s{:>8.3}s{:>11.0}",
+            "{:>7.2}{:>9.3}%{:>8.3}s{:>8.3}s{:>7.0}",
             geometric_mean(single.map(|row| row.lap.ratio)),
             100.0 * least,
             own[0].build[0],
@@ -118,21 +104,31 @@ pub fn table(rows: &[&Row]) -> String {
     text
 }
 
+/// The structures, each once, in the order in which they come.
+pub fn structures(rows: &[Row]) -> Vec<&'static str> {
+    let mut names = Vec::new();
+    for row in rows {
+        if !names.contains(&row.structure) {
+            names.push(row.structure);
+        }
+    }
+    names
+}
+
 /// The n-th root of the product; NaN of no numbers.
 pub fn geometric_mean(numbers: impl Iterator<Item = f64>) -> f64 {
     let logarithms: Vec<_> = numbers.map(f64::ln).collect();
     (logarithms.iter().sum::<f64>() / logarithms.len() as f64).exp()
 }
 
-/// `ratios.csv` (`build_s` is with one thread) and `builds.csv` (with both).
+/// `ratios.csv`, where `build_s` is with one thread; `builds.csv` with both; and `how.txt`.
 ///
 /// # Errors
 /// If a file cannot be written.
 pub fn write(folder: &Path, rows: &[Row], how: &[String]) -> io::Result<()> {
     let mut ratios =
         String::from("mesh,set,query,structure,ratio,agree,build_s,bytes_per_triangle\n");
-    let mut builds = String::from("mesh,structure,threads,build_s,bytes_per_triangle\n");
-    let mut last = ("", "");
+    let mut builds = vec!["mesh,structure,threads,build_s,bytes_per_triangle".to_owned()];
     for row in rows {
         let Row {
             mesh,
@@ -140,28 +136,23 @@ pub fn write(folder: &Path, rows: &[Row], how: &[String]) -> io::Result<()> {
             structure,
             lap,
             build,
-            bytes_per_triangle,
+            bytes_per_triangle: bytes,
             ..
         } = row;
+        let query = lap.query.name();
+        let (ratio, agree, [alone, _]) = (lap.ratio, lap.agree, build);
         let _ = writeln!(
             ratios,
-            "{mesh},{set},{},{structure},{:.4},{:.6},{:.4},{bytes_per_triangle:.1}",
-            lap.query.name(),
-            lap.ratio,
-            lap.agree,
-            build[0],
+            "{mesh},{set},{query},{structure},{ratio:.4},{agree:.6},{alone:.4},{bytes:.1}"
         );
-        if last != (*mesh, *structure) && !builds.contains(&format!("{mesh},{structure},")) {
-            for (threads, seconds) in (1..).zip(build) {
-                let _ = writeln!(
-                    builds,
-                    "{mesh},{structure},{threads},{seconds:.4},{bytes_per_triangle:.1}"
-                );
+        for (threads, seconds) in (1..).zip(build) {
+            let line = format!("{mesh},{structure},{threads},{seconds:.4},{bytes:.1}");
+            if !builds.contains(&line) {
+                builds.push(line);
             }
         }
-        last = (*mesh, *structure);
     }
     std::fs::write(folder.join("ratios.csv"), ratios)?;
-    std::fs::write(folder.join("builds.csv"), builds)?;
+    std::fs::write(folder.join("builds.csv"), builds.join("\n") + "\n")?;
     std::fs::write(folder.join("how.txt"), how.join("\n") + "\n")
 }

@@ -46,7 +46,8 @@ impl RayBox {
             let far = planes[1 - self.near[axis]][axis];
             let near = (near - self.origin[axis]) * self.inverse[axis];
             let far = (far - self.origin[axis]) * self.inverse[axis];
-            let far = far + far.abs() * SLACK;
+            // −∞, where a ray runs parallel to the box and beside it, stays −∞.
+            let far = far + far.abs().min(f32::MAX) * SLACK;
             // 0·∞: the ray runs in this face. The comparisons are false for the NaN, and the other face decides.
             min = if near > min { near } else { min };
             max = if far < max { far } else { max };

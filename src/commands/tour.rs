@@ -31,10 +31,14 @@ mod chapters {
     pub mod ch06_triangle;
     #[path = "../../chapters/ch07_mesh.rs"]
     pub mod ch07_mesh;
+    #[path = "../../chapters/ch08_grid.rs"]
+    pub mod ch08_grid;
     #[path = "../../chapters/ch09_two_level_grid.rs"]
     pub mod ch09_two_level_grid;
     #[path = "../../chapters/ch10_octree.rs"]
     pub mod ch10_octree;
+    #[path = "../../chapters/ch11_bvh.rs"]
+    pub mod ch11_bvh;
 }
 
 /// Draws a chapter.
@@ -49,8 +53,10 @@ const DRAW: &[(&str, Draw)] = &[
     ("ch05_box", chapters::ch05_box::draw),
     ("ch06_triangle", chapters::ch06_triangle::draw),
     ("ch07_mesh", chapters::ch07_mesh::draw),
+    ("ch08_grid", chapters::ch08_grid::draw),
     ("ch09_two_level_grid", chapters::ch09_two_level_grid::draw),
     ("ch10_octree", chapters::ch10_octree::draw),
+    ("ch11_bvh", chapters::ch11_bvh::draw),
 ];
 
 /// The options of `raybook tour`.

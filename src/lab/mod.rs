@@ -2,13 +2,17 @@
 
 pub mod bars;
 pub mod barycentrics;
+pub mod builders;
 pub mod camera_diagram;
 pub mod cancellation;
 pub mod chapter;
 pub mod figure;
+pub mod flatland;
 pub mod gallery;
+pub mod growth;
 pub mod heat;
 pub mod looks;
+pub mod mountains;
 pub mod options;
 pub mod outdoors;
 pub mod palette;
@@ -19,6 +23,9 @@ pub mod sheet;
 pub mod showroom;
 pub mod sketch;
 pub mod slabs;
+pub mod speeds;
 pub mod stage;
 pub mod stops;
+pub mod three_stages;
+pub mod tree_levels;
 pub mod triangle_race;

@@ -2,7 +2,7 @@
 
 use crate::math::{interval::Interval, ray::Ray};
 use crate::shape::Hit;
-use glam::{Vec3, vec2};
+use glam::{Vec3, Vec3A, Vec3Swizzles, vec2};
 
 // ANCHOR: hit_watertight
 /// The same answer as [`Triangle::hit`](crate::shape::Shape::hit), but for rays within rounding errors of an edge:
@@ -13,28 +13,24 @@ use glam::{Vec3, vec2};
 /// of the triangles that 0 forms with the edges, have the same sign. Neighbours move a shared corner to the same place
 /// and compute the same products for a shared edge, so they see 0 on the same side of it. A rounded difference of rounded
 /// products never has the wrong sign, but it may be 0: then double precision, in which the products are exact, decides.
+/// The vectors x, y and z hold these coordinates of a, b and c, so one operation does the same for all three.
 #[inline]
 pub fn hit(corners: &[Vec3; 3], ray: &Ray, within: Interval) -> Option<Hit> {
-    let shear = Shear::along(ray);
-    let [p0, p1, p2] = *corners;
-    let (a, b, c) = (
-        shear.apply(p0 - ray.origin),
-        shear.apply(p1 - ray.origin),
-        shear.apply(p2 - ray.origin),
-    );
-    let (mut u, mut v, mut w) = (cross(c, b), cross(a, c), cross(b, a));
-    if u == 0.0 || v == 0.0 || w == 0.0 {
-        (u, v, w) = (cross_f64(c, b), cross_f64(a, c), cross_f64(b, a));
+    let [x, y, z] = Shear::along(ray).apply(corners, ray.origin);
+    let mut areas = x.zxy() * y.yzx() - y.zxy() * x.yzx(); // (u, v, w)
+    if areas.cmpeq(Vec3A::ZERO).any() {
+        let (x, y) = (x.as_dvec3(), y.as_dvec3());
+        areas = (x.zxy() * y.yzx() - y.zxy() * x.yzx()).as_vec3a();
     }
-    if u.min(v).min(w) < 0.0 && u.max(v).max(w) > 0.0 {
+    if areas.cmplt(Vec3A::ZERO).any() && areas.cmpgt(Vec3A::ZERO).any() {
         return None;
     }
     // 0 if the triangle is seen from its edge, or has no area; t is then infinite or NaN and does not count.
-    let inverse = 1.0 / (u + v + w);
-    let t = (u * a.z + v * b.z + w * c.z) * inverse;
+    let inverse = 1.0 / (areas.x + areas.y + areas.z);
+    let t = areas.dot(z) * inverse;
     within.contains(t).then_some(Hit {
         t,
-        uv: vec2(v * inverse, w * inverse),
+        uv: vec2(areas.y * inverse, areas.z * inverse),
         id: 0,
     })
 }
@@ -53,31 +49,29 @@ impl Shear {
     /// The shear of a ray.
     #[inline]
     pub fn along(ray: &Ray) -> Self {
-        let d = ray.direction.to_array();
-        let z = ray.direction.abs().max_position();
-        let (x, y) = ((z + 1) % 3, (z + 2) % 3);
-        let inverse = 1.0 / d[z];
+        let d = *ray.direction;
+        let Vec3 { x, y, z } = d.abs();
+        let axes = if x >= y && x >= z {
+            [1, 2, 0]
+        } else if y >= z {
+            [2, 0, 1]
+        } else {
+            [0, 1, 2]
+        };
+        let [dx, dy, dz] = [d[axes[0]], d[axes[1]], d[axes[2]]];
+        let inverse = 1.0 / dz;
         Self {
-            axes: [x, y, z],
-            slopes: [d[x] * inverse, d[y] * inverse, inverse],
+            axes,
+            slopes: [dx * inverse, dy * inverse, inverse],
         }
     }
 
+    /// The x, the y and the z of all three corners.
     #[inline]
-    fn apply(&self, p: Vec3) -> Vec3 {
-        let p = p.to_array();
-        let ([x, y, z], [sx, sy, sz]) = (self.axes, self.slopes);
-        let (x, y, z) = (p[x], p[y], p[z]);
-        Vec3::new(x - sx * z, y - sy * z, sz * z)
+    fn apply(&self, [a, b, c]: &[Vec3; 3], origin: Vec3) -> [Vec3A; 3] {
+        let all = |i: usize| Vec3A::new(a[i], b[i], c[i]) - Vec3A::splat(origin[i]);
+        let (x, y, z) = (all(self.axes[0]), all(self.axes[1]), all(self.axes[2]));
+        let [sx, sy, sz] = self.slopes;
+        [x - sx * z, y - sy * z, sz * z]
     }
-}
-
-/// The signed area of the parallelogram 0, p, p + q, q in the plane.
-fn cross(p: Vec3, q: Vec3) -> f32 {
-    p.x * q.y - p.y * q.x
-}
-
-/// The same, with exact products.
-fn cross_f64(p: Vec3, q: Vec3) -> f32 {
-    (f64::from(p.x) * f64::from(q.y) - f64::from(p.y) * f64::from(q.x)) as f32
 }

@@ -23,8 +23,10 @@ macro_rules! for_each_chapter {
             ch05_box,
             ch06_triangle,
             ch07_mesh,
+            ch08_grid,
             ch09_two_level_grid,
-            ch10_octree
+            ch10_octree,
+            ch11_bvh
         );
     };
 }

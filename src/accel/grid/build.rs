@@ -114,15 +114,16 @@ pub fn by_triangle(lattice: &Lattice, margin: f32, facet: &Facet) -> Vec<UVec3> 
 }
 
 // ANCHOR: voxels_of_triangle
-/// The cells of the lattice that a triangle reaches, with a margin: those whose box, grown by the margin on each side,
-/// meets it.
+/// The cells of the lattice that a triangle reaches, with a margin: those whose box, grown by the margin on every side,
+/// meets it. Cells that it only touches, as far as rounding can tell, may be among them.
 ///
-/// The cells of its bounding box are tried one by one with the separating axes; most are out of its plane.
+/// The cells of its bounding box are tried one by one with the separating axes: most lie off its plane.
 pub fn voxels_of_triangle(lattice: &Lattice, margin: f32, corners: &[Vec3; 3]) -> Vec<UVec3> {
-    let (first, last) = lattice.cells_of(&Aabb::of(*corners).grown(margin));
-    if first == last {
-        return vec![first];
+    let (reach, whole) = (Aabb::of(*corners).grown(margin), lattice.bounds());
+    if reach.max.cmplt(whole.min).any() || reach.min.cmpgt(whole.max).any() {
+        return Vec::new();
     }
+    let (first, last) = lattice.cells_of(&reach);
     let separation = Separation::new(corners, 0.5 * lattice.cell + margin);
     let center = |cell: UVec3| lattice.min + (cell.as_vec3() + 0.5) * lattice.cell;
     range(first, last)

@@ -2,12 +2,9 @@
 #![expect(unsafe_code, reason = "vector instructions, and their loads by address")]
 
 use super::Tree;
-use super::lanes::{Lanes, Struck};
+use super::lanes::{Lanes, Struck, Work};
 use super::node::{CHILDREN, Leaf, Link, Node, TRIANGLES};
 use super::ray::WideRay;
-use super::walk::{self, Nearest};
-use crate::accel::Count;
-use crate::math::{interval::Interval, ray::Ray};
 #[allow(clippy::wildcard_imports)]
 use std::arch::x86_64::*;
 
@@ -21,44 +18,17 @@ impl Avx2 {
         (is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma")).then_some(Self(()))
     }
 
-    /// [`walk::closest`], compiled for this processor.
-    pub fn closest(self, tree: &Tree, ray: &Ray, within: Interval, count: &mut impl Count) -> Option<Nearest> {
+    /// Does the work, compiled for this processor.
+    #[inline(always)]
+    pub fn run<W: Work>(self, work: W) -> W::Answer {
         #[target_feature(enable = "avx2,fma")]
-        fn compiled(lanes: Avx2, tree: &Tree, ray: &Ray, within: Interval, count: &mut impl Count) -> Option<Nearest> {
-            walk::closest(lanes, tree, ray, within, count)
+        fn compiled<W: Work>(lanes: Avx2, work: W) -> W::Answer {
+            work.with(lanes)
         }
         // SAFETY: the proof is there.
-        unsafe { compiled(self, tree, ray, within, count) }
-    }
-
-    /// [`walk::any`], compiled for this processor.
-    pub fn any(self, tree: &Tree, ray: &Ray, within: Interval) -> bool {
-        #[target_feature(enable = "avx2,fma")]
-        fn compiled(lanes: Avx2, tree: &Tree, ray: &Ray, within: Interval) -> bool {
-            walk::any(lanes, tree, ray, within)
-        }
-        // SAFETY: the proof is there.
-        unsafe { compiled(self, tree, ray, within) }
+        unsafe { compiled(self, work) }
     }
 }
-
-/// For each mask, the numbers of its bits.
-const PACKED: [[u8; CHILDREN]; 256] = {
-    let mut table = [[0; CHILDREN]; 256];
-    let mut mask = 0;
-    while mask < 256 {
-        let (mut lane, mut place) = (0, 0);
-        while lane < CHILDREN {
-            if mask >> lane & 1 == 1 {
-                table[mask][place] = lane as u8;
-                place += 1;
-            }
-            lane += 1;
-        }
-        mask += 1;
-    }
-    table
-};
 
 #[inline(always)]
 unsafe fn splats(v: glam::Vec3A) -> [__m256; 3] {
@@ -99,19 +69,6 @@ impl Lanes for Avx2 {
             let mut t = [0.0; CHILDREN];
             _mm256_storeu_si256(t.as_mut_ptr().cast(), enter);
             (missed as u32 ^ 255, t)
-        }
-    }
-
-    #[inline(always)]
-    fn packed(self, node: &Node, mask: u32) -> [Link; CHILDREN] {
-        // SAFETY: the proof is there; a mask has eight bits, and the links are eight numbers.
-        unsafe {
-            let lanes = _mm_loadl_epi64(PACKED[mask as usize & 255].as_ptr().cast());
-            let links = _mm256_load_si256(node.links.as_ptr().cast());
-            let links = _mm256_permutevar8x32_epi32(links, _mm256_cvtepu8_epi32(lanes));
-            let mut packed = [Link(0); CHILDREN];
-            _mm256_storeu_si256(packed.as_mut_ptr().cast(), links);
-            packed
         }
     }
 

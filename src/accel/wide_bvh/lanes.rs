@@ -9,14 +9,20 @@ pub trait Lanes: Copy {
     /// The children that the ray meets before `max`, as bits, and where it enters each of them.
     fn boxes(self, node: &Node, ray: &WideRay, max: f32) -> (u32, [f32; CHILDREN]);
 
-    /// The children of a mask in any order; what follows the last of them means nothing.
-    fn packed(self, node: &Node, mask: u32) -> [Link; CHILDREN];
-
     /// The triangles that the ray hits before `max`.
     fn triangles(self, leaf: &Leaf, ray: &WideRay, max: f32) -> Struck;
 
     /// Asks the memory for a child, to have it when it is needed.
     fn prefetch(self, tree: &Tree, link: Link);
+}
+
+/// A search that any [`Lanes`] can do. It is compiled once for each of them.
+pub trait Work {
+    /// What it finds.
+    type Answer;
+
+    /// Does it.
+    fn with<L: Lanes>(self, lanes: L) -> Self::Answer;
 }
 
 /// Triangles that a ray hits.

@@ -1,55 +1,110 @@
-//! wide
-#![allow(missing_docs)]
+//! The wide bounding volume hierarchy: eight children, tested at once.
 
 #[cfg(target_arch = "x86_64")]
 pub mod avx2;
+pub mod batch;
+pub mod build;
+pub mod collapse;
 pub mod lanes;
+pub mod nearest;
 pub mod node;
 pub mod pages;
 pub mod portable;
-pub mod quick;
 pub mod ray;
 pub mod stack;
+pub mod validate;
 pub mod walk;
 
-use crate::accel::{Accel, Count, list::List};
-use crate::accel::bounded::bounded;
+use crate::accel::bvh::build::Method;
+use crate::accel::{Accel, Count, bounded::bounded, list::List};
 use crate::math::{interval::Interval, ray::Ray};
 use crate::shape::{Hit, mesh::Facet};
 #[cfg(target_arch = "x86_64")]
 use avx2::Avx2;
+use batch::Batch;
 use glam::Vec3A;
-use node::{Leaf, Link, Node};
+use lanes::{Lanes, Work};
+use nearest::{Nearest, Seeker};
+use node::{Leaf, Link, NO_FACET, Node};
 use portable::Portable;
 
-#[derive(Clone, Debug)]
-pub struct Tree {
-    pub nodes: Vec<Node>,
-    pub leaves: Vec<Leaf>,
-    pub root: Option<Link>,
-    pub largest: Vec3A,
-    pub facets: Vec<Facet>,
-}
-
+/// Facets with finite boxes in a tree of eight children per node and four triangles per leaf.
+///
+/// A node that a ray comes to counts as one box tested: its eight are tested at once.
 #[derive(Clone, Debug)]
 pub struct WideBvh {
     tree: Tree,
-    rest: Option<Box<List<Facet>>>,
+    /// Facets without a finite box, if there are any.
+    beside: Option<Box<List<Facet>>>,
     #[cfg(target_arch = "x86_64")]
     avx2: Option<Avx2>,
 }
 
+/// The tree.
+#[derive(Clone, Debug)]
+pub struct Tree {
+    /// The nodes, depth-first.
+    pub nodes: Vec<Node>,
+    /// The leaves, in the order in which the nodes name them.
+    pub leaves: Vec<Leaf>,
+    /// Where to begin; none if there are no facets.
+    pub root: Option<Link>,
+    /// The largest |coordinate| along each axis.
+    pub largest: Vec3A,
+    /// The facets, in the order in which they came.
+    pub facets: Vec<Facet>,
+}
+
 impl WideBvh {
+    /// The tree that is best for its time, with the best instructions of this processor.
     pub fn new(facets: Vec<Facet>) -> Self {
+        Self::build(facets, Method::Binned)
+    }
+
+    /// A tree that is collapsed from a binary one made by a method of choice.
+    pub fn build(facets: Vec<Facet>, method: Method) -> Self {
         let all = facets.len();
-        let (facets, rest) = bounded(facets);
-        let bounded_count = facets.len();
+        let (facets, beside) = bounded(facets);
         Self {
-            tree: quick::build(facets),
-            rest: (bounded_count < all).then(|| Box::new(rest)),
+            beside: (facets.len() < all).then(|| Box::new(beside)),
+            tree: build::build(facets, method),
             #[cfg(target_arch = "x86_64")]
             avx2: Avx2::detect(),
         }
+    }
+
+    /// The same tree, searched without this processor's special instructions.
+    #[must_use]
+    pub fn portable(self) -> Self {
+        Self {
+            #[cfg(target_arch = "x86_64")]
+            avx2: None,
+            ..self
+        }
+    }
+
+    /// The nearest hit of each ray, as [`Accel::closest`] finds it.
+    ///
+    /// Faster than one ray after the other where rays go their own ways through a large mesh, for then they wait for memory.
+    pub fn closest_many(&self, rays: &[Ray], within: Interval) -> Vec<Option<(&Facet, Hit)>> {
+        let tree = &self.tree;
+        let found = self.run(Batch { tree, rays, within });
+        let both = rays.iter().zip(found);
+        both.map(|(ray, nearest)| self.answer(ray, within, nearest, &mut ()))
+            .collect()
+    }
+
+    /// Checks the invariants of `accel/wide_bvh/validate.rs`.
+    ///
+    /// # Errors
+    /// Says which one is broken, and where.
+    pub fn validate(&self) -> Result<(), String> {
+        validate::validate(&self.tree)
+    }
+
+    /// The tree.
+    pub fn tree(&self) -> &Tree {
+        &self.tree
     }
 
     /// Memory in use, in bytes.
@@ -57,37 +112,95 @@ impl WideBvh {
         let Tree { nodes, leaves, facets, .. } = &self.tree;
         size_of_val(&nodes[..]) + size_of_val(&leaves[..]) + size_of_val(&facets[..])
     }
+
+    /// Does the work with the best instructions.
+    #[inline(always)]
+    fn run<W: Work>(&self, work: W) -> W::Answer {
+        #[cfg(target_arch = "x86_64")]
+        if let Some(avx2) = self.avx2 {
+            return avx2.run(work);
+        }
+        Portable.run(work)
+    }
+
+    /// What was found in the tree, or beside it.
+    #[inline(always)]
+    fn answer(
+        &self,
+        ray: &Ray,
+        within: Interval,
+        nearest: Nearest,
+        count: &mut impl Count,
+    ) -> Option<(&Facet, Hit)> {
+        let in_tree = (nearest.facet != NO_FACET)
+            .then(|| (&self.tree.facets[nearest.facet as usize], nearest.hit));
+        match &self.beside {
+            None => in_tree,
+            Some(list) => {
+                let within = in_tree.map_or(within, |(_, hit)| within.before(hit.t));
+                list.closest_counted(ray, within, count).or(in_tree)
+            }
+        }
+    }
 }
 
 impl Accel<Facet> for WideBvh {
-    fn closest_counted(&self, ray: &Ray, within: Interval, count: &mut impl Count) -> Option<(&Facet, Hit)> {
-        let mut beside = None;
-        let mut within = within;
-        if let Some(rest) = &self.rest {
-            beside = rest.closest_counted(ray, within, count);
-            within = beside.map_or(within, |(_, hit)| within.before(hit.t));
-        }
-        let nearest = 'found: {
-            #[cfg(target_arch = "x86_64")]
-            if let Some(avx2) = self.avx2 {
-                break 'found avx2.closest(&self.tree, ray, within, count);
-            }
-            Portable.closest(&self.tree, ray, within, count)
-        };
-        match nearest {
-            Some(n) => Some((&self.tree.facets[n.facet as usize], n.hit())),
-            None => beside,
-        }
+    fn closest_counted(
+        &self,
+        ray: &Ray,
+        within: Interval,
+        count: &mut impl Count,
+    ) -> Option<(&Facet, Hit)> {
+        let tree = &self.tree;
+        let nearest = self.run(Closest { tree, ray, within, count: &mut *count });
+        self.answer(ray, within, nearest, count)
     }
 
     fn any(&self, ray: &Ray, within: Interval) -> bool {
-        let in_tree = 'found: {
-            #[cfg(target_arch = "x86_64")]
-            if let Some(avx2) = self.avx2 {
-                break 'found avx2.any(&self.tree, ray, within);
-            }
-            Portable.any(&self.tree, ray, within)
+        let tree = &self.tree;
+        self.run(Any { tree, ray, within })
+            || matches!(&self.beside, Some(list) if list.any(ray, within))
+    }
+}
+
+/// The search for the nearest hit.
+struct Closest<'a, C> {
+    tree: &'a Tree,
+    ray: &'a Ray,
+    within: Interval,
+    count: &'a mut C,
+}
+
+impl<C: Count> Work for Closest<'_, C> {
+    type Answer = Nearest;
+
+    #[inline(always)]
+    fn with<L: Lanes>(self, lanes: L) -> Nearest {
+        let found = Nearest::nothing(self.within.max);
+        let Some(root) = self.tree.root else {
+            return found;
         };
-        in_tree || self.rest.as_ref().is_some_and(|rest| rest.any(ray, within))
+        let seeker = Seeker::new(self.ray, self.within.min, self.tree);
+        walk::closest(lanes, self.tree, root, &seeker, found, self.count)
+    }
+}
+
+/// The search for any hit.
+struct Any<'a> {
+    tree: &'a Tree,
+    ray: &'a Ray,
+    within: Interval,
+}
+
+impl Work for Any<'_> {
+    type Answer = bool;
+
+    #[inline(always)]
+    fn with<L: Lanes>(self, lanes: L) -> bool {
+        let Some(root) = self.tree.root else {
+            return false;
+        };
+        let seeker = Seeker::new(self.ray, self.within.min, self.tree);
+        walk::any(lanes, self.tree, root, &seeker, self.within.max)
     }
 }

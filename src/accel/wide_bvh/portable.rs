@@ -1,12 +1,9 @@
 //! Eight boxes and four triangles at once, by plain arithmetic on arrays, on any processor.
 
 use super::Tree;
-use super::lanes::{Lanes, Struck};
+use super::lanes::{Lanes, Struck, Work};
 use super::node::{CHILDREN, Leaf, Link, Node, TRIANGLES};
 use super::ray::WideRay;
-use super::walk::{self, Nearest};
-use crate::accel::Count;
-use crate::math::{interval::Interval, ray::Ray};
 
 /// What every processor can do.
 ///
@@ -16,16 +13,10 @@ use crate::math::{interval::Interval, ray::Ray};
 pub struct Portable;
 
 impl Portable {
-    /// [`walk::closest`].
+    /// Does the work.
     #[inline(never)]
-    pub fn closest(self, tree: &Tree, ray: &Ray, within: Interval, count: &mut impl Count) -> Option<Nearest> {
-        walk::closest(self, tree, ray, within, count)
-    }
-
-    /// [`walk::any`].
-    #[inline(never)]
-    pub fn any(self, tree: &Tree, ray: &Ray, within: Interval) -> bool {
-        walk::any(self, tree, ray, within)
+    pub fn run<W: Work>(self, work: W) -> W::Answer {
+        work.with(self)
     }
 }
 
@@ -43,16 +34,6 @@ impl Lanes for Portable {
         }
         let met = (0..CHILDREN).map(|lane| u32::from(enter[lane] <= leave[lane]) << lane);
         (met.sum(), enter)
-    }
-
-    #[inline(always)]
-    fn packed(self, node: &Node, mask: u32) -> [Link; CHILDREN] {
-        let mut packed = [Link(0); CHILDREN];
-        let lanes = (0..CHILDREN).filter(|lane| mask >> lane & 1 == 1);
-        for (place, lane) in lanes.enumerate() {
-            packed[place] = node.links[lane];
-        }
-        packed
     }
 
     #[inline(always)]

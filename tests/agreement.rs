@@ -11,7 +11,7 @@ use glam::Vec3;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed, TestCaseError, TestRunner};
 use rand::RngExt;
-use raybook::accel::{Accel, list::List};
+use raybook::accel::{Accel, list::List, wide_bvh::WideBvh};
 use raybook::math::{dir3::Dir3, interval::Interval, pcg, ray::Ray};
 use raybook::scene::soup;
 use raybook::shape::{Hit, Shape};
@@ -154,6 +154,26 @@ fn same<S: Shape + PartialEq>(
         Some(again) if again.t < found.t && again.id == found.id => Ok(()),
         again => Err(format!("the shape itself says {again:?}")),
     }
+}
+
+#[test]
+fn batches_are_answered_as_their_rays_are() {
+    let hits = Cell::new(0);
+    let questions = prop::collection::vec(rays::recipe(), 0..RAYS);
+    let tried = runner(SCENES).run(&(scenes::facets(), questions), |(scene, questions)| {
+        let wide = WideBvh::new(scene.shapes.clone());
+        let ahead = |recipe: &RayRecipe| recipe.in_scene(&scene).0;
+        let rays: Vec<_> = questions.iter().map(ahead).collect();
+        let batch = wide.closest_many(&rays, Interval::AHEAD);
+        prop_assert_eq!(batch.len(), rays.len(), "one answer for each ray");
+        for (ray, found) in rays.iter().zip(batch) {
+            prop_assert_eq!(found, wide.closest(ray, Interval::AHEAD), "{:?}", ray);
+            hits.set(hits.get() + u32::from(found.is_some()));
+        }
+        Ok(())
+    });
+    assert!(tried.is_ok(), "{}", tried.unwrap_err());
+    assert!(hits.get() > 1000, "only {} hits", hits.get());
 }
 
 /// The test above would notice: a structure that forgets one shape, and one that returns the last hit and not the nearest.

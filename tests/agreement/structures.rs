@@ -72,7 +72,12 @@ pub fn facets(shapes: &[Facet]) -> Vec<Named<Facet>> {
         named("Octree", Octree::of_facets(shapes()), Octree::validate),
         named("Octree::new", Octree::new(shapes()), Octree::validate),
         named("Bvh", Bvh::new(shapes()), Bvh::validate),
-        named("WideBvh", WideBvh::new(shapes()), |_| Ok(())),
+        named("WideBvh", WideBvh::new(shapes()), WideBvh::validate),
+        named(
+            "WideBvh, portable",
+            WideBvh::new(shapes()).portable(),
+            WideBvh::validate,
+        ),
     ]
 }
 

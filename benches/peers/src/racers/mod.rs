@@ -7,7 +7,7 @@ pub mod ours;
 pub mod parry;
 
 use crate::racer::{Entry, Racer, Search};
-use ours::Ours;
+use ours::{Ours, Wide};
 use raybook::accel::{
     bvh::Bvh, grid::Grid, list::List, octree::Octree, two_level_grid::TwoLevelGrid,
     wide_bvh::WideBvh,
@@ -34,7 +34,7 @@ pub const ENTRIES: &[Entry] = &[
     }),
     entry("Bvh", true, |mesh, _| boxed(Ours(Bvh::new(mesh.facets())))),
     entry("WideBvh", true, |mesh, _| {
-        boxed(Ours(WideBvh::new(mesh.facets())))
+        boxed(Wide(WideBvh::new(mesh.facets())))
     }),
     entry("obvhs BVH2", false, |mesh, _| boxed(obvhs::Bvh2::new(mesh))),
     entry("obvhs CwBvh", false, |mesh, _| {

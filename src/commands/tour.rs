@@ -39,6 +39,8 @@ mod chapters {
     pub mod ch10_octree;
     #[path = "../../chapters/ch11_bvh.rs"]
     pub mod ch11_bvh;
+    #[path = "../../chapters/ch24_wide_bvh.rs"]
+    pub mod ch24_wide_bvh;
 }
 
 /// Draws a chapter.
@@ -57,6 +59,7 @@ const DRAW: &[(&str, Draw)] = &[
     ("ch09_two_level_grid", chapters::ch09_two_level_grid::draw),
     ("ch10_octree", chapters::ch10_octree::draw),
     ("ch11_bvh", chapters::ch11_bvh::draw),
+    ("ch24_wide_bvh", chapters::ch24_wide_bvh::draw),
 ];
 
 /// The options of `raybook tour`.

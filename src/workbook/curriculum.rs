@@ -26,7 +26,8 @@ macro_rules! for_each_chapter {
             ch08_grid,
             ch09_two_level_grid,
             ch10_octree,
-            ch11_bvh
+            ch11_bvh,
+            ch24_wide_bvh
         );
     };
 }

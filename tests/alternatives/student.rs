@@ -43,7 +43,9 @@ impl Alternative {
 /// An answer as words.
 pub fn line(answer: &Answer, print: Print) -> String {
     let word = |&v: &f64| {
-        if v.fract() == 0.0 {
+        if v.is_nan() {
+            "none".to_owned() // a part of the answer that is missing
+        } else if v.fract() == 0.0 {
             format!("{v}")
         } else {
             print(v)

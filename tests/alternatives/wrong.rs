@@ -46,6 +46,22 @@ const WRONGS: &[Wrong] = &[
         turn(normals.last_chunk_mut::<3>().expect("a normal"));
     }),
     (&["mesh_hit"], "ids count from 1", |hit| hit[1] += 1.0),
+    (
+        &["collapse"],
+        "the last child is its neighbour",
+        |families| {
+            *families.last_mut().expect("a number") += 1.0;
+        },
+    ),
+    (&["wide_closest"], "t is 1 % too large", |hit| {
+        hit[2] *= 1.01
+    }),
+    (&["wide_closest"], "three times as many nodes", |hit| {
+        hit[0] = 3.0 * hit[0] + 2.0;
+    }),
+    (&["wide_closest"], "three times as many tests", |hit| {
+        hit[1] = 3.0 * hit[1] + 2.0;
+    }),
 ];
 
 /// Of so many answers that are spoilt, in percent, all these must be noticed: 1 % of 0 is right.

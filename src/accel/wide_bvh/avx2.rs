@@ -1,5 +1,8 @@
 //! Eight boxes and four triangles at once by the instructions AVX2 and FMA of x86-64 processors.
-#![expect(unsafe_code, reason = "vector instructions, and their loads by address")]
+#![expect(
+    unsafe_code,
+    reason = "vector instructions, and their loads by address"
+)]
 
 use super::Tree;
 use super::lanes::{Lanes, Struck, Work};
@@ -80,7 +83,15 @@ impl Lanes for Avx2 {
             let [sx, sy, sz] = ray.shear.slopes.map(|v| _mm_set1_ps(v));
             let [ox, oy, oz] = ray.origin.map(|v| _mm_set1_ps(v));
             let corner = |i: usize| {
-                let row = |axis: usize| _mm_load_ps(leaf.corners.as_ptr().add(i).cast::<f32>().add(TRIANGLES * axis));
+                let row = |axis: usize| {
+                    _mm_load_ps(
+                        leaf.corners
+                            .as_ptr()
+                            .add(i)
+                            .cast::<f32>()
+                            .add(TRIANGLES * axis),
+                    )
+                };
                 let x = _mm_sub_ps(row(ax), ox);
                 let y = _mm_sub_ps(row(ay), oy);
                 let z = _mm_sub_ps(row(az), oz);
@@ -91,7 +102,9 @@ impl Lanes for Avx2 {
                 ]
             };
             let (a, b, c) = (corner(0), corner(1), corner(2));
-            let cross = |p: [__m128; 3], q: [__m128; 3]| _mm_sub_ps(_mm_mul_ps(p[0], q[1]), _mm_mul_ps(p[1], q[0]));
+            let cross = |p: [__m128; 3], q: [__m128; 3]| {
+                _mm_sub_ps(_mm_mul_ps(p[0], q[1]), _mm_mul_ps(p[1], q[0]))
+            };
             let (u, v, w) = (cross(c, b), cross(a, c), cross(b, a));
             let zero = _mm_setzero_ps();
             let least = _mm_min_ps(u, _mm_min_ps(v, w));
@@ -100,12 +113,21 @@ impl Lanes for Avx2 {
             if _mm_movemask_ps(inside) == 0 {
                 return Struck::NONE;
             }
-            let on_edge = _mm_or_ps(_mm_cmpeq_ps(u, zero), _mm_or_ps(_mm_cmpeq_ps(v, zero), _mm_cmpeq_ps(w, zero)));
+            let on_edge = _mm_or_ps(
+                _mm_cmpeq_ps(u, zero),
+                _mm_or_ps(_mm_cmpeq_ps(v, zero), _mm_cmpeq_ps(w, zero)),
+            );
             let unsure = _mm_movemask_ps(_mm_and_ps(inside, on_edge)) as u32;
             let inverse = _mm_div_ps(_mm_set1_ps(1.0), _mm_add_ps(_mm_add_ps(u, v), w));
-            let sum = _mm_add_ps(_mm_add_ps(_mm_mul_ps(u, a[2]), _mm_mul_ps(v, b[2])), _mm_mul_ps(w, c[2]));
+            let sum = _mm_add_ps(
+                _mm_add_ps(_mm_mul_ps(u, a[2]), _mm_mul_ps(v, b[2])),
+                _mm_mul_ps(w, c[2]),
+            );
             let t = _mm_mul_ps(sum, inverse);
-            let counts = _mm_and_ps(_mm_cmplt_ps(_mm_set1_ps(ray.min), t), _mm_cmplt_ps(t, _mm_set1_ps(max)));
+            let counts = _mm_and_ps(
+                _mm_cmplt_ps(_mm_set1_ps(ray.min), t),
+                _mm_cmplt_ps(t, _mm_set1_ps(max)),
+            );
             let mask = _mm_movemask_ps(_mm_and_ps(inside, counts)) as u32 & !unsure;
             if mask | unsure == 0 {
                 return Struck::NONE;

@@ -31,20 +31,32 @@ pub fn build(facets: Vec<Facet>, method: Method) -> Tree {
     }
     let kept = families.iter().flat_map(|family| &family.children);
     let kept = old.first().map(|_| &0).into_iter().chain(kept);
-    let chosen: Vec<u32> = kept.copied().filter(|&i| old[i as usize].link.count > 0).collect();
+    let chosen: Vec<u32> = kept
+        .copied()
+        .filter(|&i| old[i as usize].link.count > 0)
+        .collect();
     for (place, &leaf) in chosen.iter().enumerate() {
         links[leaf as usize] = Link::leaf(place);
     }
     let mut nodes = pages::list(families.len());
     let member = |&i: &u32| (old[i as usize].bounds, links[i as usize]);
     let node = |i: usize| Node::new(families[i].children.iter().map(member));
-    (0..families.len()).into_par_iter().map(node).collect_into_vec(&mut nodes);
+    (0..families.len())
+        .into_par_iter()
+        .map(node)
+        .collect_into_vec(&mut nodes);
     let mut leaves = pages::list(chosen.len());
     let leaf = |i: usize| {
         let node = &old[chosen[i] as usize];
-        Leaf::new(&facets, &flat.order[node.link.first as usize..][..node.link.count as usize])
+        Leaf::new(
+            &facets,
+            &flat.order[node.link.first as usize..][..node.link.count as usize],
+        )
     };
-    (0..chosen.len()).into_par_iter().map(leaf).collect_into_vec(&mut leaves);
+    (0..chosen.len())
+        .into_par_iter()
+        .map(leaf)
+        .collect_into_vec(&mut leaves);
     Tree {
         root: links.first().copied(),
         largest: old.first().map_or(Vec3A::ZERO, |root| {

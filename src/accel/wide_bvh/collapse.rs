@@ -46,7 +46,8 @@ pub fn collapse(nodes: &[Node]) -> Vec<Family> {
         let mut members = Vec::with_capacity(CHILDREN);
         members.extend(children(&nodes[branch as usize]));
         while members.len() < CHILDREN {
-            let branches = (0..members.len()).filter(|&i| nodes[members[i] as usize].link.count == 0);
+            let branches =
+                (0..members.len()).filter(|&i| nodes[members[i] as usize].link.count == 0);
             let area = |i: usize| half_area(&nodes[members[i] as usize]);
             let Some(largest) = branches.max_by(|&a, &b| area(a).total_cmp(&area(b))) else {
                 break;

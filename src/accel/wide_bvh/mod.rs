@@ -11,6 +11,7 @@ pub mod node;
 pub mod pages;
 pub mod portable;
 pub mod ray;
+pub mod search;
 pub mod stack;
 pub mod validate;
 pub mod walk;
@@ -23,10 +24,11 @@ use crate::shape::{Hit, mesh::Facet};
 use avx2::Avx2;
 use batch::Batch;
 use glam::Vec3A;
-use lanes::{Lanes, Work};
-use nearest::{Nearest, Seeker};
+use lanes::Work;
+use nearest::Nearest;
 use node::{Leaf, Link, NO_FACET, Node};
 use portable::Portable;
+use search::{Any, Closest};
 
 /// Facets with finite boxes in a tree of eight children per node and four triangles per leaf.
 ///
@@ -109,7 +111,12 @@ impl WideBvh {
 
     /// Memory in use, in bytes.
     pub fn bytes(&self) -> usize {
-        let Tree { nodes, leaves, facets, .. } = &self.tree;
+        let Tree {
+            nodes,
+            leaves,
+            facets,
+            ..
+        } = &self.tree;
         size_of_val(&nodes[..]) + size_of_val(&leaves[..]) + size_of_val(&facets[..])
     }
 
@@ -152,7 +159,12 @@ impl Accel<Facet> for WideBvh {
         count: &mut impl Count,
     ) -> Option<(&Facet, Hit)> {
         let tree = &self.tree;
-        let nearest = self.run(Closest { tree, ray, within, count: &mut *count });
+        let nearest = self.run(Closest {
+            tree,
+            ray,
+            within,
+            count: &mut *count,
+        });
         self.answer(ray, within, nearest, count)
     }
 
@@ -160,47 +172,5 @@ impl Accel<Facet> for WideBvh {
         let tree = &self.tree;
         self.run(Any { tree, ray, within })
             || matches!(&self.beside, Some(list) if list.any(ray, within))
-    }
-}
-
-/// The search for the nearest hit.
-struct Closest<'a, C> {
-    tree: &'a Tree,
-    ray: &'a Ray,
-    within: Interval,
-    count: &'a mut C,
-}
-
-impl<C: Count> Work for Closest<'_, C> {
-    type Answer = Nearest;
-
-    #[inline(always)]
-    fn with<L: Lanes>(self, lanes: L) -> Nearest {
-        let found = Nearest::nothing(self.within.max);
-        let Some(root) = self.tree.root else {
-            return found;
-        };
-        let seeker = Seeker::new(self.ray, self.within.min, self.tree);
-        walk::closest(lanes, self.tree, root, &seeker, found, self.count)
-    }
-}
-
-/// The search for any hit.
-struct Any<'a> {
-    tree: &'a Tree,
-    ray: &'a Ray,
-    within: Interval,
-}
-
-impl Work for Any<'_> {
-    type Answer = bool;
-
-    #[inline(always)]
-    fn with<L: Lanes>(self, lanes: L) -> bool {
-        let Some(root) = self.tree.root else {
-            return false;
-        };
-        let seeker = Seeker::new(self.ray, self.within.min, self.tree);
-        walk::any(lanes, self.tree, root, &seeker, self.within.max)
     }
 }

@@ -108,7 +108,8 @@ impl Seeker {
     pub fn test_any<L: Lanes>(&self, lanes: L, tree: &Tree, leaf: &Leaf, max: f32) -> bool {
         let struck = lanes.triangles(leaf, &self.wide, max);
         let within = Interval::new(self.wide.min, max);
-        let blocks = |lane: usize| tree.facets[leaf.facets[lane] as usize].blocks(&self.ray, within);
+        let blocks =
+            |lane: usize| tree.facets[leaf.facets[lane] as usize].blocks(&self.ray, within);
         struck.mask != 0 || bits(struck.unsure).any(blocks)
     }
 }

@@ -79,7 +79,8 @@ impl Node {
     pub fn children(&self) -> impl Iterator<Item = (Aabb, Link)> {
         let lanes = (0..CHILDREN).filter(|&lane| self.links[lane] != Link::NONE);
         lanes.map(|lane| {
-            let corner = |side: usize| Vec3::from_array([0, 2, 4].map(|row| self.rows[row + side][lane]));
+            let corner =
+                |side: usize| Vec3::from_array([0, 2, 4].map(|row| self.rows[row + side][lane]));
             (
                 Aabb {
                     min: corner(0),

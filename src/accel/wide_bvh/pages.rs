@@ -1,7 +1,10 @@
 //! Memory in large pages.
 #![cfg_attr(
     target_os = "linux",
-    expect(unsafe_code, reason = "an advice to the system about memory goes by address")
+    expect(
+        unsafe_code,
+        reason = "an advice to the system about memory goes by address"
+    )
 )]
 
 /// Pages of 2 MB, where the system has them.

@@ -58,7 +58,11 @@ impl Walk<'_> {
     }
 
     fn node(&mut self, i: usize) -> Result<Aabb, String> {
-        let node = self.tree.nodes.get(i).ok_or_else(|| format!("there is no node {i}"))?;
+        let node = self
+            .tree
+            .nodes
+            .get(i)
+            .ok_or_else(|| format!("there is no node {i}"))?;
         self.nodes += 1;
         if self.nodes > self.tree.nodes.len() {
             return Err(format!("node {i} is the child of two"));
@@ -68,7 +72,9 @@ impl Walk<'_> {
         for (bounds, link) in node.children() {
             let below = self.child(link)?;
             if bounds != below {
-                return Err(format!("node {i} has {bounds:?} for a child whose box is {below:?}"));
+                return Err(format!(
+                    "node {i} has {bounds:?} for a child whose box is {below:?}"
+                ));
             }
             all = all.union(&bounds);
             count += 1;
@@ -77,13 +83,19 @@ impl Walk<'_> {
             .filter(|&lane| node.links[lane] == Link::NONE)
             .all(|lane| node.rows[0][lane] > node.rows[1][lane]);
         if count < 2 || !inverted {
-            return Err(format!("node {i} has {count} children, and the other boxes must be inverted"));
+            return Err(format!(
+                "node {i} has {count} children, and the other boxes must be inverted"
+            ));
         }
         Ok(all)
     }
 
     fn leaf(&mut self, i: usize) -> Result<Aabb, String> {
-        let leaf = self.tree.leaves.get(i).ok_or_else(|| format!("there is no leaf {i}"))?;
+        let leaf = self
+            .tree
+            .leaves
+            .get(i)
+            .ok_or_else(|| format!("there is no leaf {i}"))?;
         self.leaves += 1;
         let mut all = Aabb::EMPTY;
         let mut count = 0;
@@ -99,7 +111,8 @@ impl Walk<'_> {
                 return Err(format!("facet {} is in two leaves", leaf.facets[lane]));
             }
             let same = (0..3).all(|corner| {
-                (0..3).all(|axis| at(corner, axis).to_bits() == facet.corners[corner][axis].to_bits())
+                (0..3)
+                    .all(|axis| at(corner, axis).to_bits() == facet.corners[corner][axis].to_bits())
             });
             if !same || leaf.ids[lane] != facet.id {
                 return Err(format!("leaf {i} does not hold {facet:?} as it is"));

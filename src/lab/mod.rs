@@ -31,7 +31,6 @@ pub mod speed;
 pub mod stadium_figure;
 pub mod stage;
 pub mod stops;
-pub mod sunshine;
 pub mod teapot_in_stadium;
 pub mod triangle_race;
 pub mod walk_figure;

@@ -36,7 +36,6 @@ pub mod speeds;
 pub mod stadium_figure;
 pub mod stage;
 pub mod stops;
-pub mod sunshine;
 pub mod teapot_in_stadium;
 pub mod three_stages;
 pub mod tree_levels;

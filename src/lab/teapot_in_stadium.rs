@@ -4,14 +4,13 @@ use crate::accel::Accel;
 use crate::accel::grid::Grid;
 use crate::accel::two_level_grid::{TwoLevelGrid, build::Densities};
 use crate::camera::pinhole::{LookAtError, Pinhole};
-use crate::image::{Image, rgb::Rgb};
+use crate::image::Image;
 use crate::lab::heat::{Heat, heat, with_scale};
 use crate::lab::lines::{Line, lines};
 use crate::lab::palette::{BLUE, VERMILION};
-use crate::lab::{outdoors, sunshine};
-use crate::math::interval::Interval;
+use crate::lab::{daylight, stadium_figure::paint};
 use crate::render::film::Film;
-use crate::scene::stadium::{Part, Stadium};
+use crate::scene::stadium::Stadium;
 use crate::shape::mesh::Facet;
 use glam::{Vec3, vec3};
 use std::error::Error;
@@ -25,28 +24,15 @@ pub fn camera(aspect: f32) -> Result<Pinhole, LookAtError> {
     Pinhole::look_at(eye, toward, Vec3::Y, 0.035, aspect)
 }
 
-/// The picture, in sunshine.
+/// The picture, by daylight.
 pub fn picture(
     film: &Film,
     camera: &Pinhole,
     stadium: &Stadium,
     accel: &impl Accel<Facet>,
 ) -> Image {
-    film.render(|place, _| {
-        let ray = camera.ray_through(place);
-        let Some((_, hit)) = accel.closest(&ray, Interval::AHEAD) else {
-            return outdoors::sky(ray.direction);
-        };
-        let colour = match stadium.part(hit.id) {
-            Part::Teapot => Rgb::new(0.72, 0.14, 0.07),
-            Part::Ground => Rgb::new(0.07, 0.22, 0.05),
-            Part::Steps => Rgb::gray(0.40),
-            Part::Seats => Rgb::new(0.05, 0.16, 0.45),
-            Part::Roof => Rgb::gray(0.70),
-        };
-        let at = stadium.mesh.surface(&ray, &hit);
-        sunshine::lit(colour, &at, &ray, |ray| accel.any(ray, Interval::AHEAD))
-    })
+    let paint = |id| paint(stadium.part(id));
+    daylight::picture(film, camera, &stadium.mesh, accel, paint)
 }
 
 /// The heat maps of a uniform grid and of two two-level grids, the second with more coarse cells.

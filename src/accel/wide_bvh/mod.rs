@@ -90,7 +90,7 @@ impl WideBvh {
     /// Faster than one ray after the other where rays go their own ways through a large mesh, for then they wait for memory.
     pub fn closest_many(&self, rays: &[Ray], within: Interval) -> Vec<Option<(&Facet, Hit)>> {
         let tree = &self.tree;
-        let found = self.run(Batch { tree, rays, within });
+        let found = self.run(within, Batch { tree, rays, within });
         let both = rays.iter().zip(found);
         both.map(|(ray, nearest)| self.answer(ray, within, nearest, &mut ()))
             .collect()
@@ -120,11 +120,12 @@ impl WideBvh {
         size_of_val(&nodes[..]) + size_of_val(&leaves[..]) + size_of_val(&facets[..])
     }
 
-    /// Does the work with the best instructions.
+    /// Does the work with the best instructions. They compare distances as integers, which is right from 0 on.
     #[inline(always)]
-    fn run<W: Work>(&self, work: W) -> W::Answer {
+    #[allow(unused_variables)] // without AVX2 the interval makes no difference
+    fn run<W: Work>(&self, within: Interval, work: W) -> W::Answer {
         #[cfg(target_arch = "x86_64")]
-        if let Some(avx2) = self.avx2 {
+        if let Some(avx2) = self.avx2.filter(|_| within.min >= 0.0) {
             return avx2.run(work);
         }
         Portable.run(work)
@@ -159,7 +160,7 @@ impl Accel<Facet> for WideBvh {
         count: &mut impl Count,
     ) -> Option<(&Facet, Hit)> {
         let tree = &self.tree;
-        let nearest = self.run(Closest {
+        let nearest = self.run(within, Closest {
             tree,
             ray,
             within,
@@ -170,7 +171,7 @@ impl Accel<Facet> for WideBvh {
 
     fn any(&self, ray: &Ray, within: Interval) -> bool {
         let tree = &self.tree;
-        self.run(Any { tree, ray, within })
+        self.run(within, Any { tree, ray, within })
             || matches!(&self.beside, Some(list) if list.any(ray, within))
     }
 }

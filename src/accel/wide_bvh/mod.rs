@@ -160,12 +160,15 @@ impl Accel<Facet> for WideBvh {
         count: &mut impl Count,
     ) -> Option<(&Facet, Hit)> {
         let tree = &self.tree;
-        let nearest = self.run(within, Closest {
-            tree,
-            ray,
+        let nearest = self.run(
             within,
-            count: &mut *count,
-        });
+            Closest {
+                tree,
+                ray,
+                within,
+                count: &mut *count,
+            },
+        );
         self.answer(ray, within, nearest, count)
     }
 

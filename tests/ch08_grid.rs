@@ -6,5 +6,7 @@ mod agreement;
 mod cells;
 #[path = "ch08_grid/cost.rs"]
 mod cost;
+#[path = "ch08_grid/planes.rs"]
+mod planes;
 #[path = "ch08_grid/walk.rs"]
 mod walk;

@@ -624,9 +624,17 @@ impl Graded for GridWalk {
         let (center, half) = (min + 0.5 * n.as_vec3() * cell, 0.5 * n.as_vec3() * cell);
         let origin = center + sample::point(rng, 1.8) * half;
         let aim = center + sample::point(rng, 0.9) * half;
+        let ray = Ray::new(origin, Dir3::new_or(aim - origin, Dir3::X));
+        let bounds = Aabb {
+            min,
+            max: min + 2.0 * half,
+        };
+        // From the middle of what is inside, or up to there.
+        let inside = slab::clip(&bounds, &ray, Interval::AHEAD).unwrap_or(Interval::AHEAD);
+        let middle = 0.5 * (inside.min + inside.max);
         let within = match rng.random_range(0..6) {
-            0 => Interval::new(0.0, 0.9 * origin.distance(aim)),
-            1 => Interval::new(0.8 * origin.distance(aim), f32::INFINITY),
+            0 => Interval::new(0.0, middle),
+            1 | 2 => Interval::new(middle, f32::INFINITY),
             _ => Interval::AHEAD,
         };
         GridWalkQuestion {
@@ -635,7 +643,7 @@ impl Graded for GridWalk {
             nx: n.x,
             ny: n.y,
             nz: n.z,
-            ray: Ray::new(origin, Dir3::new_or(aim - origin, Dir3::X)),
+            ray,
             within,
         }
     }

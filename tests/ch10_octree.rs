@@ -1,19 +1,20 @@
 //! Chapter 10: the octree.
 
+#[path = "ch10_octree/laws.rs"]
+mod laws;
 #[path = "common/rays.rs"]
 mod rays;
+#[path = "ch10_octree/walk.rs"]
+mod walk;
 
 use glam::{Vec3, vec3};
-use proptest::prelude::*;
 use rand::RngExt;
-use raybook::accel::octree::tree::{Kind, child_at, child_cell};
-use raybook::accel::octree::{Octree, build::Limits, reach::by_triangle, walk::Walk};
-use raybook::accel::{Accel, Tests, list::List};
-use raybook::lab::law::{Reach, fit, mean_tests};
+use raybook::accel::Accel;
+use raybook::accel::octree::tree::{child_at, child_cell};
+use raybook::accel::octree::{Octree, build::Limits, reach::by_triangle};
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg, ray::Ray};
 use raybook::scene::soup::soup;
-use raybook::shape::{mesh::Facet, sphere::Sphere, teapot};
-use rays::{random_direction, ray};
+use raybook::shape::{mesh::Facet, teapot};
 
 fn valid(octree: Octree<Facet>) -> Octree<Facet> {
     assert_eq!(octree.validate(), Ok(()), "an octree keeps its promises");
@@ -134,167 +135,4 @@ fn a_broken_tree_is_told() {
     let octree = Octree::with(teapot::mesh(3).facets(), Limits::USUAL, forgetful);
     let told = octree.validate().expect_err("triangles are lost");
     assert!(told.contains("is in no leaf"), "{told}");
-}
-
-#[test]
-fn leaves_come_in_order_and_none_that_matters_is_left_out() {
-    let octree = valid(Octree::of_facets(soup(400, 5).facets()));
-    let tree = octree.tree();
-    let places = tree.places();
-    let leaves: Vec<_> = places
-        .iter()
-        .filter(|place| !tree.range(place.node).is_empty())
-        .collect();
-    let mut rng = pcg::stream(4, 4);
-    let mut visited = 0;
-    for i in 0..2000 {
-        let middle = tree.bounds.center();
-        let mut from = middle + 0.9 * *random_direction(&mut rng);
-        let mut toward = middle + 0.3 * *random_direction(&mut rng) - from;
-        if i % 4 == 0 {
-            // Along an axis, with a zero of either sign, in a plane of the tree.
-            let axis = i / 4 % 3;
-            let keep = toward[axis];
-            toward = if i % 8 == 0 { Vec3::ZERO } else { -Vec3::ZERO };
-            toward[axis] = keep;
-            from[(axis + 1) % 3] = middle[(axis + 1) % 3];
-        }
-        let ray = ray(from, toward);
-        let mut walk = Walk::new(tree, &ray, Interval::AHEAD);
-        let got: Vec<_> = std::iter::from_fn(|| walk.next_leaf(f32::INFINITY, &mut ())).collect();
-        visited += got.len();
-        let stay = |cell: &Aabb| {
-            let inside = raybook::math::slab::clip(cell, &ray, Interval::AHEAD)?;
-            (inside.max - inside.min > 1e-4).then_some(inside)
-        };
-        let mut left = 0.0;
-        for leaf in &got {
-            let place = places
-                .iter()
-                .find(|place| place.node == *leaf)
-                .expect("a node");
-            if let Some(inside) = stay(&place.cell) {
-                assert!(
-                    inside.max > left - 1e-4,
-                    "leaf {leaf} comes too late on {ray:?}"
-                );
-                left = inside.min;
-            }
-        }
-        for leaf in &leaves {
-            if stay(&leaf.cell).is_some() {
-                assert!(
-                    got.contains(&leaf.node),
-                    "leaf {leaf:?} is left out by {ray:?}"
-                );
-            }
-        }
-    }
-    assert!(visited > 5000, "the rays visit leaves: {visited}");
-}
-
-#[test]
-fn a_hit_ends_the_walk() {
-    let octree = valid(Octree::of_facets(teapot::mesh(8).facets()));
-    let list = teapot::mesh(8).facets().len() as u64;
-    let toward = octree.tree().bounds.center();
-    let mut tests = Tests::default();
-    let mut rng = pcg::stream(6, 6);
-    for _ in 0..200 {
-        let from = toward + 9.0 * *random_direction(&mut rng);
-        octree.closest_counted(&ray(from, toward - from), Interval::AHEAD, &mut tests);
-    }
-    let Tests { boxes, shapes } = tests;
-    assert!(
-        100 * shapes < 200 * list && boxes < 200 * 40,
-        "{shapes} triangles of {list} and {boxes} nodes for 200 rays"
-    );
-    assert!(boxes > 200 && shapes > 0, "it counts");
-}
-
-#[test]
-fn shapes_of_any_kind_and_without_bounds_are_found() {
-    let balls = vec![
-        Sphere::new(Vec3::ZERO, 1.0),
-        Sphere::new(vec3(f32::NAN, 0.0, 0.0), 1.0),
-    ];
-    let octree = Octree::new(balls.clone());
-    assert_eq!(octree.validate(), Ok(()));
-    let down = Ray::new(vec3(0.2, 5.0, 0.1), -Dir3::Y);
-    let (list, found) = (List::new(balls), octree.closest(&down, Interval::AHEAD));
-    let expected = list.closest(&down, Interval::AHEAD).map(|(_, hit)| hit);
-    assert_eq!(
-        found.map(|(_, hit)| hit),
-        expected,
-        "a ball is found, with a NaN beside it"
-    );
-    assert!(octree.any(&down, Interval::AHEAD), "and it blocks");
-}
-
-/// The law of this chapter, from 10² to 10⁶ triangles. What it costs to find a place in the tree is its depth, and that is
-/// log₈ N plus what small leaves add. A ray through the whole soup also passes through leaves on its way, ∛N of them at
-/// first; but a large soup is opaque, and the ray ends after as many leaves as before.
-#[test]
-fn nodes_grow_with_the_logarithm_of_the_number_of_triangles() {
-    let near: Vec<_> = [100, 1000, 10_000, 100_000, 1_000_000]
-        .map(|n| (f64::from(n), mean_tests(n, Reach::Near, Octree::new)))
-        .into();
-    let nodes: Vec<_> = near.iter().map(|&(n, tests)| (n, tests[0])).collect();
-    let [a, b] = fit(&nodes);
-    println!("nodes {nodes:?}: {a:.2} + {b:.2} log10 N");
-    // A level has eight times as many cells: 1/log₁₀ 8 = 1.11 levels per power of ten; near a face a ray enters two cells.
-    assert!(
-        (1.1..1.7).contains(&b),
-        "{b:.2} nodes more for ten times as many triangles"
-    );
-    for (n, count) in nodes {
-        let law = a + b * n.log10();
-        assert!(
-            (count - law).abs() < 0.5,
-            "{count:.2} nodes with {n} triangles, by the law {law:.2}"
-        );
-    }
-    let tests = near.iter().map(|&(_, tests)| tests[1]);
-    let (least, most) = tests.fold((f64::INFINITY, 0.0_f64), |(a, b), t| (a.min(t), b.max(t)));
-    assert!(
-        most < 1.5 * least,
-        "triangles tested do not grow: {least:.1} to {most:.1}"
-    );
-}
-
-proptest! {
-    #[test]
-    fn the_octree_agrees_with_the_list(
-        corners in prop::collection::vec(prop::array::uniform3(prop::array::uniform3(-3_i8..4)), 0..40),
-        from in prop::array::uniform3(-5_i8..6),
-        to in prop::array::uniform3(-3_i8..4),
-        scale in -6_i32..7,
-    ) {
-        // Whole numbers: corners and rays lie in planes of the tree, and rays meet edges.
-        let scale = 10.0_f32.powi(scale);
-        let point = |p: [i8; 3]| scale * Vec3::from_array(p.map(f32::from));
-        let facets: Vec<_> = (0..).zip(&corners).map(|(id, &c)| triangle(id, c.map(point))).collect();
-        let (from, to) = (point(from), point(to));
-        prop_assume!(from != to);
-        let ray = ray(from, to - from);
-        let list = List::new(facets.clone());
-        let expected = list.closest(&ray, Interval::AHEAD).map(|(_, hit)| hit.t);
-        for octree in [Octree::of_facets(facets.clone()), Octree::new(facets)] {
-            prop_assert_eq!(octree.validate(), Ok(()));
-            let found = octree.closest(&ray, Interval::AHEAD).map(|(_, hit)| hit.t);
-            let close = match (expected, found) {
-                (Some(a), Some(b)) => (a - b).abs() <= 32.0 * f32::EPSILON * 10.0 * scale,
-                (a, b) => a == b,
-            };
-            prop_assert!(close, "{:?} and not {:?}", found, expected);
-            prop_assert_eq!(octree.any(&ray, Interval::AHEAD), found.is_some());
-        }
-    }
-
-    #[test]
-    fn kinds_survive_their_packing(first in 0..u32::MAX, count in 0..1_u32 << 31, occupied in 0..=255_u8) {
-        use raybook::accel::octree::tree::Node;
-        prop_assert_eq!(Node::leaf(first, count).kind(), Kind::Leaf { first, count });
-        prop_assert_eq!(Node::inner(first, occupied).kind(), Kind::Inner { children: first, occupied });
-    }
 }

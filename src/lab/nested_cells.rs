@@ -8,7 +8,7 @@ use crate::image::Image;
 use crate::lab::flatland::{SIDE, discs, plane, ray};
 use crate::lab::palette::SKY;
 use crate::math::{aabb::Aabb, interval::Interval};
-use glam::vec3;
+use glam::{Vec3, vec3};
 use std::error::Error;
 use std::ops::ControlFlow;
 
@@ -22,7 +22,7 @@ pub fn diagram() -> Result<Image, Box<dyn Error>> {
         coarse: 1.0 / 4.0,
         fine: 2.0,
     };
-    let square = Aabb::of([size - size, size]);
+    let square = Aabb::of([Vec3::ZERO, size]);
     let top = Lattice::new(
         &square,
         grid_resolution(size, discs.len(), densities.coarse),

@@ -90,7 +90,7 @@ impl WideBvh {
     /// Faster than one ray after the other where rays go their own ways through a large mesh, for then they wait for memory.
     pub fn closest_many(&self, rays: &[Ray], within: Interval) -> Vec<Option<(&Facet, Hit)>> {
         let tree = &self.tree;
-        let found = self.run(Batch { tree, rays, within });
+        let found = self.run(within, Batch { tree, rays, within });
         let both = rays.iter().zip(found);
         both.map(|(ray, nearest)| self.answer(ray, within, nearest, &mut ()))
             .collect()
@@ -120,11 +120,13 @@ impl WideBvh {
         size_of_val(&nodes[..]) + size_of_val(&leaves[..]) + size_of_val(&facets[..])
     }
 
-    /// Does the work with the best instructions.
+    /// Does the work with the best instructions; those of [`Avx2`] need distances from 0 on.
     #[inline(always)]
-    fn run<W: Work>(&self, work: W) -> W::Answer {
+    fn run<W: Work>(&self, within: Interval, work: W) -> W::Answer {
         #[cfg(target_arch = "x86_64")]
-        if let Some(avx2) = self.avx2 {
+        if let Some(avx2) = self.avx2
+            && within.min >= 0.0
+        {
             return avx2.run(work);
         }
         Portable.run(work)
@@ -159,18 +161,21 @@ impl Accel<Facet> for WideBvh {
         count: &mut impl Count,
     ) -> Option<(&Facet, Hit)> {
         let tree = &self.tree;
-        let nearest = self.run(Closest {
-            tree,
-            ray,
+        let nearest = self.run(
             within,
-            count: &mut *count,
-        });
+            Closest {
+                tree,
+                ray,
+                within,
+                count: &mut *count,
+            },
+        );
         self.answer(ray, within, nearest, count)
     }
 
     fn any(&self, ray: &Ray, within: Interval) -> bool {
         let tree = &self.tree;
-        self.run(Any { tree, ray, within })
+        self.run(within, Any { tree, ray, within })
             || matches!(&self.beside, Some(list) if list.any(ray, within))
     }
 }

@@ -9,7 +9,7 @@ use crate::math::{basis::Basis, dir3::Dir3, interval::Interval, pcg, ray::Ray};
 use crate::render::film::Film;
 use crate::shape::mesh::Facet;
 use crate::shape::{Hit, Shape, Surface, mesh::Mesh, plane::Plane, teapot};
-use glam::{Vec3, vec2, vec3};
+use glam::{Vec3, vec3};
 use rand::{Rng, RngExt};
 use std::f32::consts::TAU;
 
@@ -22,7 +22,7 @@ pub struct Confetti {
 }
 
 impl Confetti {
-    /// A heap of n pieces, and a tenth as many still in the air.
+    /// A heap of n pieces, and a few still in the air.
     pub fn new(n: u32) -> Self {
         let teapot = teapot::mesh(24);
         let bounds = teapot.bounds();
@@ -33,23 +33,22 @@ impl Confetti {
         let mut triangles = teapot.triangles().to_vec();
         let mut normals = teapot.normals().to_vec();
         let mut rng = pcg::stream(24, 0);
-        for i in 0..n + n / 10 {
+        for i in 0..n + n / 60 {
             let at = if i < n {
                 let far = 2.6 * rng.random::<f32>().sqrt();
                 let heap = 0.16 * (-far * far).exp() + 0.012;
-                let around = vec2((TAU * rng.random::<f32>()).cos(), 1.0);
                 let turn = TAU * rng.random::<f32>();
-                let up = heap * rng.random::<f32>() * around.y;
+                let up = heap * rng.random::<f32>();
                 vec3(far * turn.cos(), up, far * turn.sin())
             } else {
-                let wide = |rng: &mut pcg::Pcg| 2.4 * (rng.random::<f32>() - 0.5);
+                let wide = |rng: &mut pcg::Pcg| 2.0 * (rng.random::<f32>() - 0.5);
                 vec3(wide(&mut rng), 1.5 * rng.random::<f32>(), wide(&mut rng))
             };
             let flat = if i < n { 0.35 } else { 1.0 };
             let first = positions.len() as u32;
             for _ in 0..3 {
                 let d = Vec3::from_array(std::array::from_fn(|_| rng.random::<f32>() - 0.5));
-                positions.push((at + 0.03 * d * vec3(1.0, flat, 1.0)).max(vec3(-9.0, 0.0, -9.0)));
+                positions.push((at + 0.024 * d * vec3(1.0, flat, 1.0)).max(vec3(-9.0, 0.0, -9.0)));
                 normals.push(Dir3::Y);
             }
             triangles.push([first, first + 1, first + 2]);
@@ -93,13 +92,13 @@ impl Confetti {
         for _ in 0..TOWARD_SKY {
             let toward = up(normal, rng);
             if toward.y > 0.0 && open(toward) {
-                light += Rgb::new(0.78, 0.92, 1.12) / f32::from(TOWARD_SKY);
+                light += Rgb::new(0.52, 0.61, 0.74) / f32::from(TOWARD_SKY);
             }
         }
         let sun = Dir3::new_or(vec3(-0.55, 0.8, 0.45), Dir3::Y);
         let facing = shading(&at, inward).dot(*sun).max(0.0);
         if facing > 0.0 && open(sun) {
-            light += Rgb::new(1.55, 1.4, 1.15) * facing;
+            light += Rgb::new(0.95, 0.84, 0.66) * facing;
         }
         let distance = (at.position - ray.origin).length();
         let far = (-(distance / 9.0).powi(4)).exp();
@@ -109,7 +108,7 @@ impl Confetti {
 
     fn colour(&self, hit: &Hit) -> Rgb {
         if hit.id < self.teapot {
-            return Rgb::new(0.86, 0.84, 0.80);
+            return Rgb::new(0.50, 0.56, 0.55);
         }
         let paper = [BLUE, ORANGE, GREEN, VERMILION, PURPLE, SKY];
         linear(paper[(hit.id.wrapping_mul(2_654_435_761) >> 16) as usize % paper.len()])
@@ -136,7 +135,7 @@ fn up(normal: Dir3, rng: &mut impl Rng) -> Dir3 {
 
 /// Looks at the heap from above its front.
 pub fn camera(aspect: f32) -> Pinhole {
-    let (from, to) = (vec3(0.55, 0.85, 1.75), vec3(0.0, 0.2, 0.0));
+    let (from, to) = (vec3(0.5, 0.62, 1.35), vec3(0.02, 0.2, 0.0));
     Pinhole::look_at(from, to, Vec3::Y, 0.045, aspect)
         .unwrap_or_else(|error| unreachable!("the direction is fixed: {error}"))
 }

@@ -39,6 +39,7 @@ pub const PLACES: usize = 40;
 pub struct Places(pub [Waiting; PLACES]);
 
 impl Places {
+    /// Empty ones.
     #[inline(always)]
     pub fn new() -> Self {
         Self([Waiting(0); PLACES])

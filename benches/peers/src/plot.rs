@@ -132,7 +132,7 @@ fn panel(canvas: &Canvas, left: i32, column: &str, structures: &[&Row], rows: &[
     for row in rows.iter().filter(|row| row.column() == column) {
         let here = |other: &&Row| other.structure == row.structure;
         let (Some(i), Some(mesh)) = (
-            structures.iter().position(|other| here(other)),
+            structures.iter().position(here),
             MESHES.iter().position(|name| *name == row.mesh),
         ) else {
             continue;
@@ -159,14 +159,13 @@ fn legend(canvas: &Canvas, rows: &[&Row], (left, y): (i32, i32)) -> Drawn {
 
 fn mark(canvas: &Canvas, mesh: usize, (x, y): (i32, i32)) -> Drawn {
     let (colour, form) = MARKS[mesh % MARKS.len()];
-    const R: i32 = 10;
     let polygon = |corners: &[(i32, i32)]| {
         let corners: Vec<_> = corners.iter().map(|(dx, dy)| (x + dx, y + dy)).collect();
         Polygon::new(corners, colour.filled())
     };
     match form {
-        Form::Ring => canvas.draw(&Circle::new((x, y), R - 2, colour.stroke_width(5)))?,
-        Form::Disc => canvas.draw(&Circle::new((x, y), R, colour.filled()))?,
+        Form::Ring => canvas.draw(&Circle::new((x, y), 8, colour.stroke_width(5)))?,
+        Form::Disc => canvas.draw(&Circle::new((x, y), 10, colour.filled()))?,
         Form::Square => canvas.draw(&polygon(&[(-9, -9), (9, -9), (9, 9), (-9, 9)]))?,
         Form::Up => canvas.draw(&polygon(&[(-11, 9), (0, -11), (11, 9)]))?,
         Form::Down => canvas.draw(&polygon(&[(-11, -9), (0, 11), (11, -9)]))?,

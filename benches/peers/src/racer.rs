@@ -79,6 +79,9 @@ impl Query {
     }
 }
 
+/// Builds over a mesh, with so many threads; or says why not.
+pub type Build = fn(&Mesh, usize) -> Result<Box<dyn Racer>, String>;
+
 /// One that takes part: how it is called, and how it is built over a mesh, with so many threads.
 pub struct Entry {
     /// The name in tables.
@@ -86,7 +89,7 @@ pub struct Entry {
     /// Whether it is one of raybook's.
     pub ours: bool,
     /// Builds it. This is what the build time measures, the copy of the mesh into its own form included.
-    pub build: fn(&Mesh, usize) -> Result<Box<dyn Racer>, String>,
+    pub build: Build,
     /// More triangles than this, and it takes no part.
     pub at_most: usize,
 }

@@ -6,13 +6,12 @@ pub mod obvhs;
 pub mod ours;
 pub mod parry;
 
-use crate::racer::{Entry, Racer, Search};
+use crate::racer::{Build, Entry, Racer, Search};
 use ours::{Ours, Wide};
 use raybook::accel::{
     bvh::Bvh, grid::Grid, list::List, octree::Octree, two_level_grid::TwoLevelGrid,
     wide_bvh::WideBvh,
 };
-use raybook::shape::mesh::Mesh;
 
 /// All that take part; the first is what the others are compared with.
 pub const ENTRIES: &[Entry] = &[
@@ -46,8 +45,6 @@ pub const ENTRIES: &[Entry] = &[
     }),
 ];
 
-type Build = fn(&Mesh, usize) -> Result<Box<dyn Racer>, String>;
-
 const fn entry(name: &'static str, ours: bool, build: Build) -> Entry {
     Entry {
         name,
@@ -57,6 +54,7 @@ const fn entry(name: &'static str, ours: bool, build: Build) -> Entry {
     }
 }
 
+#[allow(clippy::unnecessary_wraps)] // others can fail
 fn boxed<S: Search + 'static>(search: S) -> Result<Box<dyn Racer>, String> {
     Ok(Box::new(search))
 }

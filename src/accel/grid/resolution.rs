@@ -2,7 +2,11 @@
 
 use glam::{UVec3, Vec3};
 
-/// λ: cells per shape, if [`grid_resolution`] is not asked otherwise.
+/// λ: cells per shape, if nobody says otherwise.
+///
+/// Measured on the teapot, the Stanford bunny and a crowd of teapots: the least time is somewhere between 2 and 15, and
+/// nowhere in between is it worse by more than a fifth. Rays from a camera and from the surfaces like more cells, rays from
+/// everywhere to everywhere fewer, because more cells are more memory to wait for. The chapter draws it.
 pub const DENSITY: f32 = 5.0;
 
 // ANCHOR: grid_resolution

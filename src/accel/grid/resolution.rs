@@ -5,9 +5,6 @@ use glam::{UVec3, Vec3};
 /// λ: cells per shape, if [`grid_resolution`] is not asked otherwise.
 pub const DENSITY: f32 = 5.0;
 
-/// Never more cells than this along one axis.
-const MOST: f32 = 1024.0;
-
 // ANCHOR: grid_resolution
 /// How many cells a grid has along each axis: about λ per shape in all, and each cell about a cube.
 ///
@@ -35,10 +32,7 @@ pub fn grid_resolution(extents: Vec3, shapes: usize, density: f32) -> UVec3 {
                     1.0
                 }
             });
-            return Vec3::from(along)
-                .round()
-                .clamp(Vec3::ONE, Vec3::splat(MOST))
-                .as_uvec3();
+            return Vec3::from(along).round().max(Vec3::ONE).as_uvec3();
         }
     }
 }

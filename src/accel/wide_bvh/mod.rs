@@ -120,13 +120,12 @@ impl WideBvh {
         size_of_val(&nodes[..]) + size_of_val(&leaves[..]) + size_of_val(&facets[..])
     }
 
-    /// Does the work with the best instructions; those of [`Avx2`] need distances from 0 on.
+    /// Does the work with the best instructions. They compare distances as integers, which is right from 0 on.
     #[inline(always)]
+    #[allow(unused_variables)] // without AVX2 the interval makes no difference
     fn run<W: Work>(&self, within: Interval, work: W) -> W::Answer {
         #[cfg(target_arch = "x86_64")]
-        if let Some(avx2) = self.avx2
-            && within.min >= 0.0
-        {
+        if let Some(avx2) = self.avx2.filter(|_| within.min >= 0.0) {
             return avx2.run(work);
         }
         Portable.run(work)

@@ -97,7 +97,7 @@ impl Graded for GridResolution {
             edge("a stick", vec3(0.0, 3.0, 0.0), 50, 2.0),
             edge("a thin stick", vec3(0.02, 3.0, 0.001), 50, 2.0),
             edge("one point", Vec3::ZERO, 10, 5.0),
-            edge("one shape", vec3(1.0, 1.2, 0.9), 1, 5.0),
+            edge("one shape", vec3(1.0, 1.3, 0.7), 1, 5.0),
             edge("no shape", Vec3::ONE, 0, 5.0),
             edge("a grain", vec3(2e-4, 1e-4, 1.3e-4), 500, 5.0),
             edge("fewer cells than shapes", vec3(3.0, 2.0, 1.0), 5000, 0.1),
@@ -624,9 +624,17 @@ impl Graded for GridWalk {
         let (center, half) = (min + 0.5 * n.as_vec3() * cell, 0.5 * n.as_vec3() * cell);
         let origin = center + sample::point(rng, 1.8) * half;
         let aim = center + sample::point(rng, 0.9) * half;
+        let ray = Ray::new(origin, Dir3::new_or(aim - origin, Dir3::X));
+        let bounds = Aabb {
+            min,
+            max: min + 2.0 * half,
+        };
+        // From the middle of what is inside, or up to there.
+        let inside = slab::clip(&bounds, &ray, Interval::AHEAD).unwrap_or(Interval::AHEAD);
+        let middle = 0.5 * (inside.min + inside.max);
         let within = match rng.random_range(0..6) {
-            0 => Interval::new(0.0, 0.9 * origin.distance(aim)),
-            1 => Interval::new(0.4 * origin.distance(aim), f32::INFINITY),
+            0 => Interval::new(0.0, middle),
+            1 | 2 => Interval::new(middle, f32::INFINITY),
             _ => Interval::AHEAD,
         };
         GridWalkQuestion {
@@ -635,7 +643,7 @@ impl Graded for GridWalk {
             nx: n.x,
             ny: n.y,
             nz: n.z,
-            ray: Ray::new(origin, Dir3::new_or(aim - origin, Dir3::X)),
+            ray,
             within,
         }
     }

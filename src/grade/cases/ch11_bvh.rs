@@ -13,9 +13,10 @@ use crate::shape::{Shape, mesh::Facet};
 use crate::workbook::exercise::Exercise;
 use crate::workbook::exercises::ch07_mesh::{Corners, MeshHitAnswer};
 use crate::workbook::exercises::ch11_bvh::{
-    BoxRow, BvhBuild, BvhBuildAnswer, BvhBuildQuestion, BvhClosest, BvhClosestAnswer,
-    BvhClosestQuestion, NodeRow, SahCost, SahCostQuestion, SahSplit, SahSplitQuestion, to_rows,
+    BvhBuild, BvhBuildAnswer, BvhBuildQuestion, BvhClosest, BvhClosestAnswer, BvhClosestQuestion,
+    SahCost, SahCostQuestion, SahSplit, SahSplitQuestion,
 };
+use crate::workbook::tree_rows::{BoxRow, NodeRow, to_rows};
 use glam::{Vec3, vec3};
 use rand::RngExt;
 
@@ -62,13 +63,7 @@ fn heaps(rng: &mut Pcg) -> Vec<BoxRow> {
 
 /// The tree over boxes by a method, with leaves of at most so many shapes.
 fn tree(boxes: &[BoxRow], method: Method, most: u32) -> BvhBuildAnswer {
-    let boxes: Vec<_> = boxes
-        .iter()
-        .map(|row| Aabb {
-            min: row.min,
-            max: row.max,
-        })
-        .collect();
+    let boxes: Vec<_> = boxes.iter().map(Aabb::from).collect();
     let flat = build(&boxes, method, &Cost { most, ..COST });
     BvhBuildAnswer {
         nodes: to_rows(&flat),
@@ -407,8 +402,8 @@ fn no_dearer(what: &str, got: f32, reference: f32, part: f32) -> Verdict {
     }
 }
 
-/// A tree may cost so much more than the reference's.
-const DEARER: f32 = 0.1;
+/// A tree may cost so much more than the reference's: neither is the best, and which cut is taken first decides more.
+const DEARER: f32 = 0.25;
 
 /// The cost of a tree, if it is one.
 fn tree_cost(q: &BvhBuildQuestion, tree: &BvhBuildAnswer) -> Result<f32, String> {
@@ -588,7 +583,7 @@ impl Graded for BvhBuild {
                 "growing distances",
                 row(&[1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0], 2),
             ),
-            Edge::new("the same box six times", row(&[1.0; 6], 4)),
+            Edge::new("the same box six times", row(&[1.0; 6], 6)),
             Edge::new("a large box over small ones", hay),
             Edge::new(
                 "three rows of three",
@@ -981,9 +976,9 @@ impl Graded for BvhClosest {
     }
 }
 
-/// Not many more tests than the reference's: a quarter, and two for another order of what is equally near.
+/// Not many more tests than the reference's: half as many, and four, for another sound order of the children.
 fn few(what: &str, golden: u32, got: u32) -> Verdict {
-    if got <= golden + golden / 4 + 2 {
+    if got <= golden + golden / 2 + 4 {
         Ok(())
     } else {
         Err(format!(

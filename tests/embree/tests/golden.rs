@@ -23,6 +23,17 @@ const OTHERWISE: &[(&str, &str, &str)] = &[
     ),
 ];
 
+/// Mistakes that find the right hits, with too much work: Embree cannot contradict them.
+const TOO_MUCH_WORK: &[(&str, &str)] = &[
+    ("bvh_closest", "tests every triangle"),
+    ("bvh_closest", "opens every box"),
+    (
+        "bvh_closest",
+        "does not shorten the interval for the second child",
+    ),
+    ("bvh_closest", "opens the farther child first"),
+];
+
 #[test]
 fn embree_confirms_the_golden_answers() {
     let embree = Embree::new().expect("Embree works");
@@ -80,6 +91,9 @@ fn embree_contradicts_the_golden_answers_of_every_mistake() {
             })
             .collect();
         for (i, (mistake, _)) in examiner.mistakes().into_iter().enumerate() {
+            if TOO_MUCH_WORK.contains(&(exercise, mistake)) {
+                continue;
+            }
             let mut contradicted = said.iter().filter(|(question, said)| {
                 let golden = examiner.mistaken(i, question).expect("a question");
                 examiner.judge(question, &[golden], said).is_err()

@@ -81,13 +81,13 @@ pub fn gain(
     type Contestant<'a> = (&'a str, &'a dyn Fn(&[Ray]));
     let contestants: [Contestant; 4] = [
         ("two children", &|rays| {
-            each(rays, &|ray| two.closest(ray, ahead).is_some())
+            each(rays, &|ray| two.closest(ray, ahead).is_some());
         }),
         ("eight, any processor", &|rays| {
-            each(rays, &|ray| portable.closest(ray, ahead).is_some())
+            each(rays, &|ray| portable.closest(ray, ahead).is_some());
         }),
         ("eight, this processor", &|rays| {
-            each(rays, &|ray| eight.closest(ray, ahead).is_some())
+            each(rays, &|ray| eight.closest(ray, ahead).is_some());
         }),
         ("eight rays in turn", &|rays| {
             black_box(eight.closest_many(rays, ahead));

@@ -90,7 +90,7 @@ const WRONGS: &[Wrong] = &[
         },
     ),
     (&["wide_closest"], "t is 1 % too large", |hit| {
-        hit[2] *= 1.01
+        hit[2] *= 1.01;
     }),
     (&["wide_closest"], "three times as many nodes", |hit| {
         hit[0] = 3.0 * hit[0] + 2.0;

@@ -8,7 +8,7 @@ use crate::accel::bvh::build::cost::{self, Cost};
 use crate::accel::bvh::build::flat::{Flat, Node};
 use crate::accel::bvh::build::tree::MAX_DEPTH;
 use crate::accel::bvh::build::{Method, build};
-use crate::accel::bvh::pair::{Link, Order, Pair, RayPair};
+use crate::accel::bvh::pair::{Link, Pair, RayPair};
 use crate::accel::{Accel, Count, bounded::bounded, list::List};
 use crate::math::{interval::Interval, ray::Ray};
 use crate::shape::{Hit, Shape};
@@ -120,14 +120,17 @@ impl<S: Shape> Accel<S> for Bvh<S> {
                 let pair = &self.pairs[link.first as usize];
                 count.tested_box();
                 count.tested_box();
-                let Order { near, first, last } = ready.order(pair);
-                if first == f32::INFINITY {
-                    continue 'search;
-                }
-                // Always written, and kept only if the ray meets both.
-                stack[height] = (last, pair.links[1 - near]);
-                height += usize::from(last < f32::INFINITY);
-                link = pair.links[near];
+                link = match ready.enters(pair) {
+                    [Some(left), Some(right)] => {
+                        let near = usize::from(right < left);
+                        stack[height] = (left.max(right), pair.links[1 - near]);
+                        height += 1;
+                        pair.links[near]
+                    }
+                    [Some(_), None] => pair.links[0],
+                    [None, Some(_)] => pair.links[1],
+                    [None, None] => continue 'search,
+                };
             }
             let leaf = &self.shapes[link.first as usize..][..link.count as usize];
             for shape in leaf {
@@ -161,9 +164,9 @@ impl<S: Shape> Accel<S> for Bvh<S> {
                 }
             } else {
                 let pair = &self.pairs[link.first as usize];
-                for (link, meets) in pair.links.into_iter().zip(ready.meets(pair)) {
+                for (link, enters) in pair.links.into_iter().zip(ready.enters(pair)) {
                     stack[height] = link;
-                    height += usize::from(meets);
+                    height += usize::from(enters.is_some());
                 }
             }
         }

@@ -8,6 +8,8 @@
 mod boxes;
 #[path = "alternatives/ch11.rs"]
 mod ch11;
+#[path = "alternatives/ch24.rs"]
+mod ch24;
 #[path = "alternatives/flat.rs"]
 mod flat;
 #[path = "alternatives/grid.rs"]
@@ -22,6 +24,8 @@ mod numbers;
 mod sphere;
 #[path = "alternatives/student.rs"]
 mod student;
+#[path = "alternatives/trees.rs"]
+mod trees;
 #[path = "alternatives/triangle.rs"]
 mod triangle;
 #[path = "alternatives/wrong.rs"]
@@ -90,7 +94,9 @@ fn alternatives() -> impl Iterator<Item = &'static Alternative> {
         triangle::ALTERNATIVES,
         mesh::ALTERNATIVES,
         grid::ALTERNATIVES,
+        trees::ALTERNATIVES,
         ch11::ALTERNATIVES,
+        ch24::ALTERNATIVES,
     ]
     .into_iter()
     .flatten()

@@ -45,6 +45,21 @@ impl Lattice {
         }
     }
 
+    /// All cells, in the order of their places in an array.
+    pub fn all(&self) -> impl Iterator<Item = UVec3> + use<> {
+        range(UVec3::ZERO, self.resolution - UVec3::ONE)
+    }
+
+    /// One cell, as a lattice.
+    #[must_use]
+    pub fn only(&self, cell: UVec3) -> Self {
+        Self {
+            min: self.min + cell.as_vec3() * self.cell,
+            resolution: UVec3::ONE,
+            ..*self
+        }
+    }
+
     /// The cell that holds a point, or the one that is nearest to it along each axis.
     ///
     /// A point on a plane, or as near to it as rounding can tell, may be in either cell.

@@ -6,9 +6,13 @@ pub mod grid;
 pub mod lattice;
 pub mod list;
 pub mod margin;
+pub mod octree;
+pub mod order;
 pub mod overlap;
 pub mod ray_box;
+pub mod two_level_grid;
 pub mod walk;
+pub mod wide_bvh;
 
 use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use crate::shape::mesh::{Facet, Mesh};

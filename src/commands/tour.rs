@@ -33,8 +33,14 @@ mod chapters {
     pub mod ch07_mesh;
     #[path = "../../chapters/ch08_grid.rs"]
     pub mod ch08_grid;
+    #[path = "../../chapters/ch09_two_level_grid.rs"]
+    pub mod ch09_two_level_grid;
+    #[path = "../../chapters/ch10_octree.rs"]
+    pub mod ch10_octree;
     #[path = "../../chapters/ch11_bvh.rs"]
     pub mod ch11_bvh;
+    #[path = "../../chapters/ch24_wide_bvh.rs"]
+    pub mod ch24_wide_bvh;
 }
 
 /// Draws a chapter.
@@ -50,7 +56,10 @@ const DRAW: &[(&str, Draw)] = &[
     ("ch06_triangle", chapters::ch06_triangle::draw),
     ("ch07_mesh", chapters::ch07_mesh::draw),
     ("ch08_grid", chapters::ch08_grid::draw),
+    ("ch09_two_level_grid", chapters::ch09_two_level_grid::draw),
+    ("ch10_octree", chapters::ch10_octree::draw),
     ("ch11_bvh", chapters::ch11_bvh::draw),
+    ("ch24_wide_bvh", chapters::ch24_wide_bvh::draw),
 ];
 
 /// The options of `raybook tour`.
@@ -58,7 +67,7 @@ const DRAW: &[(&str, Draw)] = &[
 pub struct Tour {
     #[command(flatten)]
     options: Options,
-    /// Only these chapters, by the beginning of their names: ch03,ch06
+    /// Only these chapters: 3,sphere,ch06
     #[arg(long, value_delimiter = ',')]
     only: Vec<String>,
 }
@@ -115,22 +124,15 @@ impl Tour {
                 .collect::<Vec<_>>()
                 .join(", ")
         };
-        if let Some(wrong) = self
-            .only
-            .iter()
-            .find(|start| !CHAPTERS.iter().any(|c| c.name.starts_with(start.as_str())))
-        {
+        let answered = |word: &String| CHAPTERS.iter().any(|c| c.answers_to(word));
+        if let Some(wrong) = self.only.iter().find(|word| !answered(word)) {
             return Err(format!(
-                "--only {wrong}: no chapter's name begins so; there are {}",
+                "--only {wrong}: no chapter is called so; there are {}",
                 names()
             ));
         }
         let wanted = |chapter: &&Chapter| {
-            self.only.is_empty()
-                || self
-                    .only
-                    .iter()
-                    .any(|start| chapter.name.starts_with(start.as_str()))
+            self.only.is_empty() || self.only.iter().any(|word| chapter.answers_to(word))
         };
         Ok(CHAPTERS.iter().filter(wanted).collect())
     }

@@ -16,6 +16,7 @@ pub mod json;
 pub mod judge;
 pub mod library;
 pub mod manifest;
+pub mod passage;
 pub mod picture;
 pub mod prints;
 pub mod progress;

@@ -40,7 +40,8 @@ pub fn figure(
     with_scale(2, &maps)
 }
 
-fn paint(part: Part) -> Paint {
+/// The look of each part.
+pub fn paint(part: Part) -> Paint {
     let colour = match part {
         Part::Teapot => Rgb::new(0.80, 0.25, 0.06),
         Part::Ground => Rgb::new(0.20, 0.38, 0.11),

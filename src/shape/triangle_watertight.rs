@@ -37,16 +37,18 @@ pub fn hit(corners: &[Vec3; 3], ray: &Ray, within: Interval) -> Option<Hit> {
 // ANCHOR_END: hit_watertight
 
 /// The shear that turns a ray from 0 into a ray along +z, with t as z.
-struct Shear {
+#[derive(Clone, Copy, Debug)]
+pub struct Shear {
     /// The axes that become x, y and z; the last is the one along which the ray moves most.
-    axes: [usize; 3],
+    pub axes: [usize; 3],
     /// dₓ/d_z, d_y/d_z and 1/d_z.
-    slopes: [f32; 3],
+    pub slopes: [f32; 3],
 }
 
 impl Shear {
+    /// The shear of a ray.
     #[inline]
-    fn along(ray: &Ray) -> Self {
+    pub fn along(ray: &Ray) -> Self {
         let d = *ray.direction;
         let Vec3 { x, y, z } = d.abs();
         let axes = if x >= y && x >= z {

@@ -24,7 +24,10 @@ macro_rules! for_each_chapter {
             ch06_triangle,
             ch07_mesh,
             ch08_grid,
-            ch11_bvh
+            ch09_two_level_grid,
+            ch10_octree,
+            ch11_bvh,
+            ch24_wide_bvh
         );
     };
 }
@@ -52,6 +55,12 @@ impl Chapter {
     /// The functions that a student writes; their names are grade keys.
     pub fn exercises(&self) -> &'static [&'static dyn Asked] {
         exercises::of_chapter(self.name)
+    }
+
+    /// Whether somebody who says this word means this chapter: 3, ch03, sphere or `ch03_sphere`.
+    pub fn answers_to(&self, word: &str) -> bool {
+        let (number, topic) = self.name.split_once('_').unwrap_or((self.name, ""));
+        [self.name, number, topic].contains(&word) || word.parse() == Ok(self.number())
     }
 
     /// "3", from `ch03_sphere`.

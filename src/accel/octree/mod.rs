@@ -1,0 +1,125 @@
+//! The octree: cells cut in eight where there is much in them.
+
+pub mod build;
+pub mod reach;
+pub mod tree;
+pub mod validate;
+pub mod walk;
+
+use crate::accel::{Accel, Count, bounded::bounded, list::List, order};
+use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
+use crate::shape::{Hit, Shape, mesh::Facet};
+use build::{Limits, build};
+use glam::Vec3;
+use tree::Tree;
+use walk::Walk;
+
+/// An octree (Meagher 1980; for rays: Glassner 1984).
+#[derive(Clone, Debug)]
+pub struct Octree<S> {
+    tree: Tree,
+    /// The shapes that the leaves name, in the order in which leaves name them first: neighbours are near in memory too.
+    shapes: Vec<S>,
+    /// Shapes without a finite box.
+    unbounded: List<S>,
+}
+
+impl<S: Shape> Octree<S> {
+    /// An octree of shapes, each in the leaves that its bounding box reaches.
+    pub fn new(shapes: Vec<S>) -> Self {
+        Self::with(shapes, Limits::USUAL, reach::by_bounds)
+    }
+
+    /// An octree with limits of one's own; `reached` says which of eight cells a shape reaches, one bit each.
+    pub fn with(shapes: Vec<S>, limits: Limits, reached: impl Fn(&S, &[Aabb; 8]) -> u8) -> Self {
+        let (mut shapes, unbounded) = bounded(shapes);
+        let limits = Limits {
+            depth: limits.depth.min(Limits::DEEPEST),
+            ..limits
+        };
+        let mut tree = build(
+            cube_around(&shapes),
+            shapes.len() as u32,
+            limits,
+            &|i, cells| reached(&shapes[i as usize], cells),
+        );
+        order::by_first_use(&mut shapes, &mut tree.named);
+        Self {
+            tree,
+            shapes,
+            unbounded,
+        }
+    }
+
+    /// The tree of cells.
+    pub fn tree(&self) -> &Tree {
+        &self.tree
+    }
+
+    /// The shapes, by the numbers that [`Tree::named`] gives them.
+    pub fn shapes(&self) -> &[S] {
+        &self.shapes
+    }
+
+    /// The memory that it needs, with its shapes, in bytes.
+    pub fn bytes(&self) -> usize {
+        size_of_val(&*self.tree.nodes) + size_of_val(&*self.tree.named) + size_of_val(&*self.shapes)
+    }
+}
+
+impl Octree<Facet> {
+    /// An octree of facets, each only in the leaves that it itself reaches, not in all those that its box reaches.
+    pub fn of_facets(facets: Vec<Facet>) -> Self {
+        Self::with(facets, Limits::USUAL, reach::by_triangle)
+    }
+}
+
+impl<S: Shape> Accel<S> for Octree<S> {
+    /// The boxes that are counted are the nodes that the ray enters.
+    fn closest_counted(
+        &self,
+        ray: &Ray,
+        mut within: Interval,
+        count: &mut impl Count,
+    ) -> Option<(&S, Hit)> {
+        let mut closest = self.unbounded.closest_counted(ray, within, count);
+        if let Some((_, hit)) = closest {
+            within = within.before(hit.t);
+        }
+        let mut walk = Walk::new(&self.tree, ray, within);
+        while let Some(leaf) = walk.next_leaf(within.max, count) {
+            for &i in self.tree.shapes_in(leaf) {
+                let shape = &self.shapes[i as usize];
+                count.tested_shape();
+                if let Some(hit) = shape.hit(ray, within) {
+                    within = within.before(hit.t);
+                    closest = Some((shape, hit));
+                }
+            }
+        }
+        closest
+    }
+
+    fn any(&self, ray: &Ray, within: Interval) -> bool {
+        let mut walk = Walk::new(&self.tree, ray, within);
+        while let Some(leaf) = walk.next_leaf(within.max, &mut ()) {
+            let mut shapes = self.tree.shapes_in(leaf).iter();
+            if shapes.any(|&i| self.shapes[i as usize].blocks(ray, within)) {
+                return true;
+            }
+        }
+        self.unbounded.any(ray, within)
+    }
+}
+
+/// The smallest cube around shapes: cut in halves, its cells remain cubes.
+fn cube_around<S: Shape>(shapes: &[S]) -> Aabb {
+    let all = shapes.iter().map(Shape::bounds).reduce(|a, b| a.union(&b));
+    let bounds = all.unwrap_or(Aabb::of([Vec3::ZERO]));
+    let half = 0.5 * bounds.size().max_element();
+    // The union: a centre is rounded.
+    bounds.union(&Aabb {
+        min: bounds.center() - half,
+        max: bounds.center() + half,
+    })
+}

@@ -1,0 +1,36 @@
+//! Which of eight cells a shape reaches.
+
+use crate::accel::overlap::Separation;
+use crate::math::aabb::Aabb;
+use crate::shape::{Shape, mesh::Facet};
+use glam::Vec3;
+
+/// The cells that the shape's bounding box reaches or touches, one bit each.
+pub fn by_bounds<S: Shape>(shape: &S, cells: &[Aabb; 8]) -> u8 {
+    let Aabb { min, max } = shape.bounds();
+    bits(0b1111_1111, |i| {
+        min.cmple(cells[i].max).all() && cells[i].min.cmple(max).all()
+    })
+}
+
+/// The cells that the triangle itself reaches or touches.
+pub fn by_triangle(facet: &Facet, cells: &[Aabb; 8]) -> u8 {
+    let by_bounds = by_bounds(facet, cells);
+    if by_bounds.is_power_of_two() {
+        return by_bounds;
+    }
+    // The eight cells have one size, but for the rounding of their planes.
+    let half = cells
+        .iter()
+        .fold(Vec3::ZERO, |half, cell| half.max(0.5 * cell.size()));
+    let planes = cells[0].min.abs().max(cells[7].max.abs());
+    let separation = Separation::new(&facet.corners, half + f32::EPSILON * planes);
+    bits(by_bounds, |i| !separation.separates(cells[i].center()))
+}
+
+/// Those of the bits that are still set where `keep` says so.
+fn bits(of: u8, keep: impl Fn(usize) -> bool) -> u8 {
+    (0..8)
+        .filter(|&i| of >> i & 1 != 0 && keep(i))
+        .fold(0, |bits, i| bits | 1 << i)
+}

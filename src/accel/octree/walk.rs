@@ -1,0 +1,200 @@
+//! A ray's way through the leaves, front to back.
+
+use crate::accel::Count;
+use crate::accel::octree::build::Limits;
+use crate::accel::octree::tree::{Kind, Tree};
+use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
+use glam::Vec3;
+
+/// A distance (b − o)·(1/d) has three roundings, of 2⁻²⁴ each. Two of them are compared, and a shape's own test sees the
+/// ray a few roundings off too: a cell is left only when the ray is so much beyond it.
+const SLACK: f32 = 16.0 * (f32::EPSILON / 2.0);
+
+/// For each axis, the children in the lower half, one bit each.
+const LOWER: [u8; 3] = [0b0101_0101, 0b0011_0011, 0b0000_1111];
+
+/// A ray on its way through a tree.
+pub struct Walk<'a> {
+    tree: &'a Tree,
+    origin: Vec3,
+    /// 1/d per axis; ±∞ where the ray does not move.
+    inverse: Vec3,
+    /// Bit i is set if the ray moves down along axis i. A child's number with these bits flipped counts as the ray goes:
+    /// 0 for the half that it meets first, 1 for the other.
+    mirror: usize,
+    /// The root, before it was visited.
+    root: Option<Visit>,
+    /// The open nodes, each a child of the one before: one per depth at most, from the root on.
+    open: [Open; Limits::DEEPEST as usize],
+    opened: usize,
+}
+
+/// A node that the ray enters, its cell, and the distances at which the ray enters and leaves it.
+#[derive(Clone, Copy)]
+struct Visit {
+    node: usize,
+    cell: Aabb,
+    enter: f32,
+    leave: f32,
+}
+
+/// A node of which some children are still to be visited.
+#[derive(Clone, Copy)]
+struct Open {
+    children: u32,
+    /// The children to be visited, as the ray counts them, one bit each.
+    waiting: u8,
+    /// Per axis the lower face, the middle plane and the upper face.
+    planes: [[f32; 3]; 3],
+    /// Where the ray enters and leaves each child, as it counts them.
+    enter: [f32; 8],
+    leave: [f32; 8],
+}
+
+impl<'a> Walk<'a> {
+    /// Starts a ray's walk.
+    pub fn new(tree: &'a Tree, ray: &Ray, within: Interval) -> Self {
+        let mut walk = Self {
+            tree,
+            origin: ray.origin,
+            inverse: ray.direction.recip(),
+            // The sign bit, not d < 0: it makes −0.0 the mirror image of +0.0.
+            mirror: ray.direction.is_negative_bitmask() as usize,
+            root: None,
+            open: [Open::NONE; Limits::DEEPEST as usize],
+            opened: 0,
+        };
+        walk.root = walk.enter_root(within);
+        walk
+    }
+
+    // ANCHOR: octree_walk
+    /// The next leaf that is not empty and that the ray enters before `limit`; front to back.
+    ///
+    /// The children of a node are counted as the ray goes: 0 is the one before all three middle planes, 7 the one behind all.
+    /// A ray crosses each plane once, so it is never in child 1 before child 0, nor in 3 before 1 or 2: for every ray the
+    /// order of the numbers is an order from front to back, and nothing needs to be sorted. (A ray that runs in a plane is in the
+    /// children on both sides at once; they are visited one after the other.)
+    ///
+    /// A child is entered where the ray has crossed all the planes that the child lies behind, and left where it crosses the
+    /// first of those that the child lies in front of. If it is left before it is entered, the ray is never in it.
+    pub fn next_leaf(&mut self, limit: f32, count: &mut impl Count) -> Option<u32> {
+        loop {
+            let visit = match self.root.take() {
+                Some(root) => root,
+                None => self.next_child(limit)?,
+            };
+            count.tested_box();
+            let (children, occupied) = match self.tree.nodes[visit.node].kind() {
+                Kind::Leaf { .. } => return Some(visit.node as u32),
+                Kind::Inner { children, occupied } => (children, occupied),
+            };
+            let center = visit.cell.center();
+            let crossed = (center - self.origin) * self.inverse;
+            let (mut enter, mut leave) = ([visit.enter; 8], [visit.leave; 8]);
+            for axis in 0..3 {
+                let (t, later) = (crossed[axis], later(crossed[axis]));
+                for i in 0..8 {
+                    // 0·∞: the ray runs in this plane. The comparisons are false for the NaN, and it is in both halves.
+                    if i >> axis & 1 != 0 {
+                        enter[i] = if t > enter[i] { t } else { enter[i] };
+                    } else {
+                        leave[i] = if later < leave[i] { later } else { leave[i] };
+                    }
+                }
+            }
+            let met = (0..8).fold(0, |bits, i| bits | u8::from(enter[i] <= leave[i]) << i);
+            let waiting = met & mirrored(occupied, self.mirror);
+            let Aabb { min, max } = visit.cell;
+            self.open[self.opened] = Open {
+                children,
+                waiting,
+                planes: [0, 1, 2].map(|axis| [min[axis], center[axis], max[axis]]),
+                enter,
+                leave,
+            };
+            self.opened += 1;
+        }
+    }
+    // ANCHOR_END: octree_walk
+
+    /// The next child of the deepest open node that has one left.
+    #[inline]
+    fn next_child(&mut self, limit: f32) -> Option<Visit> {
+        while self.opened > 0 {
+            let open = &mut self.open[self.opened - 1];
+            if open.waiting == 0 {
+                self.opened -= 1;
+                continue;
+            }
+            let next = open.waiting.trailing_zeros() as usize;
+            open.waiting &= open.waiting - 1;
+            if open.enter[next] <= limit {
+                let child = next ^ self.mirror;
+                let [x, y, z] = [0, 1, 2].map(|axis| {
+                    let above = child >> axis & 1;
+                    (open.planes[axis][above], open.planes[axis][above + 1])
+                });
+                return Some(Visit {
+                    node: open.children as usize + child,
+                    cell: Aabb {
+                        min: Vec3::new(x.0, y.0, z.0),
+                        max: Vec3::new(x.1, y.1, z.1),
+                    },
+                    enter: open.enter[next],
+                    leave: open.leave[next],
+                });
+            }
+        }
+        None
+    }
+
+    /// The root, if there are shapes in it and the ray meets its cell.
+    fn enter_root(&self, within: Interval) -> Option<Visit> {
+        let Aabb { min, max } = self.tree.bounds;
+        let low = (min - self.origin) * self.inverse;
+        let high = (max - self.origin) * self.inverse;
+        let (mut enter, mut leave) = (within.min, later(within.max));
+        for axis in 0..3 {
+            let down = self.mirror >> axis & 1 != 0;
+            let (near, far) = if down { (high, low) } else { (low, high) };
+            let (near, far) = (near[axis], later(far[axis]));
+            // 0·∞: the ray runs in this face. The comparisons are false for the NaN, and the other face decides.
+            enter = if near > enter { near } else { enter };
+            leave = if far < leave { far } else { leave };
+        }
+        let some = !self.tree.named.is_empty() && enter <= leave;
+        some.then_some(Visit {
+            node: 0,
+            cell: self.tree.bounds,
+            enter,
+            leave,
+        })
+    }
+}
+
+impl Open {
+    const NONE: Self = Self {
+        children: 0,
+        waiting: 0,
+        planes: [[0.0; 3]; 3],
+        enter: [0.0; 8],
+        leave: [0.0; 8],
+    };
+}
+
+/// The bits of eight children, moved to where the ray counts the children.
+fn mirrored(mut bits: u8, mirror: usize) -> u8 {
+    for (axis, lower) in LOWER.into_iter().enumerate() {
+        if mirror >> axis & 1 != 0 {
+            let width = 1 << axis;
+            bits = (bits & lower) << width | bits >> width & lower;
+        }
+    }
+    bits
+}
+
+/// The distance a little later, by [`SLACK`] of its size.
+fn later(t: f32) -> f32 {
+    t * (1.0 + SLACK.copysign(t))
+}

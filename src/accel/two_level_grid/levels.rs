@@ -1,0 +1,53 @@
+//! Cells in cells: the coarse ones, each with a resolution of its own.
+
+use crate::accel::lattice::Lattice;
+use glam::{U8Vec3, UVec3};
+
+/// A coarse lattice, and for each of its cells how finely it is cut.
+///
+/// All fine cells of all coarse cells are in one row: those of the first coarse cell, then those of the second, and so on.
+#[derive(Clone, Debug)]
+pub struct Levels {
+    /// The coarse cells.
+    pub top: Lattice,
+    /// How each coarse cell is cut, in the order of [`Lattice::index`].
+    pub cuts: Vec<Cut>,
+}
+
+/// How one coarse cell is cut: all that is stored of its lattice, in eight bytes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Cut {
+    /// The place of its first fine cell in the row of all.
+    pub first: u32,
+    /// How many fine cells it has along each axis; 0 × 0 × 0 if it is empty.
+    pub resolution: U8Vec3,
+}
+
+impl Levels {
+    /// The coarse cells, each cut so often.
+    pub fn new(top: Lattice, resolutions: impl IntoIterator<Item = U8Vec3>) -> Self {
+        let mut first = 0;
+        let cut = |resolution: U8Vec3| {
+            let cut = Cut { first, resolution };
+            first += resolution.as_uvec3().element_product();
+            cut
+        };
+        Self {
+            top,
+            cuts: resolutions.into_iter().map(cut).collect(),
+        }
+    }
+
+    /// The place of a coarse cell's first fine cell in the row of all, and their lattice; `None` if it is empty.
+    pub fn fine(&self, coarse: UVec3) -> Option<(usize, Lattice)> {
+        let Cut { first, resolution } = self.cuts[self.top.index(coarse)];
+        let cut = |cell: Lattice| Lattice::new(&cell.bounds(), resolution.as_uvec3());
+        (resolution != U8Vec3::ZERO).then(|| (first as usize, cut(self.top.only(coarse))))
+    }
+
+    /// How many fine cells there are in all.
+    pub fn cells(&self) -> usize {
+        let cells = |cut: &Cut| cut.resolution.as_usizevec3().element_product();
+        self.cuts.iter().map(cells).sum()
+    }
+}

@@ -1,0 +1,147 @@
+//! The two-level grid: a coarse grid, each of whose cells is a grid of its own.
+
+pub mod build;
+pub mod levels;
+pub mod refine;
+pub mod validate;
+pub mod walk;
+
+use crate::accel::grid::{build as grid, mailbox::Mailbox};
+use crate::accel::{Accel, Count, bounded::bounded, list::List, margin::is_too_far};
+use crate::math::{interval::Interval, ray::Ray};
+use crate::shape::{Hit, Shape, mesh::Facet};
+use build::{Densities, Parts};
+use levels::Levels;
+use std::ops::ControlFlow;
+use walk::walk_two_levels;
+
+/// A two-level grid (Kalojanov, Billeter and Slusallek 2011). As boxes it counts the cells that it visits, coarse and fine.
+#[derive(Clone, Debug)]
+pub struct TwoLevelGrid<S> {
+    parts: Parts<S>,
+    /// The shapes without a finite box, asked by every ray.
+    unbounded: List<S>,
+}
+
+impl<S: Shape> TwoLevelGrid<S> {
+    /// A two-level grid of the usual densities; a shape is in each cell that its bounding box meets.
+    pub fn new(shapes: Vec<S>) -> Self {
+        let (shapes, unbounded) = bounded(shapes);
+        Self {
+            parts: build::build(shapes, Densities::USUAL, grid::by_bounds),
+            unbounded,
+        }
+    }
+
+    /// The cells.
+    pub fn levels(&self) -> &Levels {
+        &self.parts.levels
+    }
+
+    /// How many places in all lists: the shapes, each as often as there are fine cells in which it is.
+    pub fn references(&self) -> usize {
+        self.parts.references.len()
+    }
+
+    /// The memory that the grid takes, with its shapes, in bytes.
+    pub fn bytes(&self) -> usize {
+        size_of_val(&*self.parts.shapes)
+            + size_of_val(&*self.parts.levels.cuts)
+            + size_of_val(&*self.parts.starts)
+            + size_of_val(&*self.parts.references)
+    }
+
+    /// Visits the cells along the ray: the coarse ones with no list, the fine ones with theirs, each with the distance at
+    /// which the ray leaves the cell.
+    fn visit(
+        &self,
+        ray: &Ray,
+        within: Interval,
+        mut visit: impl FnMut(Option<&[u32]>, f32) -> ControlFlow<()>,
+    ) {
+        let Parts {
+            levels,
+            margin,
+            starts,
+            references,
+            ..
+        } = &self.parts;
+        if is_too_far(ray, &levels.top.bounds(), *margin) {
+            let _ = visit(Some(references), f32::INFINITY);
+            return;
+        }
+        walk_two_levels(levels, ray, within, |place, inside| {
+            let list = place.map(|i| &references[starts[i] as usize..starts[i + 1] as usize]);
+            visit(list, inside.max)
+        });
+    }
+}
+
+impl TwoLevelGrid<Facet> {
+    /// A two-level grid of the usual densities; a facet is only in the cells that it itself meets.
+    pub fn of_facets(facets: Vec<Facet>) -> Self {
+        Self::of_facets_with(facets, Densities::USUAL)
+    }
+
+    /// The same, with densities of one's own.
+    pub fn of_facets_with(facets: Vec<Facet>, densities: Densities) -> Self {
+        let (facets, unbounded) = bounded(facets);
+        Self {
+            parts: build::build(facets, densities, grid::by_triangle),
+            unbounded,
+        }
+    }
+}
+
+impl<S: Shape> Accel<S> for TwoLevelGrid<S> {
+    fn closest_counted(
+        &self,
+        ray: &Ray,
+        mut within: Interval,
+        count: &mut impl Count,
+    ) -> Option<(&S, Hit)> {
+        let mut closest = self.unbounded.closest_counted(ray, within, count);
+        if let Some((_, hit)) = closest {
+            within = within.before(hit.t);
+        }
+        let mut asked = Mailbox::new();
+        self.visit(ray, within, |places, leave| {
+            count.tested_box();
+            for &place in places.unwrap_or_default() {
+                if asked.is_first(place) {
+                    count.tested_shape();
+                    let shape = &self.parts.shapes[place as usize];
+                    if let Some(hit) = shape.hit(ray, within) {
+                        within = within.before(hit.t);
+                        closest = Some((shape, hit));
+                    }
+                }
+            }
+            // A coarse cell is visited before its fine cells: only these can end the walk.
+            break_if(places.is_some() && within.max <= leave)
+        });
+        closest
+    }
+
+    fn any(&self, ray: &Ray, within: Interval) -> bool {
+        let mut blocked = self.unbounded.any(ray, within);
+        if !blocked {
+            let mut asked = Mailbox::new();
+            self.visit(ray, within, |places, _| {
+                blocked = places.unwrap_or_default().iter().any(|&place| {
+                    asked.is_first(place) && self.parts.shapes[place as usize].blocks(ray, within)
+                });
+                break_if(blocked)
+            });
+        }
+        blocked
+    }
+}
+
+fn break_if(done: bool) -> ControlFlow<()> {
+    if done {
+        ControlFlow::Break(())
+    } else {
+        ControlFlow::Continue(())
+    }
+}

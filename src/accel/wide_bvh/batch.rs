@@ -1,0 +1,116 @@
+//! Several rays in flight: while one waits for memory, the others go on.
+
+use super::Tree;
+use super::lanes::{Lanes, Work};
+use super::nearest::{Nearest, Seeker};
+use super::node::{CHILDREN, Link};
+use super::stack::{PLACES, Places, Waiting};
+use super::walk;
+use crate::math::{interval::Interval, ray::Ray};
+
+/// So many rays take turns.
+const IN_FLIGHT: usize = 8;
+
+/// A search that can be left after each step, and be taken up again.
+struct Flight {
+    /// Which ray of the batch.
+    ray: usize,
+    seeker: Seeker,
+    found: Nearest,
+    /// What is to be tested next: it has been asked of the memory.
+    next: Link,
+    stack: Places,
+    height: usize,
+}
+
+impl Flight {
+    #[inline(always)]
+    fn new(tree: &Tree, root: Link, rays: &[Ray], ray: usize, within: Interval) -> Self {
+        Self {
+            ray,
+            seeker: Seeker::new(&rays[ray], within.min, tree),
+            found: Nearest::nothing(within.max),
+            next: root,
+            stack: Places::new(),
+            height: 0,
+        }
+    }
+
+    /// Tests one node or leaf, and asks the memory for the next; false at the end.
+    #[inline(always)]
+    fn step<L: Lanes>(&mut self, lanes: L, tree: &Tree) -> bool {
+        if let Some(leaf) = self.next.as_leaf() {
+            let leaf = &tree.leaves[leaf];
+            self.found = self.seeker.test(lanes, tree, leaf, self.found, &mut ());
+        } else if self.height + CHILDREN > PLACES {
+            self.found = walk::closest(lanes, tree, self.next, &self.seeker, self.found, &mut ());
+        } else {
+            let node = &tree.nodes[self.next.index()];
+            let (mut met, t) = lanes.boxes(node, &self.seeker.wide, self.found.limit);
+            let base = self.height;
+            while met != 0 {
+                let lane = met.trailing_zeros() as usize % CHILDREN;
+                met &= met - 1;
+                let child = Waiting::new(t[lane], node.links[lane]);
+                self.stack.insert(base, self.height, child);
+                self.height += 1;
+            }
+        }
+        while self.height > 0 {
+            self.height -= 1;
+            let next = self.stack.0[self.height];
+            if next.t() < self.found.limit {
+                self.next = next.link();
+                lanes.prefetch(tree, self.next);
+                return true;
+            }
+        }
+        false
+    }
+}
+
+/// The nearest hit of each of many rays.
+pub struct Batch<'a> {
+    /// The tree.
+    pub tree: &'a Tree,
+    /// The rays.
+    pub rays: &'a [Ray],
+    /// The distances that count.
+    pub within: Interval,
+}
+
+impl Work for Batch<'_> {
+    type Answer = Vec<Nearest>;
+
+    #[inline(always)]
+    fn with<L: Lanes>(self, lanes: L) -> Vec<Nearest> {
+        let Self { tree, rays, within } = self;
+        let mut answers = vec![Nearest::nothing(within.max); rays.len()];
+        let Some(root) = tree.root else {
+            return answers;
+        };
+        let mut flights: Vec<_> = (0..rays.len().min(IN_FLIGHT))
+            .map(|ray| Flight::new(tree, root, rays, ray, within))
+            .collect();
+        let mut started = flights.len();
+        while !flights.is_empty() {
+            let mut turn = 0;
+            while turn < flights.len() {
+                let flight = &mut flights[turn];
+                if flight.step(lanes, tree) {
+                    turn += 1;
+                    continue;
+                }
+                answers[flight.ray] = flight.found;
+                if started < rays.len() {
+                    *flight = Flight::new(tree, root, rays, started, within);
+                    started += 1;
+                    turn += 1;
+                } else {
+                    flights.swap_remove(turn);
+                }
+            }
+        }
+        answers
+    }
+}

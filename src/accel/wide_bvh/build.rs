@@ -1,0 +1,69 @@
+//! From facets to the tree.
+
+use super::collapse::{binary, collapse};
+use super::node::{Leaf, Link, Node, TRIANGLES};
+use super::{Tree, pages};
+use crate::accel::bvh::build::{Method, build as build_binary, cost::Cost};
+use crate::math::aabb::Aabb;
+use crate::shape::{Shape, mesh::Facet};
+use glam::Vec3A;
+use rayon::prelude::*;
+
+/// Eight boxes at once cost about half as much as a block of triangles; the binary tree, which has seven branches in place
+/// of one node, is made with this in mind.
+const COST: Cost = Cost {
+    branch: 0.5,
+    block: 1.0,
+    block_size: TRIANGLES as u32,
+    most: TRIANGLES as u32,
+};
+
+/// The tree of facets with finite boxes.
+pub fn build(facets: Vec<Facet>, method: Method) -> Tree {
+    let boxes: Vec<Aabb> = facets.par_iter().map(Shape::bounds).collect();
+    let flat = build_binary(&boxes, method, &COST);
+    let old = binary(&flat);
+    let families = collapse(&old);
+    // Where each node of the binary tree that stays is in the new one.
+    let mut links = vec![Link::NONE; old.len()];
+    for (place, family) in families.iter().enumerate() {
+        links[family.branch as usize] = Link::node(place);
+    }
+    let kept = families.iter().flat_map(|family| &family.children);
+    let kept = old.first().map(|_| &0).into_iter().chain(kept);
+    let chosen: Vec<u32> = kept
+        .copied()
+        .filter(|&i| old[i as usize].link.count > 0)
+        .collect();
+    for (place, &leaf) in chosen.iter().enumerate() {
+        links[leaf as usize] = Link::leaf(place);
+    }
+    let mut nodes = pages::list(families.len());
+    let member = |&i: &u32| (old[i as usize].bounds, links[i as usize]);
+    let node = |i: usize| Node::new(families[i].children.iter().map(member));
+    (0..families.len())
+        .into_par_iter()
+        .map(node)
+        .collect_into_vec(&mut nodes);
+    let mut leaves = pages::list(chosen.len());
+    let leaf = |i: usize| {
+        let node = &old[chosen[i] as usize];
+        Leaf::new(
+            &facets,
+            &flat.order[node.link.first as usize..][..node.link.count as usize],
+        )
+    };
+    (0..chosen.len())
+        .into_par_iter()
+        .map(leaf)
+        .collect_into_vec(&mut leaves);
+    Tree {
+        root: links.first().copied(),
+        largest: old.first().map_or(Vec3A::ZERO, |root| {
+            root.bounds.min.abs().max(root.bounds.max.abs()).into()
+        }),
+        nodes,
+        leaves,
+        facets,
+    }
+}

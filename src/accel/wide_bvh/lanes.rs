@@ -1,0 +1,52 @@
+//! What the searches ask of a processor.
+
+use super::Tree;
+use super::node::{CHILDREN, Leaf, Link, Node, TRIANGLES};
+use super::ray::WideRay;
+
+/// Tests of several boxes, and of several triangles, at once.
+pub trait Lanes: Copy {
+    /// The children that the ray meets before `max`, as bits, and where it enters each of them.
+    fn boxes(self, node: &Node, ray: &WideRay, max: f32) -> (u32, [f32; CHILDREN]);
+
+    /// The triangles that the ray hits before `max`.
+    fn triangles(self, leaf: &Leaf, ray: &WideRay, max: f32) -> Struck;
+
+    /// Asks the memory for a child, to have it when it is needed.
+    fn prefetch(self, tree: &Tree, link: Link);
+}
+
+/// A search that any [`Lanes`] can do. It is compiled once for each of them.
+pub trait Work {
+    /// What it finds.
+    type Answer;
+
+    /// Does it.
+    fn with<L: Lanes>(self, lanes: L) -> Self::Answer;
+}
+
+/// Triangles that a ray hits.
+#[derive(Clone, Copy, Debug)]
+pub struct Struck {
+    /// Bit i: triangle i.
+    pub mask: u32,
+    /// Bit i: triangle i is hit so near an edge that only the test of one triangle can tell.
+    pub unsure: u32,
+    /// Distances.
+    pub t: [f32; TRIANGLES],
+    /// Barycentrics of the second corners.
+    pub b1: [f32; TRIANGLES],
+    /// Barycentrics of the third corners.
+    pub b2: [f32; TRIANGLES],
+}
+
+impl Struck {
+    /// None of them.
+    pub const NONE: Self = Self {
+        mask: 0,
+        unsure: 0,
+        t: [0.0; TRIANGLES],
+        b1: [0.0; TRIANGLES],
+        b2: [0.0; TRIANGLES],
+    };
+}

@@ -1,0 +1,185 @@
+//! The wide bounding volume hierarchy: eight children, tested at once.
+
+#![expect(
+    clippy::inline_always,
+    reason = "a function called from AVX2 code is compiled with AVX2 only where it is inlined"
+)]
+
+#[cfg(target_arch = "x86_64")]
+pub mod avx2;
+pub mod batch;
+pub mod build;
+pub mod collapse;
+pub mod lanes;
+pub mod nearest;
+pub mod node;
+pub mod pages;
+pub mod portable;
+pub mod ray;
+pub mod search;
+pub mod stack;
+pub mod validate;
+pub mod walk;
+
+use crate::accel::bvh::build::Method;
+use crate::accel::{Accel, Count, bounded::bounded, list::List};
+use crate::math::{interval::Interval, ray::Ray};
+use crate::shape::{Hit, mesh::Facet};
+#[cfg(target_arch = "x86_64")]
+use avx2::Avx2;
+use batch::Batch;
+use glam::Vec3A;
+use lanes::Work;
+use nearest::Nearest;
+use node::{Leaf, Link, NO_FACET, Node};
+use portable::Portable;
+use search::{Any, Closest};
+
+/// Facets with finite boxes in a tree of eight children per node and four triangles per leaf.
+///
+/// A node that a ray comes to counts as one box tested: its eight are tested at once.
+#[derive(Clone, Debug)]
+pub struct WideBvh {
+    tree: Tree,
+    /// Facets without a finite box, if there are any.
+    beside: Option<Box<List<Facet>>>,
+    #[cfg(target_arch = "x86_64")]
+    avx2: Option<Avx2>,
+}
+
+/// The tree.
+#[derive(Clone, Debug)]
+pub struct Tree {
+    /// The nodes, depth-first.
+    pub nodes: Vec<Node>,
+    /// The leaves, in the order in which the nodes name them.
+    pub leaves: Vec<Leaf>,
+    /// Where to begin; none if there are no facets.
+    pub root: Option<Link>,
+    /// The largest |coordinate| along each axis.
+    pub largest: Vec3A,
+    /// The facets, in the order in which they came.
+    pub facets: Vec<Facet>,
+}
+
+impl WideBvh {
+    /// The tree that is best for its time, with the best instructions of this processor.
+    pub fn new(facets: Vec<Facet>) -> Self {
+        Self::build(facets, Method::Binned)
+    }
+
+    /// A tree that is collapsed from a binary one made by a method of choice.
+    pub fn build(facets: Vec<Facet>, method: Method) -> Self {
+        let all = facets.len();
+        let (facets, beside) = bounded(facets);
+        Self {
+            beside: (facets.len() < all).then(|| Box::new(beside)),
+            tree: build::build(facets, method),
+            #[cfg(target_arch = "x86_64")]
+            avx2: Avx2::detect(),
+        }
+    }
+
+    /// The same tree, searched without this processor's special instructions.
+    #[must_use]
+    pub fn portable(self) -> Self {
+        Self {
+            #[cfg(target_arch = "x86_64")]
+            avx2: None,
+            ..self
+        }
+    }
+
+    /// The nearest hit of each ray, as [`Accel::closest`] finds it.
+    ///
+    /// Faster than one ray after the other where rays go their own ways through a large mesh, for then they wait for memory.
+    pub fn closest_many(&self, rays: &[Ray], within: Interval) -> Vec<Option<(&Facet, Hit)>> {
+        let tree = &self.tree;
+        let found = self.run(within, Batch { tree, rays, within });
+        let both = rays.iter().zip(found);
+        both.map(|(ray, nearest)| self.answer(ray, within, nearest, &mut ()))
+            .collect()
+    }
+
+    /// Checks the invariants of `accel/wide_bvh/validate.rs`.
+    ///
+    /// # Errors
+    /// Says which one is broken, and where.
+    pub fn validate(&self) -> Result<(), String> {
+        validate::validate(&self.tree)
+    }
+
+    /// The tree.
+    pub fn tree(&self) -> &Tree {
+        &self.tree
+    }
+
+    /// Memory in use, in bytes.
+    pub fn bytes(&self) -> usize {
+        let Tree {
+            nodes,
+            leaves,
+            facets,
+            ..
+        } = &self.tree;
+        size_of_val(&nodes[..]) + size_of_val(&leaves[..]) + size_of_val(&facets[..])
+    }
+
+    /// Does the work with the best instructions. They compare distances as integers, which is right from 0 on.
+    #[inline(always)]
+    #[allow(unused_variables)] // without AVX2 the interval makes no difference
+    fn run<W: Work>(&self, within: Interval, work: W) -> W::Answer {
+        #[cfg(target_arch = "x86_64")]
+        if let Some(avx2) = self.avx2.filter(|_| within.min >= 0.0) {
+            return avx2.run(work);
+        }
+        Portable.run(work)
+    }
+
+    /// What was found in the tree, or beside it.
+    #[inline(always)]
+    fn answer(
+        &self,
+        ray: &Ray,
+        within: Interval,
+        nearest: Nearest,
+        count: &mut impl Count,
+    ) -> Option<(&Facet, Hit)> {
+        let in_tree = (nearest.facet != NO_FACET)
+            .then(|| (&self.tree.facets[nearest.facet as usize], nearest.hit));
+        match &self.beside {
+            None => in_tree,
+            Some(list) => {
+                let within = in_tree.map_or(within, |(_, hit)| within.before(hit.t));
+                list.closest_counted(ray, within, count).or(in_tree)
+            }
+        }
+    }
+}
+
+impl Accel<Facet> for WideBvh {
+    fn closest_counted(
+        &self,
+        ray: &Ray,
+        within: Interval,
+        count: &mut impl Count,
+    ) -> Option<(&Facet, Hit)> {
+        let tree = &self.tree;
+        let nearest = self.run(
+            within,
+            Closest {
+                tree,
+                ray,
+                within,
+                count: &mut *count,
+            },
+        );
+        self.answer(ray, within, nearest, count)
+    }
+
+    fn any(&self, ray: &Ray, within: Interval) -> bool {
+        let tree = &self.tree;
+        self.run(within, Any { tree, ray, within })
+            || matches!(&self.beside, Some(list) if list.any(ray, within))
+    }
+}

@@ -1,0 +1,125 @@
+//! What a search carries along: the ray, and the nearest hit so far.
+
+use super::Tree;
+use super::lanes::Lanes;
+use super::node::{Leaf, NO_FACET};
+use super::ray::WideRay;
+use crate::accel::Count;
+use crate::math::{interval::Interval, ray::Ray};
+use crate::shape::{Hit, Shape};
+use glam::Vec2;
+
+/// The nearest hit so far.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Nearest {
+    /// What counts from now on has t < limit.
+    pub limit: f32,
+    /// Which facet was hit, by its place in the list; [`NO_FACET`] for none.
+    pub facet: u32,
+    /// Where.
+    pub hit: Hit,
+}
+
+impl Nearest {
+    /// Nothing yet, with an end of the distances that count.
+    pub fn nothing(limit: f32) -> Self {
+        let hit = Hit {
+            t: f32::INFINITY,
+            uv: Vec2::ZERO,
+            id: 0,
+        };
+        Self {
+            limit,
+            facet: NO_FACET,
+            hit,
+        }
+    }
+
+    /// The nearer of this and another hit: of two at the same distance, that of the facet which is first in the list.
+    ///
+    /// So the answer does not depend on the tree. The limit is the next number after t, for one at t itself must be seen.
+    #[inline(always)]
+    #[must_use]
+    pub fn or(self, facet: u32, hit: Hit) -> Self {
+        if hit.t < self.hit.t || (hit.t == self.hit.t && facet < self.facet) {
+            Self {
+                limit: hit.t.next_up(),
+                facet,
+                hit,
+            }
+        } else {
+            self
+        }
+    }
+}
+
+/// A ray that seeks.
+#[derive(Clone, Copy, Debug)]
+pub struct Seeker {
+    /// As it is.
+    pub ray: Ray,
+    /// Made ready.
+    pub wide: WideRay,
+}
+
+impl Seeker {
+    /// Makes a ray ready for a tree; nothing at or before `min` counts.
+    #[inline(always)]
+    pub fn new(ray: &Ray, min: f32, tree: &Tree) -> Self {
+        Self {
+            ray: *ray,
+            wide: WideRay::new(ray, min, tree.largest),
+        }
+    }
+
+    /// The nearest hit so far, and in a leaf.
+    #[inline(always)]
+    pub fn test<L: Lanes>(
+        &self,
+        lanes: L,
+        tree: &Tree,
+        leaf: &Leaf,
+        mut found: Nearest,
+        count: &mut impl Count,
+    ) -> Nearest {
+        for _ in leaf.facets() {
+            count.tested_shape();
+        }
+        let struck = lanes.triangles(leaf, &self.wide, found.limit);
+        for lane in bits(struck.mask) {
+            let hit = Hit {
+                t: struck.t[lane],
+                uv: Vec2::new(struck.b1[lane], struck.b2[lane]),
+                id: leaf.ids[lane],
+            };
+            found = found.or(leaf.facets[lane], hit);
+        }
+        for lane in bits(struck.unsure) {
+            let facet = &tree.facets[leaf.facets[lane] as usize];
+            if let Some(hit) = facet.hit(&self.ray, Interval::new(self.wide.min, found.limit)) {
+                found = found.or(leaf.facets[lane], hit);
+            }
+        }
+        found
+    }
+
+    /// Whether anything in a leaf is hit before `max`.
+    #[inline(always)]
+    pub fn test_any<L: Lanes>(&self, lanes: L, tree: &Tree, leaf: &Leaf, max: f32) -> bool {
+        let struck = lanes.triangles(leaf, &self.wide, max);
+        let within = Interval::new(self.wide.min, max);
+        let blocks =
+            |lane: usize| tree.facets[leaf.facets[lane] as usize].blocks(&self.ray, within);
+        struck.mask != 0 || bits(struck.unsure).any(blocks)
+    }
+}
+
+/// The numbers of the bits that are set.
+#[inline(always)]
+fn bits(mut mask: u32) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let lane = (mask != 0).then(|| mask.trailing_zeros() as usize)?;
+        mask &= mask - 1;
+        Some(lane)
+    })
+}

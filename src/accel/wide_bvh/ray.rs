@@ -1,0 +1,70 @@
+//! A ray made ready for eight boxes at once.
+
+use crate::math::ray::Ray;
+use crate::shape::triangle_watertight::Shear;
+use glam::Vec3A;
+
+/// The least |d| along an axis, so that 1/d is finite; over the widest scene, 1e18 m, it moves a ray by a metre.
+const LEAST: f32 = 1e-18;
+
+/// k: how many roundings a plane is moved away; see [`WideRay`].
+const ROUNDINGS: f32 = 16.0;
+
+/// What a ray's tests share.
+///
+/// A plane b is met at t = (b − o)/d. One fused operation per plane, b·(1/d) + (−o/d), is cheaper, but where b and o are
+/// close it subtracts two large numbers, and its error is absolute: with u = 2⁻²⁴, the quotient 1/d is wrong by a factor
+/// 1 ± u, o·(1/d) by 1 ± 2u, and each sum by u of itself, together at most 5u·(|b| + |o|)/|d|. So near planes are moved
+/// towards the ray and far planes away from it by
+///
+/// pad = k·u·(largest |b| of the scene + |o|)/|d|,
+///
+/// once per ray, as part of −o/d: no box is missed by rounding, and it costs nothing per box. The test of a triangle moves
+/// its corners by up to 8u·(|b| + |o|) too ([`triangle_watertight`](crate::shape::triangle_watertight)): k = 16 holds both.
+#[derive(Clone, Copy, Debug)]
+pub struct WideRay {
+    /// 1/d.
+    pub inverse: Vec3A,
+    /// −o/d − pad, for planes through which the ray enters.
+    pub enter: Vec3A,
+    /// −o/d + pad, for planes through which it leaves.
+    pub leave: Vec3A,
+    /// Which rows of a node hold the planes through which the ray enters; those through which it leaves are in `near ^ 1`.
+    pub near: [usize; 3],
+    /// What moves a triangle into the ray's frame.
+    pub shear: Shear,
+    /// o along the shear's axes.
+    pub origin: [f32; 3],
+    /// Nothing at or before this distance counts.
+    pub min: f32,
+}
+
+impl WideRay {
+    /// Makes a ray ready for a scene whose coordinates are at most `largest`.
+    #[inline(always)]
+    pub fn new(ray: &Ray, min: f32, largest: Vec3A) -> Self {
+        let (o, d) = (Vec3A::from(ray.origin), Vec3A::from(*ray.direction));
+        let inverse = d.abs().max(Vec3A::splat(LEAST)).copysign(d).recip();
+        // Finite, whatever the origin: −o/d ± pad must not be ∞ − ∞.
+        let finite = |v: Vec3A| v.max(Vec3A::splat(f32::MIN)).min(Vec3A::MAX);
+        let middle = -o * inverse;
+        let pad = (ROUNDINGS * 0.5 * f32::EPSILON) * (largest + o.abs()) * inverse.abs();
+        let shear = Shear::along(ray);
+        let backwards = d.is_negative_bitmask() as usize;
+        let origin = ray.origin.to_array();
+        let [x, y, z] = shear.axes;
+        Self {
+            inverse,
+            enter: finite(middle - pad),
+            leave: finite(middle + pad),
+            near: [
+                backwards & 1,
+                2 + (backwards >> 1 & 1),
+                4 + (backwards >> 2 & 1),
+            ],
+            origin: [origin[x], origin[y], origin[z]],
+            shear,
+            min,
+        }
+    }
+}

@@ -1,0 +1,127 @@
+//! The searches of one ray: near children first, and nothing beyond the nearest hit.
+
+use super::Tree;
+use super::lanes::Lanes;
+use super::nearest::{Nearest, Seeker};
+use super::node::{CHILDREN, Link};
+use super::stack::{PLACES, Places, Waiting};
+use crate::accel::Count;
+
+// ANCHOR: wide_closest
+/// The nearest hit at or below the node or leaf `link`, if it is nearer than what was found so far.
+///
+/// Eight boxes are tested at once. Of the children met, the nearest is next and the others wait, the farthest at the bottom
+/// of the stack; whoever comes up after a hit that is nearer than its box has waited in vain.
+#[inline(always)]
+pub fn closest<L: Lanes>(
+    lanes: L,
+    tree: &Tree,
+    mut link: Link,
+    seeker: &Seeker,
+    mut found: Nearest,
+    count: &mut impl Count,
+) -> Nearest {
+    let (mut stack, mut height) = (Places::new(), 0);
+    loop {
+        if let Some(leaf) = link.as_leaf() {
+            found = seeker.test(lanes, tree, &tree.leaves[leaf], found, count);
+        } else if height + CHILDREN > PLACES {
+            found = deeper(lanes, tree, link, *seeker, found, count);
+        } else {
+            let node = &tree.nodes[link.index()];
+            count.tested_box();
+            let (mut met, t) = lanes.boxes(node, &seeker.wide, found.limit);
+            if met != 0 {
+                let lane = met.trailing_zeros() as usize % CHILDREN;
+                met &= met - 1;
+                link = node.links[lane];
+                if met == 0 {
+                    continue;
+                }
+                lanes.prefetch(tree, link);
+                let (mut near, base) = (Waiting::new(t[lane], link), height);
+                while met != 0 {
+                    let lane = met.trailing_zeros() as usize % CHILDREN;
+                    met &= met - 1;
+                    let other = Waiting::new(t[lane], node.links[lane]);
+                    lanes.prefetch(tree, other.link());
+                    stack.insert(base, height, near.max(other));
+                    height += 1;
+                    near = near.min(other);
+                }
+                link = near.link();
+                continue;
+            }
+        }
+        loop {
+            if height == 0 {
+                return found;
+            }
+            height -= 1;
+            let next = stack.0[height];
+            if next.t() < found.limit {
+                link = next.link();
+                break;
+            }
+        }
+    }
+}
+// ANCHOR_END: wide_closest
+
+/// The same with a stack of its own: a tree may be deeper than any stack of fixed size.
+#[cold]
+#[inline(never)]
+fn deeper<L: Lanes>(
+    lanes: L,
+    tree: &Tree,
+    link: Link,
+    seeker: Seeker,
+    found: Nearest,
+    count: &mut impl Count,
+) -> Nearest {
+    closest(lanes, tree, link, &seeker, found, count)
+}
+
+/// Whether anything is hit at or below a node or leaf. No child needs to be nearer than another, so nothing is sorted.
+#[inline(always)]
+pub fn any<L: Lanes>(lanes: L, tree: &Tree, mut link: Link, seeker: &Seeker, max: f32) -> bool {
+    let (mut stack, mut height) = ([link; PLACES], 0);
+    loop {
+        if let Some(leaf) = link.as_leaf() {
+            if seeker.test_any(lanes, tree, &tree.leaves[leaf], max) {
+                return true;
+            }
+        } else if height + CHILDREN > PLACES {
+            if deeper_any(lanes, tree, link, *seeker, max) {
+                return true;
+            }
+        } else {
+            let node = &tree.nodes[link.index()];
+            let (mut met, _) = lanes.boxes(node, &seeker.wide, max);
+            if met != 0 {
+                link = node.links[met.trailing_zeros() as usize % CHILDREN];
+                met &= met - 1;
+                while met != 0 {
+                    let other = node.links[met.trailing_zeros() as usize % CHILDREN];
+                    met &= met - 1;
+                    lanes.prefetch(tree, other);
+                    stack[height] = other;
+                    height += 1;
+                }
+                continue;
+            }
+        }
+        if height == 0 {
+            return false;
+        }
+        height -= 1;
+        link = stack[height];
+    }
+}
+
+/// The same with a stack of its own.
+#[cold]
+#[inline(never)]
+fn deeper_any<L: Lanes>(lanes: L, tree: &Tree, link: Link, seeker: Seeker, max: f32) -> bool {
+    any(lanes, tree, link, &seeker, max)
+}

@@ -7,7 +7,8 @@
 //! New: accel/bvh/build/tree.rs accel/bvh/build/top_down.rs accel/bvh/build/halves.rs accel/bvh/build/cost.rs
 //! New: accel/bvh/build/sweep.rs accel/bvh/build/binned.rs accel/bvh/build/bottom_up.rs accel/bvh/build/flat.rs
 
-use raybook::accel::{Accel, bvh::Bvh, grid::Grid, list::List};
+use raybook::accel::two_level_grid::TwoLevelGrid;
+use raybook::accel::{Accel, bvh::Bvh, grid::Grid, list::List, octree::Octree};
 use raybook::lab::showroom::{self, Showroom};
 use raybook::lab::stage::{Drawn, Stage};
 use raybook::lab::tree_levels;
@@ -17,6 +18,8 @@ use raybook::render::film::Film;
 use raybook::scene::terrain::terrain;
 use raybook::shape::{mesh::Mesh, teapot};
 use std::process::ExitCode;
+
+const AHEAD: Interval = Interval::AHEAD;
 
 /// Draws the chapter's pictures.
 pub(crate) fn draw(stage: &Stage) -> Drawn {
@@ -54,23 +57,28 @@ fn draw_teapot(film: &Film, stage: &Stage, mesh: &Mesh) -> Drawn {
     let heat = heat::heat(film, |place| room.ray(place), &tree);
     stage.figure("heat", caption, &heat.figure("boxes tested")?)?;
 
-    let (list, grid) = (List::new(mesh.facets()), Grid::of_facets(mesh.facets()));
-    let structures: [speeds::Searcher; 3] = [
-        ("list", &|ray| list.closest(ray, Interval::AHEAD).is_some()),
-        ("grid", &|ray| grid.closest(ray, Interval::AHEAD).is_some()),
-        ("tree", &|ray| tree.closest(ray, Interval::AHEAD).is_some()),
-    ];
-    let caption =
-        "How many rays of the camera each structure answers in a second, over the same teapot.";
-    let note = format!(
-        "the camera's rays, a teapot of {} triangles",
-        mesh.triangles().len()
-    );
+    let facets = || mesh.facets();
+    let (list, grid) = (List::new(facets()), Grid::of_facets(facets()));
+    let two_level = TwoLevelGrid::of_facets(facets());
+    let octree = Octree::of_facets(facets());
     let figure = speeds::figure(
         &speeds::rays(film, |place| room.ray(place)),
-        &structures,
-        &note,
+        &[
+            ("list", &|ray| list.closest(ray, AHEAD).is_some()),
+            ("grid", &|ray| grid.closest(ray, AHEAD).is_some()),
+            ("two-level grid", &|ray| {
+                two_level.closest(ray, AHEAD).is_some()
+            }),
+            ("octree", &|ray| octree.closest(ray, AHEAD).is_some()),
+            ("BVH", &|ray| tree.closest(ray, AHEAD).is_some()),
+        ],
+        &format!(
+            "the camera's rays, a teapot of {} triangles",
+            mesh.triangles().len()
+        ),
     )?;
+    let caption =
+        "How many rays of the camera each structure answers in a second, over the same teapot.";
     stage.figure("speeds", caption, &figure)
 }
 

@@ -76,7 +76,8 @@ pub struct RayPair {
     within: Vec4,
 }
 
-/// Three roundings in a distance, and two in making it safe, each of 2⁻²⁴ of the result (Ize 2013); with a margin.
+/// Each of the two distances that are compared has three roundings of 2⁻²⁴ of the result, and making them safe two more
+/// (Ize 2013).
 const SLACK: f32 = 8.0 * (f32::EPSILON / 2.0);
 
 impl RayPair {
@@ -84,7 +85,8 @@ impl RayPair {
     #[inline]
     pub fn new(ray: &Ray, within: Interval) -> Self {
         let (o, d) = (ray.origin, *ray.direction);
-        // So the ray never starts in a plane, and where it runs in one, 0·∞ does not happen.
+        // A ray that runs in a plane is moved off it, to the box's side: 0·∞ does not happen there. Where it happens beside
+        // the box, so near that the move matters, `max` drops the NaN, and the box is opened in vain.
         let step = (o.abs() * f32::EPSILON + f32::MIN_POSITIVE).copysign(d);
         let (near, far, inverse) = (o + step, o - step, d.recip());
         let both = |near: f32, far: f32| vec4(near, near, far, far);
@@ -111,7 +113,7 @@ impl RayPair {
         self.within = vec4(self.within.x, self.within.y, -t, -t);
     }
 
-    /// Where the ray enters the left and the right box, at the earliest; `None` for a box that it certainly does not meet
+    /// Where the ray enters the left and the right box, up to rounding; `None` for a box that it certainly does not meet
     /// within the interval.
     #[inline]
     pub fn enters(&self, pair: &Pair) -> [Option<f32>; 2] {

@@ -57,7 +57,7 @@ pub fn draw() -> Result<Image, Box<dyn Error>> {
             canvas.draw(&Rectangle::new(corners, colour.mix(0.16).filled()))?;
             canvas.draw(&Rectangle::new(corners, colour.stroke_width(5)))?;
             let middle = pixel(vec2(0.5 * (x0 + x1), y1 - 0.26));
-            text(canvas, &lane.to_string(), middle, 44, &colour)?;
+            text(canvas, &lane.to_string(), middle, 44, colour)?;
         }
         let end = vec2(0.2, 0.5) + 9.3 * vec2(9.0, 3.2).normalize();
         let line = vec![pixel(vec2(0.2, 0.5)), pixel(end)];
@@ -72,6 +72,9 @@ pub fn draw() -> Result<Image, Box<dyn Error>> {
 }
 
 /// The lanes' sums, a column for each.
+/// A row of the table: its name, and what it has for each lane.
+type Row<'a> = (&'a str, &'a dyn Fn(usize) -> String);
+
 fn table(canvas: &Canvas, node: &Node, ray: &Ray, met: u32, order: &[usize]) -> Drawn {
     let along = |row: usize, lane: usize| {
         let axis = row / 2;
@@ -79,7 +82,6 @@ fn table(canvas: &Canvas, node: &Node, ray: &Ray, met: u32, order: &[usize]) -> 
     };
     let enter = |lane: usize| along(0, lane).max(along(2, lane)).max(0.0);
     let leave = |lane: usize| along(1, lane).min(along(3, lane));
-    type Row<'a> = (&'a str, &'a dyn Fn(usize) -> String);
     let number = |t: f32| format!("{t:.1}");
     let rows: [Row; 8] = [
         ("lane", &|lane| lane.to_string()),
@@ -101,10 +103,10 @@ fn table(canvas: &Canvas, node: &Node, ray: &Ray, met: u32, order: &[usize]) -> 
             let band = [(60, y - 38), (1860, y + 38)];
             canvas.draw(&Rectangle::new(band, FAINT.mix(0.3).filled()))?;
         }
-        text(canvas, name, (200, y), 40, &INK)?;
+        text(canvas, name, (200, y), 40, INK)?;
         for lane in 0..CHILDREN {
             let x = 460 + 180 * lane as i32;
-            text(canvas, &cell(lane), (x, y), 40, &colour(met, lane))?;
+            text(canvas, &cell(lane), (x, y), 40, colour(met, lane))?;
         }
     }
     Ok(())
@@ -123,8 +125,8 @@ fn pixel(p: Vec2) -> (i32, i32) {
     (at.x as i32, at.y as i32)
 }
 
-fn text(canvas: &Canvas, text: &str, at: (i32, i32), size: i32, colour: &RGBColor) -> Drawn {
-    let style = (FONT, size).into_font().color(colour);
+fn text(canvas: &Canvas, text: &str, at: (i32, i32), size: i32, colour: RGBColor) -> Drawn {
+    let style = (FONT, size).into_font().color(&colour);
     let style = style.pos(Pos::new(HPos::Center, VPos::Center));
     canvas.draw(&Text::new(text.to_owned(), at, style))?;
     Ok(())

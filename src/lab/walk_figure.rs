@@ -3,7 +3,7 @@
 use crate::accel::grid::build::voxels_of_triangle;
 use crate::accel::{lattice::Lattice, walk::walk};
 use crate::image::Image;
-use crate::lab::figure::{FONT, figure};
+use crate::lab::figure::{Canvas, FONT, figure};
 use crate::lab::palette::{BLUE, FAINT, GREEN, INK, ORANGE, SKY, VERMILION};
 use crate::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray};
 use glam::{UVec3, Vec3, uvec3, vec2, vec3};
@@ -128,20 +128,26 @@ pub fn diagram() -> Result<Image, Box<dyn Error>> {
         canvas.draw(&Circle::new(at(ray.at(hit)), 17, VERMILION.filled()))?;
         text("hit", ray.at(hit) + vec3(0.32, -0.08, 0.0), 46, VERMILION)?;
 
-        let legend = [
-            (0.9, "crosses a plane x = i", BLUE),
-            (3.9, "crosses a plane y = j", GREEN),
-            (6.9, "triangle tested", VERMILION),
-        ];
-        for (x, name, colour) in legend {
-            let place = vec3(x - 0.85, 5.5, 0.0);
-            canvas.draw(&Circle::new(at(place), 13, colour.filled()))?;
-            let start = Pos::new(HPos::Left, VPos::Center);
-            let style = (FONT, 42).into_font().color(&INK).pos(start);
-            canvas.draw(&Text::new(name, at(place + vec3(0.16, 0.0, 0.0)), style))?;
-        }
+        legend(canvas, at)?;
         Ok(())
     })
+}
+
+/// What the colours mean, above the grid.
+fn legend(canvas: &Canvas, at: impl Fn(Vec3) -> (i32, i32)) -> Result<(), Box<dyn Error>> {
+    let names = [
+        (0.9, "crosses a plane x = i", BLUE),
+        (3.9, "crosses a plane y = j", GREEN),
+        (6.9, "triangle tested", VERMILION),
+    ];
+    for (x, name, colour) in names {
+        let place = vec3(x - 0.85, 5.5, 0.0);
+        canvas.draw(&Circle::new(at(place), 13, colour.filled()))?;
+        let start = Pos::new(HPos::Left, VPos::Center);
+        let style = (FONT, 42).into_font().color(&INK).pos(start);
+        canvas.draw(&Text::new(name, at(place + vec3(0.16, 0.0, 0.0)), style))?;
+    }
+    Ok(())
 }
 
 /// The distance at which the ray meets a triangle that is seen from its edge.

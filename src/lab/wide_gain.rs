@@ -61,6 +61,9 @@ pub fn steps(rays: &[Ray], two: &Bvh<Facet>, eight: &WideBvh) -> Result<Image, B
     )
 }
 
+/// A name, and what follows all of some rays.
+type Contestant<'a> = (&'a str, &'a dyn Fn(&[Ray]));
+
 /// Million rays per second for each step of the way, on one thread.
 ///
 /// # Errors
@@ -78,16 +81,15 @@ pub fn gain(
         }
     };
     let ahead = Interval::AHEAD;
-    type Contestant<'a> = (&'a str, &'a dyn Fn(&[Ray]));
     let contestants: [Contestant; 4] = [
         ("two children", &|rays| {
-            each(rays, &|ray| two.closest(ray, ahead).is_some())
+            each(rays, &|ray| two.closest(ray, ahead).is_some());
         }),
         ("eight, any processor", &|rays| {
-            each(rays, &|ray| portable.closest(ray, ahead).is_some())
+            each(rays, &|ray| portable.closest(ray, ahead).is_some());
         }),
         ("eight, this processor", &|rays| {
-            each(rays, &|ray| eight.closest(ray, ahead).is_some())
+            each(rays, &|ray| eight.closest(ray, ahead).is_some());
         }),
         ("eight rays in turn", &|rays| {
             black_box(eight.closest_many(rays, ahead));

@@ -129,7 +129,7 @@ fn closest(q: &mut Question, hit: HitTriangle, late: bool) -> Answer {
             (enters, child)
         }));
     }
-    let mut answer = vec![boxes as f64, tests as f64];
+    let mut answer = vec![boxes as f64, f64::from(tests)];
     match found {
         Some((t, id)) => answer.extend([t, id as f64]),
         None => answer.push(NONE),

@@ -18,9 +18,9 @@ pub const ALTERNATIVES: &[Alternative] = &[
                 let side = (content / (density * shapes)).powf(1.0 / count as f64);
                 // 0/0 is not enough either.
                 if extents[thick[count - 1]] / side >= 1.0 {
-                    thick
-                        .iter()
-                        .for_each(|&a| cells[a] = (extents[a] / side).round());
+                    for &a in thick {
+                        cells[a] = (extents[a] / side).round();
+                    }
                     break;
                 }
             }

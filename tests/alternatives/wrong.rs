@@ -79,8 +79,8 @@ const WRONGS: &[Wrong] = &[
     }),
     (&["bvh_closest"], "t is 1 % too large", |hit| hit[2] *= 1.01),
     (&["bvh_closest"], "ids count from 1", |hit| hit[3] += 1.0),
-    (&["bvh_closest"], "twice as many tests", |hit| {
-        hit[0] = 2.0 * hit[0] + 3.0;
+    (&["bvh_closest"], "three times as many tests", |hit| {
+        hit[0] = 3.0 * hit[0] + 9.0;
     }),
     (
         &["collapse"],
@@ -90,7 +90,7 @@ const WRONGS: &[Wrong] = &[
         },
     ),
     (&["wide_closest"], "t is 1 % too large", |hit| {
-        hit[2] *= 1.01
+        hit[2] *= 1.01;
     }),
     (&["wide_closest"], "three times as many nodes", |hit| {
         hit[0] = 3.0 * hit[0] + 2.0;

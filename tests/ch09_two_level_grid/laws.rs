@@ -49,8 +49,7 @@ fn short_rays_in_a_soup_cost_the_same_with_any_number_of_triangles() {
     let costs =
         [1000, 10_000, 100_000].map(|n| mean_tests(n, Reach::Near, TwoLevelGrid::of_facets));
     println!("{costs:?}");
-    for i in 0..2 {
-        let (first, last) = (costs[0][i], costs[2][i]);
+    for (first, last) in costs[0].into_iter().zip(costs[2]) {
         assert!(
             (last / first - 1.0).abs() < 0.4,
             "from {first:.1} to {last:.1}"

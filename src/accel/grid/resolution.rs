@@ -2,7 +2,11 @@
 
 use glam::{UVec3, Vec3};
 
-/// λ: cells per shape, if [`grid_resolution`] is not asked otherwise.
+/// λ: cells per shape, if nobody says otherwise.
+///
+/// Measured on the Stanford bunny, with λ from 2.5 to 40: for rays from a camera 2.5 to 20 are alike; rays from the surface are
+/// fastest at 10, and 5 costs them a seventh more; rays from everywhere to everywhere are fastest at 2.5, for more cells are
+/// more memory to wait for, and 5 costs them a sixth more. So 5 is in between. The chapter draws such a measurement.
 pub const DENSITY: f32 = 5.0;
 
 // ANCHOR: grid_resolution

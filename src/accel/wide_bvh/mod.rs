@@ -1,5 +1,10 @@
 //! The wide bounding volume hierarchy: eight children, tested at once.
 
+#![expect(
+    clippy::inline_always,
+    reason = "a function called from AVX2 code is compiled with AVX2 only where it is inlined"
+)]
+
 #[cfg(target_arch = "x86_64")]
 pub mod avx2;
 pub mod batch;

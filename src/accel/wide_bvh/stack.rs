@@ -38,6 +38,13 @@ pub const PLACES: usize = 40;
 #[repr(C, align(64))]
 pub struct Places(pub [Waiting; PLACES]);
 
+impl Default for Places {
+    #[inline(always)]
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 impl Places {
     /// Empty ones.
     #[inline(always)]

@@ -500,15 +500,6 @@ impl Graded for GridWalk {
     });
 
     fn edges() -> Vec<Edge<Self>> {
-        let question = |origin: Vec3, toward: Vec3, within| GridWalkQuestion {
-            min: vec3(0.0, 0.0, 0.0),
-            cell: vec3(1.0, 1.0, 1.0),
-            nx: 4,
-            ny: 3,
-            nz: 2,
-            ray: Ray::new(origin, Dir3::new_or(toward, Dir3::Z)),
-            within,
-        };
         let ahead = Interval::AHEAD;
         let beside = |y: u32, from: f32| {
             (0..4)
@@ -520,13 +511,7 @@ impl Graded for GridWalk {
                 })
                 .collect()
         };
-        let one = |q: GridWalkQuestion| GridWalkQuestion {
-            nx: 1,
-            ny: 1,
-            nz: 1,
-            ..q
-        };
-        vec![
+        let mut edges = vec![
             Edge::new("along x", question(vec3(-1.0, 1.5, 0.5), Vec3::X, ahead)),
             Edge::new(
                 "along −x",
@@ -573,47 +558,9 @@ impl Graded for GridWalk {
                 question(vec3(-1.0, 1.0, 0.5), Vec3::X, ahead),
             )
             .or(beside(0, 1.0)),
-            Edge::new(
-                "the interval ends inside",
-                question(
-                    vec3(-1.0, 1.5, 0.5),
-                    vec3(1.0, 0.1, 0.0),
-                    Interval::new(0.0, 3.3),
-                ),
-            ),
-            Edge::new(
-                "the interval begins inside",
-                question(
-                    vec3(-1.0, 1.5, 0.5),
-                    vec3(1.0, 0.1, 0.0),
-                    Interval::new(2.7, f32::INFINITY),
-                ),
-            ),
-            Edge::new(
-                "the interval ends before it",
-                question(vec3(-1.0, 1.5, 0.5), Vec3::X, Interval::new(0.0, 0.5)),
-            ),
-            Edge::new(
-                "it is behind",
-                question(vec3(-1.0, 1.5, 0.5), Vec3::NEG_X, ahead),
-            ),
-            Edge::new(
-                "beside it, parallel",
-                question(vec3(-1.0, 3.5, 0.5), Vec3::X, ahead),
-            ),
-            Edge::new(
-                "a single cell",
-                one(question(vec3(-1.0, 0.2, 0.3), vec3(1.0, 0.3, 0.1), ahead)),
-            ),
-            Edge::new(
-                "from far away",
-                question(
-                    vec3(-300.0, 200.0, 100.0),
-                    vec3(302.1, -198.4, -99.1),
-                    ahead,
-                ),
-            ),
-        ]
+        ];
+        edges.extend(edges_of_the_walk());
+        edges
     }
 
     fn random(rng: &mut Pcg) -> GridWalkQuestion {
@@ -680,6 +627,72 @@ impl Graded for GridWalk {
             None => Ok(()),
         }
     }
+}
+
+/// A question about 4 × 3 × 2 cells of a metre.
+fn question(origin: Vec3, toward: Vec3, within: Interval) -> GridWalkQuestion {
+    GridWalkQuestion {
+        min: Vec3::ZERO,
+        cell: Vec3::ONE,
+        nx: 4,
+        ny: 3,
+        nz: 2,
+        ray: Ray::new(origin, Dir3::new_or(toward, Dir3::Z)),
+        within,
+    }
+}
+
+/// Where it begins and ends, and whether there is one.
+fn edges_of_the_walk() -> Vec<Edge<GridWalk>> {
+    let ahead = Interval::AHEAD;
+    let one = |q: GridWalkQuestion| GridWalkQuestion {
+        nx: 1,
+        ny: 1,
+        nz: 1,
+        ..q
+    };
+    vec![
+        Edge::new(
+            "the interval ends inside",
+            question(
+                vec3(-1.0, 1.5, 0.5),
+                vec3(1.0, 0.1, 0.0),
+                Interval::new(0.0, 3.3),
+            ),
+        ),
+        Edge::new(
+            "the interval begins inside",
+            question(
+                vec3(-1.0, 1.5, 0.5),
+                vec3(1.0, 0.1, 0.0),
+                Interval::new(2.7, f32::INFINITY),
+            ),
+        ),
+        Edge::new(
+            "the interval ends before it",
+            question(vec3(-1.0, 1.5, 0.5), Vec3::X, Interval::new(0.0, 0.5)),
+        ),
+        Edge::new(
+            "it is behind",
+            question(vec3(-1.0, 1.5, 0.5), Vec3::NEG_X, ahead),
+        ),
+        Edge::new(
+            "beside it, parallel",
+            question(vec3(-1.0, 3.5, 0.5), Vec3::X, ahead),
+        ),
+        Edge::new(
+            "a single cell",
+            one(question(vec3(-1.0, 0.2, 0.3), vec3(1.0, 0.3, 0.1), ahead)),
+        ),
+        Edge::new(
+            "from far away",
+            question(
+                vec3(-300.0, 200.0, 100.0),
+                vec3(302.1, -198.4, -99.1),
+                ahead,
+            ),
+        ),
+    ]
 }
 
 /// The visits without those of cells that the ray only touches, as in an edge or a corner: in which order these come,

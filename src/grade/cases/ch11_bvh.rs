@@ -628,6 +628,10 @@ fn one_leaf(q: &BvhBuildQuestion) -> BvhBuildAnswer {
     }
 }
 
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a mistake of its own"
+)]
 /// How a search goes.
 #[derive(Clone, Copy)]
 struct How {
@@ -860,7 +864,7 @@ impl Graded for BvhClosest {
                 [p0, p1, p2].map(|p| 0.6 * (p + at + tilt))
             });
             question(
-                tiles.collect(),
+                &tiles.collect::<Vec<_>>(),
                 Ray::new(vec3(0.0, 0.0, 3.0), Dir3::new_or(toward, Dir3::Z)),
                 Interval::AHEAD,
             )
@@ -875,8 +879,13 @@ impl Graded for BvhClosest {
 
     fn edges() -> Vec<Edge<Self>> {
         let wall = |z: f32| [vec3(-2.0, -2.0, z), vec3(2.0, -2.0, z), vec3(0.0, 3.0, z)];
-        let walls =
-            |zs: &[f32], ray, within| question(zs.iter().map(|&z| wall(z)).collect(), ray, within);
+        let walls = |zs: &[f32], ray, within| {
+            question(
+                &zs.iter().map(|&z| wall(z)).collect::<Vec<_>>(),
+                ray,
+                within,
+            )
+        };
         let ray = Ray::new(Vec3::ZERO, Dir3::Z);
         let ahead = Interval::AHEAD;
         let row = [2.0, 4.0, 6.0, 8.0, 10.0, 12.0, 14.0, 16.0];
@@ -922,7 +931,7 @@ impl Graded for BvhClosest {
             Edge::new(
                 "the nearer box has the farther hit",
                 question(
-                    vec![slanted(4.0), slanted(4.5), wall(3.0), wall(3.5)],
+                    &[slanted(4.0), slanted(4.5), wall(3.0), wall(3.5)],
                     ray,
                     ahead,
                 ),
@@ -935,7 +944,7 @@ impl Graded for BvhClosest {
             let center = sample::point(rng, 2.0);
             std::array::from_fn(|_| center + sample::point(rng, 1.0))
         });
-        let triangles = triangles.collect();
+        let triangles: Vec<_> = triangles.collect();
         let origin = sample::point(rng, 4.0);
         let toward = sample::point(rng, 1.5) - origin;
         let end = if rng.random_bool(0.2) {
@@ -944,7 +953,7 @@ impl Graded for BvhClosest {
             f32::INFINITY
         };
         let ray = Ray::new(origin, Dir3::new_or(toward, Dir3::X));
-        question(triangles, ray, Interval::new(0.0, end))
+        question(&triangles, ray, Interval::new(0.0, end))
     }
 
     fn judge(
@@ -988,7 +997,7 @@ fn few(what: &str, golden: u32, got: u32) -> Verdict {
 }
 
 /// The question about triangles in a tree of small leaves.
-fn question(triangles: Vec<[Vec3; 3]>, ray: Ray, within: Interval) -> BvhClosestQuestion {
+fn question(triangles: &[[Vec3; 3]], ray: Ray, within: Interval) -> BvhClosestQuestion {
     let boxes: Vec<_> = triangles
         .iter()
         .map(|&corners| {

@@ -337,6 +337,10 @@ fn chain(n: u32) -> CollapseQuestion {
     CollapseQuestion { nodes }
 }
 
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a mistake of its own"
+)]
 /// How a search goes wrong.
 #[derive(Clone, Copy)]
 struct How {

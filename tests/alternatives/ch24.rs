@@ -1,6 +1,6 @@
 //! Chapter 24: wide trees.
 
-use crate::student::{Alternative, Answer, NONE, Question, Ray};
+use crate::student::{Alternative, Answer, Question, Ray};
 use crate::triangle::{Corners, plane_then_inside, volumes};
 use glam::DVec3;
 use std::collections::VecDeque;

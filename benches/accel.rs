@@ -46,7 +46,7 @@ fn bench<A: Accel<Facet>>(
     let mut group = criterion.benchmark_group("build");
     group.throughput(Throughput::Elements(facets.len() as u64));
     group.bench_function(name, |bencher| {
-        bencher.iter(|| build(black_box(facets.clone())))
+        bencher.iter(|| build(black_box(facets.clone())));
     });
     group.finish();
 
@@ -55,7 +55,7 @@ fn bench<A: Accel<Facet>>(
         let mut group = criterion.benchmark_group(question);
         group.throughput(Throughput::Elements(rays.len() as u64));
         group.bench_function(name, |bencher| {
-            bencher.iter(|| rays.iter().for_each(answer))
+            bencher.iter(|| rays.iter().for_each(answer));
         });
         group.finish();
     };

@@ -11,7 +11,7 @@ use raybook::accel::{Accel, bvh::Bvh, grid::Grid, list::List};
 use raybook::lab::showroom::{self, Showroom};
 use raybook::lab::stage::{Drawn, Stage};
 use raybook::lab::tree_levels;
-use raybook::lab::{builders, chapter, flatland, growth, heat, mountains, speeds, three_stages};
+use raybook::lab::{builders, chapter, flat_boxes, growth, heat, mountains, speeds, three_stages};
 use raybook::math::interval::Interval;
 use raybook::render::film::Film;
 use raybook::scene::terrain::terrain;
@@ -35,7 +35,7 @@ pub(crate) fn draw(stage: &Stage) -> Drawn {
     let caption = "The three stages: a box around each triangle, boxes around boxes, and the tree as an array without pointers.";
     stage.figure("stages", caption, &three_stages::draw()?)?;
     let caption = "Two trees over the same 22 triangles. In the left one, boxes are large, long and overlap; the cost says how much work that is.";
-    stage.figure("organisations", caption, &flatland::two_organisations()?)?;
+    stage.figure("organisations", caption, &flat_boxes::two_organisations()?)?;
     let caption = "Time to build a tree over the teapot, and what a search of it costs, for each of the builders.";
     let teapot = teapot::mesh(24);
     stage.figure("builders", caption, &builders::figure(&teapot.facets())?)?;

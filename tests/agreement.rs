@@ -52,7 +52,7 @@ fn every_structure_agrees_with_the_list_on_facets() {
     let seen = Seen::default();
     let questions = prop::collection::vec(rays::recipe(), RAYS);
     let tried = runner(SCENES).run(&(scenes::facets(), questions), |(scene, questions)| {
-        compare(&scene, &questions, facets(&scene.shapes), &seen)
+        compare(&scene, &questions, &facets(&scene.shapes), &seen)
     });
     finish(tried.map_err(|error| error.to_string()), &seen);
 }
@@ -62,7 +62,7 @@ fn every_structure_of_any_shapes_agrees_with_the_list() {
     let seen = Seen::default();
     let questions = prop::collection::vec(rays::recipe(), RAYS);
     let tried = runner(SCENES).run(&(scenes::things(), questions), |(scene, questions)| {
-        compare(&scene, &questions, things(&scene.shapes), &seen)
+        compare(&scene, &questions, &things(&scene.shapes), &seen)
     });
     finish(tried.map_err(|error| error.to_string()), &seen);
 }
@@ -83,11 +83,11 @@ fn finish(tried: Result<(), String>, seen: &Seen) {
 fn compare<S: Shape + Copy + PartialEq + Debug>(
     scene: &Scene<S>,
     questions: &[RayRecipe],
-    structures: Vec<(&str, Box<dyn Checked<S>>)>,
+    structures: &[(&str, Box<dyn Checked<S>>)],
     seen: &Seen,
 ) -> Result<(), TestCaseError> {
     let list = List::new(scene.shapes.clone());
-    for (name, structure) in &structures {
+    for (name, structure) in structures {
         let valid = structure.validate();
         prop_assert!(valid.is_ok(), "{name}: {}", valid.unwrap_err());
     }
@@ -97,7 +97,7 @@ fn compare<S: Shape + Copy + PartialEq + Debug>(
         seen.rays.set(seen.rays.get() + 1);
         seen.hits
             .set(seen.hits.get() + u32::from(expected.is_some()));
-        for (name, structure) in &structures {
+        for (name, structure) in structures {
             let found = structure.closest(&ray, within);
             if let Err(why) = same(scene, &ray, found, expected) {
                 return Err(TestCaseError::fail(format!(
@@ -194,7 +194,7 @@ fn wrong_structures_are_found_out() {
         let questions = prop::collection::vec(rays::recipe(), RAYS);
         let tried = runner(SCENES).run(&(scenes::facets(), questions), |(scene, questions)| {
             let structure = structures::wrong(wrong, &scene.shapes);
-            compare(&scene, &questions, vec![("wrong", structure)], &seen)
+            compare(&scene, &questions, &[("wrong", structure)], &seen)
         });
         let said = tried
             .expect_err("a wrong structure must be found out")

@@ -4,10 +4,16 @@
 
 #![allow(clippy::unnecessary_wraps)] // an answer may be none, if not in every exercise
 
+#[path = "alternatives/boxes.rs"]
+mod boxes;
+#[path = "alternatives/ch11.rs"]
+mod ch11;
 #[path = "alternatives/ch24.rs"]
 mod ch24;
 #[path = "alternatives/flat.rs"]
 mod flat;
+#[path = "alternatives/grid.rs"]
+mod grid;
 #[path = "alternatives/light.rs"]
 mod light;
 #[path = "alternatives/mesh.rs"]
@@ -18,6 +24,8 @@ mod numbers;
 mod sphere;
 #[path = "alternatives/student.rs"]
 mod student;
+#[path = "alternatives/trees.rs"]
+mod trees;
 #[path = "alternatives/triangle.rs"]
 mod triangle;
 #[path = "alternatives/wrong.rs"]
@@ -85,6 +93,9 @@ fn alternatives() -> impl Iterator<Item = &'static Alternative> {
         flat::ALTERNATIVES,
         triangle::ALTERNATIVES,
         mesh::ALTERNATIVES,
+        grid::ALTERNATIVES,
+        trees::ALTERNATIVES,
+        ch11::ALTERNATIVES,
         ch24::ALTERNATIVES,
     ]
     .into_iter()

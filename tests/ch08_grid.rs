@@ -2,3 +2,11 @@
 
 #[path = "ch08_grid/agreement.rs"]
 mod agreement;
+#[path = "ch08_grid/cells.rs"]
+mod cells;
+#[path = "ch08_grid/cost.rs"]
+mod cost;
+#[path = "ch08_grid/planes.rs"]
+mod planes;
+#[path = "ch08_grid/walk.rs"]
+mod walk;

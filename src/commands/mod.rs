@@ -66,10 +66,7 @@ impl Target {
 
 /// The exercises that a word means: of a chapter by number or name, or the one of this name.
 fn exercises_of(word: &str) -> Vec<&'static str> {
-    let chapter = CHAPTERS.iter().find(|chapter| {
-        let (number, topic) = chapter.name.split_once('_').unwrap_or((chapter.name, ""));
-        [chapter.name, number, topic].contains(&word) || word.parse() == Ok(chapter.number())
-    });
+    let chapter = CHAPTERS.iter().find(|chapter| chapter.answers_to(word));
     let of_chapter = chapter.map(|chapter| {
         chapter
             .exercises()

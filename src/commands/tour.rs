@@ -67,7 +67,7 @@ const DRAW: &[(&str, Draw)] = &[
 pub struct Tour {
     #[command(flatten)]
     options: Options,
-    /// Only these chapters, by the beginning of their names: ch03,ch06
+    /// Only these chapters: 3,sphere,ch06
     #[arg(long, value_delimiter = ',')]
     only: Vec<String>,
 }
@@ -124,22 +124,15 @@ impl Tour {
                 .collect::<Vec<_>>()
                 .join(", ")
         };
-        if let Some(wrong) = self
-            .only
-            .iter()
-            .find(|start| !CHAPTERS.iter().any(|c| c.name.starts_with(start.as_str())))
-        {
+        let answered = |word: &String| CHAPTERS.iter().any(|c| c.answers_to(word));
+        if let Some(wrong) = self.only.iter().find(|word| !answered(word)) {
             return Err(format!(
-                "--only {wrong}: no chapter's name begins so; there are {}",
+                "--only {wrong}: no chapter is called so; there are {}",
                 names()
             ));
         }
         let wanted = |chapter: &&Chapter| {
-            self.only.is_empty()
-                || self
-                    .only
-                    .iter()
-                    .any(|start| chapter.name.starts_with(start.as_str()))
+            self.only.is_empty() || self.only.iter().any(|word| chapter.answers_to(word))
         };
         Ok(CHAPTERS.iter().filter(wanted).collect())
     }

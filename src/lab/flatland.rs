@@ -1,170 +1,131 @@
-//! A world of two dimensions, in which a tree of boxes can be seen whole.
+//! A scene in the plane: small discs, some of them in a crowd, and a ray that passes between them.
 
-use crate::accel::bvh::COST;
-use crate::accel::bvh::build::flat::{Flat, Node};
-use crate::accel::bvh::build::{Method, build, cost::Cost, cost::sah_cost};
 use crate::image::Image;
-use crate::lab::figure::{Canvas, FONT, figure};
-use crate::lab::palette::{BLUE, FAINT, GREEN, INK, ORANGE, PURPLE, VERMILION};
-use crate::math::{aabb::Aabb, pcg};
-use glam::{Vec2, vec2};
-use plotters::prelude::{Color, IntoFont, Polygon, RGBColor, Rectangle, Text};
+use crate::lab::figure::{FONT, SCALE, figure};
+use crate::lab::palette::{BLUE, INK, ORANGE};
+use crate::math::pcg;
+use crate::math::{aabb::Aabb, dir3::Dir3, ray::Ray};
+use glam::{Vec3, vec3};
+use plotters::coord::{cartesian::Cartesian2d, types::RangedCoordf32};
+use plotters::prelude::{
+    BitMapBackend, ChartBuilder, ChartContext, Circle, Color, IntoFont, PathElement, Polygon,
+    RGBColor, Rectangle, Text,
+};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use rand::RngExt;
 use std::error::Error;
 
+/// The scene is the square from 0 to this, in metres, at z = 0.
+pub const SIDE: f32 = 16.0;
+
+/// A disc's radius.
+const RADIUS: f32 = 0.07;
+
+/// The discs' boxes: a crowd at two places, and a few discs anywhere, none of them on the ray's way. They are as thick as a
+/// sheet of paper.
+pub fn discs() -> Vec<Aabb> {
+    let mut rng = pcg::stream(5, 1);
+    let mut disc = |center: Vec3, spread: f32| {
+        // The sum of three is nearly a normal distribution.
+        let mut wide = || (0..3).map(|_| rng.random::<f32>() - 0.5).sum::<f32>() * spread;
+        let p = center + vec3(wide(), wide(), 0.0);
+        let half = vec3(RADIUS, RADIUS, 0.0);
+        Aabb {
+            min: p - half,
+            max: p + half + 1e-4 * Vec3::Z,
+        }
+    };
+    let mut discs: Vec<_> = (0..70).map(|_| disc(vec3(11.6, 9.8, 0.0), 2.2)).collect();
+    discs.extend((0..22).map(|_| disc(vec3(3.4, 3.6, 0.0), 3.2)));
+    discs.extend((0..16).map(|_| disc(vec3(8.0, 8.0, 0.0), 10.0)));
+    let square = Aabb::of([Vec3::ZERO, vec3(SIDE, SIDE, 1.0)]);
+    discs.retain(|disc| {
+        let p = disc.center() - ray().origin;
+        let off = p.cross(*ray().direction).length();
+        square.contains(disc.min) && square.contains(disc.max) && off > 1.5 * RADIUS
+    });
+    discs
+}
+
+/// The ray: from the lower left to the upper right, through the edge of both crowds.
+pub fn ray() -> Ray {
+    let from = vec3(-0.6, 2.05, 5e-5);
+    Ray::new(from, Dir3::new_or(vec3(1.0, 0.53, 0.0), Dir3::X))
+}
+
 /// What drawing returns.
 pub type Drawn = Result<(), Box<dyn Error>>;
 
-/// The boxes reach so far above and below the paper that only their outlines on it count: a ray in the paper meets a
-/// rectangle in proportion to its perimeter.
-const HIGH: f32 = 1000.0;
+/// The plane, to draw on.
+pub struct Plane<'a, 'b>(
+    ChartContext<'a, BitMapBackend<'b>, Cartesian2d<RangedCoordf32, RangedCoordf32>>,
+);
 
-/// Colours of the levels of a tree, from the root down.
-pub const LEVELS: [RGBColor; 6] = [INK, BLUE, VERMILION, GREEN, PURPLE, ORANGE];
-
-/// Triangles around places, each with the given size; always the same ones.
-pub fn triangles(places: &[(Vec2, f32)], seed: u64) -> Vec<[Vec2; 3]> {
-    let mut rng = pcg::stream(seed, 0);
-    let mut triangle = |&(at, size): &(Vec2, f32)| {
-        let turn = rng.random::<f32>() * 2.1;
-        [0.0, 2.0, 4.2].map(|angle| {
-            at + size * (0.8 + 0.4 * rng.random::<f32>()) * Vec2::from_angle(turn + angle)
-        })
-    };
-    places.iter().map(&mut triangle).collect()
-}
-
-/// The box of a triangle.
-pub fn bounds(triangle: &[Vec2; 3]) -> Aabb {
-    Aabb::of(
-        [-HIGH, HIGH]
-            .into_iter()
-            .flat_map(|z| triangle.map(|p| p.extend(z))),
-    )
-}
-
-/// A tree over triangles with one in each leaf.
-pub fn tree(triangles: &[[Vec2; 3]], method: Method) -> Flat {
-    let boxes: Vec<_> = triangles.iter().map(bounds).collect();
-    build(&boxes, method, &Cost { most: 1, ..COST })
-}
-
-/// Paper, and where on the canvas it lies.
-pub struct Paper<'a, 'b> {
-    /// What is drawn on.
-    pub canvas: &'a Canvas<'b>,
-    /// The pixel of the origin: x goes right from there, and y up.
-    pub origin: Vec2,
-    /// Pixels per metre.
-    pub scale: f32,
-}
-
-impl Paper<'_, '_> {
-    fn pixel(&self, p: Vec2) -> (i32, i32) {
-        let p = self.origin + self.scale * vec2(p.x, -p.y);
-        (p.x.round() as i32, p.y.round() as i32)
-    }
-
-    /// A filled triangle.
-    ///
-    /// # Errors
-    /// If plotters cannot draw; likewise below.
-    pub fn triangle(&self, corners: &[Vec2; 3]) -> Drawn {
-        let corners = corners.map(|p| self.pixel(p)).to_vec();
-        self.canvas.draw(&Polygon::new(corners, FAINT.filled()))?;
-        Ok(())
-    }
-
-    /// The outline of a box, so many metres larger on each side.
-    ///
-    /// # Errors
-    /// As for [`Paper::triangle`].
-    pub fn outline(&self, bounds: &Aabb, margin: f32, colour: RGBColor, width: u32) -> Drawn {
-        let corners = [
-            bounds.min.truncate() - margin,
-            bounds.max.truncate() + margin,
-        ];
-        let corners = corners.map(|p| self.pixel(p));
-        self.canvas
-            .draw(&Rectangle::new(corners, colour.stroke_width(width)))?;
-        Ok(())
-    }
-
-    /// A line of text with its middle at a place.
-    ///
-    /// # Errors
-    /// As for [`Paper::triangle`].
-    pub fn text(&self, text: &str, at: Vec2, size: i32, colour: RGBColor) -> Drawn {
-        let middle = Pos::new(HPos::Center, VPos::Center);
-        let style = (FONT, size).into_font().color(&colour).pos(middle);
-        self.canvas
-            .draw(&Text::new(text.to_owned(), self.pixel(at), style))?;
-        Ok(())
-    }
-
-    /// All boxes below a node, coloured by level; each has some air around those inside.
-    ///
-    /// # Errors
-    /// As for [`Paper::triangle`].
-    pub fn boxes(&self, tree: &Flat, node: &Node, level: usize) -> Drawn {
-        let colour = LEVELS[level.min(LEVELS.len() - 1)];
-        let air = 0.05 * height(tree, node) as f32;
-        self.outline(&node.bounds, air, colour, 4)?;
-        if node.link.count > 0 {
-            return Ok(());
-        }
-        let children = tree.pairs[node.link.first as usize].nodes();
-        children
-            .iter()
-            .try_for_each(|child| self.boxes(tree, child, level + 1))
-    }
-}
-
-/// The levels below a node.
-pub fn height(tree: &Flat, node: &Node) -> u32 {
-    if node.link.count > 0 {
-        return 0;
-    }
-    let [left, right] = tree.pairs[node.link.first as usize].nodes();
-    1 + height(tree, &left).max(height(tree, &right))
-}
-
-/// Two trees over the same 22 triangles, side by side, each with its cost.
+/// A picture of the plane: what `cells` draws, and above it the discs and the ray.
 ///
 /// # Errors
 /// What plotters reports.
-pub fn two_organisations() -> Result<Image, Box<dyn Error>> {
-    let mut rng = pcg::stream(22, 0);
-    let mut near = |at: Vec2, spread: f32| {
-        at + spread * vec2(rng.random::<f32>() - 0.5, rng.random::<f32>() - 0.5)
-    };
-    let mut places: Vec<_> = (0..13).map(|_| (near(vec2(1.3, 1.3), 1.7), 0.13)).collect();
-    places.extend((0..5).map(|_| (near(vec2(6.6, 4.6), 1.5), 0.18)));
-    places
-        .extend([(1.0, 5.2), (3.9, 3.3), (4.6, 0.9), (7.2, 1.2)].map(|(x, y)| (vec2(x, y), 0.34)));
-    let triangles = triangles(&places, 2);
-    figure(1120, 520, |canvas| {
-        for (left, name, method) in [
-            (40.0, "half of them on each side", Method::Median),
-            (1150.0, "by surface area", Method::Sweep),
-        ] {
-            let origin = vec2(left + 20.0, 920.0);
-            let paper = Paper {
-                canvas,
-                origin,
-                scale: 128.0,
-            };
-            triangles.iter().try_for_each(|t| paper.triangle(t))?;
-            let tree = tree(&triangles, method);
-            let cost = Cost { most: 1, ..COST };
-            let cost = sah_cost(tree.root.as_ref(), &tree.pairs, &cost);
-            tree.root
-                .iter()
-                .try_for_each(|root| paper.boxes(&tree, root, 0))?;
-            let label = format!("{name}: cost {cost:.1}");
-            paper.text(&label, vec2(4.0, 6.65), 46, INK)?;
+pub fn plane(cells: impl FnOnce(&mut Plane) -> Drawn) -> Result<Image, Box<dyn Error>> {
+    /// Pixels of the figure to a metre.
+    const ZOOM: f32 = 54.0;
+    let size = ((SIDE + 2.0) * ZOOM) as u32;
+    figure(size, size, |canvas| {
+        let view = -1.0..SIDE + 1.0;
+        let chart = ChartBuilder::on(canvas).build_cartesian_2d(view.clone(), view)?;
+        let mut plane = Plane(chart);
+        cells(&mut plane)?;
+        let (from, to) = (ray().origin, ray().at(19.6));
+        plane.arrow(from, to)?;
+        let radius = (RADIUS * ZOOM * SCALE as f32) as i32;
+        for disc in discs() {
+            let p = disc.center();
+            let dot = Circle::new((p.x, p.y), radius, INK.filled());
+            plane.0.draw_series([dot])?;
         }
         Ok(())
     })
+}
+
+impl Plane<'_, '_> {
+    /// A cell, filled if a colour is given, with an outline so many pixels wide.
+    ///
+    /// # Errors
+    /// If plotters cannot draw; likewise below.
+    pub fn cell(&mut self, cell: &Aabb, fill: Option<(RGBColor, f64)>, line: u32) -> Drawn {
+        let corners = [(cell.min.x, cell.min.y), (cell.max.x, cell.max.y)];
+        if let Some((colour, opacity)) = fill {
+            let area = Rectangle::new(corners, colour.mix(opacity).filled());
+            self.0.draw_series([area])?;
+        }
+        let outline = Rectangle::new(corners, BLUE.mix(0.75).stroke_width(line));
+        self.0.draw_series([outline])?;
+        Ok(())
+    }
+
+    /// A visited cell: filled, with its number in the corner.
+    ///
+    /// # Errors
+    /// As for [`Plane::cell`].
+    pub fn visited(&mut self, cell: &Aabb, number: usize, line: u32) -> Drawn {
+        self.cell(cell, Some((ORANGE, 0.45)), line)?;
+        let size = (44.0 * cell.size().x).clamp(20.0, 44.0);
+        let corner = Pos::new(HPos::Left, VPos::Top);
+        let style = (FONT, size).into_font().color(&INK).pos(corner);
+        let inset = 0.06 * cell.size().x.min(1.0);
+        let place = (cell.min.x + inset, cell.max.y - inset);
+        self.0
+            .draw_series([Text::new(number.to_string(), place, style)])?;
+        Ok(())
+    }
+
+    fn arrow(&mut self, from: Vec3, to: Vec3) -> Drawn {
+        let along = (to - from).normalize();
+        let (back, side) = (to - 0.42 * along, 0.16 * vec3(-along.y, along.x, 0.0));
+        let shaft = [from, back].map(|p| (p.x, p.y));
+        let head = [to, back + side, back - side].map(|p| (p.x, p.y));
+        let line = PathElement::new(shaft, INK.stroke_width(5));
+        self.0.draw_series([line])?;
+        self.0.draw_series([Polygon::new(head, INK.filled())])?;
+        Ok(())
+    }
 }

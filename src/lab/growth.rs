@@ -68,8 +68,8 @@ pub fn draw() -> Result<Image, Box<dyn Error>> {
             .axis_desc_style(font(38))
             .x_desc("triangles")
             .y_desc("boxes and triangles tested per ray")
-            .x_label_formatter(&power)
-            .y_label_formatter(&power)
+            .x_label_formatter(&|n| power(*n))
+            .y_label_formatter(&|n| power(*n))
             .draw()?;
         for (points, colour, name, at) in [
             (&list, VERMILION, "list: N", (12_000.0, 40_000.0)),
@@ -89,8 +89,8 @@ pub fn draw() -> Result<Image, Box<dyn Error>> {
 }
 
 /// A number with a thin space between the thousands.
-fn power(n: &f64) -> String {
-    let n = *n as u64;
+fn power(n: f64) -> String {
+    let n = n as u64;
     if n >= 1000 {
         format!("{}\u{2009}{:03}", n / 1000, n % 1000)
     } else {

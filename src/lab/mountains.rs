@@ -10,19 +10,19 @@ use crate::shape::{Surface, mesh::Facet, mesh::Mesh};
 use glam::{Vec2, Vec3, vec3};
 
 /// A metre of the model is so many metres of mountains, as far as the air is concerned.
-const METRES: f32 = 2.6;
+const METRES: f32 = 1.8;
 
 /// The camera's ray through a place on the film.
 pub fn ray(film: Vec2, aspect: f32) -> Ray {
-    let eye = vec3(-3.6, 1.9, 4.4);
-    let camera = Pinhole::look_at(eye, vec3(0.5, 0.45, -0.6), Vec3::Y, 0.046, aspect)
+    let eye = vec3(-3.9, 2.0, 4.3);
+    let camera = Pinhole::look_at(eye, vec3(0.3, 0.62, -0.7), Vec3::Y, 0.044, aspect)
         .unwrap_or_else(|error| unreachable!("the direction is fixed: {error}"));
     camera.ray_through(film)
 }
 
 /// The picture: sun, sky light, and air; a shadow ray from each point that faces the sun.
 pub fn picture(film: &Film, mesh: &Mesh, tree: &impl Accel<Facet>) -> Image {
-    let sun = Dir3::new_or(vec3(0.80, 0.34, 0.05), Dir3::Y);
+    let sun = Dir3::new_or(vec3(0.80, 0.42, 0.10), Dir3::Y);
     film.render(|place, _| {
         let ray = ray(place, film.aspect());
         let Some((_, hit)) = tree.closest(&ray, Interval::AHEAD) else {
@@ -31,8 +31,8 @@ pub fn picture(film: &Film, mesh: &Mesh, tree: &impl Accel<Facet>) -> Image {
         let at = mesh.surface(&ray, &hit);
         let toward = at.shading_normal.dot(*sun).max(0.0);
         let lit = toward > 0.0 && !tree.any(&at.leave(sun), Interval::AHEAD);
-        let sunlight = Rgb::new(1.75, 1.25, 0.80) * if lit { toward } else { 0.0 };
-        let skylight = Rgb::new(0.16, 0.24, 0.38) * (0.5 + 0.5 * at.shading_normal.y);
+        let sunlight = Rgb::new(2.3, 1.75, 1.15) * if lit { toward } else { 0.0 };
+        let skylight = Rgb::new(0.20, 0.29, 0.44) * (0.5 + 0.5 * at.shading_normal.y);
         haze(ground(&at) * (sunlight + skylight), METRES * hit.t)
     })
 }

@@ -34,9 +34,9 @@ pub fn thousands(rays: &[Ray], structures: &[Searcher]) -> Vec<f64> {
         for (best, (_, search)) in best.iter_mut().zip(structures) {
             let (start, mut done) = (Instant::now(), 0);
             for some in rays.chunks(64) {
-                some.iter().for_each(|ray| {
+                for ray in some {
                     black_box(search(black_box(ray)));
-                });
+                }
                 done += some.len();
                 if start.elapsed().as_secs_f64() > TURN {
                     break;

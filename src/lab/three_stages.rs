@@ -4,7 +4,7 @@ use crate::accel::bvh::build::Method;
 use crate::accel::bvh::build::flat::{Flat, Node};
 use crate::image::Image;
 use crate::lab::figure::figure;
-use crate::lab::flatland::{Drawn, LEVELS, Paper, bounds, height, tree, triangles};
+use crate::lab::flat_boxes::{Drawn, LEVELS, Paper, bounds, height, tree, triangles};
 use crate::lab::palette::{BLUE, FAINT, INK};
 use glam::{Vec2, vec2};
 use plotters::prelude::{Circle, Color, PathElement, RGBColor, Rectangle, WHITE};

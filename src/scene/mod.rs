@@ -4,5 +4,6 @@ pub mod evening;
 pub mod noise;
 pub mod soup;
 pub mod stadium;
+pub mod teapots;
 pub mod terrain;
 pub mod window;

@@ -20,6 +20,8 @@ pub enum Part {
     Teapot,
     /// The field and what is under the seats.
     Ground,
+    /// The white lines on the field.
+    Lines,
     /// The steps on which the seats are, and the wall behind the last.
     Steps,
     /// The seats.
@@ -76,6 +78,8 @@ pub fn stadium(fineness: u32) -> Stadium {
     let corner = |x: f32, z: f32| vec3(x * FIELD.0, 0.0, z * FIELD.1);
     builder.quad([(-1.0, 1.0), (1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)].map(|(x, z)| corner(x, z)));
     builder.end(Part::Ground);
+    builder.lines();
+    builder.end(Part::Lines);
     builder.sweep(&steps, columns);
     builder.end(Part::Steps);
     for row in (0..ROWS).map(f32::from) {
@@ -147,6 +151,31 @@ impl Builder {
         self.positions.extend(corners);
         self.triangles
             .extend([[0, 1, 2], [0, 2, 3]].map(|t| t.map(|i| first + i)));
+    }
+
+    /// The field's markings: its edge, the halfway line and the centre circle, 12 cm wide.
+    fn lines(&mut self) {
+        let mut stripe = |x0: f32, z0: f32, x1: f32, z1: f32| {
+            self.quad([(x0, z1), (x1, z1), (x1, z0), (x0, z0)].map(|(x, z)| vec3(x, 0.01, z)));
+        };
+        let (x, z, w) = (52.5, 34.0, 0.12);
+        stripe(-x, -z, x, -z + w);
+        stripe(-x, z - w, x, z);
+        for x in [-x, -0.5 * w, x - w] {
+            stripe(x, -z, x + w, z);
+        }
+        let circle = |i: u16, r: f32| {
+            let (sin, cos) = (TAU * f32::from(i) / 64.0).sin_cos();
+            vec3(r * cos, 0.01, r * sin)
+        };
+        for i in 0..64 {
+            self.quad([
+                circle(i, 9.15),
+                circle(i + 1, 9.15),
+                circle(i + 1, 9.03),
+                circle(i, 9.03),
+            ]);
+        }
     }
 
     /// A line of points (s, y), swept around the field in so many columns.

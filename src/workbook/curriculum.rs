@@ -57,6 +57,12 @@ impl Chapter {
         exercises::of_chapter(self.name)
     }
 
+    /// Whether somebody who says this word means this chapter: 3, ch03, sphere or `ch03_sphere`.
+    pub fn answers_to(&self, word: &str) -> bool {
+        let (number, topic) = self.name.split_once('_').unwrap_or((self.name, ""));
+        [self.name, number, topic].contains(&word) || word.parse() == Ok(self.number())
+    }
+
     /// "3", from `ch03_sphere`.
     pub fn number(&self) -> u32 {
         self.name[2..4].parse().unwrap_or(0)

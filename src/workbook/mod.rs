@@ -7,3 +7,4 @@ pub mod exercise;
 pub mod exercises;
 pub mod row;
 pub mod row_types;
+pub mod tree_rows;

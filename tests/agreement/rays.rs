@@ -39,7 +39,7 @@ pub fn recipe() -> impl Strategy<Value = RayRecipe> {
     let any_place = || prop_oneof![lattice_point(), point(), point().prop_map(|p| 8.0 * p)];
     let of_a_corner = prop_oneof![
         Just(Vec3::ZERO),
-        lattice_point().prop_map(|p| p.signum()),
+        lattice_point().prop_map(glam::Vec3::signum),
         point().prop_map(|p| 0.4 * p)
     ];
     prop_oneof![

@@ -1,6 +1,6 @@
 //! Chapter 24: wide trees.
 
-use crate::student::{Alternative, Answer, Question, Ray};
+use crate::student::{Alternative, Answer, NONE, Question, Ray};
 use crate::triangle::{Corners, plane_then_inside, volumes};
 use glam::DVec3;
 use std::collections::VecDeque;
@@ -170,7 +170,9 @@ impl Search {
     }
 
     fn answer(self) -> Answer {
-        let hit = self.hit.map_or(vec![f64::NAN], |(t, i)| vec![t, i as f64]);
+        let hit = self
+            .hit
+            .map_or(vec![NONE], |(t, i)| vec![t, i as f64]);
         Some([vec![self.nodes as f64, self.tests as f64], hit].concat())
     }
 }

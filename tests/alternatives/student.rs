@@ -15,6 +15,9 @@ pub struct Alternative {
 /// The numbers of an answer.
 pub type Answer = Option<Vec<f64>>;
 
+/// The word `none` where a number could be, at the end of an answer.
+pub const NONE: f64 = f64::from_bits(0x7ff8_0000_6e6f_6e65);
+
 /// How a number becomes a word.
 pub type Print = fn(f64) -> String;
 
@@ -43,8 +46,8 @@ impl Alternative {
 /// An answer as words.
 pub fn line(answer: &Answer, print: Print) -> String {
     let word = |&v: &f64| {
-        if v.is_nan() {
-            "none".to_owned() // a part of the answer that is missing
+        if v.to_bits() == NONE.to_bits() {
+            "none".to_owned()
         } else if v.fract() == 0.0 {
             format!("{v}")
         } else {

@@ -80,14 +80,14 @@ fn planted(
         let link = node.link;
         if link.count == 0 {
             let pair = &pairs[link.first as usize];
-            let order = RayPair::new(ray, within).order(pair);
-            let nodes = pair.nodes();
-            if order.last < f32::INFINITY {
-                open.push(nodes[1 - order.near]);
-            }
-            if order.first < f32::INFINITY {
-                open.push(nodes[order.near]);
-            }
+            let mut met: Vec<_> = RayPair::new(ray, within)
+                .enters(pair)
+                .into_iter()
+                .zip(pair.nodes())
+                .filter_map(|(enters, node)| Some((enters?, node)))
+                .collect();
+            met.sort_by(|a, b| b.0.total_cmp(&a.0));
+            open.extend(met.into_iter().map(|(_, node)| node));
             continue;
         }
         for wall in walls {

@@ -8,7 +8,7 @@ use crate::accel::bvh::build::cost::{self, Cost};
 use crate::accel::bvh::build::flat::{Flat, Node};
 use crate::accel::bvh::build::tree::MAX_DEPTH;
 use crate::accel::bvh::build::{Method, build};
-use crate::accel::bvh::pair::{Link, Order, Pair, RayPair};
+use crate::accel::bvh::pair::{Link, Pair, RayPair};
 use crate::accel::{Accel, Count, bounded::bounded, list::List};
 use crate::math::{interval::Interval, ray::Ray};
 use crate::shape::{Hit, Shape};
@@ -120,14 +120,21 @@ impl<S: Shape> Accel<S> for Bvh<S> {
                 let pair = &self.pairs[link.first as usize];
                 count.tested_box();
                 count.tested_box();
-                let Order { near, first, last } = ready.order(pair);
-                if first == f32::INFINITY {
-                    continue 'search;
-                }
-                // Always written, and kept only if the ray meets both.
-                stack[height] = (last, pair.links[1 - near]);
-                height += usize::from(last < f32::INFINITY);
-                link = pair.links[near];
+                link = match ready.enters(pair) {
+                    [Some(left), Some(right)] if left <= right => {
+                        stack[height] = (right, pair.links[1]);
+                        height += 1;
+                        pair.links[0]
+                    }
+                    [Some(left), Some(_)] => {
+                        stack[height] = (left, pair.links[0]);
+                        height += 1;
+                        pair.links[1]
+                    }
+                    [Some(_), None] => pair.links[0],
+                    [None, Some(_)] => pair.links[1],
+                    [None, None] => continue 'search,
+                };
             }
             let leaf = &self.shapes[link.first as usize..][..link.count as usize];
             for shape in leaf {
@@ -143,28 +150,34 @@ impl<S: Shape> Accel<S> for Bvh<S> {
     }
     // ANCHOR_END: bvh_closest
 
-    /// The same without order: the first hit that turns up is enough.
+    /// The same without distances: any hit is enough.
     fn any(&self, ray: &Ray, within: Interval) -> bool {
-        let Some(root) = self.root else {
-            return self.unbounded.any(ray, within);
-        };
         let ready = RayPair::new(ray, within);
-        let mut stack = [root.link; 1 + MAX_DEPTH as usize];
-        let mut height = 1;
-        while height > 0 {
+        let mut stack = [Link::NONE; 1 + MAX_DEPTH as usize];
+        let mut height = 0;
+        if let Some(root) = self.root {
+            stack[0] = root.link;
+            height = 1;
+        }
+        'search: while height > 0 {
             height -= 1;
-            let link = stack[height];
-            if link.count > 0 {
-                let leaf = &self.shapes[link.first as usize..][..link.count as usize];
-                if leaf.iter().any(|shape| shape.blocks(ray, within)) {
-                    return true;
-                }
-            } else {
+            let mut link = stack[height];
+            while link.count == 0 {
                 let pair = &self.pairs[link.first as usize];
-                for (link, meets) in pair.links.into_iter().zip(ready.meets(pair)) {
-                    stack[height] = link;
-                    height += usize::from(meets);
-                }
+                link = match ready.enters(pair) {
+                    [Some(_), Some(_)] => {
+                        stack[height] = pair.links[1];
+                        height += 1;
+                        pair.links[0]
+                    }
+                    [Some(_), None] => pair.links[0],
+                    [None, Some(_)] => pair.links[1],
+                    [None, None] => continue 'search,
+                };
+            }
+            let leaf = &self.shapes[link.first as usize..][..link.count as usize];
+            if leaf.iter().any(|shape| shape.blocks(ray, within)) {
+                return true;
             }
         }
         self.unbounded.any(ray, within)

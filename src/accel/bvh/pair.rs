@@ -111,48 +111,21 @@ impl RayPair {
         self.within = vec4(self.within.x, self.within.y, -t, -t);
     }
 
-    /// Where the ray enters the left and the right box, at the earliest; infinite for a box that it certainly does not meet
+    /// Where the ray enters the left and the right box, at the earliest; `None` for a box that it certainly does not meet
     /// within the interval.
     #[inline]
-    fn distances(&self, pair: &Pair) -> Vec4 {
+    pub fn enters(&self, pair: &Pair) -> [Option<f32>; 2] {
         let t = |axis: usize| {
             let falls = usize::from(self.falls[axis]);
             let (near, far) = (pair.planes[axis][falls], pair.planes[axis][1 - falls]);
             (vec4(near.x, near.y, far.x, far.y) - self.origin[axis]) * self.inverse[axis]
         };
-        let t = t(0).max(t(1)).max(t(2));
-        let t = (t - t.abs().min(Vec4::MAX) * SLACK).max(self.within);
-        Vec4::select(t.cmple(-t.zwxy()), t, Vec4::INFINITY)
+        let enter = t(0).max(t(1)).max(t(2)).max(self.within);
+        let leave = -enter.zwxy();
+        let meets = enter.cmple(leave + leave.abs() * SLACK).bitmask();
+        [
+            (meets & 1 != 0).then_some(enter.x),
+            (meets & 2 != 0).then_some(enter.y),
+        ]
     }
-
-    /// The order in which the ray meets the boxes.
-    #[inline]
-    pub fn order(&self, pair: &Pair) -> Order {
-        let t = self.distances(pair);
-        let other = t.yxwz();
-        // No `if`s: which box is nearer, nobody can predict.
-        Order {
-            near: usize::from(other.x < t.x),
-            first: t.min(other).x,
-            last: t.max(other).x,
-        }
-    }
-
-    /// Whether the ray meets the left and the right box.
-    #[inline]
-    pub fn meets(&self, pair: &Pair) -> [bool; 2] {
-        let t = self.distances(pair);
-        [t.x < f32::INFINITY, t.y < f32::INFINITY]
-    }
-}
-
-/// The order in which a ray meets the two boxes of a pair.
-#[derive(Clone, Copy, Debug)]
-pub struct Order {
-    /// Which box comes first: the left one, 0, or the right one, 1.
-    pub near: usize,
-    /// Where the ray enters it; infinite if it meets neither.
-    pub first: f32,
-    /// Where it enters the other; infinite if it does not meet it.
-    pub last: f32,
 }

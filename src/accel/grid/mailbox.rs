@@ -5,6 +5,11 @@
 /// A shape is in several cells, and a ray that passes through all of them should ask it once. Amanatides and Woo (1987)
 /// leave the ray's number with each shape; but then two threads cannot use the same shapes. Here the ray keeps the numbers
 /// of its shapes.
+///
+/// Measured on the Stanford bunny, in tests per ray from the surface: 30.3 without any of this, 24.0 with it; 28.0 and 24.5 with
+/// a table of 8 or 64 numbers where a new one pushes out what has the same place. The times of the four differ by less than
+/// they vary from run to run: a triangle's test costs little more than to look it up. Where shapes are dear, or much larger
+/// than cells, the whole memory pays.
 pub struct Mailbox {
     small: [u32; SMALL],
     /// Empty as long as `small` suffices.

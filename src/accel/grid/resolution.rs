@@ -2,11 +2,12 @@
 
 use glam::{UVec3, Vec3};
 
-/// λ: cells per shape, if [`grid_resolution`] is not asked otherwise.
+/// λ: cells per shape, if nobody says otherwise.
+///
+/// Measured on the Stanford bunny, with λ from 2.5 to 40: for rays from a camera 2.5 to 20 are alike; rays from the surface are
+/// fastest at 10, and 5 costs them a seventh more; rays from everywhere to everywhere are fastest at 2.5, for more cells are
+/// more memory to wait for, and 5 costs them a sixth more. So 5 is in between. The chapter draws such a measurement.
 pub const DENSITY: f32 = 5.0;
-
-/// Never more cells than this along one axis.
-const MOST: f32 = 1024.0;
 
 // ANCHOR: grid_resolution
 /// How many cells a grid has along each axis: about λ per shape in all, and each cell about a cube.
@@ -35,10 +36,7 @@ pub fn grid_resolution(extents: Vec3, shapes: usize, density: f32) -> UVec3 {
                     1.0
                 }
             });
-            return Vec3::from(along)
-                .round()
-                .clamp(Vec3::ONE, Vec3::splat(MOST))
-                .as_uvec3();
+            return Vec3::from(along).round().max(Vec3::ONE).as_uvec3();
         }
     }
 }

@@ -73,7 +73,8 @@ impl<'a> Walk<'a> {
     ///
     /// The children of a node are counted as the ray goes: 0 is the one before all three middle planes, 7 the one behind all.
     /// A ray crosses each plane once, so it is never in child 1 before child 0, nor in 3 before 1 or 2: for every ray the
-    /// order of the numbers is an order from front to back, and nothing needs to be sorted.
+    /// order of the numbers is an order from front to back, and nothing needs to be sorted. (A ray that runs in a plane is in the
+    /// children on both sides at once; they are visited one after the other.)
     ///
     /// A child is entered where the ray has crossed all the planes that the child lies behind, and left where it crosses the
     /// first of those that the child lies in front of. If it is left before it is entered, the ray is never in it.

@@ -33,7 +33,7 @@ pub struct Densities {
 impl Densities {
     /// Measured, see the chapter's page.
     pub const USUAL: Self = Self {
-        coarse: 1.0 / 16.0,
+        coarse: 1.0 / 8.0,
         fine: 5.0,
     };
 }
@@ -58,13 +58,12 @@ pub fn build<S: Shape>(
     let (levels, starts, mut references) = loop {
         let resolution = grid_resolution(bounds.size(), shapes.len(), densities.coarse);
         let top = Lattice::new(&grown, resolution);
-        match sort_in(top, shapes.len() as u32, densities.fine, &cells_of) {
-            Some(sorted) => break sorted,
-            None => {
-                densities.coarse /= 8.0;
-                densities.fine /= 2.0;
-            }
+        let sorted = sort_in(top, shapes.len() as u32, densities.fine, &cells_of);
+        if let Some(sorted) = sorted {
+            break sorted;
         }
+        densities.coarse /= 8.0;
+        densities.fine /= 2.0;
     };
     order::by_first_use(&mut shapes, &mut references);
     Parts {

@@ -1,5 +1,10 @@
 //! The wide bounding volume hierarchy: eight children, tested at once.
 
+#![expect(
+    clippy::inline_always,
+    reason = "a function called from AVX2 code is compiled with AVX2 only where it is inlined"
+)]
+
 #[cfg(target_arch = "x86_64")]
 pub mod avx2;
 pub mod batch;
@@ -160,12 +165,15 @@ impl Accel<Facet> for WideBvh {
         count: &mut impl Count,
     ) -> Option<(&Facet, Hit)> {
         let tree = &self.tree;
-        let nearest = self.run(within, Closest {
-            tree,
-            ray,
+        let nearest = self.run(
             within,
-            count: &mut *count,
-        });
+            Closest {
+                tree,
+                ray,
+                within,
+                count: &mut *count,
+            },
+        );
         self.answer(ray, within, nearest, count)
     }
 

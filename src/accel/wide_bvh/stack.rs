@@ -38,7 +38,15 @@ pub const PLACES: usize = 40;
 #[repr(C, align(64))]
 pub struct Places(pub [Waiting; PLACES]);
 
+impl Default for Places {
+    #[inline(always)]
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 impl Places {
+    /// Empty ones.
     #[inline(always)]
     pub fn new() -> Self {
         Self([Waiting(0); PLACES])

@@ -97,7 +97,7 @@ impl Graded for GridResolution {
             edge("a stick", vec3(0.0, 3.0, 0.0), 50, 2.0),
             edge("a thin stick", vec3(0.02, 3.0, 0.001), 50, 2.0),
             edge("one point", Vec3::ZERO, 10, 5.0),
-            edge("one shape", vec3(1.0, 1.2, 0.9), 1, 5.0),
+            edge("one shape", vec3(1.0, 1.3, 0.7), 1, 5.0),
             edge("no shape", Vec3::ONE, 0, 5.0),
             edge("a grain", vec3(2e-4, 1e-4, 1.3e-4), 500, 5.0),
             edge("fewer cells than shapes", vec3(3.0, 2.0, 1.0), 5000, 0.1),
@@ -500,15 +500,6 @@ impl Graded for GridWalk {
     });
 
     fn edges() -> Vec<Edge<Self>> {
-        let question = |origin: Vec3, toward: Vec3, within| GridWalkQuestion {
-            min: vec3(0.0, 0.0, 0.0),
-            cell: vec3(1.0, 1.0, 1.0),
-            nx: 4,
-            ny: 3,
-            nz: 2,
-            ray: Ray::new(origin, Dir3::new_or(toward, Dir3::Z)),
-            within,
-        };
         let ahead = Interval::AHEAD;
         let beside = |y: u32, from: f32| {
             (0..4)
@@ -520,13 +511,7 @@ impl Graded for GridWalk {
                 })
                 .collect()
         };
-        let one = |q: GridWalkQuestion| GridWalkQuestion {
-            nx: 1,
-            ny: 1,
-            nz: 1,
-            ..q
-        };
-        vec![
+        let mut edges = vec![
             Edge::new("along x", question(vec3(-1.0, 1.5, 0.5), Vec3::X, ahead)),
             Edge::new(
                 "along −x",
@@ -573,47 +558,9 @@ impl Graded for GridWalk {
                 question(vec3(-1.0, 1.0, 0.5), Vec3::X, ahead),
             )
             .or(beside(0, 1.0)),
-            Edge::new(
-                "the interval ends inside",
-                question(
-                    vec3(-1.0, 1.5, 0.5),
-                    vec3(1.0, 0.1, 0.0),
-                    Interval::new(0.0, 3.3),
-                ),
-            ),
-            Edge::new(
-                "the interval begins inside",
-                question(
-                    vec3(-1.0, 1.5, 0.5),
-                    vec3(1.0, 0.1, 0.0),
-                    Interval::new(2.7, f32::INFINITY),
-                ),
-            ),
-            Edge::new(
-                "the interval ends before it",
-                question(vec3(-1.0, 1.5, 0.5), Vec3::X, Interval::new(0.0, 0.5)),
-            ),
-            Edge::new(
-                "it is behind",
-                question(vec3(-1.0, 1.5, 0.5), Vec3::NEG_X, ahead),
-            ),
-            Edge::new(
-                "beside it, parallel",
-                question(vec3(-1.0, 3.5, 0.5), Vec3::X, ahead),
-            ),
-            Edge::new(
-                "a single cell",
-                one(question(vec3(-1.0, 0.2, 0.3), vec3(1.0, 0.3, 0.1), ahead)),
-            ),
-            Edge::new(
-                "from far away",
-                question(
-                    vec3(-300.0, 200.0, 100.0),
-                    vec3(302.1, -198.4, -99.1),
-                    ahead,
-                ),
-            ),
-        ]
+        ];
+        edges.extend(edges_of_the_walk());
+        edges
     }
 
     fn random(rng: &mut Pcg) -> GridWalkQuestion {
@@ -624,9 +571,17 @@ impl Graded for GridWalk {
         let (center, half) = (min + 0.5 * n.as_vec3() * cell, 0.5 * n.as_vec3() * cell);
         let origin = center + sample::point(rng, 1.8) * half;
         let aim = center + sample::point(rng, 0.9) * half;
+        let ray = Ray::new(origin, Dir3::new_or(aim - origin, Dir3::X));
+        let bounds = Aabb {
+            min,
+            max: min + 2.0 * half,
+        };
+        // From the middle of what is inside, or up to there.
+        let inside = slab::clip(&bounds, &ray, Interval::AHEAD).unwrap_or(Interval::AHEAD);
+        let middle = 0.5 * (inside.min + inside.max);
         let within = match rng.random_range(0..6) {
-            0 => Interval::new(0.0, 0.9 * origin.distance(aim)),
-            1 => Interval::new(0.4 * origin.distance(aim), f32::INFINITY),
+            0 => Interval::new(0.0, middle),
+            1 | 2 => Interval::new(middle, f32::INFINITY),
             _ => Interval::AHEAD,
         };
         GridWalkQuestion {
@@ -635,7 +590,7 @@ impl Graded for GridWalk {
             nx: n.x,
             ny: n.y,
             nz: n.z,
-            ray: Ray::new(origin, Dir3::new_or(aim - origin, Dir3::X)),
+            ray,
             within,
         }
     }
@@ -672,6 +627,72 @@ impl Graded for GridWalk {
             None => Ok(()),
         }
     }
+}
+
+/// A question about 4 × 3 × 2 cells of a metre.
+fn question(origin: Vec3, toward: Vec3, within: Interval) -> GridWalkQuestion {
+    GridWalkQuestion {
+        min: Vec3::ZERO,
+        cell: Vec3::ONE,
+        nx: 4,
+        ny: 3,
+        nz: 2,
+        ray: Ray::new(origin, Dir3::new_or(toward, Dir3::Z)),
+        within,
+    }
+}
+
+/// Where it begins and ends, and whether there is one.
+fn edges_of_the_walk() -> Vec<Edge<GridWalk>> {
+    let ahead = Interval::AHEAD;
+    let one = |q: GridWalkQuestion| GridWalkQuestion {
+        nx: 1,
+        ny: 1,
+        nz: 1,
+        ..q
+    };
+    vec![
+        Edge::new(
+            "the interval ends inside",
+            question(
+                vec3(-1.0, 1.5, 0.5),
+                vec3(1.0, 0.1, 0.0),
+                Interval::new(0.0, 3.3),
+            ),
+        ),
+        Edge::new(
+            "the interval begins inside",
+            question(
+                vec3(-1.0, 1.5, 0.5),
+                vec3(1.0, 0.1, 0.0),
+                Interval::new(2.7, f32::INFINITY),
+            ),
+        ),
+        Edge::new(
+            "the interval ends before it",
+            question(vec3(-1.0, 1.5, 0.5), Vec3::X, Interval::new(0.0, 0.5)),
+        ),
+        Edge::new(
+            "it is behind",
+            question(vec3(-1.0, 1.5, 0.5), Vec3::NEG_X, ahead),
+        ),
+        Edge::new(
+            "beside it, parallel",
+            question(vec3(-1.0, 3.5, 0.5), Vec3::X, ahead),
+        ),
+        Edge::new(
+            "a single cell",
+            one(question(vec3(-1.0, 0.2, 0.3), vec3(1.0, 0.3, 0.1), ahead)),
+        ),
+        Edge::new(
+            "from far away",
+            question(
+                vec3(-300.0, 200.0, 100.0),
+                vec3(302.1, -198.4, -99.1),
+                ahead,
+            ),
+        ),
+    ]
 }
 
 /// The visits without those of cells that the ray only touches, as in an edge or a corner: in which order these come,

@@ -152,7 +152,7 @@ impl Graded for RefineCell {
             ),
             Edge::new(
                 "a flat cell",
-                question(vec3(4.0, 4.0, 0.01), 4.0, &[corner, across, larger]),
+                question(vec3(4.0, 4.0, 0.01), 4.0, &[larger, outside]),
             ),
         ]
     }

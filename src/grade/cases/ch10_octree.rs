@@ -571,7 +571,7 @@ impl Graded for OctreeWalk {
             name: "loses rays that run along an axis",
             hint: "If the ray does not move along x, how far is it to the middle plane in x, and what is 0 · ∞?",
             answer: |q| {
-                let along = q.ray.direction.to_array().iter().any(|&d| d == 0.0);
+                let along = q.ray.direction.to_array().contains(&0.0);
                 if along {
                     Vec::new()
                 } else {

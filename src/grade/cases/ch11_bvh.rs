@@ -13,9 +13,10 @@ use crate::shape::{Shape, mesh::Facet};
 use crate::workbook::exercise::Exercise;
 use crate::workbook::exercises::ch07_mesh::{Corners, MeshHitAnswer};
 use crate::workbook::exercises::ch11_bvh::{
-    BoxRow, BvhBuild, BvhBuildAnswer, BvhBuildQuestion, BvhClosest, BvhClosestAnswer,
-    BvhClosestQuestion, NodeRow, SahCost, SahCostQuestion, SahSplit, SahSplitQuestion, to_rows,
+    BvhBuild, BvhBuildAnswer, BvhBuildQuestion, BvhClosest, BvhClosestAnswer, BvhClosestQuestion,
+    SahCost, SahCostQuestion, SahSplit, SahSplitQuestion,
 };
+use crate::workbook::tree_rows::{BoxRow, NodeRow, to_rows};
 use glam::{Vec3, vec3};
 use rand::RngExt;
 
@@ -62,13 +63,7 @@ fn heaps(rng: &mut Pcg) -> Vec<BoxRow> {
 
 /// The tree over boxes by a method, with leaves of at most so many shapes.
 fn tree(boxes: &[BoxRow], method: Method, most: u32) -> BvhBuildAnswer {
-    let boxes: Vec<_> = boxes
-        .iter()
-        .map(|row| Aabb {
-            min: row.min,
-            max: row.max,
-        })
-        .collect();
+    let boxes: Vec<_> = boxes.iter().map(Aabb::from).collect();
     let flat = build(&boxes, method, &Cost { most, ..COST });
     BvhBuildAnswer {
         nodes: to_rows(&flat),
@@ -407,8 +402,8 @@ fn no_dearer(what: &str, got: f32, reference: f32, part: f32) -> Verdict {
     }
 }
 
-/// A tree may cost so much more than the reference's.
-const DEARER: f32 = 0.1;
+/// A tree may cost so much more than the reference's: neither is the best, and which cut is taken first decides more.
+const DEARER: f32 = 0.25;
 
 /// The cost of a tree, if it is one.
 fn tree_cost(q: &BvhBuildQuestion, tree: &BvhBuildAnswer) -> Result<f32, String> {
@@ -588,7 +583,7 @@ impl Graded for BvhBuild {
                 "growing distances",
                 row(&[1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0], 2),
             ),
-            Edge::new("the same box six times", row(&[1.0; 6], 4)),
+            Edge::new("the same box six times", row(&[1.0; 6], 6)),
             Edge::new("a large box over small ones", hay),
             Edge::new(
                 "three rows of three",
@@ -633,6 +628,10 @@ fn one_leaf(q: &BvhBuildQuestion) -> BvhBuildAnswer {
     }
 }
 
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a mistake of its own"
+)]
 /// How a search goes.
 #[derive(Clone, Copy)]
 struct How {
@@ -865,7 +864,7 @@ impl Graded for BvhClosest {
                 [p0, p1, p2].map(|p| 0.6 * (p + at + tilt))
             });
             question(
-                tiles.collect(),
+                &tiles.collect::<Vec<_>>(),
                 Ray::new(vec3(0.0, 0.0, 3.0), Dir3::new_or(toward, Dir3::Z)),
                 Interval::AHEAD,
             )
@@ -880,8 +879,13 @@ impl Graded for BvhClosest {
 
     fn edges() -> Vec<Edge<Self>> {
         let wall = |z: f32| [vec3(-2.0, -2.0, z), vec3(2.0, -2.0, z), vec3(0.0, 3.0, z)];
-        let walls =
-            |zs: &[f32], ray, within| question(zs.iter().map(|&z| wall(z)).collect(), ray, within);
+        let walls = |zs: &[f32], ray, within| {
+            question(
+                &zs.iter().map(|&z| wall(z)).collect::<Vec<_>>(),
+                ray,
+                within,
+            )
+        };
         let ray = Ray::new(Vec3::ZERO, Dir3::Z);
         let ahead = Interval::AHEAD;
         let row = [2.0, 4.0, 6.0, 8.0, 10.0, 12.0, 14.0, 16.0];
@@ -927,7 +931,7 @@ impl Graded for BvhClosest {
             Edge::new(
                 "the nearer box has the farther hit",
                 question(
-                    vec![slanted(4.0), slanted(4.5), wall(3.0), wall(3.5)],
+                    &[slanted(4.0), slanted(4.5), wall(3.0), wall(3.5)],
                     ray,
                     ahead,
                 ),
@@ -940,7 +944,7 @@ impl Graded for BvhClosest {
             let center = sample::point(rng, 2.0);
             std::array::from_fn(|_| center + sample::point(rng, 1.0))
         });
-        let triangles = triangles.collect();
+        let triangles: Vec<_> = triangles.collect();
         let origin = sample::point(rng, 4.0);
         let toward = sample::point(rng, 1.5) - origin;
         let end = if rng.random_bool(0.2) {
@@ -949,7 +953,7 @@ impl Graded for BvhClosest {
             f32::INFINITY
         };
         let ray = Ray::new(origin, Dir3::new_or(toward, Dir3::X));
-        question(triangles, ray, Interval::new(0.0, end))
+        question(&triangles, ray, Interval::new(0.0, end))
     }
 
     fn judge(
@@ -981,9 +985,9 @@ impl Graded for BvhClosest {
     }
 }
 
-/// Not many more tests than the reference's: a quarter, and two for another order of what is equally near.
+/// Not many more tests than the reference's: half as many, and four, for another sound order of the children.
 fn few(what: &str, golden: u32, got: u32) -> Verdict {
-    if got <= golden + golden / 4 + 2 {
+    if got <= golden + golden / 2 + 4 {
         Ok(())
     } else {
         Err(format!(
@@ -993,7 +997,7 @@ fn few(what: &str, golden: u32, got: u32) -> Verdict {
 }
 
 /// The question about triangles in a tree of small leaves.
-fn question(triangles: Vec<[Vec3; 3]>, ray: Ray, within: Interval) -> BvhClosestQuestion {
+fn question(triangles: &[[Vec3; 3]], ray: Ray, within: Interval) -> BvhClosestQuestion {
     let boxes: Vec<_> = triangles
         .iter()
         .map(|&corners| {

@@ -13,11 +13,11 @@ use crate::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray
 use crate::shape::{Shape, mesh::Facet};
 use crate::workbook::exercise::Exercise;
 use crate::workbook::exercises::ch07_mesh::{Corners, MeshHitAnswer};
-use crate::workbook::exercises::ch11_bvh::{NodeRow, to_rows};
 use crate::workbook::exercises::ch24_wide_bvh::{
     Collapse, CollapseQuestion, FamilyRow, WideChild, WideClosest, WideClosestAnswer,
     WideClosestQuestion, WideLeaf, WideNode,
 };
+use crate::workbook::tree_rows::{NodeRow, to_rows};
 use glam::{Vec3, vec3};
 use rand::RngExt;
 
@@ -337,6 +337,10 @@ fn chain(n: u32) -> CollapseQuestion {
     CollapseQuestion { nodes }
 }
 
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a mistake of its own"
+)]
 /// How a search goes wrong.
 #[derive(Clone, Copy)]
 struct How {

@@ -35,11 +35,7 @@ impl Exercise for OctreeChild {
     const TASK: &'static str = "Return the number of the child in which a point of a cell lies, 4·z + 2·y + x, where x is 1 in the upper half along x, from the middle plane on, and 0 in the lower half, and so on.";
 
     fn answer(q: &Self::Question) -> Self::Answer {
-        let cell = Aabb {
-            min: q.min,
-            max: q.max,
-        };
-        child_at(&cell, q.p) as u32
+        child_at(&Aabb::of([q.min, q.max]), q.p) as u32
     }
 }
 
@@ -114,10 +110,7 @@ impl Exercise for OctreeBuild {
         and the copies that the limits allow last; a shape is named in every leaf that it reaches.";
 
     fn answer(q: &Self::Question) -> Self::Answer {
-        let bounds = Aabb {
-            min: q.min,
-            max: q.max,
-        };
+        let bounds = Aabb::of([q.min, q.max]);
         let limits = Limits {
             opening: q.opening,
             copies: q.copies,
@@ -137,7 +130,7 @@ impl Exercise for OctreeBuild {
 pub struct OctreeWalk;
 
 row! {
-    /// A ray, the distances that count, and a tree.
+    /// A ray and a tree.
     pub struct OctreeWalkQuestion {
         /// The ray.
         pub ray: Ray,
@@ -176,15 +169,12 @@ impl OctreeWalkQuestion {
         if nodes.is_empty() {
             nodes.push(Node::leaf(0, 0));
         }
-        let names = nodes.iter().map(|node| match node.kind() {
-            Kind::Leaf { first, count } => first.saturating_add(count),
-            Kind::Inner { .. } => 0,
-        });
+        let names = self
+            .nodes
+            .iter()
+            .map(|row| row.first.saturating_add(row.count));
         Tree {
-            bounds: Aabb {
-                min: self.min,
-                max: self.max,
-            },
+            bounds: Aabb::of([self.min, self.max]),
             named: (0..names.max().unwrap_or(0).min(1 << 16)).collect(),
             nodes,
         }

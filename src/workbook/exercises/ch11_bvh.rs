@@ -1,11 +1,9 @@
 //! Chapter 11: `sah_cost`, `sah_split`, `bvh_build`, `bvh_closest`.
 
 use crate::accel::bvh::build::cost::{Cost, sah_cost};
-use crate::accel::bvh::build::flat::{Flat, Node};
 use crate::accel::bvh::build::item::Item;
 use crate::accel::bvh::build::sweep::sah_split;
 use crate::accel::bvh::build::{Method, build};
-use crate::accel::bvh::pair::{Link, Pair};
 use crate::accel::bvh::{Bvh, COST};
 use crate::accel::{Accel, Tests};
 use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
@@ -13,76 +11,10 @@ use crate::shape::mesh::Facet;
 use crate::workbook::exercise::{Asked, Exercise};
 use crate::workbook::exercises::ch07_mesh::{Corners, MeshHitAnswer};
 use crate::workbook::row::row;
-use glam::Vec3;
+use crate::workbook::tree_rows::{BoxRow, NodeRow, to_flat, to_rows};
 
 /// This chapter's exercises, in order.
 pub const EXERCISES: &[&dyn Asked] = &[&SahCost, &SahSplit, &BvhBuild, &BvhClosest];
-
-row! {
-    /// A node of a tree in a list: the root is number 0.
-    pub struct NodeRow {
-        /// The least corner of its box.
-        pub min: Vec3,
-        /// The greatest corner.
-        pub max: Vec3,
-        /// Of a branch: the number of its left child; the right one follows it. Of a leaf: its first shape.
-        pub first: u32,
-        /// How many shapes a leaf has; 0 for a branch.
-        pub count: u32,
-    }
-}
-
-row! {
-    /// A box.
-    pub struct BoxRow {
-        /// The least corner.
-        pub min: Vec3,
-        /// The greatest corner.
-        pub max: Vec3,
-    }
-}
-
-/// The list of a tree's nodes.
-pub fn to_rows(flat: &Flat) -> Vec<NodeRow> {
-    let below = flat.pairs.iter().flat_map(Pair::nodes);
-    let row = |node: Node| NodeRow {
-        min: node.bounds.min,
-        max: node.bounds.max,
-        first: match node.link.count {
-            0 => 1 + 2 * node.link.first,
-            _ => node.link.first,
-        },
-        count: node.link.count,
-    };
-    flat.root.into_iter().chain(below).map(row).collect()
-}
-
-/// The tree of a list of nodes, over shapes in the order of its leaves.
-pub fn to_flat(rows: &[NodeRow], shapes: usize) -> Flat {
-    let node = |row: &NodeRow| Node {
-        bounds: aabb(row.min, row.max),
-        link: Link {
-            first: match row.count {
-                0 => row.first.saturating_sub(1) / 2,
-                _ => row.first,
-            },
-            count: row.count,
-        },
-    };
-    let below = rows.get(1..).unwrap_or_default();
-    Flat {
-        root: rows.first().map(node),
-        pairs: below
-            .chunks_exact(2)
-            .map(|pair| Pair::new([node(&pair[0]), node(&pair[1])]))
-            .collect(),
-        order: (0..shapes as u32).collect(),
-    }
-}
-
-fn aabb(min: Vec3, max: Vec3) -> Aabb {
-    Aabb { min, max }
-}
 
 /// See [`Exercise::TASK`].
 pub struct SahCost;
@@ -143,7 +75,7 @@ impl Exercise for SahSplit {
 }
 
 fn items(boxes: &[BoxRow]) -> Vec<Item> {
-    let boxes = boxes.iter().map(|row| aabb(row.min, row.max)).enumerate();
+    let boxes = boxes.iter().map(Aabb::from).enumerate();
     boxes.map(|(i, bounds)| Item::new((i, &bounds))).collect()
 }
 
@@ -177,7 +109,7 @@ impl Exercise for BvhBuild {
     const TASK: &'static str = "Build a hierarchy over the boxes from the top down, with a cost by the surface-area heuristic that is as small as you can make it if a branch and a shape cost 1 each.";
 
     fn answer(q: &Self::Question) -> Self::Answer {
-        let boxes: Vec<_> = q.boxes.iter().map(|row| aabb(row.min, row.max)).collect();
+        let boxes: Vec<_> = q.boxes.iter().map(Aabb::from).collect();
         let cost = Cost {
             most: q.most,
             ..COST

@@ -10,8 +10,8 @@ use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use crate::shape::mesh::Facet;
 use crate::workbook::exercise::{Asked, Exercise};
 use crate::workbook::exercises::ch07_mesh::{Corners, MeshHitAnswer};
-use crate::workbook::exercises::ch11_bvh::{NodeRow, to_flat};
 use crate::workbook::row::row;
+use crate::workbook::tree_rows::{NodeRow, to_flat};
 use glam::Vec3;
 
 /// This chapter's exercises, in order.

@@ -10,11 +10,29 @@ use raybook_embree::student::STUDENTS;
 const KEYS: usize = 5;
 
 /// Named cases to which Embree answers otherwise, and why nobody is wrong.
-const OTHERWISE: &[(&str, &str, &str)] = &[(
-    "mesh_hit",
-    "an empty list",
-    "Embree takes no buffer without triangles, so it is not asked",
-)];
+const OTHERWISE: &[(&str, &str, &str)] = &[
+    (
+        "mesh_hit",
+        "an empty list",
+        "Embree takes no buffer without triangles, so it is not asked",
+    ),
+    (
+        "wide_closest",
+        "no triangles",
+        "Embree takes no buffer without triangles, so it is not asked",
+    ),
+];
+
+/// Mistakes that find the right hits, with too much work: Embree cannot contradict them.
+const TOO_MUCH_WORK: &[(&str, &str)] = &[
+    ("bvh_closest", "tests every triangle"),
+    ("bvh_closest", "opens every box"),
+    (
+        "bvh_closest",
+        "does not shorten the interval for the second child",
+    ),
+    ("bvh_closest", "opens the farther child first"),
+];
 
 #[test]
 fn embree_confirms_the_golden_answers() {
@@ -73,6 +91,9 @@ fn embree_contradicts_the_golden_answers_of_every_mistake() {
             })
             .collect();
         for (i, (mistake, _)) in examiner.mistakes().into_iter().enumerate() {
+            if TOO_MUCH_WORK.contains(&(exercise, mistake)) {
+                continue;
+            }
             let mut contradicted = said.iter().filter(|(question, said)| {
                 let golden = examiner.mistaken(i, question).expect("a question");
                 examiner.judge(question, &[golden], said).is_err()

@@ -4,7 +4,7 @@ use crate::accel::bvh::build::cost::Cost;
 use crate::accel::bvh::build::halves::partition;
 use crate::accel::bvh::build::item::{Bounds, Extent, Item};
 
-/// From so many items on, all three axes are tried with 32 bins each; else the widest one with 8.
+/// From so many items on, all three axes are tried with 16 bins each; else the widest one with 8.
 const MANY: usize = 64;
 
 /// Splits the items between two bins, where the surface-area heuristic is least, if that is better than a leaf (Wald 2007).
@@ -12,7 +12,7 @@ pub fn split(items: &mut [Item], extent: &Extent, cost: &Cost) -> Option<usize> 
     let cut = if items.len() < MANY {
         Cut::best_along::<8>(extent.widest(), items, extent, cost)
     } else {
-        let cuts = [0, 1, 2].map(|axis| Cut::best_along::<32>(axis, items, extent, cost));
+        let cuts = [0, 1, 2].map(|axis| Cut::best_along::<16>(axis, items, extent, cost));
         let [x, y, z] = cuts;
         let xy = if y.cost < x.cost { y } else { x };
         if z.cost < xy.cost { z } else { xy }

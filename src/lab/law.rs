@@ -1,0 +1,54 @@
+//! What a search costs, by the number of shapes: counted, not timed.
+
+use crate::accel::{Accel, Tests};
+use crate::math::{dir3::Dir3, interval::Interval, pcg, ray::Ray};
+use crate::scene::soup::soup;
+use crate::shape::mesh::Facet;
+use glam::Vec3;
+use rand::RngExt;
+
+/// How far the rays of a question go.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reach {
+    /// From a point in the soup, as far as from one triangle to the next: 1/∛N.
+    Near,
+    /// From outside through the soup, to the first hit.
+    Through,
+}
+
+/// The mean number of boxes and of shapes that a ray tests, in a soup of n triangles.
+pub fn mean_tests<A: Accel<Facet>>(
+    n: u32,
+    reach: Reach,
+    build: impl FnOnce(Vec<Facet>) -> A,
+) -> [f64; 2] {
+    const RAYS: u32 = 4000;
+    let accel = build(soup(n, 1).facets());
+    let mut rng = pcg::stream(2, u64::from(n));
+    let mut point = || Vec3::from_array(std::array::from_fn(|_| rng.random::<f32>()));
+    let mut tests = Tests::default();
+    for _ in 0..RAYS {
+        let (from, to) = (point(), point());
+        let toward = Dir3::new_or(to - from, Dir3::X);
+        let (origin, length) = match reach {
+            Reach::Near => (from, 1.0 / (n as f32).cbrt()),
+            Reach::Through => (from - 2.0 * *toward, f32::INFINITY),
+        };
+        let ray = Ray::new(origin, toward);
+        accel.closest_counted(&ray, Interval::new(0.0, length), &mut tests);
+    }
+    [tests.boxes, tests.shapes].map(|count| count as f64 / f64::from(RAYS))
+}
+
+/// The line a + b·log₁₀ N that fits counts best, by least squares: [a, b].
+pub fn fit(counts: &[(f64, f64)]) -> [f64; 2] {
+    let n = counts.len() as f64;
+    let mean = |of: fn(&(f64, f64)) -> f64| counts.iter().map(of).sum::<f64>() / n;
+    let (x, y) = (mean(|p| p.0.log10()), mean(|p| p.1));
+    let moved = counts.iter().map(|p| (p.0.log10() - x, p.1 - y));
+    let (products, squares) = moved.fold((0.0, 0.0), |sum, (dx, dy)| {
+        (sum.0 + dx * dy, sum.1 + dx * dx)
+    });
+    let slope = products / squares;
+    [y - slope * x, slope]
+}

@@ -26,8 +26,9 @@
 //! | ray with a NaN or an infinity | a miss | not asked: `Oracle::closest` refuses it |
 //! | back side of a triangle, sphere from inside | hit; the normal stays outward | the same |
 //! | exactly on an edge or a corner of one triangle | hit | the same |
-//! | edge between two triangles | either, by rounding, or for one in 20 rays aimed at it neither | fast mode: the same; robust mode: always one of them |
+//! | edge between two triangles | always one of them | robust mode: the same; fast mode: either, by rounding, or for one in 20 rays aimed at it neither |
 //! | ray in a triangle's plane; triangle without area | miss | the same |
+//! | triangle seen from its edge, thinner than rounding | where the triangle is | robust mode: for two rays in a million, far in front of it (`src/contest.rs`) |
 //! | ray in a face of a box | hit (the face belongs to the box) | hit or miss: it meets the face's triangles at their edges |
 //! | touching a sphere in one point | hit | the same |
 //! | the same triangle twice | the first | one of them |

@@ -172,7 +172,7 @@ impl Search {
     fn answer(self) -> Answer {
         let hit = self
             .hit
-            .map_or(vec![NONE], |(t, i)| vec![t, i as f64]);
+            .map_or(vec![crate::student::NONE], |(t, i)| vec![t, i as f64]);
         Some([vec![self.nodes as f64, self.tests as f64], hit].concat())
     }
 }

@@ -10,6 +10,7 @@ use std::collections::BTreeMap;
 /// Files that may be longer than 200 lines, each with a reason. So may the tables of cases and mistakes, which have a row
 /// for each.
 const LONG_FILES: &[(&str, &str)] = &[
+    ("tests/agreement.rs", "every structure, asked in every way"),
     ("tests/ask.rs", "a list of programs, one test each"),
     ("tests/feedback.rs", "a list of messages, one test each"),
     ("tests/first_hour.rs", "one hour, told in order"),

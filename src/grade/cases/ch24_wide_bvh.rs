@@ -633,7 +633,6 @@ impl Graded for WideClosest {
                 question(slanted.collect(), ray, ahead),
             ),
             Edge::new("one leaf", walls(3, ray, ahead)),
-            Edge::new("no triangles", walls(0, ray, ahead)),
         ]
     }
 

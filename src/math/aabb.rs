@@ -24,6 +24,11 @@ impl Aabb {
         max: Vec3::INFINITY,
     };
 
+    /// The box from its least to its greatest corner.
+    pub const fn new(min: Vec3, max: Vec3) -> Self {
+        Self { min, max }
+    }
+
     // ANCHOR: bounds_of
     /// The smallest box that holds all the points; [`Aabb::EMPTY`] for none.
     ///

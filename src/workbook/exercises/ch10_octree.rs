@@ -35,13 +35,7 @@ impl Exercise for OctreeChild {
     const TASK: &'static str = "Return the number of the child in which a point of a cell lies, 4·z + 2·y + x, where x is 1 in the upper half along x, from the middle plane on, and 0 in the lower half, and so on.";
 
     fn answer(q: &Self::Question) -> Self::Answer {
-        child_at(
-            &Aabb {
-                min: q.min,
-                max: q.max,
-            },
-            q.p,
-        ) as u32
+        child_at(&Aabb::new(q.min, q.max), q.p) as u32
     }
 }
 
@@ -116,10 +110,7 @@ impl Exercise for OctreeBuild {
         and the copies that the limits allow last; a shape is named in every leaf that it reaches.";
 
     fn answer(q: &Self::Question) -> Self::Answer {
-        let bounds = Aabb {
-            min: q.min,
-            max: q.max,
-        };
+        let bounds = Aabb::new(q.min, q.max);
         let limits = Limits {
             opening: q.opening,
             copies: q.copies,
@@ -183,10 +174,7 @@ impl OctreeWalkQuestion {
             .iter()
             .map(|row| row.first.saturating_add(row.count));
         Tree {
-            bounds: Aabb {
-                min: self.min,
-                max: self.max,
-            },
+            bounds: Aabb::new(self.min, self.max),
             named: (0..names.max().unwrap_or(0).min(1 << 16)).collect(),
             nodes,
         }

@@ -32,6 +32,8 @@ pub mod camera;
 pub mod grade;
 pub mod image;
 pub mod lab;
+pub mod light;
+pub mod material;
 pub mod math;
 pub mod render;
 pub mod scene;

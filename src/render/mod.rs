@@ -1,3 +1,5 @@
 //! Floor 6: from rays to a picture.
 
 pub mod film;
+pub mod local;
+pub mod whitted;

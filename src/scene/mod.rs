@@ -5,3 +5,4 @@ pub mod noise;
 pub mod soup;
 pub mod terrain;
 pub mod window;
+pub mod world;

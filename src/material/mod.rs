@@ -1,0 +1,39 @@
+//! Floor 4: what surfaces make of light.
+
+pub mod blinn_phong;
+pub mod checkered;
+pub mod phong;
+
+use crate::image::rgb::Rgb;
+use crate::light::LightSample;
+use crate::math::{dir3::Dir3, ray::Ray};
+use crate::shape::Surface;
+
+// ANCHOR: material
+/// What a surface sends to a viewer. `view` is the direction from the surface to the viewer.
+pub trait Material: Send + Sync {
+    /// The radiance that light from a lamp becomes.
+    fn lit(&self, at: &Surface, view: Dir3, light: &LightSample) -> Rgb;
+
+    /// k_a: the share of the scene's ambient light that is sent on.
+    fn ambient(&self, _at: &Surface) -> Rgb {
+        Rgb::BLACK
+    }
+
+    /// The radiance of what is seen in the surface or through it; `see` tells what a ray sees.
+    fn beyond(&self, _at: &Surface, _view: Dir3, _see: &mut dyn FnMut(&Ray) -> Rgb) -> Rgb {
+        Rgb::BLACK
+    }
+}
+// ANCHOR_END: material
+
+impl Surface {
+    /// The shading normal, turned to the side from which the surface is seen.
+    pub fn facing(&self, view: Dir3) -> Dir3 {
+        if self.normal.dot(*view) < 0.0 {
+            -self.shading_normal
+        } else {
+            self.shading_normal
+        }
+    }
+}

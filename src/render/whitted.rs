@@ -1,0 +1,40 @@
+//! Whitted's ray tracing: what a surface shows in itself or through itself is seen by another ray.
+
+use crate::image::rgb::Rgb;
+use crate::material::Material;
+use crate::math::{pcg::Pcg, ray::Ray};
+use crate::render::local::Local;
+use crate::scene::world::Scene;
+
+/// Follows rays from surface to surface (Whitted, "An improved illumination model for shaded display", 1980).
+#[derive(Clone, Copy)]
+pub struct Whitted {
+    /// How light from the lights is gathered at each surface.
+    pub local: Local,
+    /// So many surfaces are followed in a row; what the last one would show of others is black.
+    pub depth: u32,
+}
+
+impl Whitted {
+    // ANCHOR: whitted
+    /// What a ray sees: L = local illumination + what the material sees beyond, which asks the same question again.
+    ///
+    /// Two facing mirrors would ask for ever. Each question has one surface less to go, and at 0 the answer is black.
+    pub fn radiance(&self, scene: &Scene<dyn Material>, ray: &Ray, rng: &mut Pcg) -> Rgb {
+        self.follow(scene, ray, self.depth, rng)
+    }
+    // ANCHOR_END: whitted
+
+    fn follow(&self, scene: &Scene<dyn Material>, ray: &Ray, left: u32, rng: &mut Pcg) -> Rgb {
+        if left == 0 {
+            return Rgb::BLACK;
+        }
+        let Some(seen) = scene.closest(ray) else {
+            return (scene.backdrop)(ray);
+        };
+        let view = -ray.direction;
+        let local = self.local.radiance(scene, &seen, view, rng);
+        let mut see = |ray: &Ray| self.follow(scene, ray, left - 1, rng);
+        local + seen.material.beyond(&seen.surface, view, &mut see)
+    }
+}

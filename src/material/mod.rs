@@ -2,7 +2,9 @@
 
 pub mod blinn_phong;
 pub mod checkered;
+pub mod mirror;
 pub mod phong;
+pub mod polished;
 
 use crate::image::rgb::Rgb;
 use crate::light::LightSample;

@@ -4,6 +4,8 @@
 
 #![allow(clippy::unnecessary_wraps)] // an answer may be none, if not in every exercise
 
+#[path = "alternatives/ch12.rs"]
+mod ch12;
 #[path = "alternatives/flat.rs"]
 mod flat;
 #[path = "alternatives/light.rs"]
@@ -83,6 +85,7 @@ fn alternatives() -> impl Iterator<Item = &'static Alternative> {
         flat::ALTERNATIVES,
         triangle::ALTERNATIVES,
         mesh::ALTERNATIVES,
+        ch12::ALTERNATIVES,
     ]
     .into_iter()
     .flatten()

@@ -31,6 +31,10 @@ mod chapters {
     pub mod ch06_triangle;
     #[path = "../../chapters/ch07_mesh.rs"]
     pub mod ch07_mesh;
+    #[path = "../../chapters/ch12_phong.rs"]
+    pub mod ch12_phong;
+    #[path = "../../chapters/ch13_reflection.rs"]
+    pub mod ch13_reflection;
 }
 
 /// Draws a chapter.
@@ -45,6 +49,8 @@ const DRAW: &[(&str, Draw)] = &[
     ("ch05_box", chapters::ch05_box::draw),
     ("ch06_triangle", chapters::ch06_triangle::draw),
     ("ch07_mesh", chapters::ch07_mesh::draw),
+    ("ch12_phong", chapters::ch12_phong::draw),
+    ("ch13_reflection", chapters::ch13_reflection::draw),
 ];
 
 /// The options of `raybook tour`.

@@ -2,17 +2,22 @@
 
 pub mod bars;
 pub mod barycentrics;
+pub mod bench;
 pub mod camera_diagram;
 pub mod cancellation;
 pub mod chapter;
 pub mod figure;
+pub mod floors;
 pub mod gallery;
+pub mod lobes;
 pub mod looks;
 pub mod options;
 pub mod outdoors;
 pub mod palette;
 pub mod platonic;
 pub mod race;
+pub mod ray_tree;
+pub mod ray_tree_figure;
 pub mod say;
 pub mod sheet;
 pub mod showroom;

@@ -1,6 +1,8 @@
 //! Floor 4: stock scenes that chapters share.
 
 pub mod evening;
+pub mod kissing_balls;
+pub mod marbles;
 pub mod noise;
 pub mod soup;
 pub mod terrain;

@@ -12,6 +12,7 @@ type Wrong = (&'static [&'static str], &'static str, fn(&mut [f64]));
 const CAMERA: &[&str] = &["camera_ray"];
 const COLOURS: &[&str] = &["expose", "tone_map"];
 const DIRECTIONS: &[&str] = &["sphere_normal", "triangle_normal", "interpolate_normal"];
+const HIGHLIGHTS: &[&str] = &["phong", "blinn_phong"];
 const HITS: &[&str] = &[
     "sphere_hit",
     "plane_hit",
@@ -46,6 +47,15 @@ const WRONGS: &[Wrong] = &[
         turn(normals.last_chunk_mut::<3>().expect("a normal"));
     }),
     (&["mesh_hit"], "ids count from 1", |hit| hit[1] += 1.0),
+    (HIGHLIGHTS, "a little more red", |c| c[0] += 0.01),
+    (HIGHLIGHTS, "a little less blue", |c| c[2] -= 0.01),
+    (&["point_light"], "1° beside the light", |light| {
+        turn(&mut light[..3]);
+    }),
+    (&["point_light"], "1 % too near", |light| light[3] *= 0.99),
+    (&["point_light"], "1 % too bright", |light| {
+        scale(&mut light[4..], 1.01)
+    }),
 ];
 
 /// Of so many answers that are spoilt, in percent, all these must be noticed: 1 % of 0 is right.

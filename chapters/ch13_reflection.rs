@@ -5,7 +5,7 @@
 //!
 //! New: material/mirror.rs material/polished.rs render/whitted.rs scene/marbles.rs scene/kissing_balls.rs
 
-use glam::{Vec2, Vec3, vec2, vec3};
+use glam::{Vec2, Vec3, vec2};
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::Image;
 use raybook::lab::stage::{Drawn, Stage};
@@ -19,7 +19,7 @@ use raybook::scene::{kissing_balls, marbles};
 use std::process::ExitCode;
 
 /// The pixel whose tree is drawn: its place on the film.
-const PIXEL: Vec2 = vec2(0.44, 0.42);
+const PIXEL: Vec2 = vec2(0.4135, 0.789);
 
 /// Draws the chapter's pictures.
 pub(crate) fn draw(stage: &Stage) -> Drawn {
@@ -38,13 +38,8 @@ pub(crate) fn draw(stage: &Stage) -> Drawn {
         samples: 4,
         ..stage.tile(2, 1.0)
     };
-    let above = Pinhole::look_at(
-        vec3(0.4, 10.5, 5.5),
-        vec3(0.1, 0.3, 0.4),
-        Vec3::Y,
-        0.036,
-        film.aspect(),
-    )?;
+    let [from, to] = marbles::FROM_ABOVE;
+    let above = Pinhole::look_at(from, to, Vec3::Y, 0.038, film.aspect())?;
     let view = photograph(&film, &above, &scene, 8);
     let tree = ray_tree::grow(&whitted(5), &scene, &camera.ray_through(PIXEL));
     let caption = "The rays that answer for one pixel of the picture above, seen from above, and the tree of their questions. \
@@ -57,20 +52,17 @@ pub(crate) fn draw(stage: &Stage) -> Drawn {
 
     let film = stage.tile(3, 1.0);
     let [from, to] = kissing_balls::VIEW;
-    let camera = Pinhole::look_at(from, to, Vec3::Y, 0.034, film.aspect())?;
+    let camera = Pinhole::look_at(from, to, Vec3::Y, 0.055, film.aspect())?;
     let scene = kissing_balls::scene();
-    let tiles = [1, 2, 3, 4, 6, 12].map(|depth| {
-        let name = match depth - 1 {
-            0 => "no reflection".to_owned(),
-            1 => "1 reflection".to_owned(),
-            n => format!("{n} reflections"),
-        };
-        (name, photograph(&film, &camera, &scene, depth))
-    });
-    let tiles: Vec<_> = tiles
-        .iter()
-        .map(|(name, tile)| (&**name, tile.clone()))
-        .collect();
+    let tiles = [
+        ("no reflection", 1),
+        ("1 reflection", 2),
+        ("2 reflections", 3),
+        ("3 reflections", 4),
+        ("5 reflections", 6),
+        ("11 reflections", 12),
+    ];
+    let tiles = tiles.map(|(name, depth)| (name, photograph(&film, &camera, &scene, depth)));
     let caption = "Four mirror balls that touch, before coloured light. What the last surface that is followed would show is black; \
         each reflection more fills in a part of it, a smaller one every time.";
     stage.figure("depth", caption, &sheet(3, &tiles)?)

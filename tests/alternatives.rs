@@ -6,6 +6,8 @@
 
 #[path = "alternatives/ch12.rs"]
 mod ch12;
+#[path = "alternatives/ch15.rs"]
+mod ch15;
 #[path = "alternatives/flat.rs"]
 mod flat;
 #[path = "alternatives/light.rs"]
@@ -86,6 +88,7 @@ fn alternatives() -> impl Iterator<Item = &'static Alternative> {
         triangle::ALTERNATIVES,
         mesh::ALTERNATIVES,
         ch12::ALTERNATIVES,
+        ch15::ALTERNATIVES,
     ]
     .into_iter()
     .flatten()

@@ -35,6 +35,8 @@ mod chapters {
     pub mod ch12_phong;
     #[path = "../../chapters/ch13_reflection.rs"]
     pub mod ch13_reflection;
+    #[path = "../../chapters/ch15_shadows.rs"]
+    pub mod ch15_shadows;
 }
 
 /// Draws a chapter.
@@ -51,6 +53,7 @@ const DRAW: &[(&str, Draw)] = &[
     ("ch07_mesh", chapters::ch07_mesh::draw),
     ("ch12_phong", chapters::ch12_phong::draw),
     ("ch13_reflection", chapters::ch13_reflection::draw),
+    ("ch15_shadows", chapters::ch15_shadows::draw),
 ];
 
 /// The options of `raybook tour`.

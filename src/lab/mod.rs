@@ -26,3 +26,4 @@ pub mod slabs;
 pub mod stage;
 pub mod stops;
 pub mod triangle_race;
+pub mod wrong_shadows;

@@ -20,7 +20,7 @@ pub const PHOTOGRAPH: (usize, usize) = (560, 520);
 const TREE: u32 = 420;
 
 /// A ray that goes on for ever, and the one from the camera, are drawn for so many metres.
-const SHOWN: f32 = 2.2;
+const SHOWN: f32 = 1.6;
 
 /// Draws the rays on a photograph that `viewer` took of their scene, and beside it the tree.
 ///
@@ -47,14 +47,14 @@ pub fn draw(tree: &Branch, photograph: &Image, viewer: Pinhole) -> Result<Image,
     })
 }
 
-/// The colour and the name of a kind of ray.
+/// The colour of a kind of ray, and its name; a ray to a light is named at its end.
 fn style(branch: &Branch) -> (RGBColor, &'static str) {
     match (branch.kind, branch.end) {
         (Kind::Camera, _) => (INK, "camera ray"),
         (Kind::Reflected, _) => (VERMILION, "reflected"),
         (Kind::Refracted, _) => (BLUE, "refracted"),
-        (Kind::Light, End::Shadow) => (PURPLE, "in shadow"),
-        (Kind::Light, _) => (ORANGE, "to a light"),
+        (Kind::Light, End::Shadow) => (PURPLE, ""),
+        (Kind::Light, _) => (ORANGE, ""),
     }
 }
 
@@ -77,7 +77,7 @@ fn background(canvas: &Canvas, photograph: &Image) -> Drawn {
     for y in 0..photograph.height() * SCALE as usize {
         for x in 0..photograph.width() * SCALE as usize {
             let colour = photograph.at(x / SCALE as usize, y / SCALE as usize);
-            let pale = tone::clamp(colour).lerp(Rgb::WHITE, 0.45);
+            let pale = tone::clamp(colour).lerp(Rgb::WHITE, 0.35);
             canvas.draw_pixel((x as i32, y as i32), &display(pale))?;
         }
     }
@@ -86,16 +86,11 @@ fn background(canvas: &Canvas, photograph: &Image) -> Drawn {
 
 fn rays(sketch: &Sketch, branch: &Branch) -> Drawn {
     let (colour, _) = style(branch);
-    let far = if branch.kind == Kind::Light {
-        1.2 * SHOWN
-    } else {
-        SHOWN
-    };
-    let to = branch.from + branch.distance.min(far) * branch.direction;
+    let to = branch.from + branch.distance.min(SHOWN) * branch.direction;
     match branch.kind {
         Kind::Camera => {
             let to = branch.from + branch.distance * branch.direction;
-            sketch.arrow(to - 1.5 * SHOWN * branch.direction, to, colour, 6)?;
+            sketch.arrow(to - 2.0 * SHOWN * branch.direction, to, colour, 6)?;
         }
         Kind::Light => sketch.dashes(branch.from, to, colour, 5)?,
         _ if branch.distance.is_finite() => {
@@ -146,8 +141,9 @@ impl Layout<'_, '_> {
         let title = match branch.end {
             End::Surface => count.to_string(),
             End::Backdrop => "sky".to_owned(),
-            End::Limit => "limit: black".to_owned(),
-            End::Light | End::Shadow => String::new(),
+            End::Limit => "limit".to_owned(),
+            End::Light => "light".to_owned(),
+            End::Shadow => "shadow".to_owned(),
         };
         let mut leaf = first_leaf;
         for below in shown(branch) {
@@ -162,7 +158,12 @@ impl Layout<'_, '_> {
         ))?;
         self.canvas
             .draw(&Circle::new(pixel(place), 30, FAINT.stroke_width(4)))?;
-        label(self.canvas, place + vec2(0.0, 56.0), &title, INK)?;
+        let beside = if branch.end == End::Surface {
+            vec2(-58.0, 0.0)
+        } else {
+            vec2(0.0, 58.0)
+        };
+        label(self.canvas, place + beside, &title, INK)?;
         Ok(place)
     }
 

@@ -12,10 +12,10 @@ pub const VIEW: [Vec3; 2] = [vec3(0.0, 0.0, 5.2), Vec3::ZERO];
 
 /// The directions of three coloured lights in the backdrop, and their colours; there is a fourth behind the camera.
 const GLOWS: [(Vec3, Rgb); 4] = [
-    (vec3(0.0, 1.0, -0.1), Rgb::new(1.0, 0.75, 0.25)),
-    (vec3(-0.87, -0.5, -0.1), Rgb::new(0.05, 0.45, 0.75)),
-    (vec3(0.87, -0.5, -0.1), Rgb::new(0.85, 0.25, 0.06)),
-    (vec3(0.0, 0.0, 1.0), Rgb::new(0.9, 0.92, 0.95)),
+    (vec3(0.0, 1.0, -0.1), Rgb::new(0.95, 0.60, 0.05)),
+    (vec3(-0.87, -0.5, -0.1), Rgb::new(0.01, 0.35, 0.75)),
+    (vec3(0.87, -0.5, -0.1), Rgb::new(0.80, 0.16, 0.03)),
+    (vec3(0.0, 0.0, 1.0), Rgb::new(0.45, 0.47, 0.50)),
 ];
 
 /// Balls of radius 1 at the corners of a regular tetrahedron, one behind the other three; no lights but the backdrop.
@@ -40,10 +40,10 @@ pub fn scene() -> Scene<dyn Material> {
 
 /// Soft lights in four directions on a pale ground.
 fn glows(ray: &Ray) -> Rgb {
-    let pale = Rgb::new(0.20, 0.22, 0.25);
+    let pale = Rgb::new(0.10, 0.11, 0.13);
     let glow = |(toward, colour): (Vec3, Rgb)| {
         let toward = Dir3::new_or(toward, Dir3::Y);
-        colour * ray.direction.dot(*toward).max(0.0).powi(3)
+        colour * ray.direction.dot(*toward).max(0.0).powi(2)
     };
     pale + GLOWS.map(glow).into_iter().sum()
 }

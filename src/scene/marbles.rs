@@ -14,8 +14,14 @@ use std::f32::consts::FRAC_1_PI;
 /// Where a camera sees all of them, and where it looks.
 pub const VIEW: [Vec3; 2] = [vec3(0.3, 3.1, 7.4), vec3(0.05, 0.55, 0.0)];
 
+/// The same from above and the left, where the balls hide little of each other.
+pub const FROM_ABOVE: [Vec3; 2] = [vec3(-2.6, 4.8, 6.0), vec3(-0.35, 0.45, 0.9)];
+
 /// Where the lamp hangs.
 pub const LAMP: Vec3 = vec3(-3.0, 4.5, 2.5);
+
+/// Ambient light.
+const AMBIENT: Rgb = Rgb::new(0.15, 0.17, 0.20);
 
 /// The middle of a ball's highlight, in 1/sr.
 const SHINE: f32 = 0.25;
@@ -37,6 +43,24 @@ const MARBLES: [(f32, f32, f32, Rgb); 7] = [
 
 /// The scene.
 pub fn scene() -> Scene<dyn Material> {
+    let sun = DirectionalLight {
+        toward: Dir3::new_or(vec3(0.75, 1.0, 0.35), Dir3::Y),
+        irradiance: Rgb::new(1.0, 0.97, 0.92) * 1.3,
+    };
+    Scene::new(things(), vec![lamp(), Box::new(sun)]).surrounded_by(AMBIENT, sky)
+}
+
+/// The same with the lamp alone, below a roof.
+pub fn under_roof() -> Scene<dyn Material> {
+    let roof = Plane::through(vec3(0.0, 7.0, 0.0), -Dir3::Y);
+    let white = glossy(Rgb::new(0.80, 0.78, 0.72), 0.0, 1.0);
+    let mut things = things();
+    things.push(Thing::new(roof, Box::new(white)));
+    Scene::new(things, vec![lamp()]).surrounded_by(AMBIENT, sky)
+}
+
+/// Floor, mirrors and marbles.
+fn things() -> Vec<Thing<dyn Material>> {
     let tile = |colour| Polished {
         mirror: Mirror {
             share: Rgb::gray(0.22),
@@ -58,16 +82,15 @@ pub fn scene() -> Scene<dyn Material> {
             Thing::new(standing(x, z, radius), Box::new(marble))
         }),
     );
-    let lamp = PointLight {
+    things
+}
+
+/// The lamp.
+fn lamp() -> Box<dyn Light> {
+    Box::new(PointLight {
         position: LAMP,
         intensity: Rgb::new(1.0, 0.86, 0.66) * 45.0,
-    };
-    let sun = DirectionalLight {
-        toward: Dir3::new_or(vec3(0.75, 1.0, 0.35), Dir3::Y),
-        irradiance: Rgb::new(1.0, 0.97, 0.92) * 1.3,
-    };
-    let lights: Vec<Box<dyn Light>> = vec![Box::new(lamp), Box::new(sun)];
-    Scene::new(things, lights).surrounded_by(Rgb::new(0.15, 0.17, 0.20), sky)
+    })
 }
 
 /// A ball that stands on the floor.

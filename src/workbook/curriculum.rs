@@ -24,7 +24,8 @@ macro_rules! for_each_chapter {
             ch06_triangle,
             ch07_mesh,
             ch12_phong,
-            ch13_reflection
+            ch13_reflection,
+            ch15_shadows
         );
     };
 }

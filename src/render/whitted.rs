@@ -23,7 +23,6 @@ impl Whitted {
     pub fn radiance(&self, scene: &Scene<dyn Material>, ray: &Ray, rng: &mut Pcg) -> Rgb {
         self.follow(scene, ray, self.depth, rng)
     }
-    // ANCHOR_END: whitted
 
     fn follow(&self, scene: &Scene<dyn Material>, ray: &Ray, left: u32, rng: &mut Pcg) -> Rgb {
         if left == 0 {
@@ -37,4 +36,5 @@ impl Whitted {
         let mut see = |ray: &Ray| self.follow(scene, ray, left - 1, rng);
         local + seen.material.beyond(&seen.surface, view, &mut see)
     }
+    // ANCHOR_END: whitted
 }

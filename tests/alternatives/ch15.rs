@@ -32,7 +32,7 @@ pub const ALTERNATIVES: &[Alternative] = &[
     },
     Alternative {
         exercise: "shadow_ray",
-        method: "two bounds off the surface, and a thousandth of the way before the light",
+        method: "two bounds off the surface, and three before the light",
         answer: |q| {
             let at = Point::read(q);
             let side = at.normal.dot(at.toward).signum() * at.normal;
@@ -40,7 +40,7 @@ pub const ALTERNATIVES: &[Alternative] = &[
                 at.position + 2.0 * at.error * side,
                 at.toward,
                 0.0,
-                0.999 * at.distance,
+                at.distance - 3.0 * at.error,
             )
         },
     },

@@ -14,7 +14,7 @@ use rand::RngExt;
 pub const GRADED: &[&dyn Examiner] = &[&ShadowRay, &Lit];
 
 /// A shadow ray may start so many times the error bound off the surface: beyond, shadows come loose.
-const FARTHEST: f64 = 10.0;
+const FARTHEST: f64 = 5.0;
 
 /// Of the step off the surface, so much must be there: the rest is rounding.
 const ROUNDED: f64 = 0.9;
@@ -64,7 +64,7 @@ impl Graded for ShadowRay {
             },
         },
         Mistake {
-            name: "skips a tenth of the way",
+            name: "skips a quarter of the way",
             hint: "What stands close to the surface throws no shadow any more: how far off need the ray start?",
             answer: |q| {
                 let far = if q.distance.is_finite() {
@@ -72,7 +72,7 @@ impl Graded for ShadowRay {
                 } else {
                     100.0
                 };
-                starting(q, q.position, 0.1 * far)
+                starting(q, q.position, 0.25 * far)
             },
         },
         Mistake {

@@ -1,7 +1,10 @@
 //! Floor 4: where light comes from.
 
 pub mod directional;
+pub mod extent;
 pub mod point;
+pub mod rect_light;
+pub mod sphere_light;
 
 use crate::image::rgb::Rgb;
 use crate::math::{dir3::Dir3, ray::Ray};

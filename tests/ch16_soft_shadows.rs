@@ -1,0 +1,4 @@
+//! Chapter 16: lights with an extent.
+
+#[path = "ch16_soft_shadows/lights.rs"]
+mod lights;

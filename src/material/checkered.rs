@@ -2,7 +2,7 @@
 
 use crate::image::rgb::Rgb;
 use crate::light::LightSample;
-use crate::material::Material;
+use crate::material::{Material, Sight};
 use crate::math::{dir3::Dir3, ray::Ray};
 use crate::shape::Surface;
 
@@ -29,7 +29,7 @@ impl<M: Material> Material for Checkered<M> {
         self.at(at).ambient(at)
     }
 
-    fn beyond(&self, at: &Surface, view: Dir3, see: &mut dyn FnMut(&Ray) -> Rgb) -> Rgb {
+    fn beyond(&self, at: &Surface, view: Dir3, see: &mut dyn FnMut(&Ray) -> Sight) -> Rgb {
         self.at(at).beyond(at, view, see)
     }
 }

@@ -21,11 +21,20 @@ pub trait Material: Send + Sync {
     }
 
     /// The radiance of what is seen in the surface or through it; `see` tells what a ray sees.
-    fn beyond(&self, _at: &Surface, _view: Dir3, _see: &mut dyn FnMut(&Ray) -> Rgb) -> Rgb {
+    fn beyond(&self, _at: &Surface, _view: Dir3, _see: &mut dyn FnMut(&Ray) -> Sight) -> Rgb {
         Rgb::BLACK
     }
 }
 // ANCHOR_END: material
+
+/// What a ray sees.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sight {
+    /// The radiance that comes along the ray.
+    pub radiance: Rgb,
+    /// How far away what is seen is, in metres; ∞ if the ray meets nothing.
+    pub distance: f32,
+}
 
 impl Surface {
     /// The shading normal, turned to the side from which the surface is seen.

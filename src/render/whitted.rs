@@ -1,7 +1,7 @@
 //! Whitted's ray tracing: what a surface shows in itself or through itself is seen by another ray.
 
 use crate::image::rgb::Rgb;
-use crate::material::Material;
+use crate::material::{Material, Sight};
 use crate::math::{pcg::Pcg, ray::Ray};
 use crate::render::local::Local;
 use crate::scene::world::Scene;
@@ -21,20 +21,27 @@ impl Whitted {
     ///
     /// Two facing mirrors would ask for ever. Each question has one surface less to go, and at 0 the answer is black.
     pub fn radiance(&self, scene: &Scene<dyn Material>, ray: &Ray, rng: &mut Pcg) -> Rgb {
-        self.follow(scene, ray, self.depth, rng)
+        self.follow(scene, ray, self.depth, rng).radiance
     }
     // ANCHOR_END: whitted
 
-    fn follow(&self, scene: &Scene<dyn Material>, ray: &Ray, left: u32, rng: &mut Pcg) -> Rgb {
+    fn follow(&self, scene: &Scene<dyn Material>, ray: &Ray, left: u32, rng: &mut Pcg) -> Sight {
+        let nothing = |radiance| Sight {
+            radiance,
+            distance: f32::INFINITY,
+        };
         if left == 0 {
-            return Rgb::BLACK;
+            return nothing(Rgb::BLACK);
         }
         let Some(seen) = scene.closest(ray) else {
-            return (scene.backdrop)(ray);
+            return nothing((scene.backdrop)(ray));
         };
         let view = -ray.direction;
         let local = self.local.radiance(scene, &seen, view, rng);
         let mut see = |ray: &Ray| self.follow(scene, ray, left - 1, rng);
-        local + seen.material.beyond(&seen.surface, view, &mut see)
+        Sight {
+            radiance: local + seen.material.beyond(&seen.surface, view, &mut see),
+            distance: seen.t,
+        }
     }
 }

@@ -31,6 +31,8 @@ mod chapters {
     pub mod ch06_triangle;
     #[path = "../../chapters/ch07_mesh.rs"]
     pub mod ch07_mesh;
+    #[path = "../../chapters/ch14_refraction.rs"]
+    pub mod ch14_refraction;
 }
 
 /// Draws a chapter.
@@ -45,6 +47,7 @@ const DRAW: &[(&str, Draw)] = &[
     ("ch05_box", chapters::ch05_box::draw),
     ("ch06_triangle", chapters::ch06_triangle::draw),
     ("ch07_mesh", chapters::ch07_mesh::draw),
+    ("ch14_refraction", chapters::ch14_refraction::draw),
 ];
 
 /// The options of `raybook tour`.

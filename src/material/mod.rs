@@ -2,7 +2,10 @@
 
 pub mod blinn_phong;
 pub mod checkered;
+pub mod fresnel;
+pub mod glass;
 pub mod phong;
+pub mod refract;
 
 use crate::image::rgb::Rgb;
 use crate::light::LightSample;

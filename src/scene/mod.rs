@@ -1,6 +1,7 @@
 //! Floor 4: stock scenes that chapters share.
 
 pub mod evening;
+pub mod glassware;
 pub mod noise;
 pub mod soup;
 pub mod terrain;

@@ -1,0 +1,112 @@
+//! Things of glass and water on a checkered floor.
+
+use crate::image::rgb::Rgb;
+use crate::light::directional::DirectionalLight;
+use crate::material::glass::{Glass, Medium};
+use crate::material::{Material, checkered::Checkered, phong::Phong};
+use crate::math::{dir3::Dir3, ray::Ray};
+use crate::scene::world::{Scene, Thing};
+use crate::shape::{Shape, cuboid::Cuboid, plane::Plane, sphere::Sphere};
+use glam::{Vec3, vec3};
+use std::f32::consts::PI;
+
+/// How many surfaces a ray may meet: after so many, less than a hundredth of its light is left nearly everywhere.
+pub const DEPTH: u32 = 12;
+
+/// Between things that only seem to touch, in metres.
+const GAP: f32 = 1e-3;
+
+/// A thing of some material.
+pub fn thing(
+    shape: impl Shape + 'static,
+    material: impl Material + 'static,
+) -> Thing<dyn Material> {
+    Thing {
+        shape: Box::new(shape),
+        material: Box::new(material),
+    }
+}
+
+/// Things on a floor of squares of a metre, under the sun, in a studio with a window.
+pub fn on_floor(mut things: Vec<Thing<dyn Material>>) -> Scene<dyn Material> {
+    let tile = |r, g, b| Phong {
+        ambient: Rgb::new(r, g, b),
+        diffuse: Rgb::new(r, g, b) / PI,
+        specular: Rgb::BLACK,
+        exponent: 1.0,
+    };
+    let floor = Plane::through(Vec3::ZERO, Dir3::Y);
+    let tiles = Checkered(tile(0.86, 0.80, 0.70), tile(0.05, 0.17, 0.23));
+    things.push(thing(floor, tiles));
+    let sun = DirectionalLight {
+        toward: Dir3::new_or(vec3(-0.5, 1.0, 0.4), Dir3::Y),
+        irradiance: Rgb::new(2.0, 1.85, 1.6),
+    };
+    let mut scene = Scene::new(things, vec![Box::new(sun)]);
+    scene.ambient = Rgb::new(0.30, 0.34, 0.40);
+    scene.backdrop = studio;
+    scene
+}
+
+/// A ball inside another ball, which it displaces: both surfaces know both media.
+pub fn ball_in_ball(center: Vec3, radii: [f32; 2], media: [Medium; 2]) -> [Thing<dyn Material>; 2] {
+    let inner = Glass {
+        outside: media[0],
+        inside: media[1],
+    };
+    [
+        thing(Sphere::new(center, radii[0]), Glass::of(media[0])),
+        thing(Sphere::new(center, radii[1]), inner),
+    ]
+}
+
+/// A ball of glass, one with a large bubble, one in a tank of water, and coloured ones.
+pub fn still_life() -> Scene<dyn Material> {
+    let ball = |x, z, r, medium| {
+        let center = vec3(x, r + GAP, z);
+        thing(Sphere::new(center, r), Glass::of(medium))
+    };
+    let coloured = |r, g, b| Medium {
+        absorption: Rgb::new(r, g, b),
+        ..Medium::GLASS
+    };
+    let tank = Cuboid::between(vec3(1.3, GAP, -2.2), vec3(3.5, 1.9, -0.2));
+    let in_water = Glass {
+        outside: Medium::WATER,
+        inside: Medium::GLASS,
+    };
+    let mut things = vec![
+        ball(-0.35, -0.4, 1.25, Medium::GLASS),
+        thing(tank, Glass::of(Medium::WATER)),
+        thing(Sphere::new(vec3(2.4, 0.75, -1.2), 0.7), in_water),
+        ball(-1.45, 1.75, 0.45, coloured(0.15, 0.9, 3.2)),
+        ball(0.95, 1.55, 0.45, coloured(3.0, 0.5, 0.4)),
+        ball(2.35, 1.2, 0.45, coloured(0.25, 2.2, 1.0)),
+    ];
+    let bubble = [Medium::GLASS, Medium::AIR];
+    things.extend(ball_in_ball(
+        vec3(-2.75, 0.95 + GAP, -0.9),
+        [0.95, 0.78],
+        bubble,
+    ));
+    on_floor(things)
+}
+
+/// A bright room: a pale wall, a blue ceiling, and a window of six panes.
+fn studio(ray: &Ray) -> Rgb {
+    let d = ray.direction;
+    let wall =
+        Rgb::new(0.78, 0.76, 0.74).lerp(Rgb::new(0.36, 0.50, 0.70), d.y.clamp(0.0, 1.0).sqrt());
+    // The window is a metre in front of the viewer of the direction that it is in.
+    let toward = Dir3::new_or(vec3(-0.6, 0.75, 0.55), Dir3::Y);
+    let basis = crate::math::basis::Basis::around(toward);
+    let ahead = d.dot(*toward);
+    let (x, y) = (d.dot(*basis.x) / ahead, d.dot(*basis.y) / ahead);
+    let inside = ahead > 0.0 && x.abs() < 0.36 && y.abs() < 0.5;
+    let bars = x.abs() < 0.02 || (y.abs() - 0.17).abs() < 0.02;
+    if inside && !bars {
+        Rgb::new(5.0, 4.8, 4.4)
+    } else {
+        wall
+    }
+}

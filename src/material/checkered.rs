@@ -2,8 +2,8 @@
 
 use crate::image::rgb::Rgb;
 use crate::light::LightSample;
-use crate::material::{Material, Sight};
-use crate::math::{dir3::Dir3, ray::Ray};
+use crate::material::{Material, See};
+use crate::math::dir3::Dir3;
 use crate::shape::Surface;
 
 /// Squares of two materials, side 1 in texture coordinates, as on a chess board.
@@ -29,7 +29,7 @@ impl<M: Material> Material for Checkered<M> {
         self.at(at).ambient(at)
     }
 
-    fn beyond(&self, at: &Surface, view: Dir3, see: &mut dyn FnMut(&Ray) -> Sight) -> Rgb {
+    fn beyond(&self, at: &Surface, view: Dir3, see: &mut See) -> Rgb {
         self.at(at).beyond(at, view, see)
     }
 }

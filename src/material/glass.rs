@@ -4,8 +4,8 @@ use crate::image::rgb::Rgb;
 use crate::light::LightSample;
 use crate::material::fresnel::fresnel;
 use crate::material::refract::refract;
-use crate::material::{Material, Sight};
-use crate::math::{dir3::Dir3, ray::Ray};
+use crate::material::{Material, See, mirror::reflect};
+use crate::math::dir3::Dir3;
 use crate::shape::Surface;
 
 /// What is on one side of a surface.
@@ -79,7 +79,7 @@ impl Material for Glass {
 
     // ANCHOR: glass
     /// R·(what is seen in the surface) + (1 − R)·(what is seen through it), each less what the medium on the way absorbs.
-    fn beyond(&self, at: &Surface, view: Dir3, see: &mut dyn FnMut(&Ray) -> Sight) -> Rgb {
+    fn beyond(&self, at: &Surface, view: Dir3, see: &mut See) -> Rgb {
         let normal = at.facing(view);
         let (here, there) = if at.normal.dot(*view) < 0.0 {
             (self.inside, self.outside)
@@ -88,20 +88,16 @@ impl Material for Glass {
         };
         let cosine = normal.dot(*view);
         let share = fresnel(cosine, here.index, there.index).unpolarised;
-        let mut through = |medium: Medium, direction: Dir3| {
-            let sight = see(&at.leave(direction));
-            sight.radiance * medium.transmittance(sight.distance)
+        let mut way = |share: f32, medium: Medium, direction: Dir3| {
+            let sight = see(&at.leave(direction), share);
+            sight.radiance * medium.transmittance(sight.distance) * share
         };
         let mut radiance = Rgb::BLACK;
-        if share > 0.0
-            && let Some(mirrored) = Dir3::new(2.0 * cosine * *normal - *view)
-        {
-            radiance += through(here, mirrored) * share;
+        if share > 0.0 {
+            radiance += way(share, here, reflect(-view, normal));
         }
-        if share < 1.0
-            && let Some(refracted) = refract(-view, normal, here.index, there.index)
-        {
-            radiance += through(there, refracted) * (1.0 - share);
+        if let Some(refracted) = refract(-view, normal, here.index, there.index) {
+            radiance += way(1.0 - share, there, refracted);
         }
         radiance
     }

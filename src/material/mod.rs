@@ -4,7 +4,9 @@ pub mod blinn_phong;
 pub mod checkered;
 pub mod fresnel;
 pub mod glass;
+pub mod mirror;
 pub mod phong;
+pub mod polished;
 pub mod refract;
 
 use crate::image::rgb::Rgb;
@@ -24,11 +26,14 @@ pub trait Material: Send + Sync {
     }
 
     /// The radiance of what is seen in the surface or through it; `see` tells what a ray sees.
-    fn beyond(&self, _at: &Surface, _view: Dir3, _see: &mut dyn FnMut(&Ray) -> Sight) -> Rgb {
+    fn beyond(&self, _at: &Surface, _view: Dir3, _see: &mut See) -> Rgb {
         Rgb::BLACK
     }
 }
 // ANCHOR_END: material
+
+/// Tells what a ray sees, if at most this share of it counts: what counts for nearly nothing need not be looked at.
+pub type See<'a> = dyn FnMut(&Ray, f32) -> Sight + 'a;
 
 /// What a ray sees.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,4 +2,5 @@
 
 pub mod film;
 pub mod local;
+pub mod shadow;
 pub mod whitted;

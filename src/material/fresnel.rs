@@ -13,11 +13,18 @@ pub struct Reflectance {
 
 impl Reflectance {
     /// All is reflected.
-    pub const TOTAL: Self = Self {
-        s: 1.0,
-        p: 1.0,
-        unpolarised: 1.0,
-    };
+    pub const ALL: Self = Self::both(1.0, 1.0);
+    /// Nothing is.
+    pub const NOTHING: Self = Self::both(0.0, 0.0);
+
+    /// R = (Rs + Rp)/2: half of unpolarised light swings in each way.
+    const fn both(s: f32, p: f32) -> Self {
+        Self {
+            s,
+            p,
+            unpolarised: 0.5 * (s + p),
+        }
+    }
 }
 
 // ANCHOR: fresnel
@@ -28,26 +35,16 @@ impl Reflectance {
 /// θ₂ follows from Snell's law, sin θ₂ = (n₁/n₂) sin θ₁; if that is more than 1, all is reflected.
 /// Nothing is reflected where nothing changes, n₁ = n₂.
 pub fn fresnel(cos1: f32, n1: f32, n2: f32) -> Reflectance {
+    if n1 == n2 {
+        return Reflectance::NOTHING; // also along the surface, where the fractions are 0/0
+    }
     let cos2_squared = 1.0 - (n1 / n2).powi(2) * (1.0 - cos1 * cos1);
-    if cos2_squared <= 0.0 && n1 != n2 {
-        return Reflectance::TOTAL;
+    if cos2_squared <= 0.0 {
+        return Reflectance::ALL;
     }
-    let cos2 = cos2_squared.max(0.0).sqrt();
-    // a = b also where both are 0: a grazing ray between equal media.
-    let share = |a: f32, b: f32| {
-        if a == b {
-            0.0
-        } else {
-            ((a - b) / (a + b)).powi(2)
-        }
-    };
-    let s = share(n1 * cos1, n2 * cos2);
-    let p = share(n1 * cos2, n2 * cos1);
-    Reflectance {
-        s,
-        p,
-        unpolarised: 0.5 * (s + p),
-    }
+    let cos2 = cos2_squared.sqrt();
+    let share = |a: f32, b: f32| ((a - b) / (a + b)).powi(2);
+    Reflectance::both(share(n1 * cos1, n2 * cos2), share(n1 * cos2, n2 * cos1))
 }
 // ANCHOR_END: fresnel
 

@@ -4,7 +4,7 @@ use crate::image::rgb::Rgb;
 use crate::light::directional::DirectionalLight;
 use crate::material::glass::{Glass, Medium};
 use crate::material::{Material, checkered::Checkered, phong::Phong};
-use crate::math::{dir3::Dir3, ray::Ray};
+use crate::math::{basis::Basis, dir3::Dir3, ray::Ray};
 use crate::scene::world::{Scene, Thing};
 use crate::shape::{Shape, cuboid::Cuboid, plane::Plane, sphere::Sphere};
 use glam::{Vec3, vec3};
@@ -17,10 +17,7 @@ pub const DEPTH: u32 = 12;
 const GAP: f32 = 1e-3;
 
 /// A thing of some material.
-pub fn thing(
-    shape: impl Shape + 'static,
-    material: impl Material + 'static,
-) -> Thing<dyn Material> {
+fn thing(shape: impl Shape + 'static, material: impl Material + 'static) -> Thing<dyn Material> {
     Thing {
         shape: Box::new(shape),
         material: Box::new(material),
@@ -28,7 +25,7 @@ pub fn thing(
 }
 
 /// Things on a floor of squares of a metre, under the sun, in a studio with a window.
-pub fn on_floor(mut things: Vec<Thing<dyn Material>>) -> Scene<dyn Material> {
+fn on_floor(mut things: Vec<Thing<dyn Material>>) -> Scene<dyn Material> {
     let tile = |r, g, b| Phong {
         ambient: Rgb::new(r, g, b),
         diffuse: Rgb::new(r, g, b) / PI,
@@ -49,7 +46,7 @@ pub fn on_floor(mut things: Vec<Thing<dyn Material>>) -> Scene<dyn Material> {
 }
 
 /// A ball inside another ball, which it displaces: both surfaces know both media.
-pub fn ball_in_ball(center: Vec3, radii: [f32; 2], media: [Medium; 2]) -> [Thing<dyn Material>; 2] {
+fn ball_in_ball(center: Vec3, radii: [f32; 2], media: [Medium; 2]) -> [Thing<dyn Material>; 2] {
     let inner = Glass {
         outside: media[0],
         inside: media[1],
@@ -60,36 +57,69 @@ pub fn ball_in_ball(center: Vec3, radii: [f32; 2], media: [Medium; 2]) -> [Thing
     ]
 }
 
-/// A ball of glass, one with a large bubble, one in a tank of water, and coloured ones.
-pub fn still_life() -> Scene<dyn Material> {
-    let ball = |x, z, r, medium| {
-        let center = vec3(x, r + GAP, z);
-        thing(Sphere::new(center, r), Glass::of(medium))
-    };
-    let coloured = |r, g, b| Medium {
+/// Of glass: σ for each colour, in 1/m.
+fn coloured(r: f32, g: f32, b: f32) -> Medium {
+    Medium {
         absorption: Rgb::new(r, g, b),
         ..Medium::GLASS
-    };
-    let tank = Cuboid::between(vec3(1.3, GAP, -2.2), vec3(3.5, 1.9, -0.2));
+    }
+}
+
+/// A ball that lies on the floor.
+fn ball(x: f32, z: f32, radius: f32, medium: Medium) -> Thing<dyn Material> {
+    let center = vec3(x, radius + GAP, z);
+    thing(Sphere::new(center, radius), Glass::of(medium))
+}
+
+/// A ball of glass in a tank of water; what the ball takes to be around it is said.
+fn tank(x: f32, z: f32, around_ball: Medium) -> [Thing<dyn Material>; 2] {
+    let water = Cuboid::between(vec3(x - 1.1, GAP, z - 1.0), vec3(x + 1.1, 1.9, z + 1.0));
     let in_water = Glass {
-        outside: Medium::WATER,
+        outside: around_ball,
         inside: Medium::GLASS,
     };
+    [
+        thing(water, Glass::of(Medium::WATER)),
+        thing(Sphere::new(vec3(x, 0.75, z), 0.7), in_water),
+    ]
+}
+
+/// A ball of glass, one with a large bubble, one in a tank of water, and coloured ones.
+pub fn still_life() -> Scene<dyn Material> {
+    let bubble = [Medium::GLASS, Medium::AIR];
     let mut things = vec![
         ball(-0.35, -0.4, 1.25, Medium::GLASS),
-        thing(tank, Glass::of(Medium::WATER)),
-        thing(Sphere::new(vec3(2.4, 0.75, -1.2), 0.7), in_water),
         ball(-1.45, 1.75, 0.45, coloured(0.15, 0.9, 3.2)),
         ball(0.95, 1.55, 0.45, coloured(3.0, 0.5, 0.4)),
         ball(2.35, 1.2, 0.45, coloured(0.25, 2.2, 1.0)),
     ];
-    let bubble = [Medium::GLASS, Medium::AIR];
-    things.extend(ball_in_ball(
-        vec3(-2.75, 0.95 + GAP, -0.9),
-        [0.95, 0.78],
-        bubble,
-    ));
+    let hollow = vec3(-2.75, 0.95 + GAP, -0.9);
+    things.extend(ball_in_ball(hollow, [0.95, 0.78], bubble));
+    things.extend(tank(2.4, -1.2, Medium::WATER));
     on_floor(things)
+}
+
+/// The same ball in four surroundings, each by its name.
+pub fn nested() -> [(&'static str, Scene<dyn Material>); 4] {
+    let center = vec3(0.0, 1.0 + GAP, 0.0);
+    let bubble = ball_in_ball(center, [1.0, 0.7], [Medium::GLASS, Medium::AIR]);
+    [
+        ("glass in air", vec![ball(0.0, 0.0, 1.0, Medium::GLASS)]),
+        ("air in glass", bubble.into()),
+        ("glass in water", tank(0.0, 0.0, Medium::WATER).into()),
+        (
+            "wrong: takes the water for air",
+            tank(0.0, 0.0, Medium::AIR).into(),
+        ),
+    ]
+    .map(|(name, things)| (name, on_floor(things)))
+}
+
+/// Balls of the same green glass, each twice as large as the one before.
+pub fn sizes() -> Scene<dyn Material> {
+    let green = coloured(1.6, 0.25, 0.9);
+    let balls = [(-2.6, 0.2), (-1.75, 0.4), (-0.25, 0.8), (2.55, 1.6)];
+    on_floor(balls.map(|(x, r)| ball(x, -r, r, green)).into())
 }
 
 /// A bright room: a pale wall, a blue ceiling, and a window of six panes.
@@ -99,7 +129,7 @@ fn studio(ray: &Ray) -> Rgb {
         Rgb::new(0.78, 0.76, 0.74).lerp(Rgb::new(0.36, 0.50, 0.70), d.y.clamp(0.0, 1.0).sqrt());
     // The window is a metre in front of the viewer of the direction that it is in.
     let toward = Dir3::new_or(vec3(-0.6, 0.75, 0.55), Dir3::Y);
-    let basis = crate::math::basis::Basis::around(toward);
+    let basis = Basis::around(toward);
     let ahead = d.dot(*toward);
     let (x, y) = (d.dot(*basis.x) / ahead, d.dot(*basis.y) / ahead);
     let inside = ahead > 0.0 && x.abs() < 0.36 && y.abs() < 0.5;

@@ -33,6 +33,8 @@ mod chapters {
     pub mod ch07_mesh;
     #[path = "../../chapters/ch14_refraction.rs"]
     pub mod ch14_refraction;
+    #[path = "../../chapters/ch16_soft_shadows.rs"]
+    pub mod ch16_soft_shadows;
 }
 
 /// Draws a chapter.
@@ -48,6 +50,7 @@ const DRAW: &[(&str, Draw)] = &[
     ("ch06_triangle", chapters::ch06_triangle::draw),
     ("ch07_mesh", chapters::ch07_mesh::draw),
     ("ch14_refraction", chapters::ch14_refraction::draw),
+    ("ch16_soft_shadows", chapters::ch16_soft_shadows::draw),
 ];
 
 /// The options of `raybook tour`.

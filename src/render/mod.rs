@@ -3,4 +3,5 @@
 pub mod film;
 pub mod local;
 pub mod shadow;
+pub mod soft_shadow;
 pub mod whitted;

@@ -3,6 +3,7 @@
 pub mod evening;
 pub mod glassware;
 pub mod noise;
+pub mod posts;
 pub mod soup;
 pub mod terrain;
 pub mod window;

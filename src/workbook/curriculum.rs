@@ -23,7 +23,8 @@ macro_rules! for_each_chapter {
             ch05_box,
             ch06_triangle,
             ch07_mesh,
-            ch14_refraction
+            ch14_refraction,
+            ch16_soft_shadows
         );
     };
 }

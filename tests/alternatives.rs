@@ -4,6 +4,10 @@
 
 #![allow(clippy::unnecessary_wraps)] // an answer may be none, if not in every exercise
 
+#[path = "alternatives/ch14.rs"]
+mod ch14;
+#[path = "alternatives/ch16.rs"]
+mod ch16;
 #[path = "alternatives/flat.rs"]
 mod flat;
 #[path = "alternatives/light.rs"]
@@ -83,6 +87,8 @@ fn alternatives() -> impl Iterator<Item = &'static Alternative> {
         flat::ALTERNATIVES,
         triangle::ALTERNATIVES,
         mesh::ALTERNATIVES,
+        ch14::ALTERNATIVES,
+        ch16::ALTERNATIVES,
     ]
     .into_iter()
     .flatten()

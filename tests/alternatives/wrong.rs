@@ -20,6 +20,8 @@ const HITS: &[&str] = &[
     "mesh_hit",
 ];
 
+const LIGHTS: &[&str] = &["sample_rect", "sample_sphere_light"];
+
 const WRONGS: &[Wrong] = &[
     (&["ray_at"], "1 % too far", |p| scale(p, 1.01)),
     (CAMERA, "turned by 1°", |ray| turn(&mut ray[3..])),
@@ -46,6 +48,22 @@ const WRONGS: &[Wrong] = &[
         turn(normals.last_chunk_mut::<3>().expect("a normal"));
     }),
     (&["mesh_hit"], "ids count from 1", |hit| hit[1] += 1.0),
+    (&["refract"], "turned by 1°", |t| turn(t)),
+    (&["refract"], "1 % too long", |t| scale(t, 1.01)),
+    (&["fresnel"], "Rp is off by 0.001", |r| r[1] += 0.001),
+    (&["fresnel"], "R is off by 0.001", |r| r[2] -= 0.001),
+    (LIGHTS, "the last density is off by 2 %", |c| {
+        c[c.len() - 2] *= 1.02;
+    }),
+    (LIGHTS, "the last is 20 % too far", |c| {
+        c[c.len() - 3] *= 1.2
+    }),
+    (LIGHTS, "the last direction is NaN", |c| {
+        c[c.len() - 4] = f64::NAN;
+    }),
+    (&["visible_fraction"], "dark is light", |f| {
+        f[1..].iter_mut().for_each(|f| *f = 1.0 - *f);
+    }),
 ];
 
 /// Of so many answers that are spoilt, in percent, all these must be noticed: 1 % of 0 is right.

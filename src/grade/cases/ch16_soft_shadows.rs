@@ -1,7 +1,8 @@
 //! Chapter 16: `sample_rect`, `sample_sphere_light`, `visible_fraction`.
 //!
-//! Samples are judged by their distribution: any right way to spread them passes. The bounds on means and counts are those
-//! of lattices of at least 8 × 8 points under maps with or without corners, measured, with a factor of 2 or more.
+//! Samples are judged by their distribution: any right way to spread them passes. An 8 × 8 lattice that is spread by a
+//! concentric disc has a mean that is 0.016 off and a variance that is 0.010 off; other right ways are closer. A disc inside a
+//! square has a variance that is 0.021 off.
 
 use crate::grade::examine::Examiner;
 use crate::grade::{Edge, Graded, Mistake, Verdict, judge, sample};
@@ -43,25 +44,24 @@ fn evenly(what: &str, places: &[DVec2]) -> Verdict {
             mean.x, mean.y
         ));
     }
-    if (variance - 1.0 / 12.0).abs().max_element() > 0.025 || covariance.abs() > 0.025 {
+    if (variance - 1.0 / 12.0).abs().max_element() > 0.015 || covariance.abs() > 0.015 {
         return Err(format!(
             "{what} are not uniform: they are too close together, or too far apart, or on a line"
         ));
     }
-    let mut cells = [0; 16];
+    let mut quarters = [0; 4];
     for p in places {
-        let cell = (4.0 * *p)
-            .as_ivec2()
-            .clamp(glam::IVec2::ZERO, glam::IVec2::splat(3));
-        cells[(4 * cell.y + cell.x) as usize] += 1;
+        quarters[usize::from(p.x > 0.5) + 2 * usize::from(p.y > 0.5)] += 1;
     }
-    let expected = places.len() / 16;
-    let even = |&&count: &&usize| (1..=3 * expected).contains(&count);
-    if cells.iter().filter(even).count() < 16 {
+    let expected = places.len() / 4;
+    if quarters
+        .iter()
+        .any(|count| !(expected / 2..=2 * expected).contains(count))
+    {
         return Err(format!(
-            "{what} are not uniform: of sixteen equal parts, one has {} and another {}, and not about {expected} each",
-            cells.iter().min().unwrap_or(&0),
-            cells.iter().max().unwrap_or(&0),
+            "{what} are not uniform: of four equal parts, one has {} and another {}, and not about {expected} each",
+            quarters.iter().min().unwrap_or(&0),
+            quarters.iter().max().unwrap_or(&0),
         ));
     }
     Ok(())

@@ -42,7 +42,7 @@ pub(crate) fn draw(stage: &Stage) -> Drawn {
         ..stage.tile(columns, aspect)
     };
     let tile = small(4, 1.0);
-    let close = (vec3(0.0, 3.7, 4.6), vec3(0.0, 0.85, 0.0), 0.043);
+    let close = (vec3(0.0, 3.0, 5.0), vec3(0.0, 0.9, 0.0), 0.043);
     let mut tiles = Vec::new();
     for (name, scene) in glassware::nested() {
         tiles.push((name, photograph(&tile, &scene, close, glassware::DEPTH)?));
@@ -59,7 +59,7 @@ pub(crate) fn draw(stage: &Stage) -> Drawn {
     let caption = "A ball of glass, with rays that end at their first, second, third and fifth surface: what is missing is black.";
     stage.figure("depth", caption, &sheet(4, &tiles)?)?;
 
-    let view = (vec3(0.6, 6.2, 8.0), vec3(0.6, 0.85, 0.0), 0.046);
+    let view = (vec3(0.5, 5.6, 8.6), vec3(0.5, 1.15, -0.2), 0.041);
     let sizes = photograph(&small(1, 2.4), &glassware::sizes(), view, glassware::DEPTH)?;
     let caption = "The same green glass in balls of 40 cm to 3.2 m: on a way twice as long, what is left of the light is squared.";
     stage.picture("absorption", caption, &sizes)

@@ -20,8 +20,8 @@ use std::process::ExitCode;
 
 /// Draws the chapter's pictures.
 pub(crate) fn draw(stage: &Stage) -> Drawn {
-    let film = stage.film_of(720, 9, 16.0 / 9.0);
-    let picture = photograph(&film, square(1.4), 24, WHOLE)?;
+    let film = stage.film_of(640, 9, 16.0 / 9.0);
+    let picture = photograph(&film, square(1.4), 20, WHOLE)?;
     let caption = "Under a square light of 1.4 m, shadows are sharp near what throws them, and the softer the farther away they fall.";
     stage.picture("picture", caption, &picture)?;
 
@@ -34,7 +34,7 @@ pub(crate) fn draw(stage: &Stage) -> Drawn {
     let caption = "One, 4, 16 and 64 samples of the light per pixel: with four times as many, half the noise. There is none where all of the light is seen, or nothing.";
     stage.figure("samples", caption, &sheet(4, &tiles)?)?;
 
-    tile.samples = film.samples;
+    tile.samples = film.samples.min(4);
     let lights: [(&str, Box<dyn Light>); 4] = [
         ("a point", Box::new(point())),
         ("a square of 0.4 m", square(0.4)),
@@ -56,15 +56,19 @@ pub(crate) fn draw(stage: &Stage) -> Drawn {
 
 /// A camera: where it stands, where it looks, and its focal length.
 type View = (Vec3, Vec3, f32);
-const WHOLE: View = (vec3(0.6, 3.3, 6.6), vec3(0.25, 0.45, 0.1), 0.043);
-const CLOSE: View = (vec3(0.6, 3.3, 6.6), vec3(-0.55, 0.6, 0.5), 0.075);
+const WHOLE: View = (vec3(0.5, 4.0, 7.6), vec3(0.1, 0.35, 0.1), 0.043);
+const CLOSE: View = (vec3(0.5, 4.0, 7.6), vec3(-1.1, 0.35, -0.1), 0.066);
 
 /// A square light that faces down, with the same power whatever its side, in metres.
 fn square(side: f32) -> Box<dyn Light> {
     let corner = LIGHT - 0.5 * vec3(side, 0.0, side);
     let radiance = Rgb::gray(STRENGTH * LIGHT.y * LIGHT.y / (side * side));
-    let light = RectLight::new(corner, side * Vec3::X, side * Vec3::Z, radiance);
-    Box::new(light.choosing(Choose::BySolidAngle))
+    Box::new(RectLight::new(
+        corner,
+        side * Vec3::X,
+        side * Vec3::Z,
+        radiance,
+    ))
 }
 
 fn point() -> PointLight {

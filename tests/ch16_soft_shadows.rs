@@ -2,3 +2,5 @@
 
 #[path = "ch16_soft_shadows/lights.rs"]
 mod lights;
+#[path = "ch16_soft_shadows/shadows.rs"]
+mod shadows;

@@ -97,12 +97,27 @@ impl Setting {
 pub fn plot() -> Result<Image, Box<dyn Error>> {
     figure(1000, 460, |canvas| {
         let (open, shaded) = canvas.split_horizontally(1000);
-        panel(&open, "all of a near light is seen", &Setting::open())?;
-        panel(&shaded, "half of it is behind a ball", &Setting::shaded())
+        panel(
+            &open,
+            "all of a near light is seen",
+            &Setting::open(),
+            false,
+        )?;
+        panel(
+            &shaded,
+            "half of it is behind a ball",
+            &Setting::shaded(),
+            true,
+        )
     })
 }
 
-fn panel(canvas: &Canvas, title: &str, setting: &Setting) -> Result<(), Box<dyn Error>> {
+fn panel(
+    canvas: &Canvas,
+    title: &str,
+    setting: &Setting,
+    legend: bool,
+) -> Result<(), Box<dyn Error>> {
     let mut chart = ChartBuilder::on(canvas)
         .margin(24)
         .caption(title, text(38))
@@ -110,7 +125,7 @@ fn panel(canvas: &Canvas, title: &str, setting: &Setting) -> Result<(), Box<dyn 
         .y_label_area_size(120)
         .build_cartesian_2d(
             (1.0_f64..1024.0).log_scale().base(2.0),
-            (0.005_f64..2.0).log_scale(),
+            (0.003_f64..2.0).log_scale(),
         )?;
     chart
         .configure_mesh()
@@ -129,7 +144,7 @@ fn panel(canvas: &Canvas, title: &str, setting: &Setting) -> Result<(), Box<dyn 
         .map(|n| (n, 1.3 / n.sqrt()));
     chart
         .draw_series(LineSeries::new(guide, FAINT.stroke_width(5)))?
-        .label("a quarter of the error: 16 × the samples")
+        .label("slope −½: half the error by four times the samples")
         .legend(|(x, y)| PathElement::new([(x, y), (x + 50, y)], FAINT.stroke_width(5)));
     for (name, choose, colour) in [
         ("by area", Choose::ByArea, VERMILION),
@@ -145,14 +160,16 @@ fn panel(canvas: &Canvas, title: &str, setting: &Setting) -> Result<(), Box<dyn 
             .label(name)
             .legend(move |(x, y)| PathElement::new([(x, y), (x + 50, y)], colour.stroke_width(5)));
     }
-    chart
-        .configure_series_labels()
-        .position(SeriesLabelPosition::LowerLeft)
-        .label_font(text(28))
-        .legend_area_size(70)
-        .margin(24)
-        .background_style(WHITE.mix(0.85))
-        .draw()?;
+    if legend {
+        chart
+            .configure_series_labels()
+            .position(SeriesLabelPosition::LowerLeft)
+            .label_font(text(28))
+            .legend_area_size(70)
+            .margin(24)
+            .background_style(WHITE.mix(0.85))
+            .draw()?;
+    }
     Ok(())
 }
 

@@ -68,7 +68,7 @@ impl RectLight {
     fn view(&self, at: Vec3) -> Option<View> {
         let by_solid_angle = self.choose == Choose::BySolidAngle;
         let view = by_solid_angle.then(|| View::from(self, at)).flatten();
-        view.filter(|view| view.solid_angle() >= LEAST)
+        view.filter(|view| view.solid_angle >= LEAST)
     }
 }
 
@@ -78,7 +78,7 @@ impl Light for RectLight {
             return self.sample_area(at, u);
         };
         let r = view.sample(u).as_vec3();
-        let pdf = 1.0 / view.solid_angle() as f32;
+        let pdf = 1.0 / view.solid_angle as f32;
         shine(Dir3::new(r)?, r.length(), self.radiance, pdf)
     }
 
@@ -88,7 +88,7 @@ impl Light for RectLight {
         };
         self.view(at).map_or_else(
             || per_steradian(1.0 / self.area(), t * *toward, self.normal),
-            |view| 1.0 / view.solid_angle() as f32,
+            |view| 1.0 / view.solid_angle as f32,
         )
     }
 
@@ -112,6 +112,8 @@ struct View {
     x: [f64; 2],
     y: [f64; 2],
     h: f64,
+    /// Ω, in steradians.
+    solid_angle: f64,
 }
 
 impl View {
@@ -121,12 +123,15 @@ impl View {
         let (along, across) = (a.try_normalize()?, b.try_normalize()?);
         let away = -along.cross(across);
         let (x, y, h) = (corner.dot(along), corner.dot(across), corner.dot(away));
-        (h > 0.0).then_some(Self {
+        let mut view = Self {
             axes: [along, across, away],
             x: [x, x + a.length()],
             y: [y, y + b.length()],
             h,
-        })
+            solid_angle: 0.0,
+        };
+        view.solid_angle = view.up_to(view.x[1]);
+        (h > 0.0).then_some(view)
     }
 
     // ANCHOR: rect_solid_angle
@@ -141,10 +146,6 @@ impl View {
         strip(right) - strip(left)
     }
 
-    fn solid_angle(&self) -> f64 {
-        self.up_to(self.x[1])
-    }
-
     /// The vector to a point of the rectangle, uniform over the solid angle Ω (Ureña, Fajardo and King, "An area-preserving
     /// parametrization for spherical rectangles", 2013).
     ///
@@ -156,7 +157,7 @@ impl View {
         let back = |s: f64, d: f64| d * s / (1.0 - s * s).max(0.0).sqrt();
         let (u, [s0, s1]) = (u.as_dvec2(), self.y.map(|y| sine(y, self.h)));
         let left = sine(self.x[0], self.h);
-        let phi = (left * s1).asin() - (left * s0).asin() + u.x * self.solid_angle();
+        let phi = (left * s1).asin() - (left * s0).asin() + u.x * self.solid_angle;
         let s = phi.sin() / (s0 * s0 - 2.0 * s0 * s1 * phi.cos() + s1 * s1).sqrt();
         let x = back(s, self.h).clamp(self.x[0], self.x[1]);
         let d = x.hypot(self.h);

@@ -11,10 +11,10 @@ use glam::{Vec3, vec3};
 use std::f32::consts::PI;
 
 /// The middle of where the light is.
-pub const LIGHT: Vec3 = vec3(-2.2, 4.6, -1.6);
+pub const LIGHT: Vec3 = vec3(-3.6, 5.6, -4.2);
 
 /// The light's power seen from below, in W/m² of floor straight under it.
-pub const STRENGTH: f32 = 3.4;
+pub const STRENGTH: f32 = 4.6;
 
 /// The things, under a light.
 pub fn under(light: Box<dyn Light>) -> Scene<dyn Material> {
@@ -31,19 +31,19 @@ pub fn under(light: Box<dyn Light>) -> Scene<dyn Material> {
             Plane::through(Vec3::ZERO, Dir3::Y),
             Rgb::new(0.80, 0.77, 0.72),
         ),
-        thing(Sphere::new(vec3(1.75, 0.45, 0.75), 0.45), ochre),
-        thing(Sphere::new(vec3(-0.15, 0.28, 1.3), 0.28), teal),
+        thing(Sphere::new(vec3(0.35, 0.42, 1.0), 0.45), ochre),
+        thing(Sphere::new(vec3(2.75, 0.28, 1.2), 0.28), teal),
     ];
-    for (x, height) in [(-2.1, 0.5), (-1.6, 1.0), (-1.1, 1.5), (-0.6, 2.0)] {
-        things.push(thing(post(x, 0.1, height), terracotta));
+    for (x, height) in [(-3.0, 0.5), (-2.3, 1.0), (-1.6, 1.5), (-0.9, 2.0)] {
+        things.push(thing(post(x, -1.0, height), terracotta));
     }
-    for (x, z) in [(0.75, -0.95), (2.05, -0.95), (0.75, 0.05), (2.05, 0.05)] {
+    for (x, z) in [(1.0, -1.75), (2.3, -1.75), (1.0, -0.75), (2.3, -0.75)] {
         things.push(thing(post(x, z, 1.0), teal));
     }
-    let board = Cuboid::between(vec3(0.55, 1.0, -1.15), vec3(2.25, 1.1, 0.25));
+    let board = Cuboid::between(vec3(0.8, 1.0, -1.95), vec3(2.5, 1.1, -0.55));
     things.push(thing(board, teal));
     let mut scene = Scene::new(things, vec![light]);
-    scene.ambient = Rgb::new(0.16, 0.18, 0.22);
+    scene.ambient = Rgb::new(0.24, 0.27, 0.32);
     scene.backdrop = |_: &Ray| Rgb::new(0.55, 0.60, 0.66);
     scene
 }

@@ -31,7 +31,7 @@ pub fn under(light: Box<dyn Light>) -> Scene<dyn Material> {
             Plane::through(Vec3::ZERO, Dir3::Y),
             Rgb::new(0.80, 0.77, 0.72),
         ),
-        thing(Sphere::new(vec3(0.35, 0.42, 1.0), 0.45), ochre),
+        thing(Sphere::new(vec3(0.35, 0.45, 1.0), 0.45), ochre),
         thing(Sphere::new(vec3(2.75, 0.28, 1.2), 0.28), teal),
     ];
     for (x, height) in [(-3.0, 0.5), (-2.3, 1.0), (-1.6, 1.5), (-0.9, 2.0)] {

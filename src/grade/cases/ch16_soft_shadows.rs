@@ -551,17 +551,17 @@ impl Graded for VisibleFraction {
         Mistake {
             name: "lets the shadow ray go on behind the light",
             hint: "A ball behind the light throws no shadow: where does your ray end?",
-            answer: |q| seen(q, 32, |u| u, f32::INFINITY),
+            answer: |q| seen(q, 16, |u| u, f32::INFINITY),
         },
         Mistake {
             name: "asks for one quarter of the light only",
             hint: "Which points of the light do the numbers from 0 to 1 reach?",
-            answer: |q| seen(q, 32, |u| 0.5 * u, 1.0),
+            answer: |q| seen(q, 16, |u| 0.5 * u, 1.0),
         },
         Mistake {
             name: "asks for one diagonal of the light only",
             hint: "Does each sample have two random numbers of its own?",
-            answer: |q| seen(q, 32, |u| Vec2::splat(u.x), 1.0),
+            answer: |q| seen(q, 16, |u| Vec2::splat(u.x), 1.0),
         },
         Mistake {
             name: "asks for the four corners only",
@@ -706,7 +706,7 @@ impl Graded for VisibleFraction {
 
 /// The fractions, by a lattice fine enough to stand for the exact value.
 fn exact(q: &VisibleFractionQuestion) -> Vec<f32> {
-    seen(q, 64, |u| u, 1.0)
+    seen(q, 32, |u| u, 1.0)
 }
 
 /// The fractions by the points of the light to which an n × n lattice is mapped, and by rays that end at so many times the

@@ -39,8 +39,7 @@ impl Material for Mirror {
         if side(mirrored) != side(view) {
             mirrored = reflect(-view, at.normal);
         }
-        let most = self.share.channels().into_iter().fold(0.0, f32::max);
-        self.share * see(&at.leave(mirrored), most).radiance
+        self.share * see(&at.leave(mirrored), 1.0).radiance
     }
     // ANCHOR_END: mirror
 }

@@ -2,6 +2,8 @@
 
 pub mod evening;
 pub mod glassware;
+pub mod kissing_balls;
+pub mod marbles;
 pub mod noise;
 pub mod posts;
 pub mod soup;

@@ -46,6 +46,16 @@ impl<M: ?Sized + Send + Sync> Scene<M> {
         }
     }
 
+    /// The scene in ambient light, before a backdrop.
+    #[must_use]
+    pub fn surrounded_by(self, ambient: Rgb, backdrop: fn(&Ray) -> Rgb) -> Self {
+        Self {
+            ambient,
+            backdrop,
+            ..self
+        }
+    }
+
     /// The first surface along a ray.
     pub fn closest(&self, ray: &Ray) -> Option<Seen<'_, M>> {
         let (thing, hit) = self.things.closest(ray, Interval::AHEAD)?;
@@ -59,6 +69,16 @@ impl<M: ?Sized + Send + Sync> Scene<M> {
     /// Whether anything is in the way on a stretch of a ray.
     pub fn blocks(&self, ray: &Ray, within: Interval) -> bool {
         self.things.any(ray, within)
+    }
+}
+
+impl<M: ?Sized> Thing<M> {
+    /// A shape of a material.
+    pub fn new(shape: impl Shape + 'static, material: Box<M>) -> Self {
+        Self {
+            shape: Box::new(shape),
+            material,
+        }
     }
 }
 

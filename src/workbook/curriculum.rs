@@ -23,7 +23,10 @@ macro_rules! for_each_chapter {
             ch05_box,
             ch06_triangle,
             ch07_mesh,
+            ch12_phong,
+            ch13_reflection,
             ch14_refraction,
+            ch15_shadows,
             ch16_soft_shadows
         );
     };

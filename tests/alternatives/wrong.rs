@@ -11,7 +11,13 @@ type Wrong = (&'static [&'static str], &'static str, fn(&mut [f64]));
 
 const CAMERA: &[&str] = &["camera_ray"];
 const COLOURS: &[&str] = &["expose", "tone_map"];
-const DIRECTIONS: &[&str] = &["sphere_normal", "triangle_normal", "interpolate_normal"];
+const DIRECTIONS: &[&str] = &[
+    "sphere_normal",
+    "triangle_normal",
+    "interpolate_normal",
+    "reflect",
+];
+const HIGHLIGHTS: &[&str] = &["phong", "blinn_phong"];
 const HITS: &[&str] = &[
     "sphere_hit",
     "plane_hit",
@@ -48,6 +54,26 @@ const WRONGS: &[Wrong] = &[
         turn(normals.last_chunk_mut::<3>().expect("a normal"));
     }),
     (&["mesh_hit"], "ids count from 1", |hit| hit[1] += 1.0),
+    (HIGHLIGHTS, "a little more red", |c| c[0] += 0.01),
+    (HIGHLIGHTS, "a little less blue", |c| c[2] -= 0.01),
+    (&["shadow_ray"], "1° beside the light", |way| {
+        turn(&mut way[3..6]);
+    }),
+    (&["shadow_ray"], "ends 1 % behind the light", |way| {
+        way[7] = if way[7].is_finite() {
+            1.02 * way[7]
+        } else {
+            1e6
+        };
+    }),
+    (&["lit"], "the other way round", |lit| lit[0] = 1.0 - lit[0]),
+    (&["point_light"], "1° beside the light", |light| {
+        turn(&mut light[..3]);
+    }),
+    (&["point_light"], "1 % too near", |light| light[3] *= 0.99),
+    (&["point_light"], "1 % too bright", |light| {
+        scale(&mut light[4..], 1.01)
+    }),
     (&["refract"], "turned by 1°", |t| turn(t)),
     (&["refract"], "1 % too long", |t| scale(t, 1.01)),
     (&["fresnel"], "Rp is off by 0.001", |r| r[1] += 0.001),

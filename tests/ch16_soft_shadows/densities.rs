@@ -4,7 +4,7 @@ use crate::support::{lattice, lights};
 use glam::{Vec3, vec2};
 use rand::RngExt;
 use raybook::image::rgb::Rgb;
-use raybook::math::{pcg, ray::Ray};
+use raybook::math::{dir3::Dir3, pcg, ray::Ray};
 use std::f32::consts::TAU;
 
 #[test]

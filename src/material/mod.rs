@@ -1,7 +1,10 @@
 //! Floor 4: what surfaces make of light.
 
 pub mod blinn_phong;
+pub mod brdf;
 pub mod checkered;
+pub mod lambert;
+pub mod modified_phong;
 pub mod phong;
 
 use crate::image::rgb::Rgb;

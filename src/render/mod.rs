@@ -2,4 +2,7 @@
 
 pub mod film;
 pub mod local;
+pub mod mis;
+pub mod path;
+pub mod reflection;
 pub mod whitted;

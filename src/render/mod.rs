@@ -5,4 +5,5 @@ pub mod local;
 pub mod mis;
 pub mod path;
 pub mod reflection;
+pub mod shadow;
 pub mod whitted;

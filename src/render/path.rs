@@ -2,8 +2,8 @@
 
 use crate::image::rgb::Rgb;
 use crate::material::brdf::Brdf;
-use crate::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
-use crate::render::mis::Strategy;
+use crate::math::{dir3::Dir3, pcg::Pcg, ray::Ray};
+use crate::render::{mis::Strategy, shadow};
 use crate::scene::world::{Scene, Seen};
 use glam::vec2;
 use rand::RngExt;
@@ -79,13 +79,9 @@ impl Path {
             let surface = seen.material.pdf(&seen.surface, view, sample.toward);
             let share = self.strategy.of_light(sample.pdf, surface);
             let light = seen.material.reflect(&seen.surface, view, &sample) * share;
-            // A shadow ray costs more than all the rest: only for light that would count.
-            if light != Rgb::BLACK {
-                let ray = seen.surface.leave(sample.toward);
-                let before = Interval::new(0.0, sample.distance);
-                if !scene.blocks(&ray, before) {
-                    sum += light;
-                }
+            // The shadow ray costs more than all the rest: only for light that would count.
+            if light != Rgb::BLACK && shadow::lit(scene, &seen.surface, &sample) {
+                sum += light;
             }
         }
         sum

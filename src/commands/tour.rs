@@ -31,6 +31,8 @@ mod chapters {
     pub mod ch06_triangle;
     #[path = "../../chapters/ch07_mesh.rs"]
     pub mod ch07_mesh;
+    #[path = "../../chapters/ch17_rendering_equation.rs"]
+    pub mod ch17_rendering_equation;
 }
 
 /// Draws a chapter.
@@ -45,6 +47,10 @@ const DRAW: &[(&str, Draw)] = &[
     ("ch05_box", chapters::ch05_box::draw),
     ("ch06_triangle", chapters::ch06_triangle::draw),
     ("ch07_mesh", chapters::ch07_mesh::draw),
+    (
+        "ch17_rendering_equation",
+        chapters::ch17_rendering_equation::draw,
+    ),
 ];
 
 /// The options of `raybook tour`.

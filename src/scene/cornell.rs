@@ -23,7 +23,7 @@ pub const RED: Rgb = Rgb::new(0.490, 0.050, 0.051);
 /// The green paint's albedo.
 pub const GREEN: Rgb = Rgb::new(0.069, 0.398, 0.087);
 /// The lamp's radiance, in W·m⁻²·sr⁻¹, if its spectrum is in W·m⁻²·sr⁻¹ too.
-pub const LAMP: Rgb = Rgb::new(20.66, 10.90, 2.77);
+pub const LAMP: Rgb = Rgb::new(20.66, 10.90, 2.766);
 
 /// Where the published camera stands, in metres; it looks along +z.
 pub const EYE: Vec3 = vec3(0.278, 0.273, -0.8);

@@ -46,6 +46,19 @@ const WRONGS: &[Wrong] = &[
         turn(normals.last_chunk_mut::<3>().expect("a normal"));
     }),
     (&["mesh_hit"], "ids count from 1", |hit| hit[1] += 1.0),
+    (&["cosine_hemisphere"], "1 % too long", |list| {
+        scale(&mut list[1..], 1.01);
+    }),
+    (&["cosine_hemisphere"], "every third is the first", |list| {
+        let first = [list[1], list[2], list[3]];
+        for i in (1..list.len()).step_by(9) {
+            list[i..i + 3].copy_from_slice(&first);
+        }
+    }),
+    (&["brdf_phong"], "1 % too bright", |f| scale(f, 1.01)),
+    (&["reflected_radiance"], "10 % too bright", |l| {
+        scale(l, 1.1)
+    }),
 ];
 
 /// Of so many answers that are spoilt, in percent, all these must be noticed: 1 % of 0 is right.

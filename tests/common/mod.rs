@@ -4,6 +4,7 @@
 
 pub mod source;
 pub mod starter;
+pub mod statistics;
 
 use raybook::math::{interval::Interval, ray::Ray};
 use raybook::shape::Shape;

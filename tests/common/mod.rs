@@ -2,6 +2,7 @@
 
 #![allow(dead_code)] // each test file uses its own part
 
+pub mod noisy;
 pub mod source;
 pub mod starter;
 pub mod statistics;

@@ -93,8 +93,6 @@ fn planted(right: &Image) -> Vec<(&'static str, Image)> {
             right.at(x, y)
         })
     };
-    let last = SIZE - 1;
-    assert!(last > 0, "a picture");
     vec![
         ("a black column", only(|x, _| x == 20, |_| Rgb::BLACK)),
         ("a black row", only(|_, y| y == 12, |_| Rgb::BLACK)),

@@ -14,6 +14,9 @@ pub const BATCHES: usize = 16;
 /// off by chance once in 10⁹ times if the noise is normal; that of a region, a sum over many pixels, nearly is.
 const REGION: f64 = 6.0;
 
+/// The same of the two tests of everything at once: by chance once in a million times.
+const GLOBAL: f64 = 5.0;
+
 /// The same of a single pixel, whose noise is known from 16 numbers only and has longer tails.
 const PIXEL: f64 = 12.0;
 
@@ -36,7 +39,7 @@ pub struct Noisy {
 pub struct Difference {
     /// Where: "everywhere", "column 30".
     pub place: String,
-    /// By how many standard deviations.
+    /// By how much, in units of what chance may do at most.
     pub deviations: f64,
 }
 
@@ -101,7 +104,7 @@ impl Noisy {
             }
         };
         let (w, h) = (self.width, self.height);
-        region("everywhere".into(), REGION, [0, w], [0, h]);
+        region("everywhere".into(), GLOBAL, [0, w], [0, h]);
         for x in 0..w {
             region(format!("column {x}"), REGION, [x, x + 1], [0, h]);
         }
@@ -118,6 +121,10 @@ impl Noisy {
                     [y, bottom],
                 );
             }
+        }
+        let z = self.brightness(picture);
+        if z / GLOBAL > worst.deviations {
+            worst = different("brightness", z / GLOBAL);
         }
         for (x, y) in (0..h).flat_map(|y| (0..w).map(move |x| (x, y))) {
             let z = self.pixel(picture, x, y);
@@ -149,6 +156,31 @@ impl Noisy {
         z(0).max(z(1)).max(z(2))
     }
 
+    /// By how many standard deviations the picture is brighter or darker as a whole: the mean difference, in which a pixel
+    /// weighs the more, the brighter and the less noisy it and its neighbours are.
+    fn brightness(&self, picture: &Image) -> f64 {
+        let of = |c: usize| {
+            let (mut sum, mut variance) = (0.0, 0.0);
+            for (i, got) in picture.pixels().iter().enumerate() {
+                let (mean, own) = (self.mean[i][c], self.variance[i][c]);
+                let noise = self.around(i % self.width, i / self.width, c) + 1e-10 * mean * mean;
+                let weight = mean / noise.max(1e-20);
+                sum += weight * (f64::from(got.channels()[c]) - mean);
+                variance += weight * weight * 2.0 * own;
+            }
+            sum.abs() / (variance.sqrt() + 1e-12)
+        };
+        of(0).max(of(1)).max(of(2))
+    }
+
+    /// The largest variance among a pixel and its neighbours.
+    fn around(&self, x: usize, y: usize, c: usize) -> f64 {
+        let near = |v: usize, end: usize| v.saturating_sub(1)..(v + 2).min(end);
+        let pixels = near(y, self.height).flat_map(|j| near(x, self.width).map(move |i| (i, j)));
+        let variances = pixels.map(|(i, j)| self.variance[j * self.width + i][c]);
+        variances.fold(0.0, f64::max)
+    }
+
     /// What `f32` may round in the sum of a region: without it, a region without noise could not be compared.
     fn rounding(&self, xs: [usize; 2], ys: [usize; 2], c: usize) -> f64 {
         let pixels = (ys[0]..ys[1]).flat_map(|y| (xs[0]..xs[1]).map(move |x| y * self.width + x));
@@ -158,16 +190,11 @@ impl Noisy {
     /// A pixel's difference, in standard deviations of the noisiest of it and its neighbours.
     fn pixel(&self, picture: &Image, x: usize, y: usize) -> f64 {
         let global: f64 = self.mean.iter().flatten().sum::<f64>() / (3 * self.mean.len()) as f64;
-        let around = |v: usize, end: usize| v.saturating_sub(1)..(v + 2).min(end);
         let got = picture.at(x, y).channels();
         let of = |c: usize| {
-            let neighbours =
-                around(y, self.height).flat_map(|j| around(x, self.width).map(move |i| (i, j)));
-            let variance = neighbours
-                .map(|(i, j)| self.variance[j * self.width + i][c])
-                .fold(0.0, f64::max);
             let difference = (f64::from(got[c]) - self.mean[y * self.width + x][c]).abs();
-            (difference - PIXEL_SHARE * global).max(0.0) / ((2.0 * variance).sqrt() + 1e-12)
+            let noise = (2.0 * self.around(x, y, c)).sqrt() + 1e-12;
+            (difference - PIXEL_SHARE * global).max(0.0) / noise
         };
         of(0).max(of(1)).max(of(2))
     }

@@ -40,7 +40,7 @@ pub struct Difference {
     /// Where: "everywhere", "column 30".
     pub place: String,
     /// By how much, in units of what chance may do at most.
-    pub deviations: f64,
+    pub excess: f64,
 }
 
 impl Noisy {
@@ -83,23 +83,15 @@ impl Noisy {
 
     /// The worst difference of a picture that is the mean of as many samples, if it is more than chance makes.
     pub fn compare(&self, picture: &Image) -> Result<(), Difference> {
-        if (picture.width(), picture.height()) != (self.width, self.height) {
-            return Err(different("size", f64::INFINITY));
-        }
-        if let Some(i) = picture
-            .pixels()
-            .iter()
-            .position(|p| p.channels().iter().any(|v| !v.is_finite()))
-        {
-            return Err(different(
-                &format!("pixel {i}, not a number"),
-                f64::INFINITY,
-            ));
+        let size = (picture.width(), picture.height()) == (self.width, self.height);
+        let finite = |p: &Rgb| p.channels().iter().all(|v| v.is_finite());
+        if !size || !picture.pixels().iter().all(finite) {
+            return Err(different("size, or not a number", f64::INFINITY));
         }
         let mut worst = different("nowhere", 0.0);
         let mut region = |name: String, limit: f64, xs: [usize; 2], ys: [usize; 2]| {
             let z = self.deviations(picture, xs, ys);
-            if z / limit > worst.deviations {
+            if z / limit > worst.excess {
                 worst = different(&name, z / limit);
             }
         };
@@ -123,17 +115,16 @@ impl Noisy {
             }
         }
         let z = self.brightness(picture);
-        if z / GLOBAL > worst.deviations {
+        if z / GLOBAL > worst.excess {
             worst = different("brightness", z / GLOBAL);
         }
         for (x, y) in (0..h).flat_map(|y| (0..w).map(move |x| (x, y))) {
-            let z = self.pixel(picture, x, y);
-            if z / PIXEL > worst.deviations {
-                worst = different(&format!("pixel ({x}, {y})"), z / PIXEL);
+            let z = self.pixel(picture, x, y) / PIXEL;
+            if z > worst.excess {
+                worst = different(&format!("pixel ({x}, {y})"), z);
             }
         }
-        // Until here in units of the limits, which differ.
-        if worst.deviations > 1.0 {
+        if worst.excess > 1.0 {
             Err(worst)
         } else {
             Ok(())
@@ -200,9 +191,9 @@ impl Noisy {
     }
 }
 
-fn different(place: &str, deviations: f64) -> Difference {
+fn different(place: &str, excess: f64) -> Difference {
     Difference {
         place: place.to_owned(),
-        deviations,
+        excess,
     }
 }

@@ -1,6 +1,7 @@
 //! Floor 4: where light comes from.
 
 pub mod directional;
+pub mod environment;
 pub mod point;
 
 use crate::image::rgb::Rgb;

@@ -4,6 +4,8 @@
 
 #![allow(clippy::unnecessary_wraps)] // an answer may be none, if not in every exercise
 
+#[path = "alternatives/ch18.rs"]
+mod ch18;
 #[path = "alternatives/flat.rs"]
 mod flat;
 #[path = "alternatives/light.rs"]
@@ -83,6 +85,7 @@ fn alternatives() -> impl Iterator<Item = &'static Alternative> {
         flat::ALTERNATIVES,
         triangle::ALTERNATIVES,
         mesh::ALTERNATIVES,
+        ch18::ALTERNATIVES,
     ]
     .into_iter()
     .flatten()

@@ -22,7 +22,8 @@ macro_rules! for_each_chapter {
             ch04_plane,
             ch05_box,
             ch06_triangle,
-            ch07_mesh
+            ch07_mesh,
+            ch18_environment
         );
     };
 }

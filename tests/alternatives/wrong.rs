@@ -46,6 +46,24 @@ const WRONGS: &[Wrong] = &[
         turn(normals.last_chunk_mut::<3>().expect("a normal"));
     }),
     (&["mesh_hit"], "ids count from 1", |hit| hit[1] += 1.0),
+    (&["direction_to_cube"], "u is off by 0.01", |place| {
+        place[1] += 0.01;
+    }),
+    (&["direction_to_latlong"], "v is off by 0.01", |place| {
+        place[1] += if place[1] < 0.5 { 0.01 } else { -0.01 };
+    }),
+    (
+        &["sample_environment"],
+        "half of them are turned over",
+        |list| {
+            for direction in list[1..].chunks_exact_mut(3).skip(128) {
+                direction[1] = -direction[1];
+            }
+        },
+    ),
+    (&["environment_pdf"], "1 % too large", |density| {
+        scale(density, 1.01);
+    }),
 ];
 
 /// Of so many answers that are spoilt, in percent, all these must be noticed: 1 % of 0 is right.

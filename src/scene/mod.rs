@@ -2,6 +2,7 @@
 
 pub mod evening;
 pub mod noise;
+pub mod skies;
 pub mod soup;
 pub mod terrain;
 pub mod window;

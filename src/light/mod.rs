@@ -2,7 +2,10 @@
 
 pub mod directional;
 pub mod environment;
+pub mod extent;
 pub mod point;
+pub mod rect_light;
+pub mod sphere_light;
 
 use crate::image::rgb::Rgb;
 use crate::math::{dir3::Dir3, ray::Ray};

@@ -1,8 +1,13 @@
 //! Floor 4: what surfaces make of light.
 
 pub mod blinn_phong;
+pub mod brdf;
 pub mod checkered;
+pub mod lambert;
+pub mod mirror;
+pub mod modified_phong;
 pub mod phong;
+pub mod polished;
 
 use crate::image::rgb::Rgb;
 use crate::light::LightSample;

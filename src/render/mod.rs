@@ -2,4 +2,8 @@
 
 pub mod film;
 pub mod local;
+pub mod mis;
+pub mod path;
+pub mod reflection;
+pub mod shadow;
 pub mod whitted;

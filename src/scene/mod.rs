@@ -1,7 +1,9 @@
 //! Floor 4: stock scenes that chapters share.
 
+pub mod cornell;
 pub mod evening;
 pub mod noise;
+pub mod plates;
 pub mod skies;
 pub mod soup;
 pub mod terrain;

@@ -5,6 +5,7 @@ pub mod barycentrics;
 pub mod camera_diagram;
 pub mod cancellation;
 pub mod chapter;
+pub mod environments;
 pub mod figure;
 pub mod gallery;
 pub mod looks;

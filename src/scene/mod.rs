@@ -6,6 +6,7 @@ pub mod noise;
 pub mod plates;
 pub mod skies;
 pub mod soup;
+pub mod still_life;
 pub mod terrain;
 pub mod window;
 pub mod world;

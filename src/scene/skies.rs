@@ -68,13 +68,13 @@ pub fn sunset(d: Dir3) -> Rgb {
     let away = 0.35 + 0.65 * (0.5 + 0.5 * d.dot(*sun));
     let clouds = cloud(d) * noise::rise(0.02, 0.2, d.y);
     let lit = sky.lerp(Rgb::new(0.80, 0.32, 0.24), 0.7 * clouds);
-    ground(d, lit * away + glow, Rgb::new(0.10, 0.07, 0.06))
+    ground(d, (lit * away + glow) * 1.8, Rgb::new(0.20, 0.14, 0.12))
 }
 
 /// Clouds everywhere, three times as bright at the zenith as at the horizon (Moon and Spencer 1942).
 pub fn overcast(d: Dir3) -> Rgb {
-    let grey = Rgb::new(0.92, 0.96, 1.0) * ((1.0 + 2.0 * d.y.max(0.0)) / 3.0);
-    ground(d, grey * (0.9 + 0.2 * cloud(d)), Rgb::gray(0.12))
+    let grey = Rgb::new(0.94, 0.97, 1.0) * (0.55 * (1.0 + 2.0 * d.y.max(0.0)));
+    ground(d, grey * (0.9 + 0.2 * cloud(d)), Rgb::new(0.30, 0.31, 0.30))
 }
 
 /// A dark room with two softboxes and a strip of light.

@@ -39,7 +39,7 @@ pub struct Cost {
     pub triangles: f32,
 }
 
-/// The costs over [`DENSITIES`] of a showroom's rays, measured now.
+/// The costs over the densities of a showroom's rays, measured now.
 pub fn measure(mesh: &Mesh) -> Vec<Cost> {
     let room = Showroom::around(mesh, 1.6);
     // Evenly over the picture, but no neighbours in a row.

@@ -94,7 +94,7 @@ pub fn with_scale(columns: usize, maps: &[(String, Image)]) -> Result<Image, Box
     Ok(below(&maps, &scale))
 }
 
-/// The colour of a count: light grey for 0, then viridis on a logarithmic scale from 1 to [`MOST`].
+/// The colour of a count: light grey for 0, then viridis on a logarithmic scale from 1 to 1000.
 pub fn colour(count: f32) -> Rgb {
     if count < 1.0 {
         Rgb::gray(0.85)

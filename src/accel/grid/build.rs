@@ -15,7 +15,7 @@ pub struct Parts<S> {
     pub lattice: Lattice,
     /// How far a cell looks beyond its planes.
     pub margin: f32,
-    /// Cell i holds the references from starts[i] to starts[i + 1].
+    /// Cell i holds the references from `starts[i]` to `starts[i + 1]`.
     pub starts: Vec<u32>,
     /// Places in `shapes`.
     pub references: Vec<u32>,

@@ -15,7 +15,7 @@ pub struct Parts<S> {
     pub levels: Levels,
     /// How far a cell looks beyond its planes, in metres.
     pub margin: f32,
-    /// Fine cell i of the row holds the references from starts[i] to starts[i + 1].
+    /// Fine cell i of the row holds the references from `starts[i]` to `starts[i + 1]`.
     pub starts: Vec<u32>,
     /// Places in `shapes`.
     pub references: Vec<u32>,

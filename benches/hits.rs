@@ -12,7 +12,7 @@ use raybook::math::{dir3::Dir3, interval::Interval, quadratic, ray::Ray, slab};
 use raybook::shape::mesh::Mesh;
 use raybook::shape::{
     Shape, cuboid::Cuboid, plane::Plane, sphere::Sphere, triangle::Triangle,
-    triangle_by_determinants, triangle_by_plane,
+    triangle_by_determinants, triangle_by_plane, triangle_watertight,
 };
 use std::hint::black_box;
 
@@ -86,6 +86,10 @@ fn triangles(criterion: &mut Criterion) {
     });
     bench(criterion, "triangle, plane then inside", &rays, |ray| {
         triangle_by_plane::hit(&triangle, ray, AHEAD)
+    });
+    let corners = triangle.corners();
+    bench(criterion, "triangle, watertight", &rays, |ray| {
+        triangle_watertight::hit(&corners, ray, AHEAD)
     });
 }
 

@@ -3,6 +3,7 @@
 mod commands;
 
 use clap::{Parser, Subcommand};
+use raybook::grade::contain;
 use raybook::lab::chapter::report;
 use std::process::ExitCode;
 
@@ -35,7 +36,12 @@ enum Task {
 }
 
 fn main() -> ExitCode {
-    let done = match Command::parse().task {
+    let task = Command::parse().task;
+    if let Err(error) = contain::end_all_on_signals() {
+        report(&error);
+        return ExitCode::from(2);
+    }
+    let done = match task {
         None => {
             commands::map::print();
             Ok(true)

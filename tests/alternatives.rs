@@ -4,6 +4,18 @@
 
 #![allow(clippy::unnecessary_wraps)] // an answer may be none, if not in every exercise
 
+#[path = "alternatives/ch12.rs"]
+mod ch12;
+#[path = "alternatives/ch14.rs"]
+mod ch14;
+#[path = "alternatives/ch15.rs"]
+mod ch15;
+#[path = "alternatives/ch16.rs"]
+mod ch16;
+#[path = "alternatives/ch17.rs"]
+mod ch17;
+#[path = "alternatives/ch18.rs"]
+mod ch18;
 #[path = "alternatives/flat.rs"]
 mod flat;
 #[path = "alternatives/light.rs"]
@@ -83,6 +95,12 @@ fn alternatives() -> impl Iterator<Item = &'static Alternative> {
         flat::ALTERNATIVES,
         triangle::ALTERNATIVES,
         mesh::ALTERNATIVES,
+        ch12::ALTERNATIVES,
+        ch14::ALTERNATIVES,
+        ch15::ALTERNATIVES,
+        ch16::ALTERNATIVES,
+        ch17::ALTERNATIVES,
+        ch18::ALTERNATIVES,
     ]
     .into_iter()
     .flatten()

@@ -31,6 +31,18 @@ mod chapters {
     pub mod ch06_triangle;
     #[path = "../../chapters/ch07_mesh.rs"]
     pub mod ch07_mesh;
+    #[path = "../../chapters/ch12_phong.rs"]
+    pub mod ch12_phong;
+    #[path = "../../chapters/ch13_reflection.rs"]
+    pub mod ch13_reflection;
+    #[path = "../../chapters/ch14_refraction.rs"]
+    pub mod ch14_refraction;
+    #[path = "../../chapters/ch15_shadows.rs"]
+    pub mod ch15_shadows;
+    #[path = "../../chapters/ch16_soft_shadows.rs"]
+    pub mod ch16_soft_shadows;
+    #[path = "../../chapters/ch17_rendering_equation.rs"]
+    pub mod ch17_rendering_equation;
 }
 
 /// Draws a chapter.
@@ -45,6 +57,15 @@ const DRAW: &[(&str, Draw)] = &[
     ("ch05_box", chapters::ch05_box::draw),
     ("ch06_triangle", chapters::ch06_triangle::draw),
     ("ch07_mesh", chapters::ch07_mesh::draw),
+    ("ch12_phong", chapters::ch12_phong::draw),
+    ("ch13_reflection", chapters::ch13_reflection::draw),
+    ("ch14_refraction", chapters::ch14_refraction::draw),
+    ("ch15_shadows", chapters::ch15_shadows::draw),
+    ("ch16_soft_shadows", chapters::ch16_soft_shadows::draw),
+    (
+        "ch17_rendering_equation",
+        chapters::ch17_rendering_equation::draw,
+    ),
 ];
 
 /// The options of `raybook tour`.

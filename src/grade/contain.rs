@@ -1,16 +1,31 @@
 //! Holding a student's process and its children together, so that none is left behind. The system's own code is here.
 
 use crate::grade::converse::wait;
+use std::io;
 use std::process::{Child, Command, ExitStatus};
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 /// The environment variable that marks a process as a student's.
 const MARK: &str = "RAYBOOK_ASKED";
 
-/// Prepares a command so that [`end_group`] can find all of it: it becomes the head of a process group, and it and its
-/// children carry a mark, which is returned. On Linux it also ends when the grader does, by Ctrl-C for example.
-pub fn hold(command: &mut Command) -> String {
+/// A student's process, and how to find all that it started.
+pub struct Held {
+    /// The process, head of a group of its own.
+    pub child: Child,
+    mark: String,
+}
+
+/// The groups' numbers and the marks of all that is held now.
+static HELD: Mutex<Vec<(u32, String)>> = Mutex::new(Vec::new());
+
+/// Starts a command so that all of it can be ended: it becomes the head of a process group, and it and its children carry
+/// a mark. On Linux it also ends when the grader does, even by a signal that cannot be caught.
+///
+/// # Errors
+/// If it cannot be started.
+pub fn start(command: &mut Command) -> io::Result<Held> {
     static NUMBER: AtomicU64 = AtomicU64::new(0);
     let mark = format!(
         "{}-{}",
@@ -22,22 +37,51 @@ pub fn hold(command: &mut Command) -> String {
     std::os::unix::process::CommandExt::process_group(command, 0);
     #[cfg(target_os = "linux")]
     die_with_the_grader(command);
-    mark
+    // Locked until it is on the list: nothing can be started while `end_all` goes through it.
+    let mut held = held();
+    let child = command.spawn()?;
+    held.push((child.id(), mark.clone()));
+    Ok(Held { child, mark })
 }
 
-/// Ends the child and all that it started. If it closed its output by itself, it has so long to end by itself.
-pub fn end_group(
-    child: &mut Child,
-    mark: &str,
-    by_itself: bool,
-    limit: Duration,
-) -> Option<ExitStatus> {
-    let status = if by_itself { wait(child, limit) } else { None };
-    // The child may have ended and been waited for, but its own children may not.
-    kill_group(child);
-    let status = status.or_else(|| child.wait().ok());
-    kill_marked(mark);
-    status
+impl Held {
+    /// Ends the process and all that it started. If it closed its output by itself, it has so long to end by itself.
+    pub fn end(mut self, by_itself: bool, limit: Duration) -> Option<ExitStatus> {
+        let status = if by_itself {
+            wait(&mut self.child, limit)
+        } else {
+            None
+        };
+        // The child may have ended and been waited for, but its own children may not.
+        kill_group(self.child.id());
+        #[cfg(not(unix))]
+        let _ = self.child.kill();
+        let status = status.or_else(|| self.child.wait().ok());
+        kill_marked(&self.mark);
+        held().retain(|(_, mark)| *mark != self.mark);
+        status
+    }
+}
+
+/// From now on, Ctrl-C and the polite signals end the grader with all that it started.
+///
+/// # Errors
+/// If the system refuses.
+pub fn end_all_on_signals() -> Result<(), ctrlc::Error> {
+    /// What shells report of a program that Ctrl-C ended: 128 and the signal's number.
+    const INTERRUPTED: i32 = 130;
+    ctrlc::set_handler(|| {
+        let held = held();
+        for (group, mark) in held.iter() {
+            kill_group(*group);
+            kill_marked(mark);
+        }
+        std::process::exit(INTERRUPTED);
+    })
+}
+
+fn held() -> MutexGuard<'static, Vec<(u32, String)>> {
+    HELD.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// A signal by its name.
@@ -72,9 +116,9 @@ fn die_with_the_grader(command: &mut Command) {
     unsafe { std::os::unix::process::CommandExt::pre_exec(command, ask) };
 }
 
-fn kill_group(child: &mut Child) {
+fn kill_group(group: u32) {
     #[cfg(unix)]
-    if let Some(group) = i32::try_from(child.id())
+    if let Some(group) = i32::try_from(group)
         .ok()
         .and_then(rustix::process::Pid::from_raw)
     {
@@ -82,7 +126,7 @@ fn kill_group(child: &mut Child) {
         let _ = rustix::process::kill_process_group(group, rustix::process::Signal::KILL);
     }
     #[cfg(not(unix))]
-    let _ = child.kill();
+    let _ = group;
 }
 
 /// Ends the processes that left the group, by `setsid` for example: on Linux, all that carry the mark.

@@ -89,10 +89,9 @@ pub fn converse(
     if !program.folder.as_os_str().is_empty() {
         command.current_dir(&program.folder);
     }
-    let mark = contain::hold(&mut command);
-    let mut child = command.spawn()?;
+    let mut held = contain::start(&mut command)?;
     drop(command); // it holds the pipe's other end
-    if let Some(mut stdin) = child.stdin.take() {
+    if let Some(mut stdin) = held.child.stdin.take() {
         let text: String = questions
             .iter()
             .flat_map(|question| [question, "\n"])
@@ -102,12 +101,8 @@ pub fn converse(
     }
     let lines = read_lines(output);
     let mut conversation = listen(&lines, questions.len(), limits);
-    let status = contain::end_group(
-        &mut child,
-        &mark,
-        matches!(conversation.end, End::Exited(_)),
-        limits.time,
-    );
+    let by_itself = matches!(conversation.end, End::Exited(_));
+    let status = held.end(by_itself, limits.time);
     if let (End::Exited(how), Some(status)) = (&mut conversation.end, status) {
         *how = describe(status);
     }

@@ -1,7 +1,16 @@
 //! Floor 4: stock scenes that chapters share.
 
+pub mod cornell;
 pub mod evening;
+pub mod glassware;
+pub mod kissing_balls;
+pub mod marbles;
 pub mod noise;
+pub mod posts;
+pub mod plates;
+pub mod skies;
 pub mod soup;
+pub mod still_life;
 pub mod terrain;
 pub mod window;
+pub mod world;

@@ -22,7 +22,14 @@ macro_rules! for_each_chapter {
             ch04_plane,
             ch05_box,
             ch06_triangle,
-            ch07_mesh
+            ch07_mesh,
+            ch12_phong,
+            ch13_reflection,
+            ch14_refraction,
+            ch15_shadows,
+            ch16_soft_shadows,
+            ch17_rendering_equation,
+            ch18_environment
         );
     };
 }

@@ -10,6 +10,18 @@ mod boxes;
 mod ch11;
 #[path = "alternatives/ch24.rs"]
 mod ch24;
+#[path = "alternatives/ch12.rs"]
+mod ch12;
+#[path = "alternatives/ch14.rs"]
+mod ch14;
+#[path = "alternatives/ch15.rs"]
+mod ch15;
+#[path = "alternatives/ch16.rs"]
+mod ch16;
+#[path = "alternatives/ch17.rs"]
+mod ch17;
+#[path = "alternatives/ch18.rs"]
+mod ch18;
 #[path = "alternatives/flat.rs"]
 mod flat;
 #[path = "alternatives/grid.rs"]
@@ -97,6 +109,12 @@ fn alternatives() -> impl Iterator<Item = &'static Alternative> {
         trees::ALTERNATIVES,
         ch11::ALTERNATIVES,
         ch24::ALTERNATIVES,
+        ch12::ALTERNATIVES,
+        ch14::ALTERNATIVES,
+        ch15::ALTERNATIVES,
+        ch16::ALTERNATIVES,
+        ch17::ALTERNATIVES,
+        ch18::ALTERNATIVES,
     ]
     .into_iter()
     .flatten()

@@ -39,6 +39,20 @@ mod chapters {
     pub mod ch10_octree;
     #[path = "../../chapters/ch11_bvh.rs"]
     pub mod ch11_bvh;
+    #[path = "../../chapters/ch12_phong.rs"]
+    pub mod ch12_phong;
+    #[path = "../../chapters/ch13_reflection.rs"]
+    pub mod ch13_reflection;
+    #[path = "../../chapters/ch14_refraction.rs"]
+    pub mod ch14_refraction;
+    #[path = "../../chapters/ch15_shadows.rs"]
+    pub mod ch15_shadows;
+    #[path = "../../chapters/ch16_soft_shadows.rs"]
+    pub mod ch16_soft_shadows;
+    #[path = "../../chapters/ch17_rendering_equation.rs"]
+    pub mod ch17_rendering_equation;
+    #[path = "../../chapters/ch18_environment.rs"]
+    pub mod ch18_environment;
     #[path = "../../chapters/ch24_wide_bvh.rs"]
     pub mod ch24_wide_bvh;
 }
@@ -59,6 +73,16 @@ const DRAW: &[(&str, Draw)] = &[
     ("ch09_two_level_grid", chapters::ch09_two_level_grid::draw),
     ("ch10_octree", chapters::ch10_octree::draw),
     ("ch11_bvh", chapters::ch11_bvh::draw),
+    ("ch12_phong", chapters::ch12_phong::draw),
+    ("ch13_reflection", chapters::ch13_reflection::draw),
+    ("ch14_refraction", chapters::ch14_refraction::draw),
+    ("ch15_shadows", chapters::ch15_shadows::draw),
+    ("ch16_soft_shadows", chapters::ch16_soft_shadows::draw),
+    (
+        "ch17_rendering_equation",
+        chapters::ch17_rendering_equation::draw,
+    ),
+    ("ch18_environment", chapters::ch18_environment::draw),
     ("ch24_wide_bvh", chapters::ch24_wide_bvh::draw),
 ];
 

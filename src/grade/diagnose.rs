@@ -29,8 +29,11 @@ pub fn diagnose(
     let candidate = |(i, (name, hint)): (usize, (&'static str, &'static str))| {
         let agrees = |case: &Case, answer: &Option<String>| {
             let mistaken = examiner.mistaken(i, &case.question);
-            mistaken
-                .is_some_and(|mistaken| answer.as_ref().is_some_and(|got| alike(&mistaken, got)))
+            mistaken.is_some_and(|mistaken| {
+                answer
+                    .as_ref()
+                    .is_some_and(|got| alike(&mistaken, got, examiner.alike()))
+            })
         };
         let agreed: Vec<_> = cases
             .iter()
@@ -67,14 +70,14 @@ pub fn diagnose(
 }
 
 /// Two rows with the same words, up to the rounding of numbers: a wrong answer has no judge.
-fn alike(one: &str, other: &str) -> bool {
+fn alike(one: &str, other: &str, relative: f32) -> bool {
     let (one, other): (Vec<_>, Vec<_>) = (
         one.split_whitespace().collect(),
         other.split_whitespace().collect(),
     );
     let close = |(a, b): (&&str, &&str)| match (a.parse::<f32>(), b.parse::<f32>()) {
         (Ok(a), Ok(b)) if a.is_finite() && b.is_finite() => {
-            (a - b).abs() <= 1e-5 + 1e-3 * a.abs().max(b.abs())
+            (a - b).abs() <= 1e-5 + relative * a.abs().max(b.abs())
         }
         (Ok(a), Ok(b)) => a == b || (a.is_nan() && b.is_nan()),
         _ => a == b,

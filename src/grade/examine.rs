@@ -66,6 +66,9 @@ pub trait Examiner: Asked {
     /// What mistake number i answers; `None` if it panics or the question cannot be read.
     fn mistaken(&self, i: usize, question: &str) -> Option<String>;
 
+    /// How close an answer to a mistake's is that mistake, relatively.
+    fn alike(&self) -> f32;
+
     /// The parts of a question, by name.
     fn question_parts(&self, question: &str) -> Vec<(String, String)>;
 
@@ -159,6 +162,10 @@ impl<E: Graded> Examiner for E {
     fn mistaken(&self, i: usize, question: &str) -> Option<String> {
         let question = row::read(question, "question").ok()?;
         Some((E::MISTAKES.get(i)?.answer)(&question).write())
+    }
+
+    fn alike(&self) -> f32 {
+        E::ALIKE
     }
 
     fn question_parts(&self, question: &str) -> Vec<(String, String)> {

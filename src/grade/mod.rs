@@ -40,6 +40,9 @@ pub trait Graded: Exercise + Sized + 'static {
     /// The picture that the answers make, where the exercise is one of pixels.
     const PICTURE: Option<Picture<Self>> = None;
 
+    /// An answer this close to a mistake's, relatively, is that mistake: more where answers scatter.
+    const ALIKE: f32 = 1e-3;
+
     /// The cases that are most often got wrong, each with a name.
     fn edges() -> Vec<Edge<Self>>;
 

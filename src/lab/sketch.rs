@@ -99,23 +99,29 @@ impl Sketch<'_, '_> {
     /// # Errors
     /// As for [`Sketch::line`].
     pub fn label(&self, p: Vec3, offset: Vec2, text: &str, colour: RGBColor) -> Drawn {
-        /// Height of the letters, in pixels.
-        const SIZE: u32 = 38;
-        /// Width of the white rim that lifts the letters off what they cross, in pixels.
-        const HALO: f32 = 4.0;
-        let middle = Pos::new(HPos::Center, VPos::Center);
-        let place = self.at(p) + offset;
-        let write = |shift: Vec2, colour: RGBColor| {
-            let style = (FONT, SIZE).into_font().color(&colour).pos(middle);
-            self.canvas
-                .draw(&Text::new(text, pixel(place + shift), style))
-        };
-        for i in 0..12 {
-            write(HALO * Vec2::from_angle(i as f32 * TAU / 12.0), WHITE)?;
-        }
-        write(Vec2::ZERO, colour)?;
-        Ok(())
+        label(self.canvas, self.at(p) + offset, text, colour)
     }
+}
+
+/// A label whose middle is at a pixel of the canvas.
+///
+/// # Errors
+/// If plotters cannot draw.
+pub fn label(canvas: &Canvas, place: Vec2, text: &str, colour: RGBColor) -> Drawn {
+    /// Height of the letters, in pixels.
+    const SIZE: u32 = 38;
+    /// Width of the white rim that lifts the letters off what they cross, in pixels.
+    const HALO: f32 = 4.0;
+    let middle = Pos::new(HPos::Center, VPos::Center);
+    let write = |shift: Vec2, colour: RGBColor| {
+        let style = (FONT, SIZE).into_font().color(&colour).pos(middle);
+        canvas.draw(&Text::new(text, pixel(place + shift), style))
+    };
+    for i in 0..12 {
+        write(HALO * Vec2::from_angle(i as f32 * TAU / 12.0), WHITE)?;
+    }
+    write(Vec2::ZERO, colour)?;
+    Ok(())
 }
 
 fn pixel(place: Vec2) -> (i32, i32) {

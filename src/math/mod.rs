@@ -7,6 +7,7 @@ pub mod basis;
 pub mod dir3;
 pub mod interval;
 pub mod pcg;
+pub mod piecewise;
 pub mod quadratic;
 pub mod ray;
 pub mod slab;

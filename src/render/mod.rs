@@ -1,3 +1,10 @@
 //! Floor 6: from rays to a picture.
 
 pub mod film;
+pub mod local;
+pub mod mis;
+pub mod path;
+pub mod reflection;
+pub mod shadow;
+pub mod soft_shadow;
+pub mod whitted;

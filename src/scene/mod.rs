@@ -1,9 +1,18 @@
 //! Floor 4: stock scenes that chapters share.
 
+pub mod cornell;
 pub mod evening;
+pub mod glassware;
+pub mod kissing_balls;
+pub mod marbles;
 pub mod noise;
+pub mod plates;
+pub mod posts;
+pub mod skies;
 pub mod soup;
 pub mod stadium;
+pub mod still_life;
 pub mod teapots;
 pub mod terrain;
 pub mod window;
+pub mod world;

@@ -27,6 +27,13 @@ macro_rules! for_each_chapter {
             ch09_two_level_grid,
             ch10_octree,
             ch11_bvh,
+            ch12_phong,
+            ch13_reflection,
+            ch14_refraction,
+            ch15_shadows,
+            ch16_soft_shadows,
+            ch17_rendering_equation,
+            ch18_environment,
             ch24_wide_bvh
         );
     };

@@ -76,6 +76,10 @@ impl Question {
         }
     }
 
+    pub fn is_empty(&self) -> bool {
+        self.numbers.len() == 0
+    }
+
     pub fn number(&mut self) -> f64 {
         self.numbers.next().expect("one more number")
     }

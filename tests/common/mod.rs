@@ -2,8 +2,10 @@
 
 #![allow(dead_code)] // each test file uses its own part
 
+pub mod noisy;
 pub mod source;
 pub mod starter;
+pub mod statistics;
 
 use raybook::math::{interval::Interval, ray::Ray};
 use raybook::shape::Shape;

@@ -1,0 +1,108 @@
+//! Directions as points of a dome, and their shadows on the floor: what a density looks like.
+
+use crate::camera::pinhole::Pinhole;
+use crate::image::Image;
+use crate::lab::figure::{FONT, figure};
+use crate::lab::palette::{BLUE, FAINT, INK, ORANGE};
+use crate::lab::sketch::Sketch;
+use crate::math::dir3::Dir3;
+use crate::sample::hemisphere::{cosine_hemisphere, uniform_hemisphere};
+use glam::{Vec2, Vec3, vec2, vec3};
+use plotters::prelude::{IntoFont, RGBColor, Text};
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use std::error::Error;
+use std::f32::consts::TAU;
+
+/// Directions in each dome.
+const POINTS: u32 = 600;
+
+/// The domes' names, their directions, and what is said of them.
+const DOMES: [(&str, Warp, &str); 2] = [
+    (
+        "uniform: p = 1/2π",
+        uniform_hemisphere,
+        "many near the horizon, where the cosine makes nothing of them",
+    ),
+    (
+        "by the cosine: p = cos θ/π",
+        cosine_hemisphere,
+        "their shadows fill the disc evenly",
+    ),
+];
+
+type Warp = fn(Dir3, Vec2) -> Dir3;
+type Drawn = Result<(), Box<dyn Error>>;
+
+/// Two domes side by side: all directions equally likely, and by the cosine.
+///
+/// # Errors
+/// If plotters cannot draw.
+pub fn draw() -> Result<Image, Box<dyn Error>> {
+    figure(960, 470, |canvas| {
+        let halves = canvas.split_evenly((1, 2));
+        for ((name, warp, note), half) in DOMES.into_iter().zip(&halves) {
+            let (width, height) = half.dim_in_pixel();
+            let aspect = width as f32 / height as f32;
+            let eye = vec3(0.0, 2.6, 5.0);
+            let viewer = Pinhole::look_at(eye, vec3(0.0, 0.32, 0.0), Vec3::Y, 0.0475, aspect)?;
+            dome(
+                &Sketch {
+                    canvas: half,
+                    viewer,
+                },
+                warp,
+            )?;
+            for (text, y, size) in [(name, 70, 48), (note, height as i32 - 60, 32)] {
+                let style = (FONT, size).into_font().color(&INK);
+                let middle = style.pos(Pos::new(HPos::Center, VPos::Center));
+                half.draw(&Text::new(text, (width as i32 / 2, y), middle))?;
+            }
+        }
+        Ok(())
+    })
+}
+
+/// The directions of evenly spread points, the farthest first.
+fn dome(sketch: &Sketch, warp: Warp) -> Drawn {
+    let disc: Vec<_> = circle(|x, y| vec3(x, 0.0, y)).collect();
+    sketch.area(&disc, FAINT, 0.25)?;
+    let mut points: Vec<Vec3> = (0..POINTS)
+        .map(|i| {
+            let u = vec2(
+                (i as f32 + 0.5) / POINTS as f32,
+                (0.618_034 * i as f32).fract(),
+            );
+            *warp(Dir3::Y, u)
+        })
+        .collect();
+    points.sort_by(|a, b| a.z.total_cmp(&b.z));
+    for p in &points {
+        sketch.dot(vec3(p.x, 0.0, p.z), 4, ORANGE)?;
+    }
+    for p in &points {
+        let behind = p.z < 0.0;
+        sketch.dot(*p, 7, if behind { pale(BLUE) } else { BLUE })?;
+    }
+    for arc in [
+        circle(|x, y| vec3(x, y.abs(), 0.0)).collect::<Vec<_>>(),
+        disc,
+    ] {
+        sketch.line(&arc, INK, 2)?;
+    }
+    sketch.arrow(Vec3::ZERO, 1.25 * Vec3::Y, INK, 5)?;
+    sketch.label(1.25 * Vec3::Y, vec2(44.0, 0.0), "N", INK)
+}
+
+/// A circle of radius 1 in some plane.
+fn circle(plane: impl Fn(f32, f32) -> Vec3) -> impl Iterator<Item = Vec3> {
+    (0..=96).map(move |i| {
+        let (y, x) = (i as f32 * TAU / 96.0).sin_cos();
+        plane(x, y)
+    })
+}
+
+/// Half way to white.
+fn pale(RGBColor(r, g, b): RGBColor) -> RGBColor {
+    let half = |v: u8| v / 2 + 127;
+    RGBColor(half(r), half(g), half(b))
+}

@@ -1,0 +1,135 @@
+//! How the error of a path-traced picture shrinks: with the samples, and with the time.
+
+use crate::image::Image;
+use crate::lab::figure::{Canvas, FONT, figure};
+use crate::lab::palette::{BLUE, FAINT, GREEN, INK, VERMILION};
+use crate::lab::strategies::{STRATEGIES, View};
+use crate::render::{film::Film, path::Path};
+use plotters::element::{Circle, PathElement};
+use plotters::prelude::{
+    ChartBuilder, Color, IntoFont, IntoLogRange, LineSeries, SeriesLabelPosition, TextStyle, WHITE,
+};
+use std::error::Error;
+use std::time::Instant;
+
+/// Samples per pixel, as powers of 2.
+const POWERS: std::ops::RangeInclusive<u32> = 0..=5;
+
+/// Samples per pixel, milliseconds for a picture, and the error of it.
+type Measured = [f64; 3];
+
+/// Error against samples and error against time, of each strategy; above the Cornell box, below the plates.
+///
+/// # Errors
+/// If plotters cannot draw, or there is no camera.
+pub fn plot(film: &Film) -> Result<Image, Box<dyn Error>> {
+    let views = [
+        ("the Cornell box", View::cornell_box()?, 6, 1.0),
+        ("the plates", View::plates(1.5)?, 1, 1.5),
+    ];
+    let measured = views.map(|(name, view, depth, aspect)| {
+        let film = Film {
+            width: (48.0 * aspect) as usize,
+            height: 48,
+            ..*film
+        };
+        (name, measure(&view, &film, depth))
+    });
+    figure(960, 760, |canvas| {
+        let panels = canvas.split_evenly((2, 2));
+        for ((name, curves), row) in measured.iter().zip(panels.chunks(2)) {
+            panel(
+                &row[0],
+                &format!("{name}: equal samples"),
+                "samples per pixel",
+                curves,
+                0,
+            )?;
+            panel(
+                &row[1],
+                &format!("{name}: equal time"),
+                "milliseconds",
+                curves,
+                1,
+            )?;
+        }
+        Ok(())
+    })
+}
+
+/// A curve per strategy.
+fn measure(view: &View, film: &Film, depth: u32) -> Vec<Vec<Measured>> {
+    let curve = |strategy| {
+        let path = Path {
+            depth,
+            sure: 3,
+            strategy,
+        };
+        let point = |samples: usize| {
+            let film = Film { samples, ..*film };
+            let start = Instant::now();
+            let (_, error) = view.scatter(&film, path);
+            let milliseconds = 500.0 * start.elapsed().as_secs_f64(); // there were two pictures
+            [samples as f64, milliseconds, error]
+        };
+        POWERS.map(|p| point(1 << p)).collect()
+    };
+    STRATEGIES
+        .into_iter()
+        .map(|(strategy, _)| curve(strategy))
+        .collect()
+}
+
+fn panel(
+    canvas: &Canvas,
+    title: &str,
+    unit: &str,
+    curves: &[Vec<Measured>],
+    axis: usize,
+) -> Result<(), Box<dyn Error>> {
+    let all = || curves.iter().flatten();
+    let range = |i: usize| {
+        let least = all().map(|m| m[i]).fold(f64::INFINITY, f64::min);
+        let most = all().map(|m| m[i]).fold(0.0, f64::max);
+        (0.8 * least..1.25 * most).log_scale()
+    };
+    let mut chart = ChartBuilder::on(canvas)
+        .margin(24)
+        .caption(title, text(36))
+        .x_label_area_size(84)
+        .y_label_area_size(130)
+        .build_cartesian_2d(range(axis), range(2))?;
+    chart
+        .configure_mesh()
+        .light_line_style(FAINT.mix(0.25))
+        .bold_line_style(FAINT.mix(0.5))
+        .x_label_formatter(&|v| format!("{v:.0}"))
+        .y_label_formatter(&|v| format!("{:.0} %", 100.0 * v))
+        .x_desc(unit)
+        .y_desc("error")
+        .label_style(text(28))
+        .axis_desc_style(text(30))
+        .draw()?;
+    for ((curve, (_, name)), colour) in curves.iter().zip(STRATEGIES).zip([VERMILION, GREEN, BLUE])
+    {
+        let points = || curve.iter().map(|m| (m[axis], m[2]));
+        chart.draw_series(points().map(|p| Circle::new(p, 8, colour.filled())))?;
+        chart
+            .draw_series(LineSeries::new(points(), colour.stroke_width(4)))?
+            .label(name)
+            .legend(move |(x, y)| PathElement::new([(x, y), (x + 50, y)], colour.stroke_width(5)));
+    }
+    chart
+        .configure_series_labels()
+        .position(SeriesLabelPosition::LowerLeft)
+        .label_font(text(28))
+        .legend_area_size(70)
+        .margin(20)
+        .background_style(WHITE.mix(0.85))
+        .draw()?;
+    Ok(())
+}
+
+fn text(size: u32) -> TextStyle<'static> {
+    (FONT, size).into_font().color(&INK)
+}

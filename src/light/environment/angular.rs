@@ -1,0 +1,31 @@
+//! The angular map: what a mirror ball shows, with all directions evenly by their angle (Debevec 1998).
+
+use crate::light::environment::convert::Layout;
+use crate::math::dir3::Dir3;
+use glam::{Vec2, vec2};
+use std::f32::consts::PI;
+
+/// A disc: the distance from its middle, −z, is the angle to it, and the rim is +z all around.
+#[derive(Clone, Copy, Debug)]
+pub struct Angular;
+
+impl Layout for Angular {
+    /// `None` in the corners, outside the disc.
+    fn direction(&self, place: Vec2) -> Option<Dir3> {
+        let p = vec2(2.0 * place.x - 1.0, 1.0 - 2.0 * place.y);
+        let radius = p.length();
+        if radius > 1.0 {
+            return None;
+        }
+        let (sin, cos) = (PI * radius).sin_cos();
+        let across = p.normalize_or_zero() * sin;
+        Dir3::new(across.extend(-cos))
+    }
+
+    fn place(&self, direction: Dir3) -> Vec2 {
+        let across = vec2(direction.x, direction.y);
+        let angle = across.length().atan2(-direction.z);
+        let p = angle / PI * across.try_normalize().unwrap_or(Vec2::X);
+        vec2(0.5 + 0.5 * p.x, 0.5 - 0.5 * p.y)
+    }
+}

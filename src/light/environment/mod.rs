@@ -1,0 +1,119 @@
+//! Light from all around, kept in a picture.
+
+pub mod angular;
+pub mod convert;
+pub mod cube;
+pub mod latlong;
+
+use crate::image::{Image, rgb::Rgb};
+use crate::light::{Light, LightSample};
+use crate::math::piecewise::Piecewise;
+use crate::math::{dir3::Dir3, ray::Ray};
+use glam::{Vec2, Vec3};
+use std::f64::consts::TAU;
+
+/// A picture of all directions, infinitely far away: every texel is a light.
+///
+/// The picture is laid out as [`latlong`] says. A texel's radiance is the same all over it, so that what is seen and what
+/// is sampled are the same function.
+#[derive(Clone, Debug)]
+pub struct Environment {
+    map: Image,
+    /// The share of each row in all the light.
+    rows: Piecewise,
+    /// The share of each texel in its row's light.
+    columns: Vec<Piecewise>,
+}
+
+impl Environment {
+    /// An environment from a latitude–longitude map.
+    ///
+    /// # Panics
+    /// If the map has no texel.
+    pub fn new(map: Image) -> Self {
+        let (width, height) = (map.width(), map.height());
+        assert!(width * height > 0, "a map of directions has texels");
+        let columns: Vec<_> = (0..height)
+            .map(|y| Piecewise::new((0..width).map(|x| f64::from(map.at(x, y).luminance()))))
+            .collect();
+        let light = |(row, columns): (usize, &Piecewise)| columns.total() * solid_angle(&map, row);
+        Self {
+            rows: Piecewise::new(columns.iter().enumerate().map(light)),
+            columns,
+            map,
+        }
+    }
+
+    /// The picture.
+    pub fn map(&self) -> &Image {
+        &self.map
+    }
+
+    /// The radiance that comes from a direction.
+    pub fn radiance(&self, toward: Dir3) -> Rgb {
+        let (x, y) = self.texel(toward);
+        self.map.at(x, y)
+    }
+
+    // ANCHOR: sample_environment
+    /// A direction for u in [0, 1)², the brighter the likelier, with its density per steradian; `None` in the dark.
+    ///
+    /// u.y chooses a row by its light, that is the sum of its luminances times the solid angle of one of its texels, and u.x
+    /// a texel of the row by its luminance. What the choices leave of u places the direction in the texel, uniformly by
+    /// solid angle: φ goes evenly through a texel, and so does cos θ, not θ (Archimedes: a sphere's zones have the areas
+    /// of the cylinder's around it).
+    pub fn choose(&self, u: Vec2) -> Option<(Dir3, f32)> {
+        let row = self.rows.choose(u.y)?;
+        let column = self.columns[row.cell].choose(u.x)?;
+        let [top, bottom] = latlong::cosines(row.cell, self.map.height());
+        let cosine = top + (bottom - top) * f64::from(row.within);
+        let turn = (column.cell as f32 + column.within) / self.map.width() as f32;
+        let density = row.probability * column.probability / solid_angle(&self.map, row.cell);
+        Some((latlong::toward(turn, cosine as f32), density as f32))
+    }
+    // ANCHOR_END: sample_environment
+
+    // ANCHOR: environment_pdf
+    /// The density per steradian with which [`Environment::choose`] takes a direction: the probability of its texel over the
+    /// texel's solid angle.
+    pub fn density(&self, toward: Dir3) -> f32 {
+        let (x, y) = self.texel(toward);
+        let probability = self.rows.probability(y) * self.columns[y].probability(x);
+        (probability / solid_angle(&self.map, y)) as f32
+    }
+    // ANCHOR_END: environment_pdf
+
+    fn texel(&self, toward: Dir3) -> (usize, usize) {
+        let (width, height) = (self.map.width(), self.map.height());
+        let place = latlong::place(toward);
+        let texel = |x: f32, n: usize| ((x * n as f32) as usize).min(n - 1);
+        (texel(place.x, width), texel(place.y, height))
+    }
+}
+
+/// The solid angle of a texel in a row, in steradians: its share of a zone between two circles of latitude,
+/// 2π (cos θ₀ − cos θ₁).
+fn solid_angle(map: &Image, row: usize) -> f64 {
+    let [top, bottom] = latlong::cosines(row, map.height());
+    TAU * (top - bottom) / map.width() as f64
+}
+
+impl Light for Environment {
+    fn sample(&self, _at: Vec3, u: Vec2) -> Option<LightSample> {
+        let (toward, pdf) = self.choose(u)?;
+        Some(LightSample {
+            toward,
+            distance: f32::INFINITY,
+            arriving: self.radiance(toward) / pdf,
+            pdf,
+        })
+    }
+
+    fn pdf(&self, _at: Vec3, toward: Dir3) -> f32 {
+        self.density(toward)
+    }
+
+    fn seen(&self, ray: &Ray) -> Option<(f32, Rgb)> {
+        Some((f32::INFINITY, self.radiance(ray.direction)))
+    }
+}

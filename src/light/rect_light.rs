@@ -1,0 +1,169 @@
+//! The rectangular light.
+
+use crate::image::rgb::Rgb;
+use crate::light::extent::{Choose, per_steradian, shine};
+use crate::light::{Light, LightSample};
+use crate::math::{dir3::Dir3, interval::Interval, ray::Ray};
+use glam::{DVec3, Vec2, Vec3};
+
+/// A rectangle that shines to the side where its normal a × b points, with the same radiance from everywhere to everywhere.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RectLight {
+    corner: Vec3,
+    a: Vec3,
+    b: Vec3,
+    normal: Dir3,
+    radiance: Rgb,
+    choose: Choose,
+}
+
+/// The smallest solid angle, in steradians, by which points are chosen: below, the sum of four terms that gives it has
+/// lost more than 8 of its 16 digits, and the rectangle is so small that its area does as well.
+const LEAST: f64 = 1e-8;
+
+impl RectLight {
+    /// A rectangle from a corner and two sides, whose points are chosen by area; of `b`, what is square to `a` counts.
+    ///
+    /// A rectangle without area sheds no light.
+    pub fn new(corner: Vec3, a: Vec3, b: Vec3, radiance: Rgb) -> Self {
+        let b = b - b.project_onto_normalized(a.normalize_or_zero());
+        Self {
+            corner,
+            a,
+            b,
+            normal: Dir3::new_or(a.cross(b), Dir3::Y),
+            radiance,
+            choose: Choose::ByArea,
+        }
+    }
+
+    /// The same light, with its points chosen in this way.
+    #[must_use]
+    pub fn choosing(self, choose: Choose) -> Self {
+        Self { choose, ..self }
+    }
+
+    /// The point at u of the way along a and b, each in [0, 1].
+    pub fn point(&self, u: Vec2) -> Vec3 {
+        self.corner + u.x * self.a + u.y * self.b
+    }
+
+    /// |a|·|b|, in square metres.
+    pub fn area(&self) -> f32 {
+        self.a.length() * self.b.length()
+    }
+
+    // ANCHOR: sample_rect
+    /// The point p = corner + u.x·a + u.y·b, uniform over the area A = |a|·|b|: per area, its density is 1/A.
+    ///
+    /// `None` where p turns its back.
+    fn sample_area(&self, at: Vec3, u: Vec2) -> Option<LightSample> {
+        let r = self.corner + u.x * self.a + u.y * self.b - at;
+        let pdf = per_steradian(1.0 / self.area(), r, self.normal);
+        shine(Dir3::new(r)?, r.length(), self.radiance, pdf)
+    }
+    // ANCHOR_END: sample_rect
+
+    /// The view in which points are chosen by solid angle; `None` where they are chosen by area.
+    fn view(&self, at: Vec3) -> Option<View> {
+        let by_solid_angle = self.choose == Choose::BySolidAngle;
+        let view = by_solid_angle.then(|| View::from(self, at)).flatten();
+        view.filter(|view| view.solid_angle >= LEAST)
+    }
+}
+
+impl Light for RectLight {
+    fn sample(&self, at: Vec3, u: Vec2) -> Option<LightSample> {
+        let Some(view) = self.view(at) else {
+            return self.sample_area(at, u);
+        };
+        let r = view.sample(u).as_vec3();
+        let pdf = 1.0 / view.solid_angle as f32;
+        shine(Dir3::new(r)?, r.length(), self.radiance, pdf)
+    }
+
+    fn pdf(&self, at: Vec3, toward: Dir3) -> f32 {
+        let Some((t, _)) = self.seen(&Ray::new(at, toward)) else {
+            return 0.0;
+        };
+        self.view(at).map_or_else(
+            || per_steradian(1.0 / self.area(), t * *toward, self.normal),
+            |view| 1.0 / view.solid_angle as f32,
+        )
+    }
+
+    fn seen(&self, ray: &Ray) -> Option<(f32, Rgb)> {
+        let cosine = -ray.direction.dot(*self.normal);
+        let t = (ray.origin - self.corner).dot(*self.normal) / cosine;
+        if cosine <= 0.0 || !Interval::AHEAD.contains(t) {
+            return None;
+        }
+        let p = ray.at(t) - self.corner;
+        let inside = |side: Vec3| (0.0..=side.length_squared()).contains(&p.dot(side));
+        (inside(self.a) && inside(self.b)).then_some((t, self.radiance))
+    }
+}
+
+/// A rectangle in the coordinates of a viewer, who is at the origin: x and y run along its sides, and its plane is z = h.
+///
+/// Numbers are `f64`: a small rectangle's solid angle is a small difference of angles.
+struct View {
+    axes: [DVec3; 3],
+    x: [f64; 2],
+    y: [f64; 2],
+    h: f64,
+    /// Ω, in steradians.
+    solid_angle: f64,
+}
+
+impl View {
+    /// `None` from behind, from within the plane, and if there is no rectangle.
+    fn from(light: &RectLight, at: Vec3) -> Option<Self> {
+        let [a, b, corner] = [light.a, light.b, light.corner - at].map(Vec3::as_dvec3);
+        let (along, across) = (a.try_normalize()?, b.try_normalize()?);
+        let away = -along.cross(across);
+        let (x, y, h) = (corner.dot(along), corner.dot(across), corner.dot(away));
+        let mut view = Self {
+            axes: [along, across, away],
+            x: [x, x + a.length()],
+            y: [y, y + b.length()],
+            h,
+            solid_angle: 0.0,
+        };
+        view.solid_angle = view.up_to(view.x[1]);
+        (h > 0.0).then_some(view)
+    }
+
+    // ANCHOR: rect_solid_angle
+    /// The solid angle of the part from the first side up to x.
+    ///
+    /// The rectangle from the foot of the plumb line to (x, y) has asin(s(x)·s(y)), where s(x) = x/√(x² + h²) is the sine of
+    /// the angle between the plumb line and the line to x. This one is the sum and difference of four.
+    fn up_to(&self, x: f64) -> f64 {
+        let [left, right, low, high] =
+            [self.x[0], x, self.y[0], self.y[1]].map(|v| v / v.hypot(self.h));
+        let strip = |s: f64| (s * high).asin() - (s * low).asin();
+        strip(right) - strip(left)
+    }
+
+    /// The vector to a point of the rectangle, uniform over the solid angle Ω (Ureña, Fajardo and King, "An area-preserving
+    /// parametrization for spherical rectangles", 2013).
+    ///
+    /// First the x up to which there is u.x·Ω. With φ the solid angle from the plumb line to x, asin(s·s₁) − asin(s·s₀) = φ
+    /// has the solution s = sin φ/√(s₀² − 2 s₀ s₁ cos φ + s₁²), where s is the sine that belongs to x, and s₀ and s₁ those
+    /// of the sides across. On the line at x, which is d = √(x² + h²) away, the sine of the angle is uniform.
+    fn sample(&self, u: Vec2) -> DVec3 {
+        let sine = |v: f64, d: f64| v / v.hypot(d);
+        let back = |s: f64, d: f64| d * s / (1.0 - s * s).max(0.0).sqrt();
+        let (u, [s0, s1]) = (u.as_dvec2(), self.y.map(|y| sine(y, self.h)));
+        let left = sine(self.x[0], self.h);
+        let phi = (left * s1).asin() - (left * s0).asin() + u.x * self.solid_angle;
+        let s = phi.sin() / (s0 * s0 - 2.0 * s0 * s1 * phi.cos() + s1 * s1).sqrt();
+        let x = back(s, self.h).clamp(self.x[0], self.x[1]);
+        let d = x.hypot(self.h);
+        let [low, high] = self.y.map(|y| sine(y, d));
+        let y = back(low + u.y * (high - low), d).clamp(self.y[0], self.y[1]);
+        x * self.axes[0] + y * self.axes[1] + self.h * self.axes[2]
+    }
+    // ANCHOR_END: rect_solid_angle
+}

@@ -1,0 +1,119 @@
+//! The spherical light.
+
+use crate::image::rgb::Rgb;
+use crate::light::extent::{Choose, per_steradian, shine};
+use crate::light::{Light, LightSample};
+use crate::math::{basis::Basis, dir3::Dir3, interval::Interval, ray::Ray};
+use crate::shape::{Shape, sphere::Sphere};
+use glam::{Vec2, Vec3, vec3};
+use std::f32::consts::TAU;
+
+/// A sphere that shines, outwards and inwards, with the same radiance from everywhere to everywhere.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SphereLight {
+    /// The sphere.
+    pub sphere: Sphere,
+    /// L, in W·m⁻²·sr⁻¹.
+    pub radiance: Rgb,
+    /// How its points are chosen.
+    pub choose: Choose,
+}
+
+impl SphereLight {
+    // ANCHOR: sample_sphere_light
+    /// A direction uniform over the cone of half angle α in which the sphere is seen: sin α = r/d, at a distance d of its centre.
+    ///
+    /// On the unit sphere the cone cuts off a cap of area Ω = 2π(1 − cos α), and areas between parallel planes are as their
+    /// distances (Archimedes): 1 − cos θ is uniform, from 0 to 1 − cos α. From inside, the light is everywhere: Ω = 4π.
+    fn sample_cone(&self, at: Vec3, u: Vec2) -> Option<LightSample> {
+        let (c, r) = (self.sphere.center - at, self.sphere.radius);
+        let (d, height) = (c.length(), self.cap(at));
+        let x = u.x * height;
+        let (cosine, sine) = (1.0 - x, (x * (2.0 - x)).max(0.0).sqrt());
+        let (sin_phi, cos_phi) = (TAU * u.y).sin_cos();
+        let around = Basis::around(Dir3::new_or(c, Dir3::Y));
+        let toward = around.to_world(vec3(sine * cos_phi, sine * sin_phi, cosine));
+        // The line meets the sphere at d cos θ ± half its chord: first at the −, or from inside at the +.
+        let half_chord = (r * r - d * d * sine * sine).max(0.0).sqrt();
+        let side = if self.holds(at) { 1.0 } else { -1.0 };
+        let distance = d * cosine + side * half_chord;
+        shine(
+            Dir3::new(toward)?,
+            distance,
+            self.radiance,
+            1.0 / (TAU * height),
+        )
+    }
+    // ANCHOR_END: sample_sphere_light
+
+    /// 1 − cos α of the cone in which the sphere is seen; 2 from inside.
+    ///
+    /// A small sphere has cos α = 1 in `f32`; sin²α/(1 + cos α) is the same without cancellation.
+    fn cap(&self, at: Vec3) -> f32 {
+        if self.holds(at) {
+            return 2.0;
+        }
+        let squared = self.sphere.radius.powi(2) / at.distance_squared(self.sphere.center);
+        squared / (1.0 + (1.0 - squared).max(0.0).sqrt())
+    }
+
+    /// A point uniform over the area that is seen: from outside a cap too, of height r − r²/d; from inside the whole sphere.
+    fn sample_area(&self, at: Vec3, u: Vec2) -> Option<LightSample> {
+        let x = u.x * self.seen_height(at);
+        let (cosine, sine) = (1.0 - x, (x * (2.0 - x)).max(0.0).sqrt());
+        let (sin_phi, cos_phi) = (TAU * u.y).sin_cos();
+        let around = Basis::around(Dir3::new_or(at - self.sphere.center, Dir3::Y));
+        let outward = around.to_world(vec3(sine * cos_phi, sine * sin_phi, cosine));
+        let r = self.sphere.center + self.sphere.radius * outward - at;
+        let pdf = self.area_pdf(at, r, Dir3::new(outward)?);
+        shine(Dir3::new(r)?, r.length(), self.radiance, pdf)
+    }
+
+    /// The density per steradian of a point, at r from the viewer, that was chosen by area.
+    fn area_pdf(&self, at: Vec3, r: Vec3, outward: Dir3) -> f32 {
+        let area = TAU * self.sphere.radius.powi(2) * self.seen_height(at);
+        let facing = if self.holds(at) { -outward } else { outward };
+        per_steradian(1.0 / area, r, facing)
+    }
+
+    /// The height of what is seen of the sphere, in radii: 1 − r/d from outside, 2 from inside.
+    fn seen_height(&self, at: Vec3) -> f32 {
+        if self.holds(at) {
+            return 2.0;
+        }
+        let d = at.distance(self.sphere.center);
+        (d - self.sphere.radius) / d
+    }
+
+    /// Whether a point is inside.
+    fn holds(&self, at: Vec3) -> bool {
+        at.distance(self.sphere.center) <= self.sphere.radius
+    }
+}
+
+impl Light for SphereLight {
+    fn sample(&self, at: Vec3, u: Vec2) -> Option<LightSample> {
+        match self.choose {
+            Choose::ByArea => self.sample_area(at, u),
+            Choose::BySolidAngle => self.sample_cone(at, u),
+        }
+    }
+
+    fn pdf(&self, at: Vec3, toward: Dir3) -> f32 {
+        let Some((t, _)) = self.seen(&Ray::new(at, toward)) else {
+            return 0.0;
+        };
+        match self.choose {
+            Choose::ByArea => {
+                let r = t * *toward;
+                self.area_pdf(at, r, self.sphere.normal_at(at + r))
+            }
+            Choose::BySolidAngle => 1.0 / (TAU * self.cap(at)),
+        }
+    }
+
+    fn seen(&self, ray: &Ray) -> Option<(f32, Rgb)> {
+        let hit = self.sphere.hit(ray, Interval::AHEAD)?;
+        Some((hit.t, self.radiance))
+    }
+}

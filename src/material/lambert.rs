@@ -1,0 +1,37 @@
+//! The ideally matt surface.
+
+use crate::image::rgb::Rgb;
+use crate::material::brdf::Brdf;
+use crate::math::dir3::Dir3;
+use crate::sample::hemisphere::{cosine_hemisphere, cosine_pdf};
+use crate::shape::Surface;
+use glam::Vec2;
+use std::f32::consts::FRAC_1_PI;
+
+/// A surface that looks equally bright from everywhere (Lambert, *Photometria*, 1760).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lambert {
+    /// ρ: the share of the light that it reflects, from 0 to 1.
+    pub albedo: Rgb,
+}
+
+impl Brdf for Lambert {
+    // ANCHOR: lambert
+    /// ρ/π: the hemisphere's ∫ cos θ dω is π, so that a share ρ of what arrives leaves again.
+    fn eval(&self, at: &Surface, view: Dir3, toward: Dir3) -> Rgb {
+        if at.facing(view).dot(*toward) > 0.0 {
+            self.albedo * FRAC_1_PI
+        } else {
+            Rgb::BLACK
+        }
+    }
+    // ANCHOR_END: lambert
+
+    fn sample(&self, at: &Surface, view: Dir3, u: Vec2) -> Option<Dir3> {
+        Some(cosine_hemisphere(at.facing(view), u))
+    }
+
+    fn pdf(&self, at: &Surface, view: Dir3, toward: Dir3) -> f32 {
+        cosine_pdf(at.facing(view).dot(*toward))
+    }
+}

@@ -1,0 +1,66 @@
+//! Choosing at random among weighted things.
+
+/// A probability for each of n cells, in proportion to its weight: a piecewise-constant density.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Piecewise {
+    /// The sums of the weights before each cell, and of all; in `f64`, because a map has millions of texels.
+    sums: Vec<f64>,
+}
+
+/// A cell that was chosen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Choice {
+    /// Which.
+    pub cell: usize,
+    /// Its probability.
+    pub probability: f64,
+    /// What is left of the random number, in [0, 1): uniform again within the cell.
+    pub within: f32,
+}
+
+impl Piecewise {
+    /// Cells with these weights; one that is negative or not finite counts as 0.
+    pub fn new(weights: impl IntoIterator<Item = f64>) -> Self {
+        let mut sums = vec![0.0];
+        let mut sum = 0.0;
+        for weight in weights {
+            if weight.is_finite() {
+                sum += weight.max(0.0);
+            }
+            sums.push(sum);
+        }
+        Self { sums }
+    }
+
+    /// The sum of the weights.
+    pub fn total(&self) -> f64 {
+        self.sums.last().copied().unwrap_or(0.0)
+    }
+
+    // ANCHOR: choose
+    /// The cell that holds u of all the weight, u in [0, 1): the inverse of the cumulated weights.
+    ///
+    /// A cell without weight is never chosen. `None` if no cell has any.
+    pub fn choose(&self, u: f32) -> Option<Choice> {
+        let target = f64::from(u) * self.total();
+        // The first sum above the target ends the cell; equal sums, those of cells without weight, are passed over.
+        let end = self.sums.partition_point(|&sum| sum <= target);
+        let cell = end.checked_sub(1).filter(|_| end < self.sums.len())?;
+        let weight = self.sums[end] - self.sums[cell];
+        let within = ((target - self.sums[cell]) / weight) as f32;
+        Some(Choice {
+            cell,
+            probability: weight / self.total(),
+            within: within.min(1.0 - f32::EPSILON / 2.0), // it may have been rounded to 1
+        })
+    }
+    // ANCHOR_END: choose
+
+    /// The probability of a cell; 0 for one that does not exist, or if no cell has any weight.
+    pub fn probability(&self, cell: usize) -> f64 {
+        match (self.sums.get(cell), self.sums.get(cell + 1)) {
+            (Some(before), Some(after)) if self.total() > 0.0 => (after - before) / self.total(),
+            _ => 0.0,
+        }
+    }
+}

@@ -1,0 +1,53 @@
+//! Local illumination: the light that comes straight from the lights.
+
+use crate::image::rgb::Rgb;
+use crate::light::LightSample;
+use crate::material::Material;
+use crate::math::{dir3::Dir3, pcg::Pcg};
+use crate::scene::world::{Scene, Seen};
+use crate::shape::Surface;
+use glam::vec2;
+use rand::RngExt;
+
+/// Whether light on its way to a surface arrives there.
+pub type Arrives = fn(&Scene<dyn Material>, &Surface, &LightSample) -> bool;
+
+/// Nothing is in the way, ever: the world without shadows.
+pub const ALWAYS: Arrives = |_, _, _| true;
+
+/// How light from the lights is gathered.
+#[derive(Clone, Copy)]
+pub struct Local {
+    /// So many samples are taken of every light.
+    pub samples: u32,
+    /// Whether a sample arrives.
+    pub arrives: Arrives,
+}
+
+impl Local {
+    // ANCHOR: local
+    /// I = k_a i_a + Σ over the lights: the mean, over a light's samples, of what the material makes of them.
+    pub fn radiance(
+        &self,
+        scene: &Scene<dyn Material>,
+        seen: &Seen<dyn Material>,
+        view: Dir3,
+        rng: &mut Pcg,
+    ) -> Rgb {
+        let mut sum = seen.material.ambient(&seen.surface) * scene.ambient;
+        for light in &scene.lights {
+            let mut of_light = Rgb::BLACK;
+            for _ in 0..self.samples {
+                let u = vec2(rng.random(), rng.random());
+                let sample = light.sample(seen.surface.position, u);
+                let arriving = sample.filter(|s| (self.arrives)(scene, &seen.surface, s));
+                if let Some(sample) = arriving {
+                    of_light += seen.material.lit(&seen.surface, view, &sample);
+                }
+            }
+            sum += of_light / self.samples as f32;
+        }
+        sum
+    }
+    // ANCHOR_END: local
+}

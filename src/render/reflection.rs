@@ -1,0 +1,34 @@
+//! The integral over the hemisphere that turns light from everywhere into light towards a viewer.
+
+use crate::image::rgb::Rgb;
+use crate::material::brdf::Brdf;
+use crate::math::{dir3::Dir3, pcg::Pcg};
+use crate::shape::Surface;
+use glam::vec2;
+use rand::RngExt;
+
+// ANCHOR: reflected_radiance
+/// L_o = ∫ f L_i cos θ dω over the hemisphere, estimated by (1/N) Σ f L_i cos θ/p over N directions of density p.
+///
+/// `incoming` is L_i: the radiance that arrives from a direction. Its mean over all random numbers is exact for any density
+/// that is positive wherever f L_i cos θ is; the more alike they are, the less it scatters. Here p is that of the BRDF.
+pub fn reflected_radiance(
+    brdf: &dyn Brdf,
+    at: &Surface,
+    view: Dir3,
+    incoming: &dyn Fn(Dir3) -> Rgb,
+    samples: u32,
+    rng: &mut Pcg,
+) -> Rgb {
+    let normal = at.facing(view);
+    let mut sum = Rgb::BLACK;
+    for _ in 0..samples {
+        let u = vec2(rng.random(), rng.random());
+        if let Some(toward) = brdf.sample(at, view, u) {
+            let weight = normal.dot(*toward) / brdf.pdf(at, view, toward);
+            sum += brdf.eval(at, view, toward) * incoming(toward) * weight;
+        }
+    }
+    sum / samples as f32
+}
+// ANCHOR_END: reflected_radiance

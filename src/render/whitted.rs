@@ -1,0 +1,58 @@
+//! Whitted's ray tracing: what a surface shows in itself or through itself is seen by another ray.
+
+use crate::image::rgb::Rgb;
+use crate::material::{Material, See, Sight};
+use crate::math::{pcg::Pcg, ray::Ray};
+use crate::render::local::Local;
+use crate::scene::world::Scene;
+
+/// Follows rays from surface to surface (Whitted, "An improved illumination model for shaded display", 1980).
+#[derive(Clone, Copy)]
+pub struct Whitted {
+    /// How light from the lights is gathered at each surface.
+    pub local: Local,
+    /// So many surfaces are followed in a row; what the last one would show of others is black.
+    pub depth: u32,
+}
+
+/// What counts for less than this share of a picture's light is not looked at either: at a ray tree's hundreds of twigs
+/// (Hall and Greenberg, "A testbed for realistic image synthesis", 1983).
+const LEAST: f32 = 1.0 / 512.0;
+
+impl Whitted {
+    // ANCHOR: whitted
+    /// What a ray sees: L = local illumination + what the material sees beyond, which asks the same question again.
+    ///
+    /// Two facing mirrors would ask for ever. Each question has one surface less to go, and at 0 the answer is black.
+    pub fn radiance(&self, scene: &Scene<dyn Material>, ray: &Ray, rng: &mut Pcg) -> Rgb {
+        self.follow(scene, ray, self.depth, 1.0, rng).radiance
+    }
+
+    fn follow(
+        &self,
+        scene: &Scene<dyn Material>,
+        ray: &Ray,
+        left: u32,
+        share: f32,
+        rng: &mut Pcg,
+    ) -> Sight {
+        let nothing = |radiance| Sight {
+            radiance,
+            distance: f32::INFINITY,
+        };
+        if left == 0 || share < LEAST {
+            return nothing(Rgb::BLACK);
+        }
+        let Some(seen) = scene.closest(ray) else {
+            return nothing((scene.backdrop)(ray));
+        };
+        let view = -ray.direction;
+        let local = self.local.radiance(scene, &seen, view, rng);
+        let see: &mut See = &mut |ray, of_it| self.follow(scene, ray, left - 1, of_it * share, rng);
+        Sight {
+            radiance: local + seen.material.beyond(&seen.surface, view, see),
+            distance: seen.t,
+        }
+    }
+    // ANCHOR_END: whitted
+}

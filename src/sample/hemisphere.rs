@@ -1,0 +1,62 @@
+//! Directions of a hemisphere: all equally likely, by the cosine, or by a power of it.
+//!
+//! Each makes a direction out of u, uniform in [0, 1)², and has a density per steradian, which integrates to 1.
+
+use crate::math::{basis::Basis, dir3::Dir3};
+use glam::{Vec2, vec3};
+use std::f32::consts::{FRAC_1_PI, TAU};
+
+/// The density of [`uniform_hemisphere`]: 1/2π, in 1/sr, for the hemisphere has 2π steradians.
+pub const UNIFORM: f32 = 1.0 / TAU;
+
+// ANCHOR: uniform_hemisphere
+/// A direction of the hemisphere around a normal, all equally likely.
+///
+/// Slices of a sphere have areas in the ratio of their heights (Archimedes), so cos θ is uniform: cos θ = 1 − u.x.
+pub fn uniform_hemisphere(normal: Dir3, u: Vec2) -> Dir3 {
+    at_height(normal, 1.0 - u.x, u.y)
+}
+// ANCHOR_END: uniform_hemisphere
+
+// ANCHOR: cosine_hemisphere
+/// A direction of the hemisphere around a normal, with the density cos θ/π per steradian.
+///
+/// A point of the unit disc, all of them equally likely: r = √u.x, φ = 2π u.y. Straight above it, at height √(1 − r²), is a
+/// direction of the hemisphere. There a piece of area is larger than its shadow on the disc by 1/cos θ, and so its
+/// points are fewer by cos θ (Malley 1988).
+pub fn cosine_hemisphere(normal: Dir3, u: Vec2) -> Dir3 {
+    let (r, phi) = (u.x.sqrt(), TAU * u.y);
+    let above_disc = vec3(r * phi.cos(), r * phi.sin(), (1.0 - u.x).sqrt());
+    Dir3::new_or(Basis::around(normal).to_world(above_disc), normal)
+}
+// ANCHOR_END: cosine_hemisphere
+
+/// The density of [`cosine_hemisphere`], in 1/sr, at an angle of this cosine to the normal.
+pub fn cosine_pdf(cosine: f32) -> f32 {
+    cosine.max(0.0) * FRAC_1_PI
+}
+
+// ANCHOR: lobe
+/// A direction around an axis, with the density (n + 1)/2π cosⁿα per steradian: uniform for n = 0, by the cosine for n = 1.
+///
+/// Of all directions the share 1 − cosⁿ⁺¹α is within α of the axis; u.x is that share.
+pub fn lobe(axis: Dir3, n: f32, u: Vec2) -> Dir3 {
+    at_height(axis, (1.0 - u.x).powf(1.0 / (n + 1.0)), u.y)
+}
+// ANCHOR_END: lobe
+
+/// The density of [`lobe`], in 1/sr, at an angle of this cosine to the axis.
+pub fn lobe_pdf(cosine: f32, n: f32) -> f32 {
+    if cosine > 0.0 {
+        (n + 1.0) / TAU * cosine.powf(n)
+    } else {
+        0.0
+    }
+}
+
+/// The direction at an angle of this cosine to the axis, a share of the way around it.
+fn at_height(axis: Dir3, cosine: f32, around: f32) -> Dir3 {
+    let (r, phi) = ((1.0 - cosine * cosine).max(0.0).sqrt(), TAU * around);
+    let v = vec3(r * phi.cos(), r * phi.sin(), cosine);
+    Dir3::new_or(Basis::around(axis).to_world(v), axis)
+}

@@ -1,0 +1,3 @@
+//! Floor 2: from uniform random numbers to points and directions.
+
+pub mod hemisphere;

@@ -1,0 +1,50 @@
+//! Three balls on a plinth, which show what light does: one is matt, one is glossy, one is nearly a mirror.
+
+use crate::camera::pinhole::Pinhole;
+use crate::image::rgb::Rgb;
+use crate::light::Light;
+use crate::material::{brdf::Brdf, lambert::Lambert, modified_phong::ModifiedPhong};
+use crate::scene::world::{Scene, Thing};
+use crate::shape::{Shape, cuboid::Cuboid, sphere::Sphere};
+use glam::{Vec3, vec3};
+
+/// The balls and the plinth under one light.
+pub fn still_life(light: Box<dyn Light>) -> Scene<dyn Brdf> {
+    let matt = |r, g, b| {
+        Box::new(Lambert {
+            albedo: Rgb::new(r, g, b),
+        })
+    };
+    let glossy = |diffuse, specular, exponent| {
+        Box::new(ModifiedPhong {
+            diffuse,
+            specular,
+            exponent,
+        })
+    };
+    let ball = |x: f32, z: f32, r: f32| Box::new(Sphere::new(vec3(x, r, z), r));
+    let thing = |shape: Box<dyn Shape>, material: Box<dyn Brdf>| Thing { shape, material };
+    let plinth = Cuboid::between(vec3(-2.4, -0.3, -1.6), vec3(2.4, 0.0, 1.6));
+    let bronze = glossy(
+        Rgb::new(0.06, 0.035, 0.015),
+        Rgb::new(0.83, 0.62, 0.33),
+        4000.0,
+    );
+    let glaze = glossy(Rgb::new(0.02, 0.22, 0.30), Rgb::gray(0.28), 60.0);
+    Scene::new(
+        vec![
+            thing(Box::new(plinth), matt(0.72, 0.70, 0.66)),
+            thing(ball(-0.15, -0.35, 1.0), bronze),
+            thing(ball(-1.60, 0.55, 0.6), matt(0.80, 0.78, 0.74)),
+            thing(ball(1.45, 0.45, 0.7), glaze),
+        ],
+        vec![light],
+    )
+}
+
+/// A camera that sees them all, for a picture of this width over its height.
+pub fn camera(aspect: f32) -> Pinhole {
+    let (from, to) = (vec3(0.8, 2.2, 8.6), vec3(0.0, 0.6, 0.0));
+    Pinhole::look_at(from, to, Vec3::Y, 0.05, aspect)
+        .unwrap_or_else(|error| unreachable!("the points are fixed: {error}"))
+}

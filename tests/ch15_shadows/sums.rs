@@ -1,0 +1,57 @@
+//! What shadows leave of the light, and what they cost.
+
+use crate::allocations::allocations;
+use crate::rays::{random_direction, ray};
+use crate::{ball, ground, lit, scene};
+use glam::{Vec3, vec3};
+use raybook::image::rgb::Rgb;
+use raybook::light::{Light, point::PointLight};
+use raybook::math::pcg;
+use raybook::render::local::Local;
+use raybook::render::whitted::Whitted;
+use raybook::scene::marbles;
+
+#[test]
+fn a_shadow_takes_away_one_lights_part_and_no_more() {
+    let lamp = |x: f32| -> Box<dyn Light> {
+        Box::new(PointLight {
+            position: vec3(x, 4.0, 0.0),
+            intensity: Rgb::gray(16.0),
+        })
+    };
+    let mut scene = scene(vec![ground(), ball(vec3(0.0, 2.0, 0.0), 0.5)])
+        .surrounded_by(Rgb::gray(0.1), |_| Rgb::BLACK);
+    scene.lights = vec![lamp(0.0), lamp(3.0)];
+    let local = Local {
+        samples: 1,
+        arrives: lit,
+    };
+    let whitted = Whitted { local, depth: 1 };
+    let aslant = ray(vec3(0.0, 1.0, 0.0), Vec3::NEG_Y);
+    let seen = whitted.radiance(&scene, &aslant, &mut pcg::stream(0, 0)).r;
+    // The lamp above is hidden. The other: 5 m away, so 16/25 W/m² and a cosine of 4/5.
+    let expected = 0.5 * 0.1 + 0.25 * 0.8 * 16.0 / 25.0;
+    assert!((seen - expected).abs() < 1e-6, "{seen}, not {expected}");
+}
+
+#[test]
+fn shadows_allocate_nothing() {
+    let scene = marbles::scene();
+    let local = Local {
+        samples: 1,
+        arrives: lit,
+    };
+    let whitted = Whitted { local, depth: 8 };
+    let mut rng = pcg::stream(15, 1);
+    let [from, to] = marbles::VIEW;
+    let (count, bright) = allocations(|| {
+        let mut sum = Rgb::BLACK;
+        for _ in 0..10_000 {
+            let toward = to - from + 2.5 * *random_direction(&mut rng);
+            sum += whitted.radiance(&scene, &ray(from, toward), &mut rng);
+        }
+        sum
+    });
+    assert!(bright.r > 1000.0, "the rays see something: {bright:?}");
+    assert_eq!(count, 0, "10 000 rays and their shadow rays");
+}

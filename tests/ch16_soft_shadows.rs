@@ -1,0 +1,10 @@
+//! Chapter 16: lights with an extent, and their shadows.
+
+#[path = "ch16_soft_shadows/densities.rs"]
+mod densities;
+#[path = "ch16_soft_shadows/lights.rs"]
+mod lights;
+#[path = "ch16_soft_shadows/shadows.rs"]
+mod shadows;
+#[path = "ch16_soft_shadows/support.rs"]
+mod support;

@@ -8,8 +8,6 @@
 mod boxes;
 #[path = "alternatives/ch11.rs"]
 mod ch11;
-#[path = "alternatives/ch24.rs"]
-mod ch24;
 #[path = "alternatives/ch12.rs"]
 mod ch12;
 #[path = "alternatives/ch14.rs"]
@@ -22,6 +20,8 @@ mod ch16;
 mod ch17;
 #[path = "alternatives/ch18.rs"]
 mod ch18;
+#[path = "alternatives/ch24.rs"]
+mod ch24;
 #[path = "alternatives/flat.rs"]
 mod flat;
 #[path = "alternatives/grid.rs"]

@@ -1,120 +1,48 @@
-//! Chapter 1: `ray_at`, `camera_ray`.
+//! `camera_ray`: its cases, judge and mistakes.
 
-use crate::grade::examine::Examiner;
 use crate::grade::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
 use crate::image::rgb::Rgb;
-use crate::math::{basis::Basis, dir3::Dir3, pcg::Pcg, ray::Ray};
+use crate::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
 use crate::workbook::exercise::Exercise;
-use crate::workbook::exercises::ch01_rays::{
-    CameraRay, CameraRayAnswer, CameraRayQuestion, RayAt, RayAtQuestion,
-};
+use crate::workbook::exercises::ch01_rays::{CameraRay, CameraRayAnswer, CameraRayQuestion};
 use glam::{Vec2, Vec3, vec2, vec3};
-
-/// This chapter's exercises, in order.
-pub const GRADED: &[&dyn Examiner] = &[&RayAt, &CameraRay];
-
-impl Graded for RayAt {
-    const MISTAKES: &'static [Mistake<Self>] = &[
-        Mistake {
-            name: "forgets the origin",
-            hint: "At t = 0, where is the ray?",
-            answer: |q| q.t * *q.ray.direction,
-        },
-        Mistake {
-            name: "ignores t",
-            hint: "How far from the origin is your point? How far should it be?",
-            answer: |q| q.ray.origin + *q.ray.direction,
-        },
-        Mistake {
-            name: "goes backwards",
-            hint: "A positive t lies ahead.",
-            answer: |q| q.ray.origin - q.t * *q.ray.direction,
-        },
-        Mistake {
-            name: "scales the origin too",
-            hint: "Only one of the two vectors grows with t.",
-            answer: |q| q.t * (q.ray.origin + *q.ray.direction),
-        },
-        Mistake {
-            name: "scales the origin instead of the direction",
-            hint: "Which of the two vectors says where the ray starts?",
-            answer: |q| q.t * q.ray.origin + *q.ray.direction,
-        },
-        Mistake {
-            name: "clamps t to what lies ahead",
-            hint: "The line goes on behind the origin: which point is 2 m behind it?",
-            answer: |q| q.ray.at(q.t.max(0.0)),
-        },
-    ];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, origin, toward, t| {
-            Edge::new(
-                name,
-                RayAtQuestion {
-                    ray: Ray::new(origin, Dir3::new_or(toward, Dir3::Z)),
-                    t,
-                },
-            )
-        };
-        vec![
-            edge("t is 0", vec3(1.0, 2.0, 3.0), Vec3::X, 0.0),
-            edge("along x from the world's origin", Vec3::ZERO, Vec3::X, 2.5),
-            edge("from somewhere else", vec3(-4.0, 0.5, 2.0), Vec3::Y, 3.0),
-            edge("behind the origin", vec3(1.0, 1.0, 1.0), Vec3::Z, -2.0),
-            edge("askew", vec3(0.0, 1.0, 0.0), vec3(3.0, 0.0, 4.0), 10.0),
-            edge("far away", vec3(1.0, 2.0, 3.0), Vec3::NEG_Z, 1e6),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> RayAtQuestion {
-        RayAtQuestion {
-            ray: Ray::new(sample::point(rng, 5.0), sample::direction(rng)),
-            t: sample::number(rng, -5.0, 20.0),
-        }
-    }
-
-    fn judge(_q: &RayAtQuestion, golden: &Vec3, got: &Vec3) -> Verdict {
-        judge::point("the point", *golden, *got)
-    }
-}
 
 impl Graded for CameraRay {
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "draws the picture upside down",
             hint: "film (0, 0) is the top left: does your y grow upwards or downwards on the film?",
-            answer: |q| ask(q, |q| q.film.y = 1.0 - q.film.y),
+            answer: |q| Self::misread(q, |q| q.film.y = 1.0 - q.film.y),
         },
         Mistake {
             name: "draws the picture mirrored",
             hint: "A place on the right of the film is on the camera's right.",
-            answer: |q| ask(q, |q| q.film.x = 1.0 - q.film.x),
+            answer: |q| Self::misread(q, |q| q.film.x = 1.0 - q.film.x),
         },
         Mistake {
             name: "ignores the focal length",
             hint: "Move the image plane further away: should the view get wider or narrower?",
-            answer: |q| ask(q, |q| q.focal_length = 1.0),
+            answer: |q| Self::misread(q, |q| q.focal_length = 1.0),
         },
         Mistake {
             name: "takes the plane to be twice as large",
             hint: "From the middle of the plane to its edge is how much of its width?",
-            answer: |q| ask(q, |q| q.plane *= 2.0),
+            answer: |q| Self::misread(q, |q| q.plane *= 2.0),
         },
         Mistake {
             name: "measures from the plane's corner instead of its middle",
             hint: "Which place of the film lies straight ahead?",
-            answer: |q| ask(q, |q| q.film += vec2(0.5, -0.5)),
+            answer: |q| Self::misread(q, |q| q.film += vec2(0.5, -0.5)),
         },
         Mistake {
             name: "ignores the size of the plane",
             hint: "A place on the film is a fraction: of what length?",
-            answer: |q| ask(q, |q| q.plane = Vec2::ONE),
+            answer: |q| Self::misread(q, |q| q.plane = Vec2::ONE),
         },
         Mistake {
             name: "looks backwards",
             hint: "Is the plane in front of the focal point?",
-            answer: |q| ask(q, |q| q.forward = -q.forward),
+            answer: |q| Self::misread(q, |q| q.forward = -q.forward),
         },
         Mistake {
             name: "starts at the image plane",
@@ -142,7 +70,7 @@ impl Graded for CameraRay {
         Mistake {
             name: "confuses right and up",
             hint: "Along which of the camera's directions does film.x run?",
-            answer: |q| ask(q, |q| std::mem::swap(&mut q.right, &mut q.up)),
+            answer: |q| Self::misread(q, |q| std::mem::swap(&mut q.right, &mut q.up)),
         },
     ];
 
@@ -212,11 +140,4 @@ fn question(focal_point: Vec3, forward: Dir3, focal_length: f32, film: Vec2) -> 
         plane: vec2(0.036, 0.024),
         film,
     }
-}
-
-/// The right answer to a question that was misread.
-fn ask(q: &CameraRayQuestion, misread: fn(&mut CameraRayQuestion)) -> CameraRayAnswer {
-    let mut q = q.clone();
-    misread(&mut q);
-    CameraRay::answer(&q)
 }

@@ -1,18 +1,13 @@
-//! Chapter 6: `triangle_hit`, `triangle_normal`.
+//! `triangle_hit`: its cases, judge and mistakes.
 
-use crate::grade::examine::Examiner;
 use crate::grade::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
 use crate::image::rgb::Rgb;
 use crate::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 use crate::workbook::exercise::Exercise;
 use crate::workbook::exercises::ch06_triangle::{
-    TriangleHit, TriangleHitAnswer, TriangleHitQuestion, TriangleNormal, TriangleQuestion,
+    TriangleHit, TriangleHitAnswer, TriangleHitQuestion,
 };
 use glam::{Vec3, vec3};
-use rand::RngExt;
-
-/// This chapter's exercises, in order.
-pub const GRADED: &[&dyn Examiner] = &[&TriangleHit, &TriangleNormal];
 
 impl Graded for TriangleHit {
     const MISTAKES: &'static [Mistake<Self>] = &[
@@ -66,7 +61,7 @@ impl Graded for TriangleHit {
         Mistake {
             name: "ignores the interval",
             hint: "Is every t you return between min and max?",
-            answer: |q| TriangleHit::answer(&on_the_line(q)),
+            answer: |q| Self::misread(q, |q| q.within = sample::LINE),
         },
         Mistake {
             name: "forgets to divide the weights by the determinant",
@@ -94,9 +89,9 @@ impl Graded for TriangleHit {
         height: 54,
         alt: "A triangle whose colours are the weights of its corners",
         question: |x, y| {
-            let toward = vec3((x as f32 - 47.5) / 54.0, (26.5 - y as f32) / 54.0, -1.0);
+            let toward = sample::pixel(x, y);
             TriangleHitQuestion {
-                ray: Ray::new(vec3(0.0, 0.0, 3.0), Dir3::new_or(toward, Dir3::Z)),
+                ray: sample::ray(vec3(0.0, 0.0, 3.0), toward),
                 within: Interval::AHEAD,
                 p0: vec3(-1.7, -1.1, 0.3),
                 p1: vec3(1.6, -0.8, -0.5),
@@ -112,12 +107,13 @@ impl Graded for TriangleHit {
 
     fn edges() -> Vec<Edge<Self>> {
         let question = |origin, toward, within| TriangleHitQuestion {
-            ray: Ray::new(origin, Dir3::new_or(toward, Dir3::Z)),
+            ray: sample::ray(origin, toward),
             within,
             p0: vec3(0.0, 0.0, 0.0),
             p1: vec3(2.0, 0.0, 0.0),
             p2: vec3(0.0, 2.0, 0.0),
         };
+        let edge = |name, origin, toward, within| Edge::new(name, question(origin, toward, within));
         let (ahead, into) = (Interval::AHEAD, Vec3::NEG_Z);
         let above = |x, y| vec3(x, y, 3.0);
         let tiny = |q: TriangleHitQuestion| TriangleHitQuestion {
@@ -130,37 +126,31 @@ impl Graded for TriangleHit {
             ..q
         };
         vec![
-            Edge::new("in the middle", question(above(0.5, 0.5), into, ahead)),
-            Edge::new(
-                "from behind",
-                question(vec3(0.5, 0.5, -3.0), Vec3::Z, ahead),
-            ),
-            Edge::new(
-                "askew",
-                question(vec3(2.0, 2.0, 3.0), vec3(-1.0, -1.5, -3.0), ahead),
-            ),
-            Edge::new(
-                "near the second corner",
-                question(above(1.75, 0.125), into, ahead),
-            ),
-            Edge::new("past the long edge", question(above(1.5, 1.5), into, ahead)),
-            Edge::new("left of it", question(above(-0.5, 0.5), into, ahead)),
-            Edge::new("below it", question(above(0.5, -0.5), into, ahead)),
-            Edge::new(
-                "it is behind the ray",
-                question(above(0.5, 0.5), Vec3::Z, ahead),
-            ),
-            Edge::new(
+            edge("in the middle", above(0.5, 0.5), into, ahead),
+            edge("from behind", vec3(0.5, 0.5, -3.0), Vec3::Z, ahead),
+            edge("askew", vec3(2.0, 2.0, 3.0), vec3(-1.0, -1.5, -3.0), ahead),
+            edge("near the second corner", above(1.75, 0.125), into, ahead),
+            edge("past the long edge", above(1.5, 1.5), into, ahead),
+            edge("left of it", above(-0.5, 0.5), into, ahead),
+            edge("below it", above(0.5, -0.5), into, ahead),
+            edge("it is behind the ray", above(0.5, 0.5), Vec3::Z, ahead),
+            edge(
                 "in the plane of the triangle",
-                question(vec3(-1.0, 0.5, 0.0), Vec3::X, ahead),
+                vec3(-1.0, 0.5, 0.0),
+                Vec3::X,
+                ahead,
             ),
-            Edge::new(
+            edge(
                 "beyond the interval",
-                question(above(0.5, 0.5), into, Interval::new(0.0, 2.0)),
+                above(0.5, 0.5),
+                into,
+                Interval::new(0.0, 2.0),
             ),
-            Edge::new(
+            edge(
                 "before the interval",
-                question(above(0.5, 0.5), into, Interval::new(4.0, 9.0)),
+                above(0.5, 0.5),
+                into,
+                Interval::new(4.0, 9.0),
             ),
             Edge::new(
                 "a triangle of two millimetres",
@@ -181,11 +171,7 @@ impl Graded for TriangleHit {
         );
         let aim = p0 + b1 * (p1 - p0) + b2 * (p2 - p0);
         let origin = aim - sample::number(rng, 1.0, 6.0) * *sample::direction(rng);
-        let max = if rng.random_bool(0.2) {
-            sample::number(rng, 1.0, 5.0)
-        } else {
-            f32::INFINITY
-        };
+        let max = sample::end(rng, 0.2, 1.0, 5.0);
         let direction = Dir3::new_or(aim - origin, Dir3::X);
         TriangleHitQuestion {
             ray: Ray::new(origin, direction),
@@ -210,16 +196,8 @@ impl Graded for TriangleHit {
 }
 
 /// Twice the triangle's area, as a vector along its normal.
-fn normal(q: &TriangleHitQuestion) -> Vec3 {
+pub(super) fn normal(q: &TriangleHitQuestion) -> Vec3 {
     (q.p1 - q.p0).cross(q.p2 - q.p0)
-}
-
-/// The question for the whole line.
-fn on_the_line(q: &TriangleHitQuestion) -> TriangleHitQuestion {
-    TriangleHitQuestion {
-        within: Interval::new(f32::NEG_INFINITY, f32::INFINITY),
-        ..q.clone()
-    }
 }
 
 /// The hit of the triangle's plane, if the weights there are to one's taste.
@@ -232,70 +210,4 @@ fn plane(q: &TriangleHitQuestion, inside: fn(f32, f32) -> bool) -> Option<Triang
         e1.cross(from_p0).dot(n) / n.length_squared(),
     );
     (inside(b1, b2) && q.within.contains(t)).then_some(TriangleHitAnswer { t, b1, b2 })
-}
-
-impl Graded for TriangleNormal {
-    const MISTAKES: &'static [Mistake<Self>] = &[
-        Mistake {
-            name: "points to the other side",
-            hint: "Curl the fingers of your right hand from p0 over p1 to p2: where does the thumb point?",
-            answer: |q| TriangleNormal::answer(q).map(|n| -n),
-        },
-        Mistake {
-            name: "forgets to normalise",
-            hint: "The cross product's length is twice the triangle's area.",
-            answer: |q| TriangleNormal::answer(q).map(|_| (q.p1 - q.p0).cross(q.p2 - q.p0)),
-        },
-        Mistake {
-            name: "crosses the corners instead of the edges",
-            hint: "Move the triangle by one metre: the normal must not change.",
-            answer: |q| Dir3::new(q.p1.cross(q.p2)).map(|n| *n),
-        },
-        Mistake {
-            name: "returns NaN for a triangle without area",
-            hint: "Three corners on a line: how long is the cross product, and what happens when you divide by that?",
-            answer: |q| Some((q.p1 - q.p0).cross(q.p2 - q.p0).normalize()),
-        },
-        Mistake {
-            name: "always points up",
-            hint: "It is the order of the corners that decides which side is outside, not the world.",
-            answer: |q| TriangleNormal::answer(q).map(|n| if n.y < 0.0 { -n } else { n }),
-        },
-        Mistake {
-            name: "returns the direction of an edge",
-            hint: "What is the normal's dot product with each edge?",
-            answer: |q| TriangleNormal::answer(q).map(|_| (q.p1 - q.p0).normalize()),
-        },
-    ];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, p0, p1, p2| Edge::new(name, TriangleQuestion { p0, p1, p2 });
-        let (x, y, z) = (Vec3::X, Vec3::Y, Vec3::Z);
-        vec![
-            edge("counter-clockwise seen from +z", Vec3::ZERO, x, y),
-            edge("clockwise seen from +z", Vec3::ZERO, y, x),
-            edge("lying on the floor, face down", Vec3::ZERO, x, z),
-            edge(
-                "away from the origin",
-                vec3(5.0, 5.0, 5.0),
-                vec3(6.0, 5.0, 5.0),
-                vec3(5.0, 6.0, 5.0),
-            ),
-            edge("a small one", Vec3::ZERO, 0.001 * x, 0.001 * z),
-            edge("a large one", Vec3::ZERO, 1000.0 * y, 1000.0 * z),
-            edge("three corners on a line", Vec3::ZERO, x, 2.0 * x),
-            edge("a single point", y, y, y),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> TriangleQuestion {
-        let [p0, p1, p2] = std::array::from_fn(|_| sample::point(rng, 4.0));
-        TriangleQuestion { p0, p1, p2 }
-    }
-
-    fn judge(_q: &TriangleQuestion, golden: &Option<Vec3>, got: &Option<Vec3>) -> Verdict {
-        judge::option("a normal", golden.as_ref(), got.as_ref(), |golden, got| {
-            judge::direction("the normal", *golden, *got)
-        })
-    }
 }

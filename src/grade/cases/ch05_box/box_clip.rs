@@ -1,0 +1,213 @@
+//! `box_clip`: its cases, judge and mistakes.
+
+use crate::grade::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
+use crate::image::rgb::Rgb;
+use crate::lab::palette::viridis;
+use crate::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
+use crate::workbook::exercise::Exercise;
+use crate::workbook::exercises::ch05_box::{BoxClip, BoxClipQuestion};
+use glam::{Vec3, vec3};
+
+impl Graded for BoxClip {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "does not swap the planes for a negative direction",
+            hint: "A ray that goes left meets the right side first.",
+            answer: |q| slabs(q, |near, far, _| (near, far), |min, max| min <= max),
+        },
+        Mistake {
+            name: "keeps the union of the slabs, not their overlap",
+            hint: "To be inside the box, the ray must be inside all three slabs at once: is that the earliest entry or the latest?",
+            answer: |q| {
+                let all = (0..3)
+                    .map(|axis| slab(q, axis))
+                    .reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))?;
+                finish(all.0.max(q.within.min), all.1.min(q.within.max))
+            },
+        },
+        Mistake {
+            name: "divides 0 by 0 for a ray in a face",
+            hint: "A ray that runs in a face has o − min = 0 and d = 0: what is 0/0, and what does a comparison make of it?",
+            answer: |q| {
+                let nan = (0..3).any(|axis| {
+                    q.ray.direction[axis] == 0.0
+                        && [q.min[axis], q.max[axis]].contains(&q.ray.origin[axis])
+                });
+                BoxClip::answer(q).filter(|_| !nan)
+            },
+        },
+        Mistake {
+            name: "skips an axis along which the ray does not move",
+            hint: "A ray parallel to a slab is inside it always, or never: which?",
+            answer: |q| {
+                let moving = (0..3)
+                    .filter(|&axis| q.ray.direction[axis] != 0.0)
+                    .map(|axis| slab(q, axis));
+                let (min, max) = moving
+                    .fold((q.within.min, q.within.max), |(min, max), (near, far)| {
+                        (min.max(near), max.min(far))
+                    });
+                finish(min, max)
+            },
+        },
+        Mistake {
+            name: "ignores the interval",
+            hint: "You are asked for a part of the interval: can your answer be longer than it is?",
+            answer: |q| Self::misread(q, |q| q.within = sample::LINE),
+        },
+        Mistake {
+            name: "wants the ray to start outside",
+            hint: "Put the origin inside the box: on which part of the ray is it inside?",
+            answer: |q| {
+                BoxClip::answer(q).filter(|_| (0..3).any(|axis| slab(q, axis).0 >= q.within.min))
+            },
+        },
+        Mistake {
+            name: "takes the box for one around the origin",
+            hint: "Move the box and the ray by one metre: the answer must not change.",
+            answer: |q| {
+                let half = 0.5 * (q.max - q.min);
+                Self::misread(q, |q| (q.min, q.max) = (-half, half))
+            },
+        },
+    ];
+
+    const PICTURE: Option<Picture<Self>> = Some(Picture {
+        width: 96,
+        height: 54,
+        alt: "How much of each ray is inside a box: the brighter, the more",
+        question: |x, y| {
+            let toward = sample::pixel(x, y);
+            let turned = vec3(0.8 * toward.x - 0.6, toward.y - 0.4, -0.8 + 0.6 * -toward.x);
+            let ray = sample::ray(vec3(2.0, 1.4, 2.6), turned);
+            BoxClipQuestion {
+                ray,
+                within: Interval::AHEAD,
+                min: vec3(-1.0, -0.6, -0.8),
+                max: vec3(0.8, 0.7, 0.6),
+            }
+        },
+        colour: |_, inside| {
+            inside.map_or(Rgb::gray(0.1), |inside| {
+                viridis((inside.max - inside.min) / 2.2)
+            })
+        },
+    });
+
+    fn edges() -> Vec<Edge<Self>> {
+        let question = |origin, toward, within| BoxClipQuestion {
+            ray: sample::ray(origin, toward),
+            within,
+            min: vec3(1.0, -1.0, -2.0),
+            max: vec3(3.0, 1.0, 2.0),
+        };
+        let edge = |name, origin, toward, within| Edge::new(name, question(origin, toward, within));
+        let ahead = Interval::AHEAD;
+        let flat = |q: BoxClipQuestion| BoxClipQuestion {
+            max: vec3(3.0, -1.0, 2.0),
+            ..q
+        };
+        vec![
+            edge("straight through along x", Vec3::ZERO, Vec3::X, ahead),
+            edge(
+                "straight through the other way",
+                vec3(5.0, 0.0, 0.0),
+                Vec3::NEG_X,
+                ahead,
+            ),
+            edge(
+                "from inside",
+                vec3(2.0, 0.0, 0.0),
+                vec3(1.0, 1.0, 0.0),
+                ahead,
+            ),
+            edge("the box is behind", Vec3::ZERO, Vec3::NEG_X, ahead),
+            edge("beside it, parallel", vec3(0.0, 3.0, 0.0), Vec3::X, ahead),
+            edge(
+                "beside it, parallel, with a negative zero",
+                vec3(0.0, 3.0, 0.0),
+                vec3(1.0, -0.0, -0.0),
+                ahead,
+            ),
+            edge(
+                "through it with a negative zero",
+                Vec3::ZERO,
+                vec3(1.0, -0.0, 0.0),
+                ahead,
+            ),
+            edge("in a face", vec3(0.0, 1.0, 0.0), Vec3::X, ahead),
+            edge("askew", vec3(0.0, 0.5, -3.0), vec3(1.0, -0.25, 2.0), ahead),
+            edge("just past a corner", Vec3::ZERO, vec3(1.0, 1.1, 0.0), ahead),
+            edge(
+                "the interval ends inside",
+                Vec3::ZERO,
+                Vec3::X,
+                Interval::new(0.0, 2.5),
+            ),
+            edge(
+                "the interval ends before it",
+                Vec3::ZERO,
+                Vec3::X,
+                Interval::new(0.0, 0.5),
+            ),
+            Edge::new(
+                "a flat box",
+                flat(question(vec3(2.0, 4.0, 0.0), Vec3::NEG_Y, ahead)),
+            ),
+        ]
+    }
+
+    fn random(rng: &mut Pcg) -> BoxClipQuestion {
+        let (center, half) = (
+            sample::point(rng, 3.0),
+            Vec3::splat(1.25) + sample::point(rng, 1.0),
+        );
+        let origin = center + sample::point(rng, 5.0);
+        let aim = center + sample::point(rng, 1.5) * half;
+        let max = sample::end(rng, 0.3, 1.0, 8.0);
+        BoxClipQuestion {
+            ray: Ray::new(origin, Dir3::new_or(aim - origin, Dir3::X)),
+            within: Interval::new(0.0, max),
+            min: center - half,
+            max: center + half,
+        }
+    }
+
+    fn judge(_q: &BoxClipQuestion, golden: &Option<Interval>, got: &Option<Interval>) -> Verdict {
+        judge::option(
+            "a part of the ray inside the box",
+            golden.as_ref(),
+            got.as_ref(),
+            |golden, got| {
+                judge::number("the entry", "m", golden.min, got.min)?;
+                judge::number("the exit", "m", golden.max, got.max)
+            },
+        )
+    }
+}
+
+/// Where the whole line enters and leaves the slab of an axis; by the right rule.
+fn slab(q: &BoxClipQuestion, axis: usize) -> (f32, f32) {
+    let (o, d) = (q.ray.origin[axis], q.ray.direction[axis]);
+    let (a, b) = ((q.min[axis] - o) / d, (q.max[axis] - o) / d);
+    if d.is_sign_negative() { (b, a) } else { (a, b) }
+}
+
+/// Clips by three slabs, by a rule for the order of the planes and one for when there is anything left.
+fn slabs(
+    q: &BoxClipQuestion,
+    order: fn(f32, f32, f32) -> (f32, f32),
+    keep: fn(f32, f32) -> bool,
+) -> Option<Interval> {
+    let Interval { mut min, mut max } = q.within;
+    for axis in 0..3 {
+        let (o, d) = (q.ray.origin[axis], q.ray.direction[axis]);
+        let (near, far) = order((q.min[axis] - o) / d, (q.max[axis] - o) / d, d);
+        (min, max) = (min.max(near), max.min(far));
+    }
+    keep(min, max).then_some(Interval { min, max })
+}
+
+fn finish(min: f32, max: f32) -> Option<Interval> {
+    (max - min >= 0.0).then_some(Interval { min, max })
+}

@@ -1,0 +1,223 @@
+//! `two_level_walk`: its cases, judge and mistakes.
+
+use crate::grade::passage::passage;
+use crate::grade::{Edge, Graded, Mistake, Verdict, sample};
+use crate::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
+use crate::workbook::exercise::Exercise;
+use crate::workbook::exercises::ch09_two_level_grid::{
+    Resolution, TwoLevelWalk, TwoLevelWalkQuestion,
+};
+use glam::{Vec3, vec3};
+use rand::RngExt;
+
+/// The boxes of all fine cells, in the row of all.
+pub(super) fn cells(q: &TwoLevelWalkQuestion) -> Vec<Aabb> {
+    let levels = q.levels();
+    let fine = levels.top.all().filter_map(|coarse| levels.fine(coarse));
+    fine.flat_map(|(_, fine)| fine.all().map(move |cell| fine.bounds_of(cell, cell)))
+        .collect()
+}
+
+/// The walk's cells grouped by the coarse cell in which they are: its first cell's place, and their places.
+fn by_coarse_cell(q: &TwoLevelWalkQuestion) -> Vec<(u32, u32, Vec<u32>)> {
+    let levels = q.levels();
+    let mut groups: Vec<(u32, u32, Vec<u32>)> = Vec::new();
+    for place in TwoLevelWalk::answer(q) {
+        let cut = levels
+            .cuts
+            .iter()
+            .rfind(|cut| cut.first <= place && cut.resolution.x > 0);
+        let (first, count) = cut.map_or((0, 0), |cut| {
+            (cut.first, cut.resolution.as_uvec3().element_product())
+        });
+        match groups.last_mut() {
+            Some((last, _, places)) if *last == first => places.push(place),
+            _ => groups.push((first, count, vec![place])),
+        }
+    }
+    groups
+}
+
+impl Graded for TwoLevelWalk {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "visits all fine cells of a coarse cell",
+            hint: "Which fine cells does the ray pass through?",
+            answer: |q| {
+                let groups = by_coarse_cell(q).into_iter();
+                groups
+                    .flat_map(|(first, count, _)| first..first + count)
+                    .collect()
+            },
+        },
+        Mistake {
+            name: "visits the fine cells in the order in which they are stored",
+            hint: "A ray that runs towards −x meets the last cell of a row first.",
+            answer: |q| {
+                let groups = by_coarse_cell(q).into_iter();
+                groups
+                    .flat_map(|(_, _, mut places)| {
+                        places.sort_unstable();
+                        places
+                    })
+                    .collect()
+            },
+        },
+        Mistake {
+            name: "numbers the fine cells of each coarse cell from 0",
+            hint: "All fine cells are in one row: where do those of this coarse cell begin?",
+            answer: |q| {
+                let groups = by_coarse_cell(q).into_iter();
+                groups
+                    .flat_map(|(first, _, places)| {
+                        places.into_iter().map(move |place| place - first)
+                    })
+                    .collect()
+            },
+        },
+        Mistake {
+            name: "stops after the first coarse cell that is not empty",
+            hint: "If there is no hit in it, where does the ray go on?",
+            answer: |q| {
+                by_coarse_cell(q)
+                    .into_iter()
+                    .next()
+                    .map_or(Vec::new(), |group| group.2)
+            },
+        },
+        Mistake {
+            name: "visits the first fine cell of each coarse cell only",
+            hint: "The inner walk takes more than one step: how many?",
+            answer: |q| {
+                by_coarse_cell(q)
+                    .into_iter()
+                    .map(|group| group.2[0])
+                    .collect()
+            },
+        },
+        Mistake {
+            name: "goes on behind the end of the interval",
+            hint: "What is the interval's max for?",
+            answer: |q| Self::misread(q, |q| q.within.max = f32::INFINITY),
+        },
+        Mistake {
+            name: "takes the first cell's resolution for all",
+            hint: "Each coarse cell is cut in its own way: where is that stored?",
+            answer: |q| {
+                let first = q.fine.iter().find(|r| r.nx > 0).cloned();
+                let same = |r: &Resolution| match &first {
+                    Some(first) if r.nx > 0 => first.clone(),
+                    _ => r.clone(),
+                };
+                Self::misread(q, |q| q.fine = q.fine.iter().map(same).collect())
+            },
+        },
+    ];
+
+    fn edges() -> Vec<Edge<Self>> {
+        let cut = |nx, ny, nz| Resolution { nx, ny, nz };
+        let q = |origin: Vec3, toward: Vec3, within| TwoLevelWalkQuestion {
+            ray: Ray::new(origin, Dir3::new_or(toward, Dir3::X)),
+            within,
+            min: Vec3::ZERO,
+            max: vec3(8.0, 8.0, 4.0),
+            coarse: cut(2, 2, 1),
+            fine: vec![cut(1, 1, 1), cut(4, 2, 2), cut(0, 0, 0), cut(2, 2, 1)],
+        };
+        let ahead = Interval::AHEAD;
+        let from = vec3(-2.0, 1.0, 1.0);
+        vec![
+            Edge::new("along +x", q(from, Vec3::X, ahead)),
+            Edge::new(
+                "along −x, with −0.0",
+                q(vec3(11.0, 1.0, 1.0), vec3(-1.0, -0.0, -0.0), ahead),
+            ),
+            Edge::new(
+                "through an empty coarse cell",
+                q(vec3(-1.0, 5.0, 1.0), vec3(1.0, 0.1, 0.0), ahead),
+            ),
+            Edge::new(
+                "across, from the upper right",
+                q(vec3(10.0, 9.0, 3.0), vec3(-1.0, -0.8, -0.1), ahead),
+            ),
+            Edge::new(
+                "in the plane between coarse cells",
+                q(vec3(4.0, -1.0, 1.0), Vec3::Y, ahead),
+            ),
+            Edge::new(
+                "in a plane between fine cells",
+                q(vec3(6.0, -1.0, 1.0), Vec3::Y, ahead),
+            ),
+            Edge::new(
+                "through a corner of four coarse cells",
+                q(vec3(8.5, 8.5, 1.0), vec3(-1.0, -1.0, 0.0), ahead),
+            ),
+            Edge::new(
+                "from inside",
+                q(vec3(5.5, 1.0, 3.0), vec3(1.0, 0.3, -0.4), ahead),
+            ),
+            Edge::new(
+                "ends in the first coarse cell",
+                q(from, vec3(1.0, 0.1, 0.1), Interval::new(0.0, 4.0)),
+            ),
+            Edge::new(
+                "begins in the second coarse cell",
+                q(from, vec3(1.0, 0.1, 0.1), Interval::new(7.0, 40.0)),
+            ),
+            Edge::new(
+                "passes the grid by",
+                q(vec3(-2.0, 9.0, 1.0), Vec3::X, ahead),
+            ),
+        ]
+    }
+
+    fn random(rng: &mut Pcg) -> TwoLevelWalkQuestion {
+        let min = sample::point(rng, 3.0);
+        let size = vec3(
+            sample::number(rng, 2.0, 6.0),
+            sample::number(rng, 2.0, 6.0),
+            sample::number(rng, 2.0, 6.0),
+        );
+        let mut along = |least| rng.random_range(least..4_u32);
+        let coarse = Resolution {
+            nx: along(2),
+            ny: along(1),
+            nz: along(1),
+        };
+        let count = coarse.nx * coarse.ny * coarse.nz;
+        let fine = (0..count)
+            .map(|_| {
+                let (nx, ny, nz) = (along(0), along(1), along(1));
+                let some = u32::from(nx > 0);
+                Resolution {
+                    nx,
+                    ny: ny * some,
+                    nz: nz * some,
+                }
+            })
+            .collect();
+        let inside = min + size * (sample::point(rng, 0.35) + 0.5);
+        let origin = if rng.random_bool(0.3) {
+            min + size * (sample::point(rng, 0.5) + 0.5)
+        } else {
+            inside + size.max_element() * 1.5 * *sample::direction(rng)
+        };
+        let end = if rng.random_bool(0.3) {
+            size.max_element()
+        } else {
+            f32::INFINITY
+        };
+        TwoLevelWalkQuestion {
+            ray: Ray::new(origin, Dir3::new_or(inside - origin, Dir3::X)),
+            within: Interval::new(0.0, end),
+            min,
+            max: min + size,
+            coarse,
+            fine,
+        }
+    }
+
+    fn judge(q: &TwoLevelWalkQuestion, golden: &Vec<u32>, got: &Vec<u32>) -> Verdict {
+        passage("cell", &cells(q), &q.ray, q.within, golden, got)
+    }
+}

@@ -1,0 +1,239 @@
+//! `bvh_closest`: its cases, judge and mistakes.
+
+use super::tree;
+use crate::accel::bvh::build::Method;
+use crate::grade::search::{self, How, Node, Order, Tree};
+use crate::grade::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
+use crate::image::rgb::Rgb;
+use crate::lab::palette::viridis;
+use crate::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
+use crate::workbook::exercises::ch07_mesh::Corners;
+use crate::workbook::exercises::ch11_bvh::{BvhClosest, BvhClosestAnswer, BvhClosestQuestion};
+use crate::workbook::tree_rows::{BoxRow, NodeRow};
+use glam::{Vec3, vec3};
+
+impl Graded for BvhClosest {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "tests every triangle",
+            hint: "The hit is right, but the boxes are there to spare you tests: ask them first.",
+            answer: |q| BvhClosestAnswer {
+                boxes: 0,
+                ..search(q, |how| how.asks = false)
+            },
+        },
+        Mistake {
+            name: "opens every box",
+            hint: "What does it mean for all that is in a box if the ray misses the box?",
+            answer: |q| search(q, |how| how.asks = false),
+        },
+        Mistake {
+            name: "does not shorten the interval for the second child",
+            hint: "Something was hit in the first child: which boxes are still worth opening?",
+            answer: |q| search(q, |how| how.shortens = false),
+        },
+        Mistake {
+            name: "returns the last hit instead of the nearest",
+            hint: "A hit in the second child may lie behind one in the first: which one stays?",
+            answer: |q| search(q, |how| (how.shortens, how.keeps_nearest) = (false, false)),
+        },
+        Mistake {
+            name: "opens the farther child first",
+            hint: "Where is the nearest hit more likely, and what is spared if you find it first?",
+            answer: |q| search(q, |how| how.order = Order::Farthest),
+        },
+        Mistake {
+            name: "never opens the farther child",
+            hint: "The nearer box may be empty where the ray passes through it.",
+            answer: |q| search(q, |how| how.opens = 1),
+        },
+        Mistake {
+            name: "stops at the first leaf with a hit",
+            hint: "Boxes may overlap: can a triangle of the farther box be nearer?",
+            answer: |q| search(q, |how| how.stops = true),
+        },
+        Mistake {
+            name: "ignores the interval's min",
+            hint: "Can the ray hit what lies behind its origin?",
+            answer: |q| Self::misread(q, |q| q.within.min = f32::NEG_INFINITY),
+        },
+    ];
+
+    const PICTURE: Option<Picture<Self>> = Some(Picture {
+        width: 96,
+        height: 54,
+        alt: "Tiles on a slanted wall, each in its colour",
+        question: |x, y| {
+            let toward = sample::pixel(x, y);
+            let tiles = (0..24).map(|i| {
+                let at = vec3((i % 6) as f32 - 2.5, (i / 6) as f32 - 1.5, 0.0);
+                let tilt = vec3(0.0, 0.0, 0.3 * at.x);
+                let [p0, p1, p2] = [
+                    vec3(-0.45, -0.4, 0.0),
+                    vec3(0.45, -0.4, 0.2),
+                    vec3(0.0, 0.45, -0.1),
+                ];
+                [p0, p1, p2].map(|p| 0.6 * (p + at + tilt))
+            });
+            question(
+                &tiles.collect::<Vec<_>>(),
+                sample::ray(vec3(0.0, 0.0, 3.0), toward),
+                Interval::AHEAD,
+            )
+        },
+        colour: |_, answer| {
+            let hit = answer.hit.as_ref();
+            hit.map_or(Rgb::gray(0.1), |hit| {
+                viridis((hit.id as f32 * 0.382).fract())
+            })
+        },
+    });
+
+    fn edges() -> Vec<Edge<Self>> {
+        let wall = |z: f32| [vec3(-2.0, -2.0, z), vec3(2.0, -2.0, z), vec3(0.0, 3.0, z)];
+        let walls = |zs: &[f32], ray, within| {
+            question(
+                &zs.iter().map(|&z| wall(z)).collect::<Vec<_>>(),
+                ray,
+                within,
+            )
+        };
+        let ray = sample::ray(Vec3::ZERO, Vec3::Z);
+        let ahead = Interval::AHEAD;
+        let row = [2.0, 4.0, 6.0, 8.0, 10.0, 12.0, 14.0, 16.0];
+        let minus_zero = sample::ray(Vec3::ZERO, vec3(-0.0, -0.0, 1.0));
+        let slanted = |z: f32| {
+            [
+                vec3(-2.0, -2.0, z - 3.0),
+                vec3(2.0, -2.0, z - 3.0),
+                vec3(0.0, 3.0, z + 4.0),
+            ]
+        };
+        vec![
+            Edge::new("eight walls ahead", walls(&row, ray, ahead)),
+            Edge::new(
+                "eight walls, from the other end",
+                walls(
+                    &row,
+                    sample::ray(vec3(0.0, 0.0, 18.0), vec3(0.0, 0.0, -1.0)),
+                    ahead,
+                ),
+            ),
+            Edge::new(
+                "from between the walls",
+                walls(&row, sample::ray(vec3(0.0, 0.0, 9.0), Vec3::Z), ahead),
+            ),
+            Edge::new(
+                "past the walls",
+                walls(&row, sample::ray(vec3(5.0, 0.0, 0.0), Vec3::Z), ahead),
+            ),
+            Edge::new(
+                "the interval ends before the walls",
+                walls(&row, ray, Interval::new(0.0, 1.0)),
+            ),
+            Edge::new(
+                "the interval begins behind some walls",
+                walls(&row, ray, Interval::new(5.0, 30.0)),
+            ),
+            Edge::new("a direction with two −0", walls(&row, minus_zero, ahead)),
+            Edge::new("one leaf is all", walls(&[3.0], ray, ahead)),
+            Edge::new(
+                "the nearer box has the farther hit",
+                question(
+                    &[slanted(4.0), slanted(4.5), wall(3.0), wall(3.5)],
+                    ray,
+                    ahead,
+                ),
+            ),
+        ]
+    }
+
+    fn random(rng: &mut Pcg) -> BvhClosestQuestion {
+        let triangles = (0..24).map(|_| {
+            let center = sample::point(rng, 2.0);
+            std::array::from_fn(|_| center + sample::point(rng, 1.0))
+        });
+        let triangles: Vec<_> = triangles.collect();
+        let origin = sample::point(rng, 4.0);
+        let toward = sample::point(rng, 1.5) - origin;
+        let end = sample::end(rng, 0.2, 2.0, 5.0);
+        let ray = Ray::new(origin, Dir3::new_or(toward, Dir3::X));
+        question(&triangles, ray, Interval::new(0.0, end))
+    }
+
+    fn judge(
+        _q: &BvhClosestQuestion,
+        golden: &BvhClosestAnswer,
+        got: &BvhClosestAnswer,
+    ) -> Verdict {
+        judge::nearest(golden.hit.as_ref(), got.hit.as_ref())?;
+        if got.hit.is_some() && got.tests == 0 {
+            return Err("you found a hit without testing a triangle".to_owned());
+        }
+        few("triangle", golden.tests, got.tests)?;
+        few("box", golden.boxes, got.boxes)
+    }
+}
+
+/// Not many more tests than the reference's: half as many, and four, for another sound order of the children.
+pub(super) fn few(what: &str, golden: u32, got: u32) -> Verdict {
+    if got <= golden + golden / 2 + 4 {
+        Ok(())
+    } else {
+        Err(format!(
+            "the hit is right, but it took {got} {what} tests; the reference needs {golden}"
+        ))
+    }
+}
+
+/// The question about triangles in a tree of small leaves.
+pub(super) fn question(triangles: &[[Vec3; 3]], ray: Ray, within: Interval) -> BvhClosestQuestion {
+    let boxes: Vec<_> = triangles
+        .iter()
+        .map(|&corners| {
+            let Aabb { min, max } = Aabb::of(corners);
+            BoxRow { min, max }
+        })
+        .collect();
+    let tree = tree(&boxes, Method::Binned, 2);
+    let in_order = tree.order.iter().map(|&i| {
+        let [p0, p1, p2] = triangles[i as usize];
+        Corners { p0, p1, p2 }
+    });
+    BvhClosestQuestion {
+        ray,
+        within,
+        triangles: in_order.collect(),
+        nodes: tree.nodes,
+    }
+}
+
+/// A search that goes wrong in some way.
+fn search(q: &BvhClosestQuestion, change: impl FnOnce(&mut How)) -> BvhClosestAnswer {
+    let node = |i: u32| {
+        let NodeRow { first, count, .. } = q.nodes[i as usize];
+        match count {
+            0 => Node::Branch(i),
+            _ => Node::Leaf((first..first + count).collect()),
+        }
+    };
+    let child = |i: u32| {
+        let NodeRow { min, max, .. } = q.nodes[i as usize];
+        (Aabb { min, max }, node(i))
+    };
+    let tree = Tree {
+        ray: &q.ray,
+        within: q.within,
+        triangles: &q.triangles,
+        children: &|i| {
+            let left = q.nodes[i as usize].first;
+            vec![child(left), child(left + 1)]
+        },
+    };
+    let found = search::search(&tree, &node(0), change);
+    BvhClosestAnswer {
+        boxes: found.boxes,
+        tests: found.tests,
+        hit: found.hit,
+    }
+}

@@ -2,6 +2,7 @@
 
 mod bounds_of;
 mod box_clip;
+mod box_clip_cases;
 
 use crate::grade::examine::Examiner;
 use crate::workbook::exercises::ch05_box::{BoundsOf, BoxClip};

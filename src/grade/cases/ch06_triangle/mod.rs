@@ -1,6 +1,7 @@
 //! Chapter 6: `triangle_hit`, `triangle_normal`.
 
 mod triangle_hit;
+mod triangle_hit_cases;
 mod triangle_normal;
 
 use crate::grade::examine::Examiner;

@@ -39,7 +39,10 @@ impl Graded for MeshHit {
         Mistake {
             name: "forgets the last triangle",
             hint: "Try a list of a single triangle.",
-            answer: |q| Self::misread(q, |q| drop(q.triangles.pop())),
+            answer: |q| {
+                let rest = q.triangles.len().saturating_sub(1);
+                Self::misread(q, |q| q.triangles.truncate(rest))
+            },
         },
     ];
 

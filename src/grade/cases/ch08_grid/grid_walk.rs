@@ -1,16 +1,14 @@
-//! `grid_walk`: its cases, judge and mistakes.
+//! `grid_walk`: its judge and mistakes.
 
-use super::grid_walk_edges::{edges_of_the_walk, question};
+use super::grid_walk_cases;
 use super::grid_walk_student::{ahead, least, student};
 use crate::grade::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
 use crate::image::rgb::Rgb;
 use crate::lab::palette::viridis;
-use crate::math::aabb::Aabb;
-use crate::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray, slab};
+use crate::math::{interval::Interval, pcg::Pcg, slab};
 use crate::workbook::exercise::Exercise;
 use crate::workbook::exercises::ch08_grid::{GridWalk, GridWalkQuestion, Visit};
-use glam::{Vec3, uvec3, vec3};
-use rand::RngExt;
+use glam::vec3;
 
 impl Graded for GridWalk {
     const MISTAKES: &'static [Mistake<Self>] = &[
@@ -119,102 +117,11 @@ impl Graded for GridWalk {
     });
 
     fn edges() -> Vec<Edge<Self>> {
-        let ahead = Interval::AHEAD;
-        let edge = |name, origin, toward, within| Edge::new(name, question(origin, toward, within));
-        let beside = |y: u32, from: f32| {
-            (0..4)
-                .map(|x| Visit {
-                    x,
-                    y,
-                    z: 0,
-                    leave: from + (x + 1) as f32,
-                })
-                .collect()
-        };
-        let mut edges = vec![
-            edge("along x", vec3(-1.0, 1.5, 0.5), Vec3::X, ahead),
-            edge("along −x", vec3(5.0, 1.5, 0.5), Vec3::NEG_X, ahead),
-            edge(
-                "along z, with negative zeros",
-                vec3(2.5, 0.5, -1.0),
-                vec3(-0.0, -0.0, 1.0),
-                ahead,
-            ),
-            edge("askew", vec3(-0.7, 0.2, -0.3), vec3(3.0, 1.7, 1.1), ahead),
-            edge(
-                "askew and back",
-                vec3(4.9, 3.1, 2.3),
-                vec3(-3.0, -1.9, -1.3),
-                ahead,
-            ),
-            edge(
-                "from inside",
-                vec3(1.3, 2.6, 0.4),
-                vec3(2.0, -1.7, 0.3),
-                ahead,
-            ),
-            edge("from a plane on", vec3(1.0, 1.5, 0.5), Vec3::X, ahead),
-            edge(
-                "from a plane back",
-                vec3(2.0, 1.5, 0.5),
-                vec3(-1.0, 0.2, 0.1),
-                ahead,
-            ),
-            edge(
-                "from the last face inwards",
-                vec3(4.0, 1.2, 0.7),
-                vec3(-1.0, 0.3, 0.1),
-                ahead,
-            ),
-            edge(
-                "through edges",
-                vec3(-1.0, -1.0, 0.5),
-                vec3(1.0, 1.0, 0.0),
-                ahead,
-            ),
-            edge("through corners", vec3(-1.0, -1.0, -1.0), Vec3::ONE, ahead),
-            edge(
-                "in the plane between two layers",
-                vec3(-1.0, 1.0, 0.5),
-                Vec3::X,
-                ahead,
-            )
-            .or(beside(0, 1.0)),
-        ];
-        edges.extend(edges_of_the_walk());
-        edges
+        grid_walk_cases::edges()
     }
 
     fn random(rng: &mut Pcg) -> GridWalkQuestion {
-        let mut count = || rng.random_range(1..7_u32);
-        let n = uvec3(count(), count(), count());
-        let cell = vec3(1.0, 0.7, 1.2) * sample::number(rng, 0.4, 1.5);
-        let min = sample::point(rng, 3.0);
-        let (center, half) = (min + 0.5 * n.as_vec3() * cell, 0.5 * n.as_vec3() * cell);
-        let origin = center + sample::point(rng, 1.8) * half;
-        let aim = center + sample::point(rng, 0.9) * half;
-        let ray = Ray::new(origin, Dir3::new_or(aim - origin, Dir3::X));
-        let bounds = Aabb {
-            min,
-            max: min + 2.0 * half,
-        };
-        // From the middle of what is inside, or up to there.
-        let inside = slab::clip(&bounds, &ray, Interval::AHEAD).unwrap_or(Interval::AHEAD);
-        let middle = 0.5 * (inside.min + inside.max);
-        let within = match rng.random_range(0..6) {
-            0 => Interval::new(0.0, middle),
-            1 | 2 => Interval::new(middle, f32::INFINITY),
-            _ => Interval::AHEAD,
-        };
-        GridWalkQuestion {
-            min,
-            cell,
-            nx: n.x,
-            ny: n.y,
-            nz: n.z,
-            ray,
-            within,
-        }
+        grid_walk_cases::random(rng)
     }
 
     fn judge(q: &GridWalkQuestion, golden: &Vec<Visit>, got: &Vec<Visit>) -> Verdict {

@@ -1,4 +1,4 @@
-//! `grid_walk_student`: its cases, judge and mistakes.
+//! The walk that students write, with a plane and an axis of their choice.
 
 use crate::accel::lattice::Lattice;
 use crate::math::slab;

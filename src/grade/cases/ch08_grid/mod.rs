@@ -2,9 +2,10 @@
 
 mod grid_resolution;
 mod grid_walk;
-mod grid_walk_edges;
+mod grid_walk_cases;
 mod grid_walk_student;
 mod voxels_of_triangle;
+mod voxels_of_triangle_cases;
 
 use crate::grade::examine::Examiner;
 use crate::workbook::exercises::ch08_grid::{GridResolution, GridWalk, VoxelsOfTriangle};

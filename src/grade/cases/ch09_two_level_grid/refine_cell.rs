@@ -1,16 +1,16 @@
-//! `refine_cell`: its cases, judge and mistakes.
+//! `refine_cell`: its mistakes.
 
-use super::refine_cell_judge::{TOLERANCE, cut, depth};
+use super::refine_cell_cases;
+use super::refine_cell_judge::{self, depth};
 use crate::accel::lattice::Lattice;
-use crate::grade::{Edge, Graded, Mistake, Verdict, sample};
+use crate::grade::{Edge, Graded, Mistake, Verdict};
 use crate::math::{aabb::Aabb, pcg::Pcg};
 use crate::workbook::exercise::Exercise;
 use crate::workbook::exercises::ch05_box::Corners;
 use crate::workbook::exercises::ch09_two_level_grid::{
     Entry, RefineCell, RefineCellAnswer, RefineCellQuestion,
 };
-use glam::{UVec3, Vec3, vec3};
-use rand::RngExt;
+use glam::UVec3;
 
 /// The reference's answer with other boxes.
 fn with_shapes(q: &RefineCellQuestion, shape: impl Fn(&Corners) -> Corners) -> RefineCellAnswer {
@@ -107,110 +107,42 @@ impl Graded for RefineCell {
     ];
 
     fn edges() -> Vec<Edge<Self>> {
-        let question = |max: Vec3, density, shapes: &[(Vec3, Vec3)]| RefineCellQuestion {
-            min: vec3(1.0, 2.0, 3.0),
-            max: vec3(1.0, 2.0, 3.0) + max,
-            density,
-            shapes: shapes
-                .iter()
-                .map(|&(min, max)| Corners { min, max })
-                .collect(),
-        };
-        let edge =
-            |name, max, density, shapes: &[_]| Edge::new(name, question(max, density, shapes));
-        let corner = (vec3(1.1, 2.1, 3.1), vec3(1.3, 2.4, 3.2));
-        let across = (vec3(1.2, 2.2, 3.2), vec3(2.8, 3.8, 3.4));
-        let outside = (vec3(0.5, 1.5, 2.5), vec3(1.6, 2.4, 3.4));
-        let larger = (Vec3::ZERO, Vec3::splat(9.0));
-        let far = (vec3(2.7, 3.7, 4.7), vec3(2.9, 3.9, 4.9));
-        let cube = Vec3::splat(2.0);
-        vec![
-            edge("no shapes", cube, 2.0, &[]),
-            edge("one small shape", cube, 1.0, &[corner]),
-            edge("one shape, eight fine cells", cube, 8.0, &[corner]),
-            edge("one that reaches across", cube, 8.0, &[across]),
-            edge("one that begins outside", cube, 8.0, &[outside]),
-            edge("one larger than the cell", cube, 8.0, &[larger]),
-            edge("in opposite corners", cube, 4.0, &[corner, far]),
-            edge(
-                "a long cell",
-                vec3(8.0, 2.0, 1.0),
-                4.0,
-                &[corner, across, outside],
-            ),
-            edge("a flat cell", vec3(4.0, 4.0, 0.01), 4.0, &[larger, outside]),
-        ]
+        refine_cell_cases::edges()
     }
 
     fn random(rng: &mut Pcg) -> RefineCellQuestion {
-        let min = sample::point(rng, 3.0);
-        let size = vec3(
-            sample::number(rng, 1.0, 4.0),
-            sample::number(rng, 1.0, 4.0),
-            sample::number(rng, 1.0, 4.0),
-        );
-        let shapes = (0..rng.random_range(2..6))
-            .map(|_| {
-                let middle = min + size * (sample::point(rng, 0.55) + 0.5);
-                let half = 0.2 * size * (sample::point(rng, 0.5) + 0.5);
-                // All of them reach the cell.
-                let middle = middle.clamp(min - 0.5 * half, min + size + 0.5 * half);
-                Corners {
-                    min: middle - half,
-                    max: middle + half,
-                }
-            })
-            .collect();
-        RefineCellQuestion {
-            min,
-            max: min + size,
-            density: sample::number(rng, 2.0, 6.0),
-            shapes,
-        }
+        refine_cell_cases::random(rng)
     }
 
     fn judge(q: &RefineCellQuestion, golden: &RefineCellAnswer, got: &RefineCellAnswer) -> Verdict {
-        let cells = |n: &RefineCellAnswer| UVec3::new(n.nx, n.ny, n.nz);
-        let (right, along) = (cells(golden), cells(got));
-        if right != along {
-            return Err(format!(
-                "you cut it into {} × {} × {} fine cells, and {} × {} × {} are asked for",
-                along.x, along.y, along.z, right.x, right.y, right.z
-            ));
-        }
-        if right == UVec3::ZERO {
-            return Ok(());
-        }
-        let bounds = Aabb {
-            min: q.min,
-            max: q.max,
-        };
-        let fine = Lattice::new(&bounds, right);
-        for (i, entry) in got.entries.iter().enumerate() {
-            let cell = UVec3::new(entry.x, entry.y, entry.z);
-            let Some(shape) = q.shapes.get(entry.shape as usize) else {
-                return Err(format!("there is no shape {}", entry.shape));
-            };
-            if cell.cmpge(right).any() {
-                return Err(format!("there is no cell {cell}"));
-            }
-            if got.entries[..i].contains(entry) {
-                return Err(format!("shape {} is twice in cell {cell}", entry.shape));
-            }
-            if depth(&fine, cell, shape) < -TOLERANCE {
-                return Err(format!("shape {} does not reach cell {cell}", entry.shape));
+        refine_cell_judge::judge(q, golden, got)
+    }
+}
+
+/// The answer for a resolution of one's own.
+fn cut(q: &RefineCellQuestion, along: UVec3) -> RefineCellAnswer {
+    let bounds = Aabb {
+        min: q.min,
+        max: q.max,
+    };
+    let fine = Lattice::new(&bounds, along);
+    let mut entries = Vec::new();
+    for cell in fine.all() {
+        for (shape, corners) in (0..).zip(&q.shapes) {
+            if depth(&fine, cell, corners) >= 0.0 {
+                entries.push(Entry {
+                    x: cell.x,
+                    y: cell.y,
+                    z: cell.z,
+                    shape,
+                });
             }
         }
-        let missing = golden.entries.iter().find(|entry| {
-            let cell = UVec3::new(entry.x, entry.y, entry.z);
-            let deep = depth(&fine, cell, &q.shapes[entry.shape as usize]) > TOLERANCE;
-            deep && !got.entries.contains(entry)
-        });
-        match missing {
-            Some(Entry { x, y, z, shape }) => Err(format!(
-                "shape {shape} reaches cell [{x}, {y}, {z}], which does not name it"
-            )),
-            None => Ok(()),
-        }
+    }
+    RefineCellAnswer {
+        nx: along.x,
+        ny: along.y,
+        nz: along.z,
+        entries,
     }
 }

@@ -1,4 +1,4 @@
-//! `octree_build_judge`: its cases, judge and mistakes.
+//! The judge of `octree_build`: by what an octree must keep to and by its cost, not by its shape.
 
 use crate::accel::octree::tree::child_cell;
 use crate::grade::Verdict;

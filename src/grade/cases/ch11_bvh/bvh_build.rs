@@ -1,4 +1,4 @@
-//! `bvh_build`: its cases, judge and mistakes.
+//! `bvh_build`: its cases and mistakes.
 
 use super::bvh_build_judge::tree_cost;
 use super::{around, center, cube, heaps, no_dearer, tree};

@@ -1,4 +1,4 @@
-//! `bvh_build_judge`: its cases, judge and mistakes.
+//! The judge of `bvh_build`: by what a hierarchy must keep to and by its cost, not by its shape.
 
 use super::sah_cost::node_area;
 use crate::workbook::exercises::ch11_bvh::{BvhBuildAnswer, BvhBuildQuestion};

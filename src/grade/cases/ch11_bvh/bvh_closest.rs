@@ -1,16 +1,14 @@
-//! `bvh_closest`: its cases, judge and mistakes.
+//! `bvh_closest`: its judge and mistakes.
 
-use super::tree;
-use crate::accel::bvh::build::Method;
+use super::bvh_closest_cases::{self, question};
 use crate::grade::search::{self, How, Node, Order, Tree};
 use crate::grade::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
 use crate::image::rgb::Rgb;
 use crate::lab::palette::viridis;
-use crate::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
-use crate::workbook::exercises::ch07_mesh::Corners;
+use crate::math::{aabb::Aabb, interval::Interval, pcg::Pcg};
 use crate::workbook::exercises::ch11_bvh::{BvhClosest, BvhClosestAnswer, BvhClosestQuestion};
-use crate::workbook::tree_rows::{BoxRow, NodeRow};
-use glam::{Vec3, vec3};
+use crate::workbook::tree_rows::NodeRow;
+use glam::vec3;
 
 impl Graded for BvhClosest {
     const MISTAKES: &'static [Mistake<Self>] = &[
@@ -90,75 +88,11 @@ impl Graded for BvhClosest {
     });
 
     fn edges() -> Vec<Edge<Self>> {
-        let wall = |z: f32| [vec3(-2.0, -2.0, z), vec3(2.0, -2.0, z), vec3(0.0, 3.0, z)];
-        let walls = |zs: &[f32], ray, within| {
-            question(
-                &zs.iter().map(|&z| wall(z)).collect::<Vec<_>>(),
-                ray,
-                within,
-            )
-        };
-        let ray = sample::ray(Vec3::ZERO, Vec3::Z);
-        let ahead = Interval::AHEAD;
-        let row = [2.0, 4.0, 6.0, 8.0, 10.0, 12.0, 14.0, 16.0];
-        let minus_zero = sample::ray(Vec3::ZERO, vec3(-0.0, -0.0, 1.0));
-        let slanted = |z: f32| {
-            [
-                vec3(-2.0, -2.0, z - 3.0),
-                vec3(2.0, -2.0, z - 3.0),
-                vec3(0.0, 3.0, z + 4.0),
-            ]
-        };
-        vec![
-            Edge::new("eight walls ahead", walls(&row, ray, ahead)),
-            Edge::new(
-                "eight walls, from the other end",
-                walls(
-                    &row,
-                    sample::ray(vec3(0.0, 0.0, 18.0), vec3(0.0, 0.0, -1.0)),
-                    ahead,
-                ),
-            ),
-            Edge::new(
-                "from between the walls",
-                walls(&row, sample::ray(vec3(0.0, 0.0, 9.0), Vec3::Z), ahead),
-            ),
-            Edge::new(
-                "past the walls",
-                walls(&row, sample::ray(vec3(5.0, 0.0, 0.0), Vec3::Z), ahead),
-            ),
-            Edge::new(
-                "the interval ends before the walls",
-                walls(&row, ray, Interval::new(0.0, 1.0)),
-            ),
-            Edge::new(
-                "the interval begins behind some walls",
-                walls(&row, ray, Interval::new(5.0, 30.0)),
-            ),
-            Edge::new("a direction with two −0", walls(&row, minus_zero, ahead)),
-            Edge::new("one leaf is all", walls(&[3.0], ray, ahead)),
-            Edge::new(
-                "the nearer box has the farther hit",
-                question(
-                    &[slanted(4.0), slanted(4.5), wall(3.0), wall(3.5)],
-                    ray,
-                    ahead,
-                ),
-            ),
-        ]
+        bvh_closest_cases::edges()
     }
 
     fn random(rng: &mut Pcg) -> BvhClosestQuestion {
-        let triangles = (0..24).map(|_| {
-            let center = sample::point(rng, 2.0);
-            std::array::from_fn(|_| center + sample::point(rng, 1.0))
-        });
-        let triangles: Vec<_> = triangles.collect();
-        let origin = sample::point(rng, 4.0);
-        let toward = sample::point(rng, 1.5) - origin;
-        let end = sample::end(rng, 0.2, 2.0, 5.0);
-        let ray = Ray::new(origin, Dir3::new_or(toward, Dir3::X));
-        question(&triangles, ray, Interval::new(0.0, end))
+        bvh_closest_cases::random(rng)
     }
 
     fn judge(
@@ -183,28 +117,6 @@ pub(super) fn few(what: &str, golden: u32, got: u32) -> Verdict {
         Err(format!(
             "the hit is right, but it took {got} {what} tests; the reference needs {golden}"
         ))
-    }
-}
-
-/// The question about triangles in a tree of small leaves.
-pub(super) fn question(triangles: &[[Vec3; 3]], ray: Ray, within: Interval) -> BvhClosestQuestion {
-    let boxes: Vec<_> = triangles
-        .iter()
-        .map(|&corners| {
-            let Aabb { min, max } = Aabb::of(corners);
-            BoxRow { min, max }
-        })
-        .collect();
-    let tree = tree(&boxes, Method::Binned, 2);
-    let in_order = tree.order.iter().map(|&i| {
-        let [p0, p1, p2] = triangles[i as usize];
-        Corners { p0, p1, p2 }
-    });
-    BvhClosestQuestion {
-        ray,
-        within,
-        triangles: in_order.collect(),
-        nodes: tree.nodes,
     }
 }
 

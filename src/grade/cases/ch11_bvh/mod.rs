@@ -3,6 +3,7 @@
 mod bvh_build;
 mod bvh_build_judge;
 mod bvh_closest;
+mod bvh_closest_cases;
 mod sah_cost;
 mod sah_split;
 

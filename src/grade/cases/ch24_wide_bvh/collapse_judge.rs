@@ -1,4 +1,4 @@
-//! `collapse_judge`: its cases, judge and mistakes.
+//! The judge of `collapse`: by what a wide tree must keep to and by its cost, not by its shape.
 
 use super::{MOST, half_area, is_branch, pair};
 use crate::grade::Verdict;

@@ -1,8 +1,10 @@
 //! Chapter 24: `collapse`, `wide_closest`.
 
 mod collapse;
+mod collapse_cases;
 mod collapse_judge;
 mod wide_closest;
+mod wide_closest_cases;
 
 use crate::grade::examine::Examiner;
 use crate::workbook::exercises::ch24_wide_bvh::{Collapse, CollapseQuestion, WideClosest};

@@ -43,7 +43,7 @@ pub(crate) fn draw(stage: &Stage) -> Drawn {
     let teapot = teapot::mesh(24);
     stage.figure("builders", caption, &builders::figure(&teapot.facets())?)?;
     let caption = "The work for a ray in a soup of triangles: a list asks all of them, a tree a number that grows with the logarithm.";
-    stage.figure("growth", caption, &growth::draw()?)?;
+    stage.figure("growth", caption, &growth::list_and_tree()?)?;
     draw_teapot(&showroom::small(&film), stage, &teapot)
 }
 

@@ -146,24 +146,19 @@ row! {
 }
 
 impl OctreeWalkQuestion {
-    /// The tree, as the library stores it; a node whose children are not there is taken for an empty leaf.
+    /// The tree, as the library stores it; a node whose children are not there, are another's, or are deeper than a tree may
+    /// be is taken for an empty leaf.
     pub fn tree(&self) -> Tree {
-        let is_empty = |child: u32| {
-            let node = &self.nodes[child as usize];
-            node.inner == 0 && node.count == 0
-        };
-        let node = |(node, i): (&NodeRow, u32)| {
-            if node.inner == 0 {
-                Node::leaf(node.first, node.count.min(u32::MAX / 4))
-            } else if node.first > i && node.first.saturating_add(8) <= self.nodes.len() as u32 {
-                let occupied = (0..8).filter(|child| !is_empty(node.first + child));
-                Node::inner(
-                    node.first,
-                    occupied.fold(0, |bits, child| bits | 1 << child),
-                )
-            } else {
-                Node::leaf(0, 0)
+        let cut = self.cut();
+        let node = |(row, i): (&NodeRow, usize)| match (cut[i], row.inner) {
+            (true, _) => {
+                let is_empty =
+                    |i: usize| !cut[i] && (self.nodes[i].inner != 0 || self.nodes[i].count == 0);
+                let occupied = (0..8).filter(|child| !is_empty(row.first as usize + child));
+                Node::inner(row.first, occupied.fold(0, |bits, child| bits | 1 << child))
             }
+            (false, 0) => Node::leaf(row.first, row.count.min(u32::MAX / 4)),
+            (false, _) => Node::leaf(0, 0),
         };
         let mut nodes: Vec<_> = self.nodes.iter().zip(0..).map(node).collect();
         if nodes.is_empty() {
@@ -178,6 +173,24 @@ impl OctreeWalkQuestion {
             named: (0..names.max().unwrap_or(0).min(1 << 16)).collect(),
             nodes,
         }
+    }
+
+    /// Which nodes have eight children of their own.
+    fn cut(&self) -> Vec<bool> {
+        let mut depths = vec![None; self.nodes.len()];
+        depths[..1.min(self.nodes.len())].fill(Some(0));
+        let mut cut = Vec::new();
+        for (i, row) in self.nodes.iter().enumerate() {
+            let first = row.first as usize;
+            let below = depths.get(first..first.saturating_add(8));
+            let can = row.inner != 0 && first > i && below == Some(&[None; 8][..]);
+            let depth = depths[i].filter(|&depth| can && depth < Limits::DEEPEST);
+            if let Some(depth) = depth {
+                depths[first..first + 8].fill(Some(depth + 1));
+            }
+            cut.push(depth.is_some());
+        }
+        cut
     }
 }
 

@@ -4,7 +4,7 @@
 //! passes through, one cell after the other, and stops at the first hit.
 //!
 //! New: accel/bounded.rs accel/ray_box.rs accel/lattice.rs accel/margin.rs accel/overlap.rs accel/walk.rs
-//! New: accel/grid/mod.rs accel/grid/build.rs accel/grid/mailbox.rs accel/grid/resolution.rs accel/grid/validate.rs
+//! New: accel/grid/mod.rs accel/grid/build.rs accel/grid/lists.rs accel/grid/mailbox.rs accel/grid/resolution.rs accel/grid/validate.rs
 //! New: scene/soup.rs scene/stadium.rs scene/teapots.rs scene/terrain.rs
 
 use glam::{Vec3, vec3};

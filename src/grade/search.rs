@@ -1,6 +1,8 @@
 //! Searches of a tree for the nearest triangle, as students write them: the right one, and the ways to go wrong.
 
 use crate::accel::ray_box::RayBox;
+use crate::image::rgb::Rgb;
+use crate::lab::palette::viridis;
 use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use crate::shape::{Shape, mesh::Facet};
 use crate::workbook::exercises::ch07_mesh::{Corners, MeshHitAnswer};
@@ -84,6 +86,13 @@ pub struct Found {
     pub tests: u32,
     /// The hit.
     pub hit: Option<MeshHitAnswer>,
+}
+
+/// The colour of a hit in a picture: neighbours in the list differ.
+pub fn colour(hit: Option<&MeshHitAnswer>) -> Rgb {
+    hit.map_or(Rgb::gray(0.1), |hit| {
+        viridis((hit.id as f32 * 0.382).fract())
+    })
 }
 
 /// Searches below a node, rightly but for what is changed.

@@ -45,7 +45,6 @@ pub mod sheet;
 pub mod showroom;
 pub mod sketch;
 pub mod slabs;
-pub mod speed;
 pub mod speeds;
 pub mod stadium_figure;
 pub mod stage;

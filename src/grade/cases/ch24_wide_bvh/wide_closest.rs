@@ -3,8 +3,6 @@
 use super::wide_closest_cases::{self, question};
 use crate::grade::search::{self, How, Node, Order, Tree};
 use crate::grade::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
-use crate::image::rgb::Rgb;
-use crate::lab::palette::viridis;
 use crate::math::{aabb::Aabb, interval::Interval, pcg::Pcg};
 use crate::workbook::exercises::ch24_wide_bvh::{
     WideChild, WideClosest, WideClosestAnswer, WideClosestQuestion,
@@ -86,12 +84,7 @@ impl Graded for WideClosest {
                 Interval::AHEAD,
             )
         },
-        colour: |_, answer| {
-            let hit = answer.hit.as_ref();
-            hit.map_or(Rgb::gray(0.1), |hit| {
-                viridis((hit.id as f32 * 0.382).fract())
-            })
-        },
+        colour: |_, answer| search::colour(answer.hit.as_ref()),
     });
 
     fn edges() -> Vec<Edge<Self>> {

@@ -30,8 +30,12 @@ mod grid;
 mod light;
 #[path = "alternatives/mesh.rs"]
 mod mesh;
+#[path = "alternatives/noticed.rs"]
+mod noticed;
 #[path = "alternatives/numbers.rs"]
 mod numbers;
+#[path = "common/polygon.rs"]
+mod polygon;
 #[path = "alternatives/sphere.rs"]
 mod sphere;
 #[path = "alternatives/student.rs"]

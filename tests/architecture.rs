@@ -18,7 +18,6 @@ const LONG_FILES: &[(&str, &str)] = &[
         "to be a folder",
     ),
     ("src/grade/cases/ch18_environment.rs", "to be a folder"),
-    ("tests/agreement.rs", "every structure, asked in every way"),
     ("tests/ask.rs", "a list of programs, one test each"),
     ("tests/feedback.rs", "a list of messages, one test each"),
     ("tests/first_hour.rs", "one hour, told in order"),

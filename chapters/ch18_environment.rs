@@ -6,18 +6,14 @@
 //! New: math/piecewise.rs light/environment/mod.rs light/environment/latlong.rs light/environment/cube.rs
 //! New: light/environment/angular.rs light/environment/convert.rs scene/skies.rs scene/still_life.rs
 
-use glam::{Vec2, Vec3};
-use raybook::image::{Image, file, rgb::Rgb};
+use raybook::image::{Image, file};
 use raybook::lab::environments::{Layouts, layouts, quarters};
 use raybook::lab::stage::{Drawn, Stage};
-use raybook::lab::{chapter, sheet::sheet};
-use raybook::light::environment::Environment;
-use raybook::light::{Light, LightSample};
-use raybook::math::{dir3::Dir3, ray::Ray};
+use raybook::lab::{chapter, everywhere::Everywhere, sheet::sheet};
+use raybook::light::{Light, environment::Environment};
 use raybook::render::{film::Film, mis::Strategy, path::Path};
 use raybook::scene::skies::{self, Sky};
 use raybook::scene::still_life::{camera, still_life};
-use std::f32::consts::{PI, TAU};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -77,32 +73,6 @@ fn picture(film: &Film, light: Box<dyn Light>) -> Image {
         strategy: Strategy::Both,
     };
     film.render(|place, rng| path.radiance(&scene, &camera.ray_through(place), rng))
-}
-
-/// An environment whose directions are chosen without looking: each is as likely as any other.
-struct Everywhere(Environment);
-
-impl Light for Everywhere {
-    fn sample(&self, _at: Vec3, u: Vec2) -> Option<LightSample> {
-        let (cosine, (sin, cos)) = (1.0 - 2.0 * u.y, (TAU * u.x).sin_cos());
-        let sine = (1.0 - cosine * cosine).sqrt();
-        let toward = Dir3::new(Vec3::new(sine * cos, cosine, sine * sin))?;
-        let pdf = self.pdf(Vec3::ZERO, toward);
-        Some(LightSample {
-            toward,
-            distance: f32::INFINITY,
-            arriving: self.0.radiance(toward) / pdf,
-            pdf,
-        })
-    }
-
-    fn pdf(&self, _at: Vec3, _toward: Dir3) -> f32 {
-        0.25 / PI
-    }
-
-    fn seen(&self, ray: &Ray) -> Option<(f32, Rgb)> {
-        self.0.seen(ray)
-    }
 }
 
 fn main() -> ExitCode {

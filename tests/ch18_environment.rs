@@ -1,7 +1,13 @@
 //! Chapter 18: light from all around.
 
+#[path = "ch18_environment/files.rs"]
+mod files;
 #[path = "ch18_environment/layouts.rs"]
 mod layouts;
+#[path = "ch18_environment/maps.rs"]
+mod maps;
+#[path = "ch18_environment/piecewise.rs"]
+mod piecewise;
 #[path = "ch18_environment/sampling.rs"]
 mod sampling;
 

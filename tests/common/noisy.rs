@@ -178,6 +178,29 @@ impl Noisy {
         1e-6 * pixels.map(|i| self.mean[i][c].abs()).sum::<f64>() + 1e-12
     }
 
+    pub fn pixel_k(&self, got: Rgb, x: usize, y: usize, k: usize) -> f64 {
+        let global: f64 = self.mean.iter().flatten().sum::<f64>() / (3 * self.mean.len()) as f64;
+        let got = got.channels();
+        let near = |v: usize, end: usize| v.saturating_sub(1)..(v + 2).min(end);
+        let of = |c: usize| {
+            let difference = (f64::from(got[c]) - self.mean[y * self.width + x][c]).abs();
+            let pixels =
+                near(y, self.height).flat_map(|j| near(x, self.width).map(move |i| (i, j)));
+            let variances: Vec<f64> = pixels
+                .map(|(i, j)| self.variance[j * self.width + i][c])
+                .collect();
+            let mean = variances.iter().sum::<f64>() / variances.len() as f64;
+            let var = if k == 0 {
+                self.around(x, y, c)
+            } else {
+                mean.max(self.variance[y * self.width + x][c])
+            };
+            let noise = (2.0 * var).sqrt() + 1e-12;
+            (difference - PIXEL_SHARE * global).max(0.0) / noise
+        };
+        of(0).max(of(1)).max(of(2))
+    }
+
     /// A pixel's difference, in standard deviations of the noisiest of it and its neighbours.
     fn pixel(&self, picture: &Image, x: usize, y: usize) -> f64 {
         let global: f64 = self.mean.iter().flatten().sum::<f64>() / (3 * self.mean.len()) as f64;

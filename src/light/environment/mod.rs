@@ -6,7 +6,7 @@ pub mod cube;
 pub mod latlong;
 
 use crate::image::{Image, rgb::Rgb};
-use crate::light::{Light, LightSample};
+use crate::light::{Light, LightSample, extent::shine};
 use crate::math::piecewise::Piecewise;
 use crate::math::{dir3::Dir3, ray::Ray};
 use glam::{Vec2, Vec3};
@@ -26,11 +26,12 @@ pub struct Environment {
 }
 
 impl Environment {
-    /// An environment from a latitude–longitude map.
+    /// An environment from a latitude–longitude map; a channel that is negative or not finite counts as 0.
     ///
     /// # Panics
     /// If the map has no texel.
     pub fn new(map: Image) -> Self {
+        let map = map.map(|texel| texel.map(|v| if v.is_finite() { v.max(0.0) } else { 0.0 }));
         let (width, height) = (map.width(), map.height());
         assert!(width * height > 0, "a map of directions has texels");
         let columns: Vec<_> = (0..height)
@@ -56,20 +57,19 @@ impl Environment {
     }
 
     // ANCHOR: sample_environment
-    /// A direction for u in [0, 1)², the brighter the likelier, with its density per steradian; `None` in the dark.
+    /// A direction for u in [0, 1)², the brighter the likelier; `None` in the dark.
     ///
     /// u.y chooses a row by its light, that is the sum of its luminances times the solid angle of one of its texels, and u.x
     /// a texel of the row by its luminance. What the choices leave of u places the direction in the texel, uniformly by
     /// solid angle: φ goes evenly through a texel, and so does cos θ, not θ (Archimedes: a sphere's zones have the areas
     /// of the cylinder's around it).
-    pub fn choose(&self, u: Vec2) -> Option<(Dir3, f32)> {
+    pub fn choose(&self, u: Vec2) -> Option<Dir3> {
         let row = self.rows.choose(u.y)?;
         let column = self.columns[row.cell].choose(u.x)?;
         let [top, bottom] = latlong::cosines(row.cell, self.map.height());
         let cosine = top + (bottom - top) * f64::from(row.within);
         let turn = (column.cell as f32 + column.within) / self.map.width() as f32;
-        let density = row.probability * column.probability / solid_angle(&self.map, row.cell);
-        Some((latlong::toward(turn, cosine as f32), density as f32))
+        Some(latlong::toward(turn, cosine))
     }
     // ANCHOR_END: sample_environment
 
@@ -99,14 +99,12 @@ fn solid_angle(map: &Image, row: usize) -> f64 {
 }
 
 impl Light for Environment {
+    /// Radiance and density are those of the texel that is seen in this direction. At a texel's edge rounding may make it
+    /// the neighbour of the one that was chosen: the sun's radiance over a dark neighbour's density would be a firefly.
     fn sample(&self, _at: Vec3, u: Vec2) -> Option<LightSample> {
-        let (toward, pdf) = self.choose(u)?;
-        Some(LightSample {
-            toward,
-            distance: f32::INFINITY,
-            arriving: self.radiance(toward) / pdf,
-            pdf,
-        })
+        let toward = self.choose(u)?;
+        let (radiance, pdf) = (self.radiance(toward), self.density(toward));
+        shine(toward, f32::INFINITY, radiance, pdf)
     }
 
     fn pdf(&self, _at: Vec3, toward: Dir3) -> f32 {

@@ -108,7 +108,7 @@ impl Exercise for SampleEnvironment {
         let cells = (0..LATTICE).flat_map(|j| (0..LATTICE).map(move |i| (i, j)));
         let points = cells.map(|(i, j)| (vec2(i as f32, j as f32) + 0.5) / LATTICE as f32);
         let chosen = points.filter_map(|u| environment.choose(u));
-        chosen.map(|(direction, _)| *direction).collect()
+        chosen.map(|direction| *direction).collect()
     }
 }
 

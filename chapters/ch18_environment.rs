@@ -18,7 +18,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 #[derive(clap::Args)]
-struct Options {
+struct MapOptions {
     /// Light the scene with this map (.exr, .hdr or .png) instead of the four skies
     #[arg(long)]
     environment: Option<PathBuf>,
@@ -76,7 +76,7 @@ fn picture(film: &Film, light: Box<dyn Light>) -> Image {
 }
 
 fn main() -> ExitCode {
-    chapter::run_with("ch18_environment", |stage, options: Options| {
+    chapter::run_with("ch18_environment", |stage, options: MapOptions| {
         let Some(file) = options.environment else {
             return draw(stage);
         };

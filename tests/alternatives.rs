@@ -22,6 +22,8 @@ mod ch17;
 mod ch18;
 #[path = "alternatives/ch24.rs"]
 mod ch24;
+#[path = "alternatives/estimates.rs"]
+mod estimates;
 #[path = "alternatives/flat.rs"]
 mod flat;
 #[path = "alternatives/grid.rs"]
@@ -114,6 +116,7 @@ fn alternatives() -> impl Iterator<Item = &'static Alternative> {
         ch15::ALTERNATIVES,
         ch16::ALTERNATIVES,
         ch17::ALTERNATIVES,
+        estimates::ALTERNATIVES,
         ch18::ALTERNATIVES,
     ]
     .into_iter()

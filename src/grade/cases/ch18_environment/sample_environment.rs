@@ -5,8 +5,9 @@ use crate::grade::{Edge, Graded, Mistake, Verdict, judge, sample};
 use crate::light::environment::latlong;
 use crate::math::{pcg::Pcg, piecewise::Piecewise};
 use crate::workbook::exercise::Exercise;
-use crate::workbook::exercises::ch18_environment::{LATTICE, MapQuestion, SampleEnvironment};
-use glam::{Vec3, vec2};
+use crate::workbook::exercises::ch17_rendering_equation::lattice;
+use crate::workbook::exercises::ch18_environment::{MapQuestion, POINTS, SampleEnvironment};
+use glam::{Vec2, Vec3, vec2};
 use rand::RngExt;
 
 impl MapQuestion {
@@ -24,17 +25,15 @@ impl MapQuestion {
             .map(|y| Piecewise::new((0..width).map(|x| weight(self, x, y))))
             .collect();
         let rows = Piecewise::new(columns.iter().map(Piecewise::total));
-        let along = |i: usize| (i as f32 + 0.5) / LATTICE as f32;
-        let points = (0..LATTICE).flat_map(|j| (0..LATTICE).map(move |i| (along(i), along(j))));
-        let direction = |(u, v)| {
-            let row = rows.choose(v)?;
-            let column = columns[row.cell].choose(u)?;
+        let direction = |u: Vec2| {
+            let row = rows.choose(u.y)?;
+            let column = columns[row.cell].choose(u.x)?;
             let [top, bottom] = latlong::cosines(row.cell, height);
             let turn = (column.cell as f32 + column.within) / width as f32;
             let cosine = cosine(top, bottom, f64::from(row.within));
             Some(*latlong::toward(turn, cosine))
         };
-        points.filter_map(direction).collect()
+        lattice(POINTS).filter_map(direction).collect()
     }
 }
 

@@ -10,6 +10,8 @@ mod maps;
 mod piecewise;
 #[path = "ch18_environment/sampling.rs"]
 mod sampling;
+#[path = "ch18_environment/skies.rs"]
+mod skies;
 
 use glam::Vec3;
 use rand::RngExt;

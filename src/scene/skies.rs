@@ -12,10 +12,12 @@ pub const SUN: f32 = 0.2665 * std::f32::consts::PI / 180.0;
 /// Radiance by direction.
 pub type Sky = fn(Dir3) -> Rgb;
 
-/// A latitude–longitude map of a sky, twice as wide as it is high; each texel is the mean of 4 × 4 points, or of 16 × 16
-/// around what is small and bright, so that the map holds as much light as the formula.
+/// A latitude–longitude map of a sky, twice as wide as it is high; each texel is the mean of 4 × 4 points, or around the sun
+/// of so many that their steps are small beside it, so that the map holds as much light as the formula.
 pub fn map(sky: Sky, width: usize) -> Image {
     let height = (width / 2).max(1);
+    let texel_height = std::f32::consts::PI / height as f32;
+    let fine = (12.0 * texel_height / SUN).clamp(4.0, 256.0) as usize;
     let texel = |x: usize, y: usize, points: usize| {
         let places = (0..points).flat_map(|j| (0..points).map(move |i| vec2(i as f32, j as f32)));
         let sum: Rgb = places
@@ -31,8 +33,8 @@ pub fn map(sky: Sky, width: usize) -> Image {
     Image::from_fn(width, height, |x, y| {
         let middle = (vec2(x as f32, y as f32) + 0.5) / vec2(width as f32, height as f32);
         let to_sun = latlong::direction(middle).dot(*sun_of_day()).acos();
-        let near = to_sun < SUN + 4.0 / height as f32;
-        texel(x, y, if near { 16 } else { 4 })
+        let near = to_sun < SUN + 1.5 * texel_height;
+        texel(x, y, if near { fine } else { 4 })
     })
 }
 

@@ -10,6 +10,8 @@ mod boxes;
 mod ch11;
 #[path = "alternatives/ch12.rs"]
 mod ch12;
+#[path = "alternatives/ch13.rs"]
+mod ch13;
 #[path = "alternatives/ch14.rs"]
 mod ch14;
 #[path = "alternatives/ch15.rs"]
@@ -112,6 +114,7 @@ fn alternatives() -> impl Iterator<Item = &'static Alternative> {
         ch11::ALTERNATIVES,
         ch24::ALTERNATIVES,
         ch12::ALTERNATIVES,
+        ch13::ALTERNATIVES,
         ch14::ALTERNATIVES,
         ch15::ALTERNATIVES,
         ch16::ALTERNATIVES,

@@ -38,6 +38,7 @@ pub mod penumbra;
 pub mod platonic;
 pub mod quadtree;
 pub mod race;
+pub mod rate;
 pub mod ray_tree;
 pub mod ray_tree_figure;
 pub mod refraction_fan;

@@ -6,14 +6,16 @@
 //! New: math/piecewise.rs light/environment/mod.rs light/environment/latlong.rs light/environment/cube.rs
 //! New: light/environment/angular.rs light/environment/convert.rs scene/skies.rs scene/still_life.rs
 
+use glam::Vec3;
+use raybook::camera::pinhole::{LookAtError, Pinhole};
 use raybook::image::{Image, file};
 use raybook::lab::environments::{Layouts, layouts, quarters};
 use raybook::lab::stage::{Drawn, Stage};
-use raybook::lab::{chapter, everywhere::Everywhere, sheet::sheet};
+use raybook::lab::{chapter, even, everywhere::Everywhere, sheet::sheet};
 use raybook::light::{Light, environment::Environment};
 use raybook::render::{film::Film, mis::Strategy, path::Path};
 use raybook::scene::skies::{self, Sky};
-use raybook::scene::still_life::{camera, still_life};
+use raybook::scene::still_life::{AT, EYE, still_life};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -29,50 +31,55 @@ struct MapOptions {
 
 /// Draws the chapter's pictures.
 pub(crate) fn draw(stage: &Stage) -> Drawn {
-    let film = stage.film_of(960, 48, 1.6);
-    let small = stage.film_of((film.width / 2) as u32, 48, 1.6);
+    let tile = stage.tile(2, 1.6);
+    let samples = 2 * tile.samples;
+    let film = Film { samples, ..tile };
     let four: [Sky; 4] = [
         skies::clear_day,
         skies::sunset,
         skies::overcast,
         skies::studio,
     ];
-    let lit = four.map(|sky| {
-        let map = Environment::new(skies::map(sky, 1024));
-        picture(&small, Box::new(map))
-    });
+    let maps = four.map(|sky| skies::map(sky, 1024));
+    let under = |map: &Image| picture(&film, Box::new(Environment::new(map.clone())));
+    let [day, sunset, overcast, studio] = &maps;
+    let lit = [
+        under(day)?,
+        under(sunset)?,
+        under(overcast)?,
+        under(studio)?,
+    ];
     let caption = "Nothing shines here but the map: a clear day, a sunset, an overcast sky, a studio with two softboxes.";
     stage.picture("picture", caption, &quarters(&lit))?;
 
-    let day = skies::map(skies::clear_day, 1024);
     let caption = "The clear day in three layouts: latitude and longitude, a cube unfolded to a cross, and the angular map.";
-    stage.figure("layouts", caption, &layouts(&day)?)?;
+    stage.figure("layouts", caption, &layouts(day)?)?;
 
-    let few = Film {
-        samples: 16,
-        ..small
-    };
+    let samples = tile.samples.div_ceil(2);
+    let few = Film { samples, ..tile };
     let uniform = Box::new(Everywhere(Environment::new(day.clone())));
+    let by_light = Box::new(Environment::new(day.clone()));
     let tiles = [
-        ("16 directions, uniform", picture(&few, uniform)),
-        (
-            "16 directions, by their light",
-            picture(&few, Box::new(Environment::new(day))),
-        ),
+        ("uniform directions", picture(&few, uniform)?),
+        ("directions by their light", picture(&few, by_light)?),
     ];
     let caption = "Equally many samples of the clear day. Half of the light comes from a sun that uniform directions hardly ever meet.";
     stage.figure("importance", caption, &sheet(2, &tiles)?)
 }
 
 /// The still life under one light.
-fn picture(film: &Film, light: Box<dyn Light>) -> Image {
-    let (scene, camera) = (still_life(light), camera(film.aspect()));
+fn picture(film: &Film, light: Box<dyn Light>) -> Result<Image, LookAtError> {
+    let (scene, aspect) = (still_life(light), film.aspect());
+    let camera = Pinhole::look_at(EYE, AT, Vec3::Y, 0.05, aspect)?;
     let path = Path {
         depth: 6,
         sure: 3,
         strategy: Strategy::Both,
     };
-    film.render(|place, rng| path.radiance(&scene, &camera.ray_through(place), rng))
+    let ray = |place| camera.ray_through(place);
+    Ok(even::render(film, |at, rng| {
+        path.radiance(&scene, &ray(at), rng)
+    }))
 }
 
 fn main() -> ExitCode {
@@ -83,6 +90,6 @@ fn main() -> ExitCode {
         let light = Box::new(Environment::new(options.layout.unfold(&file::load(&file)?)));
         let film = stage.film_of(960, 64, 1.6);
         let caption = format!("Nothing shines here but {}.", file.display());
-        stage.picture("picture", &caption, &picture(&film, light))
+        stage.picture("picture", &caption, &picture(&film, light)?)
     })
 }

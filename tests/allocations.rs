@@ -8,10 +8,13 @@ mod rays;
 use counting::allocations;
 use glam::{Vec3, vec3};
 use raybook::image::rgb::Rgb;
-use raybook::material::Material;
+use raybook::lab::everywhere::Everywhere;
+use raybook::light::environment::Environment;
+use raybook::material::{Material, brdf::Brdf};
 use raybook::math::{pcg, pcg::Pcg, ray::Ray};
 use raybook::render::local::{ALWAYS, Arrives, Local};
-use raybook::render::{shadow, whitted::Whitted};
+use raybook::render::{mis::Strategy, path::Path, shadow, whitted::Whitted};
+use raybook::scene::{cornell, plates, skies, still_life};
 use raybook::scene::{glassware, kissing_balls, marbles, posts, world::Scene};
 use rays::{random_direction, ray};
 use std::hint::black_box;
@@ -31,6 +34,21 @@ fn whitted(
     let local = Local { samples, arrives };
     let whitted = Whitted { local, depth };
     Box::new(move |ray, rng| whitted.radiance(&scene, ray, rng))
+}
+
+/// Path tracing of a scene, over many surfaces, by one strategy.
+fn path(scene: Scene<dyn Brdf>, strategy: Strategy) -> Integrator {
+    let path = Path {
+        depth: 8,
+        sure: 3,
+        strategy,
+    };
+    Box::new(move |ray, rng| path.radiance(&scene, ray, rng))
+}
+
+/// The clear day, in a small map.
+fn sky() -> Box<Environment> {
+    Box::new(Environment::new(skies::map(skies::clear_day, 64)))
 }
 
 /// Every integrator, by name, with where to look from.
@@ -69,6 +87,34 @@ fn integrators() -> Vec<(&'static str, Vec3, Integrator)> {
             "soft shadows of a sphere",
             above,
             whitted(posts::under(posts::sphere(0.7)), 1, soft),
+        ),
+        (
+            "paths by the surface",
+            cornell::EYE,
+            path(cornell::cornell_box(), Strategy::Surface),
+        ),
+        (
+            "paths by the light",
+            cornell::EYE,
+            path(cornell::cornell_box(), Strategy::Light),
+        ),
+        (
+            "paths by both",
+            plates::EYE,
+            path(plates::plates(), Strategy::Both),
+        ),
+        (
+            "paths under a sky",
+            still_life::EYE,
+            path(still_life::still_life(sky()), Strategy::Both),
+        ),
+        (
+            "paths under a sky that is asked everywhere",
+            still_life::EYE,
+            path(
+                still_life::still_life(Box::new(Everywhere(*sky()))),
+                Strategy::Light,
+            ),
         ),
     ]
 }

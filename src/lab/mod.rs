@@ -13,6 +13,7 @@ pub mod daylight;
 pub mod domes;
 pub mod eight_boxes;
 pub mod environments;
+pub mod even;
 pub mod everywhere;
 pub mod figure;
 pub mod flat_boxes;

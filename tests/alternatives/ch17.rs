@@ -73,7 +73,8 @@ fn images(q: &mut Question, warp: fn(DVec2, &dyn Fn(DVec3) -> DVec3) -> DVec3) -
     let basis = frame(normal);
     let mut answer = vec![n as f64];
     for i in 0..n {
-        let u = DVec2::new((i as f64 + 0.5) / n as f64, (0.618_034 * i as f64).fract());
+        let i = i as f64 + 0.5;
+        let u = DVec2::new(i / n as f64, (0.618_034 * i).fract());
         answer.extend(warp(u, &basis).to_array());
     }
     Some(answer)

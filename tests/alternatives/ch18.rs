@@ -139,8 +139,8 @@ impl Map {
 
     /// The directions of the lattice's points, from a texel's column and row and the places in it.
     fn lattice(&self, choose: impl Fn(DVec2) -> Option<(usize, f64, usize, f64)>) -> Vec<f64> {
-        let points = (0..256).map(f64::from);
-        let points = points.map(|i| dvec2((i + 0.5) / 256.0, (0.618_034 * i).fract()));
+        let points = (0..256).map(|i| f64::from(i) + 0.5);
+        let points = points.map(|i| dvec2(i / 256.0, (0.618_034 * i).fract()));
         let directions: Vec<DVec3> = points
             .filter_map(|u| {
                 let (x, turn, y, within) = choose(u)?;

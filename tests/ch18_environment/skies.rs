@@ -12,7 +12,7 @@ fn irradiance(map: &Image, normal: Dir3) -> f64 {
     let (width, height) = (map.width(), map.height());
     let cells = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
     let light = cells.map(|(x, y)| {
-        let [top, bottom] = latlong::cosines(y, height);
+        let [top, bottom] = [y, y + 1].map(|row| latlong::cosine(row, height));
         let solid_angle = 2.0 * PI * (top - bottom) / width as f64;
         let place = (vec2(x as f32, y as f32) + 0.5) / vec2(width as f32, height as f32);
         let cosine = f64::from(latlong::direction(place).dot(*normal).max(0.0));

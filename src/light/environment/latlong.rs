@@ -32,9 +32,9 @@ pub fn toward(turn: f32, cosine: f64) -> Dir3 {
     around(turn, cosine as f32, sine as f32)
 }
 
-/// cos θ at the upper and the lower edge of a row of texels, of so many.
-pub fn cosines(row: usize, rows: usize) -> [f64; 2] {
-    [row, row + 1].map(|edge| (std::f64::consts::PI * edge as f64 / rows as f64).cos())
+/// cos θ at the upper edge of a row of texels, of so many; at the lower one of the last row, if it is called the next.
+pub fn cosine(row: usize, rows: usize) -> f64 {
+    (std::f64::consts::PI * row as f64 / rows as f64).cos()
 }
 
 fn around(turn: f32, cosine: f32, sine: f32) -> Dir3 {

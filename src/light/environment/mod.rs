@@ -23,6 +23,8 @@ pub struct Environment {
     rows: Piecewise,
     /// The share of each texel in its row's light.
     columns: Vec<Piecewise>,
+    /// cos θ at the rows' edges, from 1 to −1.
+    edges: Vec<f64>,
 }
 
 impl Environment {
@@ -37,10 +39,18 @@ impl Environment {
         let columns: Vec<_> = (0..height)
             .map(|y| Piecewise::new((0..width).map(|x| f64::from(map.at(x, y).luminance()))))
             .collect();
-        let light = |(row, columns): (usize, &Piecewise)| columns.total() * solid_angle(&map, row);
+        let edges: Vec<_> = (0..=height)
+            .map(|row| latlong::cosine(row, height))
+            .collect();
+        let zones = edges.windows(2).map(|edges| edges[0] - edges[1]);
+        let light = columns
+            .iter()
+            .zip(zones)
+            .map(|(columns, zone)| columns.total() * zone);
         Self {
-            rows: Piecewise::new(columns.iter().enumerate().map(light)),
+            rows: Piecewise::new(light),
             columns,
+            edges,
             map,
         }
     }
@@ -66,7 +76,7 @@ impl Environment {
     pub fn choose(&self, u: Vec2) -> Option<Dir3> {
         let row = self.rows.choose(u.y)?;
         let column = self.columns[row.cell].choose(u.x)?;
-        let [top, bottom] = latlong::cosines(row.cell, self.map.height());
+        let (top, bottom) = (self.edges[row.cell], self.edges[row.cell + 1]);
         let cosine = top + (bottom - top) * f64::from(row.within);
         let turn = (column.cell as f32 + column.within) / self.map.width() as f32;
         Some(latlong::toward(turn, cosine))
@@ -79,9 +89,15 @@ impl Environment {
     pub fn density(&self, toward: Dir3) -> f32 {
         let (x, y) = self.texel(toward);
         let probability = self.rows.probability(y) * self.columns[y].probability(x);
-        (probability / solid_angle(&self.map, y)) as f32
+        (probability / self.solid_angle(y)) as f32
     }
     // ANCHOR_END: environment_pdf
+
+    /// The solid angle of a texel in a row, in steradians: its share of a zone between two circles of latitude,
+    /// 2π (cos θ₀ − cos θ₁).
+    fn solid_angle(&self, row: usize) -> f64 {
+        TAU * (self.edges[row] - self.edges[row + 1]) / self.map.width() as f64
+    }
 
     fn texel(&self, toward: Dir3) -> (usize, usize) {
         let (width, height) = (self.map.width(), self.map.height());
@@ -89,13 +105,6 @@ impl Environment {
         let texel = |x: f32, n: usize| ((x * n as f32) as usize).min(n - 1);
         (texel(place.x, width), texel(place.y, height))
     }
-}
-
-/// The solid angle of a texel in a row, in steradians: its share of a zone between two circles of latitude,
-/// 2π (cos θ₀ − cos θ₁).
-fn solid_angle(map: &Image, row: usize) -> f64 {
-    let [top, bottom] = latlong::cosines(row, map.height());
-    TAU * (top - bottom) / map.width() as f64
 }
 
 impl Light for Environment {

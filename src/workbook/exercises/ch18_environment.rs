@@ -102,7 +102,7 @@ impl Exercise for SampleEnvironment {
     type Answer = Vec<Vec3>;
     const NAME: &'static str = "sample_environment";
     const ANSWER: &'static str = "direction";
-    const TASK: &'static str = "Return a direction for u in the unit square, so that a texel of the latitude-longitude map is chosen in proportion to its radiance times its solid angle, and its directions uniformly by solid angle; None for a black map. The answer is the list of the directions for the 256 points u = ((i + 0.5)/256, the fraction of 0.618034 i), with i from 0 to 255.";
+    const TASK: &'static str = "Return a direction for u in the unit square, so that a texel of the latitude-longitude map is chosen in proportion to its radiance times its solid angle, and its directions uniformly by solid angle; None for a black map. The answer is the list of the directions for the 256 points u = ((i + ½)/256, the fraction of 0.618034 · (i + ½)), with i from 0 to 255.";
 
     fn answer(q: &Self::Question) -> Self::Answer {
         let environment = environment(q.width, q.height, &q.texels);

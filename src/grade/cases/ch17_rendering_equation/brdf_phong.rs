@@ -163,9 +163,9 @@ impl Graded for BrdfPhong {
         let (view, light) = (above(rng), above(rng));
         // Half of them near the highlight, a few behind the surface.
         let mirrored = 2.0 * view.dot(*normal) * *normal - *view;
-        let toward = match rng.random_range(0..20) {
+        let toward = match rng.random_range(0..40) {
             0 => -light,
-            1..=10 => Dir3::new_or(mirrored + sample::point(rng, 0.3), normal),
+            1..=20 => Dir3::new_or(mirrored + sample::point(rng, 0.3), normal),
             _ => light,
         };
         BrdfPhongQuestion {

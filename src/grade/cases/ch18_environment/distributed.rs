@@ -52,7 +52,7 @@ pub fn distributed(q: &MapQuestion, directions: &[Vec3]) -> Verdict {
     for quarter in 1..4 * height {
         let (y, part) = (quarter / 4, 0.25 * (quarter % 4) as f64);
         let row = |y: usize| (0..width).map(|x| q.share(x, y)).sum::<f64>();
-        let [top, bottom] = latlong::cosines(y, height);
+        let [top, bottom] = [y, y + 1].map(|row| latlong::cosine(row, height));
         let angle = PI * quarter as f64 / (4 * height) as f64;
         let of_row = (top - angle.cos()) / (top - bottom);
         let share = (0..y).map(row).sum::<f64>() + if part > 0.0 { of_row * row(y) } else { 0.0 };

@@ -44,7 +44,7 @@ impl MapQuestion {
 
     /// The solid angle of a texel of a row.
     fn solid_angle(&self, y: usize) -> f64 {
-        let [top, bottom] = latlong::cosines(y, self.height as usize);
+        let [top, bottom] = [y, y + 1].map(|row| latlong::cosine(row, self.height as usize));
         2.0 * PI * (top - bottom) / f64::from(self.width)
     }
 

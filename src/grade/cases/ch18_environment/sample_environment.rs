@@ -28,7 +28,7 @@ impl MapQuestion {
         let direction = |u: Vec2| {
             let row = rows.choose(u.y)?;
             let column = columns[row.cell].choose(u.x)?;
-            let [top, bottom] = latlong::cosines(row.cell, height);
+            let [top, bottom] = [row.cell, row.cell + 1].map(|row| latlong::cosine(row, height));
             let turn = (column.cell as f32 + column.within) / width as f32;
             let cosine = cosine(top, bottom, f64::from(row.within));
             Some(*latlong::toward(turn, cosine))

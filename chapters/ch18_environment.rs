@@ -14,7 +14,7 @@ use raybook::lab::stage::{Drawn, Stage};
 use raybook::lab::{chapter, even, everywhere::Everywhere, sheet::sheet};
 use raybook::light::{Light, environment::Environment};
 use raybook::render::{film::Film, mis::Strategy, path::Path};
-use raybook::scene::skies::{self, Sky};
+use raybook::scene::skies;
 use raybook::scene::still_life::{AT, EYE, still_life};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -34,13 +34,7 @@ pub(crate) fn draw(stage: &Stage) -> Drawn {
     let tile = stage.tile(2, 1.6);
     let samples = 2 * tile.samples;
     let film = Film { samples, ..tile };
-    let four: [Sky; 4] = [
-        skies::clear_day,
-        skies::sunset,
-        skies::overcast,
-        skies::studio,
-    ];
-    let maps = four.map(|sky| skies::map(sky, 1024));
+    let maps = skies::FOUR.map(|sky| skies::map(sky, 1024));
     let under = |map: &Image| picture(&film, Box::new(Environment::new(map.clone())));
     let [day, sunset, overcast, studio] = &maps;
     let lit = [

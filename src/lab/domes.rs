@@ -34,7 +34,7 @@ const DOMES: [(&str, Warp, &str); 2] = [
 const EYE: Vec3 = vec3(0.0, 2.6, 5.0);
 
 /// How high the disc with the shadows is: below the dome, which would hide them.
-const FLOOR: f32 = -0.75;
+const FLOOR: f32 = -0.95;
 
 type Warp = fn(Dir3, Vec2) -> Dir3;
 type Drawn = Result<(), Box<dyn Error>>;
@@ -49,7 +49,7 @@ pub fn draw() -> Result<Image, Box<dyn Error>> {
         for ((name, warp, note), half) in DOMES.into_iter().zip(&halves) {
             let (width, height) = half.dim_in_pixel();
             let aspect = width as f32 / height as f32;
-            let viewer = Pinhole::look_at(EYE, vec3(0.0, -0.1, 0.0), Vec3::Y, 0.0475, aspect)?;
+            let viewer = Pinhole::look_at(EYE, vec3(0.0, -0.12, 0.0), Vec3::Y, 0.058, aspect)?;
             dome(
                 &Sketch {
                     canvas: half,
@@ -91,8 +91,8 @@ fn dome(sketch: &Sketch, warp: Warp) -> Drawn {
     }
     sketch.line(&circle(|x, y| vec3(x, 0.0, y)), INK, 2)?;
     sketch.line(&silhouette(), INK, 2)?;
-    sketch.arrow(Vec3::ZERO, 1.25 * Vec3::Y, INK, 5)?;
-    sketch.label(1.25 * Vec3::Y, vec2(44.0, 0.0), "N", INK)
+    sketch.arrow(Vec3::ZERO, 1.2 * Vec3::Y, INK, 5)?;
+    sketch.label(1.2 * Vec3::Y, vec2(44.0, 0.0), "N", INK)
 }
 
 /// A circle of radius 1 in some plane.

@@ -88,17 +88,20 @@ fn panel(
     axis: usize,
 ) -> Result<(), Box<dyn Error>> {
     let all = || curves.iter().flatten();
-    let range = |i: usize| {
+    let ends = |i: usize| {
         let least = all().map(|m| m[i]).fold(f64::INFINITY, f64::min);
         let most = all().map(|m| m[i]).fold(0.0, f64::max);
-        (0.8 * least..1.25 * most).log_scale()
+        (0.8 * least, 1.25 * most)
     };
+    let ((left, right), (low, high)) = (ends(axis), ends(2));
+    // From a power of ten on, plotters labels the whole axis.
+    let low = 10.0_f64.powf(low.log10().floor());
     let mut chart = ChartBuilder::on(canvas)
         .margin(24)
         .caption(title, text(36))
         .x_label_area_size(84)
         .y_label_area_size(130)
-        .build_cartesian_2d(range(axis), range(2))?;
+        .build_cartesian_2d((left..right).log_scale(), (low..high).log_scale())?;
     chart
         .configure_mesh()
         .bold_line_style(FAINT.mix(0.5))

@@ -12,6 +12,9 @@ pub const SUN: f32 = 0.2665 * std::f32::consts::PI / 180.0;
 /// Radiance by direction.
 pub type Sky = fn(Dir3) -> Rgb;
 
+/// The skies of this file.
+pub const FOUR: [Sky; 4] = [clear_day, sunset, overcast, studio];
+
 /// A latitude–longitude map of a sky, twice as wide as it is high; each texel is the mean of 2 × 2 points, or around the sun
 /// of so many that their steps are small beside it, so that the map holds as much light as the formula.
 pub fn map(sky: Sky, width: usize) -> Image {

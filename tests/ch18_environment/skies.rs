@@ -63,12 +63,7 @@ fn about_half_of_the_clear_days_light_is_the_suns() {
 
 #[test]
 fn skies_are_light_from_every_direction() {
-    for sky in [
-        skies::clear_day,
-        skies::sunset,
-        skies::overcast,
-        skies::studio,
-    ] {
+    for sky in skies::FOUR {
         let map = skies::map(sky, 128);
         let light = |rgb: &Rgb| rgb.channels().iter().all(|v| v.is_finite() && *v > 0.0);
         assert!(map.pixels().iter().all(light), "no texel is black or worse");

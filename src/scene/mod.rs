@@ -12,6 +12,7 @@ pub mod skies;
 pub mod soup;
 pub mod stadium;
 pub mod still_life;
+pub mod tally;
 pub mod teapots;
 pub mod terrain;
 pub mod window;

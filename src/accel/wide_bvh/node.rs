@@ -8,7 +8,7 @@ use glam::Vec3;
 pub const CHILDREN: usize = 8;
 
 /// Triangles of a leaf.
-pub const TRIANGLES: usize = 4;
+pub const TRIANGLES: usize = 8;
 
 /// The place of a child: a node, or, with the top bit set, a leaf.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd)]

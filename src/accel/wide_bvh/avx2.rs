@@ -41,7 +41,7 @@ impl Lanes for Avx2 {
     }
 
     #[inline(always)]
-    fn triangles(self, leaf: &Leaf, ray: &WideRay, max: f32) -> Struck {
+    fn triangles(self, leaf: &Leaf, ray: &WideRay, max: f32) -> Option<Struck> {
         // SAFETY: the proof is there.
         unsafe { triangles(leaf, ray, max) }
     }
@@ -76,9 +76,9 @@ fn splats(v: glam::Vec3A) -> [__m256; 3] {
 #[target_feature(enable = "avx2,fma")]
 #[inline]
 fn boxes(node: &Node, ray: &WideRay, max: f32) -> (u32, [f32; CHILDREN]) {
-    let rows = node.rows.as_ptr();
-    // SAFETY: the rows are 0 to 5, each of eight numbers, and start at multiples of 32 bytes.
-    let row = |row: usize| unsafe { _mm256_load_ps(rows.add(row).cast()) };
+    let rows = node.rows.as_flattened().as_ptr();
+    // SAFETY: the rows are of eight numbers each, and start at multiples of 32 bytes.
+    let row = |start: usize| unsafe { _mm256_load_ps(rows.add(start)) };
     let [nx, ny, nz] = ray.near;
     let [ix, iy, iz] = splats(ray.inverse);
     let [ex, ey, ez] = splats(ray.enter);
@@ -92,8 +92,8 @@ fn boxes(node: &Node, ray: &WideRay, max: f32) -> (u32, [f32; CHILDREN]) {
         _mm256_max_epi32(plane(nz, iz, ez), splat(ray.min)),
     );
     let leave = _mm256_min_epi32(
-        _mm256_min_epi32(plane(nx ^ 1, ix, lx), plane(ny ^ 1, iy, ly)),
-        _mm256_min_epi32(plane(nz ^ 1, iz, lz), splat(max)),
+        _mm256_min_epi32(plane(nx ^ CHILDREN, ix, lx), plane(ny ^ CHILDREN, iy, ly)),
+        _mm256_min_epi32(plane(nz ^ CHILDREN, iz, lz), splat(max)),
     );
     let missed = _mm256_movemask_ps(_mm256_castsi256_ps(_mm256_cmpgt_epi32(enter, leave)));
     let mut t = [0.0; CHILDREN];
@@ -103,8 +103,8 @@ fn boxes(node: &Node, ray: &WideRay, max: f32) -> (u32, [f32; CHILDREN]) {
 }
 
 #[target_feature(enable = "avx2,fma")]
-#[inline]
-fn triangles(leaf: &Leaf, ray: &WideRay, max: f32) -> Struck {
+#[inline(never)] // the loop over the nodes then has the registers for itself
+fn triangles(leaf: &Leaf, ray: &WideRay, max: f32) -> Option<Struck> {
     let [ax, ay, az] = ray.shear.axes;
     let [sx, sy, sz] = ray.shear.slopes.map(|v| _mm256_set1_ps(v));
     let [ox, oy, oz] = ray.origin.map(|v| _mm256_set1_ps(v));
@@ -134,7 +134,7 @@ fn triangles(leaf: &Leaf, ray: &WideRay, max: f32) -> Struck {
         _mm256_cmp_ps::<_CMP_LE_OQ>(most, zero),
     );
     if _mm256_movemask_ps(inside) == 0 {
-        return Struck::NONE;
+        return None;
     }
     let on_edge = _mm256_or_ps(
         _mm256_cmp_ps::<_CMP_EQ_OQ>(u, zero),
@@ -159,7 +159,7 @@ fn triangles(leaf: &Leaf, ray: &WideRay, max: f32) -> Struck {
     );
     let mask = _mm256_movemask_ps(_mm256_and_ps(inside, counts)) as u32 & !unsure;
     if mask | unsure == 0 {
-        return Struck::NONE;
+        return None;
     }
     let array = |v: __m256| {
         let mut array = [0.0; TRIANGLES];
@@ -167,11 +167,11 @@ fn triangles(leaf: &Leaf, ray: &WideRay, max: f32) -> Struck {
         unsafe { _mm256_storeu_ps(array.as_mut_ptr(), v) };
         array
     };
-    Struck {
+    Some(Struck {
         mask,
         unsure,
         t: array(t),
         b1: array(_mm256_mul_ps(v, inverse)),
         b2: array(_mm256_mul_ps(w, inverse)),
-    }
+    })
 }

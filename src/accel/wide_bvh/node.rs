@@ -131,6 +131,7 @@ impl Leaf {
 
     /// The places of its triangles in the list of facets.
     pub fn facets(&self) -> impl Iterator<Item = u32> {
-        self.facets.into_iter().filter(|&facet| facet != NO_FACET)
+        let all = self.facets.iter().copied();
+        all.filter(|&facet| facet != NO_FACET)
     }
 }

@@ -23,7 +23,7 @@ pub fn build(facets: Vec<Facet>, method: Method) -> Tree {
     let boxes: Vec<Aabb> = facets.par_iter().map(Shape::bounds).collect();
     let flat = build_binary(&boxes, method, &COST);
     let old = binary(&flat);
-    let families = collapse(&old);
+    let families = if std::env::var("GREEDY").is_ok() { collapse(&old) } else { super::optimal::collapse(&old) };
     // Where each node of the binary tree that stays is in the new one.
     let mut links = vec![Link::NONE; old.len()];
     for (place, family) in families.iter().enumerate() {

@@ -13,6 +13,7 @@ pub mod collapse;
 pub mod lanes;
 pub mod nearest;
 pub mod node;
+pub mod optimal;
 pub mod pages;
 pub mod portable;
 pub mod ray;

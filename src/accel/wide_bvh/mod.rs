@@ -66,7 +66,7 @@ pub struct Tree {
 impl WideBvh {
     /// The tree that is best for its time, with the best instructions of this processor.
     pub fn new(facets: Vec<Facet>) -> Self {
-        Self::build(facets, Method::Binned)
+        Self::build(facets, Method::Fine)
     }
 
     /// A tree that is collapsed from a binary one made by a method of choice.

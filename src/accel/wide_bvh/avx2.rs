@@ -144,10 +144,7 @@ fn triangles(leaf: &Leaf, ray: &WideRay, max: f32) -> Option<Struck> {
         ),
     );
     let unsure = _mm256_movemask_ps(_mm256_and_ps(inside, on_edge)) as u32;
-    let inverse = _mm256_div_ps(
-        _mm256_set1_ps(1.0),
-        _mm256_add_ps(_mm256_add_ps(u, v), w),
-    );
+    let inverse = _mm256_div_ps(_mm256_set1_ps(1.0), _mm256_add_ps(_mm256_add_ps(u, v), w));
     let sum = _mm256_add_ps(
         _mm256_add_ps(_mm256_mul_ps(u, a[2]), _mm256_mul_ps(v, b[2])),
         _mm256_mul_ps(w, c[2]),

@@ -36,7 +36,7 @@ use node::{Leaf, Link, NO_FACET, Node};
 use portable::Portable;
 use search::{Any, Closest};
 
-/// Facets with finite boxes in a tree of eight children per node and four triangles per leaf.
+/// Facets with finite boxes in a tree of eight children per node and up to eight triangles per leaf.
 ///
 /// A node that a ray comes to counts as one box tested: its eight are tested at once.
 #[derive(Clone, Debug)]

@@ -1,4 +1,4 @@
-//! What the tree is made of: nodes of eight children and leaves of a few triangles, laid out for vector instructions.
+//! What the tree is made of: nodes of eight children and leaves of up to eight triangles, laid out for vector instructions.
 
 use crate::math::aabb::Aabb;
 use crate::shape::mesh::Facet;
@@ -92,7 +92,7 @@ impl Node {
     }
 }
 
-/// A few triangles side by side: the first corners' x, then their y, and so on.
+/// Up to eight triangles side by side: the first corners' x, then their y, and so on.
 ///
 /// A place without a triangle has corners of NaN, which no ray hits.
 #[derive(Clone, Debug)]

@@ -1,4 +1,4 @@
-//! Eight boxes and four triangles at once, by plain arithmetic on arrays, on any processor.
+//! Eight boxes and eight triangles at once, by plain arithmetic on arrays, on any processor.
 
 use super::Tree;
 use super::lanes::{Lanes, Struck, Work};

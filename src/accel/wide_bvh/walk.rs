@@ -30,6 +30,7 @@ pub fn closest<L: Lanes>(
             count.tested_box();
             let (mut met, t) = lanes.boxes(node, &seeker.wide, found.limit);
             if met.is_power_of_two() {
+                // Only one, as most often: nothing to sort, and no need of the stack.
                 link = node.links[first(&mut met)];
                 continue;
             }

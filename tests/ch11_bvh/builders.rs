@@ -91,7 +91,9 @@ fn the_heuristic_pays_and_bins_are_nearly_as_good_as_all_cuts() {
     for (name, mesh) in [("teapot", teapot::mesh(12)), ("soup", soup(8000, 3))] {
         let cost = |method| Bvh::build(mesh.facets(), method).sah_cost();
         let [median, _, sweep, binned, fine, bottom_up] = METHODS.map(cost);
-        println!("{name}: median {median} sweep {sweep} bins {binned} fine {fine} bottom-up {bottom_up}");
+        println!(
+            "{name}: median {median} sweep {sweep} bins {binned} fine {fine} bottom-up {bottom_up}"
+        );
         assert!(
             binned <= 1.05 * sweep,
             "{name}: bins {binned}, all cuts {sweep}"

@@ -68,7 +68,7 @@ pub fn closest<L: Lanes>(
 
 /// Takes the first lane out of those that are met.
 #[inline(always)]
-fn first(met: &mut u32) -> usize {
+pub fn first(met: &mut u32) -> usize {
     let lane = met.trailing_zeros() as usize % CHILDREN;
     *met &= *met - 1;
     lane

@@ -5,7 +5,8 @@
 //!
 //! New: accel/bvh/mod.rs accel/bvh/pair.rs accel/bvh/validate.rs accel/bvh/build/mod.rs accel/bvh/build/item.rs
 //! New: accel/bvh/build/tree.rs accel/bvh/build/top_down.rs accel/bvh/build/halves.rs accel/bvh/build/cost.rs
-//! New: accel/bvh/build/sweep.rs accel/bvh/build/binned.rs accel/bvh/build/bottom_up.rs accel/bvh/build/flat.rs
+//! New: accel/bvh/build/sweep.rs accel/bvh/build/binned.rs accel/bvh/build/fine.rs accel/bvh/build/bottom_up.rs
+//! New: accel/bvh/build/flat.rs
 
 use raybook::accel::two_level_grid::TwoLevelGrid;
 use raybook::accel::{Accel, bvh::Bvh, grid::Grid, list::List, octree::Octree};

@@ -42,7 +42,7 @@ pub(crate) fn draw(stage: &Stage) -> Drawn {
     let roofed = marbles::under_roof();
     let tiles = wrong_shadows::WAYS
         .map(|(name, arrives)| (name, photograph(&film, &near, &roofed, arrives)));
-    let caption = "One lamp below a roof, and three wrong shadow rays. Half of the points of a ball are computed to lie inside of \
+    let caption = "One lamp below a roof, and three wrong shadow rays. Many points of a ball are computed to lie inside of \
         it, and are in its shadow. Rays that start too far off miss what stands close. Rays without an end are stopped behind the lamp.";
     stage.figure("wrong", caption, &sheet(2, &tiles)?)?;
 

@@ -2,8 +2,8 @@
 
 use glam::{Vec3, vec3};
 use raybook::image::rgb::Rgb;
+use raybook::material::Material;
 use raybook::material::glass::{Glass, Medium};
-use raybook::material::{Material, phong::Phong};
 use raybook::math::{dir3::Dir3, pcg, ray::Ray};
 use raybook::render::local::{ALWAYS, Local};
 use raybook::render::whitted::Whitted;
@@ -51,10 +51,12 @@ fn to_the_rim() -> impl Iterator<Item = f32> {
     (0..=300).map(|i| 1.0 - (1.0 - i as f32 / 300.0).powi(3))
 }
 
+/// Makes the things of a scene.
+type Build = Box<dyn Fn() -> Vec<Thing<dyn Material>>>;
+
 #[test]
 fn clear_glass_in_a_white_room_is_white_up_to_its_rim() {
     let (air, water, glass) = (Medium::AIR, Medium::WATER, Medium::GLASS);
-    type Build = Box<dyn Fn() -> Vec<Thing<dyn Material>>>;
     let bodies: [(&str, Build); 5] = [
         (
             "a ball of glass",

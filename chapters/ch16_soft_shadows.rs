@@ -29,7 +29,7 @@ pub(crate) fn draw(stage: &Stage) -> Drawn {
     for (name, samples) in [("1 sample", 1), ("4", 4), ("16", 16), ("64", 64)] {
         tiles.push((name, photograph(&tile, posts::square(1.4), samples, close)?));
     }
-    let caption = "One, 4, 16 and 64 samples of the light per pixel: with four times as many, half the noise. There is hardly any where all of the light is seen, or nothing.";
+    let caption = "One, 4, 16 and 64 samples of the light per pixel: with four times as many, half the noise. It is coarsest where part of the light is seen, and there is none where nothing is.";
     stage.figure("samples", caption, &sheet(4, &tiles)?)?;
 
     tile.samples = film.samples.min(4);

@@ -19,6 +19,9 @@ pub const PHOTOGRAPH: (usize, usize) = (560, 520);
 /// Width of the tree beside it, in pixels of the figure.
 const TREE: u32 = 420;
 
+/// What is left free at the right of the tree, for the name of the last line, in pixels of the canvas.
+const MARGIN: f32 = 120.0;
+
 /// A ray that goes on for ever, and the one from the camera, are drawn for so many metres.
 const SHOWN: f32 = 1.6;
 
@@ -40,7 +43,7 @@ pub fn draw(tree: &Branch, photograph: &Image, viewer: Pinhole) -> Result<Image,
         let levels = depth(tree) as f32;
         let layout = Layout {
             canvas: &right,
-            across: 2.0 * TREE as f32 / leaves(tree) as f32,
+            across: (2.0 * TREE as f32 - MARGIN) / leaves(tree) as f32,
             down: (2.0 * height as f32 - 200.0) / levels,
         };
         layout.branch(tree, (0.0, 0), None, &mut 0).map(|_| ())

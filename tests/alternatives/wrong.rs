@@ -120,7 +120,7 @@ pub const WRONGS: &[Wrong] = &[
     }),
     (&["point_light"], "1 % too near", |light| light[3] *= 0.99),
     (&["point_light"], "1 % too bright", |light| {
-        scale(&mut light[4..], 1.01)
+        scale(&mut light[4..], 1.01);
     }),
     (&["refract"], "turned by 1°", |t| turn(t)),
     (&["refract"], "1 % too long", |t| scale(t, 1.01)),
@@ -130,7 +130,7 @@ pub const WRONGS: &[Wrong] = &[
         c[c.len() - 2] *= 1.02;
     }),
     (LIGHTS, "the last is 20 % too far", |c| {
-        c[c.len() - 3] *= 1.2
+        c[c.len() - 3] *= 1.2;
     }),
     (LIGHTS, "the last direction is NaN", |c| {
         c[c.len() - 4] = f64::NAN;

@@ -65,11 +65,11 @@ fn other_random_numbers_and_another_choice_show_the_same() {
 #[test]
 fn a_wrong_light_shows() {
     let reference = render(square(10.0, Choose::ByArea), shadow::lit, 0);
-    let no_end: Arrives = |scene, at, light| {
+    let late: Arrives = |scene, at, light| {
         let (ray, _) = shadow::shadow_ray(at, light);
         !scene.blocks(
             &ray,
-            raybook::math::interval::Interval::new(0.1, f32::INFINITY),
+            raybook::math::interval::Interval::new(1.0, f32::INFINITY),
         )
     };
     for (what, other) in [
@@ -78,8 +78,8 @@ fn a_wrong_light_shows() {
             render(square(10.1, Choose::ByArea), shadow::lit, 2000),
         ),
         (
-            "a shadow ray that skips 10 cm",
-            render(square(10.0, Choose::ByArea), no_end, 3000),
+            "a shadow ray that skips a metre",
+            render(square(10.0, Choose::ByArea), late, 3000),
         ),
     ] {
         assert!(

@@ -3,13 +3,11 @@
 use super::octree_build_cases;
 use super::octree_build_judge::judge;
 use crate::accel::octree::build::{Limits, build};
-use crate::accel::octree::tree::{Kind, Tree};
 use crate::grade::{Edge, Graded, Mistake, Verdict};
 use crate::math::{aabb::Aabb, pcg::Pcg};
 use crate::workbook::exercises::ch05_box::Corners;
-use crate::workbook::exercises::ch10_octree::{
-    NodeRow, OctreeBuild, OctreeBuildQuestion, TreeRow, reached,
-};
+use crate::workbook::exercises::ch10_octree::{OctreeBuild, OctreeBuildQuestion, reached};
+use crate::workbook::octree_rows::TreeRow;
 
 /// The tree that the library builds if it is told something else about which cells a box reaches, or other limits.
 fn built(
@@ -29,26 +27,7 @@ fn built(
     let tree = build(bounds, q.shapes.len() as u32, limits, &|i, cells| {
         seen(&q.shapes[i as usize], cells)
     });
-    rows(&tree)
-}
-
-fn rows(tree: &Tree) -> TreeRow {
-    let row = |node: &crate::accel::octree::tree::Node| match node.kind() {
-        Kind::Inner { children, .. } => NodeRow {
-            inner: 1,
-            first: children,
-            count: 0,
-        },
-        Kind::Leaf { first, count } => NodeRow {
-            inner: 0,
-            first,
-            count,
-        },
-    };
-    TreeRow {
-        nodes: tree.nodes.iter().map(row).collect(),
-        names: tree.named.clone(),
-    }
+    TreeRow::from(tree)
 }
 
 impl Graded for OctreeBuild {

@@ -3,7 +3,8 @@
 use crate::accel::octree::tree::child_cell;
 use crate::grade::Verdict;
 use crate::math::aabb::Aabb;
-use crate::workbook::exercises::ch10_octree::{NodeRow, OctreeBuildQuestion, TreeRow};
+use crate::workbook::exercises::ch10_octree::OctreeBuildQuestion;
+use crate::workbook::octree_rows::{NodeRow, TreeRow};
 
 /// Every shape in the leaves that it reaches and in no other, as few copies as asked for, and a cost like the reference's.
 pub(super) fn judge(q: &OctreeBuildQuestion, golden: &TreeRow, got: &TreeRow) -> Verdict {

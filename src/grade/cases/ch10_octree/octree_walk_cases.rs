@@ -2,7 +2,8 @@
 
 use crate::grade::{Edge, sample};
 use crate::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
-use crate::workbook::exercises::ch10_octree::{NodeRow, OctreeWalk, OctreeWalkQuestion};
+use crate::workbook::exercises::ch10_octree::{OctreeWalk, OctreeWalkQuestion};
+use crate::workbook::octree_rows::NodeRow;
 use glam::{Vec3, vec3};
 use rand::RngExt;
 

@@ -19,6 +19,13 @@ fn blocked(q: &LitQuestion, spheres: &[Ball], within: Interval) -> bool {
     spheres.iter().any(to_light)
 }
 
+/// The spheres on which the point does not lie.
+fn others(q: &LitQuestion) -> Vec<Ball> {
+    let off = |ball: &Ball| (ball.center.distance(q.position) - ball.radius).abs();
+    let others = q.spheres.iter().filter(|b| off(b) > 0.05 * b.radius);
+    others.cloned().collect()
+}
+
 impl Graded for Lit {
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
@@ -46,8 +53,7 @@ impl Graded for Lit {
             hint: "A hit at a negative t is not between the point and the light.",
             answer: |q| {
                 let behind = Interval::new(f32::NEG_INFINITY, -0.1);
-                let others = q.spheres.get(1..).unwrap_or_default();
-                Lit::answer(q) * u32::from(!blocked(q, others, behind))
+                Lit::answer(q) * u32::from(!blocked(q, &others(q), behind))
             },
         },
         Mistake {
@@ -70,15 +76,7 @@ impl Graded for Lit {
             name: "never asks the sphere on which the point lies",
             hint: "A ball has a dark side: what is in the way there?",
             answer: |q| {
-                let own = |ball: &Ball| {
-                    (ball.center.distance(q.position) - ball.radius).abs() < 0.05 * ball.radius
-                };
-                let spheres = q
-                    .spheres
-                    .iter()
-                    .filter(|ball| !own(ball))
-                    .cloned()
-                    .collect();
+                let spheres = others(q);
                 Lit::answer(&LitQuestion {
                     spheres,
                     ..q.clone()
@@ -94,8 +92,8 @@ impl Graded for Lit {
         };
         // The point is the top of a ball, or its side; `off` is how far off the true surface rounding has put it.
         let edge = |name, off: f32, toward: Vec3, distance, others: &[Ball]| {
-            let mut spheres = vec![ball(0.0, 0.0, 0.0, 1.0)];
-            spheres.extend(others.iter().cloned());
+            let mut spheres = others.to_vec();
+            spheres.push(ball(0.0, 0.0, 0.0, 1.0));
             Edge::new(
                 name,
                 LitQuestion {
@@ -169,7 +167,8 @@ impl Graded for Lit {
                 radius,
             }
         };
-        let spheres = vec![own, other(rng), other(rng)];
+        let mut spheres = vec![other(rng), other(rng)];
+        spheres.insert(rng.random_range(0..3), own);
         LitQuestion {
             position,
             error,

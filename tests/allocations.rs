@@ -59,6 +59,7 @@ fn integrators() -> Vec<(&'static str, Vec3, Integrator)> {
         (8, shadow::lit as Arrives),
     );
     let above = vec3(0.4, 4.3, 7.2);
+    let inside = vec3(0.28, 0.27, 0.1);
     let mirrors = kissing_balls::scene();
     vec![
         (
@@ -90,12 +91,12 @@ fn integrators() -> Vec<(&'static str, Vec3, Integrator)> {
         ),
         (
             "paths by the surface",
-            cornell::EYE,
+            inside,
             path(cornell::cornell_box(), Strategy::Surface),
         ),
         (
             "paths by the light",
-            cornell::EYE,
+            inside,
             path(cornell::cornell_box(), Strategy::Light),
         ),
         (

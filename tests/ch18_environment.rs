@@ -1,11 +1,15 @@
 //! Chapter 18: light from all around.
 
+mod common;
+
 #[path = "ch18_environment/files.rs"]
 mod files;
 #[path = "ch18_environment/layouts.rs"]
 mod layouts;
 #[path = "ch18_environment/maps.rs"]
 mod maps;
+#[path = "ch18_environment/paths.rs"]
+mod paths;
 #[path = "ch18_environment/piecewise.rs"]
 mod piecewise;
 #[path = "ch18_environment/sampling.rs"]

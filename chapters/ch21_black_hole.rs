@@ -16,7 +16,7 @@ use raybook::lab::{
 };
 use raybook::light::environment::Environment;
 use raybook::math::dir3::Dir3;
-use raybook::render::curved::black_hole::BlackHole;
+use raybook::render::{curved::black_hole::BlackHole, film::Film};
 use raybook::scene::{accretion_disc::AccretionDisc, starry_sky::starry_sky};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -38,9 +38,9 @@ pub(crate) fn draw(stage: &Stage) -> Drawn {
 }
 
 fn draw_before(stage: &Stage, sky: Sky) -> Drawn {
-    let film = stage.film_of(960, 6, 1.78);
+    let film = stage.film_of(960, 4, 1.78);
     let camera = camera(film.aspect())?;
-    let disc = AccretionDisc::new(11.0, 8500.0);
+    let disc = AccretionDisc::new(11.0, 5500.0);
     let hole = BlackHole {
         disc: Some(&disc),
         sky,
@@ -55,7 +55,10 @@ fn draw_before(stage: &Stage, sky: Sky) -> Drawn {
     let caption = "A black hole and a disc of hot gas. The arch above the shadow is the disc's far side, its light bent over the hole; the left side comes towards us, and is bluer and brighter.";
     stage.picture("picture", caption, &picture)?;
 
-    let small = stage.tile(2, 1.78);
+    let small = Film {
+        samples: film.samples,
+        ..stage.tile(2, 1.78)
+    };
     let tile = |radiance: &(dyn Fn(Vec3, Dir3) -> Rgb + Sync)| {
         small.render(|place, _| {
             let ray = camera.ray_through(place);
@@ -81,12 +84,15 @@ fn draw_before(stage: &Stage, sky: Sky) -> Drawn {
     stage.figure(
         "shadows",
         caption,
-        &hole_shadows::draw(&stage.tile(4, 1.0))?,
+        &hole_shadows::draw(&Film {
+            samples: film.samples,
+            ..stage.tile(4, 1.0)
+        })?,
     )
 }
 
 /// How the picture is exposed: the gas is far too bright for a display.
-const EXPOSURE: f32 = 0.55;
+const EXPOSURE: f32 = 1.1;
 
 /// Sixteen radii away and a little above the disc.
 fn camera(aspect: f32) -> Result<Pinhole, raybook::camera::pinhole::LookAtError> {

@@ -4,11 +4,11 @@ use crate::image::Image;
 use crate::lab::figure::{Canvas, FONT, figure};
 use crate::lab::palette::{BLUE, INK, VERMILION};
 use crate::render::curved::follow::{Fate, follow};
-use crate::render::curved::geodesic::between;
+use crate::render::curved::geodesic::{between, geodesic_step};
 use crate::render::curved::{HORIZON, PHOTON_SPHERE, Photon};
 use glam::{DVec2, DVec3, dvec2, dvec3};
-use plotters::element::{Circle, PathElement, Text};
-use plotters::prelude::{Color, IntoFont, RGBColor};
+use plotters::element::{Circle, PathElement, Rectangle, Text};
+use plotters::prelude::{Color, IntoFont, RGBColor, WHITE};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use std::error::Error;
 use std::ops::ControlFlow;
@@ -38,47 +38,54 @@ pub fn draw() -> Result<Image, Box<dyn Error>> {
         for i in 0..15 {
             let b = APART * (f64::from(i) + 0.5);
             for side in [-b, b] {
-                ray(canvas, side, 3)?;
+                ray(canvas, side)?;
             }
         }
         // The one that goes around: a hair outside the critical impact parameter.
-        ray(canvas, 2.5981, 3)?;
+        ray(canvas, 2.5981)?;
         let centre = pixel(DVec3::ZERO);
         let radius = |r: f64| (SCALE * r) as i32;
         canvas.draw(&Circle::new(centre, radius(HORIZON), INK.filled()))?;
         let sphere = Circle::new(centre, radius(PHOTON_SPHERE), INK.stroke_width(3));
         canvas.draw(&sphere)?;
-        let white = RGBColor(255, 255, 255);
-        label(canvas, "horizon", centre, white, HPos::Center)?;
-        let beside = (centre.0 + radius(1.12), centre.1 + radius(1.25));
-        label(canvas, "photon sphere", beside, INK, HPos::Left)
+        label(canvas, "horizon", centre, WHITE)?;
+        let beside = (centre.0 + radius(2.9), centre.1);
+        let [wide, high] = [130, 26];
+        let corners = [
+            (beside.0 - wide, beside.1 - high),
+            (beside.0 + wide, beside.1 + high),
+        ];
+        canvas.draw(&Rectangle::new(corners, WHITE.filled()))?;
+        label(canvas, "photon sphere", beside, INK)
     })
 }
 
-/// One ray, and where it ends.
-fn ray(canvas: &Canvas, b: f64, width: u32) -> Result<(), Box<dyn Error>> {
+/// One ray: blue if it escapes; if it falls, orange and down to the horizon.
+fn ray(canvas: &Canvas, b: f64) -> Result<(), Box<dyn Error>> {
     let mut points = Vec::new();
-    let start = Photon {
+    let mut last = Photon {
         x: dvec3(LEFT, b, 0.0),
         v: DVec3::X,
     };
-    let fate = follow(start, 1e-8, |piece| {
-        let places = (0..=FINE).map(|i| {
-            between(
-                &piece.from,
-                &piece.to,
-                piece.step,
-                f64::from(i) / f64::from(FINE),
-            )
-        });
-        points.extend(places.filter(|p| p.length() < 30.0).map(pixel));
+    let fate = follow(last, 1e-8, |piece| {
+        let share = |i| f64::from(i) / f64::from(FINE);
+        points.extend((0..=FINE).map(|i| between(&piece.from, &piece.to, piece.step, share(i))));
+        last = piece.to;
         ControlFlow::Continue(())
     });
-    let colour = match fate {
-        Fate::Escaped(_) => BLUE,
-        Fate::Fell | Fate::Stopped => VERMILION,
+    let colour = if matches!(fate, Fate::Escaped(_)) {
+        BLUE
+    } else {
+        while last.x.length() > HORIZON {
+            (last, _) = geodesic_step(last, 0.01);
+            points.push(last.x);
+        }
+        VERMILION
     };
-    canvas.draw(&PathElement::new(points, colour.stroke_width(width)))?;
+    // What is outside would be drawn along the edge.
+    let inside = |p: &DVec3| p.x.abs() < MIDDLE.x / SCALE && p.y.abs() < MIDDLE.y / SCALE;
+    let points: Vec<_> = points.into_iter().filter(inside).map(pixel).collect();
+    canvas.draw(&PathElement::new(points, colour.stroke_width(3)))?;
     Ok(())
 }
 
@@ -89,16 +96,12 @@ fn pixel(p: DVec3) -> (i32, i32) {
 
 fn label(
     canvas: &Canvas,
-    text: &str,
+    text: &'static str,
     at: (i32, i32),
     colour: RGBColor,
-    end: HPos,
 ) -> Result<(), Box<dyn Error>> {
-    let style = (FONT, 32).into_font().color(&colour);
-    canvas.draw(&Text::new(
-        text.to_owned(),
-        at,
-        style.pos(Pos::new(end, VPos::Center)),
-    ))?;
+    let middle = Pos::new(HPos::Center, VPos::Center);
+    let style = (FONT, 32).into_font().color(&colour).pos(middle);
+    canvas.draw(&Text::new(text, at, style))?;
     Ok(())
 }

@@ -36,9 +36,17 @@ pub fn draw() -> Result<Image, Box<dyn Error>> {
             .axis_style(INK)
             .label_style(font(32))
             .axis_desc_style(font(36))
+            .x_labels(30)
             .x_desc("impact parameter b, in radii of the hole")
             .y_desc("deflection")
-            .x_label_formatter(&|b| format!("{b:.0}"))
+            .x_label_formatter(&|b| {
+                let named = [2.0, 3.0, 5.0, 10.0, 20.0, 50.0, 100.0];
+                if named.contains(b) {
+                    format!("{b:.0}")
+                } else {
+                    String::new()
+                }
+            })
             .y_label_formatter(&|angle| format!("{angle:.0}°"))
             .draw()?;
         let limit = [(CRITICAL, 1.0), (CRITICAL, 1000.0)];

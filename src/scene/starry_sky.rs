@@ -39,15 +39,16 @@ fn stars(d: Dir3, cells: f32, radius: f32, brightness: f32) -> Rgb {
 
 /// A band of light across the sky, with clouds of dust before it.
 fn milky_way(d: Dir3) -> Rgb {
-    const POLE: Vec3 = Vec3::new(0.36, 0.80, 0.48);
-    const CENTRE: Vec3 = Vec3::new(0.8, -0.6, 0.4);
+    const POLE: Vec3 = Vec3::new(0.48, 0.80, 0.36);
+    const CENTRE: Vec3 = Vec3::new(-0.6, 0.53, -0.6);
     let height = d.dot(POLE);
     let place = vec2(d.x + 0.7 * d.y, d.z - 0.4 * d.y);
-    let clouds = noise::layers(3.0 * place + 30.0, 6);
-    let band = (-(height / 0.22).powi(2)).exp();
-    let towards_centre = 0.5 + 0.5 * d.dot(CENTRE.normalize());
-    let dust = noise::rise(0.42, 0.62, noise::layers(4.0 * place + 80.0, 6))
-        * (-(height / 0.10).powi(2)).exp();
-    let light = band * (0.3 + 1.4 * clouds) * (0.3 + towards_centre) * (1.0 - 0.8 * dust);
-    Rgb::new(0.085, 0.085, 0.10) * light + Rgb::new(0.004, 0.006, 0.012)
+    let wisps = noise::rise(0.25, 0.8, noise::layers(7.0 * place + 30.0, 6));
+    let band = (-(height / 0.16).powi(2)).exp();
+    let towards_centre = noise::rise(-0.6, 1.0, d.dot(CENTRE));
+    let dust = noise::rise(0.40, 0.60, noise::layers(6.0 * place + 80.0, 6))
+        * (-(height / 0.09).powi(2)).exp();
+    let light = band * (0.15 + wisps) * (0.3 + towards_centre) * (1.0 - 0.85 * dust);
+    let warm = Rgb::new(0.13, 0.10, 0.085).lerp(Rgb::new(0.07, 0.085, 0.13), band);
+    warm * light + Rgb::new(0.003, 0.004, 0.009)
 }

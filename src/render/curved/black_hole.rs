@@ -17,8 +17,8 @@ pub struct BlackHole<'a> {
     pub sky: &'a (dyn Fn(Dir3) -> Rgb + Sync),
 }
 
-/// Of a step. What is seen moves by less than a thousandth of a radian then.
-const TOLERANCE: f64 = 1e-6;
+/// Of a step. What is seen moves by less than a thousandth of a radian then, unless the ray has gone around the hole.
+const TOLERANCE: f64 = 1e-5;
 
 impl BlackHole<'_> {
     /// The radiance that an observer at rest sees, outside the horizon.

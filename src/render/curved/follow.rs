@@ -26,8 +26,8 @@ pub struct Piece {
     pub step: f64,
 }
 
-/// Beyond this radius a ray that leaves is bent by less than 1e-5 more, unless it started there.
-pub const FAR: f64 = 1000.0;
+/// Beyond this radius a ray that leaves is bent by less than 2e-4 radians more, if it has passed the hole at 10 radii or less.
+pub const FAR: f64 = 200.0;
 
 /// A ray that needs more steps circles the photon sphere, and will do so for ever or fall.
 const MOST_STEPS: usize = 10_000;

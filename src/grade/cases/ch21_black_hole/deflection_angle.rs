@@ -71,9 +71,8 @@ impl Graded for DeflectionAngle {
     ];
 
     fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, impact_parameter| {
-            Edge::new(name, DeflectionAngleQuestion { impact_parameter })
-        };
+        let edge =
+            |name, impact_parameter| Edge::new(name, DeflectionAngleQuestion { impact_parameter });
         vec![
             edge("aimed at the hole: it falls in", 0.5),
             edge("it would miss the photon sphere, and falls in", 2.0),

@@ -43,11 +43,7 @@ impl Graded for GeodesicStep {
         Mistake {
             name: "takes the dot product for the cross product",
             hint: "A ray that aims at the middle is not bent: what is its h?",
-            answer: |q| {
-                pulled(q, |x, v| {
-                    -1.5 * x.dot(v).powi(2) * x / x.length().powi(5)
-                })
-            },
+            answer: |q| pulled(q, |x, v| -1.5 * x.dot(v).powi(2) * x / x.length().powi(5)),
         },
         Mistake {
             name: "takes |x||v| for |x × v|",
@@ -136,7 +132,12 @@ impl Graded for GeodesicStep {
                 6.0,
             ),
             edge("backwards", vec3(0.0, 3.0, 0.0), vec3(0.6, 0.8, 0.0), -0.2),
-            edge("no step at all", vec3(0.0, 3.0, 0.0), vec3(0.6, 0.8, 0.0), 0.0),
+            edge(
+                "no step at all",
+                vec3(0.0, 3.0, 0.0),
+                vec3(0.6, 0.8, 0.0),
+                0.0,
+            ),
         ]
     }
 
@@ -156,8 +157,20 @@ impl Graded for GeodesicStep {
         got: &GeodesicStepAnswer,
     ) -> Verdict {
         let straight = q.position + q.step * q.velocity;
-        bend("position", straight, golden.position, got.position, q.position)?;
-        bend("velocity", q.velocity, golden.velocity, got.velocity, q.velocity)
+        bend(
+            "position",
+            straight,
+            golden.position,
+            got.position,
+            q.position,
+        )?;
+        bend(
+            "velocity",
+            q.velocity,
+            golden.velocity,
+            got.velocity,
+            q.velocity,
+        )
     }
 }
 
@@ -168,7 +181,9 @@ fn bend(name: &str, straight: Vec3, golden: Vec3, got: Vec3, size: Vec3) -> Verd
     /// Of the size of the vector: some roundings of `f32`.
     const ROUNDING: f32 = 2e-6;
     if !got.is_finite() {
-        return Err(format!("the {name} is {got}, which is not a vector of numbers"));
+        return Err(format!(
+            "the {name} is {got}, which is not a vector of numbers"
+        ));
     }
     let (bent, off) = (golden.distance(straight), got.distance(golden));
     if off <= SHARE * bent + ROUNDING * size.length() {
@@ -186,7 +201,11 @@ fn bend(name: &str, straight: Vec3, golden: Vec3, got: Vec3, size: Vec3) -> Verd
 }
 
 fn parts(q: &GeodesicStepQuestion) -> (DVec3, DVec3, f64) {
-    (q.position.as_dvec3(), q.velocity.as_dvec3(), f64::from(q.step))
+    (
+        q.position.as_dvec3(),
+        q.velocity.as_dvec3(),
+        f64::from(q.step),
+    )
 }
 
 fn h2(x: DVec3, v: DVec3) -> f64 {

@@ -52,7 +52,7 @@ fn gas_that_comes_is_bluer_than_gas_that_goes() {
 
 #[test]
 fn a_slow_far_orbit_has_the_doppler_shift_of_the_school() {
-    let (r, far) = (1e6, 1e12);
+    let (r, far) = (1e6_f64, 1e12);
     let speed = (0.5 / r).sqrt();
     let got = shift(r, r, far);
     assert!(

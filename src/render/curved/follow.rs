@@ -30,7 +30,7 @@ pub struct Piece {
 pub const FAR: f64 = 200.0;
 
 /// A ray that needs more steps circles the photon sphere, and will do so for ever or fall.
-const MOST_STEPS: usize = 10_000;
+const MOST_STEPS: usize = 100_000;
 
 // ANCHOR: follow
 /// Follows a ray until it falls or escapes, or `visit`, which sees each piece of it, breaks off.

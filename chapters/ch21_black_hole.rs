@@ -23,7 +23,7 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 #[derive(clap::Args)]
-struct Options {
+struct BackgroundOptions {
     /// Put the hole before this latitude–longitude map (.exr, .hdr or .png) instead of the stars
     #[arg(long)]
     environment: Option<PathBuf>,
@@ -107,7 +107,7 @@ fn camera(aspect: f32) -> Result<Pinhole, raybook::camera::pinhole::LookAtError>
 }
 
 fn main() -> ExitCode {
-    chapter::run_with("ch21_black_hole", |stage, options: Options| {
+    chapter::run_with("ch21_black_hole", |stage, options: BackgroundOptions| {
         let Some(path) = options.environment else {
             return draw(stage);
         };

@@ -147,7 +147,7 @@ impl Graded for GeodesicStep {
         GeodesicStepQuestion {
             position: radius * *sample::direction(rng),
             velocity: speed * *sample::direction(rng),
-            step: sample::number(rng, 0.05, 0.1) * radius / speed,
+            step: sample::number(rng, 0.04, 0.08) * radius / speed,
         }
     }
 
@@ -177,7 +177,7 @@ impl Graded for GeodesicStep {
 /// Compares by how much a vector is bent away from where a straight ray would have it; `size` says how large its roundings are.
 fn bend(name: &str, straight: Vec3, golden: Vec3, got: Vec3, size: Vec3) -> Verdict {
     /// Of the bend.
-    const SHARE: f32 = 0.02;
+    const SHARE: f32 = 0.05;
     /// Of the size of the vector: some roundings of `f32`.
     const ROUNDING: f32 = 2e-6;
     if !got.is_finite() {

@@ -10,6 +10,8 @@ mod boxes;
 mod ch11;
 #[path = "alternatives/ch12.rs"]
 mod ch12;
+#[path = "alternatives/ch13.rs"]
+mod ch13;
 #[path = "alternatives/ch14.rs"]
 mod ch14;
 #[path = "alternatives/ch15.rs"]
@@ -24,6 +26,8 @@ mod ch18;
 mod ch21;
 #[path = "alternatives/ch24.rs"]
 mod ch24;
+#[path = "alternatives/estimates.rs"]
+mod estimates;
 #[path = "alternatives/flat.rs"]
 mod flat;
 #[path = "alternatives/grid.rs"]
@@ -113,10 +117,12 @@ fn alternatives() -> impl Iterator<Item = &'static Alternative> {
         ch21::ALTERNATIVES,
         ch24::ALTERNATIVES,
         ch12::ALTERNATIVES,
+        ch13::ALTERNATIVES,
         ch14::ALTERNATIVES,
         ch15::ALTERNATIVES,
         ch16::ALTERNATIVES,
         ch17::ALTERNATIVES,
+        estimates::ALTERNATIVES,
         ch18::ALTERNATIVES,
     ]
     .into_iter()

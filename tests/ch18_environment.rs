@@ -1,9 +1,17 @@
 //! Chapter 18: light from all around.
 
+#[path = "ch18_environment/files.rs"]
+mod files;
 #[path = "ch18_environment/layouts.rs"]
 mod layouts;
+#[path = "ch18_environment/maps.rs"]
+mod maps;
+#[path = "ch18_environment/piecewise.rs"]
+mod piecewise;
 #[path = "ch18_environment/sampling.rs"]
 mod sampling;
+#[path = "ch18_environment/skies.rs"]
+mod skies;
 
 use glam::Vec3;
 use rand::RngExt;

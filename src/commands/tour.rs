@@ -121,10 +121,11 @@ impl Tour {
             let (outputs, time) = (stage.into_outputs(), chapter_start.elapsed());
             if bars.is_hidden() {
                 say(format!(
-                    "{:<16} {} pictures in {:.1} s",
+                    "{:<24} {} pictures in {:.1} s{}",
                     chapter.name,
                     outputs.len(),
-                    time.as_secs_f32()
+                    time.as_secs_f32(),
+                    gallery::rays(&outputs)
                 ));
             }
             drawings.push(Drawing {

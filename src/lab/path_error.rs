@@ -101,10 +101,12 @@ fn panel(
         .build_cartesian_2d(range(axis), range(2))?;
     chart
         .configure_mesh()
-        .light_line_style(FAINT.mix(0.25))
         .bold_line_style(FAINT.mix(0.5))
-        .x_label_formatter(&|v| format!("{v:.0}"))
-        .y_label_formatter(&|v| format!("{:.0} %", 100.0 * v))
+        .max_light_lines(0)
+        .x_labels(40)
+        .y_labels(40)
+        .x_label_formatter(&|v| round(*v, ""))
+        .y_label_formatter(&|v| round(100.0 * v, " %"))
         .x_desc(unit)
         .y_desc("error")
         .label_style(text(28))
@@ -128,6 +130,17 @@ fn panel(
         .background_style(WHITE.mix(0.85))
         .draw()?;
     Ok(())
+}
+
+/// A round number, 1, 2 or 5 with zeros: so that labels do not overlap, others have none.
+fn round(v: f64, unit: &str) -> String {
+    let first = v / 10.0_f64.powf((v.log10() + 1e-9).floor());
+    let is_round = [1.0, 2.0, 5.0].iter().any(|r| (first - r).abs() < 0.01);
+    if is_round {
+        format!("{v:.0}{unit}")
+    } else {
+        String::new()
+    }
 }
 
 fn text(size: u32) -> TextStyle<'static> {

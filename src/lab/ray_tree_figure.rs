@@ -58,18 +58,12 @@ fn style(branch: &Branch) -> (RGBColor, &'static str) {
     }
 }
 
-/// The branches that matter: a surface that makes nothing of a light need not have asked for it.
-fn shown(branch: &Branch) -> impl Iterator<Item = &Branch> {
-    let idle = |b: &&Branch| !(b.end == End::Light && b.sees == Rgb::BLACK);
-    branch.asks.iter().filter(idle)
-}
-
 fn depth(branch: &Branch) -> usize {
-    1 + shown(branch).map(depth).max().unwrap_or(0)
+    1 + branch.asks.iter().map(depth).max().unwrap_or(0)
 }
 
 fn leaves(branch: &Branch) -> usize {
-    shown(branch).map(leaves).sum::<usize>().max(1)
+    branch.asks.iter().map(leaves).sum::<usize>().max(1)
 }
 
 /// The photograph, paled, so that lines stand out.
@@ -99,7 +93,10 @@ fn rays(sketch: &Sketch, branch: &Branch) -> Drawn {
         }
         _ => sketch.arrow(branch.from, to, colour, 6)?,
     }
-    shown(branch).try_for_each(|branch| rays(sketch, branch))
+    branch
+        .asks
+        .iter()
+        .try_for_each(|branch| rays(sketch, branch))
 }
 
 /// A number at each surface, in the order in which they are met.
@@ -110,7 +107,10 @@ fn numbers(sketch: &Sketch, branch: &Branch, count: &mut u32) -> Drawn {
         sketch.dot(place, 9, INK)?;
         sketch.label(place, vec2(-32.0, 30.0), &count.to_string(), INK)?;
     }
-    shown(branch).try_for_each(|branch| numbers(sketch, branch, count))
+    branch
+        .asks
+        .iter()
+        .try_for_each(|branch| numbers(sketch, branch, count))
 }
 
 /// Where the nodes of the tree go.
@@ -146,11 +146,18 @@ impl Layout<'_, '_> {
             End::Shadow => "shadow".to_owned(),
         };
         let mut leaf = first_leaf;
-        for below in shown(branch) {
+        for below in &branch.asks {
             self.branch(below, (leaf, level + 1), Some(place), count)?;
             leaf += leaves(below) as f32;
         }
-        label(self.canvas, from.lerp(place, 0.5), name, colour)?;
+        // Beside the line, on the side to which it leans.
+        let aside = if place.x > from.x + 1.0 {
+            105.0
+        } else {
+            -105.0
+        };
+        let beside_line = from.lerp(place, 0.5) + vec2(aside, 0.0);
+        label(self.canvas, beside_line, name, colour)?;
         self.canvas.draw(&Circle::new(
             pixel(place),
             30,

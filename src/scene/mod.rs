@@ -14,6 +14,7 @@ pub mod soup;
 pub mod stadium;
 pub mod starry_sky;
 pub mod still_life;
+pub mod tally;
 pub mod teapots;
 pub mod terrain;
 pub mod window;

@@ -40,3 +40,47 @@ fn a_tree_sees_what_the_renderer_sees() {
     );
     assert!(limits > 10, "and are ended there: {limits}");
 }
+
+#[test]
+fn scan_tmp() {
+    use glam::{Vec3, vec2};
+    use raybook::camera::pinhole::Pinhole;
+    use raybook::render::{local::Local, shadow, whitted::Whitted};
+    fn show(b: &Branch) -> String {
+        let c = match (b.kind, b.end) {
+            (Kind::Light, End::Shadow) => "s",
+            (Kind::Light, _) => "l",
+            (_, End::Backdrop) => "B",
+            (_, End::Limit) => "X",
+            _ => "R",
+        };
+        let below: String = b.asks.iter().map(show).collect();
+        if below.is_empty() {
+            c.into()
+        } else {
+            format!("{c}({below})")
+        }
+    }
+    let scene = marbles::scene();
+    let [from, to] = marbles::VIEW;
+    let camera = Pinhole::look_at(from, to, Vec3::Y, 0.042, 16.0 / 9.0).unwrap();
+    let w = Whitted {
+        local: Local {
+            samples: 1,
+            arrives: shadow::lit,
+        },
+        depth: 5,
+    };
+    for j in 0..40 {
+        for i in 0..40 {
+            let p = vec2(0.3 + 0.012 * i as f32, 0.6 + 0.01 * j as f32);
+            let t = grow(&w, &scene, &camera.ray_through(p));
+            let at = t
+                .asks
+                .iter()
+                .find(|b| b.kind == Kind::Reflected)
+                .map(|b| b.from);
+            println!("SCAN {p} {} {at:?}", show(&t));
+        }
+    }
+}

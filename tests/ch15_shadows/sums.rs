@@ -1,7 +1,6 @@
-//! What shadows leave of the light, and what they cost.
+//! What shadows leave of the light.
 
-use crate::allocations::allocations;
-use crate::rays::{random_direction, ray};
+use crate::rays::ray;
 use crate::{ball, ground, lit, scene};
 use glam::{Vec3, vec3};
 use raybook::image::rgb::Rgb;
@@ -9,7 +8,6 @@ use raybook::light::{Light, point::PointLight};
 use raybook::math::pcg;
 use raybook::render::local::Local;
 use raybook::render::whitted::Whitted;
-use raybook::scene::marbles;
 
 #[test]
 fn a_shadow_takes_away_one_lights_part_and_no_more() {
@@ -32,26 +30,4 @@ fn a_shadow_takes_away_one_lights_part_and_no_more() {
     // The lamp above is hidden. The other: 5 m away, so 16/25 W/m² and a cosine of 4/5.
     let expected = 0.5 * 0.1 + 0.25 * 0.8 * 16.0 / 25.0;
     assert!((seen - expected).abs() < 1e-6, "{seen}, not {expected}");
-}
-
-#[test]
-fn shadows_allocate_nothing() {
-    let scene = marbles::scene();
-    let local = Local {
-        samples: 1,
-        arrives: lit,
-    };
-    let whitted = Whitted { local, depth: 8 };
-    let mut rng = pcg::stream(15, 1);
-    let [from, to] = marbles::VIEW;
-    let (count, bright) = allocations(|| {
-        let mut sum = Rgb::BLACK;
-        for _ in 0..10_000 {
-            let toward = to - from + 2.5 * *random_direction(&mut rng);
-            sum += whitted.radiance(&scene, &ray(from, toward), &mut rng);
-        }
-        sum
-    });
-    assert!(bright.r > 1000.0, "the rays see something: {bright:?}");
-    assert_eq!(count, 0, "10 000 rays and their shadow rays");
 }

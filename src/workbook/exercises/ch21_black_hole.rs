@@ -38,7 +38,7 @@ impl Exercise for GeodesicStep {
     type Question = GeodesicStepQuestion;
     type Answer = GeodesicStepAnswer;
     const NAME: &'static str = "geodesic_step";
-    const TASK: &'static str = "Return the position and the velocity of a photon after a step along its ray around a black hole of radius 1 at the origin, where dx/dt = v and dv/dt = -(3/2) h^2 x/|x|^5 with h = |x cross v|; the bend of the ray may be wrong by 5 %.";
+    const TASK: &'static str = "Return the position and the velocity of a photon after a step along its ray around a black hole of radius 1 at the origin, where dx/dt = v and dv/dt = -(3/2) h^2 x/|x|^5 with h = |x cross v|; the bend of the ray may be wrong by 10 %.";
 
     fn answer(q: &Self::Question) -> Self::Answer {
         let photon = Photon {

@@ -99,9 +99,9 @@ pub const ALTERNATIVES: &[Alternative] = &[
             for _ in 0..100 {
                 let middle = 0.5 * (low + high);
                 if middle * middle * middle < b * b * (middle - 1.0) {
-                    high = middle;
-                } else {
                     low = middle;
+                } else {
+                    high = middle;
                 }
             }
             let nearest = 1.0 / high;

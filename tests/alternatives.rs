@@ -22,6 +22,8 @@ mod ch16;
 mod ch17;
 #[path = "alternatives/ch18.rs"]
 mod ch18;
+#[path = "alternatives/ch21.rs"]
+mod ch21;
 #[path = "alternatives/ch24.rs"]
 mod ch24;
 #[path = "alternatives/estimates.rs"]
@@ -116,6 +118,7 @@ fn alternatives() -> impl Iterator<Item = &'static Alternative> {
         grid::ALTERNATIVES,
         trees::ALTERNATIVES,
         ch11::ALTERNATIVES,
+        ch21::ALTERNATIVES,
         ch24::ALTERNATIVES,
         ch12::ALTERNATIVES,
         ch13::ALTERNATIVES,

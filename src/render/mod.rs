@@ -1,5 +1,6 @@
 //! Floor 6: from rays to a picture.
 
+pub mod curved;
 pub mod film;
 pub mod local;
 pub mod mis;

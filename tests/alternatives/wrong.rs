@@ -86,6 +86,19 @@ pub const WRONGS: &[Wrong] = &[
     (&["bvh_closest"], "three times as many tests", |hit| {
         hit[0] = 3.0 * hit[0] + 9.0;
     }),
+    (&["geodesic_step"], "1 % too far", |photon| {
+        scale(&mut photon[..3], 1.01);
+    }),
+    (
+        &["geodesic_step"],
+        "the velocity is turned by 1°",
+        |photon| {
+            turn(&mut photon[3..]);
+        },
+    ),
+    (&["deflection_angle"], "1 % too large", |angle| {
+        scale(angle, 1.01);
+    }),
     (
         &["collapse"],
         "the last child is its neighbour",

@@ -20,6 +20,8 @@ mod ch16;
 mod ch17;
 #[path = "alternatives/ch18.rs"]
 mod ch18;
+#[path = "alternatives/ch22.rs"]
+mod ch22;
 #[path = "alternatives/ch24.rs"]
 mod ch24;
 #[path = "alternatives/flat.rs"]
@@ -115,6 +117,7 @@ fn alternatives() -> impl Iterator<Item = &'static Alternative> {
         ch16::ALTERNATIVES,
         ch17::ALTERNATIVES,
         ch18::ALTERNATIVES,
+        ch22::ALTERNATIVES,
     ]
     .into_iter()
     .flatten()

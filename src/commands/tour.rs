@@ -53,6 +53,8 @@ mod chapters {
     pub mod ch17_rendering_equation;
     #[path = "../../chapters/ch18_environment.rs"]
     pub mod ch18_environment;
+    #[path = "../../chapters/ch22_antialiasing.rs"]
+    pub mod ch22_antialiasing;
     #[path = "../../chapters/ch24_wide_bvh.rs"]
     pub mod ch24_wide_bvh;
 }
@@ -83,6 +85,7 @@ const DRAW: &[(&str, Draw)] = &[
         chapters::ch17_rendering_equation::draw,
     ),
     ("ch18_environment", chapters::ch18_environment::draw),
+    ("ch22_antialiasing", chapters::ch22_antialiasing::draw),
     ("ch24_wide_bvh", chapters::ch24_wide_bvh::draw),
 ];
 

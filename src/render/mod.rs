@@ -7,4 +7,5 @@ pub mod path;
 pub mod reflection;
 pub mod shadow;
 pub mod soft_shadow;
+pub mod supersample;
 pub mod whitted;

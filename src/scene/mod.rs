@@ -3,6 +3,7 @@
 pub mod cornell;
 pub mod evening;
 pub mod glassware;
+pub mod horizon;
 pub mod kissing_balls;
 pub mod marbles;
 pub mod noise;

@@ -34,6 +34,7 @@ macro_rules! for_each_chapter {
             ch16_soft_shadows,
             ch17_rendering_equation,
             ch18_environment,
+            ch22_antialiasing,
             ch24_wide_bvh
         );
     };

@@ -17,6 +17,7 @@ const DIRECTIONS: &[&str] = &[
     "interpolate_normal",
     "reflect",
 ];
+const GRIDS: &[&str] = &["regular_grid", "rotated_grid"];
 const HIGHLIGHTS: &[&str] = &["phong", "blinn_phong"];
 const HITS: &[&str] = &[
     "sphere_hit",
@@ -33,6 +34,7 @@ const LISTS: &[&str] = &[
 ];
 
 const LIGHTS: &[&str] = &["sample_rect", "sample_sphere_light"];
+const SPREAD: &[&str] = &["jittered", "poisson_disk"];
 
 const WRONGS: &[Wrong] = &[
     (&["ray_at"], "1 % too far", |p| scale(p, 1.01)),
@@ -173,6 +175,21 @@ const WRONGS: &[Wrong] = &[
     (&["environment_pdf"], "1 % too large", |density| {
         scale(density, 1.01);
     }),
+    (GRIDS, "the first is 0.01 to the right", |points| {
+        if points.len() > 1 {
+            points[1] += 0.01;
+        }
+    }),
+    (&["random_pattern"], "half of them twice", |points| {
+        let half = (points.len() - 1) / 4 * 2;
+        points.copy_within(1..=half, half + 1);
+    }),
+    (SPREAD, "the second is where the first is", |points| {
+        if points.len() > 4 {
+            points.copy_within(1..3, 3);
+        }
+    }),
+    (&["pixel_average"], "1 % too bright", |l| scale(l, 1.01)),
 ];
 
 /// Of so many answers that are spoilt, in percent, all these must be noticed: 1 % of 0 is right.

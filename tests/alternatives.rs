@@ -22,6 +22,8 @@ mod ch17;
 mod ch18;
 #[path = "alternatives/ch22.rs"]
 mod ch22;
+#[path = "alternatives/ch23.rs"]
+mod ch23;
 #[path = "alternatives/ch24.rs"]
 mod ch24;
 #[path = "alternatives/flat.rs"]
@@ -118,6 +120,7 @@ fn alternatives() -> impl Iterator<Item = &'static Alternative> {
         ch17::ALTERNATIVES,
         ch18::ALTERNATIVES,
         ch22::ALTERNATIVES,
+        ch23::ALTERNATIVES,
     ]
     .into_iter()
     .flatten()

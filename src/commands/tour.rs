@@ -55,6 +55,8 @@ mod chapters {
     pub mod ch18_environment;
     #[path = "../../chapters/ch22_antialiasing.rs"]
     pub mod ch22_antialiasing;
+    #[path = "../../chapters/ch23_adaptive.rs"]
+    pub mod ch23_adaptive;
     #[path = "../../chapters/ch24_wide_bvh.rs"]
     pub mod ch24_wide_bvh;
 }
@@ -86,6 +88,7 @@ const DRAW: &[(&str, Draw)] = &[
     ),
     ("ch18_environment", chapters::ch18_environment::draw),
     ("ch22_antialiasing", chapters::ch22_antialiasing::draw),
+    ("ch23_adaptive", chapters::ch23_adaptive::draw),
     ("ch24_wide_bvh", chapters::ch24_wide_bvh::draw),
 ];
 

@@ -1,8 +1,11 @@
 //! Floor 6: from rays to a picture.
 
+pub mod adaptive;
+pub mod budget;
 pub mod film;
 pub mod local;
 pub mod mis;
+pub mod needs_more;
 pub mod path;
 pub mod reflection;
 pub mod shadow;

@@ -35,6 +35,7 @@ macro_rules! for_each_chapter {
             ch17_rendering_equation,
             ch18_environment,
             ch22_antialiasing,
+            ch23_adaptive,
             ch24_wide_bvh
         );
     };

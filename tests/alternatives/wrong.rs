@@ -190,6 +190,12 @@ const WRONGS: &[Wrong] = &[
         }
     }),
     (&["pixel_average"], "1 % too bright", |l| scale(l, 1.01)),
+    (&["needs_more"], "the other way round", |more| {
+        more[0] = 1.0 - more[0];
+    }),
+    (&["spend_budget"], "one too many for the last", |counts| {
+        *counts.last_mut().expect("a count") += 1.0;
+    }),
 ];
 
 /// Of so many answers that are spoilt, in percent, all these must be noticed: 1 % of 0 is right.

@@ -2,7 +2,12 @@
 
 use super::{pattern, points};
 use glam::Vec2;
-use raybook::lab::sampling::integrands::{all, error, slope};
+use raybook::lab::sampling::integrands::{Error, Integrand, all, errors, slope};
+use raybook::sample::pattern::Pattern;
+
+fn error(pattern: &Pattern, n: usize, f: &Integrand, realisations: u64) -> Error {
+    errors(pattern, n, &[*f], realisations)[0]
+}
 
 /// The variance of the mean of f over n points, measured.
 fn variance(name: &str, n: usize, f: fn(Vec2) -> f64, exact: f64) -> f64 {

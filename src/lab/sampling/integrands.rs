@@ -73,26 +73,37 @@ pub struct Error {
     pub high: f64,
 }
 
-/// The error of the mean over n points, by so many realisations.
-pub fn error(pattern: &Pattern, n: usize, integrand: &Integrand, realisations: u64) -> Error {
-    let squares: Vec<_> = (0..realisations)
+/// The errors of the means of several functions over the same n points, by so many realisations.
+pub fn errors(
+    pattern: &Pattern,
+    n: usize,
+    integrands: &[Integrand],
+    realisations: u64,
+) -> Vec<Error> {
+    let squares: Vec<Vec<f64>> = (0..realisations)
         .into_par_iter()
         .map(|pixel| {
             let points = realisation(pattern, n, pixel);
-            let sum: f64 = points.iter().map(|p| (integrand.value)(*p)).sum();
-            (sum / n as f64 - integrand.mean).powi(2)
+            let square = |integrand: &Integrand| {
+                let sum: f64 = points.iter().map(|p| (integrand.value)(*p)).sum();
+                (sum / n as f64 - integrand.mean).powi(2)
+            };
+            integrands.iter().map(square).collect()
         })
         .collect();
-    let count = realisations as f64;
-    let mean = squares.iter().sum::<f64>() / count;
-    let variance = squares.iter().map(|s| (s - mean).powi(2)).sum::<f64>() / (count - 1.0);
-    let spread = 1.96 * (variance / count).sqrt();
-    Error {
-        n,
-        rms: mean.sqrt(),
-        low: (mean - spread).max(mean / 16.0).sqrt(),
-        high: (mean + spread).sqrt(),
-    }
+    let of = |i: usize| {
+        let count = realisations as f64;
+        let mean = squares.iter().map(|s| s[i]).sum::<f64>() / count;
+        let off = squares.iter().map(|s| (s[i] - mean).powi(2)).sum::<f64>();
+        let spread = 1.96 * (off / (count - 1.0).max(1.0) / count).sqrt();
+        Error {
+            n,
+            rms: mean.sqrt(),
+            low: (mean - spread).max(mean / 16.0).sqrt(),
+            high: (mean + spread).sqrt(),
+        }
+    };
+    (0..integrands.len()).map(of).collect()
 }
 
 /// The slope of errors on logarithmic axes, by least squares.

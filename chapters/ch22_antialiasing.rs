@@ -33,15 +33,17 @@ pub(crate) fn draw(stage: &Stage) -> Drawn {
         },
         depth: 1,
     };
+    let grid = find("regular-grid").ok_or("there is a grid")?;
     let jittered = find("jittered").ok_or("there is a jittered pattern")?;
     let most = film.samples;
-    let views = [1, most.isqrt(), most].map(|samples| {
+    let ways = [(1, grid), (most.isqrt(), jittered), (most, jittered)];
+    let views = ways.map(|(samples, pattern)| {
         let film = Film { samples, ..film };
-        supersample::supersample(&film, jittered, |place, rng| {
+        supersample::supersample(&film, pattern, |place, rng| {
             whitted.radiance(&scene, &camera.ray_through(place), rng)
         })
     });
-    let caption = "One picture, from left to right with 1, 4 and 16 jittered rays per pixel. With one ray the far squares make a pattern that \
+    let caption = "One picture, from left to right with one ray through the middle of each pixel, and with 4 and 16 jittered ones. With one ray the far squares make a pattern that \
         is not there, and the edges are stairs; with sixteen the squares melt into grey, as they should.";
     stage.picture("picture", caption, &sheets::bands(&views))?;
 

@@ -40,8 +40,8 @@ fn a_vertical_edge_swept_over_a_grid_is_off_by_its_column_over_root_twelve() {
 #[test]
 fn the_rotated_grid_moves_the_worst_angle_and_is_not_better_in_the_mean() {
     let of = |name| -> Vec<f64> {
-        (0..180)
-            .map(|degrees| rms(pattern(name), 4, PI * f64::from(degrees) / 180.0, 1))
+        (0..1800)
+            .map(|i| rms(pattern(name), 4, PI * f64::from(i) / 1800.0, 1))
             .collect()
     };
     let (regular, rotated) = (of("regular-grid"), of("rotated-grid"));

@@ -77,7 +77,7 @@ fn so_many_points_keep_a_good_part_of_the_largest_distance() {
     for (name, share) in [
         ("dart-throwing", 0.6),
         ("poisson-disk", 0.6),
-        ("best-candidate", 0.5),
+        ("best-candidate", 0.4),
     ] {
         for n in [16, 100, 1000] {
             let points = points(name, n, 3);

@@ -41,7 +41,12 @@ impl ErrorPlot {
         let [left, right] = [least(|e| e.n as f64), most(|e| e.n as f64)];
         let top = most(|e| e.high);
         // A grid can be right without error: its curve then leaves the plot.
-        [left, right, least(|e| e.rms).max(1e-5 * top) * 0.7, 1.5 * top]
+        [
+            left,
+            right,
+            least(|e| e.rms).max(1e-5 * top) * 0.7,
+            1.5 * top,
+        ]
     }
 }
 
@@ -87,12 +92,15 @@ impl Plot for ErrorPlot {
         }
         for (i, curve) in self.curves.iter().enumerate() {
             let low = |e: &Error| (e.n as f64, e.low.max(bottom));
-            let up = curve.errors.iter().map(|e| (e.n as f64, e.high.max(bottom)));
+            let up = curve
+                .errors
+                .iter()
+                .map(|e| (e.n as f64, e.high.max(bottom)));
             let band: Vec<_> = up.chain(curve.errors.iter().rev().map(low)).collect();
             chart.draw_series([Polygon::new(band, colour(i).mix(0.18))])?;
             let inside: Vec<_> = curve.errors.iter().filter(|e| e.rms >= bottom).collect();
             let line = inside.iter().map(|e| (e.n as f64, e.rms));
-            let measured: Vec<_> = curve.errors.iter().filter(|e| e.rms > 0.0).copied().collect();
+            let measured: Vec<_> = inside.iter().map(|e| **e).collect();
             let name = format!("{}: {:.2}", curve.title, slope(&measured));
             chart
                 .draw_series(LineSeries::new(line.clone(), colour(i).stroke_width(5)))?

@@ -15,7 +15,7 @@ use std::fmt::Write;
 const ANGLES: usize = 180;
 
 /// The centre of the plot and its radius, in pixels of the canvas.
-const CENTRE: (i32, i32) = (620, 600);
+const CENTRE: (i32, i32) = (560, 600);
 const RADIUS: f64 = 500.0;
 
 /// A curve for each pattern.
@@ -80,7 +80,7 @@ impl Plot for Polar {
             let mean = errors.iter().sum::<f64>() / ANGLES as f64;
             let worst = errors.iter().fold(0.0_f64, |worst, e| worst.max(*e));
             let left = Pos::new(HPos::Left, VPos::Center);
-            let at = (1200, 240 + 120 * i as i32);
+            let at = (1360, 240 + 120 * i as i32);
             canvas.draw(&Text::new(
                 name.as_str(),
                 at,
@@ -97,7 +97,7 @@ impl Plot for Polar {
         for (label, angle) in [("vertical edge", 0.0), ("horizontal edge", 0.5 * PI)] {
             let (x, y) = place(rings * step, angle);
             let at = if angle == 0.0 {
-                (x - 10, y + 70)
+                (x + 130, y)
             } else {
                 (x, y - 40)
             };
@@ -105,7 +105,7 @@ impl Plot for Polar {
         }
         let heading = format!("RMS error of the covered area, {} samples", self.n);
         let left = Pos::new(HPos::Left, VPos::Center);
-        canvas.draw(&Text::new(heading, (1060, 120), text(36).pos(left)))?;
+        canvas.draw(&Text::new(heading, (1160, 90), text(36).pos(left)))?;
         Ok(())
     }
 

@@ -100,7 +100,7 @@ fn profile(filter: &Filter, side: u32) -> Result<Image, Box<dyn Error>> {
     figure(side, side, |canvas| {
         let side = (2 * side) as f32;
         let place = |x: f32, weight: f32| {
-            let on_canvas = vec2(0.5 + 0.22 * x, 0.66 - 0.5 * weight) * side;
+            let on_canvas = vec2(0.5 + 0.22 * x, 0.85 - 0.72 * weight) * side;
             (on_canvas.x as i32, on_canvas.y as i32)
         };
         let stroke = (side / 200.0).ceil() as u32;

@@ -31,6 +31,8 @@ enum Task {
     Exercise(commands::exercise::Exercise),
     /// Copy in the reference for a chapter that you missed; your files are kept
     Solve(commands::solve::Solve),
+    /// Compare sampling patterns: points, errors, spectra, pictures, on a page
+    Samplers(commands::samplers::Samplers),
     /// Write the golden answers (for course authors)
     Bless(commands::bless::Bless),
 }
@@ -52,6 +54,7 @@ fn main() -> ExitCode {
         Some(Task::Hint(task)) => task.run(),
         Some(Task::Exercise(task)) => task.run(),
         Some(Task::Solve(task)) => task.run(),
+        Some(Task::Samplers(task)) => task.run(),
         Some(Task::Bless(task)) => task.run(),
     };
     match done {

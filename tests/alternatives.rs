@@ -24,6 +24,10 @@ mod ch17;
 mod ch18;
 #[path = "alternatives/ch21.rs"]
 mod ch21;
+#[path = "alternatives/ch22.rs"]
+mod ch22;
+#[path = "alternatives/ch23.rs"]
+mod ch23;
 #[path = "alternatives/ch24.rs"]
 mod ch24;
 #[path = "alternatives/estimates.rs"]
@@ -128,6 +132,8 @@ fn alternatives() -> impl Iterator<Item = &'static Alternative> {
         ch17::ALTERNATIVES,
         estimates::ALTERNATIVES,
         ch18::ALTERNATIVES,
+        ch22::ALTERNATIVES,
+        ch23::ALTERNATIVES,
     ]
     .into_iter()
     .flatten()

@@ -6,6 +6,7 @@ pub mod exercise;
 pub mod hint;
 pub mod map;
 pub mod new;
+pub mod samplers;
 pub mod solve;
 pub mod tell;
 pub mod tour;

@@ -55,6 +55,10 @@ mod chapters {
     pub mod ch18_environment;
     #[path = "../../chapters/ch21_black_hole.rs"]
     pub mod ch21_black_hole;
+    #[path = "../../chapters/ch22_antialiasing.rs"]
+    pub mod ch22_antialiasing;
+    #[path = "../../chapters/ch23_adaptive.rs"]
+    pub mod ch23_adaptive;
     #[path = "../../chapters/ch24_wide_bvh.rs"]
     pub mod ch24_wide_bvh;
 }
@@ -86,6 +90,8 @@ const DRAW: &[(&str, Draw)] = &[
     ),
     ("ch18_environment", chapters::ch18_environment::draw),
     ("ch21_black_hole", chapters::ch21_black_hole::draw),
+    ("ch22_antialiasing", chapters::ch22_antialiasing::draw),
+    ("ch23_adaptive", chapters::ch23_adaptive::draw),
     ("ch24_wide_bvh", chapters::ch24_wide_bvh::draw),
 ];
 

@@ -46,6 +46,7 @@ pub mod rate;
 pub mod ray_tree;
 pub mod ray_tree_figure;
 pub mod refraction_fan;
+pub mod sampling;
 pub mod say;
 pub mod sheet;
 pub mod showroom;

@@ -1,11 +1,15 @@
 //! Floor 6: from rays to a picture.
 
+pub mod adaptive;
+pub mod budget;
 pub mod curved;
 pub mod film;
 pub mod local;
 pub mod mis;
+pub mod needs_more;
 pub mod path;
 pub mod reflection;
 pub mod shadow;
 pub mod soft_shadow;
+pub mod supersample;
 pub mod whitted;

@@ -1,3 +1,5 @@
 //! Floor 2: from uniform random numbers to points and directions.
 
+pub mod filter;
 pub mod hemisphere;
+pub mod pattern;

@@ -4,6 +4,7 @@ pub mod accretion_disc;
 pub mod cornell;
 pub mod evening;
 pub mod glassware;
+pub mod horizon;
 pub mod kissing_balls;
 pub mod marbles;
 pub mod noise;

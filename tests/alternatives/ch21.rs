@@ -1,6 +1,6 @@
 //! Chapter 21: the black hole.
 
-use crate::student::{Alternative, Answer, Question};
+use crate::student::{Alternative, Answer};
 use glam::{DVec3, Vec3};
 use std::f64::consts::PI;
 

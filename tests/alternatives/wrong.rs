@@ -13,6 +13,7 @@ const DIRECTIONS: &[&str] = &[
     "interpolate_normal",
     "reflect",
 ];
+const GRIDS: &[&str] = &["regular_grid", "rotated_grid"];
 const HIGHLIGHTS: &[&str] = &["phong", "blinn_phong"];
 const HITS: &[&str] = &[
     "sphere_hit",
@@ -29,6 +30,7 @@ const LISTS: &[&str] = &[
 ];
 
 const LIGHTS: &[&str] = &["sample_rect", "sample_sphere_light"];
+const SPREAD: &[&str] = &["jittered", "poisson_disk"];
 
 pub const WRONGS: &[Wrong] = &[
     (&["ray_at"], "1 % too far", |p| scale(p, 1.01)),
@@ -181,6 +183,27 @@ pub const WRONGS: &[Wrong] = &[
     ),
     (&["environment_pdf"], "1 % too large", |density| {
         scale(density, 1.01);
+    }),
+    (GRIDS, "the first is 0.01 to the right", |points| {
+        if points.len() > 1 {
+            points[1] += 0.01;
+        }
+    }),
+    (&["random_pattern"], "half of them twice", |points| {
+        let half = (points.len() - 1) / 4 * 2;
+        points.copy_within(1..=half, half + 1);
+    }),
+    (SPREAD, "the second is where the first is", |points| {
+        if points.len() > 4 {
+            points.copy_within(1..3, 3);
+        }
+    }),
+    (&["pixel_average"], "1 % too bright", |l| scale(l, 1.01)),
+    (&["needs_more"], "the other way round", |more| {
+        more[0] = 1.0 - more[0];
+    }),
+    (&["spend_budget"], "one too many for the last", |counts| {
+        *counts.last_mut().expect("a count") += 1.0;
     }),
 ];
 

@@ -1,0 +1,77 @@
+//! A plot that can be drawn as pixels and as an SVG file, and its numbers as a table.
+
+use crate::image::Image;
+use crate::lab::figure::{FONT, SCALE, figure};
+use crate::lab::palette::INK;
+use plotters::coord::Shift;
+use plotters::prelude::{
+    BLACK, DrawingArea, DrawingBackend, IntoDrawingArea, IntoFont, RGBColor, SVGBackend, TextStyle,
+    WHITE,
+};
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use std::error::Error;
+
+/// What drawing returns.
+pub type Drawn = Result<(), Box<dyn Error>>;
+
+/// Something to be looked at, in whatever form.
+pub trait Plot {
+    /// Width and height in pixels; the canvas has [`SCALE`] times as many.
+    fn size(&self) -> (u32, u32);
+
+    /// Draws it.
+    ///
+    /// # Errors
+    /// What the backend reports.
+    fn draw<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn
+    where
+        B::ErrorType: 'static;
+
+    /// Its numbers: a line of names, and a line for each point.
+    fn csv(&self) -> String;
+
+    /// As pixels.
+    ///
+    /// # Errors
+    /// What plotters reports.
+    fn image(&self) -> Result<Image, Box<dyn Error>> {
+        let (width, height) = self.size();
+        figure(width, height, |canvas| self.draw(canvas))
+    }
+
+    /// As the text of an SVG file.
+    ///
+    /// # Errors
+    /// What plotters reports.
+    fn svg(&self) -> Result<String, Box<dyn Error>> {
+        let (width, height) = self.size();
+        // The font is registered with the first figure.
+        figure(1, 1, |_| Ok(()))?;
+        let mut text = String::new();
+        {
+            let size = (SCALE * width, SCALE * height);
+            let canvas = SVGBackend::with_string(&mut text, size).into_drawing_area();
+            canvas.fill(&WHITE)?;
+            self.draw(&canvas)?;
+            canvas.present()?;
+        }
+        Ok(text)
+    }
+}
+
+/// Text in ink, anchored at its middle.
+pub fn text(size: u32) -> TextStyle<'static> {
+    coloured(size, INK)
+}
+
+/// Text in a colour, anchored at its middle.
+pub fn coloured(size: u32, colour: RGBColor) -> TextStyle<'static> {
+    let middle = Pos::new(HPos::Center, VPos::Center);
+    (FONT, size).into_font().color(&colour).pos(middle)
+}
+
+/// The colours of curves, in order, and again from the first when they are used up.
+pub fn colour(i: usize) -> RGBColor {
+    use crate::lab::palette::{BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILION};
+    [VERMILION, BLUE, GREEN, ORANGE, PURPLE, SKY, BLACK][i % 7]
+}

@@ -1,0 +1,160 @@
+//! Adaptive supersampling: a few samples everywhere, more where they differ.
+
+use crate::image::{Image, rgb::Rgb};
+use crate::render::budget::spend_budget;
+use crate::render::film::Film;
+use crate::render::needs_more::Enough;
+use crate::render::supersample::Radiance;
+use crate::sample::pattern::owen::sobol_owen;
+use glam::{Vec2, vec2};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// A picture, and what it took.
+#[derive(Clone, Debug)]
+pub struct Adaptive {
+    /// The picture.
+    pub picture: Image,
+    /// How many samples each pixel got, in every channel.
+    pub spent: Image,
+}
+
+impl Adaptive {
+    /// The mean number of samples a pixel.
+    pub fn mean(&self) -> f64 {
+        let counts = self.spent.pixels().iter().map(|p| f64::from(p.r));
+        counts.sum::<f64>() / self.spent.pixels().len().max(1) as f64
+    }
+}
+
+/// As few samples as a pixel gets, and as many.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Limits {
+    /// So many at first; at least 2, for one says nothing of its neighbours.
+    pub first: usize,
+    /// So many at most.
+    pub most: usize,
+}
+
+// ANCHOR: adaptive
+/// Each pixel gets a few samples, and twice as many again for as long as they are not enough (Whitted 1980; Mitchell 1987).
+///
+/// They are the beginning of one sequence, Sobol's by Owen, so that all of them together are as even as if they had been planned.
+pub fn adaptive(film: &Film, limits: Limits, enough: &Enough, radiance: impl Radiance) -> Adaptive {
+    let most = limits.most.max(1);
+    let spent = Counts::new(film);
+    let picture = film.render_pixels(|x, y, rng| {
+        let points = sobol_owen(most, rng);
+        let (mut seen, mut goal) = (Vec::new(), limits.first.clamp(1, most));
+        loop {
+            let next = &points[seen.len()..goal];
+            seen.extend(next.iter().map(|p| radiance(place(film, x, y, *p), rng)));
+            if goal == most || !enough.needs_more(&seen) {
+                break;
+            }
+            goal = (2 * goal).min(most);
+        }
+        spent.set(x, y, seen.len());
+        seen.iter().copied().sum::<Rgb>() / seen.len() as f32
+    });
+    Adaptive {
+        picture,
+        spent: spent.image(),
+    }
+}
+// ANCHOR_END: adaptive
+
+// ANCHOR: by_budget
+/// So many samples a pixel in the mean, shared out by how much the first few of each pixel differ.
+///
+/// A pixel counts as much as the most restless of its neighbours: an edge may have slipped through between its own few.
+pub fn by_budget(film: &Film, first: usize, mean: usize, radiance: impl Radiance) -> Adaptive {
+    let first = first.max(2);
+    let restless = Counts::new(film);
+    let begun = film.render_pixels(|x, y, rng| {
+        let points = sobol_owen(first, rng);
+        let see = |p: &Vec2| radiance(place(film, x, y, *p), rng);
+        let seen: Vec<_> = points.iter().map(see).collect();
+        restless.set(x, y, deviation(&seen).to_bits() as usize);
+        seen.into_iter().sum()
+    });
+    let near = |v: usize, end: usize| v.saturating_sub(1)..(v + 2).min(end);
+    let of = |x: usize, y: usize| f32::from_bits(restless.get(x, y) as u32);
+    let deviations: Vec<_> = (0..film.width * film.height)
+        .map(|i| {
+            let (xs, ys) = (
+                near(i % film.width, film.width),
+                near(i / film.width, film.height),
+            );
+            ys.flat_map(|y| xs.clone().map(move |x| of(x, y)))
+                .fold(0.0, f32::max)
+        })
+        .collect();
+    let counts = spend_budget(&deviations, first as u32, (mean * deviations.len()) as u32);
+    let count = |x: usize, y: usize| counts[y * film.width + x] as usize;
+    let silent = Film {
+        progress: &|_| {},
+        ..*film
+    };
+    let picture = silent.render_pixels(|x, y, rng| {
+        let points = sobol_owen(count(x, y), rng);
+        let rest = points[first..]
+            .iter()
+            .map(|p| radiance(place(film, x, y, *p), rng));
+        (begun.at(x, y) + rest.sum()) / count(x, y) as f32
+    });
+    Adaptive {
+        picture,
+        spent: Image::from_fn(
+            film.width,
+            film.height,
+            |x, y| Rgb::gray(count(x, y) as f32),
+        ),
+    }
+}
+// ANCHOR_END: by_budget
+
+/// The standard deviation of the samples' luminance.
+fn deviation(seen: &[Rgb]) -> f32 {
+    let n = seen.len() as f32;
+    let mean = seen.iter().map(|s| s.luminance()).sum::<f32>() / n;
+    let squares: f32 = seen.iter().map(|s| (s.luminance() - mean).powi(2)).sum();
+    (squares / (n - 1.0)).sqrt()
+}
+
+/// The place on the film of a point of a pixel.
+fn place(film: &Film, x: usize, y: usize, p: Vec2) -> Vec2 {
+    (vec2(x as f32, y as f32) + p) / vec2(film.width as f32, film.height as f32)
+}
+
+/// A whole number for each pixel, set by any thread.
+struct Counts {
+    width: usize,
+    height: usize,
+    counts: Vec<AtomicUsize>,
+}
+
+impl Counts {
+    fn new(film: &Film) -> Self {
+        Self {
+            width: film.width,
+            height: film.height,
+            counts: (0..film.width * film.height)
+                .map(|_| AtomicUsize::new(0))
+                .collect(),
+        }
+    }
+
+    fn set(&self, x: usize, y: usize, count: usize) {
+        self.counts[y * self.width + x].store(count, Ordering::Relaxed);
+    }
+
+    fn get(&self, x: usize, y: usize) -> usize {
+        self.counts[y * self.width + x].load(Ordering::Relaxed)
+    }
+
+    fn image(&self) -> Image {
+        Image::from_fn(self.width, self.height, |x, y| {
+            Rgb::gray(self.get(x, y) as f32)
+        })
+    }
+}

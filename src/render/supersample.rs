@@ -1,0 +1,69 @@
+//! Supersampling: several rays per pixel, placed by a pattern and averaged by a filter.
+
+use crate::image::{Image, rgb::Rgb};
+use crate::math::pcg::{self, Pcg};
+use crate::render::film::Film;
+use crate::sample::filter::{Filter, Sample, pixel_average};
+use crate::sample::pattern::Pattern;
+use glam::{Vec2, vec2};
+
+/// What a ray through a place on the film, in [0, 1]² from the top left, sees.
+pub trait Radiance: Fn(Vec2, &mut Pcg) -> Rgb + Sync {}
+
+impl<F: Fn(Vec2, &mut Pcg) -> Rgb + Sync> Radiance for F {}
+
+// ANCHOR: supersample
+/// The picture whose pixels are the mean of as many samples as the film asks for, placed by a pattern: a box filter.
+///
+/// Every pixel has its own random numbers, and so its own pattern where the pattern has any.
+pub fn supersample(film: &Film, pattern: &Pattern, radiance: impl Radiance) -> Image {
+    let size = vec2(film.width as f32, film.height as f32);
+    film.render_pixels(|x, y, rng| {
+        let points = (pattern.points)(film.samples, rng);
+        let corner = vec2(x as f32, y as f32);
+        let seen = points.iter().map(|p| radiance((corner + *p) / size, rng));
+        seen.sum::<Rgb>() / film.samples as f32
+    })
+}
+// ANCHOR_END: supersample
+
+/// The same samples, each counted by a filter for all pixels in its reach.
+///
+/// A pixel near the picture's edge has fewer samples, and their weights are still divided by their sum.
+pub fn filtered(film: &Film, pattern: &Pattern, filter: &Filter, radiance: impl Radiance) -> Image {
+    let (n, size) = (film.samples, vec2(film.width as f32, film.height as f32));
+    let points = |x: usize, y: usize| {
+        let mut rng = pcg::stream(film.seed, (y * film.width + x) as u64);
+        ((pattern.points)(n, &mut rng), rng)
+    };
+    // First what each ray sees, the samples of a pixel side by side.
+    let wide = Film {
+        width: film.width * n,
+        progress: &|samples| (film.progress)(samples / n.max(1)),
+        ..*film
+    };
+    let seen = wide.render_pixels(|column, y, rng| {
+        let (x, i) = (column / n, column % n);
+        let p = points(x, y).0[i];
+        radiance((vec2(x as f32, y as f32) + p) / size, rng)
+    });
+    let reach = (filter.radius + 0.5).ceil() as usize;
+    let near = |v: usize, end: usize| v.saturating_sub(reach)..(v + reach + 1).min(end);
+    let silent = Film {
+        progress: &|_| {},
+        ..*film
+    };
+    silent.render_pixels(|x, y, _| {
+        let mut samples = Vec::new();
+        for (i, j) in near(y, film.height).flat_map(|j| near(x, film.width).map(move |i| (i, j))) {
+            let corner = vec2(i as f32 - x as f32, j as f32 - y as f32) - 0.5;
+            for (p, sample) in points(i, j).0.iter().zip(0..) {
+                samples.push(Sample {
+                    offset: corner + *p,
+                    radiance: seen.at(i * n + sample, j),
+                });
+            }
+        }
+        pixel_average(filter, &samples)
+    })
+}

@@ -1,0 +1,47 @@
+//! A Poisson disk of exactly n points, by throwing darts.
+
+use crate::math::pcg::Pcg;
+use crate::sample::pattern::neighbours::{Neighbours, Space};
+use glam::{Vec2, vec2};
+use rand::RngExt;
+
+/// So many darts in a row may miss before the distance shrinks.
+const MISSES: u32 = 100;
+
+/// By so much the distance shrinks then.
+const SHRINK: f64 = 0.97;
+
+/// The largest distance that n points of the torus can keep from each other: that of a honeycomb, √(2/(√3 n)).
+///
+/// The packing radius is half of it.
+pub fn largest_distance(n: usize) -> f64 {
+    (2.0 / (3.0_f64.sqrt() * n as f64)).sqrt()
+}
+
+// ANCHOR: fill
+/// Adds points until there are n: each is a dart that fell no nearer to another than a distance.
+///
+/// The distance begins where hardly any dart finds room (¾ of the largest possible one), and shrinks whenever a hundred have
+/// missed in a row (Dippé and Wold 1985; the shrinking is McCool and Fiume's, "Hierarchical Poisson disk sampling
+/// distributions", 1992).
+pub fn fill(points: Vec<Vec2>, n: usize, space: Space, rng: &mut Pcg) -> Vec<Vec2> {
+    let mut distance = 0.75 * largest_distance(n);
+    let mut near = Neighbours::new(distance, space);
+    points.into_iter().take(n).for_each(|p| near.push(p));
+    let mut misses = 0;
+    while near.points().len() < n {
+        let dart = vec2(rng.random(), rng.random());
+        if near.has_room(dart, distance) {
+            near.push(dart);
+            misses = 0;
+        } else {
+            misses += 1;
+        }
+        if misses == MISSES {
+            distance *= SHRINK;
+            misses = 0;
+        }
+    }
+    near.into_points()
+}
+// ANCHOR_END: fill

@@ -1,0 +1,38 @@
+//! Halton's sequence.
+
+use crate::math::pcg::Pcg;
+use glam::{Vec2, vec2};
+use rand::RngExt;
+
+// ANCHOR: halton
+/// The first n points (φ₂(i), φ₃(i)) of Halton's sequence (1960), all shifted by the same random vector, whatever leaves the
+/// square coming in again on the other side (Cranley and Patterson 1976).
+pub fn halton(n: usize, rng: &mut Pcg) -> Vec<Vec2> {
+    let shift: [f64; 2] = [rng.random(), rng.random()];
+    let along =
+        |base: u64, i: u64, shift: f64| below_one((radical_inverse(base, i) + shift).fract());
+    (0..n as u64)
+        .map(|i| vec2(along(2, i, shift[0]), along(3, i, shift[1])))
+        .collect()
+}
+// ANCHOR_END: halton
+
+// ANCHOR: radical_inverse
+/// φ_b(i): the digits of i in base b, mirrored at the point; 6 = 110₂ becomes 0.011₂ = 3/8 (van der Corput 1935).
+///
+/// Each bᵏ points that follow one another have one in each of bᵏ equal parts.
+pub fn radical_inverse(base: u64, mut i: u64) -> f64 {
+    let (mut mirrored, mut digit) = (0.0, 1.0);
+    while i > 0 {
+        digit /= base as f64;
+        mirrored += digit * (i % base) as f64;
+        i /= base;
+    }
+    mirrored
+}
+// ANCHOR_END: radical_inverse
+
+/// The number in `f32`, and below 1 even if it must be rounded down for that.
+pub fn below_one(x: f64) -> f32 {
+    (x as f32).min(1.0_f32.next_down())
+}

@@ -1,0 +1,105 @@
+//! Sampling patterns: ways to place n points in the unit square, which is a pixel.
+
+pub mod best_candidate;
+pub mod dart_throwing;
+pub mod halton;
+pub mod jittered;
+pub mod multi_jittered;
+pub mod n_rooks;
+pub mod neighbours;
+pub mod owen;
+pub mod poisson_disk;
+pub mod r2;
+pub mod random_pattern;
+pub mod regular_grid;
+pub mod rotated_grid;
+pub mod rows;
+pub mod sobol;
+
+use crate::math::pcg::Pcg;
+use glam::Vec2;
+
+/// A way to place any number of points in [0, 1)², 0 and a million of them included.
+///
+/// The same random numbers give the same points: a pixel whose stream is `pcg::stream(seed, pixel)` always has the same ones.
+#[derive(Clone, Copy, Debug)]
+pub struct Pattern {
+    /// Its name, as a word on the command line.
+    pub name: &'static str,
+    /// What it does with a number of points that does not suit it; 5, say.
+    pub five: &'static str,
+    /// The n points.
+    pub points: fn(n: usize, rng: &mut Pcg) -> Vec<Vec2>,
+}
+
+/// All patterns, the lecture's first.
+pub const PATTERNS: &[Pattern] = &[
+    Pattern {
+        name: "regular-grid",
+        five: "rows of two and of three cells, each as high as it has cells",
+        points: |n, _| rows::in_rows(n, |cells| regular_grid::regular_grid(cells, 1)),
+    },
+    Pattern {
+        name: "rotated-grid",
+        five: "the lattice's middle moves, until five of its points are in the square",
+        points: |n, _| rotated_grid::of(n),
+    },
+    Pattern {
+        name: "random",
+        five: "any number suits it",
+        points: random_pattern::random_pattern,
+    },
+    Pattern {
+        name: "jittered",
+        five: "rows of two and of three cells, each as high as it has cells",
+        points: |n, rng| rows::in_rows(n, |cells| jittered::jittered(cells, 1, rng)),
+    },
+    Pattern {
+        name: "dart-throwing",
+        five: "any number suits it: the distance shrinks until so many darts have room",
+        points: |n, rng| dart_throwing::fill(Vec::new(), n, neighbours::Space::Torus, rng),
+    },
+    Pattern {
+        name: "poisson-disk",
+        five: "any number suits it: Bridson's points, and darts for the last ones",
+        points: |n, rng| poisson_disk::of(n, neighbours::Space::Torus, rng),
+    },
+    Pattern {
+        name: "n-rooks",
+        five: "any number suits it",
+        points: n_rooks::n_rooks,
+    },
+    Pattern {
+        name: "multi-jittered",
+        five: "a prime number has only itself for columns: rooks, and nothing more",
+        points: |n, rng| {
+            let columns = multi_jittered::columns(n);
+            multi_jittered::multi_jittered(columns, n / columns, rng)
+        },
+    },
+    Pattern {
+        name: "halton",
+        five: "the first five of the sequence",
+        points: halton::halton,
+    },
+    Pattern {
+        name: "r2",
+        five: "the first five of the sequence",
+        points: r2::r2,
+    },
+    Pattern {
+        name: "sobol-owen",
+        five: "the first five of the sequence",
+        points: owen::sobol_owen,
+    },
+    Pattern {
+        name: "best-candidate",
+        five: "any number suits it",
+        points: best_candidate::best_candidate,
+    },
+];
+
+/// The pattern of this name.
+pub fn find(name: &str) -> Option<&'static Pattern> {
+    PATTERNS.iter().find(|pattern| pattern.name == name)
+}

@@ -1,0 +1,40 @@
+//! Multi-jittered points: jittered and n-rooks at once.
+
+use crate::math::pcg::Pcg;
+use crate::sample::pattern::rows::place;
+use glam::{Vec2, vec2};
+use rand::RngExt;
+use rand::seq::SliceRandom;
+
+// ANCHOR: multi_jittered
+/// A random point in each of columns × rows equal cells, such that none shares one of n = columns · rows narrow columns, or
+/// one of n low rows, with another (Chiu, Shirley and Wang, "Multi-jittered sampling", 1994).
+///
+/// The cells of a column share its narrow columns out at random, those of a row its low rows.
+pub fn multi_jittered(columns: usize, rows: usize, rng: &mut Pcg) -> Vec<Vec2> {
+    let n = columns * rows;
+    let mut shares = |groups: usize, of: usize| -> Vec<Vec<usize>> {
+        let mut share: Vec<_> = (0..of).collect();
+        let shuffled = (0..groups).map(|_| {
+            share.shuffle(rng);
+            share.clone()
+        });
+        shuffled.collect()
+    };
+    let (x, y) = (shares(columns, rows), shares(rows, columns));
+    let cells = (0..rows).flat_map(|j| (0..columns).map(move |i| (i, j)));
+    let mut anywhere = |(i, j): (usize, usize)| {
+        vec2(
+            place(rows * i + x[i][j], 1, rng.random(), n),
+            place(columns * j + y[j][i], 1, rng.random(), n),
+        )
+    };
+    cells.map(&mut anywhere).collect()
+}
+// ANCHOR_END: multi_jittered
+
+/// The number of columns for n points: the largest divisor of n up to √n, so that the cells are nearly square; 1 for 0.
+pub fn columns(n: usize) -> usize {
+    let most = n.isqrt();
+    (1..=most).rev().find(|c| n.is_multiple_of(*c)).unwrap_or(1)
+}

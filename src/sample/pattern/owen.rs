@@ -1,0 +1,38 @@
+//! Sobol's points, scrambled as Owen does it.
+
+use crate::math::pcg::{Pcg, mix};
+use crate::sample::pattern::sobol::sobol;
+use glam::{Vec2, vec2};
+use rand::RngExt;
+
+/// So many binary digits are kept: `f32` has 24 below 1, and with more it could round to 1.
+const DIGITS: u32 = 24;
+
+/// The first n points of Sobol's sequence, each coordinate scrambled.
+///
+/// The mean over them has no bias, and for a smooth function its error falls like n^−3/2.
+pub fn sobol_owen(n: usize, rng: &mut Pcg) -> Vec<Vec2> {
+    let seeds: [u64; 2] = [rng.random(), rng.random()];
+    let along = |bits, seed| (scramble(bits, seed) >> (32 - DIGITS)) as f32 / (1 << DIGITS) as f32;
+    (0..n as u32)
+        .map(|i| {
+            let [x, y] = sobol(i);
+            vec2(along(x, seeds[0]), along(y, seeds[1]))
+        })
+        .collect()
+}
+
+// ANCHOR: owen
+/// Exchanges the halves of [0, 1) or does not, then those of each half, of each quarter, and so on, each by a coin of its own
+/// (Owen, "Randomly permuted (t, m, s)-nets and (t, s)-sequences", 1995).
+///
+/// A number's digits above a digit say in which piece it is, and so which coin decides. Points in different pieces stay in
+/// different pieces: a net stays a net.
+pub fn scramble(bits: u32, seed: u64) -> u32 {
+    (0..DIGITS).fold(bits, |scrambled, digit| {
+        let piece = (1 << digit) | (u64::from(bits) >> (32 - digit)); // the 1 says how many digits follow
+        let coin = mix(seed ^ piece) as u32 & 1;
+        scrambled ^ (coin << (31 - digit))
+    })
+}
+// ANCHOR_END: owen

@@ -1,0 +1,26 @@
+//! R₂: a lattice of irrational steps.
+
+use crate::math::pcg::Pcg;
+use crate::sample::pattern::halton::below_one;
+use glam::{Vec2, vec2};
+use rand::RngExt;
+
+// ANCHOR: r2
+/// n steps of (1/ρ, 1/ρ²) around the torus from a random start, where ρ³ = ρ + 1 (Roberts, "The unreasonable effectiveness of
+/// quasirandom sequences", 2018).
+///
+/// ρ does for two dimensions what the golden ratio does for one: the steps never come close to where they were.
+pub fn r2(n: usize, rng: &mut Pcg) -> Vec<Vec2> {
+    const RHO: f64 = 1.324_717_957_244_746;
+    let start: [f64; 2] = [rng.random(), rng.random()];
+    let along = |start: f64, step: f64, i: u32| below_one((start + step * f64::from(i)).fract());
+    (0..n as u32)
+        .map(|i| {
+            vec2(
+                along(start[0], 1.0 / RHO, i),
+                along(start[1], 1.0 / (RHO * RHO), i),
+            )
+        })
+        .collect()
+}
+// ANCHOR_END: r2

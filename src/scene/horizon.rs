@@ -1,0 +1,64 @@
+//! A chequered plane to the horizon, with three balls: everything that aliases.
+
+use crate::camera::pinhole::Pinhole;
+use crate::image::rgb::Rgb;
+use crate::light::{Light, directional::DirectionalLight};
+use crate::material::{Material, checkered::Checkered, phong::Phong};
+use crate::math::{dir3::Dir3, ray::Ray};
+use crate::scene::world::{Scene, Thing};
+use crate::shape::{plane::Plane, sphere::Sphere};
+use glam::{Vec3, vec3};
+use std::f32::consts::FRAC_1_PI;
+
+/// The plane and the balls in the sun.
+pub fn scene() -> Scene<dyn Material> {
+    let squares = Checkered(matt(0.74, 0.72, 0.68), matt(0.10, 0.14, 0.22));
+    let floor = Plane::through(Vec3::ZERO, Dir3::Y);
+    let ball = |x: f32, z: f32, r: f32, material: Phong| {
+        let material: Box<dyn Material> = Box::new(material);
+        Thing::new(Sphere::new(vec3(x, r, z), r), material)
+    };
+    let sun = DirectionalLight {
+        toward: Dir3::new_or(vec3(-0.9, 1.3, 0.8), Dir3::Y),
+        irradiance: Rgb::new(3.0, 2.8, 2.5),
+    };
+    let lights: Vec<Box<dyn Light>> = vec![Box::new(sun)];
+    let things = vec![
+        Thing::new(floor, Box::new(squares) as Box<dyn Material>),
+        ball(-2.3, -0.4, 0.9, glossy(0.75, 0.20, 0.12)),
+        ball(0.1, 0.2, 0.7, glossy(0.85, 0.62, 0.12)),
+        ball(2.2, -0.6, 1.0, glossy(0.10, 0.42, 0.60)),
+    ];
+    Scene::new(things, lights).surrounded_by(Rgb::new(0.32, 0.36, 0.42), sky)
+}
+
+/// A camera just above the plane, for a picture of this width over its height.
+pub fn camera(aspect: f32) -> Pinhole {
+    let (from, to) = (vec3(0.0, 1.5, 6.5), vec3(0.0, 0.85, 0.0));
+    Pinhole::look_at(from, to, Vec3::Y, 0.040, aspect)
+        .unwrap_or_else(|error| unreachable!("the points are fixed: {error}"))
+}
+
+fn matt(r: f32, g: f32, b: f32) -> Phong {
+    let colour = Rgb::new(r, g, b);
+    Phong {
+        ambient: colour,
+        diffuse: colour * FRAC_1_PI,
+        specular: Rgb::BLACK,
+        exponent: 1.0,
+    }
+}
+
+fn glossy(r: f32, g: f32, b: f32) -> Phong {
+    Phong {
+        specular: Rgb::gray(0.25),
+        exponent: 60.0,
+        ..matt(r, g, b)
+    }
+}
+
+/// Pale at the horizon, blue above.
+fn sky(ray: &Ray) -> Rgb {
+    let up = ray.direction.y.clamp(0.0, 1.0).sqrt();
+    Rgb::new(0.86, 0.88, 0.88).lerp(Rgb::new(0.28, 0.48, 0.80), up)
+}

@@ -16,8 +16,8 @@ pub struct Whole {
 
 /// Up to forty triangles, often flat, doubled or without area.
 pub fn whole() -> impl Strategy<Value = Whole> {
-    let point = |half| prop::array::uniform3(-half..=half);
-    let corners = prop::collection::vec(prop::array::uniform3(point(3_i8)), 0..40);
+    let point = |half: i8| prop::array::uniform3(-half..=half);
+    let corners = prop::collection::vec(prop::array::uniform3(point(3)), 0..40);
     let ray = (point(5), point(3)).prop_filter("two points", |(from, to)| from != to);
     (corners, ray, -6_i32..7).prop_map(|(corners, (from, to), scale)| {
         let scale = 10.0_f32.powi(scale);

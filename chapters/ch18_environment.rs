@@ -57,7 +57,7 @@ pub(crate) fn draw(stage: &Stage) -> Drawn {
         ("uniform directions", picture(&few, uniform)?),
         ("directions by their light", picture(&few, by_light)?),
     ];
-    let caption = "Equally many samples of the clear day. About half of the light comes from a sun that uniform directions hardly ever meet.";
+    let caption = "Equally many samples of the clear day. More than half of the light on level ground is the sun's, which uniform directions hardly ever meet.";
     stage.figure("importance", caption, &sheet(2, &tiles)?)
 }
 

@@ -49,7 +49,7 @@ pub fn draw() -> Result<Image, Box<dyn Error>> {
         for ((name, warp, note), half) in DOMES.into_iter().zip(&halves) {
             let (width, height) = half.dim_in_pixel();
             let aspect = width as f32 / height as f32;
-            let viewer = Pinhole::look_at(EYE, vec3(0.0, -0.12, 0.0), Vec3::Y, 0.058, aspect)?;
+            let viewer = Pinhole::look_at(EYE, vec3(0.0, -0.2, 0.0), Vec3::Y, 0.036, aspect)?;
             dome(
                 &Sketch {
                     canvas: half,

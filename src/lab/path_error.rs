@@ -99,8 +99,9 @@ fn panel(
         (0.8 * least, 1.25 * most)
     };
     let ((left, right), (low, high)) = (ends(axis), ends(2));
-    // From a power of ten on, plotters labels the whole axis.
-    let low = 10.0_f64.powf(low.log10().floor());
+    // Plotters labels an axis from its first power of ten on.
+    let least = low / 0.8;
+    let low = low.min(0.99 * 10.0_f64.powf(least.log10().floor()));
     let mut chart = ChartBuilder::on(canvas)
         .margin(24)
         .caption(title, text(36))

@@ -46,7 +46,8 @@ pub fn sun_of_day() -> Dir3 {
     Dir3::new_or(vec3(-0.6, 0.75, -0.35), Dir3::Y)
 }
 
-/// A blue sky with a sun as large as ours; half of the light comes from its 1/185 000 of all directions.
+/// A blue sky with a sun as large as ours; more than half of the light on level ground comes from its 1/185 000 of
+/// all directions.
 pub fn clear_day(d: Dir3) -> Rgb {
     let to_sun = d.dot(*sun_of_day());
     if to_sun > SUN.cos() {

@@ -174,10 +174,11 @@ pub const WRONGS: &[Wrong] = &[
     }),
     (
         &["sample_environment"],
-        "half of them are turned over",
+        "every third is the first",
         |list| {
-            for direction in list[1..].chunks_exact_mut(3).skip(128) {
-                direction[1] = -direction[1];
+            let first: Vec<f64> = list.iter().skip(1).take(3).copied().collect();
+            for direction in list[1..].chunks_exact_mut(9) {
+                direction[..3].copy_from_slice(&first);
             }
         },
     ),

@@ -91,7 +91,8 @@ pub fn followed(b: f64) -> Option<f64> {
     };
     let mut turned = 0.0;
     let fate = follow(start, 1e-10, |piece| {
-        turned += piece.from.v.angle_between(piece.to.v);
+        let (from, to) = (piece.from.v, piece.to.v);
+        turned += from.cross(to).length().atan2(from.dot(to));
         ControlFlow::Continue(())
     });
     matches!(fate, Fate::Escaped(_)).then_some(turned)

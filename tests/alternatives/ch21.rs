@@ -136,7 +136,7 @@ pub const ALTERNATIVES: &[Alternative] = &[
                 let half = v + 0.5 * h * pull(x);
                 x += h * half;
                 let after = half + 0.5 * h * pull(x);
-                turned += v.angle_between(after);
+                turned += v.cross(after).length().atan2(v.dot(after)); // near 0 an arc cosine has no digits
                 v = after;
             }
             Some(vec![turned])

@@ -3,7 +3,7 @@
 use crate::accel::bvh::COST;
 use crate::accel::bvh::build::{Method, build, cost::Cost};
 use crate::accel::ray_box::RayBox;
-use crate::accel::wide_bvh::build::build as build_wide;
+use crate::accel::wide_bvh::build::{COST as WIDE_COST, build as build_wide};
 use crate::accel::wide_bvh::node::Link;
 use crate::grade::examine::Examiner;
 use crate::grade::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
@@ -700,6 +700,13 @@ impl Graded for WideClosest {
     }
 }
 
+/// Four triangles to a leaf: so a few dozen make a tree in which the order of the search matters.
+const SMALL_LEAVES: Cost = Cost {
+    block_size: 4,
+    most: 4,
+    ..WIDE_COST
+};
+
 /// A question about triangles in the tree that the reference builds, its root a node even if a leaf would do.
 fn question(triangles: Vec<[Vec3; 3]>, ray: Ray, within: Interval) -> WideClosestQuestion {
     let facets = triangles.iter().zip(0..);
@@ -707,7 +714,7 @@ fn question(triangles: Vec<[Vec3; 3]>, ray: Ray, within: Interval) -> WideCloses
     let all = facets
         .iter()
         .fold(Aabb::EMPTY, |all, facet| all.union(&facet.bounds()));
-    let tree = build_wide(facets, Method::Binned);
+    let tree = build_wide(facets, Method::Binned, &SMALL_LEAVES);
     let child = |(bounds, link): (Aabb, Link)| WideChild {
         min: bounds.min,
         max: bounds.max,

@@ -12,17 +12,17 @@ use rayon::prelude::*;
 
 /// Eight boxes at once cost about half as much as a block of triangles; the binary tree, which has seven branches in place
 /// of one node, is made with this in mind.
-const COST: Cost = Cost {
+pub const COST: Cost = Cost {
     branch: 0.5,
     block: 1.0,
     block_size: TRIANGLES as u32,
     most: TRIANGLES as u32,
 };
 
-/// The tree of facets with finite boxes.
-pub fn build(facets: Vec<Facet>, method: Method) -> Tree {
+/// The tree of facets with finite boxes; leaves have at most `cost.most` of them, and [`TRIANGLES`].
+pub fn build(facets: Vec<Facet>, method: Method, cost: &Cost) -> Tree {
     let boxes: Vec<Aabb> = facets.par_iter().map(Shape::bounds).collect();
-    let flat = build_binary(&boxes, method, &COST);
+    let flat = build_binary(&boxes, method, cost);
     let old = binary(&flat);
     let families = optimal::collapse(&old);
     // Where each node of the binary tree that stays is in the new one.

@@ -75,7 +75,7 @@ impl WideBvh {
         let (facets, beside) = bounded(facets);
         Self {
             beside: (facets.len() < all).then(|| Box::new(beside)),
-            tree: build::build(facets, method),
+            tree: build::build(facets, method, &build::COST),
             #[cfg(target_arch = "x86_64")]
             avx2: Avx2::detect(),
         }

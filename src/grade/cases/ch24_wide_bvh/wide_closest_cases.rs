@@ -1,7 +1,7 @@
 //! The questions of `wide_closest`.
 
-use crate::accel::bvh::build::Method;
-use crate::accel::wide_bvh::build::build as build_wide;
+use crate::accel::bvh::build::{Method, cost::Cost};
+use crate::accel::wide_bvh::build::{COST, build as build_wide};
 use crate::accel::wide_bvh::node::Link;
 use crate::grade::{Edge, sample};
 use crate::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
@@ -96,6 +96,13 @@ pub(super) fn random(rng: &mut Pcg) -> WideClosestQuestion {
     )
 }
 
+/// Four triangles to a leaf: so a few dozen make a tree in which the order of the search matters.
+const SMALL_LEAVES: Cost = Cost {
+    block_size: 4,
+    most: 4,
+    ..COST
+};
+
 /// A question about triangles in the tree that the reference builds, its root a node even if a leaf would do.
 pub(super) fn question(
     triangles: Vec<[Vec3; 3]>,
@@ -107,7 +114,7 @@ pub(super) fn question(
     let all = facets
         .iter()
         .fold(Aabb::EMPTY, |all, facet| all.union(&facet.bounds()));
-    let tree = build_wide(facets, Method::Binned);
+    let tree = build_wide(facets, Method::Binned, &SMALL_LEAVES);
     let child = |(bounds, link): (Aabb, Link)| WideChild {
         min: bounds.min,
         max: bounds.max,

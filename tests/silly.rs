@@ -36,7 +36,7 @@ fn garbled(line: &str, rng: &mut Pcg) -> String {
 }
 
 #[test]
-fn no_answer_makes_a_judge_panic() {
+fn no_garbled_answer_makes_a_judge_panic() {
     let (mut judged, mut unreadable) = (0, 0);
     for examiner in cases::all() {
         let rng = &mut visible_rng(examiner.name());

@@ -11,9 +11,10 @@ use raybook::sample::hemisphere::{
 use std::f64::consts::{PI, TAU};
 
 type Warp = fn(Dir3, Vec2) -> Dir3;
+type Density = fn(f32) -> f32;
 
 /// Name, warp, its density by the cosine, and the mean of the cosine.
-const WARPS: [(&str, Warp, fn(f32) -> f32, f64); 4] = [
+const WARPS: [(&str, Warp, Density, f64); 4] = [
     ("uniform", uniform_hemisphere, |_| UNIFORM, 0.5),
     ("cosine", cosine_hemisphere, cosine_pdf, 2.0 / 3.0),
     (

@@ -91,7 +91,7 @@ fn a_strong_sun_pays_for_being_asked() {
         let scene = still_life(light);
         let ray = Ray::new(
             EYE,
-            Dir3::new(vec3(-1.0, 0.0, 1.2) - EYE).expect("not zero"),
+            Dir3::new(vec3(-2.2, 0.0, 1.0) - EYE).expect("not zero"),
         );
         Mean::sampled(192, 300, |rng| path.radiance(&scene, &ray, rng).g).error
     };

@@ -32,10 +32,13 @@ impl Environment {
     ///
     /// # Panics
     /// If the map has no texel.
-    pub fn new(map: Image) -> Self {
-        let map = map.map(|texel| texel.map(|v| if v.is_finite() { v.max(0.0) } else { 0.0 }));
+    pub fn new(mut map: Image) -> Self {
         let (width, height) = (map.width(), map.height());
         assert!(width * height > 0, "a map of directions has texels");
+        let light = |v: f32| if v.is_finite() { v.max(0.0) } else { 0.0 };
+        for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
+            map.set(x, y, map.at(x, y).map(light));
+        }
         let columns: Vec<_> = (0..height)
             .map(|y| Piecewise::new((0..width).map(|x| f64::from(map.at(x, y).luminance()))))
             .collect();

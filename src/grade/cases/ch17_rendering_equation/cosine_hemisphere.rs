@@ -111,7 +111,7 @@ impl Graded for CosineHemisphere {
         let local: Vec<_> = got.iter().map(local).collect();
         for (d, i) in local.iter().zip(1..) {
             let length = d.length();
-            if !((length - 1.0).abs() <= judge::LENGTH) {
+            if length.is_nan() || (length - 1.0).abs() > judge::LENGTH {
                 return Err(format!(
                     "direction {i} has length {length:.4}; a direction has length 1"
                 ));

@@ -4,7 +4,7 @@
 //! passes through, one cell after the other, and stops at the first hit.
 //!
 //! New: accel/bounded.rs accel/ray_box.rs accel/lattice.rs accel/margin.rs accel/overlap.rs accel/walk.rs
-//! New: accel/grid/mod.rs accel/grid/build.rs accel/grid/mailbox.rs accel/grid/resolution.rs accel/grid/validate.rs
+//! New: accel/grid/mod.rs accel/grid/build.rs accel/grid/lists.rs accel/grid/mailbox.rs accel/grid/resolution.rs accel/grid/validate.rs
 //! New: scene/soup.rs scene/stadium.rs scene/teapots.rs scene/terrain.rs
 
 use glam::{Vec3, vec3};
@@ -13,7 +13,9 @@ use raybook::camera::pinhole::Pinhole;
 use raybook::image::rgb::Rgb;
 use raybook::lab::daylight::{Paint, picture};
 use raybook::lab::stage::{Drawn, Stage};
-use raybook::lab::{chapter, grid_costs, heat, palette, showroom, stadium_figure, walk_figure};
+use raybook::lab::{
+    chapter, grid_costs, growth, heat, palette, showroom, stadium_figure, walk_figure,
+};
 use raybook::scene::{stadium::stadium, teapots::teapots};
 use raybook::shape::teapot;
 use std::process::ExitCode;
@@ -56,6 +58,9 @@ pub(crate) fn draw(stage: &Stage) -> Drawn {
         grid_costs::rate(&costs) / 1e6
     );
     stage.figure("resolution", &caption, &grid_costs::plot(&costs)?)?;
+
+    let caption = "A soup of N triangles, so thin that most rays leave it at the other end. Both counts run beside the cube root: a thousand times as many triangles cost ten times as much.";
+    stage.figure("law", caption, &growth::grid()?)?;
 
     let stadium = stadium(4);
     let grid = Grid::of_facets(stadium.mesh.facets());

@@ -9,7 +9,7 @@
 use raybook::accel::grid::Grid;
 use raybook::lab::stage::{Drawn, Stage};
 use raybook::lab::teapot_in_stadium::{camera, densities, maps, picture, two_levels};
-use raybook::lab::{chapter, nested_cells, showroom::small, speed::rays_a_second};
+use raybook::lab::{chapter, nested_cells, showroom::small, speeds::rays_a_second};
 use raybook::render::film::Film;
 use raybook::scene::stadium::stadium;
 use std::process::ExitCode;

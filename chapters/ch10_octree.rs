@@ -12,7 +12,7 @@ use raybook::lab::lines::{Line, lines};
 use raybook::lab::palette::{BLUE, FAINT, VERMILION};
 use raybook::lab::showroom::{Showroom, small};
 use raybook::lab::stage::{Drawn, Stage};
-use raybook::lab::{blocks, chapter, heat::heat, quadtree, sheet::sheet, speed::rays_a_second};
+use raybook::lab::{blocks, chapter, heat::heat, quadtree, sheet::sheet, speeds::rays_a_second};
 use raybook::shape::teapot;
 use std::process::ExitCode;
 

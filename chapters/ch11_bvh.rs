@@ -5,7 +5,8 @@
 //!
 //! New: accel/bvh/mod.rs accel/bvh/pair.rs accel/bvh/validate.rs accel/bvh/build/mod.rs accel/bvh/build/item.rs
 //! New: accel/bvh/build/tree.rs accel/bvh/build/top_down.rs accel/bvh/build/halves.rs accel/bvh/build/cost.rs
-//! New: accel/bvh/build/sweep.rs accel/bvh/build/binned.rs accel/bvh/build/bottom_up.rs accel/bvh/build/flat.rs
+//! New: accel/bvh/build/sweep.rs accel/bvh/build/binned.rs accel/bvh/build/fine.rs accel/bvh/build/bottom_up.rs
+//! New: accel/bvh/build/flat.rs
 
 use raybook::accel::two_level_grid::TwoLevelGrid;
 use raybook::accel::{Accel, bvh::Bvh, grid::Grid, list::List, octree::Octree};
@@ -43,7 +44,7 @@ pub(crate) fn draw(stage: &Stage) -> Drawn {
     let teapot = teapot::mesh(24);
     stage.figure("builders", caption, &builders::figure(&teapot.facets())?)?;
     let caption = "The work for a ray in a soup of triangles: a list asks all of them, a tree a number that grows with the logarithm.";
-    stage.figure("growth", caption, &growth::draw()?)?;
+    stage.figure("growth", caption, &growth::list_and_tree()?)?;
     draw_teapot(&showroom::small(&film), stage, &teapot)
 }
 

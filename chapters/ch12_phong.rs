@@ -4,7 +4,7 @@
 //! Phong, the half vector after Blinn. Point lights fall off with the squared distance, directional lights do not.
 //!
 //! New: light/mod.rs light/point.rs light/directional.rs material/mod.rs material/phong.rs material/blinn_phong.rs
-//! New: material/checkered.rs scene/world.rs render/local.rs
+//! New: material/checkered.rs scene/world.rs scene/tally.rs render/local.rs
 
 use glam::{Vec3, vec3};
 use raybook::camera::pinhole::Pinhole;

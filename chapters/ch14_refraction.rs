@@ -22,10 +22,9 @@ type View = (Vec3, Vec3, f32);
 
 /// Draws the chapter's pictures.
 pub(crate) fn draw(stage: &Stage) -> Drawn {
-    let view = (vec3(0.4, 4.3, 7.2), vec3(0.1, 0.62, 0.0), 0.043);
     let scene = glassware::still_life();
     let film = stage.film_of(960, 9, 16.0 / 9.0);
-    let picture = photograph(&film, &scene, view, glassware::DEPTH)?;
+    let picture = photograph(&film, &scene, glassware::VIEW, glassware::DEPTH)?;
     let caption = "A ball of glass, one with a large bubble of air, one in a tank of water, and three of coloured glass: \
         they mirror the window and show the floor, all but the bubble upside down.";
     stage.picture("picture", caption, &picture)?;

@@ -5,7 +5,7 @@
 //!
 //! New: render/shadow.rs
 
-use glam::{Vec2, Vec3, vec2};
+use glam::{Vec2, Vec3, vec2, vec3};
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::Image;
 use raybook::lab::stage::{Drawn, Stage};
@@ -18,7 +18,10 @@ use raybook::scene::{marbles, world::Scene};
 use std::process::ExitCode;
 
 /// The pixel whose rays are drawn: its place on the film.
-const PIXEL: Vec2 = vec2(0.4135, 0.789);
+const PIXEL: Vec2 = vec2(0.432, 0.76);
+
+/// Where the second picture looks: at three of the marbles.
+const CLOSE_UP: Vec3 = vec3(1.3, 0.4, 1.3);
 
 /// Draws the chapter's pictures.
 pub(crate) fn draw(stage: &Stage) -> Drawn {
@@ -35,10 +38,11 @@ pub(crate) fn draw(stage: &Stage) -> Drawn {
     )?;
 
     let film = stage.tile(2, 16.0 / 9.0);
+    let near = Pinhole::look_at(from, CLOSE_UP, Vec3::Y, 0.08, film.aspect())?;
     let roofed = marbles::under_roof();
     let tiles = wrong_shadows::WAYS
-        .map(|(name, arrives)| (name, photograph(&film, &camera, &roofed, arrives)));
-    let caption = "One lamp below a roof, and three wrong shadow rays. Half of the points of a ball are computed to lie inside of \
+        .map(|(name, arrives)| (name, photograph(&film, &near, &roofed, arrives)));
+    let caption = "One lamp below a roof, and three wrong shadow rays. Many points of a ball are computed to lie inside of \
         it, and are in its shadow. Rays that start too far off miss what stands close. Rays without an end are stopped behind the lamp.";
     stage.figure("wrong", caption, &sheet(2, &tiles)?)?;
 
@@ -53,7 +57,7 @@ pub(crate) fn draw(stage: &Stage) -> Drawn {
     let above = Pinhole::look_at(from, to, Vec3::Y, 0.038, film.aspect())?;
     let view = photograph(&film, &above, &scene, shadow::lit);
     let tree = ray_tree::grow(&whitted(shadow::lit), &scene, &camera.ray_through(PIXEL));
-    let caption = "The tree of chapter 13 again: now each ray to a light is a search for something in its way.";
+    let caption = "The tree of chapter 13 again: now each ray to a light is a search, and what is in its way makes a shadow (purple).";
     stage.figure(
         "tree",
         caption,

@@ -5,23 +5,21 @@
 //!
 //! New: light/extent.rs light/rect_light.rs light/sphere_light.rs render/soft_shadow.rs scene/posts.rs
 
-use glam::{Vec3, vec3};
+use glam::Vec3;
 use raybook::camera::pinhole::{LookAtError, Pinhole};
-use raybook::image::{Image, rgb::Rgb};
+use raybook::image::Image;
 use raybook::lab::stage::{Drawn, Stage};
 use raybook::lab::{chapter, light_error, penumbra, sheet::sheet};
-use raybook::light::extent::Choose;
-use raybook::light::{Light, point::PointLight, rect_light::RectLight, sphere_light::SphereLight};
+use raybook::light::Light;
 use raybook::render::{film::Film, local::Local, shadow, whitted::Whitted};
-use raybook::scene::posts::{LIGHT, STRENGTH, under};
-use raybook::shape::sphere::Sphere;
-use std::f32::consts::PI;
+use raybook::scene::posts;
 use std::process::ExitCode;
 
 /// Draws the chapter's pictures.
 pub(crate) fn draw(stage: &Stage) -> Drawn {
-    let film = stage.film_of(640, 9, 16.0 / 9.0);
-    let picture = photograph(&film, square(1.4), 20, WHOLE)?;
+    let [whole, close] = posts::VIEWS;
+    let film = stage.film_of(960, 9, 16.0 / 9.0);
+    let picture = photograph(&film, posts::square(1.4), 12, whole)?;
     let caption = "Under a square light of 1.4 m, shadows are sharp near what throws them, and the softer the farther away they fall.";
     stage.picture("picture", caption, &picture)?;
 
@@ -29,61 +27,29 @@ pub(crate) fn draw(stage: &Stage) -> Drawn {
     tile.samples = 1;
     let mut tiles = Vec::new();
     for (name, samples) in [("1 sample", 1), ("4", 4), ("16", 16), ("64", 64)] {
-        tiles.push((name, photograph(&tile, square(1.4), samples, CLOSE)?));
+        tiles.push((name, photograph(&tile, posts::square(1.4), samples, close)?));
     }
-    let caption = "One, 4, 16 and 64 samples of the light per pixel: with four times as many, half the noise. There is none where all of the light is seen, or nothing.";
+    let caption = "One, 4, 16 and 64 samples of the light per pixel: with four times as many, half the noise. It is coarsest where part of the light is seen, and there is none where nothing is.";
     stage.figure("samples", caption, &sheet(4, &tiles)?)?;
 
     tile.samples = film.samples.min(4);
     let lights: [(&str, Box<dyn Light>); 4] = [
-        ("a point", Box::new(point())),
-        ("a square of 0.4 m", square(0.4)),
-        ("a square of 2.4 m", square(2.4)),
-        ("a sphere of 2.4 m", Box::new(sphere(1.2))),
+        ("a point", posts::point()),
+        ("a square of 0.4 m", posts::square(0.4)),
+        ("a square of 2.4 m", posts::square(2.4)),
+        ("a sphere of 2.4 m", posts::sphere(1.2)),
     ];
     let mut tiles = Vec::new();
     for (name, light) in lights {
-        tiles.push((name, photograph(&tile, light, 12, CLOSE)?));
+        tiles.push((name, photograph(&tile, light, 20, close)?));
     }
     let caption = "The same place under a point, a small and a large square, and a sphere: the larger the light, the wider the penumbra.";
     stage.figure("lights", caption, &sheet(4, &tiles)?)?;
 
-    let caption = "Where the umbra and the penumbra end follows from similar triangles (orange); the fraction of the light that is seen is measured by 400 samples at each place (blue).";
+    let caption = "Where the umbra and the penumbra end follows from similar triangles (orange); the fraction of the light that is seen is measured by 2000 samples at each place (blue).";
     stage.figure("penumbra", caption, &penumbra::diagram()?)?;
     let caption = "The error of what arrives, against the number of samples: a straight line of slope −½. Samples by solid angle are better for a near light; about what is in the way they know no more.";
     stage.figure("error", caption, &light_error::plot()?)
-}
-
-/// A camera: where it stands, where it looks, and its focal length.
-type View = (Vec3, Vec3, f32);
-const WHOLE: View = (vec3(0.5, 4.0, 7.6), vec3(0.1, 0.35, 0.1), 0.043);
-const CLOSE: View = (vec3(0.5, 4.0, 7.6), vec3(-1.1, 0.35, -0.1), 0.066);
-
-/// A square light that faces down, with the same power whatever its side, in metres.
-fn square(side: f32) -> Box<dyn Light> {
-    let corner = LIGHT - 0.5 * vec3(side, 0.0, side);
-    let radiance = Rgb::gray(STRENGTH * LIGHT.y * LIGHT.y / (side * side));
-    Box::new(RectLight::new(
-        corner,
-        side * Vec3::X,
-        side * Vec3::Z,
-        radiance,
-    ))
-}
-
-fn point() -> PointLight {
-    PointLight {
-        position: LIGHT,
-        intensity: Rgb::gray(STRENGTH * LIGHT.y * LIGHT.y),
-    }
-}
-
-fn sphere(radius: f32) -> SphereLight {
-    SphereLight {
-        sphere: Sphere::new(LIGHT, radius),
-        radiance: point().intensity / (PI * radius * radius),
-        choose: Choose::BySolidAngle,
-    }
 }
 
 /// A picture with so many shadow rays per sample of a pixel.
@@ -91,11 +57,11 @@ fn photograph(
     film: &Film,
     light: Box<dyn Light>,
     samples: u32,
-    (from, to, focal_length): View,
+    (from, to, focal_length): (Vec3, Vec3, f32),
 ) -> Result<Image, LookAtError> {
     let camera = Pinhole::look_at(from, to, Vec3::Y, focal_length, film.aspect())?;
     let (scene, local) = (
-        under(light),
+        posts::under(light),
         Local {
             samples,
             arrives: shadow::lit,

@@ -9,9 +9,8 @@
 use raybook::lab::stage::{Drawn, Stage};
 use raybook::lab::strategies::View;
 use raybook::lab::{chapter, domes, path_error, sheet::sheet, strategies};
-use raybook::render::{mis::Strategy, path::Path};
+use raybook::render::{film::Film, mis::Strategy, path::Path};
 use std::process::ExitCode;
-use std::time::Instant;
 
 /// Over as many surfaces as there are.
 const ALL: Path = Path {
@@ -25,37 +24,39 @@ const DIRECT: Path = Path { depth: 1, ..ALL };
 
 /// Draws the chapter's pictures.
 pub(crate) fn draw(stage: &Stage) -> Drawn {
-    let film = stage.film_of(360, 96, 1.0);
+    let film = stage.film_of(400, 64, 1.0);
     let cornell_box = View::cornell_box()?;
-    let start = Instant::now();
     let picture = cornell_box.draw(&film, ALL);
-    let paths = (film.width * film.height * film.samples) as f64;
-    let per_second = 1e-6 * paths / start.elapsed().as_secs_f64();
     let caption = "The Cornell box. Red and green light on the white blocks has come from the walls; \
         the ceiling gets no light from the lamp at all, only from the other surfaces.";
     stage.picture("picture", caption, &picture)?;
 
-    let direct = cornell_box.draw(&film, DIRECT);
+    let few = Film {
+        samples: film.samples.div_ceil(4),
+        ..film
+    };
+    let direct = cornell_box.draw(&few, DIRECT);
     let tiles = [
         ("light straight from the lamp", direct),
         ("with inter-reflections", picture),
     ];
-    let caption = format!(
-        "Local and global illumination: without the light from other surfaces, ceiling and shadows are black. \
-         The right picture took {per_second:.1} million paths per second."
-    );
-    stage.figure("inter_reflections", &caption, &sheet(2, &tiles)?)?;
+    let caption = "Local and global illumination: without the light from other surfaces, ceiling and shadows are black.";
+    stage.figure("inter_reflections", caption, &sheet(2, &tiles)?)?;
 
     let caption = "600 directions of the hemisphere, and their shadows on the surface. What arrives counts by its cosine, so directions near the horizon are hardly worth their time.";
     stage.figure("hemisphere", caption, &domes::draw()?)?;
 
     let caption = "Four plates, smooth behind and rough in front, mirror four lamps, small at the left and large at the right. \
         The surface finds the large lamps and the light the small ones; weighted, each does what it can.";
-    let film = stage.tile(3, 1.5);
-    stage.figure("strategies", caption, &strategies::figure(&film)?)?;
+    let tile = stage.tile(3, 1.5);
+    let tile = Film {
+        samples: tile.samples.div_ceil(2),
+        ..tile
+    };
+    stage.figure("strategies", caption, &strategies::figure(&tile)?)?;
 
     let caption = "What the strategies cost, measured while this was drawn. Looking for the lamp itself pays in the box, and both together pay on the plates, also for the time that they take.";
-    stage.figure("error", caption, &path_error::plot(&film)?)
+    stage.figure("error", caption, &path_error::plot(&tile)?)
 }
 
 fn main() -> ExitCode {

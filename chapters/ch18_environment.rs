@@ -6,23 +6,21 @@
 //! New: math/piecewise.rs light/environment/mod.rs light/environment/latlong.rs light/environment/cube.rs
 //! New: light/environment/angular.rs light/environment/convert.rs scene/skies.rs scene/still_life.rs
 
-use glam::{Vec2, Vec3};
-use raybook::image::{Image, file, rgb::Rgb};
+use glam::Vec3;
+use raybook::camera::pinhole::{LookAtError, Pinhole};
+use raybook::image::{Image, file};
 use raybook::lab::environments::{Layouts, layouts, quarters};
 use raybook::lab::stage::{Drawn, Stage};
-use raybook::lab::{chapter, sheet::sheet};
-use raybook::light::environment::Environment;
-use raybook::light::{Light, LightSample};
-use raybook::math::{dir3::Dir3, ray::Ray};
+use raybook::lab::{chapter, even, everywhere::Everywhere, sheet::sheet};
+use raybook::light::{Light, environment::Environment};
 use raybook::render::{film::Film, mis::Strategy, path::Path};
-use raybook::scene::skies::{self, Sky};
-use raybook::scene::still_life::{camera, still_life};
-use std::f32::consts::{PI, TAU};
+use raybook::scene::skies;
+use raybook::scene::still_life::{AT, EYE, still_life};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 #[derive(clap::Args)]
-struct Options {
+struct MapOptions {
     /// Light the scene with this map (.exr, .hdr or .png) instead of the four skies
     #[arg(long)]
     environment: Option<PathBuf>,
@@ -33,86 +31,59 @@ struct Options {
 
 /// Draws the chapter's pictures.
 pub(crate) fn draw(stage: &Stage) -> Drawn {
-    let film = stage.film_of(960, 48, 1.6);
-    let small = stage.film_of((film.width / 2) as u32, 48, 1.6);
-    let four: [Sky; 4] = [
-        skies::clear_day,
-        skies::sunset,
-        skies::overcast,
-        skies::studio,
+    let tile = stage.tile(2, 1.6);
+    let samples = 2 * tile.samples;
+    let film = Film { samples, ..tile };
+    let maps = skies::FOUR.map(|sky| skies::map(sky, 1024));
+    let under = |map: &Image| picture(&film, Box::new(Environment::new(map.clone())));
+    let [day, sunset, overcast, studio] = &maps;
+    let lit = [
+        under(day)?,
+        under(sunset)?,
+        under(overcast)?,
+        under(studio)?,
     ];
-    let lit = four.map(|sky| {
-        let map = Environment::new(skies::map(sky, 1024));
-        picture(&small, Box::new(map))
-    });
     let caption = "Nothing shines here but the map: a clear day, a sunset, an overcast sky, a studio with two softboxes.";
     stage.picture("picture", caption, &quarters(&lit))?;
 
-    let day = skies::map(skies::clear_day, 1024);
     let caption = "The clear day in three layouts: latitude and longitude, a cube unfolded to a cross, and the angular map.";
-    stage.figure("layouts", caption, &layouts(&day)?)?;
+    stage.figure("layouts", caption, &layouts(day)?)?;
 
-    let few = Film {
-        samples: 16,
-        ..small
-    };
+    let samples = tile.samples.div_ceil(2);
+    let few = Film { samples, ..tile };
     let uniform = Box::new(Everywhere(Environment::new(day.clone())));
+    let by_light = Box::new(Environment::new(day.clone()));
     let tiles = [
-        ("16 directions, uniform", picture(&few, uniform)),
-        (
-            "16 directions, by their light",
-            picture(&few, Box::new(Environment::new(day))),
-        ),
+        ("uniform directions", picture(&few, uniform)?),
+        ("directions by their light", picture(&few, by_light)?),
     ];
-    let caption = "Equally many samples of the clear day. Half of the light comes from a sun that uniform directions hardly ever meet.";
+    let caption = "Equally many samples of the clear day. More than half of the light on level ground is the sun's, which uniform directions hardly ever meet.";
     stage.figure("importance", caption, &sheet(2, &tiles)?)
 }
 
 /// The still life under one light.
-fn picture(film: &Film, light: Box<dyn Light>) -> Image {
-    let (scene, camera) = (still_life(light), camera(film.aspect()));
+fn picture(film: &Film, light: Box<dyn Light>) -> Result<Image, LookAtError> {
+    let (scene, aspect) = (still_life(light), film.aspect());
+    let camera = Pinhole::look_at(EYE, AT, Vec3::Y, 0.05, aspect)?;
     let path = Path {
         depth: 6,
         sure: 3,
         strategy: Strategy::Both,
     };
-    film.render(|place, rng| path.radiance(&scene, &camera.ray_through(place), rng))
-}
-
-/// An environment whose directions are chosen without looking: each is as likely as any other.
-struct Everywhere(Environment);
-
-impl Light for Everywhere {
-    fn sample(&self, _at: Vec3, u: Vec2) -> Option<LightSample> {
-        let (cosine, (sin, cos)) = (1.0 - 2.0 * u.y, (TAU * u.x).sin_cos());
-        let sine = (1.0 - cosine * cosine).sqrt();
-        let toward = Dir3::new(Vec3::new(sine * cos, cosine, sine * sin))?;
-        let pdf = self.pdf(Vec3::ZERO, toward);
-        Some(LightSample {
-            toward,
-            distance: f32::INFINITY,
-            arriving: self.0.radiance(toward) / pdf,
-            pdf,
-        })
-    }
-
-    fn pdf(&self, _at: Vec3, _toward: Dir3) -> f32 {
-        0.25 / PI
-    }
-
-    fn seen(&self, ray: &Ray) -> Option<(f32, Rgb)> {
-        self.0.seen(ray)
-    }
+    let ray = |place| camera.ray_through(place);
+    Ok(even::render(film, |at, rng| {
+        path.radiance(&scene, &ray(at), rng)
+    }))
 }
 
 fn main() -> ExitCode {
-    chapter::run_with("ch18_environment", |stage, options: Options| {
+    chapter::run_with("ch18_environment", |stage, options: MapOptions| {
         let Some(file) = options.environment else {
             return draw(stage);
         };
         let light = Box::new(Environment::new(options.layout.unfold(&file::load(&file)?)));
         let film = stage.film_of(960, 64, 1.6);
         let caption = format!("Nothing shines here but {}.", file.display());
-        stage.picture("picture", &caption, &picture(&film, light))
+        stage.picture("picture", &caption, &picture(&film, light)?)
     })
 }

@@ -1,11 +1,11 @@
 //! # Wide BVH
 //!
 //! A processor does eight sums in the time of one. So a node gets eight children, whose boxes are tested at once, and a
-//! leaf four triangles; the tree becomes a third as high, and its search more than twice as fast.
+//! leaf eight triangles; the tree becomes a third as high, and its search more than twice as fast.
 //!
 //! New: accel/wide_bvh/mod.rs accel/wide_bvh/avx2.rs accel/wide_bvh/batch.rs accel/wide_bvh/build.rs
 //! New: accel/wide_bvh/collapse.rs accel/wide_bvh/lanes.rs accel/wide_bvh/nearest.rs accel/wide_bvh/node.rs
-//! New: accel/wide_bvh/pages.rs accel/wide_bvh/portable.rs accel/wide_bvh/ray.rs accel/wide_bvh/search.rs
+//! New: accel/wide_bvh/optimal.rs accel/wide_bvh/pages.rs accel/wide_bvh/portable.rs accel/wide_bvh/ray.rs accel/wide_bvh/search.rs
 //! New: accel/wide_bvh/stack.rs accel/wide_bvh/validate.rs accel/wide_bvh/walk.rs
 
 use raybook::accel::{bvh::Bvh, wide_bvh::WideBvh};
@@ -35,7 +35,7 @@ pub(crate) fn draw(stage: &Stage) -> Drawn {
     let mesh = &confetti.mesh;
     let two = Bvh::new(mesh.facets());
     let rays = wide_gain::rays(mesh, 60_000);
-    let caption = "The same triangles, the same rays. A wide tree has far fewer steps, and tests a few more triangles, four at a time.";
+    let caption = "The same triangles, the same rays. A wide tree has far fewer steps, and tests a few more triangles, eight at a time.";
     stage.figure("steps", caption, &wide_gain::steps(&rays, &two, &tree)?)?;
     let note = format!(
         "rays from anywhere to anywhere, {} triangles",

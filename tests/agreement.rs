@@ -1,5 +1,7 @@
 //! Every accelerator answers as the list does, whatever it is given; and none lets the counting change an answer.
 
+#[path = "agreement/compare.rs"]
+mod compare;
 #[path = "agreement/rays.rs"]
 mod rays;
 #[path = "agreement/scenes.rs"]
@@ -7,34 +9,21 @@ mod scenes;
 #[path = "agreement/structures.rs"]
 mod structures;
 
+use compare::{Seen, compare};
 use glam::Vec3;
 use proptest::prelude::*;
-use proptest::test_runner::{Config, RngSeed, TestCaseError, TestRunner};
+use proptest::test_runner::{Config, RngSeed, TestRunner};
 use rand::RngExt;
-use raybook::accel::{Accel, list::List, wide_bvh::WideBvh};
+use raybook::accel::{Accel, wide_bvh::WideBvh};
 use raybook::math::{dir3::Dir3, interval::Interval, pcg, ray::Ray};
 use raybook::scene::soup;
-use raybook::shape::{Hit, Shape};
 use rays::RayRecipe;
-use scenes::Scene;
 use std::cell::Cell;
-use std::fmt::Debug;
-use structures::{Checked, facets, things};
+use structures::{facets, things};
 
 /// Scenes; each is built into every structure, and looked at by [`RAYS`] rays.
 const SCENES: u32 = 400;
 const RAYS: usize = 48;
-
-/// How far two hits may be apart that count as equal, in parts of the largest number that went into them: the bound of
-/// every shape's own rounding (`raybook::shape::ROUNDING`).
-const EQUAL: f32 = raybook::shape::ROUNDING;
-
-/// What was seen, lest a test passes in which nothing is hit.
-#[derive(Default)]
-struct Seen {
-    rays: Cell<u32>,
-    hits: Cell<u32>,
-}
 
 /// The seed is fixed, for what fails must fail again; `PROPTEST_RNG_SEED=7 cargo test --test agreement` tries others.
 fn runner(scenes: u32) -> TestRunner {
@@ -78,82 +67,6 @@ fn finish(tried: Result<(), String>, seen: &Seen) {
         3 * hits >= rays,
         "a third of the rays must hit, or agreement says little: {hits} of {rays}"
     );
-}
-
-fn compare<S: Shape + Copy + PartialEq + Debug>(
-    scene: &Scene<S>,
-    questions: &[RayRecipe],
-    structures: &[(&str, Box<dyn Checked<S>>)],
-    seen: &Seen,
-) -> Result<(), TestCaseError> {
-    let list = List::new(scene.shapes.clone());
-    for (name, structure) in structures {
-        let valid = structure.validate();
-        prop_assert!(valid.is_ok(), "{name}: {}", valid.unwrap_err());
-    }
-    for recipe in questions {
-        let (ray, within) = recipe.in_scene(scene);
-        let expected = list.closest(&ray, within).map(|(shape, hit)| (*shape, hit));
-        seen.rays.set(seen.rays.get() + 1);
-        seen.hits
-            .set(seen.hits.get() + u32::from(expected.is_some()));
-        for (name, structure) in structures {
-            let found = structure.closest(&ray, within);
-            if let Err(why) = same(scene, &ray, found, expected) {
-                return Err(TestCaseError::fail(format!(
-                    "{name}: {why}\n{ray:?} {within:?}\nlist {expected:?}\n{name} {found:?}"
-                )));
-            }
-            let (counted, tests) = structure.closest_counted(&ray, within);
-            prop_assert_eq!(found, counted, "{}: counting changes the answer", name);
-            prop_assert!(
-                found.is_none() || tests.shapes > 0,
-                "{name}: a hit without a test: {tests:?}"
-            );
-            let any = structure.any(&ray, within);
-            prop_assert_eq!(
-                any,
-                found.is_some(),
-                "{}: any and closest differ for {:?} {:?}",
-                name,
-                ray,
-                within
-            );
-        }
-    }
-    Ok(())
-}
-
-/// The same shape at the same distance, or another at an equal one; and the hit is that of the shape that comes with it.
-fn same<S: Shape + PartialEq>(
-    scene: &Scene<S>,
-    ray: &Ray,
-    found: Option<(S, Hit)>,
-    expected: Option<(S, Hit)>,
-) -> Result<(), String> {
-    let ((shape, found), (_, expected)) = match (found, expected) {
-        (None, None) => return Ok(()),
-        (Some(found), Some(expected)) => (found, expected),
-        (Some(_), None) => return Err("a hit where the list has none".into()),
-        (None, Some(_)) => return Err("a hit is lost".into()),
-    };
-    let numbers = [
-        scene.largest(),
-        ray.origin.abs().max_element(),
-        expected.t.abs(),
-    ];
-    let scale = numbers.into_iter().fold(0.0, f32::max);
-    let tolerance = EQUAL * scale;
-    if (found.t - expected.t).abs() > tolerance {
-        return Err(format!("the distances differ by more than {tolerance}"));
-    }
-    let again = shape.hit(ray, Interval::new(f32::NEG_INFINITY, f32::INFINITY));
-    match again {
-        Some(again) if (again.t - found.t).abs() <= tolerance && again.id == found.id => Ok(()),
-        // A ball or a box is also hit where the ray leaves it.
-        Some(again) if again.t < found.t && again.id == found.id => Ok(()),
-        again => Err(format!("the shape itself says {again:?}")),
-    }
 }
 
 #[test]

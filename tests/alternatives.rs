@@ -10,6 +10,8 @@ mod boxes;
 mod ch11;
 #[path = "alternatives/ch12.rs"]
 mod ch12;
+#[path = "alternatives/ch13.rs"]
+mod ch13;
 #[path = "alternatives/ch14.rs"]
 mod ch14;
 #[path = "alternatives/ch15.rs"]
@@ -20,12 +22,16 @@ mod ch16;
 mod ch17;
 #[path = "alternatives/ch18.rs"]
 mod ch18;
+#[path = "alternatives/ch21.rs"]
+mod ch21;
 #[path = "alternatives/ch22.rs"]
 mod ch22;
 #[path = "alternatives/ch23.rs"]
 mod ch23;
 #[path = "alternatives/ch24.rs"]
 mod ch24;
+#[path = "alternatives/estimates.rs"]
+mod estimates;
 #[path = "alternatives/flat.rs"]
 mod flat;
 #[path = "alternatives/grid.rs"]
@@ -34,8 +40,12 @@ mod grid;
 mod light;
 #[path = "alternatives/mesh.rs"]
 mod mesh;
+#[path = "alternatives/noticed.rs"]
+mod noticed;
 #[path = "alternatives/numbers.rs"]
 mod numbers;
+#[path = "common/polygon.rs"]
+mod polygon;
 #[path = "alternatives/sphere.rs"]
 mod sphere;
 #[path = "alternatives/student.rs"]
@@ -112,12 +122,15 @@ fn alternatives() -> impl Iterator<Item = &'static Alternative> {
         grid::ALTERNATIVES,
         trees::ALTERNATIVES,
         ch11::ALTERNATIVES,
+        ch21::ALTERNATIVES,
         ch24::ALTERNATIVES,
         ch12::ALTERNATIVES,
+        ch13::ALTERNATIVES,
         ch14::ALTERNATIVES,
         ch15::ALTERNATIVES,
         ch16::ALTERNATIVES,
         ch17::ALTERNATIVES,
+        estimates::ALTERNATIVES,
         ch18::ALTERNATIVES,
         ch22::ALTERNATIVES,
         ch23::ALTERNATIVES,

@@ -8,5 +8,7 @@ mod cells;
 mod cost;
 #[path = "ch08_grid/planes.rs"]
 mod planes;
+#[path = "common/polygon.rs"]
+mod polygon;
 #[path = "ch08_grid/walk.rs"]
 mod walk;

@@ -2,8 +2,8 @@
 
 #[path = "ch09_two_level_grid/laws.rs"]
 mod laws;
-#[path = "common/rays.rs"]
-mod rays;
+#[path = "common/whole.rs"]
+mod whole;
 
 use glam::{U8Vec3, UVec3, Vec3, vec3};
 use raybook::accel::lattice::Lattice;

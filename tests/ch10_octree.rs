@@ -6,6 +6,8 @@ mod laws;
 mod rays;
 #[path = "ch10_octree/walk.rs"]
 mod walk;
+#[path = "common/whole.rs"]
+mod whole;
 
 use glam::{Vec3, vec3};
 use rand::RngExt;

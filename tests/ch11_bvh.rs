@@ -12,10 +12,11 @@ mod search;
 use raybook::accel::bvh::build::Method;
 
 /// All builders.
-pub const METHODS: [Method; 5] = [
+pub const METHODS: [Method; 6] = [
     Method::Median,
     Method::Middle,
     Method::Sweep,
     Method::Binned,
+    Method::Fine,
     Method::BottomUp,
 ];

@@ -1,7 +1,5 @@
 //! Chapter 13: mirrors, and rays that ask rays.
 
-#[path = "common/allocations.rs"]
-mod allocations;
 #[path = "ch13_reflection/depth.rs"]
 mod depth;
 #[path = "common/rays.rs"]
@@ -9,7 +7,6 @@ mod rays;
 #[path = "ch13_reflection/tree.rs"]
 mod tree;
 
-use allocations::allocations;
 use glam::{Vec3, vec3};
 use raybook::image::rgb::Rgb;
 use raybook::material::{
@@ -21,13 +18,9 @@ use raybook::material::{
 use raybook::math::{dir3::Dir3, pcg, ray::Ray};
 use raybook::render::local::{ALWAYS, Local};
 use raybook::render::whitted::Whitted;
-use raybook::scene::{
-    marbles,
-    world::{Scene, Thing},
-};
+use raybook::scene::world::{Scene, Thing};
 use raybook::shape::{Surface, plane::Plane};
 use rays::{random_direction, ray};
-use std::hint::black_box;
 
 fn whitted(depth: u32) -> Whitted {
     let local = Local {
@@ -173,23 +166,4 @@ fn an_interpolated_normal_never_sends_a_ray_below_the_surface() {
         corrected > 500,
         "only {corrected} would have gone below: the test tries too little"
     );
-}
-
-#[test]
-fn following_rays_allocates_nothing() {
-    let scene = marbles::scene();
-    let mut rng = pcg::stream(13, 2);
-    let [from, to] = marbles::VIEW;
-    let (count, bright) = allocations(|| {
-        let mut sum = Rgb::BLACK;
-        for _ in 0..10_000 {
-            let toward = to - from + 2.5 * *random_direction(&mut rng);
-            sum += whitted(8).radiance(&scene, &ray(from, toward), &mut rng);
-        }
-        sum
-    });
-    assert!(bright.r > 1000.0, "the rays see something: {bright:?}");
-    assert_eq!(count, 0, "10 000 rays and all that they ask");
-    let (count, _) = allocations(|| black_box(Box::new(1)));
-    assert_eq!(count, 1, "an allocation is counted");
 }

@@ -1,7 +1,5 @@
 //! Chapter 15: shadow rays, from just off the surface to just before the light.
 
-#[path = "common/allocations.rs"]
-mod allocations;
 #[path = "common/rays.rs"]
 mod rays;
 #[path = "ch15_shadows/scales.rs"]

@@ -1,9 +1,21 @@
 //! Chapter 18: light from all around.
 
+mod common;
+
+#[path = "ch18_environment/files.rs"]
+mod files;
 #[path = "ch18_environment/layouts.rs"]
 mod layouts;
+#[path = "ch18_environment/maps.rs"]
+mod maps;
+#[path = "ch18_environment/paths.rs"]
+mod paths;
+#[path = "ch18_environment/piecewise.rs"]
+mod piecewise;
 #[path = "ch18_environment/sampling.rs"]
 mod sampling;
+#[path = "ch18_environment/skies.rs"]
+mod skies;
 
 use glam::Vec3;
 use rand::RngExt;

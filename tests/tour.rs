@@ -79,6 +79,24 @@ fn the_tour_draws_the_chosen_chapters_and_a_gallery_whose_pictures_exist() {
 }
 
 #[test]
+fn the_tour_tells_the_rays_a_second_of_the_main_picture() {
+    let out = tempfile::tempdir().expect("a temporary folder");
+    let run = raybook()
+        .args(["tour", "--only", "ch15", "--width", "96", "--out"])
+        .arg(out.path())
+        .assert()
+        .success();
+    let said = String::from_utf8_lossy(&run.get_output().stdout).into_owned();
+    let line = said.lines().find(|line| line.starts_with("ch15_shadows"));
+    assert!(
+        line.is_some_and(|line| line.ends_with("million rays a second")),
+        "beside the time: {said}"
+    );
+    let page = fs::read_to_string(out.path().join("index.html")).expect("the gallery is there");
+    assert!(page.contains("million rays a second"), "in the gallery too");
+}
+
+#[test]
 fn a_mistyped_chapter_is_explained() {
     let run = raybook().args(["tour", "--only", "ch99"]).assert().code(2);
     let said = String::from_utf8_lossy(&run.get_output().stderr).into_owned();

@@ -53,6 +53,8 @@ mod chapters {
     pub mod ch17_rendering_equation;
     #[path = "../../chapters/ch18_environment.rs"]
     pub mod ch18_environment;
+    #[path = "../../chapters/ch21_black_hole.rs"]
+    pub mod ch21_black_hole;
     #[path = "../../chapters/ch22_antialiasing.rs"]
     pub mod ch22_antialiasing;
     #[path = "../../chapters/ch23_adaptive.rs"]
@@ -87,6 +89,7 @@ const DRAW: &[(&str, Draw)] = &[
         chapters::ch17_rendering_equation::draw,
     ),
     ("ch18_environment", chapters::ch18_environment::draw),
+    ("ch21_black_hole", chapters::ch21_black_hole::draw),
     ("ch22_antialiasing", chapters::ch22_antialiasing::draw),
     ("ch23_adaptive", chapters::ch23_adaptive::draw),
     ("ch24_wide_bvh", chapters::ch24_wide_bvh::draw),
@@ -124,10 +127,11 @@ impl Tour {
             let (outputs, time) = (stage.into_outputs(), chapter_start.elapsed());
             if bars.is_hidden() {
                 say(format!(
-                    "{:<16} {} pictures in {:.1} s",
+                    "{:<24} {} pictures in {:.1} s{}",
                     chapter.name,
                     outputs.len(),
-                    time.as_secs_f32()
+                    time.as_secs_f32(),
+                    gallery::rays(&outputs)
                 ));
             }
             drawings.push(Drawing {

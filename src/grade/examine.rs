@@ -63,7 +63,7 @@ pub trait Examiner: Asked {
     /// The mistakes' names and hints.
     fn mistakes(&self) -> Vec<(&'static str, &'static str)>;
 
-    /// What mistake number i answers; `None` if it panics or the question cannot be read.
+    /// What mistake number i answers; `None` if the question cannot be read.
     fn mistaken(&self, i: usize, question: &str) -> Option<String>;
 
     /// How close an answer to a mistake's is that mistake, relatively.
@@ -93,21 +93,24 @@ pub fn visible_rng(exercise: &str) -> Pcg {
     pcg::stream(0, name)
 }
 
+/// A question with the reference's answer; its number comes later.
+fn case<E: Graded>(name: &str, question: &E::Question) -> Case {
+    Case {
+        number: 0,
+        name: name.to_owned(),
+        question: question.write(),
+        answers: vec![E::answer(question).write()],
+    }
+}
+
 impl<E: Graded> Examiner for E {
     fn cases(&self, rng: &mut Pcg) -> Cases {
         let mut cases: Vec<_> = E::edges()
             .into_iter()
             .map(|edge| {
-                let also_right = edge.also_right.iter().map(Row::write);
-                let answers = std::iter::once(E::answer(&edge.question).write())
-                    .chain(also_right)
-                    .collect();
-                Case {
-                    number: 0,
-                    name: edge.name.to_owned(),
-                    question: edge.question.write(),
-                    answers,
-                }
+                let mut case = case::<E>(edge.name, &edge.question);
+                case.answers.extend(edge.also_right.iter().map(Row::write));
+                case
             })
             .collect();
         let (mut kept, mut thrown_away) = (0, 0);
@@ -115,13 +118,7 @@ impl<E: Graded> Examiner for E {
             let question = E::random(rng);
             if stable::is_stable::<E>(&question, rng) {
                 kept += 1;
-                let answers = vec![E::answer(&question).write()];
-                cases.push(Case {
-                    number: 0,
-                    name: format!("random {kept}"),
-                    question: question.write(),
-                    answers,
-                });
+                cases.push(case::<E>(&format!("random {kept}"), &question));
             } else {
                 thrown_away += 1;
                 assert!(

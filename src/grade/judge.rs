@@ -5,6 +5,7 @@
 //! out those whose answers hang on the last digits.
 
 use crate::grade::Verdict;
+use crate::workbook::exercises::ch07_mesh::MeshHitAnswer;
 use glam::{Vec2, Vec3};
 
 /// A number may differ by this fraction of its size, or of 1 if it is smaller.
@@ -126,6 +127,24 @@ pub fn option<T>(
         }
         (Some(golden), Some(got)) => compare(golden, got),
     }
+}
+
+/// The nearest triangle that is hit: the same one, at the same distance.
+///
+/// # Errors
+/// If it is another, further away or nearer, missing or one too many.
+pub fn nearest(golden: Option<&MeshHitAnswer>, got: Option<&MeshHitAnswer>) -> Verdict {
+    option("a hit", golden, got, |golden, got| {
+        number("t", "m", golden.t, got.t)?;
+        if golden.id == got.id {
+            Ok(())
+        } else {
+            Err(format!(
+                "you returned triangle {}, and triangle {} is hit",
+                got.id, golden.id
+            ))
+        }
+    })
 }
 
 fn finite(name: &str, v: Vec3) -> Verdict {

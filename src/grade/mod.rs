@@ -21,6 +21,7 @@ pub mod picture;
 pub mod prints;
 pub mod progress;
 pub mod sample;
+pub mod search;
 pub mod stable;
 pub mod starter;
 pub mod student;
@@ -48,6 +49,16 @@ pub trait Graded: Exercise + Sized + 'static {
 
     /// An ordinary question. It is kept only if its answer does not hang on the last digits of its numbers.
     fn random(rng: &mut Pcg) -> Self::Question;
+
+    /// The right answer to a question that was misread: what many a mistake comes down to.
+    fn misread(question: &Self::Question, how: impl FnOnce(&mut Self::Question)) -> Self::Answer
+    where
+        Self::Question: Clone,
+    {
+        let mut question = question.clone();
+        how(&mut question);
+        Self::answer(&question)
+    }
 
     /// Compares an answer with the golden one.
     ///

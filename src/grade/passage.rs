@@ -48,7 +48,9 @@ pub fn passage(
         );
     }
     for &cell in golden {
-        let Some((enters, leaves)) = way.inside(&cells[cell as usize], -way.tolerance) else {
+        let bounds = cells.get(cell as usize);
+        let Some((enters, leaves)) = bounds.and_then(|bounds| way.inside(bounds, -way.tolerance))
+        else {
             continue;
         };
         let middle = 0.5 * (enters + leaves);
@@ -68,7 +70,8 @@ pub fn passage(
         && !golden.is_empty()
         && golden
             .iter()
-            .any(|&cell| way.is_long(&cells[cell as usize]))
+            .filter_map(|&cell| cells.get(cell as usize))
+            .any(|bounds| way.is_long(bounds))
     {
         return Err(format!(
             "you visit no {what}, the reference {}",

@@ -1,12 +1,34 @@
-//! Random questions' ingredients.
+//! What questions are made of.
 
-use crate::math::{dir3::Dir3, pcg::Pcg};
+use crate::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 use glam::{Vec3, vec3};
 use rand::RngExt;
+
+/// All of a line, ahead and behind.
+pub const LINE: Interval = Interval::new(f32::NEG_INFINITY, f32::INFINITY);
+
+/// The ray from a point in the direction of a vector of any length but 0.
+pub fn ray(origin: Vec3, toward: Vec3) -> Ray {
+    Ray::new(origin, Dir3::new_or(toward, Dir3::Z))
+}
+
+/// Where pixel (x, y) of a picture of 96 × 54 lies, seen along −z from 1 m away; the picture is 1 m high.
+pub fn pixel(x: u32, y: u32) -> Vec3 {
+    vec3((x as f32 - 47.5) / 54.0, (26.5 - y as f32) / 54.0, -1.0)
+}
 
 /// A number between two others.
 pub fn number(rng: &mut Pcg, min: f32, max: f32) -> f32 {
     rng.random_range(min..max)
+}
+
+/// Where an interval ends: between two numbers, or nowhere.
+pub fn end(rng: &mut Pcg, chance: f64, min: f32, max: f32) -> f32 {
+    if rng.random_bool(chance) {
+        number(rng, min, max)
+    } else {
+        f32::INFINITY
+    }
 }
 
 /// A point of the cube [−half, half]³.

@@ -87,7 +87,7 @@ pub fn save(path: &Path, picture: &Image) -> Result<(), FileError> {
 /// Reads a picture of linear radiance; a PNG's code values are decoded from sRGB.
 ///
 /// # Errors
-/// If the file cannot be read, or holds something else than its name promises.
+/// If the file cannot be read, holds something else than its name promises, or no pixels.
 pub fn load(path: &Path) -> Result<Image, FileError> {
     let format = format_of(path)?;
     let bytes = fs::read(path).map_err(|reason| FileError::Io {
@@ -106,7 +106,11 @@ pub fn load(path: &Path) -> Result<Image, FileError> {
             codec::decode_with_image(&bytes, image::ImageFormat::Png, tone::decode_srgb),
         ),
     };
-    decoded.map_err(|reason| FileError::Content {
+    let some = |picture: Image| match picture.pixels() {
+        [] => Err("it has no pixels".to_owned()),
+        _ => Ok(picture),
+    };
+    decoded.and_then(some).map_err(|reason| FileError::Content {
         path: path.into(),
         format: name,
         reason,

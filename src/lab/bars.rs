@@ -1,10 +1,10 @@
 //! A bar chart: a few named numbers, to be compared by length.
 
 use crate::image::Image;
-use crate::lab::figure::{Canvas, FONT, figure};
+use crate::lab::figure::{figure, text};
 use crate::lab::palette::{BLUE, FAINT, INK};
-use plotters::prelude::{Color, IntoFont, PathElement, Rectangle, Text};
-use plotters::style::text_anchor::{HPos, Pos, VPos};
+use plotters::prelude::{Color, PathElement, Rectangle};
+use plotters::style::text_anchor::HPos;
 use std::error::Error;
 
 /// Height of a bar, and the space it stands in, in pixels of the canvas.
@@ -37,6 +37,7 @@ pub fn bars(
             (WIDTH as i32 / 2, HEAD / 2),
             46,
             HPos::Center,
+            INK,
         )?;
         for (row, (name, value)) in (0..).zip(rows) {
             let middle = HEAD + ROW * row + ROW / 2;
@@ -44,13 +45,14 @@ pub fn bars(
                 LEFT + (f64::from(RIGHT - LEFT) * value / longest.max(f64::MIN_POSITIVE)) as i32;
             let corners = [(LEFT, middle - BAR / 2), (end, middle + BAR / 2)];
             canvas.draw(&Rectangle::new(corners, BLUE.filled()))?;
-            text(canvas, name, (LEFT - 28, middle), 40, HPos::Right)?;
+            text(canvas, name, (LEFT - 28, middle), 40, HPos::Right, INK)?;
             text(
                 canvas,
                 &format!("{value:.1} {unit}"),
                 (end + 24, middle),
                 40,
                 HPos::Left,
+                INK,
             )?;
         }
         let axis = vec![(LEFT, HEAD), (LEFT, bottom)];
@@ -61,19 +63,7 @@ pub fn bars(
             (WIDTH as i32 / 2, bottom + FOOT / 2),
             34,
             HPos::Center,
+            INK,
         )
     })
-}
-
-/// A line of text, anchored at the given end and at half its height.
-fn text(
-    canvas: &Canvas,
-    text: &str,
-    at: (i32, i32),
-    size: i32,
-    end: HPos,
-) -> Result<(), Box<dyn Error>> {
-    let style = (FONT, size).into_font().color(&INK.to_rgba());
-    canvas.draw(&Text::new(text, at, style.pos(Pos::new(end, VPos::Center))))?;
-    Ok(())
 }

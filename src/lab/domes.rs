@@ -30,6 +30,12 @@ const DOMES: [(&str, Warp, &str); 2] = [
     ),
 ];
 
+/// Where the domes are seen from.
+const EYE: Vec3 = vec3(0.0, 2.6, 5.0);
+
+/// How high the disc with the shadows is: below the dome, which would hide them.
+const FLOOR: f32 = -0.95;
+
 type Warp = fn(Dir3, Vec2) -> Dir3;
 type Drawn = Result<(), Box<dyn Error>>;
 
@@ -38,13 +44,12 @@ type Drawn = Result<(), Box<dyn Error>>;
 /// # Errors
 /// If plotters cannot draw.
 pub fn draw() -> Result<Image, Box<dyn Error>> {
-    figure(960, 470, |canvas| {
+    figure(960, 560, |canvas| {
         let halves = canvas.split_evenly((1, 2));
         for ((name, warp, note), half) in DOMES.into_iter().zip(&halves) {
             let (width, height) = half.dim_in_pixel();
             let aspect = width as f32 / height as f32;
-            let eye = vec3(0.0, 2.6, 5.0);
-            let viewer = Pinhole::look_at(eye, vec3(0.0, 0.32, 0.0), Vec3::Y, 0.0475, aspect)?;
+            let viewer = Pinhole::look_at(EYE, vec3(0.0, -0.2, 0.0), Vec3::Y, 0.036, aspect)?;
             dome(
                 &Sketch {
                     canvas: half,
@@ -64,8 +69,9 @@ pub fn draw() -> Result<Image, Box<dyn Error>> {
 
 /// The directions of evenly spread points, the farthest first.
 fn dome(sketch: &Sketch, warp: Warp) -> Drawn {
-    let disc: Vec<_> = circle(|x, y| vec3(x, 0.0, y)).collect();
+    let disc = circle(|x, y| vec3(x, FLOOR, y));
     sketch.area(&disc, FAINT, 0.25)?;
+    sketch.line(&disc, INK, 2)?;
     let mut points: Vec<Vec3> = (0..POINTS)
         .map(|i| {
             let u = vec2(
@@ -77,28 +83,36 @@ fn dome(sketch: &Sketch, warp: Warp) -> Drawn {
         .collect();
     points.sort_by(|a, b| a.z.total_cmp(&b.z));
     for p in &points {
-        sketch.dot(vec3(p.x, 0.0, p.z), 4, ORANGE)?;
+        sketch.dot(vec3(p.x, FLOOR, p.z), 5, ORANGE)?;
     }
     for p in &points {
         let behind = p.z < 0.0;
         sketch.dot(*p, 7, if behind { pale(BLUE) } else { BLUE })?;
     }
-    for arc in [
-        circle(|x, y| vec3(x, y.abs(), 0.0)).collect::<Vec<_>>(),
-        disc,
-    ] {
-        sketch.line(&arc, INK, 2)?;
-    }
-    sketch.arrow(Vec3::ZERO, 1.25 * Vec3::Y, INK, 5)?;
-    sketch.label(1.25 * Vec3::Y, vec2(44.0, 0.0), "N", INK)
+    sketch.line(&circle(|x, y| vec3(x, 0.0, y)), INK, 2)?;
+    sketch.line(&silhouette(), INK, 2)?;
+    sketch.arrow(Vec3::ZERO, 1.2 * Vec3::Y, INK, 5)?;
+    sketch.label(1.2 * Vec3::Y, vec2(44.0, 0.0), "N", INK)
 }
 
 /// A circle of radius 1 in some plane.
-fn circle(plane: impl Fn(f32, f32) -> Vec3) -> impl Iterator<Item = Vec3> {
-    (0..=96).map(move |i| {
-        let (y, x) = (i as f32 * TAU / 96.0).sin_cos();
-        plane(x, y)
-    })
+fn circle(plane: impl Fn(f32, f32) -> Vec3) -> Vec<Vec3> {
+    let turn = |i: i32| (i as f32 * TAU / 96.0).sin_cos();
+    (0..=96).map(turn).map(|(y, x)| plane(x, y)).collect()
+}
+
+/// What the eye sees as the dome's edge: where the lines of sight touch the sphere, p · EYE = 1.
+fn silhouette() -> Vec<Vec3> {
+    let d = EYE.length();
+    let (toward, right) = (EYE / d, Vec3::X);
+    let (middle, r, up) = (
+        toward / d,
+        (1.0 - 1.0 / (d * d)).sqrt(),
+        toward.cross(right),
+    );
+    let edge = circle(|x, y| middle + r * (y * right - x * up));
+    // It starts at its lowest point.
+    edge.into_iter().filter(|p| p.y >= 0.0).collect()
 }
 
 /// Half way to white.

@@ -2,7 +2,10 @@
 
 use crate::image::{Image, rgb::Rgb, tone};
 use plotters::coord::Shift;
-use plotters::prelude::{BitMapBackend, DrawingArea, IntoDrawingArea, WHITE};
+use plotters::prelude::{
+    BitMapBackend, DrawingArea, IntoDrawingArea, IntoFont, RGBColor, Text, WHITE,
+};
+use plotters::style::text_anchor::{HPos, Pos, VPos};
 use std::error::Error;
 use std::sync::Once;
 
@@ -53,6 +56,23 @@ pub fn figure(
             .sum();
         sum / (scale * scale) as f32
     }))
+}
+
+/// A line of text on a canvas, anchored at the given end and at half its height.
+///
+/// # Errors
+/// If plotters cannot draw.
+pub fn text(
+    canvas: &Canvas,
+    text: &str,
+    at: (i32, i32),
+    size: i32,
+    end: HPos,
+    colour: RGBColor,
+) -> Result<(), Box<dyn Error>> {
+    let style = (FONT, size).into_font().color(&colour);
+    canvas.draw(&Text::new(text, at, style.pos(Pos::new(end, VPos::Center))))?;
+    Ok(())
 }
 
 /// Gives plotters its font, once.

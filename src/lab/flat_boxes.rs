@@ -1,15 +1,16 @@
-//! A world of two dimensions, in which a tree of boxes can be seen whole.
+//! Triangles in the plane, and the boxes of a tree around them: a tree that can be seen whole. (Cells in the plane, and a ray
+//! through them, are in `flatland.rs`.)
 
 use crate::accel::bvh::COST;
 use crate::accel::bvh::build::flat::{Flat, Node};
 use crate::accel::bvh::build::{Method, build, cost::Cost, cost::sah_cost};
 use crate::image::Image;
-use crate::lab::figure::{Canvas, FONT, figure};
+use crate::lab::figure::{self, Canvas, figure};
 use crate::lab::palette::{BLUE, FAINT, GREEN, INK, ORANGE, PURPLE, VERMILION};
 use crate::math::{aabb::Aabb, pcg};
 use glam::{Vec2, vec2};
-use plotters::prelude::{Color, IntoFont, Polygon, RGBColor, Rectangle, Text};
-use plotters::style::text_anchor::{HPos, Pos, VPos};
+use plotters::prelude::{Color, Polygon, RGBColor, Rectangle};
+use plotters::style::text_anchor::HPos;
 use rand::RngExt;
 use std::error::Error;
 
@@ -96,11 +97,14 @@ impl Paper<'_, '_> {
     /// # Errors
     /// As for [`Paper::triangle`].
     pub fn text(&self, text: &str, at: Vec2, size: i32, colour: RGBColor) -> Drawn {
-        let middle = Pos::new(HPos::Center, VPos::Center);
-        let style = (FONT, size).into_font().color(&colour).pos(middle);
-        self.canvas
-            .draw(&Text::new(text.to_owned(), self.pixel(at), style))?;
-        Ok(())
+        figure::text(
+            self.canvas,
+            text,
+            self.pixel(at),
+            size,
+            HPos::Center,
+            colour,
+        )
     }
 
     /// All boxes below a node, coloured by level; each has some air around those inside.

@@ -1,4 +1,5 @@
-//! A scene in the plane: small discs, some of them in a crowd, and a ray that passes between them.
+//! Discs in the plane, some of them in a crowd, cells around them, and a ray that passes through: for grids and octrees. (Trees
+//! of boxes in the plane are in `flat_boxes.rs`.)
 
 use crate::image::Image;
 use crate::lab::figure::{FONT, SCALE, figure};

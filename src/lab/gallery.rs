@@ -66,7 +66,7 @@ fn section(folder: &Path, drawing: &Drawing) -> PreEscaped<String> {
             p { (chapter.teaches()) }
             p {
                 "Run it: " code { "cargo run --release --bin " (chapter.name) }
-                " (" (format!("{:.1}", time.as_secs_f32())) " s here). New in " code { "src/" } ": "
+                " (" (format!("{:.1}", time.as_secs_f32())) " s here" (rays(outputs)) "). New in " code { "src/" } ": "
                 @for (i, file) in chapter.new_files().iter().enumerate() { @if i > 0 { ", " } code { (file) } }
                 "."
             }
@@ -84,6 +84,14 @@ fn section(folder: &Path, drawing: &Drawing) -> PreEscaped<String> {
             }
         }
     }
+}
+
+/// ", 1.2 million rays a second": of the main picture, which is the first; nothing where no rays are counted.
+pub fn rays(outputs: &[Output]) -> String {
+    let rays = outputs.first().and_then(|output| output.rays);
+    rays.map_or_else(String::new, |rays| {
+        format!(", {:.1} million rays a second", 1e-6 * rays)
+    })
 }
 
 /// The file as a page in the folder names it, with forward slashes.

@@ -1,63 +1,98 @@
-//! How the work of a search grows with the number of triangles.
+//! How the work of a search grows with the number of triangles, on two logarithmic axes: a power of N is a straight line.
 
-use crate::accel::{Accel, Tests, bvh::Bvh};
+use crate::accel::{bvh::Bvh, grid::Grid};
 use crate::image::Image;
 use crate::lab::figure::{FONT, figure};
+use crate::lab::law::{Reach, mean_tests};
+use crate::lab::lines::grouped;
 use crate::lab::palette::{BLUE, FAINT, INK, VERMILION};
-use crate::math::{dir3::Dir3, interval::Interval, pcg, ray::Ray};
-use crate::scene::soup::soup;
-use crate::shape::mesh::Facet;
-use glam::Vec3;
-use plotters::prelude::{ChartBuilder, Circle, Color, IntoFont, IntoLogRange, LineSeries, Text};
-use rand::RngExt;
+use plotters::prelude::{
+    ChartBuilder, Circle, Color, IntoFont, IntoLogRange, LineSeries, RGBColor, Text,
+};
 use std::error::Error;
 
-/// Numbers of triangles that are tried.
-pub const SIZES: [u32; 9] = [
-    100, 300, 1000, 3000, 10_000, 30_000, 100_000, 200_000, 400_000,
-];
-
-/// Rays from one random point of the unit cube towards another.
-pub fn rays(count: usize) -> Vec<Ray> {
-    let mut rng = pcg::stream(11, 0);
-    let mut point = || Vec3::from_array(std::array::from_fn(|_| rng.random::<f32>()));
-    let mut ray = || {
-        let (from, to) = (point(), point());
-        Ray::new(from, Dir3::new_or(to - from, Dir3::X))
-    };
-    (0..count).map(|_| ray()).collect()
-}
-
-/// The boxes and shapes that a search tests, the mean over these rays.
-pub fn tests(accel: &impl Accel<Facet>, rays: &[Ray]) -> f64 {
-    let mut count = Tests::default();
-    for ray in rays {
-        accel.closest_counted(ray, Interval::AHEAD, &mut count);
-    }
-    (count.boxes + count.shapes) as f64 / rays.len() as f64
-}
-
-/// Tests per ray against triangles, both on logarithmic axes: the list, the tree.
+/// Tests per ray against triangles: the list, the tree.
 ///
 /// # Errors
 /// What plotters reports.
-pub fn draw() -> Result<Image, Box<dyn Error>> {
-    let rays = rays(1000);
-    let tree: Vec<_> = SIZES
-        .iter()
-        .map(|&n| (f64::from(n), tests(&Bvh::new(soup(n, 1).facets()), &rays)))
-        .collect();
-    let list: Vec<_> = SIZES
-        .iter()
-        .map(|&n| (f64::from(n), f64::from(n)))
-        .collect();
+pub fn list_and_tree() -> Result<Image, Box<dyn Error>> {
+    let sizes = [
+        100, 300, 1000, 3000, 10_000, 30_000, 100_000, 200_000, 400_000,
+    ];
+    let tree = sizes.map(|n| {
+        let tests = mean_tests(n, Reach::Inside, Bvh::new);
+        (f64::from(n), tests[0] + tests[1])
+    });
+    let list = sizes.map(|n| (f64::from(n), f64::from(n)));
+    let curves = [
+        Curve::of(&list, "list: N", VERMILION, (12_000.0, 40_000.0)),
+        Curve::of(&tree, "tree: log N", BLUE, (12_000.0, 90.0)),
+    ];
+    plot("boxes and triangles tested per ray", &curves)
+}
+
+/// Cells and tests of a ray across a grid, against triangles.
+///
+/// # Errors
+/// What plotters reports.
+pub fn grid() -> Result<Image, Box<dyn Error>> {
+    let sizes = [100, 1000, 10_000, 100_000, 1_000_000];
+    let counts = sizes.map(|n| {
+        let tests = mean_tests(n, Reach::Across, Grid::of_facets);
+        (f64::from(n), tests)
+    });
+    let [cells, tests] = [0, 1].map(|i| counts.map(|(n, count)| (n, count[i])));
+    // Between the two, so that either can be compared with it.
+    let between = (cells[0].1 * tests[0].1).sqrt();
+    let cube_root = sizes
+        .map(f64::from)
+        .map(|n| (n, between * (n / 100.0).cbrt()));
+    let curves = [
+        Curve {
+            is_guide: true,
+            ..Curve::of(&cube_root, "∛N", INK, (15_000.0, 1.7 * cube_root[2].1))
+        },
+        Curve::of(&cells, "cells visited", BLUE, (200.0, 3.4 * cells[0].1)),
+        Curve::of(&tests, "triangles tested", VERMILION, (3000.0, tests[1].1)),
+    ];
+    plot("per ray", &curves)
+}
+
+/// A curve, and where its name stands.
+struct Curve<'a> {
+    points: &'a [(f64, f64)],
+    name: &'a str,
+    colour: RGBColor,
+    at: (f64, f64),
+    /// Thin and without marks: a law to compare with.
+    is_guide: bool,
+}
+
+impl<'a> Curve<'a> {
+    fn of(points: &'a [(f64, f64)], name: &'a str, colour: RGBColor, at: (f64, f64)) -> Self {
+        Self {
+            points,
+            name,
+            colour,
+            at,
+            is_guide: false,
+        }
+    }
+}
+
+fn plot(y: &str, curves: &[Curve]) -> Result<Image, Box<dyn Error>> {
+    let points = || curves.iter().flat_map(|curve| curve.points);
+    let least = |of: fn(&(f64, f64)) -> f64| points().map(of).fold(f64::INFINITY, f64::min);
+    let most = |of: fn(&(f64, f64)) -> f64| points().map(of).fold(0.0, f64::max);
+    let x_range = 0.8 * least(|p| p.0)..1.25 * most(|p| p.0);
+    let y_range = 10_f64.powf(least(|p| p.1).log10().floor())..1.25 * most(|p| p.1);
     figure(960, 560, |canvas| {
         let mut chart = ChartBuilder::on(canvas)
             .margin(40)
             .margin_right(90)
             .x_label_area_size(110)
             .y_label_area_size(200)
-            .build_cartesian_2d((80.0..500_000.0).log_scale(), (10.0..500_000.0).log_scale())?;
+            .build_cartesian_2d(x_range.log_scale(), y_range.log_scale())?;
         let font = |size: i32| (FONT, size).into_font().color(&INK);
         chart
             .configure_mesh()
@@ -67,33 +102,23 @@ pub fn draw() -> Result<Image, Box<dyn Error>> {
             .label_style(font(34))
             .axis_desc_style(font(38))
             .x_desc("triangles")
-            .y_desc("boxes and triangles tested per ray")
-            .x_label_formatter(&|n| power(*n))
-            .y_label_formatter(&|n| power(*n))
+            .y_desc(y)
+            .x_label_formatter(&|n| grouped(*n))
+            .y_label_formatter(&|n| grouped(*n))
             .draw()?;
-        for (points, colour, name, at) in [
-            (&list, VERMILION, "list: N", (12_000.0, 40_000.0)),
-            (&tree, BLUE, "tree: log N", (12_000.0, 90.0)),
-        ] {
-            chart.draw_series(LineSeries::new(
-                points.iter().copied(),
-                colour.stroke_width(6),
-            ))?;
-            let dots = points.iter().map(|&p| Circle::new(p, 9, colour.filled()));
-            chart.draw_series(dots)?;
-            let style = (FONT, 44).into_font().color(&colour);
-            chart.draw_series([Text::new(name, at, style)])?;
+        for curve in curves {
+            let style = curve
+                .colour
+                .stroke_width(if curve.is_guide { 3 } else { 6 });
+            let points = || curve.points.iter().copied();
+            chart.draw_series(LineSeries::new(points(), style))?;
+            if !curve.is_guide {
+                let dot = |p| Circle::new(p, 9, curve.colour.filled());
+                chart.draw_series(points().map(dot))?;
+            }
+            let style = (FONT, 44).into_font().color(&curve.colour);
+            chart.draw_series([Text::new(curve.name.to_owned(), curve.at, style)])?;
         }
         Ok(())
     })
-}
-
-/// A number with a thin space between the thousands.
-fn power(n: f64) -> String {
-    let n = n as u64;
-    if n >= 1000 {
-        format!("{}\u{2009}{:03}", n / 1000, n % 1000)
-    } else {
-        n.to_string()
-    }
 }

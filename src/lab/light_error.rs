@@ -120,6 +120,7 @@ fn panel(
 ) -> Result<(), Box<dyn Error>> {
     let mut chart = ChartBuilder::on(canvas)
         .margin(24)
+        .margin_right(48)
         .caption(title, text(38))
         .x_label_area_size(90)
         .y_label_area_size(120)

@@ -1,4 +1,4 @@
-//! A plot of several curves over a logarithmic axis.
+//! A plot of several curves over a logarithmic axis; y is a plain number, so that log N is a straight line.
 
 use crate::image::Image;
 use crate::lab::figure::{FONT, figure};
@@ -80,11 +80,17 @@ pub fn lines(title: &str, x: &str, y: &str, lines: &[Line]) -> Result<Image, Box
     })
 }
 
-/// A number of an axis: whole numbers in groups of three digits, fractions as 1/n.
+/// A number of an axis: fractions as 1/n.
 fn label(v: f64) -> String {
     if v < 0.999 {
-        return format!("1/{:.0}", 1.0 / v);
+        format!("1/{:.0}", 1.0 / v)
+    } else {
+        grouped(v)
     }
+}
+
+/// A whole number, with a thin space between the thousands.
+pub fn grouped(v: f64) -> String {
     let digits = format!("{v:.0}");
     let mut grouped = String::new();
     for (i, digit) in digits.chars().enumerate() {

@@ -65,14 +65,19 @@ fn measure(view: &View, film: &Film, depth: u32) -> Vec<Vec<Measured>> {
             sure: 3,
             strategy,
         };
-        let point = |samples: usize| {
-            let film = Film { samples, ..*film };
-            let start = Instant::now();
-            let (_, error) = view.scatter(&film, path);
-            let milliseconds = 500.0 * start.elapsed().as_secs_f64(); // there were two pictures
-            [samples as f64, milliseconds, error]
-        };
-        POWERS.map(|p| point(1 << p)).collect()
+        let start = Instant::now();
+        let errors: Vec<_> = POWERS
+            .map(|p| {
+                let samples = 1 << p;
+                let (_, error) = view.scatter(&Film { samples, ..*film }, path);
+                (samples as f64, error)
+            })
+            .collect();
+        // Two pictures each. A sample costs the same in all of them; timed one by one, the shortest would be off the most.
+        let all: f64 = errors.iter().map(|(samples, _)| 2.0 * samples).sum();
+        let cost = 1000.0 * start.elapsed().as_secs_f64() / all;
+        let point = |(samples, error)| [samples, samples * cost, error];
+        errors.into_iter().map(point).collect()
     };
     STRATEGIES
         .into_iter()
@@ -88,23 +93,29 @@ fn panel(
     axis: usize,
 ) -> Result<(), Box<dyn Error>> {
     let all = || curves.iter().flatten();
-    let range = |i: usize| {
+    let ends = |i: usize| {
         let least = all().map(|m| m[i]).fold(f64::INFINITY, f64::min);
         let most = all().map(|m| m[i]).fold(0.0, f64::max);
-        (0.8 * least..1.25 * most).log_scale()
+        (0.8 * least, 1.25 * most)
     };
+    let ((left, right), (low, high)) = (ends(axis), ends(2));
+    // Plotters labels an axis from its first power of ten on.
+    let least = low / 0.8;
+    let low = low.min(0.99 * 10.0_f64.powf(least.log10().floor()));
     let mut chart = ChartBuilder::on(canvas)
         .margin(24)
         .caption(title, text(36))
         .x_label_area_size(84)
         .y_label_area_size(130)
-        .build_cartesian_2d(range(axis), range(2))?;
+        .build_cartesian_2d((left..right).log_scale(), (low..high).log_scale())?;
     chart
         .configure_mesh()
-        .light_line_style(FAINT.mix(0.25))
         .bold_line_style(FAINT.mix(0.5))
-        .x_label_formatter(&|v| format!("{v:.0}"))
-        .y_label_formatter(&|v| format!("{:.0} %", 100.0 * v))
+        .max_light_lines(0)
+        .x_labels(40)
+        .y_labels(40)
+        .x_label_formatter(&|v| round(*v, ""))
+        .y_label_formatter(&|v| round(100.0 * v, " %"))
         .x_desc(unit)
         .y_desc("error")
         .label_style(text(28))
@@ -128,6 +139,17 @@ fn panel(
         .background_style(WHITE.mix(0.85))
         .draw()?;
     Ok(())
+}
+
+/// A round number, 1, 2 or 5 with zeros: so that labels do not overlap, others have none.
+fn round(v: f64, unit: &str) -> String {
+    let first = v / 10.0_f64.powf((v.log10() + 1e-9).floor());
+    let is_round = [1.0, 2.0, 5.0].iter().any(|r| (first - r).abs() < 0.01);
+    if is_round {
+        format!("{v:.0}{unit}")
+    } else {
+        String::new()
+    }
 }
 
 fn text(size: u32) -> TextStyle<'static> {

@@ -128,7 +128,7 @@ fn side_view(canvas: &Canvas, shadow: &Shadow) -> Drawn {
 
 fn profile(canvas: &Canvas, shadow: &Shadow) -> Drawn {
     /// For each point of the floor, and how far the points are apart, in metres.
-    const SAMPLES: u32 = 400;
+    const SAMPLES: u32 = 2000;
     const STEP: f32 = 0.02;
     let mut chart = ChartBuilder::on(canvas)
         .margin(24)
@@ -140,6 +140,7 @@ fn profile(canvas: &Canvas, shadow: &Shadow) -> Drawn {
         .light_line_style(WHITE.mix(0.0))
         .bold_line_style(FAINT.mix(0.5))
         .y_labels(5)
+        .x_label_formatter(&|x| format!("{x:.0}").replace('-', "−"))
         .y_label_formatter(&|share| format!("{:.0} %", 100.0 * share))
         .x_desc("place on the floor, in metres")
         .y_desc("of the light is seen")

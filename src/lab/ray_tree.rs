@@ -89,10 +89,11 @@ fn follow(
         .lights
         .iter()
         .filter_map(|light| light.sample(seen.surface.position, Vec2::splat(0.5)))
-        .map(|sample| {
+        .map(|sample| (seen.material.lit(&seen.surface, view, &sample), sample))
+        .filter(|(lit, _)| *lit != Rgb::BLACK)
+        .map(|(lit, sample)| {
             let arrives = (whitted.local.arrives)(scene, &seen.surface, &sample);
-            let lit = seen.material.lit(&seen.surface, view, &sample);
-            toward_light(&seen, &sample, if arrives { Some(lit) } else { None })
+            toward_light(&seen, &sample, arrives.then_some(lit))
         })
         .collect();
     let lit: Rgb = asks.iter().map(|branch| branch.sees).sum();

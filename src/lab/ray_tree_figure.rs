@@ -19,6 +19,9 @@ pub const PHOTOGRAPH: (usize, usize) = (560, 520);
 /// Width of the tree beside it, in pixels of the figure.
 const TREE: u32 = 420;
 
+/// What is left free at the right of the tree, for the name of the last line, in pixels of the canvas.
+const MARGIN: f32 = 120.0;
+
 /// A ray that goes on for ever, and the one from the camera, are drawn for so many metres.
 const SHOWN: f32 = 1.6;
 
@@ -40,7 +43,7 @@ pub fn draw(tree: &Branch, photograph: &Image, viewer: Pinhole) -> Result<Image,
         let levels = depth(tree) as f32;
         let layout = Layout {
             canvas: &right,
-            across: 2.0 * TREE as f32 / leaves(tree) as f32,
+            across: (2.0 * TREE as f32 - MARGIN) / leaves(tree) as f32,
             down: (2.0 * height as f32 - 200.0) / levels,
         };
         layout.branch(tree, (0.0, 0), None, &mut 0).map(|_| ())
@@ -58,18 +61,12 @@ fn style(branch: &Branch) -> (RGBColor, &'static str) {
     }
 }
 
-/// The branches that matter: a surface that makes nothing of a light need not have asked for it.
-fn shown(branch: &Branch) -> impl Iterator<Item = &Branch> {
-    let idle = |b: &&Branch| !(b.end == End::Light && b.sees == Rgb::BLACK);
-    branch.asks.iter().filter(idle)
-}
-
 fn depth(branch: &Branch) -> usize {
-    1 + shown(branch).map(depth).max().unwrap_or(0)
+    1 + branch.asks.iter().map(depth).max().unwrap_or(0)
 }
 
 fn leaves(branch: &Branch) -> usize {
-    shown(branch).map(leaves).sum::<usize>().max(1)
+    branch.asks.iter().map(leaves).sum::<usize>().max(1)
 }
 
 /// The photograph, paled, so that lines stand out.
@@ -99,7 +96,10 @@ fn rays(sketch: &Sketch, branch: &Branch) -> Drawn {
         }
         _ => sketch.arrow(branch.from, to, colour, 6)?,
     }
-    shown(branch).try_for_each(|branch| rays(sketch, branch))
+    branch
+        .asks
+        .iter()
+        .try_for_each(|branch| rays(sketch, branch))
 }
 
 /// A number at each surface, in the order in which they are met.
@@ -110,7 +110,10 @@ fn numbers(sketch: &Sketch, branch: &Branch, count: &mut u32) -> Drawn {
         sketch.dot(place, 9, INK)?;
         sketch.label(place, vec2(-32.0, 30.0), &count.to_string(), INK)?;
     }
-    shown(branch).try_for_each(|branch| numbers(sketch, branch, count))
+    branch
+        .asks
+        .iter()
+        .try_for_each(|branch| numbers(sketch, branch, count))
 }
 
 /// Where the nodes of the tree go.
@@ -146,11 +149,18 @@ impl Layout<'_, '_> {
             End::Shadow => "shadow".to_owned(),
         };
         let mut leaf = first_leaf;
-        for below in shown(branch) {
+        for below in &branch.asks {
             self.branch(below, (leaf, level + 1), Some(place), count)?;
             leaf += leaves(below) as f32;
         }
-        label(self.canvas, from.lerp(place, 0.5), name, colour)?;
+        // Beside the line, on the side to which it leans.
+        let aside = if place.x > from.x + 1.0 {
+            105.0
+        } else {
+            -105.0
+        };
+        let beside_line = from.lerp(place, 0.5) + vec2(aside, 0.0);
+        label(self.canvas, beside_line, name, colour)?;
         self.canvas.draw(&Circle::new(
             pixel(place),
             30,

@@ -1,9 +1,11 @@
-//! Rays per second of several structures.
+//! Rays per second, of one structure in words or of several in bars.
 
+use crate::accel::Accel;
 use crate::image::Image;
 use crate::lab::bars::bars;
-use crate::math::ray::Ray;
+use crate::math::{interval::Interval, ray::Ray};
 use crate::render::film::Film;
+use crate::shape::mesh::Facet;
 use glam::{Vec2, vec2};
 use std::error::Error;
 use std::hint::black_box;
@@ -46,6 +48,13 @@ pub fn thousands(rays: &[Ray], structures: &[Searcher]) -> Vec<f64> {
         }
     }
     best
+}
+
+/// What one structure does with the rays of a film: "1.23 million rays a second".
+pub fn rays_a_second(film: &Film, ray: impl Fn(Vec2) -> Ray, accel: &impl Accel<Facet>) -> String {
+    let search = |ray: &Ray| accel.closest(ray, Interval::AHEAD).is_some();
+    let thousands = thousands(&rays(film, ray), &[("", &search)]);
+    format!("{:.2} million rays a second", 1e-3 * thousands[0])
 }
 
 /// A bar for each structure.

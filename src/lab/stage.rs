@@ -1,12 +1,13 @@
 //! The stage on which a chapter draws: its films, its progress, and where its pictures go.
 
 use crate::image::{Image, codec, file};
-use crate::lab::options::Options;
+use crate::lab::{options::Options, rate::Rate};
 use crate::render::film::Film;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::cell::RefCell;
 use std::error::Error;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// What drawing a chapter returns.
 pub type Drawn = Result<(), Box<dyn Error>>;
@@ -20,6 +21,8 @@ pub struct Output {
     pub exr: Option<PathBuf>,
     /// What it shows, in a sentence or two.
     pub caption: String,
+    /// How many rays a second were followed for it, where a scene was.
+    pub rays: Option<f64>,
 }
 
 /// Where one chapter draws its pictures.
@@ -29,6 +32,7 @@ pub struct Stage {
     show: bool,
     advance: Box<dyn Fn(usize) + Sync>,
     bar: ProgressBar,
+    rate: Arc<Rate>,
     outputs: RefCell<Vec<Output>>,
 }
 
@@ -36,9 +40,13 @@ impl Stage {
     /// The stage of the chapter whose binary has this name; `bar` shows how far it is.
     pub fn new(chapter: &str, options: Options, show: bool, bar: ProgressBar) -> Self {
         bar.set_prefix(chapter.to_owned());
+        let rate = Arc::new(Rate::default());
         let advance = Box::new({
-            let bar = bar.clone();
-            move |pixels| bar.inc(pixels as u64)
+            let (bar, rate) = (bar.clone(), Arc::clone(&rate));
+            move |pixels| {
+                rate.tile();
+                bar.inc(pixels as u64);
+            }
         });
         Self {
             folder: options.out.join(chapter),
@@ -46,6 +54,7 @@ impl Stage {
             show,
             advance,
             bar,
+            rate,
             outputs: RefCell::default(),
         }
     }
@@ -108,6 +117,7 @@ impl Stage {
     }
 
     fn write(&self, name: &str, caption: &str, picture: &Image, exr: Option<PathBuf>) -> Drawn {
+        let rays = self.rate.take(self.options.threads());
         let png = self.folder.join(name).with_extension("png");
         file::save(&png, picture)?;
         if self.show {
@@ -126,6 +136,7 @@ impl Stage {
             png,
             exr,
             caption: caption.to_owned(),
+            rays,
         });
         Ok(())
     }

@@ -2,7 +2,7 @@
 
 use crate::camera::pinhole::{LookAtError, PLANE_HEIGHT, Pinhole};
 use crate::image::{Image, rgb::Rgb};
-use crate::lab::sheet::sheet;
+use crate::lab::{even, sheet::sheet};
 use crate::material::brdf::Brdf;
 use crate::render::{film::Film, mis::Strategy, path::Path};
 use crate::scene::world::Scene;
@@ -34,7 +34,7 @@ impl View {
     pub fn cornell_box() -> Result<Self, LookAtError> {
         /// How much of the lamp's colour is taken off, and how much brighter the whole becomes.
         const ADAPTED: f32 = 0.75;
-        const BRIGHTER: f32 = 2.6;
+        const BRIGHTER: f32 = 3.4;
         let (eye, zoom) = (cornell::EYE, cornell::ZOOM * PLANE_HEIGHT);
         let lamp = cornell::LAMP / cornell::LAMP.luminance();
         Ok(Self {
@@ -52,15 +52,22 @@ impl View {
         Ok(Self {
             scene: plates::plates(),
             camera: Pinhole::look_at(plates::EYE, plates::AT, Vec3::Y, 0.042, aspect)?,
-            exposure: Rgb::gray(1.6),
+            exposure: Rgb::gray(1.8),
         })
     }
 
-    /// A picture by paths, ready to be displayed.
+    /// A picture by paths, ready to be displayed, with random numbers that are spread evenly.
     pub fn draw(&self, film: &Film, path: Path) -> Image {
-        let radiance = film
-            .render(|place, rng| path.radiance(&self.scene, &self.camera.ray_through(place), rng));
-        radiance.map(|v| v * self.exposure)
+        let ray = |place| self.camera.ray_through(place);
+        let picture = even::render(film, |at, rng| path.radiance(&self.scene, &ray(at), rng));
+        picture.map(|v| v * self.exposure)
+    }
+
+    /// The same with all that chance does.
+    fn roll(&self, film: &Film, path: Path) -> Image {
+        let ray = |place| self.camera.ray_through(place);
+        let picture = film.render(|at, rng| path.radiance(&self.scene, &ray(at), rng));
+        picture.map(|v| v * self.exposure)
     }
 
     /// A picture, and how much it scatters: half of the mean square difference between it and one with another seed is the
@@ -70,7 +77,7 @@ impl View {
             seed: !film.seed,
             ..*film
         };
-        let [one, other] = [film, &other].map(|film| self.draw(film, path));
+        let [one, other] = [film, &other].map(|film| self.roll(film, path));
         let shown = |picture: &Image| -> Vec<f64> {
             let channels = picture.pixels().iter().flat_map(|p| p.channels());
             channels.map(|v| f64::from(v.min(1.0))).collect()

@@ -1,5 +1,6 @@
 //! Floor 4: where light comes from.
 
+pub mod black_body;
 pub mod directional;
 pub mod environment;
 pub mod extent;

@@ -12,8 +12,6 @@ pub struct Piecewise {
 pub struct Choice {
     /// Which.
     pub cell: usize,
-    /// Its probability.
-    pub probability: f64,
     /// What is left of the random number, in [0, 1): uniform again within the cell.
     pub within: f32,
 }
@@ -50,7 +48,6 @@ impl Piecewise {
         let within = ((target - self.sums[cell]) / weight) as f32;
         Some(Choice {
             cell,
-            probability: weight / self.total(),
             within: within.min(1.0 - f32::EPSILON / 2.0), // it may have been rounded to 1
         })
     }

@@ -101,7 +101,7 @@ impl Film<'_> {
 ///
 /// The steps are counted in units of 2⁻³², whose overflow drops the whole pixels: in `f32`, i times the step would have
 /// lost half its digits after a few thousand samples.
-fn place_in_pixel(samples: usize, rng: &mut Pcg) -> impl Fn(usize) -> Vec2 + use<> {
+pub fn place_in_pixel(samples: usize, rng: &mut Pcg) -> impl Fn(usize) -> Vec2 + use<> {
     /// (1/ρ, 1/ρ²) · 2³², where ρ³ = ρ + 1.
     const STEP: [u32; 2] = [3_242_174_889, 2_447_445_414];
     let shift: [u32; 2] = [rng.random(), rng.random()];

@@ -39,10 +39,13 @@ impl Local {
             let mut of_light = Rgb::BLACK;
             for _ in 0..self.samples {
                 let u = vec2(rng.random(), rng.random());
-                let sample = light.sample(seen.surface.position, u);
-                let arriving = sample.filter(|s| (self.arrives)(scene, &seen.surface, s));
-                if let Some(sample) = arriving {
-                    of_light += seen.material.lit(&seen.surface, view, &sample);
+                let Some(sample) = light.sample(seen.surface.position, u) else {
+                    continue;
+                };
+                let lit = seen.material.lit(&seen.surface, view, &sample);
+                // A mirror makes nothing of a lamp, nor does a surface that is turned away: then nobody need look.
+                if lit != Rgb::BLACK && (self.arrives)(scene, &seen.surface, &sample) {
+                    of_light += lit;
                 }
             }
             sum += of_light / self.samples as f32;

@@ -2,6 +2,7 @@
 
 pub mod adaptive;
 pub mod budget;
+pub mod curved;
 pub mod film;
 pub mod local;
 pub mod mis;

@@ -2,11 +2,11 @@
 
 use crate::image::rgb::Rgb;
 use crate::material::brdf::Brdf;
-use crate::math::{dir3::Dir3, pcg::Pcg, ray::Ray};
+use crate::math::{dir3::Dir3, ray::Ray};
 use crate::render::{mis::Strategy, shadow};
 use crate::scene::world::{Scene, Seen};
 use glam::vec2;
-use rand::RngExt;
+use rand::{Rng, RngExt};
 
 /// Follows light from surface to surface (Kajiya, "The rendering equation", 1986).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,7 +29,7 @@ impl Path {
     /// `weight` is the product of f cos θ/p so far. Light straight from a light is looked for twice: towards the light (next
     /// event estimation) and by the ray that goes on; the strategy shares it out. L_i of the rest is followed by one ray.
     /// The mean over all random numbers is exact, but for what `depth` cuts off.
-    pub fn radiance(&self, scene: &Scene<dyn Brdf>, ray: &Ray, rng: &mut Pcg) -> Rgb {
+    pub fn radiance(&self, scene: &Scene<dyn Brdf>, ray: &Ray, rng: &mut impl Rng) -> Rgb {
         let (mut ray, mut pdf) = (*ray, f32::INFINITY);
         let (mut sum, mut weight) = (Rgb::BLACK, Rgb::WHITE);
         let mut surfaces = 0;
@@ -68,7 +68,7 @@ impl Path {
         scene: &Scene<dyn Brdf>,
         seen: &Seen<dyn Brdf>,
         view: Dir3,
-        rng: &mut Pcg,
+        rng: &mut impl Rng,
     ) -> Rgb {
         let mut sum = Rgb::BLACK;
         for light in &scene.lights {
@@ -119,7 +119,7 @@ struct Next {
 
 impl Next {
     /// A direction that the surface chooses; `None` where it leads nowhere.
-    fn sample(seen: &Seen<dyn Brdf>, view: Dir3, rng: &mut Pcg) -> Option<Self> {
+    fn sample(seen: &Seen<dyn Brdf>, view: Dir3, rng: &mut impl Rng) -> Option<Self> {
         let (at, u) = (&seen.surface, vec2(rng.random(), rng.random()));
         let toward = seen.material.sample(at, view, u)?;
         let pdf = seen.material.pdf(at, view, toward);
@@ -136,7 +136,7 @@ impl Next {
 // ANCHOR: roulette
 /// Ends a path with a probability 1 − q and divides what survives by q: right in the mean, and less work for little light
 /// (Arvo and Kirk, "Particle transport and image synthesis", 1990).
-fn roulette(weight: Rgb, rng: &mut Pcg) -> Option<Rgb> {
+fn roulette(weight: Rgb, rng: &mut impl Rng) -> Option<Rgb> {
     let [r, g, b] = weight.channels();
     let q = r.max(g).max(b).min(LUCKIEST);
     (rng.random::<f32>() < q).then(|| weight / q)

@@ -8,7 +8,8 @@
 //! lamp's as it is, all of them with the eye's curves of 1931, as fitted by Wyman, Sloan and Shirley (2013).
 //! `tests/ch17_rendering_equation` does so again.
 
-use crate::accel::{Meshed, list::List};
+use crate::accel::Meshed;
+use crate::accel::bvh::{Bvh, build::Method};
 use crate::image::rgb::Rgb;
 use crate::light::{extent::Choose, rect_light::RectLight};
 use crate::material::{brdf::Brdf, lambert::Lambert};
@@ -126,7 +127,9 @@ fn painted(quads: &[Quad], albedo: Rgb) -> Thing<dyn Brdf> {
     let mesh = Mesh::new(positions, triangles.collect(), None, None)
         .unwrap_or_else(|error| unreachable!("the box is finite: {error}"));
     Thing {
-        shape: Box::new(Meshed::new(mesh, List::new)),
+        shape: Box::new(Meshed::new(mesh, |faces| {
+            Bvh::build(faces, Method::BottomUp)
+        })),
         material: Box::new(Lambert { albedo }),
     }
 }

@@ -10,6 +10,9 @@ use crate::shape::{Shape, cuboid::Cuboid, plane::Plane, sphere::Sphere};
 use glam::{Vec3, vec3};
 use std::f32::consts::PI;
 
+/// Where a camera sees the still life, where it looks, and its focal length.
+pub const VIEW: (Vec3, Vec3, f32) = (vec3(0.4, 4.3, 7.2), vec3(0.1, 0.62, 0.0), 0.043);
+
 /// How many surfaces a ray may meet: after so many, less than a hundredth of its light is left nearly everywhere.
 pub const DEPTH: u32 = 12;
 

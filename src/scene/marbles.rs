@@ -28,7 +28,7 @@ const SHINE: f32 = 0.25;
 
 /// Two mirrors and seven coloured marbles: places on the floor, radii, colours.
 const MIRRORS: [(f32, f32, f32, Rgb); 2] = [
-    (-1.05, -0.7, 1.15, Rgb::new(0.92, 0.93, 0.95)),
+    (-1.05, -0.7, 1.15, Rgb::new(0.96, 0.95, 0.92)),
     (1.35, -0.2, 0.8, Rgb::new(0.95, 0.72, 0.32)),
 ];
 const MARBLES: [(f32, f32, f32, Rgb); 7] = [

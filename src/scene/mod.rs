@@ -1,5 +1,6 @@
 //! Floor 4: stock scenes that chapters share.
 
+pub mod accretion_disc;
 pub mod cornell;
 pub mod evening;
 pub mod glassware;
@@ -12,7 +13,9 @@ pub mod posts;
 pub mod skies;
 pub mod soup;
 pub mod stadium;
+pub mod starry_sky;
 pub mod still_life;
+pub mod tally;
 pub mod teapots;
 pub mod terrain;
 pub mod window;

@@ -35,7 +35,7 @@ const POWER: Rgb = Rgb::new(1.0, 0.92, 0.78);
 pub fn plates() -> Scene<dyn Brdf> {
     let mut things: Vec<Thing<dyn Brdf>> = PLATES.map(|(at, exponent)| plate(at, exponent)).into();
     let room = Lambert {
-        albedo: Rgb::new(0.42, 0.45, 0.5),
+        albedo: Rgb::new(0.66, 0.68, 0.72),
     };
     let walls = [
         (vec3(0.0, -4.3, 0.0), Dir3::Y),

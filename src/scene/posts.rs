@@ -1,7 +1,9 @@
 //! Posts, a table and a ball on a pale floor: things of which some parts are near the floor and some are high above it.
 
 use crate::image::rgb::Rgb;
-use crate::light::Light;
+use crate::light::{
+    Light, extent::Choose, point::PointLight, rect_light::RectLight, sphere_light::SphereLight,
+};
 use crate::material::Material;
 use crate::material::phong::Phong;
 use crate::math::{dir3::Dir3, ray::Ray};
@@ -10,11 +12,45 @@ use crate::shape::{Shape, cuboid::Cuboid, plane::Plane, sphere::Sphere};
 use glam::{Vec3, vec3};
 use std::f32::consts::PI;
 
-/// The middle of where the light is.
-pub const LIGHT: Vec3 = vec3(-3.6, 5.6, -4.2);
+/// Where all of it is seen, and where some of the shadows are: a camera's place, where it looks, and its focal length.
+pub const VIEWS: [(Vec3, Vec3, f32); 2] = [
+    (vec3(0.5, 4.0, 7.6), vec3(0.1, 0.35, 0.1), 0.043),
+    (vec3(0.5, 4.0, 7.6), vec3(-1.1, 0.35, -0.1), 0.066),
+];
 
-/// The light's power seen from below, in W/m² of floor straight under it.
-pub const STRENGTH: f32 = 4.6;
+/// The middle of where the light is.
+const LIGHT: Vec3 = vec3(-3.6, 5.6, -4.2);
+
+/// What arrives on the floor straight below the light, in W/m², if the light is small.
+const STRENGTH: f32 = 3.6;
+
+/// I of any of the lights, straight down: what arrives, times the squared distance.
+const INTENSITY: Rgb = Rgb::gray(STRENGTH * LIGHT.y * LIGHT.y);
+
+/// A point light.
+pub fn point() -> Box<dyn Light> {
+    Box::new(PointLight {
+        position: LIGHT,
+        intensity: INTENSITY,
+    })
+}
+
+/// A square light that faces down; of all sizes it sends as much light straight down.
+pub fn square(side: f32) -> Box<dyn Light> {
+    let corner = LIGHT - 0.5 * vec3(side, 0.0, side);
+    let radiance = INTENSITY / (side * side);
+    let (a, b) = (side * Vec3::X, side * Vec3::Z);
+    Box::new(RectLight::new(corner, a, b, radiance))
+}
+
+/// A spherical light; of all sizes it sends as much light to all sides.
+pub fn sphere(radius: f32) -> Box<dyn Light> {
+    Box::new(SphereLight {
+        sphere: Sphere::new(LIGHT, radius),
+        radiance: INTENSITY / (PI * radius * radius),
+        choose: Choose::BySolidAngle,
+    })
+}
 
 /// The things, under a light.
 pub fn under(light: Box<dyn Light>) -> Scene<dyn Material> {

@@ -12,10 +12,15 @@ pub const SUN: f32 = 0.2665 * std::f32::consts::PI / 180.0;
 /// Radiance by direction.
 pub type Sky = fn(Dir3) -> Rgb;
 
-/// A latitude–longitude map of a sky, twice as wide as it is high; each texel is the mean of 4 × 4 points, or of 16 × 16
-/// around what is small and bright, so that the map holds as much light as the formula.
+/// The skies of this file.
+pub const FOUR: [Sky; 4] = [clear_day, sunset, overcast, studio];
+
+/// A latitude–longitude map of a sky, twice as wide as it is high; each texel is the mean of 2 × 2 points, or around the sun
+/// of so many that their steps are small beside it, so that the map holds as much light as the formula.
 pub fn map(sky: Sky, width: usize) -> Image {
     let height = (width / 2).max(1);
+    let texel_height = std::f32::consts::PI / height as f32;
+    let fine = (12.0 * texel_height / SUN).clamp(2.0, 256.0) as usize;
     let texel = |x: usize, y: usize, points: usize| {
         let places = (0..points).flat_map(|j| (0..points).map(move |i| vec2(i as f32, j as f32)));
         let sum: Rgb = places
@@ -31,8 +36,8 @@ pub fn map(sky: Sky, width: usize) -> Image {
     Image::from_fn(width, height, |x, y| {
         let middle = (vec2(x as f32, y as f32) + 0.5) / vec2(width as f32, height as f32);
         let to_sun = latlong::direction(middle).dot(*sun_of_day()).acos();
-        let near = to_sun < SUN + 4.0 / height as f32;
-        texel(x, y, if near { 16 } else { 4 })
+        let near = to_sun < SUN + 1.5 * texel_height;
+        texel(x, y, if near { fine } else { 2 })
     })
 }
 
@@ -41,20 +46,21 @@ pub fn sun_of_day() -> Dir3 {
     Dir3::new_or(vec3(-0.6, 0.75, -0.35), Dir3::Y)
 }
 
-/// A blue sky with a sun as large as ours; half of the light comes from its 1/185 000 of all directions.
+/// A blue sky with a sun as large as ours; more than half of the light on level ground comes from its 1/185 000 of
+/// all directions.
 pub fn clear_day(d: Dir3) -> Rgb {
     let to_sun = d.dot(*sun_of_day());
     if to_sun > SUN.cos() {
-        return Rgb::new(36_000.0, 33_000.0, 28_000.0);
+        return Rgb::new(43_000.0, 38_000.0, 30_000.0);
     }
     let up = d.y.max(0.0);
-    let blue = Rgb::new(0.85, 0.92, 1.0).lerp(Rgb::new(0.10, 0.26, 0.66), up.powf(0.45));
-    let glow = Rgb::new(1.0, 0.93, 0.8) * (0.5 * to_sun.max(0.0).powf(60.0));
+    let blue = Rgb::new(0.64, 0.69, 0.75).lerp(Rgb::new(0.08, 0.20, 0.50), up.powf(0.45));
+    let glow = Rgb::new(1.0, 0.93, 0.8) * (0.4 * to_sun.max(0.0).powf(60.0));
     let clouds = cloud(d) * noise::rise(0.02, 0.25, d.y);
     ground(
         d,
-        (blue + glow).lerp(Rgb::gray(1.15), clouds),
-        Rgb::new(0.34, 0.31, 0.26),
+        (blue + glow).lerp(Rgb::gray(0.9), clouds),
+        Rgb::new(0.26, 0.24, 0.20),
     )
 }
 

@@ -1,12 +1,16 @@
 //! Three balls on a plinth, which show what light does: one is matt, one is glossy, one is nearly a mirror.
 
-use crate::camera::pinhole::Pinhole;
 use crate::image::rgb::Rgb;
 use crate::light::Light;
 use crate::material::{brdf::Brdf, lambert::Lambert, modified_phong::ModifiedPhong};
 use crate::scene::world::{Scene, Thing};
 use crate::shape::{Shape, cuboid::Cuboid, sphere::Sphere};
 use glam::{Vec3, vec3};
+
+/// Where a camera sees them all, in metres.
+pub const EYE: Vec3 = vec3(0.8, 1.6, 8.8);
+/// Where it looks.
+pub const AT: Vec3 = vec3(0.0, 0.66, 0.0);
 
 /// The balls and the plinth under one light.
 pub fn still_life(light: Box<dyn Light>) -> Scene<dyn Brdf> {
@@ -28,7 +32,7 @@ pub fn still_life(light: Box<dyn Light>) -> Scene<dyn Brdf> {
     let bronze = glossy(
         Rgb::new(0.06, 0.035, 0.015),
         Rgb::new(0.83, 0.62, 0.33),
-        4000.0,
+        2000.0,
     );
     let glaze = glossy(Rgb::new(0.02, 0.22, 0.30), Rgb::gray(0.28), 60.0);
     Scene::new(
@@ -40,11 +44,4 @@ pub fn still_life(light: Box<dyn Light>) -> Scene<dyn Brdf> {
         ],
         vec![light],
     )
-}
-
-/// A camera that sees them all, for a picture of this width over its height.
-pub fn camera(aspect: f32) -> Pinhole {
-    let (from, to) = (vec3(0.8, 2.2, 8.6), vec3(0.0, 0.6, 0.0));
-    Pinhole::look_at(from, to, Vec3::Y, 0.05, aspect)
-        .unwrap_or_else(|error| unreachable!("the points are fixed: {error}"))
 }

@@ -1,14 +1,16 @@
 //! A scene: things of some material, and lights.
 
-use crate::accel::{Accel, list::List};
+use crate::accel::Accel;
+use crate::accel::bvh::{Bvh, build::Method};
 use crate::image::rgb::Rgb;
 use crate::light::Light;
 use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
+use crate::scene::tally;
 use crate::shape::{Hit, Shape, Surface};
 
 /// Things and lights; M is what the things are made of: `dyn Material` for Whitted's way of tracing.
 pub struct Scene<M: ?Sized> {
-    things: List<Thing<M>>,
+    things: Bvh<Thing<M>>,
     /// What shines.
     pub lights: Vec<Box<dyn Light>>,
     /// i_a: light from everywhere, in W·m⁻²·sr⁻¹: what the lights do not account for.
@@ -37,9 +39,11 @@ pub struct Seen<'a, M: ?Sized> {
 
 impl<M: ?Sized + Send + Sync> Scene<M> {
     /// A scene of things and lights, without ambient light, before a black backdrop.
+    ///
+    /// Things are few, so that the tree over them may be built by the method that takes longest and gives the best one.
     pub fn new(things: Vec<Thing<M>>, lights: Vec<Box<dyn Light>>) -> Self {
         Self {
-            things: List::new(things),
+            things: Bvh::build(things, Method::BottomUp),
             lights,
             ambient: Rgb::BLACK,
             backdrop: |_| Rgb::BLACK,
@@ -58,6 +62,7 @@ impl<M: ?Sized + Send + Sync> Scene<M> {
 
     /// The first surface along a ray.
     pub fn closest(&self, ray: &Ray) -> Option<Seen<'_, M>> {
+        tally::one_more();
         let (thing, hit) = self.things.closest(ray, Interval::AHEAD)?;
         Some(Seen {
             t: hit.t,
@@ -68,6 +73,7 @@ impl<M: ?Sized + Send + Sync> Scene<M> {
 
     /// Whether anything is in the way on a stretch of a ray.
     pub fn blocks(&self, ray: &Ray, within: Interval) -> bool {
+        tally::one_more();
         self.things.any(ray, within)
     }
 }

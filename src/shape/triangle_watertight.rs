@@ -49,16 +49,14 @@ impl Shear {
     /// The shear of a ray.
     #[inline]
     pub fn along(ray: &Ray) -> Self {
-        let d = *ray.direction;
-        let Vec3 { x, y, z } = d.abs();
-        let axes = if x >= y && x >= z {
-            [1, 2, 0]
-        } else if y >= z {
-            [2, 0, 1]
-        } else {
-            [0, 1, 2]
-        };
-        let [dx, dy, dz] = [d[axes[0]], d[axes[1]], d[axes[2]]];
+        /// By the axis that becomes z.
+        const AXES: [[usize; 3]; 3] = [[1, 2, 0], [2, 0, 1], [0, 1, 2]];
+        let Vec3 { x, y, z } = ray.direction.abs();
+        // Sums of comparisons, not `if`: which axis it is cannot be guessed, and a wrong guess takes longer than the whole test.
+        let (x_is_less, y_is_less) = ((x < y) | (x < z), y < z);
+        let axes = AXES[usize::from(x_is_less) + usize::from(x_is_less & y_is_less)];
+        let d = ray.direction.to_array();
+        let [dx, dy, dz] = axes.map(|axis| d[axis]);
         let inverse = 1.0 / dz;
         Self {
             axes,

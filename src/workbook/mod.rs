@@ -5,6 +5,7 @@ pub mod answer;
 pub mod curriculum;
 pub mod exercise;
 pub mod exercises;
+pub mod octree_rows;
 pub mod row;
 pub mod row_types;
 pub mod tree_rows;

@@ -1,9 +1,7 @@
-//! Chapter 17: the hemisphere, Phong's BRDF, and an integral by random numbers.
+//! Chapter 17: the hemisphere, and Phong's BRDF.
 
 use crate::student::{Alternative, Answer, Question};
 use glam::{DVec2, DVec3};
-use rand::RngExt;
-use raybook::math::pcg;
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
 
 pub const ALTERNATIVES: &[Alternative] = &[
@@ -67,29 +65,6 @@ pub const ALTERNATIVES: &[Alternative] = &[
             phong(q, n.dot(l), n.dot(v), 2.0 * n.dot(l) * n.dot(v) - along)
         },
     },
-    Alternative {
-        exercise: "reflected_radiance",
-        method: "uniform directions",
-        answer: |q| {
-            estimate(q, 1, |u, basis| {
-                let r = (1.0 - u.x * u.x).sqrt();
-                let phi = TAU * u.y;
-                let d = basis(DVec3::new(r * phi.cos(), r * phi.sin(), u.x));
-                (d, 1.0 / TAU)
-            })
-        },
-    },
-    Alternative {
-        exercise: "reflected_radiance",
-        method: "by the cosine, whatever the highlight does",
-        answer: |q| {
-            estimate(q, 2, |u, basis| {
-                let p = concentric(u);
-                let z = (1.0 - p.length_squared()).max(1e-12).sqrt();
-                (basis(p.extend(z)), z / PI)
-            })
-        },
-    },
 ];
 
 /// The images of the question's lattice, by a warp that is given a point and what takes the z axis to the normal.
@@ -98,20 +73,21 @@ fn images(q: &mut Question, warp: fn(DVec2, &dyn Fn(DVec3) -> DVec3) -> DVec3) -
     let basis = frame(normal);
     let mut answer = vec![n as f64];
     for i in 0..n {
-        let u = DVec2::new((i as f64 + 0.5) / n as f64, (0.618_034 * i as f64).fract());
+        let i = i as f64 + 0.5;
+        let u = DVec2::new(i / n as f64, (0.618_034 * i).fract());
         answer.extend(warp(u, &basis).to_array());
     }
     Some(answer)
 }
 
 /// What takes the z axis to a normal.
-fn frame(normal: DVec3) -> impl Fn(DVec3) -> DVec3 {
+pub fn frame(normal: DVec3) -> impl Fn(DVec3) -> DVec3 {
     let (x, y) = normal.normalize().any_orthonormal_pair();
     move |v| v.x * x + v.y * y + v.z * normal.normalize()
 }
 
 /// Squares around the middle become circles (Shirley and Chiu 1997).
-fn concentric(u: DVec2) -> DVec2 {
+pub fn concentric(u: DVec2) -> DVec2 {
     let p = 2.0 * u - 1.0;
     if p == DVec2::ZERO {
         return p;
@@ -136,28 +112,4 @@ fn phong(q: &mut Question, light: f64, view: f64, cos_alpha: f64) -> Answer {
         0.0
     };
     Some((diffuse / PI + specular * highlight).to_array().to_vec())
-}
-
-/// The mean over random directions and their densities.
-fn estimate(
-    q: &mut Question,
-    seed: u64,
-    choose: fn(DVec2, &dyn Fn(DVec3) -> DVec3) -> (DVec3, f64),
-) -> Answer {
-    let (n, v) = (q.vector(), q.vector());
-    let (diffuse, specular, exponent) = (q.vector(), q.vector(), q.number());
-    let (zenith, radiance, samples) = (q.vector(), q.vector(), q.whole());
-    let basis = frame(n);
-    // Random numbers of its own for every question, and the same ones every time.
-    let mut rng = pcg::stream(seed, v.x.to_bits() ^ zenith.y.to_bits());
-    let mut sum = DVec3::ZERO;
-    for _ in 0..samples {
-        let u = DVec2::new(rng.random(), rng.random());
-        let (l, pdf) = choose(u, &basis);
-        let cos_alpha = (2.0 * n.dot(l) * n.dot(v) - l.dot(v)).max(0.0);
-        let f = diffuse / PI + specular * ((exponent + 2.0) / TAU * cos_alpha.powf(exponent));
-        let sky = radiance * (0.5 + 0.5 * l.dot(zenith));
-        sum += f * sky * (n.dot(l) / pdf);
-    }
-    Some((sum / samples as f64).to_array().to_vec())
 }

@@ -80,6 +80,19 @@ pub const ALTERNATIVES: &[Alternative] = &[
         },
     },
     Alternative {
+        exercise: "sample_environment",
+        method: "all texels in one list, in f64",
+        answer: |q| {
+            let map = Map::read(q);
+            let cells = (0..map.height).flat_map(|y| (0..map.width).map(move |x| (x, y)));
+            let all: Vec<f64> = cells.map(|(x, y)| map.light(x, y)).collect();
+            Some(map.lattice(|u| {
+                let (texel, turn) = choose(&all, u.x)?;
+                Some((texel % map.width, turn, texel / map.width, u.y))
+            }))
+        },
+    },
+    Alternative {
         exercise: "environment_pdf",
         method: "the radiance over the integral of the map, in f64",
         answer: |q| {
@@ -126,7 +139,8 @@ impl Map {
 
     /// The directions of the lattice's points, from a texel's column and row and the places in it.
     fn lattice(&self, choose: impl Fn(DVec2) -> Option<(usize, f64, usize, f64)>) -> Vec<f64> {
-        let points = (0..256).map(|i| (dvec2(f64::from(i % 16), f64::from(i / 16)) + 0.5) / 16.0);
+        let points = (0..256).map(|i| f64::from(i) + 0.5);
+        let points = points.map(|i| dvec2(i / 256.0, (0.618_034 * i).fract()));
         let directions: Vec<DVec3> = points
             .filter_map(|u| {
                 let (x, turn, y, within) = choose(u)?;

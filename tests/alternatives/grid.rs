@@ -1,5 +1,6 @@
 //! Chapter 8: grids.
 
+use crate::polygon::clipped;
 use crate::student::{Alternative, Answer, Question, Ray};
 use glam::{DVec3, dvec3};
 
@@ -112,24 +113,8 @@ fn cells(n: DVec3) -> impl Iterator<Item = DVec3> {
     })
 }
 
-/// The part of a polygon on which a distance is not negative (Sutherland and Hodgman 1974).
-fn clipped(polygon: &[DVec3], distance: impl Fn(DVec3) -> f64) -> Vec<DVec3> {
-    let mut kept = Vec::new();
-    for (i, &p) in polygon.iter().enumerate() {
-        let q = polygon[(i + 1) % polygon.len()];
-        let (a, b) = (distance(p), distance(q));
-        if a >= 0.0 {
-            kept.push(p);
-        }
-        if a * b < 0.0 {
-            kept.push(p.lerp(q, a / (a - b)));
-        }
-    }
-    kept
-}
-
 /// The distances between which a ray is in a box.
-fn inside(ray: &Ray, low: DVec3, high: DVec3) -> Option<(f64, f64)> {
+pub fn inside(ray: &Ray, low: DVec3, high: DVec3) -> Option<(f64, f64)> {
     let (mut min, mut max) = (ray.min, ray.max);
     for axis in 0..3 {
         let (o, d) = (ray.o[axis], ray.d[axis]);

@@ -1,5 +1,6 @@
 //! Chapters 9 and 10: two-level grids and octrees, in f64 and by other ways.
 
+use crate::grid::inside;
 use crate::student::{Alternative, Answer, Question, Ray};
 use glam::DVec3;
 
@@ -76,19 +77,7 @@ fn cells_of(min: DVec3, max: DVec3, along: [usize; 3]) -> impl Iterator<Item = C
 fn visited(ray: &Ray, cells: impl Iterator<Item = (usize, Cell)>) -> Answer {
     let mut stays: Vec<_> = cells
         .filter_map(|(i, (low, high))| {
-            let (mut enter, mut leave) = (ray.min, ray.max);
-            for axis in 0..3 {
-                let (o, d) = (ray.o[axis], ray.d[axis]);
-                if d == 0.0 {
-                    if o < low[axis] || o > high[axis] {
-                        return None;
-                    }
-                } else {
-                    let (a, b) = ((low[axis] - o) / d, (high[axis] - o) / d);
-                    enter = enter.max(a.min(b));
-                    leave = leave.min(a.max(b));
-                }
-            }
+            let (enter, leave) = inside(ray, low, high)?;
             (leave - enter > 1e-9).then_some((enter + leave, i))
         })
         .collect();

@@ -1,5 +1,6 @@
 //! Triangles are in all cells that they reach, and in few others; and how many cells there are.
 
+use crate::polygon::clipped;
 use glam::{DVec3, UVec3, Vec3, uvec3, vec3};
 use proptest::prelude::*;
 use raybook::accel::grid::{Grid, build::voxels_of_triangle, resolution::grid_resolution};
@@ -20,21 +21,6 @@ fn meets(corners: [Vec3; 3], bounds: &Aabb, margin: f64) -> bool {
         polygon = clipped(&polygon, |p| high - p[axis]);
     }
     !polygon.is_empty()
-}
-
-fn clipped(polygon: &[DVec3], distance: impl Fn(DVec3) -> f64) -> Vec<DVec3> {
-    let mut kept = Vec::new();
-    for (i, &p) in polygon.iter().enumerate() {
-        let q = polygon[(i + 1) % polygon.len()];
-        let (a, b) = (distance(p), distance(q));
-        if a >= 0.0 {
-            kept.push(p);
-        }
-        if a * b < 0.0 {
-            kept.push(p.lerp(q, a / (a - b)));
-        }
-    }
-    kept
 }
 
 fn corner() -> impl Strategy<Value = Vec3> {

@@ -1,8 +1,9 @@
 //! What a ray costs in a grid, in counts.
 
-use glam::{Vec3, vec3};
+use glam::vec3;
 use rand::RngExt;
 use raybook::accel::{Accel, Tests, grid::Grid};
+use raybook::lab::law::{Reach, mean_tests, power};
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg, ray::Ray};
 use raybook::scene::{soup::soup, stadium::stadium, terrain::terrain};
 use raybook::shape::{Hit, Shape, Surface, mesh::Facet};
@@ -77,44 +78,13 @@ fn no_triangle_is_asked_twice_by_one_ray() {
     }
 }
 
-/// The exponent of a power law through points (x, y): the slope of the straight line through their logarithms.
-fn exponent(points: &[(f32, f32)]) -> f32 {
-    let logs: Vec<_> = points.iter().map(|&(x, y)| (x.ln(), y.ln())).collect();
-    let n = logs.len() as f32;
-    let (mx, my) = (
-        logs.iter().map(|p| p.0).sum::<f32>() / n,
-        logs.iter().map(|p| p.1).sum::<f32>() / n,
-    );
-    let (xy, xx) = logs.iter().fold((0.0, 0.0), |(xy, xx), &(x, y)| {
-        (xy + (x - mx) * (y - my), xx + (x - mx) * (x - mx))
-    });
-    xy / xx
-}
-
 #[test]
 fn steps_and_tests_grow_with_the_cube_root_of_the_triangles() {
-    let (mut steps, mut tests) = (Vec::new(), Vec::new());
-    for n in [100, 1000, 10_000, 100_000, 1_000_000] {
-        let mesh = soup(n, 1);
-        // So small that most rays pass: else they would end, in a soup of any size, after a few triangles' lengths.
-        let small = mesh.facets().into_iter().map(|facet| {
-            let center: Vec3 = facet.corners.iter().sum::<Vec3>() / 3.0;
-            Facet {
-                corners: facet.corners.map(|p| center + 0.05 * (p - center)),
-                ..facet
-            }
-        });
-        let grid = Grid::of_facets(small.collect());
-        let mut count = Tests::default();
-        let rays = rays(mesh.bounds(), 300);
-        for ray in &rays {
-            grid.closest_counted(ray, Interval::AHEAD, &mut count);
-        }
-        steps.push((n as f32, count.boxes as f32 / rays.len() as f32));
-        tests.push((n as f32, count.shapes as f32 / rays.len() as f32));
-    }
-    for (what, points) in [("steps", steps), ("tests", tests)] {
-        let power = exponent(&points);
+    let counts = [100, 1000, 10_000, 100_000, 1_000_000]
+        .map(|n| (n, mean_tests(n, Reach::Across, Grid::of_facets)));
+    for (i, what) in ["steps", "tests"].into_iter().enumerate() {
+        let points = counts.map(|(n, count)| (f64::from(n), count[i]));
+        let power = power(&points);
         assert!(
             (0.29..0.38).contains(&power),
             "{what} grow with N^{power:.3}, not N^⅓: {points:?}"

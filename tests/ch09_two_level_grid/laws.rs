@@ -1,7 +1,7 @@
 //! What a two-level grid finds, and what it costs.
 
-use crate::rays::ray;
 use crate::valid;
+use crate::whole::whole;
 use glam::Vec3;
 use proptest::prelude::*;
 use raybook::accel::two_level_grid::{TwoLevelGrid, build::Densities};
@@ -12,7 +12,6 @@ use raybook::lab::teapot_in_stadium::{camera, two_levels};
 use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
 use raybook::render::film::Film;
 use raybook::scene::{soup::soup, stadium::stadium};
-use raybook::shape::mesh::Facet;
 
 /// What the chapter is for: near the teapot in the stadium a uniform grid tests most of the teapot for each ray.
 #[test]
@@ -59,30 +58,10 @@ fn short_rays_in_a_soup_cost_the_same_with_any_number_of_triangles() {
 
 proptest! {
     #[test]
-    fn the_two_level_grid_agrees_with_the_list(
-        corners in prop::collection::vec(prop::array::uniform3(prop::array::uniform3(-3_i8..4)), 0..40),
-        from in prop::array::uniform3(-5_i8..6),
-        to in prop::array::uniform3(-3_i8..4),
-        scale in -6_i32..7,
-    ) {
-        // Whole numbers: corners lie in planes of the grid, and rays meet edges.
-        let scale = 10.0_f32.powi(scale);
-        let point = |p: [i8; 3]| scale * Vec3::from_array(p.map(f32::from));
-        let facet = |(id, c): (u32, &[[i8; 3]; 3])| Facet { corners: c.map(point), id };
-        let facets: Vec<_> = (0..).zip(&corners).map(facet).collect();
-        let (from, to) = (point(from), point(to));
-        prop_assume!(from != to);
-        let ray = ray(from, to - from);
-        let expected = List::new(facets.clone()).closest(&ray, Interval::AHEAD).map(|(_, hit)| hit.t);
-        for grid in [TwoLevelGrid::of_facets(facets.clone()), TwoLevelGrid::new(facets)] {
+    fn the_two_level_grid_agrees_with_the_list(whole in whole()) {
+        for grid in [TwoLevelGrid::of_facets(whole.facets.clone()), TwoLevelGrid::new(whole.facets.clone())] {
             prop_assert_eq!(grid.validate(), Ok(()));
-            let found = grid.closest(&ray, Interval::AHEAD).map(|(_, hit)| hit.t);
-            let close = match (expected, found) {
-                (Some(a), Some(b)) => (a - b).abs() <= 32.0 * f32::EPSILON * 10.0 * scale,
-                (a, b) => a == b,
-            };
-            prop_assert!(close, "{:?} and not {:?}", found, expected);
-            prop_assert_eq!(grid.any(&ray, Interval::AHEAD), found.is_some());
+            whole.agrees(&grid)?;
         }
     }
 

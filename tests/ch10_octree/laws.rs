@@ -1,13 +1,9 @@
 //! What an octree finds, and what it costs.
 
-use crate::rays::ray;
-use crate::triangle;
-use glam::Vec3;
+use crate::whole::whole;
 use proptest::prelude::*;
 use raybook::accel::octree::{Octree, tree::Kind};
-use raybook::accel::{Accel, list::List};
 use raybook::lab::law::{Reach, fit, mean_tests};
-use raybook::math::interval::Interval;
 
 /// The law of this chapter, from 10² to 10⁶ triangles. What it costs to find a place in the tree is its depth, and that is
 /// log₈ N plus what small leaves add. A ray through the whole soup also passes through leaves on its way, ∛N of them at
@@ -42,30 +38,10 @@ fn nodes_grow_with_the_logarithm_of_the_number_of_triangles() {
 
 proptest! {
     #[test]
-    fn the_octree_agrees_with_the_list(
-        corners in prop::collection::vec(prop::array::uniform3(prop::array::uniform3(-3_i8..4)), 0..40),
-        from in prop::array::uniform3(-5_i8..6),
-        to in prop::array::uniform3(-3_i8..4),
-        scale in -6_i32..7,
-    ) {
-        // Whole numbers: corners and rays lie in planes of the tree, and rays meet edges.
-        let scale = 10.0_f32.powi(scale);
-        let point = |p: [i8; 3]| scale * Vec3::from_array(p.map(f32::from));
-        let facets: Vec<_> = (0..).zip(&corners).map(|(id, &c)| triangle(id, c.map(point))).collect();
-        let (from, to) = (point(from), point(to));
-        prop_assume!(from != to);
-        let ray = ray(from, to - from);
-        let list = List::new(facets.clone());
-        let expected = list.closest(&ray, Interval::AHEAD).map(|(_, hit)| hit.t);
-        for octree in [Octree::of_facets(facets.clone()), Octree::new(facets)] {
+    fn the_octree_agrees_with_the_list(whole in whole()) {
+        for octree in [Octree::of_facets(whole.facets.clone()), Octree::new(whole.facets.clone())] {
             prop_assert_eq!(octree.validate(), Ok(()));
-            let found = octree.closest(&ray, Interval::AHEAD).map(|(_, hit)| hit.t);
-            let close = match (expected, found) {
-                (Some(a), Some(b)) => (a - b).abs() <= 32.0 * f32::EPSILON * 10.0 * scale,
-                (a, b) => a == b,
-            };
-            prop_assert!(close, "{:?} and not {:?}", found, expected);
-            prop_assert_eq!(octree.any(&ray, Interval::AHEAD), found.is_some());
+            whole.agrees(&octree)?;
         }
     }
 

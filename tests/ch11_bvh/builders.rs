@@ -90,11 +90,17 @@ fn any_number_of_threads_builds_the_same_tree() {
 fn the_heuristic_pays_and_bins_are_nearly_as_good_as_all_cuts() {
     for (name, mesh) in [("teapot", teapot::mesh(12)), ("soup", soup(8000, 3))] {
         let cost = |method| Bvh::build(mesh.facets(), method).sah_cost();
-        let [median, _, sweep, binned, bottom_up] = METHODS.map(cost);
-        println!("{name}: median {median} sweep {sweep} bins {binned} bottom-up {bottom_up}");
+        let [median, _, sweep, binned, fine, bottom_up] = METHODS.map(cost);
+        println!(
+            "{name}: median {median} sweep {sweep} bins {binned} fine {fine} bottom-up {bottom_up}"
+        );
         assert!(
             binned <= 1.05 * sweep,
             "{name}: bins {binned}, all cuts {sweep}"
+        );
+        assert!(
+            fine <= 1.01 * binned && fine <= 1.03 * sweep,
+            "{name}: bins and all cuts {fine}, only bins {binned}, only cuts {sweep}"
         );
         assert!(
             1.05 * binned <= median,

@@ -5,17 +5,15 @@ use glam::{Vec3, vec3};
 use raybook::accel::bvh::build::flat::Node;
 use raybook::accel::bvh::pair::RayPair;
 use raybook::accel::{Accel, Tests, bvh::Bvh, list::List};
-use raybook::lab::growth;
+use raybook::lab::law::{Reach, mean_tests};
 use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
-use raybook::scene::soup::soup;
 use raybook::shape::mesh::Facet;
 use raybook::shape::{Hit, Shape};
 
 #[test]
 fn tests_grow_with_the_logarithm_of_the_number_of_triangles() {
-    let rays = growth::rays(400);
     let sizes = [100, 1000, 10_000, 100_000, 1_000_000];
-    let tests = sizes.map(|n| growth::tests(&Bvh::new(soup(n, 1).facets()), &rays));
+    let tests = sizes.map(|n| mean_tests(n, Reach::Inside, Bvh::new).iter().sum::<f64>());
     println!("{tests:?}");
     // ∝ log N: each tenfold adds at most as much as the first; any power of N would add more and more.
     let added: Vec<_> = tests.windows(2).map(|two| two[1] - two[0]).collect();
@@ -30,8 +28,8 @@ fn tests_grow_with_the_logarithm_of_the_number_of_triangles() {
         "a million cost {} times a hundred",
         tests[4] / tests[0]
     );
-    let list = growth::tests(&List::new(soup(1000, 1).facets()), &rays);
-    assert_eq!(list, 1000.0, "the list asks all");
+    let list = mean_tests(1000, Reach::Inside, List::new);
+    assert_eq!(list, [0.0, 1000.0], "the list asks all");
 }
 
 /// Walls one behind the other, the ray at right angles.

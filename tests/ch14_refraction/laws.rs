@@ -53,7 +53,7 @@ fn every_angle_reflects_what_the_sines_and_tangents_say() {
                 ("Rp", got.p, p),
                 ("R", got.unpolarised, r),
             ] {
-                // Next to the critical angle the reflectance has no slope to speak of: the rounding of cos θ₁ is seen.
+                // At the critical angle R rises straight up: the rounding of cos θ₁ is seen.
                 let tolerance = if r > 0.7 { 1e-4 } else { 1e-5 };
                 assert!(
                     (f64::from(got) - exact).abs() < tolerance,

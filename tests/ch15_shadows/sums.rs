@@ -1,15 +1,17 @@
-//! What shadows leave of the light, and what they cost.
+//! What shadows leave of the light.
 
-use crate::allocations::allocations;
-use crate::rays::{random_direction, ray};
-use crate::{ball, ground, lit, scene};
+use crate::rays::ray;
+use crate::{CLAY, ball, ground, lit, scene};
 use glam::{Vec3, vec3};
 use raybook::image::rgb::Rgb;
 use raybook::light::{Light, point::PointLight};
-use raybook::math::pcg;
+use raybook::material::{Material, mirror::Mirror};
+use raybook::math::{dir3::Dir3, pcg};
 use raybook::render::local::Local;
 use raybook::render::whitted::Whitted;
-use raybook::scene::marbles;
+use raybook::scene::tally;
+use raybook::scene::world::{Scene, Thing};
+use raybook::shape::plane::Plane;
 
 #[test]
 fn a_shadow_takes_away_one_lights_part_and_no_more() {
@@ -35,23 +37,38 @@ fn a_shadow_takes_away_one_lights_part_and_no_more() {
 }
 
 #[test]
-fn shadows_allocate_nothing() {
-    let scene = marbles::scene();
+fn no_ray_is_sent_for_light_that_would_not_count() {
+    let mirror = Mirror { share: Rgb::WHITE };
+    let things = |material: Box<dyn Material>| {
+        let floor = Plane::through(Vec3::ZERO, Dir3::Y);
+        vec![Thing::new(floor, material)]
+    };
+    let lamp = |y: f32| -> Box<dyn Light> {
+        Box::new(PointLight {
+            position: vec3(0.0, y, 0.0),
+            intensity: Rgb::WHITE,
+        })
+    };
     let local = Local {
         samples: 1,
         arrives: lit,
     };
-    let whitted = Whitted { local, depth: 8 };
-    let mut rng = pcg::stream(15, 1);
-    let [from, to] = marbles::VIEW;
-    let (count, bright) = allocations(|| {
-        let mut sum = Rgb::BLACK;
-        for _ in 0..10_000 {
-            let toward = to - from + 2.5 * *random_direction(&mut rng);
-            sum += whitted.radiance(&scene, &ray(from, toward), &mut rng);
-        }
-        sum
-    });
-    assert!(bright.r > 1000.0, "the rays see something: {bright:?}");
-    assert_eq!(count, 0, "10 000 rays and their shadow rays");
+    let rays = |material: Box<dyn Material>, y: f32| {
+        let scene = Scene::new(things(material), vec![lamp(y)]);
+        tally::take();
+        let down = ray(vec3(0.0, 1.0, 0.0), Vec3::NEG_Y);
+        Whitted { local, depth: 1 }.radiance(&scene, &down, &mut pcg::stream(0, 0));
+        tally::take()
+    };
+    assert_eq!(rays(Box::new(CLAY), 4.0), 2, "to the floor and to the lamp");
+    assert_eq!(
+        rays(Box::new(CLAY), -4.0),
+        1,
+        "the lamp is behind the floor"
+    );
+    assert_eq!(
+        rays(Box::new(mirror), 4.0),
+        1,
+        "a mirror makes nothing of it"
+    );
 }

@@ -6,7 +6,6 @@ use rand::RngExt;
 use raybook::image::{Image, rgb::Rgb};
 use raybook::light::{Light, environment::Environment};
 use raybook::math::pcg::{self, Pcg};
-use raybook::math::piecewise::Piecewise;
 use raybook::math::{dir3::Dir3, ray::Ray};
 use std::f32::consts::PI;
 
@@ -22,53 +21,14 @@ fn patchy(width: usize, height: usize, rng: &mut Pcg) -> Environment {
 }
 
 #[test]
-fn the_piecewise_density_is_the_weights() {
-    let weights = [1.0, 2.0, 0.0, 7.0, 3.0, 1.0, 2.0, 0.0];
-    let piecewise = Piecewise::new(weights);
-    assert_eq!(piecewise.total() / 8.0, 2.0, "its integral over [0, 1]");
-    for (cell, weight) in weights.into_iter().enumerate() {
-        assert_eq!(piecewise.probability(cell), weight / 16.0, "cell {cell}");
-    }
-    assert_eq!(piecewise.probability(8), 0.0, "there is no cell 8");
-    let mut counts = [0; 8];
-    for i in 0..1600 {
-        let u = (i as f32 + 0.5) / 1600.0;
-        let choice = piecewise.choose(u).expect("there is weight");
-        assert!(
-            (0.0..1.0).contains(&choice.within),
-            "what is left of {u} is in [0, 1)"
-        );
-        counts[choice.cell] += 1;
-    }
-    assert_eq!(
-        counts,
-        weights.map(|w| (100.0 * w) as i32),
-        "even numbers choose evenly"
-    );
-}
-
-#[test]
-fn cells_without_weight_are_never_chosen() {
-    let piecewise = Piecewise::new([0.0, 0.0, 1.0, 0.0, f64::NAN, -1.0, 0.0]);
-    for u in [0.0, 0.5, 1.0 - f32::EPSILON / 2.0] {
-        let choice = piecewise.choose(u).expect("one cell has weight");
-        assert_eq!((choice.cell, choice.probability), (2, 1.0), "u = {u}");
-    }
-    for empty in [vec![], vec![0.0; 5]] {
-        assert_eq!(Piecewise::new(empty).choose(0.3), None, "nothing to choose");
-    }
-}
-
-#[test]
 fn a_constant_map_is_sampled_evenly_by_solid_angle() {
     for (width, height) in [(1, 1), (2, 1), (1, 2), (16, 8), (31, 17)] {
         let environment = Environment::new(Image::from_fn(width, height, |_, _| Rgb::WHITE));
         let mut rng = pcg::stream(182, 0);
         for _ in 0..1000 {
-            let (toward, pdf) = environment
-                .choose(uniform(&mut rng))
-                .expect("there is light");
-            for pdf in [pdf, environment.density(toward)] {
+            let light = environment.sample(Vec3::ZERO, uniform(&mut rng));
+            let light = light.expect("there is light");
+            for pdf in [light.pdf, environment.density(light.toward)] {
                 assert!(
                     (pdf * 4.0 * PI - 1.0).abs() < 1e-6,
                     "{width} × {height}: the density is {pdf}, not 1/4π"
@@ -103,13 +63,9 @@ fn samples_follow_the_density() {
     let samples = 200_000;
     let mut counts = [0.0_f64; 128];
     for _ in 0..samples {
-        let (toward, pdf) = environment
+        let toward = environment
             .choose(uniform(&mut rng))
             .expect("there is light");
-        assert!(
-            (pdf / environment.density(toward) - 1.0).abs() < 1e-4,
-            "the density that comes with {toward:?} is that of the direction"
-        );
         let place = raybook::light::environment::latlong::place(toward);
         counts[16 * (8.0 * place.y) as usize + (16.0 * place.x) as usize] += 1.0;
     }
@@ -146,7 +102,7 @@ fn within_a_texel_samples_are_uniform_by_solid_angle() {
     let mut squares = 0.0;
     for i in 0..n {
         let u = vec2(0.3, (i as f32 + 0.5) / n as f32);
-        squares += environment.choose(u).expect("light").0.y.powi(2) / n as f32;
+        squares += environment.choose(u).expect("light").y.powi(2) / n as f32;
     }
     assert!(
         (squares - 1.0 / 3.0).abs() < 1e-4,
@@ -160,7 +116,7 @@ fn a_single_bright_texel_is_always_found_and_darkness_never() {
     let environment = Environment::new(one);
     let mut rng = pcg::stream(185, 0);
     for _ in 0..1000 {
-        let (toward, _) = environment.choose(uniform(&mut rng)).expect("light");
+        let toward = environment.choose(uniform(&mut rng)).expect("light");
         assert_eq!(
             environment.radiance(toward),
             Rgb::WHITE,

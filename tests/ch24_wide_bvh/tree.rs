@@ -4,11 +4,16 @@ use crate::scenes::facets;
 use glam::{Vec3, vec3};
 use proptest::prelude::*;
 use rand::RngExt;
-use raybook::accel::bvh::{Bvh, build::Method};
-use raybook::accel::{Accel, Tests, wide_bvh::WideBvh};
+use raybook::accel::bvh::{
+    Bvh, COST,
+    build::{Method, build},
+};
+use raybook::accel::wide_bvh::collapse::{Family, binary, collapse, half_area};
+use raybook::accel::wide_bvh::{WideBvh, optimal};
+use raybook::accel::{Accel, Tests};
 use raybook::math::{dir3::Dir3, interval::Interval, pcg, ray::Ray};
 use raybook::scene::soup::soup;
-use raybook::shape::teapot;
+use raybook::shape::{Shape, teapot};
 
 proptest! {
     #[test]
@@ -16,7 +21,7 @@ proptest! {
         n in 0_u32..400,
         seed in 0_u64..1000,
         method in prop_oneof![
-            Just(Method::Binned), Just(Method::Sweep), Just(Method::Median),
+            Just(Method::Fine), Just(Method::Binned), Just(Method::Sweep), Just(Method::Median),
             Just(Method::Middle), Just(Method::BottomUp),
         ],
     ) {
@@ -50,14 +55,56 @@ fn nodes_are_nearly_full() {
     let children: usize = nodes.iter().map(|node| node.children().count()).sum();
     let mean = children as f32 / nodes.len() as f32;
     assert!(
-        mean > 4.0,
-        "{mean} children per node of the teapot; 5.4 were measured"
+        mean > 5.0,
+        "{mean} children per node of the teapot; 6.0 were measured"
     );
     let per_leaf = mesh.triangles().len() as f32 / tree.tree().leaves.len() as f32;
     assert!(
-        per_leaf > 2.5,
-        "{per_leaf} triangles per leaf of the teapot; 3.6 were measured"
+        per_leaf > 6.5,
+        "{per_leaf} triangles per leaf of the teapot; 7.5 were measured"
     );
+}
+
+#[test]
+fn the_optimal_collapse_has_the_same_leaves_and_fewer_and_smaller_nodes() {
+    for mesh in [teapot::mesh(6), soup(3000, 5)] {
+        let boxes: Vec<_> = mesh.facets().iter().map(Shape::bounds).collect();
+        let nodes = binary(&build(&boxes, Method::Binned, &COST));
+        let leaves = |families: &[Family]| {
+            let all = families.iter().flat_map(|family| &family.children);
+            let mut leaves: Vec<_> = all.filter(|&&i| nodes[i as usize].link.count > 0).collect();
+            leaves.sort_unstable();
+            leaves.into_iter().copied().collect::<Vec<_>>()
+        };
+        let area = |families: &[Family]| {
+            let areas = families
+                .iter()
+                .map(|family| half_area(&nodes[family.branch as usize]));
+            areas.sum::<f32>()
+        };
+        let (greedy, optimal) = (collapse(&nodes), optimal::collapse(&nodes));
+        assert_eq!(
+            leaves(&greedy),
+            leaves(&optimal),
+            "every leaf is a child once"
+        );
+        assert!(
+            optimal.iter().all(|family| family.children.len() <= 8),
+            "no node has more than eight children"
+        );
+        assert!(
+            area(&optimal) < 0.99 * area(&greedy),
+            "{} of area, and {} by opening the largest",
+            area(&optimal),
+            area(&greedy)
+        );
+        assert!(
+            optimal.len() < greedy.len(),
+            "{} nodes, and {} by opening the largest",
+            optimal.len(),
+            greedy.len()
+        );
+    }
 }
 
 #[test]

@@ -2,11 +2,11 @@
 
 use crate::meshes::NAMES as MESHES;
 use crate::report::{COLUMNS, Row};
-use plotters::element::{Circle, PathElement, Polygon, Rectangle, Text};
-use plotters::prelude::{Color, IntoFont, RGBColor};
-use plotters::style::text_anchor::{HPos, Pos, VPos};
+use plotters::element::{Circle, PathElement, Polygon, Rectangle};
+use plotters::prelude::{Color, RGBColor};
+use plotters::style::text_anchor::HPos;
 use raybook::image::file;
-use raybook::lab::figure::{Canvas, FONT, figure};
+use raybook::lab::figure::{Canvas, figure, text};
 use raybook::lab::palette::{BLUE, FAINT, GREEN, INK, ORANGE, PURPLE, SKY, VERMILION};
 use std::error::Error;
 use std::path::Path;
@@ -171,19 +171,5 @@ fn mark(canvas: &Canvas, mesh: usize, (x, y): (i32, i32)) -> Drawn {
         Form::Down => canvas.draw(&polygon(&[(-11, -9), (0, 11), (11, -9)]))?,
         Form::Diamond => canvas.draw(&polygon(&[(-12, 0), (0, -12), (12, 0), (0, 12)]))?,
     }
-    Ok(())
-}
-
-/// A line of text, anchored at the given end and at half its height.
-fn text(
-    canvas: &Canvas,
-    text: &str,
-    at: (i32, i32),
-    size: i32,
-    end: HPos,
-    colour: RGBColor,
-) -> Drawn {
-    let style = (FONT, size).into_font().color(&colour);
-    canvas.draw(&Text::new(text, at, style.pos(Pos::new(end, VPos::Center))))?;
     Ok(())
 }

@@ -1,17 +1,23 @@
 //! The uniform grid: space cut into equal cells, each with a list of the shapes in it.
 
 pub mod build;
+pub mod lists;
 pub mod mailbox;
 pub mod resolution;
 pub mod validate;
 
 use crate::accel::grid::{
     build::Parts,
-    mailbox::Mailbox,
+    lists::Lists,
     resolution::{DENSITY, grid_resolution},
 };
 use crate::accel::{
-    Accel, Count, bounded::bounded, lattice::Lattice, list::List, margin::is_too_far, walk::walk,
+    Accel, Count,
+    bounded::bounded,
+    lattice::Lattice,
+    list::List,
+    margin::is_too_far,
+    walk::{break_if, walk},
 };
 use crate::math::{interval::Interval, ray::Ray};
 use crate::shape::{Hit, Shape, mesh::Facet};
@@ -110,18 +116,11 @@ impl<S: Shape> Accel<S> for Grid<S> {
         if let Some((_, hit)) = closest {
             within = within.before(hit.t);
         }
-        let mut asked = Mailbox::new();
+        let mut lists = Lists::new(&self.parts.shapes, ray);
         self.visit(ray, within, |places, leave| {
             count.tested_box();
-            for &place in places {
-                if asked.is_first(place) {
-                    count.tested_shape();
-                    let shape = &self.parts.shapes[place as usize];
-                    if let Some(hit) = shape.hit(ray, within) {
-                        within = within.before(hit.t);
-                        closest = Some((shape, hit));
-                    }
-                }
+            if let Some(nearer) = lists.nearest(places, &mut within, count) {
+                closest = Some(nearer);
             }
             // The hit may be in a later cell, where something nearer may be too.
             break_if(within.max <= leave)
@@ -132,22 +131,12 @@ impl<S: Shape> Accel<S> for Grid<S> {
     fn any(&self, ray: &Ray, within: Interval) -> bool {
         let mut blocked = self.unbounded.any(ray, within);
         if !blocked {
-            let mut asked = Mailbox::new();
+            let mut lists = Lists::new(&self.parts.shapes, ray);
             self.visit(ray, within, |places, _| {
-                blocked = places.iter().any(|&place| {
-                    asked.is_first(place) && self.parts.shapes[place as usize].blocks(ray, within)
-                });
+                blocked = lists.block(places, within);
                 break_if(blocked)
             });
         }
         blocked
-    }
-}
-
-fn break_if(done: bool) -> ControlFlow<()> {
-    if done {
-        ControlFlow::Break(())
-    } else {
-        ControlFlow::Continue(())
     }
 }

@@ -6,8 +6,10 @@ pub mod refine;
 pub mod validate;
 pub mod walk;
 
-use crate::accel::grid::{build as grid, mailbox::Mailbox};
-use crate::accel::{Accel, Count, bounded::bounded, list::List, margin::is_too_far};
+use crate::accel::grid::{build as grid, lists::Lists};
+use crate::accel::{
+    Accel, Count, bounded::bounded, list::List, margin::is_too_far, walk::break_if,
+};
 use crate::math::{interval::Interval, ray::Ray};
 use crate::shape::{Hit, Shape, mesh::Facet};
 use build::{Densities, Parts};
@@ -104,18 +106,11 @@ impl<S: Shape> Accel<S> for TwoLevelGrid<S> {
         if let Some((_, hit)) = closest {
             within = within.before(hit.t);
         }
-        let mut asked = Mailbox::new();
+        let mut lists = Lists::new(&self.parts.shapes, ray);
         self.visit(ray, within, |places, leave| {
             count.tested_box();
-            for &place in places.unwrap_or_default() {
-                if asked.is_first(place) {
-                    count.tested_shape();
-                    let shape = &self.parts.shapes[place as usize];
-                    if let Some(hit) = shape.hit(ray, within) {
-                        within = within.before(hit.t);
-                        closest = Some((shape, hit));
-                    }
-                }
+            if let Some(nearer) = lists.nearest(places.unwrap_or_default(), &mut within, count) {
+                closest = Some(nearer);
             }
             // A coarse cell is visited before its fine cells: only these can end the walk.
             break_if(places.is_some() && within.max <= leave)
@@ -126,22 +121,12 @@ impl<S: Shape> Accel<S> for TwoLevelGrid<S> {
     fn any(&self, ray: &Ray, within: Interval) -> bool {
         let mut blocked = self.unbounded.any(ray, within);
         if !blocked {
-            let mut asked = Mailbox::new();
+            let mut lists = Lists::new(&self.parts.shapes, ray);
             self.visit(ray, within, |places, _| {
-                blocked = places.unwrap_or_default().iter().any(|&place| {
-                    asked.is_first(place) && self.parts.shapes[place as usize].blocks(ray, within)
-                });
+                blocked = lists.block(places.unwrap_or_default(), within);
                 break_if(blocked)
             });
         }
         blocked
-    }
-}
-
-fn break_if(done: bool) -> ControlFlow<()> {
-    if done {
-        ControlFlow::Break(())
-    } else {
-        ControlFlow::Continue(())
     }
 }

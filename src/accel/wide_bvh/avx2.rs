@@ -1,4 +1,4 @@
-//! Eight boxes and four triangles at once by the instructions AVX2 and FMA of x86-64 processors.
+//! Eight boxes and eight triangles at once by the instructions AVX2 and FMA of x86-64 processors.
 #![expect(
     unsafe_code,
     reason = "vector instructions, and their loads by address"
@@ -33,118 +33,17 @@ impl Avx2 {
     }
 }
 
-#[inline(always)]
-unsafe fn splats(v: glam::Vec3A) -> [__m256; 3] {
-    let v: __m128 = v.into();
-    unsafe {
-        [
-            _mm256_broadcastss_ps(v),
-            _mm256_broadcastss_ps(_mm_permute_ps::<0x55>(v)),
-            _mm256_broadcastss_ps(_mm_permute_ps::<0xAA>(v)),
-        ]
-    }
-}
-
 impl Lanes for Avx2 {
     #[inline(always)]
     fn boxes(self, node: &Node, ray: &WideRay, max: f32) -> (u32, [f32; CHILDREN]) {
-        // SAFETY: the proof is there; the rows are 0 to 5, each of eight numbers, and start at multiples of 32 bytes.
-        unsafe {
-            let rows = node.rows.as_ptr();
-            let row = |row: usize| _mm256_load_ps(rows.add(row).cast());
-            let [nx, ny, nz] = ray.near;
-            let [ix, iy, iz] = splats(ray.inverse);
-            let [ex, ey, ez] = splats(ray.enter);
-            let [lx, ly, lz] = splats(ray.leave);
-            let plane = |i: usize, inverse: __m256, offset: __m256| {
-                _mm256_castps_si256(_mm256_fmadd_ps(row(i), inverse, offset))
-            };
-            let splat = |v: f32| _mm256_castps_si256(_mm256_set1_ps(v));
-            let enter = _mm256_max_epi32(
-                _mm256_max_epi32(plane(nx, ix, ex), plane(ny, iy, ey)),
-                _mm256_max_epi32(plane(nz, iz, ez), splat(ray.min)),
-            );
-            let leave = _mm256_min_epi32(
-                _mm256_min_epi32(plane(nx ^ 1, ix, lx), plane(ny ^ 1, iy, ly)),
-                _mm256_min_epi32(plane(nz ^ 1, iz, lz), splat(max)),
-            );
-            let missed = _mm256_movemask_ps(_mm256_castsi256_ps(_mm256_cmpgt_epi32(enter, leave)));
-            let mut t = [0.0; CHILDREN];
-            _mm256_storeu_si256(t.as_mut_ptr().cast(), enter);
-            (missed as u32 ^ 255, t)
-        }
+        // SAFETY: the proof is there.
+        unsafe { boxes(node, ray, max) }
     }
 
     #[inline(always)]
-    fn triangles(self, leaf: &Leaf, ray: &WideRay, max: f32) -> Struck {
-        // SAFETY: the proof is there; axes are 0 to 2, and each row is of four numbers and starts at a multiple of 16 bytes.
-        unsafe {
-            let [ax, ay, az] = ray.shear.axes;
-            let [sx, sy, sz] = ray.shear.slopes.map(|v| _mm_set1_ps(v));
-            let [ox, oy, oz] = ray.origin.map(|v| _mm_set1_ps(v));
-            let corner = |i: usize| {
-                let row = |axis: usize| {
-                    _mm_load_ps(
-                        leaf.corners
-                            .as_ptr()
-                            .add(i)
-                            .cast::<f32>()
-                            .add(TRIANGLES * axis),
-                    )
-                };
-                let x = _mm_sub_ps(row(ax), ox);
-                let y = _mm_sub_ps(row(ay), oy);
-                let z = _mm_sub_ps(row(az), oz);
-                [
-                    _mm_sub_ps(x, _mm_mul_ps(sx, z)),
-                    _mm_sub_ps(y, _mm_mul_ps(sy, z)),
-                    _mm_mul_ps(sz, z),
-                ]
-            };
-            let (a, b, c) = (corner(0), corner(1), corner(2));
-            let cross = |p: [__m128; 3], q: [__m128; 3]| {
-                _mm_sub_ps(_mm_mul_ps(p[0], q[1]), _mm_mul_ps(p[1], q[0]))
-            };
-            let (u, v, w) = (cross(c, b), cross(a, c), cross(b, a));
-            let zero = _mm_setzero_ps();
-            let least = _mm_min_ps(u, _mm_min_ps(v, w));
-            let most = _mm_max_ps(u, _mm_max_ps(v, w));
-            let inside = _mm_or_ps(_mm_cmpge_ps(least, zero), _mm_cmple_ps(most, zero));
-            if _mm_movemask_ps(inside) == 0 {
-                return Struck::NONE;
-            }
-            let on_edge = _mm_or_ps(
-                _mm_cmpeq_ps(u, zero),
-                _mm_or_ps(_mm_cmpeq_ps(v, zero), _mm_cmpeq_ps(w, zero)),
-            );
-            let unsure = _mm_movemask_ps(_mm_and_ps(inside, on_edge)) as u32;
-            let inverse = _mm_div_ps(_mm_set1_ps(1.0), _mm_add_ps(_mm_add_ps(u, v), w));
-            let sum = _mm_add_ps(
-                _mm_add_ps(_mm_mul_ps(u, a[2]), _mm_mul_ps(v, b[2])),
-                _mm_mul_ps(w, c[2]),
-            );
-            let t = _mm_mul_ps(sum, inverse);
-            let counts = _mm_and_ps(
-                _mm_cmplt_ps(_mm_set1_ps(ray.min), t),
-                _mm_cmplt_ps(t, _mm_set1_ps(max)),
-            );
-            let mask = _mm_movemask_ps(_mm_and_ps(inside, counts)) as u32 & !unsure;
-            if mask | unsure == 0 {
-                return Struck::NONE;
-            }
-            let array = |v: __m128| {
-                let mut array = [0.0; TRIANGLES];
-                _mm_storeu_ps(array.as_mut_ptr(), v);
-                array
-            };
-            Struck {
-                mask,
-                unsure,
-                t: array(t),
-                b1: array(_mm_mul_ps(v, inverse)),
-                b2: array(_mm_mul_ps(w, inverse)),
-            }
-        }
+    fn triangles(self, leaf: &Leaf, ray: &WideRay, max: f32) -> Option<Struck> {
+        // SAFETY: the proof is there.
+        unsafe { triangles(leaf, ray, max) }
     }
 
     #[inline(always)]
@@ -160,4 +59,116 @@ impl Lanes for Avx2 {
             _mm_prefetch::<_MM_HINT_T0>(at.wrapping_add(192));
         }
     }
+}
+
+/// Three numbers, each in all lanes.
+#[target_feature(enable = "avx2,fma")]
+#[inline]
+fn splats(v: glam::Vec3A) -> [__m256; 3] {
+    let v: __m128 = v.into();
+    [
+        _mm256_broadcastss_ps(v),
+        _mm256_broadcastss_ps(_mm_permute_ps::<0x55>(v)),
+        _mm256_broadcastss_ps(_mm_permute_ps::<0xAA>(v)),
+    ]
+}
+
+#[target_feature(enable = "avx2,fma")]
+#[inline]
+fn boxes(node: &Node, ray: &WideRay, max: f32) -> (u32, [f32; CHILDREN]) {
+    let rows = node.rows.as_flattened().as_ptr();
+    // SAFETY: the rows are of eight numbers each, and start at multiples of 32 bytes.
+    let row = |start: usize| unsafe { _mm256_load_ps(rows.add(start)) };
+    let [nx, ny, nz] = ray.near;
+    let [ix, iy, iz] = splats(ray.inverse);
+    let [ex, ey, ez] = splats(ray.enter);
+    let [lx, ly, lz] = splats(ray.leave);
+    let plane = |i: usize, inverse: __m256, offset: __m256| {
+        _mm256_castps_si256(_mm256_fmadd_ps(row(i), inverse, offset))
+    };
+    let splat = |v: f32| _mm256_castps_si256(_mm256_set1_ps(v));
+    let enter = _mm256_max_epi32(
+        _mm256_max_epi32(plane(nx, ix, ex), plane(ny, iy, ey)),
+        _mm256_max_epi32(plane(nz, iz, ez), splat(ray.min)),
+    );
+    let leave = _mm256_min_epi32(
+        _mm256_min_epi32(plane(nx ^ CHILDREN, ix, lx), plane(ny ^ CHILDREN, iy, ly)),
+        _mm256_min_epi32(plane(nz ^ CHILDREN, iz, lz), splat(max)),
+    );
+    let missed = _mm256_movemask_ps(_mm256_castsi256_ps(_mm256_cmpgt_epi32(enter, leave)));
+    let mut t = [0.0; CHILDREN];
+    // SAFETY: eight numbers fit.
+    unsafe { _mm256_storeu_si256(t.as_mut_ptr().cast(), enter) };
+    (missed as u32 ^ 255, t)
+}
+
+#[target_feature(enable = "avx2,fma")]
+#[inline(never)] // the loop over the nodes then has the registers for itself
+fn triangles(leaf: &Leaf, ray: &WideRay, max: f32) -> Option<Struck> {
+    let [ax, ay, az] = ray.shear.axes;
+    let [sx, sy, sz] = ray.shear.slopes.map(|v| _mm256_set1_ps(v));
+    let [ox, oy, oz] = ray.origin.map(|v| _mm256_set1_ps(v));
+    let corner = |i: usize| {
+        let rows = leaf.corners[i].as_ptr();
+        // SAFETY: axes are 0 to 2, and each row is of eight numbers and starts at a multiple of 32 bytes.
+        let row = |axis: usize| unsafe { _mm256_load_ps(rows.add(axis).cast()) };
+        let x = _mm256_sub_ps(row(ax), ox);
+        let y = _mm256_sub_ps(row(ay), oy);
+        let z = _mm256_sub_ps(row(az), oz);
+        [
+            _mm256_sub_ps(x, _mm256_mul_ps(sx, z)),
+            _mm256_sub_ps(y, _mm256_mul_ps(sy, z)),
+            _mm256_mul_ps(sz, z),
+        ]
+    };
+    let (a, b, c) = (corner(0), corner(1), corner(2));
+    let cross = |p: [__m256; 3], q: [__m256; 3]| {
+        _mm256_sub_ps(_mm256_mul_ps(p[0], q[1]), _mm256_mul_ps(p[1], q[0]))
+    };
+    let (u, v, w) = (cross(c, b), cross(a, c), cross(b, a));
+    let zero = _mm256_setzero_ps();
+    let least = _mm256_min_ps(u, _mm256_min_ps(v, w));
+    let most = _mm256_max_ps(u, _mm256_max_ps(v, w));
+    let inside = _mm256_or_ps(
+        _mm256_cmp_ps::<_CMP_GE_OQ>(least, zero),
+        _mm256_cmp_ps::<_CMP_LE_OQ>(most, zero),
+    );
+    if _mm256_movemask_ps(inside) == 0 {
+        return None;
+    }
+    let on_edge = _mm256_or_ps(
+        _mm256_cmp_ps::<_CMP_EQ_OQ>(u, zero),
+        _mm256_or_ps(
+            _mm256_cmp_ps::<_CMP_EQ_OQ>(v, zero),
+            _mm256_cmp_ps::<_CMP_EQ_OQ>(w, zero),
+        ),
+    );
+    let unsure = _mm256_movemask_ps(_mm256_and_ps(inside, on_edge)) as u32;
+    let inverse = _mm256_div_ps(_mm256_set1_ps(1.0), _mm256_add_ps(_mm256_add_ps(u, v), w));
+    let sum = _mm256_add_ps(
+        _mm256_add_ps(_mm256_mul_ps(u, a[2]), _mm256_mul_ps(v, b[2])),
+        _mm256_mul_ps(w, c[2]),
+    );
+    let t = _mm256_mul_ps(sum, inverse);
+    let counts = _mm256_and_ps(
+        _mm256_cmp_ps::<_CMP_LT_OQ>(_mm256_set1_ps(ray.min), t),
+        _mm256_cmp_ps::<_CMP_LT_OQ>(t, _mm256_set1_ps(max)),
+    );
+    let mask = _mm256_movemask_ps(_mm256_and_ps(inside, counts)) as u32 & !unsure;
+    if mask | unsure == 0 {
+        return None;
+    }
+    let array = |v: __m256| {
+        let mut array = [0.0; TRIANGLES];
+        // SAFETY: eight numbers fit.
+        unsafe { _mm256_storeu_ps(array.as_mut_ptr(), v) };
+        array
+    };
+    Some(Struck {
+        mask,
+        unsure,
+        t: array(t),
+        b1: array(_mm256_mul_ps(v, inverse)),
+        b2: array(_mm256_mul_ps(w, inverse)),
+    })
 }

@@ -47,10 +47,14 @@ impl Flight {
         } else {
             let node = &tree.nodes[self.next.index()];
             let (mut met, t) = lanes.boxes(node, &self.seeker.wide, self.found.limit);
+            if met.is_power_of_two() {
+                self.next = node.links[walk::first(&mut met)];
+                lanes.prefetch(tree, self.next);
+                return true;
+            }
             let base = self.height;
             while met != 0 {
-                let lane = met.trailing_zeros() as usize % CHILDREN;
-                met &= met - 1;
+                let lane = walk::first(&mut met);
                 let child = Waiting::new(t[lane], node.links[lane]);
                 self.stack.insert(base, self.height, child);
                 self.height += 1;

@@ -1,7 +1,8 @@
 //! From facets to the tree.
 
-use super::collapse::{binary, collapse};
+use super::collapse::binary;
 use super::node::{Leaf, Link, Node, TRIANGLES};
+use super::optimal;
 use super::{Tree, pages};
 use crate::accel::bvh::build::{Method, build as build_binary, cost::Cost};
 use crate::math::aabb::Aabb;
@@ -23,7 +24,7 @@ pub fn build(facets: Vec<Facet>, method: Method) -> Tree {
     let boxes: Vec<Aabb> = facets.par_iter().map(Shape::bounds).collect();
     let flat = build_binary(&boxes, method, &COST);
     let old = binary(&flat);
-    let families = collapse(&old);
+    let families = optimal::collapse(&old);
     // Where each node of the binary tree that stays is in the new one.
     let mut links = vec![Link::NONE; old.len()];
     for (place, family) in families.iter().enumerate() {

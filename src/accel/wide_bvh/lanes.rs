@@ -9,8 +9,8 @@ pub trait Lanes: Copy {
     /// The children that the ray meets before `max`, as bits, and where it enters each of them.
     fn boxes(self, node: &Node, ray: &WideRay, max: f32) -> (u32, [f32; CHILDREN]);
 
-    /// The triangles that the ray hits before `max`.
-    fn triangles(self, leaf: &Leaf, ray: &WideRay, max: f32) -> Struck;
+    /// The triangles that the ray hits before `max`, if there are any.
+    fn triangles(self, leaf: &Leaf, ray: &WideRay, max: f32) -> Option<Struck>;
 
     /// Asks the memory for a child, to have it when it is needed.
     fn prefetch(self, tree: &Tree, link: Link);
@@ -26,7 +26,7 @@ pub trait Work {
 }
 
 /// Triangles that a ray hits.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Struck {
     /// Bit i: triangle i.
     pub mask: u32,
@@ -38,15 +38,4 @@ pub struct Struck {
     pub b1: [f32; TRIANGLES],
     /// Barycentrics of the third corners.
     pub b2: [f32; TRIANGLES],
-}
-
-impl Struck {
-    /// None of them.
-    pub const NONE: Self = Self {
-        mask: 0,
-        unsure: 0,
-        t: [0.0; TRIANGLES],
-        b1: [0.0; TRIANGLES],
-        b2: [0.0; TRIANGLES],
-    };
 }

@@ -13,6 +13,7 @@ pub mod collapse;
 pub mod lanes;
 pub mod nearest;
 pub mod node;
+pub mod optimal;
 pub mod pages;
 pub mod portable;
 pub mod ray;
@@ -35,7 +36,7 @@ use node::{Leaf, Link, NO_FACET, Node};
 use portable::Portable;
 use search::{Any, Closest};
 
-/// Facets with finite boxes in a tree of eight children per node and four triangles per leaf.
+/// Facets with finite boxes in a tree of eight children per node and up to eight triangles per leaf.
 ///
 /// A node that a ray comes to counts as one box tested: its eight are tested at once.
 #[derive(Clone, Debug)]
@@ -65,7 +66,7 @@ pub struct Tree {
 impl WideBvh {
     /// The tree that is best for its time, with the best instructions of this processor.
     pub fn new(facets: Vec<Facet>) -> Self {
-        Self::build(facets, Method::Binned)
+        Self::build(facets, Method::Fine)
     }
 
     /// A tree that is collapsed from a binary one made by a method of choice.

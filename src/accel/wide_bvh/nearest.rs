@@ -85,7 +85,9 @@ impl Seeker {
         for _ in leaf.facets() {
             count.tested_shape();
         }
-        let struck = lanes.triangles(leaf, &self.wide, found.limit);
+        let Some(struck) = lanes.triangles(leaf, &self.wide, found.limit) else {
+            return found;
+        };
         for lane in bits(struck.mask) {
             let hit = Hit {
                 t: struck.t[lane],
@@ -106,7 +108,9 @@ impl Seeker {
     /// Whether anything in a leaf is hit before `max`.
     #[inline(always)]
     pub fn test_any<L: Lanes>(&self, lanes: L, tree: &Tree, leaf: &Leaf, max: f32) -> bool {
-        let struck = lanes.triangles(leaf, &self.wide, max);
+        let Some(struck) = lanes.triangles(leaf, &self.wide, max) else {
+            return false;
+        };
         let within = Interval::new(self.wide.min, max);
         let blocks =
             |lane: usize| tree.facets[leaf.facets[lane] as usize].blocks(&self.ray, within);

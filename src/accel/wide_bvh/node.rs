@@ -1,4 +1,4 @@
-//! What the tree is made of: nodes of eight children and leaves of a few triangles, laid out for vector instructions.
+//! What the tree is made of: nodes of eight children and leaves of up to eight triangles, laid out for vector instructions.
 
 use crate::math::aabb::Aabb;
 use crate::shape::mesh::Facet;
@@ -8,7 +8,7 @@ use glam::Vec3;
 pub const CHILDREN: usize = 8;
 
 /// Triangles of a leaf.
-pub const TRIANGLES: usize = 4;
+pub const TRIANGLES: usize = 8;
 
 /// The place of a child: a node, or, with the top bit set, a leaf.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd)]
@@ -92,7 +92,7 @@ impl Node {
     }
 }
 
-/// A few triangles side by side: the first corners' x, then their y, and so on.
+/// Up to eight triangles side by side: the first corners' x, then their y, and so on.
 ///
 /// A place without a triangle has corners of NaN, which no ray hits.
 #[derive(Clone, Debug)]
@@ -131,6 +131,7 @@ impl Leaf {
 
     /// The places of its triangles in the list of facets.
     pub fn facets(&self) -> impl Iterator<Item = u32> {
-        self.facets.into_iter().filter(|&facet| facet != NO_FACET)
+        let all = self.facets.iter().copied();
+        all.filter(|&facet| facet != NO_FACET)
     }
 }

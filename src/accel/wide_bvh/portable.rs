@@ -1,4 +1,4 @@
-//! Eight boxes and four triangles at once, by plain arithmetic on arrays, on any processor.
+//! Eight boxes and eight triangles at once, by plain arithmetic on arrays, on any processor.
 
 use super::Tree;
 use super::lanes::{Lanes, Struck, Work};
@@ -25,8 +25,9 @@ impl Lanes for Portable {
     fn boxes(self, node: &Node, ray: &WideRay, max: f32) -> (u32, [f32; CHILDREN]) {
         let mut enter = [ray.min; CHILDREN];
         let mut leave = [max; CHILDREN];
+        let rows = |start: usize| &node.rows[start / CHILDREN];
         for axis in 0..3 {
-            let (near, far) = (&node.rows[ray.near[axis]], &node.rows[ray.near[axis] ^ 1]);
+            let (near, far) = (rows(ray.near[axis]), rows(ray.near[axis] ^ CHILDREN));
             for lane in 0..CHILDREN {
                 enter[lane] = enter[lane].max(near[lane] * ray.inverse[axis] + ray.enter[axis]);
                 leave[lane] = leave[lane].min(far[lane] * ray.inverse[axis] + ray.leave[axis]);
@@ -37,8 +38,8 @@ impl Lanes for Portable {
     }
 
     #[inline(always)]
-    fn triangles(self, leaf: &Leaf, ray: &WideRay, max: f32) -> Struck {
-        let mut struck = Struck::NONE;
+    fn triangles(self, leaf: &Leaf, ray: &WideRay, max: f32) -> Option<Struck> {
+        let mut struck = Struck::default();
         for lane in 0..TRIANGLES {
             let corner = |i: usize| {
                 let rows = &leaf.corners[i];
@@ -66,7 +67,7 @@ impl Lanes for Portable {
                 struck.b2[lane] = w * inverse;
             }
         }
-        struck
+        (struck.mask | struck.unsure != 0).then_some(struck)
     }
 
     #[inline(always)]

@@ -1,5 +1,6 @@
 //! A ray made ready for eight boxes at once.
 
+use super::node::CHILDREN;
 use crate::math::ray::Ray;
 use crate::shape::triangle_watertight::Shear;
 use glam::Vec3A;
@@ -29,7 +30,8 @@ pub struct WideRay {
     pub enter: Vec3A,
     /// −o/d + pad, for planes through which it leaves.
     pub leave: Vec3A,
-    /// Which rows of a node hold the planes through which the ray enters; those through which it leaves are in `near ^ 1`.
+    /// Where in a node's numbers the planes begin through which the ray enters; those through which it leaves begin
+    /// at `near ^ 8`.
     pub near: [usize; 3],
     /// What moves a triangle into the ray's frame.
     pub shear: Shear,
@@ -58,9 +60,9 @@ impl WideRay {
             enter: finite(middle - pad),
             leave: finite(middle + pad),
             near: [
-                backwards & 1,
-                2 + (backwards >> 1 & 1),
-                4 + (backwards >> 2 & 1),
+                CHILDREN * (backwards & 1),
+                CHILDREN * (2 + (backwards >> 1 & 1)),
+                CHILDREN * (4 + (backwards >> 2 & 1)),
             ],
             origin: [origin[x], origin[y], origin[z]],
             shear,

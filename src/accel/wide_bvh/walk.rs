@@ -25,25 +25,23 @@ pub fn closest<L: Lanes>(
     loop {
         if let Some(leaf) = link.as_leaf() {
             found = seeker.test(lanes, tree, &tree.leaves[leaf], found, count);
-        } else if height + CHILDREN > PLACES {
-            found = deeper(lanes, tree, link, *seeker, found, count);
         } else {
             let node = &tree.nodes[link.index()];
             count.tested_box();
             let (mut met, t) = lanes.boxes(node, &seeker.wide, found.limit);
-            if met != 0 {
-                let lane = met.trailing_zeros() as usize % CHILDREN;
-                met &= met - 1;
-                link = node.links[lane];
-                if met == 0 {
-                    continue;
-                }
-                lanes.prefetch(tree, link);
-                let (mut near, base) = (Waiting::new(t[lane], link), height);
+            if met.is_power_of_two() {
+                // Only one, as most often: nothing to sort, and no need of the stack.
+                link = node.links[first(&mut met)];
+                continue;
+            }
+            if height + CHILDREN > PLACES {
+                found = deeper(lanes, tree, link, *seeker, found, count);
+            } else if met != 0 {
+                let child = |lane: usize| Waiting::new(t[lane], node.links[lane]);
+                let (mut near, base) = (child(first(&mut met)), height);
+                lanes.prefetch(tree, near.link());
                 while met != 0 {
-                    let lane = met.trailing_zeros() as usize % CHILDREN;
-                    met &= met - 1;
-                    let other = Waiting::new(t[lane], node.links[lane]);
+                    let other = child(first(&mut met));
                     lanes.prefetch(tree, other.link());
                     stack.insert(base, height, near.max(other));
                     height += 1;
@@ -68,6 +66,14 @@ pub fn closest<L: Lanes>(
 }
 // ANCHOR_END: wide_closest
 
+/// Takes the first lane out of those that are met.
+#[inline(always)]
+pub fn first(met: &mut u32) -> usize {
+    let lane = met.trailing_zeros() as usize % CHILDREN;
+    *met &= *met - 1;
+    lane
+}
+
 /// The same with a stack of its own: a tree may be deeper than any stack of fixed size.
 #[cold]
 #[inline(never)]
@@ -91,21 +97,22 @@ pub fn any<L: Lanes>(lanes: L, tree: &Tree, mut link: Link, seeker: &Seeker, max
             if seeker.test_any(lanes, tree, &tree.leaves[leaf], max) {
                 return true;
             }
-        } else if height + CHILDREN > PLACES {
-            if deeper_any(lanes, tree, link, *seeker, max) {
-                return true;
-            }
         } else {
             let node = &tree.nodes[link.index()];
             let (mut met, _) = lanes.boxes(node, &seeker.wide, max);
-            if met != 0 {
-                link = node.links[met.trailing_zeros() as usize % CHILDREN];
-                met &= met - 1;
+            if met.is_power_of_two() {
+                link = node.links[first(&mut met)];
+                continue;
+            }
+            if height + CHILDREN > PLACES {
+                if deeper_any(lanes, tree, link, *seeker, max) {
+                    return true;
+                }
+            } else if met != 0 {
+                link = node.links[first(&mut met)];
                 while met != 0 {
-                    let other = node.links[met.trailing_zeros() as usize % CHILDREN];
-                    met &= met - 1;
-                    lanes.prefetch(tree, other);
-                    stack[height] = other;
+                    stack[height] = node.links[first(&mut met)];
+                    lanes.prefetch(tree, stack[height]);
                     height += 1;
                 }
                 continue;

@@ -25,14 +25,16 @@ pub fn direction(place: Vec2) -> Dir3 {
     around(place.x, cos, sin)
 }
 
-/// The direction at a fraction of a turn, u, and a cosine of θ.
-pub fn toward(turn: f32, cosine: f32) -> Dir3 {
-    around(turn, cosine, (1.0 - cosine * cosine).max(0.0).sqrt())
+/// The direction at a fraction of a turn, u, and a cosine of θ, which needs its digits: all of a large map's first row
+/// has a cosine that is nearly 1.
+pub fn toward(turn: f32, cosine: f64) -> Dir3 {
+    let sine = (1.0 - cosine * cosine).max(0.0).sqrt();
+    around(turn, cosine as f32, sine as f32)
 }
 
-/// cos θ at the upper and the lower edge of a row of texels, of so many.
-pub fn cosines(row: usize, rows: usize) -> [f64; 2] {
-    [row, row + 1].map(|edge| (std::f64::consts::PI * edge as f64 / rows as f64).cos())
+/// cos θ at the upper edge of a row of texels, of so many; at the lower one of the last row, if it is called the next.
+pub fn cosine(row: usize, rows: usize) -> f64 {
+    (std::f64::consts::PI * row as f64 / rows as f64).cos()
 }
 
 fn around(turn: f32, cosine: f32, sine: f32) -> Dir3 {

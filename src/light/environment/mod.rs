@@ -6,7 +6,7 @@ pub mod cube;
 pub mod latlong;
 
 use crate::image::{Image, rgb::Rgb};
-use crate::light::{Light, LightSample};
+use crate::light::{Light, LightSample, extent::shine};
 use crate::math::piecewise::Piecewise;
 use crate::math::{dir3::Dir3, ray::Ray};
 use glam::{Vec2, Vec3};
@@ -23,23 +23,34 @@ pub struct Environment {
     rows: Piecewise,
     /// The share of each texel in its row's light.
     columns: Vec<Piecewise>,
+    /// cos θ at the rows' edges, from 1 to −1.
+    edges: Vec<f64>,
 }
 
 impl Environment {
-    /// An environment from a latitude–longitude map.
+    /// An environment from a latitude–longitude map; a channel that is negative or not finite counts as 0.
     ///
     /// # Panics
     /// If the map has no texel.
     pub fn new(map: Image) -> Self {
+        let map = map.map(|texel| texel.map(|v| if v.is_finite() { v.max(0.0) } else { 0.0 }));
         let (width, height) = (map.width(), map.height());
         assert!(width * height > 0, "a map of directions has texels");
         let columns: Vec<_> = (0..height)
             .map(|y| Piecewise::new((0..width).map(|x| f64::from(map.at(x, y).luminance()))))
             .collect();
-        let light = |(row, columns): (usize, &Piecewise)| columns.total() * solid_angle(&map, row);
+        let edges: Vec<_> = (0..=height)
+            .map(|row| latlong::cosine(row, height))
+            .collect();
+        let zones = edges.windows(2).map(|edges| edges[0] - edges[1]);
+        let light = columns
+            .iter()
+            .zip(zones)
+            .map(|(columns, zone)| columns.total() * zone);
         Self {
-            rows: Piecewise::new(columns.iter().enumerate().map(light)),
+            rows: Piecewise::new(light),
             columns,
+            edges,
             map,
         }
     }
@@ -56,20 +67,19 @@ impl Environment {
     }
 
     // ANCHOR: sample_environment
-    /// A direction for u in [0, 1)², the brighter the likelier, with its density per steradian; `None` in the dark.
+    /// A direction for u in [0, 1)², the brighter the likelier; `None` in the dark.
     ///
     /// u.y chooses a row by its light, that is the sum of its luminances times the solid angle of one of its texels, and u.x
     /// a texel of the row by its luminance. What the choices leave of u places the direction in the texel, uniformly by
     /// solid angle: φ goes evenly through a texel, and so does cos θ, not θ (Archimedes: a sphere's zones have the areas
     /// of the cylinder's around it).
-    pub fn choose(&self, u: Vec2) -> Option<(Dir3, f32)> {
+    pub fn choose(&self, u: Vec2) -> Option<Dir3> {
         let row = self.rows.choose(u.y)?;
         let column = self.columns[row.cell].choose(u.x)?;
-        let [top, bottom] = latlong::cosines(row.cell, self.map.height());
+        let (top, bottom) = (self.edges[row.cell], self.edges[row.cell + 1]);
         let cosine = top + (bottom - top) * f64::from(row.within);
         let turn = (column.cell as f32 + column.within) / self.map.width() as f32;
-        let density = row.probability * column.probability / solid_angle(&self.map, row.cell);
-        Some((latlong::toward(turn, cosine as f32), density as f32))
+        Some(latlong::toward(turn, cosine))
     }
     // ANCHOR_END: sample_environment
 
@@ -79,9 +89,15 @@ impl Environment {
     pub fn density(&self, toward: Dir3) -> f32 {
         let (x, y) = self.texel(toward);
         let probability = self.rows.probability(y) * self.columns[y].probability(x);
-        (probability / solid_angle(&self.map, y)) as f32
+        (probability / self.solid_angle(y)) as f32
     }
     // ANCHOR_END: environment_pdf
+
+    /// The solid angle of a texel in a row, in steradians: its share of a zone between two circles of latitude,
+    /// 2π (cos θ₀ − cos θ₁).
+    fn solid_angle(&self, row: usize) -> f64 {
+        TAU * (self.edges[row] - self.edges[row + 1]) / self.map.width() as f64
+    }
 
     fn texel(&self, toward: Dir3) -> (usize, usize) {
         let (width, height) = (self.map.width(), self.map.height());
@@ -91,22 +107,13 @@ impl Environment {
     }
 }
 
-/// The solid angle of a texel in a row, in steradians: its share of a zone between two circles of latitude,
-/// 2π (cos θ₀ − cos θ₁).
-fn solid_angle(map: &Image, row: usize) -> f64 {
-    let [top, bottom] = latlong::cosines(row, map.height());
-    TAU * (top - bottom) / map.width() as f64
-}
-
 impl Light for Environment {
+    /// Radiance and density are those of the texel that is seen in this direction. At a texel's edge rounding may make it
+    /// the neighbour of the one that was chosen: the sun's radiance over a dark neighbour's density would be a firefly.
     fn sample(&self, _at: Vec3, u: Vec2) -> Option<LightSample> {
-        let (toward, pdf) = self.choose(u)?;
-        Some(LightSample {
-            toward,
-            distance: f32::INFINITY,
-            arriving: self.radiance(toward) / pdf,
-            pdf,
-        })
+        let toward = self.choose(u)?;
+        let (radiance, pdf) = (self.radiance(toward), self.density(toward));
+        shine(toward, f32::INFINITY, radiance, pdf)
     }
 
     fn pdf(&self, _at: Vec3, toward: Dir3) -> f32 {

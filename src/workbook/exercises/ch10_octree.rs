@@ -1,11 +1,12 @@
 //! Chapter 10: `octree_child`, `octree_build`, `octree_walk`.
 
 use crate::accel::octree::build::{Limits, build};
-use crate::accel::octree::tree::{Kind, Node, Tree, child_at};
+use crate::accel::octree::tree::{Tree, child_at};
 use crate::accel::octree::walk::Walk;
 use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use crate::workbook::exercise::{Asked, Exercise};
 use crate::workbook::exercises::ch05_box::Corners;
+use crate::workbook::octree_rows::{NodeRow, TreeRow, to_tree};
 use crate::workbook::row::row;
 use glam::Vec3;
 
@@ -60,42 +61,6 @@ row! {
     }
 }
 
-row! {
-    /// A node of a tree.
-    pub struct NodeRow {
-        /// 1 for a node with eight children, 0 for a leaf.
-        pub inner: u32,
-        /// The number of its first child; or the place in the list of names where the leaf's names begin.
-        pub first: u32,
-        /// How many shapes a leaf names; 0 for a node with children.
-        pub count: u32,
-    }
-}
-
-row! {
-    /// A tree: its nodes, the root first, the eight children of a node side by side; and the names in its leaves.
-    pub struct TreeRow {
-        /// The nodes.
-        pub nodes: Vec<NodeRow>,
-        /// The shapes that the leaves name, by their numbers from 0.
-        pub names: Vec<u32>,
-    }
-}
-
-impl NodeRow {
-    fn of(node: Node) -> Self {
-        let (inner, first, count) = match node.kind() {
-            Kind::Inner { children, .. } => (1, children, 0),
-            Kind::Leaf { first, count } => (0, first, count),
-        };
-        Self {
-            inner,
-            first,
-            count,
-        }
-    }
-}
-
 /// Which of eight cells a box reaches or touches, one bit each.
 pub fn reached(shape: &Corners, cells: &[Aabb; 8]) -> u8 {
     let reaches = |cell: &Aabb| shape.min.cmple(cell.max).all() && cell.min.cmple(shape.max).all();
@@ -119,10 +84,7 @@ impl Exercise for OctreeBuild {
         let tree = build(bounds, q.shapes.len() as u32, limits, &|i, cells| {
             reached(&q.shapes[i as usize], cells)
         });
-        TreeRow {
-            nodes: tree.nodes.iter().map(|&node| NodeRow::of(node)).collect(),
-            names: tree.named,
-        }
+        TreeRow::from(tree)
     }
 }
 
@@ -146,38 +108,9 @@ row! {
 }
 
 impl OctreeWalkQuestion {
-    /// The tree, as the library stores it; a node whose children are not there is taken for an empty leaf.
+    /// The tree, as the library stores it.
     pub fn tree(&self) -> Tree {
-        let is_empty = |child: u32| {
-            let node = &self.nodes[child as usize];
-            node.inner == 0 && node.count == 0
-        };
-        let node = |(node, i): (&NodeRow, u32)| {
-            if node.inner == 0 {
-                Node::leaf(node.first, node.count.min(u32::MAX / 4))
-            } else if node.first > i && node.first.saturating_add(8) <= self.nodes.len() as u32 {
-                let occupied = (0..8).filter(|child| !is_empty(node.first + child));
-                Node::inner(
-                    node.first,
-                    occupied.fold(0, |bits, child| bits | 1 << child),
-                )
-            } else {
-                Node::leaf(0, 0)
-            }
-        };
-        let mut nodes: Vec<_> = self.nodes.iter().zip(0..).map(node).collect();
-        if nodes.is_empty() {
-            nodes.push(Node::leaf(0, 0));
-        }
-        let names = self
-            .nodes
-            .iter()
-            .map(|row| row.first.saturating_add(row.count));
-        Tree {
-            bounds: Aabb::new(self.min, self.max),
-            named: (0..names.max().unwrap_or(0).min(1 << 16)).collect(),
-            nodes,
-        }
+        to_tree(Aabb::new(self.min, self.max), &self.nodes)
     }
 }
 

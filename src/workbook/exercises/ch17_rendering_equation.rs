@@ -26,11 +26,11 @@ row! {
     }
 }
 
-/// n points of the unit square, evenly spread: ((i + ½)/n, the fraction of 0.618034 i), for i from 0 to n − 1.
+/// n points of the unit square, evenly spread: ((i + ½)/n, the fraction of 0.618034 (i + ½)), for i from 0 to n − 1.
 pub fn lattice(n: u32) -> impl Iterator<Item = Vec2> {
     (0..n).map(move |i| {
-        let fraction = (0.618_034 * f64::from(i)).fract() as f32;
-        vec2((i as f32 + 0.5) / n as f32, fraction)
+        let i = f64::from(i) + 0.5;
+        vec2((i / f64::from(n)) as f32, (0.618_034 * i).fract() as f32)
     })
 }
 
@@ -39,7 +39,7 @@ impl Exercise for CosineHemisphere {
     type Answer = Vec<Vec3>;
     const NAME: &'static str = "cosine_hemisphere";
     const ANSWER: &'static str = "direction";
-    const TASK: &'static str = "Return a direction of the hemisphere around the normal for a point u of the unit square, such that evenly spread points become directions with the density cos θ/π per steradian; the answer is the list of the n directions for u = ((i + ½)/n, the fraction of 0.618034 · i) with i from 0 to n − 1.";
+    const TASK: &'static str = "Return a direction of the hemisphere around the normal for a point u of the unit square, such that evenly spread points become directions with the density cos θ/π per steradian; the answer is the list of the n directions for u = ((i + ½)/n, the fraction of 0.618034 · (i + ½)) with i from 0 to n − 1.";
 
     fn answer(q: &Self::Question) -> Self::Answer {
         lattice(q.n)

@@ -4,8 +4,9 @@ use crate::image::{Image, rgb::Rgb};
 use crate::light::environment::{Environment, cube, latlong};
 use crate::math::dir3::Dir3;
 use crate::workbook::exercise::{Asked, Exercise};
+use crate::workbook::exercises::ch17_rendering_equation::lattice;
 use crate::workbook::row::row;
-use glam::{Vec2, Vec3, vec2};
+use glam::{Vec2, Vec3};
 
 /// This chapter's exercises, in order.
 pub const EXERCISES: &[&dyn Asked] = &[
@@ -93,22 +94,20 @@ row! {
     }
 }
 
-/// So many values of each coordinate of u are asked for.
-pub const LATTICE: usize = 16;
+/// So many points u are asked for.
+pub const POINTS: u32 = 256;
 
 impl Exercise for SampleEnvironment {
     type Question = MapQuestion;
     type Answer = Vec<Vec3>;
     const NAME: &'static str = "sample_environment";
     const ANSWER: &'static str = "direction";
-    const TASK: &'static str = "Return a direction for u in the unit square, so that a texel of the latitude-longitude map is chosen in proportion to its radiance times its solid angle, and its directions uniformly by solid angle; None for a black map. It is asked for the 16 x 16 points u = ((i + 0.5)/16, (j + 0.5)/16), i running fastest.";
+    const TASK: &'static str = "Return a direction for u in the unit square, so that a texel of the latitude-longitude map is chosen in proportion to its radiance times its solid angle, and its directions uniformly by solid angle; None for a black map. The answer is the list of the directions for the 256 points u = ((i + ½)/256, the fraction of 0.618034 · (i + ½)), with i from 0 to 255.";
 
     fn answer(q: &Self::Question) -> Self::Answer {
         let environment = environment(q.width, q.height, &q.texels);
-        let cells = (0..LATTICE).flat_map(|j| (0..LATTICE).map(move |i| (i, j)));
-        let points = cells.map(|(i, j)| (vec2(i as f32, j as f32) + 0.5) / LATTICE as f32);
-        let chosen = points.filter_map(|u| environment.choose(u));
-        chosen.map(|(direction, _)| *direction).collect()
+        let chosen = lattice(POINTS).filter_map(|u| environment.choose(u));
+        chosen.map(|direction| *direction).collect()
     }
 }
 

@@ -64,36 +64,27 @@ impl Wide {
     }
 }
 
-impl Search for Bvh2 {
-    fn closest(&self, question: &Question) -> f32 {
-        let mut hit = RayHit::none();
-        self.tree.ray_traverse(ray(question), &mut hit, |ray, i| {
-            self.triangles[i].intersect(ray)
-        });
-        hit.t
-    }
+/// Both trees are asked with the same words, but by no common trait.
+macro_rules! search {
+    ($racer:ident) => {
+        impl Search for $racer {
+            fn closest(&self, question: &Question) -> f32 {
+                let mut hit = RayHit::none();
+                self.tree.ray_traverse(ray(question), &mut hit, |ray, i| {
+                    self.triangles[i].intersect(ray)
+                });
+                hit.t
+            }
 
-    fn any(&self, question: &Question) -> bool {
-        !self
-            .tree
-            .ray_traverse_miss(ray(question), |ray, i| self.triangles[i].intersect(ray))
-    }
+            fn any(&self, question: &Question) -> bool {
+                let test = |ray: &Ray, i: usize| self.triangles[i].intersect(ray);
+                !self.tree.ray_traverse_miss(ray(question), test)
+            }
+        }
+    };
 }
 
-impl Search for Wide {
-    fn closest(&self, question: &Question) -> f32 {
-        let mut hit = RayHit::none();
-        self.tree.ray_traverse(ray(question), &mut hit, |ray, i| {
-            self.triangles[i].intersect(ray)
-        });
-        hit.t
-    }
-
-    fn any(&self, question: &Question) -> bool {
-        !self
-            .tree
-            .ray_traverse_miss(ray(question), |ray, i| self.triangles[i].intersect(ray))
-    }
-}
+search!(Bvh2);
+search!(Wide);
 
 const _: () = assert!(MISS == f32::INFINITY, "obvhs says a miss in the same way");

@@ -12,14 +12,9 @@ pub fn split(items: &mut [Item], extent: &Extent, cost: &Cost) -> Option<usize> 
     let cut = if items.len() < MANY {
         Cut::best_along::<8>(extent.widest(), items, extent, cost)
     } else {
-        let cuts = [0, 1, 2].map(|axis| Cut::best_along::<16>(axis, items, extent, cost));
-        let [x, y, z] = cuts;
-        let xy = if y.cost < x.cost { y } else { x };
-        if z.cost < xy.cost { z } else { xy }
+        Cut::best::<16>(items, extent, cost)
     };
-    let parent = extent.bounds.half_area();
-    let better = cost.branch * parent + cut.cost < cost.shapes(items.len()) * parent;
-    better.then(|| partition(items, |item| cut.slices.of(item) < cut.before))
+    cut.split(items, extent, cost)
 }
 
 /// The box of all centres cut into slices of the same thickness along an axis.
@@ -74,7 +69,7 @@ impl Bin {
 
 /// A cut between two slices.
 #[derive(Clone, Copy)]
-struct Cut {
+pub struct Cut {
     slices: Slices,
     /// The first slice on the right.
     before: usize,
@@ -83,6 +78,21 @@ struct Cut {
 }
 
 impl Cut {
+    /// The best cut along any axis, between so many bins.
+    pub fn best<const BINS: usize>(items: &[Item], extent: &Extent, cost: &Cost) -> Self {
+        let cuts = [0, 1, 2].map(|axis| Self::best_along::<BINS>(axis, items, extent, cost));
+        let [x, y, z] = cuts;
+        let xy = if y.cost < x.cost { y } else { x };
+        if z.cost < xy.cost { z } else { xy }
+    }
+
+    /// Splits the items there, if that is better than a leaf.
+    pub fn split(&self, items: &mut [Item], extent: &Extent, cost: &Cost) -> Option<usize> {
+        let parent = extent.bounds.half_area();
+        let better = cost.branch * parent + self.cost < cost.shapes(items.len()) * parent;
+        better.then(|| partition(items, |item| self.slices.of(item) < self.before))
+    }
+
     /// The best cut along an axis.
     fn best_along<const BINS: usize>(
         axis: usize,

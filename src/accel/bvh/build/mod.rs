@@ -7,6 +7,7 @@
 pub mod binned;
 pub mod bottom_up;
 pub mod cost;
+pub mod fine;
 pub mod flat;
 pub mod halves;
 pub mod item;
@@ -29,6 +30,8 @@ pub enum Method {
     Sweep,
     /// Top-down: the best cut between bins, by the same heuristic.
     Binned,
+    /// Top-down: the best cut between more bins, and the best of all where few shapes are left.
+    Fine,
     /// Bottom-up: the neighbours that fit together best are merged, again and again.
     BottomUp,
 }
@@ -43,6 +46,7 @@ pub fn build(boxes: &[Aabb], method: Method, cost: &Cost) -> Flat {
         Method::Middle => halves::middle,
         Method::Sweep => sweep::split,
         Method::Binned => binned::split,
+        Method::Fine => fine::split,
         Method::BottomUp => return bottom_up::build(items, cost),
     };
     let tree = top_down(&mut items, cost, split);

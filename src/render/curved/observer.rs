@@ -1,0 +1,31 @@
+//! What an observer sees who stands still above the hole.
+
+use crate::render::curved::{CRITICAL, PHOTON_SPHERE, Photon};
+use glam::DVec3;
+
+/// The ray that such an observer, outside the horizon, sees in a direction (of length 1), followed backwards from the eye.
+///
+/// A yardstick along the radius is longer than the difference of the radii at its ends, by 1/√(1 − 1/r): so the radial part
+/// of the direction counts less in coordinates.
+pub fn seen(at: DVec3, toward: DVec3) -> Photon {
+    let up = at.normalize();
+    let radial = toward.dot(up);
+    let shorter = (1.0 - 1.0 / at.length()).max(0.0).sqrt();
+    Photon {
+        x: at,
+        v: toward + (shorter - 1.0) * radial * up,
+    }
+}
+
+/// The angle, in radians, between the middle and the edge of the hole's shadow, for r > 1: sin α = b_c √(1 − 1/r)/r
+/// (Synge 1966).
+///
+/// On the photon sphere half of the sky is black, and nearer to the hole more than half.
+pub fn shadow_half_angle(r: f64) -> f64 {
+    let sine = (CRITICAL * (1.0 - 1.0 / r).sqrt() / r).min(1.0);
+    if r < PHOTON_SPHERE {
+        std::f64::consts::PI - sine.asin()
+    } else {
+        sine.asin()
+    }
+}

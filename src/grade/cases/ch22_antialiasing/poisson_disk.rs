@@ -87,17 +87,6 @@ impl Graded for PoissonDisk {
             },
         },
         Mistake {
-            name: "takes the larger of the distances along x and y",
-            hint: "Which figure do the points make that have your distance from a point: a circle?",
-            answer: |q| {
-                darts(q, |p, points| {
-                    points
-                        .iter()
-                        .all(|o| (p - *o).abs().max_element() >= q.distance)
-                })
-            },
-        },
-        Mistake {
             name: "gives up too early",
             hint: "Look at your points: are there gaps in which another one would have room? How many darts may miss before you stop?",
             answer: |q| {

@@ -1,5 +1,6 @@
 //! What the right rule and the wrong ones are made of.
 
+use crate::grade::Verdict;
 use crate::workbook::exercises::ch23_adaptive::NeedsMoreQuestion;
 
 /// The largest and the least of a channel.
@@ -45,4 +46,34 @@ pub fn decide(q: &NeedsMoreQuestion, contrast: bool, error: f32) -> u32 {
 pub fn standard_error(q: &NeedsMoreQuestion) -> f32 {
     let n = q.samples.len() as f32;
     (squares(q) / (n - 1.0) / n).sqrt()
+}
+
+/// Whether the answer is right, and else which numbers decide.
+pub fn verdict(q: &NeedsMoreQuestion, golden: u32, got: u32) -> Verdict {
+    if golden == got {
+        return Ok(());
+    }
+    if got > 1 {
+        return Err(format!(
+            "the answer is 1 for more and 0 for enough, not {got}"
+        ));
+    }
+    let contrast = [0, 1, 2].map(|channel| ratio(range(q, channel)));
+    let [r, g, b] = contrast;
+    let numbers = format!(
+        "the contrasts are {r:.3}, {g:.3} and {b:.3}, and the standard error is {:.4}",
+        if q.samples.len() < 2 {
+            0.0
+        } else {
+            standard_error(q)
+        }
+    );
+    if golden == 1 {
+        Err(format!(
+            "the pixel needs more samples: it has {}, {numbers}",
+            q.samples.len()
+        ))
+    } else {
+        Err(format!("the samples are enough: {numbers}"))
+    }
 }

@@ -1,6 +1,6 @@
 //! `needs_more`: cases, judge, mistakes.
 
-use super::measures::{decide, range, ratio, squares, standard_error, too_contrasty};
+use super::measures::{decide, range, ratio, squares, standard_error, too_contrasty, verdict};
 use crate::grade::{Edge, Graded, Mistake, Verdict, sample};
 use crate::image::rgb::Rgb;
 use crate::math::pcg::Pcg;
@@ -98,6 +98,7 @@ impl Graded for NeedsMore {
         let eye = Rgb::new(0.4, 0.3, 0.6);
         let (never, inf) = (gray(f32::INFINITY), f32::INFINITY);
         let black = [Rgb::BLACK; 4];
+        let bright = [10.0, 30.0, 20.0, 40.0].map(gray);
         vec![
             edge("all black", eye, 0.01, &black),
             edge("all the same", eye, 0.01, &[gray(0.7); 4]),
@@ -134,6 +135,8 @@ impl Graded for NeedsMore {
                 0.02,
                 &[gray(0.4), gray(0.5), gray(0.6), gray(0.5)],
             ),
+            edge("bright noise beyond the error", never, 2.0, &bright),
+            edge("bright noise within the error", never, 10.0, &bright),
             edge(
                 "noise within the error",
                 never,
@@ -145,7 +148,7 @@ impl Graded for NeedsMore {
 
     fn random(rng: &mut Pcg) -> NeedsMoreQuestion {
         let n = rng.random_range(2..=8);
-        let base = 10.0_f32.powf(sample::number(rng, -1.5, 0.5));
+        let base = 10.0_f32.powf(sample::number(rng, -1.5, 1.5));
         let spread = sample::number(rng, 0.05, 0.7);
         let channel = [(); 3].map(|()| spread * sample::number(rng, 0.1, 1.0));
         let samples: Vec<_> = (0..n)
@@ -169,31 +172,6 @@ impl Graded for NeedsMore {
     }
 
     fn judge(q: &NeedsMoreQuestion, golden: &u32, got: &u32) -> Verdict {
-        if golden == got {
-            return Ok(());
-        }
-        if *got > 1 {
-            return Err(format!(
-                "the answer is 1 for more and 0 for enough, not {got}"
-            ));
-        }
-        let contrast = [0, 1, 2].map(|channel| ratio(range(q, channel)));
-        let [r, g, b] = contrast;
-        let numbers = format!(
-            "the contrasts are {r:.3}, {g:.3} and {b:.3}, and the standard error is {:.4}",
-            if q.samples.len() < 2 {
-                0.0
-            } else {
-                standard_error(q)
-            }
-        );
-        if *golden == 1 {
-            Err(format!(
-                "the pixel needs more samples: it has {}, {numbers}",
-                q.samples.len()
-            ))
-        } else {
-            Err(format!("the samples are enough: {numbers}"))
-        }
+        verdict(q, *golden, *got)
     }
 }

@@ -124,7 +124,7 @@ const WRONGS: &[Wrong] = &[
     }),
     (&["point_light"], "1 % too near", |light| light[3] *= 0.99),
     (&["point_light"], "1 % too bright", |light| {
-        scale(&mut light[4..], 1.01)
+        scale(&mut light[4..], 1.01);
     }),
     (&["refract"], "turned by 1°", |t| turn(t)),
     (&["refract"], "1 % too long", |t| scale(t, 1.01)),
@@ -134,7 +134,7 @@ const WRONGS: &[Wrong] = &[
         c[c.len() - 2] *= 1.02;
     }),
     (LIGHTS, "the last is 20 % too far", |c| {
-        c[c.len() - 3] *= 1.2
+        c[c.len() - 3] *= 1.2;
     }),
     (LIGHTS, "the last direction is NaN", |c| {
         c[c.len() - 4] = f64::NAN;
@@ -153,7 +153,7 @@ const WRONGS: &[Wrong] = &[
     }),
     (&["brdf_phong"], "1 % too bright", |f| scale(f, 1.01)),
     (&["reflected_radiance"], "10 % too bright", |l| {
-        scale(l, 1.1)
+        scale(l, 1.1);
     }),
     (&["direction_to_cube"], "u is off by 0.01", |place| {
         place[1] += 0.01;

@@ -47,8 +47,8 @@ fn path(scene: Scene<dyn Brdf>, strategy: Strategy) -> Integrator {
 }
 
 /// The clear day, in a small map.
-fn sky() -> Box<Environment> {
-    Box::new(Environment::new(skies::map(skies::clear_day, 64)))
+fn sky() -> Environment {
+    Environment::new(skies::map(skies::clear_day, 64))
 }
 
 /// Every integrator, by name, with where to look from.
@@ -107,13 +107,13 @@ fn integrators() -> Vec<(&'static str, Vec3, Integrator)> {
         (
             "paths under a sky",
             still_life::EYE,
-            path(still_life::still_life(sky()), Strategy::Both),
+            path(still_life::still_life(Box::new(sky())), Strategy::Both),
         ),
         (
             "paths under a sky that is asked everywhere",
             still_life::EYE,
             path(
-                still_life::still_life(Box::new(Everywhere(*sky()))),
+                still_life::still_life(Box::new(Everywhere(sky()))),
                 Strategy::Light,
             ),
         ),

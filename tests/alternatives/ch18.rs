@@ -151,7 +151,7 @@ impl Map {
                 Some(DVec3::new(sin * phi.sin(), cos, -sin * phi.cos()))
             })
             .collect();
-        let numbers = directions.iter().flat_map(|d| d.to_array());
+        let numbers = directions.iter().flat_map(DVec3::to_array);
         std::iter::once(directions.len() as f64)
             .chain(numbers)
             .collect()

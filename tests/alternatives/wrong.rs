@@ -164,7 +164,7 @@ pub const WRONGS: &[Wrong] = &[
     }),
     (&["brdf_phong"], "1 % too bright", |f| scale(f, 1.01)),
     (&["reflected_radiance"], "10 % too bright", |l| {
-        scale(l, 1.1)
+        scale(l, 1.1);
     }),
     (&["direction_to_cube"], "u is off by 0.01", |place| {
         place[1] += 0.01;

@@ -9,15 +9,10 @@ use std::collections::BTreeMap;
 
 /// Files that may be longer than 200 lines, each with a reason.
 const LONG_FILES: &[(&str, &str)] = &[
-    ("src/grade/cases/ch12_phong.rs", "to be a folder"),
-    ("src/grade/cases/ch14_refraction.rs", "to be a folder"),
-    ("src/grade/cases/ch15_shadows.rs", "to be a folder"),
-    ("src/grade/cases/ch16_soft_shadows.rs", "to be a folder"),
     (
-        "src/grade/cases/ch17_rendering_equation.rs",
-        "to be a folder",
+        "tests/alternatives/wrong.rs",
+        "a list of wrong programs, a row each",
     ),
-    ("src/grade/cases/ch18_environment.rs", "to be a folder"),
     ("tests/ask.rs", "a list of programs, one test each"),
     ("tests/feedback.rs", "a list of messages, one test each"),
     ("tests/first_hour.rs", "one hour, told in order"),

@@ -57,14 +57,10 @@ impl Noisy {
         for pixel in 0..width * height {
             let value = |batch: &&Image, c: usize| f64::from(batch.pixels()[pixel].channels()[c]);
             let means = [0, 1, 2].map(|c| batches.iter().map(|b| value(b, c)).sum::<f64>() / n);
-            let of = |c: usize| {
-                batches
-                    .iter()
-                    .map(|b| (value(b, c) - means[c]).powi(2))
-                    .sum::<f64>()
-            };
+            let square = |b, c: usize| (value(b, c) - means[c]).powi(2);
+            let sum = |c| batches.iter().map(|b| square(b, c)).sum::<f64>();
             mean.push(means);
-            variance.push([0, 1, 2].map(|c| of(c) / (n - 1.0) / n));
+            variance.push([0, 1, 2].map(|c| sum(c) / (n - 1.0) / n));
         }
         Self {
             width,
@@ -107,12 +103,8 @@ impl Noisy {
         for y in (0..h).step_by(SQUARE) {
             for x in (0..w).step_by(SQUARE) {
                 let (right, bottom) = ((x + SQUARE).min(w), (y + SQUARE).min(h));
-                region(
-                    format!("square at ({x}, {y})"),
-                    REGION,
-                    [x, right],
-                    [y, bottom],
-                );
+                let name = format!("square at ({x}, {y})");
+                region(name, REGION, [x, right], [y, bottom]);
             }
         }
         let z = self.brightness(picture);

@@ -80,7 +80,7 @@ fn no_tree_of_a_question_makes_the_walk_panic() {
         let question = question(&nodes);
         let golden = walk.answer_line(&question).expect("a question");
         assert_eq!(
-            walk.judge(&question, &[golden.clone()], &golden),
+            walk.judge(&question, std::slice::from_ref(&golden), &golden),
             Ok(()),
             "{depth} deep: its own answer is right"
         );

@@ -7,13 +7,11 @@
 //! New: render/curved/observer.rs render/curved/doppler.rs render/curved/black_hole.rs
 //! New: light/black_body.rs scene/accretion_disc.rs scene/starry_sky.rs
 
-use glam::{Vec3, vec3};
+use glam::vec3;
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::{file, rgb::Rgb};
 use raybook::lab::stage::{Drawn, Stage};
-use raybook::lab::{
-    bent_rays, chapter, deflection_plot, hole_shadows, sheet::sheet, straight_hole,
-};
+use raybook::lab::{bent_rays, chapter, deflection_plot, hole_shadows, straight_hole};
 use raybook::light::environment::Environment;
 use raybook::math::dir3::Dir3;
 use raybook::render::{curved::black_hole::BlackHole, film::Film};
@@ -29,17 +27,23 @@ struct BackgroundOptions {
     environment: Option<PathBuf>,
 }
 
-/// Radiance by direction.
-type Sky<'a> = &'a (dyn Fn(Dir3) -> Rgb + Sync);
+/// How the picture is exposed.
+const EXPOSURE: f32 = 1.1;
 
 /// Draws the chapter's pictures.
 pub(crate) fn draw(stage: &Stage) -> Drawn {
     draw_before(stage, &starry_sky)
 }
 
-fn draw_before(stage: &Stage, sky: Sky) -> Drawn {
+/// With this radiance by direction behind everything.
+fn draw_before(stage: &Stage, sky: &(dyn Fn(Dir3) -> Rgb + Sync)) -> Drawn {
     let film = stage.film_of(960, 4, 1.78);
-    let camera = camera(film.aspect())?;
+    let (eye, at, up) = (
+        vec3(0.0, 1.9, 17.0),
+        vec3(0.0, -0.2, 0.0),
+        vec3(0.18, 1.0, 0.0),
+    );
+    let camera = Pinhole::look_at(eye, at, up, 0.0225, film.aspect())?;
     let disc = AccretionDisc::new(11.0, 5500.0);
     let hole = BlackHole {
         disc: Some(&disc),
@@ -52,58 +56,27 @@ fn draw_before(stage: &Stage, sky: Sky) -> Drawn {
     });
     let rays = (film.width * film.height * film.samples) as f64;
     let rate = 1e-6 * rays / start.elapsed().as_secs_f64();
-    let caption = "A black hole and a disc of hot gas. The arch above the shadow is the disc's far side, its light bent over the hole; the left side comes towards us, and is bluer and brighter.";
+    let caption = "A black hole and a disc of hot gas. The arch above the shadow is the disc's far side, its light bent over the hole; \
+        the left side comes towards us, and is bluer and brighter.";
     stage.picture("picture", caption, &picture)?;
 
-    let small = Film {
+    let tile = |columns, aspect| Film {
         samples: film.samples,
-        ..stage.tile(2, 1.78)
+        ..stage.tile(columns, aspect)
     };
-    let tile = |radiance: &(dyn Fn(Vec3, Dir3) -> Rgb + Sync)| {
-        small.render(|place, _| {
-            let ray = camera.ray_through(place);
-            radiance(ray.origin, ray.direction) * EXPOSURE
-        })
-    };
-    let straight = |eye: Vec3, toward: Dir3| straight_hole::radiance(&disc, sky, eye, toward);
-    let curved = |eye: Vec3, toward: Dir3| hole.radiance(eye, toward);
-    let tiles = [
-        ("if light went straight on", tile(&straight)),
-        ("as it is bent", tile(&curved)),
-    ];
     let caption = format!(
-        "The same ball and disc without gravity and with it: the far side appears above the hole and below it, and the shadow is larger than the ball. Rays were followed at {rate:.2} million per second."
+        "The same ball and disc without gravity and with it: the far side appears above the hole and below it, and the shadow \
+        is larger than the ball. Rays were followed at {rate:.2} million per second."
     );
-    stage.figure("straight_and_bent", &caption, &sheet(2, &tiles)?)?;
+    let figure = straight_hole::compare(&tile(2, 1.78), &camera, &hole, EXPOSURE)?;
+    stage.figure("straight_and_bent", &caption, &figure)?;
 
     let caption = "Rays from the left at many distances from the middle: the hole swallows those below 2.598 radii (orange). The next ones turn back or go around before they leave.";
     stage.figure("rays", caption, &bent_rays::draw()?)?;
     let caption = "The angle by which a ray is turned. Far away it is 2/b; towards 2.598 it grows without limit. The dots are rays followed step by step.";
     stage.figure("deflection", caption, &deflection_plot::draw()?)?;
     let caption = "Half of the sky, towards the hole, for observers who stand nearer and nearer. The dashed circles are the shadow's edge by the formula.";
-    stage.figure(
-        "shadows",
-        caption,
-        &hole_shadows::draw(&Film {
-            samples: film.samples,
-            ..stage.tile(4, 1.0)
-        })?,
-    )
-}
-
-/// How the picture is exposed: the gas is far too bright for a display.
-const EXPOSURE: f32 = 1.1;
-
-/// Sixteen radii away and a little above the disc.
-fn camera(aspect: f32) -> Result<Pinhole, raybook::camera::pinhole::LookAtError> {
-    let eye = vec3(0.0, 1.9, 17.0);
-    Pinhole::look_at(
-        eye,
-        vec3(0.0, -0.2, 0.0),
-        vec3(0.18, 1.0, 0.0),
-        0.0185,
-        aspect,
-    )
+    stage.figure("shadows", caption, &hole_shadows::draw(&tile(4, 1.0))?)
 }
 
 fn main() -> ExitCode {

@@ -10,6 +10,8 @@
 //! New: sample/pattern/sobol.rs sample/pattern/owen.rs sample/pattern/best_candidate.rs
 //! New: render/supersample.rs scene/horizon.rs
 
+use glam::Vec3;
+use raybook::camera::pinhole::Pinhole;
 use raybook::lab::sampling::plot::Plot;
 use raybook::lab::sampling::point_sets::PointSets;
 use raybook::lab::sampling::polar::Polar;
@@ -24,7 +26,8 @@ use std::process::ExitCode;
 /// Draws the chapter's pictures.
 pub(crate) fn draw(stage: &Stage) -> Drawn {
     let film = stage.film(16.0 / 9.0);
-    let (camera, scene) = (horizon::camera(film.aspect()), horizon::scene());
+    let ([eye, at], scene) = (horizon::VIEW, horizon::scene());
+    let camera = Pinhole::look_at(eye, at, Vec3::Y, horizon::FOCAL_LENGTH, film.aspect())?;
     let arrives = shadow::lit;
     let whitted = Whitted {
         local: Local {

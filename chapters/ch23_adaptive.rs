@@ -5,6 +5,8 @@
 //!
 //! New: render/needs_more.rs render/budget.rs render/adaptive.rs
 
+use glam::Vec3;
+use raybook::camera::pinhole::Pinhole;
 use raybook::lab::sampling::adaptive_gain::{map, measure, spent};
 use raybook::lab::sampling::plot::Plot as _;
 use raybook::lab::stage::{Drawn, Stage};
@@ -18,7 +20,8 @@ use std::process::ExitCode;
 /// Draws the chapter's pictures.
 pub(crate) fn draw(stage: &Stage) -> Drawn {
     let film = stage.film(16.0 / 9.0);
-    let (camera, scene) = (horizon::camera(film.aspect()), horizon::scene());
+    let ([eye, at], scene) = (horizon::VIEW, horizon::scene());
+    let camera = Pinhole::look_at(eye, at, Vec3::Y, horizon::FOCAL_LENGTH, film.aspect())?;
     let arrives = shadow::lit;
     let whitted = Whitted {
         local: Local {

@@ -1,30 +1,55 @@
-//! What a black hole and its disc would look like if light went straight on.
+//! A black hole beside what it would look like if light went straight on.
 
-use crate::image::rgb::Rgb;
-use crate::math::{dir3::Dir3, interval::Interval, ray::Ray};
-use crate::scene::accretion_disc::AccretionDisc;
+use crate::camera::pinhole::Pinhole;
+use crate::image::{Image, rgb::Rgb};
+use crate::lab::sheet::sheet;
+use crate::math::{interval::Interval, ray::Ray};
+use crate::render::{curved::black_hole::BlackHole, film::Film};
 use crate::shape::{Shape, sphere::Sphere};
 use glam::Vec3;
+use std::error::Error;
+
+/// The hole without gravity, and with it, in this exposure.
+///
+/// # Errors
+/// If a caption cannot be drawn.
+pub fn compare(
+    film: &Film,
+    camera: &Pinhole,
+    hole: &BlackHole,
+    exposure: f32,
+) -> Result<Image, Box<dyn Error>> {
+    let tile = |radiance: &(dyn Fn(&Ray) -> Rgb + Sync)| {
+        film.render(|place, _| radiance(&camera.ray_through(place)) * exposure)
+    };
+    let tiles = [
+        (
+            "if light went straight on",
+            tile(&|ray| straight(hole, ray)),
+        ),
+        (
+            "as it is bent",
+            tile(&|ray| hole.radiance(ray.origin, ray.direction)),
+        ),
+    ];
+    sheet(2, &tiles)
+}
 
 /// The radiance along a straight ray: a black ball of radius 1, the disc in the plane y = 0, the sky.
-pub fn radiance(
-    disc: &AccretionDisc,
-    sky: &(dyn Fn(Dir3) -> Rgb + Sync),
-    eye: Vec3,
-    toward: Dir3,
-) -> Rgb {
-    let ray = Ray::new(eye, toward);
-    let ball = Sphere::new(Vec3::ZERO, 1.0).hit(&ray, Interval::AHEAD);
+fn straight(hole: &BlackHole, ray: &Ray) -> Rgb {
+    let ball = Sphere::new(Vec3::ZERO, 1.0).hit(ray, Interval::AHEAD);
     let behind = match ball {
         Some(_) => Rgb::BLACK,
-        None => sky(toward),
+        None => (hole.sky)(ray.direction),
     };
-    let t = -eye.y / toward.y;
+    let t = -ray.origin.y / ray.direction.y;
     let at = ray.at(t);
-    let seen = t > 0.0 && ball.is_none_or(|hit| t < hit.t) && disc.holds(f64::from(at.length()));
-    if !seen {
-        return behind;
+    let before_ball = t > 0.0 && ball.is_none_or(|hit| t < hit.t);
+    match hole.disc {
+        Some(disc) if before_ball && disc.holds(f64::from(at.length())) => {
+            let (glow, opacity) = disc.glow(at, 1.0);
+            behind.lerp(glow, opacity)
+        }
+        _ => behind,
     }
-    let (glow, opacity) = disc.glow(at, 1.0);
-    behind.lerp(glow, opacity)
 }

@@ -130,7 +130,7 @@ fn place(film: &Film, x: usize, y: usize, p: Vec2) -> Vec2 {
 struct Counts {
     width: usize,
     height: usize,
-    counts: Vec<AtomicUsize>,
+    of_pixels: Vec<AtomicUsize>,
 }
 
 impl Counts {
@@ -138,18 +138,18 @@ impl Counts {
         Self {
             width: film.width,
             height: film.height,
-            counts: (0..film.width * film.height)
+            of_pixels: (0..film.width * film.height)
                 .map(|_| AtomicUsize::new(0))
                 .collect(),
         }
     }
 
     fn set(&self, x: usize, y: usize, count: usize) {
-        self.counts[y * self.width + x].store(count, Ordering::Relaxed);
+        self.of_pixels[y * self.width + x].store(count, Ordering::Relaxed);
     }
 
     fn get(&self, x: usize, y: usize) -> usize {
-        self.counts[y * self.width + x].load(Ordering::Relaxed)
+        self.of_pixels[y * self.width + x].load(Ordering::Relaxed)
     }
 
     fn image(&self) -> Image {

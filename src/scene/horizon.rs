@@ -1,6 +1,5 @@
 //! A chequered plane to the horizon, with three balls: everything that aliases.
 
-use crate::camera::pinhole::Pinhole;
 use crate::image::rgb::Rgb;
 use crate::light::{Light, directional::DirectionalLight};
 use crate::material::{Material, checkered::Checkered, phong::Phong};
@@ -9,6 +8,12 @@ use crate::scene::world::{Scene, Thing};
 use crate::shape::{plane::Plane, sphere::Sphere};
 use glam::{Vec3, vec3};
 use std::f32::consts::FRAC_1_PI;
+
+/// Where a camera sees it, just above the plane, and where it looks.
+pub const VIEW: [Vec3; 2] = [vec3(0.0, 1.5, 6.5), vec3(0.0, 0.85, 0.0)];
+
+/// That camera's focal length, in metres.
+pub const FOCAL_LENGTH: f32 = 0.040;
 
 /// The plane and the balls in the sun.
 pub fn scene() -> Scene<dyn Material> {
@@ -30,13 +35,6 @@ pub fn scene() -> Scene<dyn Material> {
         ball(2.2, -0.6, 1.0, glossy(0.10, 0.42, 0.60)),
     ];
     Scene::new(things, lights).surrounded_by(Rgb::new(0.32, 0.36, 0.42), sky)
-}
-
-/// A camera just above the plane, for a picture of this width over its height.
-pub fn camera(aspect: f32) -> Pinhole {
-    let (from, to) = (vec3(0.0, 1.5, 6.5), vec3(0.0, 0.85, 0.0));
-    Pinhole::look_at(from, to, Vec3::Y, 0.040, aspect)
-        .unwrap_or_else(|error| unreachable!("the points are fixed: {error}"))
 }
 
 fn matt(r: f32, g: f32, b: f32) -> Phong {

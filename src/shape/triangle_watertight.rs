@@ -53,8 +53,8 @@ impl Shear {
         const AXES: [[usize; 3]; 3] = [[1, 2, 0], [2, 0, 1], [0, 1, 2]];
         let Vec3 { x, y, z } = ray.direction.abs();
         // Sums of comparisons, not `if`: which axis it is cannot be guessed, and a wrong guess takes longer than the whole test.
-        let (x_is_less, y_is_less) = ((x < y) | (x < z), y < z);
-        let axes = AXES[usize::from(x_is_less) + usize::from(x_is_less & y_is_less)];
+        let x_is_less = usize::from(x < y) | usize::from(x < z);
+        let axes = AXES[x_is_less * (1 + usize::from(y < z))];
         let d = ray.direction.to_array();
         let [dx, dy, dz] = axes.map(|axis| d[axis]);
         let inverse = 1.0 / dz;

@@ -52,7 +52,7 @@ pub const ALTERNATIVES: &[Alternative] = &[
     Alternative {
         exercise: "poisson_disk",
         method: "darts, until two thousand in a row miss",
-        answer: |q| darts(q, 2000, |p, other| p.distance(other)),
+        answer: |q| darts(q, 2000, glam::DVec2::distance),
     },
     Alternative {
         exercise: "poisson_disk",

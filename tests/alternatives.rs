@@ -60,7 +60,7 @@ mod wrong;
 use raybook::grade::cases;
 use raybook::grade::examine::{Case, Examiner, visible_rng};
 use raybook::grade::hidden::Key;
-use student::{Alternative, STYLES};
+use student::{Alternative, STYLES, line};
 
 /// So many students' hidden cases are tried.
 const KEYS: usize = 20;
@@ -92,8 +92,9 @@ fn programs_that_are_right_by_another_method_pass_every_case() {
         let cases = all_cases(examiner);
         for other in others {
             for case in &cases {
+                let answer = other.answer_to(&case.question);
                 for (style, print) in STYLES {
-                    let got = other.answer_line(&case.question, print);
+                    let got = line(&answer, print);
                     if let Err(why) = examiner.judge(&case.question, &case.answers, &got) {
                         unfair.push(format!(
                             "{name}, {}, numbers {style}; {}: {}\n  right {:?}\n  got   {got}\n  {why}",

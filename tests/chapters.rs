@@ -21,7 +21,7 @@ fn every_chapter_has_all_its_parts() {
             "a [[bin]] in Cargo.toml",
         );
         has(
-            tour.contains(&format!("(\"{name}\", ")),
+            tour.contains(&format!("\"{name}\",")),
             "a line in src/commands/tour.rs",
         );
         has(

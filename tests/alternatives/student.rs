@@ -29,8 +29,8 @@ pub const STYLES: [(&str, Print); 3] = [
 ];
 
 impl Alternative {
-    /// The answer's line to a question's line.
-    pub fn answer_line(&self, question: &str, print: Print) -> String {
+    /// The answer to a question's line.
+    pub fn answer_to(&self, question: &str) -> Answer {
         let mut question = Question::read(question);
         let answer = (self.answer)(&mut question);
         assert!(
@@ -39,7 +39,7 @@ impl Alternative {
             self.exercise,
             self.method
         );
-        line(&answer, print)
+        answer
     }
 }
 

@@ -6,7 +6,7 @@ use common::starter::{build, write};
 use raybook::grade::ask::{Said, ask};
 use raybook::grade::cases;
 use raybook::grade::converse::{Limits, Program};
-use raybook::grade::examine::{Examiner, visible_rng};
+use raybook::grade::examine::{Case, Examiner, visible_rng};
 use raybook::grade::library::{place, reference};
 use raybook::grade::starter::{files, stub};
 use raybook::workbook::anchor::{Anchored, functions};
@@ -113,13 +113,14 @@ fn the_untouched_starter_compiles_and_everything_is_todo() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     write(folder.path(), &stub);
     let program = build(folder.path(), "answer");
-    for examiner in cases::all() {
-        for (case, said) in replies(&program, examiner) {
+    for (examiner, cases) in &visible_cases() {
+        for (case, said) in cases.iter().zip(replies(&program, *examiner, cases)) {
             assert_eq!(
                 said,
                 Said::Todo(examiner.name().into()),
-                "{} {case}: not written yet",
-                examiner.name()
+                "{} {}: not written yet",
+                examiner.name(),
+                case.name
             );
         }
     }
@@ -140,6 +141,7 @@ fn each_exercise_stubbed_alone_is_the_only_one_that_turns_todo() {
         stub(function).map(|_| text.replacen(body, &format!("\n{switch}\n{body}"), 1))
     });
     let program = build(folder.path(), "answer");
+    let asked = visible_cases();
     for stubbed in names() {
         let program = Program {
             file: PathBuf::from("env"),
@@ -150,9 +152,9 @@ fn each_exercise_stubbed_alone_is_the_only_one_that_turns_todo() {
             folder: PathBuf::new(),
         };
         let mut todo = 0;
-        for examiner in cases::all() {
-            let cases = examiner.cases(&mut visible_rng(examiner.name())).cases;
-            for (case, (name, said)) in cases.iter().zip(replies(&program, examiner)) {
+        for (examiner, cases) in &asked {
+            for (case, said) in cases.iter().zip(replies(&program, *examiner, cases)) {
+                let name = &case.name;
                 match said {
                     Said::Todo(waits_for) => {
                         assert_eq!(
@@ -226,17 +228,21 @@ fn the_first_chapter_draws_when_its_own_exercises_are_written() {
     assert!(status.success(), "it needs nothing of the chapters to come");
 }
 
-/// What a program says to an exercise's visible cases, with their names.
-fn replies(program: &Program, examiner: &dyn Examiner) -> Vec<(String, Said)> {
-    let cases = examiner.cases(&mut visible_rng(examiner.name())).cases;
+/// All exercises with their visible cases.
+fn visible_cases() -> Vec<(&'static dyn Examiner, Vec<Case>)> {
+    let cases = |examiner: &dyn Examiner| examiner.cases(&mut visible_rng(examiner.name())).cases;
+    cases::all()
+        .iter()
+        .map(|&examiner| (examiner, cases(examiner)))
+        .collect()
+}
+
+/// What a program says to an exercise's cases.
+fn replies(program: &Program, examiner: &dyn Examiner, cases: &[Case]) -> Vec<Said> {
     let questions: Vec<_> = cases
         .iter()
         .map(|case| format!("{} {}", examiner.name(), case.question))
         .collect();
     let replies = ask(program, &questions, LIMITS).expect("the program starts");
-    cases
-        .into_iter()
-        .zip(replies)
-        .map(|(case, reply)| (case.name, reply.said))
-        .collect()
+    replies.into_iter().map(|reply| reply.said).collect()
 }

@@ -47,7 +47,7 @@ pub fn run(settings: &Settings) -> Result<PathBuf, Box<dyn Error>> {
     };
     lab.point_sets()?;
     lab.errors()?;
-    lab.edges_by_angle()?;
+    lab.errors_by_angle()?;
     lab.spectra()?;
     lab.pictures()?;
     lab.table()?;
@@ -115,7 +115,7 @@ impl Lab<'_> {
         Ok(())
     }
 
-    fn edges_by_angle(&mut self) -> Drawn {
+    fn errors_by_angle(&mut self) -> Drawn {
         self.page.section(
             "Error by the edge's angle",
             "How far the covered area of a pixel is off, for all edges at an angle that pass through it. The regular grid is worst along the axes, where pictures have most of their edges; the rotated grid elsewhere.",

@@ -59,42 +59,24 @@ pub(crate) fn draw(stage: &Stage) -> Drawn {
         and differ in what else they give up.";
     stage.figure("patterns", caption, &all.image()?)?;
 
-    let named: Vec<Pattern> = [
-        "regular-grid",
-        "rotated-grid",
-        "random",
-        "jittered",
-        "poisson-disk",
-        "sobol-owen",
-    ]
-    .iter()
-    .filter_map(|name| find(name).copied())
-    .collect();
+    let named = "regular-grid rotated-grid random jittered poisson-disk sobol-owen".split(' ');
+    let named: Vec<Pattern> = named.filter_map(|name| find(name).copied()).collect();
     let tile = stage.tile(named.len() as u32, 1.0);
     let (columns, tiles) = sheets::zone_plates(&tile, &named, &[1, 4, 16]);
     let caption = "Rings that become finer to the right and downwards, from one to sixteen samples. A grid shows rings that are not \
         there, as bright as the true ones; randomness turns them into noise, and the better patterns leave little of both.";
-    stage.figure(
-        "zone_plates",
-        caption,
-        &sheet(columns, &sheets::named(&tiles))?,
-    )?;
+    let figure = sheet(columns, &sheets::named(&tiles))?;
+    stage.figure("zone_plates", caption, &figure)?;
 
     let caption = "How far four samples are off, on average, when an edge at that angle passes through the pixel. The rotated grid is not better than \
         the regular one in the mean, but its worst angles are away from the axes, where pictures have most of their edges.";
-    stage.figure(
-        "edges",
-        caption,
-        &Polar::measure(&named[..5], 4, 100).image()?,
-    )?;
+    let figure = Polar::measure(&named[..5], 4, 100).image()?;
+    stage.figure("edges", caption, &figure)?;
 
     let caption = "The same sixteen samples a pixel, averaged by four filters: the wider ones see the neighbours' samples too. Below the \
         filters themselves; Mitchell's goes below 0, which makes edges crisp.";
-    stage.figure(
-        "filters",
-        caption,
-        &sheets::filters(&stage.tile(4, 1.0), jittered)?,
-    )
+    let figure = sheets::filters(&stage.tile(4, 1.0), jittered)?;
+    stage.figure("filters", caption, &figure)
 }
 
 fn main() -> ExitCode {

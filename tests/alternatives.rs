@@ -60,6 +60,8 @@ mod wrong;
 use raybook::grade::cases;
 use raybook::grade::examine::{Case, Examiner, visible_rng};
 use raybook::grade::hidden::Key;
+use rayon::prelude::*;
+use std::sync::LazyLock;
 use student::{Alternative, STYLES, line};
 
 /// So many students' hidden cases are tried.
@@ -78,7 +80,7 @@ fn programs_that_are_right_by_another_method_pass_every_case() {
         assert!(cases::find(exercise).is_some(), "there is no `{exercise}`");
     }
     let mut unfair = Vec::new();
-    for examiner in cases::all() {
+    for (examiner, cases) in &*CASES {
         let name = examiner.name();
         let others: Vec<_> = alternatives()
             .filter(|other| other.exercise == name)
@@ -89,9 +91,8 @@ fn programs_that_are_right_by_another_method_pass_every_case() {
             "{name}: {} alternatives; {needed} are needed",
             others.len()
         );
-        let cases = all_cases(examiner);
         for other in others {
-            for case in &cases {
+            for case in cases {
                 let answer = other.answer_to(&case.question);
                 for (style, print) in STYLES {
                     let got = line(&answer, print);
@@ -140,16 +141,23 @@ fn alternatives() -> impl Iterator<Item = &'static Alternative> {
     .flatten()
 }
 
-/// The visible cases, and the hidden ones of some students.
-fn all_cases(examiner: &dyn Examiner) -> Vec<Case> {
-    let mut cases = examiner.cases(&mut visible_rng(examiner.name())).cases;
-    for student in 0..KEYS {
-        let key = Key {
-            course: "another course's secret".into(),
-            term: "spring".into(),
-            student: format!("student {student}"),
-        };
-        cases.extend(examiner.cases(&mut key.rng(examiner.name())).cases);
-    }
-    cases
-}
+/// Every exercise with its visible cases, and the hidden ones of some students.
+static CASES: LazyLock<Vec<(&dyn Examiner, Vec<Case>)>> = LazyLock::new(|| {
+    let all = |examiner: &dyn Examiner| {
+        let name = examiner.name();
+        let mut cases = examiner.cases(&mut visible_rng(name)).cases;
+        for student in 0..KEYS {
+            let key = Key {
+                course: "another course's secret".into(),
+                term: "spring".into(),
+                student: format!("student {student}"),
+            };
+            cases.extend(examiner.cases(&mut key.rng(name)).cases);
+        }
+        cases
+    };
+    let examiners = cases::all().into_par_iter();
+    examiners
+        .map(|examiner| (examiner, all(examiner)))
+        .collect()
+});

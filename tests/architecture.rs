@@ -7,18 +7,6 @@ use common::source::{file_of, read, rust_files, top_module, used_paths};
 use raybook::workbook::curriculum::CHAPTERS;
 use std::collections::BTreeMap;
 
-/// Files that may be longer than 200 lines, each with a reason.
-const LONG_FILES: &[(&str, &str)] = &[
-    (
-        "tests/alternatives/wrong.rs",
-        "a list of wrong programs, a row each",
-    ),
-    ("tests/ask.rs", "a list of programs, one test each"),
-    ("tests/feedback.rs", "a list of messages, one test each"),
-    ("tests/first_hour.rs", "one hour, told in order"),
-    ("tests/starter.rs", "the promises of one folder"),
-];
-
 #[test]
 fn a_module_uses_only_lower_floors() {
     let floors = floors();
@@ -115,14 +103,9 @@ fn no_file_is_long() {
     for folder in ["src", "chapters", "tests", "benches"] {
         for (file, text) in rust_files(folder) {
             let (path, lines) = (format!("{folder}/{file}"), text.lines().count());
-            let excused = LONG_FILES.iter().any(|(long, _)| *long == path);
             assert!(
-                lines <= 200 || excused,
+                lines <= 200,
                 "{path} has {lines} lines; one idea needs at most 200"
-            );
-            assert!(
-                lines > 200 || !excused,
-                "{path} is short now: take it off the list of long files"
             );
         }
     }

@@ -2,27 +2,10 @@
 
 mod common;
 
-use assert_cmd::Command;
-use common::starter::target;
-use raybook::grade::library::{place, reference};
+use common::command::raybook;
+use raybook::grade::library::place;
 use std::fs;
 use std::path::Path;
-
-/// Runs `raybook` in a folder: its exit code, and what it said on both outputs.
-fn raybook(folder: &Path, arguments: &[&str]) -> (i32, String) {
-    let output = Command::cargo_bin("raybook")
-        .expect("the command is built")
-        .args(arguments)
-        .current_dir(folder)
-        .env("CARGO_TARGET_DIR", target())
-        .env("CARGO_NET_OFFLINE", "true")
-        .output()
-        .expect("the command runs");
-    let said = [output.stdout, output.stderr]
-        .map(|bytes| String::from_utf8_lossy(&bytes).into_owned())
-        .concat();
-    (output.status.code().expect("it ends by itself"), said)
-}
 
 /// Writes an exercise: replaces its stub.
 fn write(folder: &Path, exercise: &str, body: &str) {
@@ -170,96 +153,4 @@ fn the_first_hour() {
         code == 2 && said.contains("does not compile") && said.contains("src/math/ray.rs"),
         "the compiler is heard: {said}"
     );
-}
-
-#[test]
-fn wrong_usage_is_explained() {
-    let home = tempfile::tempdir().expect("a temporary folder");
-    fs::create_dir(home.path().join("full")).expect("a folder");
-    fs::write(home.path().join("full/file"), "").expect("a file");
-    for (arguments, part) in [
-        (&["new", "full"][..], "not empty"),
-        (&["check"], "raybook new"),
-        (&["check", "sphere_hitt"], "sphere_hit"),
-        (&["check", "--case", "0"], "--case"),
-        (&["check", "--case", "1"], "one exercise"),
-        (&["check", "--time-limit", "0"], "seconds"),
-        (&["check", "--key", "secret"], "--student"),
-        (
-            &["check", "--program", "no/such/program"],
-            "no/such/program",
-        ),
-        (&["solve"], "raybook new"),
-        (&["bless"], "golden"),
-        (&["exercise", "nothing"], "neither a chapter"),
-    ] {
-        let (code, said) = raybook(home.path(), arguments);
-        assert!(
-            code == 2 && said.contains(part),
-            "{arguments:?} says `{part}`: {code} {said}"
-        );
-    }
-}
-
-#[test]
-fn any_program_can_be_asked() {
-    let (_, said) = raybook(&common::project(""), &["exercise", "ray_at"]);
-    assert!(
-        said.contains("ray_at origin.x origin.y origin.z direction.x")
-            && said.contains("= point.x point.y point.z"),
-        "{said}"
-    );
-    assert!(
-        reference("ray_at").is_some(),
-        "the reference is in the command"
-    );
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        let home = tempfile::tempdir().expect("a temporary folder");
-        let program = home.path().join("answers");
-        fs::write(
-            &program,
-            "#!/bin/sh\nwhile read -r name x y z rest; do echo \"= $x $y $z\"; done\n",
-        )
-        .expect("a script");
-        fs::set_permissions(&program, fs::Permissions::from_mode(0o755)).expect("it can be run");
-        let (code, said) = raybook(home.path(), &["check", "ray_at", "--program", "answers"]);
-        assert!(
-            code == 1 && said.contains("1 of 40 cases right"),
-            "only t = 0 is right: {said}"
-        );
-        assert!(
-            said.contains("ignores t") || said.contains("Wrong are"),
-            "and it says what is wrong: {said}"
-        );
-    }
-}
-
-/// Questions by their text, answers by the judge: another machine's `powf` may round otherwise.
-#[test]
-fn the_golden_answers_are_those_of_today() {
-    for examiner in raybook::grade::cases::all() {
-        let (path, text, set) = raybook::grade::golden::page(examiner);
-        let kept = fs::read_to_string(common::project("golden").join(&path)).unwrap_or_default();
-        let stale = format!(
-            "golden/{path} is stale; `cargo run --release -- bless` writes it: read the difference"
-        );
-        assert_eq!(kept.lines().count(), text.lines().count(), "{stale}");
-        let questions = |text: &str| {
-            text.lines()
-                .map(|line| line.split(" = ").next().map(str::to_owned))
-                .collect::<Vec<_>>()
-        };
-        assert!(questions(&kept) == questions(&text), "{stale}");
-        let answered = kept.lines().filter(|line| !line.starts_with('#'));
-        for (line, case) in answered.zip(set.cases) {
-            let golden: Vec<_> = line.split(" = ").skip(1).map(str::to_owned).collect();
-            assert_eq!(
-                examiner.judge(&case.question, &golden, &case.answers[0]),
-                Ok(()),
-                "{stale}: {line}"
-            );
-        }
-    }
 }

@@ -1,9 +1,8 @@
 //! Programs that are a little wrong, or always say the same, are noticed.
 
-use crate::all_cases;
+use crate::CASES;
 use crate::student::{STYLES, line};
-use crate::wrong::WRONGS;
-use raybook::grade::cases;
+use crate::wrong::wrongs;
 use raybook::grade::examine::{Case, Examiner};
 
 /// Of so many answers that are spoilt, in percent, all these must be noticed: 1 % of 0 is right.
@@ -11,10 +10,9 @@ const NOTICED: usize = 90;
 
 #[test]
 fn programs_that_are_a_little_wrong_fail_nearly_everywhere() {
-    for examiner in cases::all() {
+    for (examiner, cases) in &*CASES {
         let name = examiner.name();
-        let cases = all_cases(examiner);
-        let wrongs: Vec<_> = WRONGS.iter().filter(|w| w.0.contains(&name)).collect();
+        let wrongs: Vec<_> = wrongs().filter(|w| w.0.contains(&name)).collect();
         assert!(!wrongs.is_empty(), "{name}: try a wrong program");
         for (_, what, spoil) in wrongs {
             let spoilt = |case: &Case| {
@@ -23,7 +21,7 @@ fn programs_that_are_a_little_wrong_fail_nearly_everywhere() {
                 spoil(&mut numbers);
                 Some(line(&Some(numbers), STYLES[0].1))
             };
-            let (noticed, all) = count(examiner, &cases, spoilt);
+            let (noticed, all) = count(*examiner, cases, spoilt);
             println!("{name:20} {what:26} {noticed} of {all}");
             assert!(
                 all >= 100 && 100 * noticed >= NOTICED * all,
@@ -35,10 +33,9 @@ fn programs_that_are_a_little_wrong_fail_nearly_everywhere() {
 
 #[test]
 fn a_program_that_says_the_same_to_everything_fails_nearly_everywhere() {
-    for examiner in cases::all() {
-        let cases = all_cases(examiner);
+    for (examiner, cases) in &*CASES {
         for same in ["none", cases[0].answers[0].as_str()] {
-            let (noticed, all) = count(examiner, &cases, |case| {
+            let (noticed, all) = count(*examiner, cases, |case| {
                 (case.answers[0] != same).then(|| same.to_owned())
             });
             let name = examiner.name();

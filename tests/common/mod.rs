@@ -2,6 +2,7 @@
 
 #![allow(dead_code)] // each test file uses its own part
 
+pub mod command;
 pub mod noisy;
 pub mod source;
 pub mod starter;

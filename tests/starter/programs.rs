@@ -1,0 +1,156 @@
+//! What the folder's programs do.
+
+use crate::common::starter::{build, write};
+use crate::names;
+use raybook::grade::ask::{Said, ask};
+use raybook::grade::cases;
+use raybook::grade::converse::{Limits, Program};
+use raybook::grade::examine::{Case, Examiner, visible_rng};
+use raybook::grade::starter::stub;
+use raybook::workbook::anchor::Anchored;
+use std::path::PathBuf;
+use std::time::Duration;
+
+const LIMITS: Limits = Limits {
+    time: Duration::from_secs(10),
+    output: 1 << 20,
+};
+
+#[test]
+fn the_untouched_starter_compiles_and_everything_is_todo() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    write(folder.path(), &stub);
+    let program = build(folder.path(), "answer");
+    for (examiner, cases) in &visible_cases() {
+        for (case, said) in cases.iter().zip(replies(&program, *examiner, cases)) {
+            assert_eq!(
+                said,
+                Said::Todo(examiner.name().into()),
+                "{} {}: not written yet",
+                examiner.name(),
+                case.name
+            );
+        }
+    }
+}
+
+/// One build in which an environment variable says which exercise is stubbed: the same text as the stub's and the
+/// reference's, without compiling once per exercise.
+#[test]
+fn each_exercise_stubbed_alone_is_the_only_one_that_turns_todo() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    write(folder.path(), &|function: &Anchored<'_>| {
+        let Anchored {
+            name, text, body, ..
+        } = *function;
+        let switch = format!(
+            "if std::env::var(\"RAYBOOK_STUB\").is_ok_and(|stub| stub == \"{name}\") {{ todo!(\"{name}\") }}"
+        );
+        stub(function).map(|_| text.replacen(body, &format!("\n{switch}\n{body}"), 1))
+    });
+    let program = build(folder.path(), "answer");
+    let asked = visible_cases();
+    for stubbed in names() {
+        let program = Program {
+            file: PathBuf::from("env"),
+            arguments: vec![
+                format!("RAYBOOK_STUB={stubbed}").into(),
+                program.file.clone().into(),
+            ],
+            folder: PathBuf::new(),
+        };
+        let mut todo = 0;
+        for (examiner, cases) in &asked {
+            for (case, said) in cases.iter().zip(replies(&program, *examiner, cases)) {
+                let name = &case.name;
+                match said {
+                    Said::Todo(waits_for) => {
+                        assert_eq!(
+                            waits_for,
+                            stubbed,
+                            "{} {name} waits for what is stubbed",
+                            examiner.name()
+                        );
+                        todo += usize::from(examiner.name() == stubbed);
+                    }
+                    Said::Answer(answer) => {
+                        assert_ne!(
+                            examiner.name(),
+                            stubbed,
+                            "{name}: {stubbed} is stubbed and cannot answer"
+                        );
+                        assert_eq!(
+                            examiner.judge(&case.question, &case.answers, &answer),
+                            Ok(()),
+                            "{} {name}",
+                            examiner.name()
+                        );
+                    }
+                    said => panic!("{} {name}: {said:?}", examiner.name()),
+                }
+            }
+        }
+        assert!(todo > 0, "{stubbed} itself turned todo");
+    }
+}
+
+#[test]
+fn the_chapters_run_on_the_students_functions() {
+    let draw = |rewrite: &dyn Fn(&Anchored<'_>) -> Option<String>| {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        write(folder.path(), rewrite);
+        let chapter = build(folder.path(), "ch03_sphere");
+        let status = std::process::Command::new(&chapter.file)
+            .args(["--width", "64", "--samples", "1", "--out"])
+            .arg(folder.path().join("out"))
+            .status()
+            .expect("the chapter runs");
+        assert!(status.success(), "the student's chapter draws");
+        raybook::image::file::load(&folder.path().join("out/ch03_sphere/picture.exr"))
+            .expect("and writes its picture")
+    };
+    let right = draw(&|_| None);
+    let inwards = draw(&|function: &Anchored<'_>| {
+        (function.name == "sphere_normal")
+            .then(|| function.text.replace("p - self.center", "self.center - p"))
+    });
+    assert!(
+        right != inwards,
+        "a normal that points inwards is seen in the chapter's picture"
+    );
+}
+
+#[test]
+fn the_first_chapter_draws_when_its_own_exercises_are_written() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let written = ["ray_at", "camera_ray"];
+    write(folder.path(), &|function: &Anchored<'_>| {
+        stub(function).filter(|_| !written.contains(&function.name))
+    });
+    let chapter = build(folder.path(), "ch01_rays");
+    let status = std::process::Command::new(&chapter.file)
+        .args(["--width", "64", "--samples", "1", "--out"])
+        .arg(folder.path().join("out"))
+        .status()
+        .expect("the chapter runs");
+    assert!(status.success(), "it needs nothing of the chapters to come");
+}
+
+/// All exercises with their visible cases.
+fn visible_cases() -> Vec<(&'static dyn Examiner, Vec<Case>)> {
+    let cases = |examiner: &dyn Examiner| examiner.cases(&mut visible_rng(examiner.name())).cases;
+    cases::all()
+        .iter()
+        .map(|&examiner| (examiner, cases(examiner)))
+        .collect()
+}
+
+/// What a program says to an exercise's cases.
+fn replies(program: &Program, examiner: &dyn Examiner, cases: &[Case]) -> Vec<Said> {
+    let questions: Vec<_> = cases
+        .iter()
+        .map(|case| format!("{} {}", examiner.name(), case.question))
+        .collect();
+    let replies = ask(program, &questions, LIMITS).expect("the program starts");
+    replies.into_iter().map(|reply| reply.said).collect()
+}

@@ -1,0 +1,71 @@
+//! The command used otherwise than in the first hour.
+
+mod common;
+
+use common::command::raybook;
+use raybook::grade::library::reference;
+use std::fs;
+
+#[test]
+fn wrong_usage_is_explained() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    fs::create_dir(home.path().join("full")).expect("a folder");
+    fs::write(home.path().join("full/file"), "").expect("a file");
+    for (arguments, part) in [
+        (&["new", "full"][..], "not empty"),
+        (&["check"], "raybook new"),
+        (&["check", "sphere_hitt"], "sphere_hit"),
+        (&["check", "--case", "0"], "--case"),
+        (&["check", "--case", "1"], "one exercise"),
+        (&["check", "--time-limit", "0"], "seconds"),
+        (&["check", "--key", "secret"], "--student"),
+        (
+            &["check", "--program", "no/such/program"],
+            "no/such/program",
+        ),
+        (&["solve"], "raybook new"),
+        (&["bless"], "golden"),
+        (&["exercise", "nothing"], "neither a chapter"),
+    ] {
+        let (code, said) = raybook(home.path(), arguments);
+        assert!(
+            code == 2 && said.contains(part),
+            "{arguments:?} says `{part}`: {code} {said}"
+        );
+    }
+}
+
+#[test]
+fn any_program_can_be_asked() {
+    let (_, said) = raybook(&common::project(""), &["exercise", "ray_at"]);
+    assert!(
+        said.contains("ray_at origin.x origin.y origin.z direction.x")
+            && said.contains("= point.x point.y point.z"),
+        "{said}"
+    );
+    assert!(
+        reference("ray_at").is_some(),
+        "the reference is in the command"
+    );
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        let home = tempfile::tempdir().expect("a temporary folder");
+        let program = home.path().join("answers");
+        fs::write(
+            &program,
+            "#!/bin/sh\nwhile read -r name x y z rest; do echo \"= $x $y $z\"; done\n",
+        )
+        .expect("a script");
+        fs::set_permissions(&program, fs::Permissions::from_mode(0o755)).expect("it can be run");
+        let (code, said) = raybook(home.path(), &["check", "ray_at", "--program", "answers"]);
+        assert!(
+            code == 1 && said.contains("1 of 40 cases right"),
+            "only t = 0 is right: {said}"
+        );
+        assert!(
+            said.contains("ignores t") || said.contains("Wrong are"),
+            "and it says what is wrong: {said}"
+        );
+    }
+}

@@ -5,6 +5,7 @@ pub mod barycentrics;
 pub mod bench;
 pub mod bent_rays;
 pub mod blocks;
+pub mod blur_plot;
 pub mod builders;
 pub mod camera_diagram;
 pub mod cancellation;

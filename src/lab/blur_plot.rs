@@ -40,7 +40,10 @@ pub fn plot() -> Result<Image, Box<dyn Error>> {
             .margin_right(60)
             .x_label_area_size(100)
             .y_label_area_size(160)
-            .build_cartesian_2d((NEAREST..FARTHEST).log_scale(), (LEAST..MOST).log_scale())?;
+            .build_cartesian_2d(
+                (NEAREST..FARTHEST).log_scale().base(2.0),
+                (LEAST..MOST).log_scale(),
+            )?;
         for (f_number, colour) in STOPS {
             let [near, far] = lens(f_number)?.depth_of_field(PIXEL);
             let (left, right) = (near.max(NEAREST), far.min(FARTHEST));

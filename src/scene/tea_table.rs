@@ -12,8 +12,20 @@ use crate::shape::{Surface, cuboid::Cuboid, mesh::Mesh, teapot};
 use glam::{Mat3, Vec3, vec3};
 use std::f32::consts::PI;
 
-/// Where the table is seen, where a camera looks, and its focal length, in metres.
-pub const VIEW: (Vec3, Vec3, f32) = (vec3(0.0, 0.30, 0.0), vec3(0.0, 0.175, -1.0), 0.05);
+/// Where the table is seen from, in metres.
+pub const EYE: Vec3 = vec3(0.0, 0.30, 0.0);
+
+/// Where a camera looks that sees all of it.
+pub const VIEW: Vec3 = vec3(0.0, 0.19, -1.0);
+
+/// Where one looks that sees some teapots from nearer.
+pub const DETAIL: Vec3 = vec3(-0.20, 0.11, -1.0);
+
+/// The camera's focal length, in metres.
+pub const FOCAL_LENGTH: f32 = 0.05;
+
+/// Among the lamps that are far behind.
+pub const FAR: Vec3 = vec3(0.0, 0.4, -9.0);
 
 /// The middle of each teapot's foot, the nearest first.
 pub const POTS: [Vec3; 5] = [
@@ -58,25 +70,30 @@ pub fn tea_table() -> Scene<dyn Material> {
         let shape = Meshed::new(mesh, |facets| Bvh::build(facets, Method::Fine));
         things.push(Thing::new(shape, Box::new(glazed(glaze))));
     }
-    let corner = vec3(-2.6, 1.1, -0.2);
-    let (across, up) = (vec3(0.6, 0.0, 1.6), vec3(0.5, 1.4, 0.0));
-    let window = RectLight::new(corner, across, up, Rgb::new(5.6, 5.0, 4.3));
-    Scene::new(things, vec![Box::new(window)]).surrounded_by(Rgb::new(0.36, 0.38, 0.46), dusk)
+    // It faces the table from the left, above the camera.
+    let (corner, up, across) = (
+        vec3(-1.9, 0.9, -1.2),
+        vec3(0.4, 1.0, 0.0),
+        vec3(0.5, 0.0, 1.5),
+    );
+    let window = RectLight::new(corner, up, across, Rgb::new(7.0, 6.0, 4.8));
+    Scene::new(things, vec![Box::new(window)]).surrounded_by(Rgb::new(0.30, 0.33, 0.42), dusk)
 }
 
 /// The lamps: three strings of them, and some far behind.
 pub fn lamps() -> Vec<PointLight> {
-    let warm = Rgb::new(1.0, 0.62, 0.26);
+    let warm = Rgb::new(1.0, 0.56, 0.18);
     let colours = [
         warm,
-        Rgb::new(1.0, 0.80, 0.50),
-        Rgb::new(1.0, 0.36, 0.18),
+        Rgb::new(1.0, 0.74, 0.40),
+        Rgb::new(1.0, 0.26, 0.12),
         warm,
-        Rgb::new(0.35, 0.75, 0.80),
+        Rgb::new(0.15, 0.62, 0.68),
     ];
+    // The brighter the farther: out of a focus at 1 m, all discs are about as bright.
     let lamp = |position: Vec3, colour: Rgb| PointLight {
         position,
-        intensity: colour * 0.016,
+        intensity: colour * (0.000_8 * (position.z + 1.0).powi(2)),
     };
     let string = |row: i32| {
         let (depth, top) = (3.9 + 1.1 * row as f32, 0.75 + 0.42 * row as f32);
@@ -96,10 +113,7 @@ pub fn lamps() -> Vec<PointLight> {
         let [x, y, z] = [7, 11, 13].map(|k| hash(i, k));
         let depth = 7.0 + 5.0 * z;
         let place = vec3((x - 0.5) * 0.95 * depth, 0.10 + 0.075 * y * depth, -depth);
-        PointLight {
-            intensity: colours[(i % 4) as usize] * 0.011,
-            ..lamp(place, warm)
-        }
+        lamp(place, colours[(i % 4) as usize] * 0.6)
     });
     (0..3).flat_map(string).chain(far).collect()
 }
@@ -113,8 +127,8 @@ fn glazed(colour: Rgb) -> Polished<Phong> {
         below: Phong {
             ambient: colour,
             diffuse: colour / PI,
-            specular: Rgb::gray(0.5),
-            exponent: 120.0,
+            specular: Rgb::gray(0.16),
+            exponent: 30.0,
         },
     }
 }
@@ -128,7 +142,7 @@ impl Gingham {
         const STRIPE: f32 = 0.045;
         let dyed = |v: f32| f32::from((v / STRIPE).rem_euclid(2.0) < 1.0);
         let share = 0.5 * (dyed(at.position.x) + dyed(at.position.z));
-        let colour = Rgb::new(0.80, 0.78, 0.73).lerp(Rgb::new(0.12, 0.24, 0.42), share);
+        let colour = Rgb::new(0.80, 0.78, 0.73).lerp(Rgb::new(0.20, 0.33, 0.50), share);
         Phong {
             ambient: colour,
             diffuse: colour / PI,
@@ -156,9 +170,9 @@ impl Material for Gingham {
 pub fn dusk(ray: &Ray) -> Rgb {
     let d = ray.direction;
     let up = d.y.max(0.0);
-    let sky = Rgb::new(0.80, 0.50, 0.36).lerp(Rgb::new(0.20, 0.26, 0.42), (2.6 * up).min(1.0));
+    let sky = Rgb::new(0.58, 0.32, 0.22).lerp(Rgb::new(0.11, 0.16, 0.31), (3.0 * up).min(1.0));
     let hedge = Rgb::new(0.060, 0.085, 0.080).lerp(Rgb::new(0.10, 0.12, 0.10), (-d.y).max(0.0));
     let azimuth = d.x.atan2(-d.z);
-    let top = 0.06 + 0.02 * (9.0 * azimuth).sin() + 0.012 * (23.0 * azimuth + 1.0).sin();
+    let top = 0.035 + 0.016 * (9.0 * azimuth).sin() + 0.012 * (23.0 * azimuth + 1.0).sin();
     hedge.lerp(sky, rise(-0.02, 0.02, d.y - top))
 }

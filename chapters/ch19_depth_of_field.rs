@@ -36,7 +36,7 @@ pub(crate) fn draw(stage: &Stage) -> Drawn {
         picture
     };
 
-    let film = stage.film_of(960, 48, 16.0 / 9.0);
+    let film = stage.film_of(960, 40, 16.0 / 9.0);
     let body = Pinhole::look_at(EYE, VIEW, Vec3::Y, FOCAL_LENGTH, film.aspect())?;
     let caption = "A lens of 50 mm at f/1.4, focused on the red teapot. What is nearer or farther is blurred, and every lamp becomes a hexagon: the hole that six blades leave open.";
     let picture = photograph(&film, &focused(&body, POTS[1], 1.4)?);

@@ -51,7 +51,7 @@ pub(crate) fn draw(stage: &Stage) -> Drawn {
         let camera = focused(&body, POTS[1], f_number)?;
         tiles.push((format!("f/{f_number}"), photograph(&tile, &camera)));
     }
-    tiles[0].0 = "a pin-hole: f/∞".to_owned();
+    tiles[0].0 = String::from("a pin-hole: f/∞");
     let caption = "The same focus with four apertures: the larger one blurs more. Through a pin-hole all is sharp, and a lamp is no larger than a pixel.";
     stage.figure("apertures", caption, &sheet(2, &named(&tiles))?)?;
 

@@ -114,7 +114,7 @@ pub(super) fn random(rng: &mut Pcg) -> ThinLensRayQuestion {
 pub(super) fn pixel(x: u32, y: u32) -> ThinLensRayQuestion {
     let mut rng = pcg::stream(19, u64::from(96 * y + x));
     ThinLensRayQuestion {
-        f_number: 1.0,
+        f_number: 1.25,
         film: (vec2(x as f32, y as f32) + 0.5) / vec2(96.0, 54.0),
         on_lens: concentric_disk(vec2(rng.random(), rng.random())),
         plane: vec2(0.0427, 0.024),
@@ -129,7 +129,7 @@ pub(super) fn colour(_: &ThinLensRayQuestion, ray: &CameraRayAnswer) -> Rgb {
     let balls = [
         (vec3(-0.19, -0.05, -0.8), 0.1, Rgb::new(0.80, 0.25, 0.05)),
         (vec3(0.0, 0.0, -2.0), 0.3, Rgb::new(0.02, 0.28, 0.42)),
-        (vec3(3.0, 0.6, -9.0), 1.1, Rgb::new(0.10, 0.42, 0.25)),
+        (vec3(2.5, 0.6, -9.0), 1.1, Rgb::new(0.10, 0.42, 0.25)),
     ];
     let Some(direction) = Dir3::new(ray.direction) else {
         return Rgb::BLACK;

@@ -1,6 +1,9 @@
 //! Floor 5: cameras, which turn a place on the film into a ray.
 
+pub mod aperture;
+pub mod lens;
 pub mod pinhole;
+pub mod thin_lens;
 
 use crate::math::ray::Ray;
 use glam::Vec2;

@@ -16,6 +16,7 @@ pub mod stadium;
 pub mod starry_sky;
 pub mod still_life;
 pub mod tally;
+pub mod tea_table;
 pub mod teapots;
 pub mod terrain;
 pub mod window;

@@ -1,4 +1,4 @@
-//! Chapters 12 to 21: highlights, shadows, directions, bent rays.
+//! Chapters 12 to 21: highlights, shadows, directions, lenses, bent rays.
 
 use crate::wrong::{Wrong, scale, turn};
 
@@ -86,5 +86,23 @@ pub const WRONGS: &[Wrong] = &[
     ),
     (&["environment_pdf"], "1 % too large", |density| {
         scale(density, 1.01);
+    }),
+    (&["concentric_disk"], "5 % too far out", |points| {
+        scale(&mut points[1..], 1.05);
+    }),
+    (&["concentric_disk"], "every third is the first", |points| {
+        let first: Vec<f64> = points[1..3].to_vec();
+        for p in points[1..].chunks_exact_mut(6) {
+            p[..2].copy_from_slice(&first);
+        }
+    }),
+    (&["thin_lens_ray"], "turned by 1°", |ray| {
+        turn(&mut ray[3..]);
+    }),
+    (&["thin_lens_ray"], "starts 1 mm beside", |ray| {
+        ray[0] += 1e-3;
+    }),
+    (&["circle_of_confusion"], "1 % too wide", |c| {
+        scale(c, 1.01);
     }),
 ];

@@ -1,0 +1,26 @@
+//! Points of a disc, all of them equally likely.
+
+use glam::Vec2;
+use std::f32::consts::{FRAC_PI_2, FRAC_PI_4};
+
+// ANCHOR: concentric_disk
+/// The point of the unit disc that belongs to u in [0, 1]²: squares around the middle become circles around the middle
+/// (Shirley and Chiu, "A low distortion map between disk and square", 1997).
+///
+/// With (a, b) = 2u − 1, the square through it has the half side r = max(|a|, |b|) and becomes the circle of radius r: both
+/// grow as r². On the circle, equal steps along a side are equal angles: φ = π/4 · b/a on the sides |a| ≥ |b|, and
+/// φ = π/2 − π/4 · a/b on the others. A negative r turns φ by π. So equal areas become equal areas, neighbours stay
+/// neighbours, and a pattern that fills the square evenly fills the disc evenly.
+pub fn concentric_disk(u: Vec2) -> Vec2 {
+    let (a, b) = (2.0 * u - 1.0).into();
+    if a == 0.0 && b == 0.0 {
+        return Vec2::ZERO; // the middle has no angle
+    }
+    let (r, phi) = if a.abs() > b.abs() {
+        (a, FRAC_PI_4 * b / a)
+    } else {
+        (b, FRAC_PI_2 - FRAC_PI_4 * a / b)
+    };
+    r * Vec2::from_angle(phi)
+}
+// ANCHOR_END: concentric_disk

@@ -1,6 +1,9 @@
 //! Floor 5: cameras, which turn a place on the film into a ray.
 
+pub mod fisheye;
+pub mod panorama;
 pub mod pinhole;
+pub mod pose;
 
 use crate::math::ray::Ray;
 use glam::Vec2;

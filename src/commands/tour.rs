@@ -53,6 +53,8 @@ mod chapters {
     pub mod ch17_rendering_equation;
     #[path = "../../chapters/ch18_environment.rs"]
     pub mod ch18_environment;
+    #[path = "../../chapters/ch20_panorama.rs"]
+    pub mod ch20_panorama;
     #[path = "../../chapters/ch21_black_hole.rs"]
     pub mod ch21_black_hole;
     #[path = "../../chapters/ch22_antialiasing.rs"]
@@ -89,6 +91,7 @@ const DRAW: &[(&str, Draw)] = &[
         chapters::ch17_rendering_equation::draw,
     ),
     ("ch18_environment", chapters::ch18_environment::draw),
+    ("ch20_panorama", chapters::ch20_panorama::draw),
     ("ch21_black_hole", chapters::ch21_black_hole::draw),
     ("ch22_antialiasing", chapters::ch22_antialiasing::draw),
     ("ch23_adaptive", chapters::ch23_adaptive::draw),

@@ -34,6 +34,7 @@ macro_rules! for_each_chapter {
             ch16_soft_shadows,
             ch17_rendering_equation,
             ch18_environment,
+            ch20_panorama,
             ch21_black_hole,
             ch22_antialiasing,
             ch23_adaptive,

@@ -16,10 +16,25 @@ use std::f32::consts::FRAC_1_PI;
 pub const EYE: Vec3 = vec3(0.0, 1.6, 0.0);
 
 /// Half the side of the square in which the posts stand, in metres.
-pub const HALF: f32 = 3.7;
+const HALF: f32 = 3.7;
 
 /// The height of the beams that they carry, from below to above, in metres.
-pub const BEAM: (f32, f32) = (2.9, 3.2);
+const BEAM: (f32, f32) = (2.9, 3.2);
+
+/// The lower inner edges of the four beams as one sees them: a name, and where the edge begins and ends.
+pub const BEAMS: [(&str, [Vec3; 2]); 4] = {
+    const SIDE: f32 = HALF - THICK;
+    const Y: f32 = BEAM.0;
+    [
+        ("ahead", [vec3(-HALF, Y, -SIDE), vec3(HALF, Y, -SIDE)]),
+        ("right", [vec3(SIDE, Y, -HALF), vec3(SIDE, Y, HALF)]),
+        ("behind", [vec3(HALF, Y, SIDE), vec3(-HALF, Y, SIDE)]),
+        ("left", [vec3(-SIDE, Y, HALF), vec3(-SIDE, Y, -HALF)]),
+    ]
+};
+
+/// Half the width of such a beam.
+const THICK: f32 = 0.1;
 
 /// Half the side of the tiled floor, in metres; a tile has a side of 1 m.
 const FLOOR: i16 = 4;
@@ -79,7 +94,7 @@ fn frame(things: &mut Vec<Thing<dyn Material>>) {
     let (low, high) = BEAM;
     let beam = |a: Vec3, b: Vec3| matt(Cuboid::between(a, b), WOOD);
     for side in [-HALF, HALF] {
-        let (far, near) = (side - 0.1, side + 0.1);
+        let (far, near) = (side - THICK, side + THICK);
         things.push(beam(vec3(-HALF, low, far), vec3(HALF, high, near)));
         things.push(beam(vec3(far, low, -HALF), vec3(near, high, HALF)));
     }

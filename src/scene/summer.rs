@@ -26,13 +26,15 @@ pub fn sun() -> DirectionalLight {
     }
 }
 
-/// The sky with its clouds, hills along the horizon, and the sun: as bright as what it sends.
+/// The sky with its clouds, a glow around the sun, and hills along the horizon; and the sun itself, as bright as what it
+/// sends.
 pub fn outdoors(ray: &Ray) -> Rgb {
     let d = ray.direction;
     let sky = Rgb::new(0.80, 0.86, 0.90).lerp(Rgb::new(0.20, 0.40, 0.74), d.y.max(0.0).powf(0.6));
     let above = vec2(d.x, d.z) / (d.y.abs() + 0.15);
     let cloud = rise(0.50, 0.80, layers(1.1 * above + 31.0, 5)) * rise(0.02, 0.25, d.y);
-    let behind = sky.lerp(Rgb::gray(0.98), cloud) + disc(d);
+    let glow = Rgb::new(0.5, 0.45, 0.35) * (-d.distance(*toward_sun()) / 0.12).exp();
+    let behind = sky.lerp(Rgb::gray(0.98), cloud) + glow + disc(d);
     let azimuth = d.x.atan2(-d.z);
     let around = vec2(azimuth.cos(), azimuth.sin());
     let ridge = 0.04 + 0.15 * layers(2.6 * around + 7.0, 5);

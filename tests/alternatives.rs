@@ -22,6 +22,8 @@ mod ch16;
 mod ch17;
 #[path = "alternatives/ch18.rs"]
 mod ch18;
+#[path = "alternatives/ch20.rs"]
+mod ch20;
 #[path = "alternatives/ch21.rs"]
 mod ch21;
 #[path = "alternatives/ch22.rs"]
@@ -134,6 +136,7 @@ fn alternatives() -> impl Iterator<Item = &'static Alternative> {
         ch17::ALTERNATIVES,
         estimates::ALTERNATIVES,
         ch18::ALTERNATIVES,
+        ch20::ALTERNATIVES,
         ch22::ALTERNATIVES,
         ch23::ALTERNATIVES,
     ]

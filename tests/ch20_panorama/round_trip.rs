@@ -78,9 +78,9 @@ fn difference(from: Vec3, width: usize) -> (f64, f64) {
 #[test]
 fn looks_cut_out_of_a_panorama_are_those_that_a_pinhole_takes_there() {
     let (differ, mean) = difference(EYE, 2048);
-    println!("2048: {differ} {mean}");
+    // Measured: 1.7 % and 0.0063. The pixels that differ are those on edges, where a texel decides for its middle.
     assert!(
-        differ < 0.05 && mean < 0.01,
+        differ < 0.02 && mean < 0.0075,
         "{differ} of the pixels differ, by {mean} in the mean"
     );
 }
@@ -88,7 +88,6 @@ fn looks_cut_out_of_a_panorama_are_those_that_a_pinhole_takes_there() {
 #[test]
 fn a_finer_panorama_is_nearer_to_the_scene() {
     let shares = [256, 1024].map(|width| difference(EYE, width));
-    println!("{shares:?}");
     let ratio = shares[0].1 / shares[1].1;
     // What differs is along edges, as broad as a texel: of four times as many texels, a quarter.
     assert!(
@@ -100,7 +99,6 @@ fn a_finer_panorama_is_nearer_to_the_scene() {
 #[test]
 fn from_another_point_the_panorama_is_wrong() {
     let (here, there) = (difference(EYE, 1024), difference(EYE + 0.3 * Vec3::X, 1024));
-    println!("{here:?} {there:?}");
     assert!(
         there.0 > 4.0 * here.0,
         "30 cm aside, {} of the pixels differ; at the point itself, {}",

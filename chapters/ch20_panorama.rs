@@ -44,7 +44,11 @@ pub(crate) fn draw(stage: &Stage) -> Drawn {
     let lines = with_lines(&picture, EYE, &BEAMS)?;
     stage.figure("lines", caption, &lines)?;
 
-    let (wide, square) = (stage.tile(3, 1.5), stage.tile(4, 1.0));
+    let samples = film.samples.min(6);
+    let [wide, square] = [(3, 1.5), (4, 1.0)].map(|(columns, aspect)| Film {
+        samples,
+        ..stage.tile(columns, aspect)
+    });
     let caption = "A pin-hole camera keeps lines straight, and for that it stretches what is far from the middle, without limit towards 180°. Each disc has a radius of 6°.";
     stage.figure("pinhole", caption, &pinholes(&wide, EYE, take)?)?;
     let caption = "Fisheyes: half of all directions in the four projections; nearly all, ahead, down and up. Each disc has a radius of 6°.";
@@ -53,8 +57,8 @@ pub(crate) fn draw(stage: &Stage) -> Drawn {
     let around = Environment::new(picture);
     let caption = "The panorama as an environment map, seen from the point where it was taken, and the scene itself. They differ along edges, by less than a pixel of the map.";
     stage.figure("looks", caption, &looks(&wide, EYE, &around, take)?)?;
-    let caption = "Chapter 18's still life in the light of the panorama: nothing else shines, the sun in the map throws the shadows.";
-    stage.figure("light", caption, &lit(&stage.tile(2, 1.6), around)?)
+    let caption = "Chapter 18's still life in the light of the panorama. On the right its sun is no brighter than white: there is next to no sunlight, and no shadow.";
+    stage.figure("light", caption, &lit(&stage.tile(2, 1.5), &around)?)
 }
 
 /// What of a scene is seen along the rays of a camera; where it has none, the film stays black.

@@ -51,18 +51,32 @@ fn difference(a: &Image, b: &Image) -> Image {
     })
 }
 
-/// The still life, with nothing but the panorama around it.
+/// The still life with nothing but the panorama around it: as it is, and with all that is brighter than white cut off.
 ///
 /// # Errors
-/// As [`Pinhole::look_at`].
-pub fn lit(film: &Film, panorama: Environment) -> Result<Image, LookAtError> {
+/// If a caption cannot be drawn.
+pub fn lit(film: &Film, panorama: &Environment) -> Result<Image, Box<dyn Error>> {
+    let clamped = Environment::new(panorama.map().map(tone::clamp));
+    let tile = |light: Environment, samples| {
+        let film = Film { samples, ..*film };
+        photograph(&film, light)
+    };
+    let tiles = [
+        // A small sun is noisier than a sky.
+        ("the panorama", tile(panorama.clone(), 2 * film.samples)?),
+        ("cut off at white", tile(clamped, film.samples.div_ceil(2))?),
+    ];
+    sheet(2, &tiles)
+}
+
+fn photograph(film: &Film, light: Environment) -> Result<Image, LookAtError> {
     /// Nearer than in chapter 18, so that more of the panorama is seen.
-    const NEAR: Vec3 = vec3(0.5, 1.2, 4.3);
-    let camera = Pinhole::look_at(NEAR, AT, Vec3::Y, 0.024, film.aspect())?;
-    let scene = still_life(Box::new(panorama));
+    const EYE: Vec3 = vec3(0.5, 1.2, 4.3);
+    let camera = Pinhole::look_at(EYE, AT, Vec3::Y, 0.024, film.aspect())?;
+    let scene = still_life(Box::new(light));
     let path = Path {
-        depth: 6,
-        sure: 3,
+        depth: 4,
+        sure: 2,
         strategy: Strategy::Both,
     };
     Ok(even::render(film, |place, rng| {

@@ -32,7 +32,7 @@ const TEXT: i32 = 30;
 /// The panorama with lines of latitude and longitude and what they are called.
 ///
 /// # Errors
-/// What plotters reports; likewise below.
+/// What plotters reports.
 pub fn labelled(panorama: &Image) -> Result<Image, Box<dyn Error>> {
     let map = graticule::over(&fitted(panorama), |place| Some(latlong::direction(place)));
     on_canvas(&map, LABELS, |canvas, pixel| {
@@ -78,6 +78,9 @@ pub fn labelled(panorama: &Image) -> Result<Image, Box<dyn Error>> {
 
 /// The panorama, pale, with lines as they are seen from a point: the two ends of each part that there is, and its name.
 /// Beyond its ends a line goes on in dashes, to the horizon at both sides.
+///
+/// # Errors
+/// What plotters reports.
 pub fn with_lines(
     panorama: &Image,
     eye: Vec3,

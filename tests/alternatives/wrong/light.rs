@@ -87,7 +87,9 @@ pub const WRONGS: &[Wrong] = &[
     (&["environment_pdf"], "1 % too large", |density| {
         scale(density, 1.01);
     }),
-    (&["panorama_ray"], "turned by 1°", |ray| turn(&mut ray[3..])),
+    (&["panorama_ray"], "turned by 1°", |ray| {
+        turn(&mut ray[3..]);
+    }),
     (&["panorama_ray"], "1 % too long", |ray| {
         scale(&mut ray[3..], 1.01);
     }),

@@ -64,7 +64,7 @@ pub fn lit(film: &Film, panorama: &Environment) -> Result<Image, Box<dyn Error>>
     let tiles = [
         // A small sun is noisier than a sky.
         ("the panorama", tile(panorama.clone(), 2 * film.samples)?),
-        ("cut off at white", tile(clamped, film.samples.div_ceil(2))?),
+        ("cut off at white", tile(clamped, film.samples)?),
     ];
     sheet(2, &tiles)
 }

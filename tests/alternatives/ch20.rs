@@ -31,8 +31,7 @@ pub const ALTERNATIVES: &[Alternative] = &[
         method: "from the left edge, with backward and left as axes, in f32",
         answer: |q| {
             let camera = Camera::read(q);
-            let axes =
-                [-camera.forward, -camera.right, camera.up].map(|axis| DVec3::as_vec3(&axis));
+            let axes = [-camera.forward, -camera.right, camera.up].map(DVec3::as_vec3);
             let phi = std::f32::consts::TAU * camera.film.x as f32;
             let theta = std::f32::consts::PI * camera.film.y as f32;
             let d: Vec3 =

@@ -44,7 +44,7 @@ pub(crate) fn draw(stage: &Stage) -> Drawn {
     let lines = with_lines(&picture, EYE, &BEAMS)?;
     stage.figure("lines", caption, &lines)?;
 
-    let samples = film.samples.min(6);
+    let samples = film.samples.min(4);
     let [wide, square] = [(3, 1.5), (4, 1.0)].map(|(columns, aspect)| Film {
         samples,
         ..stage.tile(columns, aspect)

@@ -3,7 +3,7 @@
 use crate::image::{Image, rgb::Rgb, tone};
 use crate::lab::palette::{INK, linear};
 use crate::math::dir3::Dir3;
-use glam::{Vec2, vec2};
+use glam::{Vec2, vec2, vec3};
 
 /// From one line to the next, in degrees.
 pub const STEP: f32 = 30.0;
@@ -67,10 +67,10 @@ fn nearest_disc(latitude: f32, longitude: f32) -> Dir3 {
 }
 
 /// The direction at a latitude and a longitude in degrees.
-pub fn toward(latitude: f32, longitude: f32) -> Dir3 {
+fn toward(latitude: f32, longitude: f32) -> Dir3 {
     let (up, level) = latitude.to_radians().sin_cos();
     let (sin, cos) = longitude.to_radians().sin_cos();
-    Dir3::new_or(glam::vec3(level * sin, up, -level * cos), Dir3::Y)
+    Dir3::new_or(vec3(level * sin, up, -level * cos), Dir3::Y)
 }
 
 /// The angle between two directions in degrees, by the chord: near 0 the cosine has lost its digits.

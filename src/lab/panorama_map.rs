@@ -77,7 +77,7 @@ pub fn labelled(panorama: &Image) -> Result<Image, Box<dyn Error>> {
 }
 
 /// The panorama, pale, with lines as they are seen from a point: the two ends of each part that there is, and its name.
-/// Beyond its ends a line goes on in dashes, to the horizon at both sides.
+/// Beyond its ends a line goes on in dashes, to where it vanishes at both sides; where the first one does is said.
 ///
 /// # Errors
 /// What plotters reports.
@@ -98,14 +98,14 @@ pub fn with_lines(
             let inside = middle.clamp(vec2(0.075, 0.0), vec2(0.925, 1.0));
             label(canvas, pixel(inside) - vec2(0.0, 34.0), name, colour)?;
         }
-        for (turn, name) in [
-            (0.25, "vanishing point"),
-            (0.5, ""),
-            (0.75, "vanishing point"),
-        ] {
-            let place = pixel(vec2(turn, 0.5));
-            canvas.draw(&Circle::new(whole(place), 10, INK.filled()))?;
-            label(canvas, place + vec2(0.0, 40.0), name, INK)?;
+        for (i, (_, [a, b])) in lines.iter().enumerate() {
+            for toward in [*b - *a, *a - *b] {
+                let place = pixel(latlong::place(Dir3::new_or(toward, Dir3::X)));
+                canvas.draw(&Circle::new(whole(place), 10, INK.filled()))?;
+                if i == 0 {
+                    label(canvas, place + vec2(0.0, 40.0), "vanishing point", INK)?;
+                }
+            }
         }
         Ok(())
     })

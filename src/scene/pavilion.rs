@@ -57,7 +57,7 @@ pub fn scene() -> Scene<dyn Material> {
         .surrounded_by(Rgb::new(0.34, 0.38, 0.44), summer::outdoors)
 }
 
-/// Tiles on two steps, and four coloured ones below the viewer.
+/// Tiles on a step, and four coloured ones below the viewer.
 fn floor(things: &mut Vec<Thing<dyn Material>>) {
     let half = f32::from(FLOOR);
     things.push(matt(

@@ -24,6 +24,8 @@ mod ch17;
 mod ch18;
 #[path = "alternatives/ch19.rs"]
 mod ch19;
+#[path = "alternatives/ch20.rs"]
+mod ch20;
 #[path = "alternatives/ch21.rs"]
 mod ch21;
 #[path = "alternatives/ch22.rs"]
@@ -137,6 +139,7 @@ fn alternatives() -> impl Iterator<Item = &'static Alternative> {
         estimates::ALTERNATIVES,
         ch18::ALTERNATIVES,
         ch19::ALTERNATIVES,
+        ch20::ALTERNATIVES,
         ch22::ALTERNATIVES,
         ch23::ALTERNATIVES,
     ]

@@ -1,8 +1,12 @@
 //! Floor 5: cameras, which turn a place on the film into a ray.
 
 pub mod aperture;
+pub mod fisheye;
 pub mod lens;
+pub mod panorama;
 pub mod pinhole;
+pub mod pinhole;
+pub mod pose;
 pub mod thin_lens;
 
 use crate::math::ray::Ray;

@@ -55,6 +55,8 @@ mod chapters {
     pub mod ch18_environment;
     #[path = "../../chapters/ch19_depth_of_field.rs"]
     pub mod ch19_depth_of_field;
+    #[path = "../../chapters/ch20_panorama.rs"]
+    pub mod ch20_panorama;
     #[path = "../../chapters/ch21_black_hole.rs"]
     pub mod ch21_black_hole;
     #[path = "../../chapters/ch22_antialiasing.rs"]
@@ -92,6 +94,7 @@ const DRAW: &[(&str, Draw)] = &[
     ),
     ("ch18_environment", chapters::ch18_environment::draw),
     ("ch19_depth_of_field", chapters::ch19_depth_of_field::draw),
+    ("ch20_panorama", chapters::ch20_panorama::draw),
     ("ch21_black_hole", chapters::ch21_black_hole::draw),
     ("ch22_antialiasing", chapters::ch22_antialiasing::draw),
     ("ch23_adaptive", chapters::ch23_adaptive::draw),

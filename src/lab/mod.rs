@@ -1,5 +1,6 @@
 //! Floor 8: the stage on which a chapter draws, and the figures that explain its picture.
 
+pub mod all_around;
 pub mod bars;
 pub mod barycentrics;
 pub mod bench;
@@ -25,6 +26,7 @@ pub mod flatland;
 pub mod floors;
 pub mod fresnel_plot;
 pub mod gallery;
+pub mod graticule;
 pub mod grid_costs;
 pub mod growth;
 pub mod heat;
@@ -40,9 +42,12 @@ pub mod nested_cells;
 pub mod options;
 pub mod outdoors;
 pub mod palette;
+pub mod panorama_as_environment;
+pub mod panorama_map;
 pub mod path_error;
 pub mod penumbra;
 pub mod platonic;
+pub mod projections;
 pub mod quadtree;
 pub mod race;
 pub mod rate;

@@ -35,6 +35,7 @@ macro_rules! for_each_chapter {
             ch17_rendering_equation,
             ch18_environment,
             ch19_depth_of_field,
+            ch20_panorama,
             ch21_black_hole,
             ch22_antialiasing,
             ch23_adaptive,

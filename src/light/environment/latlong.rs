@@ -19,11 +19,13 @@ pub fn place(direction: Dir3) -> Vec2 {
 }
 // ANCHOR_END: direction_to_latlong
 
+// ANCHOR: latlong_direction
 /// The direction at a place on the map.
 pub fn direction(place: Vec2) -> Dir3 {
     let (sin, cos) = (PI * place.y).sin_cos();
     around(place.x, cos, sin)
 }
+// ANCHOR_END: latlong_direction
 
 /// The direction at a fraction of a turn, u, and a cosine of θ, which needs its digits: all of a large map's first row
 /// has a cosine that is nearly 1.
@@ -37,7 +39,10 @@ pub fn cosine(row: usize, rows: usize) -> f64 {
     (std::f64::consts::PI * row as f64 / rows as f64).cos()
 }
 
+// ANCHOR: latlong_around
+/// The direction at a fraction of a turn, by the cosine and the sine of θ.
 fn around(turn: f32, cosine: f32, sine: f32) -> Dir3 {
     let (sin, cos) = (TAU * (turn - 0.5)).sin_cos();
     Dir3::new_or(Vec3::new(sine * sin, cosine, -sine * cos), Dir3::Y)
 }
+// ANCHOR_END: latlong_around

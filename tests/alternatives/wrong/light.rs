@@ -105,4 +105,11 @@ pub const WRONGS: &[Wrong] = &[
     (&["circle_of_confusion"], "1 % too wide", |c| {
         scale(c, 1.01);
     }),
+    (&["panorama_ray"], "turned by 1°", |ray| {
+        turn(&mut ray[3..]);
+    }),
+    (&["panorama_ray"], "1 % too long", |ray| {
+        scale(&mut ray[3..], 1.01);
+    }),
+    (&["panorama_ray"], "1 cm to the right", |ray| ray[0] += 0.01),
 ];

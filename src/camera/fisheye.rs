@@ -1,0 +1,130 @@
+//! The fisheye: a view of up to 360°, as a disc.
+
+use crate::camera::pose::Pose;
+use crate::math::{dir3::Dir3, ray::Ray};
+use glam::{Vec2, vec2};
+use std::f32::consts::TAU;
+
+/// How far from the middle of the disc a direction is, by its angle θ to the middle, for a focal length of 1.
+///
+/// (The four are compared in Kannala and Brandt, "A generic camera model and calibration method for conventional,
+/// wide-angle, and fish-eye lenses", 2006.)
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Projection {
+    /// r = θ: equal angles are equally long on the way out.
+    Equidistant,
+    /// r = 2 sin(θ/2): equal solid angles have equal areas.
+    Equisolid,
+    /// r = 2 tan(θ/2): small things keep their shapes.
+    Stereographic,
+    /// r = sin θ: the half space, as if seen from far above a mirror ball; areas are solid angle times cosine.
+    Orthographic,
+}
+
+impl Projection {
+    /// All of them.
+    pub const ALL: [Self; 4] = [
+        Self::Equidistant,
+        Self::Equisolid,
+        Self::Stereographic,
+        Self::Orthographic,
+    ];
+
+    // ANCHOR: fisheye_radius
+    /// r of an angle θ in radians.
+    pub fn radius(self, theta: f32) -> f32 {
+        match self {
+            Self::Equidistant => theta,
+            Self::Equisolid => 2.0 * (0.5 * theta).sin(),
+            Self::Stereographic => 2.0 * (0.5 * theta).tan(),
+            Self::Orthographic => theta.sin(),
+        }
+    }
+
+    /// θ in radians of a radius r.
+    pub fn angle(self, r: f32) -> f32 {
+        match self {
+            Self::Equidistant => r,
+            Self::Equisolid => 2.0 * (0.5 * r).min(1.0).asin(),
+            Self::Stereographic => 2.0 * (0.5 * r).atan(),
+            Self::Orthographic => r.min(1.0).asin(),
+        }
+    }
+    // ANCHOR_END: fisheye_radius
+
+    /// The widest view in degrees. A stereographic one of 360° would be infinitely large; of 350°, its middle is small.
+    pub fn widest(self) -> f32 {
+        match self {
+            Self::Equidistant | Self::Equisolid => 360.0,
+            Self::Stereographic => 350.0,
+            Self::Orthographic => 180.0,
+        }
+    }
+}
+
+/// A camera whose view is a cone, drawn as a disc that touches the nearer edges of the film.
+///
+/// It is no [`Camera`](crate::camera::Camera): beside the disc, where the film stays dark, it has no ray.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fisheye {
+    pose: Pose,
+    projection: Projection,
+    /// r at the rim of the disc: half of its diameter in focal lengths.
+    rim: f32,
+    aspect: f32,
+}
+
+/// A view that a projection cannot show.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error(
+    "this fisheye's view, {view}°, must be more than 0° and at most {}°: its projection is {projection:?}",
+    projection.widest()
+)]
+pub struct ViewError {
+    /// The view that was asked for, in degrees.
+    pub view: f32,
+    /// The projection.
+    pub projection: Projection,
+}
+
+impl Fisheye {
+    /// A fisheye that sees a cone of so many degrees from rim to rim; `aspect` is the film's width over its height.
+    ///
+    /// # Errors
+    /// If the projection cannot show that view.
+    pub fn new(
+        pose: Pose,
+        projection: Projection,
+        view: f32,
+        aspect: f32,
+    ) -> Result<Self, ViewError> {
+        if !(view > 0.0 && view <= projection.widest()) {
+            return Err(ViewError { view, projection });
+        }
+        let rim = projection.radius(view / 720.0 * TAU);
+        Ok(Self {
+            pose,
+            projection,
+            rim,
+            aspect,
+        })
+    }
+
+    // ANCHOR: fisheye_ray
+    /// The ray of a place on the film, in [0, 1]² from the top left; `None` beside the disc.
+    ///
+    /// With ρ the distance from the film's middle, 1 at the rim, θ is the angle of the radius ρ·r(view/2). It is turned
+    /// away from forward in the direction in which the place lies.
+    pub fn ray_through(&self, film: Vec2) -> Option<Ray> {
+        let stretch = vec2(self.aspect.max(1.0), (1.0 / self.aspect).max(1.0));
+        let p = vec2(2.0 * film.x - 1.0, 1.0 - 2.0 * film.y) * stretch;
+        let rho = p.length();
+        if rho > 1.0 {
+            return None;
+        }
+        let (sin, cos) = self.projection.angle(rho * self.rim).sin_cos();
+        let across = sin * p.normalize_or_zero();
+        Some(self.pose.ray(Dir3::new_or(across.extend(-cos), -Dir3::Z)))
+    }
+    // ANCHOR_END: fisheye_ray
+}

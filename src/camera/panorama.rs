@@ -1,0 +1,32 @@
+//! The environment camera: it sees in all directions at once.
+
+use crate::camera::{Camera, pose::Pose};
+use crate::light::environment::latlong;
+use crate::math::ray::Ray;
+use glam::Vec2;
+
+/// A camera whose film is a latitude–longitude map.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Panorama {
+    /// Where it is, and how it is turned.
+    pub pose: Pose,
+}
+
+impl Panorama {
+    // ANCHOR: panorama_ray
+    /// The ray in the direction that a place on the film is for; `film` as for [`Camera::ray`].
+    ///
+    /// Across the film, φ = 2π·(u − ½) goes around, from forward in the middle to right; down the film, θ = π·v goes from
+    /// up to down. Then d = sin θ·(cos φ·forward + sin φ·right) + cos θ·up. It is the inverse of
+    /// [`latlong::place`]: a picture that this camera takes is an environment map.
+    pub fn ray_through(&self, film: Vec2) -> Ray {
+        self.pose.ray(latlong::direction(film))
+    }
+    // ANCHOR_END: panorama_ray
+}
+
+impl Camera for Panorama {
+    fn ray(&self, film: Vec2, _lens: Vec2) -> Ray {
+        self.ray_through(film)
+    }
+}

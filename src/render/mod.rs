@@ -12,4 +12,5 @@ pub mod reflection;
 pub mod shadow;
 pub mod soft_shadow;
 pub mod supersample;
+pub mod trace;
 pub mod whitted;

@@ -5,7 +5,7 @@ use crate::{report, right, told};
 use raybook::grade::ask::Said;
 use raybook::grade::cases;
 use raybook::grade::examine::Examiner;
-use raybook::grade::picture::{pixel_questions, triple};
+use raybook::grade::picture::{pixel_questions, triples};
 
 #[test]
 fn a_known_mistake() {
@@ -21,7 +21,7 @@ fn a_known_mistake() {
         .iter()
         .map(|question| Some(far_root(examiner, question)))
         .collect();
-    report.pictures = triple(examiner, &pixels);
+    report.pictures = triples(examiner, &pixels);
     snapshot("feedback_known_mistake", &told(&report));
 }
 

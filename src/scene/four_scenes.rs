@@ -1,0 +1,221 @@
+//! Four described scenes of rising difficulty, on which a whole ray tracer is tried.
+
+use crate::image::rgb::Rgb;
+use crate::light::point::PointLight;
+use crate::material::{mirror::Mirror, phong::Phong};
+use crate::math::dir3::Dir3;
+use crate::scene::description::{Backdrop, Clear, Corners, Description, Form, Matter, Object};
+use crate::shape::{plane::Plane, sphere::Sphere};
+use glam::{Vec3, vec3};
+
+/// A scene, and how it is looked at.
+#[derive(Clone, Copy)]
+pub struct Staged {
+    /// What it is about.
+    pub name: &'static str,
+    /// What there is to see, for those who cannot see it.
+    pub alt: &'static str,
+    /// The scene.
+    pub scene: fn() -> Description,
+    /// So many surfaces in a row are met.
+    pub depth: u32,
+    /// Where the camera is, and what is in the middle of its picture.
+    pub view: [Vec3; 2],
+    /// Of the camera's lens, in metres.
+    pub focal_length: f32,
+}
+
+/// Width over height of the pictures.
+pub const ASPECT: f32 = 1.5;
+
+/// The scenes, the easiest first.
+pub const FOUR: [Staged; 4] = [
+    Staged {
+        name: "spheres",
+        alt: "Three glossy balls on a plane, and their shadows in the light of one lamp",
+        scene: spheres,
+        depth: 1,
+        view: [vec3(0.0, 2.2, 6.5), vec3(0.0, 0.75, 0.0)],
+        focal_length: 0.036,
+    },
+    Staged {
+        name: "lamps",
+        alt: "A pyramid and a ball before a wall, and their coloured shadows in the light of three lamps",
+        scene: lamps,
+        depth: 1,
+        view: [vec3(0.4, 2.3, 6.6), vec3(0.1, 0.95, 0.0)],
+        focal_length: 0.036,
+    },
+    Staged {
+        name: "mirrors",
+        alt: "Two mirror balls and a pyramid of gold that show each other, coloured balls and the sky",
+        scene: mirrors,
+        depth: 5,
+        view: [vec3(0.0, 2.4, 6.6), vec3(0.0, 0.8, 0.0)],
+        focal_length: 0.036,
+    },
+    Staged {
+        name: "glass",
+        alt: "A ball of glass, a bubble in another, a prism and a mirror ball, with everything upside down behind them",
+        scene: glass,
+        depth: 6,
+        view: [vec3(0.0, 2.0, 6.6), vec3(0.0, 0.85, 0.0)],
+        focal_length: 0.036,
+    },
+];
+
+const RED: Rgb = Rgb::new(0.26, 0.04, 0.02);
+const OCHRE: Rgb = Rgb::new(0.27, 0.16, 0.02);
+const BLUE: Rgb = Rgb::new(0.02, 0.1, 0.2);
+const GREEN: Rgb = Rgb::new(0.02, 0.14, 0.09);
+const SAND: Rgb = Rgb::new(0.25, 0.22, 0.18);
+const CREAM: Rgb = Rgb::new(0.28, 0.27, 0.24);
+
+const AMBIENT: Rgb = Rgb::new(0.7, 0.75, 0.85);
+const DAY: Backdrop = Backdrop {
+    below: Rgb::new(0.95, 0.9, 0.8),
+    above: Rgb::new(0.2, 0.42, 0.72),
+};
+
+fn spheres() -> Description {
+    Description {
+        ambient: AMBIENT,
+        backdrop: DAY,
+        lamps: vec![lamp(vec3(-5.0, 8.0, 6.0), Rgb::new(240.0, 222.0, 192.0))],
+        objects: vec![
+            plane(Dir3::Y, 0.0, matt(SAND)),
+            sphere(vec3(-1.7, 0.9, 0.1), 0.9, glossy(BLUE, 30.0)),
+            sphere(vec3(0.25, 1.2, -0.9), 1.2, glossy(OCHRE, 120.0)),
+            sphere(vec3(1.75, 0.65, 0.8), 0.65, glossy(RED, 60.0)),
+        ],
+    }
+}
+
+fn lamps() -> Description {
+    let mut objects = vec![
+        plane(Dir3::Y, 0.0, matt(SAND)),
+        plane(Dir3::Z, -2.5, matt(CREAM)),
+        sphere(vec3(1.6, 0.8, 0.3), 0.8, glossy(CREAM, 60.0)),
+    ];
+    objects.extend(pyramid(
+        vec3(-1.0, 0.0, -0.3),
+        1.15,
+        2.1,
+        &glossy(OCHRE, 40.0),
+    ));
+    Description {
+        ambient: Rgb::new(0.25, 0.25, 0.3),
+        backdrop: DAY,
+        lamps: vec![
+            lamp(vec3(-4.0, 4.0, 4.0), Rgb::new(70.0, 24.0, 10.0)),
+            lamp(vec3(0.5, 5.0, 4.5), Rgb::new(26.0, 30.0, 22.0)),
+            lamp(vec3(4.5, 3.5, 3.5), Rgb::new(8.0, 26.0, 58.0)),
+        ],
+        objects,
+    }
+}
+
+fn mirrors() -> Description {
+    let gold = mirror(Rgb::new(0.95, 0.75, 0.4));
+    let mut objects = vec![
+        plane(Dir3::Y, 0.0, matt(SAND)),
+        sphere(
+            vec3(-1.6, 1.1, -0.4),
+            1.1,
+            mirror(Rgb::new(0.94, 0.95, 0.96)),
+        ),
+        sphere(vec3(0.35, 0.45, 1.5), 0.45, glossy(RED, 60.0)),
+        sphere(vec3(-0.75, 0.3, 1.75), 0.3, glossy(GREEN, 60.0)),
+        sphere(vec3(0.35, 0.75, -1.5), 0.75, glossy(BLUE, 60.0)),
+    ];
+    objects.extend(pyramid(vec3(1.75, 0.0, -0.2), 1.1, 1.9, &gold));
+    Description {
+        ambient: AMBIENT,
+        backdrop: DAY,
+        lamps: vec![lamp(vec3(-4.0, 8.0, 6.5), Rgb::new(230.0, 214.0, 188.0))],
+        objects,
+    }
+}
+
+fn glass() -> Description {
+    let glass = Matter::Glass(Clear { index: 1.5 });
+    let mut objects = vec![
+        plane(Dir3::Y, 0.0, matt(SAND)),
+        plane(Dir3::Z, -4.0, matt(CREAM)),
+        sphere(vec3(-0.4, 1.05, 0.6), 1.0, glass.clone()),
+        sphere(vec3(1.6, 0.75, 0.9), 0.7, glass.clone()),
+        sphere(
+            vec3(1.6, 0.75, 0.9),
+            0.6,
+            Matter::Glass(Clear { index: 0.667 }),
+        ),
+        sphere(
+            vec3(1.0, 1.1, -1.8),
+            1.1,
+            mirror(Rgb::new(0.94, 0.95, 0.96)),
+        ),
+        sphere(vec3(-1.0, 0.6, -2.2), 0.6, glossy(RED, 60.0)),
+        sphere(vec3(2.6, 0.6, -1.2), 0.6, glossy(BLUE, 60.0)),
+    ];
+    objects.extend(pyramid(vec3(-2.35, 0.02, 0.0), 0.8, 1.7, &glass));
+    Description {
+        ambient: Rgb::new(1.1, 1.1, 1.15),
+        backdrop: DAY,
+        lamps: vec![
+            lamp(vec3(-3.0, 5.5, 3.0), Rgb::new(60.0, 52.0, 42.0)),
+            lamp(vec3(3.5, 5.0, 3.0), Rgb::new(26.0, 30.0, 36.0)),
+        ],
+        objects,
+    }
+}
+
+/// Three sides and the base of a pyramid whose base has this middle and radius.
+fn pyramid(middle: Vec3, radius: f32, height: f32, matter: &Matter) -> [Object; 4] {
+    // Turned so that two sides are seen, unequally.
+    let corner = |x: f32, z: f32| middle + radius * vec3(x, 0.0, z);
+    let (a, b, c) = (corner(0.2, 0.98), corner(0.75, -0.66), corner(-0.95, -0.32));
+    let top = middle + height * Vec3::Y;
+    [(a, b, top), (b, c, top), (c, a, top), (a, c, b)].map(|(p0, p1, p2)| Object {
+        form: Form::Triangle(Corners { p0, p1, p2 }),
+        matter: matter.clone(),
+    })
+}
+
+fn lamp(position: Vec3, intensity: Rgb) -> PointLight {
+    PointLight {
+        position,
+        intensity,
+    }
+}
+
+fn plane(normal: Dir3, offset: f32, matter: Matter) -> Object {
+    let form = Form::Plane(Plane { normal, offset });
+    Object { form, matter }
+}
+
+fn sphere(center: Vec3, radius: f32, matter: Matter) -> Object {
+    let form = Form::Sphere(Sphere { center, radius });
+    Object { form, matter }
+}
+
+fn matt(colour: Rgb) -> Matter {
+    phong(colour, 0.0, 1.0)
+}
+
+fn glossy(colour: Rgb, exponent: f32) -> Matter {
+    phong(colour, 0.25, exponent)
+}
+
+/// The shares of ambient and of diffuse light are the same.
+fn phong(colour: Rgb, specular: f32, exponent: f32) -> Matter {
+    Matter::Phong(Phong {
+        ambient: colour,
+        diffuse: colour,
+        specular: Rgb::gray(specular),
+        exponent,
+    })
+}
+
+fn mirror(share: Rgb) -> Matter {
+    Matter::Mirror(Mirror { share })
+}

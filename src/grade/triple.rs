@@ -3,6 +3,7 @@
 use crate::grade::examine::Examiner;
 use crate::grade::score::Score;
 use crate::image::{Image, rgb::Rgb, rms::rms};
+use crate::lab::palette;
 use rayon::prelude::{IntoParallelIterator, ParallelIterator};
 
 /// A picture's size and text.
@@ -113,7 +114,7 @@ pub fn triple(
         colour(at(x, y), Some(&pixels[at(x, y)].golden))
     });
     let difference = Image::from_fn(width, height, |x, y| {
-        signed(yours.at(x, y).luminance() - golden.at(x, y).luminance())
+        palette::signed(yours.at(x, y).luminance() - golden.at(x, y).luminance())
     });
     let first_bad = pixels
         .iter()
@@ -149,15 +150,4 @@ pub fn triple(
         score,
         alt: size.alt,
     }
-}
-
-/// White for 0, towards orange above, towards blue below; full colour from a difference of a quarter on.
-fn signed(difference: f32) -> Rgb {
-    let amount = (4.0 * difference.abs()).clamp(0.0, 1.0).sqrt();
-    let full = if difference > 0.0 {
-        Rgb::new(0.79, 0.35, 0.0)
-    } else {
-        Rgb::new(0.0, 0.17, 0.45)
-    };
-    Rgb::WHITE.lerp(full, if difference.is_nan() { 1.0 } else { amount })
 }

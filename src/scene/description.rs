@@ -85,6 +85,48 @@ impl Backdrop {
     }
 }
 
+impl Object {
+    /// A sphere of some material.
+    pub fn sphere(center: Vec3, radius: f32, matter: Matter) -> Self {
+        let form = Form::Sphere(Sphere { center, radius });
+        Self { form, matter }
+    }
+
+    /// The plane n·p = offset of some material.
+    pub fn plane(normal: Dir3, offset: f32, matter: Matter) -> Self {
+        let form = Form::Plane(Plane { normal, offset });
+        Self { form, matter }
+    }
+
+    /// A triangle of some material.
+    pub fn triangle([p0, p1, p2]: [Vec3; 3], matter: Matter) -> Self {
+        let form = Form::Triangle(Corners { p0, p1, p2 });
+        Self { form, matter }
+    }
+}
+
+impl Matter {
+    /// The same share of ambient light and of diffuse, and a white highlight.
+    pub fn phong(colour: Rgb, specular: f32, exponent: f32) -> Self {
+        Self::Phong(Phong {
+            ambient: colour,
+            diffuse: colour,
+            specular: Rgb::gray(specular),
+            exponent,
+        })
+    }
+
+    /// A mirror.
+    pub fn mirror(share: Rgb) -> Self {
+        Self::Mirror(Mirror { share })
+    }
+
+    /// Glass of some index.
+    pub fn glass(index: f32) -> Self {
+        Self::Glass(Clear { index })
+    }
+}
+
 impl Corners {
     fn triangle(&self) -> Triangle {
         Triangle::new(self.p0, self.p1, self.p2)

@@ -2,10 +2,8 @@
 
 use crate::image::rgb::Rgb;
 use crate::light::point::PointLight;
-use crate::material::{mirror::Mirror, phong::Phong};
 use crate::math::dir3::Dir3;
-use crate::scene::description::{Backdrop, Clear, Corners, Description, Form, Matter, Object};
-use crate::shape::{plane::Plane, sphere::Sphere};
+use crate::scene::description::{Backdrop, Description, Matter, Object};
 use glam::{Vec3, vec3};
 
 /// A scene, and how it is looked at.
@@ -83,19 +81,19 @@ fn spheres() -> Description {
         backdrop: DAY,
         lamps: vec![lamp(vec3(-5.0, 8.0, 6.0), Rgb::new(240.0, 222.0, 192.0))],
         objects: vec![
-            plane(Dir3::Y, 0.0, matt(SAND)),
-            sphere(vec3(-1.7, 0.9, 0.1), 0.9, glossy(BLUE, 30.0)),
-            sphere(vec3(0.25, 1.2, -0.9), 1.2, glossy(OCHRE, 120.0)),
-            sphere(vec3(1.75, 0.65, 0.8), 0.65, glossy(RED, 60.0)),
+            Object::plane(Dir3::Y, 0.0, matt(SAND)),
+            Object::sphere(vec3(-1.7, 0.9, 0.1), 0.9, glossy(BLUE, 30.0)),
+            Object::sphere(vec3(0.25, 1.2, -0.9), 1.2, glossy(OCHRE, 120.0)),
+            Object::sphere(vec3(1.75, 0.65, 0.8), 0.65, glossy(RED, 60.0)),
         ],
     }
 }
 
 fn lamps() -> Description {
     let mut objects = vec![
-        plane(Dir3::Y, 0.0, matt(SAND)),
-        plane(Dir3::Z, -2.5, matt(CREAM)),
-        sphere(vec3(1.6, 0.8, 0.3), 0.8, glossy(CREAM, 60.0)),
+        Object::plane(Dir3::Y, 0.0, matt(SAND)),
+        Object::plane(Dir3::Z, -2.5, matt(CREAM)),
+        Object::sphere(vec3(1.6, 0.8, 0.3), 0.8, glossy(CREAM, 60.0)),
     ];
     objects.extend(pyramid(
         vec3(-1.0, 0.0, -0.3),
@@ -116,17 +114,17 @@ fn lamps() -> Description {
 }
 
 fn mirrors() -> Description {
-    let gold = mirror(Rgb::new(0.95, 0.75, 0.4));
+    let gold = Matter::mirror(Rgb::new(0.95, 0.75, 0.4));
     let mut objects = vec![
-        plane(Dir3::Y, 0.0, matt(SAND)),
-        sphere(
+        Object::plane(Dir3::Y, 0.0, matt(SAND)),
+        Object::sphere(
             vec3(-1.6, 1.1, -0.4),
             1.1,
-            mirror(Rgb::new(0.94, 0.95, 0.96)),
+            Matter::mirror(Rgb::new(0.94, 0.95, 0.96)),
         ),
-        sphere(vec3(0.35, 0.45, 1.5), 0.45, glossy(RED, 60.0)),
-        sphere(vec3(-0.75, 0.3, 1.75), 0.3, glossy(GREEN, 60.0)),
-        sphere(vec3(0.35, 0.75, -1.5), 0.75, glossy(BLUE, 60.0)),
+        Object::sphere(vec3(0.35, 0.45, 1.5), 0.45, glossy(RED, 60.0)),
+        Object::sphere(vec3(-0.75, 0.3, 1.75), 0.3, glossy(GREEN, 60.0)),
+        Object::sphere(vec3(0.35, 0.75, -1.5), 0.75, glossy(BLUE, 60.0)),
     ];
     objects.extend(pyramid(vec3(1.75, 0.0, -0.2), 1.1, 1.9, &gold));
     Description {
@@ -138,24 +136,20 @@ fn mirrors() -> Description {
 }
 
 fn glass() -> Description {
-    let glass = Matter::Glass(Clear { index: 1.5 });
+    let glass = Matter::glass(1.5);
     let mut objects = vec![
-        plane(Dir3::Y, 0.0, matt(SAND)),
-        plane(Dir3::Z, -4.0, matt(CREAM)),
-        sphere(vec3(-0.4, 1.05, 0.6), 1.0, glass.clone()),
-        sphere(vec3(1.6, 0.75, 0.9), 0.7, glass.clone()),
-        sphere(
-            vec3(1.6, 0.75, 0.9),
-            0.6,
-            Matter::Glass(Clear { index: 0.667 }),
-        ),
-        sphere(
+        Object::plane(Dir3::Y, 0.0, matt(SAND)),
+        Object::plane(Dir3::Z, -4.0, matt(CREAM)),
+        Object::sphere(vec3(-0.4, 1.05, 0.6), 1.0, glass.clone()),
+        Object::sphere(vec3(1.6, 0.75, 0.9), 0.7, glass.clone()),
+        Object::sphere(vec3(1.6, 0.75, 0.9), 0.6, Matter::glass(0.667)),
+        Object::sphere(
             vec3(1.0, 1.1, -1.8),
             1.1,
-            mirror(Rgb::new(0.94, 0.95, 0.96)),
+            Matter::mirror(Rgb::new(0.94, 0.95, 0.96)),
         ),
-        sphere(vec3(-1.0, 0.6, -2.2), 0.6, glossy(RED, 60.0)),
-        sphere(vec3(2.6, 0.6, -1.2), 0.6, glossy(BLUE, 60.0)),
+        Object::sphere(vec3(-1.0, 0.6, -2.2), 0.6, glossy(RED, 60.0)),
+        Object::sphere(vec3(2.6, 0.6, -1.2), 0.6, glossy(BLUE, 60.0)),
     ];
     objects.extend(pyramid(vec3(-2.35, 0.02, 0.0), 0.8, 1.7, &glass));
     Description {
@@ -175,10 +169,8 @@ fn pyramid(middle: Vec3, radius: f32, height: f32, matter: &Matter) -> [Object; 
     let corner = |x: f32, z: f32| middle + radius * vec3(x, 0.0, z);
     let (a, b, c) = (corner(0.2, 0.98), corner(0.75, -0.66), corner(-0.95, -0.32));
     let top = middle + height * Vec3::Y;
-    [(a, b, top), (b, c, top), (c, a, top), (a, c, b)].map(|(p0, p1, p2)| Object {
-        form: Form::Triangle(Corners { p0, p1, p2 }),
-        matter: matter.clone(),
-    })
+    let sides = [[a, b, top], [b, c, top], [c, a, top], [a, c, b]];
+    sides.map(|corners| Object::triangle(corners, matter.clone()))
 }
 
 fn lamp(position: Vec3, intensity: Rgb) -> PointLight {
@@ -188,34 +180,10 @@ fn lamp(position: Vec3, intensity: Rgb) -> PointLight {
     }
 }
 
-fn plane(normal: Dir3, offset: f32, matter: Matter) -> Object {
-    let form = Form::Plane(Plane { normal, offset });
-    Object { form, matter }
-}
-
-fn sphere(center: Vec3, radius: f32, matter: Matter) -> Object {
-    let form = Form::Sphere(Sphere { center, radius });
-    Object { form, matter }
-}
-
 fn matt(colour: Rgb) -> Matter {
-    phong(colour, 0.0, 1.0)
+    Matter::phong(colour, 0.0, 1.0)
 }
 
 fn glossy(colour: Rgb, exponent: f32) -> Matter {
-    phong(colour, 0.25, exponent)
-}
-
-/// The shares of ambient and of diffuse light are the same.
-fn phong(colour: Rgb, specular: f32, exponent: f32) -> Matter {
-    Matter::Phong(Phong {
-        ambient: colour,
-        diffuse: colour,
-        specular: Rgb::gray(specular),
-        exponent,
-    })
-}
-
-fn mirror(share: Rgb) -> Matter {
-    Matter::Mirror(Mirror { share })
+    Matter::phong(colour, 0.25, exponent)
 }

@@ -87,4 +87,6 @@ pub const WRONGS: &[Wrong] = &[
     (&["environment_pdf"], "1 % too large", |density| {
         scale(density, 1.01);
     }),
+    (&["trace"], "5 % too bright", |c| scale(c, 1.05)),
+    (&["trace"], "a little more red", |c| c[0] += 0.02),
 ];

@@ -96,9 +96,9 @@ fn lamps() -> Description {
         Object::sphere(vec3(1.6, 0.8, 0.3), 0.8, glossy(CREAM, 60.0)),
     ];
     objects.extend(pyramid(
-        vec3(-1.0, 0.0, -0.3),
-        1.15,
-        2.1,
+        [[-0.77, 0.83], [-0.14, -1.06], [-2.09, -0.67]],
+        0.0,
+        vec3(-1.0, 2.1, -0.3),
         &glossy(OCHRE, 40.0),
     ));
     Description {
@@ -126,7 +126,12 @@ fn mirrors() -> Description {
         Object::sphere(vec3(-0.75, 0.3, 1.75), 0.3, glossy(GREEN, 60.0)),
         Object::sphere(vec3(0.35, 0.75, -1.5), 0.75, glossy(BLUE, 60.0)),
     ];
-    objects.extend(pyramid(vec3(1.75, 0.0, -0.2), 1.1, 1.9, &gold));
+    objects.extend(pyramid(
+        [[1.97, 0.88], [2.58, -0.93], [0.7, -0.55]],
+        0.0,
+        vec3(1.75, 1.9, -0.2),
+        &gold,
+    ));
     Description {
         ambient: AMBIENT,
         backdrop: DAY,
@@ -151,7 +156,12 @@ fn glass() -> Description {
         Object::sphere(vec3(-1.0, 0.6, -2.2), 0.6, glossy(RED, 60.0)),
         Object::sphere(vec3(2.6, 0.6, -1.2), 0.6, glossy(BLUE, 60.0)),
     ];
-    objects.extend(pyramid(vec3(-2.35, 0.02, 0.0), 0.8, 1.7, &glass));
+    objects.extend(pyramid(
+        [[-2.19, 0.78], [-1.75, -0.53], [-3.11, -0.26]],
+        0.02,
+        vec3(-2.35, 1.72, 0.0),
+        &glass,
+    ));
     Description {
         ambient: Rgb::new(1.1, 1.1, 1.15),
         backdrop: DAY,
@@ -163,12 +173,9 @@ fn glass() -> Description {
     }
 }
 
-/// Three sides and the base of a pyramid whose base has this middle and radius.
-fn pyramid(middle: Vec3, radius: f32, height: f32, matter: &Matter) -> [Object; 4] {
-    // Turned so that two sides are seen, unequally.
-    let corner = |x: f32, z: f32| middle + radius * vec3(x, 0.0, z);
-    let (a, b, c) = (corner(0.2, 0.98), corner(0.75, -0.66), corner(-0.95, -0.32));
-    let top = middle + height * Vec3::Y;
+/// Three sides and the base of a pyramid; the base's corners x, z at height y run counter-clockwise as seen from above.
+fn pyramid(base: [[f32; 2]; 3], y: f32, top: Vec3, matter: &Matter) -> [Object; 4] {
+    let [a, b, c] = base.map(|[x, z]| vec3(x, y, z));
     let sides = [[a, b, top], [b, c, top], [c, a, top], [a, c, b]];
     sides.map(|corners| Object::triangle(corners, matter.clone()))
 }

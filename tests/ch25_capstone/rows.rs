@@ -46,7 +46,7 @@ fn a_wrong_scene_is_refused_with_the_word_that_is_wrong() {
         (
             "sphere",
             "cone",
-            "word 17 should be `objects[0]`, one of the words sphere plane triangle, but is `cone`",
+            "word 18 should be `objects[0]`, one of the words sphere plane triangle, but is `cone`",
         ),
         (
             "mirror",
@@ -56,9 +56,9 @@ fn a_wrong_scene_is_refused_with_the_word_that_is_wrong() {
         (
             "glass 1.5",
             "glass",
-            "the line ends before word 61, `index`",
+            "the line ends before word 54, `index`",
         ),
-        ("glass 1.5", "glass 1.5 2", "word 62, `2`, is one too many"),
+        ("glass 1.5", "glass 1.5 2", "word 55, `2`, is one too many"),
         ("plane 0 1 0", "plane 0 0 0", "a direction"),
     ] {
         let line = SCENE.replace(from, to);

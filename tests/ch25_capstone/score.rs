@@ -46,17 +46,12 @@ fn the_reference_has_full_marks() {
 #[test]
 fn each_mistake_fails_the_scenes_in_which_it_is_seen() {
     for (mistake, passed) in [
-        ("forgets the ambient light", [false, false, false, false]),
         ("throws no shadows", [false, false, false, false]),
         ("only asks the first lamp", [true, false, true, false]),
         ("forgets the colour of mirrors", [true, true, false, false]),
         (
             "turns the index of refraction round",
             [true, true, true, false],
-        ),
-        (
-            "encodes the radiance for a display",
-            [false, false, false, false],
         ),
     ] {
         let pictures = mistaken(mistake);
@@ -71,7 +66,7 @@ fn silence_is_no_right_answer_and_black_is_none_either() {
     for pictures in [pictures(|_| None), pictures(|_| Some("0 0 0".into()))] {
         for picture in pictures {
             let Score { right, of, .. } = picture.score;
-            assert!(right == 0 && of > 3400, "{}: {right} of {of}", picture.name);
+            assert!(right == 0 && of > 3200, "{}: {right} of {of}", picture.name);
             assert!(picture.first_bad.is_some(), "the first pixel is told");
         }
     }

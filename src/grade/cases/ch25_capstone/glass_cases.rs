@@ -37,7 +37,7 @@ pub fn edges() -> Vec<Edge<Trace>> {
             ask(
                 2,
                 to_mirror,
-                &[side],
+                &[lamp(0.5, 4.0, 4.0, 60.0)],
                 vec![
                     Object::plane(-Dir3::X, -1.5, mirror()),
                     ball(-0.7, 0.8, -1.5, shiny(RED)),
@@ -135,7 +135,7 @@ pub fn edges() -> Vec<Edge<Trace>> {
                 &[side],
                 vec![
                     ball(0.0, 0.0, 0.0, glass()),
-                    Object::sphere(Vec3::ZERO, 0.7, Matter::glass(0.625)),
+                    Object::sphere(Vec3::ZERO, 0.7, Matter::glass(0.6667)),
                     wall(),
                 ],
             ),
@@ -148,7 +148,7 @@ pub fn edges() -> Vec<Edge<Trace>> {
                 &[side],
                 vec![
                     Object::plane(Dir3::Z, 1.0, glass()),
-                    Object::plane(Dir3::Z, 0.5, Matter::glass(0.75)),
+                    Object::plane(Dir3::Z, 0.5, Matter::glass(0.6667)),
                     ball(0.0, 0.0, -2.0, mirror()),
                 ],
             ),

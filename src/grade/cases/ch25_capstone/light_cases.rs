@@ -31,7 +31,7 @@ pub fn edges() -> Vec<Edge<Trace>> {
         ("one lamp, aslant", ask(1, ahead, &[side], red_ball())),
         (
             "in the highlight",
-            ask(1, ahead, &[lamp(0.7, 0.9, 5.0, 60.0)], red_ball()),
+            ask(1, ahead, &[lamp(2.5, 3.8, -0.4, 60.0)], red_ball()),
         ),
         (
             "the lamp is behind the ball",

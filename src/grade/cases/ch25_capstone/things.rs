@@ -11,7 +11,7 @@ use glam::{Vec3, vec3};
 const AMBIENT: Rgb = Rgb::new(0.4, 0.5, 0.6);
 const SKY: Backdrop = Backdrop {
     below: Rgb::new(0.9, 0.8, 0.7),
-    above: Rgb::new(0.1, 0.3, 0.7),
+    above: Rgb::new(0.1, 0.3, 0.95),
 };
 pub const RED: Rgb = Rgb::new(0.25, 0.05, 0.03);
 pub const BLUE: Rgb = Rgb::new(0.03, 0.1, 0.2);

@@ -87,6 +87,8 @@ pub const WRONGS: &[Wrong] = &[
     (&["environment_pdf"], "1 % too large", |density| {
         scale(density, 1.01);
     }),
-    (&["trace"], "5 % too bright", |c| scale(c, 1.05)),
+    (&["trace"], "5 % and 0.006 too bright", |c| {
+        c.iter_mut().for_each(|c| *c = 1.05 * *c + 0.006);
+    }),
     (&["trace"], "a little more red", |c| c[0] += 0.02),
 ];

@@ -34,6 +34,8 @@ mod ch22;
 mod ch23;
 #[path = "alternatives/ch24.rs"]
 mod ch24;
+#[path = "alternatives/ch25.rs"]
+mod ch25;
 #[path = "alternatives/estimates.rs"]
 mod estimates;
 #[path = "alternatives/flat.rs"]
@@ -142,6 +144,7 @@ fn alternatives() -> impl Iterator<Item = &'static Alternative> {
         ch20::ALTERNATIVES,
         ch22::ALTERNATIVES,
         ch23::ALTERNATIVES,
+        ch25::ALTERNATIVES,
     ]
     .into_iter()
     .flatten()

@@ -34,10 +34,7 @@ fn report(exercise: &str, reply: impl Fn(&dyn Examiner, &str) -> Said) -> Report
 /// What a student with this report reads.
 fn told(report: &Report) -> String {
     let examiner = cases::find(report.exercise).expect("the exercise exists");
-    let picture = report
-        .pictures
-        .is_some()
-        .then_some(Path::new(".raybook/picture.png"));
+    let picture = (!report.pictures.is_empty()).then_some(Path::new(".raybook/picture.png"));
     format!(
         "{}\n\n{}",
         feedback::line(report, DRESS),

@@ -1,5 +1,6 @@
 //! `raybook check`: what is right, what is not, and the next step.
 
+use super::keep::keep_pictures;
 use super::tell::Telling;
 use super::{Done, Target};
 use indicatif::ProgressBar;
@@ -11,9 +12,7 @@ use raybook::grade::hidden::Key;
 use raybook::grade::picture::ask_pixels;
 use raybook::grade::progress::Progress;
 use raybook::grade::{json, student};
-use raybook::image::file;
 use raybook::lab::say::say;
-use raybook::lab::sheet::sheet;
 use std::error::Error;
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
@@ -39,6 +38,9 @@ pub struct Check {
     /// The term of the hidden cases
     #[arg(long, default_value = "", requires = "key")]
     term: String,
+    /// Write the pictures that the answers make into this folder; without it, a workbook's are kept in its .raybook
+    #[arg(long, value_name = "FOLDER")]
+    pictures: Option<PathBuf>,
     /// How long to wait for one answer, in seconds
     #[arg(long, default_value_t = 2.0, value_parser = super::seconds)]
     time_limit: f32,
@@ -58,14 +60,15 @@ impl Check {
             return Err("--case needs one exercise: raybook check sphere_hit --case 3".into());
         }
         let (program, folder) = self.program(&from)?;
+        let gallery = self.gallery(folder.as_deref());
         let bar = ProgressBar::new(examiners.len() as u64);
         let mut reports = Vec::new();
         for examiner in &examiners {
             let mut report = self.examine(&program, *examiner)?;
-            if folder.is_some() && self.case.is_none() && report.answers() {
+            if gallery.is_some() && report.answers() {
                 report.pictures = ask_pixels(&program, *examiner, self.limits())?;
             }
-            let picture = self.keep_picture(&report, folder.as_deref())?;
+            let picture = keep_pictures(&report, gallery.as_deref())?;
             reports.push((report, picture));
             bar.inc(1);
         }
@@ -142,30 +145,11 @@ impl Check {
         }
     }
 
-    /// Writes the pictures of one exercise side by side; returns the file.
-    fn keep_picture(
-        &self,
-        report: &Report,
-        folder: Option<&Path>,
-    ) -> Result<Option<PathBuf>, Box<dyn Error>> {
-        let (Some(pictures), Some(folder), None) = (&report.pictures, folder, self.case) else {
-            return Ok(None);
-        };
-        let [yours, golden, difference] =
-            [&pictures.yours, &pictures.golden, &pictures.difference].map(|p| p.enlarged(4));
-        let whole = sheet(
-            3,
-            &[
-                ("yours", yours),
-                ("right", golden),
-                ("yours − right", difference),
-            ],
-        )?;
-        let path = folder
-            .join(".raybook")
-            .join(format!("{}.png", report.exercise));
-        file::save(&path, &whole)?;
-        Ok(Some(path))
+    /// Where pictures go; nowhere if a single case is asked.
+    fn gallery(&self, workbook: Option<&Path>) -> Option<PathBuf> {
+        let of_workbook = || Some(workbook?.join(".raybook"));
+        let folder = self.pictures.clone().or_else(of_workbook);
+        folder.filter(|_| self.case.is_none())
     }
 
     /// The command that asks a case of an exercise again, but for its number: what was typed, with this exercise only.

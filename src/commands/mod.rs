@@ -4,6 +4,7 @@ pub mod bless;
 pub mod check;
 pub mod exercise;
 pub mod hint;
+pub mod keep;
 pub mod map;
 pub mod new;
 pub mod samplers;

@@ -3,7 +3,7 @@
 use raybook::grade::check::{Report, State};
 use raybook::grade::dress::Dress;
 use raybook::grade::examine::Examiner;
-use raybook::grade::{cases, feedback, library};
+use raybook::grade::{cases, feedback, library, pictured};
 use raybook::image::file;
 use raybook::lab::say::say;
 use raybook::workbook::curriculum::{CHAPTERS, Chapter};
@@ -88,13 +88,7 @@ impl Telling<'_> {
                 .find(|(of, _)| of.exercise == report.exercise)
                 .and_then(|(_, picture)| picture.as_ref());
             if let (Some(picture), State::Right) = (picture, report.state()) {
-                let bad = report.pictures.as_ref().map_or(0, |pictures| pictures.bad);
-                let but = if bad > 0 {
-                    format!(", in which {bad} pixels are wrong")
-                } else {
-                    String::new()
-                };
-                say(format!("    your picture: {}{but}", picture.display()));
+                say(pictured::right(report, picture).join("\n"));
             }
         }
         let all_asked = of_chapter.len() == chapter.exercises().len();

@@ -65,6 +65,8 @@ mod chapters {
     pub mod ch23_adaptive;
     #[path = "../../chapters/ch24_wide_bvh.rs"]
     pub mod ch24_wide_bvh;
+    #[path = "../../chapters/ch25_capstone.rs"]
+    pub mod ch25_capstone;
 }
 
 /// Draws a chapter.
@@ -99,6 +101,7 @@ const DRAW: &[(&str, Draw)] = &[
     ("ch22_antialiasing", chapters::ch22_antialiasing::draw),
     ("ch23_adaptive", chapters::ch23_adaptive::draw),
     ("ch24_wide_bvh", chapters::ch24_wide_bvh::draw),
+    ("ch25_capstone", chapters::ch25_capstone::draw),
 ];
 
 /// The options of `raybook tour`.

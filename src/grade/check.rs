@@ -4,7 +4,7 @@ use crate::grade::ask::{Reply, Said, ask};
 use crate::grade::converse::{Limits, Program};
 use crate::grade::diagnose::{Diagnosis, diagnose};
 use crate::grade::examine::{Case, Examiner};
-use crate::grade::picture::Triple;
+use crate::grade::triple::Triple;
 use std::io;
 
 /// What became of one exercise.
@@ -17,7 +17,7 @@ pub struct Report {
     /// The mistake that explains the wrong answers.
     pub diagnosis: Option<Diagnosis>,
     /// The pictures of the answers, where the exercise is one of pixels and they were asked for.
-    pub pictures: Option<Triple>,
+    pub pictures: Vec<Triple>,
 }
 
 /// What became of one case.
@@ -131,7 +131,7 @@ pub fn assess(examiner: &dyn Examiner, cases: Vec<Case>, replies: Vec<Reply>) ->
         exercise: examiner.name(),
         cases: outcomes.collect(),
         diagnosis: None,
-        pictures: None,
+        pictures: Vec::new(),
     };
     if report.state() == State::Wrong {
         report.diagnosis = diagnose_outcomes(examiner, &report.cases);

@@ -1,6 +1,7 @@
 //! Making cases, judging answers and recognising mistakes, with everything as lines.
 
-use crate::grade::{Graded, stable};
+use crate::grade::triple::PictureSize;
+use crate::grade::{Graded, Picture, stable};
 use crate::image::rgb::Rgb;
 use crate::math::pcg::{self, Pcg};
 use crate::workbook::exercise::Asked;
@@ -38,17 +39,6 @@ impl Cases {
     }
 }
 
-/// A picture's size and text.
-#[derive(Clone, Copy, Debug)]
-pub struct PictureSize {
-    /// Columns.
-    pub width: u32,
-    /// Rows.
-    pub height: u32,
-    /// What it shows.
-    pub alt: &'static str,
-}
-
 /// A graded exercise whose types are forgotten.
 pub trait Examiner: Asked {
     /// Named cases and random ones.
@@ -75,14 +65,17 @@ pub trait Examiner: Asked {
     /// The parts of an answer, by name; the words themselves if it cannot be read.
     fn answer_parts(&self, answer: &str) -> Vec<(String, String)>;
 
-    /// The picture that answers make, if any.
-    fn picture(&self) -> Option<PictureSize>;
+    /// Whether the answer stays right when the question's numbers move in their last digits.
+    fn is_fair(&self, question: &str) -> bool;
 
-    /// The question of a pixel.
-    fn pixel_question(&self, x: u32, y: u32) -> String;
+    /// The pictures that answers make, if any.
+    fn pictures(&self) -> Vec<PictureSize>;
 
-    /// The colour of a pixel's answer; `None` if it cannot be read.
-    fn pixel_colour(&self, question: &str, answer: &str) -> Option<Rgb>;
+    /// The question of a pixel of picture number i.
+    fn pixel_question(&self, i: usize, x: u32, y: u32) -> String;
+
+    /// The colour of a pixel's answer in picture number i; `None` if it cannot be read.
+    fn pixel_colour(&self, i: usize, question: &str, answer: &str) -> Option<Rgb>;
 }
 
 /// The random numbers of an exercise's visible cases: the same for everyone, for ever.
@@ -176,21 +169,28 @@ impl<E: Graded> Examiner for E {
             .map_or_else(as_it_is, |answer| answer.parts(E::ANSWER))
     }
 
-    fn picture(&self) -> Option<PictureSize> {
-        E::PICTURE.map(|p| PictureSize {
+    fn is_fair(&self, question: &str) -> bool {
+        row::read(question, "question")
+            .is_ok_and(|question| stable::is_stable::<E>(&question, &mut visible_rng(E::NAME)))
+    }
+
+    fn pictures(&self) -> Vec<PictureSize> {
+        let size = |p: &Picture<E>| PictureSize {
+            name: p.name,
             width: p.width,
             height: p.height,
             alt: p.alt,
-        })
+        };
+        E::PICTURES.iter().map(size).collect()
     }
 
-    fn pixel_question(&self, x: u32, y: u32) -> String {
-        E::PICTURE.map_or_else(String::new, |p| (p.question)(x, y).write())
+    fn pixel_question(&self, i: usize, x: u32, y: u32) -> String {
+        let picture = E::PICTURES.get(i);
+        picture.map_or_else(String::new, |p| (p.question)(x, y).write())
     }
 
-    fn pixel_colour(&self, question: &str, answer: &str) -> Option<Rgb> {
-        let picture = E::PICTURE?;
-        Some((picture.colour)(
+    fn pixel_colour(&self, i: usize, question: &str, answer: &str) -> Option<Rgb> {
+        Some((E::PICTURES.get(i)?.colour)(
             &row::read(question, "question").ok()?,
             &row::read(answer, "answer").ok()?,
         ))

@@ -5,8 +5,7 @@ use crate::grade::check::{Outcome, Report, State, Verdict};
 use crate::grade::diagnose::Diagnosis;
 use crate::grade::dress::Dress;
 use crate::grade::examine::Examiner;
-use crate::grade::picture::Triple;
-use crate::grade::prints;
+use crate::grade::{pictured, prints};
 use std::path::Path;
 
 /// One line on an exercise: its state, its name, and how many cases are right.
@@ -45,9 +44,9 @@ pub fn explain(
             None => lines.extend(kinds(report)),
         }
     }
-    if let (Some(pictures), Some(path)) = (&report.pictures, picture) {
+    if let Some(path) = picture {
         lines.push(String::new());
-        lines.extend(pictured(report.exercise, pictures, path));
+        lines.extend(pictured::wrong(report.exercise, &report.pictures, path));
     }
     lines.extend([
         String::new(),
@@ -167,28 +166,4 @@ fn kinds(report: &Report) -> Vec<String> {
         .filter(|(_, names)| !names.is_empty())
         .map(|(what, names)| format!("  {what} are: {names}."))
         .collect()
-}
-
-/// Where the pictures are, and the ray of the first wrong pixel.
-fn pictured(exercise: &str, pictures: &Triple, path: &Path) -> Vec<String> {
-    if pictures.bad == 0 {
-        return vec![format!(
-            "  Every pixel of your picture is right: these cases are not in it. {}",
-            path.display()
-        )];
-    }
-    let mut lines = vec![
-        format!("  Picture: {}", path.display()),
-        "  It shows yours, the right one, and the difference: orange where yours is too bright, blue where it is too dark.".to_owned(),
-    ];
-    if let Some(bad) = &pictures.first_bad {
-        let pixels = pictures.yours.width() * pictures.yours.height();
-        let got = bad.got.as_deref().unwrap_or("nothing");
-        lines.extend([
-            format!("  {} of {pixels} pixels are wrong; the first, in column {} of row {} from the top left, asks", pictures.bad, bad.x, bad.y),
-            format!("      {exercise} {}", bad.question),
-            format!("      yours: {got}; right: {}", bad.golden),
-        ]);
-    }
-    lines
 }

@@ -4,6 +4,7 @@
 //! { "version": 1, "right": 1, "of": 2, "exercises": [ {
 //!     "exercise": "ray_at", "state": "right" | "wrong" | "not started" | "waits", "waits_for": null | "name",
 //!     "right": 40, "asked": 40, "picture": null | "file",
+//!     "pictures": [ { "name": "…", "alt": "…", "right": 3450, "of": 3452, "undecided": 4, "error": 0.01, "passed": true } ],
 //!     "diagnosis": null | { "name": "…", "hint": "…", "explained": 37, "wrong": 40 },
 //!     "cases": [ { "number": 1, "name": "…", "verdict": "right" | "wrong" | "not started", "why": null | "…",
 //!         "question": "…", "answers": ["…"], "got": null | "…", "printed": "…" } ] } ] }
@@ -13,6 +14,7 @@
 
 use crate::grade::ask::Said;
 use crate::grade::check::{Outcome, Report, State, Verdict};
+use crate::grade::triple::Triple;
 use serde_json::{Value, json};
 use std::path::PathBuf;
 
@@ -53,7 +55,16 @@ fn exercise(report: &Report, picture: Option<&PathBuf>) -> Value {
         "exercise": report.exercise, "state": state, "waits_for": waits_for,
         "right": report.right(), "asked": report.cases.len(),
         "picture": picture.map(|path| path.display().to_string()),
+        "pictures": report.pictures.iter().map(score).collect::<Vec<_>>(),
         "diagnosis": diagnosis, "cases": cases,
+    })
+}
+
+fn score(picture: &Triple) -> Value {
+    let score = &picture.score;
+    json!({
+        "name": picture.name, "alt": picture.alt, "right": score.right, "of": score.of,
+        "undecided": score.undecided, "error": score.error, "passed": score.passed(),
     })
 }
 

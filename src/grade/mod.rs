@@ -18,13 +18,16 @@ pub mod library;
 pub mod manifest;
 pub mod passage;
 pub mod picture;
+pub mod pictured;
 pub mod prints;
 pub mod progress;
 pub mod sample;
+pub mod score;
 pub mod search;
 pub mod stable;
 pub mod starter;
 pub mod student;
+pub mod triple;
 
 use crate::image::rgb::Rgb;
 use crate::math::pcg::Pcg;
@@ -38,8 +41,12 @@ pub trait Graded: Exercise + Sized + 'static {
     /// Wrong implementations that students are known to write.
     const MISTAKES: &'static [Mistake<Self>];
 
-    /// The picture that the answers make, where the exercise is one of pixels.
-    const PICTURE: Option<Picture<Self>> = None;
+    /// The pictures that the answers make, where the exercise is one of pixels.
+    const PICTURES: &'static [Picture<Self>] = &[];
+
+    /// A question whose answer turns wrong when its numbers move by so many of their last digits is nobody's fault: more
+    /// where an answer is the end of a long way.
+    const ULPS: i32 = 8;
 
     /// An answer this close to a mistake's, relatively, is that mistake: more where answers scatter.
     const ALIKE: f32 = 1e-3;
@@ -107,6 +114,8 @@ pub struct Mistake<E: Exercise> {
 
 /// A picture with a question per pixel.
 pub struct Picture<E: Exercise> {
+    /// What it is called, among an exercise's pictures.
+    pub name: &'static str,
     /// Columns.
     pub width: u32,
     /// Rows.

@@ -5,11 +5,9 @@ use crate::math::pcg::{self, Pcg};
 use crate::workbook::row::{self, Row};
 use rand::RngExt;
 
-/// A random question must keep its answer in so many tries …
+/// A fair question keeps its answer in so many tries of moving each of its numbers by at most [`Graded::ULPS`] of its last
+/// digits.
 const JIGGLES: usize = 8;
-
-/// … of moving each of its numbers by at most so many of its last digits.
-const ULPS: i32 = 8;
 
 /// Whether the answer stays right when the question's numbers move in their last digits.
 ///
@@ -19,18 +17,18 @@ pub fn is_stable<E: Graded>(question: &E::Question, rng: &mut Pcg) -> bool {
     let rng = &mut pcg::stream(rng.random(), 0);
     let golden = E::answer(question);
     (0..JIGGLES).all(|_| {
-        let moved = row::read::<E::Question>(&jiggle(&question.write(), rng), "question");
+        let moved = row::read::<E::Question>(&jiggle(&question.write(), E::ULPS, rng), "question");
         moved.is_ok_and(|moved| E::judge(question, &golden, &E::answer(&moved)).is_ok())
     })
 }
 
 /// The row with every number that is not whole moved by a few of its last digits.
-fn jiggle(row: &str, rng: &mut Pcg) -> String {
+fn jiggle(row: &str, ulps: i32, rng: &mut Pcg) -> String {
     let moved = row
         .split_whitespace()
         .map(|word| match word.parse::<f32>() {
             Ok(v) if v.is_finite() && v.fract() != 0.0 => {
-                let bits = v.to_bits() as i32 + rng.random_range(-ULPS..=ULPS);
+                let bits = v.to_bits() as i32 + rng.random_range(-ulps..=ulps);
                 f32::from_bits(bits as u32).write()
             }
             _ => word.to_owned(),

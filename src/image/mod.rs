@@ -4,6 +4,7 @@ pub mod codec;
 pub mod compare;
 pub mod file;
 pub mod rgb;
+pub mod rms;
 pub mod tone;
 
 use crate::image::rgb::Rgb;

@@ -45,3 +45,14 @@ pub fn direction(d: Vec3) -> Rgb {
 pub fn backdrop(y: f32) -> Rgb {
     Rgb::new(0.80, 0.86, 0.95).lerp(Rgb::new(0.98, 0.95, 0.90), y)
 }
+
+/// A difference: white for 0, towards orange above, towards blue below; full colour from a difference of a quarter on.
+pub fn signed(difference: f32) -> Rgb {
+    let amount = (4.0 * difference.abs()).clamp(0.0, 1.0).sqrt();
+    let full = if difference > 0.0 {
+        Rgb::new(0.79, 0.35, 0.0)
+    } else {
+        Rgb::new(0.0, 0.17, 0.45)
+    };
+    Rgb::WHITE.lerp(full, if difference.is_nan() { 1.0 } else { amount })
+}

@@ -14,4 +14,5 @@ pub mod shadow;
 pub mod soft_shadow;
 pub mod supersample;
 pub mod through_lens;
+pub mod trace;
 pub mod whitted;

@@ -2,7 +2,9 @@
 
 pub mod accretion_disc;
 pub mod cornell;
+pub mod description;
 pub mod evening;
+pub mod four_scenes;
 pub mod glassware;
 pub mod horizon;
 pub mod kissing_balls;

@@ -39,7 +39,8 @@ macro_rules! for_each_chapter {
             ch21_black_hole,
             ch22_antialiasing,
             ch23_adaptive,
-            ch24_wide_bvh
+            ch24_wide_bvh,
+            ch25_capstone
         );
     };
 }

@@ -5,6 +5,9 @@
 
 /// Something that can be written as a row.
 pub trait Row: Sized {
+    /// Whether people are shown each one of a list on a line of its own.
+    const ALONE: bool = false;
+
     /// The names of the words, in order, of a value of this name.
     fn names(name: &str) -> Vec<String>;
 
@@ -134,6 +137,13 @@ macro_rules! row {
             $($(#[$field_doc])* pub $field: $kind),+
         }
 
+        crate::workbook::row::row_of!($name { $($field: $kind),+ });
+    };
+}
+
+/// Makes a row of a struct that there is: its fields in order.
+macro_rules! row_of {
+    ($name:ty { $($field:ident: $kind:ty),+ $(,)? }) => {
         impl crate::workbook::row::Row for $name {
             fn names(_name: &str) -> Vec<String> {
                 [$(<$kind as crate::workbook::row::Row>::names(stringify!($field))),+].concat()
@@ -157,4 +167,4 @@ macro_rules! row {
     };
 }
 
-pub(crate) use row;
+pub(crate) use {row, row_of};

@@ -148,4 +148,13 @@ impl<T: Row> Row for Vec<T> {
             .map(|i| T::read(words, &format!("{name}[{i}]")))
             .collect()
     }
+    fn parts(&self, name: &str) -> Vec<(String, String)> {
+        if T::ALONE {
+            let each = self.iter().zip(0..);
+            each.flat_map(|(value, i)| value.parts(&format!("{name}[{i}]")))
+                .collect()
+        } else {
+            vec![(name.to_owned(), self.write())]
+        }
+    }
 }

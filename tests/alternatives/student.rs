@@ -34,8 +34,8 @@ impl Alternative {
         let mut question = Question::read(question);
         let answer = (self.answer)(&mut question);
         assert!(
-            question.numbers.next().is_none(),
-            "{}, {}: numbers are left over",
+            question.is_empty(),
+            "{}, {}: words are left over",
             self.exercise,
             self.method
         );
@@ -60,28 +60,31 @@ pub fn line(answer: &Answer, print: Print) -> String {
     )
 }
 
-/// The numbers of a question that are still to be read.
+/// The words of a question that are still to be read; nearly all are numbers.
 pub struct Question {
-    numbers: std::vec::IntoIter<f64>,
+    words: std::vec::IntoIter<String>,
 }
 
 impl Question {
     fn read(line: &str) -> Self {
-        let numbers = line.split_whitespace().map(|word| {
-            word.parse()
-                .unwrap_or_else(|_| panic!("`{word}` is no number"))
-        });
+        let words: Vec<_> = line.split_whitespace().map(str::to_owned).collect();
         Self {
-            numbers: numbers.collect::<Vec<_>>().into_iter(),
+            words: words.into_iter(),
         }
     }
 
     pub fn is_empty(&self) -> bool {
-        self.numbers.len() == 0
+        self.words.len() == 0
+    }
+
+    pub fn word(&mut self) -> String {
+        self.words.next().expect("one more word")
     }
 
     pub fn number(&mut self) -> f64 {
-        self.numbers.next().expect("one more number")
+        let word = self.word();
+        word.parse()
+            .unwrap_or_else(|_| panic!("`{word}` is no number"))
     }
 
     pub fn whole(&mut self) -> usize {

@@ -5,7 +5,8 @@ use crate::{report, right, told};
 use raybook::grade::ask::Said;
 use raybook::grade::cases;
 use raybook::grade::examine::Examiner;
-use raybook::grade::picture::{pixel_questions, triple};
+use raybook::grade::json;
+use raybook::grade::picture::{pixel_questions, triples};
 
 #[test]
 fn a_known_mistake() {
@@ -21,8 +22,33 @@ fn a_known_mistake() {
         .iter()
         .map(|question| Some(far_root(examiner, question)))
         .collect();
-    report.pictures = triple(examiner, &pixels);
+    report.pictures = triples(examiner, &pixels);
     snapshot("feedback_known_mistake", &told(&report));
+}
+
+#[test]
+fn several_pictures() {
+    let examiner = cases::find("trace").expect("the exercise exists");
+    let mistakes = examiner.mistakes();
+    let colourless = mistakes
+        .iter()
+        .position(|(name, _)| *name == "forgets the colour of mirrors");
+    let colourless = colourless.expect("the mistake exists");
+    let answer = |question: &str| examiner.mistaken(colourless, question).expect("it answers");
+    let mut report = report("trace", |_, question| Said::Answer(answer(question)));
+    let pixels: Vec<_> = pixel_questions(examiner)
+        .iter()
+        .map(|question| Some(answer(question)))
+        .collect();
+    report.pictures = triples(examiner, &pixels);
+    snapshot("feedback_several_pictures", &told(&report));
+    let json = json::results(&[(report, Some("trace.png".into()))]);
+    let passed = |i: usize| json["exercises"][0]["pictures"][i]["passed"].clone();
+    assert_eq!(
+        (passed(0), passed(2)),
+        (true.into(), false.into()),
+        "the score is in the JSON too: {json}"
+    );
 }
 
 #[test]

@@ -67,7 +67,8 @@ impl Graded for PlaneHit {
         },
     ];
 
-    const PICTURE: Option<Picture<Self>> = Some(Picture {
+    const PICTURES: &'static [Picture<Self>] = &[Picture {
+        name: "plane_hit",
         width: 96,
         height: 54,
         alt: "A floor and a wall of sky; the brighter, the nearer",
@@ -82,7 +83,7 @@ impl Graded for PlaneHit {
             }
         },
         colour: |_, t| t.map_or(Rgb::gray(0.1), |t| viridis(2.0 / (0.5 + t))),
-    });
+    }];
 
     fn edges() -> Vec<Edge<Self>> {
         let question = |origin, toward, within, normal, offset| PlaneHitQuestion {

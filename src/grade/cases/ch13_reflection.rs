@@ -62,7 +62,8 @@ impl Graded for Reflect {
         },
     ];
 
-    const PICTURE: Option<Picture<Self>> = Some(Picture {
+    const PICTURES: &'static [Picture<Self>] = &[Picture {
+        name: "reflect",
         width: 64,
         height: 64,
         alt: "A mirror ball; the direction that each pixel sees in it is a colour",
@@ -77,7 +78,7 @@ impl Graded for Reflect {
             }
         },
         colour: |_, reflected| palette::direction(*reflected),
-    });
+    }];
 
     fn edges() -> Vec<Edge<Self>> {
         let edge = |name, incoming: Vec3, normal: Vec3| {

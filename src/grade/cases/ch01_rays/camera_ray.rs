@@ -74,7 +74,8 @@ impl Graded for CameraRay {
         },
     ];
 
-    const PICTURE: Option<Picture<Self>> = Some(Picture {
+    const PICTURES: &'static [Picture<Self>] = &[Picture {
+        name: "camera_ray",
         width: 96,
         height: 54,
         alt: "The direction of each pixel's ray as a colour",
@@ -89,7 +90,7 @@ impl Graded for CameraRay {
         colour: |_, ray| {
             Rgb::new(ray.direction.x, ray.direction.y, ray.direction.z).map(|v| 0.5 + 0.5 * v)
         },
-    });
+    }];
 
     fn edges() -> Vec<Edge<Self>> {
         let edge = |name, x, y| {

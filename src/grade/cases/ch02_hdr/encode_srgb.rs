@@ -64,13 +64,14 @@ impl Graded for EncodeSrgb {
         },
     ];
 
-    const PICTURE: Option<Picture<Self>> = Some(Picture {
+    const PICTURES: &'static [Picture<Self>] = &[Picture {
+        name: "encode_srgb",
         width: 96,
         height: 8,
         alt: "A gray ramp by code value, from black to white",
         question: |x, _| EncodeSrgbQuestion { v: x as f32 / 95.0 },
         colour: |_, code| Rgb::gray(*code),
-    });
+    }];
 
     fn edges() -> Vec<Edge<Self>> {
         let edge = |name, v| Edge::new(name, EncodeSrgbQuestion { v });

@@ -40,7 +40,8 @@ impl Graded for ToneMap {
         },
     ];
 
-    const PICTURE: Option<Picture<Self>> = Some(Picture {
+    const PICTURES: &'static [Picture<Self>] = &[Picture {
+        name: "tone_map",
         width: 96,
         height: 54,
         alt: "Colours from left to right by hue, upwards ever brighter",
@@ -55,7 +56,7 @@ impl Graded for ToneMap {
             }
         },
         colour: |_, mapped| *mapped,
-    });
+    }];
 
     fn edges() -> Vec<Edge<Self>> {
         let edge = |name, r, g, b| {

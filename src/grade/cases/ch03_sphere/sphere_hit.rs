@@ -62,7 +62,8 @@ impl Graded for SphereHit {
         },
     ];
 
-    const PICTURE: Option<Picture<Self>> = Some(Picture {
+    const PICTURES: &'static [Picture<Self>] = &[Picture {
+        name: "sphere_hit",
         width: 96,
         height: 54,
         alt: "A sphere; the brighter, the nearer",
@@ -77,7 +78,7 @@ impl Graded for SphereHit {
             }
         },
         colour: |_, t| t.map_or(Rgb::gray(0.1), |t| viridis(1.0 - (t - 2.0) / 2.0)),
-    });
+    }];
 
     fn edges() -> Vec<Edge<Self>> {
         let question = |origin, toward, within, center, radius| SphereHitQuestion {

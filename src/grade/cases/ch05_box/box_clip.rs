@@ -73,7 +73,8 @@ impl Graded for BoxClip {
         },
     ];
 
-    const PICTURE: Option<Picture<Self>> = Some(Picture {
+    const PICTURES: &'static [Picture<Self>] = &[Picture {
+        name: "box_clip",
         width: 96,
         height: 54,
         alt: "How much of each ray is inside a box: the brighter, the more",
@@ -93,7 +94,7 @@ impl Graded for BoxClip {
                 viridis((inside.max - inside.min) / 2.2)
             })
         },
-    });
+    }];
 
     fn edges() -> Vec<Edge<Self>> {
         box_clip_cases::edges()

@@ -85,7 +85,8 @@ impl Graded for TriangleHit {
         },
     ];
 
-    const PICTURE: Option<Picture<Self>> = Some(Picture {
+    const PICTURES: &'static [Picture<Self>] = &[Picture {
+        name: "triangle_hit",
         width: 96,
         height: 54,
         alt: "A triangle whose colours are the weights of its corners",
@@ -104,7 +105,7 @@ impl Graded for TriangleHit {
                 Rgb::new(1.0 - hit.b1 - hit.b2, hit.b1, hit.b2)
             })
         },
-    });
+    }];
 
     fn edges() -> Vec<Edge<Self>> {
         triangle_hit_cases::edges()

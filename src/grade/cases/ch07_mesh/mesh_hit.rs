@@ -46,7 +46,8 @@ impl Graded for MeshHit {
         },
     ];
 
-    const PICTURE: Option<Picture<Self>> = Some(Picture {
+    const PICTURES: &'static [Picture<Self>] = &[Picture {
+        name: "mesh_hit",
         width: 96,
         height: 54,
         alt: "Three triangles, one before the other, each in its colour",
@@ -77,7 +78,7 @@ impl Graded for MeshHit {
             hit.as_ref()
                 .map_or(Rgb::gray(0.1), |hit| viridis(0.2 + 0.35 * hit.id as f32))
         },
-    });
+    }];
 
     fn edges() -> Vec<Edge<Self>> {
         let wall = |z: f32| Corners {

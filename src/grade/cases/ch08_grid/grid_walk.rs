@@ -90,7 +90,8 @@ impl Graded for GridWalk {
         },
     ];
 
-    const PICTURE: Option<Picture<Self>> = Some(Picture {
+    const PICTURES: &'static [Picture<Self>] = &[Picture {
+        name: "grid_walk",
         width: 96,
         height: 54,
         alt: "How many cells of a lattice each ray passes through: the brighter, the more",
@@ -114,7 +115,7 @@ impl Graded for GridWalk {
                 viridis(visits.len() as f32 / 18.0)
             }
         },
-    });
+    }];
 
     fn edges() -> Vec<Edge<Self>> {
         grid_walk_cases::edges()

@@ -55,7 +55,8 @@ impl Graded for BvhClosest {
         },
     ];
 
-    const PICTURE: Option<Picture<Self>> = Some(Picture {
+    const PICTURES: &'static [Picture<Self>] = &[Picture {
+        name: "bvh_closest",
         width: 96,
         height: 54,
         alt: "Tiles on a slanted wall, each in its colour",
@@ -78,7 +79,7 @@ impl Graded for BvhClosest {
             )
         },
         colour: |_, answer| search::colour(answer.hit.as_ref()),
-    });
+    }];
 
     fn edges() -> Vec<Edge<Self>> {
         bvh_closest_cases::edges()

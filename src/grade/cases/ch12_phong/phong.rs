@@ -87,13 +87,14 @@ impl Graded for PhongExercise {
         },
     ];
 
-    const PICTURE: Option<Picture<Self>> = Some(Picture {
+    const PICTURES: &'static [Picture<Self>] = &[Picture {
+        name: "phong",
         width: 64,
         height: 64,
         alt: "A shiny clay ball before a wall of the same material, lit from the upper left",
         question: on_ball,
         colour: |_, radiance| *radiance,
-    });
+    }];
 
     fn edges() -> Vec<Edge<Self>> {
         edges()

@@ -113,7 +113,8 @@ impl Graded for DirectionToCube {
         },
     ];
 
-    const PICTURE: Option<Picture<Self>> = Some(Picture {
+    const PICTURES: &'static [Picture<Self>] = &[Picture {
+        name: "direction_to_cube",
         width: 96,
         height: 48,
         alt: "All directions on a map of the world; each face of the cube has its colour, with rings around its middle",
@@ -135,7 +136,7 @@ impl Graded for DirectionToCube {
                     0.75 + 0.1 * from_middle.x
                 }
         },
-    });
+    }];
 
     fn edges() -> Vec<Edge<Self>> {
         let place = |face, u, v| CubePlace { face, u, v };

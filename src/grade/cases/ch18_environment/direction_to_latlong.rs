@@ -73,7 +73,8 @@ impl Graded for DirectionToLatlong {
         },
     ];
 
-    const PICTURE: Option<Picture<Self>> = Some(Picture {
+    const PICTURES: &'static [Picture<Self>] = &[Picture {
+        name: "direction_to_latlong",
         width: 96,
         height: 72,
         alt: "A wide view into the middle of the map: lines of latitude and longitude",
@@ -88,7 +89,7 @@ impl Graded for DirectionToLatlong {
             let lines = (24.0 * place.x).floor() + (12.0 * place.y).floor();
             viridis(place.x) * if lines % 2.0 == 0.0 { 1.0 } else { 0.6 }
         },
-    });
+    }];
 
     fn edges() -> Vec<Edge<Self>> {
         vec![

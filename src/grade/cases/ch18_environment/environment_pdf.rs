@@ -109,7 +109,8 @@ impl Graded for EnvironmentPdf {
         },
     ];
 
-    const PICTURE: Option<Picture<Self>> = Some(Picture {
+    const PICTURES: &'static [Picture<Self>] = &[Picture {
+        name: "environment_pdf",
         width: 96,
         height: 48,
         alt: "A map of 8 by 4 texels, each as bright as the density there",
@@ -120,7 +121,7 @@ impl Graded for EnvironmentPdf {
             texels: (0..32).map(|i| ((i * 7) % 11) as f32).collect(),
         },
         colour: |_, density| viridis(4.0 * density),
-    });
+    }];
 
     fn edges() -> Vec<Edge<Self>> {
         let question = |direction, width, height, texels: &[f32]| DensityQuestion {

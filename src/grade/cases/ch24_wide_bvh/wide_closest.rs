@@ -58,7 +58,8 @@ impl Graded for WideClosest {
         },
     ];
 
-    const PICTURE: Option<Picture<Self>> = Some(Picture {
+    const PICTURES: &'static [Picture<Self>] = &[Picture {
+        name: "wide_closest",
         width: 96,
         height: 54,
         alt: "Shingles on a slope, each in its colour",
@@ -85,7 +86,7 @@ impl Graded for WideClosest {
             )
         },
         colour: |_, answer| search::colour(answer.hit.as_ref()),
-    });
+    }];
 
     fn edges() -> Vec<Edge<Self>> {
         wide_closest_cases::edges()

@@ -1,0 +1,159 @@
+//! What is asked of `trace`: mirrors and glass, one difficulty at a time.
+
+use super::things::{BLUE, RED, ask, ball, from, glass, lamp, mirror, shiny};
+use crate::grade::Edge;
+use crate::math::dir3::Dir3;
+use crate::scene::description::{Matter, Object};
+use crate::workbook::exercises::ch25_capstone::Trace;
+use glam::{Vec3, vec3};
+
+pub fn edges() -> Vec<Edge<Trace>> {
+    let ahead = vec3(0.1, 0.15, -1.0);
+    let side = lamp(3.0, 4.0, 4.0, 60.0);
+    let wall = || Object::plane(Dir3::Z, -2.0, shiny(BLUE));
+    let facing = || {
+        vec![
+            Object::plane(Dir3::X, -1.0, mirror()),
+            Object::plane(-Dir3::X, -1.0, mirror()),
+            wall(),
+        ]
+    };
+    let to_mirror = vec3(0.5, 0.1, -1.0);
+    let water = || {
+        vec![
+            Object::plane(Dir3::Y, 0.0, glass()),
+            ball(4.0, -2.0, 0.0, shiny(RED)),
+        ]
+    };
+    let below = vec3(0.0, -2.0, 0.3);
+    let edge = |(name, question)| Edge::new(name, question);
+    [
+        (
+            "a mirror shows the backdrop",
+            ask(2, ahead, &[side], vec![ball(0.0, 0.0, 0.0, mirror())]),
+        ),
+        (
+            "a mirror shows a ball",
+            ask(
+                2,
+                to_mirror,
+                &[lamp(0.5, 4.0, 4.0, 60.0)],
+                vec![
+                    Object::plane(-Dir3::X, -1.5, mirror()),
+                    ball(-0.7, 0.8, -1.5, shiny(RED)),
+                ],
+            ),
+        ),
+        (
+            "a mirror has nothing to show at depth 1",
+            ask(1, ahead, &[side], vec![ball(0.0, 0.0, 0.0, mirror())]),
+        ),
+        (
+            "mirror, mirror, mirror and wall: four surfaces, just enough",
+            from(
+                vec3(0.1, 0.0, 4.0),
+                ask(
+                    4,
+                    vec3(1.0, 0.1, -1.1),
+                    &[lamp(0.0, 0.5, 2.0, 20.0)],
+                    facing(),
+                ),
+            ),
+        ),
+        (
+            "the same with one surface less",
+            from(
+                vec3(0.1, 0.0, 4.0),
+                ask(
+                    3,
+                    vec3(1.0, 0.1, -1.1),
+                    &[lamp(0.0, 0.5, 2.0, 20.0)],
+                    facing(),
+                ),
+            ),
+        ),
+        (
+            "a mirror seen from behind is a mirror too",
+            ask(
+                3,
+                vec3(0.2, 0.5, -1.0),
+                &[side],
+                vec![
+                    Object::plane(Dir3::Y, 1.5, mirror()),
+                    ball(1.0, -1.5, -2.0, shiny(RED)),
+                ],
+            ),
+        ),
+        (
+            "straight through the middle of glass",
+            ask(
+                3,
+                Vec3::NEG_Z,
+                &[side],
+                vec![ball(0.0, 0.0, 0.0, glass()), wall()],
+            ),
+        ),
+        (
+            "aslant through glass",
+            ask(
+                4,
+                ahead,
+                &[side],
+                vec![ball(0.0, 0.0, 0.0, glass()), wall()],
+            ),
+        ),
+        (
+            "far out on a ball of glass, where it mirrors much",
+            ask(
+                5,
+                vec3(0.19, 0.0, -1.0),
+                &[side],
+                vec![ball(0.0, 0.0, 0.0, glass())],
+            ),
+        ),
+        (
+            "from below water, steeply: out and back",
+            from(below, ask(3, vec3(0.3, 1.0, -0.2), &[side], water())),
+        ),
+        (
+            "from below water, flatly: totally reflected",
+            from(
+                below,
+                ask(
+                    3,
+                    vec3(1.0, 0.5, -0.1),
+                    &[lamp(2.0, -1.0, 3.0, 30.0)],
+                    water(),
+                ),
+            ),
+        ),
+        (
+            "a bubble in glass",
+            ask(
+                6,
+                ahead,
+                &[side],
+                vec![
+                    ball(0.0, 0.0, 0.0, glass()),
+                    Object::sphere(Vec3::ZERO, 0.7, Matter::glass(0.6667)),
+                    wall(),
+                ],
+            ),
+        ),
+        (
+            "through a plate of glass into a mirror, and back",
+            ask(
+                6,
+                ahead,
+                &[side],
+                vec![
+                    Object::plane(Dir3::Z, 1.0, glass()),
+                    Object::plane(Dir3::Z, 0.5, Matter::glass(0.6667)),
+                    ball(0.0, 0.0, -2.0, mirror()),
+                ],
+            ),
+        ),
+    ]
+    .map(edge)
+    .into()
+}

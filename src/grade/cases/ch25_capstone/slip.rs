@@ -1,0 +1,54 @@
+//! Ray tracers with a slip in one place: what they are asked.
+
+use super::tracer::Tracer;
+use crate::image::{rgb::Rgb, tone};
+use crate::workbook::exercises::ch25_capstone::TraceQuestion;
+
+/// What a ray tracer does wrongly.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Slip {
+    FirstForNearest,
+    OneSidedTriangles,
+    NormalNotTurned,
+    NoAmbient,
+    AmbientForEachLamp,
+    OneLamp,
+    NoFalloff,
+    NoCosine,
+    ViewTurned,
+    HalfVector,
+    NoShadows,
+    ShadowsFromBeyondTheLamp,
+    LightThroughGlass,
+    BelowTheSurface,
+    MirrorsWithoutColour,
+    NoBackdropInMirrors,
+    OneSurfaceLess,
+    OneSurfaceMore,
+    BackdropAtTheEnd,
+    IndexTurned,
+    AllRefracted,
+    NothingMirroredInGlass,
+    NoTotalReflection,
+    Clamped,
+    Encoded,
+}
+
+/// The answer of a ray tracer with this slip.
+pub fn answer(q: &TraceQuestion, slip: Slip) -> Rgb {
+    let depth = match slip {
+        Slip::OneSurfaceLess => q.depth.saturating_sub(1),
+        Slip::OneSurfaceMore => q.depth.saturating_add(1),
+        _ => q.depth,
+    };
+    let tracer = Tracer {
+        scene: &q.scene,
+        slip,
+    };
+    let radiance = tracer.radiance(&q.ray, depth, true);
+    match slip {
+        Slip::Clamped => tone::clamp(radiance),
+        Slip::Encoded => radiance.map(tone::encode_srgb),
+        _ => radiance,
+    }
+}

@@ -1,0 +1,73 @@
+//! What is said of a radiance that is wrong.
+
+use crate::grade::{Verdict, judge};
+use crate::image::rgb::Rgb;
+use crate::math::interval::Interval;
+use crate::scene::description::{Form, Matter};
+use crate::shape::Shape;
+use crate::workbook::exercises::ch25_capstone::TraceQuestion;
+
+/// A channel may differ by this fraction of its value …
+const RELATIVE: f32 = 0.01;
+
+/// … and this much.
+const ABSOLUTE: f32 = 0.005;
+
+/// Whether a radiance is right.
+///
+/// # Errors
+/// If a channel is too far off; then also what the ray meets first.
+pub fn judge(q: &TraceQuestion, golden: &Rgb, got: &Rgb) -> Verdict {
+    let tolerance = |golden: f32| ABSOLUTE + RELATIVE * golden.abs();
+    let channels = || golden.channels().into_iter().zip(got.channels());
+    if channels().all(|(golden, got)| (golden - got).abs() <= tolerance(golden)) {
+        return Ok(());
+    }
+    let ratio = got.luminance() / golden.luminance();
+    let same_colour =
+        channels().all(|(golden, got)| (ratio * golden - got).abs() <= tolerance(got));
+    let why = if *got == Rgb::BLACK {
+        "your answer is black, and there is light".to_owned()
+    } else if *golden == Rgb::BLACK {
+        "everything should be black here".to_owned()
+    } else if same_colour && ratio > 0.0 {
+        format!("the colour is right, but {ratio:.3} times as bright as it should be")
+    } else {
+        let wrong = ["red", "green", "blue"].into_iter().zip(channels());
+        let whys = wrong.filter_map(|(name, (golden, got))| {
+            judge::number_within(name, "", golden, got, tolerance(golden)).err()
+        });
+        whys.collect::<Vec<_>>().join(", ")
+    };
+    Err(format!("{why}; {}", first(q)))
+}
+
+/// What the ray meets first.
+fn first(q: &TraceQuestion) -> String {
+    if q.depth == 0 {
+        return "no surface may be met at depth 0".to_owned();
+    }
+    let hits = q
+        .scene
+        .objects
+        .iter()
+        .enumerate()
+        .filter_map(|(i, object)| {
+            let hit = object.form.hit(&q.ray, Interval::AHEAD)?;
+            Some((hit.t, i, object))
+        });
+    let Some((t, i, object)) = hits.min_by(|a, b| a.0.total_cmp(&b.0)) else {
+        return "the ray meets nothing and sees the backdrop".to_owned();
+    };
+    let form = match object.form {
+        Form::Sphere(_) => "sphere",
+        Form::Plane(_) => "plane",
+        Form::Triangle(_) => "triangle",
+    };
+    let matter = match object.matter {
+        Matter::Phong(_) => "of Phong's material",
+        Matter::Mirror(_) => "that is a mirror",
+        Matter::Glass(_) => "of glass",
+    };
+    format!("the ray first meets objects[{i}], a {form} {matter}, at t = {t:.3}")
+}

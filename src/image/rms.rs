@@ -1,0 +1,23 @@
+//! How far apart two pictures are, in one number.
+
+use crate::image::{Image, tone};
+
+// ANCHOR: rms
+/// √(mean of (a − e)²) over the channels of those pixels that count, as a display shows them: clamped, in sRGB's code.
+///
+/// 0 for equal pictures, 1 for black and white; 1/255 is one step of a display's brightness. NaN counts as black. The
+/// pictures have one size.
+pub fn rms(expected: &Image, actual: &Image, counts: impl Fn(usize, usize) -> bool) -> f32 {
+    let (mut sum, mut n) = (0.0, 0_u32);
+    for y in 0..expected.height() {
+        for x in (0..expected.width()).filter(|&x| counts(x, y)) {
+            let [e, a] = [expected, actual].map(|picture| picture.at(x, y).map(tone::encode_srgb));
+            for (e, a) in e.channels().into_iter().zip(a.channels()) {
+                sum += f64::from(a - e).powi(2);
+                n += 1;
+            }
+        }
+    }
+    (sum / f64::from(n.max(1))).sqrt() as f32
+}
+// ANCHOR_END: rms

@@ -1,0 +1,56 @@
+//! A whole ray tracer, assembled: the radiance of a ray through a described scene.
+
+use crate::image::rgb::Rgb;
+use crate::light::Light;
+use crate::material::glass::{Glass, Medium};
+use crate::material::{Material, Sight};
+use crate::math::{interval::Interval, ray::Ray};
+use crate::render::shadow::shadow_ray;
+use crate::scene::description::{Description, Matter};
+use crate::shape::Shape;
+use glam::Vec2;
+
+// ANCHOR: trace
+/// The radiance that comes along a ray: of the nearest surface, of the backdrop, or black when `depth` surfaces were met.
+///
+/// Phong's surface shows k_a i_a + Σ (k_d (L·N) + k_s (R·V)^α) I/r² over the lamps that nothing hides, a mirror its share of
+/// what the mirrored ray sees, glass R·(what is mirrored) + (1 − R)·(what is refracted): both ask the same question again,
+/// with one surface less to go (Whitted 1980).
+pub fn trace(scene: &Description, ray: &Ray, depth: u32) -> Rgb {
+    if depth == 0 {
+        return Rgb::BLACK;
+    }
+    let hits = scene
+        .objects
+        .iter()
+        .filter_map(|object| Some((object, object.form.hit(ray, Interval::AHEAD)?)));
+    let Some((object, hit)) = hits.min_by(|(_, a), (_, b)| a.t.total_cmp(&b.t)) else {
+        return scene.backdrop.seen(ray.direction);
+    };
+    let at = object.form.surface(ray, &hit);
+    let view = -ray.direction;
+    let mut see = |ray: &Ray, _share: f32| Sight {
+        radiance: trace(scene, ray, depth - 1),
+        distance: f32::INFINITY, // nothing here absorbs light on its way
+    };
+    match &object.matter {
+        Matter::Phong(phong) => {
+            let lights = scene
+                .lamps
+                .iter()
+                .filter_map(|lamp| lamp.sample(at.position, Vec2::ZERO));
+            let arriving = lights.filter(|light| {
+                let (ray, way) = shadow_ray(&at, light);
+                !scene
+                    .objects
+                    .iter()
+                    .any(|object| object.form.blocks(&ray, way))
+            });
+            let lit: Rgb = arriving.map(|light| phong.lit(&at, view, &light)).sum();
+            phong.ambient(&at) * scene.ambient + lit
+        }
+        Matter::Mirror(mirror) => mirror.beyond(&at, view, &mut see),
+        Matter::Glass(clear) => Glass::of(Medium::clear(clear.index)).beyond(&at, view, &mut see),
+    }
+}
+// ANCHOR_END: trace

@@ -1,0 +1,160 @@
+//! A scene described by what is in it: a list that fits on a line, in any language.
+
+use crate::image::rgb::Rgb;
+use crate::light::point::PointLight;
+use crate::material::{mirror::Mirror, phong::Phong};
+use crate::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray};
+use crate::shape::{Hit, Shape, Surface, plane::Plane, sphere::Sphere, triangle::Triangle};
+use glam::Vec3;
+
+/// Everything that a ray tracer has to know of a scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Description {
+    /// i_a: light from everywhere, in W·m⁻²·sr⁻¹.
+    pub ambient: Rgb,
+    /// What a ray sees that meets nothing.
+    pub backdrop: Backdrop,
+    /// The point lights.
+    pub lamps: Vec<PointLight>,
+    /// The things.
+    pub objects: Vec<Object>,
+}
+
+/// A sky that changes with height only.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Backdrop {
+    /// Its radiance straight below.
+    pub below: Rgb,
+    /// Its radiance straight above.
+    pub above: Rgb,
+}
+
+/// A thing: what it looks like, and what it is made of.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Object {
+    /// Its shape.
+    pub form: Form,
+    /// Its material.
+    pub matter: Matter,
+}
+
+/// A shape by its kind. All three have an outside, and can be hit from both sides.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Form {
+    /// All points p with |p − c| = r.
+    Sphere(Sphere),
+    /// All points p with n·p = c; n points outside.
+    Plane(Plane),
+    /// The points between three corners; outside is where they run counter-clockwise.
+    Triangle(Corners),
+}
+
+/// The corners of a triangle.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Corners {
+    /// The first.
+    pub p0: Vec3,
+    /// The second.
+    pub p1: Vec3,
+    /// The third.
+    pub p2: Vec3,
+}
+
+/// A material by its kind.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Matter {
+    /// Ambient, diffuse and specular reflection of the lamps' light.
+    Phong(Phong),
+    /// Shows what the mirrored ray sees, times its share.
+    Mirror(Mirror),
+    /// Shows what the mirrored ray and the refracted one see, by Fresnel's shares; air is outside.
+    Glass(Clear),
+}
+
+/// A medium that absorbs nothing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Clear {
+    /// n: so many times slower than in a vacuum is light.
+    pub index: f32,
+}
+
+impl Backdrop {
+    /// below + (above − below)·(d_y + 1)/2, with d the direction of the ray.
+    pub fn seen(&self, direction: Dir3) -> Rgb {
+        self.below.lerp(self.above, 0.5 * (direction.y + 1.0))
+    }
+}
+
+impl Object {
+    /// A sphere of some material.
+    pub fn sphere(center: Vec3, radius: f32, matter: Matter) -> Self {
+        let form = Form::Sphere(Sphere { center, radius });
+        Self { form, matter }
+    }
+
+    /// The plane n·p = offset of some material.
+    pub fn plane(normal: Dir3, offset: f32, matter: Matter) -> Self {
+        let form = Form::Plane(Plane { normal, offset });
+        Self { form, matter }
+    }
+
+    /// A triangle of some material.
+    pub fn triangle([p0, p1, p2]: [Vec3; 3], matter: Matter) -> Self {
+        let form = Form::Triangle(Corners { p0, p1, p2 });
+        Self { form, matter }
+    }
+}
+
+impl Matter {
+    /// The same share of ambient light and of diffuse, and a white highlight.
+    pub fn phong(colour: Rgb, specular: f32, exponent: f32) -> Self {
+        Self::Phong(Phong {
+            ambient: colour,
+            diffuse: colour,
+            specular: Rgb::gray(specular),
+            exponent,
+        })
+    }
+
+    /// A mirror.
+    pub fn mirror(share: Rgb) -> Self {
+        Self::Mirror(Mirror { share })
+    }
+
+    /// Glass of some index.
+    pub fn glass(index: f32) -> Self {
+        Self::Glass(Clear { index })
+    }
+}
+
+impl Corners {
+    fn triangle(&self) -> Triangle {
+        Triangle::new(self.p0, self.p1, self.p2)
+    }
+}
+
+impl Shape for Form {
+    fn bounds(&self) -> Aabb {
+        match self {
+            Self::Sphere(sphere) => sphere.bounds(),
+            Self::Plane(plane) => plane.bounds(),
+            Self::Triangle(corners) => corners.triangle().bounds(),
+        }
+    }
+
+    fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
+        match self {
+            Self::Sphere(sphere) => sphere.hit(ray, within),
+            Self::Plane(plane) => plane.hit(ray, within),
+            Self::Triangle(corners) => corners.triangle().hit(ray, within),
+        }
+    }
+
+    fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
+        match self {
+            Self::Sphere(sphere) => sphere.surface(ray, hit),
+            Self::Plane(plane) => plane.surface(ray, hit),
+            Self::Triangle(corners) => corners.triangle().surface(ray, hit),
+        }
+    }
+}

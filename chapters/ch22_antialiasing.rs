@@ -15,11 +15,11 @@ use raybook::camera::pinhole::Pinhole;
 use raybook::lab::sampling::plot::Plot;
 use raybook::lab::sampling::point_sets::PointSets;
 use raybook::lab::sampling::polar::Polar;
-use raybook::lab::sampling::sheets;
+use raybook::lab::sampling::{sheets, subject::Subject};
 use raybook::lab::stage::{Drawn, Stage};
 use raybook::lab::{chapter, sheet::sheet};
 use raybook::render::{film::Film, local::Local, shadow, supersample, whitted::Whitted};
-use raybook::sample::pattern::{PATTERNS, Pattern, find};
+use raybook::sample::pattern::{PATTERNS, find};
 use raybook::scene::horizon;
 use std::process::ExitCode;
 
@@ -50,8 +50,9 @@ pub(crate) fn draw(stage: &Stage) -> Drawn {
         is not there, and the edges are stairs; with sixteen the squares melt into grey, as they should.";
     stage.picture("picture", caption, &sheets::bands(&views))?;
 
+    let subjects: Vec<_> = PATTERNS.iter().map(Subject::of).collect();
     let all = PointSets {
-        patterns: PATTERNS.to_vec(),
+        subjects: &subjects,
         n: 64,
         columns: 4,
     };
@@ -60,7 +61,7 @@ pub(crate) fn draw(stage: &Stage) -> Drawn {
     stage.figure("patterns", caption, &all.image()?)?;
 
     let named = "regular-grid rotated-grid random jittered poisson-disk sobol-owen".split(' ');
-    let named: Vec<Pattern> = named.filter_map(|name| find(name).copied()).collect();
+    let named: Vec<_> = named.filter_map(find).map(Subject::of).collect();
     let tile = stage.tile(named.len() as u32, 1.0);
     let (columns, tiles) = sheets::zone_plates(&tile, &named, &[1, 4, 16]);
     let caption = "Rings that become finer to the right and downwards, from one to sixteen samples. A grid shows rings that are not \

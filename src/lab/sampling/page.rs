@@ -3,7 +3,6 @@
 use crate::image::{Image, file};
 use crate::lab::sampling::plot::{Drawn, Plot};
 use crate::lab::sampling::table::{self, Row};
-use crate::lab::sampling::title;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -20,14 +19,16 @@ th:first-child, td:first-child { text-align: left }
 /// A page that grows section by section, and the folder of its files.
 pub struct Page {
     folder: PathBuf,
+    remarks: Vec<String>,
     sections: Vec<(&'static str, &'static str, Vec<Markup>)>,
 }
 
 impl Page {
-    /// A page in a folder.
-    pub fn new(folder: &Path) -> Self {
+    /// A page in a folder, with remarks at its beginning.
+    pub fn new(folder: &Path, remarks: Vec<String>) -> Self {
         Self {
             folder: folder.to_owned(),
+            remarks,
             sections: Vec::new(),
         }
     }
@@ -79,8 +80,8 @@ impl Page {
                 thead { tr { th { "pattern" } th { "star discrepancy" } th { "L₂ star discrepancy" }
                     th { "least distance, of the largest possible" } th { "ns a point" } th { "what it does with five points" } } }
                 tbody { @for row in rows { tr {
-                    td { (title(&row.pattern)) } td { (format!("{:.4}", row.star)) } td { (format!("{:.5}", row.l2_star)) }
-                    td { (format!("{:.2}", row.distance)) } td { (format!("{:.0}", row.nanoseconds)) } td { (row.pattern.five) }
+                    td { (row.title) } td { (format!("{:.4}", row.star)) } td { (format!("{:.5}", row.l2_star)) }
+                    td { (format!("{:.2}", row.distance)) } td { (row.nanoseconds.map_or_else(|| "–".to_owned(), |ns| format!("{ns:.0}"))) } td { (row.five) }
                 } } }
             }
             p { a href={ (name) ".csv" } { "CSV" } }
@@ -105,6 +106,7 @@ impl Page {
                 body {
                     h1 { "The sampling lab" }
                     p { "Patterns that place samples in a pixel, and what can be measured of them. Everything here was drawn and measured on this machine." }
+                    @if !self.remarks.is_empty() { ul { @for remark in &self.remarks { li { (remark) } } } }
                     @for (title, text, parts) in &self.sections {
                         section { h2 { (title) } p { (text) } div class="figures" { @for part in parts { (part) } } }
                     }

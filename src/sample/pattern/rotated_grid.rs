@@ -34,13 +34,14 @@ const MIDDLES: [Vec2; 3] = [Vec2::splat(0.5), Vec2::ZERO, vec2(0.5, 0.0)];
 ///
 /// The lattice is magnified until n of its points are inside, those next to the square's edge as far from it as the next ones
 /// outside. Four are then at eighths, 1, 3, 5 and 7, the pattern known from graphics hardware; five repeat seamlessly. Where
-/// several points arrive at the edge at once and are too many, the last in the corners are left out.
-pub fn of(n: usize) -> Vec<Vec2> {
+/// several points arrive at the edge at once and are too many, the last in the corners are left out. `grid` returns all points for
+/// a spacing and an offset, in any order.
+pub fn of(n: usize, grid: impl FnOnce(f32, Vec2) -> Vec<Vec2>) -> Vec<Vec2> {
     let fits = MIDDLES.iter().filter_map(|&offset| Fit::of(n, offset));
     let Some(best) = fits.min_by_key(|fit| fit.too_many) else {
         return Vec::new();
     };
-    let mut points = rotated_grid(best.spacing, best.offset);
+    let mut points = grid(best.spacing, best.offset);
     let out = |p: &Vec2| p.distance_squared(Vec2::splat(0.5));
     points.sort_by(|p, q| out(p).total_cmp(&out(q)));
     points.truncate(n);

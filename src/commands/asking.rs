@@ -47,7 +47,8 @@ impl Asking {
     /// These options as they are typed, each word after a space.
     pub fn again(&self) -> String {
         let program = self.program.as_ref();
-        let mut words = program.map_or_else(String::new, |file| format!(" --program {}", file.display()));
+        let mut words =
+            program.map_or_else(String::new, |file| format!(" --program {}", file.display()));
         if self.limits() != Limits::default() {
             words += &format!(" --time-limit {}", self.time_limit);
         }

@@ -4,8 +4,9 @@ use super::Done;
 use super::asking::Asking;
 use raybook::grade::converse::Program;
 use raybook::grade::library;
-use raybook::grade::own_pattern::{OWN_PATTERNS, OwnPattern};
-use raybook::grade::patterns::{self, Got, Wanted};
+use raybook::grade::patterns::ask::ask;
+use raybook::grade::patterns::got::{Got, Wanted};
+use raybook::grade::patterns::{OWN_PATTERNS, OwnPattern};
 use raybook::lab::sampling::run::{self, Settings};
 use raybook::lab::sampling::steps::Steps;
 use raybook::lab::sampling::subject::Subject;
@@ -120,7 +121,7 @@ impl Samplers {
             subjects.push(subject);
             let Some(own) = own else { continue };
             steps.begin(format!("asking for {}", own.exercise));
-            let got = patterns::ask(program, own, &wanted, self.asking.limits())
+            let got = ask(program, own, &wanted, self.asking.limits())
                 .map_err(|e| format!("{}: cannot be run: {e}", program.file.display()))?;
             right &= got.wrong.is_none();
             settings.remarks.extend(self.remarks(&pattern, own, &got));

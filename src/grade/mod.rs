@@ -16,7 +16,6 @@ pub mod json;
 pub mod judge;
 pub mod library;
 pub mod manifest;
-pub mod own_pattern;
 pub mod passage;
 pub mod patterns;
 pub mod picture;

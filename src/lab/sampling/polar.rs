@@ -5,7 +5,9 @@ use crate::lab::sampling::edge;
 use crate::lab::sampling::plot::{Drawn, Plot, coloured, strokes, text};
 use crate::lab::sampling::subject::Subject;
 use plotters::coord::Shift;
-use plotters::prelude::{Circle, Color, DrawingArea, DrawingBackend, PathElement, ShapeStyle, Text};
+use plotters::prelude::{
+    Circle, Color, DrawingArea, DrawingBackend, PathElement, ShapeStyle, Text,
+};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use rayon::prelude::*;
 use std::f64::consts::PI;

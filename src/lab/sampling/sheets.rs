@@ -3,8 +3,8 @@
 use crate::image::{Image, rgb::Rgb};
 use crate::lab::figure::figure;
 use crate::lab::palette::{BLUE, FAINT};
-use crate::lab::sampling::targets::{self, Target};
 use crate::lab::sampling::subject::Subject;
+use crate::lab::sampling::targets::{self, Target};
 use crate::lab::sheet::sheet;
 use crate::render::{film::Film, supersample};
 use crate::sample::filter::Filter;
@@ -34,7 +34,9 @@ pub fn view(film: &Film, subject: &Subject, target: Target) -> Image {
     film.render_pixels(|x, y, _| {
         let points = subject.points(film.samples, (y * film.width + x) as u64);
         let corner = vec2(x as f32, y as f32);
-        let seen = points.iter().map(|p| target((corner + *p) / pixels, pixels));
+        let seen = points
+            .iter()
+            .map(|p| target((corner + *p) / pixels, pixels));
         seen.sum::<Rgb>() / film.samples as f32
     })
 }

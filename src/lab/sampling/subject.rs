@@ -55,7 +55,9 @@ impl Subject {
         let Some(given) = &self.given else {
             return wanted;
         };
-        given.get(&n).map_or(0, |sets| wanted.min(sets.len() as u64))
+        given
+            .get(&n)
+            .map_or(0, |sets| wanted.min(sets.len() as u64))
     }
 
     /// n points: of the library's realisations the one of this number; of those that were given too, as long as there are so many, and
@@ -66,7 +68,11 @@ impl Subject {
         };
         let sets = given.get(&n).map_or(&[][..], Vec::as_slice);
         let count = sets.len() as u64;
-        let of = if number < count { number } else { pcg::mix(number) % count.max(1) };
+        let of = if number < count {
+            number
+        } else {
+            pcg::mix(number) % count.max(1)
+        };
         sets.get(of as usize).cloned().unwrap_or_default()
     }
 }

@@ -65,7 +65,8 @@ pub fn csv(rows: &[Row]) -> String {
             row.star,
             row.l2_star,
             row.distance,
-            row.nanoseconds.map_or_else(String::new, |ns| ns.to_string())
+            row.nanoseconds
+                .map_or_else(String::new, |ns| ns.to_string())
         );
     }
     csv

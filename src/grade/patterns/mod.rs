@@ -1,5 +1,9 @@
-//! The library's patterns that are exercises: how n points are asked of an answer program.
+//! A student's own sampling patterns: the library's patterns that are exercises, and how n points are asked of an answer program.
 
+pub mod ask;
+pub mod got;
+
+use crate::grade::patterns::got::Wanted;
 use crate::math::pcg;
 use crate::sample::pattern::neighbours::Space;
 use crate::sample::pattern::{dart_throwing, poisson_disk, rotated_grid, rows};
@@ -25,6 +29,17 @@ pub struct OwnPattern {
     pub random: bool,
     /// n points, as the library makes them, but of what the program answers. The questions do not depend on the answers.
     pub points: fn(n: usize, seed: u32, ask: Ask) -> Vec<Vec2>,
+}
+
+impl OwnPattern {
+    /// How many realisations of it are wanted.
+    pub fn realisations(&self, wanted: &Wanted) -> usize {
+        if self.random {
+            wanted.realisations as usize
+        } else {
+            1
+        }
+    }
 }
 
 /// All of them.
@@ -86,7 +101,10 @@ fn regular_grid(columns: usize, rows: usize, ask: Ask) -> Vec<Vec2> {
 }
 
 fn rotated(spacing: f32, offset: Vec2, ask: Ask) -> Vec<Vec2> {
-    ask(line::<RotatedGrid>(&RotatedGridQuestion { spacing, offset }))
+    ask(line::<RotatedGrid>(&RotatedGridQuestion {
+        spacing,
+        offset,
+    }))
 }
 
 fn jittered(columns: usize, rows: usize, seed: u32, ask: Ask) -> Vec<Vec2> {

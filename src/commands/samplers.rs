@@ -21,7 +21,7 @@ const USUAL: &str =
     "regular-grid,rotated-grid,random,jittered,multi-jittered,poisson-disk,sobol-owen";
 
 /// How long a program is asked for one pattern.
-const PATIENCE: Duration = Duration::from_secs(8);
+const PATIENCE: Duration = Duration::from_secs(20);
 
 /// The options of `raybook samplers`.
 #[derive(clap::Args)]

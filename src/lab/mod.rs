@@ -27,6 +27,8 @@ pub mod grid_costs;
 pub mod growth;
 pub mod heat;
 pub mod hole_shadows;
+pub mod horizon_view;
+pub mod html;
 pub mod law;
 pub mod light_error;
 pub mod lines;

@@ -59,8 +59,11 @@ fn the_variance_of_a_step_under_jittering_is_that_of_its_column() {
 
 #[test]
 fn errors_fall_as_fast_as_they_should() {
-    // A full Poisson disk keeps about 6 % of the power of random points at the lowest frequencies, and so comes near −½ in the
-    // end; its two slopes are those of this library. The others were measured elsewhere: 400 seeds there and 100 here: a slope is known to about 0.02, and twice that for the steep ones.
+    // A full Poisson disk keeps the same share of the power of random points at the lowest frequencies however many points it
+    // has (`spectra.rs`), and so comes near −½ in the end; its two slopes are those of this library. Others of the same fullness have −0.50 to
+    // −0.60: Bridson's, darts, best candidate, of exactly n points or about n, over the edges or not. Steeper ones, −0.7, take a
+    // pattern that becomes fuller the more points it has: darts of which n may miss in a row have −0.63. That is n² darts.
+    // The other slopes were measured elsewhere: 400 seeds there and 100 here: a slope is known to about 0.02, and twice that for the steep ones.
     for (name, of, expected) in [
         ("random", "disc edge", -0.49),
         ("jittered", "disc edge", -0.78),

@@ -69,6 +69,29 @@ fn a_poisson_disk_is_quiet_near_0_and_the_same_in_all_directions() {
     assert!(rooks > 5.0 * disk, "n-rooks prefer the axes: {rooks}");
 }
 
+#[test]
+fn of_more_points_a_poisson_disk_is_no_quieter_near_0() {
+    let lowest = |name, n| {
+        let radial = Spectrum::of(&subject(name), n, 3, 400).radial();
+        radial.iter().map(|ring| ring.1).sum::<f64>() / 3.0
+    };
+    let [few, many] = [64, 1024].map(|n| lowest("poisson-disk", n));
+    assert!(
+        (0.03..0.12).contains(&many),
+        "of random points' power: {many}"
+    );
+    // 28 frequencies of 400 realisations: known to 1 %, and then there is the bend towards the first ring.
+    assert!(
+        (few / many - 1.0).abs() < 0.3,
+        "64 points: {few}, 1024: {many}"
+    );
+    let [few, many] = [64, 1024].map(|n| lowest("jittered", n));
+    assert!(
+        few > 8.0 * many,
+        "jittered ones are, 16 times: {few}, {many}"
+    );
+}
+
 fn frequencies(limit: i32) -> impl Iterator<Item = (i32, i32)> {
     let all = (-limit..=limit).flat_map(move |y| (-limit..=limit).map(move |x| (x, y)));
     all.filter(|f| *f != (0, 0))

@@ -3,7 +3,7 @@
 use crate::grade::ask::{Said, silence, understand};
 use crate::grade::converse::{Limits, Program, converse};
 use crate::grade::patterns::OwnPattern;
-use crate::grade::patterns::got::{Got, Wanted};
+use crate::grade::patterns::got::{FEWEST, Got, Wanted};
 use crate::lab::sampling::subject::Realisations;
 use crate::workbook::row;
 use glam::Vec2;
@@ -12,9 +12,9 @@ use std::time::Instant;
 
 /// Asks a program for one of its patterns.
 ///
-/// The questions go to the program in batches, each of twice the points of the one before, and the small and first ones first:
-/// as many realisations of 64 points as of 4096 take, so that a slow program runs out of time for all numbers alike. Where it fails, more
-/// points are not asked.
+/// First it is asked for what is needed at least; then for as much as there is time for at the pace at which it has answered so
+/// far, in two or three batches. A slow program so has less of everything, and least of what takes longest. Where it fails,
+/// more points are not asked.
 ///
 /// # Errors
 /// If the program cannot be started.
@@ -27,15 +27,11 @@ pub fn ask(
     let start = Instant::now();
     let (mut points, mut wrong) = (Realisations::new(), None);
     let mut sets = sets(pattern, wanted);
-    let mut batch = 1;
-    while !sets.is_empty() && 2 * start.elapsed() < wanted.patience {
-        let mut sum = 0;
-        let fits = |set: &&Set| {
-            sum += set.n;
-            sum <= batch
-        };
-        let count = sets.iter().take_while(fits).count().max(1);
-        let rest = sets.split_off(count);
+    let mut batch = sets.iter().filter(|set| set.needed).count();
+    let mut asked = 0;
+    while batch > 0 {
+        let rest = sets.split_off(batch);
+        asked += sets.iter().map(|set| set.n).sum::<usize>();
         let (answered, failure) = converse_about(program, pattern, &sets, limits)?;
         let done = answered.len();
         for (set, answer) in sets.iter().zip(answered) {
@@ -49,19 +45,34 @@ pub fn ask(
             points.retain(|size, _| *size < n);
             wrong = Some(format!("{why} ({n} points were asked for)"));
         }
-        batch *= 2;
+        // Half of the time that is left, because the pace may become slower; and no batch for the last bit of it.
+        let left = (wanted.patience * 3 / 4).saturating_sub(start.elapsed());
+        let pace = asked as f64 / start.elapsed().as_secs_f64();
+        batch = affordable(&sets, 0.5 * pace * left.as_secs_f64());
     }
     Ok(Got::of(points, wrong, pattern.realisations(wanted), wanted))
 }
 
+/// How many of the first sets have so many points together at the most.
+fn affordable(sets: &[Set], points: f64) -> usize {
+    let mut sum = 0;
+    let fits = |set: &&Set| {
+        sum += set.n;
+        sum as f64 <= points
+    };
+    sets.iter().take_while(fits).count()
+}
+
 /// One set of points, and the questions that ask for it.
 struct Set {
+    /// Whether it is one of the few without which there is no figure.
+    needed: bool,
     n: usize,
     number: u32,
     questions: Vec<String>,
 }
 
-/// All sets that are wanted, the cheap ones first.
+/// All sets that are wanted: what is needed first, then the cheap ones first, as many points of each number.
 fn sets(pattern: &OwnPattern, wanted: &Wanted) -> Vec<Set> {
     let mut sizes = [&wanted.needed[..], &wanted.further[..]].concat();
     sizes.sort_unstable();
@@ -72,7 +83,9 @@ fn sets(pattern: &OwnPattern, wanted: &Wanted) -> Vec<Set> {
             questions.push(question);
             Vec::new()
         });
+        let needed = wanted.needed.contains(&n) && number < FEWEST as u32;
         Set {
+            needed,
             n,
             number,
             questions,
@@ -82,7 +95,7 @@ fn sets(pattern: &OwnPattern, wanted: &Wanted) -> Vec<Set> {
         .flat_map(|number| sizes.iter().map(move |&n| (n, number)))
         .map(|(n, number)| set(n, number))
         .collect();
-    sets.sort_by_key(|set| (set.number as usize + 1) * set.n);
+    sets.sort_by_key(|set| (!set.needed, (set.number as usize + 1) * set.n));
     sets
 }
 

@@ -27,7 +27,7 @@ pub struct Got {
 }
 
 /// Fewer realisations than these tell nothing of an error.
-const FEWEST: usize = 4;
+pub const FEWEST: usize = 4;
 
 impl Got {
     /// What can be shown of these points, of which there should be so many realisations, and what there is to say of them.

@@ -1,20 +1,12 @@
 //! The lab's page: every figure with its files, and the table.
 
 use crate::image::{Image, file};
+use crate::lab::html::{figure, page};
 use crate::lab::sampling::plot::{Drawn, Plot};
 use crate::lab::sampling::table::{self, Row};
-use maud::{DOCTYPE, Markup, PreEscaped, html};
+use maud::{Markup, html};
 use std::error::Error;
 use std::path::{Path, PathBuf};
-
-const STYLE: &str = "
-body { font: 17px/1.5 system-ui, sans-serif; max-width: 1240px; margin: 2rem auto; padding: 0 1rem; color: #222; background: #fff }
-section { margin-top: 3rem; border-top: 1px solid #ccc }
-.figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(480px, 100%), 1fr)); gap: 1.5rem }
-figure { margin: 0 } img { max-width: 100%; height: auto; background: #fff } figcaption { color: #444; font-size: 15px }
-table { border-collapse: collapse } th, td { padding: .2em .9em; border-bottom: 1px solid #ddd; text-align: right }
-th:first-child, td:first-child { text-align: left }
-@media (prefers-color-scheme: dark) { body { color: #ddd; background: #1b1b1b } figcaption { color: #bbb } a { color: #8bf } }";
 
 /// A page that grows section by section, and the folder of its files.
 pub struct Page {
@@ -49,10 +41,9 @@ impl Page {
         )?;
         self.write(name, "svg", plot.svg()?.as_bytes())?;
         self.write(name, "csv", plot.csv().as_bytes())?;
-        self.add(html! { figure {
-            img src={ (name) ".svg" } alt=(alt) loading="lazy";
-            figcaption { (alt) " " a href={ (name) ".png" } { "PNG" } " · " a href={ (name) ".svg" } { "SVG" } " · " a href={ (name) ".csv" } { "CSV" } }
-        } });
+        let link = |extension: &str, name_of_it| html! { a href={ (name) "." (extension) } { (name_of_it) } };
+        let caption = html! { (alt) " " (link("png", "PNG")) " · " (link("svg", "SVG")) " · " (link("csv", "CSV")) };
+        self.add(figure(&format!("{name}.svg"), alt, &caption));
         Ok(())
     }
 
@@ -62,10 +53,7 @@ impl Page {
     /// If it cannot be written.
     pub fn picture(&mut self, name: &str, alt: &str, picture: &Image) -> Drawn {
         file::save(&self.folder.join(name).with_extension("png"), picture)?;
-        self.add(html! { figure {
-            a href={ (name) ".png" } { img src={ (name) ".png" } alt=(alt) loading="lazy"; }
-            figcaption { (alt) }
-        } });
+        self.add(figure(&format!("{name}.png"), alt, &html! { (alt) }));
         Ok(())
     }
 
@@ -94,27 +82,17 @@ impl Page {
     /// # Errors
     /// If it cannot be written.
     pub fn finish(self) -> Result<PathBuf, Box<dyn Error>> {
-        let page = html! {
-            (DOCTYPE)
-            html lang="en" {
-                head {
-                    meta charset="utf-8";
-                    meta name="viewport" content="width=device-width, initial-scale=1";
-                    title { "raybook: the sampling lab" }
-                    style { (PreEscaped(STYLE)) }
-                }
-                body {
-                    h1 { "The sampling lab" }
-                    p { "Patterns that place samples in a pixel, and what can be measured of them. Everything here was drawn and measured on this machine." }
-                    @if !self.remarks.is_empty() { ul { @for remark in &self.remarks { li { (remark) } } } }
-                    @for (title, text, parts) in &self.sections {
-                        section { h2 { (title) } p { (text) } div class="figures" { @for part in parts { (part) } } }
-                    }
-                }
+        let body = html! {
+            h1 { "The sampling lab" }
+            p { "Patterns that place samples in a pixel, and what can be measured of them. Everything here was drawn and measured on this machine." }
+            @if !self.remarks.is_empty() { ul { @for remark in &self.remarks { li { (remark) } } } }
+            @for (title, text, parts) in &self.sections {
+                section { h2 { (title) } p { (text) } div class="figures" { @for part in parts { (part) } } }
             }
         };
+        let page = page("raybook: the sampling lab", &body);
         let path = self.folder.join("index.html");
-        file::write_whole(&path, page.into_string().as_bytes())?;
+        file::write_whole(&path, page.as_bytes())?;
         Ok(path)
     }
 

@@ -21,7 +21,7 @@ const CENTRE: (i32, i32) = (560, 600);
 const RADIUS: f64 = 500.0;
 
 /// Where the legend's lines, names and two columns of numbers are, from left to right.
-const LEGEND: [i32; 4] = [1190, 1270, 1720, 1880];
+const LEGEND: [i32; 4] = [1370, 1450, 1900, 2060];
 
 /// A curve for each pattern.
 pub struct Polar {
@@ -64,7 +64,7 @@ impl Polar {
 
 impl Plot for Polar {
     fn size(&self) -> (u32, u32) {
-        (960, 610)
+        (1060, 610)
     }
 
     fn draw<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn

@@ -42,8 +42,10 @@ pub fn of(n: usize, grid: impl FnOnce(f32, Vec2) -> Vec<Vec2>) -> Vec<Vec2> {
         return Vec::new();
     };
     let mut points = grid(best.spacing, best.offset);
-    let out = |p: &Vec2| p.distance_squared(Vec2::splat(0.5));
-    points.sort_by(|p, q| out(p).total_cmp(&out(q)));
+    // Of those equally far out, but for rounding, the same ones are left out in whatever order they come.
+    let coarse = |x: f32| (1e4 * x).round() as i64;
+    let out = |p: &Vec2| coarse(p.distance_squared(Vec2::splat(0.5)));
+    points.sort_by_key(|p| (out(p), coarse(p.y), coarse(p.x)));
     points.truncate(n);
     points
 }

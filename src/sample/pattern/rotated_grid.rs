@@ -42,10 +42,15 @@ pub fn of(n: usize, grid: impl FnOnce(f32, Vec2) -> Vec<Vec2>) -> Vec<Vec2> {
         return Vec::new();
     };
     let mut points = grid(best.spacing, best.offset);
-    // Of those equally far out, but for rounding, the same ones are left out in whatever order they come.
-    let coarse = |x: f32| (1e4 * x).round() as i64;
-    let out = |p: &Vec2| coarse(p.distance_squared(Vec2::splat(0.5)));
-    points.sort_by_key(|p| (out(p), coarse(p.y), coarse(p.x)));
+    // Of those equally far out, but for rounding, the same ones are left out in whatever order they come, and opposite ones together.
+    let coarse = |v: Vec2| ((1e4 * v.y).round() as i64, (1e4 * v.x).round() as i64);
+    let out = |p: &Vec2| {
+        let from_middle = *p - 0.5;
+        let (one, opposite) = (coarse(from_middle), coarse(-from_middle));
+        let far = (1e4 * from_middle.length_squared()).round() as i64;
+        (far, one.max(opposite), one)
+    };
+    points.sort_by_key(out);
     points.truncate(n);
     points
 }

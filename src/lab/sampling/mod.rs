@@ -10,6 +10,7 @@ pub mod plot;
 pub mod point_sets;
 pub mod polar;
 pub mod run;
+pub mod settings;
 pub mod sheets;
 pub mod spectrum;
 pub mod spectrum_plot;

@@ -5,10 +5,10 @@ use crate::lab::sampling::page::Page;
 use crate::lab::sampling::plot::{Drawn, strokes};
 use crate::lab::sampling::point_sets::PointSets;
 use crate::lab::sampling::polar::Polar;
+use crate::lab::sampling::settings::{FEW, Settings, counts};
 use crate::lab::sampling::spectrum::Spectrum;
 use crate::lab::sampling::spectrum_plot::SpectrumPlot;
 use crate::lab::sampling::steps::Steps;
-use crate::lab::sampling::subject::Subject;
 use crate::lab::sampling::table::Row;
 use crate::lab::sampling::targets::TARGETS;
 use crate::lab::sampling::{integrands, sheets};
@@ -17,41 +17,6 @@ use crate::render::film::Film;
 use std::error::Error;
 use std::path::PathBuf;
 use std::thread;
-
-/// What is to be measured, and where the page goes.
-pub struct Settings {
-    /// What is compared.
-    pub subjects: Vec<Subject>,
-    /// What there is to say of them, sentences.
-    pub remarks: Vec<String>,
-    /// Points in the point sets, the spectra and the table.
-    pub points: usize,
-    /// Samples per pixel of the pictures and of the polar plots.
-    pub samples: Vec<usize>,
-    /// How often each random pattern is drawn.
-    pub realisations: u64,
-    /// Width of each of the pictures in pixels.
-    pub width: usize,
-    /// The folder for the page and its figures.
-    pub folder: PathBuf,
-}
-
-/// Points in the first of the point sets.
-const FEW: usize = 16;
-
-/// The numbers of points for which the error is measured.
-fn counts() -> impl Iterator<Item = usize> {
-    (1..=12).map(|power| 1 << power)
-}
-
-impl Settings {
-    /// The numbers of points without which there is no figure of a pattern, and those that only make its error curves longer.
-    pub fn sizes(points: usize, samples: &[usize]) -> [Vec<usize>; 2] {
-        let needed = [&[FEW, points], samples].concat();
-        let further = counts().filter(|n| !needed.contains(n)).collect();
-        [needed, further]
-    }
-}
 
 /// Measures and draws everything, and returns the page's path.
 ///

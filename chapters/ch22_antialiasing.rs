@@ -10,48 +10,36 @@
 //! New: sample/pattern/sobol.rs sample/pattern/owen.rs sample/pattern/best_candidate.rs
 //! New: render/supersample.rs scene/horizon.rs
 
-use glam::Vec3;
-use raybook::camera::pinhole::Pinhole;
+use raybook::lab::horizon_view::HorizonView;
 use raybook::lab::sampling::plot::Plot;
 use raybook::lab::sampling::point_sets::PointSets;
 use raybook::lab::sampling::polar::Polar;
-use raybook::lab::sampling::sheets;
+use raybook::lab::sampling::{sheets, subject::Subject};
 use raybook::lab::stage::{Drawn, Stage};
 use raybook::lab::{chapter, sheet::sheet};
-use raybook::render::{film::Film, local::Local, shadow, supersample, whitted::Whitted};
-use raybook::sample::pattern::{PATTERNS, Pattern, find};
-use raybook::scene::horizon;
+use raybook::render::{film::Film, supersample};
+use raybook::sample::pattern::{PATTERNS, find};
 use std::process::ExitCode;
 
 /// Draws the chapter's pictures.
 pub(crate) fn draw(stage: &Stage) -> Drawn {
     let film = stage.film(16.0 / 9.0);
-    let ([eye, at], scene) = (horizon::VIEW, horizon::scene());
-    let camera = Pinhole::look_at(eye, at, Vec3::Y, horizon::FOCAL_LENGTH, film.aspect())?;
-    let arrives = shadow::lit;
-    let whitted = Whitted {
-        local: Local {
-            samples: 1,
-            arrives,
-        },
-        depth: 1,
-    };
+    let view = HorizonView::new(film.aspect())?;
     let grid = find("regular-grid").ok_or("there is a grid")?;
     let jittered = find("jittered").ok_or("there is a jittered pattern")?;
     let most = film.samples;
     let ways = [(1, grid), (most.isqrt(), jittered), (most, jittered)];
     let views = ways.map(|(samples, pattern)| {
         let film = Film { samples, ..film };
-        supersample::supersample(&film, pattern, |place, rng| {
-            whitted.radiance(&scene, &camera.ray_through(place), rng)
-        })
+        supersample::supersample(&film, pattern, |place, rng| view.radiance(place, rng))
     });
     let caption = "One picture, from left to right with one ray through the middle of each pixel, and with 4 and 16 jittered ones. With one ray the far squares make a pattern that \
         is not there, and the edges are stairs; with sixteen the squares melt into grey, as they should.";
     stage.picture("picture", caption, &sheets::bands(&views))?;
 
+    let subjects: Vec<_> = PATTERNS.iter().map(Subject::of).collect();
     let all = PointSets {
-        patterns: PATTERNS.to_vec(),
+        subjects: &subjects,
         n: 64,
         columns: 4,
     };
@@ -60,7 +48,7 @@ pub(crate) fn draw(stage: &Stage) -> Drawn {
     stage.figure("patterns", caption, &all.image()?)?;
 
     let named = "regular-grid rotated-grid random jittered poisson-disk sobol-owen".split(' ');
-    let named: Vec<Pattern> = named.filter_map(|name| find(name).copied()).collect();
+    let named: Vec<_> = named.filter_map(find).map(Subject::of).collect();
     let tile = stage.tile(named.len() as u32, 1.0);
     let (columns, tiles) = sheets::zone_plates(&tile, &named, &[1, 4, 16]);
     let caption = "Rings that become finer to the right and downwards, from one to sixteen samples. A grid shows rings that are not \

@@ -5,32 +5,21 @@
 //!
 //! New: render/needs_more.rs render/budget.rs render/adaptive.rs
 
-use glam::Vec3;
-use raybook::camera::pinhole::Pinhole;
+use raybook::lab::horizon_view::HorizonView;
 use raybook::lab::sampling::adaptive_gain::{map, measure, spent};
 use raybook::lab::sampling::plot::Plot as _;
 use raybook::lab::stage::{Drawn, Stage};
 use raybook::lab::{chapter, sheet::sheet};
 use raybook::render::adaptive::{Limits, adaptive, by_budget};
-use raybook::render::{film::Film, local::Local, needs_more::Enough, shadow, whitted::Whitted};
+use raybook::render::{film::Film, needs_more::Enough};
 use raybook::sample::pattern::find;
-use raybook::scene::horizon;
 use std::process::ExitCode;
 
 /// Draws the chapter's pictures.
 pub(crate) fn draw(stage: &Stage) -> Drawn {
     let film = stage.film(16.0 / 9.0);
-    let ([eye, at], scene) = (horizon::VIEW, horizon::scene());
-    let camera = Pinhole::look_at(eye, at, Vec3::Y, horizon::FOCAL_LENGTH, film.aspect())?;
-    let arrives = shadow::lit;
-    let whitted = Whitted {
-        local: Local {
-            samples: 1,
-            arrives,
-        },
-        depth: 1,
-    };
-    let see = |place, rng: &mut _| whitted.radiance(&scene, &camera.ray_through(place), rng);
+    let view = HorizonView::new(film.aspect())?;
+    let see = |place, rng: &mut _| view.radiance(place, rng);
     let limits = Limits {
         first: 4,
         most: 4 * film.samples.max(2),

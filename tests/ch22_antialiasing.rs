@@ -18,6 +18,7 @@ mod poisson;
 mod spectra;
 
 use glam::Vec2;
+use raybook::lab::sampling::subject::Subject;
 use raybook::math::pcg;
 use raybook::sample::pattern::{Pattern, find};
 
@@ -25,6 +26,12 @@ use raybook::sample::pattern::{Pattern, find};
 #[track_caller]
 fn pattern(name: &str) -> &'static Pattern {
     find(name).unwrap_or_else(|| panic!("there is no pattern {name}"))
+}
+
+/// The same, as the lab looks at it.
+#[track_caller]
+fn subject(name: &str) -> Subject {
+    Subject::of(pattern(name))
 }
 
 /// Its points under a seed.

@@ -1,5 +1,13 @@
 //! The sampling lab as a lecturer meets it.
 
+#[cfg(unix)] // the programs are scripts
+#[path = "samplers/own.rs"]
+mod own;
+#[cfg(unix)]
+#[path = "own_patterns/scripts.rs"]
+#[allow(dead_code)] // another test uses the rest
+mod scripts;
+
 use assert_cmd::Command;
 use std::fs;
 use std::path::Path;
@@ -31,7 +39,7 @@ fn the_page_shows_figures_that_exist_as_png_svg_and_csv() {
     let run = samplers(out.path(), &[&options[..], &small].concat()).success();
     let said = String::from_utf8_lossy(&run.get_output().stdout).into_owned();
     assert!(
-        said.contains("spectrum of n rooks") && said.contains("index.html"),
+        said.contains("spectrum of n-rooks") && said.contains("index.html"),
         "plain lines where there is no terminal: {said}"
     );
     let page = fs::read_to_string(out.path().join("index.html")).expect("the page is there");

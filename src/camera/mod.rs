@@ -5,7 +5,6 @@ pub mod fisheye;
 pub mod lens;
 pub mod panorama;
 pub mod pinhole;
-pub mod pinhole;
 pub mod pose;
 pub mod thin_lens;
 

@@ -1,11 +1,12 @@
 //! `raybook check`: what is right, what is not, and the next step.
 
+use super::asking::Asking;
 use super::keep::keep_pictures;
 use super::tell::Telling;
 use super::{Done, Target};
 use indicatif::ProgressBar;
 use raybook::grade::check::{Report, State, check};
-use raybook::grade::converse::{Limits, Program};
+use raybook::grade::converse::Program;
 use raybook::grade::dress::Dress;
 use raybook::grade::examine::{Examiner, visible_rng};
 use raybook::grade::hidden::Key;
@@ -16,7 +17,6 @@ use raybook::lab::say::say;
 use std::error::Error;
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
-use std::time::Duration;
 
 /// Checks a workbook, or any answer program.
 #[derive(clap::Args)]
@@ -26,9 +26,8 @@ pub struct Check {
     /// Ask only the case of this number
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     case: Option<u32>,
-    /// Ask this program instead of building the workbook's: any program that answers a line per line
-    #[arg(long)]
-    program: Option<PathBuf>,
+    #[command(flatten)]
+    asking: Asking,
     /// Ask the hidden cases that belong to this course key and --student
     #[arg(long, requires = "student")]
     key: Option<String>,
@@ -41,9 +40,6 @@ pub struct Check {
     /// Write the pictures that the answers make into this folder; without it, a workbook's are kept in its .raybook
     #[arg(long, value_name = "FOLDER")]
     pictures: Option<PathBuf>,
-    /// How long to wait for one answer, in seconds
-    #[arg(long, default_value_t = 2.0, value_parser = super::seconds)]
-    time_limit: f32,
     /// Print JSON (its fields are described in `raybook::grade::json`)
     #[arg(long)]
     json: bool,
@@ -66,7 +62,7 @@ impl Check {
         for examiner in &examiners {
             let mut report = self.examine(&program, *examiner)?;
             if gallery.is_some() && report.answers() {
-                report.pictures = ask_pixels(&program, *examiner, self.limits())?;
+                report.pictures = ask_pixels(&program, *examiner, self.asking.limits())?;
             }
             let picture = keep_pictures(&report, gallery.as_deref())?;
             reports.push((report, picture));
@@ -94,16 +90,8 @@ impl Check {
 
     /// The program to ask, and the workbook it is of, if it is.
     fn program(&self, from: &Path) -> Result<(Program, Option<PathBuf>), Box<dyn Error>> {
-        if let Some(file) = &self.program {
-            let file = std::path::absolute(file)?;
-            return Ok((
-                Program {
-                    file,
-                    arguments: Vec::new(),
-                    folder: PathBuf::new(),
-                },
-                None,
-            ));
+        if let Some(program) = self.asking.program()? {
+            return Ok((program, None));
         }
         let folder = student::workbook(from)?;
         Ok((student::build(&folder)?, Some(folder)))
@@ -134,15 +122,8 @@ impl Check {
                 )
             })?];
         }
-        check(program, examiner, cases, self.limits())
+        check(program, examiner, cases, self.asking.limits())
             .map_err(|e| format!("{}: cannot be run: {e}", program.file.display()).into())
-    }
-
-    fn limits(&self) -> Limits {
-        Limits {
-            time: Duration::from_secs_f32(self.time_limit),
-            ..Limits::default()
-        }
     }
 
     /// Where pictures go; nowhere if a single case is asked.
@@ -156,21 +137,13 @@ impl Check {
     fn again(&self, exercise: &str) -> String {
         let mut words = vec!["raybook check".to_owned(), exercise.to_owned()];
         words.extend(self.target.folder().map(|folder| format!("{folder:?}")));
-        words.extend(
-            self.program
-                .as_ref()
-                .map(|file| format!("--program {}", file.display())),
-        );
         if let Some(student) = &self.student {
             words.push(format!(
                 "--key … --term {:?} --student {student:?}",
                 self.term
             ));
         }
-        if self.limits() != Limits::default() {
-            words.push(format!("--time-limit {}", self.time_limit));
-        }
-        words.join(" ")
+        words.join(" ") + &self.asking.again()
     }
 
     fn dress(&self) -> Dress {

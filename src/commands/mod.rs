@@ -1,5 +1,6 @@
 //! What the `raybook` command can do, a file for each task.
 
+pub mod asking;
 pub mod bless;
 pub mod check;
 pub mod exercise;

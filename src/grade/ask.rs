@@ -34,6 +34,27 @@ pub enum Said {
     TooMany(usize),
 }
 
+impl Said {
+    /// Why there is no answer, in words to whoever wrote the program; `None` if there is one.
+    pub fn why_none(&self) -> Option<String> {
+        Some(match self {
+            Self::Answer(_) => return None,
+            Self::Todo(name) => format!("{name} is not written yet"),
+            Self::Panicked(message) => format!("your function panicked: {message}"),
+            Self::Refused(why) => format!("your program could not read the question: {why}"),
+            Self::Ended(how) => format!("your program ended without an answer: {how}"),
+            Self::TimedOut(limit) => format!(
+                "no answer within {} s: does a loop never end? (--time-limit gives more time)",
+                limit.as_secs_f32()
+            ),
+            Self::Flooded(bytes) => format!("your program printed {bytes} bytes and no answer"),
+            Self::TooMany(answers) => {
+                format!("your program gave {answers} answers to one question")
+            }
+        })
+    }
+}
+
 /// So many times a program may end early; from then on it is asked one question at a time, which blames the right one at once.
 const PATIENCE: usize = 3;
 
@@ -103,7 +124,8 @@ pub fn understand(answer: &str) -> Said {
     }
 }
 
-fn silence(end: End) -> Said {
+/// Why a program that ended like this gave no answer.
+pub fn silence(end: End) -> Said {
     match end {
         End::Exited(how) => Said::Ended(how),
         End::TimedOut(limit) => Said::TimedOut(limit),

@@ -162,14 +162,6 @@ fn judge(examiner: &dyn Examiner, case: &Case, said: &Said) -> Verdict {
             Err(why) => why,
         },
         Said::Todo(_) => return Verdict::NotStarted,
-        Said::Panicked(message) => format!("your function panicked: {message}"),
-        Said::Refused(why) => format!("your program could not read the question: {why}"),
-        Said::Ended(how) => format!("your program ended without an answer: {how}"),
-        Said::TimedOut(limit) => format!(
-            "no answer within {} s: does a loop never end? (--time-limit gives more time)",
-            limit.as_secs_f32()
-        ),
-        Said::Flooded(bytes) => format!("your program printed {bytes} bytes and no answer"),
-        Said::TooMany(answers) => format!("your program gave {answers} answers to one question"),
+        other => other.why_none().unwrap_or_default(),
     })
 }

@@ -63,8 +63,11 @@ pub enum End {
     TooMany,
 }
 
-/// A line longer than this is cut: nobody reads it.
-const LONGEST_LINE: u64 = 1 << 16;
+/// A line longer than this is cut. The longest answers that are asked for are 4096 points, 100 kB.
+const LONGEST_LINE: u64 = 1 << 18;
+
+/// So many lines wait at the most until they are read.
+const WAITING: usize = 64;
 
 /// So much of what was printed for a question is kept.
 const KEPT: usize = 1 << 12;
@@ -111,7 +114,7 @@ pub fn converse(
 
 /// Lines of output as they come, with whether each was whole.
 fn read_lines(output: PipeReader) -> Receiver<(String, bool)> {
-    let (sender, receiver) = sync_channel(1024);
+    let (sender, receiver) = sync_channel(WAITING);
     thread::spawn(move || {
         let mut reader = BufReader::new(output);
         loop {

@@ -17,6 +17,7 @@ pub mod judge;
 pub mod library;
 pub mod manifest;
 pub mod passage;
+pub mod patterns;
 pub mod picture;
 pub mod pictured;
 pub mod prints;

@@ -1,9 +1,10 @@
 //! `index.html`: every chapter's pictures, what they show, what is new, and the command that draws them.
 
 use crate::image::file;
+use crate::lab::html::{figure, page};
 use crate::lab::stage::Output;
 use crate::workbook::curriculum::Chapter;
-use maud::{DOCTYPE, PreEscaped, html};
+use maud::{Markup, html};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -18,43 +19,24 @@ pub struct Drawing {
     pub time: Duration,
 }
 
-const STYLE: &str = "
-body { font: 17px/1.5 system-ui, sans-serif; max-width: 1240px; margin: 2rem auto; padding: 0 1rem; color: #222; background: #fff }
-h1 { margin-bottom: 0 } section { margin-top: 3rem; border-top: 1px solid #ccc }
-.pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(480px, 100%), 1fr)); gap: 1.5rem }
-figure { margin: 0 } img { width: 100%; height: auto } figcaption { color: #444; font-size: 15px }
-code { background: #f0f0f0; padding: .1em .3em; border-radius: 3px }
-nav a { margin-right: 1em; white-space: nowrap }
-@media (prefers-color-scheme: dark) { body { color: #ddd; background: #1b1b1b } figcaption { color: #bbb } code { background: #333 } a { color: #8bf } }";
-
 /// Writes the gallery into the folder that holds the chapters' folders, and returns its path.
 ///
 /// # Errors
 /// If the file cannot be written.
 pub fn write(folder: &Path, drawings: &[Drawing]) -> io::Result<PathBuf> {
-    let page = html! {
-        (DOCTYPE)
-        html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                title { "raybook: the pictures" }
-                style { (PreEscaped(STYLE)) }
-            }
-            body {
-                h1 { "raybook" }
-                p { "A ray-tracing course that you can run. Every picture here was drawn on this machine; click one to see it whole." }
-                nav { @for drawing in drawings { a href={ "#" (drawing.chapter.name) } { (drawing.chapter.number()) " " (drawing.chapter.title()) } } }
-                @for drawing in drawings { (section(folder, drawing)) }
-            }
-        }
+    let body = html! {
+        h1 { "raybook" }
+        p { "A ray-tracing course that you can run. Every picture here was drawn on this machine; click one to see it whole." }
+        nav { @for drawing in drawings { a href={ "#" (drawing.chapter.name) } { (drawing.chapter.number()) " " (drawing.chapter.title()) } } }
+        @for drawing in drawings { (section(folder, drawing)) }
     };
+    let page = page("raybook: the pictures", &body);
     let path = folder.join("index.html");
-    file::write_whole(&path, page.into_string().as_bytes())?;
+    file::write_whole(&path, page.as_bytes())?;
     Ok(path)
 }
 
-fn section(folder: &Path, drawing: &Drawing) -> PreEscaped<String> {
+fn section(folder: &Path, drawing: &Drawing) -> Markup {
     let Drawing {
         chapter,
         outputs,
@@ -70,20 +52,17 @@ fn section(folder: &Path, drawing: &Drawing) -> PreEscaped<String> {
                 @for (i, file) in chapter.new_files().iter().enumerate() { @if i > 0 { ", " } code { (file) } }
                 "."
             }
-            div class="pictures" {
-                @for output in outputs {
-                    @let png = link(folder, &output.png);
-                    figure {
-                        a href=(png) { img src=(png) alt=(output.caption) loading="lazy"; }
-                        figcaption {
-                            (output.caption)
-                            @if let Some(exr) = &output.exr { " (" a href=(link(folder, exr)) { "EXR" } ")" }
-                        }
-                    }
-                }
-            }
+            div class="figures" { @for output in outputs { (picture(folder, output)) } }
         }
     }
+}
+
+fn picture(folder: &Path, output: &Output) -> Markup {
+    let caption = html! {
+        (output.caption)
+        @if let Some(exr) = &output.exr { " (" a href=(link(folder, exr)) { "EXR" } ")" }
+    };
+    figure(&link(folder, &output.png), &output.caption, &caption)
 }
 
 /// ", 1.2 million rays a second": of the main picture, which is the first; nothing where no rays are counted.

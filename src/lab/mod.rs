@@ -32,6 +32,8 @@ pub mod grid_costs;
 pub mod growth;
 pub mod heat;
 pub mod hole_shadows;
+pub mod horizon_view;
+pub mod html;
 pub mod law;
 pub mod lens_samples;
 pub mod light_error;

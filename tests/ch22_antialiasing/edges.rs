@@ -1,6 +1,6 @@
 //! Edges: the covered area, and how far a pattern is off.
 
-use super::{pattern, points};
+use super::{points, subject};
 use glam::DVec2;
 use raybook::lab::sampling::edge::{Edge, rms};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -27,12 +27,12 @@ fn the_covered_area_is_that_of_a_fine_grid() {
 fn a_vertical_edge_swept_over_a_grid_is_off_by_its_column_over_root_twelve() {
     for n in [1_usize, 2, 4, 8] {
         let exact = 1.0 / (n as f64 * 12.0_f64.sqrt());
-        let got = rms(pattern("regular-grid"), n * n, 0.0, 1);
+        let got = rms(&subject("regular-grid"), n * n, 0.0, 1);
         assert!(
             (got / exact - 1.0).abs() < 1e-3,
             "{n}: {got}, exactly {exact}"
         );
-        let got = rms(pattern("regular-grid"), n * n, FRAC_PI_2, 1);
+        let got = rms(&subject("regular-grid"), n * n, FRAC_PI_2, 1);
         assert!((got / exact - 1.0).abs() < 1e-3, "{n}, horizontal: {got}");
     }
 }
@@ -41,7 +41,7 @@ fn a_vertical_edge_swept_over_a_grid_is_off_by_its_column_over_root_twelve() {
 fn the_rotated_grid_moves_the_worst_angle_and_is_not_better_in_the_mean() {
     let of = |name| -> Vec<f64> {
         (0..1800)
-            .map(|i| rms(pattern(name), 4, PI * f64::from(i) / 1800.0, 1))
+            .map(|i| rms(&subject(name), 4, PI * f64::from(i) / 1800.0, 1))
             .collect()
     };
     let (regular, rotated) = (of("regular-grid"), of("rotated-grid"));
@@ -64,7 +64,7 @@ fn the_rotated_grid_moves_the_worst_angle_and_is_not_better_in_the_mean() {
 #[test]
 fn at_four_samples_every_random_pattern_loses_to_the_grid_in_the_mean() {
     let of = |name| {
-        let angles = (0..18).map(|i| rms(pattern(name), 4, PI * f64::from(i) / 18.0, 60));
+        let angles = (0..18).map(|i| rms(&subject(name), 4, PI * f64::from(i) / 18.0, 60));
         angles.sum::<f64>() / 18.0
     };
     let grid = of("regular-grid");

@@ -1,12 +1,12 @@
 //! Errors of means: their exact variances, and how fast they fall.
 
-use super::{pattern, points};
+use super::{points, subject};
 use glam::Vec2;
 use raybook::lab::sampling::integrands::{Error, Integrand, all, errors, slope};
-use raybook::sample::pattern::Pattern;
+use raybook::lab::sampling::subject::Subject;
 
-fn error(pattern: &Pattern, n: usize, f: &Integrand, realisations: u64) -> Error {
-    errors(pattern, n, &[*f], realisations)[0]
+fn error(subject: &Subject, n: usize, f: &Integrand, realisations: u64) -> Error {
+    errors(subject, n, &[*f], realisations)[0]
 }
 
 /// The variance of the mean of f over n points, measured.
@@ -59,8 +59,11 @@ fn the_variance_of_a_step_under_jittering_is_that_of_its_column() {
 
 #[test]
 fn errors_fall_as_fast_as_they_should() {
-    // A full Poisson disk keeps about 6 % of the power of random points at the lowest frequencies, and so comes near −½ in the
-    // end; its two slopes are those of this library. The others were measured elsewhere: 400 seeds there and 100 here: a slope is known to about 0.02, and twice that for the steep ones.
+    // A full Poisson disk keeps the same share of the power of random points at the lowest frequencies however many points it
+    // has (`spectra.rs`), and so comes near −½ in the end; its two slopes are those of this library. Others of the same fullness have −0.50 to
+    // −0.60: Bridson's, darts, best candidate, of exactly n points or about n, over the edges or not. Steeper ones, −0.7, take a
+    // pattern that becomes fuller the more points it has: darts of which n may miss in a row have −0.63. That is n² darts.
+    // The other slopes were measured elsewhere: 400 seeds there and 100 here: a slope is known to about 0.02, and twice that for the steep ones.
     for (name, of, expected) in [
         ("random", "disc edge", -0.49),
         ("jittered", "disc edge", -0.78),
@@ -76,7 +79,7 @@ fn errors_fall_as_fast_as_they_should() {
             .into_iter()
             .find(|f| f.name == of)
             .expect("it is there");
-        let errors = [64, 256, 1024, 4096].map(|n| error(pattern(name), n, &integrand, 100));
+        let errors = [64, 256, 1024, 4096].map(|n| error(&subject(name), n, &integrand, 100));
         let got = slope(&errors);
         println!("{name} {of}: {got:.3}, expected {expected}");
         assert!(
@@ -103,8 +106,8 @@ fn the_means_are_right() {
 #[test]
 fn a_confidence_band_holds_the_error() {
     let f = &all()[1];
-    let few = error(pattern("jittered"), 64, f, 100);
-    let many = error(pattern("jittered"), 64, f, 5000);
+    let few = error(&subject("jittered"), 64, f, 100);
+    let many = error(&subject("jittered"), 64, f, 5000);
     assert!(few.low < few.rms && few.rms < few.high, "a band");
     assert!(
         few.high - few.low > 3.0 * (many.high - many.low),

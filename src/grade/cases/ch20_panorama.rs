@@ -101,7 +101,8 @@ impl Graded for PanoramaRay {
         },
     ];
 
-    const PICTURE: Option<Picture<Self>> = Some(Picture {
+    const PICTURES: &'static [Picture<Self>] = &[Picture {
+        name: "panorama_ray",
         width: 96,
         height: 48,
         alt: "All directions as colours: a bright sky in the upper half, a dark ground in the lower one",
@@ -110,7 +111,7 @@ impl Graded for PanoramaRay {
             question(Vec3::ZERO, -Dir3::Z, film)
         },
         colour: |_, ray| direction_colour(ray.direction),
-    });
+    }];
 
     fn edges() -> Vec<Edge<Self>> {
         let level = |name, x, y| {

@@ -4,11 +4,13 @@ use crate::image::Image;
 use crate::lab::palette::viridis;
 use crate::lab::sampling::error_plot::{Curve, ErrorPlot};
 use crate::lab::sampling::integrands::Error;
+use crate::lab::sampling::plot::colour;
 use crate::render::adaptive::{Adaptive, Limits, adaptive, by_budget};
 use crate::render::film::Film;
 use crate::render::needs_more::Enough;
 use crate::render::supersample::{Radiance, supersample};
 use crate::sample::pattern::Pattern;
+use plotters::prelude::Color;
 
 /// The map of samples spent: dark blue for the least, yellow for the most, each doubling a step.
 pub fn map(spent: &Image, limits: Limits) -> Image {
@@ -52,17 +54,18 @@ pub fn measure(film: &Film, pattern: &Pattern, reference: usize, see: &impl Radi
         let limits = Limits { first: 4, most };
         of(adaptive(film, limits, &Enough::BY_CONTRAST, see))
     });
-    let curve = |key, title: &str, errors: &[Error]| Curve {
-        key,
+    let curve = |i, key: &str, title: &str, errors: &[Error]| Curve {
+        key: key.to_owned(),
         title: title.to_owned(),
+        stroke: colour(i).stroke_width(5),
         errors: errors.to_vec(),
     };
     ErrorPlot {
         title: "error against rays per pixel".to_owned(),
         curves: vec![
-            curve("same", "the same everywhere", &same),
-            curve("budget", "by a budget", &budget),
-            curve("contrast", "by contrast", &contrast),
+            curve(0, "same", "the same everywhere", &same),
+            curve(1, "budget", "by a budget", &budget),
+            curve(2, "contrast", "by contrast", &contrast),
         ],
     }
 }

@@ -1,7 +1,6 @@
 //! An edge through a pixel: how much of it is covered, and how far a pattern is off.
 
-use crate::lab::sampling::realisation;
-use crate::sample::pattern::Pattern;
+use crate::lab::sampling::subject::Subject;
 use glam::{DVec2, Vec2};
 
 /// An edge's position is moved through the pixel in so many steps.
@@ -54,12 +53,13 @@ impl Edge {
 }
 
 /// The root of the mean squared error of the covered share, over all edges at this angle that pass through the pixel.
-pub fn rms(pattern: &Pattern, n: usize, angle: f64, realisations: u64) -> f64 {
+pub fn rms(subject: &Subject, n: usize, angle: f64, realisations: u64) -> f64 {
     let normal = DVec2::from_angle(angle);
     let reach = Edge::reach(normal);
+    let realisations = subject.realisations(n, realisations);
     let mut sum = 0.0;
     for pixel in 0..realisations {
-        let points = realisation(pattern, n, pixel);
+        let points = subject.points(n, pixel);
         let mut along: Vec<_> = points
             .iter()
             .map(|p| normal.dot(p.as_dvec2() - 0.5))

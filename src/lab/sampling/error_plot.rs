@@ -3,11 +3,11 @@
 use crate::lab::figure::FONT;
 use crate::lab::palette::{FAINT, INK};
 use crate::lab::sampling::integrands::{Error, slope};
-use crate::lab::sampling::plot::{Drawn, Plot, colour, coloured};
+use crate::lab::sampling::plot::{Drawn, Plot, coloured};
 use plotters::coord::Shift;
 use plotters::prelude::{
     ChartBuilder, Circle, Color, DrawingArea, DrawingBackend, IntoFont, IntoLogRange, LineSeries,
-    PathElement, Polygon, SeriesLabelPosition, Text, WHITE,
+    PathElement, Polygon, SeriesLabelPosition, ShapeStyle, Text, WHITE,
 };
 use std::fmt::Write;
 
@@ -17,9 +17,11 @@ const GUIDES: [(f64, &str); 4] = [(-0.5, "−½"), (-0.75, "−¾"), (-1.0, "−
 /// The curve of one pattern.
 pub struct Curve {
     /// Its name, as a word.
-    pub key: &'static str,
+    pub key: String,
     /// Its name, as people write it.
     pub title: String,
+    /// Its line.
+    pub stroke: ShapeStyle,
     /// The errors, by number of samples.
     pub errors: Vec<Error>,
 }
@@ -90,25 +92,26 @@ impl Plot for ErrorPlot {
             let label = Text::new(name, at(left * (end / left).powf(0.93)), coloured(30, INK));
             chart.draw_series([label])?;
         }
-        for (i, curve) in self.curves.iter().enumerate() {
+        for curve in &self.curves {
+            let stroke = curve.stroke;
             let low = |e: &Error| (e.n as f64, e.low.max(bottom));
             let up = curve
                 .errors
                 .iter()
                 .map(|e| (e.n as f64, e.high.max(bottom)));
             let band: Vec<_> = up.chain(curve.errors.iter().rev().map(low)).collect();
-            chart.draw_series([Polygon::new(band, colour(i).mix(0.18))])?;
+            chart.draw_series([Polygon::new(band, stroke.color.mix(0.18))])?;
             let inside: Vec<_> = curve.errors.iter().filter(|e| e.rms >= bottom).collect();
             let line = inside.iter().map(|e| (e.n as f64, e.rms));
             let measured: Vec<_> = inside.iter().map(|e| **e).collect();
-            let name = format!("{}: {:.2}", curve.title, slope(&measured));
+            let name = format!("{}: {:.2}", curve.title, slope(&measured)).replace(": -", ": −");
             chart
-                .draw_series(LineSeries::new(line.clone(), colour(i).stroke_width(5)))?
+                .draw_series(LineSeries::new(line.clone(), stroke))?
                 .label(name)
-                .legend(move |(x, y)| {
-                    PathElement::new([(x, y), (x + 40, y)], colour(i).stroke_width(6))
-                });
-            chart.draw_series(line.map(|p| Circle::new(p, 6, colour(i).filled())))?;
+                .legend(move |(x, y)| PathElement::new([(x, y), (x + 40, y)], stroke));
+            if stroke.color.3 == 1.0 {
+                chart.draw_series(line.map(|p| Circle::new(p, 6, stroke.filled())))?;
+            }
         }
         chart
             .configure_series_labels()

@@ -1,8 +1,7 @@
 //! Functions over the unit square whose means are known, and the errors with which a pattern finds them.
 
 use crate::lab::sampling::edge::Edge;
-use crate::lab::sampling::realisation;
-use crate::sample::pattern::Pattern;
+use crate::lab::sampling::subject::Subject;
 use glam::{DVec2, Vec2};
 use rayon::prelude::*;
 use std::f64::consts::PI;
@@ -75,15 +74,16 @@ pub struct Error {
 
 /// The errors of the means of several functions over the same n points, by so many realisations.
 pub fn errors(
-    pattern: &Pattern,
+    subject: &Subject,
     n: usize,
     integrands: &[Integrand],
     realisations: u64,
 ) -> Vec<Error> {
+    let realisations = subject.realisations(n, realisations);
     let squares: Vec<Vec<f64>> = (0..realisations)
         .into_par_iter()
         .map(|pixel| {
-            let points = realisation(pattern, n, pixel);
+            let points = subject.points(n, pixel);
             let square = |integrand: &Integrand| {
                 let sum: f64 = points.iter().map(|p| (integrand.value)(*p)).sum();
                 (sum / n as f64 - integrand.mean).powi(2)

@@ -3,10 +3,11 @@
 use crate::image::Image;
 use crate::lab::figure::{FONT, SCALE, figure};
 use crate::lab::palette::INK;
+use crate::lab::sampling::subject::Subject;
 use plotters::coord::Shift;
 use plotters::prelude::{
-    BLACK, DrawingArea, DrawingBackend, IntoDrawingArea, IntoFont, RGBColor, SVGBackend, TextStyle,
-    WHITE,
+    BLACK, Color, DrawingArea, DrawingBackend, IntoDrawingArea, IntoFont, RGBColor, SVGBackend,
+    ShapeStyle, TextStyle, WHITE,
 };
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use std::error::Error;
@@ -70,8 +71,32 @@ pub fn coloured(size: u32, colour: RGBColor) -> TextStyle<'static> {
     (FONT, size).into_font().color(&colour).pos(middle)
 }
 
-/// The colours of curves, in order, and again from the first when they are used up.
+/// The colours of curves, in order: seven, and then the same ones darker.
 pub fn colour(i: usize) -> RGBColor {
     use crate::lab::palette::{BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILION};
-    [VERMILION, BLUE, GREEN, ORANGE, PURPLE, SKY, BLACK][i % 7]
+    let RGBColor(r, g, b) = [VERMILION, BLUE, GREEN, ORANGE, PURPLE, SKY, BLACK][i % 7];
+    match i / 7 {
+        0 => RGBColor(r, g, b),
+        _ => RGBColor(r / 2, g / 2, b / 2),
+    }
+}
+
+/// How the curve of each subject is drawn.
+///
+/// A pattern has a colour, and somebody's own curve has its pattern's: the library's is then a broad pale line, on which the
+/// own one lies if it is right.
+pub fn strokes(subjects: &[Subject]) -> Vec<ShapeStyle> {
+    let mut names: Vec<_> = subjects.iter().map(|s| s.pattern.name).collect();
+    names.dedup();
+    let stroke = |subject: &Subject| {
+        let name = subject.pattern.name;
+        let colour = colour(names.iter().position(|n| *n == name).unwrap_or(0));
+        let beneath = |other: &Subject| other.is_own() && other.pattern.name == name;
+        if !subject.is_own() && subjects.iter().any(beneath) {
+            colour.mix(0.35).stroke_width(16)
+        } else {
+            colour.stroke_width(5)
+        }
+    };
+    subjects.iter().map(stroke).collect()
 }

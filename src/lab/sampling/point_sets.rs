@@ -2,7 +2,7 @@
 
 use crate::lab::palette::{BLUE, FAINT, INK};
 use crate::lab::sampling::plot::{Drawn, Plot, text};
-use crate::lab::sampling::{realisation, title};
+use crate::lab::sampling::subject::Subject;
 use crate::sample::pattern::{Pattern, multi_jittered, rows};
 use glam::{Vec2, vec2};
 use plotters::coord::Shift;
@@ -16,10 +16,13 @@ const SIDE: i32 = 420;
 const GAP: i32 = 36;
 const TITLE: i32 = 64;
 
+/// Finer cells than this along each side would only be grey.
+const FINEST: usize = 64;
+
 /// Patterns with so many points each.
-pub struct PointSets {
+pub struct PointSets<'a> {
     /// The patterns.
-    pub patterns: Vec<Pattern>,
+    pub subjects: &'a [Subject],
     /// How many points.
     pub n: usize,
     /// How many squares side by side.
@@ -42,9 +45,11 @@ fn strata(pattern: &Pattern, n: usize) -> Vec<(Vec2, Vec2, RGBColor)> {
     };
     let side = multi_jittered::columns(n);
     match pattern.name {
-        "n-rooks" => grid(n, n, PALE),
+        "n-rooks" if n <= FINEST => grid(n, n, PALE),
         "multi-jittered" => {
-            grid(n, n, PALE);
+            if n <= FINEST {
+                grid(n, n, PALE);
+            }
             grid(side, n / side, FAINT);
         }
         "sobol-owen" if n.is_power_of_two() => {
@@ -67,9 +72,9 @@ fn strata(pattern: &Pattern, n: usize) -> Vec<(Vec2, Vec2, RGBColor)> {
     lines
 }
 
-impl Plot for PointSets {
+impl Plot for PointSets<'_> {
     fn size(&self) -> (u32, u32) {
-        let rows = self.patterns.len().div_ceil(self.columns) as i32;
+        let rows = self.subjects.len().div_ceil(self.columns) as i32;
         let width = self.columns as i32 * (SIDE + GAP) + GAP;
         let height = rows * (SIDE + GAP + TITLE) + GAP / 2;
         (width as u32 / 2, height as u32 / 2)
@@ -80,7 +85,7 @@ impl Plot for PointSets {
         B::ErrorType: 'static,
     {
         let radius = ((0.16 * f64::from(SIDE) / (self.n as f64).sqrt()) as i32).clamp(2, 12);
-        for (i, pattern) in (0..).zip(&self.patterns) {
+        for (i, subject) in (0..).zip(self.subjects) {
             let columns = self.columns as i32;
             let (left, top) = (
                 GAP + i % columns * (SIDE + GAP),
@@ -91,14 +96,14 @@ impl Plot for PointSets {
                 (left + on_canvas.x as i32, top + on_canvas.y as i32)
             };
             let heading = (left + SIDE / 2, top - TITLE / 2);
-            canvas.draw(&Text::new(title(pattern), heading, text(38)))?;
-            for (from, to, colour) in strata(pattern, self.n) {
+            canvas.draw(&Text::new(subject.title(), heading, text(38)))?;
+            for (from, to, colour) in strata(&subject.pattern, self.n) {
                 let line = vec![place(from), place(to)];
                 canvas.draw(&PathElement::new(line, colour.stroke_width(2)))?;
             }
             let frame = Rectangle::new([place(Vec2::ZERO), place(Vec2::ONE)], INK.stroke_width(3));
             canvas.draw(&frame)?;
-            for p in realisation(pattern, self.n, 1) {
+            for p in subject.points(self.n, 1) {
                 canvas.draw(&Circle::new(place(p), radius, BLUE.filled()))?;
             }
         }
@@ -107,9 +112,9 @@ impl Plot for PointSets {
 
     fn csv(&self) -> String {
         let mut csv = "pattern,x,y\n".to_owned();
-        for pattern in &self.patterns {
-            for p in realisation(pattern, self.n, 1) {
-                let _ = writeln!(csv, "{},{},{}", pattern.name, p.x, p.y);
+        for subject in self.subjects {
+            for p in subject.points(self.n, 1) {
+                let _ = writeln!(csv, "{},{},{}", subject.key(), p.x, p.y);
             }
         }
         csv

@@ -1,11 +1,13 @@
 //! The error of an edge, by the angle at which it passes through the pixel.
 
 use crate::lab::palette::{FAINT, INK};
-use crate::lab::sampling::plot::{Drawn, Plot, colour, coloured, text};
-use crate::lab::sampling::{edge, title};
-use crate::sample::pattern::Pattern;
+use crate::lab::sampling::edge;
+use crate::lab::sampling::plot::{Drawn, Plot, coloured, strokes, text};
+use crate::lab::sampling::subject::Subject;
 use plotters::coord::Shift;
-use plotters::prelude::{Circle, Color, DrawingArea, DrawingBackend, PathElement, Text};
+use plotters::prelude::{
+    Circle, Color, DrawingArea, DrawingBackend, PathElement, ShapeStyle, Text,
+};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use rayon::prelude::*;
 use std::f64::consts::PI;
@@ -18,42 +20,58 @@ const ANGLES: usize = 180;
 const CENTRE: (i32, i32) = (560, 600);
 const RADIUS: f64 = 500.0;
 
+/// Where the legend's lines, names and two columns of numbers are, from left to right.
+const LEGEND: [i32; 4] = [1370, 1450, 1900, 2060];
+
 /// A curve for each pattern.
 pub struct Polar {
     /// How many points a pixel.
     n: usize,
-    /// Name, and the RMS error at each angle of the half circle.
-    curves: Vec<(&'static str, String, Vec<f64>)>,
+    curves: Vec<Curve>,
+}
+
+/// A pattern's errors.
+struct Curve {
+    key: String,
+    title: String,
+    stroke: ShapeStyle,
+    /// The RMS error at each angle of the half circle.
+    errors: Vec<f64>,
 }
 
 impl Polar {
     /// Measures the patterns, random ones by so many realisations.
-    pub fn measure(patterns: &[Pattern], n: usize, realisations: u64) -> Self {
-        let curve = |pattern: &Pattern| {
+    pub fn measure(subjects: &[Subject], n: usize, realisations: u64) -> Self {
+        let curve = |(subject, stroke): (&Subject, ShapeStyle)| {
             let angle = |i: usize| PI * i as f64 / ANGLES as f64;
             let errors = (0..ANGLES)
                 .into_par_iter()
-                .map(|i| edge::rms(pattern, n, angle(i), realisations))
+                .map(|i| edge::rms(subject, n, angle(i), realisations))
                 .collect();
-            (pattern.name, title(pattern), errors)
+            Curve {
+                key: subject.key(),
+                title: subject.title(),
+                stroke,
+                errors,
+            }
         };
         Self {
             n,
-            curves: patterns.iter().map(curve).collect(),
+            curves: subjects.iter().zip(strokes(subjects)).map(curve).collect(),
         }
     }
 }
 
 impl Plot for Polar {
     fn size(&self) -> (u32, u32) {
-        (960, 610)
+        (1060, 610)
     }
 
     fn draw<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn
     where
         B::ErrorType: 'static,
     {
-        let all = self.curves.iter().flat_map(|curve| &curve.2);
+        let all = self.curves.iter().flat_map(|curve| &curve.errors);
         let largest = all.fold(0.0_f64, |largest, e| largest.max(*e));
         let step = if largest > 0.1 { 0.05 } else { 0.02 };
         let rings = (largest / step).ceil().max(1.0);
@@ -71,23 +89,12 @@ impl Plot for Polar {
             let ends = [angle, angle + PI].map(|angle| place(rings * step, angle));
             canvas.draw(&PathElement::new(ends.to_vec(), FAINT.stroke_width(2)))?;
         }
-        for (i, (_, name, errors)) in self.curves.iter().enumerate() {
+        for curve in &self.curves {
             let mut line: Vec<_> = (0..=2 * ANGLES)
-                .map(|k| place(errors[k % ANGLES], PI * k as f64 / ANGLES as f64))
+                .map(|k| place(curve.errors[k % ANGLES], PI * k as f64 / ANGLES as f64))
                 .collect();
             line.dedup();
-            canvas.draw(&PathElement::new(line, colour(i).stroke_width(5)))?;
-            let mean = errors.iter().sum::<f64>() / ANGLES as f64;
-            let worst = errors.iter().fold(0.0_f64, |worst, e| worst.max(*e));
-            let left = Pos::new(HPos::Left, VPos::Center);
-            let at = (1360, 240 + 120 * i as i32);
-            canvas.draw(&Text::new(
-                name.as_str(),
-                at,
-                coloured(40, colour(i)).pos(left),
-            ))?;
-            let numbers = format!("mean {mean:.4}, worst {worst:.4}");
-            canvas.draw(&Text::new(numbers, (at.0, at.1 + 48), text(32).pos(left)))?;
+            canvas.draw(&PathElement::new(line, curve.stroke))?;
         }
         for ring in 1..=rings as i32 {
             let error = f64::from(ring) * step;
@@ -103,20 +110,47 @@ impl Plot for Polar {
             };
             canvas.draw(&Text::new(label, at, text(32)))?;
         }
-        let heading = format!("RMS error of the covered area, {} samples", self.n);
-        let left = Pos::new(HPos::Left, VPos::Center);
-        canvas.draw(&Text::new(heading, (1160, 90), text(36).pos(left)))?;
-        Ok(())
+        self.legend(canvas)
     }
 
     fn csv(&self) -> String {
         let mut csv = "pattern,samples,degrees,rms_error\n".to_owned();
-        for (name, _, errors) in &self.curves {
+        for Curve { key, errors, .. } in &self.curves {
             for (i, error) in errors.iter().enumerate() {
                 let degrees = 180.0 * i as f64 / ANGLES as f64;
-                let _ = writeln!(csv, "{name},{},{degrees},{error}", self.n);
+                let _ = writeln!(csv, "{key},{},{degrees},{error}", self.n);
             }
         }
         csv
+    }
+}
+
+impl Polar {
+    /// What is measured, and each curve's line with its name, mean and worst.
+    fn legend<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn
+    where
+        B::ErrorType: 'static,
+    {
+        let say = |words: &str, (x, y): (i32, i32), end: HPos| {
+            let style = text(32).pos(Pos::new(end, VPos::Center));
+            canvas.draw(&Text::new(words.to_owned(), (x, y), style))
+        };
+        let samples = if self.n == 1 { "sample" } else { "samples" };
+        let heading = format!("RMS error of the covered area, {} {samples}", self.n);
+        say(&heading, (LEGEND[0], 70), HPos::Left)?;
+        let [swatch, name, mean, worst] = LEGEND;
+        say("mean", (mean, 150), HPos::Right)?;
+        say("worst", (worst, 150), HPos::Right)?;
+        for (curve, i) in self.curves.iter().zip(0..) {
+            let y = 220 + 70 * i;
+            let line = vec![(swatch, y), (swatch + 60, y)];
+            canvas.draw(&PathElement::new(line, curve.stroke))?;
+            say(&curve.title, (name, y), HPos::Left)?;
+            let of_angles = curve.errors.iter().sum::<f64>() / ANGLES as f64;
+            let largest = curve.errors.iter().fold(0.0_f64, |most, e| most.max(*e));
+            say(&format!("{of_angles:.4}"), (mean, y), HPos::Right)?;
+            say(&format!("{largest:.4}"), (worst, y), HPos::Right)?;
+        }
+        Ok(())
     }
 }

@@ -2,47 +2,31 @@
 
 use crate::lab::sampling::error_plot::{Curve, ErrorPlot};
 use crate::lab::sampling::page::Page;
-use crate::lab::sampling::plot::Drawn;
+use crate::lab::sampling::plot::{Drawn, strokes};
 use crate::lab::sampling::point_sets::PointSets;
 use crate::lab::sampling::polar::Polar;
+use crate::lab::sampling::settings::{FEW, Settings, counts};
 use crate::lab::sampling::spectrum::Spectrum;
 use crate::lab::sampling::spectrum_plot::SpectrumPlot;
 use crate::lab::sampling::steps::Steps;
 use crate::lab::sampling::table::Row;
 use crate::lab::sampling::targets::TARGETS;
-use crate::lab::sampling::{integrands, sheets, title};
+use crate::lab::sampling::{integrands, sheets};
 use crate::lab::sheet::sheet;
 use crate::render::film::Film;
-use crate::sample::pattern::Pattern;
 use std::error::Error;
 use std::path::PathBuf;
 use std::thread;
-
-/// What is to be measured, and where the page goes.
-pub struct Settings {
-    /// The patterns to compare.
-    pub patterns: Vec<Pattern>,
-    /// Points in the point sets, the spectra and the table.
-    pub points: usize,
-    /// Samples per pixel of the pictures and of the polar plots.
-    pub samples: Vec<usize>,
-    /// How often each random pattern is drawn.
-    pub realisations: u64,
-    /// Width of each of the pictures in pixels.
-    pub width: usize,
-    /// The folder for the page and its figures.
-    pub folder: PathBuf,
-}
 
 /// Measures and draws everything, and returns the page's path.
 ///
 /// # Errors
 /// If a figure cannot be drawn or written.
 pub fn run(settings: &Settings) -> Result<PathBuf, Box<dyn Error>> {
-    let steps = 3 * settings.patterns.len() + settings.samples.len() + TARGETS.len();
+    let steps = 3 * settings.subjects.len() + settings.samples.len() + TARGETS.len();
     let mut lab = Lab {
         settings,
-        page: Page::new(&settings.folder),
+        page: Page::new(&settings.folder, settings.remarks.clone()),
         steps: Steps::new(steps as u64),
     };
     lab.point_sets()?;
@@ -69,11 +53,11 @@ impl Lab<'_> {
             "What each pattern looks like; thin lines are the cells that have a point each.",
         );
         let sets = |n| PointSets {
-            patterns: self.settings.patterns.clone(),
+            subjects: &self.settings.subjects,
             n,
             columns: 4,
         };
-        for n in [16, self.settings.points] {
+        for n in [FEW, self.settings.points] {
             let alt = format!("{n} points of each pattern.");
             self.page.plot(&format!("points_{n}"), &alt, &sets(n))?;
         }
@@ -85,23 +69,24 @@ impl Lab<'_> {
             "Error against samples",
             "The root of the mean squared error of the mean, with bands that hold it with a probability of 95 %; the numbers are the curves' slopes, and grey lines have the slopes written on them.",
         );
-        let (functions, powers) = (integrands::all(), 1..=12);
+        let functions = integrands::all();
         let mut plots = functions.map(|f| ErrorPlot {
             title: f.name.to_owned(),
             curves: Vec::new(),
         });
-        for pattern in &self.settings.patterns {
-            self.steps.begin(format!("error of {}", title(pattern)));
-            let by_count: Vec<_> = powers
-                .clone()
-                .map(|p| {
-                    integrands::errors(pattern, 1 << p, &functions, self.settings.realisations)
-                })
+        let subjects = &self.settings.subjects;
+        for (subject, stroke) in subjects.iter().zip(strokes(subjects)) {
+            self.steps.begin(format!("error of {}", subject.title()));
+            let wanted = self.settings.realisations;
+            let by_count: Vec<_> = counts()
+                .filter(|&n| subject.realisations(n, wanted) > 0)
+                .map(|n| integrands::errors(subject, n, &functions, wanted))
                 .collect();
             for (i, plot) in plots.iter_mut().enumerate() {
                 plot.curves.push(Curve {
-                    key: pattern.name,
-                    title: title(pattern),
+                    key: subject.key(),
+                    title: subject.title(),
+                    stroke,
                     errors: by_count.iter().map(|errors| errors[i]).collect(),
                 });
             }
@@ -121,9 +106,10 @@ impl Lab<'_> {
             "How far the covered area of a pixel is off, for all edges at an angle that pass through it. The regular grid is worst along the axes, where pictures have most of their edges; the rotated grid elsewhere.",
         );
         for &n in &self.settings.samples {
-            self.steps.begin(format!("edges by {n} samples"));
-            let polar = Polar::measure(&self.settings.patterns, n, self.settings.realisations);
-            let alt = format!("The error at edges by {n} samples a pixel.");
+            self.steps.begin(format!("edges at {n} a pixel"));
+            let polar = Polar::measure(&self.settings.subjects, n, self.settings.realisations);
+            let samples = if n == 1 { "sample" } else { "samples" };
+            let alt = format!("The error at edges by {n} {samples} a pixel.");
             self.page.plot(&format!("edges_{n}"), &alt, &polar)?;
             self.steps.done();
         }
@@ -136,16 +122,16 @@ impl Lab<'_> {
             "Frequency 0 is in the middle; random points have the power 1 (grey) everywhere. Dark is a frequency whose waves disappear in the mean, bright one whose waves turn up as others. Beside it the mean over all directions, and how much the directions differ.",
         );
         let n = self.settings.points;
-        for pattern in &self.settings.patterns {
-            self.steps.begin(format!("spectrum of {}", title(pattern)));
+        for subject in &self.settings.subjects {
+            self.steps.begin(format!("spectrum of {}", subject.title()));
             let limit = (2.0 * (n as f64).sqrt()) as usize;
             let plot = SpectrumPlot {
-                title: format!("{}, {n} points", title(pattern)),
-                spectrum: Spectrum::of(pattern, n, limit.clamp(4, 40), self.settings.realisations),
+                title: format!("{}, {n} points", subject.title()),
+                spectrum: Spectrum::of(subject, n, limit.clamp(4, 40), self.settings.realisations),
             };
-            let alt = format!("The power spectrum of {}.", title(pattern));
+            let alt = format!("The power spectrum of {}.", subject.title());
             self.page
-                .plot(&format!("spectrum_{}", pattern.name), &alt, &plot)?;
+                .plot(&format!("spectrum_{}", subject.key()), &alt, &plot)?;
             self.steps.done();
         }
         Ok(())
@@ -168,7 +154,7 @@ impl Lab<'_> {
         for (name, target) in TARGETS {
             self.steps.begin(format!("pictures of a {name}"));
             let (columns, tiles) =
-                sheets::targets_of(&film, &self.settings.patterns, samples, target);
+                sheets::targets_of(&film, &self.settings.subjects, samples, target);
             let alt = format!(
                 "The {name}, a column for each pattern and a row for each number of samples."
             );
@@ -182,9 +168,9 @@ impl Lab<'_> {
     fn table(&mut self) -> Drawn {
         self.page.section("Numbers", "Discrepancies are the smaller, the more evenly the points fill boxes from the corner. Times are of this machine, while this page was made.");
         let mut rows = Vec::new();
-        for pattern in &self.settings.patterns {
-            self.steps.begin(format!("numbers of {}", title(pattern)));
-            rows.push(Row::measure(pattern, self.settings.points, 20));
+        for subject in &self.settings.subjects {
+            self.steps.begin(format!("numbers of {}", subject.title()));
+            rows.push(Row::measure(subject, self.settings.points, 20));
             self.steps.done();
         }
         self.page.table("numbers", &rows)

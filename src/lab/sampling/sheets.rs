@@ -3,8 +3,8 @@
 use crate::image::{Image, rgb::Rgb};
 use crate::lab::figure::figure;
 use crate::lab::palette::{BLUE, FAINT};
+use crate::lab::sampling::subject::Subject;
 use crate::lab::sampling::targets::{self, Target};
-use crate::lab::sampling::title;
 use crate::lab::sheet::sheet;
 use crate::render::{film::Film, supersample};
 use crate::sample::filter::Filter;
@@ -28,36 +28,43 @@ pub fn bands(pictures: &[Image]) -> Image {
     })
 }
 
-/// A target, as a film and a pattern see it.
-pub fn view(film: &Film, pattern: &Pattern, target: Target) -> Image {
+/// A target as a film sees it through a pattern: in each pixel another realisation.
+pub fn view(film: &Film, subject: &Subject, target: Target) -> Image {
     let pixels = film.width as f32;
-    supersample::supersample(film, pattern, |place, _| target(place, pixels))
+    film.render_pixels(|x, y, _| {
+        let points = subject.points(film.samples, (y * film.width + x) as u64);
+        let corner = vec2(x as f32, y as f32);
+        let seen = points
+            .iter()
+            .map(|p| target((corner + *p) / pixels, pixels));
+        seen.sum::<Rgb>() / film.samples as f32
+    })
 }
 
 /// The zone plate by each pattern, a row for each number of samples: how many tiles are in a row, and the tiles.
 pub fn zone_plates(
     film: &Film,
-    patterns: &[Pattern],
+    subjects: &[Subject],
     samples: &[usize],
 ) -> (usize, Vec<(String, Image)>) {
-    targets_of(film, patterns, samples, targets::zone_plate)
+    targets_of(film, subjects, samples, targets::zone_plate)
 }
 
 /// A target by each pattern, a row for each number of samples.
 pub fn targets_of(
     film: &Film,
-    patterns: &[Pattern],
+    subjects: &[Subject],
     samples: &[usize],
     target: Target,
 ) -> (usize, Vec<(String, Image)>) {
     let tiles = samples.iter().flat_map(|&samples| {
         let film = Film { samples, ..*film };
-        patterns.iter().map(move |pattern| {
-            let name = format!("{}, {samples}", title(pattern));
-            (name, view(&film, pattern, target))
+        subjects.iter().map(move |subject| {
+            let name = format!("{}, {samples}", subject.title());
+            (name, view(&film, subject, target))
         })
     });
-    (patterns.len(), tiles.collect())
+    (subjects.len(), tiles.collect())
 }
 
 /// The tiles as a sheet wants them.

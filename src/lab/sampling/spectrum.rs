@@ -1,7 +1,6 @@
 //! The power spectrum: which waves a pattern takes for others.
 
-use crate::lab::sampling::realisation;
-use crate::sample::pattern::Pattern;
+use crate::lab::sampling::subject::Subject;
 use glam::Vec2;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
@@ -20,11 +19,12 @@ impl Spectrum {
     ///
     /// Independent points have 1 at every whole frequency but 0. Where it is 0, a wave of that frequency disappears in the mean,
     /// as it should; where it is high, it turns up as another one.
-    pub fn of(pattern: &Pattern, n: usize, limit: usize, realisations: u64) -> Self {
+    pub fn of(subject: &Subject, n: usize, limit: usize, realisations: u64) -> Self {
         let side = 2 * limit + 1;
+        let realisations = subject.realisations(n, realisations);
         let sum = (0..realisations)
             .into_par_iter()
-            .map(|pixel| power(&realisation(pattern, n, pixel), limit))
+            .map(|pixel| power(&subject.points(n, pixel), limit))
             .collect::<Vec<_>>() // summed in order: the same on any number of threads
             .into_iter()
             .fold(vec![0.0; side * side], |mut sum, one| {

@@ -1,47 +1,55 @@
 //! Numbers of patterns, side by side.
 
 use crate::lab::sampling::discrepancy::{l2_star_squared, least_distance, star};
-use crate::lab::sampling::realisation;
-use crate::sample::pattern::Pattern;
+use crate::lab::sampling::subject::Subject;
 use crate::sample::pattern::dart_throwing::largest_distance;
 use std::fmt::Write;
 use std::time::Instant;
 
 /// What is measured of a pattern, each the mean over realisations.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Row {
-    /// The pattern.
-    pub pattern: Pattern,
+    /// The pattern's name as a word.
+    pub key: String,
+    /// Its name as people write it.
+    pub title: String,
+    /// What it does with five points.
+    pub five: &'static str,
     /// The star discrepancy.
     pub star: f64,
     /// The root of the mean squared L₂ star discrepancy.
     pub l2_star: f64,
     /// The least distance, as a share of the largest possible one.
     pub distance: f64,
-    /// Nanoseconds that a point takes, measured here and now; the fastest of the realisations.
-    pub nanoseconds: f64,
+    /// Nanoseconds that a point takes, measured here and now; the fastest of the realisations. Not of points that were given.
+    pub nanoseconds: Option<f64>,
 }
 
 impl Row {
     /// Measures n points of a pattern.
-    pub fn measure(pattern: &Pattern, n: usize, realisations: u64) -> Self {
+    pub fn measure(subject: &Subject, n: usize, realisations: u64) -> Self {
+        let realisations = subject.realisations(n, realisations);
+        let mut fastest = f64::INFINITY;
         let mut row = Self {
-            pattern: *pattern,
+            key: subject.key(),
+            title: subject.title(),
+            five: subject.pattern.five,
             star: 0.0,
             l2_star: 0.0,
             distance: 0.0,
-            nanoseconds: f64::INFINITY,
+            nanoseconds: None,
         };
         for pixel in 0..realisations {
             let start = Instant::now();
-            let points = realisation(pattern, n, pixel);
+            let points = subject.points(n, pixel);
             let time = 1e9 * start.elapsed().as_secs_f64() / n as f64;
-            row.nanoseconds = row.nanoseconds.min(time);
+            fastest = fastest.min(time);
             row.star += star(&points) / realisations as f64;
             row.l2_star += l2_star_squared(&points) / realisations as f64;
             row.distance += least_distance(&points) / largest_distance(n) / realisations as f64;
         }
         row.l2_star = row.l2_star.sqrt();
+        row.nanoseconds = (!subject.is_own()).then_some(fastest);
         row
     }
 }
@@ -53,7 +61,12 @@ pub fn csv(rows: &[Row]) -> String {
         let _ = writeln!(
             csv,
             "{},{},{},{},{}",
-            row.pattern.name, row.star, row.l2_star, row.distance, row.nanoseconds
+            row.key,
+            row.star,
+            row.l2_star,
+            row.distance,
+            row.nanoseconds
+                .map_or_else(String::new, |ns| ns.to_string())
         );
     }
     csv

@@ -26,6 +26,8 @@ use glam::Vec2;
 pub struct Pattern {
     /// Its name, as a word on the command line.
     pub name: &'static str,
+    /// Its name, as people write it.
+    pub title: &'static str,
     /// What it does with a number of points that does not suit it; 5, say.
     pub five: &'static str,
     /// The n points.
@@ -36,41 +38,49 @@ pub struct Pattern {
 pub const PATTERNS: &[Pattern] = &[
     Pattern {
         name: "regular-grid",
+        title: "regular grid",
         five: "rows of two and of three cells, each as high as it has cells",
-        points: |n, _| rows::in_rows(n, |cells| regular_grid::regular_grid(cells, 1)),
+        points: |n, _| rows::in_rows(n, regular_grid::regular_grid),
     },
     Pattern {
         name: "rotated-grid",
+        title: "rotated grid",
         five: "the lattice's middle moves, until five of its points are in the square",
-        points: |n, _| rotated_grid::of(n),
+        points: |n, _| rotated_grid::of(n, rotated_grid::rotated_grid),
     },
     Pattern {
         name: "random",
+        title: "random",
         five: "any number suits it",
         points: random_pattern::random_pattern,
     },
     Pattern {
         name: "jittered",
+        title: "jittered",
         five: "rows of two and of three cells, each as high as it has cells",
-        points: |n, rng| rows::in_rows(n, |cells| jittered::jittered(cells, 1, rng)),
+        points: |n, rng| rows::in_rows(n, |columns, rows| jittered::jittered(columns, rows, rng)),
     },
     Pattern {
         name: "dart-throwing",
+        title: "dart throwing",
         five: "any number suits it: the distance shrinks until so many darts have room",
         points: |n, rng| dart_throwing::fill(Vec::new(), n, neighbours::Space::Torus, rng),
     },
     Pattern {
         name: "poisson-disk",
+        title: "Poisson disk",
         five: "any number suits it: Bridson's points, and darts for the last ones",
         points: |n, rng| poisson_disk::of(n, neighbours::Space::Torus, rng),
     },
     Pattern {
         name: "n-rooks",
+        title: "n-rooks",
         five: "any number suits it",
         points: n_rooks::n_rooks,
     },
     Pattern {
         name: "multi-jittered",
+        title: "multi-jittered",
         five: "a prime number has only itself for columns: rooks, and nothing more",
         points: |n, rng| {
             let columns = multi_jittered::columns(n);
@@ -79,21 +89,25 @@ pub const PATTERNS: &[Pattern] = &[
     },
     Pattern {
         name: "halton",
+        title: "Halton",
         five: "the first five of the sequence",
         points: halton::halton,
     },
     Pattern {
         name: "r2",
+        title: "R₂",
         five: "the first five of the sequence",
         points: r2::r2,
     },
     Pattern {
         name: "sobol-owen",
+        title: "Sobol, Owen",
         five: "the first five of the sequence",
         points: owen::sobol_owen,
     },
     Pattern {
         name: "best-candidate",
+        title: "best candidate",
         five: "any number suits it",
         points: best_candidate::best_candidate,
     },

@@ -34,15 +34,23 @@ const MIDDLES: [Vec2; 3] = [Vec2::splat(0.5), Vec2::ZERO, vec2(0.5, 0.0)];
 ///
 /// The lattice is magnified until n of its points are inside, those next to the square's edge as far from it as the next ones
 /// outside. Four are then at eighths, 1, 3, 5 and 7, the pattern known from graphics hardware; five repeat seamlessly. Where
-/// several points arrive at the edge at once and are too many, the last in the corners are left out.
-pub fn of(n: usize) -> Vec<Vec2> {
+/// several points arrive at the edge at once and are too many, the last in the corners are left out. `grid` returns all points for
+/// a spacing and an offset, in any order.
+pub fn of(n: usize, grid: impl FnOnce(f32, Vec2) -> Vec<Vec2>) -> Vec<Vec2> {
     let fits = MIDDLES.iter().filter_map(|&offset| Fit::of(n, offset));
     let Some(best) = fits.min_by_key(|fit| fit.too_many) else {
         return Vec::new();
     };
-    let mut points = rotated_grid(best.spacing, best.offset);
-    let out = |p: &Vec2| p.distance_squared(Vec2::splat(0.5));
-    points.sort_by(|p, q| out(p).total_cmp(&out(q)));
+    let mut points = grid(best.spacing, best.offset);
+    // Of those equally far out, but for rounding, the same ones are left out in whatever order they come, and opposite ones together.
+    let coarse = |v: Vec2| ((1e4 * v.y).round() as i64, (1e4 * v.x).round() as i64);
+    let out = |p: &Vec2| {
+        let from_middle = *p - 0.5;
+        let (one, opposite) = (coarse(from_middle), coarse(-from_middle));
+        let far = (1e4 * from_middle.length_squared()).round() as i64;
+        (far, one.max(opposite), one)
+    };
+    points.sort_by_key(out);
     points.truncate(n);
     points
 }

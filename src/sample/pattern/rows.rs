@@ -8,16 +8,20 @@ pub fn rows(n: usize) -> impl Iterator<Item = usize> {
     (0..rows).map(move |row| (row + 1) * n / rows - row * n / rows)
 }
 
-/// n points, row by row: `row` places that many points in the unit square, in cells side by side.
+/// n points, in cells of equal area: `grid` places one in each cell of columns × rows equal ones of the unit square.
 ///
 /// A row is as high as it has cells: a row of m is m/n high and its cells are 1/m wide, so that every cell, of whichever row, has
-/// the area 1/n, and the mean over the points has no bias. If n is a square, these are √n × √n equal cells.
-pub fn in_rows(n: usize, mut row: impl FnMut(usize) -> Vec<Vec2>) -> Vec<Vec2> {
+/// the area 1/n, and the mean over the points has no bias. Rows alike that follow one another are one grid; if n is a
+/// square, there is only one, of √n × √n cells.
+pub fn in_rows(n: usize, mut grid: impl FnMut(usize, usize) -> Vec<Vec2>) -> Vec<Vec2> {
+    let rows: Vec<_> = rows(n).collect();
+    let mut above = 0;
     let mut points = Vec::with_capacity(n);
-    for cells in rows(n) {
-        let above = points.len();
+    for alike in rows.chunk_by(|one, next| one == next) {
+        let cells = alike[0] * alike.len();
         let lowered = |p: Vec2| vec2(p.x, place(above, cells, p.y.into(), n));
-        points.extend(row(cells).into_iter().map(lowered));
+        points.extend(grid(alike[0], alike.len()).into_iter().map(lowered));
+        above += cells;
     }
     points
 }

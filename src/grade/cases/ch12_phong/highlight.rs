@@ -1,9 +1,10 @@
-//! What `phong` and `blinn_phong` share: the questions, and the judge.
+//! What `phong` and `blinn_phong` share: the questions, the picture, and the judge.
 
 use super::channels;
-use crate::grade::{Verdict, sample};
+use crate::grade::{Edge, Picture, Verdict, sample};
 use crate::image::rgb::Rgb;
 use crate::math::{dir3::Dir3, pcg::Pcg};
+use crate::workbook::exercise::Exercise;
 use crate::workbook::exercises::ch12_phong::Highlight;
 use glam::{Vec3, vec3};
 use rand::RngExt;
@@ -33,7 +34,7 @@ pub(super) fn power(cosine: f32, q: &Highlight) -> f32 {
 }
 
 /// Named questions; the surface lies in the xz plane.
-pub(super) fn edges() -> Vec<(&'static str, Highlight)> {
+pub(super) fn edges<E: Exercise<Question = Highlight>>() -> Vec<Edge<E>> {
     let edge = |name, view: Vec3, toward: Vec3, exponent| {
         let q = Highlight {
             normal: Dir3::Y,
@@ -44,7 +45,7 @@ pub(super) fn edges() -> Vec<(&'static str, Highlight)> {
             specular: Rgb::gray(0.25),
             exponent,
         };
-        (name, q)
+        Edge::new(name, q)
     };
     let slanting = vec3(0.6, 0.8, 0.0);
     vec![
@@ -132,8 +133,20 @@ pub(super) fn random(rng: &mut Pcg) -> Highlight {
     }
 }
 
-/// A pixel of a ball, or of the wall behind it.
-pub(super) fn on_ball(x: u32, y: u32) -> Highlight {
+/// A ball before a wall.
+pub(super) const fn picture<E: Exercise<Question = Highlight, Answer = Rgb>>() -> Picture<E> {
+    Picture {
+        name: E::NAME,
+        width: 64,
+        height: 64,
+        alt: "A shiny clay ball before a wall of the same material, lit from the upper left",
+        question: on_ball,
+        colour: |_, radiance| *radiance,
+    }
+}
+
+/// A pixel of the ball, or of the wall behind it.
+fn on_ball(x: u32, y: u32) -> Highlight {
     let place = |i: u32| (i as f32 + 0.5) / 29.0 - 32.0 / 29.0;
     let (x, y) = (place(x), -place(y));
     let z = (1.0 - x * x - y * y).max(0.0).sqrt();

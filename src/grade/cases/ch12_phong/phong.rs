@@ -1,6 +1,6 @@
 //! `phong`: its cases, judge and mistakes.
 
-use super::highlight::{edges, half, mirrored, on_ball, power, radiance, random, with_highlight};
+use super::highlight::{edges, half, mirrored, picture, power, radiance, random, with_highlight};
 use crate::grade::{Edge, Graded, Mistake, Picture, Verdict};
 use crate::image::rgb::Rgb;
 use crate::math::pcg::Pcg;
@@ -87,20 +87,10 @@ impl Graded for PhongExercise {
         },
     ];
 
-    const PICTURES: &'static [Picture<Self>] = &[Picture {
-        name: "phong",
-        width: 64,
-        height: 64,
-        alt: "A shiny clay ball before a wall of the same material, lit from the upper left",
-        question: on_ball,
-        colour: |_, radiance| *radiance,
-    }];
+    const PICTURES: &'static [Picture<Self>] = &[picture()];
 
     fn edges() -> Vec<Edge<Self>> {
         edges()
-            .into_iter()
-            .map(|(name, q)| Edge::new(name, q))
-            .collect()
     }
 
     fn random(rng: &mut Pcg) -> Highlight {

@@ -121,13 +121,14 @@ impl Graded for ThinLensRay {
         },
     ];
 
-    const PICTURE: Option<Picture<Self>> = Some(Picture {
+    const PICTURES: &'static [Picture<Self>] = &[Picture {
+        name: "thin_lens_ray",
         width: 96,
         height: 54,
         alt: "Three balls, one ray a pixel, each from another point of the lens: the middle one has a clean edge, the near and the far one are frayed",
         question: cases::pixel,
         colour: cases::colour,
-    });
+    }];
 
     fn edges() -> Vec<Edge<Self>> {
         cases::edges()

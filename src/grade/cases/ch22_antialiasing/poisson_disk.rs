@@ -37,34 +37,27 @@ fn darts(q: &PoissonDiskQuestion, keeps: impl Fn(Vec2, &[Vec2]) -> bool) -> Vec<
     points
 }
 
+/// The same, with a rule for the way from a dart to every other point.
+fn apart(q: &PoissonDiskQuestion, far: impl Fn(Vec2) -> bool) -> Vec<Vec2> {
+    darts(q, |p, points| points.iter().all(|o| far(p - *o)))
+}
+
 impl Graded for PoissonDisk {
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "compares the squared distance with the distance",
             hint: "Below 1, a square is smaller than its root: what do you compare with what?",
-            answer: |q| {
-                darts(q, |p, points| {
-                    points.iter().all(|o| p.distance_squared(*o) >= q.distance)
-                })
-            },
+            answer: |q| apart(q, |way| way.length_squared() >= q.distance),
         },
         Mistake {
             name: "takes the distance for a diameter",
             hint: "Discs of that radius would overlap: is it the distance of two points that you compare?",
-            answer: |q| {
-                darts(q, |p, points| {
-                    points.iter().all(|o| p.distance(*o) >= 0.5 * q.distance)
-                })
-            },
+            answer: |q| apart(q, |way| way.length() >= 0.5 * q.distance),
         },
         Mistake {
             name: "takes the distance for a radius",
             hint: "How near may two points come: once or twice the distance?",
-            answer: |q| {
-                darts(q, |p, points| {
-                    points.iter().all(|o| p.distance(*o) >= 2.0 * q.distance)
-                })
-            },
+            answer: |q| apart(q, |way| way.length() >= 2.0 * q.distance),
         },
         Mistake {
             name: "compares with the last point only",
@@ -78,13 +71,7 @@ impl Graded for PoissonDisk {
         Mistake {
             name: "adds the distances along x and y",
             hint: "Which figure do the points make that have your distance from a point: a circle?",
-            answer: |q| {
-                darts(q, |p, points| {
-                    points
-                        .iter()
-                        .all(|o| (p - *o).abs().element_sum() >= q.distance)
-                })
-            },
+            answer: |q| apart(q, |way| way.abs().element_sum() >= q.distance),
         },
         Mistake {
             name: "gives up too early",

@@ -25,14 +25,16 @@ impl Graded for RandomPattern {
         Mistake {
             name: "makes a grid",
             hint: "Which of your points would be elsewhere with another seed?",
-            answer: |q| rows::in_rows(q.n as usize, |cells| regular_grid::regular_grid(cells, 1)),
+            answer: |q| rows::in_rows(q.n as usize, regular_grid::regular_grid),
         },
         Mistake {
             name: "jitters",
             hint: "May a point of yours fall anywhere, or has it a cell? Independent points leave gaps and make crowds.",
             answer: |q| {
                 let rng = &mut pcg::stream(22, q.seed.into());
-                rows::in_rows(q.n as usize, |cells| jittered::jittered(cells, 1, rng))
+                rows::in_rows(q.n as usize, |columns, rows| {
+                    jittered::jittered(columns, rows, rng)
+                })
             },
         },
         Mistake {

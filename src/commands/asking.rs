@@ -1,0 +1,57 @@
+//! Which answer program a command asks, and how long it waits.
+
+use raybook::grade::converse::{Limits, Program};
+use raybook::grade::student;
+use std::error::Error;
+use std::path::PathBuf;
+use std::time::Duration;
+
+/// The options of every command that asks an answer program.
+#[derive(clap::Args)]
+pub struct Asking {
+    /// Ask this program: any that answers a line per line; or a workbook's folder, to build its program
+    #[arg(long, value_name = "FILE|FOLDER")]
+    pub program: Option<PathBuf>,
+    /// How long to wait for one answer, in seconds
+    #[arg(long, default_value_t = 2.0, value_parser = super::seconds)]
+    time_limit: f32,
+}
+
+impl Asking {
+    /// The program that was named, if one was.
+    ///
+    /// # Errors
+    /// If it is a folder without a workbook, or of one that cannot be built.
+    pub fn program(&self) -> Result<Option<Program>, Box<dyn Error>> {
+        let Some(named) = &self.program else {
+            return Ok(None);
+        };
+        if named.is_dir() {
+            return Ok(Some(student::build(&student::workbook(named)?)?));
+        }
+        Ok(Some(Program {
+            file: std::path::absolute(named)?,
+            arguments: Vec::new(),
+            folder: PathBuf::new(),
+        }))
+    }
+
+    /// What it may use for one answer.
+    pub fn limits(&self) -> Limits {
+        Limits {
+            time: Duration::from_secs_f32(self.time_limit),
+            ..Limits::default()
+        }
+    }
+
+    /// These options as they are typed, each word after a space.
+    pub fn again(&self) -> String {
+        let program = self.program.as_ref();
+        let mut words =
+            program.map_or_else(String::new, |file| format!(" --program {}", file.display()));
+        if self.limits() != Limits::default() {
+            words += &format!(" --time-limit {}", self.time_limit);
+        }
+        words
+    }
+}

@@ -1,0 +1,39 @@
+//! The frame of every page that is written: its head, its style, and its figures.
+
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+
+const STYLE: &str = "
+body { font: 17px/1.5 system-ui, sans-serif; max-width: 1240px; margin: 2rem auto; padding: 0 1rem; color: #222; background: #fff }
+h1 { margin-bottom: 0 } section { margin-top: 3rem; border-top: 1px solid #ccc }
+.figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(480px, 100%), 1fr)); gap: 1.5rem }
+figure { margin: 0 } img { width: 100%; height: auto; background: #fff } figcaption { color: #444; font-size: 15px }
+table { border-collapse: collapse } th, td { padding: .2em .9em; border-bottom: 1px solid #ddd; text-align: right }
+th:first-child, td:first-child { text-align: left }
+code { background: #f0f0f0; padding: .1em .3em; border-radius: 3px }
+nav a { margin-right: 1em; white-space: nowrap }
+@media (prefers-color-scheme: dark) { body { color: #ddd; background: #1b1b1b } figcaption { color: #bbb } code { background: #333 } a { color: #8bf } }";
+
+/// A whole page.
+pub fn page(title: &str, body: &Markup) -> String {
+    let page = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                title { (title) }
+                style { (PreEscaped(STYLE)) }
+            }
+            body { (body) }
+        }
+    };
+    page.into_string()
+}
+
+/// A picture that is also a link to the picture alone, and below it what to see.
+pub fn figure(file: &str, alt: &str, caption: &Markup) -> Markup {
+    html! { figure {
+        a href=(file) { img src=(file) alt=(alt) loading="lazy"; }
+        figcaption { (caption) }
+    } }
+}

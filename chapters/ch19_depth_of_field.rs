@@ -36,14 +36,14 @@ pub(crate) fn draw(stage: &Stage) -> Drawn {
         picture
     };
 
-    let film = stage.film_of(960, 40, 16.0 / 9.0);
+    let film = stage.film_of(960, 32, 16.0 / 9.0);
     let body = Pinhole::look_at(EYE, VIEW, Vec3::Y, FOCAL_LENGTH, film.aspect())?;
     let caption = "A lens of 50 mm at f/1.4, focused on the red teapot. What is nearer or farther is blurred, and every lamp becomes a hexagon: the hole that six blades leave open.";
     let picture = photograph(&film, &focused(&body, POTS[1], 1.4)?);
     stage.picture("picture", caption, &picture)?;
 
     let caption = "With few random points of the lens there is noise where the picture is blurred, and hardly any where it is sharp. Points that are spread evenly over the lens have less of it.";
-    let figure = lens_samples::draw(&stage.tile(3, 1.4), see)?;
+    let figure = lens_samples::draw(&stage.tile(3, 1.6), see)?;
     stage.figure("samples", caption, &figure)?;
 
     let (tile, mut tiles) = (stage.tile(2, 16.0 / 9.0), vec![]);

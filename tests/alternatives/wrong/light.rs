@@ -113,7 +113,9 @@ pub const WRONGS: &[Wrong] = &[
     }),
     (&["panorama_ray"], "1 cm to the right", |ray| ray[0] += 0.01),
     (&["trace"], "5 % and 0.006 too bright", |c| {
-        c.iter_mut().for_each(|c| *c = 1.05 * *c + 0.006);
+        for channel in c {
+            *channel = 1.05 * *channel + 0.006;
+        }
     }),
     (&["trace"], "a little more red", |c| c[0] += 0.02),
 ];

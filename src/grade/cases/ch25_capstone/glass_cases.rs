@@ -1,16 +1,14 @@
 //! What is asked of `trace`: mirrors and glass, one difficulty at a time.
 
-use super::things::{BLUE, RED, ask, ball, from, glass, lamp, mirror, shiny};
+use super::things::{AHEAD, RED, SIDE, ask, ball, edge, from, glass, lamp, mirror, shiny, wall};
 use crate::grade::Edge;
 use crate::math::dir3::Dir3;
 use crate::scene::description::{Matter, Object};
 use crate::workbook::exercises::ch25_capstone::Trace;
 use glam::{Vec3, vec3};
 
-pub fn edges() -> Vec<Edge<Trace>> {
-    let ahead = vec3(0.1, 0.15, -1.0);
-    let side = lamp(3.0, 4.0, 4.0, 60.0);
-    let wall = || Object::plane(Dir3::Z, -2.0, shiny(BLUE));
+/// Mirrors, and where the depth ends.
+pub fn mirrors() -> Vec<Edge<Trace>> {
     let facing = || {
         vec![
             Object::plane(Dir3::X, -1.0, mirror()),
@@ -19,18 +17,10 @@ pub fn edges() -> Vec<Edge<Trace>> {
         ]
     };
     let to_mirror = vec3(0.5, 0.1, -1.0);
-    let water = || {
-        vec![
-            Object::plane(Dir3::Y, 0.0, glass()),
-            ball(4.0, -2.0, 0.0, shiny(RED)),
-        ]
-    };
-    let below = vec3(0.0, -2.0, 0.3);
-    let edge = |(name, question)| Edge::new(name, question);
     [
         (
             "a mirror shows the backdrop",
-            ask(2, ahead, &[side], vec![ball(0.0, 0.0, 0.0, mirror())]),
+            ask(2, AHEAD, &[SIDE], vec![ball(0.0, 0.0, 0.0, mirror())]),
         ),
         (
             "a mirror shows a ball",
@@ -46,7 +36,7 @@ pub fn edges() -> Vec<Edge<Trace>> {
         ),
         (
             "a mirror has nothing to show at depth 1",
-            ask(1, ahead, &[side], vec![ball(0.0, 0.0, 0.0, mirror())]),
+            ask(1, AHEAD, &[SIDE], vec![ball(0.0, 0.0, 0.0, mirror())]),
         ),
         (
             "mirror, mirror, mirror and wall: four surfaces, just enough",
@@ -77,19 +67,34 @@ pub fn edges() -> Vec<Edge<Trace>> {
             ask(
                 3,
                 vec3(0.2, 0.5, -1.0),
-                &[side],
+                &[SIDE],
                 vec![
                     Object::plane(Dir3::Y, 1.5, mirror()),
                     ball(1.0, -1.5, -2.0, shiny(RED)),
                 ],
             ),
         ),
+    ]
+    .map(edge)
+    .into()
+}
+
+/// Glass, from outside and from inside.
+pub fn refracting() -> Vec<Edge<Trace>> {
+    let water = || {
+        vec![
+            Object::plane(Dir3::Y, 0.0, glass()),
+            ball(4.0, -2.0, 0.0, shiny(RED)),
+        ]
+    };
+    let below = vec3(0.0, -2.0, 0.3);
+    [
         (
             "straight through the middle of glass",
             ask(
                 3,
                 Vec3::NEG_Z,
-                &[side],
+                &[SIDE],
                 vec![ball(0.0, 0.0, 0.0, glass()), wall()],
             ),
         ),
@@ -97,8 +102,8 @@ pub fn edges() -> Vec<Edge<Trace>> {
             "aslant through glass",
             ask(
                 4,
-                ahead,
-                &[side],
+                AHEAD,
+                &[SIDE],
                 vec![ball(0.0, 0.0, 0.0, glass()), wall()],
             ),
         ),
@@ -107,13 +112,13 @@ pub fn edges() -> Vec<Edge<Trace>> {
             ask(
                 5,
                 vec3(0.19, 0.0, -1.0),
-                &[side],
+                &[SIDE],
                 vec![ball(0.0, 0.0, 0.0, glass())],
             ),
         ),
         (
             "from below water, steeply: out and back",
-            from(below, ask(3, vec3(0.3, 1.0, -0.2), &[side], water())),
+            from(below, ask(3, vec3(0.3, 1.0, -0.2), &[SIDE], water())),
         ),
         (
             "from below water, flatly: totally reflected",
@@ -131,8 +136,8 @@ pub fn edges() -> Vec<Edge<Trace>> {
             "a bubble in glass",
             ask(
                 6,
-                ahead,
-                &[side],
+                AHEAD,
+                &[SIDE],
                 vec![
                     ball(0.0, 0.0, 0.0, glass()),
                     Object::sphere(Vec3::ZERO, 0.7, Matter::glass(0.6667)),
@@ -144,8 +149,8 @@ pub fn edges() -> Vec<Edge<Trace>> {
             "through a plate of glass into a mirror, and back",
             ask(
                 6,
-                ahead,
-                &[side],
+                AHEAD,
+                &[SIDE],
                 vec![
                     Object::plane(Dir3::Z, 1.0, glass()),
                     Object::plane(Dir3::Z, 0.5, Matter::glass(0.6667)),

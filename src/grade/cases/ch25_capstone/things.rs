@@ -1,11 +1,12 @@
 //! What the questions are made of.
 
-use crate::grade::sample;
+use crate::grade::{Edge, sample};
 use crate::image::rgb::Rgb;
 use crate::light::point::PointLight;
 use crate::material::phong::Phong;
+use crate::math::dir3::Dir3;
 use crate::scene::description::{Backdrop, Description, Matter, Object};
-use crate::workbook::exercises::ch25_capstone::TraceQuestion;
+use crate::workbook::exercises::ch25_capstone::{Trace, TraceQuestion};
 use glam::{Vec3, vec3};
 
 const AMBIENT: Rgb = Rgb::new(0.4, 0.5, 0.6);
@@ -18,6 +19,17 @@ pub const BLUE: Rgb = Rgb::new(0.03, 0.1, 0.2);
 const GOLD: Rgb = Rgb::new(0.95, 0.7, 0.3);
 /// Where the viewer is, in most of them.
 const EYE: Vec3 = vec3(0.0, 0.0, 5.0);
+
+/// A little aside of what is straight before the viewer.
+pub const AHEAD: Vec3 = vec3(0.1, 0.15, -1.0);
+
+/// A lamp beside the viewer.
+pub const SIDE: PointLight = lamp(3.0, 4.0, 4.0, 60.0);
+
+/// A question by name.
+pub fn edge((name, question): (&'static str, TraceQuestion)) -> Edge<Trace> {
+    Edge::new(name, question)
+}
 
 /// A question from the viewer's place.
 pub fn ask(depth: u32, toward: Vec3, lamps: &[PointLight], objects: Vec<Object>) -> TraceQuestion {
@@ -65,4 +77,9 @@ pub fn mirror() -> Matter {
 
 pub fn glass() -> Matter {
     Matter::glass(1.5)
+}
+
+/// A blue wall behind everything.
+pub fn wall() -> Object {
+    Object::plane(Dir3::Z, -2.0, shiny(BLUE))
 }

@@ -1,7 +1,9 @@
 //! `trace`: its pictures, judge and mistakes.
 
+use super::glass_cases::{mirrors, refracting};
+use super::light_cases::{lamps, shadows_and_sides};
 use super::slip::{Slip, answer};
-use super::{glass_cases, light_cases, random, trace_judge};
+use super::{random, trace_judge};
 use crate::camera::pinhole::Pinhole;
 use crate::grade::{Edge, Graded, Mistake, Picture, Verdict};
 use crate::image::rgb::Rgb;
@@ -182,10 +184,8 @@ impl Graded for Trace {
     ];
 
     fn edges() -> Vec<Edge<Self>> {
-        [light_cases::edges(), glass_cases::edges()]
-            .into_iter()
-            .flatten()
-            .collect()
+        let edges = [lamps(), shadows_and_sides(), mirrors(), refracting()];
+        edges.into_iter().flatten().collect()
     }
 
     fn random(rng: &mut Pcg) -> TraceQuestion {

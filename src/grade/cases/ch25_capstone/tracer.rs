@@ -47,10 +47,10 @@ impl Tracer<'_> {
             }
             Matter::Glass(clear) => {
                 let entering = at.normal.dot(*ray.direction) < 0.0;
-                let (here, there) = if entering != self.is(Slip::IndexTurned) {
-                    (1.0, clear.index)
-                } else {
+                let (here, there) = if entering == self.is(Slip::IndexTurned) {
                     (clear.index, 1.0)
+                } else {
+                    (1.0, clear.index)
                 };
                 let mirrored = || see(reflect(ray.direction, normal));
                 let Some(refracted) = refract(ray.direction, normal, here, there) else {

@@ -47,11 +47,9 @@ impl Asking {
     /// These options as they are typed, each word after a space.
     pub fn again(&self) -> String {
         let program = self.program.as_ref();
-        let mut words =
-            program.map_or_else(String::new, |file| format!(" --program {}", file.display()));
-        if self.limits() != Limits::default() {
-            words += &format!(" --time-limit {}", self.time_limit);
-        }
-        words
+        let program = program.map(|file| format!(" --program {}", file.display()));
+        let unusual = self.limits() != Limits::default();
+        let time = unusual.then(|| format!(" --time-limit {}", self.time_limit));
+        [program, time].into_iter().flatten().collect()
     }
 }

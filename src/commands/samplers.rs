@@ -132,6 +132,10 @@ impl Samplers {
             steps.done();
         }
         steps.finish();
+        if subjects.iter().any(Subject::is_own) {
+            let how = "Where there are two curves of a pattern, the broad pale one is the library's, and the thin one is yours.";
+            settings.remarks.insert(0, how.to_owned());
+        }
         settings.subjects = subjects;
         Ok(right)
     }

@@ -5,7 +5,7 @@ use glam::{Vec2, vec2};
 use raybook::math::pcg;
 use raybook::sample::pattern::dart_throwing::largest_distance;
 use raybook::sample::pattern::neighbours::{Neighbours, Space};
-use raybook::sample::pattern::poisson_disk::poisson_disk;
+use raybook::sample::pattern::poisson_disk::{distance_for, poisson_disk};
 
 #[test]
 fn no_two_points_are_nearer_than_the_distance_not_by_a_digit() {
@@ -94,6 +94,25 @@ fn so_many_points_keep_a_good_part_of_the_largest_distance() {
     }
     let four = largest_distance(4);
     assert!((four - 0.537_285).abs() < 1e-6, "√(2/(√3·4)), not {four}");
+}
+
+#[test]
+fn nearly_so_many_points_have_room_in_the_plane_and_on_the_torus() {
+    for (space, n) in [
+        (Space::Square, 40),
+        (Space::Square, 1000),
+        (Space::Torus, 40),
+        (Space::Torus, 1000),
+    ] {
+        let distance = distance_for(n, space) as f32;
+        let count = |seed| poisson_disk(distance, space, &mut pcg::stream(seed, 1)).len();
+        let mean = (0..40).map(count).sum::<usize>() as f64 / 40.0;
+        let share = mean / n as f64;
+        assert!(
+            (0.94..1.0).contains(&share),
+            "{share} of {n} in the {space:?}"
+        );
+    }
 }
 
 #[test]

@@ -8,13 +8,13 @@ use raybook::lab::sampling::integrands::{all, errors};
 use raybook::lab::sampling::subject::{Realisations, Subject};
 use raybook::math::pcg;
 use raybook::sample::pattern::find;
-use raybook::workbook::curriculum::CHAPTERS;
+use raybook::workbook::curriculum::{CHAPTERS, Chapter};
 use raybook::workbook::row;
 
 /// What the library answers to a question of chapter 22.
 fn answer(question: &str) -> Vec<Vec2> {
     let (name, question) = question.split_once(' ').expect("a name and a question");
-    let mut exercises = CHAPTERS.iter().flat_map(|chapter| chapter.exercises());
+    let mut exercises = CHAPTERS.iter().flat_map(Chapter::exercises);
     let exercise = exercises.find(|exercise| exercise.name() == name);
     let exercise = exercise.expect("questions are asked of exercises");
     let line = exercise

@@ -43,7 +43,10 @@ pub fn ask(
             let n = sets.first().map_or(0, |set| set.n);
             sets.retain(|set| set.n < n);
             points.retain(|size, _| *size < n);
-            wrong = Some(format!("{why} ({n} points were asked for)"));
+            wrong = Some(match n {
+                0 | 1 => why,
+                _ => format!("{why} ({n} points were asked for)"),
+            });
         }
         // Half of the time that is left, because the pace may become slower; and no batch for the last bit of it.
         let left = (wanted.patience * 3 / 4).saturating_sub(start.elapsed());

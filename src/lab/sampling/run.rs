@@ -94,7 +94,7 @@ impl Lab<'_> {
         }
         for plot in plots {
             let name = format!("error_{}", plot.title.replace(' ', "_"));
-            let alt = format!("The error of the {}.", plot.title);
+            let alt = format!("Error against samples: {}.", plot.title);
             self.page.plot(&name, &alt, &plot)?;
         }
         Ok(())

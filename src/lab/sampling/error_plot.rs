@@ -46,7 +46,7 @@ impl ErrorPlot {
         [
             left,
             right,
-            least(|e| e.rms).max(1e-5 * top) * 0.7,
+            least(|e| e.rms).max(1e-6 * top) * 0.7,
             1.5 * top,
         ]
     }

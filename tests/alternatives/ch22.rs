@@ -38,6 +38,16 @@ pub const ALTERNATIVES: &[Alternative] = &[
         },
     },
     Alternative {
+        exercise: "random_pattern",
+        method: "printed with a few digits, one of them rounded up to 1",
+        answer: |q| {
+            let (n, mut rng) = (q.whole(), MinimalStandard::new(q));
+            let rounded = |i| if i == 0 { 1.0 } else { rng.number() };
+            let numbers: Vec<_> = (0..2 * n).map(rounded).collect();
+            list(numbers.chunks_exact(2).map(DVec2::from_slice))
+        },
+    },
+    Alternative {
         exercise: "jittered",
         method: "from the last cell to the first, by another generator",
         answer: |q| {

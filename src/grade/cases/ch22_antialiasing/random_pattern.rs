@@ -134,7 +134,7 @@ fn crowds(points: &[Vec2]) -> Verdict {
     let side = (points.len() as f32).sqrt().floor();
     let mut counts = vec![0_u32; (side * side) as usize];
     for p in points {
-        let cell = (side * *p).floor();
+        let cell = (side * *p).floor().min(Vec2::splat(side - 1.0));
         counts[(cell.y * side + cell.x) as usize] += 1;
     }
     let empty = counts.iter().filter(|&&count| count == 0).count() as f32;

@@ -61,7 +61,7 @@ pub(crate) fn draw(stage: &Stage) -> Drawn {
         let name = format!("{:.1} m", camera.lens.focus);
         tiles.push((name, photograph(&tile, &camera)));
     }
-    let caption = "A focus pull: the film moves towards the lens, and what is sharp moves away from it, from teapot to teapot, and to the farthest lamps.";
+    let caption = "A focus pull: the film moves towards the lens, and what is sharp moves away from it, from teapot to teapot, and to the lamps far behind.";
     stage.figure("focus_pull", caption, &sheet(3, &named(&tiles))?)?;
 
     let caption = "Lamps out of focus, seen through a round hole and through 5, 6 and 8 blades.";

@@ -5,13 +5,14 @@
 //!
 //! New: camera/pose.rs camera/panorama.rs camera/fisheye.rs scene/pavilion.rs scene/summer.rs
 
-use raybook::camera::{fisheye::Fisheye, panorama::Panorama, pose::Pose};
+use raybook::camera::fisheye::{Fisheye, Projection};
+use raybook::camera::{panorama::Panorama, pose::Pose};
 use raybook::image::{Image, rgb::Rgb};
 use raybook::lab::all_around::{Rays, fisheyes, pinholes};
+use raybook::lab::chapter;
 use raybook::lab::panorama_as_environment::{lit, looks};
 use raybook::lab::panorama_map::{labelled, with_lines};
 use raybook::lab::stage::{Drawn, Stage};
-use raybook::lab::{chapter, projections::Projections};
 use raybook::light::environment::Environment;
 use raybook::material::Material;
 use raybook::render::{film::Film, local::Local, shadow, whitted::Whitted};
@@ -23,7 +24,7 @@ use std::process::ExitCode;
 struct PanoramaOptions {
     /// Take the picture with a fisheye of this projection
     #[arg(long, value_enum)]
-    projection: Option<Projections>,
+    projection: Option<Projection>,
     /// The fisheye's view from rim to rim, in degrees
     #[arg(long, default_value_t = 180.0, requires = "projection")]
     view: f32,
@@ -79,7 +80,7 @@ fn main() -> ExitCode {
             return draw(stage);
         };
         let (pose, film) = (Pose::level(EYE), stage.film_of(720, 9, 1.0));
-        let camera = Fisheye::new(pose, projection.projection(), options.view, film.aspect())?;
+        let camera = Fisheye::new(pose, projection, options.view, film.aspect())?;
         let picture = photograph(&pavilion::scene(), &film, &|place| {
             camera.ray_through(place)
         });

@@ -3,7 +3,8 @@
 use crate::sample::{disk::concentric_disk, polygon::regular_polygon};
 use glam::Vec2;
 
-/// The shape of the hole, in the unit circle, whose diameter is f/N.
+/// The shape of the hole, in the unit circle, whose diameter is f/N. With blades the corners are on that circle, and the hole is
+/// a little smaller: of six it lets through 17 % less light.
 ///
 /// A point of light out of focus has this shape in the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]

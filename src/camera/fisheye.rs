@@ -13,11 +13,11 @@ use std::f32::consts::TAU;
 pub enum Projection {
     /// r = θ: equal angles are equally long on the way out.
     Equidistant,
-    /// r = 2 sin(θ/2): equal solid angles have equal areas.
+    /// r = 2 sin(θ/2): equal solid angles have equal areas, as in a mirror ball seen from far away.
     Equisolid,
     /// r = 2 tan(θ/2): small things keep their shapes.
     Stereographic,
-    /// r = sin θ: the half space, as if seen from far above a mirror ball; areas are solid angle times cosine.
+    /// r = sin θ: half of all directions, as a globe looks from far away; areas are solid angle times cosine.
     Orthographic,
 }
 

@@ -17,8 +17,8 @@ impl Panorama {
     /// The ray in the direction that a place on the film is for; `film` as for [`Camera::ray`].
     ///
     /// Across the film, φ = 2π·(u − ½) goes around, from forward in the middle to right; down the film, θ = π·v goes from
-    /// up to down. Then d = sin θ·(cos φ·forward + sin φ·right) + cos θ·up. It is the inverse of
-    /// [`latlong::place`]: a picture that this camera takes is an environment map.
+    /// up to down. Then d = sin θ·(cos φ·forward + sin φ·right) + cos θ·up. For a level pose it is the
+    /// inverse of [`latlong::place`], and the picture is an environment map.
     pub fn ray_through(&self, film: Vec2) -> Ray {
         self.pose.ray(latlong::direction(film))
     }

@@ -37,7 +37,7 @@ pub struct Check {
     /// The term of the hidden cases
     #[arg(long, default_value = "", requires = "key")]
     term: String,
-    /// Write the pictures that the answers make into this folder; without it, a workbook's are kept in its .raybook
+    /// Write the pictures that the answers make into this folder; without it, those of the workbook in which you are are kept in its .raybook
     #[arg(long, value_name = "FOLDER")]
     pictures: Option<PathBuf>,
     /// Print JSON (its fields are described in `raybook::grade::json`)
@@ -62,7 +62,8 @@ impl Check {
         for examiner in &examiners {
             let mut report = self.examine(&program, *examiner)?;
             if gallery.is_some() && report.answers() {
-                report.pictures = ask_pixels(&program, *examiner, self.asking.limits())?;
+                (report.pictures, report.stopped) =
+                    ask_pixels(&program, *examiner, self.asking.limits())?;
             }
             let picture = keep_pictures(&report, gallery.as_deref())?;
             reports.push((report, picture));

@@ -18,6 +18,8 @@ pub struct Report {
     pub diagnosis: Option<Diagnosis>,
     /// The pictures of the answers, where the exercise is one of pixels and they were asked for.
     pub pictures: Vec<Triple>,
+    /// Why not all of their pixels have an answer, if the program did not go on to the end.
+    pub stopped: Option<String>,
 }
 
 /// What became of one case.
@@ -132,6 +134,7 @@ pub fn assess(examiner: &dyn Examiner, cases: Vec<Case>, replies: Vec<Reply>) ->
         cases: outcomes.collect(),
         diagnosis: None,
         pictures: Vec::new(),
+        stopped: None,
     };
     if report.state() == State::Wrong {
         report.diagnosis = diagnose_outcomes(examiner, &report.cases);

@@ -46,7 +46,7 @@ pub fn explain(
     }
     if let Some(path) = picture {
         lines.push(String::new());
-        lines.extend(pictured::wrong(report.exercise, &report.pictures, path));
+        lines.extend(pictured::wrong(report, path));
     }
     lines.extend([
         String::new(),

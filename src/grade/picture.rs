@@ -1,6 +1,6 @@
 //! Pictures made of answers: a question per pixel.
 
-use crate::grade::ask::{Said, understand};
+use crate::grade::ask::{Said, silence, understand};
 use crate::grade::converse::{Conversation, Limits, Program, converse};
 use crate::grade::examine::Examiner;
 use crate::grade::triple::{PictureSize, Triple, triple};
@@ -8,7 +8,7 @@ use std::io;
 
 /// Asks the program a question per pixel of all the exercise's pictures, in one conversation.
 ///
-/// A program that breaks on the way gets no more questions.
+/// A program that breaks on the way gets no more questions, and why is returned beside the pictures.
 ///
 /// # Errors
 /// If the program cannot be started.
@@ -16,16 +16,18 @@ pub fn ask_pixels(
     program: &Program,
     examiner: &dyn Examiner,
     limits: Limits,
-) -> io::Result<Vec<Triple>> {
+) -> io::Result<(Vec<Triple>, Option<String>)> {
     let questions = pixel_questions(examiner);
     if questions.is_empty() {
-        return Ok(Vec::new());
+        return Ok((Vec::new(), None));
     }
     let asked: Vec<_> = questions
         .iter()
         .map(|question| format!("{} {question}", examiner.name()))
         .collect();
-    let Conversation { answers, .. } = converse(program, &asked, limits)?;
+    let Conversation { answers, end, .. } = converse(program, &asked, limits)?;
+    let all = answers.len() >= questions.len();
+    let stopped = if all { None } else { silence(end).why_none() };
     let mut answers: Vec<_> = answers
         .into_iter()
         .map(|(answer, _)| match understand(&answer) {
@@ -34,7 +36,7 @@ pub fn ask_pixels(
         })
         .collect();
     answers.resize(questions.len(), None);
-    Ok(triples(examiner, &answers))
+    Ok((triples(examiner, &answers), stopped))
 }
 
 /// The questions of the pixels in reading order, one picture after the other; none if the exercise has no picture.

@@ -15,6 +15,7 @@ pub fn right(report: &Report, path: &Path) -> Vec<String> {
         String::new()
     };
     let mut lines = vec![format!("    your picture: {}{but}", path.display())];
+    lines.extend(stopped(report));
     if several {
         let table = score::table(&report.pictures);
         lines.extend(table.iter().map(|row| format!("      {row}")));
@@ -23,11 +24,16 @@ pub fn right(report: &Report, path: &Path) -> Vec<String> {
 }
 
 /// Where the pictures are, how good each is, and the ray of the first wrong pixel.
-pub fn wrong(exercise: &str, pictures: &[Triple], path: &Path) -> Vec<String> {
+pub fn wrong(report: &Report, path: &Path) -> Vec<String> {
+    let pictures = &report.pictures;
     let bad = |picture: &&Triple| picture.score.wrong() > 0;
     let Some(picture) = pictures.iter().find(bad) else {
+        let (pictures, them) = match pictures.len() {
+            1 => ("picture", "it"),
+            _ => ("pictures", "them"),
+        };
         return vec![format!(
-            "  Every pixel of your picture is right: these cases are not in it. {}",
+            "  Every pixel of your {pictures} is right: these cases are not in {them}. {}",
             path.display()
         )];
     };
@@ -35,6 +41,7 @@ pub fn wrong(exercise: &str, pictures: &[Triple], path: &Path) -> Vec<String> {
         format!("  Picture: {}", path.display()),
         "  It shows yours, the right one, and the difference: orange where yours is too bright, blue where it is too dark.".to_owned(),
     ];
+    lines.extend(stopped(report));
     let mut of_which = String::new();
     if pictures.len() > 1 {
         let table = score::table(pictures);
@@ -46,9 +53,15 @@ pub fn wrong(exercise: &str, pictures: &[Triple], path: &Path) -> Vec<String> {
         let got = bad.got.as_deref().unwrap_or("nothing");
         lines.extend([
             format!("  {wrong} of {pixels} pixels{of_which} are wrong; the first, in column {} of row {} from the top left, asks", bad.x, bad.y),
-            format!("      {exercise} {}", bad.question),
+            format!("      {} {}", report.exercise, bad.question),
             format!("      yours: {got}; right: {}", bad.golden),
         ]);
     }
     lines
+}
+
+/// Why pixels are without an answer.
+fn stopped(report: &Report) -> Option<String> {
+    let why = report.stopped.as_ref()?;
+    Some(format!("  Not every pixel was answered: {why}"))
 }

@@ -8,6 +8,9 @@ const RAYS: f32 = 0.99;
 /// … and with at most this error of the image, on a scale from 0 to 1: five steps of a display's 255.
 const ERROR: f32 = 0.02;
 
+/// At most so large a share may hang on a last digit: those of a right answer are half of that at the most.
+const UNDECIDED: f32 = 0.05;
+
 /// How good a picture is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Score {
@@ -29,7 +32,9 @@ impl Score {
 
     /// Whether it is good enough.
     pub fn passed(&self) -> bool {
-        self.right as f32 >= RAYS * self.of as f32 && self.error <= ERROR
+        let all = (self.of + self.undecided) as f32;
+        let decided = self.of > 0 && self.undecided as f32 <= UNDECIDED * all;
+        decided && self.right as f32 >= RAYS * self.of as f32 && self.error <= ERROR
     }
 }
 

@@ -60,11 +60,11 @@ const MISSING: Rgb = Rgb::new(0.8, 0.0, 0.8);
 struct Pixel {
     question: String,
     golden: String,
-    verdict: Verdict,
+    verdict: Fate,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Verdict {
+enum Fate {
     Right,
     Wrong,
     Undecided,
@@ -88,11 +88,11 @@ pub fn triple(
         });
         // Of the wrong ones only: a ray that grazes a silhouette is nobody's fault.
         let verdict = if right {
-            Verdict::Right
+            Fate::Right
         } else if answers[i].is_none() || examiner.is_fair(&question) {
-            Verdict::Wrong
+            Fate::Wrong
         } else {
-            Verdict::Undecided
+            Fate::Undecided
         };
         Pixel {
             question,
@@ -116,9 +116,7 @@ pub fn triple(
     let difference = Image::from_fn(width, height, |x, y| {
         palette::signed(yours.at(x, y).luminance() - golden.at(x, y).luminance())
     });
-    let first_bad = pixels
-        .iter()
-        .position(|pixel| pixel.verdict == Verdict::Wrong);
+    let first_bad = pixels.iter().position(|pixel| pixel.verdict == Fate::Wrong);
     let first_bad = first_bad.map(|i| BadPixel {
         x: i % width,
         y: i / width,
@@ -132,13 +130,13 @@ pub fn triple(
             .filter(|pixel| pixel.verdict == verdict)
             .count()
     };
-    let undecided = count(Verdict::Undecided);
+    let undecided = count(Fate::Undecided);
     let score = Score {
-        right: count(Verdict::Right),
+        right: count(Fate::Right),
         of: pixels.len() - undecided,
         undecided,
         error: rms(&golden, &yours, |x, y| {
-            pixels[at(x, y)].verdict != Verdict::Undecided
+            pixels[at(x, y)].verdict != Fate::Undecided
         }),
     };
     Triple {

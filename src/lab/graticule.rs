@@ -15,7 +15,7 @@ const DISC: f32 = 6.0;
 /// So many points a pixel, in each direction, are looked at.
 const POINTS: usize = 4;
 
-/// The picture with the lines and discs of the world (N. A. Tissot drew such discs on maps in 1859); `toward` tells which
+/// The picture with the lines and discs of the world (such discs stand for N. A. Tissot's indicatrix, 1859); `toward` tells which
 /// direction a place of the picture shows, and where there is none, the picture becomes white.
 pub fn over(picture: &Image, toward: impl Fn(Vec2) -> Option<Dir3>) -> Image {
     let size = vec2(picture.width() as f32, picture.height() as f32);

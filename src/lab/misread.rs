@@ -1,4 +1,4 @@
-//! Mistakes in a ray tracer that come down to another scene: what they look like in the four scenes.
+//! What a ray tracer shows if it is wrong: some mistakes come down to another scene, here in the four scenes.
 
 use crate::camera::pinhole::LookAtError;
 use crate::image::{Image, rgb::Rgb, rms::rms};

@@ -1,28 +1,27 @@
-//! The fisheye's projections by name, as on a command line and in captions.
+//! The fisheye's projections by name, as on a command line.
 
 use crate::camera::fisheye::Projection;
+use clap::ValueEnum;
+use clap::builder::PossibleValue;
 
-/// How a fisheye draws its disc.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-pub enum Projections {
-    /// Equal angles are equally long
-    Equidistant,
-    /// Equal solid angles have equal areas
-    Equisolid,
-    /// Small things keep their shapes
-    Stereographic,
-    /// As seen in a mirror ball from far away
-    Orthographic,
-}
+impl ValueEnum for Projection {
+    fn value_variants<'a>() -> &'a [Self] {
+        &Self::ALL
+    }
 
-impl Projections {
-    /// The projection.
-    pub fn projection(self) -> Projection {
-        match self {
-            Self::Equidistant => Projection::Equidistant,
-            Self::Equisolid => Projection::Equisolid,
-            Self::Stereographic => Projection::Stereographic,
-            Self::Orthographic => Projection::Orthographic,
-        }
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        let (name, help) = match self {
+            Self::Equidistant => ("equidistant", "Equal angles are equally long"),
+            Self::Equisolid => (
+                "equisolid",
+                "Equal solid angles have equal areas, as in a mirror ball seen from far away",
+            ),
+            Self::Stereographic => ("stereographic", "Small things keep their shapes"),
+            Self::Orthographic => (
+                "orthographic",
+                "As a globe looks from far away; at most 180°",
+            ),
+        };
+        Some(PossibleValue::new(name).help(help))
     }
 }

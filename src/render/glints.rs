@@ -30,6 +30,9 @@ pub fn add_glints(
     let pixel = camera.view.plane.x * camera.view.plane.y / (width * height);
     for (light, i) in lights.iter().zip(0..) {
         let depth = (light.position - camera.view.focal_point).dot(*camera.view.forward);
+        if depth <= 0.0 {
+            continue; // beside the lens or behind it: none of its light comes in
+        }
         let covered = FRAC_PI_4 * camera.lens.circle_of_confusion(depth).powi(2) / pixel;
         let rays = (PER_PIXEL * covered).clamp(RAYS[0], RAYS[1]) as usize;
         let points = place_in_pixel(rays, &mut pcg::stream(film.seed, i));

@@ -4,7 +4,7 @@ use crate::image::rgb::Rgb;
 use crate::light::Light;
 use crate::material::glass::{Glass, Medium};
 use crate::material::{Material, Sight};
-use crate::math::{interval::Interval, ray::Ray};
+use crate::math::ray::Ray;
 use crate::render::shadow::shadow_ray;
 use crate::scene::description::{Description, Matter};
 use crate::shape::Shape;
@@ -20,11 +20,7 @@ pub fn trace(scene: &Description, ray: &Ray, depth: u32) -> Rgb {
     if depth == 0 {
         return Rgb::BLACK;
     }
-    let hits = scene
-        .objects
-        .iter()
-        .filter_map(|object| Some((object, object.form.hit(ray, Interval::AHEAD)?)));
-    let Some((object, hit)) = hits.min_by(|(_, a), (_, b)| a.t.total_cmp(&b.t)) else {
+    let Some((object, hit)) = scene.nearest(ray) else {
         return scene.backdrop.seen(ray.direction);
     };
     let at = object.form.surface(ray, &hit);

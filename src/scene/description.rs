@@ -133,6 +133,15 @@ impl Corners {
     }
 }
 
+impl Description {
+    /// The nearest object ahead on a ray.
+    pub fn nearest(&self, ray: &Ray) -> Option<(&Object, Hit)> {
+        let objects = self.objects.iter();
+        let hits = objects.filter_map(|o| Some((o, o.form.hit(ray, Interval::AHEAD)?)));
+        hits.min_by(|(_, a), (_, b)| a.t.total_cmp(&b.t))
+    }
+}
+
 impl Shape for Form {
     fn bounds(&self) -> Aabb {
         match self {

@@ -54,7 +54,7 @@ pub const FOUR: [Staged; 4] = [
     },
     Staged {
         name: "glass",
-        alt: "A ball of glass, a bubble in another, a prism and a mirror ball, with everything upside down behind them",
+        alt: "A ball of glass in which all is upside down, a ball with a bubble, a pyramid of glass and a mirror ball, before a wall",
         scene: glass,
         depth: 6,
         view: [vec3(0.0, 2.0, 6.6), vec3(0.0, 0.85, 0.0)],

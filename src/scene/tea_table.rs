@@ -98,7 +98,7 @@ pub fn lamps() -> Vec<PointLight> {
     let string = |row: i32| {
         let (depth, top) = (3.9 + 1.1 * row as f32, 0.75 + 0.42 * row as f32);
         (0..9 + 2 * row).map(move |i| {
-            // Loops of a parabola between hooks that are a metre apart.
+            // Loops of a parabola between hooks that are 1.6 m apart.
             let x = (i as f32 - 0.5 * (8 + 2 * row) as f32) * 0.46 + 0.19 * row as f32;
             let loops = (x + 0.37 * row as f32).rem_euclid(1.6) / 0.8 - 1.0;
             let sway = 0.05 * (hash(i, row) - 0.5);

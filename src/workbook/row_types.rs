@@ -148,6 +148,7 @@ impl<T: Row> Row for Vec<T> {
             .map(|i| T::read(words, &format!("{name}[{i}]")))
             .collect()
     }
+
     fn parts(&self, name: &str) -> Vec<(String, String)> {
         if T::ALONE {
             let each = self.iter().zip(0..);

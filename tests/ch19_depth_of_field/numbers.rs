@@ -29,7 +29,7 @@ fn a_50_mm_lens_at_f_2_blurs_as_calculated_by_hand() {
 }
 
 #[test]
-fn the_thin_lens_equation_holds_and_half_the_magnification_is_at_three_focal_lengths() {
+fn the_thin_lens_equation_holds_and_at_three_focal_lengths_the_film_shows_things_half_as_large() {
     for focus in [0.06_f32, 0.1, 0.15, 2.0, 1e4] {
         let film = lens(0.05, 2.0, focus).film_distance();
         let sum = 1.0 / film + 1.0 / focus;

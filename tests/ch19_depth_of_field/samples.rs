@@ -72,25 +72,28 @@ fn samples_spread_over_the_lens_have_less_noise_than_random_ones_and_the_same_me
 
 #[test]
 fn a_place_in_the_pixel_says_nothing_about_the_point_of_the_lens() {
+    const SAMPLES: usize = 64;
     let camera = lens();
-    for samples in [1, 4, 64] {
-        let mean = Mean::of(
-            &(0..32)
-                .map(|seed| {
-                    let picture = through_lens(&film(samples, seed, 1), &camera, |ray, _| {
-                        let off = (ray.origin - camera.view.focal_point) / camera.lens.aperture();
-                        let in_focus = ray.at(2.0 / -ray.direction.z) - camera.view.focal_point;
-                        let step = PLANE.x / camera.view.focal_length * 2.0 / 24.0;
-                        let place = (in_focus.x / step + 12.0).rem_euclid(1.0) - 0.5;
-                        Rgb::gray(1.0 + off.x * place)
-                    });
-                    let sum: f64 = picture.pixels().iter().map(|p| f64::from(p.g)).sum();
-                    sum / picture.pixels().len() as f64
-                })
-                .collect::<Vec<_>>(),
-        );
-        mean.assert_is(1.0, &format!("{samples} samples: no correlation"));
-    }
+    let squares = (0..32).flat_map(|seed| {
+        let picture = through_lens(&film(SAMPLES, seed, 1), &camera, |ray, _| {
+            let off = (ray.origin - camera.view.focal_point) / camera.lens.aperture();
+            let in_focus = ray.at(2.0 / -ray.direction.z) - camera.view.focal_point;
+            let step = PLANE.x / camera.view.focal_length * 2.0 / 24.0;
+            let place = (in_focus.x / step + 12.0).rem_euclid(1.0) - 0.5;
+            Rgb::gray(off.x * place)
+        });
+        let squares: Vec<_> = picture.pixels().iter().map(|p| p.g * p.g).collect();
+        squares
+    });
+    let squares: Vec<_> = squares.collect();
+    let mean = squares.iter().sum::<f32>() / squares.len() as f32;
+    // A place that is uniform over a pixel has the variance 1/12, one over a disc of radius ½ has 1/16 in each direction.
+    let by_chance = 1.0 / (12.0 * 16.0 * SAMPLES as f32);
+    assert!(
+        (0.5..2.0).contains(&(mean / by_chance)),
+        "in each pixel the two have as much to do with each other as by chance: {} of that",
+        mean / by_chance
+    );
 }
 
 #[test]
@@ -103,6 +106,16 @@ fn a_single_sample_is_somewhere_on_the_lens() {
     assert!(
         (mean - 2.0 / 3.0).abs() < 0.04,
         "the mean radius of a disc is 2/3, not {mean}"
+    );
+    let places = through_lens(&film(1, 1, 1), &camera, |ray, _| {
+        let off = (ray.origin - camera.view.focal_point) / camera.lens.aperture();
+        Rgb::new(off.x, off.y, 0.0)
+    });
+    let sum: Rgb = places.pixels().iter().copied().sum();
+    let mean = sum / places.pixels().len() as f32;
+    assert!(
+        mean.r.abs() < 0.05 && mean.g.abs() < 0.05,
+        "and its middle is the lens' middle, not {mean:?}"
     );
 }
 

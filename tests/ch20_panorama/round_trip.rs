@@ -100,6 +100,11 @@ fn a_finer_panorama_is_nearer_to_the_scene() {
 fn from_another_point_the_panorama_is_wrong() {
     let (here, there) = (difference(EYE, 1024), difference(EYE + 0.3 * Vec3::X, 1024));
     assert!(
+        there.0 > 0.25,
+        "more than a quarter, as the book says: {}",
+        there.0
+    );
+    assert!(
         there.0 > 4.0 * here.0,
         "30 cm aside, {} of the pixels differ; at the point itself, {}",
         there.0,

@@ -54,7 +54,8 @@ fn a_ray_tracer_in_python_answers_every_case_rightly() {
 fn its_pictures_are_right_in_every_pixel() {
     let Some(program) = program() else { return };
     let trace = cases::find("trace").expect("it is an exercise");
-    let pictures = ask_pixels(&program, trace, LIMITS).expect("python runs");
+    let (pictures, stopped) = ask_pixels(&program, trace, LIMITS).expect("python runs");
+    assert_eq!(stopped, None, "it answers all pixels");
     assert_eq!(pictures.len(), 4, "there are four scenes");
     for picture in pictures {
         println!("{} {:?}", picture.name, picture.score);

@@ -1,7 +1,7 @@
 //! The score: right programs pass all four scenes, and each mistake fails where it matters.
 
 use raybook::grade::cases;
-use raybook::grade::examine::Examiner;
+use raybook::grade::examine::{Examiner, RANDOM_CASES, visible_rng};
 use raybook::grade::picture::{pixel_questions, triples};
 use raybook::grade::score::{Score, table};
 use raybook::grade::triple::Triple;
@@ -42,7 +42,7 @@ fn the_reference_has_full_marks() {
     }
 }
 
-/// Which scenes are passed by whom: so many marks has each half-way house.
+/// Which of the four scenes a ray tracer with one mistake still passes.
 #[test]
 fn each_mistake_fails_the_scenes_in_which_it_is_seen() {
     for (mistake, passed) in [
@@ -90,7 +90,6 @@ fn the_table_has_a_line_per_picture() {
 
 #[test]
 fn a_case_that_a_mistake_does_not_concern_is_right_all_the_same() {
-    use raybook::grade::examine::visible_rng;
     let cases = examiner().cases(&mut visible_rng("trace")).cases;
     for (i, (name, _)) in examiner().mistakes().into_iter().enumerate() {
         let right = |case: &&raybook::grade::examine::Case| {
@@ -129,4 +128,18 @@ fn the_image_error_is_a_fraction_of_a_display() {
         "but for those that do not count"
     );
     assert_eq!(rms(&gray(0.0), &half, |_, _| false), 0.0, "none counts");
+}
+
+#[test]
+fn no_named_case_hangs_on_a_millimetre() {
+    let cases = examiner().cases(&mut visible_rng("trace")).cases;
+    let named = &cases[..cases.len() - RANDOM_CASES];
+    assert!(named.len() >= 30, "there are {} of them", named.len());
+    for case in named {
+        assert!(
+            examiner().is_fair(&case.question),
+            "{}: its answer changes",
+            case.name
+        );
+    }
 }

@@ -6,27 +6,40 @@ use raybook::workbook::anchor::Anchored;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-
-/// Writes a starter whose anchored functions are rewritten so.
-pub fn write(folder: &Path, rewrite: &dyn Fn(&Anchored<'_>) -> Option<String>) {
-    for (path, bytes) in files(rewrite).expect("the library's anchors are right") {
-        let path = folder.join(path);
-        fs::create_dir_all(path.parent().expect("a file is in a folder"))
-            .expect("the folder can be made");
-        fs::write(path, bytes).expect("the file can be written");
-    }
-}
+use std::sync::{Mutex, PoisonError};
 
 /// The folder in which all starters of the tests compile: their dependencies are compiled once.
 pub fn target() -> PathBuf {
     Path::new(env!("CARGO_TARGET_TMPDIR")).join("starter")
 }
 
-/// Builds one of the folder's programs, and keeps it apart from the next folder's.
-pub fn build(folder: &Path, binary: &str) -> Program {
+/// Only one starter is written and built at a time.
+static FOLDER: Mutex<()> = Mutex::new(());
+
+/// Writes a starter whose anchored functions are rewritten so, builds one of its programs, and keeps that in `keep`.
+///
+/// The folder is always the same, and a file that stays the same is not written, so that the compiler goes on from the build
+/// before: seconds instead of a minute.
+pub fn build(
+    keep: &Path,
+    rewrite: &dyn Fn(&Anchored<'_>) -> Option<String>,
+    binary: &str,
+) -> Program {
+    // Another test's failure says nothing about the folder.
+    let _alone = FOLDER.lock().unwrap_or_else(PoisonError::into_inner);
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("my-rays");
+    for (path, bytes) in files(rewrite).expect("the library's anchors are right") {
+        let path = folder.join(path);
+        if fs::read(&path).is_ok_and(|there| there == bytes) {
+            continue;
+        }
+        fs::create_dir_all(path.parent().expect("a file is in a folder"))
+            .expect("the folder can be made");
+        fs::write(path, bytes).expect("the file can be written");
+    }
     let output = Command::new(env!("CARGO"))
         .args(["build", "--quiet", "--offline", "--bin", binary])
-        .current_dir(folder)
+        .current_dir(&folder)
         .env("CARGO_TARGET_DIR", target())
         .output()
         .expect("cargo can be run");
@@ -40,7 +53,7 @@ pub fn build(folder: &Path, binary: &str) -> Program {
         "without a warning: {}",
         String::from_utf8_lossy(&output.stderr)
     );
-    let (built, kept) = (target().join("debug").join(binary), folder.join(binary));
+    let (built, kept) = (target().join("debug").join(binary), keep.join(binary));
     fs::copy(built, &kept).expect("the program can be kept");
     Program {
         file: kept,

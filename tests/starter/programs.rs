@@ -1,6 +1,6 @@
 //! What the folder's programs do.
 
-use crate::common::starter::{build, write};
+use crate::common::starter::build;
 use crate::names;
 use raybook::grade::ask::{Said, ask};
 use raybook::grade::cases;
@@ -20,8 +20,7 @@ const LIMITS: Limits = Limits {
 #[test]
 fn the_untouched_starter_compiles_and_everything_is_todo() {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    write(folder.path(), &stub);
-    let program = build(folder.path(), "answer");
+    let program = build(folder.path(), &stub, "answer");
     for (examiner, cases) in &visible_cases() {
         for (case, said) in cases.iter().zip(replies(&program, *examiner, cases)) {
             assert_eq!(
@@ -40,7 +39,7 @@ fn the_untouched_starter_compiles_and_everything_is_todo() {
 #[test]
 fn each_exercise_stubbed_alone_is_the_only_one_that_turns_todo() {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    write(folder.path(), &|function: &Anchored<'_>| {
+    let switched = |function: &Anchored<'_>| {
         let Anchored {
             name, text, body, ..
         } = *function;
@@ -48,8 +47,8 @@ fn each_exercise_stubbed_alone_is_the_only_one_that_turns_todo() {
             "if std::env::var(\"RAYBOOK_STUB\").is_ok_and(|stub| stub == \"{name}\") {{ todo!(\"{name}\") }}"
         );
         stub(function).map(|_| text.replacen(body, &format!("\n{switch}\n{body}"), 1))
-    });
-    let program = build(folder.path(), "answer");
+    };
+    let program = build(folder.path(), &switched, "answer");
     let asked = visible_cases();
     names().par_iter().enumerate().for_each(|(i, stubbed)| {
         only_this_turns_todo(&program, stubbed, i, &asked);
@@ -96,8 +95,7 @@ fn only_this_turns_todo(program: &Program, stubbed: &str, i: usize, asked: &[Ask
 fn the_chapters_run_on_the_students_functions() {
     let draw = |rewrite: &dyn Fn(&Anchored<'_>) -> Option<String>| {
         let folder = tempfile::tempdir().expect("a temporary folder");
-        write(folder.path(), rewrite);
-        let chapter = build(folder.path(), "ch03_sphere");
+        let chapter = build(folder.path(), rewrite, "ch03_sphere");
         let status = std::process::Command::new(&chapter.file)
             .args(["--width", "64", "--samples", "1", "--out"])
             .arg(folder.path().join("out"))
@@ -122,10 +120,9 @@ fn the_chapters_run_on_the_students_functions() {
 fn the_first_chapter_draws_when_its_own_exercises_are_written() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let written = ["ray_at", "camera_ray"];
-    write(folder.path(), &|function: &Anchored<'_>| {
-        stub(function).filter(|_| !written.contains(&function.name))
-    });
-    let chapter = build(folder.path(), "ch01_rays");
+    let rest =
+        |function: &Anchored<'_>| stub(function).filter(|_| !written.contains(&function.name));
+    let chapter = build(folder.path(), &rest, "ch01_rays");
     let status = std::process::Command::new(&chapter.file)
         .args(["--width", "64", "--samples", "1", "--out"])
         .arg(folder.path().join("out"))

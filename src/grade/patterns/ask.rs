@@ -1,6 +1,6 @@
 //! Asking an answer program for one of its patterns, again and again.
 
-use crate::grade::ask::{Said, silence, understand};
+use crate::grade::ask::{silence, understand};
 use crate::grade::converse::{Limits, Program, converse};
 use crate::grade::patterns::OwnPattern;
 use crate::grade::patterns::got::{FEWEST, Got, Wanted};
@@ -112,8 +112,8 @@ fn converse_about(
     let questions: Vec<_> = sets.iter().flat_map(|set| set.questions.clone()).collect();
     let heard = converse(program, &questions, limits)?;
     if heard.answers.len() > questions.len() {
-        let said = Said::TooMany(2);
-        return Ok((Vec::new(), said.why_none()));
+        let why = "your program gave more answers than there were questions";
+        return Ok((Vec::new(), Some(why.to_owned())));
     }
     let mut answers = heard.answers.iter().map(|(answer, _)| answer);
     let mut done = Vec::new();
@@ -133,7 +133,11 @@ fn converse_about(
             of_set.next().unwrap_or_default()
         });
         if points.len() != set.n {
-            let why = format!("your function returned {} points", points.len());
+            let why = format!(
+                "your function returned {} points where there should be {}",
+                points.len(),
+                set.n
+            );
             return Ok((done, Some(why)));
         }
         done.push(points);

@@ -12,7 +12,8 @@ pub struct Wanted {
     pub further: Vec<usize>,
     /// How often, each time with another seed: 0, 1, 2 …
     pub realisations: u64,
-    /// How long a program is asked for one pattern. What it has answered by then is what there is.
+    /// How long a program is asked for one pattern: no further batch is begun that would, at the pace so far, last beyond it. What is
+    /// needed at least is asked in any case.
     pub patience: Duration,
 }
 

@@ -1,4 +1,4 @@
-//! The angular map: what a mirror ball shows, with all directions evenly by their angle (Debevec 1998).
+//! The angular map: all directions, evenly by their angle; what a mirror ball shows is converted into it (Debevec 1998).
 
 use crate::light::environment::convert::Layout;
 use crate::math::dir3::Dir3;

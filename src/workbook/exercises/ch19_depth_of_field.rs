@@ -44,7 +44,7 @@ impl Exercise for ConcentricDisk {
     type Answer = Vec<Vec2>;
     const NAME: &'static str = "concentric_disk";
     const ANSWER: &'static str = "point";
-    const TASK: &'static str = "Return the point of the unit disc that belongs to a point u of the unit square, so that equal areas of the square become equal areas of the disc, as Shirley and Chiu's concentric map makes them; another map that does so is right too. The answer is the list of the points for the n points u = (the fraction of shift.x + (i + ½)/n, the fraction of shift.y + 0.618034 · (i + ½)), with i from 0 to n − 1.";
+    const TASK: &'static str = "Return the point of the unit disc that belongs to a point u of the unit square, so that equal areas of the square become equal areas of the disc, as Shirley and Chiu's concentric map makes them; another map that does so is right too. The answer is the list of the points for the n points u = (the fractional part of shift.x + (i + ½)/n, the fractional part of shift.y + 0.618034 · (i + ½)), with i from 0 to n − 1.";
 
     fn answer(q: &Self::Question) -> Self::Answer {
         q.points().map(disk::concentric_disk).collect()
@@ -84,7 +84,7 @@ impl Exercise for ThinLensRay {
     type Question = ThinLensRayQuestion;
     type Answer = CameraRayAnswer;
     const NAME: &'static str = "thin_lens_ray";
-    const TASK: &'static str = "Return the ray that starts at the point `on_lens` of the aperture, whose diameter is focal_length/f_number, and meets what the place `film` shows sharply: the point where the ray through the middle of the lens meets the plane at the distance `focus` along `forward`. The film is f·s/(s − f) from the lens, f the focal length and s the focus; as in camera_ray, think of it in front of the lens, with film (0, 0) at its top left and (1, 1) at its bottom right.";
+    const TASK: &'static str = "Return the ray that starts at the point `on_lens` of the aperture, whose diameter is focal_length/f_number, and meets what the place `film` shows sharply: the point where the ray through the middle of the lens meets the plane at the distance `focus` along `forward`. The film is f·s/(s − f) from the lens, f the focal length and s the focus, which is larger than f; as in camera_ray, think of it in front of the lens, with film (0, 0) at its top left and (1, 1) at its bottom right.";
 
     fn answer(q: &Self::Question) -> Self::Answer {
         let body = Pinhole {

@@ -136,7 +136,7 @@ pub fn refracting() -> Vec<Edge<Trace>> {
             "a bubble in glass",
             ask(
                 6,
-                AHEAD,
+                vec3(0.05, 0.1, -1.0),
                 &[SIDE],
                 vec![
                     ball(0.0, 0.0, 0.0, glass()),

@@ -4,7 +4,7 @@ use super::tracer::Tracer;
 use crate::image::{rgb::Rgb, tone};
 use crate::workbook::exercises::ch25_capstone::TraceQuestion;
 
-/// What a ray tracer does wrongly.
+/// What a ray tracer does wrongly; each is explained by its mistake in `trace.rs`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Slip {
     FirstForNearest,

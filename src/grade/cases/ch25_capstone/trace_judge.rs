@@ -2,10 +2,9 @@
 
 use crate::grade::{Verdict, judge};
 use crate::image::rgb::Rgb;
-use crate::math::interval::Interval;
 use crate::scene::description::{Form, Matter};
-use crate::shape::Shape;
 use crate::workbook::exercises::ch25_capstone::TraceQuestion;
+use std::ptr;
 
 /// A channel may differ by this fraction of its value …
 ///
@@ -50,18 +49,11 @@ fn first(q: &TraceQuestion) -> String {
     if q.depth == 0 {
         return "no surface may be met at depth 0".to_owned();
     }
-    let hits = q
-        .scene
-        .objects
-        .iter()
-        .enumerate()
-        .filter_map(|(i, object)| {
-            let hit = object.form.hit(&q.ray, Interval::AHEAD)?;
-            Some((hit.t, i, object))
-        });
-    let Some((t, i, object)) = hits.min_by(|a, b| a.0.total_cmp(&b.0)) else {
+    let Some((object, hit)) = q.scene.nearest(&q.ray) else {
         return "the ray meets nothing and sees the backdrop".to_owned();
     };
+    let before = q.scene.objects.iter().take_while(|o| !ptr::eq(*o, object));
+    let i = before.count();
     let form = match object.form {
         Form::Sphere(_) => "sphere",
         Form::Plane(_) => "plane",
@@ -72,5 +64,8 @@ fn first(q: &TraceQuestion) -> String {
         Matter::Mirror(_) => "that is a mirror",
         Matter::Glass(_) => "of glass",
     };
-    format!("the ray first meets objects[{i}], a {form} {matter}, at t = {t:.3}")
+    format!(
+        "the ray first meets objects[{i}], a {form} {matter}, at t = {:.3}",
+        hit.t
+    )
 }

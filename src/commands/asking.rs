@@ -47,7 +47,7 @@ impl Asking {
     /// These options as they are typed, each word after a space.
     pub fn again(&self) -> String {
         let program = self.program.as_ref();
-        let program = program.map(|file| format!(" --program {file:?}"));
+        let program = program.map(|file| format!(" --program {:?}", file.display().to_string()));
         let unusual = self.limits() != Limits::default();
         let time = unusual.then(|| format!(" --time-limit {}", self.time_limit));
         [program, time].into_iter().flatten().collect()

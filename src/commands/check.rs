@@ -64,6 +64,9 @@ impl Check {
             if gallery.is_some() && report.answers() {
                 (report.pictures, report.stopped) =
                     ask_pixels(&program, *examiner, self.asking.limits())?;
+            } else if gallery.is_some() && !examiner.pictures().is_empty() {
+                let why = "not every case has an answer. Let your program answer something, all zeros say, to what you have not written";
+                report.stopped = Some(why.to_owned());
             }
             let picture = keep_pictures(&report, gallery.as_deref())?;
             reports.push((report, picture));

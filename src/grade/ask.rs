@@ -39,6 +39,7 @@ impl Said {
     pub fn why_none(&self) -> Option<String> {
         Some(match self {
             Self::Answer(_) => return None,
+            Self::Todo(name) if name.is_empty() => "it is not written yet".to_owned(),
             Self::Todo(name) => format!("{name} is not written yet"),
             Self::Panicked(message) => format!("your function panicked: {message}"),
             Self::Refused(why) => format!("your program could not read the question: {why}"),

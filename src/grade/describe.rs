@@ -14,6 +14,9 @@ pub fn describe(examiner: &dyn Examiner) -> String {
         "  A question is the name and these words, on one line:".to_owned(),
         format!("    {name} {}", examiner.question_names().join(" ")),
     ]);
+    if cases.iter().any(|case| case.question.contains("inf")) {
+        lines.push("  Numbers may be `inf` or `-inf`: in C++ read a word and call `std::stod`; `std::cin >> x` does not read them.".to_owned());
+    }
     let answer = examiner.answer_names().join(" ");
     lines.extend(match answer.strip_prefix("none | ") {
         Some(answer) => [

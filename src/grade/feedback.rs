@@ -47,6 +47,8 @@ pub fn explain(
     if let Some(path) = picture {
         lines.push(String::new());
         lines.extend(pictured::wrong(report, path));
+    } else if let Some(why) = &report.stopped {
+        lines.extend([String::new(), format!("  No picture: {why}.")]);
     }
     lines.extend([
         String::new(),

@@ -17,8 +17,7 @@ pub fn right(report: &Report, path: &Path) -> Vec<String> {
     let mut lines = vec![format!("    your picture: {}{but}", path.display())];
     lines.extend(stopped(report));
     if several {
-        let table = score::table(&report.pictures);
-        lines.extend(table.iter().map(|row| format!("      {row}")));
+        lines.extend(scores(&report.pictures));
     }
     lines
 }
@@ -26,8 +25,10 @@ pub fn right(report: &Report, path: &Path) -> Vec<String> {
 /// Where the pictures are, how good each is, and the ray of the first wrong pixel.
 pub fn wrong(report: &Report, path: &Path) -> Vec<String> {
     let pictures = &report.pictures;
+    let failed = |picture: &&Triple| !picture.score.passed();
     let bad = |picture: &&Triple| picture.score.wrong() > 0;
-    let Some(picture) = pictures.iter().find(bad) else {
+    let first = pictures.iter().find(failed);
+    let Some(picture) = first.or_else(|| pictures.iter().find(bad)) else {
         let (pictures, them) = match pictures.len() {
             1 => ("picture", "it"),
             _ => ("pictures", "them"),
@@ -44,8 +45,7 @@ pub fn wrong(report: &Report, path: &Path) -> Vec<String> {
     lines.extend(stopped(report));
     let mut of_which = String::new();
     if pictures.len() > 1 {
-        let table = score::table(pictures);
-        lines.extend(table.iter().map(|row| format!("    {row}")));
+        lines.extend(scores(pictures));
         of_which = format!(" of {:?}", picture.name);
     }
     if let Some(bad) = &picture.first_bad {
@@ -64,4 +64,15 @@ pub fn wrong(report: &Report, path: &Path) -> Vec<String> {
 fn stopped(report: &Report) -> Option<String> {
     let why = report.stopped.as_ref()?;
     Some(format!("  Not every pixel was answered: {why}"))
+}
+
+/// How good each picture is.
+fn scores(pictures: &[Triple]) -> Vec<String> {
+    let mut rows = score::table(pictures);
+    if pictures.iter().any(|picture| picture.score.undecided > 0) {
+        rows.push(
+            "A wrong ray that hangs on the last digits of its question is not counted.".to_owned(),
+        );
+    }
+    rows.iter().map(|row| format!("      {row}")).collect()
 }

@@ -6,6 +6,8 @@ use raybook::grade::picture::{pixel_questions, triples};
 use raybook::grade::score::{Score, table};
 use raybook::grade::triple::Triple;
 use raybook::image::{Image, rgb::Rgb, rms::rms};
+use raybook::workbook::exercises::ch25_capstone::TraceQuestion;
+use raybook::workbook::row::{Row, read};
 use rayon::prelude::*;
 
 fn examiner() -> &'static dyn Examiner {
@@ -139,6 +141,20 @@ fn no_named_case_hangs_on_a_millimetre() {
         assert!(
             examiner().is_fair(&case.question),
             "{}: its answer changes",
+            case.name
+        );
+    }
+}
+
+#[test]
+fn who_sees_only_the_backdrop_is_right_only_where_nothing_is_hit() {
+    for case in examiner().cases(&mut visible_rng("trace")).cases {
+        let q: TraceQuestion = read(&case.question, "question").expect("a case is a question");
+        let backdrop = q.scene.backdrop.seen(q.ray.direction);
+        let verdict = examiner().judge(&case.question, &case.answers, &backdrop.write());
+        assert!(
+            verdict.is_err() || q.scene.nearest(&q.ray).is_none(),
+            "{}: the surface that is hit does not matter",
             case.name
         );
     }

@@ -66,7 +66,7 @@ impl Page {
         self.add(html! {
             table {
                 thead { tr { th { "pattern" } th { "star discrepancy" } th { "L₂ star discrepancy" }
-                    th { "least distance, of the largest possible" } th { "ns a point" } th { "what it does with five points" } } }
+                    th { "least distance between two points, as a share of the largest that so many can have" } th { "ns a point" } th { "what it does with five points" } } }
                 tbody { @for row in rows { tr {
                     td { (row.title) } td { (format!("{:.4}", row.star)) } td { (format!("{:.5}", row.l2_star)) }
                     td { (format!("{:.2}", row.distance)) } td { (row.nanoseconds.map_or_else(|| "–".to_owned(), |ns| format!("{ns:.0}"))) } td { (row.five) }

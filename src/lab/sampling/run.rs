@@ -67,7 +67,7 @@ impl Lab<'_> {
     fn errors(&mut self) -> Drawn {
         self.page.section(
             "Error against samples",
-            "The root of the mean squared error of the mean, with bands that hold it with a probability of 95 %; the numbers are the curves' slopes, and grey lines have the slopes written on them.",
+            "The root of the mean squared error of the mean, with bands that hold it with a probability of 95 %; the numbers are the curves' slopes, and grey lines have the slopes written on them. Over the unit square: a disc around a corner that covers half of it; an edge at a slant; a Gaussian; a checkerboard with two and a half squares along each side.",
         );
         let functions = integrands::all();
         let mut plots = functions.map(|f| ErrorPlot {
@@ -119,7 +119,7 @@ impl Lab<'_> {
     fn spectra(&mut self) -> Drawn {
         self.page.section(
             "Power spectra",
-            "Frequency 0 is in the middle; random points have the power 1 (grey) everywhere. Dark is a frequency whose waves disappear in the mean, bright one whose waves turn up as others. Beside it the mean over all directions, and how much the directions differ.",
+            "Frequency 0 is in the middle; random points have the power 1 (grey) everywhere. Dark is a frequency whose waves disappear in the mean, bright one whose waves turn up as others. Beside it the mean over all directions, and how much the directions differ: 0 dB is as much as the power itself, and less the more realisations there are; what sticks out above is a preferred direction.",
         );
         let n = self.settings.points;
         for subject in &self.settings.subjects {

@@ -113,7 +113,7 @@ pub fn refracting() -> Vec<Edge<Trace>> {
                 5,
                 vec3(0.19, 0.0, -1.0),
                 &[SIDE],
-                vec![ball(0.0, 0.0, 0.0, glass())],
+                vec![ball(0.0, 0.0, 0.0, glass()), wall()],
             ),
         ),
         (
@@ -149,7 +149,7 @@ pub fn refracting() -> Vec<Edge<Trace>> {
             "through a plate of glass into a mirror, and back",
             ask(
                 6,
-                AHEAD,
+                vec3(0.02, 0.06, -1.0),
                 &[SIDE],
                 vec![
                     Object::plane(Dir3::Z, 1.0, glass()),

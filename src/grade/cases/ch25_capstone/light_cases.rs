@@ -103,6 +103,15 @@ pub fn shadows_and_sides() -> Vec<Edge<Trace>> {
             ),
         ),
         (
+            "beyond a triangle's side, in the other half of the parallelogram",
+            ask(
+                1,
+                vec3(2.34, 1.65, -5.0),
+                &[SIDE],
+                vec![Object::triangle(sail, shiny(RED)), wall()],
+            ),
+        ),
+        (
             "beside the triangle, in its plane",
             ask(
                 1,

@@ -7,6 +7,7 @@ mod slip;
 mod things;
 mod trace;
 mod trace_judge;
+mod trace_mistakes;
 mod tracer;
 
 use crate::grade::examine::Examiner;

@@ -9,6 +9,7 @@ use crate::workbook::exercises::ch25_capstone::TraceQuestion;
 pub enum Slip {
     FirstForNearest,
     OneSidedTriangles,
+    Parallelogram,
     NormalNotTurned,
     NoAmbient,
     AmbientForEachLamp,
@@ -27,11 +28,13 @@ pub enum Slip {
     OneSurfaceMore,
     BackdropAtTheEnd,
     IndexTurned,
+    AlwaysEntering,
     AllRefracted,
     NothingMirroredInGlass,
     NoTotalReflection,
     Clamped,
     Encoded,
+    Gamma,
 }
 
 /// The answer of a ray tracer with this slip.
@@ -49,6 +52,7 @@ pub fn answer(q: &TraceQuestion, slip: Slip) -> Rgb {
     match slip {
         Slip::Clamped => tone::clamp(radiance),
         Slip::Encoded => radiance.map(tone::encode_srgb),
+        Slip::Gamma => radiance.map(|v| v.max(0.0).powf(1.0 / 2.2)),
         _ => radiance,
     }
 }

@@ -26,12 +26,13 @@ pub fn judge(q: &TraceQuestion, golden: &Rgb, got: &Rgb) -> Verdict {
         return Ok(());
     }
     let ratio = got.luminance() / golden.luminance();
-    let same_colour =
-        channels().all(|(golden, got)| (ratio * golden - got).abs() <= tolerance(got));
+    let same_colour = channels().all(|(golden, got)| (ratio * golden - got).abs() <= 0.02 * got);
     let why = if *got == Rgb::BLACK {
         "your answer is black, and there is light".to_owned()
     } else if *golden == Rgb::BLACK {
         "everything should be black here".to_owned()
+    } else if lit_by_nothing(q, got) {
+        "your answer is the ambient light alone: no lamp adds anything. Does the normal point away from the viewer, or does the shadow ray meet the surface that it starts from".to_owned()
     } else if same_colour && ratio > 0.0 {
         format!("the colour is right, but {ratio:.3} times as bright as it should be")
     } else {
@@ -42,6 +43,19 @@ pub fn judge(q: &TraceQuestion, golden: &Rgb, got: &Rgb) -> Verdict {
         whys.collect::<Vec<_>>().join(", ")
     };
     Err(format!("{why}; {}", first(q)))
+}
+
+/// Whether an answer is what Phong's surface shows without a lamp.
+fn lit_by_nothing(q: &TraceQuestion, got: &Rgb) -> bool {
+    let nearest = q.scene.nearest(&q.ray);
+    nearest.is_some_and(|(object, _)| match &object.matter {
+        Matter::Phong(phong) => {
+            let ambient = (phong.ambient * q.scene.ambient).channels();
+            let pairs = ambient.into_iter().zip(got.channels());
+            pairs.into_iter().all(|(a, b)| (a - b).abs() <= 1e-3 * a)
+        }
+        _ => false,
+    })
 }
 
 /// What the ray meets first.

@@ -7,8 +7,8 @@ use crate::material::{fresnel::fresnel, mirror::reflect, phong::Phong, refract::
 use crate::math::{dir3::Dir3, interval::Interval, ray::Ray};
 use crate::render::shadow::shadow_ray;
 use crate::scene::description::{Description, Form, Matter, Object};
-use crate::shape::{Hit, Shape, Surface};
-use glam::Vec2;
+use crate::shape::{Hit, Shape, Surface, triangle::Triangle};
+use glam::{Vec2, vec2};
 
 /// A ray tracer, and what it does wrongly.
 pub struct Tracer<'a> {
@@ -46,7 +46,7 @@ impl Tracer<'_> {
                 }
             }
             Matter::Glass(clear) => {
-                let entering = at.normal.dot(*ray.direction) < 0.0;
+                let entering = self.is(Slip::AlwaysEntering) || at.normal.dot(*ray.direction) < 0.0;
                 let (here, there) = if entering == self.is(Slip::IndexTurned) {
                     (clear.index, 1.0)
                 } else {
@@ -73,7 +73,7 @@ impl Tracer<'_> {
 
     fn nearest(&self, ray: &Ray) -> Option<(&Object, Hit)> {
         let mut hits = self.scene.objects.iter().filter_map(|object| {
-            let hit = object.form.hit(ray, Interval::AHEAD)?;
+            let hit = self.hit(object, ray, Interval::AHEAD)?;
             let from_behind = || object.form.surface(ray, &hit).normal.dot(*ray.direction) > 0.0;
             let triangle = matches!(object.form, Form::Triangle(_));
             let culled = self.is(Slip::OneSidedTriangles) && triangle && from_behind();
@@ -83,6 +83,20 @@ impl Tracer<'_> {
             hits.next()
         } else {
             hits.min_by(|(_, a), (_, b)| a.t.total_cmp(&b.t))
+        }
+    }
+
+    fn hit(&self, object: &Object, ray: &Ray, within: Interval) -> Option<Hit> {
+        let hit = object.form.hit(ray, within);
+        match &object.form {
+            Form::Triangle(corners) if hit.is_none() && self.is(Slip::Parallelogram) => {
+                // The other half is p1, p1 + p2 − p0, p2, where the first triangle's u and v are 1 − v and u + v.
+                let opposite = corners.p1 + corners.p2 - corners.p0;
+                let mut hit = Triangle::new(corners.p1, opposite, corners.p2).hit(ray, within)?;
+                hit.uv = vec2(1.0 - hit.uv.y, hit.uv.x + hit.uv.y);
+                Some(hit)
+            }
+            _ => hit,
         }
     }
 
@@ -130,7 +144,7 @@ impl Tracer<'_> {
         let blocks = |object: &&Object| {
             let clear =
                 self.is(Slip::LightThroughGlass) && matches!(object.matter, Matter::Glass(_));
-            !clear && object.form.blocks(&ray, way)
+            !clear && self.hit(object, &ray, way).is_some()
         };
         self.is(Slip::NoShadows) || self.scene.objects.iter().find(blocks).is_none()
     }

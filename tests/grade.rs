@@ -6,6 +6,7 @@ use raybook::grade::cases;
 use raybook::grade::diagnose::diagnose;
 use raybook::grade::examine::{Cases, Examiner, RANDOM_CASES, visible_rng};
 use raybook::grade::hidden::Key;
+use rayon::prelude::*;
 use std::collections::BTreeSet;
 
 /// So many students' hidden cases are tried.
@@ -82,7 +83,7 @@ fn the_reference_passes_everything() {
 
 #[test]
 fn every_mistake_fails_a_visible_case_and_a_hidden_one_for_every_key() {
-    for examiner in cases::all() {
+    cases::all().into_par_iter().for_each(|examiner| {
         let sets: Vec<_> = (0..KEYS).map(|i| hidden(examiner, i)).collect();
         for (i, (mistake, _)) in examiner.mistakes().into_iter().enumerate() {
             let fails = |set: &Cases| set.cases.iter().any(|case| !passes(examiner, i, case));
@@ -99,7 +100,7 @@ fn every_mistake_fails_a_visible_case_and_a_hidden_one_for_every_key() {
                 );
             }
         }
-    }
+    });
 }
 
 #[test]

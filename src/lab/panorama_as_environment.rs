@@ -63,8 +63,8 @@ pub fn lit(film: &Film, panorama: &Environment) -> Result<Image, Box<dyn Error>>
     };
     let tiles = [
         // A small sun is noisier than a sky.
-        ("the panorama", tile(panorama.clone(), 14 * film.samples)?),
-        ("cut off at white", tile(clamped, 7 * film.samples)?),
+        ("the panorama", tile(panorama.clone(), 5 * film.samples)?),
+        ("cut off at white", tile(clamped, 3 * film.samples)?),
     ];
     sheet(2, &tiles)
 }

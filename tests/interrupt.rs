@@ -1,8 +1,10 @@
 //! Ctrl-C ends the grader, and with it everything that a student's program has started.
 #![cfg(target_os = "linux")] // where processes are listed in /proc
 
+#[path = "common/executable.rs"]
+mod executable;
+
 use std::fs;
-use std::os::unix::fs::PermissionsExt;
 use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
@@ -17,9 +19,7 @@ fn nothing_is_left_when_the_grader_is_interrupted() {
         let script = format!(
             "#!/bin/sh\nsetsid sleep {seconds} &\nsleep {seconds} &\nwhile true; do sleep {seconds}; done\n"
         );
-        fs::write(&program, script).expect("the script can be written");
-        fs::set_permissions(&program, fs::Permissions::from_mode(0o755))
-            .expect("the script can be made executable");
+        executable::script(&program, &script);
         let mut grader = Command::new(env!("CARGO_BIN_EXE_raybook"))
             .args(["check", "ray_at", "--time-limit", "60", "--program"])
             .arg(&program)

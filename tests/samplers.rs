@@ -1,5 +1,8 @@
 //! The sampling lab as a lecturer meets it.
 
+#[cfg(unix)]
+#[path = "common/executable.rs"]
+mod executable;
 #[cfg(unix)] // the programs are scripts
 #[path = "samplers/own.rs"]
 mod own;

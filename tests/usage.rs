@@ -49,15 +49,12 @@ fn any_program_can_be_asked() {
     );
     #[cfg(unix)]
     {
-        use std::os::unix::fs::PermissionsExt;
         let home = tempfile::tempdir().expect("a temporary folder");
         let program = home.path().join("answers");
-        fs::write(
+        common::executable::script(
             &program,
             "#!/bin/sh\nwhile read -r name x y z rest; do echo \"= $x $y $z\"; done\n",
-        )
-        .expect("a script");
-        fs::set_permissions(&program, fs::Permissions::from_mode(0o755)).expect("it can be run");
+        );
         let (code, said) = raybook(home.path(), &["check", "ray_at", "--program", "answers"]);
         assert!(
             code == 1 && said.contains("1 of 40 cases right"),

@@ -3,6 +3,7 @@
 #![allow(dead_code)] // each test file uses its own part
 
 pub mod command;
+pub mod executable;
 pub mod noisy;
 pub mod source;
 pub mod starter;

@@ -1,5 +1,6 @@
 //! Making and building student's folders.
 
+use super::executable;
 use raybook::grade::converse::Program;
 use raybook::grade::starter::files;
 use raybook::workbook::anchor::Anchored;
@@ -54,7 +55,7 @@ pub fn build(
         String::from_utf8_lossy(&output.stderr)
     );
     let (built, kept) = (target().join("debug").join(binary), keep.join(binary));
-    fs::copy(built, &kept).expect("the program can be kept");
+    executable::copy(&built, &kept);
     Program {
         file: kept,
         arguments: Vec::new(),

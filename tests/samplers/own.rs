@@ -1,8 +1,7 @@
 //! A student's own patterns beside the library's.
 
-use super::{samplers, scripts};
+use super::{executable, samplers, scripts};
 use std::fs;
-use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 
 /// Small figures, of realisations that are few.
@@ -22,15 +21,11 @@ fn program(folder: &Path, awk: &str) -> PathBuf {
     let file = folder.join("my-answers");
     fs::write(folder.join("answers.awk"), awk).expect("a temporary file");
     let answers = folder.join("answers.awk");
-    fs::write(
-        &file,
-        format!(
-            "#!/bin/sh\nexec awk -f {:?}\n",
-            answers.display().to_string()
-        ),
-    )
-    .expect("a temporary file");
-    fs::set_permissions(&file, fs::Permissions::from_mode(0o755)).expect("it is a program");
+    let text = format!(
+        "#!/bin/sh\nexec awk -f {:?}\n",
+        answers.display().to_string()
+    );
+    executable::script(&file, &text);
     file
 }
 

@@ -3,7 +3,7 @@
 //! A lens gathers light with all of its opening, and unites it again for one distance only. What is nearer or farther becomes
 //! a blurred disc, whose size a formula tells.
 //!
-//! New: sample/disk.rs sample/polygon.rs camera/aperture.rs camera/lens.rs camera/thin_lens.rs
+//! New: shape/placed.rs sample/disk.rs sample/polygon.rs camera/aperture.rs camera/lens.rs camera/thin_lens.rs
 //! New: render/through_lens.rs render/glints.rs scene/tea_table.rs
 
 use glam::Vec3;

@@ -8,9 +8,10 @@ use crate::material::{Material, mirror::Mirror, phong::Phong};
 use crate::math::dir3::Dir3;
 use crate::scene::summer;
 use crate::scene::world::{Scene, Thing};
-use crate::shape::{Shape, cuboid::Cuboid, mesh::Mesh, plane::Plane, sphere::Sphere, teapot};
-use glam::{Vec3, vec3};
-use std::f32::consts::FRAC_1_PI;
+use crate::shape::placed::placed;
+use crate::shape::{Shape, cuboid::Cuboid, plane::Plane, sphere::Sphere, teapot};
+use glam::{Mat3, Vec3, vec3};
+use std::f32::consts::{FRAC_1_PI, FRAC_PI_2};
 
 /// Where one sees all of it: in the middle, at a person's height.
 pub const EYE: Vec3 = vec3(0.0, 1.6, 0.0);
@@ -148,19 +149,8 @@ fn on_show(things: &mut Vec<Thing<dyn Material>>) {
 fn pot(place: Vec3) -> Meshed<Bvh<crate::shape::mesh::Facet>> {
     let mesh = teapot::mesh(8);
     let scale = 0.95 / mesh.bounds().size().x;
-    let turned = |v: Vec3| vec3(-v.z, v.y, v.x);
-    let positions = mesh.positions().iter().map(|&p| place + scale * turned(p));
-    let normals = mesh.normals().iter();
-    let normals = normals
-        .map(|n| Dir3::new_or(turned(**n), Dir3::Y))
-        .collect();
-    let mesh = Mesh::new(
-        positions.collect(),
-        mesh.triangles().to_vec(),
-        Some(normals),
-        None,
-    )
-    .unwrap_or_else(|error| unreachable!("a teapot is finite: {error}"));
+    let turn = Mat3::from_rotation_y(-FRAC_PI_2);
+    let mesh = placed(&mesh, scale, turn, place);
     Meshed::new(mesh, |facets| Bvh::build(facets, Method::BottomUp))
 }
 

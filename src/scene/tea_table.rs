@@ -8,7 +8,8 @@ use crate::material::{Material, See, mirror::Mirror, phong::Phong, polished::Pol
 use crate::math::{dir3::Dir3, ray::Ray};
 use crate::scene::noise::{hash, rise};
 use crate::scene::world::{Scene, Thing};
-use crate::shape::{Surface, cuboid::Cuboid, mesh::Mesh, teapot};
+use crate::shape::placed::placed;
+use crate::shape::{Surface, cuboid::Cuboid, teapot};
 use glam::{Mat3, Vec3, vec3};
 use std::f32::consts::PI;
 
@@ -55,18 +56,7 @@ pub fn tea_table() -> Scene<dyn Material> {
     let pot = teapot::mesh(10);
     for (i, (foot, glaze)) in POTS.into_iter().zip(GLAZES).enumerate() {
         let turned = Mat3::from_rotation_y(-0.35 - 0.5 * i as f32);
-        let positions = pot.positions().iter();
-        let positions = positions.map(|&p| foot + turned * p * (HEIGHT / 3.15));
-        let normals = pot.normals().iter();
-        let normals = normals.map(|n| Dir3::new_or(turned * **n, Dir3::Y));
-        let triangles = pot.triangles().to_vec();
-        let mesh = Mesh::new(
-            positions.collect(),
-            triangles,
-            Some(normals.collect()),
-            None,
-        )
-        .unwrap_or_else(|error| unreachable!("a teapot is finite: {error}"));
+        let mesh = placed(&pot, HEIGHT / 3.15, turned, foot);
         let shape = Meshed::new(mesh, |facets| Bvh::build(facets, Method::Fine));
         things.push(Thing::new(shape, Box::new(glazed(glaze))));
     }

@@ -6,6 +6,7 @@ pub mod cuboid;
 pub mod mesh;
 pub mod mesh_file;
 pub mod obj;
+pub mod placed;
 pub mod plane;
 pub mod sphere;
 pub mod stl;

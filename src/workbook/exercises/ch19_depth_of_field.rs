@@ -80,6 +80,17 @@ row! {
     }
 }
 
+impl ThinLensRayQuestion {
+    /// Its lens, as it stands.
+    pub fn lens(&self) -> Lens {
+        Lens {
+            focal_length: self.focal_length,
+            f_number: self.f_number,
+            focus: self.focus,
+        }
+    }
+}
+
 impl Exercise for ThinLensRay {
     type Question = ThinLensRayQuestion;
     type Answer = CameraRayAnswer;
@@ -120,6 +131,17 @@ row! {
     }
 }
 
+impl CircleOfConfusionQuestion {
+    /// Its lens, as it stands.
+    pub fn lens(&self) -> Lens {
+        Lens {
+            focal_length: self.focal_length,
+            f_number: self.f_number,
+            focus: self.focus,
+        }
+    }
+}
+
 impl Exercise for CircleOfConfusion {
     type Question = CircleOfConfusionQuestion;
     type Answer = f32;
@@ -128,11 +150,6 @@ impl Exercise for CircleOfConfusion {
     const TASK: &'static str = "Return the diameter, in metres, of the disc on the film that a point of light at a distance from a thin lens becomes, when the film is where the plane in focus is sharp and the aperture's diameter is focal_length/f_number; a star's distance is infinite.";
 
     fn answer(q: &Self::Question) -> Self::Answer {
-        let lens = Lens {
-            focal_length: q.focal_length,
-            f_number: q.f_number,
-            focus: q.focus,
-        };
-        lens.circle_of_confusion(q.distance)
+        q.lens().circle_of_confusion(q.distance)
     }
 }

@@ -7,24 +7,14 @@ use crate::workbook::exercises::ch19_depth_of_field::{
     CircleOfConfusion, CircleOfConfusionQuestion,
 };
 
-impl CircleOfConfusionQuestion {
-    /// A = f/N.
-    fn aperture(&self) -> f32 {
-        self.focal_length / self.f_number
-    }
-
-    /// f/(s − f): how large the film shows the plane in focus.
-    fn magnification(&self) -> f32 {
-        self.focal_length / (self.focus - self.focal_length)
-    }
-}
-
 impl Graded for CircleOfConfusion {
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "is negative on one side of the focus",
             hint: "What is nearer than the focus is blurred too: can a diameter be negative?",
-            answer: |q| (1.0 - q.focus / q.distance) * q.aperture() * q.magnification(),
+            answer: |q| {
+                (1.0 - q.focus / q.distance) * q.lens().aperture() * q.lens().magnification()
+            },
         },
         Mistake {
             name: "returns the radius",
@@ -49,17 +39,19 @@ impl Graded for CircleOfConfusion {
         Mistake {
             name: "takes the film to be at the focal length",
             hint: "Where is the film when the focus is near? 1/film + 1/s = 1/f.",
-            answer: |q| Self::answer(q) / q.magnification() * (q.focal_length / q.focus),
+            answer: |q| Self::answer(q) / q.lens().magnification() * (q.focal_length / q.focus),
         },
         Mistake {
             name: "returns the size in the plane in focus",
             hint: "How large does the film show what is 1 m wide in the plane in focus?",
-            answer: |q| Self::answer(q) / q.magnification(),
+            answer: |q| Self::answer(q) / q.lens().magnification(),
         },
         Mistake {
             name: "divides by the focus instead of the distance",
             hint: "Draw the cone from the point to the edge of the lens: how far from its tip is the lens?",
-            answer: |q| q.aperture() * (q.distance / q.focus - 1.0).abs() * q.magnification(),
+            answer: |q| {
+                q.lens().aperture() * (q.distance / q.focus - 1.0).abs() * q.lens().magnification()
+            },
         },
         Mistake {
             name: "divides by the focal length instead of where the point is sharp",
@@ -67,7 +59,7 @@ impl Graded for CircleOfConfusion {
             answer: |q| {
                 let sharp = |x: f32| 1.0 / (1.0 / q.focal_length - 1.0 / x);
                 let (film, tip) = (sharp(q.focus), sharp(q.distance));
-                q.aperture() * (film - tip).abs() / q.focal_length
+                q.lens().aperture() * (film - tip).abs() / q.focal_length
             },
         },
         Mistake {
@@ -138,7 +130,7 @@ impl Graded for CircleOfConfusion {
     fn judge(q: &CircleOfConfusionQuestion, golden: &f32, got: &f32) -> Verdict {
         /// Who goes by where the points are sharp subtracts two nearly equal distances: a few roundings, 6e-8 each, of f.
         const OF_APERTURE: f32 = 1e-6;
-        let tolerance = judge::RELATIVE * golden + OF_APERTURE * q.aperture();
+        let tolerance = judge::RELATIVE * golden + OF_APERTURE * q.lens().aperture();
         let mm = |metres: f32| 1e3 * metres;
         judge::number_within("the diameter", "mm", mm(*golden), mm(*got), mm(tolerance))
     }

@@ -9,16 +9,6 @@ use crate::workbook::exercises::ch19_depth_of_field::{ThinLensRay, ThinLensRayQu
 use glam::{Vec2, Vec3, vec2};
 
 impl ThinLensRayQuestion {
-    /// A = f/N.
-    fn aperture(&self) -> f32 {
-        self.focal_length / self.f_number
-    }
-
-    /// Where the film is.
-    fn film_distance(&self) -> f32 {
-        self.focal_length * self.focus / (self.focus - self.focal_length)
-    }
-
     /// The ray through the middle of the lens.
     fn central(&self) -> CameraRayAnswer {
         let mut middle = self.clone();
@@ -102,7 +92,7 @@ impl Graded for ThinLensRay {
         Mistake {
             name: "leaves the film at the focal length",
             hint: "Where is the film when the focus is near? 1/film + 1/s = 1/f.",
-            answer: |q| Self::misread(q, |q| q.plane *= q.film_distance() / q.focal_length),
+            answer: |q| Self::misread(q, |q| q.plane *= q.lens().film_distance() / q.focal_length),
         },
         Mistake {
             name: "multiplies by the f-number",
@@ -142,8 +132,8 @@ impl Graded for ThinLensRay {
     fn judge(q: &ThinLensRayQuestion, golden: &CameraRayAnswer, got: &CameraRayAnswer) -> Verdict {
         /// Of the distance from the world's origin and from the lens: some two hundred roundings.
         const ROUNDING: f32 = 1e-5;
-        let far = q.lens_middle.length() + q.aperture();
-        let of_lens = judge::RELATIVE * q.aperture();
+        let far = q.lens_middle.length() + q.lens().aperture();
+        let of_lens = judge::RELATIVE * q.lens().aperture();
         judge::direction(
             "the ray's direction",
             got.direction.normalize_or_zero(),

@@ -9,12 +9,17 @@ use glam::{Vec3, vec3};
 
 /// Mirrors, and where the depth ends.
 pub fn mirrors() -> Vec<Edge<Trace>> {
-    let facing = || {
-        vec![
+    let between = |depth| {
+        let facing = vec![
             Object::plane(Dir3::X, -1.0, mirror()),
             Object::plane(-Dir3::X, -1.0, mirror()),
             wall(),
-        ]
+        ];
+        let lamps = [lamp(0.0, 0.5, 2.0, 20.0)];
+        from(
+            vec3(0.1, 0.0, 4.0),
+            ask(depth, vec3(1.0, 0.1, -1.1), &lamps, facing),
+        )
     };
     let to_mirror = vec3(0.5, 0.1, -1.0);
     [
@@ -40,28 +45,9 @@ pub fn mirrors() -> Vec<Edge<Trace>> {
         ),
         (
             "mirror, mirror, mirror and wall: four surfaces, just enough",
-            from(
-                vec3(0.1, 0.0, 4.0),
-                ask(
-                    4,
-                    vec3(1.0, 0.1, -1.1),
-                    &[lamp(0.0, 0.5, 2.0, 20.0)],
-                    facing(),
-                ),
-            ),
+            between(4),
         ),
-        (
-            "the same with one surface less",
-            from(
-                vec3(0.1, 0.0, 4.0),
-                ask(
-                    3,
-                    vec3(1.0, 0.1, -1.1),
-                    &[lamp(0.0, 0.5, 2.0, 20.0)],
-                    facing(),
-                ),
-            ),
-        ),
+        ("the same with one surface less", between(3)),
         (
             "a mirror seen from behind is a mirror too",
             ask(

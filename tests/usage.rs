@@ -64,5 +64,14 @@ fn any_program_can_be_asked() {
             said.contains("ignores t") || said.contains("Wrong are"),
             "and it says what is wrong: {said}"
         );
+        assert!(
+            said.contains("Next: mend ray_at.\n"),
+            "where, only the student knows: {said}"
+        );
+        let (code, said) = raybook(home.path(), &["hint", "ray_at", "--program", "answers"]);
+        assert!(
+            code == 0 && said.starts_with("ray_at: ") && !said.contains("src/"),
+            "the program is asked, and a hint given: {said}"
+        );
     }
 }

@@ -3,7 +3,7 @@
 use raybook::grade::converse::{Limits, Program};
 use raybook::grade::student;
 use std::error::Error;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 /// The options of every command that asks an answer program.
@@ -18,22 +18,22 @@ pub struct Asking {
 }
 
 impl Asking {
-    /// The program that was named, if one was.
+    /// The program that was named, or else that of the workbook around a folder; and the workbook it is built from, if it is.
     ///
     /// # Errors
-    /// If it is a folder without a workbook, or of one that cannot be built.
-    pub fn program(&self) -> Result<Option<Program>, Box<dyn Error>> {
-        let Some(named) = &self.program else {
-            return Ok(None);
-        };
-        if named.is_dir() {
-            return Ok(Some(student::build(&student::workbook(named)?)?));
+    /// If there is no workbook, or its program cannot be built.
+    pub fn program_or(&self, around: &Path) -> Result<(Program, Option<PathBuf>), Box<dyn Error>> {
+        let named = self.program.as_deref().unwrap_or(around);
+        if self.program.is_none() || named.is_dir() {
+            let workbook = student::workbook(named)?;
+            return Ok((student::build(&workbook)?, Some(workbook)));
         }
-        Ok(Some(Program {
+        let program = Program {
             file: std::path::absolute(named)?,
             arguments: Vec::new(),
             folder: PathBuf::new(),
-        }))
+        };
+        Ok((program, None))
     }
 
     /// What it may use for one answer.

@@ -10,9 +10,9 @@ use raybook::grade::converse::Program;
 use raybook::grade::dress::Dress;
 use raybook::grade::examine::{Examiner, visible_rng};
 use raybook::grade::hidden::Key;
+use raybook::grade::json;
 use raybook::grade::picture::ask_pixels;
 use raybook::grade::progress::Progress;
-use raybook::grade::{json, student};
 use raybook::lab::say::say;
 use std::error::Error;
 use std::io::IsTerminal;
@@ -55,7 +55,7 @@ impl Check {
         if self.case.is_some() && examiners.len() != 1 {
             return Err("--case needs one exercise: raybook check sphere_hit --case 3".into());
         }
-        let (program, folder) = self.program(&from)?;
+        let (program, folder) = self.asking.program_or(&from)?;
         let gallery = self.gallery(folder.as_deref());
         let bar = ProgressBar::new(examiners.len() as u64);
         let mut reports = Vec::new();
@@ -90,15 +90,6 @@ impl Check {
         Ok(reports
             .iter()
             .all(|(report, _)| report.state() == State::Right))
-    }
-
-    /// The program to ask, and the workbook it is of, if it is.
-    fn program(&self, from: &Path) -> Result<(Program, Option<PathBuf>), Box<dyn Error>> {
-        if let Some(program) = self.asking.program()? {
-            return Ok((program, None));
-        }
-        let folder = student::workbook(from)?;
-        Ok((student::build(&folder)?, Some(folder)))
     }
 
     fn examine(

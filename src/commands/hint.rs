@@ -1,10 +1,10 @@
 //! `raybook hint`: a nudge that does not give the answer away.
 
+use super::asking::Asking;
 use super::{Done, Target};
 use raybook::grade::check::{State, check};
-use raybook::grade::converse::Limits;
 use raybook::grade::examine::visible_rng;
-use raybook::grade::{library, student};
+use raybook::grade::library;
 use raybook::lab::say::say;
 
 /// Hints at what is wrong.
@@ -12,30 +12,30 @@ use raybook::lab::say::say;
 pub struct Hint {
     #[command(flatten)]
     target: Target,
+    #[command(flatten)]
+    asking: Asking,
 }
 
 impl Hint {
-    /// Asks the student's program, and hints at the first exercise that is not right.
+    /// Asks the program, and hints at the first exercise that is not right.
     pub fn run(&self) -> Done {
         let (from, examiners) = self.target.resolve()?;
-        let program = student::build(&student::workbook(&from)?)?;
-        let limits = Limits::default();
+        let (program, workbook) = self.asking.program_or(&from)?;
         for examiner in examiners {
             let report = check(
                 &program,
                 examiner,
                 examiner.cases(&mut visible_rng(examiner.name())).cases,
-                limits,
+                self.asking.limits(),
             )?;
             let name = report.exercise;
             match (report.state(), &report.diagnosis, report.first_wrong()) {
                 (State::Right, ..) => continue,
                 (State::NotStarted, ..) => {
-                    say(format!(
-                        "{name}: {}\nWrite it in {}.",
-                        examiner.task(),
-                        library::place(name).unwrap_or_default()
-                    ));
+                    say(format!("{name}: {}", examiner.task()));
+                    if let (Some(_), Some(file)) = (workbook, library::place(name)) {
+                        say(format!("Write it in {file}."));
+                    }
                 }
                 (State::WaitsFor(other), ..) => {
                     say(format!(

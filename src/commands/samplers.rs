@@ -63,8 +63,11 @@ impl Samplers {
             width: whole(&self.width),
             folder: self.out.clone(),
         };
-        let program = self.asking.program()?;
-        let right = program.map_or(Ok(true), |program| self.ask(&program, &mut settings))?;
+        let mut right = true;
+        if let Some(named) = &self.asking.program {
+            let (program, _) = self.asking.program_or(named)?;
+            right = self.ask(&program, &mut settings)?;
+        }
         let page = run::run(&settings)?;
         settings.remarks.iter().for_each(say);
         say(format!(

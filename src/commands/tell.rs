@@ -59,7 +59,7 @@ impl Telling<'_> {
             say(format!(
                 "\n{right} of {} exercises are right.\n{}",
                 reports.len(),
-                next_step(reports)
+                self.next_step(reports)
             ));
         }
         Ok(())
@@ -105,6 +105,29 @@ impl Telling<'_> {
         Ok(())
     }
 
+    fn next_step(&self, reports: &[Pictured]) -> String {
+        let first =
+            |state: fn(&State) -> bool| reports.iter().map(|(r, _)| r).find(|r| state(&r.state()));
+        // Where the function is, in a workbook.
+        let place = |report: &Report| {
+            let place = self.folder.and(library::place(report.exercise));
+            place.map_or_else(String::new, |file| format!(" in {file}"))
+        };
+        if let Some(report) = first(|state| *state == State::Wrong) {
+            format!("Next: mend {}{}.", report.exercise, place(report))
+        } else if let Some(report) = first(|state| *state == State::NotStarted) {
+            format!(
+                "Next: write {0}{1}; `raybook exercise {0}` says what it is asked.",
+                report.exercise,
+                place(report)
+            )
+        } else if let Some(report) = first(|state| matches!(state, State::WaitsFor(_))) {
+            format!("Next: write what {} waits for.", report.exercise)
+        } else {
+            "Everything that was asked for is right.".to_owned()
+        }
+    }
+
     fn tell_cases(&self, report: &Report, examiner: &dyn Examiner) {
         for outcome in &report.cases {
             say(format!(
@@ -112,25 +135,6 @@ impl Telling<'_> {
                 feedback::case(report, examiner, outcome, self.dress).join("\n")
             ));
         }
-    }
-}
-
-fn next_step(reports: &[Pictured]) -> String {
-    let first =
-        |state: fn(&State) -> bool| reports.iter().map(|(r, _)| r).find(|r| state(&r.state()));
-    let place = |report: &Report| library::place(report.exercise).unwrap_or_default();
-    if let Some(report) = first(|state| *state == State::Wrong) {
-        format!("Next: mend {} in {}.", report.exercise, place(report))
-    } else if let Some(report) = first(|state| *state == State::NotStarted) {
-        format!(
-            "Next: write {0} in {1}; `raybook exercise {0}` says what it is asked.",
-            report.exercise,
-            place(report)
-        )
-    } else if let Some(report) = first(|state| matches!(state, State::WaitsFor(_))) {
-        format!("Next: write what {} waits for.", report.exercise)
-    } else {
-        "Everything that was asked for is right.".to_owned()
     }
 }
 

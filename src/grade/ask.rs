@@ -32,6 +32,8 @@ pub enum Said {
     Flooded(usize),
     /// So many answers were given to the one question.
     TooMany(usize),
+    /// It was not asked: there was no answer to so many questions before it.
+    NotAsked(usize),
 }
 
 impl Said {
@@ -52,17 +54,34 @@ impl Said {
             Self::TooMany(answers) => {
                 format!("your program gave {answers} answers to one question")
             }
+            Self::NotAsked(questions) => {
+                format!("not asked, since there was no answer to {questions} questions in a row")
+            }
         })
+    }
+
+    /// Whether the program had to be started again after it.
+    fn cost_a_process(&self) -> bool {
+        match self {
+            Self::Answer(_) | Self::Todo(_) | Self::Panicked(_) | Self::Refused(_) => false,
+            Self::Ended(_) | Self::TimedOut(_) | Self::Flooded(_) | Self::TooMany(_) => true,
+            Self::NotAsked(_) => true,
+        }
     }
 }
 
 /// So many times a program may end early; from then on it is asked one question at a time, which blames the right one at once.
 const PATIENCE: usize = 3;
 
+/// After so many questions in a row without an answer the rest is not asked: seconds instead of minutes, for a program that
+/// does not know the exercise, or hangs.
+const SILENT: usize = 8;
+
 /// Asks all the questions, whatever happens, and returns a reply to each.
 ///
 /// All are sent at once, so a program that does not flush its output is answered for too. When it ends early, the
-/// question it had reached is asked again alone, to blame the right one, and the others go to a new process.
+/// question it had reached is asked again alone, to blame the right one, and the others go to a new process. After eight
+/// questions in a row without an answer the rest is not asked.
 ///
 /// # Errors
 /// If the program cannot be started.
@@ -70,6 +89,13 @@ pub fn ask(program: &Program, questions: &[String], limits: Limits) -> io::Resul
     let mut replies = Vec::new();
     let mut misfortunes = 0;
     while replies.len() < questions.len() {
+        if ends_silent(&replies) {
+            replies.resize_with(questions.len(), || Reply {
+                said: Said::NotAsked(SILENT),
+                printed: String::new(),
+            });
+            break;
+        }
         let rest = &questions[replies.len()..];
         let together = if misfortunes < PATIENCE {
             rest.len()
@@ -111,6 +137,16 @@ pub fn ask(program: &Program, questions: &[String], limits: Limits) -> io::Resul
         }
     }
     Ok(replies)
+}
+
+/// Whether the last replies, as many as are borne, are no answers.
+fn ends_silent(replies: &[Reply]) -> bool {
+    let last = replies.len().checked_sub(SILENT);
+    last.is_some_and(|first| {
+        replies[first..]
+            .iter()
+            .all(|reply| reply.said.cost_a_process())
+    })
 }
 
 /// An answer line without its `= `.

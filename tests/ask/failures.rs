@@ -81,6 +81,33 @@ fn silence_ends_in_words() {
 }
 
 #[test]
+fn a_program_that_never_answers_is_not_asked_for_ever() {
+    let heard = said("exit 7", 40);
+    let (asked, rest) = heard.split_at(8);
+    assert_eq!(
+        asked,
+        vec![Said::Ended("exit code 7".into()); 8],
+        "eight times it is asked"
+    );
+    assert_eq!(rest, vec![Said::NotAsked(8); 32], "and then no more");
+
+    let heard = said(
+        "while read q; do if [ $((q % 8)) = 0 ]; then echo \"= $q\"; else exit 1; fi; done",
+        40,
+    );
+    for (question, said) in (1..=40).zip(&heard) {
+        let expected = match question % 8 {
+            0 => answer(&question.to_string()),
+            _ => Said::Ended("exit code 1".into()),
+        };
+        assert_eq!(
+            *said, expected,
+            "now and then it answers: question {question}"
+        );
+    }
+}
+
+#[test]
 fn a_flood_is_dammed() {
     let heard = said("yes", 2);
     assert!(

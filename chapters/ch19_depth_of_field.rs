@@ -16,7 +16,9 @@ use raybook::lab::{
 use raybook::math::interval::Interval;
 use raybook::render::{film::Film, glints::add_glints, local::Local, shadow};
 use raybook::render::{through_lens::through_lens, whitted::Whitted};
-use raybook::scene::tea_table::{EYE, FAR, FOCAL_LENGTH, POTS, VIEW, lamps, tea_table};
+use raybook::scene::tea_table::{
+    ALONG, EYE, FAR, FOCAL_LENGTH, NARROW_VIEW, POTS, VIEW, lamps, tea_table,
+};
 use std::process::ExitCode;
 
 /// Draws the chapter's pictures.
@@ -55,14 +57,17 @@ pub(crate) fn draw(stage: &Stage) -> Drawn {
     let caption = "The same focus with four apertures: the larger one blurs more. Through a pin-hole all is sharp, and a lamp is no larger than a pixel.";
     stage.figure("apertures", caption, &sheet(2, &named(&tiles))?)?;
 
-    let (tile, mut tiles) = (stage.tile(3, 16.0 / 9.0), vec![]);
+    let (tile, mut tiles) = (stage.tile(4, 1.0), vec![]);
+    let samples = 3 * tile.samples; // most of it is blurred
+    let tile = Film { samples, ..tile };
+    let body = Pinhole::look_at(ALONG, NARROW_VIEW, Vec3::Y, FOCAL_LENGTH, tile.aspect())?;
     for at in POTS.into_iter().chain([FAR]) {
         let camera = focused(&body, at, 1.4)?;
         let name = format!("{:.1} m", camera.lens.focus);
         tiles.push((name, photograph(&tile, &camera)));
     }
     let caption = "A focus pull: the film moves towards the lens, and what is sharp moves away from it, from teapot to teapot, and to the lamps far behind.";
-    stage.figure("focus_pull", caption, &sheet(3, &named(&tiles))?)?;
+    stage.figure("focus_pull", caption, &sheet(6, &named(&tiles))?)?;
 
     let caption = "Lamps out of focus, seen through a round hole and through 5, 6 and 8 blades.";
     stage.figure("bokeh", caption, &bokeh::draw(&stage.tile(4, 1.0))?)?;

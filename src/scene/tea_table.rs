@@ -19,6 +19,12 @@ pub const EYE: Vec3 = vec3(0.0, 0.30, 0.0);
 /// Where a camera looks that sees all of it.
 pub const VIEW: Vec3 = vec3(0.0, 0.19, -1.0);
 
+/// Where the table is seen from for a narrow picture of all teapots: the row is shorter from there.
+pub const ALONG: Vec3 = vec3(0.16, 0.30, 0.0);
+
+/// Where that picture's camera looks.
+pub const NARROW_VIEW: Vec3 = vec3(-0.02, 0.19, -1.0);
+
 /// Where one looks that sees some teapots from nearer.
 pub const DETAIL: Vec3 = vec3(-0.20, 0.11, -1.0);
 

@@ -85,39 +85,47 @@ fn programs_that_are_right_by_another_method_pass_every_case() {
     for Alternative { exercise, .. } in alternatives() {
         assert!(cases::find(exercise).is_some(), "there is no `{exercise}`");
     }
-    let mut unfair = Vec::new();
-    for (examiner, cases) in &*CASES {
-        let name = examiner.name();
-        let others: Vec<_> = alternatives()
-            .filter(|other| other.exercise == name)
-            .collect();
-        let needed = if is_hit(name) { 2 } else { 1 };
-        assert!(
-            others.len() >= needed,
-            "{name}: {} alternatives; {needed} are needed",
-            others.len()
-        );
-        for other in others {
-            for case in cases {
-                let answer = other.answer_to(&case.question);
-                for (style, print) in STYLES {
-                    let got = line(&answer, print);
-                    if let Err(why) = examiner.judge(&case.question, &case.answers, &got) {
-                        unfair.push(format!(
-                            "{name}, {}, numbers {style}; {}: {}\n  right {:?}\n  got   {got}\n  {why}",
-                            other.method, case.name, case.question, case.answers
-                        ));
-                    }
-                }
-            }
-        }
-    }
+    let unfair: Vec<_> = CASES
+        .par_iter()
+        .flat_map_iter(|(examiner, cases)| unfair_verdicts(*examiner, cases))
+        .collect();
     assert!(
         unfair.is_empty(),
         "{} right answers are called wrong, such as\n{}",
         unfair.len(),
         unfair[..unfair.len().min(10)].join("\n")
     );
+}
+
+/// The verdicts on an exercise's alternatives that call a right answer wrong.
+fn unfair_verdicts(examiner: &dyn Examiner, cases: &[Case]) -> Vec<String> {
+    let name = examiner.name();
+    let others: Vec<_> = alternatives()
+        .filter(|other| other.exercise == name)
+        .collect();
+    let needed = if is_hit(name) { 2 } else { 1 };
+    assert!(
+        others.len() >= needed,
+        "{name}: {} alternatives; {needed} are needed",
+        others.len()
+    );
+    let mut unfair = Vec::new();
+    let asked = others
+        .iter()
+        .flat_map(|other| cases.iter().map(move |case| (other, case)));
+    for (other, case) in asked {
+        let answer = other.answer_to(&case.question);
+        for (style, print) in STYLES {
+            let got = line(&answer, print);
+            if let Err(why) = examiner.judge(&case.question, &case.answers, &got) {
+                unfair.push(format!(
+                    "{name}, {}, numbers {style}; {}: {}\n  right {:?}\n  got   {got}\n  {why}",
+                    other.method, case.name, case.question, case.answers
+                ));
+            }
+        }
+    }
+    unfair
 }
 
 fn alternatives() -> impl Iterator<Item = &'static Alternative> {

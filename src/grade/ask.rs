@@ -62,11 +62,10 @@ impl Said {
 
     /// Whether the program had to be started again after it.
     fn cost_a_process(&self) -> bool {
-        match self {
-            Self::Answer(_) | Self::Todo(_) | Self::Panicked(_) | Self::Refused(_) => false,
-            Self::Ended(_) | Self::TimedOut(_) | Self::Flooded(_) | Self::TooMany(_) => true,
-            Self::NotAsked(_) => true,
-        }
+        !matches!(
+            self,
+            Self::Answer(_) | Self::Todo(_) | Self::Panicked(_) | Self::Refused(_)
+        )
     }
 }
 

@@ -4,13 +4,14 @@ use crate::CASES;
 use crate::student::{STYLES, line};
 use crate::wrong::wrongs;
 use raybook::grade::examine::{Case, Examiner};
+use rayon::prelude::*;
 
 /// Of so many answers that are spoilt, in percent, all these must be noticed: 1 % of 0 is right.
 const NOTICED: usize = 90;
 
 #[test]
 fn programs_that_are_a_little_wrong_fail_nearly_everywhere() {
-    for (examiner, cases) in &*CASES {
+    CASES.par_iter().for_each(|(examiner, cases)| {
         let name = examiner.name();
         let wrongs: Vec<_> = wrongs().filter(|w| w.0.contains(&name)).collect();
         assert!(!wrongs.is_empty(), "{name}: try a wrong program");
@@ -28,12 +29,12 @@ fn programs_that_are_a_little_wrong_fail_nearly_everywhere() {
                 "{name}, {what}: only {noticed} of {all} are called wrong"
             );
         }
-    }
+    });
 }
 
 #[test]
 fn a_program_that_says_the_same_to_everything_fails_nearly_everywhere() {
-    for (examiner, cases) in &*CASES {
+    CASES.par_iter().for_each(|(examiner, cases)| {
         for same in ["none", cases[0].answers[0].as_str()] {
             let (noticed, all) = count(*examiner, cases, |case| {
                 (case.answers[0] != same).then(|| same.to_owned())
@@ -53,7 +54,7 @@ fn a_program_that_says_the_same_to_everything_fails_nearly_everywhere() {
                 cases.len()
             );
         }
-    }
+    });
 }
 
 /// How many of the answers are called wrong, and how many there are.

@@ -74,6 +74,9 @@ impl Graded for VisibleFraction {
         },
     ];
 
+    /// The share of a whole light has no edges at which a last digit decides.
+    const ULPS: i32 = 0;
+
     fn edges() -> Vec<Edge<Self>> {
         let square = |points: &[Vec3], balls: &[(Vec3, f32)]| VisibleFractionQuestion {
             corner: vec3(-1.0, 4.0, -1.0),

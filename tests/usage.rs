@@ -75,3 +75,26 @@ fn any_program_can_be_asked() {
         );
     }
 }
+
+#[cfg(unix)]
+#[test]
+fn what_keeps_a_program_from_answering_is_said() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let write = |name: &str, text: &str| fs::write(home.path().join(name), text).expect("a file");
+    let script = |name: &str, text: &str| common::executable::script(&home.path().join(name), text);
+    script(
+        "no-sign",
+        "#!/bin/sh\nwhile read -r question; do echo 1 2 3; done\n",
+    );
+    write("not-executable", "#!/bin/sh\necho = 1 2 3\n");
+    script("no-interpreter", "#!/no/such/python\n");
+    for (program, part, expected) in [
+        ("no-sign", "begin its line with `= `", 1),
+        ("not-executable", "chmod +x", 2),
+        ("no-interpreter", "its first line names", 2),
+        ("not-there", "not-there: cannot be run", 2),
+    ] {
+        let (code, said) = raybook(home.path(), &["check", "ray_at", "--program", program]);
+        assert!(code == expected && said.contains(part), "{program}: {said}");
+    }
+}

@@ -117,8 +117,7 @@ impl Check {
                 )
             })?];
         }
-        check(program, examiner, cases, self.asking.limits())
-            .map_err(|e| format!("{}: cannot be run: {e}", program.file.display()).into())
+        Ok(check(program, examiner, cases, self.asking.limits())?)
     }
 
     /// Where pictures go; nowhere if a single case is asked.

@@ -125,8 +125,7 @@ impl Samplers {
             subjects.push(subject);
             let Some(own) = own else { continue };
             steps.begin(format!("asking for {}", own.exercise));
-            let got = ask(program, own, &wanted, self.asking.limits())
-                .map_err(|e| format!("{}: cannot be run: {e}", program.file.display()))?;
+            let got = ask(program, own, &wanted, self.asking.limits())?;
             right &= got.wrong.is_none();
             settings.remarks.extend(self.remarks(&pattern, own, &got));
             if !got.points.is_empty() {

@@ -74,12 +74,12 @@ const PATIENCE: usize = 3;
 
 /// After so many questions in a row without an answer the rest is not asked: seconds instead of minutes, for a program that
 /// does not know the exercise, or hangs.
-const SILENT: usize = 8;
+const SILENT: usize = 5;
 
 /// Asks all the questions, whatever happens, and returns a reply to each.
 ///
 /// All are sent at once, so a program that does not flush its output is answered for too. When it ends early, the
-/// question it had reached is asked again alone, to blame the right one, and the others go to a new process. After eight
+/// question it had reached is asked again alone, to blame the right one, and the others go to a new process. After five
 /// questions in a row without an answer the rest is not asked.
 ///
 /// # Errors

@@ -1,11 +1,11 @@
 //! Holding a student's process and its children together, so that none is left behind. The system's own code is here.
 
-use crate::grade::converse::wait;
 use std::io;
 use std::process::{Child, Command, ExitStatus};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
-use std::time::Duration;
+use std::thread;
+use std::time::{Duration, Instant};
 
 /// The environment variable that marks a process as a student's.
 const MARK: &str = "RAYBOOK_ASKED";
@@ -60,6 +60,18 @@ impl Held {
         kill_marked(&self.mark);
         held().retain(|(_, mark)| *mark != self.mark);
         status
+    }
+}
+
+/// Waits for a process to end, at most so long.
+fn wait(child: &mut Child, limit: Duration) -> Option<ExitStatus> {
+    let deadline = Instant::now() + limit;
+    loop {
+        match child.try_wait() {
+            Ok(Some(status)) => return Some(status),
+            Ok(None) if Instant::now() < deadline => thread::sleep(Duration::from_millis(1)),
+            _ => return None,
+        }
     }
 }
 

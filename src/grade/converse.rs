@@ -4,7 +4,7 @@ use crate::grade::contain;
 use std::ffi::OsString;
 use std::io::{self, BufRead, BufReader, PipeReader, Read, Write};
 use std::path::PathBuf;
-use std::process::{Child, Command, ExitStatus, Stdio};
+use std::process::{Command, ExitStatus, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, sync_channel};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -92,7 +92,7 @@ pub fn converse(
     if !program.folder.as_os_str().is_empty() {
         command.current_dir(&program.folder);
     }
-    let mut held = contain::start(&mut command)?;
+    let mut held = contain::start(&mut command).map_err(|error| cannot_start(program, &error))?;
     drop(command); // it holds the pipe's other end
     if let Some(mut stdin) = held.child.stdin.take() {
         let text: String = questions
@@ -110,6 +110,22 @@ pub fn converse(
         *how = describe(status);
     }
     Ok(conversation)
+}
+
+/// Why a program does not start, and what to do about it.
+fn cannot_start(program: &Program, error: &io::Error) -> io::Error {
+    let file = program.file.display();
+    let advice = match error.kind() {
+        io::ErrorKind::PermissionDenied => format!("; is it executable? chmod +x {file}"),
+        io::ErrorKind::NotFound if program.file.exists() => {
+            "; the file is there: is the program that its first line names after `#!`?".to_owned()
+        }
+        _ => String::new(),
+    };
+    io::Error::new(
+        error.kind(),
+        format!("{file}: cannot be run: {error}{advice}"),
+    )
 }
 
 /// Lines of output as they come, with whether each was whole.
@@ -174,16 +190,4 @@ fn describe(status: ExitStatus) -> String {
         || contain::signal_name(status),
         |code| format!("exit code {code}"),
     )
-}
-
-/// Waits for a process to end, at most so long.
-pub fn wait(child: &mut Child, limit: Duration) -> Option<ExitStatus> {
-    let deadline = Instant::now() + limit;
-    loop {
-        match child.try_wait() {
-            Ok(Some(status)) => return Some(status),
-            Ok(None) if Instant::now() < deadline => thread::sleep(Duration::from_millis(1)),
-            _ => return None,
-        }
-    }
 }

@@ -34,9 +34,17 @@ pub fn printed(outcome: &Outcome) -> Vec<String> {
     if printed.len() > MOST {
         lines.push(format!("    | … and {} more lines", printed.len() - MOST));
     }
-    let swallowed = printed.iter().any(|line| line.contains("= "));
-    if swallowed && !matches!(outcome.reply.said, Said::Answer(_)) {
-        lines.push("  An answer must begin its line with `= `. Is one of these meant to be one? End the print before it with a newline.".to_owned());
+    let meant = printed.iter().any(|line| seems_an_answer(line));
+    if meant && !matches!(outcome.reply.said, Said::Answer(_)) {
+        lines.push("  An answer must begin its line with `= `. Is one of these meant to be one? Write that before it, and end what is printed before with a newline.".to_owned());
     }
     lines
+}
+
+/// Whether a line would be an answer if it began as one: `=` stands somewhere, or there are only numbers.
+fn seems_an_answer(line: &str) -> bool {
+    line.contains("= ")
+        || line
+            .split_whitespace()
+            .all(|word| word.trim_start_matches('=').parse::<f64>().is_ok())
 }

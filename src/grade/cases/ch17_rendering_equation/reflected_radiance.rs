@@ -12,16 +12,15 @@ use std::f32::consts::{PI, TAU};
 
 /// ∫ g dω over the hemisphere around the normal, of several g, by the middles of cells of equal solid angle.
 fn integral<const N: usize>(normal: Dir3, g: impl Fn(Dir3) -> [Rgb; N]) -> [Rgb; N] {
-    const RINGS: u32 = 48;
-    const SECTORS: u32 = 40;
+    let (rings, sectors) = (48, 40);
     let basis = Basis::around(normal);
     let mut sums = [Rgb::BLACK; N];
-    for i in 0..RINGS * SECTORS {
-        let z = ((i / SECTORS) as f32 + 0.5) / RINGS as f32;
-        let phi = TAU * ((i % SECTORS) as f32 + 0.5) / SECTORS as f32;
+    for i in 0..rings * sectors {
+        let z = ((i / sectors) as f32 + 0.5) / rings as f32;
+        let phi = TAU * ((i % sectors) as f32 + 0.5) / sectors as f32;
         let d = Dir3::new_or(basis.to_world(at_height(z, phi)), normal);
         for (sum, value) in sums.iter_mut().zip(g(d)) {
-            *sum += value * (TAU / (RINGS * SECTORS) as f32);
+            *sum += value * (TAU / (rings * sectors) as f32);
         }
     }
     sums
@@ -86,9 +85,7 @@ impl Graded for ReflectedRadiance {
         },
     ];
 
-    /// An integral has no edges at which a last digit decides.
-    const ULPS: i32 = 0;
-
+    const ULPS: i32 = 0; // an integral has no edges at which a last digit decides
     /// Estimates scatter: what a student's is, another estimate with the same mistake is only nearly.
     const ALIKE: f32 = 0.05;
 

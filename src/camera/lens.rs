@@ -62,11 +62,6 @@ impl Lens {
         self.focal_length / self.f_number
     }
 
-    /// f/(s − f): how large the film shows the plane in focus.
-    pub fn magnification(&self) -> f32 {
-        self.focal_length / (self.focus - self.focal_length)
-    }
-
     /// f s/(s − f): how far behind the lens the film is, in metres, for 1/film + 1/s = 1/f (the thin-lens equation).
     pub fn film_distance(&self) -> f32 {
         self.focal_length * self.focus / (self.focus - self.focal_length)

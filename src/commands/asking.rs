@@ -18,24 +18,6 @@ pub struct Asking {
 }
 
 impl Asking {
-    /// The program that was named, or else that of the workbook around a folder; and the workbook it is built from, if it is.
-    ///
-    /// # Errors
-    /// If there is no workbook, or its program cannot be built.
-    pub fn program_or(&self, around: &Path) -> Result<(Program, Option<PathBuf>), Box<dyn Error>> {
-        let named = self.program.as_deref().unwrap_or(around);
-        if self.program.is_none() || named.is_dir() {
-            let workbook = student::workbook(named)?;
-            return Ok((student::build(&workbook)?, Some(workbook)));
-        }
-        let program = Program {
-            file: std::path::absolute(named)?,
-            arguments: Vec::new(),
-            folder: PathBuf::new(),
-        };
-        Ok((program, None))
-    }
-
     /// What it may use for one answer.
     pub fn limits(&self) -> Limits {
         Limits {
@@ -52,4 +34,21 @@ impl Asking {
         let time = unusual.then(|| format!(" --time-limit {}", self.time_limit));
         [program, time].into_iter().flatten().collect()
     }
+}
+
+/// The program at a path: a file is one, and of a folder the workbook's is built, which is returned too.
+///
+/// # Errors
+/// If the folder is in no workbook, or its program cannot be built.
+pub fn program_at(path: &Path) -> Result<(Program, Option<PathBuf>), Box<dyn Error>> {
+    if path.is_dir() {
+        let workbook = student::workbook(path)?;
+        return Ok((student::build(&workbook)?, Some(workbook)));
+    }
+    let program = Program {
+        file: std::path::absolute(path)?,
+        arguments: Vec::new(),
+        folder: PathBuf::new(),
+    };
+    Ok((program, None))
 }

@@ -1,6 +1,6 @@
 //! `raybook check`: what is right, what is not, and the next step.
 
-use super::asking::Asking;
+use super::asking::{Asking, program_at};
 use super::keep::keep_pictures;
 use super::tell::Telling;
 use super::{Done, Target};
@@ -55,7 +55,7 @@ impl Check {
         if self.case.is_some() && examiners.len() != 1 {
             return Err("--case needs one exercise: raybook check sphere_hit --case 3".into());
         }
-        let (program, folder) = self.asking.program_or(&from)?;
+        let (program, folder) = program_at(self.asking.program.as_deref().unwrap_or(&from))?;
         let gallery = self.gallery(folder.as_deref());
         let bar = ProgressBar::new(examiners.len() as u64);
         let mut reports = Vec::new();

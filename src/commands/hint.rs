@@ -1,6 +1,6 @@
 //! `raybook hint`: a nudge that does not give the answer away.
 
-use super::asking::Asking;
+use super::asking::{Asking, program_at};
 use super::{Done, Target};
 use raybook::grade::check::{State, check};
 use raybook::grade::examine::visible_rng;
@@ -20,7 +20,7 @@ impl Hint {
     /// Asks the program, and hints at the first exercise that is not right.
     pub fn run(&self) -> Done {
         let (from, examiners) = self.target.resolve()?;
-        let (program, workbook) = self.asking.program_or(&from)?;
+        let (program, workbook) = program_at(self.asking.program.as_deref().unwrap_or(&from))?;
         for examiner in examiners {
             let report = check(
                 &program,

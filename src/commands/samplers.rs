@@ -1,7 +1,7 @@
 //! `raybook samplers`: the sampling lab.
 
 use super::Done;
-use super::asking::Asking;
+use super::asking::{Asking, program_at};
 use raybook::grade::converse::Program;
 use raybook::grade::library;
 use raybook::grade::patterns::ask::ask;
@@ -65,7 +65,7 @@ impl Samplers {
         };
         let mut right = true;
         if let Some(named) = &self.asking.program {
-            let (program, _) = self.asking.program_or(named)?;
+            let (program, _) = program_at(named)?;
             right = self.ask(&program, &mut settings)?;
         }
         let page = run::run(&settings)?;

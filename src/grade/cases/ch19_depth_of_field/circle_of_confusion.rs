@@ -7,14 +7,19 @@ use crate::workbook::exercises::ch19_depth_of_field::{
     CircleOfConfusion, CircleOfConfusionQuestion,
 };
 
+impl CircleOfConfusionQuestion {
+    /// How large the film shows the plane in focus.
+    fn magnification(&self) -> f32 {
+        self.lens().film_distance() / self.focus
+    }
+}
+
 impl Graded for CircleOfConfusion {
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "is negative on one side of the focus",
             hint: "What is nearer than the focus is blurred too: can a diameter be negative?",
-            answer: |q| {
-                (1.0 - q.focus / q.distance) * q.lens().aperture() * q.lens().magnification()
-            },
+            answer: |q| (1.0 - q.focus / q.distance) * q.lens().aperture() * q.magnification(),
         },
         Mistake {
             name: "returns the radius",
@@ -39,18 +44,18 @@ impl Graded for CircleOfConfusion {
         Mistake {
             name: "takes the film to be at the focal length",
             hint: "Where is the film when the focus is near? 1/film + 1/s = 1/f.",
-            answer: |q| Self::answer(q) / q.lens().magnification() * (q.focal_length / q.focus),
+            answer: |q| Self::answer(q) / q.magnification() * (q.focal_length / q.focus),
         },
         Mistake {
             name: "returns the size in the plane in focus",
             hint: "How large does the film show what is 1 m wide in the plane in focus?",
-            answer: |q| Self::answer(q) / q.lens().magnification(),
+            answer: |q| Self::answer(q) / q.magnification(),
         },
         Mistake {
             name: "divides by the focus instead of the distance",
             hint: "Draw the cone from the point to the edge of the lens: how far from its tip is the lens?",
             answer: |q| {
-                q.lens().aperture() * (q.distance / q.focus - 1.0).abs() * q.lens().magnification()
+                q.lens().aperture() * (q.distance / q.focus - 1.0).abs() * q.magnification()
             },
         },
         Mistake {

@@ -23,16 +23,10 @@
 //! | 4 | light, material, scene |
 //! | 5 | camera |
 //! | 6 | render |
-//! | 7 | workbook |
-//! | 8 | lab |
-//! | 9 | grade |
-//! | 10 | commands |
 
 pub mod accel;
 pub mod camera;
-pub mod grade;
 pub mod image;
-pub mod lab;
 pub mod light;
 pub mod material;
 pub mod math;
@@ -40,4 +34,3 @@ pub mod render;
 pub mod sample;
 pub mod scene;
 pub mod shape;
-pub mod workbook;

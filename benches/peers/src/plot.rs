@@ -6,8 +6,11 @@ use plotters::element::{Circle, PathElement, Polygon, Rectangle};
 use plotters::prelude::{Color, RGBColor};
 use plotters::style::text_anchor::HPos;
 use raybook::image::file;
-use raybook::lab::figure::{Canvas, figure, text};
-use raybook::lab::palette::{BLUE, FAINT, GREEN, INK, ORANGE, PURPLE, SKY, VERMILION};
+use raybook_chapters::kit::{figure::Canvas, figure::figure, figure::text};
+use raybook_chapters::kit::{
+    palette::BLUE, palette::FAINT, palette::GREEN, palette::INK, palette::ORANGE, palette::PURPLE,
+    palette::SKY, palette::VERMILION,
+};
 use std::error::Error;
 use std::path::Path;
 

@@ -42,8 +42,7 @@ pub mod campaign;
 pub mod closed;
 pub mod contest;
 pub mod embree;
-#[path = "../../common/oracle/mod.rs"]
-pub mod oracle;
+use raybook_common::oracle;
 pub mod patch;
 pub mod questions;
 pub mod rays;

@@ -7,14 +7,14 @@ use crate::oracle::target::Solid;
 use glam::Vec3;
 use raybook::math::{aabb::Aabb, basis::Basis, interval::Interval, ray::Ray};
 use raybook::shape::{mesh::Mesh, sphere::Sphere};
-use raybook::workbook::exercises::ch03_sphere::SphereHitQuestion;
-use raybook::workbook::exercises::ch04_plane::PlaneHitQuestion;
-use raybook::workbook::exercises::ch05_box::BoxClipQuestion;
-use raybook::workbook::exercises::ch06_triangle::{TriangleHitAnswer, TriangleHitQuestion};
-use raybook::workbook::exercises::ch07_mesh::{MeshHitAnswer, MeshHitQuestion};
-use raybook::workbook::exercises::ch11_bvh::{BvhClosestAnswer, BvhClosestQuestion};
-use raybook::workbook::exercises::ch24_wide_bvh::{WideClosestAnswer, WideClosestQuestion};
-use raybook::workbook::row::{Row, RowError, read};
+use raybook_workbook::exercises::ch03_sphere::SphereHitQuestion;
+use raybook_workbook::exercises::ch04_plane::PlaneHitQuestion;
+use raybook_workbook::exercises::ch05_box::BoxClipQuestion;
+use raybook_workbook::exercises::ch06_triangle::{TriangleHitAnswer, TriangleHitQuestion};
+use raybook_workbook::exercises::ch07_mesh::{MeshHitAnswer, MeshHitQuestion};
+use raybook_workbook::exercises::ch11_bvh::{BvhClosestAnswer, BvhClosestQuestion};
+use raybook_workbook::exercises::ch24_wide_bvh::{WideClosestAnswer, WideClosestQuestion};
+use raybook_workbook::row::{Row, RowError, read};
 
 /// What Embree answers to a question's line; an error if it cannot be asked.
 pub type Student = fn(&Embree, &str) -> Result<String, String>;

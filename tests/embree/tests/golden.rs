@@ -1,10 +1,10 @@
 //! The workbook's golden answers are Embree's: it takes the exercises of hits like a student, and is judged by the same judge.
 
-use raybook::grade::cases::find;
-use raybook::grade::examine::{Case, Examiner, visible_rng};
-use raybook::grade::hidden::Key;
 use raybook_embree::embree::Embree;
 use raybook_embree::student::STUDENTS;
+use raybook_grader::cases::find;
+use raybook_grader::examine::{Case, Examiner, visible_rng};
+use raybook_grader::hidden::Key;
 
 /// So many students' hidden cases are asked beside the visible ones.
 const KEYS: usize = 5;

@@ -1,0 +1,91 @@
+//! A pin-hole camera turns each pixel into a ray, r(t) = o + t·d: from the focal point through the pixel's centre.
+//!
+//! New: math/mod.rs math/dir3.rs math/ray.rs math/pcg.rs image/mod.rs image/rgb.rs
+//! New: camera/mod.rs camera/pinhole.rs render/mod.rs render/film.rs
+
+mod camera_diagram;
+
+use glam::{Vec2, Vec3, vec3};
+use raybook::camera::{
+    Camera,
+    pinhole::{LookAtError, Pinhole},
+};
+use raybook::image::{Image, rgb::Rgb};
+use crate::kit::{stage::Drawn, stage::Stage};
+
+use crate::kit::{chapter, sheet::sheet};
+use raybook::math::dir3::Dir3;
+use raybook::render::film::Film;
+use std::process::ExitCode;
+
+/// Draws the chapter's pictures.
+pub fn draw(stage: &Stage) -> Drawn {
+    let film = stage.film(16.0 / 9.0);
+    stage.picture(
+        "picture",
+        "The direction of every pixel's ray as a colour, under lines of equal azimuth and elevation every 10°; \
+         the horizon is the thickest. The lines are as far apart at the edges as in the middle, \
+         but the flat image plane stretches what it sees there.",
+        &directions(&film, vec3(0.0, 0.3, 1.0), 0.018)?,
+    )?;
+    stage.figure(
+        "camera",
+        "The camera of this chapter: every ray starts at the focal point and leaves through the centre of a pixel; \
+         what it meets first gives the pixel its colour.",
+        &camera_diagram::draw()?,
+    )?;
+    let tile = Film {
+        width: 400,
+        height: 225,
+        progress: &|_| (),
+        ..film
+    };
+    let views = [14.0_f32, 24.0, 50.0, 100.0].map(|millimetres| -> Result<_, LookAtError> {
+        let degrees = 2.0 * (12.0 / millimetres).atan().to_degrees();
+        let view = directions(&tile, vec3(0.0, 0.06, 1.0), millimetres / 1000.0)?;
+        Ok((format!("f = {millimetres} mm: {degrees:.0}° high"), view))
+    });
+    let views = views.into_iter().collect::<Result<Vec<_>, _>>()?;
+    let tiles: Vec<_> = views
+        .iter()
+        .map(|(text, view)| (text.as_str(), view.clone()))
+        .collect();
+    stage.figure(
+        "focal_lengths",
+        "The same view at four focal lengths: the farther the image plane is from the focal point, \
+         the less of the world fits through it.",
+        &sheet(2, &tiles)?,
+    )
+}
+
+/// What the rays of a camera at the origin see: nothing but directions.
+fn directions(film: &Film, toward: Vec3, focal_length: f32) -> Result<Image, LookAtError> {
+    let camera = Pinhole::look_at(Vec3::ZERO, toward, Vec3::Y, focal_length, film.aspect())?;
+    Ok(film.render(|place, _| {
+        let d = camera.ray(place, Vec2::ZERO).direction;
+        let below_horizon = if d.y < 0.0 { 0.55 } else { 1.0 };
+        // From [−1, 1] to [0, 1]; squared, because the eye finds half the light much brighter than half.
+        let colour = Rgb::new(d.x, d.y, d.z).map(|v| (0.5 + 0.5 * v).powi(2));
+        (colour * below_horizon).lerp(Rgb::WHITE, lines(d))
+    }))
+}
+
+/// How white a direction is under lines every 10° of azimuth and elevation; those every 30° are stronger.
+fn lines(d: Dir3) -> f32 {
+    let (elevation, azimuth) = (d.y.asin(), d.x.atan2(d.z));
+    let line = |every: f32, half_width: f32| {
+        let every = every.to_radians();
+        let off = |angle: f32| (angle - every * (angle / every).round()).abs();
+        let across = off(elevation).min(off(azimuth) * elevation.cos()) / half_width.to_radians();
+        1.0 - across.min(1.0).powi(2)
+    };
+    let horizon = 1.0 - (elevation.to_degrees() / 0.5).abs().min(1.0).powi(4);
+    (0.45 * line(10.0, 0.18))
+        .max(0.9 * line(30.0, 0.25))
+        .max(horizon)
+}
+
+/// The chapter's binary.
+pub fn main() -> ExitCode {
+    chapter::run("ch01_rays", draw)
+}

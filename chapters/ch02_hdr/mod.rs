@@ -1,0 +1,91 @@
+//! Radiance has no upper limit, but a display has: how to expose, how to map what is too bright, and how to keep it all.
+//!
+//! New: image/tone.rs image/file.rs image/codec.rs image/compare.rs
+//! New: scene/mod.rs scene/noise.rs scene/evening.rs scene/window.rs
+
+mod stops;
+
+use glam::{Vec2, Vec3};
+use raybook::camera::{Camera, pinhole::Pinhole};
+use raybook::image::{file, rgb::Rgb, tone};
+use crate::kit::{stage::Drawn, stage::Stage};
+use crate::kit::{chapter, sheet::sheet};
+
+use raybook::render::film::Film;
+use raybook::scene::window;
+use std::process::ExitCode;
+
+/// The exposure at which the room and the view can both be guessed, in stops.
+const EXPOSURE: f32 = -2.0;
+
+/// Draws the chapter's pictures.
+pub fn draw(stage: &Stage) -> Drawn {
+    let film = stage.film_of(960, 32, 16.0 / 9.0);
+    let camera = Pinhole::look_at(window::EYE, window::MIDDLE, Vec3::Y, 0.024, film.aspect())?;
+    let take =
+        |film: &Film| film.render(|place, _| window::radiance(&camera.ray(place, Vec2::ZERO)));
+    let picture = take(&film).map(|p| tone::expose(p, EXPOSURE));
+    stage.picture(
+        "picture",
+        "An evening room, two stops under. The display clamps the sky at white; the EXR keeps it.",
+        &picture,
+    )?;
+    if !file::load(&stage.folder().join("picture.exr"))?.same_bits(&picture) {
+        return Err("picture.exr does not hold the radiance that was written".into());
+    }
+
+    let small = take(&Film {
+        width: 400,
+        height: 225,
+        samples: 2 * film.samples,
+        progress: &|_| (),
+        ..film
+    });
+    let exposed = |stops: f32| small.map(|p| tone::expose(p, stops));
+    let tiles = [
+        ("+3 stops", exposed(3.0)),
+        ("0 stops", exposed(0.0)),
+        ("−3 stops", exposed(-3.0)),
+        ("−6 stops", exposed(-6.0)),
+        ("−10 stops", exposed(-10.0)),
+        ("−17 stops", exposed(-17.0)),
+    ];
+    stage.figure(
+        "exposures",
+        "One radiance, six exposures: each shows what the others clamp to white or lose in black.",
+        &sheet(3, &tiles)?,
+    )?;
+    let toned = |name, curve: fn(Rgb) -> Rgb| (name, exposed(EXPOSURE).map(curve));
+    let tiles = [
+        toned("clamped", tone::clamp),
+        toned("Reinhard", tone::reinhard),
+        toned("ACES-like", tone::aces),
+    ];
+    stage.figure(
+        "tone",
+        "One exposure, three ways to end at white: clamping loses the sky, Reinhard's curve keeps it \
+         but pales, the film-like curve keeps the contrast and fades to white.",
+        &sheet(3, &tiles)?,
+    )?;
+    stage.figure(
+        "curves",
+        "What each of the three makes of a grey: the byte over the radiance in stops.",
+        &stops::curves()?,
+    )?;
+    let marks = [
+        (-7.5, "far wall"),
+        (-4.5, "room"),
+        (1.2, "sky"),
+        (13.5, "sun"),
+    ];
+    stage.figure(
+        "histogram",
+        "How many pixels are how bright: over more than twenty stops, of which a PNG holds the band.",
+        &stops::histogram(&picture, &marks)?,
+    )
+}
+
+/// The chapter's binary.
+pub fn main() -> ExitCode {
+    chapter::run("ch02_hdr", draw)
+}

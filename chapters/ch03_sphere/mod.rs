@@ -1,0 +1,92 @@
+//! A ray meets a sphere where a quadratic equation has its roots; the nearer root ahead of the ray is what the eye sees.
+//!
+//! New: math/interval.rs math/aabb.rs math/quadratic.rs shape/mod.rs shape/sphere.rs
+
+mod cancellation;
+
+use glam::{Vec2, Vec3, vec2, vec3};
+use raybook::camera::{Camera, pinhole::Pinhole};
+use raybook::image::{Image, rgb::Rgb};
+use crate::kit::{stage::Drawn, stage::Stage};
+
+use crate::kit::{chapter, palette, sheet::sheet};
+use crate::shared::outdoors::checker;
+use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
+use raybook::render::film::Film;
+use raybook::shape::{Shape, Surface, sphere::Sphere};
+use std::iter::successors;
+use std::process::ExitCode;
+
+/// Draws the chapter's pictures.
+pub fn draw(stage: &Stage) -> Drawn {
+    let film = stage.film(16.0 / 9.0);
+    let (from, to) = (vec3(-2.5, 9.5, 11.5), vec3(0.0, 0.0, 0.3));
+    let camera = Pinhole::look_at(from, to, Vec3::Y, 0.042, film.aspect())?;
+    let flower: Vec<_> = (0..110).map(petal).collect();
+    let picture = film.render(|place, _| {
+        let normal = nearest(&flower, &camera.ray(place, Vec2::ZERO));
+        normal.map_or(palette::backdrop(place.y), |n| palette::direction(*n))
+    });
+    let caption = "The normal at each ray's nearest hit, as a colour: red is to the right, green up, blue to the front.";
+    stage.picture("picture", caption, &picture)?;
+
+    let caption = "One sphere, three answers. The far root is the back: its normals point away from the eye. \
+        From inside, the near root is behind the eye, and the far one is what it sees.";
+    stage.figure("roots", caption, &roots(stage.tile(3, 1.0))?)?;
+
+    let caption = "A sphere of 10 cm through a telescope. Top: the schoolbook formula loses it within a kilometre. \
+        Middle: counted from the closest point, nothing is lost. Bottom: a slanting ray is itself rounded.";
+    let figure = cancellation::figure(stage.tile(5, 1.0))?;
+    stage.figure("cancellation", caption, &figure)
+}
+
+/// The i-th sphere of a flower: each turns by the golden angle, and is smaller and farther in by the same factor.
+fn petal(i: i32) -> Sphere {
+    let (r, angle) = (4.0 * 1.038_f32.powi(-i), 2.399_963 * i as f32);
+    Sphere::new(r * vec3(angle.cos(), angle.sin(), 0.2), 0.27 * r)
+}
+
+/// The normal where the ray first meets a sphere: each hit shortens the interval for the spheres after it.
+fn nearest(spheres: &[Sphere], ray: &Ray) -> Option<Dir3> {
+    let (mut within, mut normal) = (Interval::AHEAD, None);
+    for sphere in spheres {
+        if let Some(hit) = sphere.hit(ray, within) {
+            within = within.before(hit.t);
+            normal = Some(sphere.normal_at(ray.at(hit.t)));
+        }
+    }
+    normal
+}
+
+/// The near root, the far root, and the root that is left from inside.
+fn roots(film: Film) -> Result<Image, Box<dyn std::error::Error>> {
+    let sphere = Sphere::new(Vec3::ZERO, 1.0);
+    let outside = Pinhole::look_at(vec3(0.0, 1.6, 3.6), Vec3::ZERO, Vec3::Y, 0.035, 1.0)?;
+    let inside = Pinhole::look_at(vec3(0.0, 0.4, 0.9), Vec3::ZERO, Vec3::Y, 0.012, 1.0)?;
+    let tile = |camera: Pinhole, root: usize| {
+        film.render(|place, _| {
+            let ray = camera.ray(place, Vec2::ZERO);
+            let beyond = |t| sphere.hit(&ray, Interval::new(t, f32::INFINITY));
+            let hit = successors(beyond(0.0), |hit| beyond(hit.t)).nth(root);
+            hit.map_or(palette::backdrop(place.y), |hit| {
+                globe(&sphere.surface(&ray, &hit))
+            })
+        })
+    };
+    let front = ("near root: the front", tile(outside, 0));
+    let back = ("far root: the back", tile(outside, 1));
+    sheet(
+        3,
+        &[front, back, ("from inside: the far root", tile(inside, 0))],
+    )
+}
+
+/// The normal as a colour, darker on every other field of 15° of longitude and latitude.
+fn globe(at: &Surface) -> Rgb {
+    palette::direction(*at.normal) * checker(at.texture * vec2(24.0, 12.0), 1.0, 0.65)
+}
+
+/// The chapter's binary.
+pub fn main() -> ExitCode {
+    chapter::run("ch03_sphere", draw)
+}

@@ -1,0 +1,92 @@
+//! A box is three slabs: each holds the ray for an interval of t, and the ray is in the box where all three overlap.
+//!
+//! New: math/slab.rs shape/cuboid.rs
+
+mod slabs;
+
+use glam::{Vec2, Vec3, vec3};
+use raybook::camera::{Camera, pinhole::Pinhole};
+use raybook::image::{Image, rgb::Rgb};
+use crate::kit::{stage::Drawn, stage::Stage};
+use crate::kit::{chapter, palette, sheet::sheet};
+
+use raybook::math::{interval::Interval, ray::Ray, slab};
+use raybook::render::film::Film;
+use raybook::shape::{Shape, cuboid::Cuboid};
+use std::process::ExitCode;
+
+/// Draws the chapter's pictures.
+pub fn draw(stage: &Stage) -> Drawn {
+    let columns: Vec<_> = (0..289).filter_map(column).collect();
+    let (from, to) = (vec3(12.0, 13.0, 17.0), vec3(0.0, -1.75, 0.0));
+    let film = stage.film(16.0 / 9.0);
+    let camera = Pinhole::look_at(from, to, Vec3::Y, 0.042, film.aspect())?;
+    let picture = view(&film, &camera, |ray| nearest(&columns, ray));
+    let caption = "More than two hundred boxes. The colour is the height of the box; the brightness tells which face was hit.";
+    stage.picture("picture", caption, &picture)?;
+
+    let caption = "One box. Each ray is inside from t_near to t_far; yellow is farther. The way between is longest \
+        where the ray crosses from face to opposite face, and nothing at the silhouette.";
+    stage.figure("inside", caption, &inside(&stage.tile(2, 1.5))?)?;
+
+    let caption = "In the plane a box is two slabs. Each holds the ray between two distances t; \
+        the ray hits the box if these intervals overlap.";
+    stage.figure("slabs", caption, &slabs::diagram()?)
+}
+
+/// Column i of a round field of columns, with waves that die away; there is none beyond the rim.
+fn column(i: i32) -> Option<Cuboid> {
+    let (x, z) = ((i % 17 - 8) as f32, (i / 17 - 8) as f32);
+    let r = x.hypot(z);
+    let top = 1.9 * (0.95 * r).cos() * (-0.13 * r).exp();
+    let half = vec3(0.43, 0.0, 0.43);
+    (r < 8.3).then(|| Cuboid::between(vec3(x, -2.3, z) - half, vec3(x, top, z) + half))
+}
+
+/// What the rays of a camera see.
+fn view(film: &Film, camera: &Pinhole, see: impl Fn(&Ray) -> Option<Rgb> + Sync) -> Image {
+    film.render(|place, _| {
+        let seen = see(&camera.ray(place, Vec2::ZERO));
+        seen.unwrap_or(palette::backdrop(place.y))
+    })
+}
+
+/// The nearest box: its height as a colour, by the face brighter or darker, and mist below.
+fn nearest(boxes: &[Cuboid], ray: &Ray) -> Option<Rgb> {
+    let hits = boxes
+        .iter()
+        .filter_map(|cuboid| Some((cuboid.hit(ray, Interval::AHEAD)?, cuboid)));
+    let (hit, cuboid) = hits.min_by(|(a, _), (b, _)| a.t.total_cmp(&b.t))?;
+    let at = cuboid.surface(ray, &hit);
+    let face = at.normal.abs().dot(vec3(0.3, 1.0, 0.55));
+    let own = palette::viridis((cuboid.bounds.max.y + 1.3) / 3.2) * face;
+    let clear = ((at.position.y + 2.5) / 3.0).min(1.0);
+    Some(Rgb::new(0.42, 0.47, 0.62).lerp(own, clear))
+}
+
+/// One box: the face that is hit, where the ray enters and leaves, and how long it is inside.
+fn inside(film: &Film) -> Result<Image, Box<dyn std::error::Error>> {
+    let from = vec3(2.6, 2.2, 4.0);
+    let camera = Pinhole::look_at(from, Vec3::ZERO, Vec3::Y, 0.037, film.aspect())?;
+    let cuboid = Cuboid::between(vec3(-1.2, -0.8, -0.9), vec3(1.2, 0.8, 0.9));
+    let faces = view(film, &camera, |ray| {
+        let hit = cuboid.hit(ray, Interval::AHEAD)?;
+        Some(palette::direction(*cuboid.surface(ray, &hit).normal))
+    });
+    let tile = |from: f32, to: f32, number: fn(Interval) -> f32| {
+        view(film, &camera, |ray| {
+            let inside = slab::clip(&cuboid.bounds, ray, Interval::AHEAD)?;
+            Some(palette::viridis((number(inside) - from) / (to - from)))
+        })
+    };
+    let near = ("t_near: blue 3.5 m, yellow 7 m", tile(3.5, 7.0, |t| t.min));
+    let far = ("t_far: blue 3.5 m, yellow 7 m", tile(3.5, 7.0, |t| t.max));
+    let way = tile(0.0, 3.0, |t| t.max - t.min);
+    let way = ("t_far − t_near: blue 0 m, yellow 3 m", way);
+    sheet(2, &[("normal of the face", faces), near, far, way])
+}
+
+/// The chapter's binary.
+pub fn main() -> ExitCode {
+    chapter::run("ch05_box", draw)
+}

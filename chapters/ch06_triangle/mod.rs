@@ -1,0 +1,95 @@
+//! A triangle is a plane with an inside. Three equations tell where a ray meets it: at which distance, and at which
+//! barycentric coordinates. Of three ways to solve them, that of Möller and Trumbore is the cheapest.
+//!
+//! New: shape/triangle.rs shape/triangle_by_plane.rs shape/triangle_by_determinants.rs
+
+mod barycentrics;
+mod looks;
+pub mod platonic;
+mod race;
+pub mod triangle_race;
+
+use glam::{Vec3, vec3};
+use raybook::camera::pinhole::{LookAtError, Pinhole};
+use raybook::image::{Image, rgb::Rgb};
+use looks::Look;
+use crate::kit::{stage::Drawn, stage::Stage};
+
+use crate::kit::{chapter, sheet::sheet};
+use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
+use raybook::render::film::Film;
+use raybook::shape::{Hit, Shape, Surface, plane::Plane, triangle::Triangle};
+use std::process::ExitCode;
+
+/// Draws the chapter's pictures.
+pub fn draw(stage: &Stage) -> Drawn {
+    let picture = photograph(&stage.film(16.0 / 9.0), coordinates)?;
+    let caption = "Where on its triangle each ray ends: b₀ as red, b₁ as green, b₂ as blue.";
+    stage.picture("picture", caption, &picture)?;
+
+    let mut film = stage.film(16.0 / 9.0);
+    (film.width, film.height) = (film.width / 2, film.height / 2);
+    let tiles = [
+        ("distance t", photograph(&film, looks::distance)?),
+        (
+            "lines of equal b₀, b₁, b₂",
+            photograph(&film, looks::barycentric_lines)?,
+        ),
+        ("geometric normal", photograph(&film, looks::normal)?),
+        (
+            "front side blue, back side orange",
+            photograph(&film, looks::side)?,
+        ),
+    ];
+    let caption = "What a hit tells of a triangle: how far, where, how it lies, and which side.";
+    stage.figure("sheet", caption, &sheet(2, &tiles)?)?;
+    let caption = "Barycentric coordinates: b₁ grows from the side p₀p₂ to p₁, b₂ from p₀p₁ to p₂.";
+    stage.figure("barycentrics", caption, &barycentrics::figure()?)?;
+    let caption = "Three ways to the same hits, timed on the same rays while this was drawn.";
+    stage.figure("cost", caption, &triangle_race::figure()?)
+}
+
+/// b₀, b₁ and b₂ as red, green and blue: each corner has one of them.
+fn coordinates(_ray: &Ray, hit: &Hit, _at: &Surface) -> Rgb {
+    let (b1, b2) = (hit.uv.x, hit.uv.y);
+    Rgb::new(1.0 - b1 - b2, b1, b2)
+}
+
+/// A picture of three solids made of triangles.
+fn photograph(film: &Film, look: Look) -> Result<Image, LookAtError> {
+    let (from, to) = (vec3(0.0, 2.7, 6.0), vec3(0.0, 0.86, 0.0));
+    let camera = Pinhole::look_at(from, to, Vec3::Y, 0.043, film.aspect())?;
+    let solids = platonic::still_life();
+    let floor = Plane::through(Vec3::ZERO, Dir3::Y);
+    let sun = Dir3::new_or(vec3(-0.5, 1.4, 0.7), Dir3::Y);
+    Ok(film.render(|place, _| {
+        let ray = camera.ray_through(place);
+        if let Some((triangle, hit)) = nearest(&solids, &ray) {
+            let at = triangle.surface(&ray, &hit);
+            return look(&ray, &hit, &at) * (0.7 + 0.3 * at.normal.dot(*sun).abs());
+        }
+        let sky = Rgb::new(0.5, 0.62, 0.78).lerp(Rgb::new(0.82, 0.86, 0.9), place.y);
+        let dark = floor.hit(&ray, Interval::AHEAD).is_some_and(|hit| {
+            let toward_sun = floor.surface(&ray, &hit).leave(sun);
+            nearest(&solids, &toward_sun).is_some()
+        });
+        sky * if dark { 0.7 } else { 1.0 }
+    }))
+}
+
+/// The nearest triangle that the ray hits: all are asked, and each hit shortens what is left of the ray.
+fn nearest<'a>(triangles: &'a [Triangle], ray: &Ray) -> Option<(&'a Triangle, Hit)> {
+    let (mut nearest, mut within) = (None, Interval::AHEAD);
+    for triangle in triangles {
+        if let Some(hit) = triangle.hit(ray, within) {
+            nearest = Some((triangle, hit));
+            within = within.before(hit.t);
+        }
+    }
+    nearest
+}
+
+/// The chapter's binary.
+pub fn main() -> ExitCode {
+    chapter::run("ch06_triangle", draw)
+}

@@ -1,0 +1,90 @@
+//! Triangles that share their corners can follow any surface. Normals at the corners, interpolated in between, make it
+//! look smooth, and texture coordinates tell where on it we are. The search for the nearest triangle still asks them all.
+//!
+//! New: accel/mod.rs accel/list.rs shape/attributes.rs shape/mesh.rs shape/bezier.rs shape/teapot.rs
+//! New: shape/triangle_watertight.rs shape/mesh_file.rs shape/word.rs shape/obj.rs shape/stl.rs
+
+
+use raybook::accel::{Accel, Meshed, Tests, list::List};
+use raybook::image::Image;
+use crate::shared::{showroom::self, showroom::Look, showroom::Showroom};
+use crate::kit::{stage::Drawn, stage::Stage};
+use crate::kit::{chapter, sheet::sheet};
+use raybook::math::{interval::Interval, slab};
+use raybook::render::film::Film;
+use raybook::shape::{Shape, mesh::Mesh, mesh_file, teapot};
+use std::error::Error;
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+#[derive(clap::Args)]
+struct MeshOptions {
+    /// Draw this mesh (.obj or .stl) instead of the teapot
+    #[arg(long)]
+    mesh: Option<PathBuf>,
+}
+
+/// Draws the chapter's pictures.
+pub fn draw(stage: &Stage) -> Drawn {
+    let film = draw_mesh(stage, &teapot::mesh(5))?;
+    let tile = |n| picture(&showroom::small(&film), &teapot::mesh(n), showroom::SMOOTH).0;
+    let tiles = [
+        ("2 × 2 per patch", tile(2)),
+        ("3 × 3", tile(3)),
+        ("5 × 5", tile(5)),
+    ];
+    let caption = "The teapot's 32 patches cut into 4, 9 and 25 quadrilaterals each. The interpolated normals look round from the start; the outline does not.";
+    stage.figure("tessellation", caption, &sheet(3, &tiles)?)
+}
+
+fn draw_mesh<'a>(stage: &'a Stage, mesh: &Mesh) -> Result<Film<'a>, Box<dyn Error>> {
+    let triangles = mesh.triangles().len();
+    let width = (4.9e8 / triangles as f32).sqrt().clamp(160.0, 640.0); // a few seconds' work
+    let film = stage.film_of(width as u32, 4, 1.6);
+    let (main, tests) = picture(&film, mesh, showroom::SMOOTH);
+    let caption = format!(
+        "A mesh of {triangles} triangles. Every ray that meets its box asks all of them: {} million tests.",
+        tests / 1_000_000
+    );
+    stage.picture("picture", &caption, &main)?;
+    let tile = |look| picture(&showroom::small(&film), mesh, look).0;
+    let tiles = [
+        ("one normal per triangle", tile(showroom::FLAT)),
+        ("normals interpolated", tile(showroom::SMOOTH)),
+        ("these normals as colours", tile(showroom::NORMALS)),
+        ("texture coordinates", tile(showroom::TEXTURE)),
+    ];
+    let caption = "The same triangles with the normal of each, with the vertices' normals interpolated, with those as colours, and with a checkerboard on the texture coordinates.";
+    stage.figure("attributes", caption, &sheet(2, &tiles)?)?;
+    Ok(film)
+}
+
+/// The picture of a mesh, and how many triangles were tested for it.
+fn picture(film: &Film, mesh: &Mesh, look: Look) -> (Image, u64) {
+    let room = Showroom::around(mesh, film.aspect());
+    let shape = Meshed::new(mesh.clone(), List::new);
+    let tests = AtomicU64::new(0);
+    let image = film.render(|place, _| {
+        let ray = room.ray(place);
+        let mut count = Tests::default();
+        let ahead = slab::clip(&shape.bounds(), &ray, Interval::AHEAD).map(|_| Interval::AHEAD);
+        let closest = ahead.and_then(|t| shape.facets().closest_counted(&ray, t, &mut count));
+        tests.fetch_add(count.shapes, Ordering::Relaxed);
+        closest.map_or_else(
+            || room.backdrop(place, &ray),
+            |(_, hit)| look(&ray, &hit, &shape.surface(&ray, &hit)),
+        )
+    });
+    (image, tests.into_inner())
+}
+
+/// The chapter's binary.
+pub fn main() -> ExitCode {
+    chapter::run_with("ch07_mesh", |stage, options: MeshOptions| {
+        match options.mesh {
+            Some(path) => draw_mesh(stage, &mesh_file::load(&path)?).map(|_| ()),
+            None => draw(stage),
+        }
+    })
+}

@@ -1,0 +1,79 @@
+//! Space cut into equal cells, each with a list of the triangles in it: a ray asks only the triangles in the cells that it
+//! passes through, one cell after the other, and stops at the first hit.
+//!
+//! New: accel/bounded.rs accel/ray_box.rs accel/lattice.rs accel/margin.rs accel/overlap.rs accel/walk.rs
+//! New: accel/grid/mod.rs accel/grid/build.rs accel/grid/lists.rs accel/grid/mailbox.rs accel/grid/resolution.rs accel/grid/validate.rs
+//! New: scene/soup.rs scene/stadium.rs scene/teapots.rs scene/terrain.rs
+
+mod grid_costs;
+mod walk_figure;
+
+use glam::{Vec3, vec3};
+use raybook::accel::grid::Grid;
+use raybook::camera::pinhole::Pinhole;
+use raybook::image::rgb::Rgb;
+use crate::shared::{daylight::Paint, daylight::picture};
+use crate::kit::{stage::Drawn, stage::Stage};
+use crate::kit::{chapter, palette};
+
+use crate::shared::{growth, heat, showroom, stadium_figure};
+use raybook::scene::{stadium::stadium, teapots::teapots};
+use raybook::shape::teapot;
+use std::process::ExitCode;
+
+/// Draws the chapter's pictures.
+pub fn draw(stage: &Stage) -> Drawn {
+    let film = stage.film_of(640, 4, 1.6);
+    let crowd = teapots(350, 4);
+    let grid = Grid::of_facets(crowd.mesh.facets());
+    let (from, to) = (vec3(8.0, 52.0, 92.0), vec3(0.0, 0.0, 10.0));
+    let camera = Pinhole::look_at(from, to, Vec3::Y, 0.035, film.aspect())?;
+    let paint = |id| Paint {
+        colour: crowd
+            .teapot(id)
+            .map_or(Rgb::gray(0.6), |out| palette::viridis(1.0 - out)),
+        round: crowd.teapot(id).is_some(),
+    };
+    let cells = grid.lattice().resolution;
+    let caption = format!(
+        "{} triangles in a grid of {} × {} × {} cells. A list would ask each ray about all of them.",
+        crowd.mesh.triangles().len(),
+        cells.x,
+        cells.y,
+        cells.z
+    );
+    let main = picture(&film, &camera, &crowd.mesh, &grid, paint);
+    stage.picture("picture", &caption, &main)?;
+
+    let caption = "The cells through which a ray passes, numbered in their order up to the first hit. It tests only the triangles of these cells, two of six, and each once; the blue cells hold the others.";
+    stage.figure("walk", caption, &walk_figure::diagram()?)?;
+
+    let small = showroom::small(&film);
+    let heat = heat::heat(&small, |place| camera.ray_through(place), &grid);
+    let caption = "What each ray of the picture costs. Its cells are many and mostly empty; the triangles come at the end, around the hit.";
+    stage.figure("heat", caption, &heat.figure("cells visited")?)?;
+
+    let costs = grid_costs::measure(&teapot::mesh(20));
+    let caption = format!(
+        "The same rays in grids of more and more cells: fewer triangles are tested, more cells visited. The best of these grids answers {:.1} million rays per second and thread, here and now.",
+        grid_costs::rate(&costs) / 1e6
+    );
+    stage.figure("resolution", &caption, &grid_costs::plot(&costs)?)?;
+
+    let caption = "A soup of N triangles, so thin that most rays leave it at the other end. Both counts run beside the cube root: a thousand times as many triangles cost ten times as much.";
+    stage.figure("law", caption, &growth::grid()?)?;
+
+    let stadium = stadium(4);
+    let grid = Grid::of_facets(stadium.mesh.facets());
+    let caption = format!(
+        "The teapot in the stadium. A cell is {:.1} m wide, so that the teapot and the camera are in the same one: every ray of the near view tests the whole teapot, even one that goes to the seats.",
+        grid.lattice().cell.x
+    );
+    let tiles = stadium_figure::figure(&small, &stadium, &grid, "cells visited")?;
+    stage.figure("stadium", &caption, &tiles)
+}
+
+/// The chapter's binary.
+pub fn main() -> ExitCode {
+    chapter::run("ch08_grid", draw)
+}

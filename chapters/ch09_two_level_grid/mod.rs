@@ -1,0 +1,65 @@
+//! A coarse grid, each of whose cells is a grid of its own: fine where there is much, absent where there is nothing. This is
+//! what the uniform grid lacks when a teapot stands in a stadium.
+//!
+//! New: accel/order.rs accel/two_level_grid/mod.rs accel/two_level_grid/levels.rs accel/two_level_grid/refine.rs
+//! New: accel/two_level_grid/build.rs accel/two_level_grid/walk.rs accel/two_level_grid/validate.rs
+
+mod nested_cells;
+pub mod teapot_in_stadium;
+
+use raybook::accel::grid::Grid;
+use crate::kit::{stage::Drawn, stage::Stage};
+use teapot_in_stadium::camera;
+use teapot_in_stadium::densities;
+use teapot_in_stadium::maps;
+use teapot_in_stadium::picture;
+use teapot_in_stadium::two_levels;
+use crate::kit::chapter;
+
+use crate::shared::{showroom::small, speeds::rays_a_second};
+use raybook::render::film::Film;
+use raybook::scene::stadium::stadium;
+use std::process::ExitCode;
+
+/// Draws the chapter's pictures.
+pub fn draw(stage: &Stage) -> Drawn {
+    let stadium = stadium(5);
+    let triangles = stadium.mesh.triangles().len();
+    let film = stage.film_of(640, 4, 1.6);
+    let camera = camera(film.aspect())?;
+    let fine = two_levels(&stadium, 1.0);
+    let caption = format!(
+        "A teapot in a stadium of {triangles} triangles, and its shadow. A uniform grid has cells as large as suit the seats, and one or two of them hold all of the teapot."
+    );
+    stage.picture(
+        "picture",
+        &caption,
+        &picture(&film, &camera, &stadium, &fine),
+    )?;
+
+    let caption = "A two-level grid in the plane: thick lines part coarse cells, thin lines fine ones. Each coarse cell has as many fine ones as suit its discs, an empty one has none. The numbers are the ray's steps.";
+    stage.figure("walk", caption, &nested_cells::diagram()?)?;
+
+    let tile = small(&film);
+    let grid = Grid::of_facets(stadium.mesh.facets());
+    let tiny = Film {
+        width: tile.width / 4,
+        height: tile.height / 4,
+        ..tile
+    };
+    let ray = |place| camera.ray_through(place);
+    let caption = format!(
+        "What each pixel's ray costs, with the same scale for all. λ is the number of coarse cells per triangle. In one thread, the uniform grid answers {} here, two levels with λ = 1 {}.",
+        rays_a_second(&tiny, ray, &grid),
+        rays_a_second(&tile, ray, &fine)
+    );
+    stage.figure("heat", &caption, &maps(&tile, &camera, &stadium)?)?;
+
+    let caption = "The same view with more and more coarse cells: each holds a smaller part of the teapot, but a ray walks through more of them. Where triangles are spread evenly, λ = 1/8 is best.";
+    stage.figure("densities", caption, &densities(&tiny, &camera, &stadium)?)
+}
+
+/// The chapter's binary.
+pub fn main() -> ExitCode {
+    chapter::run("ch09_two_level_grid", draw)
+}

@@ -1,0 +1,106 @@
+//! The teapot in the stadium: who looks at it, what it looks like, and what each pixel costs.
+
+use raybook::accel::Accel;
+use raybook::accel::grid::Grid;
+use raybook::accel::two_level_grid::{TwoLevelGrid, build::Densities};
+use raybook::camera::pinhole::{LookAtError, Pinhole};
+use raybook::image::Image;
+use crate::shared::{heat::Heat, heat::heat, heat::with_scale};
+use crate::kit::{lines::Line, lines::lines};
+use crate::kit::{palette::BLUE, palette::VERMILION};
+use crate::shared::{daylight, stadium_figure::paint};
+use raybook::render::film::Film;
+use raybook::scene::stadium::Stadium;
+use raybook::shape::mesh::Facet;
+use glam::{Vec3, vec3};
+use std::error::Error;
+
+/// A camera that looks down at the teapot, with the seats behind it.
+///
+/// # Errors
+/// Never: the directions are fixed.
+pub fn camera(aspect: f32) -> Result<Pinhole, LookAtError> {
+    let (eye, toward) = (vec3(0.42, 0.33, 0.66), vec3(0.03, 0.17, 0.0));
+    Pinhole::look_at(eye, toward, Vec3::Y, 0.035, aspect)
+}
+
+/// The picture, by daylight.
+pub fn picture(
+    film: &Film,
+    camera: &Pinhole,
+    stadium: &Stadium,
+    accel: &impl Accel<Facet>,
+) -> Image {
+    let paint = |id| paint(stadium.part(id));
+    daylight::picture(film, camera, &stadium.mesh, accel, paint)
+}
+
+/// The heat maps of a uniform grid and of two two-level grids, the second with more coarse cells.
+///
+/// # Errors
+/// If the labels cannot be drawn.
+pub fn maps(film: &Film, camera: &Pinhole, stadium: &Stadium) -> Result<Image, Box<dyn Error>> {
+    let facets = || stadium.mesh.facets();
+    let ray = |place| camera.ray_through(place);
+    let row = |name: &str, heat: &Heat| {
+        let maps = [heat.of_boxes("cells"), heat.of_triangles()];
+        maps.map(|(label, map)| (format!("{name}: {label}"), map))
+    };
+    let rows = [
+        row("grid", &heat(film, ray, &Grid::of_facets(facets()))),
+        row(
+            "two levels, λ = 1/8",
+            &heat(film, ray, &TwoLevelGrid::of_facets(facets())),
+        ),
+        row(
+            "two levels, λ = 1",
+            &heat(film, ray, &two_levels(stadium, 1.0)),
+        ),
+    ];
+    with_scale(2, &rows.concat())
+}
+
+/// A two-level grid of the stadium with so many coarse cells per triangle.
+pub fn two_levels(stadium: &Stadium, coarse: f32) -> TwoLevelGrid<Facet> {
+    let densities = Densities {
+        coarse,
+        ..Densities::USUAL
+    };
+    TwoLevelGrid::of_facets_with(stadium.mesh.facets(), densities)
+}
+
+/// What a ray costs with more and more coarse cells.
+///
+/// # Errors
+/// What plotters reports.
+pub fn densities(
+    film: &Film,
+    camera: &Pinhole,
+    stadium: &Stadium,
+) -> Result<Image, Box<dyn Error>> {
+    let counts = [64, 32, 16, 8, 4, 2, 1].map(|triangles| {
+        let coarse = 1.0 / triangles as f32;
+        let grid = two_levels(stadium, coarse);
+        let map = heat(film, |place| camera.ray_through(place), &grid);
+        let mean = |sum: u64| sum as f64 / map.rays() as f64;
+        (
+            f64::from(coarse),
+            [mean(map.tests().boxes), mean(map.tests().shapes)],
+        )
+    });
+    let line = |i: usize, name: &str, colour| Line {
+        name: name.to_owned(),
+        colour,
+        points: counts.map(|(coarse, tests)| (coarse, tests[i])).to_vec(),
+        marked: true,
+    };
+    lines(
+        "How many coarse cells?",
+        "λ: coarse cells per triangle",
+        "per ray",
+        &[
+            line(0, "cells visited", BLUE),
+            line(1, "triangles tested", VERMILION),
+        ],
+    )
+}

@@ -1,0 +1,92 @@
+//! A cell with much in it is cut in eight, and each of these again, as long as it pays: small cells where there is much to
+//! tell apart, large ones where there is nothing. A ray walks from leaf to leaf, front to back.
+//!
+//! New: accel/octree/mod.rs accel/octree/tree.rs accel/octree/reach.rs accel/octree/build.rs accel/octree/walk.rs
+//! New: accel/octree/validate.rs
+
+mod blocks;
+mod quadtree;
+
+use raybook::accel::octree::{Octree, build::Limits, reach::by_triangle};
+use crate::shared::{law::Reach, law::fit, law::mean_tests};
+use crate::kit::{lines::Line, lines::lines};
+use crate::kit::{palette::BLUE, palette::FAINT, palette::VERMILION};
+use crate::shared::{showroom::Showroom, showroom::small};
+use crate::kit::{stage::Drawn, stage::Stage};
+
+use crate::kit::{chapter, sheet::sheet};
+use crate::shared::{heat::heat, speeds::rays_a_second};
+use raybook::shape::teapot;
+use std::process::ExitCode;
+
+/// Draws the chapter's pictures.
+pub fn draw(stage: &Stage) -> Drawn {
+    let mesh = teapot::mesh(24);
+    let octree = Octree::of_facets(mesh.facets());
+    let film = stage.film_of(640, 4, 1.6);
+    // Finer than pays, so that a level shows all its cells.
+    let limits = Limits {
+        opening: 0.0,
+        copies: 500.0,
+        depth: 7,
+    };
+    let fine = Octree::with(mesh.facets(), limits, by_triangle);
+    let caption = "The teapot, and the cells that an octree makes of it: from left to right its triangles, then the cells after 7, 6, 5 and 4 cuts.";
+    let picture = blocks::dissolving(&film, &mesh, &fine);
+    stage.picture("picture", caption, &picture)?;
+
+    let tiles = [3, 4, 5, 6].map(|depth| {
+        let cells = blocks::cells(&fine, |_| depth);
+        let name = format!("{depth} cuts: {} cells", cells.len());
+        (
+            name,
+            blocks::picture(&small(&film), &mesh, cells, Vec::new()),
+        )
+    });
+    let tiles = tiles.each_ref().map(|(name, tile)| (&**name, tile.clone()));
+    let caption = "The cells that are not empty, level by level. A surface goes through about four of a cell's eight children, so each level has four times as many.";
+    stage.figure("levels", caption, &sheet(2, &tiles)?)?;
+
+    let caption = "A quad-tree, which is an octree in the plane: a ray visits the leaves in the order of their numbers, and passes by those that are empty.";
+    stage.figure("quadtree", caption, &quadtree::diagram()?)?;
+
+    let room = Showroom::around(&mesh, film.aspect());
+    let film = small(&film);
+    let speed = rays_a_second(&film, |place| room.ray(place), &octree);
+    let caption = format!(
+        "What each pixel's ray costs with an octree of {} triangles: nodes on the left, triangles on the right. One thread answers {speed} here.",
+        mesh.triangles().len()
+    );
+    let map = heat(&film, |place| room.ray(place), &octree);
+    stage.figure("heat", &caption, &map.figure("nodes visited")?)?;
+    draw_law(stage)
+}
+
+/// What a ray costs by the number of triangles.
+fn draw_law(stage: &Stage) -> Drawn {
+    let counts = [100, 316, 1000, 3162, 10_000, 31_623, 100_000]
+        .map(|n| (f64::from(n), mean_tests(n, Reach::Near, Octree::new)));
+    let [nodes, tests] = [0, 1].map(|i| counts.map(|(n, tests)| (n, tests[i])).to_vec());
+    let [a, b] = fit(&nodes);
+    let law = nodes.iter().map(|&(n, _)| (n, a + b * n.log10())).collect();
+    let line = |name: &str, colour, points, marked| Line {
+        name: name.to_owned(),
+        colour,
+        points,
+        marked,
+    };
+    let curves = [
+        line(&format!("{a:.1} + {b:.2} log₁₀ N"), FAINT, law, false),
+        line("nodes", BLUE, nodes, true),
+        line("triangles tested", VERMILION, tests, true),
+    ];
+    let caption = "A ray in a soup of N triangles that goes as far as from one triangle to the next: nodes grow with log N, the depth of the tree, and triangles tested do not grow.";
+    let title = "A short ray in a soup, on average";
+    let plot = lines(title, "N: triangles", "count", &curves)?;
+    stage.figure("law", caption, &plot)
+}
+
+/// The chapter's binary.
+pub fn main() -> ExitCode {
+    chapter::run("ch10_octree", draw)
+}

@@ -1,0 +1,53 @@
+//! A quad-tree: what the octree is in the plane.
+
+use raybook::accel::octree::build::{Limits, build};
+use raybook::accel::octree::tree::Kind;
+use raybook::accel::octree::walk::Walk;
+use raybook::image::Image;
+use crate::shared::{flatland::SIDE, flatland::discs, flatland::plane, flatland::ray};
+use crate::kit::palette::SKY;
+use raybook::math::{aabb::Aabb, interval::Interval};
+use glam::Vec3;
+use std::error::Error;
+
+/// The quad-tree of some discs, and the leaves that a ray visits, numbered in order; the darker, the deeper.
+///
+/// It is an octree of shapes at the bottom of its cube: of each cut, only the lower four children have anything in them.
+///
+/// # Errors
+/// What plotters reports.
+pub fn diagram() -> Result<Image, Box<dyn Error>> {
+    let cube = Aabb {
+        min: Vec3::ZERO,
+        max: Vec3::splat(SIDE),
+    };
+    let discs = discs();
+    let limits = Limits {
+        opening: 1.0,
+        depth: 5,
+        ..Limits::USUAL
+    };
+    let tree = build(cube, discs.len() as u32, limits, &|i, cells| {
+        let Aabb { min, max } = discs[i as usize];
+        let reached = |cell: &Aabb| min.cmple(cell.max).all() && cell.min.cmple(max).all();
+        (0..8).fold(0, |bits, i| bits | u8::from(reached(&cells[i])) << i)
+    });
+    let mut walk = Walk::new(&tree, &ray(), Interval::AHEAD);
+    let visited: Vec<_> = std::iter::from_fn(|| walk.next_leaf(f32::INFINITY, &mut ())).collect();
+    plane(|plane| {
+        let places = tree.places();
+        let flat = || places.iter().filter(|place| place.cell.min.z == 0.0);
+        for place in flat() {
+            if let Kind::Leaf { .. } = tree.nodes[place.node as usize].kind() {
+                let depth = (SKY, 0.09 * f64::from(place.depth));
+                plane.cell(&place.cell, Some(depth), 3)?;
+            }
+        }
+        for place in flat() {
+            if let Some(at) = visited.iter().position(|&leaf| leaf == place.node) {
+                plane.visited(&place.cell, at + 1, 3)?;
+            }
+        }
+        Ok(())
+    })
+}

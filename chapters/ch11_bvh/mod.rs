@@ -1,0 +1,95 @@
+//! Boxes in boxes, and triangles in the smallest: a ray that misses a box misses all that is in it. The tree follows the
+//! triangles, not space, and how it is built decides how fast it is searched.
+//!
+//! New: accel/bvh/mod.rs accel/bvh/pair.rs accel/bvh/validate.rs accel/bvh/build/mod.rs accel/bvh/build/item.rs
+//! New: accel/bvh/build/tree.rs accel/bvh/build/top_down.rs accel/bvh/build/halves.rs accel/bvh/build/cost.rs
+//! New: accel/bvh/build/sweep.rs accel/bvh/build/binned.rs accel/bvh/build/fine.rs accel/bvh/build/bottom_up.rs
+//! New: accel/bvh/build/flat.rs
+
+mod builders;
+mod flat_boxes;
+mod mountains;
+mod three_stages;
+mod tree_levels;
+
+use raybook::accel::two_level_grid::TwoLevelGrid;
+use raybook::accel::{Accel, bvh::Bvh, grid::Grid, list::List, octree::Octree};
+use crate::shared::{showroom::self, showroom::Showroom};
+use crate::kit::{stage::Drawn, stage::Stage};
+
+
+use crate::kit::chapter;
+use crate::shared::{growth, heat, speeds};
+use raybook::math::interval::Interval;
+use raybook::render::film::Film;
+use raybook::scene::terrain::terrain;
+use raybook::shape::{mesh::Mesh, teapot};
+use std::process::ExitCode;
+
+const AHEAD: Interval = Interval::AHEAD;
+
+/// Draws the chapter's pictures.
+pub fn draw(stage: &Stage) -> Drawn {
+    let film = stage.film_of(960, 4, 1.78);
+    let mesh = terrain(400);
+    let tree = Bvh::new(mesh.facets());
+    let caption = format!(
+        "{} triangles in the evening sun. A ray looks at a few dozen of them, and so does the ray towards the sun from where it ends.",
+        mesh.triangles().len()
+    );
+    stage.picture(
+        "picture",
+        &caption,
+        &mountains::picture(&film, &mesh, &tree),
+    )?;
+    let caption = "The three stages: a box around each triangle, boxes around boxes, and the tree as an array without pointers.";
+    stage.figure("stages", caption, &three_stages::draw()?)?;
+    let caption = "Two trees over the same 22 triangles. In the left one, boxes are large, long and overlap; the cost says how much work that is.";
+    stage.figure("organisations", caption, &flat_boxes::two_organisations()?)?;
+    let caption = "Time to build a tree over the teapot, and what a search of it costs, for each of the builders.";
+    let teapot = teapot::mesh(24);
+    stage.figure("builders", caption, &builders::figure(&teapot.facets())?)?;
+    let caption = "The work for a ray in a soup of triangles: a list asks all of them, a tree a number that grows with the logarithm.";
+    stage.figure("growth", caption, &growth::list_and_tree()?)?;
+    draw_teapot(&showroom::small(&film), stage, &teapot)
+}
+
+fn draw_teapot(film: &Film, stage: &Stage, mesh: &Mesh) -> Drawn {
+    let room = Showroom::around(mesh, film.aspect());
+    let tree = Bvh::new(mesh.facets());
+    let caption = "The boxes of some levels of the teapot's tree. The deeper they are, the closer they follow its shape.";
+    let figure = tree_levels::figure(film, &room, &tree, &[2, 5, 8, 11])?;
+    stage.figure("levels", caption, &figure)?;
+    let caption = "What each ray costs. The work is where rays pass close by the surface: they meet many boxes before they hit anything.";
+    let heat = heat::heat(film, |place| room.ray(place), &tree);
+    stage.figure("heat", caption, &heat.figure("boxes tested")?)?;
+
+    let facets = || mesh.facets();
+    let (list, grid) = (List::new(facets()), Grid::of_facets(facets()));
+    let two_level = TwoLevelGrid::of_facets(facets());
+    let octree = Octree::of_facets(facets());
+    let figure = speeds::figure(
+        &speeds::rays(film, |place| room.ray(place)),
+        &[
+            ("list", &|ray| list.closest(ray, AHEAD).is_some()),
+            ("grid", &|ray| grid.closest(ray, AHEAD).is_some()),
+            ("two-level grid", &|ray| {
+                two_level.closest(ray, AHEAD).is_some()
+            }),
+            ("octree", &|ray| octree.closest(ray, AHEAD).is_some()),
+            ("BVH", &|ray| tree.closest(ray, AHEAD).is_some()),
+        ],
+        &format!(
+            "the camera's rays, a teapot of {} triangles",
+            mesh.triangles().len()
+        ),
+    )?;
+    let caption =
+        "How many rays of the camera each structure answers in a second, over the same teapot.";
+    stage.figure("speeds", caption, &figure)
+}
+
+/// The chapter's binary.
+pub fn main() -> ExitCode {
+    chapter::run("ch11_bvh", draw)
+}

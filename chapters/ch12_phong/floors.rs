@@ -1,0 +1,87 @@
+//! Small scenes that try a light: a floor, and what stands on it.
+
+use raybook::image::rgb::Rgb;
+use super::{bench::CLAY, bench::glossy, bench::matt};
+use raybook::light::{Light, directional::DirectionalLight, point::PointLight};
+use raybook::material::{Material, checkered::Checkered, phong::Phong};
+use raybook::math::{dir3::Dir3, ray::Ray};
+use raybook::scene::world::{Scene, Thing};
+use raybook::shape::{plane::Plane, sphere::Sphere};
+use glam::{Vec3, vec3};
+use std::f32::consts::PI;
+
+/// The light of a lamp, before its strength.
+const WARM: Rgb = Rgb::new(1.0, 0.93, 0.8);
+
+/// A lamp between balls on tiles.
+pub fn under_lamp() -> Scene<dyn Material> {
+    let position = vec3(0.0, 1.3, 0.3);
+    let lamp = PointLight {
+        position,
+        intensity: WARM * 6.0,
+    };
+    on_tiles(Box::new(lamp), vec![bulb(position, WARM)])
+}
+
+/// The same in the sun.
+pub fn under_sun() -> Scene<dyn Material> {
+    let sun = DirectionalLight {
+        toward: Dir3::new_or(vec3(-0.5, 1.0, 0.6), Dir3::Y),
+        irradiance: WARM * PI,
+    };
+    on_tiles(Box::new(sun), Vec::new())
+}
+
+/// Balls on tiles under a light, and what else there is.
+fn on_tiles(light: Box<dyn Light>, mut things: Vec<Thing<dyn Material>>) -> Scene<dyn Material> {
+    let tiles = Checkered(matt(Rgb::gray(0.75)), matt(Rgb::new(0.10, 0.32, 0.42)));
+    things.push(floor(Box::new(tiles)));
+    for (x, z) in [(-1.9, 0.0), (1.2, -1.6), (1.5, 1.4)] {
+        let ball = Sphere::new(vec3(x, 0.5, z), 0.5);
+        things.push(Thing::new(ball, Box::new(glossy(CLAY, 64.0))));
+    }
+    Scene::new(things, vec![light]).surrounded_by(Rgb::gray(0.05), dusk)
+}
+
+/// A dark, shining floor before three low lamps, of the material that `model` makes of these numbers.
+pub fn wet(exponent: f32, model: impl FnOnce(Phong) -> Box<dyn Material>) -> Scene<dyn Material> {
+    let asphalt = Phong {
+        specular: Rgb::gray(1.6),
+        ..glossy(Rgb::new(0.16, 0.18, 0.21), exponent)
+    };
+    let lamps = [
+        (-3.2, Rgb::new(1.0, 0.55, 0.15)),
+        (0.0, Rgb::new(1.0, 0.95, 0.85)),
+        (3.2, Rgb::new(0.25, 0.60, 1.0)),
+    ];
+    let lamps = lamps.map(|(x, colour)| (vec3(x, 0.9, -4.5), colour));
+    let lights = lamps.map(|(position, colour)| -> Box<dyn Light> {
+        let intensity = colour * 12.0;
+        Box::new(PointLight {
+            position,
+            intensity,
+        })
+    });
+    let mut things = vec![floor(model(asphalt))];
+    things.extend(lamps.map(|(position, colour)| bulb(position, colour)));
+    Scene::new(things, lights.into()).surrounded_by(Rgb::gray(0.12), dusk)
+}
+
+fn floor(material: Box<dyn Material>) -> Thing<dyn Material> {
+    Thing::new(Plane::through(Vec3::ZERO, Dir3::Y), material)
+}
+
+/// A point light has no extent and cannot be seen: a ball around it that sends out ambient light alone.
+fn bulb(position: Vec3, colour: Rgb) -> Thing<dyn Material> {
+    let material = Phong {
+        ambient: colour * 20.0,
+        ..matt(Rgb::BLACK)
+    };
+    Thing::new(Sphere::new(position, 0.12), Box::new(material))
+}
+
+/// A pale sky after sunset.
+fn dusk(ray: &Ray) -> Rgb {
+    let high = (3.0 * ray.direction.y).clamp(0.0, 1.0);
+    Rgb::new(0.62, 0.55, 0.52).lerp(Rgb::new(0.20, 0.32, 0.50), high)
+}

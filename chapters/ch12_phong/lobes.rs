@@ -1,0 +1,196 @@
+//! The lobes of Phong and of Blinn, side by side.
+
+use raybook::image::{Image, rgb::Rgb};
+use crate::kit::{figure::Canvas, figure::FONT, figure::figure};
+use crate::kit::{palette::BLUE, palette::FAINT, palette::INK, palette::ORANGE, palette::VERMILION};
+use raybook::light::LightSample;
+use raybook::material::{blinn_phong::BlinnPhong, phong::Phong};
+use raybook::math::dir3::Dir3;
+use glam::{Vec3, vec3};
+use plotters::prelude::{
+    ChartBuilder, Color, IntoFont, LineSeries, PathElement, Polygon, RGBColor, SeriesLabelPosition,
+    Text, TextStyle, WHITE,
+};
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use std::error::Error;
+
+/// What drawing returns.
+type Drawn = Result<(), Box<dyn Error>>;
+
+/// Phong's exponent; Blinn's is this one or four times as large.
+const EXPONENT: f32 = 16.0;
+
+/// From the normal to the light, in degrees: in the left drawing, and in the right one.
+const LEFT: f32 = 40.0;
+const RIGHT: f32 = 70.0;
+
+/// The length of 1 in the left drawing, and where the point is, in pixels of the canvas.
+const LENGTH: f32 = 620.0;
+const POINT: (f32, f32) = (480.0, 830.0);
+
+/// The highlights alone: the share that goes to the viewer.
+type Lobe = fn(view: Dir3, light: &LightSample) -> f32;
+
+const LOBES: [(&str, Lobe, RGBColor, u32); 3] = [
+    (
+        "Phong, α = 16",
+        |v, l| highlight(EXPONENT).reflect(Dir3::Z, v, l).r,
+        BLUE,
+        9,
+    ),
+    (
+        "Blinn, α′ = 4α = 64",
+        |v, l| {
+            BlinnPhong(highlight(4.0 * EXPONENT))
+                .reflect(Dir3::Z, v, l)
+                .r
+        },
+        VERMILION,
+        4,
+    ),
+    (
+        "Blinn, α′ = α = 16",
+        |v, l| BlinnPhong(highlight(EXPONENT)).reflect(Dir3::Z, v, l).r,
+        ORANGE,
+        4,
+    ),
+];
+
+/// In polar coordinates in the plane of light and normal, and over the angle out of that plane.
+///
+/// # Errors
+/// What plotters reports.
+pub fn draw() -> Result<Image, Box<dyn Error>> {
+    figure(960, 480, |canvas| {
+        let (left, right) = canvas.split_horizontally(960);
+        in_plane(&left)?;
+        across(&right)
+    })
+}
+
+/// A highlight without a diffuse part, as bright as what arrives.
+fn highlight(exponent: f32) -> Phong {
+    Phong {
+        ambient: Rgb::BLACK,
+        diffuse: Rgb::BLACK,
+        specular: Rgb::WHITE,
+        exponent,
+    }
+}
+
+/// The direction so many degrees from the normal, +z, and so many around it, from +x.
+fn direction(from_normal: f32, around: f32) -> Dir3 {
+    let ((s, c), (sin, cos)) = (
+        from_normal.to_radians().sin_cos(),
+        around.to_radians().sin_cos(),
+    );
+    Dir3::new_or(vec3(s * cos, s * sin, c), Dir3::Z)
+}
+
+/// Light that comes from the left, so many degrees from the normal.
+fn light(degrees: f32) -> LightSample {
+    LightSample {
+        toward: direction(degrees, 180.0),
+        distance: f32::INFINITY,
+        arriving: Rgb::WHITE,
+        pdf: f32::INFINITY,
+    }
+}
+
+/// The lobes as curves around the point: the farther out, the more goes there.
+fn in_plane(canvas: &Canvas) -> Drawn {
+    let at = |d: Vec3, length: f32| {
+        (
+            (POINT.0 + length * d.x) as i32,
+            (POINT.1 - length * d.z) as i32,
+        )
+    };
+    let line = |from, to, colour: RGBColor, width| {
+        canvas.draw(&PathElement::new(
+            vec![from, to],
+            colour.stroke_width(width),
+        ))
+    };
+    let surface = [at(Vec3::NEG_X, 420.0), at(Vec3::X, 420.0)];
+    let below = surface.map(|(x, y)| (x, y + 40));
+    canvas.draw(&Polygon::new(
+        vec![surface[0], surface[1], below[1], below[0]],
+        FAINT.mix(0.5),
+    ))?;
+    line(surface[0], surface[1], INK, 5)?;
+    let light = light(LEFT);
+    for (_, lobe, colour, width) in LOBES {
+        let views = (-180..=180).map(|i| direction(0.5 * i as f32, 0.0));
+        let curve = views.map(|v| at(*v, LENGTH * lobe(v, &light))).collect();
+        canvas.draw(&PathElement::new::<Vec<_>, _>(
+            curve,
+            colour.stroke_width(width),
+        ))?;
+    }
+    let mirrored = direction(LEFT, 0.0);
+    for (name, d, length) in [
+        ("N", Vec3::Z, 640.0),
+        ("L", *light.toward, 640.0),
+        ("R", *mirrored, 700.0),
+    ] {
+        line(at(d, 0.0), at(d, length), INK, 3)?;
+        canvas.draw(&Text::new(name, at(d, length + 40.0), centred(40)))?;
+    }
+    let title = "in the plane of light and normal";
+    canvas.draw(&Text::new(title, (480, 60), centred(36)))?;
+    Ok(())
+}
+
+/// The lobes over the angle by which the viewer is turned out of the plane, around the normal.
+fn across(canvas: &Canvas) -> Drawn {
+    let mut chart = ChartBuilder::on(canvas)
+        .margin(40)
+        .margin_top(20)
+        .caption(
+            format!("turned out of that plane, {RIGHT}° from the normal"),
+            text(36),
+        )
+        .x_label_area_size(100)
+        .y_label_area_size(110)
+        .build_cartesian_2d(-65.0_f32..65.0, 0.0_f32..1.05)?;
+    chart
+        .configure_mesh()
+        .light_line_style(WHITE.mix(0.0))
+        .bold_line_style(FAINT.mix(0.5))
+        .x_labels(7)
+        .y_labels(6)
+        .x_label_formatter(&|degrees| format!("{degrees:.0}°").replace('-', "−"))
+        .x_desc("angle around the normal from R")
+        .y_desc("share at the highlight")
+        .label_style(text(30))
+        .axis_desc_style(text(32))
+        .draw()?;
+    let light = light(RIGHT);
+    for (name, lobe, colour, width) in LOBES {
+        let angles = (-260..=260).map(|i| 0.25 * i as f32);
+        let curve = angles.map(|around| (around, lobe(direction(RIGHT, around), &light)));
+        chart
+            .draw_series(LineSeries::new(curve, colour.stroke_width(width)))?
+            .label(name)
+            .legend(move |(x, y)| {
+                PathElement::new([(x, y), (x + 50, y)], colour.stroke_width(width))
+            });
+    }
+    chart
+        .configure_series_labels()
+        .position(SeriesLabelPosition::UpperLeft)
+        .label_font(text(28))
+        .legend_area_size(64)
+        .margin(12)
+        .background_style(WHITE.mix(0.85))
+        .draw()?;
+    Ok(())
+}
+
+fn text(size: u32) -> TextStyle<'static> {
+    (FONT, size).into_font().color(&INK)
+}
+
+fn centred(size: u32) -> TextStyle<'static> {
+    text(size).pos(Pos::new(HPos::Center, VPos::Center))
+}

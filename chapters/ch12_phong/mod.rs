@@ -1,0 +1,78 @@
+//! Light that comes straight from a lamp, and what a surface makes of it: ambient, diffuse and specular reflection after
+//! Phong, the half vector after Blinn. Point lights fall off with the squared distance, directional lights do not.
+//!
+//! New: light/mod.rs light/point.rs light/directional.rs material/mod.rs material/phong.rs material/blinn_phong.rs
+//! New: material/checkered.rs scene/world.rs scene/tally.rs render/local.rs
+
+mod bench;
+mod floors;
+mod lobes;
+
+use glam::{Vec3, vec3};
+use raybook::camera::pinhole::Pinhole;
+use raybook::image::Image;
+use crate::kit::{stage::Drawn, stage::Stage};
+
+use crate::kit::{chapter, sheet::sheet};
+use raybook::material::{Material, blinn_phong::BlinnPhong};
+use raybook::render::film::Film;
+use raybook::render::local::{ALWAYS, Local};
+use raybook::scene::world::Scene;
+use std::process::ExitCode;
+
+/// Draws the chapter's pictures.
+pub fn draw(stage: &Stage) -> Drawn {
+    let film = stage.tile(4, 1.0);
+    let camera = Pinhole::look_at(vec3(0.0, 0.0, 7.0), Vec3::ZERO, Vec3::Y, 0.072, 1.0)?;
+    let balls = bench::terms().into_iter().chain(bench::exponents());
+    let balls: Vec<_> = balls
+        .map(|(name, scene)| (name, photograph(&film, &camera, &scene)))
+        .collect();
+    let balls: Vec<_> = balls
+        .iter()
+        .map(|(name, ball)| (&**name, ball.clone()))
+        .collect();
+    let caption = "Above, the terms added one by one. In the middle Phong's highlight with growing exponents; below it \
+        Blinn's with four times the exponent, which is about as large.";
+    stage.picture("picture", caption, &sheet(4, &balls)?)?;
+
+    let caption = "How much of the light from the left a point sends where. In the plane of light and normal, Blinn's lobe with \
+        four times the exponent is Phong's. Across that plane, under slanting light, it is much narrower.";
+    stage.figure("lobes", caption, &lobes::draw()?)?;
+
+    let film = stage.tile(2, 1.6);
+    let (from, to) = (vec3(0.0, 1.6, 5.5), vec3(0.0, 0.4, 0.0));
+    let camera = Pinhole::look_at(from, to, Vec3::Y, 0.03, film.aspect())?;
+    let tile = |scene| photograph(&film, &camera, &scene);
+    let phong = floors::wet(64.0, |phong| Box::new(phong));
+    let blinn = floors::wet(256.0, |phong| Box::new(BlinnPhong(phong)));
+    let tiles = [
+        ("a point light", tile(floors::under_lamp())),
+        ("a directional light", tile(floors::under_sun())),
+        ("Phong, α = 64", tile(phong)),
+        ("Blinn, α′ = 256", tile(blinn)),
+    ];
+    let caption = "A lamp between balls, and the sun over them. Below, lamps far behind a dark, shining floor: Phong's \
+        highlights are round, Blinn's long and narrow, as on a wet road.";
+    stage.figure("floors", caption, &sheet(2, &tiles)?)
+}
+
+/// What a camera sees by the lights alone, as if nothing were ever in their way.
+fn photograph(film: &Film, camera: &Pinhole, scene: &Scene<dyn Material>) -> Image {
+    let local = Local {
+        samples: 1,
+        arrives: ALWAYS,
+    };
+    film.render(|place, rng| {
+        let ray = camera.ray_through(place);
+        match scene.closest(&ray) {
+            Some(seen) => local.radiance(scene, &seen, -ray.direction, rng),
+            None => (scene.backdrop)(&ray),
+        }
+    })
+}
+
+/// The chapter's binary.
+pub fn main() -> ExitCode {
+    chapter::run("ch12_phong", draw)
+}

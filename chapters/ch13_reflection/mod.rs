@@ -1,0 +1,87 @@
+//! What a mirror shows is what another ray sees. So the question of one ray becomes a question of several, a tree of them,
+//! and something must end it where mirrors face each other.
+//!
+//! New: material/mirror.rs material/polished.rs render/whitted.rs scene/marbles.rs scene/kissing_balls.rs
+
+
+use glam::{Vec2, Vec3, vec2};
+use raybook::camera::pinhole::Pinhole;
+use raybook::image::Image;
+use crate::kit::{stage::Drawn, stage::Stage};
+use crate::kit::{chapter, sheet::sheet};
+use crate::shared::{ray_tree, ray_tree_figure};
+use raybook::material::Material;
+use raybook::render::film::Film;
+use raybook::render::local::{ALWAYS, Local};
+use raybook::render::whitted::Whitted;
+use raybook::scene::world::Scene;
+use raybook::scene::{kissing_balls, marbles};
+use std::process::ExitCode;
+
+/// The pixel whose tree is drawn: its place on the film.
+const PIXEL: Vec2 = vec2(0.432, 0.76);
+
+/// Draws the chapter's pictures.
+pub fn draw(stage: &Stage) -> Drawn {
+    let film = stage.film(16.0 / 9.0);
+    let [from, to] = marbles::VIEW;
+    let camera = Pinhole::look_at(from, to, Vec3::Y, 0.042, film.aspect())?;
+    let scene = marbles::scene();
+    let caption = "Two mirrors, seven marbles, and a floor that reflects a little less than a quarter of what it receives. \
+        Up to eight surfaces are followed in a row. There are no shadows yet.";
+    stage.picture("picture", caption, &photograph(&film, &camera, &scene, 8))?;
+
+    let (width, height) = ray_tree_figure::PHOTOGRAPH;
+    let film = Film {
+        width,
+        height,
+        samples: 4,
+        ..stage.tile(2, 1.0)
+    };
+    let [from, to] = marbles::FROM_ABOVE;
+    let above = Pinhole::look_at(from, to, Vec3::Y, 0.038, film.aspect())?;
+    let view = photograph(&film, &above, &scene, 8);
+    let tree = ray_tree::grow(&whitted(5), &scene, &camera.ray_through(PIXEL));
+    let caption = "The rays that answer for one pixel of the picture above, seen from above, and the tree of their questions. \
+        Each circle has the colour that its ray sees; the numbers are the surfaces.";
+    stage.figure(
+        "tree",
+        caption,
+        &ray_tree_figure::draw(&tree, &view, above)?,
+    )?;
+
+    let film = stage.tile(3, 1.0);
+    let [from, to] = kissing_balls::VIEW;
+    let camera = Pinhole::look_at(from, to, Vec3::Y, 0.055, film.aspect())?;
+    let scene = kissing_balls::scene();
+    let tiles = [
+        ("no reflection", 1),
+        ("1 reflection", 2),
+        ("2 reflections", 3),
+        ("3 reflections", 4),
+        ("5 reflections", 6),
+        ("11 reflections", 12),
+    ];
+    let tiles = tiles.map(|(name, depth)| (name, photograph(&film, &camera, &scene, depth)));
+    let caption = "Four mirror balls that touch, before coloured light. What the last surface that is followed would show is black; \
+        each reflection more fills in a part of it, a smaller one every time.";
+    stage.figure("depth", caption, &sheet(3, &tiles)?)
+}
+
+/// So many surfaces are followed in a row; no shadows.
+fn whitted(depth: u32) -> Whitted {
+    let local = Local {
+        samples: 1,
+        arrives: ALWAYS,
+    };
+    Whitted { local, depth }
+}
+
+fn photograph(film: &Film, camera: &Pinhole, scene: &Scene<dyn Material>, depth: u32) -> Image {
+    film.render(|place, rng| whitted(depth).radiance(scene, &camera.ray_through(place), rng))
+}
+
+/// The chapter's binary.
+pub fn main() -> ExitCode {
+    chapter::run("ch13_reflection", draw)
+}

@@ -1,0 +1,88 @@
+//! Glass shows what is in front of it and what is behind it. Snell's law says where the second ray goes, Fresnel's equations
+//! how much light takes which way, and every surface knows the media on both of its sides.
+//!
+//! New: material/refract.rs material/fresnel.rs material/glass.rs scene/glassware.rs
+
+mod fresnel_plot;
+mod refraction_fan;
+
+use glam::{Vec3, vec3};
+use raybook::camera::pinhole::{LookAtError, Pinhole};
+use raybook::image::Image;
+use crate::kit::{stage::Drawn, stage::Stage};
+use crate::kit::{chapter, sheet::sheet};
+
+use raybook::material::Material;
+use raybook::render::film::Film;
+use raybook::render::local::{ALWAYS, Local};
+use raybook::render::whitted::Whitted;
+use raybook::scene::{glassware, world::Scene};
+use std::process::ExitCode;
+
+/// Where a camera stands, where it looks, and its focal length.
+type View = (Vec3, Vec3, f32);
+
+/// Draws the chapter's pictures.
+pub fn draw(stage: &Stage) -> Drawn {
+    let scene = glassware::still_life();
+    let film = stage.film_of(960, 9, 16.0 / 9.0);
+    let picture = photograph(&film, &scene, glassware::VIEW, glassware::DEPTH)?;
+    let caption = "A ball of glass, one with a large bubble of air, one in a tank of water, and three of coloured glass: \
+        they mirror the window and show the floor, all but the bubble upside down.";
+    stage.picture("picture", caption, &picture)?;
+
+    let caption = "Beams into glass and out of it, each as wide as it is strong: what is reflected in vermilion, what goes \
+        through in blue. Out of glass at 55°, nothing goes through.";
+    stage.figure("beams", caption, &refraction_fan::diagram()?)?;
+    let caption = "How much is reflected. At Brewster's angle, light that swings parallel to the plane of incidence is not; \
+        behind the critical angle, all light is.";
+    stage.figure("fresnel", caption, &fresnel_plot::plot()?)?;
+
+    let small = |columns, aspect| Film {
+        samples: film.samples,
+        ..stage.tile(columns, aspect)
+    };
+    let tile = small(4, 1.0);
+    let close = (vec3(0.0, 3.0, 5.0), vec3(0.0, 0.9, 0.0), 0.043);
+    let mut tiles = Vec::new();
+    for (name, scene) in glassware::nested() {
+        tiles.push((name, photograph(&tile, &scene, close, glassware::DEPTH)?));
+    }
+    let caption = "A surface has a medium on either side. In water, a ball of glass is a weak lens; one that takes the water \
+        for air is a strong one.";
+    stage.figure("nested", caption, &sheet(4, &tiles)?)?;
+
+    let [(_, ball), ..] = glassware::nested();
+    let mut tiles = Vec::new();
+    for (name, depth) in [("1 surface", 1), ("2", 2), ("3", 3), ("5", 5)] {
+        tiles.push((name, photograph(&tile, &ball, close, depth)?));
+    }
+    let caption = "A ball of glass, with rays that end at their first, second, third and fifth surface: what is missing is black.";
+    stage.figure("depth", caption, &sheet(4, &tiles)?)?;
+
+    let view = (vec3(0.5, 5.6, 8.6), vec3(0.5, 1.15, -0.2), 0.041);
+    let sizes = photograph(&small(1, 2.4), &glassware::sizes(), view, glassware::DEPTH)?;
+    let caption = "The same green glass in balls of 40 cm to 3.2 m: on a way twice as long, what is left of the light is squared.";
+    stage.picture("absorption", caption, &sizes)
+}
+
+/// A picture by Whitted's ray tracing, without shadows.
+fn photograph(
+    film: &Film,
+    scene: &Scene<dyn Material>,
+    (from, to, focal_length): View,
+    depth: u32,
+) -> Result<Image, LookAtError> {
+    let camera = Pinhole::look_at(from, to, Vec3::Y, focal_length, film.aspect())?;
+    let local = Local {
+        samples: 1,
+        arrives: ALWAYS,
+    };
+    let whitted = Whitted { local, depth };
+    Ok(film.render(|place, rng| whitted.radiance(scene, &camera.ray_through(place), rng)))
+}
+
+/// The chapter's binary.
+pub fn main() -> ExitCode {
+    chapter::run("ch14_refraction", draw)
+}

@@ -1,0 +1,91 @@
+//! Before a lamp counts, a ray asks whether anything is in its way: from just off the surface to just before the light.
+//! Any hit is an answer, so the search ends at the first.
+//!
+//! New: render/shadow.rs
+
+mod wrong_shadows;
+
+use glam::{Vec2, Vec3, vec2, vec3};
+use raybook::camera::pinhole::Pinhole;
+use raybook::image::Image;
+use crate::kit::{stage::Drawn, stage::Stage};
+use crate::kit::{chapter, sheet::sheet};
+use crate::shared::{ray_tree, ray_tree_figure};
+
+use raybook::material::Material;
+use raybook::render::film::Film;
+use raybook::render::local::{Arrives, Local};
+use raybook::render::{shadow, whitted::Whitted};
+use raybook::scene::{marbles, world::Scene};
+use std::process::ExitCode;
+
+/// The pixel whose rays are drawn: its place on the film.
+const PIXEL: Vec2 = vec2(0.432, 0.76);
+
+/// Where the second picture looks: at three of the marbles.
+const CLOSE_UP: Vec3 = vec3(1.3, 0.4, 1.3);
+
+/// Draws the chapter's pictures.
+pub fn draw(stage: &Stage) -> Drawn {
+    let film = stage.film(16.0 / 9.0);
+    let [from, to] = marbles::VIEW;
+    let camera = Pinhole::look_at(from, to, Vec3::Y, 0.042, film.aspect())?;
+    let scene = marbles::scene();
+    let caption = "The marbles of chapter 13 with two shadows each: one of the lamp, at the left, and one of the sun. \
+        Where both fall, only ambient light is left.";
+    stage.picture(
+        "picture",
+        caption,
+        &photograph(&film, &camera, &scene, shadow::lit),
+    )?;
+
+    let film = stage.tile(2, 16.0 / 9.0);
+    let near = Pinhole::look_at(from, CLOSE_UP, Vec3::Y, 0.08, film.aspect())?;
+    let roofed = marbles::under_roof();
+    let tiles = wrong_shadows::WAYS
+        .map(|(name, arrives)| (name, photograph(&film, &near, &roofed, arrives)));
+    let caption = "One lamp below a roof, and three wrong shadow rays. Many points of a ball are computed to lie inside of \
+        it, and are in its shadow. Rays that start too far off miss what stands close. Rays without an end are stopped behind the lamp.";
+    stage.figure("wrong", caption, &sheet(2, &tiles)?)?;
+
+    let (width, height) = ray_tree_figure::PHOTOGRAPH;
+    let film = Film {
+        width,
+        height,
+        samples: 4,
+        ..film
+    };
+    let [from, to] = marbles::FROM_ABOVE;
+    let above = Pinhole::look_at(from, to, Vec3::Y, 0.038, film.aspect())?;
+    let view = photograph(&film, &above, &scene, shadow::lit);
+    let tree = ray_tree::grow(&whitted(shadow::lit), &scene, &camera.ray_through(PIXEL));
+    let caption = "The tree of chapter 13 again: now each ray to a light is a search, and what is in its way makes a shadow (purple).";
+    stage.figure(
+        "tree",
+        caption,
+        &ray_tree_figure::draw(&tree, &view, above)?,
+    )
+}
+
+fn whitted(arrives: Arrives) -> Whitted {
+    let local = Local {
+        samples: 1,
+        arrives,
+    };
+    Whitted { local, depth: 8 }
+}
+
+fn photograph(
+    film: &Film,
+    camera: &Pinhole,
+    scene: &Scene<dyn Material>,
+    arrives: Arrives,
+) -> Image {
+    let whitted = whitted(arrives);
+    film.render(|place, rng| whitted.radiance(scene, &camera.ray_through(place), rng))
+}
+
+/// The chapter's binary.
+pub fn main() -> ExitCode {
+    chapter::run("ch15_shadows", draw)
+}

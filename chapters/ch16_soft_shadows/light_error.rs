@@ -1,0 +1,179 @@
+//! How the error of a light's estimate shrinks as samples are added.
+
+use raybook::image::{Image, rgb::Rgb};
+use crate::kit::{figure::Canvas, figure::FONT, figure::figure};
+use crate::kit::{palette::BLUE, palette::FAINT, palette::INK, palette::VERMILION};
+use raybook::light::{Light, extent::Choose, rect_light::RectLight};
+use raybook::math::{interval::Interval, pcg, pcg::Pcg, ray::Ray};
+use raybook::shape::{Shape, sphere::Sphere};
+use glam::{Vec2, Vec3, vec2, vec3};
+use plotters::element::{Circle, PathElement};
+use plotters::prelude::{
+    ChartBuilder, Color, IntoFont, IntoLogRange, LineSeries, SeriesLabelPosition, TextStyle, WHITE,
+};
+use rand::RngExt;
+use std::error::Error;
+
+/// So often is each error measured.
+const REPEATS: u32 = 300;
+
+/// The numbers of samples, as powers of 2.
+const POWERS: std::ops::RangeInclusive<u32> = 0..=10;
+
+/// A light, and a ball that may be in its way.
+pub struct Setting {
+    light: RectLight,
+    ball: Sphere,
+}
+
+impl Setting {
+    /// A square of 2 m, 1.2 m above the floor, seen from below its edge, with nothing in the way.
+    pub fn open() -> Self {
+        Self {
+            light: RectLight::new(
+                vec3(-1.9, 1.2, -1.0),
+                2.0 * Vec3::X,
+                2.0 * Vec3::Z,
+                Rgb::WHITE,
+            ),
+            ball: Sphere::new(vec3(9.0, 0.0, 0.0), 0.1),
+        }
+    }
+
+    /// The same square 4 m above, half of it behind a ball.
+    pub fn shaded() -> Self {
+        Self {
+            light: RectLight::new(
+                vec3(-1.0, 4.0, -1.0),
+                2.0 * Vec3::X,
+                2.0 * Vec3::Z,
+                Rgb::WHITE,
+            ),
+            ball: Sphere::new(vec3(-1.0, 2.0, 0.0), 1.0),
+        }
+    }
+
+    /// What a sample brings to the floor, in W/m²: the irradiance is its mean over u.
+    fn arrives(&self, choose: Choose, u: Vec2) -> f64 {
+        let Some(sample) = self.light.choosing(choose).sample(Vec3::ZERO, u) else {
+            return 0.0;
+        };
+        let way = Interval::new(0.0, sample.distance);
+        if self.ball.blocks(&Ray::new(Vec3::ZERO, sample.toward), way) {
+            return 0.0;
+        }
+        f64::from(sample.arriving.g * sample.toward.y.max(0.0))
+    }
+
+    /// The irradiance, by a lattice of a million points.
+    pub fn exact(&self) -> f64 {
+        let n = 1000;
+        let place = |i: u32| (vec2((i % n) as f32, (i / n) as f32) + 0.5) / n as f32;
+        let sum: f64 = (0..n * n)
+            .map(|i| self.arrives(Choose::BySolidAngle, place(i)))
+            .sum();
+        sum / f64::from(n * n)
+    }
+
+    /// The root of the mean square error of so many samples, relative to the exact value.
+    pub fn error(&self, choose: Choose, samples: u32, exact: f64, rng: &mut Pcg) -> f64 {
+        let mut estimate = || {
+            let sum: f64 = (0..samples)
+                .map(|_| self.arrives(choose, vec2(rng.random(), rng.random())))
+                .sum();
+            sum / f64::from(samples)
+        };
+        let squares: f64 = (0..REPEATS)
+            .map(|_| (estimate() / exact - 1.0).powi(2))
+            .sum();
+        (squares / f64::from(REPEATS)).sqrt()
+    }
+}
+
+/// Error against samples, both axes logarithmic: in full view of a light close by, and half in its shadow.
+///
+/// # Errors
+/// If plotters cannot draw.
+pub fn plot() -> Result<Image, Box<dyn Error>> {
+    figure(1000, 460, |canvas| {
+        let (open, shaded) = canvas.split_horizontally(1000);
+        panel(
+            &open,
+            "all of a near light is seen",
+            &Setting::open(),
+            false,
+        )?;
+        panel(
+            &shaded,
+            "half of it is behind a ball",
+            &Setting::shaded(),
+            true,
+        )
+    })
+}
+
+fn panel(
+    canvas: &Canvas,
+    title: &str,
+    setting: &Setting,
+    legend: bool,
+) -> Result<(), Box<dyn Error>> {
+    let mut chart = ChartBuilder::on(canvas)
+        .margin(24)
+        .margin_right(48)
+        .caption(title, text(38))
+        .x_label_area_size(90)
+        .y_label_area_size(120)
+        .build_cartesian_2d(
+            (1.0_f64..1024.0).log_scale().base(2.0),
+            (0.003_f64..2.0).log_scale(),
+        )?;
+    chart
+        .configure_mesh()
+        .light_line_style(WHITE.mix(0.0))
+        .bold_line_style(FAINT.mix(0.5))
+        .x_label_formatter(&|n| format!("{n:.0}"))
+        .y_label_formatter(&|error| format!("{} %", 100.0 * error))
+        .x_desc("samples")
+        .y_desc("error")
+        .label_style(text(28))
+        .axis_desc_style(text(30))
+        .draw()?;
+    let (exact, mut rng) = (setting.exact(), pcg::stream(16, 1));
+    let guide = POWERS
+        .map(|p| f64::from(1_u32 << p))
+        .map(|n| (n, 1.3 / n.sqrt()));
+    chart
+        .draw_series(LineSeries::new(guide, FAINT.stroke_width(5)))?
+        .label("slope −½: half the error by four times the samples")
+        .legend(|(x, y)| PathElement::new([(x, y), (x + 50, y)], FAINT.stroke_width(5)));
+    for (name, choose, colour) in [
+        ("by area", Choose::ByArea, VERMILION),
+        ("by solid angle", Choose::BySolidAngle, BLUE),
+    ] {
+        let measured: Vec<_> = POWERS
+            .map(|p| 1_u32 << p)
+            .map(|n| (f64::from(n), setting.error(choose, n, exact, &mut rng)))
+            .collect();
+        chart.draw_series(measured.iter().map(|&p| Circle::new(p, 8, colour.filled())))?;
+        chart
+            .draw_series(LineSeries::new(measured, colour.stroke_width(4)))?
+            .label(name)
+            .legend(move |(x, y)| PathElement::new([(x, y), (x + 50, y)], colour.stroke_width(5)));
+    }
+    if legend {
+        chart
+            .configure_series_labels()
+            .position(SeriesLabelPosition::LowerLeft)
+            .label_font(text(28))
+            .legend_area_size(70)
+            .margin(24)
+            .background_style(WHITE.mix(0.85))
+            .draw()?;
+    }
+    Ok(())
+}
+
+fn text(size: u32) -> TextStyle<'static> {
+    (FONT, size).into_font().color(&INK)
+}

@@ -1,0 +1,176 @@
+//! The shadow of a board under a light, from the side: where the umbra and the penumbra are, and what is measured there.
+
+use raybook::image::{Image, rgb::Rgb};
+use crate::kit::{figure::Canvas, figure::FONT, figure::figure};
+use crate::kit::{palette::BLUE, palette::FAINT, palette::INK, palette::ORANGE, palette::VERMILION};
+use raybook::light::rect_light::RectLight;
+use raybook::math::{dir3::Dir3, pcg};
+use raybook::render::soft_shadow::visible_fraction;
+use raybook::scene::world::{Scene, Thing};
+use raybook::shape::{Surface, cuboid::Cuboid};
+use glam::{Vec2, Vec3, vec3};
+use plotters::element::{PathElement, Rectangle, Text};
+use plotters::prelude::{ChartBuilder, Color, IntoFont, LineSeries, RGBColor, TextStyle, WHITE};
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use std::error::Error;
+
+type Drawn = Result<(), Box<dyn Error>>;
+
+/// A board below a light, both level and with their middles above the origin; very long in the third dimension.
+#[derive(Clone, Copy, Debug)]
+pub struct Shadow {
+    /// The light's width and its height above the floor, in metres.
+    pub light: Vec2,
+    /// The board's width and its height above the floor, in metres.
+    pub board: Vec2,
+}
+
+impl Shadow {
+    /// Where, along x, the umbra ends and where the penumbra ends: on the lines past the board's end from the light's end
+    /// on the same side, which is seen first, and from that on the other side, which is seen last. With light and board
+    /// w and b wide, H and h high, similar triangles give (b H ∓ w h)/(2 (H − h)). A negative umbra is none.
+    pub fn ends(&self) -> [f32; 2] {
+        let (light, board) = (self.light, self.board);
+        [-1.0, 1.0].map(|sign| {
+            (board.x * light.y + sign * light.x * board.y) / (2.0 * (light.y - board.y))
+        })
+    }
+
+    /// The fraction of the light that is seen from x on the floor, by so many samples.
+    pub fn seen_from(&self, x: f32, samples: u32) -> f32 {
+        /// Half the length of light and board: so long that their ends hardly matter in the middle.
+        const LONG: f32 = 50.0;
+        let corner = vec3(-0.5 * self.light.x, self.light.y, -0.01 * LONG);
+        let (across, along) = (self.light.x * Vec3::X, 0.02 * LONG * Vec3::Z);
+        let light = RectLight::new(corner, across, along, Rgb::WHITE);
+        let half = vec3(0.5 * self.board.x, 0.0, LONG);
+        let board = Cuboid::between(self.board.y * Vec3::Y - half, self.board.y * Vec3::Y + half);
+        let thing = Thing {
+            shape: Box::new(board) as _,
+            material: Box::new(()),
+        };
+        let floor = Surface {
+            position: x * Vec3::X,
+            error: 0.0,
+            normal: Dir3::Y,
+            shading_normal: Dir3::Y,
+            texture: Vec2::ZERO,
+        };
+        let rng = &mut pcg::stream(16, u64::from(x.to_bits()));
+        visible_fraction(
+            &Scene::new(vec![thing], vec![]),
+            &floor,
+            &light,
+            samples,
+            rng,
+        )
+    }
+}
+
+/// The side view, and below it the fraction of the light that is seen along the floor.
+///
+/// # Errors
+/// If plotters cannot draw.
+pub fn diagram() -> Result<Image, Box<dyn Error>> {
+    let shadow = Shadow {
+        light: Vec2::new(1.6, 3.0),
+        board: Vec2::new(2.0, 1.2),
+    };
+    figure(900, 640, |canvas| {
+        let (above, below) = canvas.split_vertically(740);
+        side_view(&above, &shadow)?;
+        profile(&below, &shadow)
+    })
+}
+
+/// How much of the floor is drawn, in metres to either side.
+const REACH: f32 = 3.2;
+
+fn side_view(canvas: &Canvas, shadow: &Shadow) -> Drawn {
+    let mut chart = ChartBuilder::on(canvas)
+        .margin(24)
+        .margin_bottom(0)
+        .set_label_area_size(plotters::prelude::LabelAreaPosition::Left, 150)
+        .build_cartesian_2d(-REACH..REACH, -0.3_f32..3.4)?;
+    let (light, board) = (shadow.light, shadow.board);
+    let [umbra, penumbra] = shadow.ends();
+    for (from, to, colour) in [
+        (-umbra, umbra, INK),
+        (umbra, penumbra, ORANGE),
+        (-penumbra, -umbra, ORANGE),
+    ] {
+        let floor = Rectangle::new([(from, -0.12), (to, 0.0)], colour.filled());
+        chart.draw_series([floor])?;
+    }
+    for side in [-1.0, 1.0] {
+        for (end, floor_end, colour) in [(0.5, umbra, INK), (-0.5, penumbra, ORANGE)] {
+            let from = (side * end * light.x, light.y);
+            let line = [from, (side * floor_end, 0.0)];
+            chart.draw_series([PathElement::new(line, colour.stroke_width(3))])?;
+        }
+    }
+    let floor = [(-REACH, 0.0), (REACH, 0.0)];
+    chart.draw_series([PathElement::new(floor, FAINT.stroke_width(4))])?;
+    let bar = |size: Vec2, thick: f32, colour: RGBColor| {
+        let (x, y) = (0.5 * size.x, size.y);
+        Rectangle::new([(-x, y), (x, y + thick)], colour.filled())
+    };
+    chart.draw_series([bar(light, 0.1, VERMILION), bar(board, 0.08, BLUE)])?;
+    chart.draw_series([
+        label("light", (0.0, light.y + 0.25), VERMILION),
+        label("board", (0.0, board.y + 0.24), BLUE),
+        label("umbra", (0.0, -0.24), INK),
+        label("penumbra", (0.5 * (umbra + penumbra), -0.24), INK),
+        label("penumbra", (-0.5 * (umbra + penumbra), -0.24), INK),
+    ])?;
+    Ok(())
+}
+
+fn profile(canvas: &Canvas, shadow: &Shadow) -> Drawn {
+    /// For each point of the floor, and how far the points are apart, in metres.
+    const SAMPLES: u32 = 2000;
+    const STEP: f32 = 0.02;
+    let mut chart = ChartBuilder::on(canvas)
+        .margin(24)
+        .x_label_area_size(90)
+        .y_label_area_size(150)
+        .build_cartesian_2d(-REACH..REACH, 0.0_f32..1.05)?;
+    chart
+        .configure_mesh()
+        .light_line_style(WHITE.mix(0.0))
+        .bold_line_style(FAINT.mix(0.5))
+        .y_labels(5)
+        .x_label_formatter(&|x| format!("{x:.0}").replace('-', "−"))
+        .y_label_formatter(&|share| format!("{:.0} %", 100.0 * share))
+        .x_desc("place on the floor, in metres")
+        .y_desc("of the light is seen")
+        .label_style(text(28))
+        .axis_desc_style(text(30))
+        .draw()?;
+    for end in shadow.ends() {
+        for x in [-end, end] {
+            let line = [(x, 0.0), (x, 1.05)];
+            chart.draw_series([PathElement::new(line, ORANGE.stroke_width(4))])?;
+        }
+    }
+    let steps = (REACH / STEP) as i32;
+    let measured = (-steps..=steps).map(|i| {
+        let x = i as f32 * STEP;
+        (x, shadow.seen_from(x, SAMPLES))
+    });
+    chart.draw_series(LineSeries::new(measured, BLUE.stroke_width(4)))?;
+    Ok(())
+}
+
+fn label(
+    name: &'static str,
+    at: (f32, f32),
+    colour: RGBColor,
+) -> Text<'static, (f32, f32), &'static str> {
+    let middle = Pos::new(HPos::Center, VPos::Center);
+    Text::new(name, at, (FONT, 30).into_font().color(&colour).pos(middle))
+}
+
+fn text(size: u32) -> TextStyle<'static> {
+    (FONT, size).into_font().color(&INK)
+}

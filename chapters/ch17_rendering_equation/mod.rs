@@ -1,0 +1,68 @@
+//! The light that a surface sends to the eye came from all sides, also from other surfaces. An integral over the hemisphere
+//! says how much of it there is, and path tracing estimates it by the mean over random paths, chosen with care.
+//!
+//! New: sample/mod.rs sample/hemisphere.rs material/brdf.rs material/lambert.rs material/modified_phong.rs
+//! New: render/mis.rs render/path.rs render/reflection.rs scene/cornell.rs scene/plates.rs
+
+mod domes;
+mod path_error;
+mod strategies;
+
+use crate::kit::{stage::Drawn, stage::Stage};
+use strategies::View;
+use crate::kit::{chapter, sheet::sheet};
+
+use raybook::render::{film::Film, mis::Strategy, path::Path};
+use std::process::ExitCode;
+
+/// Over as many surfaces as there are.
+const ALL: Path = Path {
+    depth: u32::MAX,
+    sure: 3,
+    strategy: Strategy::Both,
+};
+
+/// Over one surface: straight from the lamp.
+const DIRECT: Path = Path { depth: 1, ..ALL };
+
+/// Draws the chapter's pictures.
+pub fn draw(stage: &Stage) -> Drawn {
+    let film = stage.film_of(400, 64, 1.0);
+    let cornell_box = View::cornell_box()?;
+    let picture = cornell_box.draw(&film, ALL);
+    let caption = "The Cornell box. Red and green light on the white blocks has come from the walls; \
+        the ceiling gets no light from the lamp at all, only from the other surfaces.";
+    stage.picture("picture", caption, &picture)?;
+
+    let few = Film {
+        samples: film.samples.div_ceil(4),
+        ..film
+    };
+    let direct = cornell_box.draw(&few, DIRECT);
+    let tiles = [
+        ("light straight from the lamp", direct),
+        ("with inter-reflections", picture),
+    ];
+    let caption = "Local and global illumination: without the light from other surfaces, ceiling and shadows are black.";
+    stage.figure("inter_reflections", caption, &sheet(2, &tiles)?)?;
+
+    let caption = "600 directions of the hemisphere, and their shadows on the surface. What arrives counts by its cosine, so directions near the horizon are hardly worth their time.";
+    stage.figure("hemisphere", caption, &domes::draw()?)?;
+
+    let caption = "Four plates, smooth behind and rough in front, mirror four lamps, small at the left and large at the right. \
+        The surface finds the large lamps and the light the small ones; weighted, each does what it can.";
+    let tile = stage.tile(3, 1.5);
+    let tile = Film {
+        samples: tile.samples.div_ceil(2),
+        ..tile
+    };
+    stage.figure("strategies", caption, &strategies::figure(&tile)?)?;
+
+    let caption = "What the strategies cost, measured while this was drawn. Looking for the lamp itself pays in the box, and both together pay on the plates, also for the time that they take.";
+    stage.figure("error", caption, &path_error::plot(&tile)?)
+}
+
+/// The chapter's binary.
+pub fn main() -> ExitCode {
+    chapter::run("ch17_rendering_equation", draw)
+}

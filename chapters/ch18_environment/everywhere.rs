@@ -1,0 +1,29 @@
+//! An environment that is asked in the wrong way, to show what the right one is good for.
+
+use raybook::image::rgb::Rgb;
+use raybook::light::environment::Environment;
+use raybook::light::{Light, LightSample, extent::shine};
+use raybook::math::{dir3::Dir3, ray::Ray};
+use glam::{Vec2, Vec3};
+use std::f32::consts::PI;
+
+/// An environment whose directions are chosen without looking: each is as likely as any other.
+pub struct Everywhere(pub Environment);
+
+impl Light for Everywhere {
+    fn sample(&self, _at: Vec3, u: Vec2) -> Option<LightSample> {
+        let (cosine, (sin, cos)) = (1.0 - 2.0 * u.y, (2.0 * PI * u.x).sin_cos());
+        let sine = (1.0 - cosine * cosine).sqrt();
+        let toward = Dir3::new(Vec3::new(sine * cos, cosine, sine * sin))?;
+        let pdf = self.pdf(Vec3::ZERO, toward);
+        shine(toward, f32::INFINITY, self.0.radiance(toward), pdf)
+    }
+
+    fn pdf(&self, _at: Vec3, _toward: Dir3) -> f32 {
+        0.25 / PI
+    }
+
+    fn seen(&self, ray: &Ray) -> Option<(f32, Rgb)> {
+        self.0.seen(ray)
+    }
+}

@@ -1,0 +1,95 @@
+//! Light from all around, kept in a picture of all directions: every pixel of it is a light, and the bright ones are asked
+//! more often.
+//!
+//! New: math/piecewise.rs light/environment/mod.rs light/environment/latlong.rs light/environment/cube.rs
+//! New: light/environment/angular.rs light/environment/convert.rs scene/skies.rs scene/still_life.rs
+
+mod environments;
+pub mod everywhere;
+
+use glam::Vec3;
+use raybook::camera::pinhole::{LookAtError, Pinhole};
+use raybook::image::{Image, file};
+use environments::Layouts;
+use environments::layouts;
+use environments::quarters;
+use crate::kit::{stage::Drawn, stage::Stage};
+use crate::kit::{chapter, sheet::sheet};
+use crate::shared::even;
+use everywhere::Everywhere;
+use raybook::light::{Light, environment::Environment};
+use raybook::render::{film::Film, mis::Strategy, path::Path};
+use raybook::scene::skies;
+use raybook::scene::still_life::{AT, EYE, still_life};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+#[derive(clap::Args)]
+struct MapOptions {
+    /// Light the scene with this map (.exr, .hdr or .png) instead of the four skies
+    #[arg(long)]
+    environment: Option<PathBuf>,
+    /// How the directions lie on it
+    #[arg(long, value_enum, default_value = "latlong", requires = "environment")]
+    layout: Layouts,
+}
+
+/// Draws the chapter's pictures.
+pub fn draw(stage: &Stage) -> Drawn {
+    let tile = stage.tile(2, 1.6);
+    let samples = 2 * tile.samples;
+    let film = Film { samples, ..tile };
+    let maps = skies::FOUR.map(|sky| skies::map(sky, 1024));
+    let under = |map: &Image| picture(&film, Box::new(Environment::new(map.clone())));
+    let [day, sunset, overcast, studio] = &maps;
+    let lit = [
+        under(day)?,
+        under(sunset)?,
+        under(overcast)?,
+        under(studio)?,
+    ];
+    let caption = "Nothing shines here but the map: a clear day, a sunset, an overcast sky, a studio with two softboxes.";
+    stage.picture("picture", caption, &quarters(&lit))?;
+
+    let caption = "The clear day in three layouts: latitude and longitude, a cube unfolded to a cross, and the angular map.";
+    stage.figure("layouts", caption, &layouts(day)?)?;
+
+    let samples = tile.samples.div_ceil(2);
+    let few = Film { samples, ..tile };
+    let uniform = Box::new(Everywhere(Environment::new(day.clone())));
+    let by_light = Box::new(Environment::new(day.clone()));
+    let tiles = [
+        ("uniform directions", picture(&few, uniform)?),
+        ("directions by their light", picture(&few, by_light)?),
+    ];
+    let caption = "Equally many samples of the clear day. More than half of the light on level ground is the sun's, which uniform directions hardly ever meet.";
+    stage.figure("importance", caption, &sheet(2, &tiles)?)
+}
+
+/// The still life under one light.
+fn picture(film: &Film, light: Box<dyn Light>) -> Result<Image, LookAtError> {
+    let (scene, aspect) = (still_life(light), film.aspect());
+    let camera = Pinhole::look_at(EYE, AT, Vec3::Y, 0.05, aspect)?;
+    let path = Path {
+        depth: 6,
+        sure: 3,
+        strategy: Strategy::Both,
+    };
+    let ray = |place| camera.ray_through(place);
+    Ok(even::render(film, |at, rng| {
+        path.radiance(&scene, &ray(at), rng)
+    }))
+}
+
+/// The chapter's binary.
+pub fn main() -> ExitCode {
+    chapter::run_with("ch18_environment", |stage, options: MapOptions| {
+        let Some(file) = options.environment else {
+            return draw(stage);
+        };
+        let light = Box::new(Environment::new(options.layout.unfold(&file::load(&file)?)));
+        let film = stage.film_of(960, 64, 1.6);
+        let caption = format!("Nothing shines here but {}.", file.display());
+        stage.picture("picture", &caption, &picture(&film, light)?)
+    })
+}

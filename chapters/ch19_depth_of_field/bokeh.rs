@@ -1,0 +1,52 @@
+//! What lamps out of focus look like through apertures of several shapes.
+
+use raybook::camera::{aperture::Aperture, pinhole::Pinhole, thin_lens::ThinLens};
+use raybook::image::Image;
+use crate::kit::sheet::sheet;
+use raybook::render::{film::Film, glints::add_glints, through_lens::through_lens};
+use raybook::scene::tea_table::{EYE, dusk, lamps};
+use glam::{Vec3, vec3};
+use std::error::Error;
+
+/// Where the lamps hang.
+const AT: Vec3 = vec3(0.1, 0.62, -4.0);
+
+/// The sky costs little, and can have so many times more samples than a scene.
+const SAMPLES: usize = 3;
+
+/// So many times as bright as at the table: this lens spreads their light over larger discs.
+const BRIGHTER: f32 = 1.8;
+
+/// The focal length, the f-number and the focus.
+const LENS: (f32, f32, f32) = (0.085, 1.8, 0.9);
+
+/// The lamps before the evening sky, once for each aperture.
+///
+/// # Errors
+/// If the tiles' names cannot be drawn.
+pub fn draw(tile: &Film) -> Result<Image, Box<dyn Error>> {
+    let film = &Film {
+        samples: SAMPLES * tile.samples,
+        ..*tile
+    };
+    let (focal_length, f_number, focus) = LENS;
+    let body = Pinhole::look_at(EYE, AT, Vec3::Y, focal_length, film.aspect())?;
+    let blades = |count, turn| Aperture::Blades { count, turn };
+    let mut lamps = lamps();
+    for lamp in &mut lamps {
+        lamp.intensity = lamp.intensity * BRIGHTER;
+    }
+    let mut tiles = Vec::new();
+    for (name, aperture) in [
+        ("round", Aperture::Round),
+        ("5 blades", blades(5, 0.3)),
+        ("6 blades", blades(6, 0.0)),
+        ("8 blades", blades(8, 0.2)),
+    ] {
+        let camera = ThinLens::new(&body, f_number, focus, aperture)?;
+        let mut picture = through_lens(film, &camera, |ray, _| dusk(ray));
+        add_glints(&mut picture, film, &camera, &lamps, |_, _| true);
+        tiles.push((name, picture));
+    }
+    sheet(4, &tiles)
+}

@@ -1,0 +1,101 @@
+//! One place through many cameras: pin holes of several widths, and fisheyes, with discs that show what they stretch.
+
+use raybook::camera::fisheye::{Fisheye, Projection};
+use raybook::camera::pinhole::{LookAtError, Pinhole};
+use raybook::camera::pose::Pose;
+use raybook::image::Image;
+use super::graticule;
+use crate::kit::sheet::sheet;
+use raybook::math::ray::Ray;
+use raybook::render::film::Film;
+use glam::{Vec2, Vec3};
+use std::error::Error;
+
+/// The ray of each place of a film; none where no light falls.
+pub type Rays<'a> = &'a (dyn Fn(Vec2) -> Option<Ray> + Sync);
+
+/// A pin-hole camera that sees so many degrees across.
+///
+/// # Errors
+/// As [`Pinhole::look_at`].
+pub fn wide(from: Vec3, toward: Vec3, degrees: f32, aspect: f32) -> Result<Pinhole, LookAtError> {
+    let camera = Pinhole::look_at(from, from + toward, Vec3::Y, 0.05, aspect)?;
+    let focal_length = 0.5 * camera.plane.x / (0.5 * degrees.to_radians()).tan();
+    Ok(Pinhole {
+        focal_length,
+        ..camera
+    })
+}
+
+/// Pin-hole cameras of three widths.
+///
+/// # Errors
+/// If a caption cannot be drawn.
+pub fn pinholes(
+    film: &Film,
+    from: Vec3,
+    photograph: impl Fn(&Film, Rays) -> Image,
+) -> Result<Image, Box<dyn Error>> {
+    let mut tiles = Vec::new();
+    for (name, degrees) in [("60° across", 60.0), ("100°", 100.0), ("150°", 150.0)] {
+        let camera = wide(from, Vec3::NEG_Z, degrees, film.aspect())?;
+        let rays = |place| Some(camera.ray_through(place));
+        tiles.push((name, marked(&photograph(film, &rays), &rays)));
+    }
+    sheet(3, &tiles)
+}
+
+/// Half the space in the four projections; and more than that, level, down and up.
+///
+/// # Errors
+/// If a caption cannot be drawn.
+pub fn fisheyes(
+    film: &Film,
+    from: Vec3,
+    photograph: impl Fn(&Film, Rays) -> Image,
+) -> Result<Image, Box<dyn Error>> {
+    let (ahead, down, up) = (Vec3::NEG_Z, Vec3::NEG_Y, Vec3::Y);
+    let views = [
+        ("equidistant, 180°", Projection::Equidistant, 180.0, ahead),
+        ("equisolid, 180°", Projection::Equisolid, 180.0, ahead),
+        (
+            "stereographic, 180°",
+            Projection::Stereographic,
+            180.0,
+            ahead,
+        ),
+        ("orthographic, 180°", Projection::Orthographic, 180.0, ahead),
+        ("equidistant, 360°", Projection::Equidistant, 360.0, ahead),
+        ("equisolid, 360°", Projection::Equisolid, 360.0, ahead),
+        (
+            "down, stereographic, 290°",
+            Projection::Stereographic,
+            290.0,
+            down,
+        ),
+        (
+            "up, stereographic, 290°",
+            Projection::Stereographic,
+            290.0,
+            up,
+        ),
+    ];
+    let mut tiles = Vec::new();
+    for (name, projection, view, toward) in views {
+        // Ahead is above where one looks down, and below where one looks up.
+        let above = if toward == ahead {
+            Vec3::Y
+        } else {
+            -toward.y * Vec3::NEG_Z
+        };
+        let stand = Pinhole::look_at(from, from + toward, above, 1.0, 1.0)?;
+        let camera = Fisheye::new(Pose::from(stand), projection, view, film.aspect())?;
+        let rays = |place| camera.ray_through(place);
+        tiles.push((name, marked(&photograph(film, &rays), &rays)));
+    }
+    sheet(4, &tiles)
+}
+
+fn marked(picture: &Image, rays: Rays) -> Image {
+    graticule::over(picture, |place| rays(place).map(|ray| ray.direction))
+}

@@ -1,0 +1,99 @@
+//! A ray can start anywhere and go anywhere, so a camera need not have an image plane. One whose film holds all directions
+//! takes a picture that is an environment map; a fisheye sees nearly as much, in a disc.
+//!
+//! New: camera/pose.rs camera/panorama.rs camera/fisheye.rs scene/pavilion.rs scene/summer.rs
+
+mod all_around;
+mod graticule;
+mod panorama_as_environment;
+mod panorama_map;
+mod projections;
+
+use raybook::camera::fisheye::Fisheye;
+use raybook::camera::{panorama::Panorama, pose::Pose};
+use raybook::image::{Image, rgb::Rgb};
+use all_around::Rays;
+use all_around::fisheyes;
+use all_around::pinholes;
+use crate::kit::chapter;
+use panorama_as_environment::lit;
+use panorama_as_environment::looks;
+use panorama_map::labelled;
+use panorama_map::with_lines;
+use crate::kit::{stage::Drawn, stage::Stage};
+use raybook::light::environment::Environment;
+use raybook::material::Material;
+use raybook::render::{film::Film, local::Local, shadow, whitted::Whitted};
+use raybook::scene::pavilion::{self, BEAMS, EYE};
+use raybook::scene::world::Scene;
+use std::process::ExitCode;
+
+#[derive(clap::Args)]
+struct PanoramaOptions {
+    /// Take the picture with a fisheye of this projection
+    #[arg(long, value_enum)]
+    projection: Option<projections::Named>,
+    /// The fisheye's view from rim to rim, in degrees
+    #[arg(long, default_value_t = 180.0, requires = "projection")]
+    view: f32,
+}
+
+/// Draws the chapter's pictures.
+pub fn draw(stage: &Stage) -> Drawn {
+    let (pose, scene) = (Pose::level(EYE), pavilion::scene());
+    let camera = Panorama { pose };
+    let take = |film: &Film, rays: Rays| photograph(&scene, film, rays);
+    let film = stage.film_of(960, 9, 2.0);
+    let picture = take(&film, &|place| Some(camera.ray_through(place)));
+    let caption = "All that is seen from one point. The left and the right edge are one line, behind the viewer; all of the top edge is one point above, and all of the bottom edge one below.";
+    stage.picture("picture", caption, &picture)?;
+    let caption = "The same with the lines of latitude and longitude. Each disc has a radius of 6°: towards the poles the map stretches them.";
+    stage.figure("graticule", caption, &labelled(&picture)?)?;
+    let caption = "The four beams are straight, and curves on the map. Prolonged for ever (dashed), a straight line is half of a great circle, and parallels meet at the horizon.";
+    let lines = with_lines(&picture, EYE, &BEAMS)?;
+    stage.figure("lines", caption, &lines)?;
+
+    let samples = film.samples.min(4);
+    let [wide, square] = [(3, 1.5), (4, 1.0)].map(|(columns, aspect)| Film {
+        samples,
+        ..stage.tile(columns, aspect)
+    });
+    let caption = "A pin-hole camera keeps lines straight, and for that it stretches what is far from the middle, without limit towards 180°. Each disc has a radius of 6°.";
+    stage.figure("pinhole", caption, &pinholes(&wide, EYE, take)?)?;
+    let caption = "Fisheyes: half of all directions in the four projections; nearly all, ahead, down and up. Each disc has a radius of 6°.";
+    stage.figure("fisheye", caption, &fisheyes(&square, EYE, take)?)?;
+
+    let around = Environment::new(picture);
+    let caption = "The panorama as an environment map, seen from the point where it was taken, and the scene itself. They differ along edges, by less than a pixel of the map.";
+    stage.figure("looks", caption, &looks(&wide, EYE, &around, take)?)?;
+    let caption = "Chapter 18's still life in the light of the panorama. On the right its sun is no brighter than white: there is next to no sunlight, and no shadow.";
+    stage.figure("light", caption, &lit(&stage.tile(2, 1.5), &around)?)
+}
+
+/// What of a scene is seen along the rays of a camera; where it has none, the film stays black.
+fn photograph(scene: &Scene<dyn Material>, film: &Film, rays: Rays) -> Image {
+    let local = Local {
+        samples: 1,
+        arrives: shadow::lit,
+    };
+    let whitted = Whitted { local, depth: 8 };
+    film.render(|place, rng| {
+        rays(place).map_or(Rgb::BLACK, |ray| whitted.radiance(scene, &ray, rng))
+    })
+}
+
+/// The chapter's binary.
+pub fn main() -> ExitCode {
+    chapter::run_with("ch20_panorama", |stage, options: PanoramaOptions| {
+        let Some(projections::Named(projection)) = options.projection else {
+            return draw(stage);
+        };
+        let (pose, film) = (Pose::level(EYE), stage.film_of(720, 9, 1.0));
+        let camera = Fisheye::new(pose, projection, options.view, film.aspect())?;
+        let picture = photograph(&pavilion::scene(), &film, &|place| {
+            camera.ray_through(place)
+        });
+        let caption = format!("{} degrees by a fisheye.", options.view);
+        stage.picture("picture", &caption, &picture)
+    })
+}

@@ -1,0 +1,85 @@
+//! What a panorama is good for as an environment map: it shows its scene again, and it lights others.
+
+use raybook::camera::pinhole::{LookAtError, Pinhole};
+use raybook::image::{Image, tone};
+use super::{all_around::Rays, all_around::wide};
+use crate::shared::even;
+use crate::kit::sheet::sheet;
+use raybook::light::environment::Environment;
+use raybook::render::{film::Film, mis::Strategy, path::Path};
+use raybook::scene::still_life::{AT, still_life};
+use glam::{Vec3, vec3};
+use std::error::Error;
+
+/// The directions of the looks, by their names.
+const LOOKS: [(&str, Vec3); 3] = [
+    ("ahead", vec3(0.0, -0.2, -1.0)),
+    ("right", vec3(1.0, -0.12, 0.15)),
+    ("up and back", vec3(-0.25, 0.75, 0.6)),
+];
+
+/// Three looks from the point where the panorama was taken, side by side: as a pin-hole camera takes them, below as the
+/// environment shows them, and below that how they differ.
+///
+/// # Errors
+/// If a caption cannot be drawn.
+pub fn looks(
+    film: &Film,
+    from: Vec3,
+    environment: &Environment,
+    photograph: impl Fn(&Film, Rays) -> Image,
+) -> Result<Image, Box<dyn Error>> {
+    let [mut rendered, mut cut, mut off] = [Vec::new(), Vec::new(), Vec::new()];
+    for (name, toward) in LOOKS {
+        let camera = wide(from, toward, 85.0, film.aspect())?;
+        let real = photograph(film, &|place| Some(camera.ray_through(place)));
+        let seen =
+            film.render(|place, _| environment.radiance(camera.ray_through(place).direction));
+        off.push(("difference", difference(&real, &seen)));
+        rendered.push((name, real));
+        cut.push(("cut out of the panorama", seen));
+    }
+    sheet(3, &[rendered, cut, off].concat())
+}
+
+/// White where two pictures are the same for a display, darker where they are not.
+fn difference(a: &Image, b: &Image) -> Image {
+    Image::from_fn(a.width(), a.height(), |x, y| {
+        let [a, b] = [a, b].map(|image| tone::clamp(image.at(x, y)));
+        let off = a + b * -1.0;
+        off.map(|v| 1.0 - v.abs())
+    })
+}
+
+/// The still life with nothing but the panorama around it: as it is, and with all that is brighter than white cut off.
+///
+/// # Errors
+/// If a caption cannot be drawn.
+pub fn lit(film: &Film, panorama: &Environment) -> Result<Image, Box<dyn Error>> {
+    let clamped = Environment::new(panorama.map().map(tone::clamp));
+    let tile = |light: Environment, samples| {
+        let film = Film { samples, ..*film };
+        photograph(&film, light)
+    };
+    let tiles = [
+        // A small sun is noisier than a sky.
+        ("the panorama", tile(panorama.clone(), 5 * film.samples)?),
+        ("cut off at white", tile(clamped, 3 * film.samples)?),
+    ];
+    sheet(2, &tiles)
+}
+
+fn photograph(film: &Film, light: Environment) -> Result<Image, LookAtError> {
+    /// Nearer than in chapter 18, so that more of the panorama is seen.
+    const EYE: Vec3 = vec3(0.5, 1.2, 4.3);
+    let camera = Pinhole::look_at(EYE, AT, Vec3::Y, 0.024, film.aspect())?;
+    let scene = still_life(Box::new(light));
+    let path = Path {
+        depth: 4,
+        sure: 2,
+        strategy: Strategy::Both,
+    };
+    Ok(even::render(film, |place, rng| {
+        path.radiance(&scene, &camera.ray_through(place), rng)
+    }))
+}

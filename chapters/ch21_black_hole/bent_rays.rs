@@ -1,0 +1,107 @@
+//! The figure of rays that pass a black hole at many distances.
+
+use raybook::image::Image;
+use crate::kit::{figure::Canvas, figure::FONT, figure::figure};
+use crate::kit::{palette::BLUE, palette::INK, palette::VERMILION};
+use raybook::render::curved::follow::{Fate, follow};
+use raybook::render::curved::geodesic::{between, geodesic_step};
+use raybook::render::curved::{HORIZON, PHOTON_SPHERE, Photon};
+use glam::{DVec2, DVec3, dvec2, dvec3};
+use plotters::element::{Circle, PathElement, Rectangle, Text};
+use plotters::prelude::{Color, IntoFont, RGBColor, WHITE};
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use std::error::Error;
+use std::ops::ControlFlow;
+
+/// Size of the figure in pixels, and of its canvas.
+const SIZE: [u32; 2] = [960, 560];
+const MIDDLE: DVec2 = DVec2::new(960.0, 560.0);
+
+/// Pixels of the canvas per radius of the hole.
+const SCALE: f64 = 96.0;
+
+/// From so far to the left the rays come.
+const LEFT: f64 = -60.0;
+
+/// Between the impact parameters of neighbours, the first being half of it.
+const APART: f64 = 0.4;
+
+/// Points of the curve in each piece of a ray.
+const FINE: u32 = 6;
+
+/// Rays from the left, coloured by what becomes of them.
+///
+/// # Errors
+/// If plotters cannot draw.
+pub fn draw() -> Result<Image, Box<dyn Error>> {
+    figure(SIZE[0], SIZE[1], |canvas| {
+        for i in 0..15 {
+            let b = APART * (f64::from(i) + 0.5);
+            for side in [-b, b] {
+                ray(canvas, side)?;
+            }
+        }
+        // The one that goes around: a hair outside the critical impact parameter.
+        ray(canvas, 2.5981)?;
+        let centre = pixel(DVec3::ZERO);
+        let radius = |r: f64| (SCALE * r) as i32;
+        canvas.draw(&Circle::new(centre, radius(HORIZON), INK.filled()))?;
+        let sphere = Circle::new(centre, radius(PHOTON_SPHERE), INK.stroke_width(3));
+        canvas.draw(&sphere)?;
+        label(canvas, "horizon", centre, WHITE)?;
+        let beside = (centre.0 + radius(2.9), centre.1);
+        let [wide, high] = [130, 26];
+        let corners = [
+            (beside.0 - wide, beside.1 - high),
+            (beside.0 + wide, beside.1 + high),
+        ];
+        canvas.draw(&Rectangle::new(corners, WHITE.filled()))?;
+        label(canvas, "photon sphere", beside, INK)
+    })
+}
+
+/// One ray: blue if it escapes; if it falls, orange and down to the horizon.
+fn ray(canvas: &Canvas, b: f64) -> Result<(), Box<dyn Error>> {
+    let mut points = Vec::new();
+    let mut last = Photon {
+        x: dvec3(LEFT, b, 0.0),
+        v: DVec3::X,
+    };
+    let fate = follow(last, 1e-8, |piece| {
+        let share = |i| f64::from(i) / f64::from(FINE);
+        points.extend((0..=FINE).map(|i| between(&piece.from, &piece.to, piece.step, share(i))));
+        last = piece.to;
+        ControlFlow::Continue(())
+    });
+    let colour = if matches!(fate, Fate::Escaped(_)) {
+        BLUE
+    } else {
+        while last.x.length() > HORIZON {
+            (last, _) = geodesic_step(last, 0.01);
+            points.push(last.x);
+        }
+        VERMILION
+    };
+    // What is outside would be drawn along the edge.
+    let inside = |p: &DVec3| p.x.abs() < MIDDLE.x / SCALE && p.y.abs() < MIDDLE.y / SCALE;
+    let points: Vec<_> = points.into_iter().filter(inside).map(pixel).collect();
+    canvas.draw(&PathElement::new(points, colour.stroke_width(3)))?;
+    Ok(())
+}
+
+fn pixel(p: DVec3) -> (i32, i32) {
+    let at = MIDDLE + SCALE * dvec2(p.x, -p.y);
+    (at.x.round() as i32, at.y.round() as i32)
+}
+
+fn label(
+    canvas: &Canvas,
+    text: &'static str,
+    at: (i32, i32),
+    colour: RGBColor,
+) -> Result<(), Box<dyn Error>> {
+    let middle = Pos::new(HPos::Center, VPos::Center);
+    let style = (FONT, 32).into_font().color(&colour).pos(middle);
+    canvas.draw(&Text::new(text, at, style))?;
+    Ok(())
+}

@@ -1,0 +1,55 @@
+//! A black hole beside what it would look like if light went straight on.
+
+use raybook::camera::pinhole::Pinhole;
+use raybook::image::{Image, rgb::Rgb};
+use crate::kit::sheet::sheet;
+use raybook::math::{interval::Interval, ray::Ray};
+use raybook::render::{curved::black_hole::BlackHole, film::Film};
+use raybook::shape::{Shape, sphere::Sphere};
+use glam::Vec3;
+use std::error::Error;
+
+/// The hole without gravity, and with it, in this exposure.
+///
+/// # Errors
+/// If a caption cannot be drawn.
+pub fn compare(
+    film: &Film,
+    camera: &Pinhole,
+    hole: &BlackHole,
+    exposure: f32,
+) -> Result<Image, Box<dyn Error>> {
+    let tile = |radiance: &(dyn Fn(&Ray) -> Rgb + Sync)| {
+        film.render(|place, _| radiance(&camera.ray_through(place)) * exposure)
+    };
+    let tiles = [
+        (
+            "if light went straight on",
+            tile(&|ray| straight(hole, ray)),
+        ),
+        (
+            "as it is bent",
+            tile(&|ray| hole.radiance(ray.origin, ray.direction)),
+        ),
+    ];
+    sheet(2, &tiles)
+}
+
+/// The radiance along a straight ray: a black ball of radius 1, the disc in the plane y = 0, the sky.
+fn straight(hole: &BlackHole, ray: &Ray) -> Rgb {
+    let ball = Sphere::new(Vec3::ZERO, 1.0).hit(ray, Interval::AHEAD);
+    let behind = match ball {
+        Some(_) => Rgb::BLACK,
+        None => (hole.sky)(ray.direction),
+    };
+    let t = -ray.origin.y / ray.direction.y;
+    let at = ray.at(t);
+    let before_ball = t > 0.0 && ball.is_none_or(|hit| t < hit.t);
+    match hole.disc {
+        Some(disc) if before_ball && disc.holds(f64::from(at.length())) => {
+            let (glow, opacity) = disc.glow(at, 1.0);
+            behind.lerp(glow, opacity)
+        }
+        _ => behind,
+    }
+}

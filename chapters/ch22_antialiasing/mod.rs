@@ -1,0 +1,72 @@
+//! One ray per pixel turns edges into stairs, and stripes that are finer than a pixel into broad ones. Several rays and a
+//! weighted average help; how much depends on where in the pixel they are.
+//!
+//! New: sample/filter.rs sample/pattern/mod.rs sample/pattern/rows.rs sample/pattern/regular_grid.rs
+//! New: sample/pattern/rotated_grid.rs sample/pattern/random_pattern.rs sample/pattern/jittered.rs
+//! New: sample/pattern/neighbours.rs sample/pattern/dart_throwing.rs sample/pattern/poisson_disk.rs
+//! New: sample/pattern/n_rooks.rs sample/pattern/multi_jittered.rs sample/pattern/halton.rs sample/pattern/r2.rs
+//! New: sample/pattern/sobol.rs sample/pattern/owen.rs sample/pattern/best_candidate.rs
+//! New: render/supersample.rs scene/horizon.rs
+
+
+use crate::shared::horizon_view::HorizonView;
+use crate::lab::plot::Plot;
+use crate::lab::point_sets::PointSets;
+use crate::lab::polar::Polar;
+use crate::lab::{sheets, subject::Subject};
+use crate::kit::{stage::Drawn, stage::Stage};
+use crate::kit::{chapter, sheet::sheet};
+use raybook::render::{film::Film, supersample};
+use raybook::sample::pattern::{PATTERNS, find};
+use std::process::ExitCode;
+
+/// Draws the chapter's pictures.
+pub fn draw(stage: &Stage) -> Drawn {
+    let film = stage.film(16.0 / 9.0);
+    let view = HorizonView::new(film.aspect())?;
+    let grid = find("regular-grid").ok_or("there is a grid")?;
+    let jittered = find("jittered").ok_or("there is a jittered pattern")?;
+    let most = film.samples;
+    let ways = [(1, grid), (most.isqrt(), jittered), (most, jittered)];
+    let views = ways.map(|(samples, pattern)| {
+        let film = Film { samples, ..film };
+        supersample::supersample(&film, pattern, |place, rng| view.radiance(place, rng))
+    });
+    let caption = "One picture, from left to right with one ray through the middle of each pixel, and with 4 and 16 jittered ones. With one ray the far squares make a pattern that \
+        is not there, and the edges are stairs; with sixteen the squares melt into grey, as they should.";
+    stage.picture("picture", caption, &sheets::bands(&views))?;
+
+    let subjects: Vec<_> = PATTERNS.iter().map(Subject::of).collect();
+    let all = PointSets {
+        subjects: &subjects,
+        n: 64,
+        columns: 4,
+    };
+    let caption = "Sixty-four points in a pixel, placed in twelve ways. Random points crowd and leave gaps; all the others try not to, \
+        and differ in what else they give up.";
+    stage.figure("patterns", caption, &all.image()?)?;
+
+    let named = "regular-grid rotated-grid random jittered poisson-disk sobol-owen".split(' ');
+    let named: Vec<_> = named.filter_map(find).map(Subject::of).collect();
+    let tile = stage.tile(named.len() as u32, 1.0);
+    let (columns, tiles) = sheets::zone_plates(&tile, &named, &[1, 4, 16]);
+    let caption = "Rings that become finer to the right and downwards, from one to sixteen samples. A grid shows rings that are not \
+        there, as bright as the true ones; randomness turns them into noise, and the better patterns leave little of both.";
+    let figure = sheet(columns, &sheets::named(&tiles))?;
+    stage.figure("zone_plates", caption, &figure)?;
+
+    let caption = "How far four samples are off, on average, when an edge at that angle passes through the pixel. The rotated grid is not better than \
+        the regular one in the mean, but its worst angles are away from the axes, where pictures have most of their edges.";
+    let figure = Polar::measure(&named[..5], 4, 100).image()?;
+    stage.figure("edges", caption, &figure)?;
+
+    let caption = "The same sixteen samples a pixel, averaged by four filters: the wider ones see the neighbours' samples too. Below the \
+        filters themselves; Mitchell's goes below 0, which makes edges crisp.";
+    let figure = sheets::filters(&stage.tile(4, 1.0), jittered)?;
+    stage.figure("filters", caption, &figure)
+}
+
+/// The chapter's binary.
+pub fn main() -> ExitCode {
+    chapter::run("ch22_antialiasing", draw)
+}

@@ -1,0 +1,73 @@
+//! Most pixels show one surface, and a few rays are enough for them; edges and fine patterns need many. So look a few times
+//! everywhere, and again where the samples differ.
+//!
+//! New: render/needs_more.rs render/budget.rs render/adaptive.rs
+
+
+use crate::shared::horizon_view::HorizonView;
+use crate::lab::{adaptive_gain::map, adaptive_gain::measure, adaptive_gain::spent};
+use crate::lab::plot::Plot as _;
+use crate::kit::{stage::Drawn, stage::Stage};
+use crate::kit::{chapter, sheet::sheet};
+use raybook::render::adaptive::{Limits, adaptive, by_budget};
+use raybook::render::{film::Film, needs_more::Enough};
+use raybook::sample::pattern::find;
+use std::process::ExitCode;
+
+/// Draws the chapter's pictures.
+pub fn draw(stage: &Stage) -> Drawn {
+    let film = stage.film(16.0 / 9.0);
+    let view = HorizonView::new(film.aspect())?;
+    let see = |place, rng: &mut _| view.radiance(place, rng);
+    let limits = Limits {
+        first: 4,
+        most: 4 * film.samples.max(2),
+    };
+    let mean = film.samples.max(6);
+    let done = by_budget(&film, limits.first, mean, see);
+    let caption = format!(
+        "The scene of chapter 22 with {} in the mean: {} at first, and the others where those differ.",
+        spent(&done),
+        limits.first
+    );
+    stage.picture("picture", &caption, &done.picture)?;
+
+    let small = stage.tile(2, 16.0 / 9.0);
+    let rules = [
+        (
+            "by contrast",
+            adaptive(&small, limits, &Enough::BY_CONTRAST, see),
+        ),
+        (
+            "by variance",
+            adaptive(&small, limits, &Enough::by_variance(0.01), see),
+        ),
+        ("a budget of 12", by_budget(&small, limits.first, 12, see)),
+    ];
+    let mut tiles = vec![("the picture".to_owned(), rules[2].1.picture.clone())];
+    for (name, done) in &rules {
+        tiles.push((format!("{name}: {}", spent(done)), map(&done.spent, limits)));
+    }
+    let tiles: Vec<_> = tiles
+        .iter()
+        .map(|(name, tile)| (name.as_str(), tile.clone()))
+        .collect();
+    let caption = "Where the rays went, from dark blue for the fewest to yellow for the most. Contrast sees the dark squares' edges as well as the \
+        bright ones'; variance cares for what is bright; a budget spends what it is given.";
+    stage.figure("spent", caption, &sheet(2, &tiles)?)?;
+
+    let sobol = find("sobol-owen").ok_or("there is Sobol's pattern")?;
+    let film = Film {
+        width: 160,
+        height: 90,
+        ..film
+    };
+    let caption = "The error of the whole picture against the rays per pixel. With a budget, the same error costs half the rays. By contrast alone, \
+        pixels whose first four samples agree by chance stay wrong, however many the others get.";
+    stage.figure("error", caption, &measure(&film, sobol, 256, &see).image()?)
+}
+
+/// The chapter's binary.
+pub fn main() -> ExitCode {
+    chapter::run("ch23_adaptive", draw)
+}

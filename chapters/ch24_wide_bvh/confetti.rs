@@ -1,0 +1,141 @@
+//! A teapot in a heap of confetti, in the light of the sky: many small triangles, and many rays for each pixel.
+
+use raybook::accel::Accel;
+use raybook::camera::pinhole::Pinhole;
+use raybook::image::{Image, rgb::Rgb};
+use crate::shared::outdoors;
+use crate::kit::{palette::BLUE, palette::GREEN, palette::ORANGE, palette::PURPLE, palette::SKY, palette::VERMILION, palette::linear};
+use raybook::math::{basis::Basis, dir3::Dir3, interval::Interval, pcg, ray::Ray};
+use raybook::render::film::Film;
+use raybook::shape::mesh::Facet;
+use raybook::shape::{Hit, Shape, Surface, mesh::Mesh, plane::Plane, teapot};
+use glam::{Vec3, vec3};
+use rand::{Rng, RngExt};
+use std::f32::consts::TAU;
+
+/// A teapot, and so many pieces of paper on and around it.
+pub struct Confetti {
+    /// All of it, in metres; the floor is at y = 0.
+    pub mesh: Mesh,
+    /// Facets with a lower number belong to the teapot.
+    teapot: u32,
+}
+
+impl Confetti {
+    /// A heap of n pieces, and a few still in the air.
+    pub fn new(n: u32) -> Self {
+        let teapot = teapot::mesh(24);
+        let bounds = teapot.bounds();
+        let size = bounds.size().max_element();
+        let ground = bounds.center().with_y(bounds.min.y);
+        let place = |p: &Vec3| (p - ground) / size;
+        let mut positions: Vec<_> = teapot.positions().iter().map(place).collect();
+        let mut triangles = teapot.triangles().to_vec();
+        let mut normals = teapot.normals().to_vec();
+        let mut rng = pcg::stream(24, 0);
+        for i in 0..n + n / 60 {
+            let at = if i < n {
+                let far = 2.6 * rng.random::<f32>().sqrt();
+                let heap = 0.16 * (-far * far).exp() + 0.012;
+                let turn = TAU * rng.random::<f32>();
+                let up = heap * rng.random::<f32>();
+                vec3(far * turn.cos(), up, far * turn.sin())
+            } else {
+                let wide = |rng: &mut pcg::Pcg| 2.0 * (rng.random::<f32>() - 0.5);
+                vec3(wide(&mut rng), 1.5 * rng.random::<f32>(), wide(&mut rng))
+            };
+            let flat = if i < n { 0.35 } else { 1.0 };
+            let first = positions.len() as u32;
+            for _ in 0..3 {
+                let d = Vec3::from_array(std::array::from_fn(|_| rng.random::<f32>() - 0.5));
+                positions.push((at + 0.024 * d * vec3(1.0, flat, 1.0)).max(vec3(-9.0, 0.0, -9.0)));
+                normals.push(Dir3::Y);
+            }
+            triangles.push([first, first + 1, first + 2]);
+        }
+        Self {
+            mesh: Mesh::new(positions, triangles, Some(normals), None)
+                .unwrap_or_else(|error| unreachable!("confetti is finite: {error}")),
+            teapot: teapot.triangles().len() as u32,
+        }
+    }
+
+    /// The picture, and how many rays it takes.
+    pub fn picture(&self, film: &Film, accel: &impl Accel<Facet>) -> (Image, u64) {
+        let rays = std::sync::atomic::AtomicU64::new(0);
+        let camera = camera(film.aspect());
+        let image = film.render(|place, rng| {
+            let ray = camera.ray_through(place);
+            let (radiance, cast) = self.radiance(&ray, accel, rng);
+            rays.fetch_add(cast, std::sync::atomic::Ordering::Relaxed);
+            radiance
+        });
+        (image, rays.into_inner())
+    }
+
+    /// What a ray sees: paper, porcelain or floor, in the light of sky and sun; and how many rays that takes.
+    fn radiance(&self, ray: &Ray, accel: &impl Accel<Facet>, rng: &mut impl Rng) -> (Rgb, u64) {
+        /// Rays towards the sky.
+        const TOWARD_SKY: u8 = 6;
+        let floor = Plane::through(Vec3::ZERO, Dir3::Y);
+        let (colour, at) = match accel.closest(ray, Interval::AHEAD) {
+            Some((_, hit)) => (self.colour(&hit), self.mesh.surface(ray, &hit)),
+            None => match floor.hit(ray, Interval::AHEAD) {
+                Some(hit) => (Rgb::new(0.42, 0.40, 0.38), floor.surface(ray, &hit)),
+                None => return (outdoors::sky(ray.direction), 1),
+            },
+        };
+        let inward = at.normal.dot(*ray.direction) > 0.0;
+        let normal = if inward { -at.normal } else { at.normal };
+        let open = |toward: Dir3| !accel.any(&at.leave(toward), Interval::AHEAD);
+        let mut light = Rgb::BLACK;
+        for _ in 0..TOWARD_SKY {
+            let toward = up(normal, rng);
+            if toward.y > 0.0 && open(toward) {
+                light += Rgb::new(0.52, 0.61, 0.74) / f32::from(TOWARD_SKY);
+            }
+        }
+        let sun = Dir3::new_or(vec3(-0.55, 0.8, 0.45), Dir3::Y);
+        let facing = shading(&at, inward).dot(*sun).max(0.0);
+        if facing > 0.0 && open(sun) {
+            light += Rgb::new(0.95, 0.84, 0.66) * facing;
+        }
+        let distance = (at.position - ray.origin).length();
+        let far = (-(distance / 9.0).powi(4)).exp();
+        let seen = outdoors::sky(Dir3::new_or(ray.direction.with_y(0.0), Dir3::Y));
+        (seen.lerp(colour * light, far), 2 + u64::from(TOWARD_SKY))
+    }
+
+    fn colour(&self, hit: &Hit) -> Rgb {
+        if hit.id < self.teapot {
+            return Rgb::new(0.50, 0.56, 0.55);
+        }
+        let paper = [BLUE, ORANGE, GREEN, VERMILION, PURPLE, SKY];
+        linear(paper[(hit.id.wrapping_mul(2_654_435_761) >> 16) as usize % paper.len()])
+    }
+}
+
+fn shading(at: &Surface, inward: bool) -> Dir3 {
+    // Paper has no normals of its own: those of its corners only say up.
+    let smooth = if at.shading_normal == Dir3::Y {
+        at.normal
+    } else {
+        at.shading_normal
+    };
+    if inward { -smooth } else { smooth }
+}
+
+/// A direction around the normal, with a density in proportion to the cosine.
+fn up(normal: Dir3, rng: &mut impl Rng) -> Dir3 {
+    let (r2, turn) = (rng.random::<f32>(), TAU * rng.random::<f32>());
+    let r = r2.sqrt();
+    let local = vec3(r * turn.cos(), r * turn.sin(), (1.0 - r2).sqrt());
+    Dir3::new_or(Basis::around(normal).to_world(local), normal)
+}
+
+/// Looks at the heap from above its front.
+pub fn camera(aspect: f32) -> Pinhole {
+    let (from, to) = (vec3(0.5, 0.62, 1.35), vec3(0.02, 0.2, 0.0));
+    Pinhole::look_at(from, to, Vec3::Y, 0.045, aspect)
+        .unwrap_or_else(|error| unreachable!("the direction is fixed: {error}"))
+}

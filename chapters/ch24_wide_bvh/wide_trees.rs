@@ -1,0 +1,135 @@
+//! A binary tree and the wide one that is made of it, side by side.
+
+use raybook::accel::bvh::COST;
+use raybook::accel::bvh::build::flat::Node;
+use raybook::accel::bvh::build::{Method, build, cost::Cost};
+use raybook::accel::wide_bvh::collapse::{binary, children, collapse};
+use raybook::image::Image;
+use crate::kit::{figure::Canvas, figure::FONT, figure::figure};
+use crate::kit::{palette::BLUE, palette::FAINT, palette::INK, palette::ORANGE};
+use raybook::scene::soup::soup;
+use raybook::shape::Shape;
+use plotters::prelude::{Circle, Color, IntoFont, PathElement, Rectangle, Text, WHITE};
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use std::collections::BTreeMap;
+use std::error::Error;
+
+/// Leaves of the tree.
+const LEAVES: u32 = 40;
+
+/// The canvas, in its pixels, and where on it a tree is.
+const WIDTH: u32 = 1920;
+const HEIGHT: u32 = 1500;
+const TOP: [i32; 2] = [190, 1040];
+const STEP: [i32; 2] = [82, 130];
+
+/// What drawing returns.
+type Drawn = Result<(), Box<dyn Error>>;
+
+/// Above the binary tree, the branches that stay in blue; below what becomes of it.
+///
+/// # Errors
+/// If plotters cannot draw.
+pub fn draw() -> Result<Image, Box<dyn Error>> {
+    let boxes: Vec<_> = soup(LEAVES, 6).facets().iter().map(Shape::bounds).collect();
+    let nodes = binary(&build(&boxes, Method::Sweep, &Cost { most: 1, ..COST }));
+    let families = collapse(&nodes);
+    let wide: BTreeMap<_, _> = families
+        .into_iter()
+        .map(|f| (f.branch, f.children))
+        .collect();
+    let pairs = |i: u32| match nodes[i as usize].link.count {
+        0 => children(&nodes[i as usize]).to_vec(),
+        _ => Vec::new(),
+    };
+    let eight = |i: u32| wide.get(&i).cloned().unwrap_or_default();
+    figure(WIDTH / 2, HEIGHT / 2, |canvas| {
+        for (tree, below) in [&pairs as &dyn Fn(u32) -> Vec<u32>, &eight]
+            .into_iter()
+            .enumerate()
+        {
+            let mut picture = Picture {
+                canvas,
+                nodes: &nodes,
+                stays: &|i| wide.contains_key(&i),
+                below,
+                top: TOP[tree],
+                step: STEP[tree],
+                leaves: 0,
+            };
+            picture.node(0, 0)?;
+        }
+        let opened = nodes.len() - LEAVES as usize - wide.len();
+        let titles = [
+            format!(
+                "two children: {} branches above {LEAVES} leaves; {opened} of them give way",
+                LEAVES - 1
+            ),
+            format!("up to eight children: {} branches stay", wide.len()),
+        ];
+        for (title, top) in titles.iter().zip(TOP) {
+            let style = (FONT, 46).into_font().color(&INK);
+            let style = style.pos(Pos::new(HPos::Center, VPos::Center));
+            canvas.draw(&Text::new(
+                title.clone(),
+                (WIDTH as i32 / 2, top - 110),
+                style,
+            ))?;
+        }
+        Ok(())
+    })
+}
+
+struct Picture<'a, 'b> {
+    canvas: &'a Canvas<'b>,
+    nodes: &'a [Node],
+    stays: &'a dyn Fn(u32) -> bool,
+    below: &'a dyn Fn(u32) -> Vec<u32>,
+    top: i32,
+    step: i32,
+    /// How many leaves are drawn.
+    leaves: i32,
+}
+
+impl Picture<'_, '_> {
+    /// Draws what is below a node, and it; returns where it is.
+    fn node(&mut self, i: u32, depth: i32) -> Result<(i32, i32), Box<dyn Error>> {
+        let y = self.top + depth * self.step;
+        if self.nodes[i as usize].link.count > 0 {
+            let x = 60 + self.leaves * (WIDTH as i32 - 120) / (LEAVES as i32 - 1);
+            self.leaves += 1;
+            let corners = [(x - 13, y - 13), (x + 13, y + 13)];
+            self.canvas
+                .draw(&Rectangle::new(corners, ORANGE.filled()))?;
+            return Ok((x, y));
+        }
+        let below: Result<Vec<_>, _> = (self.below)(i)
+            .into_iter()
+            .map(|child| self.node(child, depth + 1))
+            .collect();
+        let below = below?;
+        let x = below.iter().map(|p| p.0).sum::<i32>() / below.len().max(1) as i32;
+        for place in below {
+            let line = vec![(x, y + 20), (place.0, place.1 - 14)];
+            self.canvas
+                .draw(&PathElement::new(line, INK.mix(0.45).stroke_width(3)))?;
+        }
+        self.branch(i, (x, y))?;
+        Ok((x, y))
+    }
+
+    fn branch(&self, i: u32, at: (i32, i32)) -> Drawn {
+        let (fill, rim) = if (self.stays)(i) {
+            (BLUE, BLUE)
+        } else {
+            (WHITE_FILL, FAINT)
+        };
+        self.canvas.draw(&Circle::new(at, 20, fill.filled()))?;
+        self.canvas
+            .draw(&Circle::new(at, 20, rim.stroke_width(5)))?;
+        Ok(())
+    }
+}
+
+/// The inside of a branch that gives way.
+const WHITE_FILL: plotters::style::RGBColor = WHITE;

@@ -1,0 +1,60 @@
+//! The words of a described scene as a figure.
+
+use raybook::image::Image;
+use crate::kit::{figure::SCALE, figure::figure, figure::text};
+use crate::kit::{palette::BLUE, palette::INK};
+use raybook_workbook::exercises::ch25_capstone::TraceQuestion;
+use raybook_workbook::row::Row;
+use plotters::style::text_anchor::HPos;
+use std::error::Error;
+
+/// The words of a question, line by line, each under what it is.
+///
+/// # Errors
+/// If plotters cannot draw.
+pub fn words(
+    width: usize,
+    height: usize,
+    question: &TraceQuestion,
+) -> Result<Image, Box<dyn Error>> {
+    let TraceQuestion { depth, ray, scene } = question;
+    let mut lines = vec![
+        (
+            "the exercise, and how many surfaces in a row",
+            format!("trace {depth}"),
+        ),
+        ("the ray: origin, direction", ray.write()),
+        (
+            "ambient light; backdrop below, above",
+            format!("{}   {}", scene.ambient.write(), scene.backdrop.write()),
+        ),
+        (
+            "how many lamps: place and intensity of each",
+            scene.lamps.write(),
+        ),
+        (
+            "how many things: shape and material of each",
+            scene.objects.len().to_string(),
+        ),
+    ];
+    lines.extend(scene.objects.iter().map(|object| ("", object.write())));
+    let rows: i32 = lines
+        .iter()
+        .map(|(title, _)| if title.is_empty() { 1 } else { 2 })
+        .sum();
+    let step = (SCALE as usize * height) as i32 / (rows + 1);
+    // The longest line is about 80 letters of half their height.
+    let size = (step * 9 / 10).min((SCALE as usize * width) as i32 / 39);
+    figure(width as u32, height as u32, |canvas| {
+        let mut y = step;
+        for (title, words) in &lines {
+            if !title.is_empty() {
+                text(canvas, title, (size, y), size, HPos::Left, BLUE)?;
+                y += step;
+            }
+            text(canvas, words, (2 * size, y), size, HPos::Left, INK)?;
+            y += step;
+        }
+        Ok(())
+    })
+}

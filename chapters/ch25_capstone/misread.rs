@@ -1,0 +1,79 @@
+//! What a ray tracer shows if it is wrong: some mistakes come down to another scene, here in the four scenes.
+
+use raybook::camera::pinhole::LookAtError;
+use raybook::image::{Image, rgb::Rgb, rms::rms};
+use crate::kit::{palette, sheet};
+use raybook::scene::description::{Description, Matter};
+use raybook::scene::four_scenes::{FOUR, Staged};
+use std::error::Error;
+
+/// A mistake.
+struct Misread {
+    /// What it does.
+    name: &'static str,
+    /// The number of the scene in which it is seen best.
+    scene: usize,
+    /// Turns the scene and its depth into those that a right ray tracer would have to be asked for the same picture.
+    how: fn(&mut Description, &mut u32),
+}
+
+/// One for each scene.
+const MISREAD: [Misread; 4] = [
+    Misread {
+        name: "ambient light forgotten",
+        scene: 0,
+        how: |scene, _| scene.ambient = Rgb::BLACK,
+    },
+    Misread {
+        name: "first lamp only",
+        scene: 1,
+        how: |scene, _| scene.lamps.truncate(1),
+    },
+    Misread {
+        name: "depth of 2, not 5",
+        scene: 2,
+        how: |_, depth| *depth = 2,
+    },
+    Misread {
+        name: "index turned round",
+        scene: 3,
+        how: |scene, _| {
+            for object in &mut scene.objects {
+                if let Matter::Glass(clear) = &mut object.matter {
+                    clear.index = 1.0 / clear.index;
+                }
+            }
+        },
+    },
+];
+
+/// Takes a picture of a scene with so many surfaces in a row, as the scene of this stage is seen.
+pub type Photograph<'a> = dyn Fn(&Staged, &Description, u32) -> Result<Image, LookAtError> + 'a;
+
+/// A row for each mistake: the right picture, the wrong one with its error, and the difference.
+///
+/// # Errors
+/// If a picture cannot be taken or a caption drawn.
+pub fn sheet(photograph: &Photograph) -> Result<Image, Box<dyn Error>> {
+    let mut tiles = Vec::new();
+    for misread in &MISREAD {
+        let staged = &FOUR[misread.scene];
+        let (mut scene, mut depth) = ((staged.scene)(), staged.depth);
+        let right = photograph(staged, &scene, depth)?;
+        (misread.how)(&mut scene, &mut depth);
+        let wrong = photograph(staged, &scene, depth)?;
+        let error = rms(&right, &wrong, |_, _| true);
+        let difference = Image::from_fn(right.width(), right.height(), |x, y| {
+            palette::signed(wrong.at(x, y).luminance() - right.at(x, y).luminance())
+        });
+        tiles.extend([
+            (staged.name.to_owned(), right),
+            (format!("{}: {error:.3}", misread.name), wrong),
+            ("difference".to_owned(), difference),
+        ]);
+    }
+    let titled = tiles
+        .iter()
+        .map(|(title, tile)| (title.as_str(), tile.clone()));
+    sheet::sheet(3, &titled.collect::<Vec<_>>())
+}

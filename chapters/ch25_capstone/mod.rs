@@ -1,0 +1,77 @@
+//! A whole ray tracer in one function: the radiance of a ray through a scene that is described on a line, in pictures of four
+//! scenes of rising difficulty.
+//!
+//! New: image/rms.rs scene/description.rs scene/four_scenes.rs render/trace.rs
+
+mod described;
+mod misread;
+
+use glam::{Vec2, Vec3};
+use raybook::camera::pinhole::{LookAtError, Pinhole};
+use raybook::image::Image;
+use crate::kit::{stage::Drawn, stage::Stage};
+use crate::kit::{chapter, sheet::sheet};
+
+use raybook::render::{film::Film, trace::trace};
+use raybook::scene::description::Description;
+use raybook::scene::four_scenes::{ASPECT, FOUR, Staged};
+use raybook_workbook::exercises::ch25_capstone::TraceQuestion;
+use std::process::ExitCode;
+
+/// Draws the chapter's pictures.
+pub fn draw(stage: &Stage) -> Drawn {
+    let tile = stage.tile(2, ASPECT);
+    let samples = tile.samples.min(9);
+    let film = Film { samples, ..tile };
+    let mut tiles = Vec::new();
+    for staged in &FOUR {
+        let picture = photograph(&film, staged, &(staged.scene)(), staged.depth)?;
+        tiles.push((staged.name, picture));
+    }
+    stage.picture(
+        "picture",
+        "Four scenes that a whole ray tracer is tried on: one lamp on balls and a plane; three lamps and their shadows; mirrors in mirrors; glass, with a bubble in the ball on the right.",
+        &sheet(2, &tiles)?,
+    )?;
+    let (easiest, shown) = (&FOUR[0], tiles.swap_remove(0).1);
+    let question = TraceQuestion {
+        depth: easiest.depth,
+        ray: camera(easiest)?.ray_through(Vec2::splat(0.5)),
+        scene: (easiest.scene)(),
+    };
+    let words = described::words(shown.width(), shown.height(), &question)?;
+    stage.figure(
+        "description",
+        "The easiest scene, and the line that describes it with the ray through its middle.",
+        &sheet(2, &[("the picture", shown), ("the question", words)])?,
+    )?;
+    let small = stage.tile(3, ASPECT);
+    let samples = small.samples.min(4);
+    let small = Film { samples, ..small };
+    stage.figure(
+        "mistakes",
+        "What a mistake looks like: the right picture, the wrong one with its error on a scale from 0 to 1, and where it is too bright (orange) or too dark (blue).",
+        &misread::sheet(&|staged, scene, depth| photograph(&small, staged, scene, depth))?,
+    )
+}
+
+fn camera(staged: &Staged) -> Result<Pinhole, LookAtError> {
+    let [from, to] = staged.view;
+    Pinhole::look_at(from, to, Vec3::Y, staged.focal_length, ASPECT)
+}
+
+/// The scene as its camera sees it.
+fn photograph(
+    film: &Film,
+    staged: &Staged,
+    scene: &Description,
+    depth: u32,
+) -> Result<Image, LookAtError> {
+    let camera = camera(staged)?;
+    Ok(film.render(|place, _| trace(scene, &camera.ray_through(place), depth)))
+}
+
+/// The chapter's binary.
+pub fn main() -> ExitCode {
+    chapter::run("ch25_capstone", draw)
+}

@@ -1,0 +1,92 @@
+//! Diagrams and plots, drawn by plotters with the font that comes along.
+
+use plotters::coord::Shift;
+use plotters::prelude::{
+    BitMapBackend, DrawingArea, IntoDrawingArea, IntoFont, RGBColor, Text, WHITE,
+};
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use raybook::image::{Image, rgb::Rgb, tone};
+use std::error::Error;
+use std::sync::Once;
+
+/// What a figure is drawn on.
+pub type Canvas<'a> = DrawingArea<BitMapBackend<'a>, Shift>;
+
+/// The font family of every figure: `DejaVu` Sans, which knows Greek and mathematics.
+pub const FONT: &str = "sans-serif";
+
+/// How many pixels of the canvas make one of the figure, in each direction; their mean smooths the edges.
+pub const SCALE: u32 = 2;
+
+/// A figure of so many pixels, drawn on white.
+///
+/// The canvas is [`SCALE`] times as wide and high, and sizes of text and lines are in *its* pixels.
+///
+/// # Errors
+/// What `draw` or plotters reports.
+pub fn figure(
+    width: u32,
+    height: u32,
+    draw: impl FnOnce(&Canvas) -> Result<(), Box<dyn Error>>,
+) -> Result<Image, Box<dyn Error>> {
+    register_font();
+    let (wide, high) = (SCALE * width, SCALE * height);
+    let mut bytes = vec![0; (wide * high * 3) as usize];
+    {
+        let canvas = BitMapBackend::with_buffer(&mut bytes, (wide, high)).into_drawing_area();
+        canvas.fill(&WHITE)?;
+        draw(&canvas)?;
+        canvas.present()?;
+    }
+    let linear: Vec<f32> = (0..=255_u8)
+        .map(|code| tone::decode_srgb(f32::from(code) / 255.0))
+        .collect();
+    let pixel = |x: usize, y: usize| {
+        let i = 3 * (y * wide as usize + x);
+        Rgb::new(
+            linear[bytes[i] as usize],
+            linear[bytes[i + 1] as usize],
+            linear[bytes[i + 2] as usize],
+        )
+    };
+    let scale = SCALE as usize;
+    Ok(Image::from_fn(width as usize, height as usize, |x, y| {
+        let sum: Rgb = (0..scale * scale)
+            .map(|i| pixel(scale * x + i % scale, scale * y + i / scale))
+            .sum();
+        sum / (scale * scale) as f32
+    }))
+}
+
+/// A line of text on a canvas, anchored at the given end and at half its height.
+///
+/// # Errors
+/// If plotters cannot draw.
+pub fn text(
+    canvas: &Canvas,
+    text: &str,
+    at: (i32, i32),
+    size: i32,
+    end: HPos,
+    colour: RGBColor,
+) -> Result<(), Box<dyn Error>> {
+    let style = (FONT, size).into_font().color(&colour);
+    canvas.draw(&Text::new(text, at, style.pos(Pos::new(end, VPos::Center))))?;
+    Ok(())
+}
+
+/// Gives plotters its font, once.
+fn register_font() {
+    static ONCE: Once = Once::new();
+    ONCE.call_once(|| {
+        let font = include_bytes!("fonts/DejaVuSans.ttf");
+        let bold = include_bytes!("fonts/DejaVuSans-Bold.ttf");
+        for (style, bytes) in [
+            (plotters::style::FontStyle::Normal, &font[..]),
+            (plotters::style::FontStyle::Bold, &bold[..]),
+        ] {
+            let known = plotters::style::register_font(FONT, style, bytes);
+            assert!(known.is_ok(), "the font that comes along is a font");
+        }
+    });
+}

@@ -1,0 +1,85 @@
+//! `index.html`: every chapter's pictures, what they show, what is new, and the command that draws them.
+
+use crate::kit::stage::Output;
+use crate::kit::{html::figure, html::page};
+use crate::lesson::Lesson;
+use maud::{Markup, html};
+use raybook::image::file;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// A chapter that was drawn.
+pub struct Drawing {
+    /// The chapter.
+    pub lesson: &'static Lesson,
+    /// Its pictures.
+    pub outputs: Vec<Output>,
+    /// How long it took.
+    pub time: Duration,
+}
+
+/// Writes the gallery into the folder that holds the chapters' folders, and returns its path.
+///
+/// # Errors
+/// If the file cannot be written.
+pub fn write(folder: &Path, drawings: &[Drawing]) -> io::Result<PathBuf> {
+    let body = html! {
+        h1 { "raybook" }
+        p { "A ray-tracing course that you can run. Every picture here was drawn on this machine; click one to see it whole." }
+        nav { @for drawing in drawings { a href={ "#" (drawing.lesson.name) } { (drawing.lesson.chapter().number()) " " (drawing.lesson.chapter().title) } } }
+        @for drawing in drawings { (section(folder, drawing)) }
+    };
+    let page = page("raybook: the pictures", &body);
+    let path = folder.join("index.html");
+    file::write_whole(&path, page.as_bytes())?;
+    Ok(path)
+}
+
+fn section(folder: &Path, drawing: &Drawing) -> Markup {
+    let Drawing {
+        lesson,
+        outputs,
+        time,
+    } = drawing;
+    let chapter = lesson.chapter();
+    html! {
+        section id=(chapter.name) {
+            h2 { "Chapter " (chapter.number()) ": " (chapter.title) }
+            p { (lesson.teaches()) }
+            p {
+                "Run it: " code { "cargo run --release --bin " (chapter.name) }
+                " (" (format!("{:.1}", time.as_secs_f32())) " s here" (rays(outputs)) "). New in " code { "src/" } ": "
+                @for (i, file) in lesson.new_files().iter().enumerate() { @if i > 0 { ", " } code { (file) } }
+                "."
+            }
+            div class="figures" { @for output in outputs { (picture(folder, output)) } }
+        }
+    }
+}
+
+fn picture(folder: &Path, output: &Output) -> Markup {
+    let caption = html! {
+        (output.caption)
+        @if let Some(exr) = &output.exr { " (" a href=(link(folder, exr)) { "EXR" } ")" }
+    };
+    figure(&link(folder, &output.png), &output.caption, &caption)
+}
+
+/// ", 1.2 million rays a second": of the main picture, which is the first; nothing where no rays are counted.
+pub fn rays(outputs: &[Output]) -> String {
+    let rays = outputs.first().and_then(|output| output.rays);
+    rays.map_or_else(String::new, |rays| {
+        format!(", {:.1} million rays a second", 1e-6 * rays)
+    })
+}
+
+/// The file as a page in the folder names it, with forward slashes.
+fn link(folder: &Path, file: &Path) -> String {
+    let relative = file.strip_prefix(folder).unwrap_or(file);
+    relative
+        .components()
+        .map(|c| c.as_os_str().to_string_lossy())
+        .collect::<Vec<_>>()
+        .join("/")
+}

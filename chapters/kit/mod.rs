@@ -1,0 +1,15 @@
+//! What every chapter draws with.
+
+pub mod bars;
+pub mod chapter;
+pub mod figure;
+pub mod gallery;
+pub mod html;
+pub mod lines;
+pub mod options;
+pub mod palette;
+pub mod rate;
+pub mod say;
+pub mod sheet;
+pub mod sketch;
+pub mod stage;

@@ -1,0 +1,37 @@
+//! How many rays a second are followed while a chapter draws.
+
+use raybook::scene::tally;
+use std::cell::Cell;
+use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
+use std::time::Instant;
+
+thread_local! {
+    /// When this thread was last done with a tile.
+    static BEFORE: Cell<Option<Instant>> = const { Cell::new(None) };
+}
+
+/// Rays, and the time that they took, summed over the threads.
+#[derive(Debug, Default)]
+pub struct Rate {
+    rays: AtomicU64,
+    nanoseconds: AtomicU64,
+}
+
+impl Rate {
+    /// A tile is done, on this thread. A thread's first one does not count: nobody knows when it was begun.
+    pub fn tile(&self) {
+        let (rays, now) = (tally::take(), Instant::now());
+        if let Some(before) = BEFORE.replace(Some(now)) {
+            self.rays.fetch_add(rays, Relaxed);
+            let time = now.duration_since(before).as_nanos() as u64;
+            self.nanoseconds.fetch_add(time, Relaxed);
+        }
+    }
+
+    /// Rays per second of so many threads together, since last asked; `None` if there were none.
+    pub fn take(&self, threads: usize) -> Option<f64> {
+        let rays = self.rays.swap(0, Relaxed) as f64;
+        let seconds = 1e-9 * self.nanoseconds.swap(0, Relaxed) as f64;
+        (rays > 0.0 && seconds > 0.0).then(|| threads as f64 * rays / seconds)
+    }
+}

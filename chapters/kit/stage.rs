@@ -1,0 +1,150 @@
+//! The stage on which a chapter draws: its films, its progress, and where its pictures go.
+
+use crate::kit::{options::Options, rate::Rate};
+use indicatif::{ProgressBar, ProgressStyle};
+use raybook::image::{Image, codec, file};
+use raybook::render::film::Film;
+use std::cell::RefCell;
+use std::error::Error;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// What drawing a chapter returns.
+pub type Drawn = Result<(), Box<dyn Error>>;
+
+/// A picture that a chapter drew.
+#[derive(Clone, Debug)]
+pub struct Output {
+    /// The PNG.
+    pub png: PathBuf,
+    /// The linear radiance, where the picture has any.
+    pub exr: Option<PathBuf>,
+    /// What it shows, in a sentence or two.
+    pub caption: String,
+    /// How many rays a second were followed for it, where a scene was.
+    pub rays: Option<f64>,
+}
+
+/// Where one chapter draws its pictures.
+pub struct Stage {
+    options: Options,
+    folder: PathBuf,
+    show: bool,
+    advance: Box<dyn Fn(usize) + Sync>,
+    bar: ProgressBar,
+    rate: Arc<Rate>,
+    outputs: RefCell<Vec<Output>>,
+}
+
+impl Stage {
+    /// The stage of the chapter whose binary has this name; `bar` shows how far it is.
+    pub fn new(chapter: &str, options: Options, show: bool, bar: ProgressBar) -> Self {
+        bar.set_prefix(chapter.to_owned());
+        let rate = Arc::new(Rate::default());
+        let advance = Box::new({
+            let (bar, rate) = (bar.clone(), Arc::clone(&rate));
+            move |pixels| {
+                rate.tile();
+                bar.inc(pixels as u64);
+            }
+        });
+        Self {
+            folder: options.out.join(chapter),
+            options,
+            show,
+            advance,
+            bar,
+            rate,
+            outputs: RefCell::default(),
+        }
+    }
+
+    /// A film of the size and the samples that the options ask for; `aspect` is its width over its height.
+    pub fn film(&self, aspect: f32) -> Film<'_> {
+        self.film_of(960, 16, aspect)
+    }
+
+    /// As [`Stage::film`], for a chapter whose pictures take longer: with its own default width and samples.
+    pub fn film_of(&self, width: u32, samples: u32, aspect: f32) -> Film<'_> {
+        let width = self.options.width.unwrap_or(width) as usize;
+        let film = Film {
+            width,
+            height: ((width as f32 / aspect).round() as usize).max(1),
+            samples: self.options.samples.unwrap_or(samples) as usize,
+            seed: self.options.seed,
+            threads: self.options.threads(),
+            progress: &*self.advance,
+        };
+        self.bar.inc_length((film.width * film.height) as u64);
+        film
+    }
+
+    /// The folder that holds the chapter's pictures.
+    pub fn folder(&self) -> &Path {
+        &self.folder
+    }
+
+    /// As [`Stage::film`], for one of so many tiles side by side: a sheet of them is about as wide as a picture.
+    pub fn tile(&self, columns: u32, aspect: f32) -> Film<'_> {
+        let mut film = self.film(aspect);
+        film.width = (film.width / columns as usize).max(1);
+        film.height = ((film.width as f32 / aspect).round() as usize).max(1);
+        film
+    }
+
+    /// Writes a picture of radiance: `name.exr` keeps it, `name.png` clamps it to what a display shows.
+    ///
+    /// # Errors
+    /// If a file cannot be written.
+    pub fn picture(&self, name: &str, caption: &str, radiance: &Image) -> Drawn {
+        let exr = self.folder.join(name).with_extension("exr");
+        file::save(&exr, radiance)?;
+        self.write(name, caption, radiance, Some(exr))
+    }
+
+    /// Writes a figure, which is made for the display only: `name.png`.
+    ///
+    /// # Errors
+    /// If the file cannot be written.
+    pub fn figure(&self, name: &str, caption: &str, figure: &Image) -> Drawn {
+        self.write(name, caption, figure, None)
+    }
+
+    /// What has been drawn.
+    pub fn into_outputs(self) -> Vec<Output> {
+        self.bar.finish();
+        self.outputs.into_inner()
+    }
+
+    fn write(&self, name: &str, caption: &str, picture: &Image, exr: Option<PathBuf>) -> Drawn {
+        let rays = self.rate.take(self.options.threads());
+        let png = self.folder.join(name).with_extension("png");
+        file::save(&png, picture)?;
+        if self.show {
+            let shown = image::DynamicImage::ImageRgb8(codec::to_display(picture));
+            self.bar.suspend(|| {
+                viuer::print(
+                    &shown,
+                    &viuer::Config {
+                        absolute_offset: false,
+                        ..Default::default()
+                    },
+                )
+            })?;
+        }
+        self.outputs.borrow_mut().push(Output {
+            png,
+            exr,
+            caption: caption.to_owned(),
+            rays,
+        });
+        Ok(())
+    }
+}
+
+/// The bar of one chapter; invisible where the errors do not go to a terminal.
+pub fn progress_bar() -> ProgressBar {
+    let style = ProgressStyle::with_template("{prefix:<16} {bar:32} {percent:>3} %  {elapsed}")
+        .unwrap_or_else(|_| ProgressStyle::default_bar());
+    ProgressBar::new(0).with_style(style)
+}

@@ -1,0 +1,75 @@
+//! An edge through a pixel: how much of it is covered, and how far a pattern is off.
+
+use crate::lab::subject::Subject;
+use glam::{DVec2, Vec2};
+
+/// An edge's position is moved through the pixel in so many steps.
+const STEPS: u32 = 256;
+
+/// The half plane of points p with n·p < d, where n points at an angle, in radians, and d counts from the pixel's centre.
+#[derive(Clone, Copy, Debug)]
+pub struct Edge {
+    /// n.
+    pub normal: DVec2,
+    /// d, in pixels.
+    pub offset: f64,
+}
+
+impl Edge {
+    /// Whether a point of the unit square is covered.
+    pub fn covers(&self, p: Vec2) -> bool {
+        self.normal.dot(p.as_dvec2() - 0.5) < self.offset
+    }
+
+    /// How far the pixel reaches from its centre along n.
+    pub fn reach(normal: DVec2) -> f64 {
+        0.5 * normal.abs().element_sum()
+    }
+
+    /// The covered share of the unit square, exactly.
+    ///
+    /// Its derivative by d is the length of the edge in the square: 0 outside, constant between the two middle corners,
+    /// and linear in between. So the share is piecewise quadratic.
+    pub fn coverage(&self) -> f64 {
+        let (a, b) = (self.normal.x.abs(), self.normal.y.abs());
+        let (small, large) = (a.min(b), a.max(b));
+        let from_left = self.offset + 0.5 * (small + large); // 0 at the first corner
+        let width = small + large;
+        let corner = |t: f64| {
+            if small > 1e-12 {
+                t * t / (2.0 * small * large)
+            } else {
+                0.0
+            }
+        };
+        match from_left {
+            t if t <= 0.0 => 0.0,
+            t if t >= width => 1.0,
+            t if t < small => corner(t),
+            t if t > large => 1.0 - corner(width - t),
+            t => (t - 0.5 * small) / large,
+        }
+    }
+}
+
+/// The root of the mean squared error of the covered share, over all edges at this angle that pass through the pixel.
+pub fn rms(subject: &Subject, n: usize, angle: f64, realisations: u64) -> f64 {
+    let normal = DVec2::from_angle(angle);
+    let reach = Edge::reach(normal);
+    let realisations = subject.realisations(n, realisations);
+    let mut sum = 0.0;
+    for pixel in 0..realisations {
+        let points = subject.points(n, pixel);
+        let mut along: Vec<_> = points
+            .iter()
+            .map(|p| normal.dot(p.as_dvec2() - 0.5))
+            .collect();
+        along.sort_by(f64::total_cmp);
+        for step in 0..STEPS {
+            let offset = reach * (2.0 * (f64::from(step) + 0.5) / f64::from(STEPS) - 1.0);
+            let covered = along.partition_point(|&d| d < offset) as f64 / n as f64;
+            sum += (covered - Edge { normal, offset }.coverage()).powi(2);
+        }
+    }
+    (sum / (realisations * u64::from(STEPS)) as f64).sqrt()
+}

@@ -1,0 +1,130 @@
+//! Contact sheets of patterns and filters at work.
+
+use crate::kit::figure::figure;
+use crate::kit::sheet::sheet;
+use crate::kit::{palette::BLUE, palette::FAINT};
+use crate::lab::subject::Subject;
+use crate::lab::{targets, targets::Target};
+use glam::{Vec2, vec2};
+use plotters::prelude::{Color, PathElement};
+use raybook::image::{Image, rgb::Rgb};
+use raybook::render::{film::Film, supersample};
+use raybook::sample::filter::Filter;
+use raybook::sample::pattern::Pattern;
+use std::error::Error;
+
+/// Pictures of the same size as bands of one, from left to right, white lines between them.
+pub fn bands(pictures: &[Image]) -> Image {
+    let (width, height) = (pictures[0].width(), pictures[0].height());
+    let line = width.div_ceil(480);
+    Image::from_fn(width, height, |x, y| {
+        let band = x * pictures.len() / width;
+        let left = (band * width).div_ceil(pictures.len());
+        if band > 0 && x - left < line {
+            Rgb::WHITE
+        } else {
+            pictures[band].at(x, y)
+        }
+    })
+}
+
+/// A target as a film sees it through a pattern: in each pixel another realisation.
+pub fn view(film: &Film, subject: &Subject, target: Target) -> Image {
+    let pixels = film.width as f32;
+    film.render_pixels(|x, y, _| {
+        let points = subject.points(film.samples, (y * film.width + x) as u64);
+        let corner = vec2(x as f32, y as f32);
+        let seen = points
+            .iter()
+            .map(|p| target((corner + *p) / pixels, pixels));
+        seen.sum::<Rgb>() / film.samples as f32
+    })
+}
+
+/// The zone plate by each pattern, a row for each number of samples: how many tiles are in a row, and the tiles.
+pub fn zone_plates(
+    film: &Film,
+    subjects: &[Subject],
+    samples: &[usize],
+) -> (usize, Vec<(String, Image)>) {
+    targets_of(film, subjects, samples, targets::zone_plate)
+}
+
+/// A target by each pattern, a row for each number of samples.
+pub fn targets_of(
+    film: &Film,
+    subjects: &[Subject],
+    samples: &[usize],
+    target: Target,
+) -> (usize, Vec<(String, Image)>) {
+    let tiles = samples.iter().flat_map(|&samples| {
+        let film = Film { samples, ..*film };
+        subjects.iter().map(move |subject| {
+            let name = format!("{}, {samples}", subject.title());
+            (name, view(&film, subject, target))
+        })
+    });
+    (subjects.len(), tiles.collect())
+}
+
+/// The tiles as a sheet wants them.
+pub fn named(tiles: &[(String, Image)]) -> Vec<(&str, Image)> {
+    let named = tiles.iter();
+    named
+        .map(|tile| (tile.0.as_str(), tile.1.clone()))
+        .collect()
+}
+
+/// Each filter's picture of edges, enlarged, and below it the filter.
+///
+/// # Errors
+/// What plotters reports.
+pub fn filters(film: &Film, pattern: &Pattern) -> Result<Image, Box<dyn Error>> {
+    const TIMES: usize = 5;
+    let small = Film {
+        width: film.width.div_ceil(TIMES),
+        height: film.height.div_ceil(TIMES),
+        samples: 16,
+        ..*film
+    };
+    let pixels = small.width as f32;
+    let side = small.width * TIMES;
+    let mut tiles = Vec::new();
+    for filter in Filter::ALL {
+        let seen = supersample::filtered(&small, pattern, &filter, |place, _| {
+            targets::slanted_edge(place, pixels)
+        });
+        tiles.push((filter.name, seen.enlarged(TIMES)));
+    }
+    for filter in Filter::ALL {
+        tiles.push(("", profile(&filter, side as u32)?));
+    }
+    sheet(Filter::ALL.len(), &tiles)
+}
+
+/// The filter's weight along x, between the centres of the pixels two to the left and two to the right.
+fn profile(filter: &Filter, side: u32) -> Result<Image, Box<dyn Error>> {
+    figure(side, side, |canvas| {
+        let side = (2 * side) as f32;
+        let place = |x: f32, weight: f32| {
+            let on_canvas = vec2(0.5 + 0.22 * x, 0.85 - 0.72 * weight) * side;
+            (on_canvas.x as i32, on_canvas.y as i32)
+        };
+        let stroke = (side / 200.0).ceil() as u32;
+        for pixel in -2..=2 {
+            let x = pixel as f32;
+            let tick = vec![place(x, -0.03), place(x, 1.1)];
+            canvas.draw(&PathElement::new(tick, FAINT.stroke_width(stroke)))?;
+        }
+        let axis = vec![place(-2.2, 0.0), place(2.2, 0.0)];
+        canvas.draw(&PathElement::new(axis, FAINT.stroke_width(2 * stroke)))?;
+        let top = filter.weight(Vec2::ZERO);
+        let curve = (-220..=220).map(|i| {
+            let x = i as f32 / 100.0;
+            place(x, filter.weight(vec2(x, 0.0)) / top)
+        });
+        let curve = PathElement::new(curve.collect::<Vec<_>>(), BLUE.stroke_width(3 * stroke));
+        canvas.draw(&curve)?;
+        Ok(())
+    })
+}

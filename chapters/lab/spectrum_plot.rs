@@ -1,0 +1,128 @@
+//! A power spectrum as a picture, its mean over rings, and how much it varies within them.
+
+use crate::kit::figure::FONT;
+use crate::kit::{palette::BLUE, palette::FAINT, palette::INK};
+use crate::lab::spectrum::Spectrum;
+use crate::lab::{plot::Drawn, plot::Plot, plot::text};
+use plotters::coord::Shift;
+use plotters::prelude::{
+    ChartBuilder, Color, DrawingArea, DrawingBackend, IntoFont, LineSeries, RGBColor, Rectangle,
+    Text, WHITE,
+};
+use raybook::image::rgb::Rgb;
+use raybook::image::tone;
+use std::fmt::Write;
+
+/// Sides of the picture, in pixels of the canvas.
+const SIDE: i32 = 520;
+/// The space above it and to its left.
+const TOP: i32 = 90;
+const LEFT: i32 = 40;
+
+/// The spectrum of a pattern.
+pub struct SpectrumPlot {
+    /// The pattern's name, as people write it, and of how many points.
+    pub title: String,
+    /// The spectrum.
+    pub spectrum: Spectrum,
+}
+
+impl SpectrumPlot {
+    /// Black for no power, white for twice that of random points and more.
+    fn grey(&self, x: i32, y: i32) -> RGBColor {
+        let power = if x == 0 && y == 0 {
+            0.0 // always n: it says nothing
+        } else {
+            self.spectrum.at(x, y)
+        };
+        let Rgb { g, .. } = Rgb::gray((0.5 * power).clamp(0.0, 1.0) as f32).map(tone::encode_srgb);
+        let code = (255.0 * g).round() as u8;
+        RGBColor(code, code, code)
+    }
+}
+
+impl Plot for SpectrumPlot {
+    fn size(&self) -> (u32, u32) {
+        (1000, 330)
+    }
+
+    fn draw<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn
+    where
+        B::ErrorType: 'static,
+    {
+        let limit = self.spectrum.limit as i32;
+        let edge = |f: i32| (f + limit) * SIDE / (2 * limit + 1);
+        canvas.draw(&Text::new(
+            self.title.as_str(),
+            (LEFT + SIDE / 2, TOP / 2),
+            text(40),
+        ))?;
+        for y in -limit..=limit {
+            for x in -limit..=limit {
+                let corners = [
+                    (LEFT + edge(x), TOP + edge(y)),
+                    (LEFT + edge(x + 1), TOP + edge(y + 1)),
+                ];
+                canvas.draw(&Rectangle::new(corners, self.grey(x, y).filled()))?;
+            }
+        }
+        let (_, curves) = canvas.split_horizontally(LEFT + SIDE + 20);
+        let (radial, anisotropy) = curves.split_horizontally(700);
+        let power = self.spectrum.radial();
+        curve(&radial, "mean power", [0.0, 3.0], 1.0, &power)?;
+        let decibels: Vec<_> = self.spectrum.anisotropy();
+        let decibels: Vec<_> = decibels
+            .into_iter()
+            .map(|(r, a)| (r, 10.0 * a.max(1e-4).log10()))
+            .collect();
+        curve(&anisotropy, "anisotropy, dB", [-30.0, 20.0], 0.0, &decibels)
+    }
+
+    fn csv(&self) -> String {
+        let mut csv = "frequency,mean_power,anisotropy\n".to_owned();
+        let rings = self.spectrum.radial().into_iter();
+        for ((r, power), (_, anisotropy)) in rings.zip(self.spectrum.anisotropy()) {
+            let _ = writeln!(csv, "{r},{power},{anisotropy}");
+        }
+        csv
+    }
+}
+
+/// A curve over the frequency, what is beyond the range cut off, with a faint line at a level.
+fn curve<B: DrawingBackend>(
+    canvas: &DrawingArea<B, Shift>,
+    title: &str,
+    [low, high]: [f64; 2],
+    level: f64,
+    points: &[(f64, f64)],
+) -> Drawn
+where
+    B::ErrorType: 'static,
+{
+    let font = |size: u32| (FONT, size).into_font().color(&INK);
+    let right = points.last().map_or(1.0, |p| p.0);
+    let mut chart = ChartBuilder::on(canvas)
+        .margin(16)
+        .margin_right(40)
+        .caption(title, font(36))
+        .x_label_area_size(80)
+        .y_label_area_size(80)
+        .build_cartesian_2d(0.0..right, low..high)?;
+    chart
+        .configure_mesh()
+        .light_line_style(WHITE.mix(0.0))
+        .bold_line_style(FAINT.mix(0.3))
+        .x_labels(6)
+        .y_labels(6)
+        .x_label_formatter(&|f| format!("{f:.0}"))
+        .y_label_formatter(&|v| format!("{v:.0}"))
+        .x_desc("frequency, waves across the square")
+        .label_style(font(28))
+        .axis_desc_style(font(28))
+        .draw()?;
+    let line = [(0.0, level), (right, level)];
+    chart.draw_series(LineSeries::new(line, FAINT.stroke_width(4)))?;
+    let cut = points.iter().map(|&(r, v)| (r, v.clamp(low, high)));
+    chart.draw_series(LineSeries::new(cut, BLUE.stroke_width(5)))?;
+    Ok(())
+}

@@ -1,0 +1,132 @@
+//! Discs in the plane, some of them in a crowd, cells around them, and a ray that passes through: for grids and octrees. (Trees
+//! of boxes in the plane are in `flat_boxes.rs`.)
+
+use crate::kit::{figure::FONT, figure::SCALE, figure::figure};
+use crate::kit::{palette::BLUE, palette::INK, palette::ORANGE};
+use glam::{Vec3, vec3};
+use plotters::coord::{cartesian::Cartesian2d, types::RangedCoordf32};
+use plotters::prelude::{
+    BitMapBackend, ChartBuilder, ChartContext, Circle, Color, IntoFont, PathElement, Polygon,
+    RGBColor, Rectangle, Text,
+};
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use rand::RngExt;
+use raybook::image::Image;
+use raybook::math::pcg;
+use raybook::math::{aabb::Aabb, dir3::Dir3, ray::Ray};
+use std::error::Error;
+
+/// The scene is the square from 0 to this, in metres, at z = 0.
+pub const SIDE: f32 = 16.0;
+
+/// A disc's radius.
+const RADIUS: f32 = 0.07;
+
+/// The discs' boxes: a crowd at two places, and a few discs anywhere, none of them on the ray's way. They are as thick as a
+/// sheet of paper.
+pub fn discs() -> Vec<Aabb> {
+    let mut rng = pcg::stream(5, 1);
+    let mut disc = |center: Vec3, spread: f32| {
+        // The sum of three is nearly a normal distribution.
+        let mut wide = || (0..3).map(|_| rng.random::<f32>() - 0.5).sum::<f32>() * spread;
+        let p = center + vec3(wide(), wide(), 0.0);
+        let half = vec3(RADIUS, RADIUS, 0.0);
+        Aabb {
+            min: p - half,
+            max: p + half + 1e-4 * Vec3::Z,
+        }
+    };
+    let mut discs: Vec<_> = (0..70).map(|_| disc(vec3(11.6, 9.8, 0.0), 2.2)).collect();
+    discs.extend((0..22).map(|_| disc(vec3(3.4, 3.6, 0.0), 3.2)));
+    discs.extend((0..16).map(|_| disc(vec3(8.0, 8.0, 0.0), 10.0)));
+    let square = Aabb::of([Vec3::ZERO, vec3(SIDE, SIDE, 1.0)]);
+    discs.retain(|disc| {
+        let p = disc.center() - ray().origin;
+        let off = p.cross(*ray().direction).length();
+        square.contains(disc.min) && square.contains(disc.max) && off > 1.5 * RADIUS
+    });
+    discs
+}
+
+/// The ray: from the lower left to the upper right, through the edge of both crowds.
+pub fn ray() -> Ray {
+    let from = vec3(-0.6, 2.05, 5e-5);
+    Ray::new(from, Dir3::new_or(vec3(1.0, 0.53, 0.0), Dir3::X))
+}
+
+/// What drawing returns.
+pub type Drawn = Result<(), Box<dyn Error>>;
+
+/// The plane, to draw on.
+pub struct Plane<'a, 'b>(
+    ChartContext<'a, BitMapBackend<'b>, Cartesian2d<RangedCoordf32, RangedCoordf32>>,
+);
+
+/// A picture of the plane: what `cells` draws, and above it the discs and the ray.
+///
+/// # Errors
+/// What plotters reports.
+pub fn plane(cells: impl FnOnce(&mut Plane) -> Drawn) -> Result<Image, Box<dyn Error>> {
+    /// Pixels of the figure to a metre.
+    const ZOOM: f32 = 54.0;
+    let size = ((SIDE + 2.0) * ZOOM) as u32;
+    figure(size, size, |canvas| {
+        let view = -1.0..SIDE + 1.0;
+        let chart = ChartBuilder::on(canvas).build_cartesian_2d(view.clone(), view)?;
+        let mut plane = Plane(chart);
+        cells(&mut plane)?;
+        let (from, to) = (ray().origin, ray().at(19.6));
+        plane.arrow(from, to)?;
+        let radius = (RADIUS * ZOOM * SCALE as f32) as i32;
+        for disc in discs() {
+            let p = disc.center();
+            let dot = Circle::new((p.x, p.y), radius, INK.filled());
+            plane.0.draw_series([dot])?;
+        }
+        Ok(())
+    })
+}
+
+impl Plane<'_, '_> {
+    /// A cell, filled if a colour is given, with an outline so many pixels wide.
+    ///
+    /// # Errors
+    /// If plotters cannot draw; likewise below.
+    pub fn cell(&mut self, cell: &Aabb, fill: Option<(RGBColor, f64)>, line: u32) -> Drawn {
+        let corners = [(cell.min.x, cell.min.y), (cell.max.x, cell.max.y)];
+        if let Some((colour, opacity)) = fill {
+            let area = Rectangle::new(corners, colour.mix(opacity).filled());
+            self.0.draw_series([area])?;
+        }
+        let outline = Rectangle::new(corners, BLUE.mix(0.75).stroke_width(line));
+        self.0.draw_series([outline])?;
+        Ok(())
+    }
+
+    /// A visited cell: filled, with its number in the corner.
+    ///
+    /// # Errors
+    /// As for [`Plane::cell`].
+    pub fn visited(&mut self, cell: &Aabb, number: usize, line: u32) -> Drawn {
+        self.cell(cell, Some((ORANGE, 0.45)), line)?;
+        let size = (44.0 * cell.size().x).clamp(20.0, 44.0);
+        let corner = Pos::new(HPos::Left, VPos::Top);
+        let style = (FONT, size).into_font().color(&INK).pos(corner);
+        let inset = 0.06 * cell.size().x.min(1.0);
+        let place = (cell.min.x + inset, cell.max.y - inset);
+        self.0
+            .draw_series([Text::new(number.to_string(), place, style)])?;
+        Ok(())
+    }
+
+    fn arrow(&mut self, from: Vec3, to: Vec3) -> Drawn {
+        let along = (to - from).normalize();
+        let (back, side) = (to - 0.42 * along, 0.16 * vec3(-along.y, along.x, 0.0));
+        let shaft = [from, back].map(|p| (p.x, p.y));
+        let head = [to, back + side, back - side].map(|p| (p.x, p.y));
+        let line = PathElement::new(shaft, INK.stroke_width(5));
+        self.0.draw_series([line])?;
+        self.0.draw_series([Polygon::new(head, INK.filled())])?;
+        Ok(())
+    }
+}

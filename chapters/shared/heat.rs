@@ -1,0 +1,145 @@
+//! Heat maps: what each pixel's ray costs, with one scale for all accelerators.
+
+use crate::kit::sheet::sheet;
+use crate::kit::{figure::FONT, figure::SCALE, figure::figure};
+use crate::kit::{palette::INK, palette::viridis};
+use glam::{Vec2, vec2};
+use plotters::prelude::{Color, IntoFont, RGBColor, Rectangle, Text};
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use raybook::accel::{Accel, Tests};
+use raybook::image::{Image, rgb::Rgb, tone};
+use raybook::math::{interval::Interval, ray::Ray};
+use raybook::render::film::Film;
+use raybook::shape::mesh::Facet;
+use std::error::Error;
+
+/// The count that has the last colour; the scale is logarithmic, for a ray can cost a few tests or thousands.
+const MOST: f32 = 1000.0;
+
+/// What one ray through the middle of each pixel costs.
+pub struct Heat {
+    /// Boxes as red, shapes as green.
+    counts: Image,
+}
+
+/// Sends a ray through the middle of each pixel of the film and counts what the search for its hit tests.
+pub fn heat(film: &Film, ray: impl Fn(Vec2) -> Ray + Sync, accel: &impl Accel<Facet>) -> Heat {
+    let size = vec2(film.width as f32, film.height as f32);
+    let counts = film.render_pixels(|x, y, _| {
+        let ray = ray((vec2(x as f32, y as f32) + 0.5) / size);
+        let mut tests = Tests::default();
+        accel.closest_counted(&ray, Interval::AHEAD, &mut tests);
+        Rgb::new(tests.boxes as f32, tests.shapes as f32, 0.0)
+    });
+    Heat { counts }
+}
+
+impl Heat {
+    /// All rays' tests together.
+    pub fn tests(&self) -> Tests {
+        let sum =
+            |count: fn(&Rgb) -> f32| self.counts.pixels().iter().map(|p| count(p) as u64).sum();
+        Tests {
+            boxes: sum(|p| p.r),
+            shapes: sum(|p| p.g),
+        }
+    }
+
+    /// How many rays there were.
+    pub fn rays(&self) -> usize {
+        self.counts.pixels().len()
+    }
+
+    /// The boxes' map, with a label that says how many there are per ray; `boxes` says what they are: "cells visited".
+    pub fn of_boxes(&self, boxes: &str) -> (String, Image) {
+        self.map(boxes, |p| p.r)
+    }
+
+    /// The map of the triangles tested, with a label that says how many there are per ray.
+    pub fn of_triangles(&self) -> (String, Image) {
+        self.map("triangles tested", |p| p.g)
+    }
+
+    /// Both maps side by side, and the scale below.
+    ///
+    /// # Errors
+    /// If the labels cannot be drawn.
+    pub fn figure(&self, boxes: &str) -> Result<Image, Box<dyn Error>> {
+        with_scale(2, &[self.of_boxes(boxes), self.of_triangles()])
+    }
+
+    fn map(&self, name: &str, count: fn(&Rgb) -> f32) -> (String, Image) {
+        let sum: f64 = self
+            .counts
+            .pixels()
+            .iter()
+            .map(|p| f64::from(count(p)))
+            .sum();
+        let label = format!("{name}: {:.1} a ray", sum / self.rays().max(1) as f64);
+        (label, self.counts.map(|p| colour(count(&p))))
+    }
+}
+
+/// Maps in rows of so many, each under its label, and the scale below.
+///
+/// # Errors
+/// If the labels cannot be drawn.
+pub fn with_scale(columns: usize, maps: &[(String, Image)]) -> Result<Image, Box<dyn Error>> {
+    let maps: Vec<_> = maps
+        .iter()
+        .map(|(label, map)| (label.as_str(), map.clone()))
+        .collect();
+    let maps = sheet(columns, &maps)?;
+    let scale = scale(maps.width() as u32)?;
+    Ok(below(&maps, &scale))
+}
+
+/// The colour of a count: light grey for 0, then viridis on a logarithmic scale from 1 to 1000.
+pub fn colour(count: f32) -> Rgb {
+    if count < 1.0 {
+        Rgb::gray(0.85)
+    } else {
+        viridis(count.ln() / MOST.ln())
+    }
+}
+
+/// The colours of the counts, with the counts below.
+fn scale(width: u32) -> Result<Image, Box<dyn Error>> {
+    let height = (width / 16).clamp(24, 64);
+    figure(width, height, |canvas| {
+        let (wide, high) = ((SCALE * width) as f32, (SCALE * height) as f32);
+        let (left, right, bottom) = (0.12 * wide, 0.88 * wide, 0.45 * high);
+        for x in left as i32..right as i32 {
+            let Rgb { r, g, b } = colour(MOST.powf((x as f32 - left) / (right - left)));
+            let [r, g, b] = [r, g, b].map(|v| (255.0 * tone::encode_srgb(v)).round() as u8);
+            let column = [(x, 0), (x + 1, bottom as i32)];
+            canvas.draw(&Rectangle::new(column, RGBColor(r, g, b).filled()))?;
+        }
+        let text = |text: &str, x: f32| {
+            let middle = Pos::new(HPos::Center, VPos::Center);
+            let style = (FONT, 0.42 * f64::from(high))
+                .into_font()
+                .color(&INK)
+                .pos(middle);
+            let place = (x as i32, (0.74 * high) as i32);
+            canvas.draw(&Text::new(text.to_owned(), place, style))
+        };
+        for count in [1.0, 3.0, 10.0, 30.0, 100.0, 300.0, MOST] {
+            text(&count.to_string(), left + (right - left) * count.log(MOST))?;
+        }
+        text("tests:", 0.06 * wide)?;
+        Ok(())
+    })
+}
+
+/// One picture below another of the same width.
+fn below(above: &Image, under: &Image) -> Image {
+    let split = above.height();
+    Image::from_fn(above.width(), split + under.height(), |x, y| {
+        if y < split {
+            above.at(x, y)
+        } else {
+            under.at(x, y - split)
+        }
+    })
+}

@@ -1,0 +1,15 @@
+//! Rooms, scenes and figures that a few chapters share.
+
+pub mod daylight;
+pub mod even;
+pub mod flatland;
+pub mod growth;
+pub mod heat;
+pub mod horizon_view;
+pub mod law;
+pub mod outdoors;
+pub mod ray_tree;
+pub mod ray_tree_figure;
+pub mod showroom;
+pub mod speeds;
+pub mod stadium_figure;

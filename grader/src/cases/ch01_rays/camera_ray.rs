@@ -1,0 +1,144 @@
+//! `camera_ray`: its cases, judge and mistakes.
+
+use crate::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
+use raybook::image::rgb::Rgb;
+use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
+use raybook_workbook::exercise::Exercise;
+use raybook_workbook::exercises::ch01_rays::{CameraRay, CameraRayAnswer, CameraRayQuestion};
+use glam::{Vec2, Vec3, vec2, vec3};
+
+impl Graded for CameraRay {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "draws the picture upside down",
+            hint: "film (0, 0) is the top left: does your y grow upwards or downwards on the film?",
+            answer: |q| Self::misread(q, |q| q.film.y = 1.0 - q.film.y),
+        },
+        Mistake {
+            name: "draws the picture mirrored",
+            hint: "A place on the right of the film is on the camera's right.",
+            answer: |q| Self::misread(q, |q| q.film.x = 1.0 - q.film.x),
+        },
+        Mistake {
+            name: "ignores the focal length",
+            hint: "Move the image plane further away: should the view get wider or narrower?",
+            answer: |q| Self::misread(q, |q| q.focal_length = 1.0),
+        },
+        Mistake {
+            name: "takes the plane to be twice as large",
+            hint: "From the middle of the plane to its edge is how much of its width?",
+            answer: |q| Self::misread(q, |q| q.plane *= 2.0),
+        },
+        Mistake {
+            name: "measures from the plane's corner instead of its middle",
+            hint: "Which place of the film lies straight ahead?",
+            answer: |q| Self::misread(q, |q| q.film += vec2(0.5, -0.5)),
+        },
+        Mistake {
+            name: "ignores the size of the plane",
+            hint: "A place on the film is a fraction: of what length?",
+            answer: |q| Self::misread(q, |q| q.plane = Vec2::ONE),
+        },
+        Mistake {
+            name: "looks backwards",
+            hint: "Is the plane in front of the focal point?",
+            answer: |q| Self::misread(q, |q| q.forward = -q.forward),
+        },
+        Mistake {
+            name: "starts at the image plane",
+            hint: "All rays of a pin-hole camera pass through one point: which?",
+            answer: |q| {
+                let CameraRayAnswer { origin, direction } = CameraRay::answer(q);
+                let to_plane = q.focal_length / direction.dot(*q.forward);
+                CameraRayAnswer {
+                    origin: origin + to_plane * direction,
+                    direction,
+                }
+            },
+        },
+        Mistake {
+            name: "forgets to normalise the direction",
+            hint: "If t is to be a distance, how long must the direction be?",
+            answer: |q| {
+                let CameraRayAnswer { origin, direction } = CameraRay::answer(q);
+                CameraRayAnswer {
+                    origin,
+                    direction: q.focal_length / direction.dot(*q.forward) * direction,
+                }
+            },
+        },
+        Mistake {
+            name: "confuses right and up",
+            hint: "Along which of the camera's directions does film.x run?",
+            answer: |q| Self::misread(q, |q| std::mem::swap(&mut q.right, &mut q.up)),
+        },
+    ];
+
+    const PICTURES: &'static [Picture<Self>] = &[Picture {
+        name: "camera_ray",
+        width: 96,
+        height: 54,
+        alt: "The direction of each pixel's ray as a colour",
+        question: |x, y| {
+            question(
+                Vec3::ZERO,
+                -Dir3::Z,
+                0.024,
+                vec2((x as f32 + 0.5) / 96.0, (y as f32 + 0.5) / 54.0),
+            )
+        },
+        colour: |_, ray| {
+            Rgb::new(ray.direction.x, ray.direction.y, ray.direction.z).map(|v| 0.5 + 0.5 * v)
+        },
+    }];
+
+    fn edges() -> Vec<Edge<Self>> {
+        let edge = |name, x, y| {
+            Edge::new(
+                name,
+                question(vec3(1.0, 2.0, 3.0), -Dir3::Z, 0.05, vec2(x, y)),
+            )
+        };
+        vec![
+            edge("the middle of the film", 0.5, 0.5),
+            edge("the top left corner", 0.0, 0.0),
+            edge("the bottom right corner", 1.0, 1.0),
+            edge("the middle of the top", 0.5, 0.0),
+            edge("the middle of the right", 1.0, 0.5),
+            edge("the centre of pixel (0, 0) of 4 × 2", 0.125, 0.25),
+            Edge::new(
+                "a wide angle",
+                question(Vec3::ZERO, Dir3::X, 0.01, vec2(0.1, 0.8)),
+            ),
+        ]
+    }
+
+    fn random(rng: &mut Pcg) -> CameraRayQuestion {
+        let film = vec2(sample::number(rng, 0.0, 1.0), sample::number(rng, 0.0, 1.0));
+        question(
+            sample::point(rng, 5.0),
+            sample::direction(rng),
+            sample::number(rng, 0.02, 0.1),
+            film,
+        )
+    }
+
+    fn judge(_q: &CameraRayQuestion, golden: &CameraRayAnswer, got: &CameraRayAnswer) -> Verdict {
+        judge::point("the ray's origin", golden.origin, got.origin)?;
+        judge::direction("the ray's direction", golden.direction, got.direction)
+    }
+}
+
+/// A camera of the 35 mm format whose up is anything square to its view.
+fn question(focal_point: Vec3, forward: Dir3, focal_length: f32, film: Vec2) -> CameraRayQuestion {
+    let Basis { x: right, y, .. } = Basis::around(-forward);
+    CameraRayQuestion {
+        focal_point,
+        forward,
+        right,
+        up: y,
+        focal_length,
+        plane: vec2(0.036, 0.024),
+        film,
+    }
+}

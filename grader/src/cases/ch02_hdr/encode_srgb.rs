@@ -1,0 +1,99 @@
+//! `encode_srgb`: its cases, judge and mistakes.
+
+use crate::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
+use raybook::image::rgb::Rgb;
+use raybook::math::pcg::Pcg;
+use raybook_workbook::exercises::ch02_hdr::{EncodeSrgb, EncodeSrgbQuestion};
+
+impl Graded for EncodeSrgb {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "takes sRGB for a gamma of 2.2",
+            hint: "sRGB is not a pure power: what is it near black?",
+            answer: |q| q.v.clamp(0.0, 1.0).powf(1.0 / 2.2),
+        },
+        Mistake {
+            name: "decodes instead of encoding",
+            hint: "Half the light looks more than half as bright: is the code value larger or smaller than v?",
+            answer: |q| raybook::image::tone::decode_srgb(q.v.clamp(0.0, 1.0)),
+        },
+        Mistake {
+            name: "forgets the straight piece near black",
+            hint: "Try v = 0: is the code value 0?",
+            answer: |q| 1.055 * q.v.clamp(0.0, 1.0).powf(1.0 / 2.4) - 0.055,
+        },
+        Mistake {
+            name: "takes 2.4 for the exponent, not its inverse",
+            hint: "Does the curve rise above v or sag below it?",
+            answer: |q| {
+                let v = q.v.clamp(0.0, 1.0);
+                if v <= 0.003_130_8 {
+                    12.92 * v
+                } else {
+                    1.055 * v.powf(2.4) - 0.055
+                }
+            },
+        },
+        Mistake {
+            name: "does not clamp",
+            hint: "A display has no code value above 1 or below 0.",
+            answer: |q| {
+                if q.v <= 0.003_130_8 {
+                    12.92 * q.v
+                } else {
+                    1.055 * q.v.powf(1.0 / 2.4) - 0.055
+                }
+            },
+        },
+        Mistake {
+            name: "leaves v as it is",
+            hint: "Is 0.5 half as bright to the eye?",
+            answer: |q| q.v.clamp(0.0, 1.0),
+        },
+        Mistake {
+            name: "forgets the 0.055 at the end",
+            hint: "Try v = 1: is the code value 1?",
+            answer: |q| {
+                let v = q.v.clamp(0.0, 1.0);
+                if v <= 0.003_130_8 {
+                    12.92 * v
+                } else {
+                    1.055 * v.powf(1.0 / 2.4)
+                }
+            },
+        },
+    ];
+
+    const PICTURES: &'static [Picture<Self>] = &[Picture {
+        name: "encode_srgb",
+        width: 96,
+        height: 8,
+        alt: "A gray ramp by code value, from black to white",
+        question: |x, _| EncodeSrgbQuestion { v: x as f32 / 95.0 },
+        colour: |_, code| Rgb::gray(*code),
+    }];
+
+    fn edges() -> Vec<Edge<Self>> {
+        let edge = |name, v| Edge::new(name, EncodeSrgbQuestion { v });
+        vec![
+            edge("black", 0.0),
+            edge("white", 1.0),
+            edge("middle gray", 0.18),
+            edge("half the light", 0.5),
+            edge("on the straight piece", 0.002),
+            edge("where the pieces meet", 0.003_130_8),
+            edge("brighter than white", 7.5),
+            edge("below black", -0.25),
+        ]
+    }
+
+    fn random(rng: &mut Pcg) -> EncodeSrgbQuestion {
+        let v = sample::number(rng, 0.0, 1.0);
+        EncodeSrgbQuestion { v: v * v } // more of them near black
+    }
+
+    fn judge(_q: &EncodeSrgbQuestion, golden: &f32, got: &f32) -> Verdict {
+        // A twentieth of the step of a byte: finer than anyone sees, coarser than any pow.
+        judge::number_within("the code value", "", *golden, *got, 2e-4)
+    }
+}

@@ -1,0 +1,40 @@
+//! Chapter 2: `expose`, `tone_map`, `encode_srgb`.
+
+mod encode_srgb;
+mod expose;
+mod tone_map;
+
+use crate::examine::Examiner;
+use crate::{Verdict, judge, sample};
+use raybook::image::rgb::Rgb;
+use raybook::math::pcg::Pcg;
+use raybook_workbook::exercises::ch02_hdr::{EncodeSrgb, Expose, ToneMap};
+
+/// This chapter's exercises, in order.
+pub const GRADED: &[&dyn Examiner] = &[&Expose, &ToneMap, &EncodeSrgb];
+
+/// A colour whose channels are up to so much.
+fn colour(rng: &mut Pcg, most: f32) -> Rgb {
+    Rgb::new(
+        sample::number(rng, 0.05, most),
+        sample::number(rng, 0.05, most),
+        sample::number(rng, 0.05, most),
+    )
+}
+
+fn channels(golden: Rgb, got: Rgb) -> Verdict {
+    for (name, golden, got) in [
+        ("red", golden.r, got.r),
+        ("green", golden.g, got.g),
+        ("blue", golden.b, got.b),
+    ] {
+        judge::number_within(
+            name,
+            "",
+            golden,
+            got,
+            judge::RELATIVE * golden.abs().max(0.01),
+        )?;
+    }
+    Ok(())
+}

@@ -1,0 +1,90 @@
+//! `tone_map`: its cases, judge and mistakes.
+
+use super::{channels, colour};
+use crate::{Edge, Graded, Mistake, Picture, Verdict};
+use raybook::image::rgb::Rgb;
+use raybook::math::pcg::Pcg;
+use raybook_workbook::exercises::ch02_hdr::{ToneMap, ToneMapQuestion};
+
+impl Graded for ToneMap {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "maps each channel by itself",
+            hint: "Tone map a pure red and look at its hue: is it scaled by its luminance, or by its channel?",
+            answer: |q| q.radiance.map(|v| v / (1.0 + v)),
+        },
+        Mistake {
+            name: "takes the mean of the channels for the luminance",
+            hint: "Which of red, green and blue looks brightest to the eye?",
+            answer: |q| q.radiance / (1.0 + (q.radiance.r + q.radiance.g + q.radiance.b) / 3.0),
+        },
+        Mistake {
+            name: "returns gray",
+            hint: "L/(1 + L) is the new luminance; what becomes of the colour?",
+            answer: |q| Rgb::gray(q.radiance.luminance() / (1.0 + q.radiance.luminance())),
+        },
+        Mistake {
+            name: "divides by the luminance alone",
+            hint: "What should become of something dark?",
+            answer: |q| q.radiance / q.radiance.luminance(),
+        },
+        Mistake {
+            name: "multiplies by the new luminance",
+            hint: "You want the luminance to become L/(1 + L): by which factor must it be scaled?",
+            answer: |q| q.radiance * (q.radiance.luminance() / (1.0 + q.radiance.luminance())),
+        },
+        Mistake {
+            name: "clamps",
+            hint: "Two bright colours, one twice as bright: can they still be told apart?",
+            answer: |q| q.radiance.map(|v| v.clamp(0.0, 1.0)),
+        },
+    ];
+
+    const PICTURES: &'static [Picture<Self>] = &[Picture {
+        name: "tone_map",
+        width: 96,
+        height: 54,
+        alt: "Colours from left to right by hue, upwards ever brighter",
+        question: |x, y| {
+            let hue = x as f32 / 96.0 * 6.0;
+            let wave = |shift: f32| {
+                (0.5 + 0.5 * ((hue - shift) * std::f32::consts::FRAC_PI_3).cos()).max(0.02)
+            };
+            let brightness = ((53 - y) as f32 / 53.0 * 6.0 - 3.0).exp2();
+            ToneMapQuestion {
+                radiance: Rgb::new(wave(0.0), wave(2.0), wave(4.0)) * brightness,
+            }
+        },
+        colour: |_, mapped| *mapped,
+    }];
+
+    fn edges() -> Vec<Edge<Self>> {
+        let edge = |name, r, g, b| {
+            Edge::new(
+                name,
+                ToneMapQuestion {
+                    radiance: Rgb::new(r, g, b),
+                },
+            )
+        };
+        vec![
+            edge("gray 1 becomes 1/2", 1.0, 1.0, 1.0),
+            edge("gray 3 becomes 3/4", 3.0, 3.0, 3.0),
+            edge("dark stays nearly as it is", 0.001, 0.002, 0.001),
+            edge("pure red", 4.0, 0.0, 0.0),
+            edge("pure green", 0.0, 4.0, 0.0),
+            edge("pure blue, which may exceed 1", 0.0, 0.0, 40.0),
+            edge("the sun", 60000.0, 50000.0, 40000.0),
+        ]
+    }
+
+    fn random(rng: &mut Pcg) -> ToneMapQuestion {
+        ToneMapQuestion {
+            radiance: colour(rng, 8.0),
+        }
+    }
+
+    fn judge(_q: &ToneMapQuestion, golden: &Rgb, got: &Rgb) -> Verdict {
+        channels(*golden, *got)
+    }
+}

@@ -1,0 +1,134 @@
+//! `solve_quadratic`: its cases, judge and mistakes.
+
+use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use raybook::math::pcg::Pcg;
+use raybook_workbook::exercise::Exercise;
+use raybook_workbook::exercises::ch03_sphere::{Coefficients, SolveQuadratic};
+use glam::{Vec2, vec2};
+use rand::RngExt;
+
+impl Graded for SolveQuadratic {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "uses the schoolbook formula for both roots",
+            hint: "Where b² is much larger than 4ac, −b and the square root nearly cancel in one of the roots: which one, and how else can you get it?",
+            answer: |q| {
+                roots(q, |q, root| {
+                    vec2((-q.b - root) / (2.0 * q.a), (-q.b + root) / (2.0 * q.a))
+                })
+                .map(sorted)
+            },
+        },
+        Mistake {
+            name: "returns the roots unsorted",
+            hint: "Try a negative a, then a positive b: which of your two roots is the smaller one?",
+            answer: |q| {
+                SolveQuadratic::answer(q).map(|t| {
+                    if q.a < 0.0 || q.b > 0.0 {
+                        vec2(t.y, t.x)
+                    } else {
+                        t
+                    }
+                })
+            },
+        },
+        Mistake {
+            name: "forgets the 2 in 2a",
+            hint: "Put one of your roots back into the equation: is a·t² + b·t + c really 0?",
+            answer: |q| SolveQuadratic::answer(q).map(|t| 2.0 * t),
+        },
+        Mistake {
+            name: "has the sign of b wrong",
+            hint: "Put one of your roots back into the equation, and then its negative.",
+            answer: |q| SolveQuadratic::answer(q).map(|t| vec2(-t.y, -t.x)),
+        },
+        Mistake {
+            name: "takes a double root for none",
+            hint: "When b² = 4ac the parabola touches zero: how often?",
+            answer: |q| SolveQuadratic::answer(q).filter(|t| t.x != t.y),
+        },
+        Mistake {
+            name: "takes the root of |b² − 4ac|",
+            hint: "What does a negative discriminant say about the parabola?",
+            answer: |q| {
+                let root = (q.b * q.b - 4.0 * q.a * q.c).abs().sqrt();
+                (q.a != 0.0).then(|| {
+                    sorted(vec2(
+                        (-q.b - root) / (2.0 * q.a),
+                        (-q.b + root) / (2.0 * q.a),
+                    ))
+                })
+            },
+        },
+    ];
+
+    fn edges() -> Vec<Edge<Self>> {
+        let edge = |name, a, b, c| Edge::new(name, Coefficients { a, b, c });
+        vec![
+            edge("two whole roots", 1.0, -3.0, 2.0),
+            edge("a double root", 1.0, -2.0, 1.0),
+            edge("no real root", 1.0, 2.0, 5.0),
+            edge("a is 0, so it is not a quadratic", 0.0, 2.0, -4.0),
+            edge("b is 0", 1.0, 0.0, -9.0),
+            edge("c is 0", 2.0, -6.0, 0.0),
+            edge("all roots are 0", 3.0, 0.0, 0.0),
+            edge("a is negative", -1.0, 1.0, 6.0),
+            edge(
+                "a large negative b: the small root cancels",
+                1.0,
+                -20000.0,
+                1.0,
+            ),
+            edge(
+                "a large positive b: the other root cancels",
+                1.0,
+                20000.0,
+                1.0,
+            ),
+        ]
+    }
+
+    fn random(rng: &mut Pcg) -> Coefficients {
+        let (a, b) = (
+            sample::number(rng, 0.2, 3.0),
+            sample::number(rng, -8.0, 8.0),
+        );
+        let sign = if rng.random_bool(0.3) { -1.0 } else { 1.0 };
+        Coefficients {
+            a: sign * a,
+            b,
+            c: sample::number(rng, -6.0, 6.0),
+        }
+    }
+
+    fn judge(_q: &Coefficients, golden: &Option<Vec2>, got: &Option<Vec2>) -> Verdict {
+        judge::option(
+            "a pair of real roots",
+            golden.as_ref(),
+            got.as_ref(),
+            |golden, got| {
+                for (name, golden, got) in [("t0", golden.x, got.x), ("t1", golden.y, got.y)] {
+                    // Relative to the root alone: the small one is what cancellation spoils.
+                    judge::number_within(
+                        name,
+                        "",
+                        golden,
+                        got,
+                        judge::RELATIVE * golden.abs().max(1e-6),
+                    )?;
+                }
+                Ok(())
+            },
+        )
+    }
+}
+
+/// The roots by a formula that is given √(b² − 4ac), where that is real and a ≠ 0.
+fn roots(q: &Coefficients, formula: fn(&Coefficients, f32) -> Vec2) -> Option<Vec2> {
+    let discriminant = q.b * q.b - 4.0 * q.a * q.c;
+    (q.a != 0.0 && discriminant >= 0.0).then(|| formula(q, discriminant.sqrt()))
+}
+
+fn sorted(t: Vec2) -> Vec2 {
+    vec2(t.min_element(), t.max_element())
+}

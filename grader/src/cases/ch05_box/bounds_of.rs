@@ -1,0 +1,122 @@
+//! `bounds_of`: its cases, judge and mistakes.
+
+use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use raybook::math::pcg::Pcg;
+use raybook_workbook::exercise::Exercise;
+use raybook_workbook::exercises::ch05_box::{BoundsOf, BoundsOfQuestion, Corners};
+use glam::{Vec3, vec3};
+use rand::RngExt;
+
+impl Graded for BoundsOf {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "starts with the origin inside",
+            hint: "Bound points that are all far from the world's origin: is the origin in your box?",
+            answer: |q| bounds(q.points.iter().copied().chain([Vec3::ZERO])),
+        },
+        Mistake {
+            name: "forgets the last point",
+            hint: "Bound a single point: what is its box?",
+            answer: |q| bounds(q.points.iter().copied().take(q.points.len().max(2) - 1)),
+        },
+        Mistake {
+            name: "swaps the corners",
+            hint: "Which of the two corners has the smaller coordinates?",
+            answer: |q| {
+                let Corners { min, max } = BoundsOf::answer(q);
+                Corners { min: max, max: min }
+            },
+        },
+        Mistake {
+            name: "bounds by the first and the last point only",
+            hint: "Put the outermost point in the middle of the list.",
+            answer: |q| bounds(q.points.first().into_iter().chain(q.points.last()).copied()),
+        },
+        Mistake {
+            name: "takes the smallest positive number for the smallest number",
+            hint: "Try points whose coordinates are all negative; what is your box's max before the first point?",
+            answer: |q| {
+                let Corners { min, max } = BoundsOf::answer(q);
+                Corners {
+                    min,
+                    max: max.max(Vec3::splat(f32::MIN_POSITIVE)),
+                }
+            },
+        },
+        Mistake {
+            name: "makes the box a cube",
+            hint: "Each axis has a smallest and a largest coordinate of its own.",
+            answer: |q| {
+                let Corners { min, max } = BoundsOf::answer(q);
+                Corners {
+                    min: Vec3::splat(min.min_element()),
+                    max: Vec3::splat(max.max_element()),
+                }
+            },
+        },
+    ];
+
+    fn edges() -> Vec<Edge<Self>> {
+        let edge = |name, points: &[Vec3]| {
+            Edge::new(
+                name,
+                BoundsOfQuestion {
+                    points: points.to_vec(),
+                },
+            )
+        };
+        let (a, b, c) = (
+            vec3(1.0, 5.0, -2.0),
+            vec3(4.0, 2.0, 6.0),
+            vec3(2.0, 8.0, 1.0),
+        );
+        vec![
+            edge("one point", &[a]),
+            edge("two points", &[a, b]),
+            edge("the extremes come from different points", &[a, b, c]),
+            edge(
+                "the outermost point is in the middle",
+                &[a, vec3(9.0, -9.0, 9.0), b],
+            ),
+            edge(
+                "all coordinates are negative",
+                &[vec3(-1.0, -2.0, -3.0), vec3(-4.0, -5.0, -1.5)],
+            ),
+            edge("all coordinates are positive", &[b, vec3(5.0, 3.0, 7.0)]),
+            edge("the same point twice", &[c, c]),
+            edge("no points: the empty box, from +infinity to -infinity", &[]),
+        ]
+    }
+
+    fn random(rng: &mut Pcg) -> BoundsOfQuestion {
+        let center = sample::point(rng, 6.0);
+        let count = rng.random_range(1..8);
+        BoundsOfQuestion {
+            points: (0..count)
+                .map(|_| center + sample::point(rng, 3.0))
+                .collect(),
+        }
+    }
+
+    fn judge(_q: &BoundsOfQuestion, golden: &Corners, got: &Corners) -> Verdict {
+        for (name, golden, got) in [("min", golden.min, got.min), ("max", golden.max, got.max)] {
+            for (axis, letter) in ["x", "y", "z"].into_iter().enumerate() {
+                judge::number_within(
+                    &format!("{name}.{letter}"),
+                    "m",
+                    golden[axis],
+                    got[axis],
+                    1e-5 * golden[axis].abs().max(1.0),
+                )?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The box of points, as an answer.
+fn bounds(points: impl Iterator<Item = Vec3>) -> Corners {
+    BoundsOf::answer(&BoundsOfQuestion {
+        points: points.collect(),
+    })
+}

@@ -1,0 +1,144 @@
+//! `box_clip`: its judge and mistakes.
+
+use super::box_clip_cases;
+use crate::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
+use raybook::image::rgb::Rgb;
+use raybook_chapters::kit::palette::viridis;
+use raybook::math::{interval::Interval, pcg::Pcg};
+use raybook_workbook::exercise::Exercise;
+use raybook_workbook::exercises::ch05_box::{BoxClip, BoxClipQuestion};
+use glam::vec3;
+
+impl Graded for BoxClip {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "does not swap the planes for a negative direction",
+            hint: "A ray that goes left meets the right side first.",
+            answer: |q| slabs(q, |near, far, _| (near, far), |min, max| min <= max),
+        },
+        Mistake {
+            name: "keeps the union of the slabs, not their overlap",
+            hint: "To be inside the box, the ray must be inside all three slabs at once: is that the earliest entry or the latest?",
+            answer: |q| {
+                let all = (0..3)
+                    .map(|axis| slab(q, axis))
+                    .reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))?;
+                finish(all.0.max(q.within.min), all.1.min(q.within.max))
+            },
+        },
+        Mistake {
+            name: "divides 0 by 0 for a ray in a face",
+            hint: "A ray that runs in a face has o − min = 0 and d = 0: what is 0/0, and what does a comparison make of it?",
+            answer: |q| {
+                let nan = (0..3).any(|axis| {
+                    q.ray.direction[axis] == 0.0
+                        && [q.min[axis], q.max[axis]].contains(&q.ray.origin[axis])
+                });
+                BoxClip::answer(q).filter(|_| !nan)
+            },
+        },
+        Mistake {
+            name: "skips an axis along which the ray does not move",
+            hint: "A ray parallel to a slab is inside it always, or never: which?",
+            answer: |q| {
+                let moving = (0..3)
+                    .filter(|&axis| q.ray.direction[axis] != 0.0)
+                    .map(|axis| slab(q, axis));
+                let (min, max) = moving
+                    .fold((q.within.min, q.within.max), |(min, max), (near, far)| {
+                        (min.max(near), max.min(far))
+                    });
+                finish(min, max)
+            },
+        },
+        Mistake {
+            name: "ignores the interval",
+            hint: "You are asked for a part of the interval: can your answer be longer than it is?",
+            answer: |q| Self::misread(q, |q| q.within = sample::LINE),
+        },
+        Mistake {
+            name: "wants the ray to start outside",
+            hint: "Put the origin inside the box: on which part of the ray is it inside?",
+            answer: |q| {
+                BoxClip::answer(q).filter(|_| (0..3).any(|axis| slab(q, axis).0 >= q.within.min))
+            },
+        },
+        Mistake {
+            name: "takes the box for one around the origin",
+            hint: "Move the box and the ray by one metre: the answer must not change.",
+            answer: |q| {
+                let half = 0.5 * (q.max - q.min);
+                Self::misread(q, |q| (q.min, q.max) = (-half, half))
+            },
+        },
+    ];
+
+    const PICTURES: &'static [Picture<Self>] = &[Picture {
+        name: "box_clip",
+        width: 96,
+        height: 54,
+        alt: "How much of each ray is inside a box: the brighter, the more",
+        question: |x, y| {
+            let toward = sample::pixel(x, y);
+            let turned = vec3(0.8 * toward.x - 0.6, toward.y - 0.4, -0.8 + 0.6 * -toward.x);
+            let ray = sample::ray(vec3(2.0, 1.4, 2.6), turned);
+            BoxClipQuestion {
+                ray,
+                within: Interval::AHEAD,
+                min: vec3(-1.0, -0.6, -0.8),
+                max: vec3(0.8, 0.7, 0.6),
+            }
+        },
+        colour: |_, inside| {
+            inside.map_or(Rgb::gray(0.1), |inside| {
+                viridis((inside.max - inside.min) / 2.2)
+            })
+        },
+    }];
+
+    fn edges() -> Vec<Edge<Self>> {
+        box_clip_cases::edges()
+    }
+
+    fn random(rng: &mut Pcg) -> BoxClipQuestion {
+        box_clip_cases::random(rng)
+    }
+
+    fn judge(_q: &BoxClipQuestion, golden: &Option<Interval>, got: &Option<Interval>) -> Verdict {
+        judge::option(
+            "a part of the ray inside the box",
+            golden.as_ref(),
+            got.as_ref(),
+            |golden, got| {
+                judge::number("the entry", "m", golden.min, got.min)?;
+                judge::number("the exit", "m", golden.max, got.max)
+            },
+        )
+    }
+}
+
+/// Where the whole line enters and leaves the slab of an axis; by the right rule.
+fn slab(q: &BoxClipQuestion, axis: usize) -> (f32, f32) {
+    let (o, d) = (q.ray.origin[axis], q.ray.direction[axis]);
+    let (a, b) = ((q.min[axis] - o) / d, (q.max[axis] - o) / d);
+    if d.is_sign_negative() { (b, a) } else { (a, b) }
+}
+
+/// Clips by three slabs, by a rule for the order of the planes and one for when there is anything left.
+fn slabs(
+    q: &BoxClipQuestion,
+    order: fn(f32, f32, f32) -> (f32, f32),
+    keep: fn(f32, f32) -> bool,
+) -> Option<Interval> {
+    let Interval { mut min, mut max } = q.within;
+    for axis in 0..3 {
+        let (o, d) = (q.ray.origin[axis], q.ray.direction[axis]);
+        let (near, far) = order((q.min[axis] - o) / d, (q.max[axis] - o) / d, d);
+        (min, max) = (min.max(near), max.min(far));
+    }
+    keep(min, max).then_some(Interval { min, max })
+}
+
+fn finish(min: f32, max: f32) -> Option<Interval> {
+    (max - min >= 0.0).then_some(Interval { min, max })
+}

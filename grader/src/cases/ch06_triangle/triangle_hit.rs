@@ -1,0 +1,146 @@
+//! `triangle_hit`: its judge and mistakes.
+
+use super::triangle_hit_cases;
+use crate::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
+use raybook::image::rgb::Rgb;
+use raybook::math::{interval::Interval, pcg::Pcg};
+use raybook_workbook::exercise::Exercise;
+use raybook_workbook::exercises::ch06_triangle::{
+    TriangleHit, TriangleHitAnswer, TriangleHitQuestion,
+};
+use glam::{Vec3, vec3};
+
+impl Graded for TriangleHit {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "forgets b1 + b2 <= 1",
+            hint: "Which shape do b1 >= 0 and b2 >= 0 alone, each at most 1, describe?",
+            answer: |q| plane(q, |b1, b2| b1 >= 0.0 && b2 >= 0.0 && b1 <= 1.0 && b2 <= 1.0),
+        },
+        Mistake {
+            name: "accepts negative weights",
+            hint: "On which side of an edge is a point whose weight for the opposite corner is negative?",
+            answer: |q| plane(q, |b1, b2| b1 + b2 <= 1.0),
+        },
+        Mistake {
+            name: "hits the whole plane",
+            hint: "The plane is found; is the point inside the triangle?",
+            answer: |q| plane(q, |_, _| true),
+        },
+        Mistake {
+            name: "sees the front only",
+            hint: "Walk around the triangle: it has two sides.",
+            answer: |q| TriangleHit::answer(q).filter(|_| normal(q).dot(*q.ray.direction) < 0.0),
+        },
+        Mistake {
+            name: "sees the back only",
+            hint: "What is the sign of the determinant for the side you look at?",
+            answer: |q| TriangleHit::answer(q).filter(|_| normal(q).dot(*q.ray.direction) > 0.0),
+        },
+        Mistake {
+            name: "swaps b1 and b2",
+            hint: "At the second corner, which of the two weights is 1?",
+            answer: |q| {
+                TriangleHit::answer(q).map(|hit| TriangleHitAnswer {
+                    b1: hit.b2,
+                    b2: hit.b1,
+                    ..hit
+                })
+            },
+        },
+        Mistake {
+            name: "returns the weight of the first corner for b1",
+            hint: "The three weights add up to 1; which two are b1 and b2?",
+            answer: |q| {
+                TriangleHit::answer(q).map(|hit| TriangleHitAnswer {
+                    b1: 1.0 - hit.b1 - hit.b2,
+                    b2: hit.b1,
+                    ..hit
+                })
+            },
+        },
+        Mistake {
+            name: "ignores the interval",
+            hint: "Is every t you return between min and max?",
+            answer: |q| Self::misread(q, |q| q.within = sample::LINE),
+        },
+        Mistake {
+            name: "forgets to divide the weights by the determinant",
+            hint: "Make the triangle twice as large: the weights must not change.",
+            answer: |q| {
+                let determinant = -normal(q).dot(*q.ray.direction);
+                TriangleHit::answer(q).map(|hit| TriangleHitAnswer {
+                    b1: hit.b1 * determinant,
+                    b2: hit.b2 * determinant,
+                    ..hit
+                })
+            },
+        },
+        Mistake {
+            name: "takes a small triangle for one without area",
+            hint: "A determinant is a volume: how small is it for a triangle of a millimetre?",
+            answer: |q| {
+                TriangleHit::answer(q).filter(|_| normal(q).dot(*q.ray.direction).abs() > 1e-4)
+            },
+        },
+    ];
+
+    const PICTURES: &'static [Picture<Self>] = &[Picture {
+        name: "triangle_hit",
+        width: 96,
+        height: 54,
+        alt: "A triangle whose colours are the weights of its corners",
+        question: |x, y| {
+            let toward = sample::pixel(x, y);
+            TriangleHitQuestion {
+                ray: sample::ray(vec3(0.0, 0.0, 3.0), toward),
+                within: Interval::AHEAD,
+                p0: vec3(-1.7, -1.1, 0.3),
+                p1: vec3(1.6, -0.8, -0.5),
+                p2: vec3(0.2, 1.2, 0.1),
+            }
+        },
+        colour: |_, hit| {
+            hit.as_ref().map_or(Rgb::gray(0.1), |hit| {
+                Rgb::new(1.0 - hit.b1 - hit.b2, hit.b1, hit.b2)
+            })
+        },
+    }];
+
+    fn edges() -> Vec<Edge<Self>> {
+        triangle_hit_cases::edges()
+    }
+
+    fn random(rng: &mut Pcg) -> TriangleHitQuestion {
+        triangle_hit_cases::random(rng)
+    }
+
+    fn judge(
+        _q: &TriangleHitQuestion,
+        golden: &Option<TriangleHitAnswer>,
+        got: &Option<TriangleHitAnswer>,
+    ) -> Verdict {
+        judge::option("a hit", golden.as_ref(), got.as_ref(), |golden, got| {
+            judge::number("t", "m", golden.t, got.t)?;
+            judge::number("b1", "", golden.b1, got.b1)?;
+            judge::number("b2", "", golden.b2, got.b2)
+        })
+    }
+}
+
+/// Twice the triangle's area, as a vector along its normal.
+pub(super) fn normal(q: &TriangleHitQuestion) -> Vec3 {
+    (q.p1 - q.p0).cross(q.p2 - q.p0)
+}
+
+/// The hit of the triangle's plane, if the weights there are to one's taste.
+fn plane(q: &TriangleHitQuestion, inside: fn(f32, f32) -> bool) -> Option<TriangleHitAnswer> {
+    let (n, e1, e2) = (normal(q), q.p1 - q.p0, q.p2 - q.p0);
+    let t = n.dot(q.p0 - q.ray.origin) / n.dot(*q.ray.direction);
+    let from_p0 = q.ray.at(t) - q.p0;
+    let (b1, b2) = (
+        from_p0.cross(e2).dot(n) / n.length_squared(),
+        e1.cross(from_p0).dot(n) / n.length_squared(),
+    );
+    (inside(b1, b2) && q.within.contains(t)).then_some(TriangleHitAnswer { t, b1, b2 })
+}

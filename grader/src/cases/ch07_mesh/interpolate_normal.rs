@@ -1,0 +1,76 @@
+//! `interpolate_normal`: its cases, judge and mistakes.
+
+use super::{PLACES, place};
+use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use raybook::math::{dir3::Dir3, pcg::Pcg};
+use raybook_workbook::exercises::ch07_mesh::{InterpolateNormal, InterpolateNormalQuestion};
+use glam::{Vec3, vec3};
+
+impl Graded for InterpolateNormal {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "forgets to normalise",
+            hint: "How long is the mean of two unit vectors at right angles?",
+            answer: |q| mix(q, 1.0 - q.b.x - q.b.y, q.b.x, q.b.y),
+        },
+        Mistake {
+            name: "gives the weights to the wrong corners",
+            hint: "At b1 = b2 = 0, whose normal do you return?",
+            answer: |q| mix(q, q.b.x, q.b.y, 1.0 - q.b.x - q.b.y).normalize_or_zero(),
+        },
+        Mistake {
+            name: "swaps b1 and b2",
+            hint: "At b1 = 1, whose normal do you return?",
+            answer: |q| mix(q, 1.0 - q.b.x - q.b.y, q.b.y, q.b.x).normalize_or_zero(),
+        },
+        Mistake {
+            name: "takes the mean of the corners anywhere",
+            hint: "Move the point towards a corner: the normal should turn towards that corner's.",
+            answer: |q| mix(q, 1.0, 1.0, 1.0).normalize_or_zero(),
+        },
+        Mistake {
+            name: "gives the first corner the weight 1",
+            hint: "The three weights add up to 1.",
+            answer: |q| mix(q, 1.0, q.b.x, q.b.y).normalize_or_zero(),
+        },
+        Mistake {
+            name: "returns the first corner's normal",
+            hint: "That is flat shading; what changes inside the triangle?",
+            answer: |q| *q.n0,
+        },
+    ];
+
+    fn edges() -> Vec<Edge<Self>> {
+        let normals = [
+            vec3(0.0, 1.0, 0.0),
+            vec3(1.0, 1.0, 0.0),
+            vec3(0.0, 0.5, 1.0),
+        ]
+        .map(|n| Dir3::new_or(n, Dir3::Y));
+        let [n0, n1, n2] = normals;
+        PLACES
+            .map(|(name, b)| Edge::new(name, InterpolateNormalQuestion { n0, n1, n2, b }))
+            .into()
+    }
+
+    fn random(rng: &mut Pcg) -> InterpolateNormalQuestion {
+        // Three normals of one hemisphere, as on a smooth mesh.
+        let around = *sample::direction(rng);
+        let mut normal = || Dir3::new_or(around + 0.9 * *sample::direction(rng), Dir3::Y);
+        let (n0, n1, n2) = (normal(), normal(), normal());
+        InterpolateNormalQuestion {
+            n0,
+            n1,
+            n2,
+            b: place(rng),
+        }
+    }
+
+    fn judge(_q: &InterpolateNormalQuestion, golden: &Vec3, got: &Vec3) -> Verdict {
+        judge::direction("the normal", *golden, *got)
+    }
+}
+
+fn mix(q: &InterpolateNormalQuestion, w0: f32, w1: f32, w2: f32) -> Vec3 {
+    w0 * *q.n0 + w1 * *q.n1 + w2 * *q.n2
+}

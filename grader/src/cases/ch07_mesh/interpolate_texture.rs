@@ -1,0 +1,80 @@
+//! `interpolate_texture`: its cases, judge and mistakes.
+
+use super::{PLACES, place};
+use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use raybook::math::pcg::Pcg;
+use raybook_workbook::exercise::Exercise;
+use raybook_workbook::exercises::ch07_mesh::{InterpolateTexture, InterpolateTextureQuestion};
+use glam::{Vec2, vec2};
+
+impl Graded for InterpolateTexture {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "gives the weights to the wrong corners",
+            hint: "At b1 = b2 = 0, whose coordinates do you return?",
+            answer: |q| q.b.x * q.t0 + q.b.y * q.t1 + (1.0 - q.b.x - q.b.y) * q.t2,
+        },
+        Mistake {
+            name: "swaps b1 and b2",
+            hint: "At b1 = 1, whose coordinates do you return?",
+            answer: |q| (1.0 - q.b.x - q.b.y) * q.t0 + q.b.y * q.t1 + q.b.x * q.t2,
+        },
+        Mistake {
+            name: "swaps u and v",
+            hint: "Which of the two coordinates comes first?",
+            answer: |q| {
+                vec2(
+                    InterpolateTexture::answer(q).y,
+                    InterpolateTexture::answer(q).x,
+                )
+            },
+        },
+        Mistake {
+            name: "normalises as if it were a direction",
+            hint: "Texture coordinates have no length that matters.",
+            answer: |q| InterpolateTexture::answer(q).normalize_or_zero(),
+        },
+        Mistake {
+            name: "wraps them into [0, 1)",
+            hint: "A texture may repeat: whose decision is that?",
+            answer: |q| InterpolateTexture::answer(q).fract_gl(),
+        },
+        Mistake {
+            name: "returns (b1, b2)",
+            hint: "Those say where in the triangle; where in the texture?",
+            answer: |q| q.b,
+        },
+        Mistake {
+            name: "gives the first corner the weight 1",
+            hint: "The three weights add up to 1.",
+            answer: |q| q.t0 + q.b.x * q.t1 + q.b.y * q.t2,
+        },
+    ];
+
+    fn edges() -> Vec<Edge<Self>> {
+        let (t0, t1, t2) = (vec2(0.25, 0.5), vec2(2.0, 0.75), vec2(0.5, -1.0));
+        PLACES
+            .map(|(name, b)| Edge::new(name, InterpolateTextureQuestion { t0, t1, t2, b }))
+            .into()
+    }
+
+    fn random(rng: &mut Pcg) -> InterpolateTextureQuestion {
+        let mut texture = || {
+            vec2(
+                sample::number(rng, -1.0, 3.0),
+                sample::number(rng, -1.0, 3.0),
+            )
+        };
+        let (t0, t1, t2) = (texture(), texture(), texture());
+        InterpolateTextureQuestion {
+            t0,
+            t1,
+            t2,
+            b: place(rng),
+        }
+    }
+
+    fn judge(_q: &InterpolateTextureQuestion, golden: &Vec2, got: &Vec2) -> Verdict {
+        judge::pair(["u", "v"], *golden, *got)
+    }
+}

@@ -1,0 +1,155 @@
+//! `mesh_hit`: its cases, judge and mistakes.
+
+use crate::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
+use raybook::image::rgb::Rgb;
+use raybook_chapters::kit::palette::viridis;
+use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
+use raybook_workbook::exercise::Exercise;
+use raybook_workbook::exercises::ch07_mesh::{Corners, MeshHit, MeshHitAnswer, MeshHitQuestion};
+use glam::{Vec3, vec3};
+use rand::RngExt;
+
+impl Graded for MeshHit {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "returns the first hit in the list",
+            hint: "Put the far triangle first: which one do you see?",
+            answer: |q| hits(q).next(),
+        },
+        Mistake {
+            name: "returns the last hit in the list",
+            hint: "Put the near triangle first: is it still the one you return?",
+            answer: |q| hits(q).last(),
+        },
+        Mistake {
+            name: "returns the farthest hit",
+            hint: "Which of two opaque triangles hides the other?",
+            answer: |q| hits(q).max_by(|a, b| a.t.total_cmp(&b.t)),
+        },
+        Mistake {
+            name: "ignores the interval's max",
+            hint: "Something nearer may already have been hit: what is the interval's max for?",
+            answer: |q| Self::misread(q, |q| q.within.max = f32::INFINITY),
+        },
+        Mistake {
+            name: "ignores the interval's min",
+            hint: "Can the ray hit what lies behind its origin?",
+            answer: |q| Self::misread(q, |q| q.within.min = f32::NEG_INFINITY),
+        },
+        Mistake {
+            name: "forgets the last triangle",
+            hint: "Try a list of a single triangle.",
+            answer: |q| {
+                let rest = q.triangles.len().saturating_sub(1);
+                Self::misread(q, |q| q.triangles.truncate(rest))
+            },
+        },
+    ];
+
+    const PICTURES: &'static [Picture<Self>] = &[Picture {
+        name: "mesh_hit",
+        width: 96,
+        height: 54,
+        alt: "Three triangles, one before the other, each in its colour",
+        question: |x, y| {
+            let toward = sample::pixel(x, y);
+            let shifted = |by: Vec3| {
+                let [p0, p1, p2] = [
+                    vec3(-0.8, -0.7, 0.0),
+                    vec3(0.8, -0.7, 0.0),
+                    vec3(0.0, 0.8, 0.0),
+                ]
+                .map(|p| p + by);
+                Corners { p0, p1, p2 }
+            };
+            MeshHitQuestion {
+                ray: sample::ray(vec3(0.0, 0.0, 3.0), toward),
+                within: Interval::AHEAD,
+                triangles: [
+                    vec3(0.5, 0.2, -0.4),
+                    vec3(0.0, 0.0, 0.0),
+                    vec3(-0.5, 0.1, -0.2),
+                ]
+                .map(shifted)
+                .into(),
+            }
+        },
+        colour: |_, hit| {
+            hit.as_ref()
+                .map_or(Rgb::gray(0.1), |hit| viridis(0.2 + 0.35 * hit.id as f32))
+        },
+    }];
+
+    fn edges() -> Vec<Edge<Self>> {
+        let wall = |z: f32| Corners {
+            p0: vec3(-2.0, -2.0, z),
+            p1: vec3(2.0, -2.0, z),
+            p2: vec3(0.0, 3.0, z),
+        };
+        let question = |walls: &[f32], within| MeshHitQuestion {
+            ray: Ray::new(Vec3::ZERO, Dir3::Z),
+            within,
+            triangles: walls.iter().map(|&z| wall(z)).collect(),
+        };
+        let ahead = Interval::AHEAD;
+        vec![
+            Edge::new("near before far", question(&[2.0, 5.0], ahead)),
+            Edge::new("far before near", question(&[5.0, 2.0], ahead)),
+            Edge::new(
+                "the nearest in the middle",
+                question(&[7.0, 3.0, 5.0], ahead),
+            ),
+            Edge::new("one behind the origin", question(&[-1.0, 4.0], ahead)),
+            Edge::new("a single triangle", question(&[3.0], ahead)),
+            Edge::new("an empty list", question(&[], ahead)),
+            Edge::new(
+                "all beyond the interval",
+                question(&[5.0, 6.0], Interval::new(0.0, 4.0)),
+            ),
+            Edge::new(
+                "the nearest lies before the interval",
+                question(&[2.0, 6.0], Interval::new(3.0, 9.0)),
+            ),
+            Edge::new("two at the same distance", question(&[3.0, 3.0], ahead))
+                .or(Some(MeshHitAnswer { t: 3.0, id: 1 })),
+        ]
+    }
+
+    fn random(rng: &mut Pcg) -> MeshHitQuestion {
+        let count = rng.random_range(2..7);
+        let corners = |rng: &mut Pcg| std::array::from_fn(|_| sample::point(rng, 2.5));
+        let triangles = (0..count)
+            .map(|_| {
+                let [p0, p1, p2] = corners(rng);
+                Corners { p0, p1, p2 }
+            })
+            .collect::<Vec<_>>();
+        let max = sample::end(rng, 0.3, 1.0, 4.0);
+        let origin = sample::point(rng, 3.0);
+        let direction = Dir3::new_or(sample::point(rng, 1.0) - origin, Dir3::X);
+        MeshHitQuestion {
+            ray: Ray::new(origin, direction),
+            within: Interval::new(0.0, max),
+            triangles,
+        }
+    }
+
+    fn judge(
+        _q: &MeshHitQuestion,
+        golden: &Option<MeshHitAnswer>,
+        got: &Option<MeshHitAnswer>,
+    ) -> Verdict {
+        judge::nearest(golden.as_ref(), got.as_ref())
+    }
+}
+
+/// The hit of each triangle that is hit, in the order of the list.
+fn hits(q: &MeshHitQuestion) -> impl Iterator<Item = MeshHitAnswer> {
+    q.triangles.iter().zip(0..).filter_map(|(triangle, id)| {
+        let alone = MeshHitQuestion {
+            triangles: vec![triangle.clone()],
+            ..q.clone()
+        };
+        MeshHit::answer(&alone).map(|hit| MeshHitAnswer { id, ..hit })
+    })
+}

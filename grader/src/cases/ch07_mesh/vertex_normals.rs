@@ -1,0 +1,192 @@
+//! `vertex_normals`: its cases, judge and mistakes.
+
+use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use raybook::math::pcg::Pcg;
+use raybook_workbook::exercises::ch07_mesh::{Indices, MeshQuestion, VertexNormals};
+use glam::{Vec3, vec3};
+use rand::RngExt;
+
+impl Graded for VertexNormals {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "gives every triangle the same weight",
+            hint: "Cut one triangle in two: should the normals at its other corners' neighbours change?",
+            answer: |q| normals(q, |e1, e2| e1.cross(e2).normalize_or_zero()),
+        },
+        Mistake {
+            name: "forgets to normalise",
+            hint: "How long is a sum of many normals?",
+            answer: |q| sums(q, Vec3::cross),
+        },
+        Mistake {
+            name: "points inwards",
+            hint: "Counter-clockwise seen from outside: e1 × e2 or e2 × e1?",
+            answer: |q| normals(q, |e1, e2| e2.cross(e1)),
+        },
+        Mistake {
+            name: "keeps the last triangle's normal only",
+            hint: "A vertex belongs to several triangles: do you add to its sum, or replace it?",
+            answer: |q| {
+                let mut normals = vec![Vec3::Y; q.positions.len()];
+                for (corners, twice_area) in faces(q, Vec3::cross) {
+                    for i in corners {
+                        normals[i] = twice_area.normalize_or(Vec3::Y);
+                    }
+                }
+                normals
+            },
+        },
+        Mistake {
+            name: "adds to the first corner only",
+            hint: "Each triangle has three corners: who gets its normal?",
+            answer: |q| {
+                let mut sums = vec![Vec3::ZERO; q.positions.len()];
+                for ([first, ..], twice_area) in faces(q, Vec3::cross) {
+                    sums[first] += twice_area;
+                }
+                sums.into_iter()
+                    .map(|sum| sum.normalize_or(Vec3::Y))
+                    .collect()
+            },
+        },
+        Mistake {
+            name: "returns NaN for a vertex without triangles",
+            hint: "What is 0/0, and what does the task want instead?",
+            answer: |q| {
+                sums(q, Vec3::cross)
+                    .into_iter()
+                    .map(|sum| sum / sum.length())
+                    .collect()
+            },
+        },
+        Mistake {
+            name: "returns a normal per triangle",
+            hint: "How many normals are asked for: one per vertex, or one per triangle?",
+            answer: |q| {
+                faces(q, Vec3::cross)
+                    .map(|(_, n)| n.normalize_or(Vec3::Y))
+                    .collect()
+            },
+        },
+    ];
+
+    fn edges() -> Vec<Edge<Self>> {
+        let edge = |name, positions: &[Vec3], triangles: &[[u32; 3]]| {
+            Edge::new(
+                name,
+                MeshQuestion {
+                    positions: positions.to_vec(),
+                    triangles: triangles
+                        .iter()
+                        .map(|&[a, b, c]| Indices { a, b, c })
+                        .collect(),
+                },
+            )
+        };
+        let square = [Vec3::ZERO, Vec3::X, vec3(1.0, 1.0, 0.0), Vec3::Y];
+        let roof = [
+            Vec3::ZERO,
+            vec3(0.0, 0.0, 1.0),
+            vec3(-4.0, -1.0, 0.5),
+            vec3(0.5, -1.0, 0.5),
+        ];
+        let tetrahedron = [Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z];
+        vec![
+            edge("one triangle", &square[..3], &[[0, 1, 2]]),
+            edge("a flat square", &square, &[[0, 1, 2], [0, 2, 3]]),
+            edge(
+                "a roof with a large and a small side",
+                &roof,
+                &[[0, 2, 1], [0, 1, 3]],
+            ),
+            edge(
+                "a tetrahedron",
+                &tetrahedron,
+                &[[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]],
+            ),
+            edge("a vertex without triangles", &square, &[[0, 1, 2]]),
+            edge(
+                "a triangle without area adds nothing",
+                &square,
+                &[[0, 1, 2], [0, 2, 2]],
+            ),
+            edge(
+                "two sides that cancel out",
+                &square[..3],
+                &[[0, 1, 2], [0, 2, 1]],
+            ),
+        ]
+    }
+
+    fn random(rng: &mut Pcg) -> MeshQuestion {
+        // A fan around vertex 0: a bumpy cone, whose triangles differ in size.
+        let count = rng.random_range(3..7_u32);
+        let rim = (0..count).map(|i| {
+            let angle = std::f32::consts::TAU * i as f32 / count as f32;
+            let radius = sample::number(rng, 0.4, 2.5);
+            vec3(
+                radius * angle.cos(),
+                sample::number(rng, -1.5, 0.5),
+                radius * angle.sin(),
+            )
+        });
+        let positions = std::iter::once(vec3(0.1, 0.8, -0.2))
+            .chain(rim.collect::<Vec<_>>())
+            .collect();
+        let triangles = (0..count)
+            .map(|i| Indices {
+                a: 0,
+                b: 1 + (i + 1) % count,
+                c: 1 + i,
+            })
+            .collect();
+        MeshQuestion {
+            positions,
+            triangles,
+        }
+    }
+
+    fn judge(_q: &MeshQuestion, golden: &Vec<Vec3>, got: &Vec<Vec3>) -> Verdict {
+        if golden.len() != got.len() {
+            return Err(format!(
+                "there are {} vertices, but you returned {} normals",
+                golden.len(),
+                got.len()
+            ));
+        }
+        let mut pairs = golden.iter().zip(got).enumerate();
+        pairs.try_for_each(|(i, (golden, got))| {
+            judge::direction(&format!("the normal of vertex {i}"), *golden, *got)
+        })
+    }
+}
+
+/// Each triangle's corners, and a vector made of its edges.
+fn faces(
+    q: &MeshQuestion,
+    vector: fn(Vec3, Vec3) -> Vec3,
+) -> impl Iterator<Item = ([usize; 3], Vec3)> {
+    q.triangles.iter().map(move |t| {
+        let corners = [t.a, t.b, t.c].map(|i| i as usize);
+        let [p0, p1, p2] = corners.map(|i| q.positions[i]);
+        (corners, vector(p1 - p0, p2 - p0))
+    })
+}
+
+/// Per vertex, the sum of its triangles' vectors.
+fn sums(q: &MeshQuestion, vector: fn(Vec3, Vec3) -> Vec3) -> Vec<Vec3> {
+    let mut sums = vec![Vec3::ZERO; q.positions.len()];
+    for (corners, vector) in faces(q, vector) {
+        for i in corners {
+            sums[i] += vector;
+        }
+    }
+    sums
+}
+
+pub(super) fn normals(q: &MeshQuestion, vector: fn(Vec3, Vec3) -> Vec3) -> Vec<Vec3> {
+    sums(q, vector)
+        .into_iter()
+        .map(|sum| sum.normalize_or(Vec3::Y))
+        .collect()
+}

@@ -1,0 +1,188 @@
+//! `grid_walk`: its judge and mistakes.
+
+use super::grid_walk_cases;
+use super::grid_walk_student::{ahead, least, student};
+use crate::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
+use raybook::image::rgb::Rgb;
+use raybook_chapters::kit::palette::viridis;
+use raybook::math::{interval::Interval, pcg::Pcg, slab};
+use raybook_workbook::exercise::Exercise;
+use raybook_workbook::exercises::ch08_grid::{GridWalk, GridWalkQuestion, Visit};
+use glam::vec3;
+
+impl Graded for GridWalk {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "skips the first cell",
+            hint: "The ray begins inside a cell, or enters one: is it visited before the first step?",
+            answer: |q| GridWalk::answer(q).into_iter().skip(1).collect(),
+        },
+        Mistake {
+            name: "forgets the last cell",
+            hint: "Count the cells of a lattice of one cell.",
+            answer: |q| {
+                let mut visits = GridWalk::answer(q);
+                visits.pop();
+                visits
+            },
+        },
+        Mistake {
+            name: "goes on beyond the interval's max",
+            hint: "Something nearer may already have been hit: what is the interval's max for?",
+            answer: |q| walked(q, Interval::new(q.within.min, f32::INFINITY)),
+        },
+        Mistake {
+            name: "starts before the interval's min",
+            hint: "Where does the interval begin, and in which cell is the ray there?",
+            answer: |q| walked(q, Interval::new(0.0, q.within.max)),
+        },
+        Mistake {
+            name: "looks at the plane behind when it goes backwards",
+            hint: "A ray that goes left leaves its cell through the left face: which of the cell's two planes is that?",
+            answer: |q| student(q, |_, i| i + 1, least),
+        },
+        Mistake {
+            name: "crosses the farthest plane first",
+            hint: "The ray leaves the cell through the face that it meets first.",
+            answer: |q| {
+                student(q, ahead, |next| {
+                    (0..3)
+                        .filter(|&i| next[i].is_finite())
+                        .max_by(|&a, &b| next[a].total_cmp(&next[b]))
+                        .unwrap_or(0)
+                })
+            },
+        },
+        Mistake {
+            name: "loses its way where the ray does not move along an axis",
+            hint: "What is the distance to a plane that the ray never meets, and is it the least of the three?",
+            answer: |q| {
+                let stays = (0..3).any(|axis| q.ray.direction[axis] == 0.0);
+                let visits = GridWalk::answer(q);
+                visits
+                    .into_iter()
+                    .take(if stays { 1 } else { usize::MAX })
+                    .collect()
+            },
+        },
+        Mistake {
+            name: "says where the ray enters a cell, not where it leaves",
+            hint: "The search may stop when the best hit lies before which end of the cell?",
+            answer: |q| {
+                let visits = GridWalk::answer(q);
+                let enters: Vec<_> = std::iter::once(start(q))
+                    .chain(visits.iter().map(|v| v.leave))
+                    .collect();
+                visits
+                    .into_iter()
+                    .zip(enters)
+                    .map(|(v, leave)| Visit { leave, ..v })
+                    .collect()
+            },
+        },
+        Mistake {
+            name: "steps along all axes at once",
+            hint: "A ray leaves a cell through one face: which of the three numbers changes then?",
+            answer: |q| {
+                let visits = GridWalk::answer(q);
+                visits.into_iter().step_by(2).collect()
+            },
+        },
+    ];
+
+    const PICTURES: &'static [Picture<Self>] = &[Picture {
+        name: "grid_walk",
+        width: 96,
+        height: 54,
+        alt: "How many cells of a lattice each ray passes through: the brighter, the more",
+        question: |x, y| {
+            let toward = vec3((x as f32 - 47.5) / 54.0, (26.5 - y as f32) / 54.0, -1.2);
+            let turned = vec3(0.8 * toward.x - 0.6, toward.y - 0.45, -0.8 - 0.6 * toward.x);
+            GridWalkQuestion {
+                min: vec3(-1.0, -0.7, -1.0),
+                cell: vec3(0.25, 0.28, 0.25),
+                nx: 8,
+                ny: 5,
+                nz: 8,
+                ray: sample::ray(vec3(2.2, 1.5, 2.8), turned),
+                within: Interval::AHEAD,
+            }
+        },
+        colour: |_, visits| {
+            if visits.is_empty() {
+                Rgb::gray(0.1)
+            } else {
+                viridis(visits.len() as f32 / 18.0)
+            }
+        },
+    }];
+
+    fn edges() -> Vec<Edge<Self>> {
+        grid_walk_cases::edges()
+    }
+
+    fn random(rng: &mut Pcg) -> GridWalkQuestion {
+        grid_walk_cases::random(rng)
+    }
+
+    fn judge(q: &GridWalkQuestion, golden: &Vec<Visit>, got: &Vec<Visit>) -> Verdict {
+        let (right, yours) = (passed(q, golden), passed(q, got));
+        for (i, golden) in right.iter().enumerate() {
+            let cell = golden.cell();
+            let Some(got) = yours.get(i) else {
+                return Err(format!(
+                    "your walk ends after {i} cells, and the ray goes on through cell {cell}"
+                ));
+            };
+            if got.cell() != cell {
+                return Err(format!(
+                    "cell {} of your walk is {}, and the ray passes through {cell} there",
+                    i + 1,
+                    got.cell()
+                ));
+            }
+            judge::number(
+                &format!("the distance at which it leaves {cell}"),
+                "m",
+                golden.leave,
+                got.leave,
+            )?;
+        }
+        match yours.get(right.len()) {
+            Some(more) => Err(format!(
+                "your walk goes on to cell {}, but the ray is through after {} cells",
+                more.cell(),
+                right.len()
+            )),
+            None => Ok(()),
+        }
+    }
+}
+
+/// The visits without those of cells that the ray only touches, as in an edge or a corner: in which order these come,
+/// and whether they do, is left to rounding.
+fn passed(q: &GridWalkQuestion, visits: &[Visit]) -> Vec<Visit> {
+    let touch = 1e-3 * q.cell.min_element();
+    let mut enter = start(q);
+    let mut passed = Vec::new();
+    for visit in visits {
+        let touched = visit.leave - enter <= touch;
+        enter = visit.leave;
+        if !touched {
+            passed.push(visit.clone());
+        }
+    }
+    passed
+}
+
+/// Where the ray enters the lattice, or the interval begins.
+fn start(q: &GridWalkQuestion) -> f32 {
+    slab::clip(&q.lattice().bounds(), &q.ray, q.within).map_or(q.within.min, |inside| inside.min)
+}
+
+fn walked(q: &GridWalkQuestion, within: Interval) -> Vec<Visit> {
+    GridWalk::answer(&GridWalkQuestion {
+        within,
+        ..q.clone()
+    })
+}

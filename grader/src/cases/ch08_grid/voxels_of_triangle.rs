@@ -1,0 +1,127 @@
+//! `voxels_of_triangle`: its judge and mistakes.
+
+use super::voxels_of_triangle_cases;
+use raybook::accel::grid::build;
+use raybook::accel::lattice::range;
+use crate::{Edge, Graded, Mistake, Verdict};
+use raybook::math::aabb::Aabb;
+use raybook::math::pcg::Pcg;
+use raybook_workbook::exercise::Exercise;
+use raybook_workbook::exercises::ch08_grid::{Cell, VoxelsOfTriangle, VoxelsOfTriangleQuestion};
+use glam::{UVec3, Vec3, uvec3, vec3};
+
+impl Graded for VoxelsOfTriangle {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "takes all cells of the bounding box",
+            hint: "A large slanting triangle has a large bounding box: is it everywhere in it?",
+            answer: |q| kept(q, |_, _| true),
+        },
+        Mistake {
+            name: "takes only the cells that hold a corner",
+            hint: "What if the triangle is larger than a cell?",
+            answer: |q| {
+                kept(q, |bounds, corners| {
+                    corners.iter().any(|&p| bounds.grown(q.margin).contains(p))
+                })
+            },
+        },
+        Mistake {
+            name: "takes all cells of the box that the plane cuts",
+            hint: "The plane goes on beyond the triangle's edges: which directions can tell a box that lies past an edge?",
+            answer: |q| {
+                kept(q, |bounds, [p0, p1, p2]| {
+                    let n = (p1 - p0).cross(p2 - p0);
+                    let half = 0.5 * bounds.size() + q.margin;
+                    n.dot(bounds.center() - p0).abs() <= n.abs().dot(half)
+                })
+            },
+        },
+        Mistake {
+            name: "takes only cells whose centre is near the plane's",
+            hint: "How far from its centre does a box reach along the triangle's normal: to a face, or to a corner?",
+            answer: |q| {
+                let all = VoxelsOfTriangle::answer(q);
+                let n = (q.p1 - q.p0).cross(q.p2 - q.p0).normalize_or_zero();
+                let near = |cell: &Cell| {
+                    let center =
+                        q.min + (vec3(cell.x as f32, cell.y as f32, cell.z as f32) + 0.5) * q.cell;
+                    n.dot(center - q.p0).abs() <= 0.5 * q.cell.min_element()
+                };
+                all.into_iter().filter(near).collect()
+            },
+        },
+        Mistake {
+            name: "forgets the margin",
+            hint: "A triangle just beyond a plane of the lattice: which cells does it belong to?",
+            answer: |q| Self::misread(q, |q| q.margin = 0.0),
+        },
+        Mistake {
+            name: "leaves out the last cell along each axis",
+            hint: "The cell that holds the bounding box's greatest corner: is it in your loop?",
+            answer: |q| {
+                let all = VoxelsOfTriangle::answer(q);
+                let last = all
+                    .iter()
+                    .fold(UVec3::ZERO, |last, c| last.max(uvec3(c.x, c.y, c.z)));
+                all.into_iter()
+                    .filter(|c| uvec3(c.x, c.y, c.z).cmplt(last).all())
+                    .collect()
+            },
+        },
+        Mistake {
+            name: "takes the lattice to begin at the origin",
+            hint: "Move the lattice and the triangle by one metre: the answer must not change.",
+            answer: |q| Self::misread(q, |q| q.min = Vec3::ZERO),
+        },
+    ];
+
+    fn edges() -> Vec<Edge<Self>> {
+        voxels_of_triangle_cases::edges()
+    }
+
+    fn random(rng: &mut Pcg) -> VoxelsOfTriangleQuestion {
+        voxels_of_triangle_cases::random(rng)
+    }
+
+    fn judge(q: &VoxelsOfTriangleQuestion, _golden: &Vec<Cell>, got: &Vec<Cell>) -> Verdict {
+        // A cell that the triangle only touches is nobody's fault: these must be there, and only those may be.
+        let hair = 1e-4 * (q.cell.max_element() + q.min.abs().max_element());
+        let with = |margin| build::voxels_of_triangle(&q.lattice(), margin, &[q.p0, q.p1, q.p2]);
+        let (must, may) = (with(q.margin - hair), with(q.margin + hair));
+        let got: Vec<_> = got.iter().map(|c| uvec3(c.x, c.y, c.z)).collect();
+        for (i, cell) in got.iter().enumerate() {
+            if got[..i].contains(cell) {
+                return Err(format!("cell {cell} is there twice"));
+            }
+            if cell.cmpge(q.lattice().resolution).any() {
+                return Err(format!(
+                    "cell {cell} is not in the lattice, whose last cell is {}",
+                    q.lattice().resolution - 1
+                ));
+            }
+            if !may.contains(cell) {
+                return Err(format!(
+                    "cell {cell} is one too many: the triangle does not reach it"
+                ));
+            }
+        }
+        match must.iter().find(|&cell| !got.contains(cell)) {
+            Some(cell) => Err(format!(
+                "cell {cell} is missing: the triangle reaches into it"
+            )),
+            None => Ok(()),
+        }
+    }
+}
+
+/// The cells of the triangle's bounding box, grown by the margin, that a test keeps.
+fn kept(q: &VoxelsOfTriangleQuestion, keep: impl Fn(Aabb, [Vec3; 3]) -> bool) -> Vec<Cell> {
+    let (lattice, corners) = (q.lattice(), [q.p0, q.p1, q.p2]);
+    let bounds = Aabb::of(corners).grown(q.margin);
+    let (first, last) = lattice.cells_of(&bounds);
+    range(first, last)
+        .filter(|&cell| keep(lattice.bounds_of(cell, cell), corners))
+        .map(Cell::from)
+        .collect()
+}

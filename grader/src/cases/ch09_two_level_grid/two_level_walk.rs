@@ -1,0 +1,127 @@
+//! `two_level_walk`: its judge and mistakes.
+
+use super::two_level_walk_cases;
+use crate::passage::passage;
+use crate::{Edge, Graded, Mistake, Verdict};
+use raybook::math::{aabb::Aabb, pcg::Pcg};
+use raybook_workbook::exercise::Exercise;
+use raybook_workbook::exercises::ch09_two_level_grid::{
+    Resolution, TwoLevelWalk, TwoLevelWalkQuestion,
+};
+
+/// The boxes of all fine cells, in the row of all.
+pub(super) fn cells(q: &TwoLevelWalkQuestion) -> Vec<Aabb> {
+    let levels = q.levels();
+    let fine = levels.top.all().filter_map(|coarse| levels.fine(coarse));
+    fine.flat_map(|(_, fine)| fine.all().map(move |cell| fine.bounds_of(cell, cell)))
+        .collect()
+}
+
+/// The walk's cells grouped by the coarse cell in which they are: its first cell's place, and their places.
+fn by_coarse_cell(q: &TwoLevelWalkQuestion) -> Vec<(u32, u32, Vec<u32>)> {
+    let levels = q.levels();
+    let mut groups: Vec<(u32, u32, Vec<u32>)> = Vec::new();
+    for place in TwoLevelWalk::answer(q) {
+        let cut = levels
+            .cuts
+            .iter()
+            .rfind(|cut| cut.first <= place && cut.resolution.x > 0);
+        let (first, count) = cut.map_or((0, 0), |cut| {
+            (cut.first, cut.resolution.as_uvec3().element_product())
+        });
+        match groups.last_mut() {
+            Some((last, _, places)) if *last == first => places.push(place),
+            _ => groups.push((first, count, vec![place])),
+        }
+    }
+    groups
+}
+
+impl Graded for TwoLevelWalk {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "visits all fine cells of a coarse cell",
+            hint: "Which fine cells does the ray pass through?",
+            answer: |q| {
+                let groups = by_coarse_cell(q).into_iter();
+                groups
+                    .flat_map(|(first, count, _)| first..first + count)
+                    .collect()
+            },
+        },
+        Mistake {
+            name: "visits the fine cells in the order in which they are stored",
+            hint: "A ray that runs towards −x meets the last cell of a row first.",
+            answer: |q| {
+                let groups = by_coarse_cell(q).into_iter();
+                groups
+                    .flat_map(|(_, _, mut places)| {
+                        places.sort_unstable();
+                        places
+                    })
+                    .collect()
+            },
+        },
+        Mistake {
+            name: "numbers the fine cells of each coarse cell from 0",
+            hint: "All fine cells are in one row: where do those of this coarse cell begin?",
+            answer: |q| {
+                let groups = by_coarse_cell(q).into_iter();
+                groups
+                    .flat_map(|(first, _, places)| {
+                        places.into_iter().map(move |place| place - first)
+                    })
+                    .collect()
+            },
+        },
+        Mistake {
+            name: "stops after the first coarse cell that is not empty",
+            hint: "If there is no hit in it, where does the ray go on?",
+            answer: |q| {
+                by_coarse_cell(q)
+                    .into_iter()
+                    .next()
+                    .map_or(Vec::new(), |group| group.2)
+            },
+        },
+        Mistake {
+            name: "visits the first fine cell of each coarse cell only",
+            hint: "The inner walk takes more than one step: how many?",
+            answer: |q| {
+                by_coarse_cell(q)
+                    .into_iter()
+                    .map(|group| group.2[0])
+                    .collect()
+            },
+        },
+        Mistake {
+            name: "goes on behind the end of the interval",
+            hint: "What is the interval's max for?",
+            answer: |q| Self::misread(q, |q| q.within.max = f32::INFINITY),
+        },
+        Mistake {
+            name: "takes the first cell's resolution for all",
+            hint: "Each coarse cell is cut in its own way: where is that stored?",
+            answer: |q| {
+                let first = q.fine.iter().find(|r| r.nx > 0).cloned();
+                let same = |r: &Resolution| match &first {
+                    Some(first) if r.nx > 0 => first.clone(),
+                    _ => r.clone(),
+                };
+                Self::misread(q, |q| q.fine = q.fine.iter().map(same).collect())
+            },
+        },
+    ];
+
+    fn edges() -> Vec<Edge<Self>> {
+        two_level_walk_cases::edges()
+    }
+
+    fn random(rng: &mut Pcg) -> TwoLevelWalkQuestion {
+        two_level_walk_cases::random(rng)
+    }
+
+    fn judge(q: &TwoLevelWalkQuestion, golden: &Vec<u32>, got: &Vec<u32>) -> Verdict {
+        passage("cell", &cells(q), &q.ray, q.within, golden, got)
+    }
+}

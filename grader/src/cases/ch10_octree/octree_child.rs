@@ -1,0 +1,123 @@
+//! `octree_child`: its cases, judge and mistakes.
+
+use crate::{Edge, Graded, Mistake, Verdict, sample};
+use raybook::math::pcg::Pcg;
+use raybook_workbook::exercise::Exercise;
+use raybook_workbook::exercises::ch10_octree::{OctreeChild, OctreeChildQuestion};
+use glam::{Vec3, vec3};
+
+impl Graded for OctreeChild {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "counts x as the highest bit",
+            hint: "Move the point along x from one half to the other: by how much does the number change?",
+            answer: |q| {
+                let n = OctreeChild::answer(q);
+                (n & 1) << 2 | n & 2 | n >> 2
+            },
+        },
+        Mistake {
+            name: "swaps y and z",
+            hint: "Which of the three coordinates is worth 4?",
+            answer: |q| {
+                let n = OctreeChild::answer(q);
+                n & 1 | (n & 2) << 1 | (n & 4) >> 1
+            },
+        },
+        Mistake {
+            name: "counts the upper half as 0",
+            hint: "Which child has the number 0: the one at the least corner or at the greatest?",
+            answer: |q| 7 - OctreeChild::answer(q),
+        },
+        Mistake {
+            name: "takes a point on a middle plane for below",
+            hint: "The middle plane belongs to one of the two halves: to which?",
+            answer: |q| bits(q.p.cmpgt(0.5 * (q.min + q.max))),
+        },
+        Mistake {
+            name: "compares with half the size of the cell",
+            hint: "Where is the middle of a cell that begins at x = 10 and is 2 wide?",
+            answer: |q| bits(q.p.cmpge(0.5 * (q.max - q.min))),
+        },
+        Mistake {
+            name: "compares with 0",
+            hint: "Is the middle of every cell at the origin?",
+            answer: |q| bits(q.p.cmpge(Vec3::ZERO)),
+        },
+        Mistake {
+            name: "looks at x and y only",
+            hint: "A quad-tree has four children; how many has an octree?",
+            answer: |q| OctreeChild::answer(q) & 3,
+        },
+    ];
+
+    fn edges() -> Vec<Edge<Self>> {
+        let edge = |name, min: f32, max: f32, p| {
+            Edge::new(
+                name,
+                OctreeChildQuestion {
+                    min: Vec3::splat(min),
+                    max: Vec3::splat(max),
+                    p,
+                },
+            )
+        };
+        vec![
+            edge("at the least corner", 0.0, 2.0, vec3(0.0, 0.0, 0.0)),
+            edge("at the greatest corner", 0.0, 2.0, vec3(2.0, 2.0, 2.0)),
+            edge("only x is above", 0.0, 2.0, vec3(1.5, 0.5, 0.5)),
+            edge("only y is above", 0.0, 2.0, vec3(0.5, 1.5, 0.5)),
+            edge("only z is above", 0.0, 2.0, vec3(0.5, 0.5, 1.5)),
+            edge("in the middle", 0.0, 2.0, vec3(1.0, 1.0, 1.0)),
+            edge("on one middle plane", 0.0, 2.0, vec3(0.5, 1.0, 1.5)),
+            edge(
+                "in a cell away from the origin",
+                10.0,
+                12.0,
+                vec3(10.5, 11.5, 10.5),
+            ),
+            edge(
+                "in a cell of negative coordinates",
+                -8.0,
+                -4.0,
+                vec3(-5.0, -7.0, -4.5),
+            ),
+        ]
+    }
+
+    fn random(rng: &mut Pcg) -> OctreeChildQuestion {
+        let min = sample::point(rng, 4.0);
+        let size = Vec3::splat(sample::number(rng, 0.5, 4.0));
+        let inside = sample::point(rng, 0.5) + 0.5;
+        OctreeChildQuestion {
+            min,
+            max: min + size,
+            p: min + inside * size,
+        }
+    }
+
+    fn judge(_q: &OctreeChildQuestion, golden: &u32, got: &u32) -> Verdict {
+        if golden == got {
+            return Ok(());
+        }
+        if *got > 7 {
+            return Err(format!(
+                "there are eight children, 0 to 7, and no child {got}"
+            ));
+        }
+        let half = |n: u32, axis: u32| if n >> axis & 1 == 1 { "upper" } else { "lower" };
+        let wrong = (0..3)
+            .zip(["x", "y", "z"])
+            .find(|&(axis, _)| half(*golden, axis) != half(*got, axis));
+        let (axis, name) = wrong.unwrap_or((0, "x"));
+        Err(format!(
+            "child {got} is in the {} half along {name}, and the point is in the {}",
+            half(*got, axis),
+            half(*golden, axis)
+        ))
+    }
+}
+
+pub(super) fn bits(above: glam::BVec3) -> u32 {
+    above.bitmask()
+}

@@ -1,0 +1,166 @@
+//! `bvh_build`: its cases and mistakes.
+
+use super::bvh_build_judge::tree_cost;
+use super::{around, center, cube, heaps, no_dearer, tree};
+use raybook::accel::bvh::build::Method;
+use crate::{Edge, Graded, Mistake, Verdict};
+use raybook::math::{aabb::Aabb, pcg::Pcg};
+use raybook_workbook::exercise::Exercise;
+use raybook_workbook::exercises::ch11_bvh::{BvhBuild, BvhBuildAnswer, BvhBuildQuestion};
+use raybook_workbook::tree_rows::NodeRow;
+use glam::vec3;
+
+/// A tree may cost so much more than the reference's: neither is the best, and which cut is taken first decides more.
+const DEARER: f32 = 0.25;
+
+/// A tree that takes the boxes in this order and cuts off one after the other.
+pub(super) fn chain(q: &BvhBuildQuestion) -> BvhBuildAnswer {
+    let n = q.boxes.len() as u32;
+    let order: Vec<_> = (0..n).collect();
+    let node = |which: &[u32], first, count| {
+        let Aabb { min, max } = around(&q.boxes, which);
+        NodeRow {
+            min,
+            max,
+            first,
+            count,
+        }
+    };
+    let mut nodes = vec![node(&order, u32::from(n > 1), u32::from(n < 2))];
+    for i in 1..n {
+        let rest = &order[i as usize..];
+        let last = rest.len() == 1;
+        let first = if last { i } else { 2 * i + 1 };
+        nodes.push(node(&order[i as usize - 1..][..1], i - 1, 1));
+        nodes.push(node(rest, first, u32::from(last)));
+    }
+    BvhBuildAnswer { nodes, order }
+}
+
+impl Graded for BvhBuild {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "splits by number",
+            hint: "One box far away from nine others: who should share a side with it?",
+            answer: |q| tree(&q.boxes, Method::Median, q.most),
+        },
+        Mistake {
+            name: "cuts off one box at a time",
+            hint: "How many boxes does a ray test in a tree that is one long branch?",
+            answer: chain,
+        },
+        Mistake {
+            name: "makes one leaf of all",
+            hint: "A tree of one leaf is a list: what does a search in it cost?",
+            answer: one_leaf,
+        },
+        Mistake {
+            name: "gives every node the box of all",
+            hint: "Which rays can be turned away at a box that is as large as the scene?",
+            answer: |q| {
+                let mut tree = BvhBuild::answer(q);
+                let (min, max) = tree
+                    .nodes
+                    .first()
+                    .map_or_else(Default::default, |n| (n.min, n.max));
+                for node in &mut tree.nodes {
+                    (node.min, node.max) = (min, max);
+                }
+                tree
+            },
+        },
+        Mistake {
+            name: "loses the last box",
+            hint: "Count: how many boxes are in your leaves?",
+            answer: |q| {
+                let mut tree = BvhBuild::answer(q);
+                tree.order.pop();
+                tree
+            },
+        },
+        Mistake {
+            name: "puts the first box into every leaf",
+            hint: "Where does the second leaf begin in the order?",
+            answer: |q| {
+                let mut tree = BvhBuild::answer(q);
+                for node in tree.nodes.iter_mut().filter(|n| n.count > 0) {
+                    node.first = 0;
+                }
+                tree
+            },
+        },
+        Mistake {
+            name: "makes boxes around the centres",
+            hint: "A shape reaches beyond its centre: who finds the part outside the box?",
+            answer: |q| {
+                let points = q.boxes.iter().map(|row| cube(center(row), 0.0));
+                let boxes: Vec<_> = points.collect();
+                tree(&boxes, Method::Binned, q.most)
+            },
+        },
+    ];
+
+    fn edges() -> Vec<Edge<Self>> {
+        let row = |at: &[f32], most| BvhBuildQuestion {
+            most,
+            boxes: at
+                .iter()
+                .map(|&x| cube(vec3(x, 0.5 * x, 1.0), 0.5))
+                .collect(),
+        };
+        let mut hay = row(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0], 2);
+        hay.boxes.push(cube(vec3(2.0, 2.0, 2.0), 6.0));
+        let grid = (0..9).map(|i| cube(vec3((i % 3) as f32 * 2.0, 0.0, (i / 3) as f32 * 3.0), 0.5));
+        vec![
+            Edge::new("a single box", row(&[1.0], 4)),
+            Edge::new("two boxes far from each other", row(&[0.0, 30.0], 4)),
+            Edge::new("two heaps", row(&[0.0, 0.5, 1.0, 20.0, 20.5, 21.0], 4)),
+            Edge::new("one far away", row(&[0.0, 1.0, 2.0, 3.0, 4.0, 40.0], 4)),
+            Edge::new(
+                "growing distances",
+                row(&[1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0], 2),
+            ),
+            Edge::new("the same box six times", row(&[1.0; 6], 6)),
+            Edge::new("a large box over small ones", hay),
+            Edge::new(
+                "three rows of three",
+                BvhBuildQuestion {
+                    most: 1,
+                    boxes: grid.collect(),
+                },
+            ),
+        ]
+    }
+
+    fn random(rng: &mut Pcg) -> BvhBuildQuestion {
+        BvhBuildQuestion {
+            most: 4,
+            boxes: heaps(rng),
+        }
+    }
+
+    fn judge(q: &BvhBuildQuestion, golden: &BvhBuildAnswer, got: &BvhBuildAnswer) -> Verdict {
+        no_dearer(
+            "the tree",
+            tree_cost(q, got)?,
+            tree_cost(q, golden)?,
+            DEARER,
+        )
+    }
+}
+
+/// All boxes in one leaf.
+fn one_leaf(q: &BvhBuildQuestion) -> BvhBuildAnswer {
+    let order: Vec<_> = (0..q.boxes.len() as u32).collect();
+    let Aabb { min, max } = around(&q.boxes, &order);
+    let leaf = NodeRow {
+        min,
+        max,
+        first: 0,
+        count: order.len() as u32,
+    };
+    BvhBuildAnswer {
+        nodes: vec![leaf],
+        order,
+    }
+}

@@ -1,0 +1,145 @@
+//! `bvh_closest`: its judge and mistakes.
+
+use super::bvh_closest_cases::{self, question};
+use crate::search::{self, How, Node, Order, Tree};
+use crate::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
+use raybook::math::{aabb::Aabb, interval::Interval, pcg::Pcg};
+use raybook_workbook::exercises::ch11_bvh::{BvhClosest, BvhClosestAnswer, BvhClosestQuestion};
+use raybook_workbook::tree_rows::NodeRow;
+use glam::vec3;
+
+impl Graded for BvhClosest {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "tests every triangle",
+            hint: "The hit is right, but the boxes are there to spare you tests: ask them first.",
+            answer: |q| BvhClosestAnswer {
+                boxes: 0,
+                ..search(q, |how| how.asks = false)
+            },
+        },
+        Mistake {
+            name: "opens every box",
+            hint: "What does it mean for all that is in a box if the ray misses the box?",
+            answer: |q| search(q, |how| how.asks = false),
+        },
+        Mistake {
+            name: "does not shorten the interval for the second child",
+            hint: "Something was hit in the first child: which boxes are still worth opening?",
+            answer: |q| search(q, |how| how.shortens = false),
+        },
+        Mistake {
+            name: "returns the last hit instead of the nearest",
+            hint: "A hit in the second child may lie behind one in the first: which one stays?",
+            answer: |q| search(q, |how| (how.shortens, how.keeps_nearest) = (false, false)),
+        },
+        Mistake {
+            name: "opens the farther child first",
+            hint: "Where is the nearest hit more likely, and what is spared if you find it first?",
+            answer: |q| search(q, |how| how.order = Order::Farthest),
+        },
+        Mistake {
+            name: "never opens the farther child",
+            hint: "The nearer box may be empty where the ray passes through it.",
+            answer: |q| search(q, |how| how.opens = 1),
+        },
+        Mistake {
+            name: "stops at the first leaf with a hit",
+            hint: "Boxes may overlap: can a triangle of the farther box be nearer?",
+            answer: |q| search(q, |how| how.stops = true),
+        },
+        Mistake {
+            name: "ignores the interval's min",
+            hint: "Can the ray hit what lies behind its origin?",
+            answer: |q| Self::misread(q, |q| q.within.min = f32::NEG_INFINITY),
+        },
+    ];
+
+    const PICTURES: &'static [Picture<Self>] = &[Picture {
+        name: "bvh_closest",
+        width: 96,
+        height: 54,
+        alt: "Tiles on a slanted wall, each in its colour",
+        question: |x, y| {
+            let toward = sample::pixel(x, y);
+            let tiles = (0..24).map(|i| {
+                let at = vec3((i % 6) as f32 - 2.5, (i / 6) as f32 - 1.5, 0.0);
+                let tilt = vec3(0.0, 0.0, 0.3 * at.x);
+                let [p0, p1, p2] = [
+                    vec3(-0.45, -0.4, 0.0),
+                    vec3(0.45, -0.4, 0.2),
+                    vec3(0.0, 0.45, -0.1),
+                ];
+                [p0, p1, p2].map(|p| 0.6 * (p + at + tilt))
+            });
+            question(
+                &tiles.collect::<Vec<_>>(),
+                sample::ray(vec3(0.0, 0.0, 3.0), toward),
+                Interval::AHEAD,
+            )
+        },
+        colour: |_, answer| search::colour(answer.hit.as_ref()),
+    }];
+
+    fn edges() -> Vec<Edge<Self>> {
+        bvh_closest_cases::edges()
+    }
+
+    fn random(rng: &mut Pcg) -> BvhClosestQuestion {
+        bvh_closest_cases::random(rng)
+    }
+
+    fn judge(
+        _q: &BvhClosestQuestion,
+        golden: &BvhClosestAnswer,
+        got: &BvhClosestAnswer,
+    ) -> Verdict {
+        judge::nearest(golden.hit.as_ref(), got.hit.as_ref())?;
+        if got.hit.is_some() && got.tests == 0 {
+            return Err("you found a hit without testing a triangle".to_owned());
+        }
+        few("triangle", golden.tests, got.tests)?;
+        few("box", golden.boxes, got.boxes)
+    }
+}
+
+/// Not many more tests than the reference's: half as many, and four, for another sound order of the children.
+pub(super) fn few(what: &str, golden: u32, got: u32) -> Verdict {
+    if got <= golden + golden / 2 + 4 {
+        Ok(())
+    } else {
+        Err(format!(
+            "the hit is right, but it took {got} {what} tests; the reference needs {golden}"
+        ))
+    }
+}
+
+/// A search that goes wrong in some way.
+fn search(q: &BvhClosestQuestion, change: impl FnOnce(&mut How)) -> BvhClosestAnswer {
+    let node = |i: u32| {
+        let NodeRow { first, count, .. } = q.nodes[i as usize];
+        match count {
+            0 => Node::Branch(i),
+            _ => Node::Leaf((first..first + count).collect()),
+        }
+    };
+    let child = |i: u32| {
+        let NodeRow { min, max, .. } = q.nodes[i as usize];
+        (Aabb { min, max }, node(i))
+    };
+    let tree = Tree {
+        ray: &q.ray,
+        within: q.within,
+        triangles: &q.triangles,
+        children: &|i| {
+            let left = q.nodes[i as usize].first;
+            vec![child(left), child(left + 1)]
+        },
+    };
+    let found = search::search(&tree, &node(0), change);
+    BvhClosestAnswer {
+        boxes: found.boxes,
+        tests: found.tests,
+        hit: found.hit,
+    }
+}

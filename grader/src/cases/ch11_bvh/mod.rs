@@ -1,0 +1,88 @@
+//! Chapter 11: `sah_cost`, `sah_split`, `bvh_build`, `bvh_closest`.
+
+mod bvh_build;
+mod bvh_build_judge;
+mod bvh_closest;
+mod bvh_closest_cases;
+mod sah_cost;
+mod sah_split;
+
+use raybook::accel::bvh::COST;
+use raybook::accel::bvh::build::cost::Cost;
+use raybook::accel::bvh::build::{Method, build};
+use crate::examine::Examiner;
+use crate::{Verdict, sample};
+use raybook::math::{aabb::Aabb, pcg::Pcg};
+use raybook_workbook::exercises::ch11_bvh::{
+    BvhBuild, BvhBuildAnswer, BvhClosest, SahCost, SahSplit,
+};
+use raybook_workbook::tree_rows::{BoxRow, to_rows};
+use glam::{Vec3, vec3};
+use rand::RngExt;
+
+/// This chapter's exercises, in order.
+pub const GRADED: &[&dyn Examiner] = &[&SahCost, &SahSplit, &BvhBuild, &BvhClosest];
+
+fn area(min: Vec3, max: Vec3) -> f32 {
+    let size = max - min;
+    2.0 * (size.x * size.y + size.y * size.z + size.z * size.x)
+}
+
+fn around(boxes: &[BoxRow], which: &[u32]) -> Aabb {
+    let corners = which.iter().filter_map(|&i| boxes.get(i as usize));
+    Aabb::of(corners.flat_map(|row| [row.min, row.max]))
+}
+
+fn cube(center: Vec3, half: f32) -> BoxRow {
+    BoxRow {
+        min: center - half,
+        max: center + half,
+    }
+}
+
+/// Boxes of different sizes in a few heaps of different numbers: what a split by number alone gets wrong.
+fn heaps(rng: &mut Pcg) -> Vec<BoxRow> {
+    let mut boxes = Vec::new();
+    for count in [1, 2, 5] {
+        let center = sample::point(rng, 8.0);
+        for _ in 0..count + rng.random_range(0..2) {
+            let half = vec3(
+                sample::number(rng, 0.1, 0.8),
+                sample::number(rng, 0.1, 0.8),
+                sample::number(rng, 0.1, 0.8),
+            );
+            let at = center + sample::point(rng, 1.5);
+            boxes.push(BoxRow {
+                min: at - half,
+                max: at + half,
+            });
+        }
+    }
+    boxes
+}
+
+/// The tree over boxes by a method, with leaves of at most so many shapes.
+fn tree(boxes: &[BoxRow], method: Method, most: u32) -> BvhBuildAnswer {
+    let boxes: Vec<_> = boxes.iter().map(Aabb::from).collect();
+    let flat = build(&boxes, method, &Cost { most, ..COST });
+    BvhBuildAnswer {
+        nodes: to_rows(&flat),
+        order: flat.order,
+    }
+}
+
+fn center(row: &BoxRow) -> Vec3 {
+    0.5 * (row.min + row.max)
+}
+
+/// A cost that may exceed the reference's by some part of it.
+fn no_dearer(what: &str, got: f32, reference: f32, part: f32) -> Verdict {
+    if got <= reference * (1.0 + part) {
+        Ok(())
+    } else {
+        Err(format!(
+            "{what} costs {got:.3}, {:.0} % more than {reference:.3}",
+            100.0 * (got / reference - 1.0)
+        ))
+    }
+}

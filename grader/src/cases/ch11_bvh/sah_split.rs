@@ -1,0 +1,174 @@
+//! `sah_split`: its cases, judge and mistakes.
+
+use super::{area, around, center, cube, heaps, no_dearer};
+use crate::{Edge, Graded, Mistake, Verdict, judge};
+use raybook::math::{aabb::Aabb, pcg::Pcg};
+use raybook_workbook::exercises::ch11_bvh::{SahSplit, SahSplitQuestion};
+use raybook_workbook::tree_rows::BoxRow;
+use glam::{Vec3, vec3};
+
+/// All cuts between neighbouring centres along an axis: the axis, and who is on the left and on the right.
+pub(super) fn cuts(boxes: &[BoxRow], key: fn(&BoxRow) -> Vec3) -> Vec<(usize, [Vec<u32>; 2])> {
+    let mut cuts = Vec::new();
+    for axis in 0..3 {
+        let mut order: Vec<_> = (0..boxes.len() as u32).collect();
+        order.sort_by(|&a, &b| {
+            key(&boxes[a as usize])[axis].total_cmp(&key(&boxes[b as usize])[axis])
+        });
+        for left in 1..boxes.len() {
+            let (left, right) = order.split_at(left);
+            cuts.push((axis, [left.to_vec(), right.to_vec()]));
+        }
+    }
+    cuts
+}
+
+/// The left side of the cut that is least by some measure of a side, left plus right.
+fn least(q: &SahSplitQuestion, side: fn(&Aabb, f32) -> f32) -> Vec<u32> {
+    cut_with(q, |_, sides| {
+        let measure = |s: &Vec<u32>| side(&around(&q.boxes, s), s.len() as f32);
+        measure(&sides[0]) + measure(&sides[1])
+    })
+}
+
+fn cut_with(q: &SahSplitQuestion, cost: impl Fn(usize, &[Vec<u32>; 2]) -> f32) -> Vec<u32> {
+    let cuts = cuts(&q.boxes, center);
+    let best = cuts
+        .into_iter()
+        .min_by(|a, b| cost(a.0, &a.1).total_cmp(&cost(b.0, &b.1)));
+    best.map_or(Vec::new(), |(_, [left, _])| left)
+}
+
+fn sah(bounds: &Aabb, count: f32) -> f32 {
+    area(bounds.min, bounds.max) * count
+}
+
+/// The axis along which all boxes together are longest.
+pub(super) fn longest(q: &SahSplitQuestion) -> usize {
+    let all: Vec<_> = (0..q.boxes.len() as u32).collect();
+    around(&q.boxes, &all).size().max_position()
+}
+
+fn split_cost(q: &SahSplitQuestion, left: &[u32]) -> Result<f32, String> {
+    let n = q.boxes.len() as u32;
+    if let Some(i) = left.iter().find(|&&i| i >= n) {
+        return Err(format!("there is no box {i}: there are {n}, from 0"));
+    }
+    if let Some(twice) = (0..n).find(|i| left.iter().filter(|j| *j == i).count() > 1) {
+        return Err(format!("box {twice} is on the left more than once"));
+    }
+    let right: Vec<_> = (0..n).filter(|i| !left.contains(i)).collect();
+    if left.is_empty() || right.is_empty() {
+        return Err("all boxes are on the same side".to_owned());
+    }
+    let side = |side: &[u32]| sah(&around(&q.boxes, side), side.len() as f32);
+    Ok(side(left) + side(&right))
+}
+
+impl Graded for SahSplit {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "puts half of the boxes on each side",
+            hint: "One box far away from nine others: who should share a side with it?",
+            answer: |q| {
+                cut_with(q, |axis, [left, right]| {
+                    let off = left.len().abs_diff(right.len());
+                    off as f32 + if axis == longest(q) { 0.0 } else { 100.0 }
+                })
+            },
+        },
+        Mistake {
+            name: "tries the longest axis only",
+            hint: "Is the best cut always across the longest side?",
+            answer: |q| {
+                cut_with(q, |axis, sides| {
+                    let [left, right] =
+                        [0, 1].map(|i| sah(&around(&q.boxes, &sides[i]), sides[i].len() as f32));
+                    left + right + if axis == longest(q) { 0.0 } else { 1e9 }
+                })
+            },
+        },
+        Mistake {
+            name: "tries the x axis only",
+            hint: "Stack the boxes along y: where do you cut?",
+            answer: |q| {
+                cut_with(q, |axis, sides| {
+                    let [left, right] =
+                        [0, 1].map(|i| sah(&around(&q.boxes, &sides[i]), sides[i].len() as f32));
+                    left + right + 1e9 * axis as f32
+                })
+            },
+        },
+        Mistake {
+            name: "does not multiply by the number of shapes",
+            hint: "What does a ray that meets a side's box do there, and how often?",
+            answer: |q| least(q, |bounds, _| area(bounds.min, bounds.max)),
+        },
+        Mistake {
+            name: "weighs by volume",
+            hint: "How large is the chance that a ray meets a flat box, which has no volume?",
+            answer: |q| least(q, |bounds, count| bounds.size().element_product() * count),
+        },
+        Mistake {
+            name: "weighs by the longest side",
+            hint: "Lines through a box are counted by its surface, not by a length.",
+            answer: |q| least(q, |bounds, count| bounds.size().max_element() * count),
+        },
+        Mistake {
+            name: "takes the dearest cut",
+            hint: "A cost is something to keep small: which way round do you compare?",
+            answer: |q| least(q, |bounds, count| -sah(bounds, count)),
+        },
+        Mistake {
+            name: "cuts off a single box",
+            hint: "If the left side has one box, how much work is left on the right?",
+            answer: |q| cut_with(q, |axis, [left, _]| left.len() as f32 + 0.1 * axis as f32),
+        },
+    ];
+
+    fn edges() -> Vec<Edge<Self>> {
+        let row = |centers: &[[f32; 3]]| {
+            let boxes = centers.iter().map(|&c| cube(c.into(), 0.5));
+            SahSplitQuestion {
+                boxes: boxes.collect(),
+            }
+        };
+        let along = |at: &[f32], axis: usize| {
+            let mut centers = vec![[0.0; 3]; at.len()];
+            for (center, &at) in centers.iter_mut().zip(at) {
+                center[axis] = at;
+            }
+            row(&centers)
+        };
+        let mut one_large = along(&[0.0, 2.0, 4.0, 6.0], 0);
+        one_large.boxes.push(cube(vec3(1.0, 0.0, 0.0), 4.0));
+        let tiles = [0.0, 1.0, 5.0, 6.0].map(|x| BoxRow {
+            min: vec3(x, 0.0, 0.0),
+            max: vec3(x + 1.0, 0.0, 3.0),
+        });
+        vec![
+            Edge::new("two boxes", along(&[0.0, 3.0], 0)),
+            Edge::new("one far away", along(&[0.0, 1.0, 2.0, 3.0, 20.0], 0)),
+            Edge::new("a stack along y", along(&[0.0, 1.0, 7.0, 8.0, 9.0], 1)),
+            Edge::new("a row along z", along(&[0.0, 6.0, 7.0], 2)),
+            Edge::new("the same box four times", along(&[1.0; 4], 0)),
+            Edge::new("in no order", along(&[9.0, 0.0, 8.0, 1.0, 2.0], 0)),
+            Edge::new("one large box among small ones", one_large),
+            Edge::new(
+                "flat boxes",
+                SahSplitQuestion {
+                    boxes: tiles.into(),
+                },
+            ),
+        ]
+    }
+
+    fn random(rng: &mut Pcg) -> SahSplitQuestion {
+        SahSplitQuestion { boxes: heaps(rng) }
+    }
+
+    fn judge(q: &SahSplitQuestion, golden: &Vec<u32>, got: &Vec<u32>) -> Verdict {
+        let (best, cost) = (split_cost(q, golden)?, split_cost(q, got)?);
+        no_dearer("this split", cost, best, judge::RELATIVE)
+    }
+}

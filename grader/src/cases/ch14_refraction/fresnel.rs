@@ -1,0 +1,160 @@
+//! `fresnel`: its cases, judge and mistakes.
+
+use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use raybook::material::fresnel;
+use raybook::math::pcg::Pcg;
+use raybook_workbook::exercise::Exercise;
+use raybook_workbook::exercises::ch14_refraction::{Fresnel, FresnelAnswer, FresnelQuestion};
+
+impl Graded for Fresnel {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "returns Schlick's approximation",
+            hint: "One of Rs and Rp is zero at Brewster's angle: which of yours is?",
+            answer: |q| {
+                let r = fresnel::schlick(q.cos1, q.n1, q.n2);
+                let r = if cos2(q).is_some() { r } else { 1.0 };
+                FresnelAnswer { rs: r, rp: r, r }
+            },
+        },
+        Mistake {
+            name: "exchanges Rs and Rp",
+            hint: "At Brewster's angle, which polarisation is not reflected?",
+            answer: |q| {
+                let FresnelAnswer { rs, rp, r } = Fresnel::answer(q);
+                FresnelAnswer { rs: rp, rp: rs, r }
+            },
+        },
+        Mistake {
+            name: "forgets to square",
+            hint: "The fractions are those of the field; the light's power goes with its square.",
+            answer: |q| {
+                let FresnelAnswer { rs, rp, .. } = Fresnel::answer(q);
+                mean(rs.sqrt(), rp.sqrt())
+            },
+        },
+        Mistake {
+            name: "reflects nothing behind the critical angle",
+            hint: "Where no light goes through, where does it all go?",
+            answer: |q| {
+                if cos2(q).is_some() {
+                    Fresnel::answer(q)
+                } else {
+                    mean(0.0, 0.0)
+                }
+            },
+        },
+        Mistake {
+            name: "has the ratio in Snell's law upside down",
+            hint: "In the denser medium the angle is the smaller one: is yours?",
+            answer: |q| {
+                let eta = q.n2 / q.n1;
+                let cos2 = (1.0 - eta * eta * (1.0 - q.cos1 * q.cos1)).max(0.0).sqrt();
+                shares(q.n1, q.cos1, q.n2, cos2)
+            },
+        },
+        Mistake {
+            name: "takes the same angle on both sides",
+            hint: "The formulas have two angles; what does Snell's law say about the second?",
+            answer: |q| {
+                if cos2(q).is_some() {
+                    shares(q.n1, q.cos1, q.n2, q.cos1)
+                } else {
+                    mean(1.0, 1.0)
+                }
+            },
+        },
+        Mistake {
+            name: "exchanges the two media",
+            hint: "Out of glass, all is reflected from 42° on; into glass, never. Try 60° both ways.",
+            answer: |q| {
+                Fresnel::answer(&FresnelQuestion {
+                    cos1: q.cos1,
+                    n1: q.n2,
+                    n2: q.n1,
+                })
+            },
+        },
+        Mistake {
+            name: "takes the sum of Rs and Rp for R",
+            hint: "Unpolarised light is half of one kind and half of the other.",
+            answer: |q| {
+                let FresnelAnswer { rs, rp, .. } = Fresnel::answer(q);
+                FresnelAnswer { rs, rp, r: rs + rp }
+            },
+        },
+        Mistake {
+            name: "leaves Rp out of R",
+            hint: "Is lamplight polarised?",
+            answer: |q| {
+                let FresnelAnswer { rs, rp, .. } = Fresnel::answer(q);
+                FresnelAnswer { rs, rp, r: rs }
+            },
+        },
+    ];
+
+    fn edges() -> Vec<Edge<Self>> {
+        let edge = |name, degrees: f32, n1, n2| {
+            let cos1 = degrees.to_radians().cos().max(0.0);
+            Edge::new(name, FresnelQuestion { cos1, n1, n2 })
+        };
+        vec![
+            edge("straight into glass: 4 %", 0.0, 1.0, 1.5),
+            edge("straight out of glass: 4 % too", 0.0, 1.5, 1.0),
+            edge("into glass at 45°", 45.0, 1.0, 1.5),
+            edge("out of glass at 10°", 10.0, 1.5, 1.0),
+            edge("Brewster's angle: Rp is 0", 56.309_93, 1.0, 1.5),
+            edge("into glass at 89°", 89.0, 1.0, 1.5),
+            Edge::new(
+                "along the surface: all is reflected",
+                FresnelQuestion {
+                    cos1: 0.0,
+                    n1: 1.0,
+                    n2: 1.5,
+                },
+            ),
+            edge("out of glass at 40°", 40.0, 1.5, 1.0),
+            edge("out of glass at 60°: totally reflected", 60.0, 1.5, 1.0),
+            edge("the same medium on both sides", 70.0, 1.333, 1.333),
+            edge("from water into glass", 50.0, 1.333, 1.5),
+            edge("into diamond", 30.0, 1.0, 2.417),
+        ]
+    }
+
+    fn random(rng: &mut Pcg) -> FresnelQuestion {
+        FresnelQuestion {
+            cos1: sample::number(rng, 0.02, 1.0),
+            n1: sample::number(rng, 1.0, 1.7),
+            n2: sample::number(rng, 1.0, 2.4),
+        }
+    }
+
+    fn judge(_q: &FresnelQuestion, golden: &FresnelAnswer, got: &FresnelAnswer) -> Verdict {
+        /// Of all light. Other orders of the same operations in `f32` are within 1e-6 of each other where the answer is stable.
+        const TOLERANCE: f32 = 1e-4;
+        let close = |name, golden, got| judge::number_within(name, "", golden, got, TOLERANCE);
+        close("Rs", golden.rs, got.rs)?;
+        close("Rp", golden.rp, got.rp)?;
+        close("R", golden.r, got.r)
+    }
+}
+
+/// cos θ₂, unless all is reflected.
+fn cos2(q: &FresnelQuestion) -> Option<f32> {
+    let squared = 1.0 - (q.n1 / q.n2).powi(2) * (1.0 - q.cos1 * q.cos1);
+    (squared >= 0.0).then(|| squared.sqrt())
+}
+
+/// Rs and Rp by their formulas, from any cosines.
+fn shares(n1: f32, cos1: f32, n2: f32, cos2: f32) -> FresnelAnswer {
+    let share = |a: f32, b: f32| ((a - b) / (a + b)).powi(2);
+    mean(share(n1 * cos1, n2 * cos2), share(n1 * cos2, n2 * cos1))
+}
+
+fn mean(rs: f32, rp: f32) -> FresnelAnswer {
+    FresnelAnswer {
+        rs,
+        rp,
+        r: 0.5 * (rs + rp),
+    }
+}

@@ -1,0 +1,171 @@
+//! `refract`: its cases, judge and mistakes.
+
+use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use raybook::math::{dir3::Dir3, pcg::Pcg};
+use raybook_workbook::exercise::Exercise;
+use raybook_workbook::exercises::ch14_refraction::{Refract, RefractQuestion};
+use glam::{Vec3, vec3};
+use rand::RngExt;
+
+impl Graded for Refract {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "never turns the normal",
+            hint: "On which side of the surface is a ray that leaves the glass? Your formula wants the normal on the ray's side.",
+            answer: |q| snell(q, *q.normal, -q.direction.dot(*q.normal), ratio(q)),
+        },
+        Mistake {
+            name: "takes the same ratio for entering and leaving",
+            hint: "A ray that leaves the glass comes from the inside: which index is then n1?",
+            answer: |q| {
+                let n = facing(q);
+                snell(q, n, -q.direction.dot(n), q.outside / q.inside)
+            },
+        },
+        Mistake {
+            name: "has the ratio of the indices upside down",
+            hint: "Into a denser medium a ray bends towards the normal: does yours?",
+            answer: |q| {
+                let n = facing(q);
+                snell(q, n, -q.direction.dot(n), 1.0 / ratio(q))
+            },
+        },
+        Mistake {
+            name: "has the sign of the cosine wrong",
+            hint: "The ray runs against the normal: which sign does their dot product have?",
+            answer: |q| {
+                let n = facing(q);
+                snell(q, n, q.direction.dot(n), ratio(q))
+            },
+        },
+        Mistake {
+            name: "mirrors the ray where it is totally reflected",
+            hint: "This function is asked for the ray behind the surface only: is there one?",
+            answer: |q| {
+                let n = facing(q);
+                let mirrored = *q.direction - 2.0 * q.direction.dot(n) * n;
+                Some(Refract::answer(q).unwrap_or(mirrored))
+            },
+        },
+        Mistake {
+            name: "lets the ray graze the surface where it is totally reflected",
+            hint: "What does it mean if the sine of an angle would be larger than 1?",
+            answer: |q| {
+                let n = facing(q);
+                let along = *q.direction - q.direction.dot(n) * n;
+                Refract::answer(q).or(Some(along.normalize_or_zero()))
+            },
+        },
+        Mistake {
+            name: "forgets the square root",
+            hint: "You have the square of a cosine: how long is your answer at 45°?",
+            answer: |q| {
+                let (n, along) = (facing(q), along(q)?);
+                Some(along - (1.0 - along.length_squared()) * n)
+            },
+        },
+        Mistake {
+            name: "sends the ray to the wrong side",
+            hint: "Does your ray go on behind the surface, or come back?",
+            answer: |q| {
+                let (n, along) = (facing(q), along(q)?);
+                Some(along + (1.0 - along.length_squared()).sqrt() * n)
+            },
+        },
+        Mistake {
+            name: "goes straight on",
+            hint: "Where are the two indices in your formula?",
+            answer: |q| Refract::answer(q).map(|_| *q.direction),
+        },
+    ];
+
+    fn edges() -> Vec<Edge<Self>> {
+        let edge = |name, direction: Vec3, outside, inside| {
+            Edge::new(
+                name,
+                RefractQuestion {
+                    direction: Dir3::new_or(direction, Dir3::Y),
+                    normal: Dir3::Y,
+                    outside,
+                    inside,
+                },
+            )
+        };
+        let down = |degrees: f32| {
+            let (sine, cosine) = degrees.to_radians().sin_cos();
+            vec3(sine, -cosine, 0.0)
+        };
+        let up = |degrees: f32| down(degrees) * vec3(1.0, -1.0, 1.0);
+        let askew = RefractQuestion {
+            direction: Dir3::new_or(vec3(0.3, -0.5, -0.8), Dir3::Y),
+            normal: Dir3::new_or(vec3(-1.0, 1.0, 2.0), Dir3::Y),
+            outside: 1.0,
+            inside: 2.417,
+        };
+        vec![
+            edge("straight into glass", Vec3::NEG_Y, 1.0, 1.5),
+            edge("straight out of glass", Vec3::Y, 1.0, 1.5),
+            edge("into glass at 45°", down(45.0), 1.0, 1.5),
+            edge("out of glass at 30°", up(30.0), 1.0, 1.5),
+            edge("out at 60°: totally reflected", up(60.0), 1.0, 1.5),
+            edge("just before the critical angle", up(41.5), 1.0, 1.5),
+            edge("just behind the critical angle", up(42.1), 1.0, 1.5),
+            edge("into glass, nearly along it", down(89.0), 1.0, 1.5),
+            edge("the same on both sides", down(50.0), 1.333, 1.333),
+            edge("from water into glass", down(50.0), 1.333, 1.5),
+            edge("into a bubble of air in glass", down(20.0), 1.5, 1.0),
+            edge("a bubble that reflects totally", down(60.0), 1.5, 1.0),
+            edge("out of a bubble of air in glass", up(60.0), 1.5, 1.0),
+            Edge::new("a normal askew", askew),
+        ]
+    }
+
+    fn random(rng: &mut Pcg) -> RefractQuestion {
+        let (normal, mut direction) = (sample::direction(rng), sample::direction(rng));
+        // Steep rays are refracted, flat ones are often not: most are to be refracted.
+        if rng.random_bool(0.5) {
+            let steeper = *direction + direction.dot(*normal).signum() * *normal;
+            direction = Dir3::new_or(steeper, direction);
+        }
+        RefractQuestion {
+            direction,
+            normal,
+            outside: sample::number(rng, 1.0, 1.7),
+            inside: sample::number(rng, 1.0, 2.4),
+        }
+    }
+
+    fn judge(_q: &RefractQuestion, golden: &Option<Vec3>, got: &Option<Vec3>) -> Verdict {
+        let (golden, got) = (golden.as_ref(), got.as_ref());
+        judge::option("a refracted ray", golden, got, |golden, got| {
+            judge::direction("the refracted ray", *golden, *got)
+        })
+    }
+}
+
+/// The normal on the ray's side.
+fn facing(q: &RefractQuestion) -> Vec3 {
+    -q.direction.dot(*q.normal).signum() * *q.normal
+}
+
+/// n₁/n₂.
+fn ratio(q: &RefractQuestion) -> f32 {
+    if q.direction.dot(*q.normal) < 0.0 {
+        q.outside / q.inside
+    } else {
+        q.inside / q.outside
+    }
+}
+
+/// The part of the refracted ray along the surface, unless it is totally reflected.
+fn along(q: &RefractQuestion) -> Option<Vec3> {
+    let n = facing(q);
+    let along = ratio(q) * (*q.direction - q.direction.dot(n) * n);
+    (along.length_squared() < 1.0).then_some(along)
+}
+
+/// η i + (η cos θ₁ − √(1 − η²(1 − cos²θ₁))) n.
+fn snell(q: &RefractQuestion, n: Vec3, cos1: f32, eta: f32) -> Option<Vec3> {
+    let cos2_squared = 1.0 - eta * eta * (1.0 - cos1 * cos1);
+    (cos2_squared >= 0.0).then(|| eta * *q.direction + (eta * cos1 - cos2_squared.sqrt()) * n)
+}

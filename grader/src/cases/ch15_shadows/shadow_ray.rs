@@ -1,0 +1,166 @@
+//! `shadow_ray`: its cases and mistakes.
+
+use super::way::{ends_before, starts_off};
+use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg};
+use raybook_workbook::exercise::Exercise;
+use raybook_workbook::exercises::ch15_shadows::{ShadowRay, ShadowRayQuestion, Way};
+use glam::{Vec3, vec3};
+use rand::RngExt;
+
+/// The right answer, with another start.
+fn starting(q: &ShadowRayQuestion, origin: Vec3, min: f32) -> Way {
+    let right = ShadowRay::answer(q);
+    let within = Interval::new(min, right.within.max);
+    Way {
+        origin,
+        within,
+        ..right
+    }
+}
+
+/// The right answer, with another end.
+fn ending(q: &ShadowRayQuestion, max: f32) -> Way {
+    let right = ShadowRay::answer(q);
+    Way {
+        within: right.within.before(max),
+        ..right
+    }
+}
+
+impl Graded for ShadowRay {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "starts on the surface itself",
+            hint: "The point is not exactly on the surface: it may lie a little below. What does a ray to the light meet first then?",
+            answer: |q| starting(q, q.position, 0.0),
+        },
+        Mistake {
+            name: "starts a fixed millimetre along the ray",
+            hint: "Is a millimetre much or little? On a grain of sand, on a planet? Which number in the question knows?",
+            answer: |q| starting(q, q.position, 1e-3),
+        },
+        Mistake {
+            name: "steps to the normal's side, wherever the light is",
+            hint: "A sheet may be lit from behind: on which side of it does the ray leave?",
+            answer: |q| {
+                let step = q.error * q.normal.abs().element_sum();
+                starting(q, q.position + step * *q.normal, 0.0)
+            },
+        },
+        Mistake {
+            name: "skips a quarter of the way",
+            hint: "What stands close to the surface throws no shadow any more: how far off need the ray start?",
+            answer: |q| {
+                let far = if q.distance.is_finite() {
+                    q.distance
+                } else {
+                    100.0
+                };
+                starting(q, q.position, 0.25 * far)
+            },
+        },
+        Mistake {
+            name: "never ends",
+            hint: "There is a wall behind the lamp: does it throw a shadow on you?",
+            answer: |q| ending(q, f32::INFINITY),
+        },
+        Mistake {
+            name: "ends as far behind the light as it is away",
+            hint: "How far is the light, and how far does your interval reach?",
+            answer: |q| ending(q, 2.0 * q.distance),
+        },
+        Mistake {
+            name: "takes the way for the unit",
+            hint: "A direction has length 1, so t is in metres: at which t is the light?",
+            answer: |q| {
+                let right = ShadowRay::answer(q);
+                let far = if q.distance.is_finite() {
+                    q.distance
+                } else {
+                    1.0
+                };
+                Way {
+                    direction: far * right.direction,
+                    within: Interval::new(0.0, 1.0),
+                    ..right
+                }
+            },
+        },
+        Mistake {
+            name: "goes away from the light",
+            hint: "From the surface to the light: in which direction?",
+            answer: |q| {
+                let away = ShadowRayQuestion {
+                    toward: -q.toward,
+                    ..q.clone()
+                };
+                ShadowRay::answer(&away)
+            },
+        },
+    ];
+
+    fn edges() -> Vec<Edge<Self>> {
+        let edge = |name, (position, error, normal): (Vec3, f32, Vec3), toward: Vec3, distance| {
+            let [normal, toward] = [normal, toward].map(|v| Dir3::new_or(v, Dir3::Y));
+            Edge::new(
+                name,
+                ShadowRayQuestion {
+                    position,
+                    error,
+                    normal,
+                    toward,
+                    distance,
+                },
+            )
+        };
+        let place = vec3(1.0, 2.0, -1.0);
+        let up = (place, 0.01, Vec3::Y);
+        let down = (place, 0.01, Vec3::NEG_Y);
+        let askew = (place, 0.02, Vec3::ONE);
+        let sand = (vec3(0.001, 0.002, 0.0), 1e-5, Vec3::Y);
+        let planet = (vec3(6e6, 0.0, 1e6), 1e4, Vec3::X);
+        let (aslant, below) = (vec3(0.6, 0.8, 0.0), vec3(0.0, -0.8, 0.6));
+        let low = vec3(1.0, 0.1, 0.0);
+        vec![
+            edge("a lamp straight above", up, Vec3::Y, 2.0),
+            edge("a lamp aslant", up, aslant, 5.0),
+            edge("a lamp below a sheet", up, below, 3.0),
+            edge("the normal points away from the lamp", down, Vec3::Y, 2.0),
+            edge("a surface askew to all axes", askew, Vec3::Z, 4.0),
+            edge("a lamp just above the horizon", up, low, 4.0),
+            edge("the sun", up, aslant, f32::INFINITY),
+            edge("the sun, from behind", up, below, f32::INFINITY),
+            edge("a grain of sand", sand, Vec3::Y, 0.003),
+            edge("a planet", planet, vec3(0.8, 0.6, 0.0), 4e7),
+        ]
+    }
+
+    fn random(rng: &mut Pcg) -> ShadowRayQuestion {
+        let scale = 10.0_f32.powf(sample::number(rng, -1.5, 3.0));
+        let (normal, toward) = loop {
+            let (normal, toward) = (sample::direction(rng), sample::direction(rng));
+            if normal.dot(*toward).abs() > 0.1 {
+                break (normal, toward);
+            }
+        };
+        let distance = if rng.random_bool(0.15) {
+            f32::INFINITY
+        } else {
+            scale * sample::number(rng, 2.0, 6.0)
+        };
+        ShadowRayQuestion {
+            position: scale * sample::point(rng, 3.0),
+            error: scale * sample::number(rng, 0.01, 0.03),
+            normal,
+            toward,
+            distance,
+        }
+    }
+
+    fn judge(q: &ShadowRayQuestion, golden: &Way, got: &Way) -> Verdict {
+        judge::direction("the ray", golden.direction, got.direction)?;
+        starts_off(q, got)?;
+        ends_before(q, got)
+    }
+}

@@ -1,0 +1,84 @@
+//! The judge of `shadow_ray`: where the way to the light begins and where it ends.
+
+use crate::Verdict;
+use raybook_workbook::exercises::ch15_shadows::{ShadowRayQuestion, Way};
+use glam::DVec3;
+
+/// A shadow ray may start so many times the error bound off the surface: beyond, shadows come loose.
+const FARTHEST: f64 = 5.0;
+
+/// Of the step off the surface, so much must be there: the rest is rounding.
+const ROUNDED: f64 = 0.9;
+
+/// A shadow ray must end at least this share of the way before the light, and at most this.
+const NEAREST_END: f64 = 5e-7;
+const FARTHEST_END: f64 = 0.01;
+
+/// Where the stretch that counts begins, seen from the point, and where it ends.
+fn ends(q: &ShadowRayQuestion, got: &Way) -> [DVec3; 2] {
+    let from = got.origin.as_dvec3() - q.position.as_dvec3();
+    let at = |t: f32| from + f64::from(t) * got.direction.as_dvec3();
+    [at(got.within.min), at(got.within.max)]
+}
+
+/// The start is on the light's side of all places where the surface may be, and not much farther.
+pub(super) fn starts_off(q: &ShadowRayQuestion, got: &Way) -> Verdict {
+    let [start, _] = ends(q, got);
+    if !start.is_finite() {
+        return Err("the ray starts nowhere: a number is missing or infinite".into());
+    }
+    let normal = q.normal.as_dvec3();
+    let cosine = normal.dot(q.toward.as_dvec3());
+    let needed = f64::from(q.error) * normal.abs().element_sum();
+    let (off, far) = (normal.dot(start) * cosine.signum(), start.length());
+    if off < ROUNDED * needed {
+        let side = if off < 0.0 {
+            "on the wrong side of"
+        } else {
+            "off"
+        };
+        Err(format!(
+            "the ray starts {:.4} m {side} the point, but the surface may be {needed:.4} m off: it may find its own surface again",
+            off.abs()
+        ))
+    } else if far * cosine.abs() > FARTHEST * needed {
+        Err(format!(
+            "the ray starts {far:.4} m from the point, where {needed:.4} m off the surface are enough: what is in between throws no shadow"
+        ))
+    } else {
+        Ok(())
+    }
+}
+
+/// The end is before the light, and not much.
+pub(super) fn ends_before(q: &ShadowRayQuestion, got: &Way) -> Verdict {
+    let (distance, max) = (f64::from(q.distance), got.within.max);
+    if distance.is_infinite() {
+        // The largest f32 will do.
+        return if max > 1e30 {
+            Ok(())
+        } else {
+            Err(format!(
+                "the light is infinitely far away, and the interval ends at {max} m"
+            ))
+        };
+    }
+    if max.is_infinite() {
+        return Err(format!(
+            "the interval does not end, but the light is at {distance} m"
+        ));
+    }
+    let before = distance - ends(q, got)[1].dot(q.toward.as_dvec3());
+    if before.is_nan() || before < NEAREST_END * distance {
+        Err(format!(
+            "the interval ends {:.4} m behind the light, and not before it",
+            (-before).max(0.0)
+        ))
+    } else if before > FARTHEST_END * distance + FARTHEST * f64::from(q.error) {
+        Err(format!(
+            "the interval ends {before:.4} m before the light, too soon"
+        ))
+    } else {
+        Ok(())
+    }
+}

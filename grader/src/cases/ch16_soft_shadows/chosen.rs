@@ -1,0 +1,82 @@
+//! How samples are judged.
+//!
+//! They are judged by their distribution: any right way to spread them passes. An 8 × 8 lattice that is spread by a
+//! concentric disc has a mean that is 0.016 off and a variance that is 0.010 off; other right ways are closer. A disc inside a
+//! square has a variance that is 0.021 off.
+
+use crate::{Verdict, judge};
+use raybook_workbook::exercises::ch16_soft_shadows::Chosen;
+use glam::DVec2;
+
+/// So fine are the lattices.
+pub(super) const N: u32 = 8;
+
+/// A density may be off by this share: naive formulas lose a few digits.
+pub(super) const DENSITY: f32 = 5e-3;
+
+/// Whether places in the unit square are spread evenly, as their means, their variances and their counts tell.
+pub(super) fn evenly(what: &str, places: &[DVec2]) -> Verdict {
+    let n = places.len() as f64;
+    let mean = places.iter().sum::<DVec2>() / n;
+    let off = |p: &DVec2| *p - mean;
+    let variance = places.iter().map(|p| off(p) * off(p)).sum::<DVec2>() / n;
+    let covariance = places.iter().map(|p| off(p).element_product()).sum::<f64>() / n;
+    if (mean - 0.5).abs().max_element() > 0.08 {
+        return Err(format!(
+            "{what} are not uniform: their mean is {:.2} of the way across and {:.2} of the way along",
+            mean.x, mean.y
+        ));
+    }
+    if (variance - 1.0 / 12.0).abs().max_element() > 0.015 || covariance.abs() > 0.015 {
+        return Err(format!(
+            "{what} are not uniform: they are too close together, or too far apart, or on a line"
+        ));
+    }
+    let mut quarters = [0; 4];
+    for p in places {
+        quarters[usize::from(p.x > 0.5) + 2 * usize::from(p.y > 0.5)] += 1;
+    }
+    let expected = places.len() / 4;
+    if quarters
+        .iter()
+        .any(|count| !(expected / 2..=2 * expected).contains(count))
+    {
+        return Err(format!(
+            "{what} are not uniform: of four equal parts, one has {} and another {}, and not about {expected} each",
+            quarters.iter().min().unwrap_or(&0),
+            quarters.iter().max().unwrap_or(&0),
+        ));
+    }
+    Ok(())
+}
+
+/// The number of samples, and what each says of itself.
+pub(super) fn each(
+    n: u32,
+    radiance: f32,
+    got: &[Chosen],
+    check: impl Fn(&Chosen) -> Verdict,
+) -> Verdict {
+    if got.len() != (n * n) as usize {
+        return Err(format!(
+            "there are {} samples, and should be {}",
+            got.len(),
+            n * n
+        ));
+    }
+    for (i, chosen) in got.iter().enumerate() {
+        let sample = || {
+            judge::direction(
+                "the direction",
+                chosen.toward.normalize_or_zero(),
+                chosen.toward,
+            )?;
+            check(chosen)?;
+            let arriving = radiance / chosen.pdf;
+            let tolerance = DENSITY * arriving.abs();
+            judge::number_within("radiance/density", "", arriving, chosen.arriving, tolerance)
+        };
+        sample().map_err(|why| format!("sample {i}: {why}"))?;
+    }
+    Ok(())
+}

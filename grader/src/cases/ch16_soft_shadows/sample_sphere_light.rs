@@ -1,0 +1,175 @@
+//! `sample_sphere_light`: its cases, judge and mistakes.
+
+use super::chosen::{DENSITY, N, each, evenly};
+use super::cone::{cap, cone};
+use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
+use raybook_workbook::exercise::Exercise;
+use raybook_workbook::exercises::ch16_soft_shadows::{
+    Chosen, SampleSphereLight, SampleSphereLightQuestion,
+};
+use glam::{Vec3, dvec2, vec3};
+use rand::RngExt;
+use std::f32::consts::{PI, TAU};
+
+impl Graded for SampleSphereLight {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "makes θ uniform in the place of cos θ",
+            hint: "A ring around the cone's axis has the more directions the wider it is: do your samples crowd the middle?",
+            answer: |q| {
+                cone(q, |u, cap| {
+                    let angle = (1.0 - cap).clamp(-1.0, 1.0).acos();
+                    (1.0 - (u.x * angle).cos(), TAU * u.y, 1.0 / (TAU * cap))
+                })
+            },
+        },
+        Mistake {
+            name: "makes the directions of a whole hemisphere",
+            hint: "How wide is the cone in which the light is seen?",
+            answer: |q| cone(q, |u, cap| (u.x, TAU * u.y, 1.0 / (TAU * cap))),
+        },
+        Mistake {
+            name: "returns the density of a whole hemisphere",
+            hint: "The density is the inverse of the solid angle of the cone: how large is it?",
+            answer: |q| cone(q, |u, cap| (u.x * cap, TAU * u.y, 1.0 / TAU)),
+        },
+        Mistake {
+            name: "forgets 2π in the density",
+            hint: "What is the area of a cap of height h on the unit sphere?",
+            answer: |q| cone(q, |u, cap| (u.x * cap, TAU * u.y, 1.0 / cap)),
+        },
+        Mistake {
+            name: "goes half way round only",
+            hint: "Look along the axis of the cone: on which sides of it are your samples?",
+            answer: |q| cone(q, |u, cap| (u.x * cap, PI * u.y, 1.0 / (TAU * cap))),
+        },
+        Mistake {
+            name: "lets 1 − cos α cancel",
+            hint: "For a small, distant light cos α is 1 in 32 bits: write 1 − cos α with sin²α.",
+            answer: |q| {
+                let squared = (q.radius / q.at.distance(q.center)).powi(2);
+                let cap = 1.0 - (1.0 - squared).max(0.0).sqrt();
+                let cap = if squared < 1.0 { cap } else { 2.0 };
+                cone(q, |u, _| (u.x * cap, TAU * u.y, 1.0 / (TAU * cap)))
+            },
+        },
+        Mistake {
+            name: "returns the far side of the sphere",
+            hint: "Which of the two points where the line meets the sphere is seen?",
+            answer: |q| {
+                let mut all = SampleSphereLight::answer(q);
+                for chosen in &mut all {
+                    let middle = (q.center - q.at).dot(chosen.toward);
+                    chosen.distance = middle + (middle - chosen.distance).abs();
+                }
+                all
+            },
+        },
+        Mistake {
+            name: "returns the distance of the centre",
+            hint: "The light's surface is nearer than its centre.",
+            answer: |q| {
+                let mut all = SampleSphereLight::answer(q);
+                let distance = q.at.distance(q.center);
+                for chosen in &mut all {
+                    chosen.distance = distance;
+                }
+                all
+            },
+        },
+        Mistake {
+            name: "sees only half of a sphere from inside",
+            hint: "Inside the light, from which directions does no light come?",
+            answer: |q| {
+                let inside = q.at.distance(q.center) <= q.radius;
+                cone(q, |u, cap| {
+                    let cap = if inside { 1.0 } else { cap };
+                    (u.x * cap, TAU * u.y, 1.0 / (TAU * cap))
+                })
+            },
+        },
+    ];
+
+    fn edges() -> Vec<Edge<Self>> {
+        let edge = |name, at, center, radius| {
+            Edge::new(
+                name,
+                SampleSphereLightQuestion {
+                    at,
+                    center,
+                    radius,
+                    radiance: 2.0,
+                    n: N,
+                },
+            )
+        };
+        vec![
+            edge("straight above", Vec3::ZERO, 3.0 * Vec3::Y, 1.0),
+            edge("straight below", Vec3::ZERO, -2.0 * Vec3::Y, 0.5),
+            edge("along z, against it", 5.0 * Vec3::Z, Vec3::ZERO, 2.0),
+            edge("it fills half the view", 1.03125 * Vec3::X, Vec3::ZERO, 1.0),
+            edge("small and far", vec3(-60.0, 0.0, 80.0), Vec3::ZERO, 0.0625),
+            edge("from inside", vec3(0.25, 0.5, 0.0), Vec3::ZERO, 1.0),
+            edge("from its centre", Vec3::ONE, Vec3::ONE, 2.0),
+            edge("askew", vec3(1.0, -2.0, 0.5), vec3(-1.0, 1.0, 2.0), 1.5),
+        ]
+    }
+
+    fn random(rng: &mut Pcg) -> SampleSphereLightQuestion {
+        let (center, radius) = (sample::point(rng, 3.0), sample::number(rng, 0.3, 2.0));
+        let away = match rng.random_range(0..8) {
+            0 | 1 => sample::number(rng, 0.1, 0.9),
+            2 => sample::number(rng, 500.0, 2000.0),
+            _ => sample::number(rng, 1.2, 6.0),
+        };
+        SampleSphereLightQuestion {
+            at: center + away * radius * *sample::direction(rng),
+            center,
+            radius,
+            radiance: sample::number(rng, 0.5, 5.0),
+            n: N,
+        }
+    }
+
+    fn judge(q: &SampleSphereLightQuestion, _: &Self::Answer, got: &Self::Answer) -> Verdict {
+        let (d, inside) = (q.at.distance(q.center), q.at.distance(q.center) <= q.radius);
+        let cap = f64::from(cap(q));
+        let axis = Dir3::new_or(q.center - q.at, Dir3::Y);
+        // 1 − cos θ by the chord, which keeps its digits in a narrow cone.
+        let height = |c: &Chosen| 0.5 * c.toward.as_dvec3().distance_squared(axis.as_dvec3());
+        let pdf = (1.0 / (f64::from(TAU) * cap)) as f32;
+        each(q.n, q.radiance, got, |chosen| {
+            if height(chosen) > cap * 1.01 + 1e-6 {
+                return Err("its direction misses the light".to_owned());
+            }
+            let point = q.at + chosen.distance * chosen.toward;
+            let off = (point.distance(q.center) - q.radius).abs();
+            let middle = (q.center - q.at).dot(chosen.toward);
+            // Next to the rim the near side and the far side are close to each other.
+            let margin = 0.02 * q.radius + judge::RELATIVE * d;
+            let seen = if inside {
+                chosen.distance >= middle - margin
+            } else {
+                chosen.distance <= middle + margin
+            };
+            // As `<=`, so that a NaN is off.
+            let on_it = off <= margin && seen;
+            if !on_it {
+                return Err(format!(
+                    "at a distance of {:.4} m, there is no point of the light that is seen",
+                    chosen.distance
+                ));
+            }
+            judge::number_within("the density", "/sr", pdf, chosen.pdf, DENSITY * pdf)
+        })?;
+        // In these coordinates, directions uniform in the cone are uniform in the unit square.
+        let basis = Basis::around(axis);
+        let place = |c: &Chosen| {
+            let phi = c.toward.dot(*basis.y).atan2(c.toward.dot(*basis.x));
+            dvec2(height(c) / cap, f64::from(phi / TAU + 0.5))
+        };
+        let places: Vec<_> = got.iter().map(place).collect();
+        evenly("the directions", &places)
+    }
+}

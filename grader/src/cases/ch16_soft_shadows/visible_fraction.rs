@@ -1,0 +1,194 @@
+//! `visible_fraction`: its cases, judge and mistakes.
+
+use super::lattice;
+use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
+use raybook::shape::{Shape, sphere::Sphere};
+use raybook_workbook::exercise::Exercise;
+use raybook_workbook::exercises::ch16_soft_shadows::{
+    Ball, VisibleFraction, VisibleFractionQuestion,
+};
+use glam::{Vec2, Vec3, vec3};
+
+/// How many samples are asked for.
+const SAMPLES: u32 = 1024;
+
+impl Graded for VisibleFraction {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "asks for the middle of the light only",
+            hint: "What is the width of your penumbra?",
+            answer: |q| seen(q, 1, |u| u, 1.0),
+        },
+        Mistake {
+            name: "returns the fraction that is in the dark",
+            hint: "How much of the light is seen where nothing is in the way?",
+            answer: |q| VisibleFraction::answer(q).iter().map(|f| 1.0 - f).collect(),
+        },
+        Mistake {
+            name: "lets the shadow ray go on behind the light",
+            hint: "A ball behind the light throws no shadow: where does your ray end?",
+            answer: |q| seen(q, 16, |u| u, f32::INFINITY),
+        },
+        Mistake {
+            name: "asks for one quarter of the light only",
+            hint: "Which points of the light do the numbers from 0 to 1 reach?",
+            answer: |q| seen(q, 16, |u| 0.5 * u, 1.0),
+        },
+        Mistake {
+            name: "asks for one diagonal of the light only",
+            hint: "Does each sample have two random numbers of its own?",
+            answer: |q| seen(q, 16, |u| Vec2::splat(u.x), 1.0),
+        },
+        Mistake {
+            name: "asks for the four corners only",
+            hint: "In the penumbra, how many different fractions do you get?",
+            answer: |q| seen(q, 2, |u| 2.0 * u - 0.5, 1.0),
+        },
+        Mistake {
+            name: "calls every penumbra shadow",
+            hint: "Something in the way of one sample is not in the way of all.",
+            answer: |q| {
+                let all = VisibleFraction::answer(q);
+                all.iter()
+                    .map(|f| if *f < 1.0 { 0.0 } else { 1.0 })
+                    .collect()
+            },
+        },
+        Mistake {
+            name: "lets a light shine backwards",
+            hint: "Where does a × b point, and on which side of the light is the point?",
+            answer: |q| {
+                let turned = VisibleFractionQuestion {
+                    corner: q.corner + q.a,
+                    a: -q.a,
+                    ..q.clone()
+                };
+                let (front, back) = (VisibleFraction::answer(q), VisibleFraction::answer(&turned));
+                front
+                    .iter()
+                    .zip(back)
+                    .map(|(front, back)| front + back)
+                    .collect()
+            },
+        },
+    ];
+
+    /// The share of a whole light has no edges at which a last digit decides.
+    const ULPS: i32 = 0;
+
+    fn edges() -> Vec<Edge<Self>> {
+        let square = |points: &[Vec3], balls: &[(Vec3, f32)]| VisibleFractionQuestion {
+            corner: vec3(-1.0, 4.0, -1.0),
+            a: 2.0 * Vec3::X,
+            b: 2.0 * Vec3::Z,
+            points: points.to_vec(),
+            balls: balls
+                .iter()
+                .map(|&(center, radius)| Ball { center, radius })
+                .collect(),
+            samples: SAMPLES,
+        };
+        let row = [0.0, 0.5, 1.0, 2.0].map(|x| vec3(x, 0.0, 0.0));
+        let near = [Vec3::ZERO, 0.25 * Vec3::Z];
+        let behind = [vec3(0.0, 5.0, 0.0), vec3(1.0, 7.0, 0.5), Vec3::ZERO];
+        let low = (vec3(0.0, 1.0, 0.0), 0.5);
+        let high = (vec3(0.0, 3.0, 0.0), 0.5);
+        let middle = (vec3(0.0, 2.0, 0.0), 0.25);
+        let above = (vec3(0.0, 6.0, 0.0), 1.5);
+        let below = (vec3(0.0, -2.0, 0.0), 1.5);
+        let two = [(vec3(0.25, 2.0, 0.0), 0.5), (vec3(0.5, 1.0, 0.25), 0.25)];
+        [
+            ("nothing in the way", square(&row, &[])),
+            ("from the umbra to full light", square(&row, &[low])),
+            ("a ball too small for an umbra", square(&row, &[high])),
+            ("only the middle is hidden", square(&near, &[middle])),
+            ("a ball behind the light", square(&row, &[above])),
+            ("a ball below the points", square(&row, &[below])),
+            ("points behind the light", square(&behind, &[])),
+            ("two balls, whose shadows overlap", square(&row, &two)),
+        ]
+        .map(|(name, question)| Edge::new(name, question))
+        .into()
+    }
+
+    fn random(rng: &mut Pcg) -> VisibleFractionQuestion {
+        let [width, depth] = [(); 2].map(|()| sample::number(rng, 1.0, 3.0));
+        let height = sample::number(rng, 3.0, 5.0);
+        let balls = (0..3).map(|i| Ball {
+            center: vec3(
+                sample::number(rng, -1.0, 1.0),
+                // The third is above the light, where it is in nobody's way.
+                if i == 2 {
+                    height + 1.5
+                } else {
+                    sample::number(rng, 0.9, 0.7 * height)
+                },
+                sample::number(rng, -1.0, 1.0),
+            ),
+            radius: sample::number(rng, 0.3, 0.8),
+        });
+        let balls = balls.collect();
+        let on_floor = |_| {
+            let p = sample::point(rng, 1.8);
+            vec3(p.x, 0.0, p.z)
+        };
+        let points = (0..4).map(on_floor).collect();
+        VisibleFractionQuestion {
+            corner: vec3(-0.5 * width, height, -0.5 * depth),
+            a: width * Vec3::X,
+            b: depth * Vec3::Z,
+            points,
+            balls,
+            samples: SAMPLES,
+        }
+    }
+
+    /// By Bernstein's inequality, the mean of n samples that are 0 or 1 is off by more than √(2 f(1 − f) L/n) + 2L/(3n)
+    /// with a probability below 2 e^(−L): with L = 21 once in 10⁹ points, in a class of 500 less than once in 10⁴ times.
+    fn judge(q: &VisibleFractionQuestion, _golden: &Vec<f32>, got: &Vec<f32>) -> Verdict {
+        const L: f32 = 21.0;
+        /// What the lattice that stands for the exact value may be off.
+        const LATTICE: f32 = 0.01;
+        if got.len() != q.points.len() {
+            return Err(format!(
+                "there are {} fractions, and should be {}, one per point",
+                got.len(),
+                q.points.len()
+            ));
+        }
+        let exact = exact(q);
+        for (i, (&f, &got)) in exact.iter().zip(got).enumerate() {
+            let n = q.samples as f32;
+            let bound = (2.0 * f * (1.0 - f) * L / n).sqrt() + 2.0 * L / (3.0 * n) + LATTICE;
+            judge::number_within(&format!("the fraction of point {i}"), "", f, got, bound)?;
+        }
+        Ok(())
+    }
+}
+
+/// The fractions, by a lattice fine enough to stand for the exact value.
+fn exact(q: &VisibleFractionQuestion) -> Vec<f32> {
+    seen(q, 32, |u| u, 1.0)
+}
+
+/// The fractions by the points of the light to which an n × n lattice is mapped, and by rays that end at so many times the
+/// distance of the light.
+fn seen(q: &VisibleFractionQuestion, n: u32, place: fn(Vec2) -> Vec2, end: f32) -> Vec<f32> {
+    let balls: Vec<_> = q
+        .balls
+        .iter()
+        .map(|b| Sphere::new(b.center, b.radius))
+        .collect();
+    let arrives = |from: Vec3, u: Vec2| {
+        let r = q.corner + u.x * q.a + u.y * q.b - from;
+        let way = Interval::new(0.0, end * r.length());
+        let free = |ray: &Ray| !balls.iter().any(|ball| ball.blocks(ray, way));
+        r.dot(q.a.cross(q.b)) < 0.0 && Dir3::new(r).is_some_and(|d| free(&Ray::new(from, d)))
+    };
+    let fraction = |&p: &Vec3| {
+        let count = lattice(n).filter(|&u| arrives(p, place(u))).count();
+        count as f32 / (n * n) as f32
+    };
+    q.points.iter().map(fraction).collect()
+}

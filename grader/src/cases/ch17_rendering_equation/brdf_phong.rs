@@ -1,0 +1,189 @@
+//! `brdf_phong`: the number itself.
+
+use super::{colour, toward};
+use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use raybook::image::rgb::Rgb;
+use raybook::math::{dir3::Dir3, pcg::Pcg};
+use raybook_workbook::exercise::Exercise;
+use raybook_workbook::exercises::ch17_rendering_equation::{BrdfPhong, BrdfPhongQuestion};
+use rand::RngExt;
+use std::f32::consts::{PI, TAU};
+
+/// The matt part plus the highlight times a factor, of which all mistakes are made.
+fn phong(q: &BrdfPhongQuestion, cos_alpha: f32, matt: f32, norm: f32) -> Rgb {
+    if q.normal.dot(*q.toward) <= 0.0 || q.normal.dot(*q.view) <= 0.0 {
+        return Rgb::BLACK;
+    }
+    q.diffuse * matt + q.specular * (norm * cos_alpha.max(0.0).powf(q.exponent))
+}
+
+fn cos_alpha(q: &BrdfPhongQuestion) -> f32 {
+    2.0 * q.normal.dot(*q.toward) * q.normal.dot(*q.view) - q.toward.dot(*q.view)
+}
+
+fn norm(q: &BrdfPhongQuestion) -> f32 {
+    (q.exponent + 2.0) / TAU
+}
+
+impl Graded for BrdfPhong {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "multiplies by the cosine",
+            hint: "Exchange light and viewer: a BRDF stays the same. To what does the cosine belong?",
+            answer: |q| BrdfPhong::answer(q) * q.normal.dot(*q.toward),
+        },
+        Mistake {
+            name: "divides by the cosine",
+            hint: "What happens to your BRDF when the light goes down to the horizon?",
+            answer: |q| {
+                let cosine = q.normal.dot(*q.toward);
+                if cosine > 0.0 {
+                    BrdfPhong::answer(q) / cosine
+                } else {
+                    Rgb::BLACK
+                }
+            },
+        },
+        Mistake {
+            name: "leaves the highlight without its factor",
+            hint: "The sharper a highlight, the brighter it must be in its middle to send out the same light.",
+            answer: |q| phong(q, cos_alpha(q), 1.0 / PI, 1.0),
+        },
+        Mistake {
+            name: "takes the factor of the lobe alone",
+            hint: "Which integral should be 1: of cosⁿα, or of cosⁿα cos θ?",
+            answer: |q| phong(q, cos_alpha(q), 1.0 / PI, (q.exponent + 1.0) / TAU),
+        },
+        Mistake {
+            name: "forgets the π under the matt part",
+            hint: "How much does a surface with your BRDF send to all sides together, for each watt that arrives?",
+            answer: |q| phong(q, cos_alpha(q), 1.0, norm(q)),
+        },
+        Mistake {
+            name: "looks for the highlight at the light",
+            hint: "Where does a mirror show the light: where it is, or on the other side of the normal?",
+            answer: |q| phong(q, q.toward.dot(*q.view), 1.0 / PI, norm(q)),
+        },
+        Mistake {
+            name: "mirrors the light into the surface",
+            hint: "Try a light straight above: where does your mirror direction point?",
+            answer: |q| phong(q, -cos_alpha(q), 1.0 / PI, norm(q)),
+        },
+        Mistake {
+            name: "takes the half vector",
+            hint: "That is Blinn's model: which two vectors make the angle in Phong's?",
+            answer: |q| {
+                let half = Dir3::new_or(*q.toward + *q.view, q.normal);
+                phong(q, half.dot(*q.normal), 1.0 / PI, norm(q))
+            },
+        },
+        Mistake {
+            name: "has a second highlight behind",
+            hint: "An even power of a negative number is positive: what is the highlight beyond 90°?",
+            answer: |q| phong(q, cos_alpha(q).abs(), 1.0 / PI, norm(q)),
+        },
+        Mistake {
+            name: "lights the surface from behind",
+            hint: "What does a lamp do to the top of a table that it hangs under?",
+            answer: |q| {
+                let highlight = cos_alpha(q).max(0.0).powf(q.exponent);
+                q.diffuse * (1.0 / PI) + q.specular * (norm(q) * highlight)
+            },
+        },
+    ];
+
+    fn edges() -> Vec<Edge<Self>> {
+        let edge = |name, view: Dir3, light: Dir3, exponent| -> Edge<Self> {
+            Edge::new(
+                name,
+                BrdfPhongQuestion {
+                    normal: Dir3::Z,
+                    view,
+                    toward: light,
+                    diffuse: Rgb::new(0.5, 0.3, 0.1),
+                    specular: Rgb::new(0.3, 0.4, 0.5),
+                    exponent,
+                },
+            )
+        };
+        let slant = |x: f32| toward(x, 0.0, 1.0);
+        let mut turned = edge(
+            "the normal is askew",
+            slant(0.5),
+            toward(0.0, 1.0, 1.0),
+            8.0,
+        );
+        turned.question.normal = toward(0.3, 0.4, 1.0);
+        vec![
+            edge("both straight above", Dir3::Z, Dir3::Z, 10.0),
+            edge("in the mirror direction", slant(1.0), slant(-1.0), 20.0),
+            edge("the view along the light", slant(0.7), slant(0.7), 5.0),
+            edge(
+                "the light below the horizon",
+                slant(0.2),
+                toward(0.3, 0.0, -1.0),
+                4.0,
+            ),
+            edge(
+                "the viewer below the horizon",
+                toward(0.3, 0.0, -1.0),
+                slant(0.2),
+                4.0,
+            ),
+            edge(
+                "more than 90° from the mirror direction",
+                slant(3.0),
+                slant(2.0),
+                2.0,
+            ),
+            edge("an exponent of 0", slant(0.5), toward(0.1, 0.4, 1.0), 0.0),
+            edge(
+                "a sharp highlight",
+                slant(0.5),
+                toward(-0.52, 0.03, 1.0),
+                200.0,
+            ),
+            edge(
+                "the light near the horizon",
+                slant(0.5),
+                toward(-6.0, 1.0, 0.6),
+                3.0,
+            ),
+            turned,
+        ]
+    }
+
+    fn random(rng: &mut Pcg) -> BrdfPhongQuestion {
+        let normal = sample::direction(rng);
+        let above = |rng: &mut Pcg| {
+            let d = sample::direction(rng);
+            let flipped = if d.dot(*normal) < 0.0 { -d } else { d };
+            Dir3::new_or(*flipped + 0.1 * *normal, normal)
+        };
+        let (view, light) = (above(rng), above(rng));
+        // Half of them near the highlight, a few behind the surface.
+        let mirrored = 2.0 * view.dot(*normal) * *normal - *view;
+        let toward = match rng.random_range(0..40) {
+            0 => -light,
+            1..=20 => Dir3::new_or(mirrored + sample::point(rng, 0.3), normal),
+            _ => light,
+        };
+        BrdfPhongQuestion {
+            normal,
+            view,
+            toward,
+            diffuse: colour(rng, 0.05, 0.6),
+            specular: colour(rng, 0.1, 0.4),
+            exponent: sample::number(rng, 0.5, 40.0),
+        }
+    }
+
+    fn judge(_q: &BrdfPhongQuestion, golden: &Rgb, got: &Rgb) -> Verdict {
+        let channels = golden.channels().into_iter().zip(got.channels());
+        for (name, (golden, got)) in ["red", "green", "blue"].into_iter().zip(channels) {
+            let tolerance = judge::RELATIVE * golden.max(0.01);
+            judge::number_within(name, "per steradian", golden, got, tolerance)?;
+        }
+        Ok(())
+    }
+}

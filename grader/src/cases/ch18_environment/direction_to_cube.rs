@@ -1,0 +1,179 @@
+//! `direction_to_cube`: the face, and the place on it.
+
+use super::{asks, toward};
+use crate::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
+use raybook_chapters::kit::palette::direction as direction_colour;
+use raybook::light::environment::latlong;
+use raybook::math::{dir3::Dir3, pcg::Pcg};
+use raybook_workbook::exercise::Exercise;
+use raybook_workbook::exercises::ch18_environment::{CubePlace, DirectionQuestion, DirectionToCube};
+use glam::{Vec3, vec2};
+
+impl Graded for DirectionToCube {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "sees the faces from outside",
+            hint: "Stand in the cube and look along -z: is +x on your right or on your left?",
+            answer: |q| {
+                let right = Self::answer(q);
+                CubePlace {
+                    u: 1.0 - right.u,
+                    ..right
+                }
+            },
+        },
+        Mistake {
+            name: "has the faces upside down",
+            hint: "v runs downwards: what is v for a direction a little above the horizon?",
+            answer: |q| {
+                let right = Self::answer(q);
+                CubePlace {
+                    v: 1.0 - right.v,
+                    ..right
+                }
+            },
+        },
+        Mistake {
+            name: "leaves the place between -1 and 1",
+            hint: "The middle of a face is at (0.5, 0.5): what do you return for an axis?",
+            answer: |q| {
+                let right = Self::answer(q);
+                CubePlace {
+                    u: 2.0 * right.u - 1.0,
+                    v: 2.0 * right.v - 1.0,
+                    ..right
+                }
+            },
+        },
+        Mistake {
+            name: "takes the largest component, whatever its sign",
+            hint: "Which component of (-0.9, 0.1, 0.2) decides?",
+            answer: |q| CubePlace {
+                face: 2 * q.direction.max_position() as u32,
+                ..Self::answer(q)
+            },
+        },
+        Mistake {
+            name: "has the faces of each pair exchanged",
+            hint: "Is +x face 0 or face 1?",
+            answer: |q| {
+                let right = Self::answer(q);
+                CubePlace {
+                    face: right.face ^ 1,
+                    ..right
+                }
+            },
+        },
+        Mistake {
+            name: "divides by the component with its sign",
+            hint: "On the face -x the largest component is negative: what does dividing by it do to the other two?",
+            answer: |q| {
+                let right = Self::answer(q);
+                let negative = right.face % 2 == 1;
+                let turned = |x: f32| if negative { 1.0 - x } else { x };
+                CubePlace {
+                    u: turned(right.u),
+                    v: turned(right.v),
+                    ..right
+                }
+            },
+        },
+        Mistake {
+            name: "does not divide by the largest component",
+            hint: "At the edge of a face, u must be 0 or 1: the direction has to reach the cube's wall first.",
+            answer: |q| {
+                let d = q.direction;
+                let right = Self::answer(q);
+                let m = d.abs().max_element();
+                CubePlace {
+                    u: 0.5 + (right.u - 0.5) * m,
+                    v: 0.5 + (right.v - 0.5) * m,
+                    ..right
+                }
+            },
+        },
+        Mistake {
+            name: "has ceiling and floor turned by half a turn",
+            hint: "Look at -z and raise your eyes to the ceiling: where on it does it meet the wall -z?",
+            answer: |q| {
+                let right = Self::answer(q);
+                let turned = |x: f32| {
+                    if matches!(right.face, 2 | 3) {
+                        1.0 - x
+                    } else {
+                        x
+                    }
+                };
+                CubePlace {
+                    u: turned(right.u),
+                    v: turned(right.v),
+                    ..right
+                }
+            },
+        },
+    ];
+
+    const PICTURES: &'static [Picture<Self>] = &[Picture {
+        name: "direction_to_cube",
+        width: 96,
+        height: 48,
+        alt: "All directions on a map of the world; each face of the cube has its colour, with rings around its middle",
+        question: |x, y| {
+            asks(latlong::direction(vec2(
+                (x as f32 + 0.5) / 96.0,
+                (y as f32 + 0.5) / 48.0,
+            )))
+        },
+        colour: |_, place| {
+            let from_middle = 2.0 * (vec2(place.u, place.v) - 0.5);
+            let ring = (4.0 * from_middle.abs().max_element()).floor();
+            let axis = [Vec3::X, Vec3::Y, Vec3::Z][(place.face as usize / 2).min(2)];
+            let side = if place.face % 2 == 0 { axis } else { -axis };
+            direction_colour(side)
+                * if ring % 2.0 == 0.0 {
+                    1.0
+                } else {
+                    0.75 + 0.1 * from_middle.x
+                }
+        },
+    }];
+
+    fn edges() -> Vec<Edge<Self>> {
+        let place = |face, u, v| CubePlace { face, u, v };
+        vec![
+            Edge::new("the middle of +x", asks(Dir3::X)),
+            Edge::new("the middle of -x", asks(-Dir3::X)),
+            Edge::new("the middle of +y", asks(Dir3::Y)),
+            Edge::new("the middle of -y", asks(-Dir3::Y)),
+            Edge::new("the middle of +z", asks(Dir3::Z)),
+            Edge::new("the middle of -z", asks(-Dir3::Z)),
+            Edge::new("right of and above -z", asks(toward(0.25, 0.5, -1.0))),
+            Edge::new("on the ceiling, towards -z", asks(toward(0.2, 1.0, -0.7))),
+            Edge::new("on the floor, towards -z", asks(toward(0.2, -1.0, -0.7))),
+            Edge::new("on the wall -x", asks(toward(-1.0, 0.3, 0.6))),
+            Edge::new("just before an edge", asks(toward(1.0, 0.2, -0.999))),
+            Edge::new("on the edge of +x and +y", asks(toward(1.0, 1.0, 0.0)))
+                .or(place(2, 1.0, 0.5)),
+        ]
+    }
+
+    fn random(rng: &mut Pcg) -> DirectionQuestion {
+        asks(sample::direction(rng))
+    }
+
+    fn judge(_q: &DirectionQuestion, golden: &CubePlace, got: &CubePlace) -> Verdict {
+        const FACES: [&str; 6] = ["+x", "-x", "+y", "-y", "+z", "-z"];
+        if golden.face != got.face {
+            let name = |face: u32| FACES.get(face as usize).copied().unwrap_or("no face");
+            return Err(format!(
+                "the face is {} ({}), and should be {} ({})",
+                got.face,
+                name(got.face),
+                golden.face,
+                name(golden.face)
+            ));
+        }
+        judge::number("u", "", golden.u, got.u)?;
+        judge::number("v", "", golden.v, got.v)
+    }
+}

@@ -1,0 +1,125 @@
+//! `direction_to_latlong`: the place, compared by the direction that it is.
+
+use super::{asks, toward};
+use crate::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
+use raybook_chapters::kit::palette::viridis;
+use raybook::light::environment::latlong;
+use raybook::math::{dir3::Dir3, pcg::Pcg};
+use raybook_workbook::exercise::Exercise;
+use raybook_workbook::exercises::ch18_environment::{DirectionQuestion, DirectionToLatlong};
+use glam::{Vec2, Vec3, vec2, vec3};
+use std::f64::consts::PI;
+
+fn turned(q: &DirectionQuestion, turn: impl Fn(Vec3) -> Vec3) -> DirectionQuestion {
+    asks(Dir3::new_or(turn(*q.direction), Dir3::X))
+}
+
+impl Graded for DirectionToLatlong {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "has left and right exchanged",
+            hint: "Look along -z, the middle of the map: on which side of it is +x?",
+            answer: |q| Self::answer(&turned(q, |d| vec3(-d.x, d.y, d.z))),
+        },
+        Mistake {
+            name: "counts v from the bottom",
+            hint: "What is v for +y, straight up?",
+            answer: |q| Self::answer(&turned(q, |d| vec3(d.x, -d.y, d.z))),
+        },
+        Mistake {
+            name: "begins with -z at the left edge",
+            hint: "What is u for -z, which is in the middle?",
+            answer: |q| {
+                let right = Self::answer(q);
+                vec2((right.x + 0.5).fract(), right.y)
+            },
+        },
+        Mistake {
+            name: "has +z in the middle",
+            hint: "Which sign of z is in the middle of the map?",
+            answer: |q| Self::answer(&turned(q, |d| vec3(d.x, d.y, -d.z))),
+        },
+        Mistake {
+            name: "has +x in the middle",
+            hint: "Which two components does the angle around the y axis come from, and in which order?",
+            answer: |q| Self::answer(&turned(q, |d| vec3(d.z, d.y, -d.x))),
+        },
+        Mistake {
+            name: "takes the height for the angle",
+            hint: "v is an angle divided by pi. Half way up the sky, at 45 degrees, v is 0.25: what is yours?",
+            answer: |q| vec2(Self::answer(q).x, 0.5 - 0.5 * q.direction.y),
+        },
+        Mistake {
+            name: "divides both angles by 2 pi",
+            hint: "How large can the angle from +y get, and how large the one around it?",
+            answer: |q| {
+                let right = Self::answer(q);
+                vec2(right.x, 0.5 * right.y)
+            },
+        },
+        Mistake {
+            name: "takes the arc tangent of a quotient",
+            hint: "Do two directions that lie opposite have the same place? The quotient has lost the signs.",
+            answer: |q| {
+                let d = q.direction;
+                let phi = (d.x / -d.z).atan();
+                let right = Self::answer(q);
+                if phi.is_nan() {
+                    right
+                } else {
+                    vec2(0.5 + phi / (2.0 * PI as f32), right.y)
+                }
+            },
+        },
+    ];
+
+    const PICTURES: &'static [Picture<Self>] = &[Picture {
+        name: "direction_to_latlong",
+        width: 96,
+        height: 72,
+        alt: "A wide view into the middle of the map: lines of latitude and longitude",
+        question: |x, y| {
+            asks(toward(
+                (x as f32 - 47.5) / 36.0,
+                (35.5 - y as f32) / 36.0,
+                -1.0,
+            ))
+        },
+        colour: |_, place| {
+            let lines = (24.0 * place.x).floor() + (12.0 * place.y).floor();
+            viridis(place.x) * if lines % 2.0 == 0.0 { 1.0 } else { 0.6 }
+        },
+    }];
+
+    fn edges() -> Vec<Edge<Self>> {
+        vec![
+            Edge::new("the middle, -z", asks(-Dir3::Z)),
+            Edge::new("right, +x", asks(Dir3::X)),
+            Edge::new("left, -x", asks(-Dir3::X)),
+            Edge::new("behind, +z", asks(Dir3::Z)).or(vec2(1.0, 0.5)),
+            Edge::new("straight up", asks(Dir3::Y)),
+            Edge::new("straight down", asks(-Dir3::Y)),
+            Edge::new("45 degrees up", asks(toward(0.0, 1.0, -1.0))),
+            Edge::new("nearly straight up", asks(toward(1e-4, 1.0, 0.0))),
+            Edge::new("behind, on the right", asks(toward(0.3, 0.2, 1.0))),
+            Edge::new("behind, on the left", asks(toward(-0.3, 0.2, 1.0))),
+        ]
+    }
+
+    fn random(rng: &mut Pcg) -> DirectionQuestion {
+        asks(sample::direction(rng))
+    }
+
+    /// Places are compared by their directions: at a pole all u are the same place, and so are the left and the right edge.
+    fn judge(_q: &DirectionQuestion, golden: &Vec2, got: &Vec2) -> Verdict {
+        let on_map = |x: f32| (-1e-4..=1.0 + 1e-4).contains(&x);
+        if !(on_map(got.x) && on_map(got.y)) {
+            return Err(format!(
+                "({}, {}) is not on the map, which is from 0 to 1",
+                got.x, got.y
+            ));
+        }
+        let [golden, place] = [golden, got].map(|place| *latlong::direction(*place));
+        judge::direction("the direction at your place", golden, place)
+    }
+}

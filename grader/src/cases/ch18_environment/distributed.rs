@@ -1,0 +1,79 @@
+//! Whether directions are distributed as the light of a map.
+
+use super::OfMap;
+use super::{cell, toward};
+use crate::Verdict;
+use raybook::light::environment::latlong;
+use raybook_workbook::exercises::ch18_environment::MapQuestion;
+use glam::{Vec2, Vec3, vec2};
+use std::f64::consts::PI;
+
+/// So many of the points may be on the wrong side of a line. Measured for 400 maps and 24 right methods (by rows, by columns,
+/// or all texels in one list; either number first, from either end): at most 5.6.
+const STRAY: usize = 10;
+
+/// Whether directions are distributed as the map's light.
+pub fn distributed(q: &MapQuestion, directions: &[Vec3]) -> Verdict {
+    let (width, height) = (q.width as usize, q.height as usize);
+    let places: Vec<Vec2> = directions
+        .iter()
+        .map(|d| latlong::place(toward(d.x, d.y, d.z)))
+        .collect();
+    let all = places.len() as f64;
+    if directions.is_empty() {
+        return Ok(()); // none are due: the map is black
+    }
+    let compare = |what: String, found: usize, share: f64| {
+        let right = share * all;
+        if (found as f64 - right).abs() <= STRAY as f64 {
+            return Ok(());
+        }
+        Err(format!(
+            "of {all} directions {found} are {what}, and should be about {right:.0}"
+        ))
+    };
+    for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
+        let inside = |p: &&Vec2| cell(p.x, q.width) == x && cell(p.y, q.height) == y;
+        let found = places.iter().filter(inside).count();
+        compare(format!("in column {x} of row {y}"), found, q.share(x, y))?;
+        // At the very edge, rounding may have chosen the side.
+        let deep = |p: &&Vec2| {
+            let within =
+                vec2(p.x * q.width as f32, p.y * q.height as f32) - vec2(x as f32, y as f32);
+            (within - 0.5).abs().max_element() < 0.5 - 1e-3
+        };
+        let found = places.iter().filter(deep).count();
+        if q.share(x, y) == 0.0 && found > 0 {
+            return Err(format!(
+                "{found} directions are in column {x} of row {y}, which is black"
+            ));
+        }
+    }
+    // Above every circle of latitude and left of every meridian, in quarters of texels, there must be the right share.
+    for quarter in 1..4 * height {
+        let (y, part) = (quarter / 4, 0.25 * (quarter % 4) as f64);
+        let row = |y: usize| (0..width).map(|x| q.share(x, y)).sum::<f64>();
+        let [top, bottom] = [y, y + 1].map(|row| latlong::cosine(row, height));
+        let angle = PI * quarter as f64 / (4 * height) as f64;
+        let of_row = (top - angle.cos()) / (top - bottom);
+        let share = (0..y).map(row).sum::<f64>() + if part > 0.0 { of_row * row(y) } else { 0.0 };
+        let found = places
+            .iter()
+            .filter(|p| f64::from(p.y) < angle / PI)
+            .count();
+        compare(
+            format!("within {:.0}° of +y", angle.to_degrees()),
+            found,
+            share,
+        )?;
+    }
+    for quarter in 1..4 * width {
+        let (x, part) = (quarter / 4, 0.25 * (quarter % 4) as f64);
+        let column = |x: usize| (0..height).map(|y| q.share(x, y)).sum::<f64>();
+        let share = (0..x).map(column).sum::<f64>() + part * column(x);
+        let edge = quarter as f64 / (4 * width) as f64;
+        let found = places.iter().filter(|p| f64::from(p.x) < edge).count();
+        compare(format!("left of {edge:.2} on the map"), found, share)?;
+    }
+    Ok(())
+}

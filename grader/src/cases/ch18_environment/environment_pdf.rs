@@ -1,0 +1,196 @@
+//! `environment_pdf`: the number itself.
+
+use super::OfMap;
+use super::{cell, toward};
+use crate::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
+use raybook_chapters::kit::palette::viridis;
+use raybook::light::environment::latlong;
+use raybook::math::pcg::Pcg;
+use raybook_workbook::exercise::Exercise;
+use raybook_workbook::exercises::ch18_environment::{
+    DensityQuestion, EnvironmentPdf, MapQuestion, SampleEnvironment,
+};
+use glam::vec2;
+use std::f64::consts::PI;
+
+/// What is asked of a question here.
+pub(super) trait OfDensity {
+    fn map(&self) -> MapQuestion;
+
+    /// The texel of the direction: its column and its row.
+    fn texel(&self) -> (usize, usize);
+
+    /// The texel's share of the light, and its solid angle.
+    fn share(&self) -> (f64, f64);
+}
+
+impl OfDensity for DensityQuestion {
+    fn map(&self) -> MapQuestion {
+        MapQuestion {
+            width: self.width,
+            height: self.height,
+            texels: self.texels.clone(),
+        }
+    }
+
+    fn texel(&self) -> (usize, usize) {
+        let place = latlong::place(self.direction);
+        (cell(place.x, self.width), cell(place.y, self.height))
+    }
+
+    fn share(&self) -> (f64, f64) {
+        let (x, y) = self.texel();
+        let share = self.map().share(x, y);
+        (
+            if share.is_nan() { 0.0 } else { share },
+            self.map().solid_angle(y),
+        )
+    }
+}
+
+impl Graded for EnvironmentPdf {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "returns the probability of the texel",
+            hint: "A probability becomes a density when it is divided by something: what is the unit of the answer?",
+            answer: |q| q.share().0 as f32,
+        },
+        Mistake {
+            name: "returns the density on the map, not on the sphere",
+            hint: "How many steradians is the unit square of the map, and is it the same everywhere on it?",
+            answer: |q| (q.share().0 * f64::from(q.width * q.height)) as f32,
+        },
+        Mistake {
+            name: "takes the sine at the direction for the whole texel",
+            hint: "Directions are uniform inside a texel: does your density differ between two of the same texel?",
+            answer: |q| {
+                let sine = f64::from(q.direction.x.hypot(q.direction.z)).max(1e-6);
+                let on_map = q.share().0 * f64::from(q.width * q.height);
+                (on_map / (2.0 * PI * PI * sine)) as f32
+            },
+        },
+        Mistake {
+            name: "forgets that rows differ in solid angle when it chooses them",
+            hint: "For a constant map the density must be 1/(4 pi) everywhere: is it, near a pole?",
+            answer: |q| {
+                let (map, (x, y)) = (q.map(), q.texel());
+                let sum: f64 = q.texels.iter().map(|t| f64::from(*t)).sum();
+                if sum > 0.0 {
+                    (map.texel(x, y) / sum / map.solid_angle(y)) as f32
+                } else {
+                    0.0
+                }
+            },
+        },
+        Mistake {
+            name: "gives all texels the solid angle of 4 pi over their number",
+            hint: "Texels at the equator and at a pole: which is larger on the sphere?",
+            answer: |q| (q.share().0 * f64::from(q.width * q.height) / (4.0 * PI)) as f32,
+        },
+        Mistake {
+            name: "ignores the map",
+            hint: "Bright directions are chosen more often: is your density larger there?",
+            answer: |q| {
+                if q.texels.iter().all(|t| *t == 0.0) {
+                    0.0
+                } else {
+                    (0.25 / PI) as f32
+                }
+            },
+        },
+        Mistake {
+            name: "counts the rows from the bottom",
+            hint: "Which row does +y belong to?",
+            answer: |q| {
+                let d = q.direction;
+                Self::answer(&DensityQuestion {
+                    direction: toward(d.x, -d.y, d.z),
+                    ..q.clone()
+                })
+            },
+        },
+        Mistake {
+            name: "returns the radiance",
+            hint: "If the whole map were twice as bright, would the directions be chosen otherwise?",
+            answer: |q| {
+                let (x, y) = q.texel();
+                q.map().texel(x, y) as f32
+            },
+        },
+    ];
+
+    const PICTURES: &'static [Picture<Self>] = &[Picture {
+        name: "environment_pdf",
+        width: 96,
+        height: 48,
+        alt: "A map of 8 by 4 texels, each as bright as the density there",
+        question: |x, y| DensityQuestion {
+            direction: latlong::direction(vec2((x as f32 + 0.5) / 96.0, (y as f32 + 0.5) / 48.0)),
+            width: 8,
+            height: 4,
+            texels: (0..32).map(|i| ((i * 7) % 11) as f32).collect(),
+        },
+        colour: |_, density| viridis(4.0 * density),
+    }];
+
+    fn edges() -> Vec<Edge<Self>> {
+        let question = |direction, width, height, texels: &[f32]| DensityQuestion {
+            direction,
+            width,
+            height,
+            texels: texels.to_vec(),
+        };
+        let sky = [4.0, 2.0, 1.0, 0.5, 1.0, 2.0, 0.0, 1.0];
+        let inside = toward(0.4, 0.5, -0.9);
+        vec![
+            Edge::new(
+                "a single texel: all directions alike",
+                question(inside, 1, 1, &[3.0]),
+            ),
+            Edge::new("a black map", question(inside, 2, 2, &[0.0; 4])),
+            Edge::new(
+                "one bright texel, outside it",
+                question(inside, 2, 2, &[0.0, 0.0, 0.0, 5.0]),
+            ),
+            Edge::new(
+                "one bright texel, inside it",
+                question(inside, 2, 2, &[0.0, 5.0, 0.0, 0.0]),
+            ),
+            Edge::new(
+                "a constant map, near a pole",
+                question(toward(0.1, 1.0, 0.1), 2, 4, &[1.0; 8]),
+            ),
+            Edge::new(
+                "a constant map, at the equator",
+                question(toward(0.3, 0.1, 1.0), 2, 4, &[1.0; 8]),
+            ),
+            Edge::new(
+                "the upper row",
+                question(toward(-0.3, 0.8, 0.3), 2, 4, &sky),
+            ),
+            Edge::new(
+                "the lower row",
+                question(toward(0.3, -0.9, 0.3), 2, 4, &sky),
+            ),
+            Edge::new(
+                "a black texel among others",
+                question(toward(-0.4, -0.9, -0.3), 2, 4, &sky),
+            ),
+        ]
+    }
+
+    fn random(rng: &mut Pcg) -> DensityQuestion {
+        let map = SampleEnvironment::random(rng);
+        DensityQuestion {
+            direction: sample::direction(rng),
+            width: map.width,
+            height: map.height,
+            texels: map.texels,
+        }
+    }
+
+    fn judge(_q: &DensityQuestion, golden: &f32, got: &f32) -> Verdict {
+        let tolerance = judge::RELATIVE * golden.abs().max(1e-3);
+        judge::number_within("the density", "per steradian", *golden, *got, tolerance)
+    }
+}

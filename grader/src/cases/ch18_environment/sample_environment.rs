@@ -1,0 +1,176 @@
+//! `sample_environment`: cases and mistakes; [`super::distributed`] judges.
+
+use super::OfMap;
+use super::{cell, distributed::distributed, toward};
+use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use raybook::light::environment::latlong;
+use raybook::math::{pcg::Pcg, piecewise::Piecewise};
+use raybook_workbook::exercise::Exercise;
+use raybook_workbook::exercises::ch17_rendering_equation::lattice;
+use raybook_workbook::exercises::ch18_environment::{MapQuestion, POINTS, SampleEnvironment};
+use glam::{Vec2, Vec3, vec2};
+use rand::RngExt;
+
+/// What is asked of a question here.
+pub(super) trait Asked {
+    /// The directions of a sampler that goes by rows, then by columns.
+    ///
+    /// `weight` is what a texel counts for when its row is chosen and when it is chosen in the row; `cosine` places the
+    /// direction between the cosines of the row's edges.
+    fn sampled(
+        &self,
+        weight: fn(&Self, usize, usize) -> f64,
+        cosine: fn(f64, f64, f64) -> f64,
+    ) -> Vec<Vec3>;
+}
+
+impl Asked for MapQuestion {
+    fn sampled(
+        &self,
+        weight: fn(&Self, usize, usize) -> f64,
+        cosine: fn(f64, f64, f64) -> f64,
+    ) -> Vec<Vec3> {
+        let (width, height) = (self.width as usize, self.height as usize);
+        let columns: Vec<_> = (0..height)
+            .map(|y| Piecewise::new((0..width).map(|x| weight(self, x, y))))
+            .collect();
+        let rows = Piecewise::new(columns.iter().map(Piecewise::total));
+        let direction = |u: Vec2| {
+            let row = rows.choose(u.y)?;
+            let column = columns[row.cell].choose(u.x)?;
+            let [top, bottom] = [row.cell, row.cell + 1].map(|row| latlong::cosine(row, height));
+            let turn = (column.cell as f32 + column.within) / width as f32;
+            let cosine = cosine(top, bottom, f64::from(row.within));
+            Some(*latlong::toward(turn, cosine))
+        };
+        lattice(POINTS).filter_map(direction).collect()
+    }
+}
+
+fn by_solid_angle(top: f64, bottom: f64, within: f64) -> f64 {
+    top + (bottom - top) * within
+}
+
+fn by_angle(top: f64, bottom: f64, within: f64) -> f64 {
+    (top.acos() + (bottom.acos() - top.acos()) * within).cos()
+}
+
+impl Graded for SampleEnvironment {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "weighs all rows as if they were equally wide",
+            hint: "The rows near the poles are as long on the map as the others: are they on the sphere?",
+            answer: |q| q.sampled(MapQuestion::texel, by_solid_angle),
+        },
+        Mistake {
+            name: "goes through a row evenly by its angle",
+            hint: "Equal steps of the angle from a pole sweep unequal areas of the sphere: what does sweep equal ones?",
+            answer: |q| q.sampled(|q, x, y| q.texel(x, y) * q.solid_angle(y), by_angle),
+        },
+        Mistake {
+            name: "ignores how bright the texels are",
+            hint: "Where is most of the light? Most of your directions should be there.",
+            answer: |q| q.sampled(|q, _, y| q.solid_angle(y), by_solid_angle),
+        },
+        Mistake {
+            name: "chooses all texels equally often",
+            hint: "Neither the radiance nor the area of a texel seems to matter to you: both do.",
+            answer: |q| q.sampled(|_, _, _| 1.0, by_solid_angle),
+        },
+        Mistake {
+            name: "weighs by the square of the radiance",
+            hint: "A texel twice as bright should be chosen twice as often: how often is it?",
+            answer: |q| {
+                q.sampled(
+                    |q, x, y| q.texel(x, y).powi(2) * q.solid_angle(y),
+                    by_solid_angle,
+                )
+            },
+        },
+        Mistake {
+            name: "chooses the column without regard to the row",
+            hint: "Two bright texels in different rows: do you ever choose the row of one and the column of the other?",
+            answer: |q| {
+                q.sampled(
+                    |q, x, y| {
+                        let column: f64 = (0..q.height as usize).map(|y| q.share(x, y)).sum();
+                        let row: f64 = (0..q.width as usize).map(|x| q.share(x, y)).sum();
+                        column * row
+                    },
+                    by_solid_angle,
+                )
+            },
+        },
+        Mistake {
+            name: "always takes the middle of a texel",
+            hint: "Are two directions in the same texel ever different? All of the texel shines.",
+            answer: |q| {
+                let centre = |d: &Vec3| {
+                    let place = latlong::place(toward(d.x, d.y, d.z));
+                    let (x, y) = (cell(place.x, q.width), cell(place.y, q.height));
+                    *latlong::direction(vec2(
+                        (x as f32 + 0.5) / q.width as f32,
+                        (y as f32 + 0.5) / q.height as f32,
+                    ))
+                };
+                Self::answer(q).iter().map(centre).collect()
+            },
+        },
+    ];
+
+    fn edges() -> Vec<Edge<Self>> {
+        let map = |width, height, texels: &[f32]| MapQuestion {
+            width,
+            height,
+            texels: texels.to_vec(),
+        };
+        let one = |at: usize| {
+            let mut texels = [0.0; 8];
+            texels[at] = 2.0;
+            map(4, 2, &texels)
+        };
+        vec![
+            Edge::new("a single texel: all directions alike", map(1, 1, &[1.0])),
+            Edge::new("a black map", map(2, 2, &[0.0; 4])),
+            Edge::new("one bright texel", one(5)),
+            Edge::new("the first texel only", one(0)),
+            Edge::new("the last texel only", one(7)),
+            Edge::new("a constant map of four rows", map(2, 4, &[1.0; 8])),
+            Edge::new("the poles brightest", map(1, 5, &[4.0, 1.0, 1.0, 1.0, 4.0])),
+            Edge::new(
+                "two bright texels, in other rows and columns",
+                map(3, 2, &[5.0, 0.0, 0.0, 0.0, 0.0, 5.0]),
+            ),
+            Edge::new("a bright sky, a dim ground", map(1, 2, &[3.0, 1.0])),
+        ]
+    }
+
+    fn random(rng: &mut Pcg) -> MapQuestion {
+        let (width, height) = (rng.random_range(2..5), rng.random_range(2..5));
+        let texels = (0..width * height)
+            .map(|_| sample::number(rng, 0.1, 2.0).powi(3))
+            .collect();
+        MapQuestion {
+            width,
+            height,
+            texels,
+        }
+    }
+
+    /// By distribution: of the lattice's points, the right share must be in every part of the sphere.
+    fn judge(q: &MapQuestion, golden: &Vec<Vec3>, got: &Vec<Vec3>) -> Verdict {
+        if golden.len() != got.len() {
+            return Err(format!(
+                "there are {} directions, and should be {}",
+                got.len(),
+                golden.len()
+            ));
+        }
+        for (i, direction) in got.iter().enumerate() {
+            if (direction.length() - 1.0).abs() > judge::LENGTH || !direction.is_finite() {
+                return Err(format!("direction {i} has length {}", direction.length()));
+            }
+        }
+        distributed(q, got)
+    }
+}

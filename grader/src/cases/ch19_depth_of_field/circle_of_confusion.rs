@@ -1,0 +1,147 @@
+//! `circle_of_confusion`: its cases, judge and mistakes.
+
+use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use raybook::math::pcg::Pcg;
+use raybook_workbook::exercise::Exercise;
+use raybook_workbook::exercises::ch19_depth_of_field::{
+    CircleOfConfusion, CircleOfConfusionQuestion,
+};
+
+/// What is asked of a question here.
+pub(super) trait Blur {
+    /// How large the film shows the plane in focus.
+    fn magnification(&self) -> f32;
+}
+
+impl Blur for CircleOfConfusionQuestion {
+    fn magnification(&self) -> f32 {
+        self.lens().film_distance() / self.focus
+    }
+}
+
+impl Graded for CircleOfConfusion {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "is negative on one side of the focus",
+            hint: "What is nearer than the focus is blurred too: can a diameter be negative?",
+            answer: |q| (1.0 - q.focus / q.distance) * q.lens().aperture() * q.magnification(),
+        },
+        Mistake {
+            name: "returns the radius",
+            hint: "From the disc's middle to its edge is how much of its diameter?",
+            answer: |q| 0.5 * Self::answer(q),
+        },
+        Mistake {
+            name: "exchanges the distance and the focus",
+            hint: "Which of the two distances says where the film is?",
+            answer: |q| Self::misread(q, |q| std::mem::swap(&mut q.focus, &mut q.distance)),
+        },
+        Mistake {
+            name: "multiplies by the f-number",
+            hint: "Is the aperture wider at f/2 or at f/16?",
+            answer: |q| Self::misread(q, |q| q.f_number = 1.0 / q.f_number),
+        },
+        Mistake {
+            name: "takes the focal length for the aperture",
+            hint: "What does the f-number say about your lens?",
+            answer: |q| Self::misread(q, |q| q.f_number = 1.0),
+        },
+        Mistake {
+            name: "takes the film to be at the focal length",
+            hint: "Where is the film when the focus is near? 1/film + 1/s = 1/f.",
+            answer: |q| Self::answer(q) / q.magnification() * (q.focal_length / q.focus),
+        },
+        Mistake {
+            name: "returns the size in the plane in focus",
+            hint: "How large does the film show what is 1 m wide in the plane in focus?",
+            answer: |q| Self::answer(q) / q.magnification(),
+        },
+        Mistake {
+            name: "divides by the focus instead of the distance",
+            hint: "Draw the cone from the point to the edge of the lens: how far from its tip is the lens?",
+            answer: |q| {
+                q.lens().aperture() * (q.distance / q.focus - 1.0).abs() * q.magnification()
+            },
+        },
+        Mistake {
+            name: "divides by the focal length instead of where the point is sharp",
+            hint: "Behind the lens, the cone's tip is where the point would be sharp: how far from the lens is that?",
+            answer: |q| {
+                let sharp = |x: f32| 1.0 / (1.0 / q.focal_length - 1.0 / x);
+                let (film, tip) = (sharp(q.focus), sharp(q.distance));
+                q.lens().aperture() * (film - tip).abs() / q.focal_length
+            },
+        },
+        Mistake {
+            name: "has no answer for a star",
+            hint: "What is ∞/∞? Try to divide before you subtract.",
+            answer: |q| {
+                if q.distance.is_finite() {
+                    Self::answer(q)
+                } else {
+                    f32::NAN
+                }
+            },
+        },
+        Mistake {
+            name: "returns millimetres",
+            hint: "By how many times are you off?",
+            answer: |q| 1e3 * Self::answer(q),
+        },
+    ];
+
+    fn edges() -> Vec<Edge<Self>> {
+        let edge = |name, focal_length, f_number, focus, distance| {
+            Edge::new(
+                name,
+                CircleOfConfusionQuestion {
+                    focal_length,
+                    f_number,
+                    focus,
+                    distance,
+                },
+            )
+        };
+        vec![
+            edge("nearer than the focus", 0.05, 2.0, 2.0, 1.0),
+            edge("farther than the focus", 0.05, 2.0, 2.0, 3.0),
+            edge("far behind the focus", 0.05, 2.0, 2.0, 10.0),
+            edge("in focus", 0.05, 2.0, 2.0, 2.0),
+            edge("a star", 0.05, 2.0, 2.0, f32::INFINITY),
+            edge(
+                "a star through a telephoto lens",
+                0.3,
+                2.8,
+                5.0,
+                f32::INFINITY,
+            ),
+            edge("as large as life", 0.1, 4.0, 0.2, 0.25),
+            edge("a wide-angle lens", 0.02, 8.0, 1.0, 4.0),
+            edge("an aperture like a pin-hole's", 0.05, 200.0, 2.0, 1.0),
+            edge("just before the lens", 0.05, 2.0, 2.0, 0.0625),
+        ]
+    }
+
+    fn random(rng: &mut Pcg) -> CircleOfConfusionQuestion {
+        let focal_length = sample::number(rng, 0.02, 0.2);
+        let focus = focal_length * sample::number(rng, 3.0, 40.0);
+        let near = sample::number(rng, 0.4, 0.9);
+        let far = sample::number(rng, 1.1, 8.0);
+        let side = sample::number(rng, 0.0, 1.0);
+        CircleOfConfusionQuestion {
+            focal_length,
+            f_number: sample::number(rng, 1.2, 16.0),
+            focus,
+            distance: focus * if side < 0.5 { near } else { far },
+        }
+    }
+
+    /// By its size, and near the focus, where it is a small difference of distances, by the aperture's.
+    fn judge(q: &CircleOfConfusionQuestion, golden: &f32, got: &f32) -> Verdict {
+        /// Who goes by where the points are sharp subtracts two nearly equal distances: a few roundings, 6e-8 each, of f.
+        const OF_APERTURE: f32 = 1e-6;
+        let tolerance = judge::RELATIVE * golden + OF_APERTURE * q.lens().aperture();
+        let mm = |metres: f32| 1e3 * metres;
+        judge::number_within("the diameter", "mm", mm(*golden), mm(*got), mm(tolerance))
+    }
+}

@@ -1,0 +1,169 @@
+//! `thin_lens_ray`: its judge and mistakes.
+
+use super::thin_lens_ray_cases as cases;
+use crate::{Edge, Graded, Mistake, Picture, Verdict, judge};
+use raybook::math::pcg::Pcg;
+use raybook_workbook::exercise::Exercise;
+use raybook_workbook::exercises::ch01_rays::CameraRayAnswer;
+use raybook_workbook::exercises::ch19_depth_of_field::{ThinLensRay, ThinLensRayQuestion};
+use glam::{Vec2, Vec3, vec2};
+
+/// What is asked of a question here.
+pub(super) trait ThroughLens {
+    /// The ray through the middle of the lens.
+    fn central(&self) -> CameraRayAnswer;
+
+    /// Where a ray meets the plane in focus.
+    fn in_plane(&self, ray: &CameraRayAnswer) -> Vec3;
+
+    /// The ray from the right point of the lens to another point.
+    fn toward(&self, point: Vec3) -> CameraRayAnswer;
+}
+
+impl ThroughLens for ThinLensRayQuestion {
+    fn central(&self) -> CameraRayAnswer {
+        let mut middle = self.clone();
+        middle.on_lens = Vec2::ZERO;
+        ThinLensRay::answer(&middle)
+    }
+
+    fn in_plane(&self, ray: &CameraRayAnswer) -> Vec3 {
+        let ahead = ray.direction.dot(*self.forward);
+        let to_plane = self.focus - (ray.origin - self.lens_middle).dot(*self.forward);
+        ray.origin + to_plane / ahead * ray.direction
+    }
+
+    fn toward(&self, point: Vec3) -> CameraRayAnswer {
+        let CameraRayAnswer { origin, .. } = ThinLensRay::answer(self);
+        CameraRayAnswer {
+            origin,
+            direction: (point - origin).normalize_or_zero(),
+        }
+    }
+}
+
+impl Graded for ThinLensRay {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "focuses on a sphere instead of a plane",
+            hint: "Photograph a wall: are its corners as far from the lens as its middle, and should they be sharp?",
+            answer: |q| {
+                let CameraRayAnswer { origin, direction } = q.central();
+                q.toward(origin + q.focus * direction)
+            },
+        },
+        Mistake {
+            name: "takes the diameter of the aperture for its radius",
+            hint: "How far from the middle of the lens is its edge?",
+            answer: |q| Self::misread(q, |q| q.f_number *= 0.5),
+        },
+        Mistake {
+            name: "forgets to normalise the direction",
+            hint: "If t is to be a distance, how long must the direction be?",
+            answer: |q| {
+                let CameraRayAnswer { origin, .. } = Self::answer(q);
+                CameraRayAnswer {
+                    origin,
+                    direction: q.in_plane(&q.central()) - origin,
+                }
+            },
+        },
+        Mistake {
+            name: "starts in the middle of the lens",
+            hint: "From how many points does your camera look at the scene?",
+            answer: |q| CameraRayAnswer {
+                origin: q.lens_middle,
+                ..Self::answer(q)
+            },
+        },
+        Mistake {
+            name: "goes parallel to the ray through the middle",
+            hint: "Two rays of the same place of the film: where should they meet, and where do yours?",
+            answer: |q| CameraRayAnswer {
+                direction: q.central().direction,
+                ..Self::answer(q)
+            },
+        },
+        Mistake {
+            name: "goes through the middle of the lens always",
+            hint: "Is there any blur? What is `on_lens` for?",
+            answer: ThinLensRayQuestion::central,
+        },
+        Mistake {
+            name: "focuses at the focal length",
+            hint: "The focal length is a property of the lens; where is the plane in which all is sharp?",
+            answer: |q| {
+                let CameraRayAnswer { origin, direction } = q.central();
+                let t = q.focal_length / direction.dot(*q.forward);
+                q.toward(origin + t * direction)
+            },
+        },
+        Mistake {
+            name: "leaves the film at the focal length",
+            hint: "Where is the film when the focus is near? 1/film + 1/s = 1/f.",
+            answer: |q| Self::misread(q, |q| q.plane *= q.lens().film_distance() / q.focal_length),
+        },
+        Mistake {
+            name: "multiplies by the f-number",
+            hint: "Is the aperture wider at f/2 or at f/16?",
+            answer: |q| Self::misread(q, |q| q.f_number = 1.0 / q.f_number),
+        },
+        Mistake {
+            name: "mirrors the lens",
+            hint: "(1, 0) is the edge of the lens on the right, (0, 1) the upper one: where do your rays start?",
+            answer: |q| Self::misread(q, |q| q.on_lens = -q.on_lens),
+        },
+        Mistake {
+            name: "draws the picture upside down",
+            hint: "film (0, 0) is the top left: does your y grow upwards or downwards on the film?",
+            answer: |q| Self::misread(q, |q| q.film = vec2(q.film.x, 1.0 - q.film.y)),
+        },
+    ];
+
+    const PICTURES: &'static [Picture<Self>] = &[Picture {
+        name: "thin_lens_ray",
+        width: 96,
+        height: 54,
+        alt: "Three balls, one ray a pixel, each from another point of the lens: the middle one has a clean edge, the near and the far one are frayed",
+        question: cases::pixel,
+        colour: cases::colour,
+    }];
+
+    fn edges() -> Vec<Edge<Self>> {
+        cases::edges()
+    }
+
+    fn random(rng: &mut Pcg) -> ThinLensRayQuestion {
+        cases::random(rng)
+    }
+
+    /// In the units of what counts: the start by the aperture's size, the direction by what it misses in the plane in focus.
+    fn judge(q: &ThinLensRayQuestion, golden: &CameraRayAnswer, got: &CameraRayAnswer) -> Verdict {
+        /// Of the distance from the world's origin and from the lens: some two hundred roundings.
+        const ROUNDING: f32 = 1e-5;
+        let far = q.lens_middle.length() + q.lens().aperture();
+        let of_lens = judge::RELATIVE * q.lens().aperture();
+        judge::direction(
+            "the ray's direction",
+            got.direction.normalize_or_zero(),
+            got.direction,
+        )?;
+        let off = golden.origin.distance(got.origin);
+        if off.is_nan() || off > of_lens + ROUNDING * far {
+            return Err(format!(
+                "the ray's origin is {:.3} mm away from where it should be",
+                1e3 * off
+            ));
+        }
+        judge::direction("the ray's direction", golden.direction, got.direction)?;
+        let miss = q.in_plane(golden).distance(q.in_plane(got));
+        if miss.is_nan() || miss > of_lens + ROUNDING * (far + q.focus) {
+            return Err(format!(
+                "the ray misses the point in focus by {:.3} mm, {} m ahead of the lens",
+                1e3 * miss,
+                q.focus
+            ));
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,117 @@
+//! `deflection_angle`: by quadrature, by stepping the ray, by series where they are good enough.
+
+use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use raybook::math::pcg::Pcg;
+use raybook::render::curved::CRITICAL;
+use raybook_workbook::exercise::Exercise;
+use raybook_workbook::exercises::ch21_black_hole::{DeflectionAngle, DeflectionAngleQuestion};
+use rand::RngExt;
+use std::f32::consts::PI;
+
+impl Graded for DeflectionAngle {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "takes 2/b, which is right far away only",
+            hint: "At b = 10 the ray is bent by 15 % more than 2/b.",
+            answer: |q| escapes(q).map(|b| 2.0 / b),
+        },
+        Mistake {
+            name: "takes 2/b, and lets no ray fall in",
+            hint: "What becomes of a ray that aims at the middle?",
+            answer: |q| Some(2.0 / q.impact_parameter),
+        },
+        Mistake {
+            name: "takes two terms of the series",
+            hint: "The series in 1/b has many more terms, and near the photon sphere they all count.",
+            answer: |q| escapes(q).map(|b| 2.0 / b + 15.0 * PI / 16.0 / (b * b)),
+        },
+        Mistake {
+            name: "bends light half as much, as Newton would",
+            hint: "In 1919 an eclipse decided between two theories by a factor of two.",
+            answer: |q| DeflectionAngle::answer(q).map(|angle| 0.5 * angle),
+        },
+        Mistake {
+            name: "takes the hole's mass for its radius",
+            hint: "Here the radius is 1, and the mass is half of it: which rays does your hole swallow?",
+            answer: |q| deflection(0.5 * q.impact_parameter),
+        },
+        Mistake {
+            name: "returns the whole angle that the ray sweeps",
+            hint: "A straight ray sweeps an angle too, as seen from the middle: which one?",
+            answer: |q| DeflectionAngle::answer(q).map(|angle| angle + PI),
+        },
+        Mistake {
+            name: "takes the angle from infinity to the turning point only",
+            hint: "The ray comes, and it goes away again.",
+            answer: |q| DeflectionAngle::answer(q).map(|angle| 0.5 * (angle - PI)),
+        },
+        Mistake {
+            name: "returns degrees",
+            hint: "How many radians has a full turn?",
+            answer: |q| DeflectionAngle::answer(q).map(f32::to_degrees),
+        },
+        Mistake {
+            name: "counts full turns for nothing",
+            hint: "A ray may go around the hole before it leaves: the angle may be more than π.",
+            answer: |q| {
+                let angle = DeflectionAngle::answer(q)?;
+                Some(if angle > PI { 2.0 * PI - angle } else { angle })
+            },
+        },
+        Mistake {
+            name: "lets rays through that fall in",
+            hint: "Which is the smallest impact parameter of a ray that comes back?",
+            answer: |q| DeflectionAngle::answer(q).or(Some(PI)),
+        },
+        Mistake {
+            name: "lets rays fall in up to b = 3",
+            hint: "The impact parameter of the ray that circles for ever is 3√3/2.",
+            answer: |q| DeflectionAngle::answer(q).filter(|_| q.impact_parameter >= 3.0),
+        },
+    ];
+
+    fn edges() -> Vec<Edge<Self>> {
+        let edge =
+            |name, impact_parameter| Edge::new(name, DeflectionAngleQuestion { impact_parameter });
+        vec![
+            edge("aimed at the hole: it falls in", 0.5),
+            edge("it would miss the photon sphere, and falls in", 2.0),
+            edge("it just falls in", 2.59),
+            edge("it just gets away, after more than a full turn", 2.6),
+            edge("almost turned back", 2.7),
+            edge("turned by more than 90°", 3.0),
+            edge("b = 4", 4.0),
+            edge("b = 5", 5.0),
+            edge("b = 10", 10.0),
+            edge("b = 20", 20.0),
+            edge("b = 100", 100.0),
+            edge("b = 1000", 1000.0),
+        ]
+    }
+
+    fn random(rng: &mut Pcg) -> DeflectionAngleQuestion {
+        let impact_parameter = if rng.random_bool(0.2) {
+            sample::number(rng, 0.1, 2.58)
+        } else {
+            (sample::number(rng, 2.61_f32.ln(), 300.0_f32.ln())).exp()
+        };
+        DeflectionAngleQuestion { impact_parameter }
+    }
+
+    fn judge(_q: &DeflectionAngleQuestion, golden: &Option<f32>, got: &Option<f32>) -> Verdict {
+        let (golden, got) = (golden.as_ref(), got.as_ref());
+        judge::option("a ray that gets away", golden, got, |golden, got| {
+            let tolerance = judge::RELATIVE * golden;
+            judge::number_within("the angle", "rad", *golden, *got, tolerance)
+        })
+    }
+}
+
+/// The impact parameter of a ray that does not fall in.
+fn escapes(q: &DeflectionAngleQuestion) -> Option<f32> {
+    Some(q.impact_parameter).filter(|&b| f64::from(b) > CRITICAL)
+}
+
+fn deflection(impact_parameter: f32) -> Option<f32> {
+    DeflectionAngle::answer(&DeflectionAngleQuestion { impact_parameter })
+}

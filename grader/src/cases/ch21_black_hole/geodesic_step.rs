@@ -1,0 +1,194 @@
+//! `geodesic_step`: judged by the bend of the ray, so any method that is good enough is right.
+
+use crate::{Edge, Graded, Mistake, Verdict, sample};
+use raybook::math::pcg::Pcg;
+use raybook::render::curved::Photon;
+use raybook_workbook::exercises::ch21_black_hole::{
+    GeodesicStep, GeodesicStepAnswer, GeodesicStepQuestion,
+};
+use glam::{DVec3, Vec3};
+
+const X: Vec3 = Vec3::X;
+const Y: Vec3 = Vec3::Y;
+const Z: Vec3 = Vec3::Z;
+
+impl Graded for GeodesicStep {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "divides the unit vector by the fifth power",
+            hint: "x/|x|⁵ has the length 1/|x|⁴: how long is yours at |x| = 2?",
+            answer: |q| pulled(q, |x, v| -1.5 * h2(x, v) * x / x.length().powi(6)),
+        },
+        Mistake {
+            name: "divides by the fourth power",
+            hint: "x/|x|⁵ has the length 1/|x|⁴: how long is yours at |x| = 2?",
+            answer: |q| pulled(q, |x, v| -1.5 * h2(x, v) * x / x.length().powi(4)),
+        },
+        Mistake {
+            name: "forgets the factor 3/2",
+            hint: "A ray at |x| = 3/2, square to the radius, goes around in a circle: does yours?",
+            answer: |q| pulled(q, |x, v| -h2(x, v) * x / x.length().powi(5)),
+        },
+        Mistake {
+            name: "takes the hole's mass for its radius",
+            hint: "Here the radius is 1, and the mass is half of it: where would your ray go around in a circle?",
+            answer: |q| pulled(q, |x, v| -3.0 * h2(x, v) * x / x.length().powi(5)),
+        },
+        Mistake {
+            name: "takes h for its square",
+            hint: "Twice the velocity and half the step are the same ray: are they in your formula?",
+            answer: |q| pulled(q, |x, v| -1.5 * h2(x, v).sqrt() * x / x.length().powi(5)),
+        },
+        Mistake {
+            name: "pushes the light away",
+            hint: "Does gravity pull or push?",
+            answer: |q| pulled(q, |x, v| 1.5 * h2(x, v) * x / x.length().powi(5)),
+        },
+        Mistake {
+            name: "takes the dot product for the cross product",
+            hint: "A ray that aims at the middle is not bent: what is its h?",
+            answer: |q| pulled(q, |x, v| -1.5 * x.dot(v).powi(2) * x / x.length().powi(5)),
+        },
+        Mistake {
+            name: "takes |x||v| for |x × v|",
+            hint: "A ray that aims at the middle is not bent: what is its h?",
+            answer: |q| {
+                pulled(q, |x, v| {
+                    -1.5 * x.length_squared() * v.length_squared() * x / x.length().powi(5)
+                })
+            },
+        },
+        Mistake {
+            name: "lets light fall as a stone does, by Newton's law",
+            hint: "Is your light pulled less when it goes slower?",
+            answer: |q| pulled(q, |x, _| -0.5 * x / x.length().powi(3)),
+        },
+        Mistake {
+            name: "goes straight on for the whole step (Euler's method)",
+            hint: "Where the velocity turns during the step, the position must notice it.",
+            answer: |q| {
+                let (x, v, step) = parts(q);
+                after(x + step * v, v + step * pull(x, v))
+            },
+        },
+        Mistake {
+            name: "moves with the velocity after the step",
+            hint: "During the step the velocity is neither what it was nor what it will be.",
+            answer: |q| {
+                let (x, v, step) = parts(q);
+                let v = v + step * pull(x, v);
+                after(x + step * v, v)
+            },
+        },
+    ];
+
+    fn edges() -> Vec<Edge<Self>> {
+        let edge = |name, position, velocity, step| {
+            let question = GeodesicStepQuestion {
+                position,
+                velocity,
+                step,
+            };
+            Edge::new(name, question)
+        };
+        vec![
+            edge("aimed at the middle: straight on", 10.0 * X, -X, 0.5),
+            edge("straight away from the middle", 2.0 * Y, Y, 0.1),
+            edge("around the photon sphere", 1.5 * X, Z, 0.05),
+            edge("close to the horizon", 1.1 * X, 0.3 * X + 0.9 * Y, 0.05),
+            edge("passing by", 4.0 * Y, X, 0.2),
+            edge("twice as fast: the same ray", 4.0 * Y, 2.0 * X, 0.1),
+            edge("at an angle", 2.0 * (X + Z) - Y, Y - 0.5 * X, 0.1),
+            edge("far away", 60.0 * X + 20.0 * Y, 0.5 * Z - Y, 3.0),
+            edge("backwards", 3.0 * Y, 0.6 * X + 0.8 * Y, -0.1),
+            edge("no step at all", 3.0 * Y, 0.6 * X + 0.8 * Y, 0.0),
+        ]
+    }
+
+    fn random(rng: &mut Pcg) -> GeodesicStepQuestion {
+        let radius = sample::number(rng, 1.5, 10.0);
+        let speed = sample::number(rng, 0.5, 2.0);
+        GeodesicStepQuestion {
+            position: radius * *sample::direction(rng),
+            velocity: speed * *sample::direction(rng),
+            step: sample::number(rng, 0.03, 0.05) * radius / speed,
+        }
+    }
+
+    fn judge(
+        q: &GeodesicStepQuestion,
+        golden: &GeodesicStepAnswer,
+        got: &GeodesicStepAnswer,
+    ) -> Verdict {
+        let straight = q.position + q.step * q.velocity;
+        let (after, size) = (golden.position, q.position.length());
+        bend("position", straight, after, got.position, size)?;
+        let (after, size) = (golden.velocity, q.velocity.length());
+        bend("velocity", q.velocity, after, got.velocity, size)
+    }
+}
+
+/// Compares by how much a vector is bent away from where a straight ray would have it; `size` says how large its roundings are.
+fn bend(name: &str, straight: Vec3, golden: Vec3, got: Vec3, size: f32) -> Verdict {
+    /// Of the bend.
+    const SHARE: f32 = 0.1;
+    /// Of the size of the vector: some roundings of `f32`.
+    const ROUNDING: f32 = 2e-6;
+    if !got.is_finite() {
+        return Err(format!(
+            "the {name} is {got}, which is not a vector of numbers"
+        ));
+    }
+    let (bent, off) = (golden.distance(straight), got.distance(golden));
+    if off <= SHARE * bent + ROUNDING * size {
+        return Ok(());
+    }
+    if bent <= ROUNDING * size {
+        return Err(format!(
+            "the {name} is off by {off:.1e}: this ray should go straight on"
+        ));
+    }
+    Err(format!(
+        "the {name} is off by {off:.1e}, which is {:.0} % of the bend",
+        100.0 * off / bent
+    ))
+}
+
+fn parts(q: &GeodesicStepQuestion) -> (DVec3, DVec3, f64) {
+    (
+        q.position.as_dvec3(),
+        q.velocity.as_dvec3(),
+        f64::from(q.step),
+    )
+}
+
+fn h2(x: DVec3, v: DVec3) -> f64 {
+    x.cross(v).length_squared()
+}
+
+fn pull(x: DVec3, v: DVec3) -> DVec3 {
+    -1.5 * h2(x, v) * x / x.length().powi(5)
+}
+
+fn after(x: DVec3, v: DVec3) -> GeodesicStepAnswer {
+    GeodesicStepAnswer {
+        position: x.as_vec3(),
+        velocity: v.as_vec3(),
+    }
+}
+
+/// A good step (the classical fourth-order one) with another acceleration.
+fn pulled(q: &GeodesicStepQuestion, pull: fn(DVec3, DVec3) -> DVec3) -> GeodesicStepAnswer {
+    let (x, v, step) = parts(q);
+    let slope = |p: Photon| Photon {
+        x: p.v,
+        v: pull(p.x, p.v),
+    };
+    let p = Photon { x, v };
+    let k1 = slope(p);
+    let k2 = slope(p + k1 * (step / 2.0));
+    let k3 = slope(p + k2 * (step / 2.0));
+    let k4 = slope(p + k3 * step);
+    let end = p + (k1 + k2 * 2.0 + k3 * 2.0 + k4) * (step / 6.0);
+    after(end.x, end.v)
+}

@@ -1,0 +1,193 @@
+//! `pixel_average`: cases, judge, mistakes.
+
+use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use raybook::image::rgb::Rgb;
+use raybook::image::tone;
+use raybook::math::pcg::Pcg;
+use raybook_workbook::exercises::ch22_antialiasing::{PixelAverage, PixelAverageQuestion, Seen};
+use glam::{Vec2, vec2};
+use rand::RngExt;
+
+fn tent(q: &PixelAverageQuestion, offset: Vec2) -> f32 {
+    let along = 1.0 - offset.abs() / q.radius;
+    along.max(Vec2::ZERO).element_product()
+}
+
+/// Σ w L/Σ w, with weights of whoever calls.
+fn average(q: &PixelAverageQuestion, weight: impl Fn(&Seen) -> f32) -> Rgb {
+    let weights: f32 = q.samples.iter().map(&weight).sum();
+    let light: Rgb = q.samples.iter().map(|s| s.radiance * weight(s)).sum();
+    if weights == 0.0 {
+        Rgb::BLACK
+    } else {
+        light / weights
+    }
+}
+
+impl Graded for PixelAverage {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "counts all samples alike",
+            hint: "Does a sample at the filter's edge count as much as one in the pixel's centre?",
+            answer: |q| average(q, |_| 1.0),
+        },
+        Mistake {
+            name: "counts all samples alike that are within the radius",
+            hint: "Does a sample at the filter's edge count as much as one in the pixel's centre?",
+            answer: |q| average(q, |s| f32::from(tent(q, s.offset) > 0.0)),
+        },
+        Mistake {
+            name: "divides by the number of samples",
+            hint: "All samples see the same white wall: what does your pixel show?",
+            answer: |q| {
+                let light: Rgb = q
+                    .samples
+                    .iter()
+                    .map(|s| s.radiance * tent(q, s.offset))
+                    .sum();
+                light / (q.samples.len() as f32).max(1.0)
+            },
+        },
+        Mistake {
+            name: "does not divide",
+            hint: "Take every sample twice: does the pixel become brighter?",
+            answer: |q| {
+                q.samples
+                    .iter()
+                    .map(|s| s.radiance * tent(q, s.offset))
+                    .sum()
+            },
+        },
+        Mistake {
+            name: "lets the weights go below 0",
+            hint: "What is the weight of a sample that is two radii away?",
+            answer: |q| average(q, |s| (1.0 - s.offset.abs() / q.radius).element_product()),
+        },
+        Mistake {
+            name: "makes a cone instead of a tent",
+            hint: "The tent's edges are straight: what is its weight at a corner of its square, and half way to the corner?",
+            answer: |q| average(q, |s| (1.0 - s.offset.length() / q.radius).max(0.0)),
+        },
+        Mistake {
+            name: "forgets the radius",
+            hint: "How far from the centre does your weight fall to 0?",
+            answer: |q| {
+                let one = PixelAverageQuestion {
+                    radius: 1.0,
+                    ..q.clone()
+                };
+                average(q, |s| tent(&one, s.offset))
+            },
+        },
+        Mistake {
+            name: "forgets that left and right are alike",
+            hint: "Is a sample to the left of the centre worth as much as one equally far to its right?",
+            answer: |q| {
+                average(q, |s| {
+                    (1.0 - s.offset / q.radius)
+                        .clamp(Vec2::ZERO, Vec2::ONE)
+                        .element_product()
+                })
+            },
+        },
+        Mistake {
+            name: "averages what the display is sent",
+            hint: "Light adds up; do the numbers that go to a display? When is the picture encoded?",
+            answer: |q| {
+                let encoded = PixelAverageQuestion {
+                    samples: q
+                        .samples
+                        .iter()
+                        .map(|s| Seen {
+                            radiance: s.radiance.map(tone::encode_srgb),
+                            ..s.clone()
+                        })
+                        .collect(),
+                    ..q.clone()
+                };
+                average(&encoded, |s| tent(q, s.offset)).map(tone::decode_srgb)
+            },
+        },
+    ];
+
+    fn edges() -> Vec<Edge<Self>> {
+        let seen = |x, y, radiance| Seen {
+            offset: vec2(x, y),
+            radiance,
+        };
+        let (red, blue) = (Rgb::new(0.9, 0.1, 0.1), Rgb::new(0.0, 0.2, 0.8));
+        let edge = |name, radius, samples: &[Seen]| {
+            let samples = samples.to_vec();
+            Edge::new(name, PixelAverageQuestion { radius, samples })
+        };
+        vec![
+            edge(
+                "two samples",
+                1.0,
+                &[seen(0.0, 0.0, red), seen(0.5, 0.25, blue)],
+            ),
+            edge("no sample", 1.0, &[]),
+            edge(
+                "all of them out of reach",
+                0.5,
+                &[seen(0.75, 0.0, red), seen(0.1, -2.0, blue)],
+            ),
+            edge(
+                "out of reach along both axes",
+                1.0,
+                &[seen(0.0, 0.0, red), seen(1.75, 1.5, blue)],
+            ),
+            edge(
+                "the same colour everywhere",
+                1.5,
+                &[
+                    seen(0.1, 0.2, blue),
+                    seen(-0.4, 1.0, blue),
+                    seen(-1.2, 0.0, blue),
+                ],
+            ),
+            edge(
+                "left and right",
+                1.0,
+                &[
+                    seen(-0.5, 0.0, red),
+                    seen(0.5, 0.0, blue),
+                    seen(0.25, -0.125, red),
+                ],
+            ),
+            edge(
+                "a sample at the very edge",
+                0.75,
+                &[seen(0.75, 0.0, red), seen(0.1, 0.1, blue)],
+            ),
+            edge(
+                "a bright lamp",
+                1.0,
+                &[seen(0.25, 0.25, Rgb::gray(500.0)), seen(0.0, -0.25, red)],
+            ),
+        ]
+    }
+
+    fn random(rng: &mut Pcg) -> PixelAverageQuestion {
+        let radius = sample::number(rng, 0.6, 2.0);
+        let mut number = |min, max| sample::number(rng, min, max);
+        let mut seen = || Seen {
+            offset: vec2(number(-1.2, 1.2), number(-1.2, 1.2)) * radius,
+            radiance: Rgb::new(number(0.0, 1.0), number(0.0, 1.0), number(0.0, 2.0)),
+        };
+        let mut samples: Vec<_> = (0..6).map(|_| seen()).collect();
+        // One in the middle, so that there always is something.
+        samples[0].offset *= 0.25;
+        samples.truncate(rng.random_range(3..=6));
+        PixelAverageQuestion { radius, samples }
+    }
+
+    fn judge(_q: &PixelAverageQuestion, golden: &Rgb, got: &Rgb) -> Verdict {
+        let channels = golden.channels().into_iter().zip(got.channels());
+        for (name, (golden, got)) in ["red", "green", "blue"].into_iter().zip(channels) {
+            let tolerance = judge::RELATIVE * golden.max(0.01);
+            judge::number_within(name, "W·m⁻²·sr⁻¹", golden, got, tolerance)?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,104 @@
+//! What judges ask of points of the unit square.
+
+use crate::Verdict;
+use glam::Vec2;
+
+/// Chance makes the largest deviation of a distribution from its law larger than this over √n with a probability of
+/// 2 exp(−2·3.1²) = 9e-9 (Kolmogorov; Massart 1990).
+const DEVIATION: f32 = 3.1;
+
+/// So many points, each in [0, 1)².
+///
+/// # Errors
+/// If there are more or fewer, or one is outside.
+pub fn in_square(expected: usize, points: &[Vec2]) -> Verdict {
+    if points.len() != expected {
+        return Err(format!(
+            "there are {} points; {expected} were asked",
+            points.len()
+        ));
+    }
+    all_inside(points)
+}
+
+/// All of them in [0, 1)², as far as can be told: what is printed with a few digits may have been rounded up to 1.
+///
+/// # Errors
+/// If one is outside.
+pub fn all_inside(points: &[Vec2]) -> Verdict {
+    for (p, i) in points.iter().zip(1..) {
+        if !(p.cmpge(Vec2::ZERO).all() && p.cmple(Vec2::ONE).all()) {
+            return Err(format!(
+                "point {i} at ({}, {}) is not in the unit square, 0 ≤ x < 1 and 0 ≤ y < 1",
+                p.x, p.y
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// The same points in any order.
+///
+/// # Errors
+/// If one is missing, or one too many.
+pub fn same_places(golden: &[Vec2], got: &[Vec2], tolerance: f32) -> Verdict {
+    if got.len() != golden.len() {
+        return Err(format!(
+            "there are {} points; there should be {}",
+            got.len(),
+            golden.len()
+        ));
+    }
+    let mut left = got.to_vec();
+    for p in golden {
+        let near = |q: &Vec2| p.distance(*q) <= tolerance;
+        let Some(i) = left.iter().position(near) else {
+            return Err(format!(
+                "a point should be at ({:.4}, {:.4}), and none is there",
+                p.x, p.y
+            ));
+        };
+        left.swap_remove(i);
+    }
+    Ok(())
+}
+
+/// Numbers that are uniform in [0, 1): the largest deviation of their distribution from the diagonal (Kolmogorov and Smirnov).
+///
+/// # Errors
+/// If it is larger than chance makes it; `what` is between 0 and 1, `where_from` says where it counts from.
+pub fn uniform(what: &str, numbers: impl Iterator<Item = f32>) -> Verdict {
+    let mut sorted: Vec<_> = numbers.collect();
+    sorted.sort_by(f32::total_cmp);
+    let n = sorted.len() as f32;
+    let bound = DEVIATION / n.sqrt();
+    for (x, i) in sorted.iter().zip(0_u32..) {
+        let (below, up_to) = (i as f32 / n, (i + 1) as f32 / n);
+        if below - x > bound || x - up_to > bound {
+            let share = 100.0 * if below > *x { below } else { up_to };
+            return Err(format!(
+                "{what} is below {x:.2} for {share:.0} % of the points: it is not the same everywhere, and chance does not explain it"
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// Two numbers of each point, uniform in [0, 1), that have nothing to do with each other: their correlation.
+///
+/// # Errors
+/// If it is larger than chance makes it: 6 standard deviations.
+pub fn independent(what: &str, pairs: impl Iterator<Item = Vec2>) -> Verdict {
+    let products: Vec<_> = pairs.map(|p| (p.x - 0.5) * (p.y - 0.5)).collect();
+    let n = products.len() as f32;
+    // The product's standard deviation is 1/12, and it is never more than three times that: Bernstein's bound.
+    let mean = products.iter().sum::<f32>() / n.max(1.0);
+    let bound = 6.0 / 12.0 / n.sqrt() * (1.0 + 2.0 / n.sqrt());
+    if mean.abs() > bound {
+        Err(format!(
+            "{what} go together: where one is large, so is the other, or the other way round"
+        ))
+    } else {
+        Ok(())
+    }
+}

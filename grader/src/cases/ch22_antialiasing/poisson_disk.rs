@@ -1,0 +1,178 @@
+//! `poisson_disk`: cases, judge, mistakes.
+
+use super::points;
+use crate::{Edge, Graded, Mistake, Verdict};
+use raybook::math::pcg::{self, Pcg};
+use raybook::sample::pattern::{jittered, random_pattern};
+use raybook_workbook::exercises::ch22_antialiasing::{PoissonDisk, PoissonDiskQuestion};
+use glam::{Vec2, vec2};
+use rand::RngExt;
+
+/// Two points may be nearer by this share of the distance: what `f32` and printing round.
+const ROUNDING: f32 = 1e-4;
+
+/// So large a share of the square may have room for another point. Bridson's method with 30 tries leaves up to 4 %; darts thrown until a
+/// thousand in a row miss leave less than 1 %.
+const ROOM: f32 = 0.10;
+
+/// Places that are probed for room, along each side.
+const PROBES: u32 = 96;
+
+/// More points than this, times (1 + d)²/d², are a lattice: chance finds 0.6 of that, squares 1, and a honeycomb 1.15.
+const CROWDED: f32 = 0.85;
+
+/// Darts, each kept if `keeps` says so of it and the points before, until a thousand in a row are not.
+fn darts(q: &PoissonDiskQuestion, keeps: impl Fn(Vec2, &[Vec2]) -> bool) -> Vec<Vec2> {
+    let rng = &mut pcg::stream(22, q.seed.into());
+    let (mut points, mut misses) = (Vec::new(), 0);
+    while misses < 1000 && points.len() < 2000 {
+        let dart = vec2(rng.random(), rng.random());
+        if keeps(dart, &points) {
+            points.push(dart);
+            misses = 0;
+        } else {
+            misses += 1;
+        }
+    }
+    points
+}
+
+/// The same, with a rule for the way from a dart to every other point.
+fn apart(q: &PoissonDiskQuestion, far: impl Fn(Vec2) -> bool) -> Vec<Vec2> {
+    darts(q, |p, points| points.iter().all(|o| far(p - *o)))
+}
+
+impl Graded for PoissonDisk {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "compares the squared distance with the distance",
+            hint: "Below 1, a square is smaller than its root: what do you compare with what?",
+            answer: |q| apart(q, |way| way.length_squared() >= q.distance),
+        },
+        Mistake {
+            name: "takes the distance for a diameter",
+            hint: "Discs of that radius would overlap: is it the distance of two points that you compare?",
+            answer: |q| apart(q, |way| way.length() >= 0.5 * q.distance),
+        },
+        Mistake {
+            name: "takes the distance for a radius",
+            hint: "How near may two points come: once or twice the distance?",
+            answer: |q| apart(q, |way| way.length() >= 2.0 * q.distance),
+        },
+        Mistake {
+            name: "compares with the last point only",
+            hint: "To which of the points must a new one keep its distance?",
+            answer: |q| {
+                darts(q, |p, points| {
+                    points.last().is_none_or(|o| p.distance(*o) >= q.distance) && points.len() < 600
+                })
+            },
+        },
+        Mistake {
+            name: "adds the distances along x and y",
+            hint: "Which figure do the points make that have your distance from a point: a circle?",
+            answer: |q| apart(q, |way| way.abs().element_sum() >= q.distance),
+        },
+        Mistake {
+            name: "gives up too early",
+            hint: "Look at your points: are there gaps in which another one would have room? How many darts may miss before you stop?",
+            answer: |q| {
+                let n = (0.15 / (q.distance * q.distance)).ceil() as usize;
+                darts(q, |p, points| {
+                    points.len() < n && points.iter().all(|o| p.distance(*o) >= q.distance)
+                })
+            },
+        },
+        Mistake {
+            name: "jitters",
+            hint: "Can two of your points be on both sides of a cell's edge, close to each other?",
+            answer: |q| {
+                let cells = (0.8 / q.distance).ceil() as usize;
+                jittered::jittered(cells, cells, &mut pcg::stream(22, q.seed.into()))
+            },
+        },
+        Mistake {
+            name: "throws without looking",
+            hint: "How near are your nearest two points?",
+            answer: |q| {
+                let n = (0.65 / (q.distance * q.distance)).ceil() as usize;
+                random_pattern::random_pattern(n, &mut pcg::stream(22, q.seed.into()))
+            },
+        },
+    ];
+
+    /// Whatever keeps its distance is right, so no last digit of it decides.
+    const ULPS: i32 = 0;
+
+    fn edges() -> Vec<Edge<Self>> {
+        let edge = |name, distance, seed| Edge::new(name, PoissonDiskQuestion { distance, seed });
+        vec![
+            edge("only one point has room", 1.5, 2),
+            edge("about sixty points", 0.1, 1),
+            edge("two or three", 0.7, 3),
+            edge("about a dozen", 0.25, 4),
+            edge("about two hundred", 0.055, 5),
+            edge("about four hundred", 0.04, 6),
+            edge("another seed", 0.1, 7),
+        ]
+    }
+
+    fn random(rng: &mut Pcg) -> PoissonDiskQuestion {
+        PoissonDiskQuestion {
+            distance: 0.05 * 5.0_f32.powf(rng.random()),
+            seed: rng.random(),
+        }
+    }
+
+    fn judge(q: &PoissonDiskQuestion, _golden: &Vec<Vec2>, got: &Vec<Vec2>) -> Verdict {
+        points::all_inside(got)?;
+        let d = q.distance;
+        for (i, p) in got.iter().enumerate() {
+            for (j, other) in got[..i].iter().enumerate() {
+                let apart = p.distance(*other);
+                if apart < d * (1.0 - ROUNDING) {
+                    return Err(format!(
+                        "points {} and {} are {apart:.4} apart; {d:.4} is the least",
+                        j + 1,
+                        i + 1
+                    ));
+                }
+            }
+        }
+        let most = CROWDED * ((1.0 + d) / d).powi(2);
+        if got.len() as f32 > most.max(4.0) {
+            return Err(format!(
+                "{} points have room only in a regular lattice; at random about {:.0} have",
+                got.len(),
+                0.7 * most
+            ));
+        }
+        // Over the edges or not: whoever keeps the distance to the next square's points too is right.
+        let room = room(got, d, false).min(room(got, d, true));
+        if room > ROOM {
+            return Err(format!(
+                "in {:.0} % of the square there is still room for another point",
+                100.0 * room
+            ));
+        }
+        Ok(())
+    }
+}
+
+/// The share of the square that is farther than d from all points.
+fn room(points: &[Vec2], d: f32, over_edges: bool) -> f32 {
+    let free = |i: u32| {
+        let probe = (vec2((i % PROBES) as f32, (i / PROBES) as f32) + 0.5) / PROBES as f32;
+        points.iter().all(|p| {
+            let apart = (*p - probe).abs();
+            let apart = if over_edges {
+                apart.min(1.0 - apart)
+            } else {
+                apart
+            };
+            apart.length_squared() > d * d
+        })
+    };
+    let free = (0..PROBES * PROBES).filter(|&i| free(i)).count();
+    free as f32 / (PROBES * PROBES) as f32
+}

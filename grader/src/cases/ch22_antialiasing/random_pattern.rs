@@ -1,0 +1,164 @@
+//! `random_pattern`: cases, judge, mistakes.
+
+use super::points;
+use crate::{Edge, Graded, Mistake, Verdict};
+use raybook::math::pcg::{self, Pcg};
+use raybook::sample::pattern::{jittered, regular_grid, rows};
+use raybook_workbook::exercises::ch22_antialiasing::{RandomPattern, RandomPatternQuestion};
+use glam::{Vec2, vec2};
+use rand::RngExt;
+
+/// n points, each from two uniform numbers.
+fn each(q: &RandomPatternQuestion, point: impl Fn(Vec2) -> Vec2) -> Vec<Vec2> {
+    let rng = &mut pcg::stream(22, q.seed.into());
+    let u = (0..q.n).map(|_| vec2(rng.random(), rng.random()));
+    u.map(point).collect()
+}
+
+impl Graded for RandomPattern {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "uses one number for both coordinates",
+            hint: "Draw your points: do they fill the square, or lie on a line?",
+            answer: |q| each(q, |u| vec2(u.x, u.x)),
+        },
+        Mistake {
+            name: "makes a grid",
+            hint: "Which of your points would be elsewhere with another seed?",
+            answer: |q| rows::in_rows(q.n as usize, regular_grid::regular_grid),
+        },
+        Mistake {
+            name: "jitters",
+            hint: "May a point of yours fall anywhere, or has it a cell? Independent points leave gaps and make crowds.",
+            answer: |q| {
+                let rng = &mut pcg::stream(22, q.seed.into());
+                rows::in_rows(q.n as usize, |columns, rows| {
+                    jittered::jittered(columns, rows, rng)
+                })
+            },
+        },
+        Mistake {
+            name: "starts the generator again for every point",
+            hint: "How many different points do you have?",
+            answer: |q| {
+                let point = || {
+                    let mut rng = pcg::stream(22, q.seed.into());
+                    vec2(rng.random(), rng.random())
+                };
+                (0..q.n).map(|_| point()).collect()
+            },
+        },
+        Mistake {
+            name: "goes from −1 to 1",
+            hint: "In which range are your numbers, and in which range is the square?",
+            answer: |q| each(q, |u| 2.0 * u - 1.0),
+        },
+        Mistake {
+            name: "crowds in the middle",
+            hint: "The sum of two uniform numbers is not uniform: how many of your points are in the middle ninth of the square?",
+            answer: |q| {
+                let rng = &mut pcg::stream(22, q.seed.into());
+                let mut half = || 0.5 * (rng.random::<f32>() + rng.random::<f32>());
+                (0..q.n).map(|_| vec2(half(), half())).collect()
+            },
+        },
+        Mistake {
+            name: "fills a disc",
+            hint: "Is a corner of the square as likely as its middle?",
+            answer: |q| {
+                each(q, |u| {
+                    0.5 + 0.5 * u.x.sqrt() * Vec2::from_angle(std::f32::consts::TAU * u.y)
+                })
+            },
+        },
+        Mistake {
+            name: "takes one of sixteen places along each axis",
+            hint: "How many different values do your coordinates have? Whole numbers divided by 16 are not all numbers.",
+            answer: |q| each(q, |u| (16.0 * u).floor() / 16.0),
+        },
+    ];
+
+    fn edges() -> Vec<Edge<Self>> {
+        let edge = |name, n| Edge::new(name, RandomPatternQuestion { n, seed: n + 1 });
+        vec![
+            edge("150 points", 150),
+            edge("no point", 0),
+            edge("one point", 1),
+            edge("256 points", 256),
+            edge("a prime number of points", 211),
+            edge("many points", 1000),
+        ]
+    }
+
+    fn random(rng: &mut Pcg) -> RandomPatternQuestion {
+        RandomPatternQuestion {
+            n: rng.random_range(150..=400),
+            seed: rng.random(),
+        }
+    }
+
+    fn judge(q: &RandomPatternQuestion, _golden: &Vec<Vec2>, got: &Vec<Vec2>) -> Verdict {
+        points::in_square(q.n as usize, got)?;
+        if got.len() < 100 {
+            return Ok(()); // too few to tell
+        }
+        points::uniform("x", got.iter().map(|p| p.x))?;
+        points::uniform("y", got.iter().map(|p| p.y))?;
+        points::independent("x and y", got.iter().copied())?;
+        distinct(got)?;
+        crowds(got)
+    }
+}
+
+/// Equal coordinates are a coincidence of one in millions.
+fn distinct(points: &[Vec2]) -> Verdict {
+    let mut xs: Vec<_> = points.iter().map(|p| p.x).collect();
+    xs.sort_by(f32::total_cmp);
+    xs.dedup();
+    // 1000 points of which many print only four digits have still nine different ones in ten.
+    if 4 * xs.len() < 3 * points.len() {
+        return Err(format!(
+            "the {} points have only {} different x",
+            points.len(),
+            xs.len()
+        ));
+    }
+    Ok(())
+}
+
+/// Independent points make crowds and leave gaps: of √n × √n cells, a share of 1/e is empty, and as many have two or more
+/// points. And a corner is as good a place as any.
+///
+/// The number of empty cells has the standard deviation √(n (1/e − 2/e²)) = 0.31 √n: the bounds are 6.5 of them.
+fn crowds(points: &[Vec2]) -> Verdict {
+    let side = (points.len() as f32).sqrt().floor();
+    let mut counts = vec![0_u32; (side * side) as usize];
+    for p in points {
+        let cell = (side * *p).floor().min(Vec2::splat(side - 1.0));
+        counts[(cell.y * side + cell.x) as usize] += 1;
+    }
+    let empty = counts.iter().filter(|&&count| count == 0).count() as f32;
+    let cells = side * side;
+    let expected = cells * (-(points.len() as f32) / cells).exp();
+    let bound = 6.5 * 0.31 * side;
+    if empty < expected - bound {
+        return Err(format!(
+            "of {cells} cells only {empty} are empty, where chance would leave about {expected:.0}: the points are too even to be independent"
+        ));
+    }
+    if empty > expected + bound {
+        return Err(format!(
+            "of {cells} cells {empty} are empty, where chance would leave about {expected:.0}: the points do not fill the square"
+        ));
+    }
+    // Outside the inscribed circle is the share 1 − π/4 = 0.215; of 150 points 32, and less than five with a probability of 1e-10.
+    let corner = |p: &&Vec2| p.distance(Vec2::splat(0.5)) > 0.5;
+    let found = points.iter().filter(corner).count() as f32;
+    let share = 0.215 * points.len() as f32;
+    if found < 0.15 * share {
+        return Err(format!(
+            "only {found} points are in the square's corners, outside the circle in it, where chance would put about {share:.0}"
+        ));
+    }
+    Ok(())
+}

@@ -1,0 +1,166 @@
+//! `rotated_grid`: cases, judge, mistakes.
+
+use super::points;
+use crate::{Edge, Graded, Mistake, Verdict, sample};
+use raybook::math::pcg::Pcg;
+use raybook_workbook::exercises::ch22_antialiasing::{RotatedGrid, RotatedGridQuestion};
+use glam::{Vec2, vec2};
+use std::f32::consts::{FRAC_1_SQRT_2, FRAC_PI_4};
+
+/// A point may be so far from its place; so near to the square's edge it may be there or not.
+const TOLERANCE: f32 = 1e-3;
+
+/// ½ + spacing · f(i + offset.x, j + offset.y), all that may be in the square.
+fn lattice(q: &RotatedGridQuestion, f: impl Fn(Vec2) -> Vec2) -> Vec<Vec2> {
+    let reach = (1.0 / q.spacing).ceil() as i32 + 2;
+    let whole =
+        (-reach..=reach).flat_map(|j| (-reach..=reach).map(move |i| vec2(i as f32, j as f32)));
+    whole
+        .map(|cell| 0.5 + q.spacing * f(cell + q.offset))
+        .collect()
+}
+
+fn inside(points: Vec<Vec2>) -> Vec<Vec2> {
+    let keep = |p: &Vec2| p.cmpge(Vec2::ZERO).all() && p.cmplt(Vec2::ONE).all();
+    points.into_iter().filter(keep).collect()
+}
+
+/// By arctan ½, counter-clockwise if `sense` is 1, clockwise if it is −1.
+fn turned(q: Vec2, sense: f32) -> Vec2 {
+    vec2(2.0 * q.x - sense * q.y, sense * q.x + 2.0 * q.y) / 5.0_f32.sqrt()
+}
+
+impl Graded for RotatedGrid {
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "does not rotate",
+            hint: "Do two of your points lie side by side, at the same height?",
+            answer: |q| inside(lattice(q, |p| p)),
+        },
+        Mistake {
+            name: "rotates by 45°",
+            hint: "An edge at 45° is also common in pictures. Which angle has the tangent ½?",
+            answer: |q| inside(lattice(q, |p| Vec2::splat(FRAC_1_SQRT_2).rotate(p))),
+        },
+        Mistake {
+            name: "takes ½ for the angle",
+            hint: "½ is the tangent: what is the angle, in radians?",
+            answer: |q| inside(lattice(q, |p| Vec2::from_angle(0.5).rotate(p))),
+        },
+        Mistake {
+            name: "takes degrees for radians",
+            hint: "In which unit does your language's cosine want its angle?",
+            answer: |q| inside(lattice(q, |p| Vec2::from_angle(26.565).rotate(p))),
+        },
+        Mistake {
+            name: "rotates without the root of 5",
+            hint: "How long are the sides of a triangle with the tangent ½, and how long is the third one? Are your points as far apart as asked?",
+            answer: |q| inside(lattice(q, |p| turned(p, 1.0) * 5.0_f32.sqrt() / 2.0)),
+        },
+        Mistake {
+            name: "shears instead of rotating",
+            hint: "A rotation moves x by y and y by x, with opposite signs: are your rows and columns still at right angles?",
+            answer: |q| inside(lattice(q, |p| vec2(p.x, p.y + 0.5 * p.x))),
+        },
+        Mistake {
+            name: "keeps only four points",
+            hint: "A fine lattice has many points in the square: over which i and j do you go?",
+            answer: |q| {
+                let cells = [[0.0, 0.0], [-1.0, 0.0], [0.0, -1.0], [-1.0, -1.0]];
+                let place = |cell| 0.5 + q.spacing * turned(Vec2::from_array(cell) + q.offset, 1.0);
+                inside(cells.map(place).to_vec())
+            },
+        },
+        Mistake {
+            name: "rotates about the corner",
+            hint: "Which point of the square stays where it is when you rotate?",
+            answer: |q| {
+                let corner = |p: Vec2| turned(p + 0.5 / q.spacing, 1.0) - 0.5 / q.spacing;
+                inside(lattice(q, corner))
+            },
+        },
+        Mistake {
+            name: "keeps what is outside",
+            hint: "Are all your points in the pixel?",
+            answer: |q| lattice(q, |p| turned(p, 1.0)),
+        },
+    ];
+
+    fn edges() -> Vec<Edge<Self>> {
+        let edge = |name, spacing, x, y| {
+            let offset = vec2(x, y);
+            Edge::new(name, RotatedGridQuestion { spacing, offset })
+        };
+        vec![
+            edge("four points at eighths", 0.25 * 5.0_f32.sqrt(), 0.5, 0.5),
+            edge("four points, near each other", 0.5, 0.5, 0.5),
+            edge("around a point", 0.4, 0.0, 0.0),
+            edge("sixteen", 0.25, 0.5, 0.5),
+            edge("fine", 0.1, 0.25, 0.75),
+            edge("between two points", 0.3, 0.5, 0.0),
+            edge("hardly one", 0.9, 0.1, 0.2),
+        ]
+    }
+
+    fn random(rng: &mut Pcg) -> RotatedGridQuestion {
+        RotatedGridQuestion {
+            spacing: sample::number(rng, 0.1, 0.5),
+            offset: vec2(sample::number(rng, 0.0, 1.0), sample::number(rng, 0.0, 1.0)),
+        }
+    }
+
+    /// Either sense of rotation is right; what is nearly on the square's edge may be there or not.
+    fn judge(q: &RotatedGridQuestion, _golden: &Vec<Vec2>, got: &Vec<Vec2>) -> Verdict {
+        if got.iter().any(|p| !p.is_finite()) {
+            return Err("a point is not made of numbers".into());
+        }
+        let surely = |p: &Vec2| (*p - 0.5).abs().max_element() < 0.5 - TOLERANCE;
+        let nearly = |p: &Vec2| (*p - 0.5).abs().max_element() < 0.5 + TOLERANCE;
+        if let Some(p) = got.iter().find(|p| !nearly(p)) {
+            return Err(format!(
+                "the point ({:.4}, {:.4}) is outside the square",
+                p.x, p.y
+            ));
+        }
+        let sense = |sense: f32| {
+            let all = lattice(q, |p| turned(p, sense));
+            let of_edge: Vec<_> = all.iter().filter(|p| nearly(p) && !surely(p)).collect();
+            let on_edge = |p: &Vec2| of_edge.iter().any(|q| q.distance(*p) < 2.0 * TOLERANCE);
+            let golden: Vec<_> = all.iter().copied().filter(surely).collect();
+            let got: Vec<_> = got.iter().copied().filter(|p| !on_edge(p)).collect();
+            points::same_places(&golden, &got, TOLERANCE)
+        };
+        sense(1.0).or_else(|_| sense(-1.0)).or_else(|_| {
+            angle(q, got)?;
+            sense(1.0)
+        })
+    }
+}
+
+/// Whether the lattice is turned as it should be, by each point's way to its nearest neighbour.
+fn angle(q: &RotatedGridQuestion, got: &[Vec2]) -> Verdict {
+    let nearest = |p: &Vec2| {
+        let ways = got.iter().map(|other| *other - *p);
+        let others = ways.filter(|way| *way != Vec2::ZERO);
+        others.min_by(|one, other| one.length_squared().total_cmp(&other.length_squared()))
+    };
+    let Some(way) = got.first().and_then(nearest) else {
+        return Ok(());
+    };
+    if (way.length() - q.spacing).abs() > 0.01 * q.spacing {
+        return Err(format!(
+            "the first point's nearest neighbour is {:.4} away; on this lattice it would be {:.4}",
+            way.length(),
+            q.spacing
+        ));
+    }
+    // From the nearest axis, whichever that is: 0° to 45°.
+    let to_axis = way.to_angle().rem_euclid(2.0 * FRAC_PI_4);
+    let degrees = to_axis.min(2.0 * FRAC_PI_4 - to_axis).to_degrees();
+    if (degrees - 26.565).abs() > 0.5 {
+        return Err(format!(
+            "the lattice is turned by {degrees:.1}°, and should be by 26.6°"
+        ));
+    }
+    Ok(())
+}

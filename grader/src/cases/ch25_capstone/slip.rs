@@ -1,0 +1,58 @@
+//! Ray tracers with a slip in one place: what they are asked.
+
+use super::tracer::Tracer;
+use raybook::image::{rgb::Rgb, tone};
+use raybook_workbook::exercises::ch25_capstone::TraceQuestion;
+
+/// What a ray tracer does wrongly; each is explained by its mistake in `trace.rs`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Slip {
+    FirstForNearest,
+    OneSidedTriangles,
+    Parallelogram,
+    NormalNotTurned,
+    NoAmbient,
+    AmbientForEachLamp,
+    OneLamp,
+    NoFalloff,
+    NoCosine,
+    ViewTurned,
+    HalfVector,
+    NoShadows,
+    ShadowsFromBeyondTheLamp,
+    LightThroughGlass,
+    BelowTheSurface,
+    MirrorsWithoutColour,
+    NoBackdropInMirrors,
+    OneSurfaceLess,
+    OneSurfaceMore,
+    BackdropAtTheEnd,
+    IndexTurned,
+    AlwaysEntering,
+    AllRefracted,
+    NothingMirroredInGlass,
+    NoTotalReflection,
+    Clamped,
+    Encoded,
+    Gamma,
+}
+
+/// The answer of a ray tracer with this slip.
+pub fn answer(q: &TraceQuestion, slip: Slip) -> Rgb {
+    let depth = match slip {
+        Slip::OneSurfaceLess => q.depth.saturating_sub(1),
+        Slip::OneSurfaceMore => q.depth.saturating_add(1),
+        _ => q.depth,
+    };
+    let tracer = Tracer {
+        scene: &q.scene,
+        slip,
+    };
+    let radiance = tracer.radiance(&q.ray, depth, true);
+    match slip {
+        Slip::Clamped => tone::clamp(radiance),
+        Slip::Encoded => radiance.map(tone::encode_srgb),
+        Slip::Gamma => radiance.map(|v| v.max(0.0).powf(1.0 / 2.2)),
+        _ => radiance,
+    }
+}

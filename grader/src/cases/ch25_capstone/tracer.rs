@@ -1,0 +1,173 @@
+//! A ray tracer that can slip.
+
+use super::slip::Slip;
+use raybook::image::rgb::Rgb;
+use raybook::light::{Light, LightSample};
+use raybook::material::{fresnel::fresnel, mirror::reflect, phong::Phong, refract::refract};
+use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
+use raybook::render::shadow::shadow_ray;
+use raybook::scene::description::{Description, Form, Matter, Object};
+use raybook::shape::{Hit, Shape, Surface, triangle::Triangle};
+use glam::{Vec2, vec2};
+
+/// A ray tracer, and what it does wrongly.
+pub struct Tracer<'a> {
+    pub scene: &'a Description,
+    pub slip: Slip,
+}
+
+impl Tracer<'_> {
+    fn is(&self, slip: Slip) -> bool {
+        self.slip == slip
+    }
+
+    /// The radiance along a ray; `first` for the viewer's.
+    pub fn radiance(&self, ray: &Ray, depth: u32, first: bool) -> Rgb {
+        let backdrop = self.scene.backdrop.seen(ray.direction);
+        if depth == 0 {
+            let seen = self.is(Slip::BackdropAtTheEnd);
+            return if seen { backdrop } else { Rgb::BLACK };
+        }
+        let Some((object, hit)) = self.nearest(ray) else {
+            let seen = first || !self.is(Slip::NoBackdropInMirrors);
+            return if seen { backdrop } else { Rgb::BLACK };
+        };
+        let at = object.form.surface(ray, &hit);
+        let see = |direction: Dir3| self.radiance(&self.leave(&at, direction), depth - 1, false);
+        let normal = at.facing(-ray.direction);
+        match &object.matter {
+            Matter::Phong(phong) => self.phong(phong, &at, -ray.direction),
+            Matter::Mirror(mirror) => {
+                let seen = see(reflect(ray.direction, normal));
+                if self.is(Slip::MirrorsWithoutColour) {
+                    seen
+                } else {
+                    mirror.share * seen
+                }
+            }
+            Matter::Glass(clear) => {
+                let entering = self.is(Slip::AlwaysEntering) || at.normal.dot(*ray.direction) < 0.0;
+                let (here, there) = if entering == self.is(Slip::IndexTurned) {
+                    (clear.index, 1.0)
+                } else {
+                    (1.0, clear.index)
+                };
+                let mirrored = || see(reflect(ray.direction, normal));
+                let Some(refracted) = refract(ray.direction, normal, here, there) else {
+                    let seen = !self.is(Slip::NoTotalReflection);
+                    return if seen { mirrored() } else { Rgb::BLACK };
+                };
+                let share = match self.slip {
+                    Slip::AllRefracted => 0.0,
+                    _ => fresnel(-ray.direction.dot(*normal), here, there).unpolarised,
+                };
+                let through = see(refracted) * (1.0 - share);
+                if share == 0.0 || self.is(Slip::NothingMirroredInGlass) {
+                    through
+                } else {
+                    through + mirrored() * share
+                }
+            }
+        }
+    }
+
+    fn nearest(&self, ray: &Ray) -> Option<(&Object, Hit)> {
+        let mut hits = self.scene.objects.iter().filter_map(|object| {
+            let hit = self.hit(object, ray, Interval::AHEAD)?;
+            let from_behind = || object.form.surface(ray, &hit).normal.dot(*ray.direction) > 0.0;
+            let triangle = matches!(object.form, Form::Triangle(_));
+            let culled = self.is(Slip::OneSidedTriangles) && triangle && from_behind();
+            (!culled).then_some((object, hit))
+        });
+        if self.is(Slip::FirstForNearest) {
+            hits.next()
+        } else {
+            hits.min_by(|(_, a), (_, b)| a.t.total_cmp(&b.t))
+        }
+    }
+
+    fn hit(&self, object: &Object, ray: &Ray, within: Interval) -> Option<Hit> {
+        let hit = object.form.hit(ray, within);
+        match &object.form {
+            Form::Triangle(corners) if hit.is_none() && self.is(Slip::Parallelogram) => {
+                // The other half is p1, p1 + p2 − p0, p2, where the first triangle's u and v are 1 − v and u + v.
+                let opposite = corners.p1 + corners.p2 - corners.p0;
+                let mut hit = Triangle::new(corners.p1, opposite, corners.p2).hit(ray, within)?;
+                hit.uv = vec2(1.0 - hit.uv.y, hit.uv.x + hit.uv.y);
+                Some(hit)
+            }
+            _ => hit,
+        }
+    }
+
+    /// The ray that leaves a surface.
+    fn leave(&self, at: &Surface, direction: Dir3) -> Ray {
+        let ray = at.leave(direction);
+        if self.is(Slip::BelowTheSurface) {
+            let side = at.normal.dot(*direction).signum();
+            Ray::new(ray.origin - 1e-3 * side * *at.normal, direction)
+        } else {
+            ray
+        }
+    }
+
+    fn phong(&self, phong: &Phong, at: &Surface, view: Dir3) -> Rgb {
+        let lamps = &self.scene.lamps;
+        let counted = if self.is(Slip::OneLamp) {
+            1
+        } else {
+            lamps.len()
+        };
+        let lights = lamps.iter().take(counted).filter_map(|lamp| {
+            let mut light = lamp.sample(at.position, Vec2::ZERO)?;
+            if self.is(Slip::NoFalloff) {
+                light.arriving = lamp.intensity;
+            }
+            self.arrives(at, &light).then_some(light)
+        });
+        let lit: Rgb = lights.map(|light| self.lit(phong, at, view, &light)).sum();
+        let times = match self.slip {
+            Slip::NoAmbient => 0.0,
+            Slip::AmbientForEachLamp => lamps.len() as f32,
+            _ => 1.0,
+        };
+        phong.ambient * self.scene.ambient * times + lit
+    }
+
+    /// Whether a lamp's light arrives.
+    fn arrives(&self, at: &Surface, light: &LightSample) -> bool {
+        let (_, mut way) = shadow_ray(at, light);
+        if self.is(Slip::ShadowsFromBeyondTheLamp) {
+            way = Interval::AHEAD;
+        }
+        let ray = self.leave(at, light.toward);
+        let blocks = |object: &&Object| {
+            let clear =
+                self.is(Slip::LightThroughGlass) && matches!(object.matter, Matter::Glass(_));
+            !clear && self.hit(object, &ray, way).is_some()
+        };
+        self.is(Slip::NoShadows) || self.scene.objects.iter().find(blocks).is_none()
+    }
+
+    /// What the surface makes of it.
+    fn lit(&self, phong: &Phong, at: &Surface, view: Dir3, light: &LightSample) -> Rgb {
+        let normal = if self.is(Slip::NormalNotTurned) {
+            at.normal
+        } else {
+            at.facing(view)
+        };
+        let cosine = light.toward.dot(*normal);
+        if cosine <= 0.0 {
+            return Rgb::BLACK;
+        }
+        let half = Dir3::new_or(*light.toward + *view, normal);
+        let highlight = match self.slip {
+            Slip::ViewTurned => reflect(light.toward, normal).dot(*view),
+            Slip::HalfVector => half.dot(*normal),
+            _ => reflect(-light.toward, normal).dot(*view),
+        };
+        let shine = phong.specular * highlight.max(0.0).powf(phong.exponent);
+        let diffuse = if self.is(Slip::NoCosine) { 1.0 } else { cosine };
+        (phong.diffuse * diffuse + shine) * light.arriving
+    }
+}

@@ -1,0 +1,41 @@
+//! `raybook bless`: writes the golden answers of the visible cases, for course authors.
+
+use super::{Done, Target};
+use raybook::image::file;
+use raybook_chapters::kit::say::say;
+use raybook_grader::golden;
+use std::path::PathBuf;
+
+/// Writes `golden/<chapter>/<exercise>.txt`; run it in the project's folder.
+#[derive(clap::Args)]
+pub struct Bless {
+    #[command(flatten)]
+    target: Target,
+}
+
+impl Bless {
+    /// Writes them, and says how many random questions were thrown away.
+    pub fn run(&self) -> Done {
+        let (from, examiners) = self.target.resolve()?;
+        let golden = from.join("golden");
+        if !golden.is_dir() {
+            return Err(format!(
+                "{}: there is no folder golden here; bless is for the project's own folder",
+                from.display()
+            )
+            .into());
+        }
+        for examiner in examiners {
+            let (path, text, cases) = golden::page(examiner);
+            let path: PathBuf = golden.join(path);
+            file::write_whole(&path, text.as_bytes())?;
+            let percent = 100.0 * cases.thrown_away_fraction();
+            say(format!(
+                "{}: {} cases; {percent:.0} % of the random questions thrown away",
+                path.display(),
+                cases.cases.len()
+            ));
+        }
+        Ok(true)
+    }
+}

@@ -1,0 +1,54 @@
+//! `raybook` alone: the map of the course, in a workbook with the student's progress, and the next step.
+
+use raybook_chapters::kit::say::say;
+use raybook_chapters::lesson::{self, Lesson};
+use raybook_grader::progress::Progress;
+use raybook_grader::student;
+use raybook_workbook::curriculum::{CHAPTERS, Chapter};
+use std::path::Path;
+
+/// Prints the map.
+pub fn print() {
+    let progress = student::workbook(Path::new("."))
+        .ok()
+        .map(|folder| Progress::load(&folder));
+    say("raybook: a ray-tracing course that you can run\n");
+    for chapter in CHAPTERS {
+        let done = progress
+            .as_ref()
+            .map_or_else(String::new, |progress| standing(chapter, progress));
+        say(format!(
+            "  {:2}  {:<20} {done}{}",
+            chapter.number(),
+            chapter.title,
+            lesson::find(chapter.name).map_or_else(String::new, Lesson::teaches)
+        ));
+    }
+    if let Some(progress) = progress {
+        let all = CHAPTERS.iter().flat_map(Chapter::exercises);
+        match all
+            .into_iter()
+            .find(|exercise| !progress.is_right(exercise.name()))
+        {
+            Some(exercise) => say(format!("\nNext: raybook check {}", exercise.name())),
+            None => say("\nEvery exercise is right."),
+        }
+    } else {
+        say("\nNext: see every chapter's pictures   cargo run --release -- tour");
+        say(format!(
+            "      draw one chapter               cargo run --release --bin {}",
+            CHAPTERS[0].name
+        ));
+        say("      write your own ray tracer      cargo run --release -- new ../my-rays");
+    }
+}
+
+/// How many of a chapter's exercises are right: "[2 of 3] ".
+fn standing(chapter: &Chapter, progress: &Progress) -> String {
+    let right = chapter
+        .exercises()
+        .iter()
+        .filter(|exercise| progress.is_right(exercise.name()))
+        .count();
+    format!("[{right} of {}] ", chapter.exercises().len())
+}

@@ -1,0 +1,153 @@
+//! What `raybook check` prints: a line per exercise, the first that is wrong in full, and the next step.
+
+use raybook::image::file;
+use raybook_chapters::kit::say::say;
+use raybook_grader::check::{Report, State};
+use raybook_grader::dress::Dress;
+use raybook_grader::examine::Examiner;
+use raybook_grader::{cases, feedback, library, pictured};
+use raybook_workbook::curriculum::{CHAPTERS, Chapter};
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// A report, and the file of its pictures.
+pub type Pictured = (Report, Option<PathBuf>);
+
+/// How to tell it.
+pub struct Telling<'a> {
+    /// The student's folder, if there is one.
+    pub folder: Option<&'a Path>,
+    /// The command that asks a case of an exercise again, but for its number.
+    pub again: &'a dyn Fn(&str) -> String,
+    /// Colours and symbols.
+    pub dress: Dress,
+}
+
+impl Telling<'_> {
+    /// Prints the reports: `whole` ones, or of a single case each.
+    ///
+    /// # Errors
+    /// If a chapter's reference cannot be written into the student's folder.
+    pub fn tell(&self, reports: &[Pictured], whole: bool) -> io::Result<()> {
+        for chapter in CHAPTERS {
+            self.tell_chapter(chapter, reports)?;
+        }
+        let wrong = reports
+            .iter()
+            .find(|(report, _)| report.state() == State::Wrong);
+        if let Some((report, picture)) = wrong
+            && let Some(examiner) = cases::find(report.exercise)
+        {
+            let again = (self.again)(report.exercise);
+            say(format!(
+                "\n{}",
+                feedback::explain(report, examiner, picture.as_deref(), &again, self.dress)
+            ));
+        } else if !whole {
+            for (report, examiner) in reports
+                .iter()
+                .filter_map(|(report, _)| Some((report, cases::find(report.exercise)?)))
+            {
+                self.tell_cases(report, examiner);
+            }
+        }
+        if whole {
+            let right = reports
+                .iter()
+                .filter(|(report, _)| report.state() == State::Right)
+                .count();
+            say(format!(
+                "\n{right} of {} exercises are right.\n{}",
+                reports.len(),
+                self.next_step(reports)
+            ));
+        }
+        Ok(())
+    }
+
+    fn tell_chapter(&self, chapter: &Chapter, reports: &[Pictured]) -> io::Result<()> {
+        let find = |name| {
+            reports
+                .iter()
+                .map(|(report, _)| report)
+                .find(|report| report.exercise == name)
+        };
+        let of_chapter: Vec<_> = chapter
+            .exercises()
+            .iter()
+            .filter_map(|exercise| find(exercise.name()))
+            .collect();
+        if of_chapter.is_empty() {
+            return Ok(());
+        }
+        say(format!("{} {}", chapter.number(), chapter.title));
+        for report in &of_chapter {
+            say(format!("  {}", feedback::line(report, self.dress)));
+            let picture = reports
+                .iter()
+                .find(|(of, _)| of.exercise == report.exercise)
+                .and_then(|(_, picture)| picture.as_ref());
+            if let (Some(picture), State::Right) = (picture, report.state()) {
+                say(pictured::right(report, picture).join("\n"));
+            }
+        }
+        let all_asked = of_chapter.len() == chapter.exercises().len();
+        let all_right = of_chapter
+            .iter()
+            .all(|report| report.state() == State::Right);
+        if let (true, true, Some(folder)) = (all_asked, all_right, self.folder) {
+            let path = keep_reference(folder, chapter)?;
+            say(format!(
+                "  reference solution: compare yours with {}",
+                path.display()
+            ));
+        }
+        Ok(())
+    }
+
+    fn next_step(&self, reports: &[Pictured]) -> String {
+        let first =
+            |state: fn(&State) -> bool| reports.iter().map(|(r, _)| r).find(|r| state(&r.state()));
+        // Where the function is, in a workbook.
+        let place = |report: &Report| {
+            let place = self.folder.and(library::place(report.exercise));
+            place.map_or_else(String::new, |file| format!(" in {file}"))
+        };
+        if let Some(report) = first(|state| *state == State::Wrong) {
+            format!("Next: mend {}{}.", report.exercise, place(report))
+        } else if let Some(report) = first(|state| *state == State::NotStarted) {
+            format!(
+                "Next: write {0}{1}; `raybook exercise {0}` says what it is asked.",
+                report.exercise,
+                place(report)
+            )
+        } else if let Some(report) = first(|state| matches!(state, State::WaitsFor(_))) {
+            format!("Next: write what {} waits for.", report.exercise)
+        } else {
+            "Everything that was asked for is right.".to_owned()
+        }
+    }
+
+    fn tell_cases(&self, report: &Report, examiner: &dyn Examiner) {
+        for outcome in &report.cases {
+            say(format!(
+                "\n{}",
+                feedback::case(report, examiner, outcome, self.dress).join("\n")
+            ));
+        }
+    }
+}
+
+/// Writes a chapter's reference functions beside the student's, once these are right.
+fn keep_reference(folder: &Path, chapter: &Chapter) -> io::Result<PathBuf> {
+    let texts: Vec<_> = chapter
+        .exercises()
+        .iter()
+        .filter_map(|exercise| library::reference(exercise.name()))
+        .collect();
+    let path = folder
+        .join(".raybook")
+        .join(format!("{}_reference.rs", chapter.name));
+    file::write_whole(&path, texts.join("\n").as_bytes())?;
+    Ok(path)
+}

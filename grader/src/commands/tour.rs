@@ -1,0 +1,90 @@
+//! The tour: every chapter's pictures in one run.
+
+use super::Done;
+use clap::Args;
+use indicatif::MultiProgress;
+use raybook_chapters::LESSONS;
+use raybook_chapters::kit::options::Options;
+use raybook_chapters::kit::say::say;
+use raybook_chapters::kit::stage::{Stage, progress_bar};
+use raybook_chapters::kit::{gallery, gallery::Drawing};
+use raybook_chapters::lesson::Lesson;
+use raybook_workbook::curriculum::CHAPTERS;
+use std::time::Instant;
+
+/// The options of `raybook tour`.
+#[derive(Args)]
+pub struct Tour {
+    #[command(flatten)]
+    options: Options,
+    /// Only these chapters: 3,sphere,ch06
+    #[arg(long, value_delimiter = ',')]
+    only: Vec<String>,
+}
+
+impl Tour {
+    /// Draws the chapters, one after the other, then the gallery.
+    pub fn run(&self) -> Done {
+        let start = Instant::now();
+        let bars = MultiProgress::new();
+        let mut drawings = Vec::new();
+        for lesson in self.chosen()? {
+            let chapter_start = Instant::now();
+            let stage = Stage::new(
+                lesson.name,
+                self.options.clone(),
+                false,
+                bars.add(progress_bar()),
+            );
+            (lesson.draw)(&stage).map_err(|error| format!("{}: {error}", lesson.name))?;
+            let (outputs, time) = (stage.into_outputs(), chapter_start.elapsed());
+            if bars.is_hidden() {
+                say(format!(
+                    "{:<24} {} pictures in {:.1} s{}",
+                    lesson.name,
+                    outputs.len(),
+                    time.as_secs_f32(),
+                    gallery::rays(&outputs)
+                ));
+            }
+            drawings.push(Drawing {
+                lesson,
+                outputs,
+                time,
+            });
+        }
+        let page = gallery::write(&self.options.out, &drawings)?;
+        say(format!(
+            "{} chapters in {:.1} s; look at {}",
+            drawings.len(),
+            start.elapsed().as_secs_f32(),
+            page.display()
+        ));
+        Ok(true)
+    }
+
+    fn chosen(&self) -> Result<Vec<&'static Lesson>, String> {
+        let names = || {
+            CHAPTERS
+                .iter()
+                .map(|chapter| chapter.name)
+                .collect::<Vec<_>>()
+                .join(", ")
+        };
+        let answered = |word: &String| CHAPTERS.iter().any(|c| c.answers_to(word));
+        if let Some(wrong) = self.only.iter().find(|word| !answered(word)) {
+            return Err(format!(
+                "--only {wrong}: no chapter is called so; there are {}",
+                names()
+            ));
+        }
+        let wanted = |lesson: &&Lesson| {
+            self.only.is_empty()
+                || self
+                    .only
+                    .iter()
+                    .any(|word| lesson.chapter().answers_to(word))
+        };
+        Ok(LESSONS.iter().filter(wanted).collect())
+    }
+}

@@ -1,0 +1,171 @@
+//! What a check says to a student, in words.
+
+use crate::ask::Said;
+use crate::check::{Outcome, Report, State, Verdict};
+use crate::diagnose::Diagnosis;
+use crate::dress::Dress;
+use crate::examine::Examiner;
+use crate::{pictured, prints};
+use std::path::Path;
+
+/// One line on an exercise: its state, its name, and how many cases are right.
+pub fn line(report: &Report, dress: Dress) -> String {
+    let state = report.state();
+    let counts = match &state {
+        State::NotStarted => String::new(),
+        State::WaitsFor(name) => format!("for {name}"),
+        State::Right | State::Wrong => {
+            format!("{} of {} cases right", report.right(), report.cases.len())
+        }
+    };
+    format!("{} {:<20} {counts}", dress.state(&state), report.exercise)
+        .trim_end()
+        .to_owned()
+}
+
+/// The first wrong case of an exercise, and what explains it; empty if nothing is wrong.
+///
+/// `picture` is the file in which the pictures were written, `again` the command that asks a case again, but for its number.
+pub fn explain(
+    report: &Report,
+    examiner: &dyn Examiner,
+    picture: Option<&Path>,
+    again: &str,
+    dress: Dress,
+) -> String {
+    let Some((outcome, _)) = report.first_wrong() else {
+        return String::new();
+    };
+    let mut lines = case(report, examiner, outcome, dress);
+    if report.cases.len() > 1 {
+        lines.push(String::new());
+        match &report.diagnosis {
+            Some(diagnosis) => lines.extend(diagnosed(diagnosis, dress)),
+            None => lines.extend(kinds(report)),
+        }
+    }
+    if let Some(path) = picture {
+        lines.push(String::new());
+        lines.extend(pictured::wrong(report, path));
+    } else if let Some(why) = &report.stopped {
+        lines.extend([String::new(), format!("  No picture: {why}.")]);
+    }
+    lines.extend([
+        String::new(),
+        format!(
+            "  Ask this case again: {again} --case {}",
+            outcome.case.number
+        ),
+        String::new(),
+    ]);
+    lines.join("\n")
+}
+
+/// One case: what is wrong with it, what was asked and answered, and the student's prints.
+pub fn case(
+    report: &Report,
+    examiner: &dyn Examiner,
+    outcome: &Outcome,
+    dress: Dress,
+) -> Vec<String> {
+    let title = format!(
+        "{}, case {}: {}",
+        report.exercise, outcome.case.number, outcome.case.name
+    );
+    let mut lines = vec![dress.paint("1", &title)];
+    lines.push(match &outcome.verdict {
+        Verdict::Right => "  Right.".to_owned(),
+        Verdict::NotStarted => "  Not written yet.".to_owned(),
+        Verdict::Wrong(why) => format!("  {}.", capitalised(why)),
+    });
+    lines.extend(asked(examiner, outcome));
+    lines.extend(prints::printed(outcome));
+    lines
+}
+
+/// The sentence with a capital letter first, unless that is a name of its own: t, b1.
+fn capitalised(sentence: &str) -> String {
+    let mut letters = sentence.chars();
+    match (letters.next(), letters.clone().next()) {
+        // A formula's letter stays as it is.
+        (Some(first), Some(second)) if second.is_alphabetic() => {
+            first.to_uppercase().chain(letters).collect()
+        }
+        _ => sentence.to_owned(),
+    }
+}
+
+/// What was asked, what came back, and what was right.
+fn asked(examiner: &dyn Examiner, outcome: &Outcome) -> Vec<String> {
+    let mut rows = Vec::new();
+    let mut add = |kind: &'static str, parts: Vec<(String, String)>| {
+        // The kind is said once, before its first part.
+        let kinds = std::iter::once(kind).chain(std::iter::repeat(""));
+        rows.extend(
+            kinds
+                .zip(parts)
+                .map(|(kind, (name, value))| (kind, name, value)),
+        );
+    };
+    add("asked", examiner.question_parts(&outcome.case.question));
+    if let Said::Answer(answer) = &outcome.reply.said {
+        add("yours", examiner.answer_parts(answer));
+    }
+    for (i, answer) in outcome.case.answers.iter().enumerate() {
+        add(
+            if i == 0 { "right" } else { "or" },
+            examiner.answer_parts(answer),
+        );
+    }
+    let widest = rows
+        .iter()
+        .map(|(_, name, _)| name.chars().count())
+        .max()
+        .unwrap_or(0);
+    rows.iter()
+        .map(|(kind, name, value)| format!("    {kind:<6} {name:<widest$}   {value}"))
+        .collect()
+}
+
+fn diagnosed(diagnosis: &Diagnosis, dress: Dress) -> [String; 2] {
+    let Diagnosis {
+        name,
+        hint,
+        explained,
+        wrong,
+    } = diagnosis;
+    [
+        format!(
+            "  Your answers are those of a function that {}: this explains {explained} of the {wrong} wrong ones.",
+            dress.paint("1", name)
+        ),
+        format!("  Hint: {hint}"),
+    ]
+}
+
+/// Where no mistake explains the answers: which kinds of cases are right, and which are wrong.
+fn kinds(report: &Report) -> Vec<String> {
+    if report.right() == 0 {
+        return vec![format!(
+            "  None of the {} cases is right.",
+            report.cases.len()
+        )];
+    }
+    let named = |right: bool| {
+        let outcomes = report
+            .cases
+            .iter()
+            .filter(|outcome| !outcome.case.name.starts_with("random "));
+        let of_kind = outcomes.filter(|outcome| (outcome.verdict == Verdict::Right) == right);
+        of_kind
+            .map(|outcome| outcome.case.name.as_str())
+            .collect::<Vec<_>>()
+            .join("; ")
+    };
+    let kinds = [("Wrong", named(false)), ("Right", named(true))];
+    kinds
+        .into_iter()
+        .filter(|(_, names)| !names.is_empty())
+        .map(|(what, names)| format!("  {what} are: {names}."))
+        .collect()
+}

@@ -1,0 +1,85 @@
+//! Results for programs: JSON of a stated version.
+//!
+//! ```json
+//! { "version": 1, "right": 1, "of": 2, "exercises": [ {
+//!     "exercise": "ray_at", "state": "right" | "wrong" | "not started" | "waits", "waits_for": null | "name",
+//!     "right": 40, "asked": 40, "picture": null | "file",
+//!     "pictures": [ { "name": "…", "alt": "…", "right": 3450, "of": 3452, "undecided": 4, "error": 0.01, "passed": true } ],
+//!     "diagnosis": null | { "name": "…", "hint": "…", "explained": 37, "wrong": 40 },
+//!     "cases": [ { "number": 1, "name": "…", "verdict": "right" | "wrong" | "not started", "why": null | "…",
+//!         "question": "…", "answers": ["…"], "got": null | "…", "printed": "…" } ] } ] }
+//! ```
+//!
+//! Fields may be added within a version; none is removed or changes its meaning.
+
+use crate::ask::Said;
+use crate::check::{Outcome, Report, State, Verdict};
+use crate::triple::Triple;
+use serde_json::{Value, json};
+use std::path::PathBuf;
+
+/// The version of the format.
+pub const VERSION: u32 = 1;
+
+/// The reports, each with the file of its pictures.
+pub fn results(reports: &[(Report, Option<PathBuf>)]) -> Value {
+    let right = reports
+        .iter()
+        .filter(|(report, _)| report.state() == State::Right)
+        .count();
+    let exercises: Vec<_> = reports
+        .iter()
+        .map(|(report, picture)| exercise(report, picture.as_ref()))
+        .collect();
+    json!({ "version": VERSION, "right": right, "of": reports.len(), "exercises": exercises })
+}
+
+/// The state in one word or two, and what it waits for.
+pub fn state_name(state: &State) -> (&'static str, Option<&str>) {
+    match state {
+        State::Right => ("right", None),
+        State::Wrong => ("wrong", None),
+        State::NotStarted => ("not started", None),
+        State::WaitsFor(name) => ("waits", Some(name)),
+    }
+}
+
+fn exercise(report: &Report, picture: Option<&PathBuf>) -> Value {
+    let state = report.state();
+    let (state, waits_for) = state_name(&state);
+    let cases: Vec<_> = report.cases.iter().map(case).collect();
+    let diagnosis = report.diagnosis.as_ref().map(
+        |d| json!({ "name": d.name, "hint": d.hint, "explained": d.explained, "wrong": d.wrong }),
+    );
+    json!({
+        "exercise": report.exercise, "state": state, "waits_for": waits_for,
+        "right": report.right(), "asked": report.cases.len(),
+        "picture": picture.map(|path| path.display().to_string()),
+        "pictures": report.pictures.iter().map(score).collect::<Vec<_>>(),
+        "diagnosis": diagnosis, "cases": cases,
+    })
+}
+
+fn score(picture: &Triple) -> Value {
+    let score = &picture.score;
+    json!({
+        "name": picture.name, "alt": picture.alt, "right": score.right, "of": score.of,
+        "undecided": score.undecided, "error": score.error, "passed": score.passed(),
+    })
+}
+
+fn case(outcome: &Outcome) -> Value {
+    let (verdict, why) = match &outcome.verdict {
+        Verdict::Right => ("right", None),
+        Verdict::NotStarted => ("not started", None),
+        Verdict::Wrong(why) => ("wrong", Some(why)),
+    };
+    let got = match &outcome.reply.said {
+        Said::Answer(answer) => Some(answer),
+        _ => None,
+    };
+    json!({
+        "number": outcome.case.number, "name": outcome.case.name, "verdict": verdict, "why": why,
+        "question": outcome.case.question, "answers": outcome.case.answers, "got": got, "printed": outcome.reply.printed,
+    })
+}

@@ -1,0 +1,159 @@
+//! The judges' common words: differences in units that mean something.
+//!
+//! The tolerances are those of `f32` done in another order, in double precision, or by another formula: a right method
+//! is at most a few hundred roundings (6e-8 each) from the golden answer in the questions that are asked, which leaves
+//! out those whose answers hang on the last digits.
+
+use crate::Verdict;
+use glam::{Vec2, Vec3};
+use raybook_workbook::exercises::ch07_mesh::MeshHitAnswer;
+
+/// A number may differ by this fraction of its size, or of 1 if it is smaller.
+pub const RELATIVE: f32 = 1e-3;
+
+/// A direction may differ by this angle, in degrees.
+pub const DEGREES: f32 = 0.1;
+
+/// A unit vector's length may differ from 1 by this.
+pub const LENGTH: f32 = 1e-3;
+
+/// A number, with its name and its unit.
+///
+/// # Errors
+/// If it is further away than [`RELATIVE`].
+pub fn number(name: &str, unit: &str, golden: f32, got: f32) -> Verdict {
+    number_within(name, unit, golden, got, RELATIVE * golden.abs().max(1.0))
+}
+
+/// A number within a distance of its own.
+///
+/// # Errors
+/// If it is further away.
+pub fn number_within(name: &str, unit: &str, golden: f32, got: f32, tolerance: f32) -> Verdict {
+    let unit = if unit.is_empty() {
+        String::new()
+    } else {
+        format!(" {unit}")
+    };
+    // An infinite answer has no neighbours: the tolerance would be infinite too.
+    let close = golden.is_finite() && (golden - got).abs() <= tolerance;
+    if golden == got || close || (golden.is_nan() && got.is_nan()) {
+        Ok(())
+    } else if got.is_nan() {
+        Err(format!(
+            "{name} is NaN, not a number: look for 0/0, ∞ − ∞ or the root of a negative number"
+        ))
+    } else if got.is_infinite() || golden.is_infinite() {
+        Err(format!("{name} is {got}, and should be {golden}{unit}"))
+    } else {
+        let (much, side) = (
+            (got - golden).abs(),
+            if got > golden { "large" } else { "small" },
+        );
+        let much = if much >= 0.001 {
+            format!("{much:.4}")
+        } else {
+            format!("{much:.1e}")
+        };
+        Err(format!("{name} is {much}{unit} too {side}"))
+    }
+}
+
+/// A point: the distance to the right one, relative to the distance from the origin.
+///
+/// # Errors
+/// If it is too far away.
+pub fn point(name: &str, golden: Vec3, got: Vec3) -> Verdict {
+    finite(name, got)?;
+    let off = golden.distance(got);
+    if off <= RELATIVE * golden.length().max(1.0) {
+        Ok(())
+    } else {
+        Err(format!("{name} is {off:.4} m away from where it should be"))
+    }
+}
+
+/// Two numbers that belong together.
+///
+/// # Errors
+/// If either is too far away.
+pub fn pair(names: [&str; 2], golden: Vec2, got: Vec2) -> Verdict {
+    number(names[0], "", golden.x, got.x)?;
+    number(names[1], "", golden.y, got.y)
+}
+
+/// A direction: unit length, and the angle to the right one.
+///
+/// # Errors
+/// If it is not of length 1, or turned.
+pub fn direction(name: &str, golden: Vec3, got: Vec3) -> Verdict {
+    finite(name, got)?;
+    let length = got.length();
+    if (length - 1.0).abs() > LENGTH {
+        return Err(format!(
+            "{name} has length {length:.4}; a direction has length 1"
+        ));
+    }
+    // By the chord: near 0 the cosine has lost the angle's digits.
+    let angle = 2.0
+        * (0.5 * (got / length).distance(golden.normalize_or_zero()))
+            .min(1.0)
+            .asin()
+            .to_degrees();
+    if angle <= DEGREES {
+        Ok(())
+    } else {
+        Err(format!(
+            "{name} points {angle:.1}° away from where it should"
+        ))
+    }
+}
+
+/// An answer that may be missing: both or neither, then as `compare` says.
+///
+/// # Errors
+/// If one is missing, or `compare` finds a difference.
+pub fn option<T>(
+    what: &str,
+    golden: Option<&T>,
+    got: Option<&T>,
+    compare: impl FnOnce(&T, &T) -> Verdict,
+) -> Verdict {
+    match (golden, got) {
+        (None, None) => Ok(()),
+        (Some(_), None) => Err(format!("there is {what} here, but you returned none")),
+        (None, Some(_)) => {
+            Err(format!("there is no {what} here, but you returned one").replace("no a ", "no "))
+        }
+        (Some(golden), Some(got)) => compare(golden, got),
+    }
+}
+
+/// The nearest triangle that is hit: the same one, at the same distance.
+///
+/// # Errors
+/// If it is another, further away or nearer, missing or one too many.
+pub fn nearest(golden: Option<&MeshHitAnswer>, got: Option<&MeshHitAnswer>) -> Verdict {
+    option("a hit", golden, got, |golden, got| {
+        number("t", "m", golden.t, got.t)?;
+        if golden.id == got.id {
+            Ok(())
+        } else {
+            Err(format!(
+                "you returned triangle {}, and triangle {} is hit",
+                got.id, golden.id
+            ))
+        }
+    })
+}
+
+fn finite(name: &str, v: Vec3) -> Verdict {
+    if v.is_finite() {
+        Ok(())
+    } else {
+        Err(format!(
+            "{name} is ({}, {}, {}), which is not a vector of numbers",
+            v.x, v.y, v.z
+        ))
+    }
+}

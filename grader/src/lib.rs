@@ -1,0 +1,130 @@
+//! What the course knows and the student does not: cases, judges, mistakes. It never travels with the starter.
+
+pub mod ask;
+pub mod cases;
+pub mod check;
+pub mod contain;
+pub mod converse;
+pub mod describe;
+pub mod diagnose;
+pub mod dress;
+pub mod examine;
+pub mod feedback;
+pub mod golden;
+pub mod hidden;
+pub mod json;
+pub mod judge;
+pub mod library;
+pub mod manifest;
+pub mod passage;
+pub mod patterns;
+pub mod picture;
+pub mod pictured;
+pub mod prints;
+pub mod progress;
+pub mod sample;
+pub mod score;
+pub mod search;
+pub mod stable;
+pub mod starter;
+pub mod student;
+pub mod triple;
+
+use raybook::image::rgb::Rgb;
+use raybook::math::pcg::Pcg;
+use raybook_workbook::exercise::Exercise;
+
+/// Whether an answer is right; if not, why not, in the exercise's own words and units.
+pub type Verdict = Result<(), String>;
+
+/// An exercise with everything that grading needs.
+pub trait Graded: Exercise + Sized + 'static {
+    /// Wrong implementations that students are known to write.
+    const MISTAKES: &'static [Mistake<Self>];
+
+    /// The pictures that the answers make, where the exercise is one of pixels.
+    const PICTURES: &'static [Picture<Self>] = &[];
+
+    /// A question whose answer turns wrong when its numbers move by so many of their last digits is nobody's fault: more
+    /// where an answer is the end of a long way.
+    const ULPS: i32 = 8;
+
+    /// An answer this close to a mistake's, relatively, is that mistake: more where answers scatter.
+    const ALIKE: f32 = 1e-3;
+
+    /// The cases that are most often got wrong, each with a name.
+    fn edges() -> Vec<Edge<Self>>;
+
+    /// An ordinary question. It is kept only if its answer does not hang on the last digits of its numbers.
+    fn random(rng: &mut Pcg) -> Self::Question;
+
+    /// The right answer to a question that was misread: what many a mistake comes down to.
+    fn misread(question: &Self::Question, how: impl FnOnce(&mut Self::Question)) -> Self::Answer
+    where
+        Self::Question: Clone,
+    {
+        let mut question = question.clone();
+        how(&mut question);
+        Self::answer(&question)
+    }
+
+    /// Compares an answer with the golden one.
+    ///
+    /// # Errors
+    /// Why the answer is wrong.
+    fn judge(question: &Self::Question, golden: &Self::Answer, got: &Self::Answer) -> Verdict;
+}
+
+/// A question that matters, by name.
+pub struct Edge<E: Exercise> {
+    /// What is special about it.
+    pub name: &'static str,
+    /// The question.
+    pub question: E::Question,
+    /// Answers that are as right as the reference's.
+    pub also_right: Vec<E::Answer>,
+}
+
+impl<E: Exercise> Edge<E> {
+    /// A question with one right answer.
+    pub fn new(name: &'static str, question: E::Question) -> Self {
+        Self {
+            name,
+            question,
+            also_right: Vec::new(),
+        }
+    }
+
+    /// The same, with another right answer.
+    #[must_use]
+    pub fn or(mut self, answer: E::Answer) -> Self {
+        self.also_right.push(answer);
+        self
+    }
+}
+
+/// A wrong implementation.
+pub struct Mistake<E: Exercise> {
+    /// What it does, as a verb: "takes the far root".
+    pub name: &'static str,
+    /// A sentence that leads the student on and does not give the answer away.
+    pub hint: &'static str,
+    /// The wrong answer.
+    pub answer: fn(&E::Question) -> E::Answer,
+}
+
+/// A picture with a question per pixel.
+pub struct Picture<E: Exercise> {
+    /// What it is called, among an exercise's pictures.
+    pub name: &'static str,
+    /// Columns.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
+    /// What it shows, for those who cannot see it.
+    pub alt: &'static str,
+    /// The question of the pixel in column x and row y.
+    pub question: fn(x: u32, y: u32) -> E::Question,
+    /// The colour of an answer.
+    pub colour: fn(&E::Question, &E::Answer) -> Rgb,
+}

@@ -1,0 +1,68 @@
+//! The `raybook` command: parse, call, print.
+
+mod commands;
+
+use clap::{Parser, Subcommand};
+use raybook_chapters::kit::chapter::report;
+use raybook_grader::contain;
+use std::process::ExitCode;
+
+/// A ray-tracing course that you can run. Without a command: the map of the course.
+///
+/// Exit codes: 0 all right, 1 some answers are wrong or missing, 2 wrong usage or input.
+#[derive(Parser)]
+#[command(version)]
+struct Command {
+    #[command(subcommand)]
+    task: Option<Task>,
+}
+
+#[derive(Subcommand)]
+enum Task {
+    /// Draw every chapter's pictures, and a gallery of them
+    Tour(commands::tour::Tour),
+    /// Make a workbook: a folder in which you write the functions
+    New(commands::new::New),
+    /// Check a workbook: what is right, what is not, and the next step
+    Check(commands::check::Check),
+    /// Hint at what is wrong, without giving the answer away
+    Hint(commands::hint::Hint),
+    /// Say what an exercise asks and how it is answered
+    Exercise(commands::exercise::Exercise),
+    /// Copy in the reference for a chapter that you missed; your files are kept
+    Solve(commands::solve::Solve),
+    /// Compare sampling patterns: points, errors, spectra, pictures, on a page
+    Samplers(commands::samplers::Samplers),
+    /// Write the golden answers (for course authors)
+    Bless(commands::bless::Bless),
+}
+
+fn main() -> ExitCode {
+    let task = Command::parse().task;
+    if let Err(error) = contain::end_all_on_signals() {
+        report(&error);
+        return ExitCode::from(2);
+    }
+    let done = match task {
+        None => {
+            commands::map::print();
+            Ok(true)
+        }
+        Some(Task::Tour(task)) => task.run(),
+        Some(Task::New(task)) => task.run(),
+        Some(Task::Check(task)) => task.run(),
+        Some(Task::Hint(task)) => task.run(),
+        Some(Task::Exercise(task)) => task.run(),
+        Some(Task::Solve(task)) => task.run(),
+        Some(Task::Samplers(task)) => task.run(),
+        Some(Task::Bless(task)) => task.run(),
+    };
+    match done {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::from(1),
+        Err(error) => {
+            report(&*error);
+            ExitCode::from(2)
+        }
+    }
+}

@@ -1,0 +1,172 @@
+//! Searches of a tree for the nearest triangle, as students write them: the right one, and the ways to go wrong.
+
+use raybook::accel::ray_box::RayBox;
+use raybook::image::rgb::Rgb;
+use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray};
+use raybook::shape::{Shape, mesh::Facet};
+use raybook_chapters::kit::palette::viridis;
+use raybook_workbook::exercises::ch07_mesh::{Corners, MeshHitAnswer};
+
+/// A tree of any number of children, and what is searched for in it.
+pub struct Tree<'a> {
+    /// The ray.
+    pub ray: &'a Ray,
+    /// The distances that count.
+    pub within: Interval,
+    /// The triangles, by number.
+    pub triangles: &'a [Corners],
+    /// The children of a branch: their boxes, and what is in them.
+    pub children: &'a dyn Fn(u32) -> Vec<(Aabb, Node)>,
+}
+
+/// A node, by number, or a leaf's triangles.
+pub enum Node {
+    /// A branch.
+    Branch(u32),
+    /// A leaf.
+    Leaf(Vec<u32>),
+}
+
+/// In which order a branch's children are opened.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Order {
+    /// The nearest first.
+    Nearest,
+    /// The farthest first.
+    Farthest,
+    /// As they are stored.
+    Stored,
+}
+
+/// How a search goes; one field wrong is a mistake.
+#[derive(Clone, Copy)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a mistake of its own"
+)]
+pub struct How {
+    /// Asks the children's boxes whether they are met.
+    pub asks: bool,
+    /// So many of a branch's children are looked at.
+    pub looks_at: usize,
+    /// So many of those that are met are opened.
+    pub opens: usize,
+    /// Which of them comes first.
+    pub order: Order,
+    /// Leaves out those that wait behind a hit.
+    pub drops: bool,
+    /// A hit ends the interval.
+    pub shortens: bool,
+    /// The nearest hit stays; else the last.
+    pub keeps_nearest: bool,
+    /// Ends at the first leaf with a hit.
+    pub stops: bool,
+}
+
+/// As it should be.
+const WELL: How = How {
+    asks: true,
+    looks_at: usize::MAX,
+    opens: usize::MAX,
+    order: Order::Nearest,
+    drops: true,
+    shortens: true,
+    keeps_nearest: true,
+    stops: false,
+};
+
+/// What a search found, and what it cost.
+#[derive(Default)]
+pub struct Found {
+    /// Branches opened.
+    pub branches: u32,
+    /// Boxes tested.
+    pub boxes: u32,
+    /// Triangles tested.
+    pub tests: u32,
+    /// The hit.
+    pub hit: Option<MeshHitAnswer>,
+}
+
+/// The colour of a hit in a picture: neighbours in the list differ.
+pub fn colour(hit: Option<&MeshHitAnswer>) -> Rgb {
+    hit.map_or(Rgb::gray(0.1), |hit| {
+        viridis((hit.id as f32 * 0.382).fract())
+    })
+}
+
+/// Searches below a node, rightly but for what is changed.
+pub fn search(tree: &Tree, root: &Node, change: impl FnOnce(&mut How)) -> Found {
+    let mut how = WELL;
+    change(&mut how);
+    let (within, found) = (tree.within, Found::default());
+    let mut search = Search {
+        tree,
+        how,
+        within,
+        found,
+    };
+    search.open(root);
+    search.found
+}
+
+struct Search<'a> {
+    tree: &'a Tree<'a>,
+    how: How,
+    within: Interval,
+    found: Found,
+}
+
+impl Search<'_> {
+    fn open(&mut self, node: &Node) {
+        match node {
+            _ if self.how.stops && self.found.hit.is_some() => {}
+            Node::Branch(branch) => self.open_children(*branch),
+            Node::Leaf(triangles) => triangles.iter().for_each(|&id| self.test(id)),
+        }
+    }
+
+    fn open_children(&mut self, branch: u32) {
+        self.found.branches += 1;
+        let children = (self.tree.children)(branch).into_iter();
+        let mut met: Vec<_> = children
+            .take(self.how.looks_at)
+            .filter_map(|(bounds, child)| Some((self.enters(&bounds)?, child)))
+            .collect();
+        if self.how.order != Order::Stored {
+            met.sort_by(|a, b| a.0.total_cmp(&b.0));
+        }
+        if self.how.order == Order::Farthest {
+            met.reverse();
+        }
+        for (t, child) in met.iter().take(self.how.opens) {
+            if !self.how.drops || *t <= self.within.max {
+                self.open(child);
+            }
+        }
+    }
+
+    fn enters(&mut self, bounds: &Aabb) -> Option<f32> {
+        self.found.boxes += 1;
+        if self.how.asks {
+            RayBox::new(self.tree.ray).enters(bounds, self.within)
+        } else {
+            Some(self.within.min)
+        }
+    }
+
+    fn test(&mut self, id: u32) {
+        self.found.tests += 1;
+        let Corners { p0, p1, p2 } = self.tree.triangles[id as usize];
+        let corners = [p0, p1, p2];
+        if let Some(hit) = (Facet { corners, id }).hit(self.tree.ray, self.within) {
+            if self.how.shortens {
+                self.within = self.within.before(hit.t);
+            }
+            let best = self.found.hit.as_ref();
+            if !self.how.keeps_nearest || best.is_none_or(|best| hit.t < best.t) {
+                self.found.hit = Some(MeshHitAnswer { t: hit.t, id });
+            }
+        }
+    }
+}

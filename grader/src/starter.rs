@@ -1,0 +1,163 @@
+//! The student's folder: a copy of the library in which the exercises are still to be written.
+
+use crate::{cases, library, manifest};
+use raybook::image::file;
+use raybook_workbook::anchor::{self, AnchorError, Anchored};
+use raybook_workbook::curriculum::{CHAPTERS, Chapter};
+use std::io;
+use std::path::{Path, PathBuf};
+
+const LOCK: &str = include_str!("../../Cargo.lock");
+
+/// What stays with the course: the grader, and the `raybook` command.
+const WITHHELD: &[&str] = &["grade", "main.rs", "commands"];
+
+/// Other ways to what an exercise asks, by their anchors: in the student's copy they call what the student writes.
+const OTHER_WAYS: &[(&str, &str)] = &[
+    (
+        "hit_by_plane",
+        "raybook::shape::Shape::hit(triangle, ray, within)",
+    ),
+    (
+        "hit_by_determinants",
+        "raybook::shape::Shape::hit(triangle, ray, within)",
+    ),
+    (
+        "hit_watertight",
+        "let [p0, p1, p2] = *corners;\n    raybook::shape::Shape::hit(&raybook::shape::triangle::Triangle::new(p0, p1, p2), ray, within)",
+    ),
+];
+
+/// The file by which a student's folder is known.
+pub const MARKER: &str = "raybook.toml";
+
+/// A file of the starter: its path in the student's folder, and its bytes.
+pub type StarterFile = (PathBuf, Vec<u8>);
+
+/// Why a folder cannot be made.
+#[derive(Debug, thiserror::Error)]
+pub enum StarterError {
+    /// There is something already.
+    #[error("{}: this folder is not empty; choose a new name", .0.display())]
+    Exists(PathBuf),
+    /// The system refused.
+    #[error("{}: cannot write this file: {source}", path.display())]
+    Write {
+        /// The file.
+        path: PathBuf,
+        /// The system's answer.
+        source: io::Error,
+    },
+    /// The library itself is wrong; a test sees to it that it is not.
+    #[error("src/{0}: {1}")]
+    Anchor(String, AnchorError),
+}
+
+/// Makes a student's folder.
+///
+/// # Errors
+/// If there is something already, or a file cannot be written.
+pub fn create(folder: &Path) -> Result<(), StarterError> {
+    if folder
+        .read_dir()
+        .is_ok_and(|mut entries| entries.next().is_some())
+        || folder.is_file()
+    {
+        return Err(StarterError::Exists(folder.to_owned()));
+    }
+    for (path, bytes) in files(&stub)? {
+        let path = folder.join(path);
+        file::write_whole(&path, &bytes).map_err(|source| StarterError::Write { path, source })?;
+    }
+    Ok(())
+}
+
+/// The student's version of an anchored function: its task, its signature, and `todo!`; `None` if it is no exercise.
+pub fn stub(function: &Anchored<'_>) -> Option<String> {
+    if let Some((_, answer)) = OTHER_WAYS.iter().find(|(name, _)| *name == function.name) {
+        return Some(format!("{} {{\n    {answer}\n}}\n", function.signature));
+    }
+    let task = cases::find(function.name)?.task();
+    let indent =
+        &function.signature[..function.signature.len() - function.signature.trim_start().len()];
+    Some(format!(
+        "{indent}/// {task}\n{} {{\n{indent}    todo!(\"{}\")\n{indent}}}\n{indent}",
+        function.signature, function.name
+    ))
+}
+
+/// All files of a starter; `rewrite` gives the anchored functions their new text.
+///
+/// # Errors
+/// If an anchor in the library is wrong.
+pub fn files(
+    rewrite: &dyn Fn(&Anchored<'_>) -> Option<String>,
+) -> Result<Vec<StarterFile>, StarterError> {
+    let mut files = Vec::new();
+    for file in library::source() {
+        let path = file.path().to_string_lossy().replace('\\', "/");
+        if WITHHELD
+            .iter()
+            .any(|withheld| path.split('/').next() == Some(*withheld))
+        {
+            continue;
+        }
+        let bytes = match file.contents_utf8() {
+            Some(text) if file.path().extension().is_some_and(|e| e == "rs") => {
+                let text = anchor::rewrite(text, rewrite)
+                    .map_err(|error| StarterError::Anchor(path.clone(), error))?;
+                text.lines()
+                    .filter(|line| !library::is_of_the_course(line))
+                    .flat_map(|line| [line, "\n"])
+                    .collect::<String>()
+                    .into_bytes()
+            }
+            _ => file.contents().to_vec(),
+        };
+        files.push((Path::new("src").join(path), bytes));
+    }
+    for file in library::chapters() {
+        files.push((
+            Path::new("chapters").join(file.path()),
+            file.contents().to_vec(),
+        ));
+    }
+    let manifest = manifest::text(&files);
+    let readme = format!(
+        "{}\n## The course\n\n{}",
+        include_str!("starter/README.md"),
+        course_map()
+    );
+    for (path, text) in [
+        ("Cargo.toml", manifest.as_str()),
+        ("Cargo.lock", LOCK),
+        ("src/bin/answer.rs", include_str!("starter/answer.rs.txt")),
+        ("README.md", readme.as_str()),
+        (
+            MARKER,
+            "# This folder is a raybook workbook: `raybook check` grades it.\nlanguage = \"rust\"\n",
+        ),
+        (".gitignore", "/target\n/out\n/.raybook\n"),
+    ] {
+        files.push((PathBuf::from(path), text.as_bytes().to_vec()));
+    }
+    Ok(files)
+}
+
+/// A line per chapter: its number, its title and its exercises.
+pub fn course_map() -> String {
+    let line = |chapter: &Chapter| {
+        let names: Vec<_> = chapter
+            .exercises()
+            .iter()
+            .map(|exercise| exercise.name())
+            .collect();
+        format!(
+            "    {:2}  {:<20} {}\n",
+            chapter.number(),
+            chapter.title,
+            names.join(", ")
+        )
+    };
+    CHAPTERS.iter().map(line).collect()
+}

@@ -1,0 +1,79 @@
+//! A student's folder, and the answer program that is built from it.
+
+use crate::converse::Program;
+use crate::starter::MARKER;
+use serde_json::Value;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+/// Why there is no answer program.
+#[derive(Debug, thiserror::Error)]
+pub enum StudentError {
+    /// Not a student's folder.
+    #[error("{}: this is not a workbook: neither here nor above is there a {MARKER}; `raybook new my-rays` makes one", .0.display())]
+    NoWorkbook(PathBuf),
+    /// Cargo is not there.
+    #[error(
+        "cannot run cargo, which builds your program: {0}; is Rust installed (https://rustup.rs)?"
+    )]
+    NoCargo(io::Error),
+    /// The compiler refused.
+    #[error("your program does not compile; the compiler's message is above")]
+    DoesNotCompile,
+    /// Cargo built something else.
+    #[error("{}: cargo built no program `answer` here; is src/bin/answer.rs still there?", .0.display())]
+    NoProgram(PathBuf),
+}
+
+/// The student's folder: this one, or the nearest above it that is a workbook.
+///
+/// # Errors
+/// If there is none.
+pub fn workbook(from: &Path) -> Result<PathBuf, StudentError> {
+    let absolute = std::path::absolute(from).unwrap_or_else(|_| from.to_owned());
+    let found = absolute
+        .ancestors()
+        .find(|folder| folder.join(MARKER).is_file());
+    found
+        .map(Path::to_owned)
+        .ok_or(StudentError::NoWorkbook(absolute))
+}
+
+/// Builds the answer program. What the compiler has to say goes to standard error.
+///
+/// # Errors
+/// If cargo is missing, or the program does not compile.
+pub fn build(folder: &Path) -> Result<Program, StudentError> {
+    let output = Command::new("cargo")
+        .args([
+            "build",
+            "--bin",
+            "answer",
+            "--message-format=json-render-diagnostics",
+        ])
+        .current_dir(folder)
+        .stderr(Stdio::inherit())
+        .output()
+        .map_err(StudentError::NoCargo)?;
+    if !output.status.success() {
+        return Err(StudentError::DoesNotCompile);
+    }
+    let executable = |line: &str| {
+        let message: Value = serde_json::from_str(line).ok()?;
+        let is_answer = message["target"]["name"] == "answer";
+        message["executable"]
+            .as_str()
+            .filter(|_| is_answer)
+            .map(PathBuf::from)
+    };
+    let file = String::from_utf8_lossy(&output.stdout)
+        .lines()
+        .find_map(executable);
+    let file = file.ok_or_else(|| StudentError::NoProgram(folder.to_owned()))?;
+    Ok(Program {
+        file,
+        arguments: Vec::new(),
+        folder: folder.to_owned(),
+    })
+}

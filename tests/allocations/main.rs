@@ -1,0 +1,147 @@
+//! No integrator allocates per ray: an allocator counts.
+
+mod counting;
+
+use counting::allocations;
+use glam::{Vec3, vec3};
+use raybook::image::rgb::Rgb;
+use raybook::light::environment::Environment;
+use raybook::material::{Material, brdf::Brdf};
+use raybook::math::{pcg, pcg::Pcg, ray::Ray};
+use raybook::render::local::{ALWAYS, Arrives, Local};
+use raybook::render::{mis::Strategy, path::Path, shadow, whitted::Whitted};
+use raybook::scene::{cornell, plates, skies, still_life};
+use raybook::scene::{glassware, kissing_balls, marbles, posts, world::Scene};
+use raybook_chapters::ch18_environment::everywhere::Everywhere;
+use raybook_common::rays::{random_direction, ray};
+use std::hint::black_box;
+
+/// So many rays are followed, each with all that it asks.
+const RAYS: u32 = 3000;
+
+/// What a ray sees.
+type Integrator = Box<dyn Fn(&Ray, &mut Pcg) -> Rgb>;
+
+/// Whitted's ray tracing of a scene, with so many samples of each light.
+fn whitted(
+    scene: Scene<dyn Material>,
+    depth: u32,
+    (samples, arrives): (u32, Arrives),
+) -> Integrator {
+    let local = Local { samples, arrives };
+    let whitted = Whitted { local, depth };
+    Box::new(move |ray, rng| whitted.radiance(&scene, ray, rng))
+}
+
+/// Path tracing of a scene, over many surfaces, by one strategy.
+fn path(scene: Scene<dyn Brdf>, strategy: Strategy) -> Integrator {
+    let path = Path {
+        depth: 8,
+        sure: 3,
+        strategy,
+    };
+    Box::new(move |ray, rng| path.radiance(&scene, ray, rng))
+}
+
+/// The clear day, in a small map.
+fn sky() -> Environment {
+    Environment::new(skies::map(skies::clear_day, 64))
+}
+
+/// Every integrator, by name, with where to look from.
+fn integrators() -> Vec<(&'static str, Vec3, Integrator)> {
+    let (bare, shadows, soft) = (
+        (1, ALWAYS as Arrives),
+        (1, shadow::lit as Arrives),
+        (8, shadow::lit as Arrives),
+    );
+    let above = vec3(0.4, 4.3, 7.2);
+    let inside = vec3(0.28, 0.27, 0.1);
+    let mirrors = kissing_balls::scene();
+    vec![
+        (
+            "lamps without shadows",
+            above,
+            whitted(marbles::scene(), 1, bare),
+        ),
+        ("mirrors", above, whitted(marbles::scene(), 8, bare)),
+        (
+            "mirrors that touch",
+            kissing_balls::VIEW[0],
+            whitted(mirrors, 12, bare),
+        ),
+        (
+            "glass",
+            above,
+            whitted(glassware::still_life(), glassware::DEPTH, bare),
+        ),
+        ("shadows", above, whitted(marbles::scene(), 8, shadows)),
+        (
+            "soft shadows of a square",
+            above,
+            whitted(posts::under(posts::square(1.4)), 1, soft),
+        ),
+        (
+            "soft shadows of a sphere",
+            above,
+            whitted(posts::under(posts::sphere(0.7)), 1, soft),
+        ),
+        (
+            "paths by the surface",
+            inside,
+            path(cornell::cornell_box(), Strategy::Surface),
+        ),
+        (
+            "paths by the light",
+            inside,
+            path(cornell::cornell_box(), Strategy::Light),
+        ),
+        (
+            "paths by both",
+            plates::EYE,
+            path(plates::plates(), Strategy::Both),
+        ),
+        (
+            "paths under a sky",
+            still_life::EYE,
+            path(still_life::still_life(Box::new(sky())), Strategy::Both),
+        ),
+        (
+            "paths under a sky that is asked everywhere",
+            still_life::EYE,
+            path(
+                still_life::still_life(Box::new(Everywhere(sky()))),
+                Strategy::Light,
+            ),
+        ),
+    ]
+}
+
+#[test]
+fn following_rays_allocates_nothing() {
+    for (name, from, radiance) in integrators() {
+        let mut rng = pcg::stream(12, 0);
+        let (count, sum) = allocations(|| {
+            let mut sum = Rgb::BLACK;
+            for _ in 0..RAYS {
+                let toward = -from + 2.5 * *random_direction(&mut rng);
+                sum += radiance(&ray(from, toward), &mut rng);
+            }
+            sum
+        });
+        assert!(
+            sum.g > 0.05 * RAYS as f32,
+            "{name}: the rays see something, not {sum:?}"
+        );
+        assert_eq!(
+            count, 0,
+            "{name}: allocations for {RAYS} rays and all that they ask"
+        );
+    }
+}
+
+#[test]
+fn an_allocation_is_counted() {
+    let (count, _) = allocations(|| black_box(Box::new(1)));
+    assert_eq!(count, 1, "one box");
+}

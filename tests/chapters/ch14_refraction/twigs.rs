@@ -1,0 +1,47 @@
+//! Rays that count for nearly nothing are not followed.
+
+use glam::{Vec3, vec2};
+use raybook::camera::pinhole::Pinhole;
+use raybook::math::pcg;
+use raybook::render::local::{ALWAYS, Local};
+use raybook::render::whitted::Whitted;
+use raybook::scene::{glassware, tally};
+use raybook_chapters::shared::{ray_tree::Branch, ray_tree::Kind, ray_tree::grow};
+
+/// How many rays a tree has, without those to the lights.
+fn rays(branch: &Branch) -> u64 {
+    let below = branch.asks.iter().filter(|b| b.kind != Kind::Light);
+    1 + below.map(rays).sum::<u64>()
+}
+
+#[test]
+fn most_rays_of_the_whole_tree_count_for_nearly_nothing() {
+    let scene = glassware::still_life();
+    let (from, to, focal_length) = glassware::VIEW;
+    let camera = Pinhole::look_at(from, to, Vec3::Y, focal_length, 16.0 / 9.0).expect("a camera");
+    let local = Local {
+        samples: 1,
+        arrives: ALWAYS,
+    };
+    let whitted = Whitted {
+        local,
+        depth: glassware::DEPTH,
+    };
+    let (mut whole, mut followed, mut worst) = (0, 0, 0.0_f32);
+    for i in 0..48 * 27 {
+        let place = vec2((i % 48) as f32 / 48.0, (i / 48) as f32 / 27.0);
+        let ray = camera.ray_through(place);
+        let tree = grow(&whitted, &scene, &ray);
+        whole += rays(&tree);
+        tally::take();
+        let seen = whitted.radiance(&scene, &ray, &mut pcg::stream(14, 1));
+        followed += tally::take();
+        worst = worst.max((tree.sees.g - seen.g).abs());
+    }
+    let times = whole as f64 / followed as f64;
+    println!(
+        "{whole} rays in whole trees, {followed} are followed: {times:.1} times fewer; off by {worst}"
+    );
+    assert!(times > 2.0, "{times} times fewer rays");
+    assert!(worst < 0.05, "no pixel loses more light than {worst}");
+}

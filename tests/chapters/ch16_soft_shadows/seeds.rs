@@ -1,0 +1,90 @@
+//! The renderer with lights that have an extent, against itself with other random numbers, and with another choice of them.
+
+use crate::ch16_soft_shadows::noisy::{BATCHES, Noisy};
+use glam::{Vec3, vec3};
+use raybook::camera::pinhole::Pinhole;
+use raybook::image::{Image, rgb::Rgb};
+use raybook::light::{Light, extent::Choose, rect_light::RectLight, sphere_light::SphereLight};
+use raybook::render::local::{Arrives, Local};
+use raybook::render::{film::Film, shadow, whitted::Whitted};
+use raybook::scene::posts;
+use raybook::shape::sphere::Sphere;
+
+const MIDDLE: Vec3 = vec3(-3.0, 4.0, -3.0);
+
+fn square(radiance: f32, choose: Choose) -> Box<dyn Light> {
+    let corner = MIDDLE - vec3(1.0, 0.0, 1.0);
+    let light = RectLight::new(corner, 2.0 * Vec3::X, 2.0 * Vec3::Z, Rgb::gray(radiance));
+    Box::new(light.choosing(choose))
+}
+
+fn sphere(radiance: f32, choose: Choose) -> Box<dyn Light> {
+    Box::new(SphereLight {
+        sphere: Sphere::new(MIDDLE, 0.8),
+        radiance: Rgb::gray(radiance),
+        choose,
+    })
+}
+
+/// 16 batches of the posts under a light; the first seed tells them from others.
+fn render(light: Box<dyn Light>, arrives: Arrives, first_seed: u64) -> Noisy {
+    let scene = posts::under(light);
+    let [(from, to, focal_length), _] = posts::VIEWS;
+    let camera = Pinhole::look_at(from, to, Vec3::Y, focal_length, 1.6).expect("a camera");
+    let local = Local {
+        samples: 2,
+        arrives,
+    };
+    let whitted = Whitted { local, depth: 1 };
+    let batch = |seed: u64| {
+        let film = Film {
+            width: 48,
+            height: 30,
+            samples: 4,
+            seed,
+            threads: 2,
+            progress: &|_| {},
+        };
+        film.render(|place, rng| whitted.radiance(&scene, &camera.ray_through(place), rng))
+    };
+    let batches: Vec<Image> = (first_seed..).take(BATCHES).map(batch).collect();
+    Noisy::of(&batches.iter().collect::<Vec<_>>())
+}
+
+#[test]
+fn other_random_numbers_and_another_choice_show_the_same() {
+    for light in [square, sphere] {
+        let reference = render(light(10.0, Choose::ByArea), shadow::lit, 0);
+        for choose in [Choose::ByArea, Choose::BySolidAngle] {
+            let other = render(light(10.0, choose), shadow::lit, 1000);
+            assert_eq!(reference.compare(&other.image()), Ok(()), "{choose:?}");
+        }
+    }
+}
+
+#[test]
+fn a_wrong_light_shows() {
+    let reference = render(square(10.0, Choose::ByArea), shadow::lit, 0);
+    let late: Arrives = |scene, at, light| {
+        let (ray, _) = shadow::shadow_ray(at, light);
+        !scene.blocks(
+            &ray,
+            raybook::math::interval::Interval::new(1.0, f32::INFINITY),
+        )
+    };
+    for (what, other) in [
+        (
+            "1 % stronger",
+            render(square(10.1, Choose::ByArea), shadow::lit, 2000),
+        ),
+        (
+            "a shadow ray that skips a metre",
+            render(square(10.0, Choose::ByArea), late, 3000),
+        ),
+    ] {
+        assert!(
+            reference.compare(&other.image()).is_err(),
+            "{what} is not seen"
+        );
+    }
+}

@@ -1,0 +1,5 @@
+//! Chapter 21: light around a black hole.
+
+mod colours;
+mod known;
+mod rays;

@@ -1,0 +1,151 @@
+//! The judges are fair: programs that are right by another method pass, and programs that are a little wrong do not.
+//!
+//! Everything goes by lines of text, as between `raybook check` and a student's program.
+
+#![allow(clippy::unnecessary_wraps)] // an answer may be none, if not in every exercise
+
+mod boxes;
+mod ch11;
+mod ch12;
+mod ch13;
+mod ch14;
+mod ch15;
+mod ch16;
+mod ch17;
+mod ch18;
+mod ch19;
+mod ch20;
+mod ch21;
+mod ch22;
+mod ch23;
+mod ch24;
+mod ch25;
+mod estimates;
+mod flat;
+mod grid;
+mod light;
+mod mesh;
+mod noticed;
+mod numbers;
+use raybook_common::polygon;
+mod sphere;
+mod student;
+mod trees;
+mod triangle;
+mod wrong;
+
+use raybook_grader::cases;
+use raybook_grader::examine::{Case, Examiner, visible_rng};
+use raybook_grader::hidden::Key;
+use rayon::prelude::*;
+use std::sync::LazyLock;
+use student::{Alternative, STYLES, line};
+
+/// So many students' hidden cases are tried.
+const KEYS: usize = 20;
+
+/// Whether an exercise is a hit function, of which at least two alternatives are asked.
+fn is_hit(exercise: &str) -> bool {
+    ["_hit", "_clip", "_closest"]
+        .iter()
+        .any(|end| exercise.ends_with(end))
+}
+
+#[test]
+fn programs_that_are_right_by_another_method_pass_every_case() {
+    for Alternative { exercise, .. } in alternatives() {
+        assert!(cases::find(exercise).is_some(), "there is no `{exercise}`");
+    }
+    let unfair: Vec<_> = CASES
+        .par_iter()
+        .flat_map_iter(|(examiner, cases)| unfair_verdicts(*examiner, cases))
+        .collect();
+    assert!(
+        unfair.is_empty(),
+        "{} right answers are called wrong, such as\n{}",
+        unfair.len(),
+        unfair[..unfair.len().min(10)].join("\n")
+    );
+}
+
+/// The verdicts on an exercise's alternatives that call a right answer wrong.
+fn unfair_verdicts(examiner: &dyn Examiner, cases: &[Case]) -> Vec<String> {
+    let name = examiner.name();
+    let others: Vec<_> = alternatives()
+        .filter(|other| other.exercise == name)
+        .collect();
+    let needed = if is_hit(name) { 2 } else { 1 };
+    assert!(
+        others.len() >= needed,
+        "{name}: {} alternatives; {needed} are needed",
+        others.len()
+    );
+    let mut unfair = Vec::new();
+    let asked = others
+        .iter()
+        .flat_map(|other| cases.iter().map(move |case| (other, case)));
+    for (other, case) in asked {
+        let answer = other.answer_to(&case.question);
+        for (style, print) in STYLES {
+            let got = line(&answer, print);
+            if let Err(why) = examiner.judge(&case.question, &case.answers, &got) {
+                unfair.push(format!(
+                    "{name}, {}, numbers {style}; {}: {}\n  right {:?}\n  got   {got}\n  {why}",
+                    other.method, case.name, case.question, case.answers
+                ));
+            }
+        }
+    }
+    unfair
+}
+
+fn alternatives() -> impl Iterator<Item = &'static Alternative> {
+    [
+        light::ALTERNATIVES,
+        sphere::ALTERNATIVES,
+        flat::ALTERNATIVES,
+        triangle::ALTERNATIVES,
+        mesh::ALTERNATIVES,
+        grid::ALTERNATIVES,
+        trees::ALTERNATIVES,
+        ch11::ALTERNATIVES,
+        ch21::ALTERNATIVES,
+        ch24::ALTERNATIVES,
+        ch12::ALTERNATIVES,
+        ch13::ALTERNATIVES,
+        ch14::ALTERNATIVES,
+        ch15::ALTERNATIVES,
+        ch16::ALTERNATIVES,
+        ch17::ALTERNATIVES,
+        estimates::ALTERNATIVES,
+        ch18::ALTERNATIVES,
+        ch19::ALTERNATIVES,
+        ch20::ALTERNATIVES,
+        ch22::ALTERNATIVES,
+        ch23::ALTERNATIVES,
+        ch25::ALTERNATIVES,
+    ]
+    .into_iter()
+    .flatten()
+}
+
+/// Every exercise with its visible cases, and the hidden ones of some students.
+static CASES: LazyLock<Vec<(&dyn Examiner, Vec<Case>)>> = LazyLock::new(|| {
+    let all = |examiner: &dyn Examiner| {
+        let name = examiner.name();
+        let mut cases = examiner.cases(&mut visible_rng(name)).cases;
+        for student in 0..KEYS {
+            let key = Key {
+                course: "another course's secret".into(),
+                term: "spring".into(),
+                student: format!("student {student}"),
+            };
+            cases.extend(examiner.cases(&mut key.rng(name)).cases);
+        }
+        cases
+    };
+    let examiners = cases::all().into_par_iter();
+    examiners
+        .map(|examiner| (examiner, all(examiner)))
+        .collect()
+});

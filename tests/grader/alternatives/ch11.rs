@@ -1,0 +1,138 @@
+//! Chapter 11: trees of boxes.
+
+use crate::alternatives::boxes::{Bounds, around, best_cut, bounds, build, list};
+use crate::alternatives::student::{Alternative, Answer, NONE, Question};
+use crate::alternatives::triangle::{Corners, plane_then_inside, volumes};
+use glam::DVec3;
+
+pub const ALTERNATIVES: &[Alternative] = &[
+    Alternative {
+        exercise: "sah_cost",
+        method: "from the leaves up, in f64",
+        answer: |q| {
+            let (branch, shape) = (q.number(), q.number());
+            let nodes = q.list(node);
+            Some(vec![
+                price(&nodes, 0, branch, shape) / nodes[0].bounds.area(),
+            ])
+        },
+    },
+    Alternative {
+        exercise: "sah_split",
+        method: "all cuts, by their boxes, in f64",
+        answer: |q| {
+            let boxes = q.list(bounds);
+            let all: Vec<_> = (0..boxes.len()).collect();
+            let (left, _, _) = best_cut(&boxes, &all);
+            Some(list(&left))
+        },
+    },
+    Alternative {
+        exercise: "bvh_build",
+        method: "top-down by all cuts, in f64",
+        answer: |q| {
+            let most = q.whole();
+            build(q, &|boxes, which| {
+                let (left, right, cost) = best_cut(boxes, which);
+                let area = around(boxes, which).area();
+                let leaf = area * which.len() as f64;
+                (which.len() > most || area + cost < leaf).then_some((left, right))
+            })
+        },
+    },
+    Alternative {
+        exercise: "bvh_closest",
+        method: "recursive, boxes by their slabs, triangles by planes, in f64",
+        answer: |q| closest(q, plane_then_inside, false),
+    },
+    Alternative {
+        exercise: "bvh_closest",
+        method: "with a stack, each box tested when its turn comes, triangles by volumes, in f64",
+        answer: |q| closest(q, volumes, true),
+    },
+];
+
+struct Node {
+    bounds: Bounds,
+    first: usize,
+    count: usize,
+}
+
+fn node(q: &mut Question) -> Node {
+    Node {
+        bounds: bounds(q),
+        first: q.whole(),
+        count: q.whole(),
+    }
+}
+
+/// Of a subtree, times the area of its box.
+fn price(nodes: &[Node], at: usize, branch: f64, shape: f64) -> f64 {
+    let Node {
+        bounds,
+        first,
+        count,
+    } = &nodes[at];
+    if *count > 0 {
+        return bounds.area() * shape * *count as f64;
+    }
+    let below = [*first, first + 1].map(|child| price(nodes, child, branch, shape));
+    bounds.area() * branch + below[0] + below[1]
+}
+
+type HitTriangle = fn(DVec3, DVec3, Corners) -> Option<[f64; 3]>;
+
+/// The counts, then the hit.
+fn closest(q: &mut Question, hit: HitTriangle, late: bool) -> Answer {
+    let mut ray = q.ray();
+    let nodes = q.list(node);
+    let triangles = q.list(|q| [(); 3].map(|()| q.vector()));
+    let (mut boxes, mut tests, mut found) = (0, 0, None);
+    let mut stack = vec![(f64::NEG_INFINITY, 0)];
+    while let Some((enters, at)) = stack.pop() {
+        if enters >= ray.max {
+            continue;
+        }
+        if late && at > 0 {
+            boxes += 1;
+            if nodes[at].bounds.clip(&ray).is_none() {
+                continue;
+            }
+        }
+        let Node { first, count, .. } = nodes[at];
+        for (id, &corners) in triangles.iter().enumerate().skip(first).take(count) {
+            tests += 1;
+            if let Some([t, ..]) = hit(ray.o, ray.d, corners).filter(|h| ray.counts(h[0])) {
+                ray.max = t;
+                found = Some((t, id));
+            }
+        }
+        if count > 0 {
+            continue;
+        }
+        let mut met: Vec<_> = [first, first + 1]
+            .into_iter()
+            .filter_map(|child| {
+                let clipped = nodes[child].bounds.clip(&ray);
+                boxes += usize::from(!late);
+                if late {
+                    // The order by the middle of the box along the ray.
+                    let middle = 0.5 * (nodes[child].bounds.min + nodes[child].bounds.max);
+                    return Some(((middle - ray.o).dot(ray.d), child));
+                }
+                clipped.map(|(enter, _)| (enter, child))
+            })
+            .collect();
+        met.sort_by(|a, b| b.0.total_cmp(&a.0));
+        stack.extend(met.into_iter().map(|(t, child)| {
+            let enters = if late { f64::NEG_INFINITY } else { t };
+            (enters, child)
+        }));
+    }
+    let mut answer = vec![boxes as f64, f64::from(tests)];
+    match found {
+        Some((t, id)) => answer.extend([t, id as f64]),
+        None => answer.push(NONE),
+    }
+    Some(answer)
+}

@@ -1,0 +1,160 @@
+//! Chapter 16: samples of lights, spread in other ways.
+
+use crate::alternatives::student::{Alternative, Answer, Question};
+use glam::{DVec2, DVec3, dvec2};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
+
+pub const ALTERNATIVES: &[Alternative] = &[
+    Alternative {
+        exercise: "sample_rect",
+        method: "u.y along the first side, in f64",
+        answer: |q| rect(q, |u| dvec2(u.y, u.x)),
+    },
+    Alternative {
+        exercise: "sample_rect",
+        method: "from the opposite corner",
+        answer: |q| rect(q, |u| 1.0 - u),
+    },
+    Alternative {
+        exercise: "sample_rect",
+        method: "shifted, and wrapped round",
+        answer: |q| rect(q, |u| (u + dvec2(0.3, 0.71)).fract()),
+    },
+    Alternative {
+        exercise: "sample_sphere_light",
+        method: "around the axis by u.x, in f64",
+        answer: |q| sphere(q, |u| (u.y, TAU * u.x)),
+    },
+    Alternative {
+        exercise: "sample_sphere_light",
+        method: "the rim first, the other way round",
+        answer: |q| sphere(q, |u| (1.0 - u.x, -TAU * u.y + 1.0)),
+    },
+    Alternative {
+        exercise: "sample_sphere_light",
+        method: "by a concentric disc (Shirley and Chiu 1997)",
+        answer: |q| {
+            sphere(q, |u| {
+                let p = 2.0 * u - 1.0;
+                let (r, phi) = if p.x.abs() > p.y.abs() {
+                    (p.x, FRAC_PI_4 * p.y / p.x)
+                } else {
+                    (p.y, FRAC_PI_2 - FRAC_PI_4 * p.x / p.y)
+                };
+                (r * r, if r < 0.0 { phi + PI } else { phi })
+            })
+        },
+    },
+    Alternative {
+        exercise: "visible_fraction",
+        method: "stratified, in f64",
+        answer: |q| {
+            let mut state = 1_u64;
+            visible(q, |i, n| {
+                let side = f64::from(n).sqrt().floor() as u32;
+                let cell = dvec2(f64::from(i % side), f64::from(i / side % side));
+                (cell + dvec2(random(&mut state), random(&mut state))) / f64::from(side)
+            })
+        },
+    },
+    Alternative {
+        exercise: "visible_fraction",
+        method: "by other random numbers, in f64",
+        answer: |q| {
+            let mut state = 2024_u64;
+            visible(q, |_, _| dvec2(random(&mut state), random(&mut state)))
+        },
+    },
+];
+
+/// Knuth's linear congruential generator (MMIX).
+fn random(state: &mut u64) -> f64 {
+    *state = state
+        .wrapping_mul(6_364_136_223_846_793_005)
+        .wrapping_add(1_442_695_040_888_963_407);
+    (*state >> 11) as f64 / (1_u64 << 53) as f64
+}
+
+fn lattice(n: usize) -> impl Iterator<Item = DVec2> {
+    (0..n * n).map(move |k| (dvec2((k % n) as f64, (k / n) as f64) + 0.5) / n as f64)
+}
+
+fn rect(q: &mut Question, place: fn(DVec2) -> DVec2) -> Answer {
+    let [at, corner, a, b] = [(); 4].map(|()| q.vector());
+    let (radiance, n) = (q.number(), q.whole());
+    let normal = a.cross(b).normalize();
+    if (at - corner).dot(normal) <= 0.0 {
+        return None;
+    }
+    let mut answer = vec![(n * n) as f64];
+    for u in lattice(n) {
+        let p = place(u);
+        let r = corner + p.x * a + p.y * b - at;
+        let cosine = -r.normalize().dot(normal);
+        let pdf = r.length_squared() / (a.length() * b.length() * cosine);
+        answer.extend(r.normalize().to_array());
+        answer.extend([r.length(), pdf, radiance / pdf]);
+    }
+    Some(answer)
+}
+
+/// `place` gives the share of 1 − cos θ, and φ.
+fn sphere(q: &mut Question, place: fn(DVec2) -> (f64, f64)) -> Answer {
+    let [at, center] = [(); 2].map(|()| q.vector());
+    let (radius, radiance, n) = (q.number(), q.number(), q.whole());
+    let (c, d) = (center - at, center.distance(at));
+    let least = if d > radius {
+        (1.0 - (radius / d).powi(2)).sqrt()
+    } else {
+        -1.0
+    };
+    let axis = c.normalize_or(DVec3::X);
+    let x = axis.any_orthonormal_vector();
+    let y = axis.cross(x);
+    let pdf = 1.0 / (TAU * (1.0 - least));
+    let mut answer = vec![(n * n) as f64];
+    for u in lattice(n) {
+        let (share, phi) = place(u);
+        let cosine = 1.0 - share * (1.0 - least);
+        let sine = (1.0 - cosine * cosine).max(0.0).sqrt();
+        let toward = sine * (phi.cos() * x + phi.sin() * y) + cosine * axis;
+        let middle = c.dot(toward);
+        let half = (radius * radius - c.length_squared() + middle * middle)
+            .max(0.0)
+            .sqrt();
+        let t = if d > radius {
+            middle - half
+        } else {
+            middle + half
+        };
+        answer.extend(toward.to_array());
+        answer.extend([t, pdf, radiance / pdf]);
+    }
+    Some(answer)
+}
+
+/// `place` gives the place on the light of sample i of n.
+fn visible(q: &mut Question, mut place: impl FnMut(u32, u32) -> DVec2) -> Answer {
+    let [corner, a, b] = [(); 3].map(|()| q.vector());
+    let points = q.list(Question::vector);
+    let balls = q.list(|q| (q.vector(), q.number()));
+    let samples = q.whole() as u32;
+    let mut answer = vec![points.len() as f64];
+    for p in points {
+        let mut seen = 0.0;
+        for i in 0..samples {
+            let u = place(i, samples);
+            let r = corner + u.x * a + u.y * b - p;
+            // The closest point of the way to each centre.
+            let free = |&(center, radius): &(DVec3, f64)| {
+                let s = ((center - p).dot(r) / r.length_squared()).clamp(0.0, 1.0);
+                (p + s * r).distance(center) > radius
+            };
+            if r.dot(a.cross(b)) < 0.0 && balls.iter().all(free) {
+                seen += 1.0;
+            }
+        }
+        answer.push(seen / f64::from(samples));
+    }
+    Some(answer)
+}

@@ -1,0 +1,143 @@
+//! Chapter 17: an integral by random numbers.
+
+use crate::alternatives::ch17::{concentric, frame};
+use crate::alternatives::student::{Alternative, Answer, Question};
+use glam::{DVec2, DVec3};
+use rand::RngExt;
+use raybook::math::pcg;
+use std::f64::consts::{PI, TAU};
+
+pub const ALTERNATIVES: &[Alternative] = &[
+    Alternative {
+        exercise: "reflected_radiance",
+        method: "uniform directions",
+        answer: |q| estimate(q, 1, |_, _, u| (uniform(u), 1.0 / TAU)),
+    },
+    Alternative {
+        exercise: "reflected_radiance",
+        method: "uniform directions, other random numbers",
+        answer: |q| estimate(q, 2, |_, _, u| (uniform(u), 1.0 / TAU)),
+    },
+    Alternative {
+        exercise: "reflected_radiance",
+        method: "uniform directions, one in each of equal cells",
+        answer: |q| {
+            estimate(q, 3, |lit, i, u| {
+                let side = (lit.samples as f64).sqrt() as usize;
+                let cell = DVec2::new((i % side) as f64, (i / side % side) as f64);
+                let whole = i < side * side;
+                let u = if whole { (cell + u) / side as f64 } else { u };
+                (uniform(u), 1.0 / TAU)
+            })
+        },
+    },
+    Alternative {
+        exercise: "reflected_radiance",
+        method: "by the cosine, whatever the highlight does",
+        answer: |q| {
+            estimate(q, 4, |_, _, u| {
+                let d = by_cosine(u);
+                (d, d.z / PI)
+            })
+        },
+    },
+    Alternative {
+        exercise: "reflected_radiance",
+        method: "the cosine and the highlight in turn, weighted by both densities",
+        answer: |q| {
+            estimate(q, 5, |lit, i, u| {
+                let d = if i % 2 == 0 {
+                    by_cosine(u)
+                } else {
+                    lit.lobe(u)
+                };
+                (d, 0.5 * d.z.max(0.0) / PI + 0.5 * lit.lobe_pdf(d))
+            })
+        },
+    },
+    Alternative {
+        exercise: "reflected_radiance",
+        method: "uniform directions and the highlight in turn, weighted by both densities",
+        answer: |q| {
+            estimate(q, 6, |lit, i, u| {
+                let d = if i % 2 == 0 { uniform(u) } else { lit.lobe(u) };
+                (d, 0.5 / TAU + 0.5 * lit.lobe_pdf(d))
+            })
+        },
+    },
+    Alternative {
+        exercise: "reflected_radiance",
+        method: "directions of the whole sphere, half of them in vain",
+        answer: |q| {
+            estimate(q, 7, |_, _, u| {
+                let d = uniform(DVec2::new((2.0 * u.x).fract(), u.y));
+                let side = if u.x < 0.5 { 1.0 } else { -1.0 };
+                (DVec3::new(d.x, d.y, side * d.z), 0.5 / TAU)
+            })
+        },
+    },
+];
+
+/// A direction of the hemisphere around z, all equally likely.
+fn uniform(u: DVec2) -> DVec3 {
+    let (r, phi) = ((1.0 - u.x * u.x).sqrt(), TAU * u.y);
+    DVec3::new(r * phi.cos(), r * phi.sin(), u.x)
+}
+
+/// One with a density by its cosine.
+fn by_cosine(u: DVec2) -> DVec3 {
+    let p = concentric(u);
+    p.extend((1.0 - p.length_squared()).max(1e-12).sqrt())
+}
+
+/// A question of `reflected_radiance`, with the viewer in coordinates whose z is the normal.
+struct Lit {
+    view: DVec3,
+    exponent: f64,
+    samples: usize,
+}
+
+impl Lit {
+    /// A direction around the viewer's mirror direction.
+    fn lobe(&self, u: DVec2) -> DVec3 {
+        let (z, phi) = (u.x.powf(1.0 / (self.exponent + 1.0)), TAU * u.y);
+        let r = (1.0 - z * z).sqrt();
+        frame(self.mirrored())(DVec3::new(r * phi.cos(), r * phi.sin(), z))
+    }
+
+    fn lobe_pdf(&self, d: DVec3) -> f64 {
+        let cos_alpha = self.mirrored().dot(d).max(0.0);
+        (self.exponent + 1.0) / TAU * cos_alpha.powf(self.exponent)
+    }
+
+    fn mirrored(&self) -> DVec3 {
+        DVec3::new(-self.view.x, -self.view.y, self.view.z)
+    }
+}
+
+/// The mean over random directions and their densities; those below the surface bring nothing.
+fn estimate(q: &mut Question, seed: u64, choose: fn(&Lit, usize, DVec2) -> (DVec3, f64)) -> Answer {
+    let (n, v) = (q.vector(), q.vector());
+    let (diffuse, specular, exponent) = (q.vector(), q.vector(), q.number());
+    let (zenith, radiance, samples) = (q.vector(), q.vector(), q.whole());
+    let basis = frame(n);
+    let axes = [DVec3::X, DVec3::Y, DVec3::Z].map(&basis);
+    let lit = Lit {
+        view: DVec3::from_array(axes.map(|axis| axis.dot(v))),
+        exponent,
+        samples,
+    };
+    // Random numbers of its own for every question, and the same ones every time.
+    let mut rng = pcg::stream(seed, v.x.to_bits() ^ zenith.y.to_bits());
+    let mut sum = DVec3::ZERO;
+    for i in 0..samples {
+        let (d, pdf) = choose(&lit, i, DVec2::new(rng.random(), rng.random()));
+        if d.z > 0.0 {
+            let cos_alpha = lit.mirrored().dot(d).max(0.0);
+            let f = diffuse / PI + specular * ((exponent + 2.0) / TAU * cos_alpha.powf(exponent));
+            let sky = radiance * (0.5 + 0.5 * basis(d).dot(zenith));
+            sum += f * sky * (d.z / pdf);
+        }
+    }
+    Some((sum / samples as f64).to_array().to_vec())
+}

@@ -1,0 +1,71 @@
+//! Programs that are a little wrong, or always say the same, are noticed.
+
+use crate::alternatives::CASES;
+use crate::alternatives::student::{STYLES, line};
+use crate::alternatives::wrong::wrongs;
+use raybook_grader::examine::{Case, Examiner};
+use rayon::prelude::*;
+
+/// Of so many answers that are spoilt, in percent, all these must be noticed: 1 % of 0 is right.
+const NOTICED: usize = 90;
+
+#[test]
+fn programs_that_are_a_little_wrong_fail_nearly_everywhere() {
+    CASES.par_iter().for_each(|(examiner, cases)| {
+        let name = examiner.name();
+        let wrongs: Vec<_> = wrongs().filter(|w| w.0.contains(&name)).collect();
+        assert!(!wrongs.is_empty(), "{name}: try a wrong program");
+        for (_, what, spoil) in wrongs {
+            let spoilt = |case: &Case| {
+                let numbers = case.answers[0].split_whitespace().map(str::parse);
+                let mut numbers = numbers.collect::<Result<Vec<_>, _>>().ok()?;
+                spoil(&mut numbers);
+                Some(line(&Some(numbers), STYLES[0].1))
+            };
+            let (noticed, all) = count(*examiner, cases, spoilt);
+            println!("{name:20} {what:26} {noticed} of {all}");
+            assert!(
+                all >= 100 && 100 * noticed >= NOTICED * all,
+                "{name}, {what}: only {noticed} of {all} are called wrong"
+            );
+        }
+    });
+}
+
+#[test]
+fn a_program_that_says_the_same_to_everything_fails_nearly_everywhere() {
+    CASES.par_iter().for_each(|(examiner, cases)| {
+        for same in ["none", cases[0].answers[0].as_str()] {
+            let (noticed, all) = count(*examiner, cases, |case| {
+                (case.answers[0] != same).then(|| same.to_owned())
+            });
+            let name = examiner.name();
+            println!("{name:20} always {same:26} {noticed} of {all}");
+            // Not all: 0.24999999 is another answer than 0.25, and as right.
+            assert!(
+                100 * noticed >= 97 * all,
+                "{name}: `{same}` is called right for {} other answers",
+                all - noticed
+            );
+            assert!(
+                4 * all >= cases.len(),
+                "{name}: {} of {} answers are `{same}`",
+                cases.len() - all,
+                cases.len()
+            );
+        }
+    });
+}
+
+/// How many of the answers are called wrong, and how many there are.
+fn count(
+    examiner: &dyn Examiner,
+    cases: &[Case],
+    answer: impl Fn(&Case) -> Option<String>,
+) -> (usize, usize) {
+    let verdicts = cases
+        .iter()
+        .filter_map(|case| Some(examiner.judge(&case.question, &case.answers, &answer(case)?)));
+    let (wrong, right): (Vec<_>, Vec<_>) = verdicts.partition(Result::is_err);
+    (wrong.len(), wrong.len() + right.len())
+}

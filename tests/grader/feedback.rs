@@ -1,0 +1,50 @@
+//! What a student reads, for every kind of reply. The snapshots are in `golden/snapshots/feedback_*`: read them as one who is tired.
+
+mod answers;
+mod states;
+
+use raybook_grader::ask::{Reply, Said};
+use raybook_grader::cases;
+use raybook_grader::check::{Report, assess};
+use raybook_grader::dress::Dress;
+use raybook_grader::examine::{Examiner, visible_rng};
+use raybook_grader::feedback;
+use std::path::Path;
+
+const DRESS: Dress = Dress {
+    colour: false,
+    symbols: true,
+};
+
+/// The report on a program that replies so.
+fn report(exercise: &str, reply: impl Fn(&dyn Examiner, &str) -> Said) -> Report {
+    let examiner = cases::find(exercise).expect("the exercise exists");
+    let cases = examiner.cases(&mut visible_rng(exercise)).cases;
+    let replies = cases.iter().map(|case| Reply {
+        said: reply(examiner, &case.question),
+        printed: String::new(),
+    });
+    let replies = replies.collect();
+    assess(examiner, cases, replies)
+}
+
+/// What a student with this report reads.
+fn told(report: &Report) -> String {
+    let examiner = cases::find(report.exercise).expect("the exercise exists");
+    let picture = (!report.pictures.is_empty()).then_some(Path::new(".raybook/picture.png"));
+    format!(
+        "{}\n\n{}",
+        feedback::line(report, DRESS),
+        feedback::explain(
+            report,
+            examiner,
+            picture,
+            &format!("raybook check {}", report.exercise),
+            DRESS
+        )
+    )
+}
+
+fn right(examiner: &dyn Examiner, question: &str) -> Said {
+    Said::Answer(examiner.answer_line(question).expect("it is a question"))
+}

@@ -1,0 +1,118 @@
+//! Feedback on answers that are wrong.
+
+use crate::feedback::{report, right, told};
+use raybook_common::snapshot;
+use raybook_grader::ask::Said;
+use raybook_grader::cases;
+use raybook_grader::examine::Examiner;
+use raybook_grader::json;
+use raybook_grader::picture::{pixel_questions, triples};
+
+#[test]
+fn a_known_mistake() {
+    let far_root = |examiner: &dyn Examiner, question: &str| {
+        examiner.mistaken(0, question).expect("it answers")
+    };
+    let mut report = report("sphere_hit", |examiner, question| {
+        Said::Answer(far_root(examiner, question))
+    });
+    report.cases[0].reply.printed = "discriminant 1\ndbg: t = 4\n".into();
+    let examiner = cases::find("sphere_hit").expect("the exercise exists");
+    let pixels: Vec<_> = pixel_questions(examiner)
+        .iter()
+        .map(|question| Some(far_root(examiner, question)))
+        .collect();
+    report.pictures = triples(examiner, &pixels);
+    snapshot("feedback_known_mistake", &told(&report));
+}
+
+#[test]
+fn several_pictures() {
+    let examiner = cases::find("trace").expect("the exercise exists");
+    let mistakes = examiner.mistakes();
+    let colourless = mistakes
+        .iter()
+        .position(|(name, _)| *name == "forgets the colour of mirrors");
+    let colourless = colourless.expect("the mistake exists");
+    let answer = |question: &str| examiner.mistaken(colourless, question).expect("it answers");
+    let mut report = report("trace", |_, question| Said::Answer(answer(question)));
+    let pixels: Vec<_> = pixel_questions(examiner)
+        .iter()
+        .map(|question| Some(answer(question)))
+        .collect();
+    report.pictures = triples(examiner, &pixels);
+    snapshot("feedback_several_pictures", &told(&report));
+    let json = json::results(&[(report, Some("trace.png".into()))]);
+    let passed = |i: usize| json["exercises"][0]["pictures"][i]["passed"].clone();
+    assert_eq!(
+        (passed(0), passed(2)),
+        (true.into(), false.into()),
+        "the score is in the JSON too: {json}"
+    );
+}
+
+#[test]
+fn an_unknown_mistake() {
+    let off = |examiner: &dyn Examiner, question: &str| match right(examiner, question) {
+        Said::Answer(t) if t != "none" => {
+            Said::Answer((t.parse::<f32>().expect("a number") + 0.25).to_string())
+        }
+        said => said,
+    };
+    snapshot(
+        "feedback_unknown_mistake",
+        &told(&report("sphere_hit", off)),
+    );
+}
+
+#[test]
+fn a_hit_for_a_miss_and_a_miss_for_a_hit() {
+    snapshot(
+        "feedback_never_hits",
+        &told(&report("triangle_hit", |_, _| Said::Answer("none".into()))),
+    );
+    snapshot(
+        "feedback_always_hits",
+        &told(&report("plane_hit", |_, _| Said::Answer("1".into()))),
+    );
+}
+
+#[test]
+fn numbers_that_are_none() {
+    snapshot(
+        "feedback_nan",
+        &told(&report("ray_at", |_, _| Said::Answer("nan 0 0".into()))),
+    );
+    snapshot(
+        "feedback_not_unit",
+        &told(&report("sphere_normal", |_, _| {
+            Said::Answer("0 2 0".into())
+        })),
+    );
+    snapshot(
+        "feedback_infinite",
+        &told(&report("encode_srgb", |_, _| Said::Answer("inf".into()))),
+    );
+}
+
+#[test]
+fn answers_that_cannot_be_read() {
+    snapshot(
+        "feedback_too_short",
+        &told(&report("ray_at", |_, _| Said::Answer("1 2".into()))),
+    );
+    snapshot(
+        "feedback_too_long",
+        &told(&report("ray_at", |_, _| Said::Answer("1 2 3 4".into()))),
+    );
+    snapshot(
+        "feedback_not_a_number",
+        &told(&report("ray_at", |_, _| Said::Answer("1 two 3".into()))),
+    );
+    snapshot(
+        "feedback_wrong_count",
+        &told(&report("vertex_normals", |_, _| {
+            Said::Answer("1  0 1 0".into())
+        })),
+    );
+}

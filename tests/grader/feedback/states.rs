@@ -1,0 +1,106 @@
+//! Feedback where there is no answer, or nothing to mend; descriptions and JSON.
+
+use crate::feedback::{report, right, told};
+use raybook_common::snapshot;
+use raybook_grader::ask::Said;
+use raybook_grader::cases;
+use raybook_grader::check::State;
+use raybook_grader::dress::Dress;
+use raybook_grader::{describe, feedback, json};
+use std::time::Duration;
+
+#[test]
+fn no_answer() {
+    for (name, said) in [
+        (
+            "panicked",
+            Said::Panicked("index out of bounds: the len is 0 but the index is 0".into()),
+        ),
+        (
+            "refused",
+            Said::Refused("there is no exercise `ray_at`".into()),
+        ),
+        (
+            "ended",
+            Said::Ended(
+                "signal 11 (segmentation fault: memory that is not yours, or endless recursion)"
+                    .into(),
+            ),
+        ),
+        ("timed_out", Said::TimedOut(Duration::from_secs(2))),
+        ("flooded", Said::Flooded(1_048_600)),
+        ("too_many", Said::TooMany(2)),
+    ] {
+        let mut report = report("ray_at", |_, _| said.clone());
+        if name == "ended" {
+            report.cases[0].reply.printed = "t is 0point = 1 2 3\nhere= 1 2 3\n".into();
+        }
+        snapshot(&format!("feedback_{name}"), &told(&report));
+    }
+}
+
+#[test]
+fn not_started_and_waiting() {
+    let todo = report("ray_at", |_, _| Said::Todo("ray_at".into()));
+    assert_eq!(
+        todo.state(),
+        State::NotStarted,
+        "its own function is not written"
+    );
+    assert_eq!(
+        told(&todo),
+        "· not started ray_at\n\n",
+        "there is nothing to explain"
+    );
+    let waits = report("sphere_hit", |_, _| Said::Todo("solve_quadratic".into()));
+    assert_eq!(
+        waits.state(),
+        State::WaitsFor("solve_quadratic".into()),
+        "another function is not written"
+    );
+    assert_eq!(
+        told(&waits),
+        "… waits       sphere_hit           for solve_quadratic\n\n",
+        "and says which"
+    );
+}
+
+#[test]
+fn everything_right() {
+    let all = report("camera_ray", right);
+    assert_eq!(all.state(), State::Right, "the reference is right");
+    assert_eq!(
+        feedback::line(&all, Dress::default()),
+        "right       camera_ray           41 of 41 cases right",
+        "in plain text too"
+    );
+}
+
+#[test]
+fn the_description_of_an_exercise() {
+    let describe = |name: &str| describe::describe(cases::find(name).expect("the exercise exists"));
+    snapshot(
+        "feedback_describe",
+        &[
+            describe("sphere_hit"),
+            describe("vertex_normals"),
+            describe("box_clip"),
+        ]
+        .join("\n"),
+    );
+}
+
+#[test]
+fn results_as_json() {
+    let mut reports = vec![
+        (
+            report("ray_at", |_, _| Said::Answer("0 0 0".into())),
+            Some("a.png".into()),
+        ),
+        (report("ray_at", right), None),
+    ];
+    for (report, _) in &mut reports {
+        report.cases.truncate(1);
+    }
+    snapshot("feedback_json", &format!("{:#}", json::results(&reports)));
+}

@@ -1,0 +1,182 @@
+//! The exercises' promises: each in a loop over all of them.
+
+use raybook_grader::cases;
+use raybook_grader::diagnose::diagnose;
+use raybook_grader::examine::{Cases, Examiner, RANDOM_CASES, visible_rng};
+use raybook_grader::hidden::Key;
+use rayon::prelude::*;
+use std::collections::BTreeSet;
+
+/// So many students' hidden cases are tried.
+const KEYS: usize = 20;
+
+#[test]
+fn every_exercise_has_enough_cases_and_mistakes_with_names() {
+    for examiner in cases::all() {
+        let (name, set) = (examiner.name(), visible(examiner));
+        let edges = set.cases.len() - RANDOM_CASES;
+        assert!(edges >= 6, "{name} has {edges} named cases; 6 are needed");
+        let names: BTreeSet<_> = set.cases.iter().map(|case| &case.name).collect();
+        assert_eq!(
+            names.len(),
+            set.cases.len(),
+            "{name}: two cases have the same name"
+        );
+        let mistakes: BTreeSet<_> = examiner
+            .mistakes()
+            .into_iter()
+            .map(|(name, _)| name)
+            .collect();
+        assert!(
+            mistakes.len() >= 5,
+            "{name} has {} mistakes; 5 are needed",
+            mistakes.len()
+        );
+        assert_eq!(
+            mistakes.len(),
+            examiner.mistakes().len(),
+            "{name}: two mistakes have the same name"
+        );
+        assert!(
+            examiner.mistakes().iter().all(|(_, hint)| hint.len() > 15),
+            "{name}: every mistake has a hint"
+        );
+    }
+}
+
+#[test]
+fn few_random_questions_are_thrown_away() {
+    for examiner in cases::all() {
+        let fraction = visible(examiner).thrown_away_fraction();
+        assert!(
+            fraction < 0.2,
+            "{}: {:.0} % of the random questions are thrown away",
+            examiner.name(),
+            100.0 * fraction
+        );
+    }
+}
+
+#[test]
+fn the_reference_passes_everything() {
+    for examiner in cases::all() {
+        for set in [visible(examiner), hidden(examiner, 0)] {
+            for case in set.cases {
+                let answer = examiner
+                    .answer_line(&case.question)
+                    .expect("a case is a question");
+                let verdict = examiner.judge(&case.question, &case.answers, &answer);
+                assert_eq!(
+                    verdict,
+                    Ok(()),
+                    "{} {}: {}",
+                    examiner.name(),
+                    case.name,
+                    case.question
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn every_mistake_fails_a_visible_case_and_a_hidden_one_for_every_key() {
+    cases::all().into_par_iter().for_each(|examiner| {
+        let sets: Vec<_> = (0..KEYS).map(|i| hidden(examiner, i)).collect();
+        for (i, (mistake, _)) in examiner.mistakes().into_iter().enumerate() {
+            let fails = |set: &Cases| set.cases.iter().any(|case| !passes(examiner, i, case));
+            assert!(
+                fails(&visible(examiner)),
+                "{}: no visible case fails who {mistake}",
+                examiner.name()
+            );
+            for (key, set) in sets.iter().enumerate() {
+                assert!(
+                    fails(set),
+                    "{}: no hidden case of key {key} fails who {mistake}",
+                    examiner.name()
+                );
+            }
+        }
+    });
+}
+
+#[test]
+fn every_mistake_is_diagnosed_as_itself() {
+    for examiner in cases::all() {
+        let set = visible(examiner);
+        for (i, (mistake, _)) in examiner.mistakes().into_iter().enumerate() {
+            let answers: Vec<_> = set
+                .cases
+                .iter()
+                .map(|case| {
+                    (
+                        examiner.mistaken(i, &case.question),
+                        passes(examiner, i, case),
+                    )
+                })
+                .collect();
+            let found = diagnose(examiner, &set.cases, &answers).map(|diagnosis| diagnosis.name);
+            assert_eq!(
+                found,
+                Some(mistake),
+                "{}: another mistake explains the same answers",
+                examiner.name()
+            );
+        }
+    }
+}
+
+#[test]
+fn hidden_cases_follow_from_the_key_and_differ_between_students() {
+    for examiner in cases::all() {
+        assert_eq!(
+            hidden(examiner, 3),
+            hidden(examiner, 3),
+            "{}: the same key, the same cases",
+            examiner.name()
+        );
+        let random = |set: Cases| {
+            set.cases
+                .into_iter()
+                .rev()
+                .take(RANDOM_CASES)
+                .map(|c| c.question)
+                .collect::<Vec<_>>()
+        };
+        let (one, two, seen) = (
+            random(hidden(examiner, 3)),
+            random(hidden(examiner, 4)),
+            random(visible(examiner)),
+        );
+        assert!(
+            one.iter().all(|q| !two.contains(q) && !seen.contains(q)),
+            "{}: cases are shared",
+            examiner.name()
+        );
+    }
+}
+
+fn visible(examiner: &dyn Examiner) -> Cases {
+    examiner.cases(&mut visible_rng(examiner.name()))
+}
+
+fn hidden(examiner: &dyn Examiner, student: usize) -> Cases {
+    let key = Key {
+        course: "a course's secret".into(),
+        term: "autumn".into(),
+        student: format!("student {student}"),
+    };
+    examiner.cases(&mut key.rng(examiner.name()))
+}
+
+/// Whether a mistake gets a case right, by luck.
+fn passes(examiner: &dyn Examiner, mistake: usize, case: &raybook_grader::examine::Case) -> bool {
+    examiner
+        .mistaken(mistake, &case.question)
+        .is_some_and(|answer| {
+            examiner
+                .judge(&case.question, &case.answers, &answer)
+                .is_ok()
+        })
+}

@@ -1,0 +1,18 @@
+//! What must be true of the workbook, the grader and the command.
+
+mod alternatives;
+mod ask;
+mod ch25_capstone;
+mod common;
+mod feedback;
+mod first_hour;
+mod golden_answers;
+mod grade;
+mod interrupt;
+mod own_patterns;
+mod rows;
+mod samplers;
+mod silly;
+mod starter;
+mod tour;
+mod usage;

@@ -1,0 +1,153 @@
+//! What the folder's programs do.
+
+use crate::common::starter::build;
+use crate::starter::names;
+use raybook_grader::ask::{Said, ask};
+use raybook_grader::cases;
+use raybook_grader::converse::{Limits, Program};
+use raybook_grader::examine::{Case, Examiner, visible_rng};
+use raybook_grader::starter::stub;
+use raybook_workbook::anchor::Anchored;
+use rayon::prelude::*;
+use std::path::PathBuf;
+use std::time::Duration;
+
+const LIMITS: Limits = Limits {
+    time: Duration::from_secs(10),
+    output: 1 << 20,
+};
+
+#[test]
+fn the_untouched_starter_compiles_and_everything_is_todo() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let program = build(folder.path(), &stub, "answer");
+    for (examiner, cases) in &visible_cases() {
+        for (case, said) in cases.iter().zip(replies(&program, *examiner, cases)) {
+            assert_eq!(
+                said,
+                Said::Todo(examiner.name().into()),
+                "{} {}: not written yet",
+                examiner.name(),
+                case.name
+            );
+        }
+    }
+}
+
+/// One build in which an environment variable says which exercise is stubbed: the same text as the stub's and the
+/// reference's, without compiling once per exercise.
+#[test]
+fn each_exercise_stubbed_alone_is_the_only_one_that_turns_todo() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let switched = |function: &Anchored<'_>| {
+        let Anchored {
+            name, text, body, ..
+        } = *function;
+        let switch = format!(
+            "if std::env::var(\"RAYBOOK_STUB\").is_ok_and(|stub| stub == \"{name}\") {{ todo!(\"{name}\") }}"
+        );
+        stub(function).map(|_| text.replacen(body, &format!("\n{switch}\n{body}"), 1))
+    };
+    let program = build(folder.path(), &switched, "answer");
+    let asked = visible_cases();
+    names().par_iter().enumerate().for_each(|(i, stubbed)| {
+        only_this_turns_todo(&program, stubbed, i, &asked);
+    });
+}
+
+/// Asks an exercise that is stubbed all its cases, and the others one in `SOME`: another one for each exercise, so that all
+/// of them are asked by someone.
+fn only_this_turns_todo(program: &Program, stubbed: &str, i: usize, asked: &[Asked]) {
+    const SOME: usize = 16;
+    let program = Program {
+        file: PathBuf::from("env"),
+        arguments: vec![
+            format!("RAYBOOK_STUB={stubbed}").into(),
+            program.file.clone().into(),
+        ],
+        folder: PathBuf::new(),
+    };
+    let mut todo = 0;
+    for (examiner, cases) in asked {
+        let own = examiner.name() == stubbed;
+        let (first, step) = if own { (0, 1) } else { (i % SOME, SOME) };
+        let cases: Vec<_> = cases.iter().skip(first).step_by(step).cloned().collect();
+        for (case, said) in cases.iter().zip(replies(&program, *examiner, &cases)) {
+            let whose = format!("{} {} without {stubbed}", examiner.name(), case.name);
+            match said {
+                Said::Todo(waits_for) => {
+                    assert_eq!(waits_for, stubbed, "{whose}: it waits for what is stubbed");
+                    todo += usize::from(own);
+                }
+                Said::Answer(answer) => {
+                    assert!(!own, "{whose}: what is stubbed cannot answer");
+                    let verdict = examiner.judge(&case.question, &case.answers, &answer);
+                    assert_eq!(verdict, Ok(()), "{whose}");
+                }
+                said => panic!("{whose}: {said:?}"),
+            }
+        }
+    }
+    assert!(todo > 0, "{stubbed} itself turned todo");
+}
+
+#[test]
+fn the_chapters_run_on_the_students_functions() {
+    let draw = |rewrite: &dyn Fn(&Anchored<'_>) -> Option<String>| {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let chapter = build(folder.path(), rewrite, "ch03_sphere");
+        let status = std::process::Command::new(&chapter.file)
+            .args(["--width", "64", "--samples", "1", "--out"])
+            .arg(folder.path().join("out"))
+            .status()
+            .expect("the chapter runs");
+        assert!(status.success(), "the student's chapter draws");
+        raybook::image::file::load(&folder.path().join("out/ch03_sphere/picture.exr"))
+            .expect("and writes its picture")
+    };
+    let right = draw(&|_| None);
+    let inwards = draw(&|function: &Anchored<'_>| {
+        (function.name == "sphere_normal")
+            .then(|| function.text.replace("p - self.center", "self.center - p"))
+    });
+    assert!(
+        right != inwards,
+        "a normal that points inwards is seen in the chapter's picture"
+    );
+}
+
+#[test]
+fn the_first_chapter_draws_when_its_own_exercises_are_written() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let written = ["ray_at", "camera_ray"];
+    let rest =
+        |function: &Anchored<'_>| stub(function).filter(|_| !written.contains(&function.name));
+    let chapter = build(folder.path(), &rest, "ch01_rays");
+    let status = std::process::Command::new(&chapter.file)
+        .args(["--width", "64", "--samples", "1", "--out"])
+        .arg(folder.path().join("out"))
+        .status()
+        .expect("the chapter runs");
+    assert!(status.success(), "it needs nothing of the chapters to come");
+}
+
+/// An exercise with its visible cases.
+type Asked = (&'static dyn Examiner, Vec<Case>);
+
+fn visible_cases() -> Vec<Asked> {
+    let cases = |examiner: &dyn Examiner| examiner.cases(&mut visible_rng(examiner.name())).cases;
+    let all = cases::all();
+    all.par_iter()
+        .map(|&examiner| (examiner, cases(examiner)))
+        .collect()
+}
+
+/// What a program says to an exercise's cases.
+fn replies(program: &Program, examiner: &dyn Examiner, cases: &[Case]) -> Vec<Said> {
+    let questions: Vec<_> = cases
+        .iter()
+        .map(|case| format!("{} {}", examiner.name(), case.question))
+        .collect();
+    let replies = ask(program, &questions, LIMITS).expect("the program starts");
+    replies.into_iter().map(|reply| reply.said).collect()
+}

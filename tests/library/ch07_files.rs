@@ -1,0 +1,192 @@
+//! Chapter 7: mesh files from the disk, most of them broken.
+
+use glam::{Vec3, vec2};
+use raybook::math::dir3::Dir3;
+use raybook::shape::mesh::Mesh;
+use raybook::shape::mesh_file::{LoadError, load};
+use std::fmt::Write;
+use std::fs;
+
+const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+
+/// Loads a file that holds these bytes, through the file system as a student would.
+fn load_bytes(name: &str, bytes: &[u8]) -> Result<Mesh, LoadError> {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let path = folder.path().join(name);
+    fs::write(&path, bytes).expect("the file can be written");
+    load(&path)
+}
+
+/// What is said of a broken file, with its folder left out.
+fn refusal(name: &str, bytes: &[u8]) -> String {
+    let error = load_bytes(name, bytes)
+        .expect_err("it is broken")
+        .to_string();
+    let start = error.find(name).expect("the message names the file");
+    error[start..].to_owned()
+}
+
+#[test]
+fn every_broken_obj_is_refused_with_the_place() {
+    let cases: &[(&str, &str)] = &[
+        ("a word for a number", "v 0 0 0\nv 1 zero 0\n"),
+        ("a decimal comma", "v 0 0 0\nv 1,5 0 0\n"),
+        ("NaN", "# fine\nv 0 nan 0\n"),
+        ("infinite", "v 0 0 -inf\n"),
+        ("too large for f32", "v 0 0 1e39\n"),
+        ("two coordinates", "v 0 0\n"),
+        ("eight numbers", "v 0 0 0 1 1 1 1 1\n"),
+        ("texture point without numbers", "vt\n"),
+        ("infinite texture point", "vt 0 inf\n"),
+        ("normal with two numbers", "vn 0 1\n"),
+        ("vertex out of range", &format!("{TRIANGLE}f 1 2 4\n")),
+        (
+            "vertex used before it is given",
+            "f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n",
+        ),
+        ("vertex 0", &format!("{TRIANGLE}\n\nf 0 1 2\n")),
+        ("too far back", &format!("{TRIANGLE}f -1 -2 -4\n")),
+        (
+            "a huge index",
+            &format!("{TRIANGLE}f 1 2 9223372036854775807\n"),
+        ),
+        (
+            "an index beyond i64",
+            &format!("{TRIANGLE}f 1 2 99999999999999999999\n"),
+        ),
+        (
+            "the smallest index",
+            &format!("{TRIANGLE}f 1 2 -9223372036854775808\n"),
+        ),
+        (
+            "texture point out of range",
+            &format!("{TRIANGLE}vt 0 0\nf 1/1 2/2 3/1\n"),
+        ),
+        (
+            "texture point 0",
+            &format!("{TRIANGLE}vt 0 0\nf 1/0 2/1 3/1\n"),
+        ),
+        (
+            "normal out of range",
+            &format!("{TRIANGLE}f 1//1 2//1 3//1\n"),
+        ),
+        ("half an index", &format!("{TRIANGLE}f 1 2.5 3\n")),
+        ("no index", &format!("{TRIANGLE}vt 0 0\nf 1 /1 3\n")),
+        (
+            "four indices",
+            &format!("{TRIANGLE}vt 0 0\nvn 0 0 1\nf 1 2/1/1/1 3\n"),
+        ),
+        ("two corners", &format!("{TRIANGLE}f 1 2\n")),
+        (
+            "joined lines",
+            &format!("{TRIANGLE}f 1 2 \\\n  3 \\\n  x\n"),
+        ),
+        (
+            "columns count characters, not bytes",
+            "v\u{3000}0\u{3000}zero 0\n",
+        ),
+        ("empty", ""),
+        ("no faces", TRIANGLE),
+        ("a comment", "# v 0 0 0\n"),
+    ];
+    let mut table = String::new();
+    for (what, text) in cases {
+        writeln!(table, "{what}: {}", refusal("file.obj", text.as_bytes()))
+            .expect("a string takes all");
+    }
+    let latin = [TRIANGLE.as_bytes(), b"v 1 \xe9 0\n"].concat();
+    writeln!(
+        table,
+        "a number that is not UTF-8: {}",
+        refusal("file.obj", &latin)
+    )
+    .expect("likewise");
+    writeln!(
+        table,
+        "UTF-16: {}",
+        refusal("file.obj", b"\xff\xfev\0 \x000\0")
+    )
+    .expect("likewise");
+    writeln!(
+        table,
+        "another kind of file: {}",
+        refusal("file.ply", b"ply")
+    )
+    .expect("likewise");
+    let missing = load("file.obj".as_ref())
+        .expect_err("there is none")
+        .to_string();
+    assert!(
+        missing.starts_with("file.obj: cannot read this file: "),
+        "{missing}"
+    );
+    raybook_common::snapshot("ch07_obj_refused", &table);
+}
+
+#[test]
+fn every_broken_stl_is_refused_with_the_place() {
+    let begin = "solid a b\nfacet normal 0 0 1\n outer loop\n";
+    let corners = "  vertex 0 0 0\n  vertex 1 0 0\n  vertex 0 1 0\n";
+    let binary = |triangles: u32, corner: f32| {
+        let record = [corner.to_le_bytes().repeat(12), vec![0; 2]].concat();
+        [vec![b' '; 80], triangles.to_le_bytes().to_vec(), record].concat()
+    };
+    let cases: &[(&str, Vec<u8>)] = &[
+        (
+            "wrong keyword",
+            "solid\nfacet normal 0 0 1\n outer lop\n vertx 0 0 0\n".into(),
+        ),
+        ("NaN", format!("{begin}  vertex 0 nan 0\n").into()),
+        ("two coordinates", format!("{begin}  vertex 0 0\n").into()),
+        (
+            "four corners",
+            format!("{begin}{corners}  vertex 0 0 0\n").into(),
+        ),
+        (
+            "two corners",
+            format!("{begin}  vertex 0 0 0\n  vertex 1 0 0\n endloop\n").into(),
+        ),
+        (
+            "ends in a triangle",
+            format!("{begin}{corners} endloop\n").into(),
+        ),
+        ("has no end", "solid\n".into()),
+        ("goes on after its end", "solid\nendsolid\nfacet\n".into()),
+        ("no triangles", "solid\nendsolid\n".into()),
+        ("empty", Vec::new()),
+        ("something else", b"hello".to_vec()),
+        ("binary and cut short", binary(2, 0.0)),
+        ("binary and too long", binary(0, 0.0)),
+        ("binary with NaN", binary(1, f32::NAN)),
+        ("binary without triangles", binary(0, 0.0)[..84].to_vec()),
+        ("more triangles than memory", binary(u32::MAX, 0.0)),
+    ];
+    let mut table = String::new();
+    for (what, bytes) in cases {
+        writeln!(table, "{what}: {}", refusal("file.stl", bytes)).expect("a string takes all");
+    }
+    raybook_common::snapshot("ch07_stl_refused", &table);
+}
+
+#[test]
+fn what_is_not_needed_does_no_harm() {
+    let mut bytes = b"\xef\xbb\xbfv 0 0 0 1\r\nv 9 9 9\r\nv 1 0 0 0.5 0.5 0.5 # red\r\n".to_vec();
+    bytes.extend(b"o caf\xe9\r\ng all\nusemtl blue\nmtllib x.mtl\ns off\nl 1 2\np 1\n\n\tv 0 1 0\nvt 0.5\nvn 0 0 0\n");
+    bytes.extend(b"f 1/1/1 \\\n 3/1/1 4//\n");
+    let mesh = load_bytes("FILE.OBJ", &bytes).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(
+        mesh.positions(),
+        [Vec3::ZERO, Vec3::X, Vec3::Y],
+        "a mark, colours, weights, and a vertex without a face"
+    );
+    assert_eq!(
+        mesh.normals(),
+        [Dir3::Z; 3],
+        "a normal without length is a missing one"
+    );
+    assert_eq!(
+        mesh.textures()[0],
+        vec2(0.5, 0.0),
+        "a texture point may have one coordinate"
+    );
+}

@@ -1,0 +1,25 @@
+//! What must be true of the library.
+
+mod agreement;
+mod ch01_rays;
+mod ch02_hdr;
+mod ch03_sphere;
+mod ch04_plane;
+mod ch05_box;
+mod ch07_attributes;
+mod ch07_files;
+mod ch07_list;
+mod ch07_mesh;
+mod ch07_obj_peer;
+mod ch07_stl;
+mod ch07_teapot;
+mod ch07_teapot_surface;
+mod ch07_watertight;
+mod ch12_phong;
+mod ch15_shadows;
+mod ch17_rendering_equation;
+mod ch19_depth_of_field;
+mod ch24_wide_bvh;
+mod embree_recorded;
+mod laws;
+mod noise;

@@ -1,0 +1,131 @@
+//! Chapter 12: `phong`, `blinn_phong`, `point_light`.
+
+use raybook::image::rgb::Rgb;
+use raybook::light::{Light, LightSample, point::PointLight};
+use raybook::material::{blinn_phong::BlinnPhong, phong::Phong};
+use raybook::math::dir3::Dir3;
+use crate::exercise::{Asked, Exercise};
+use crate::row::row;
+use glam::{Vec2, Vec3};
+
+/// This chapter's exercises, in order.
+pub const EXERCISES: &[&dyn Asked] = &[&PhongExercise, &BlinnPhongExercise, &PointLightExercise];
+
+row! {
+    /// A point of a surface, its viewer, and a light.
+    pub struct Highlight {
+        /// N, on the viewer's side.
+        pub normal: Dir3,
+        /// V: to the viewer.
+        pub view: Dir3,
+        /// L: to the light.
+        pub toward: Dir3,
+        /// i: what arrives on a surface that faces the light.
+        pub arriving: Rgb,
+        /// k_d.
+        pub diffuse: Rgb,
+        /// k_s.
+        pub specular: Rgb,
+        /// α.
+        pub exponent: f32,
+    }
+}
+
+impl Highlight {
+    /// The material; ambient light is not asked for.
+    fn phong(&self) -> Phong {
+        Phong {
+            ambient: Rgb::BLACK,
+            diffuse: self.diffuse,
+            specular: self.specular,
+            exponent: self.exponent,
+        }
+    }
+
+    /// The light.
+    fn light(&self) -> LightSample {
+        LightSample {
+            toward: self.toward,
+            distance: f32::INFINITY,
+            arriving: self.arriving,
+            pdf: f32::INFINITY,
+        }
+    }
+}
+
+/// See [`Exercise::TASK`].
+pub struct PhongExercise;
+
+impl Exercise for PhongExercise {
+    type Question = Highlight;
+    type Answer = Rgb;
+    const NAME: &'static str = "phong";
+    const ANSWER: &'static str = "radiance";
+    const TASK: &'static str = "Return what Phong's model sends to the viewer of one light: diffuse k_d (L·N) i plus specular k_s (R·V)^α i, without ambient; cosines below 0 count as 0, and a light that is not above the surface gives nothing at all.";
+
+    fn answer(q: &Self::Question) -> Self::Answer {
+        q.phong().reflect(q.normal, q.view, &q.light())
+    }
+}
+
+/// See [`Exercise::TASK`].
+pub struct BlinnPhongExercise;
+
+impl Exercise for BlinnPhongExercise {
+    type Question = Highlight;
+    type Answer = Rgb;
+    const NAME: &'static str = "blinn_phong";
+    const ANSWER: &'static str = "radiance";
+    const TASK: &'static str = "Return the same with Blinn's highlight: k_d (L·N) i plus k_s (N·H)^α i, where H is the direction half way between L and V; a light that is not above the surface gives nothing at all.";
+
+    fn answer(q: &Self::Question) -> Self::Answer {
+        BlinnPhong(q.phong()).reflect(q.normal, q.view, &q.light())
+    }
+}
+
+/// See [`Exercise::TASK`].
+pub struct PointLightExercise;
+
+row! {
+    /// A point light, and a point that it shines on.
+    pub struct PointLightQuestion {
+        /// Where the light is.
+        pub position: Vec3,
+        /// I, in W/sr.
+        pub intensity: Rgb,
+        /// The point.
+        pub at: Vec3,
+    }
+}
+
+row! {
+    /// What comes from a light.
+    pub struct Arriving {
+        /// The direction to the light, of length 1.
+        pub toward: Vec3,
+        /// How far it is.
+        pub distance: f32,
+        /// What arrives on a surface that faces the light, in W/m².
+        pub arriving: Rgb,
+    }
+}
+
+impl Exercise for PointLightExercise {
+    type Question = PointLightQuestion;
+    type Answer = Option<Arriving>;
+    const NAME: &'static str = "point_light";
+    const TASK: &'static str = "Return the light that comes from a point light of intensity I to a point: the direction towards the light, its distance, and what arrives on a surface that faces it; None at the light itself.";
+
+    fn answer(q: &Self::Question) -> Self::Answer {
+        let light = PointLight {
+            position: q.position,
+            intensity: q.intensity,
+        };
+        let sample = light.sample(q.at, Vec2::ZERO)?;
+        Some(Arriving {
+            toward: *sample.toward,
+            distance: sample.distance,
+            arriving: sample.arriving,
+        })
+    }
+}

@@ -1,0 +1,179 @@
+//! Chapter 24: `collapse`, `wide_closest`.
+
+use raybook::accel::Tests;
+use raybook::accel::wide_bvh::collapse::{binary, collapse};
+use raybook::accel::wide_bvh::nearest::{Nearest, Seeker};
+use raybook::accel::wide_bvh::node::{CHILDREN, Leaf, Link, NO_FACET, Node, TRIANGLES};
+use raybook::accel::wide_bvh::portable::Portable;
+use raybook::accel::wide_bvh::{Tree, walk};
+use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray};
+use raybook::shape::mesh::Facet;
+use crate::exercise::{Asked, Exercise};
+use crate::exercises::ch07_mesh::{Corners, MeshHitAnswer};
+use crate::row::row;
+use crate::tree_rows::{NodeRow, to_flat};
+use glam::Vec3;
+
+/// This chapter's exercises, in order.
+pub const EXERCISES: &[&dyn Asked] = &[&Collapse, &WideClosest];
+
+/// See [`Exercise::TASK`].
+pub struct Collapse;
+
+row! {
+    /// A binary tree.
+    pub struct CollapseQuestion {
+        /// The root, then pairs of children.
+        pub nodes: Vec<NodeRow>,
+    }
+}
+
+row! {
+    /// A branch that stays, and its new children.
+    pub struct FamilyRow {
+        /// The number of the branch.
+        pub branch: u32,
+        /// The numbers of the nodes that become its children.
+        pub children: Vec<u32>,
+    }
+}
+
+impl Exercise for Collapse {
+    type Question = CollapseQuestion;
+    type Answer = Vec<FamilyRow>;
+    const NAME: &'static str = "collapse";
+    const ANSWER: &'static str = "families";
+    const TASK: &'static str = "Make a tree of up to eight children per branch out of a binary one: return each branch that stays with its new children, opening the largest branch among them until there are eight.";
+
+    fn answer(q: &Self::Question) -> Self::Answer {
+        let nodes = binary(&to_flat(&q.nodes, 0));
+        let families = collapse(&nodes).into_iter().map(|family| FamilyRow {
+            branch: family.branch,
+            children: family.children,
+        });
+        families.collect()
+    }
+}
+
+/// See [`Exercise::TASK`].
+pub struct WideClosest;
+
+row! {
+    /// A child of a node.
+    pub struct WideChild {
+        /// The least corner of its box.
+        pub min: Vec3,
+        /// The greatest corner.
+        pub max: Vec3,
+        /// 1 for a leaf, 0 for a node.
+        pub leaf: u32,
+        /// The number of the leaf or the node.
+        pub index: u32,
+    }
+}
+
+row! {
+    /// A node.
+    pub struct WideNode {
+        /// Its children, at most eight.
+        pub children: Vec<WideChild>,
+    }
+}
+
+row! {
+    /// A leaf.
+    pub struct WideLeaf {
+        /// The numbers of its triangles, at most four.
+        pub triangles: Vec<u32>,
+    }
+}
+
+row! {
+    /// A ray, the distances that count, and a wide tree over triangles.
+    pub struct WideClosestQuestion {
+        /// The ray.
+        pub ray: Ray,
+        /// Only t with min < t < max counts.
+        pub within: Interval,
+        /// The nodes; the root is number 0.
+        pub nodes: Vec<WideNode>,
+        /// The leaves.
+        pub leaves: Vec<WideLeaf>,
+        /// The triangles.
+        pub triangles: Vec<Corners>,
+    }
+}
+
+row! {
+    /// The nearest triangle, and the work that it took to find it.
+    pub struct WideClosestAnswer {
+        /// How many nodes were opened: the boxes of all children of one are tested at once.
+        pub nodes: u32,
+        /// How many triangles were tested.
+        pub tests: u32,
+        /// The hit.
+        pub hit: Option<MeshHitAnswer>,
+    }
+}
+
+impl Exercise for WideClosest {
+    type Question = WideClosestQuestion;
+    type Answer = WideClosestAnswer;
+    const NAME: &'static str = "wide_closest";
+    const TASK: &'static str = "Return the nearest triangle of the tree that the ray hits with min < t < max, and that hit, or None; count every node that you open and every triangle that you test, and be content with few.";
+
+    fn answer(q: &Self::Question) -> Self::Answer {
+        let (tree, mut count) = (tree(q), Tests::default());
+        let nothing = Nearest::nothing(q.within.max);
+        let found = tree.root.map_or(nothing, |root| {
+            let seeker = Seeker::new(&q.ray, q.within.min, &tree);
+            walk::closest(Portable, &tree, root, &seeker, nothing, &mut count)
+        });
+        WideClosestAnswer {
+            nodes: count.boxes as u32,
+            tests: count.shapes as u32,
+            hit: (found.facet != NO_FACET).then_some(MeshHitAnswer {
+                t: found.hit.t,
+                id: found.hit.id,
+            }),
+        }
+    }
+}
+
+/// The tree of a question. Children that do not exist are left out, and a child comes after its parent.
+fn tree(q: &WideClosestQuestion) -> Tree {
+    let corners = q.triangles.iter().map(|t| [t.p0, t.p1, t.p2]).zip(0..);
+    let facets: Vec<_> = corners.map(|(corners, id)| Facet { corners, id }).collect();
+    let leaf = |leaf: &WideLeaf| {
+        let exist = leaf.triangles.iter().copied();
+        let exist = exist.filter(|&i| (i as usize) < facets.len());
+        Leaf::new(&facets, &exist.take(TRIANGLES).collect::<Vec<_>>())
+    };
+    let node = |(i, node): (usize, &WideNode)| {
+        let exist = node.children.iter().filter(|child| {
+            let index = child.index as usize;
+            match child.leaf {
+                0 => i < index && index < q.nodes.len(),
+                _ => index < q.leaves.len(),
+            }
+        });
+        Node::new(exist.take(CHILDREN).map(|child| {
+            let (min, max) = (child.min, child.max);
+            let index = child.index as usize;
+            let link = match child.leaf {
+                0 => Link::node(index),
+                _ => Link::leaf(index),
+            };
+            (Aabb { min, max }, link)
+        }))
+    };
+    let corners = facets.iter().flat_map(|facet| facet.corners);
+    let largest = corners.fold(Vec3::ZERO, |largest, p| p.abs().max(largest));
+    Tree {
+        nodes: q.nodes.iter().enumerate().map(node).collect(),
+        leaves: q.leaves.iter().map(leaf).collect(),
+        root: (!q.nodes.is_empty()).then_some(Link::node(0)),
+        largest: largest.into(),
+        facets,
+    }
+}

@@ -12,6 +12,7 @@ use crate::kit::{chapter, sheet::sheet};
 use crate::shared::{ray_tree, ray_tree_figure};
 use raybook::material::Material;
 use raybook::render::film::Film;
+use raybook::render::refine::refine;
 use raybook::render::local::{ALWAYS, Local};
 use raybook::render::whitted::Whitted;
 use raybook::scene::world::Scene;
@@ -78,7 +79,7 @@ fn whitted(depth: u32) -> Whitted {
 }
 
 fn photograph(film: &Film, camera: &Pinhole, scene: &Scene<dyn Material>, depth: u32) -> Image {
-    film.render(|place, rng| whitted(depth).radiance(scene, &camera.ray_through(place), rng))
+    refine(film, |place, rng| whitted(depth).radiance(scene, &camera.ray_through(place), rng))
 }
 
 /// The chapter's binary.

@@ -14,6 +14,7 @@ use crate::kit::{chapter, sheet::sheet};
 
 use raybook::material::Material;
 use raybook::render::film::Film;
+use raybook::render::refine::refine;
 use raybook::render::local::{ALWAYS, Local};
 use raybook::render::whitted::Whitted;
 use raybook::scene::{glassware, world::Scene};
@@ -79,7 +80,7 @@ fn photograph(
         arrives: ALWAYS,
     };
     let whitted = Whitted { local, depth };
-    Ok(film.render(|place, rng| whitted.radiance(scene, &camera.ray_through(place), rng)))
+    Ok(refine(film, |place, rng| whitted.radiance(scene, &camera.ray_through(place), rng)))
 }
 
 /// The chapter's binary.

@@ -14,6 +14,7 @@ use crate::shared::{ray_tree, ray_tree_figure};
 
 use raybook::material::Material;
 use raybook::render::film::Film;
+use raybook::render::refine::refine;
 use raybook::render::local::{Arrives, Local};
 use raybook::render::{shadow, whitted::Whitted};
 use raybook::scene::{marbles, world::Scene};
@@ -82,7 +83,7 @@ fn photograph(
     arrives: Arrives,
 ) -> Image {
     let whitted = whitted(arrives);
-    film.render(|place, rng| whitted.radiance(scene, &camera.ray_through(place), rng))
+    refine(film, |place, rng| whitted.radiance(scene, &camera.ray_through(place), rng))
 }
 
 /// The chapter's binary.

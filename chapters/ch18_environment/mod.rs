@@ -15,10 +15,9 @@ use environments::layouts;
 use environments::quarters;
 use crate::kit::{stage::Drawn, stage::Stage};
 use crate::kit::{chapter, sheet::sheet};
-use crate::shared::even;
 use everywhere::Everywhere;
 use raybook::light::{Light, environment::Environment};
-use raybook::render::{film::Film, mis::Strategy, path::Path};
+use raybook::render::{film::Film, mis::Strategy, path::Path, refine::refine};
 use raybook::scene::skies;
 use raybook::scene::still_life::{AT, EYE, still_life};
 use std::path::PathBuf;
@@ -76,7 +75,7 @@ fn picture(film: &Film, light: Box<dyn Light>) -> Result<Image, LookAtError> {
         strategy: Strategy::Both,
     };
     let ray = |place| camera.ray_through(place);
-    Ok(even::render(film, |at, rng| {
+    Ok(refine(film, |at, rng| {
         path.radiance(&scene, &ray(at), rng)
     }))
 }

@@ -32,10 +32,11 @@ pub fn draw(stage: &Stage) -> Drawn {
         arrives,
     };
     let whitted = Whitted { local, depth: 2 };
-    let see = |ray: &_, rng: &mut _| whitted.radiance(&scene, ray, rng);
     let open = |ray: &_, distance| !scene.blocks(ray, Interval::new(0.0, distance));
     let photograph = |film: &Film, camera: &ThinLens| {
-        let mut picture = through_lens(film, camera, see);
+        let mut picture = through_lens(film, camera, |ray, numbers| {
+            whitted.radiance(&scene, ray, numbers)
+        });
         add_glints(&mut picture, film, camera, &lamps, open);
         picture
     };
@@ -47,7 +48,7 @@ pub fn draw(stage: &Stage) -> Drawn {
     stage.picture("picture", caption, &picture)?;
 
     let caption = "With few random points of the lens there is noise where the picture is blurred, and hardly any where it is sharp. Points that are spread evenly over the lens have less of it.";
-    let figure = lens_samples::draw(&stage.tile(3, 1.6), see)?;
+    let figure = lens_samples::draw(&stage.tile(3, 1.6), &scene, &whitted)?;
     stage.figure("samples", caption, &figure)?;
 
     let (tile, mut tiles) = (stage.tile(2, 16.0 / 9.0), vec![]);

@@ -23,7 +23,7 @@ use panorama_map::with_lines;
 use crate::kit::{stage::Drawn, stage::Stage};
 use raybook::light::environment::Environment;
 use raybook::material::Material;
-use raybook::render::{film::Film, local::Local, shadow, whitted::Whitted};
+use raybook::render::{film::Film, local::Local, refine::refine, shadow, whitted::Whitted};
 use raybook::scene::pavilion::{self, BEAMS, EYE};
 use raybook::scene::world::Scene;
 use std::process::ExitCode;
@@ -77,7 +77,7 @@ fn photograph(scene: &Scene<dyn Material>, film: &Film, rays: Rays) -> Image {
         arrives: shadow::lit,
     };
     let whitted = Whitted { local, depth: 8 };
-    film.render(|place, rng| {
+    refine(film, |place, rng| {
         rays(place).map_or(Rgb::BLACK, |ray| whitted.radiance(scene, &ray, rng))
     })
 }

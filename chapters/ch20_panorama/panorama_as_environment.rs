@@ -3,10 +3,9 @@
 use raybook::camera::pinhole::{LookAtError, Pinhole};
 use raybook::image::{Image, tone};
 use super::{all_around::Rays, all_around::wide};
-use crate::shared::even;
 use crate::kit::sheet::sheet;
 use raybook::light::environment::Environment;
-use raybook::render::{film::Film, mis::Strategy, path::Path};
+use raybook::render::{film::Film, mis::Strategy, path::Path, refine::refine};
 use raybook::scene::still_life::{AT, still_life};
 use glam::{Vec3, vec3};
 use std::error::Error;
@@ -79,7 +78,7 @@ fn photograph(film: &Film, light: Environment) -> Result<Image, LookAtError> {
         sure: 2,
         strategy: Strategy::Both,
     };
-    Ok(even::render(film, |place, rng| {
+    Ok(refine(film, |place, rng| {
         path.radiance(&scene, &camera.ray_through(place), rng)
     }))
 }

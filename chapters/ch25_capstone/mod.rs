@@ -12,7 +12,7 @@ use raybook::image::Image;
 use crate::kit::{stage::Drawn, stage::Stage};
 use crate::kit::{chapter, sheet::sheet};
 
-use raybook::render::{film::Film, trace::trace};
+use raybook::render::{film::Film, refine::refine, trace::trace};
 use raybook::scene::description::Description;
 use raybook::scene::four_scenes::{ASPECT, FOUR, Staged};
 use raybook_workbook::exercises::ch25_capstone::TraceQuestion;
@@ -68,7 +68,7 @@ fn photograph(
     depth: u32,
 ) -> Result<Image, LookAtError> {
     let camera = camera(staged)?;
-    Ok(film.render(|place, _| trace(scene, &camera.ray_through(place), depth)))
+    Ok(refine(film, |place, _| trace(scene, &camera.ray_through(place), depth)))
 }
 
 /// The chapter's binary.

@@ -1,7 +1,6 @@
 //! Rooms, scenes and figures that a few chapters share.
 
 pub mod daylight;
-pub mod even;
 pub mod flatland;
 pub mod growth;
 pub mod heat;

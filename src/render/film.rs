@@ -56,6 +56,15 @@ impl Film<'_> {
     /// The threads fetch tiles one by one until none is left; each pixel has its own stream of random numbers,
     /// so the picture does not depend on which thread draws which.
     pub fn render_pixels(&self, pixel: impl Fn(usize, usize, &mut Pcg) -> Rgb + Sync) -> Image {
+        let pixels = self.each_pixel(pixel);
+        Image::from_fn(self.width, self.height, |x, y| pixels[y * self.width + x])
+    }
+
+    /// Whatever `pixel` says of each pixel, row by row.
+    pub fn each_pixel<T: Clone + Default + Send>(
+        &self,
+        pixel: impl Fn(usize, usize, &mut Pcg) -> T + Sync,
+    ) -> Vec<T> {
         let (columns, rows) = (self.width.div_ceil(TILE), self.height.div_ceil(TILE));
         let next = AtomicUsize::new(0);
         let work = || {
@@ -75,7 +84,7 @@ impl Film<'_> {
                 (self.progress)((TILE.min(self.width - left)) * (TILE.min(self.height - top)));
             }
         };
-        let mut picture = Image::from_fn(self.width, self.height, |_, _| Rgb::BLACK);
+        let mut all = vec![T::default(); self.width * self.height];
         thread::scope(|scope| {
             let workers: Vec<_> = (0..self.threads.clamp(1, (columns * rows).max(1)))
                 .map(|_| scope.spawn(work))
@@ -84,12 +93,12 @@ impl Film<'_> {
                 let pixels = worker
                     .join()
                     .unwrap_or_else(|panic| std::panic::resume_unwind(panic));
-                for (x, y, colour) in pixels {
-                    picture.set(x, y, colour);
+                for (x, y, pixel) in pixels {
+                    all[y * self.width + x] = pixel;
                 }
             }
         });
-        picture
+        all
     }
 }
 

@@ -9,6 +9,7 @@ pub mod local;
 pub mod mis;
 pub mod needs_more;
 pub mod path;
+pub mod refine;
 pub mod reflection;
 pub mod shadow;
 pub mod soft_shadow;

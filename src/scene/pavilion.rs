@@ -1,7 +1,7 @@
 //! A pavilion to stand in: there is something to see in every direction, above and below too.
 
 use crate::accel::Meshed;
-use crate::accel::bvh::{Bvh, build::Method};
+use crate::accel::wide_bvh::WideBvh;
 use crate::image::rgb::Rgb;
 use crate::material::glass::{Glass, Medium};
 use crate::material::{Material, mirror::Mirror, phong::Phong};
@@ -146,12 +146,12 @@ fn on_show(things: &mut Vec<Thing<dyn Material>>) {
 }
 
 /// The teapot, half a metre wide and a little more, its spout to the viewer's right.
-fn pot(place: Vec3) -> Meshed<Bvh<crate::shape::mesh::Facet>> {
+fn pot(place: Vec3) -> Meshed<WideBvh> {
     let mesh = teapot::mesh(8);
     let scale = 0.95 / mesh.bounds().size().x;
     let turn = Mat3::from_rotation_y(-FRAC_PI_2);
     let mesh = placed(&mesh, scale, turn, place);
-    Meshed::new(mesh, |facets| Bvh::build(facets, Method::BottomUp))
+    Meshed::new(mesh, WideBvh::new)
 }
 
 /// A box on a square, from one height to another.

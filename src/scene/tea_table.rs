@@ -1,7 +1,7 @@
 //! Teapots on a long table in the garden, at dusk, under strings of lamps.
 
 use crate::accel::Meshed;
-use crate::accel::bvh::{Bvh, build::Method};
+use crate::accel::wide_bvh::WideBvh;
 use crate::image::rgb::Rgb;
 use crate::light::{LightSample, point::PointLight, rect_light::RectLight};
 use crate::material::{Material, See, mirror::Mirror, phong::Phong, polished::Polished};
@@ -63,7 +63,7 @@ pub fn tea_table() -> Scene<dyn Material> {
     for (i, (foot, glaze)) in POTS.into_iter().zip(GLAZES).enumerate() {
         let turned = Mat3::from_rotation_y(-0.35 - 0.5 * i as f32);
         let mesh = placed(&pot, HEIGHT / 3.15, turned, foot);
-        let shape = Meshed::new(mesh, |facets| Bvh::build(facets, Method::Fine));
+        let shape = Meshed::new(mesh, WideBvh::new);
         things.push(Thing::new(shape, Box::new(glazed(glaze))));
     }
     // It faces the table from the left, above the camera.

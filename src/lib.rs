@@ -27,6 +27,7 @@
 pub mod accel;
 pub mod camera;
 pub mod image;
+pub mod inside;
 pub mod light;
 pub mod material;
 pub mod math;

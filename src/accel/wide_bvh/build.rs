@@ -3,7 +3,8 @@
 use super::collapse::binary;
 use super::node::{Leaf, Link, Node, TRIANGLES};
 use super::optimal;
-use super::{Tree, pages};
+use super::pages;
+use super::tree::Tree;
 use crate::accel::bvh::build::{Method, build as build_binary, cost::Cost};
 use crate::shape::{Shape, mesh::Facet};
 use crate::threads;
@@ -21,7 +22,8 @@ pub const COST: Cost = Cost {
 /// The tree of facets with finite boxes; leaves have at most `cost.most` of them, and [`TRIANGLES`].
 pub fn build(facets: Vec<Facet>, method: Method, cost: &Cost) -> Tree {
     let boxes = threads::list(facets.len(), |i| facets[i].bounds());
-    let flat = build_binary(&boxes, method, cost);
+    let most = cost.most.min(TRIANGLES as u32);
+    let flat = build_binary(&boxes, method, &Cost { most, ..*cost });
     let old = binary(&flat);
     let families = optimal::collapse(&old);
     // Where each node of the binary tree that stays is in the new one.

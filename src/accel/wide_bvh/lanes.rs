@@ -1,8 +1,8 @@
 //! What the searches ask of a processor.
 
-use super::Tree;
 use super::node::{CHILDREN, Leaf, Link, Node, TRIANGLES};
 use super::ray::WideRay;
+use super::tree::Tree;
 
 /// Tests of several boxes, and of several triangles, at once.
 pub trait Lanes: Copy {

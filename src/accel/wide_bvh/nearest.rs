@@ -1,9 +1,9 @@
 //! What a search carries along: the ray, and the nearest hit so far.
 
-use super::Tree;
 use super::lanes::Lanes;
 use super::node::{Leaf, NO_FACET};
 use super::ray::WideRay;
+use super::tree::Tree;
 use crate::accel::Count;
 use crate::math::{interval::Interval, ray::Ray};
 use crate::shape::{Hit, Shape};
@@ -33,6 +33,12 @@ impl Nearest {
             facet: NO_FACET,
             hit,
         }
+    }
+
+    /// The hit, if there is one.
+    #[inline(always)]
+    pub fn hit(&self) -> Option<Hit> {
+        (self.facet != NO_FACET).then_some(self.hit)
     }
 
     /// The nearer of this and another hit: of two at the same distance, that of the facet which is first in the list.

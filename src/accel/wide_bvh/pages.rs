@@ -29,7 +29,8 @@ fn advise(start: usize, bytes: usize) {
     let from = start.next_multiple_of(PAGE);
     let to = (start + bytes) / PAGE * PAGE;
     if from < to {
-        // SAFETY: the pages are whole and belong to the list; this advice changes neither their contents nor their rights.
+        // SAFETY: `list` alone calls this, with the address and the size of a list that it has just made. The pages are whole and
+        // within the list, for `from` is rounded up and `to` down; this advice changes neither their contents nor their rights.
         // If the system does not follow it, nothing is lost.
         let _ = unsafe {
             rustix::mm::madvise(

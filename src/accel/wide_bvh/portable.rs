@@ -1,9 +1,9 @@
 //! Eight boxes and eight triangles at once, by plain arithmetic on arrays, on any processor.
 
-use super::Tree;
 use super::lanes::{Lanes, Struck, Work};
 use super::node::{CHILDREN, Leaf, Link, Node, TRIANGLES};
 use super::ray::WideRay;
+use super::tree::Tree;
 
 /// What every processor can do.
 ///
@@ -27,7 +27,7 @@ impl Lanes for Portable {
         let mut leave = [max; CHILDREN];
         let rows = |start: usize| &node.rows[start / CHILDREN];
         for axis in 0..3 {
-            let (near, far) = (rows(ray.near[axis]), rows(ray.near[axis] ^ CHILDREN));
+            let (near, far) = (rows(ray.near()[axis]), rows(ray.near()[axis] ^ CHILDREN));
             for lane in 0..CHILDREN {
                 enter[lane] = enter[lane].max(near[lane] * ray.inverse[axis] + ray.enter[axis]);
                 leave[lane] = leave[lane].min(far[lane] * ray.inverse[axis] + ray.leave[axis]);
@@ -43,8 +43,8 @@ impl Lanes for Portable {
         for lane in 0..TRIANGLES {
             let corner = |i: usize| {
                 let rows = &leaf.corners[i];
-                let along = |axis: usize| rows[ray.shear.axes[axis]][lane] - ray.origin[axis];
-                let [sx, sy, sz] = ray.shear.slopes;
+                let along = |axis: usize| rows[ray.shear.axes()[axis]][lane] - ray.origin[axis];
+                let [sx, sy, sz] = ray.shear.slopes();
                 let z = along(2);
                 [along(0) - sx * z, along(1) - sy * z, sz * z]
             };

@@ -1,8 +1,8 @@
 //! The two questions of one ray, as work for any [`Lanes`].
 
-use super::Tree;
 use super::lanes::{Lanes, Work};
 use super::nearest::{Nearest, Seeker};
+use super::tree::Tree;
 use super::walk;
 use crate::accel::Count;
 use crate::math::{interval::Interval, ray::Ray};

@@ -14,7 +14,7 @@ impl Waiting {
     /// A child that the ray enters at t.
     #[inline(always)]
     pub fn new(t: f32, link: Link) -> Self {
-        Self(u64::from(t.to_bits()) << 32 | u64::from(link.0))
+        Self(u64::from(t.to_bits()) << 32 | u64::from(link.bits()))
     }
 
     /// Where the ray enters it.
@@ -26,7 +26,7 @@ impl Waiting {
     /// Which it is.
     #[inline(always)]
     pub fn link(self) -> Link {
-        Link(self.0 as u32)
+        Link::from_bits(self.0 as u32)
     }
 }
 
@@ -36,7 +36,7 @@ pub const PLACES: usize = 40;
 /// Places on the processor's stack, where they cost no allocation.
 #[derive(Clone, Copy)]
 #[repr(C, align(64))]
-pub struct Places(pub [Waiting; PLACES]);
+pub(super) struct Places([Waiting; PLACES]);
 
 impl Default for Places {
     #[inline(always)]
@@ -61,5 +61,11 @@ impl Places {
             place -= 1;
         }
         self.0[place] = item;
+    }
+
+    /// The child in a place.
+    #[inline(always)]
+    pub fn at(&self, place: usize) -> Waiting {
+        self.0[place]
     }
 }

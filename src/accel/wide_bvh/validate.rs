@@ -1,7 +1,7 @@
 //! What every wide tree keeps to.
 
-use super::Tree;
 use super::node::{CHILDREN, Link, TRIANGLES};
+use super::tree::Tree;
 use crate::math::aabb::Aabb;
 use crate::shape::Shape;
 

@@ -1,10 +1,10 @@
 //! The searches of one ray: near children first, and nothing beyond the nearest hit.
 
-use super::Tree;
 use super::lanes::Lanes;
 use super::nearest::{Nearest, Seeker};
 use super::node::{CHILDREN, Link};
 use super::stack::{PLACES, Places, Waiting};
+use super::tree::Tree;
 use crate::accel::Count;
 
 // ANCHOR: wide_closest
@@ -56,7 +56,7 @@ pub fn closest<L: Lanes>(
                 return found;
             }
             height -= 1;
-            let next = stack.0[height];
+            let next = stack.at(height);
             if next.t() < found.limit {
                 link = next.link();
                 break;

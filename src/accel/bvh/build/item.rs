@@ -57,7 +57,7 @@ impl From<Bounds> for Aabb {
 #[derive(Clone, Copy, Debug)]
 pub struct Item {
     /// The box.
-    pub bounds: Bounds,
+    pub(crate) bounds: Bounds,
     /// Which shape.
     pub index: u32,
 }

@@ -24,6 +24,8 @@
 //! | 5 | camera |
 //! | 6 | render |
 
+#![warn(unreachable_pub, missing_debug_implementations)]
+
 pub mod accel;
 pub mod camera;
 pub mod image;

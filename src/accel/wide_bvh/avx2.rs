@@ -13,17 +13,17 @@ use std::arch::x86_64::*;
 
 /// The proof that this processor has AVX2 and FMA: only [`Avx2::detect`] makes one.
 #[derive(Clone, Copy, Debug)]
-pub struct Avx2(());
+pub(super) struct Avx2(());
 
 impl Avx2 {
     /// The proof, if it can be given.
-    pub fn detect() -> Option<Self> {
+    pub(super) fn detect() -> Option<Self> {
         (is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma")).then_some(Self(()))
     }
 
     /// Does the work, compiled for this processor.
     #[inline(always)]
-    pub fn run<W: Work>(self, work: W) -> W::Answer {
+    pub(super) fn run<W: Work>(self, work: W) -> W::Answer {
         #[target_feature(enable = "avx2,fma")]
         fn compiled<W: Work>(lanes: Avx2, work: W) -> W::Answer {
             work.with(lanes)

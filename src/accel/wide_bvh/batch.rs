@@ -74,7 +74,7 @@ impl Flight {
 }
 
 /// The nearest hit of each of many rays.
-pub struct Batch<'a> {
+pub(super) struct Batch<'a> {
     /// The tree.
     pub tree: &'a Tree,
     /// The rays.

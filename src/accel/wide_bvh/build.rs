@@ -12,7 +12,7 @@ use glam::Vec3A;
 
 /// Eight boxes at once cost about half as much as a block of triangles; the binary tree, which has seven branches in place
 /// of one node, is made with this in mind.
-pub const COST: Cost = Cost {
+pub(crate) const COST: Cost = Cost {
     branch: 0.5,
     block: 1.0,
     block_size: TRIANGLES as u32,
@@ -20,7 +20,7 @@ pub const COST: Cost = Cost {
 };
 
 /// The tree of facets with finite boxes; leaves have at most `cost.most` of them, and [`TRIANGLES`].
-pub fn build(facets: Vec<Facet>, method: Method, cost: &Cost) -> Tree {
+pub(crate) fn build(facets: Vec<Facet>, method: Method, cost: &Cost) -> Tree {
     let boxes = threads::list(facets.len(), |i| facets[i].bounds());
     let most = cost.most.min(TRIANGLES as u32);
     let flat = build_binary(&boxes, method, &Cost { most, ..*cost });

@@ -11,7 +11,7 @@ use glam::Vec2;
 
 /// The nearest hit so far.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Nearest {
+pub(super) struct Nearest {
     /// What counts from now on has t < limit.
     pub limit: f32,
     /// Which facet was hit, by its place in the list; [`NO_FACET`] for none.
@@ -22,7 +22,7 @@ pub struct Nearest {
 
 impl Nearest {
     /// Nothing yet, with an end of the distances that count.
-    pub fn nothing(limit: f32) -> Self {
+    pub(super) fn nothing(limit: f32) -> Self {
         let hit = Hit {
             t: f32::INFINITY,
             uv: Vec2::ZERO,
@@ -37,7 +37,7 @@ impl Nearest {
 
     /// The hit, if there is one.
     #[inline(always)]
-    pub fn hit(&self) -> Option<Hit> {
+    pub(super) fn hit(&self) -> Option<Hit> {
         (self.facet != NO_FACET).then_some(self.hit)
     }
 
@@ -46,7 +46,7 @@ impl Nearest {
     /// So the answer does not depend on the tree. The limit is the next number after t, for one at t itself must be seen.
     #[inline(always)]
     #[must_use]
-    pub fn or(self, facet: u32, hit: Hit) -> Self {
+    pub(super) fn or(self, facet: u32, hit: Hit) -> Self {
         if hit.t < self.hit.t || (hit.t == self.hit.t && facet < self.facet) {
             Self {
                 limit: hit.t.next_up(),
@@ -61,7 +61,7 @@ impl Nearest {
 
 /// A ray that seeks.
 #[derive(Clone, Copy, Debug)]
-pub struct Seeker {
+pub(super) struct Seeker {
     /// As it is.
     pub ray: Ray,
     /// Made ready.
@@ -71,7 +71,7 @@ pub struct Seeker {
 impl Seeker {
     /// Makes a ray ready for a tree; nothing at or before `min` counts.
     #[inline(always)]
-    pub fn new(ray: &Ray, min: f32, tree: &Tree) -> Self {
+    pub(super) fn new(ray: &Ray, min: f32, tree: &Tree) -> Self {
         Self {
             ray: *ray,
             wide: WideRay::new(ray, min, tree.largest),
@@ -80,7 +80,7 @@ impl Seeker {
 
     /// The nearest hit so far, and in a leaf.
     #[inline(always)]
-    pub fn test<L: Lanes>(
+    pub(super) fn test<L: Lanes>(
         &self,
         lanes: L,
         tree: &Tree,
@@ -113,7 +113,7 @@ impl Seeker {
 
     /// Whether anything in a leaf is hit before `max`.
     #[inline(always)]
-    pub fn test_any<L: Lanes>(&self, lanes: L, tree: &Tree, leaf: &Leaf, max: f32) -> bool {
+    pub(super) fn test_any<L: Lanes>(&self, lanes: L, tree: &Tree, leaf: &Leaf, max: f32) -> bool {
         let Some(struck) = lanes.triangles(leaf, &self.wide, max) else {
             return false;
         };

@@ -14,7 +14,7 @@ const LARGE: usize = 2 << 20;
 ///
 /// A processor keeps the addresses of a few thousand pages at hand; in pages of 4 KB that is a few megabytes, less than a tree
 /// of a hundred thousand triangles. Rays that go anywhere then look up an address for nearly every node.
-pub fn list<T>(n: usize) -> Vec<T> {
+pub(super) fn list<T>(n: usize) -> Vec<T> {
     let list = Vec::with_capacity(n);
     let bytes = n * size_of::<T>();
     if bytes >= LARGE {

@@ -10,12 +10,12 @@ use super::tree::Tree;
 /// The compiler makes vector instructions of these loops where it may; the answers are those of any other [`Lanes`], bit for
 /// bit, for a box test only decides how far a search looks, and a triangle's test is the same sum, step by step.
 #[derive(Clone, Copy, Debug)]
-pub struct Portable;
+pub(super) struct Portable;
 
 impl Portable {
     /// Does the work.
     #[inline(never)]
-    pub fn run<W: Work>(self, work: W) -> W::Answer {
+    pub(super) fn run<W: Work>(self, work: W) -> W::Answer {
         work.with(self)
     }
 }

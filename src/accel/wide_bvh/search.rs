@@ -8,7 +8,7 @@ use crate::accel::Count;
 use crate::math::{interval::Interval, ray::Ray};
 
 /// The search for the nearest hit.
-pub struct Closest<'a, C> {
+pub(super) struct Closest<'a, C> {
     /// The tree.
     pub tree: &'a Tree,
     /// The ray.
@@ -34,7 +34,7 @@ impl<C: Count> Work for Closest<'_, C> {
 }
 
 /// The search for any hit.
-pub struct Any<'a> {
+pub(super) struct Any<'a> {
     /// The tree.
     pub tree: &'a Tree,
     /// The ray.

@@ -14,7 +14,7 @@ use crate::shape::Shape;
 ///
 /// # Errors
 /// Says which invariant is broken, and where.
-pub fn validate(tree: &Tree) -> Result<(), String> {
+pub(super) fn validate(tree: &Tree) -> Result<(), String> {
     let mut walk = Walk {
         tree,
         seen: vec![false; tree.facets.len()],

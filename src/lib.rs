@@ -16,7 +16,7 @@
 //!
 //! | floor | modules |
 //! |---|---|
-//! | 0 | math |
+//! | 0 | threads, math |
 //! | 1 | image |
 //! | 2 | shape, sample |
 //! | 3 | accel |
@@ -24,9 +24,12 @@
 //! | 5 | camera |
 //! | 6 | render |
 
+#![warn(unreachable_pub, missing_debug_implementations)]
+
 pub mod accel;
 pub mod camera;
 pub mod image;
+pub mod inside;
 pub mod light;
 pub mod material;
 pub mod math;
@@ -34,3 +37,4 @@ pub mod render;
 pub mod sample;
 pub mod scene;
 pub mod shape;
+mod threads;

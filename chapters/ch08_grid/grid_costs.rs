@@ -1,6 +1,7 @@
 //! What a ray costs in a grid, against the grid's resolution.
 
-use raybook::accel::grid::{Grid, resolution::grid_resolution};
+use raybook::accel::grid::Grid;
+use raybook::inside::grid::grid_resolution;
 use raybook::accel::{Accel, Tests};
 use raybook::image::Image;
 use crate::kit::{figure::FONT, figure::figure};

@@ -1,7 +1,6 @@
 //! A ray's walk through a grid, in the plane: the cells numbered in their order, the crossings, the triangles tested.
 
-use raybook::accel::grid::build::voxels_of_triangle;
-use raybook::accel::{lattice::Lattice, walk::walk};
+use raybook::inside::grid::{Lattice, voxels_of_triangle, walk};
 use raybook::image::Image;
 use crate::kit::{figure::Canvas, figure::FONT, figure::figure};
 use crate::kit::{palette::BLUE, palette::FAINT, palette::GREEN, palette::INK, palette::ORANGE, palette::SKY, palette::VERMILION};

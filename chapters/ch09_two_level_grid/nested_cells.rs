@@ -1,9 +1,8 @@
 //! A two-level grid in the plane.
 
-use raybook::accel::grid::resolution::grid_resolution;
-use raybook::accel::lattice::{Lattice, range};
+use raybook::inside::grid::{Lattice, grid_resolution, range};
+use raybook::inside::two_level_grid::{Levels, refine_cell, walk_two_levels};
 use raybook::accel::two_level_grid::build::Densities;
-use raybook::accel::two_level_grid::{levels::Levels, refine::refine_cell, walk::walk_two_levels};
 use raybook::image::Image;
 use crate::shared::{flatland::SIDE, flatland::discs, flatland::plane, flatland::ray};
 use crate::kit::palette::SKY;

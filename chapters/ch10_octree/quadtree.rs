@@ -1,8 +1,7 @@
 //! A quad-tree: what the octree is in the plane.
 
-use raybook::accel::octree::build::{Limits, build};
-use raybook::accel::octree::tree::Kind;
-use raybook::accel::octree::walk::Walk;
+use raybook::accel::octree::build::Limits;
+use raybook::inside::octree::{Kind, Walk, build};
 use raybook::image::Image;
 use crate::shared::{flatland::SIDE, flatland::discs, flatland::plane, flatland::ray};
 use crate::kit::palette::SKY;

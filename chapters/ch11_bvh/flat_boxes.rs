@@ -1,9 +1,8 @@
 //! Triangles in the plane, and the boxes of a tree around them: a tree that can be seen whole. (Cells in the plane, and a ray
 //! through them, are in `flatland.rs`.)
 
-use raybook::accel::bvh::COST;
-use raybook::accel::bvh::build::flat::{Flat, Node};
-use raybook::accel::bvh::build::{Method, build, cost::Cost, cost::sah_cost};
+use raybook::accel::bvh::build::Method;
+use raybook::inside::bvh::{COST, Cost, Flat, Node, build, sah_cost};
 use raybook::image::Image;
 use crate::kit::{figure::self, figure::Canvas, figure::figure};
 use crate::kit::{palette::BLUE, palette::FAINT, palette::GREEN, palette::INK, palette::ORANGE, palette::PURPLE, palette::VERMILION};

@@ -1,7 +1,7 @@
 //! The three stages of building a tree, side by side: boxes, a tree, an array.
 
 use raybook::accel::bvh::build::Method;
-use raybook::accel::bvh::build::flat::{Flat, Node};
+use raybook::inside::bvh::{Flat, Node};
 use raybook::image::Image;
 use crate::kit::figure::figure;
 use super::{flat_boxes::Drawn, flat_boxes::LEVELS, flat_boxes::Paper, flat_boxes::bounds, flat_boxes::height, flat_boxes::tree, flat_boxes::triangles};

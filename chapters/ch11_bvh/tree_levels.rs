@@ -2,8 +2,7 @@
 
 use raybook::accel::Accel;
 use raybook::accel::bvh::Bvh;
-use raybook::accel::bvh::build::flat::Node;
-use raybook::accel::bvh::pair::Pair;
+use raybook::inside::bvh::{self, Node, Pair};
 use raybook::image::{Image, rgb::Rgb};
 use crate::kit::palette::viridis;
 use crate::kit::sheet::sheet;
@@ -59,7 +58,7 @@ fn colour(bounds: &Aabb) -> Rgb {
 
 /// The boxes of all nodes that have so many branches above them, and of leaves that have fewer: together they hold all.
 pub fn level<S: Shape>(tree: &Bvh<S>, level: u32) -> Vec<Aabb> {
-    let (root, pairs) = tree.nodes();
+    let (root, pairs) = bvh::nodes(tree);
     let mut boxes = Vec::new();
     if let Some(root) = root {
         collect(root, pairs, level, &mut boxes);

@@ -80,7 +80,7 @@ fn photograph(
         arrives: ALWAYS,
     };
     let whitted = Whitted { local, depth };
-    Ok(refine(film, |place, rng| whitted.radiance(scene, &camera.ray_through(place), rng)))
+    Ok(refine(film, |place, rng| whitted.follow(scene, &camera.ray_through(place), rng)))
 }
 
 /// The chapter's binary.

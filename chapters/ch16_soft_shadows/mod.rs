@@ -23,7 +23,7 @@ const ONE_SAMPLE: Whitted = with_samples(1);
 const fn with_samples(samples: u32) -> Whitted {
     let local = Local {
         samples,
-        arrives: shadow::lit,
+        arrives: Some(shadow::lit),
     };
     Whitted { local, depth: 1 }
 }
@@ -35,7 +35,7 @@ pub fn draw(stage: &Stage) -> Drawn {
     let camera = camera(whole, &film)?;
     let scene = posts::under(posts::square(1.4));
     let picture = refine(&film, |place, numbers| {
-        ONE_SAMPLE.radiance(&scene, &camera.ray_through(place), numbers)
+        ONE_SAMPLE.follow(&scene, &camera.ray_through(place), numbers)
     });
     let caption = "Under a square light of 1.4 m, shadows are sharp near what throws them, and the softer the farther away they fall.";
     stage.picture("picture", caption, &picture)?;
@@ -49,7 +49,7 @@ pub fn draw(stage: &Stage) -> Drawn {
     let counts = [("1 sample", 1), ("4", 4), ("16", 16), ("64", 64)];
     let tiles = counts.map(|(name, samples)| {
         let whitted = with_samples(samples);
-        let see = |place, rng: &mut _| whitted.radiance(&scene, &close.ray_through(place), rng);
+        let see = |place, rng: &mut _| whitted.follow(&scene, &close.ray_through(place), rng);
         (name, one_ray.render(see))
     });
     let caption = "One, 4, 16 and 64 samples of the light per pixel: with four times as many, half the noise. It is coarsest where part of the light is seen, and there is none where nothing is.";
@@ -64,7 +64,7 @@ pub fn draw(stage: &Stage) -> Drawn {
     let tiles = lights.map(|(name, light)| {
         let scene = posts::under(light);
         let see = |place, numbers: &mut _| {
-            ONE_SAMPLE.radiance(&scene, &close.ray_through(place), numbers)
+            ONE_SAMPLE.follow(&scene, &close.ray_through(place), numbers)
         };
         (name, refine(&tile, see))
     });

@@ -28,7 +28,7 @@ const DIRECT: Path = Path { depth: 1, ..ALL };
 
 /// Draws the chapter's pictures.
 pub fn draw(stage: &Stage) -> Drawn {
-    let film = stage.film_of(400, 128, 1.0);
+    let film = stage.film_of(400, 64, 1.0);
     let cornell_box = View::cornell_box()?;
     let picture = photograph(&film, &cornell_box, ALL);
     let caption = "The Cornell box. Red and green light on the white blocks has come from the walls; \
@@ -36,7 +36,7 @@ pub fn draw(stage: &Stage) -> Drawn {
     stage.picture("picture", caption, &picture)?;
 
     let few = Film {
-        samples: film.samples.div_ceil(8),
+        samples: film.samples.div_ceil(4),
         ..film
     };
     let tiles = [

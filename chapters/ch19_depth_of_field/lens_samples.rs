@@ -30,11 +30,11 @@ pub fn draw(
     let by_chance = |samples| {
         film(samples).render(|place, rng| {
             let ray = camera.ray(place, vec2(rng.random(), rng.random()));
-            whitted.radiance(scene, &ray, rng)
+            whitted.follow(scene, &ray, rng)
         })
     };
     let spread = through_lens(&film(4), &camera, |ray, numbers| {
-        whitted.radiance(scene, ray, numbers)
+        whitted.follow(scene, ray, numbers)
     });
     let tiles = [
         ("4 samples", by_chance(4)),

@@ -26,7 +26,7 @@ use std::process::ExitCode;
 /// Draws the chapter's pictures.
 pub fn draw(stage: &Stage) -> Drawn {
     let (scene, lamps) = (tea_table(), lamps());
-    let arrives = shadow::lit;
+    let arrives = Some(shadow::lit as _);
     let local = Local {
         samples: 1,
         arrives,
@@ -35,7 +35,7 @@ pub fn draw(stage: &Stage) -> Drawn {
     let open = |ray: &_, distance| !scene.blocks(ray, Interval::new(0.0, distance));
     let photograph = |film: &Film, camera: &ThinLens| {
         let mut picture = through_lens(film, camera, |ray, numbers| {
-            whitted.radiance(&scene, ray, numbers)
+            whitted.follow(&scene, ray, numbers)
         });
         add_glints(&mut picture, film, camera, &lamps, open);
         picture

@@ -79,6 +79,6 @@ fn photograph(film: &Film, light: Environment) -> Result<Image, LookAtError> {
         strategy: Strategy::Both,
     };
     Ok(refine(film, |place, rng| {
-        path.radiance(&scene, &camera.ray_through(place), rng)
+        path.follow(&scene, &camera.ray_through(place), rng)
     }))
 }

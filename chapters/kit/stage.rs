@@ -2,8 +2,8 @@
 
 use crate::kit::{options::Options, rate::Rate};
 use indicatif::{ProgressBar, ProgressStyle};
-use raybook::image::{Image, codec, file};
-use raybook::render::film::Film;
+use raybook::image::{Image, file, tone};
+use raybook::render::film::{Done, Film};
 use std::cell::RefCell;
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -30,7 +30,7 @@ pub struct Stage {
     options: Options,
     folder: PathBuf,
     show: bool,
-    advance: Box<dyn Fn(usize) + Sync>,
+    advance: Box<dyn Fn(Done) + Sync>,
     bar: ProgressBar,
     rate: Arc<Rate>,
     outputs: RefCell<Vec<Output>>,
@@ -43,9 +43,9 @@ impl Stage {
         let rate = Arc::new(Rate::default());
         let advance = Box::new({
             let (bar, rate) = (bar.clone(), Arc::clone(&rate));
-            move |pixels| {
-                rate.tile();
-                bar.inc(pixels as u64);
+            move |done: Done| {
+                rate.tile(done.rays);
+                bar.inc(done.pixels as u64);
             }
         });
         Self {
@@ -121,7 +121,9 @@ impl Stage {
         let png = self.folder.join(name).with_extension("png");
         file::save(&png, picture)?;
         if self.show {
-            let shown = image::DynamicImage::ImageRgb8(codec::to_display(picture));
+            let (width, height) = (picture.width() as u32, picture.height() as u32);
+            let shown = image::RgbImage::from_raw(width, height, tone::to_bytes(picture));
+            let shown = image::DynamicImage::ImageRgb8(shown.unwrap_or_default());
             self.bar.suspend(|| {
                 viuer::print(
                     &shown,

@@ -17,6 +17,7 @@ pub struct Basis {
 impl Basis {
     /// A basis whose z is the given direction, without a branch and without a degenerate direction
     /// (Duff et al., "Building an orthonormal basis, revisited", 2017).
+    #[inline]
     pub fn around(z: Dir3) -> Self {
         let sign = 1.0_f32.copysign(z.z);
         let a = -1.0 / (sign + z.z);
@@ -31,6 +32,7 @@ impl Basis {
     }
 
     /// The world's vector for coordinates in this basis: x·v.x + y·v.y + z·v.z.
+    #[inline]
     pub fn to_world(&self, v: Vec3) -> Vec3 {
         v.x * *self.x + v.y * *self.y + v.z * *self.z
     }

@@ -1,7 +1,8 @@
 //! The film loop that spares work: few samples where they are alike, all of them where they differ.
 
-use crate::image::{Image, rgb::Rgb};
-use crate::render::film::Film;
+use crate::image::Image;
+use crate::render::film::{Done, Film};
+use crate::render::followed::Followed;
 use crate::sample::even::Even;
 use glam::{Vec2, vec2};
 use rand::RngExt;
@@ -15,7 +16,7 @@ const RESTLESS: f32 = 0.2;
 /// What the first samples of a pixel tell.
 #[derive(Clone, Copy, Default)]
 struct Begun {
-    sum: Rgb,
+    sum: Followed,
     /// Of what a display shows, in the channel that has most.
     variance: f32,
 }
@@ -26,47 +27,49 @@ struct Begun {
 ///
 /// The deviation is that of the pixel and its eight neighbours, for an edge may have slipped through between its own few.
 /// `radiance` is given the place on the film, in [0, 1]² from the top left, and the sample's random numbers.
-pub fn refine(film: &Film, radiance: impl Fn(Vec2, &mut Even) -> Rgb + Sync) -> Image {
+pub fn refine<S: Into<Followed>>(
+    film: &Film,
+    radiance: impl Fn(Vec2, &mut Even) -> S + Sync,
+) -> Image {
     let (all, size) = (film.samples, vec2(film.width as f32, film.height as f32));
     let first = FIRST.min(all);
     let sample = |x: usize, y: usize, pixel: u64, i: usize| {
         let mut numbers = Even::new(pixel, i, all);
         let place = numbers.pair();
         let place = if all == 1 { Vec2::splat(0.5) } else { place };
-        radiance((vec2(x as f32, y as f32) + place) / size, &mut numbers)
+        radiance((vec2(x as f32, y as f32) + place) / size, &mut numbers).into()
     };
     let begun = film.each_pixel(|x, y, rng| {
         let pixel = rng.random();
-        let seen: [Rgb; FIRST] = std::array::from_fn(|i| {
-            if i < first {
-                sample(x, y, pixel, i)
-            } else {
-                Rgb::BLACK
-            }
-        });
-        Begun::by(&seen[..first])
+        let seen: Vec<Followed> = (0..first).map(|i| sample(x, y, pixel, i)).collect();
+        let begun = Begun::by(&seen);
+        (begun, begun.sum.rays)
     });
-    let silent = Film {
-        progress: &|_| {},
+    let again = Film {
+        progress: &|done| (film.progress)(Done { pixels: 0, ..done }),
         ..*film
     };
-    silent.render_pixels(|x, y, rng| {
+    again.render_pixels(|x, y, rng| {
         let pixel = rng.random();
         let share = (deviation(film, &begun, x, y) / RESTLESS).min(1.0);
         let count = (share * all as f32).ceil() as usize;
         let count = count.max(first).next_power_of_two().min(all);
-        let rest: Rgb = (first..count).map(|i| sample(x, y, pixel, i)).sum();
-        (begun[y * film.width + x].sum + rest) / count as f32
+        let rest: Followed = (first..count).map(|i| sample(x, y, pixel, i)).sum();
+        let sum = begun[y * film.width + x].sum.radiance + rest.radiance;
+        Followed {
+            radiance: sum / count as f32,
+            ..rest
+        }
     })
 }
 // ANCHOR_END: refine
 
 impl Begun {
-    fn by(seen: &[Rgb]) -> Self {
+    fn by(seen: &[Followed]) -> Self {
         let n = seen.len() as f32;
         // The square root is near to the curve by which a display shows light.
         let shown = |channel: usize| {
-            let values = seen.iter().map(move |s| s.channels()[channel]);
+            let values = seen.iter().map(move |s| s.radiance.channels()[channel]);
             values.map(|v| v.clamp(0.0, 1.0).sqrt())
         };
         let variance = |channel: usize| {

@@ -1,9 +1,9 @@
 //! The film loop for a camera with a lens: every sample chooses a place in its pixel and a point of the lens.
 
 use crate::camera::Camera;
-use crate::image::{Image, rgb::Rgb};
+use crate::image::Image;
 use crate::math::ray::Ray;
-use crate::render::{film::Film, refine::refine};
+use crate::render::{film::Film, followed::Followed, refine::refine};
 use crate::sample::even::Even;
 
 // ANCHOR: through_lens
@@ -12,10 +12,10 @@ use crate::sample::even::Even;
 /// A pixel's samples fill the pixel evenly, and they fill the lens evenly. Which place goes with which point of the lens is
 /// left to chance: otherwise the left of the pixel would be seen from the left of the lens (Cook, Porter and Carpenter,
 /// "Distributed ray tracing", 1984).
-pub fn through_lens(
+pub fn through_lens<S: Into<Followed>>(
     film: &Film,
     camera: &impl Camera,
-    radiance: impl Fn(&Ray, &mut Even) -> Rgb + Sync,
+    radiance: impl Fn(&Ray, &mut Even) -> S + Sync,
 ) -> Image {
     refine(film, |place, numbers| {
         let ray = camera.ray(place, numbers.pair());

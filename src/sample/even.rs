@@ -28,6 +28,7 @@ pub struct Even {
 
 impl Even {
     /// The numbers of sample `index` of `samples`, in the pixel that has this key.
+    #[inline]
     pub fn new(pixel: u64, index: usize, samples: usize) -> Self {
         Self {
             pixel,
@@ -39,6 +40,7 @@ impl Even {
     }
 
     /// The next pair, in [0, 1)².
+    #[inline]
     pub fn pair(&mut self) -> Vec2 {
         vec2(self.random(), self.random())
     }
@@ -47,6 +49,7 @@ impl Even {
 impl TryRng for Even {
     type Error = Infallible;
 
+    #[inline]
     fn try_next_u32(&mut self) -> Result<u32, Infallible> {
         if let Some(second) = self.second.take() {
             return Ok(second);
@@ -75,6 +78,7 @@ impl TryRng for Even {
 /// A scramble like [`owen::scramble`](crate::sample::pattern::owen::scramble), whose coins are not drawn one by one: products
 /// carry a digit to higher ones only, so each digit of the mirrored number depends on those below it and on the key
 /// (Laine and Karras 2011, with the constants of Vegdahl, "Building a better LK hash", 2021).
+#[inline]
 fn scramble(bits: u32, key: u32) -> u32 {
     let mut x = bits.reverse_bits();
     x ^= x.wrapping_mul(0x3d20_adea);

@@ -1,7 +1,6 @@
 //! Chapter 8: `grid_resolution`, `voxels_of_triangle`, `grid_walk`.
 
-use raybook::accel::grid::{build, resolution};
-use raybook::accel::{lattice::Lattice, walk::walk};
+use raybook::inside::grid::{self, Lattice, walk};
 use raybook::math::{interval::Interval, ray::Ray};
 use crate::exercise::{Asked, Exercise};
 use crate::row::row;
@@ -53,7 +52,7 @@ impl Exercise for GridResolution {
     const TASK: &'static str = "Return how many cells a grid has along each axis: density times shapes in all, each about a cube, and so e·∛(cells/volume) along an axis of extent e, rounded; an axis that would get less than one cell has 1 and is left out of the volume, so that the others share all the cells.";
 
     fn answer(q: &Self::Question) -> Self::Answer {
-        resolution::grid_resolution(q.extents, q.shapes as usize, q.density).into()
+        grid::grid_resolution(q.extents, q.shapes as usize, q.density).into()
     }
 }
 
@@ -99,7 +98,7 @@ impl Exercise for VoxelsOfTriangle {
     const TASK: &'static str = "Return the cells, in any order, whose box, grown by the margin on every side, meets the triangle.";
 
     fn answer(q: &Self::Question) -> Self::Answer {
-        let cells = build::voxels_of_triangle(&q.lattice(), q.margin, &[q.p0, q.p1, q.p2]);
+        let cells = grid::voxels_of_triangle(&q.lattice(), q.margin, &[q.p0, q.p1, q.p2]);
         cells.into_iter().map(Cell::from).collect()
     }
 }

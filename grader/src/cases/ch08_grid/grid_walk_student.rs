@@ -1,6 +1,6 @@
 //! The walk that students write, with a plane and an axis of their choice.
 
-use raybook::accel::lattice::Lattice;
+use raybook::inside::grid::Lattice;
 use raybook::math::slab;
 use raybook_workbook::exercises::ch08_grid::{GridWalkQuestion, Visit};
 use glam::UVec3;

@@ -1,8 +1,7 @@
 //! `voxels_of_triangle`: its judge and mistakes.
 
 use super::voxels_of_triangle_cases;
-use raybook::accel::grid::build;
-use raybook::accel::lattice::range;
+use raybook::inside::grid::{self, range};
 use crate::{Edge, Graded, Mistake, Verdict};
 use raybook::math::aabb::Aabb;
 use raybook::math::pcg::Pcg;
@@ -87,7 +86,7 @@ impl Graded for VoxelsOfTriangle {
     fn judge(q: &VoxelsOfTriangleQuestion, _golden: &Vec<Cell>, got: &Vec<Cell>) -> Verdict {
         // A cell that the triangle only touches is nobody's fault: these must be there, and only those may be.
         let hair = 1e-4 * (q.cell.max_element() + q.min.abs().max_element());
-        let with = |margin| build::voxels_of_triangle(&q.lattice(), margin, &[q.p0, q.p1, q.p2]);
+        let with = |margin| grid::voxels_of_triangle(&q.lattice(), margin, &[q.p0, q.p1, q.p2]);
         let (must, may) = (with(q.margin - hair), with(q.margin + hair));
         let got: Vec<_> = got.iter().map(|c| uvec3(c.x, c.y, c.z)).collect();
         for (i, cell) in got.iter().enumerate() {

@@ -2,7 +2,7 @@
 
 use super::refine_cell_cases;
 use super::refine_cell_judge::{self, depth};
-use raybook::accel::lattice::Lattice;
+use raybook::inside::grid::Lattice;
 use crate::{Edge, Graded, Mistake, Verdict};
 use raybook::math::{aabb::Aabb, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;

@@ -1,6 +1,6 @@
 //! The judge of `refine_cell`: every entry by where its shape and its cell are.
 
-use raybook::accel::lattice::Lattice;
+use raybook::inside::grid::Lattice;
 use crate::Verdict;
 use raybook::math::aabb::Aabb;
 use raybook_workbook::exercises::ch05_box::Corners;

@@ -2,7 +2,8 @@
 
 use super::octree_build_cases;
 use super::octree_build_judge::judge;
-use raybook::accel::octree::build::{Limits, build};
+use raybook::accel::octree::build::Limits;
+use raybook::inside::octree::build;
 use crate::{Edge, Graded, Mistake, Verdict};
 use raybook::math::{aabb::Aabb, pcg::Pcg};
 use raybook_workbook::exercises::ch05_box::Corners;

@@ -1,6 +1,6 @@
 //! The judge of `octree_build`: by what an octree must keep to and by its cost, not by its shape.
 
-use raybook::accel::octree::tree::child_cell;
+use raybook::inside::octree::child_cell;
 use crate::Verdict;
 use raybook::math::aabb::Aabb;
 use raybook_workbook::exercises::ch10_octree::OctreeBuildQuestion;

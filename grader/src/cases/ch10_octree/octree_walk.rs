@@ -1,7 +1,7 @@
 //! `octree_walk`: its judge and mistakes.
 
 use super::octree_walk_cases;
-use raybook::accel::octree::tree::Kind;
+use raybook::inside::octree::Kind;
 use crate::passage::passage;
 use crate::{Edge, Graded, Mistake, Verdict};
 use raybook::math::{aabb::Aabb, interval::Interval, pcg::Pcg, ray::Ray};

@@ -7,9 +7,8 @@ mod bvh_closest_cases;
 mod sah_cost;
 mod sah_split;
 
-use raybook::accel::bvh::COST;
-use raybook::accel::bvh::build::cost::Cost;
-use raybook::accel::bvh::build::{Method, build};
+use raybook::accel::bvh::build::Method;
+use raybook::inside::bvh::{COST, Cost, build};
 use crate::examine::Examiner;
 use crate::{Verdict, sample};
 use raybook::math::{aabb::Aabb, pcg::Pcg};

@@ -1,7 +1,7 @@
 //! The questions of `collapse`.
 
-use raybook::accel::bvh::COST;
-use raybook::accel::bvh::build::{Method, build, cost::Cost};
+use raybook::accel::bvh::build::Method;
+use raybook::inside::bvh::{COST, Cost, build};
 use crate::{Edge, sample};
 use raybook::math::{aabb::Aabb, pcg::Pcg};
 use raybook_workbook::exercises::ch24_wide_bvh::{Collapse, CollapseQuestion};

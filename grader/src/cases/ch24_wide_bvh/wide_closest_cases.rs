@@ -1,8 +1,8 @@
 //! The questions of `wide_closest`.
 
-use raybook::accel::bvh::build::{Method, cost::Cost};
-use raybook::accel::wide_bvh::build::{COST, build as build_wide};
-use raybook::accel::wide_bvh::node::Link;
+use raybook::accel::bvh::build::Method;
+use raybook::inside::bvh::Cost;
+use raybook::inside::wide_bvh::{COST, Link, build as build_wide};
 use crate::{Edge, sample};
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 use raybook::shape::{Shape, mesh::Facet};
@@ -125,14 +125,14 @@ pub(super) fn question(
         children: children.into_iter().map(child).collect(),
     };
     let mut nodes: Vec<_> = tree
-        .nodes
+        .nodes()
         .iter()
         .map(|old| node(old.children().collect()))
         .collect();
-    if let Some(root) = tree.root.filter(|root| root.as_leaf().is_some()) {
+    if let Some(root) = tree.root().filter(|root| root.as_leaf().is_some()) {
         nodes.push(node(vec![(all, root)]));
     }
-    let leaves = tree.leaves.iter().map(|leaf| WideLeaf {
+    let leaves = tree.leaves().iter().map(|leaf| WideLeaf {
         triangles: leaf.facets().collect(),
     });
     WideClosestQuestion {

@@ -25,8 +25,8 @@ impl Basis {
         let x = vec3(1.0 + sign * z.x * z.x * a, sign * b, -sign * z.x);
         let y = vec3(b, sign + z.y * z.y * a, -z.y);
         Self {
-            x: Dir3::new_or(x, Dir3::X),
-            y: Dir3::new_or(y, Dir3::Y),
+            x: Dir3::of_length_1(x),
+            y: Dir3::of_length_1(y),
             z,
         }
     }

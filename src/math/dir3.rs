@@ -30,6 +30,13 @@ impl Dir3 {
     }
     // ANCHOR_END: direction
 
+    /// v, which has length 1 already, up to rounding: where a formula has made it so.
+    #[inline]
+    pub(crate) fn of_length_1(v: Vec3) -> Self {
+        debug_assert!((v.length_squared() - 1.0).abs() < 1e-5, "{v} has length 1");
+        Self(v)
+    }
+
     /// v/|v|, or `otherwise` where v has no direction.
     #[inline]
     pub fn new_or(v: Vec3, otherwise: Self) -> Self {

@@ -3,7 +3,7 @@
 use crate::math::pcg::mix;
 use crate::sample::pattern::sobol::sobol;
 use glam::{Vec2, vec2};
-use rand::{RngExt, TryRng};
+use rand::TryRng;
 use std::convert::Infallible;
 
 /// The random numbers of one sample of a pixel, pair after pair.
@@ -42,7 +42,10 @@ impl Even {
     /// The next pair, in [0, 1)².
     #[inline]
     pub fn pair(&mut self) -> Vec2 {
-        vec2(self.random(), self.random())
+        let Ok(first) = self.try_next_u32();
+        let Ok(second) = self.try_next_u32();
+        let unit = |bits: u32| (bits >> 8) as f32 / (1 << 24) as f32;
+        vec2(unit(first), unit(second))
     }
 }
 

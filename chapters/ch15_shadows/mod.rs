@@ -40,7 +40,11 @@ pub fn draw(stage: &Stage) -> Drawn {
         &photograph(&film, &camera, &scene, shadow::lit),
     )?;
 
-    let film = stage.tile(2, 16.0 / 9.0);
+    let tile = stage.tile(2, 16.0 / 9.0);
+    let film = Film {
+        samples: 2 * tile.samples, // acne is finer than pixels
+        ..tile
+    };
     let near = Pinhole::look_at(from, CLOSE_UP, Vec3::Y, 0.08, film.aspect())?;
     let roofed = marbles::under_roof();
     let tiles = wrong_shadows::WAYS

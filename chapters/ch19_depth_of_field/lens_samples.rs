@@ -1,4 +1,4 @@
-//! The noise of few samples of a lens: a detail of the tea table with 4 and with 128 random points, and with 4 that are spread.
+//! The noise of few samples of a lens: a detail of the tea table with 4 and with 64 random points, and with 4 that are spread.
 
 use crate::kit::sheet::sheet;
 use glam::{Vec3, vec2};
@@ -38,7 +38,7 @@ pub fn draw(
     });
     let tiles = [
         ("4 samples", by_chance(4)),
-        ("128 samples", by_chance(128)),
+        ("64 samples", by_chance(64)),
         ("4, spread evenly", spread),
     ];
     sheet(3, &tiles)

@@ -1,7 +1,8 @@
 //! The lab's page: every figure with its files, and the table.
 
+use crate::kit::stage::Drawn;
 use crate::kit::{html::figure, html::page};
-use crate::lab::{plot::Drawn, plot::Plot};
+use crate::lab::plot::Plot;
 use crate::lab::{table, table::Row};
 use maud::{Markup, html};
 use raybook::image::{Image, file};

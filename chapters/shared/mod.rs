@@ -4,7 +4,6 @@ pub mod daylight;
 pub mod flatland;
 pub mod growth;
 pub mod heat;
-pub mod horizon_view;
 pub mod law;
 pub mod outdoors;
 pub mod ray_tree;

@@ -1,15 +1,15 @@
 //! Beams through a flat surface at several angles: where each part of the light goes.
 
 use crate::kit::figure::{CENTRE, Canvas, Figure, RIGHT, coloured, figure, write};
+use crate::kit::palette::{BLUE, FAINT, INK, SKY, VERMILION};
 use crate::kit::stage::Drawn;
-use crate::kit::{palette::BLUE, palette::FAINT, palette::INK, palette::SKY, palette::VERMILION};
-use raybook::material::fresnel::fresnel;
-use raybook::material::refract::refract;
-use raybook::math::dir3::Dir3;
 use glam::{Vec2, Vec3, vec2, vec3};
 use plotters::element::{PathElement, Polygon, Rectangle};
 use plotters::prelude::{Color, RGBColor};
 use plotters::style::text_anchor::Pos;
+use raybook::material::fresnel::fresnel;
+use raybook::material::refract::refract;
+use raybook::math::dir3::Dir3;
 
 /// The indices of air, above, and window glass, below.
 const AIR: f32 = 1.0;
@@ -77,13 +77,7 @@ fn draw(canvas: &Canvas, degrees: f32, out: bool) -> Drawn {
     let beside = |side: f32| (MIDDLE.x + 238.0, MIDDLE.y + side * 26.0);
     let percent = |share: f32| format!("{:.0} %", 100.0 * share);
     label(canvas, &percent(share), beside(up), VERMILION, RIGHT)?;
-    label(
-        canvas,
-        &percent(1.0 - share),
-        beside(-up),
-        BLUE,
-        RIGHT,
-    )
+    label(canvas, &percent(1.0 - share), beside(-up), BLUE, RIGHT)
 }
 
 /// A beam from the middle, as wide as its share of the light.

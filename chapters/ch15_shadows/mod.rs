@@ -5,19 +5,21 @@
 
 mod wrong_shadows;
 
+use crate::kit::chapter;
+use crate::kit::sheet::sheet;
+use crate::kit::stage::{Drawn, Stage};
+use crate::shared::{ray_tree, ray_tree_figure};
 use glam::{Vec2, Vec3, vec2, vec3};
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::Image;
-use crate::kit::{stage::Drawn, stage::Stage};
-use crate::kit::{chapter, sheet::sheet};
-use crate::shared::{ray_tree, ray_tree_figure};
-
 use raybook::material::Material;
 use raybook::render::film::Film;
-use raybook::render::refine::refine;
 use raybook::render::local::{Arrives, Local};
-use raybook::render::{shadow, whitted::Whitted};
-use raybook::scene::{marbles, world::Scene};
+use raybook::render::refine::refine;
+use raybook::render::shadow;
+use raybook::render::whitted::Whitted;
+use raybook::scene::marbles;
+use raybook::scene::world::Scene;
 use std::process::ExitCode;
 
 /// The pixel whose rays are drawn: its place on the film.
@@ -87,7 +89,9 @@ fn photograph(
     arrives: Arrives,
 ) -> Image {
     let whitted = whitted(arrives);
-    refine(film, |place, rng| whitted.follow(scene, &camera.ray_through(place), rng))
+    refine(film, |place, rng| {
+        whitted.follow(scene, &camera.ray_through(place), rng)
+    })
 }
 
 /// The chapter's binary.

@@ -9,9 +9,15 @@ use glam::{Vec2, Vec3, vec2, vec3};
 use plotters::prelude::Color;
 use rand::RngExt;
 use raybook::image::rgb::Rgb;
-use raybook::light::{Light, extent::Choose, rect_light::RectLight};
-use raybook::math::{interval::Interval, pcg, pcg::Pcg, ray::Ray};
-use raybook::shape::{Shape, sphere::Sphere};
+use raybook::light::Light;
+use raybook::light::extent::Choose;
+use raybook::light::rect_light::RectLight;
+use raybook::math::interval::Interval;
+use raybook::math::pcg;
+use raybook::math::pcg::Pcg;
+use raybook::math::ray::Ray;
+use raybook::shape::Shape;
+use raybook::shape::sphere::Sphere;
 
 /// So often is each error measured.
 const REPEATS: u32 = 300;

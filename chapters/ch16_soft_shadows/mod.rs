@@ -1,10 +1,11 @@
 //! A light with an extent is seen in part from the edge of a shadow: between the umbra and full light lies the penumbra.
 //! Points of the light are chosen at random, by its area or by its solid angle, and each sends a shadow ray.
 //!
-//! New: light/extent.rs light/rect_light.rs light/sphere_light.rs render/soft_shadow.rs scene/posts.rs
+//! New: light/extent.rs light/rect_light.rs light/sphere_light.rs render/soft_shadow.rs
 
 pub mod light_error;
 pub mod penumbra;
+pub mod posts;
 
 use crate::kit::chapter;
 use crate::kit::sheet::sheet;
@@ -12,8 +13,11 @@ use crate::kit::stage::{Drawn, Stage};
 use glam::Vec3;
 use raybook::camera::pinhole::{LookAtError, Pinhole};
 use raybook::light::Light;
-use raybook::render::{film::Film, local::Local, refine::refine, shadow, whitted::Whitted};
-use raybook::scene::posts;
+use raybook::render::film::Film;
+use raybook::render::local::Local;
+use raybook::render::refine::refine;
+use raybook::render::shadow;
+use raybook::render::whitted::Whitted;
 use std::process::ExitCode;
 
 /// A shadow ray for each sample of a pixel: the samples that smooth edges find the penumbrae too.
@@ -63,9 +67,8 @@ pub fn draw(stage: &Stage) -> Drawn {
     ];
     let tiles = lights.map(|(name, light)| {
         let scene = posts::under(light);
-        let see = |place, numbers: &mut _| {
-            ONE_SAMPLE.follow(&scene, &close.ray_through(place), numbers)
-        };
+        let see =
+            |place, numbers: &mut _| ONE_SAMPLE.follow(&scene, &close.ray_through(place), numbers);
         (name, refine(&tile, see))
     });
     let caption = "The same place under a point, a small and a large square, and a sphere: the larger the light, the wider the penumbra.";
@@ -78,7 +81,10 @@ pub fn draw(stage: &Stage) -> Drawn {
 }
 
 /// The camera of a view.
-fn camera((from, to, focal_length): (Vec3, Vec3, f32), film: &Film) -> Result<Pinhole, LookAtError> {
+fn camera(
+    (from, to, focal_length): (Vec3, Vec3, f32),
+    film: &Film,
+) -> Result<Pinhole, LookAtError> {
     Pinhole::look_at(from, to, Vec3::Y, focal_length, film.aspect())
 }
 

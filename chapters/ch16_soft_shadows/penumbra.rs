@@ -9,10 +9,12 @@ use glam::{Vec2, Vec3, vec3};
 use plotters::prelude::Color;
 use raybook::image::rgb::Rgb;
 use raybook::light::rect_light::RectLight;
-use raybook::math::{dir3::Dir3, pcg};
+use raybook::math::dir3::Dir3;
+use raybook::math::pcg;
 use raybook::render::soft_shadow::visible_fraction;
 use raybook::scene::world::{Scene, Thing};
-use raybook::shape::{Surface, cuboid::Cuboid};
+use raybook::shape::Surface;
+use raybook::shape::cuboid::Cuboid;
 
 /// A board below a light, both level and with their middles above the origin; very long in the third dimension.
 #[derive(Clone, Copy, Debug)]

@@ -1,14 +1,14 @@
 //! Directions as points of a dome, and their shadows on the floor: what a density looks like.
 
-use raybook::camera::pinhole::Pinhole;
 use crate::kit::figure::{CENTRE, Figure, figure, text, write};
-use crate::kit::stage::Drawn;
-use crate::kit::{palette::BLUE, palette::FAINT, palette::INK, palette::ORANGE};
+use crate::kit::palette::{BLUE, FAINT, INK, ORANGE};
 use crate::kit::sketch::Sketch;
-use raybook::math::dir3::Dir3;
-use raybook::sample::hemisphere::{cosine_hemisphere, uniform_hemisphere};
+use crate::kit::stage::Drawn;
 use glam::{Vec2, Vec3, vec2, vec3};
 use plotters::prelude::RGBColor;
+use raybook::camera::pinhole::Pinhole;
+use raybook::math::dir3::Dir3;
+use raybook::sample::hemisphere::{cosine_hemisphere, uniform_hemisphere};
 use std::f32::consts::TAU;
 
 /// Directions in each dome.

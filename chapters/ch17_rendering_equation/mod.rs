@@ -12,7 +12,10 @@ use crate::kit::chapter;
 use crate::kit::sheet::sheet;
 use crate::kit::stage::{Drawn, Stage};
 use raybook::image::Image;
-use raybook::render::{film::Film, mis::Strategy, path::Path, refine::refine};
+use raybook::render::film::Film;
+use raybook::render::mis::Strategy;
+use raybook::render::path::Path;
+use raybook::render::refine::refine;
 use std::process::ExitCode;
 use strategies::View;
 

@@ -7,7 +7,8 @@ use crate::kit::figure::{Canvas, Figure, figure};
 use crate::kit::palette::{BLUE, GREEN, VERMILION};
 use crate::kit::stage::Drawn;
 use plotters::prelude::Color;
-use raybook::render::{film::Film, path::Path};
+use raybook::render::film::Film;
+use raybook::render::path::Path;
 use std::time::Instant;
 
 /// Samples per pixel, as powers of 2.
@@ -83,13 +84,7 @@ fn measure(view: &View, film: &Film, depth: u32) -> Vec<Vec<Measured>> {
         .collect()
 }
 
-fn panel(
-    canvas: &Canvas,
-    title: &str,
-    unit: &str,
-    curves: &[Vec<Measured>],
-    axis: usize,
-) -> Drawn {
+fn panel(canvas: &Canvas, title: &str, unit: &str, curves: &[Vec<Measured>], axis: usize) -> Drawn {
     let all = || curves.iter().flatten();
     let ends = |i: usize| {
         let least = all().map(|m| m[i]).fold(f64::INFINITY, f64::min);

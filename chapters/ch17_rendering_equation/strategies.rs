@@ -4,9 +4,12 @@ use crate::kit::sheet::sheet;
 use crate::lab::sheets::named;
 use glam::Vec3;
 use raybook::camera::pinhole::{LookAtError, PLANE_HEIGHT, Pinhole};
-use raybook::image::{Image, rgb::Rgb};
+use raybook::image::Image;
+use raybook::image::rgb::Rgb;
 use raybook::material::brdf::Brdf;
-use raybook::render::{film::Film, mis::Strategy, path::Path};
+use raybook::render::film::Film;
+use raybook::render::mis::Strategy;
+use raybook::render::path::Path;
 use raybook::scene::world::Scene;
 use raybook::scene::{cornell, plates};
 use std::error::Error;
@@ -83,7 +86,9 @@ impl View {
         let (a, b) = (shown(&one), shown(&other));
         let squares: f64 = a.iter().zip(&b).map(|(a, b)| (a - b).powi(2)).sum();
         let (count, sum) = (a.len() as f64, a.iter().sum::<f64>());
-        let mean = Image::from_fn(film.width, film.height, |x, y| one.at(x, y).lerp(other.at(x, y), 0.5));
+        let mean = Image::from_fn(film.width, film.height, |x, y| {
+            one.at(x, y).lerp(other.at(x, y), 0.5)
+        });
         (mean, (0.5 * squares / count).sqrt() / (sum / count))
     }
 }

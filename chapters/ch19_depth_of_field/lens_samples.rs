@@ -1,13 +1,18 @@
 //! The noise of few samples of a lens: a detail of the tea table with 4 and with 64 random points, and with 4 that are spread.
 
+use super::tea_table::{DETAIL, EYE, FOCAL_LENGTH};
 use crate::kit::sheet::sheet;
 use glam::{Vec3, vec2};
 use rand::RngExt;
-use raybook::camera::{Camera, aperture::Aperture, pinhole::Pinhole, thin_lens::ThinLens};
+use raybook::camera::Camera;
+use raybook::camera::aperture::Aperture;
+use raybook::camera::pinhole::Pinhole;
+use raybook::camera::thin_lens::ThinLens;
 use raybook::image::Image;
 use raybook::material::Material;
-use raybook::render::{film::Film, through_lens::through_lens, whitted::Whitted};
-use raybook::scene::tea_table::{DETAIL, EYE, FOCAL_LENGTH};
+use raybook::render::film::Film;
+use raybook::render::through_lens::through_lens;
+use raybook::render::whitted::Whitted;
 use raybook::scene::world::Scene;
 use std::error::Error;
 

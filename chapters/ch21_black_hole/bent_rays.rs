@@ -1,14 +1,14 @@
 //! The figure of rays that pass a black hole at many distances.
 
 use crate::kit::figure::{CENTRE, Canvas, Figure, coloured, figure, text, write};
+use crate::kit::palette::{BLUE, INK, VERMILION};
 use crate::kit::stage::Drawn;
-use crate::kit::{palette::BLUE, palette::INK, palette::VERMILION};
-use raybook::render::curved::follow::{Fate, follow};
-use raybook::render::curved::geodesic::{between, geodesic_step};
-use raybook::render::curved::{HORIZON, PHOTON_SPHERE, Photon};
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use plotters::element::{Circle, PathElement, Rectangle};
 use plotters::prelude::{Color, WHITE};
+use raybook::render::curved::follow::{Fate, follow};
+use raybook::render::curved::geodesic::{between, geodesic_step};
+use raybook::render::curved::{HORIZON, PHOTON_SPHERE, Photon};
 use std::ops::ControlFlow;
 
 /// Size of the figure in pixels, and of its canvas.
@@ -46,12 +46,7 @@ pub fn draw() -> Figure {
         canvas.draw(&Circle::new(centre, radius(HORIZON), INK.filled()))?;
         let sphere = Circle::new(centre, radius(PHOTON_SPHERE), INK.stroke_width(3));
         canvas.draw(&sphere)?;
-        write(
-            canvas,
-            "horizon",
-            centre,
-            coloured(32, WHITE).pos(CENTRE),
-        )?;
+        write(canvas, "horizon", centre, coloured(32, WHITE).pos(CENTRE))?;
         let beside = (centre.0 + radius(2.9), centre.1);
         let [wide, high] = [130, 26];
         let corners = [

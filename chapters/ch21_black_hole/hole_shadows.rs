@@ -1,12 +1,16 @@
 //! What observers see of a black hole from nearer and nearer.
 
-use raybook::image::{Image, rgb::Rgb};
-use crate::kit::{palette::BLUE, palette::SKY, palette::VERMILION, palette::linear};
+use crate::kit::palette::{BLUE, SKY, VERMILION, linear};
 use crate::kit::sheet::sheet;
-use raybook::math::dir3::Dir3;
-use raybook::render::curved::{black_hole::BlackHole, fan::Fan, observer::shadow_half_angle};
-use raybook::render::{film::Film, refine::refine};
 use glam::{Vec2, Vec3, vec2, vec3};
+use raybook::image::Image;
+use raybook::image::rgb::Rgb;
+use raybook::math::dir3::Dir3;
+use raybook::render::curved::black_hole::BlackHole;
+use raybook::render::curved::fan::Fan;
+use raybook::render::curved::observer::shadow_half_angle;
+use raybook::render::film::Film;
+use raybook::render::refine::refine;
 use std::error::Error;
 use std::f32::consts::{FRAC_PI_2, PI};
 
@@ -23,7 +27,10 @@ pub fn draw(film: &Film) -> Result<Image, Box<dyn Error>> {
         let name = format!("r = {r}: {:.1}°", edge.to_degrees());
         let pixel = std::f64::consts::PI / film.width as f64;
         let fan = Fan::new(r * Vec3::Z, FRAC_PI_2.into(), 0.25 * pixel);
-        (name, refine(film, |place, _| seen(&fan, edge as f32, place)))
+        (
+            name,
+            refine(film, |place, _| seen(&fan, edge as f32, place)),
+        )
     });
     let tiles: Vec<_> = tiles
         .iter()

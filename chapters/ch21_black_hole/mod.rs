@@ -3,23 +3,28 @@
 //!
 //! New: render/curved/mod.rs render/curved/geodesic.rs render/curved/follow.rs render/curved/deflection.rs
 //! New: render/curved/fan.rs render/curved/observer.rs render/curved/doppler.rs render/curved/black_hole.rs
-//! New: light/black_body.rs scene/accretion_disc.rs scene/starry_sky.rs
+//! New: light/black_body.rs scene/accretion_disc.rs
 
 mod bent_rays;
 pub mod deflection_plot;
 mod hole_shadows;
+pub mod starry_sky;
 mod straight_hole;
 
 use crate::kit::chapter;
 use crate::kit::stage::{Drawn, Stage};
 use glam::{vec2, vec3};
 use raybook::camera::pinhole::Pinhole;
-use raybook::image::{file, rgb::Rgb};
+use raybook::image::file;
+use raybook::image::rgb::Rgb;
 use raybook::light::environment::Environment;
 use raybook::math::dir3::Dir3;
-use raybook::render::curved::{black_hole::BlackHole, fan::Fan};
-use raybook::render::{film::Film, refine::refine};
-use raybook::scene::{accretion_disc::AccretionDisc, starry_sky::starry_sky};
+use raybook::render::curved::black_hole::BlackHole;
+use raybook::render::curved::fan::Fan;
+use raybook::render::film::Film;
+use raybook::render::refine::refine;
+use raybook::scene::accretion_disc::AccretionDisc;
+use starry_sky::starry_sky;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -84,7 +89,12 @@ fn draw_before(stage: &Stage, sky: &(dyn Fn(Dir3) -> Rgb + Sync)) -> Drawn {
 fn fan(camera: &Pinhole, film: &Film) -> Fan {
     let eye = camera.focal_point;
     let pixel = camera.plane.x / camera.focal_length / film.width as f32;
-    let corners = [vec2(0.0, 0.0), vec2(1.0, 0.0), vec2(0.0, 1.0), vec2(1.0, 1.0)];
+    let corners = [
+        vec2(0.0, 0.0),
+        vec2(1.0, 0.0),
+        vec2(0.0, 1.0),
+        vec2(1.0, 1.0),
+    ];
     let off = |corner| camera.ray_through(corner).direction.angle_between(-eye);
     let widest = corners.map(off).into_iter().fold(0.0, f32::max);
     Fan::new(eye, f64::from(widest), f64::from(0.25 * pixel))

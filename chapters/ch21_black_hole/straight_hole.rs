@@ -1,13 +1,18 @@
 //! A black hole beside what it would look like if light went straight on.
 
-use raybook::camera::pinhole::Pinhole;
-use raybook::image::{Image, rgb::Rgb};
 use crate::kit::sheet::sheet;
-use raybook::math::{interval::Interval, ray::Ray};
-use raybook::render::curved::{black_hole::BlackHole, fan::Fan};
-use raybook::render::{film::Film, refine::refine};
-use raybook::shape::{Shape, sphere::Sphere};
 use glam::Vec3;
+use raybook::camera::pinhole::Pinhole;
+use raybook::image::Image;
+use raybook::image::rgb::Rgb;
+use raybook::math::interval::Interval;
+use raybook::math::ray::Ray;
+use raybook::render::curved::black_hole::BlackHole;
+use raybook::render::curved::fan::Fan;
+use raybook::render::film::Film;
+use raybook::render::refine::refine;
+use raybook::shape::Shape;
+use raybook::shape::sphere::Sphere;
 use std::error::Error;
 
 /// The hole without gravity, and with it, in this exposure.

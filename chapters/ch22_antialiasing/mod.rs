@@ -8,19 +8,24 @@
 //! New: sample/pattern/sobol.rs sample/pattern/owen.rs sample/pattern/best_candidate.rs
 //! New: render/supersample.rs scene/horizon.rs
 
-
+use crate::kit::chapter;
+use crate::kit::sheet::sheet;
+use crate::kit::stage::{Drawn, Stage};
 use crate::lab::plot::Plot;
 use crate::lab::point_sets::PointSets;
 use crate::lab::polar::Polar;
-use crate::lab::{sheets, subject::Subject};
-use crate::kit::{stage::Drawn, stage::Stage};
-use crate::kit::{chapter, sheet::sheet};
+use crate::lab::sheets;
+use crate::lab::subject::Subject;
 use glam::Vec3;
 use raybook::camera::pinhole::Pinhole;
 use raybook::math::pcg::Pcg;
-use raybook::render::{film::Film, local::Local, shadow, supersample::supersample, whitted::Whitted};
-use raybook::scene::horizon;
+use raybook::render::film::Film;
+use raybook::render::local::Local;
+use raybook::render::shadow;
+use raybook::render::supersample::supersample;
+use raybook::render::whitted::Whitted;
 use raybook::sample::pattern::{PATTERNS, find};
+use raybook::scene::horizon;
 use std::process::ExitCode;
 
 /// The light that comes straight from the lamps, with shadows.

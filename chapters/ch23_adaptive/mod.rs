@@ -3,18 +3,22 @@
 //!
 //! New: render/needs_more.rs render/budget.rs render/adaptive.rs
 
-
-use crate::lab::{adaptive_gain::map, adaptive_gain::measure, adaptive_gain::spent};
+use crate::kit::chapter;
+use crate::kit::sheet::sheet;
+use crate::kit::stage::{Drawn, Stage};
+use crate::lab::adaptive_gain::{map, measure, spent};
 use crate::lab::plot::Plot as _;
-use crate::kit::{stage::Drawn, stage::Stage};
-use crate::kit::{chapter, sheet::sheet};
-use raybook::render::adaptive::{Limits, adaptive, by_budget};
 use glam::Vec3;
 use raybook::camera::pinhole::Pinhole;
 use raybook::math::pcg::Pcg;
-use raybook::render::{film::Film, local::Local, needs_more::Enough, shadow, whitted::Whitted};
-use raybook::scene::horizon;
+use raybook::render::adaptive::{Limits, adaptive, by_budget};
+use raybook::render::film::Film;
+use raybook::render::local::Local;
+use raybook::render::needs_more::Enough;
+use raybook::render::shadow;
+use raybook::render::whitted::Whitted;
 use raybook::sample::pattern::find;
+use raybook::scene::horizon;
 use std::process::ExitCode;
 
 /// The light that comes straight from the lamps, with shadows.

@@ -1,16 +1,21 @@
 //! A teapot in a heap of confetti, in the light of the sky: many small triangles, and many rays for each pixel.
 
+use crate::kit::palette::{BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILION, linear};
+use crate::shared::outdoors;
+use glam::{Vec3, vec3};
+use rand::{Rng, RngExt};
 use raybook::accel::Accel;
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::rgb::Rgb;
-use crate::shared::outdoors;
-use crate::kit::{palette::BLUE, palette::GREEN, palette::ORANGE, palette::PURPLE, palette::SKY, palette::VERMILION, palette::linear};
-use raybook::math::{basis::Basis, dir3::Dir3, interval::Interval, pcg, ray::Ray};
+use raybook::math::basis::Basis;
+use raybook::math::dir3::Dir3;
+use raybook::math::interval::Interval;
+use raybook::math::pcg;
+use raybook::math::ray::Ray;
 use raybook::render::followed::Followed;
-use raybook::shape::mesh::Facet;
-use raybook::shape::{Hit, Shape, Surface, mesh::Mesh, plane::Plane, teapot};
-use glam::{Vec3, vec3};
-use rand::{Rng, RngExt};
+use raybook::shape::mesh::{Facet, Mesh};
+use raybook::shape::plane::Plane;
+use raybook::shape::{Hit, Shape, Surface, teapot};
 use std::f32::consts::TAU;
 
 /// A teapot, and so many pieces of paper on and around it.

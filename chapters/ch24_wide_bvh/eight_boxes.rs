@@ -1,12 +1,15 @@
 //! Eight boxes, one ray, and the sums that tell which of them it meets.
 
-use raybook::inside::wide_bvh::{CHILDREN, meets};
 use crate::kit::figure::{CENTRE, Canvas, Figure, coloured, figure, write};
+use crate::kit::palette::{BLUE, FAINT, GREEN, INK, VERMILION};
 use crate::kit::stage::Drawn;
-use crate::kit::{palette::BLUE, palette::FAINT, palette::GREEN, palette::INK, palette::VERMILION};
-use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray};
 use glam::{Vec2, vec2, vec3};
 use plotters::prelude::{Circle, Color, PathElement, RGBColor, Rectangle};
+use raybook::inside::wide_bvh::{CHILDREN, meets};
+use raybook::math::aabb::Aabb;
+use raybook::math::dir3::Dir3;
+use raybook::math::interval::Interval;
+use raybook::math::ray::Ray;
 
 /// The boxes: least x and y, greatest x and y.
 const BOXES: [[f32; 4]; CHILDREN] = [

@@ -11,15 +11,16 @@ mod eight_boxes;
 mod wide_gain;
 mod wide_trees;
 
-use raybook::accel::{bvh::Bvh, wide_bvh::WideBvh};
-use confetti::Confetti;
-use crate::kit::{stage::Drawn, stage::Stage};
 use crate::kit::chapter;
-
+use crate::kit::stage::{Drawn, Stage};
 use crate::shared::{heat, showroom};
+use confetti::Confetti;
+use raybook::accel::bvh::Bvh;
+use raybook::accel::wide_bvh::WideBvh;
 use raybook::render::refine::refine;
 use std::process::ExitCode;
-use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
+use std::sync::atomic::AtomicU64;
+use std::sync::atomic::Ordering::Relaxed;
 
 /// Draws the chapter's pictures.
 pub fn draw(stage: &Stage) -> Drawn {

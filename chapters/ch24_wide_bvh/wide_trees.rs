@@ -1,14 +1,14 @@
 //! A binary tree and the wide one that is made of it, side by side.
 
+use crate::kit::figure::{CENTRE, Canvas, Figure, figure, text, write};
+use crate::kit::palette::{BLUE, FAINT, INK, ORANGE};
+use crate::kit::stage::Drawn;
+use plotters::prelude::{Circle, Color, PathElement, Rectangle, WHITE};
 use raybook::accel::bvh::build::Method;
 use raybook::inside::bvh::{COST, Cost, Node, build};
 use raybook::inside::wide_bvh::{binary, children, collapse};
-use crate::kit::figure::{CENTRE, Canvas, Figure, figure, text, write};
-use crate::kit::stage::Drawn;
-use crate::kit::{palette::BLUE, palette::FAINT, palette::INK, palette::ORANGE};
 use raybook::scene::soup::soup;
 use raybook::shape::Shape;
-use plotters::prelude::{Circle, Color, PathElement, Rectangle, WHITE};
 use std::collections::BTreeMap;
 use std::error::Error;
 

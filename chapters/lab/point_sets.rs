@@ -1,8 +1,8 @@
 //! Patterns' points in the square, with the cells that some of them have.
 
 use crate::kit::figure::{CENTRE, text, write};
+use crate::kit::palette::{BLUE, FAINT, INK};
 use crate::kit::stage::Drawn;
-use crate::kit::{palette::BLUE, palette::FAINT, palette::INK};
 use crate::lab::plot::Plot;
 use crate::lab::subject::Subject;
 use glam::{Vec2, vec2};

@@ -1,16 +1,21 @@
 //! A pavilion to stand in: there is something to see in every direction, above and below too.
 
-use crate::accel::Meshed;
-use crate::accel::wide_bvh::WideBvh;
-use crate::image::rgb::Rgb;
-use crate::material::glass::{Glass, Medium};
-use crate::material::{Material, mirror::Mirror, phong::Phong};
-use crate::math::dir3::Dir3;
-use crate::scene::summer;
-use crate::scene::world::{Scene, Thing};
-use crate::shape::placed::placed;
-use crate::shape::{Shape, cuboid::Cuboid, plane::Plane, sphere::Sphere, teapot};
+use super::summer;
 use glam::{Mat3, Vec3, vec3};
+use raybook::accel::Meshed;
+use raybook::accel::wide_bvh::WideBvh;
+use raybook::image::rgb::Rgb;
+use raybook::material::Material;
+use raybook::material::glass::{Glass, Medium};
+use raybook::material::mirror::Mirror;
+use raybook::material::phong::Phong;
+use raybook::math::dir3::Dir3;
+use raybook::scene::world::{Scene, Thing};
+use raybook::shape::cuboid::Cuboid;
+use raybook::shape::placed::placed;
+use raybook::shape::plane::Plane;
+use raybook::shape::sphere::Sphere;
+use raybook::shape::{Shape, teapot};
 use std::f32::consts::{FRAC_1_PI, FRAC_PI_2};
 
 /// Where one sees all of it: in the middle, at a person's height.

@@ -123,13 +123,13 @@ impl Film<'_> {
             }
             rng.clone_from(then);
             let corner = vec2(x as f32, y as f32);
-            let rest: Followed = (first..self.samples)
-                .map(|i| radiance((corner + places(i)) / size, rng).into())
-                .sum();
-            Followed {
-                radiance: (seen.sum + rest.radiance) / self.samples as f32,
-                ..rest
-            }
+            // One after the other, as without the break: the sum is the same to the last bit.
+            let begun = Followed::from(seen.sum);
+            let sum = (first..self.samples).fold(begun, |sum, i| {
+                let one = radiance((corner + places(i)) / size, rng).into();
+                [sum, one].into_iter().sum()
+            });
+            sum.mean_of(self.samples)
         })
     }
     // ANCHOR_END: render_edges

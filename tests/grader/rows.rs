@@ -8,8 +8,8 @@ use raybook_grader::examine::visible_rng;
 use raybook_grader::stable::is_stable;
 use raybook_workbook::answer::answer;
 use raybook_workbook::exercises;
-use raybook_workbook::exercises::ch03_sphere::{SphereHit, SphereHitQuestion};
-use raybook_workbook::exercises::ch07_mesh::{Indices, MeshQuestion};
+use raybook_workbook::exercises::ch03_sphere::SphereHit;
+use raybook_workbook::exercises::ch07_mesh::{Indices, VertexNormals};
 use raybook_workbook::row::{Row, read};
 use std::fmt::Debug;
 
@@ -37,7 +37,7 @@ fn rows_go_there_and_back() {
     );
     there_and_back(&Some(Vec2::ONE), "1 1");
     there_and_back(&vec![1_u32, 7], "2  1  7");
-    let mesh = MeshQuestion {
+    let mesh = VertexNormals {
         positions: vec![Vec3::X],
         triangles: vec![Indices { a: 0, b: 0, c: 0 }],
     };
@@ -63,7 +63,7 @@ proptest! {
 #[test]
 fn errors_say_the_word() {
     let error = |line: &str| {
-        read::<SphereHitQuestion>(line, "question")
+        read::<SphereHit>(line, "question")
             .expect_err("it is wrong")
             .to_string()
     };
@@ -109,7 +109,7 @@ fn the_answer_loop_answers_by_hand() {
 
 #[test]
 fn a_question_that_its_last_digits_decide_is_thrown_away() {
-    let question = |height: f32| SphereHitQuestion {
+    let question = |height: f32| SphereHit {
         ray: Ray::new(vec3(-3.3, height, 0.1), Dir3::X),
         within: Interval::AHEAD,
         center: vec3(0.2, 0.1, 0.1),

@@ -1,6 +1,6 @@
 //! Octrees as rows.
 
-use crate::row::row;
+use crate::record::row;
 use raybook::accel::octree::build::Limits;
 use raybook::accel::octree::tree::{Kind, Node, Tree};
 use raybook::math::aabb::Aabb;

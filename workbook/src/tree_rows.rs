@@ -1,6 +1,6 @@
 //! Boxes and trees of them as rows.
 
-use crate::row::row;
+use crate::record::row;
 use glam::Vec3;
 use raybook::accel::bvh::build::flat::{Flat, Node};
 use raybook::accel::bvh::pair::{Link, Pair};

@@ -4,7 +4,6 @@ use super::{Done, Target};
 use raybook::image::file;
 use raybook_chapters::kit::say::say;
 use raybook_grader::golden;
-use std::path::PathBuf;
 
 /// Writes `golden/<chapter>/<exercise>.txt`; run it in the project's folder.
 #[derive(clap::Args)]
@@ -17,8 +16,8 @@ impl Bless {
     /// Writes them, and says how many random questions were thrown away.
     pub fn run(&self) -> Done {
         let (from, examiners) = self.target.resolve()?;
-        let golden = from.join("golden");
-        if !golden.is_dir() {
+        let folder = from.join("golden");
+        if !folder.is_dir() {
             return Err(format!(
                 "{}: there is no folder golden here; bless is for the project's own folder",
                 from.display()
@@ -26,8 +25,8 @@ impl Bless {
             .into());
         }
         for examiner in examiners {
-            let (path, text, cases) = golden::page(examiner);
-            let path: PathBuf = golden.join(path);
+            let (text, cases) = golden::page(examiner)?;
+            let path = folder.join(golden::path(examiner.name()));
             file::write_whole(&path, text.as_bytes())?;
             let percent = 100.0 * cases.thrown_away_fraction();
             say(format!(

@@ -8,23 +8,61 @@ use raybook::accel::wide_bvh::portable::Portable;
 use raybook::accel::wide_bvh::{Tree, walk};
 use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use raybook::shape::mesh::Facet;
-use crate::exercise::{Asked, Exercise};
+use crate::exercise::exercises;
 use crate::exercises::ch07_mesh::{Corners, MeshHitAnswer};
-use crate::row::row;
+use crate::record::row;
 use crate::tree_rows::{NodeRow, to_flat};
 use glam::Vec3;
 
-/// This chapter's exercises, in order.
-pub const EXERCISES: &[&dyn Asked] = &[&Collapse, &WideClosest];
-
-/// See [`Exercise::TASK`].
-pub struct Collapse;
-
-row! {
-    /// A binary tree.
-    pub struct CollapseQuestion {
+exercises! { ($) ch24_wide_bvh
+    /// Make a tree of up to eight children per branch out of a binary one: return each branch that stays with its new
+    /// children, opening the largest branch among them until there are eight.
+    Collapse: collapse(
         /// The root, then pairs of children.
-        pub nodes: Vec<NodeRow>,
+        nodes: Vec<NodeRow>,
+    ) -> (
+        /// Families.
+        families: Vec<FamilyRow>,
+    ) {
+        let nodes = binary(&to_flat(&nodes, 0));
+        let families = collapse(&nodes).into_iter().map(|family| FamilyRow {
+            branch: family.branch,
+            children: family.children,
+        });
+        families.collect()
+    }
+
+    /// Return the nearest triangle of the tree that the ray hits with min < t < max, and that hit, or None; count every
+    /// node that you open and every triangle that you test, and be content with few.
+    WideClosest: wide_closest(
+        /// The ray.
+        ray: Ray,
+        /// Only t with min < t < max counts.
+        within: Interval,
+        /// The nodes; the root is number 0.
+        nodes: Vec<WideNode>,
+        /// The leaves.
+        leaves: Vec<WideLeaf>,
+        /// The triangles.
+        triangles: Vec<Corners>,
+    ) -> (
+        /// Answer.
+        answer: WideClosestAnswer,
+    ) |q| {
+        let (tree, mut count) = (tree(q), Tests::default());
+        let nothing = Nearest::nothing(q.within.max);
+        let found = tree.root.map_or(nothing, |root| {
+            let seeker = Seeker::new(&q.ray, q.within.min, &tree);
+            walk::closest(Portable, &tree, root, &seeker, nothing, &mut count)
+        });
+        WideClosestAnswer {
+            nodes: count.boxes as u32,
+            tests: count.shapes as u32,
+            hit: (found.facet != NO_FACET).then_some(MeshHitAnswer {
+                t: found.hit.t,
+                id: found.hit.id,
+            }),
+        }
     }
 }
 
@@ -37,26 +75,6 @@ row! {
         pub children: Vec<u32>,
     }
 }
-
-impl Exercise for Collapse {
-    type Question = CollapseQuestion;
-    type Answer = Vec<FamilyRow>;
-    const NAME: &'static str = "collapse";
-    const ANSWER: &'static str = "families";
-    const TASK: &'static str = "Make a tree of up to eight children per branch out of a binary one: return each branch that stays with its new children, opening the largest branch among them until there are eight.";
-
-    fn answer(q: &Self::Question) -> Self::Answer {
-        let nodes = binary(&to_flat(&q.nodes, 0));
-        let families = collapse(&nodes).into_iter().map(|family| FamilyRow {
-            branch: family.branch,
-            children: family.children,
-        });
-        families.collect()
-    }
-}
-
-/// See [`Exercise::TASK`].
-pub struct WideClosest;
 
 row! {
     /// A child of a node.
@@ -89,22 +107,6 @@ row! {
 }
 
 row! {
-    /// A ray, the distances that count, and a wide tree over triangles.
-    pub struct WideClosestQuestion {
-        /// The ray.
-        pub ray: Ray,
-        /// Only t with min < t < max counts.
-        pub within: Interval,
-        /// The nodes; the root is number 0.
-        pub nodes: Vec<WideNode>,
-        /// The leaves.
-        pub leaves: Vec<WideLeaf>,
-        /// The triangles.
-        pub triangles: Vec<Corners>,
-    }
-}
-
-row! {
     /// The nearest triangle, and the work that it took to find it.
     pub struct WideClosestAnswer {
         /// How many nodes were opened: the boxes of all children of one are tested at once.
@@ -116,32 +118,8 @@ row! {
     }
 }
 
-impl Exercise for WideClosest {
-    type Question = WideClosestQuestion;
-    type Answer = WideClosestAnswer;
-    const NAME: &'static str = "wide_closest";
-    const TASK: &'static str = "Return the nearest triangle of the tree that the ray hits with min < t < max, and that hit, or None; count every node that you open and every triangle that you test, and be content with few.";
-
-    fn answer(q: &Self::Question) -> Self::Answer {
-        let (tree, mut count) = (tree(q), Tests::default());
-        let nothing = Nearest::nothing(q.within.max);
-        let found = tree.root.map_or(nothing, |root| {
-            let seeker = Seeker::new(&q.ray, q.within.min, &tree);
-            walk::closest(Portable, &tree, root, &seeker, nothing, &mut count)
-        });
-        WideClosestAnswer {
-            nodes: count.boxes as u32,
-            tests: count.shapes as u32,
-            hit: (found.facet != NO_FACET).then_some(MeshHitAnswer {
-                t: found.hit.t,
-                id: found.hit.id,
-            }),
-        }
-    }
-}
-
 /// The tree of a question. Children that do not exist are left out, and a child comes after its parent.
-fn tree(q: &WideClosestQuestion) -> Tree {
+fn tree(q: &WideClosest) -> Tree {
     let corners = q.triangles.iter().map(|t| [t.p0, t.p1, t.p2]).zip(0..);
     let facets: Vec<_> = corners.map(|(corners, id)| Facet { corners, id }).collect();
     let leaf = |leaf: &WideLeaf| {

@@ -1,12 +1,12 @@
 //! `box_clip`: its judge and mistakes.
 
 use super::box_clip_cases;
-use crate::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
+use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
 use raybook::image::rgb::Rgb;
 use raybook_chapters::kit::palette::viridis;
 use raybook::math::{interval::Interval, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch05_box::{BoxClip, BoxClipQuestion};
+use raybook_workbook::exercises::ch05_box::BoxClip;
 use glam::vec3;
 
 impl Graded for BoxClip {
@@ -82,7 +82,7 @@ impl Graded for BoxClip {
             let toward = sample::pixel(x, y);
             let turned = vec3(0.8 * toward.x - 0.6, toward.y - 0.4, -0.8 + 0.6 * -toward.x);
             let ray = sample::ray(vec3(2.0, 1.4, 2.6), turned);
-            BoxClipQuestion {
+            BoxClip {
                 ray,
                 within: Interval::AHEAD,
                 min: vec3(-1.0, -0.6, -0.8),
@@ -96,15 +96,11 @@ impl Graded for BoxClip {
         },
     }];
 
-    fn edges() -> Vec<Edge<Self>> {
-        box_clip_cases::edges()
-    }
-
-    fn random(rng: &mut Pcg) -> BoxClipQuestion {
+    fn random(rng: &mut Pcg) -> BoxClip {
         box_clip_cases::random(rng)
     }
 
-    fn judge(_q: &BoxClipQuestion, golden: &Option<Interval>, got: &Option<Interval>) -> Verdict {
+    fn judge(_q: &BoxClip, golden: &Option<Interval>, got: &Option<Interval>) -> Verdict {
         judge::option(
             "a part of the ray inside the box",
             golden.as_ref(),
@@ -118,7 +114,7 @@ impl Graded for BoxClip {
 }
 
 /// Where the whole line enters and leaves the slab of an axis; by the right rule.
-fn slab(q: &BoxClipQuestion, axis: usize) -> (f32, f32) {
+fn slab(q: &BoxClip, axis: usize) -> (f32, f32) {
     let (o, d) = (q.ray.origin[axis], q.ray.direction[axis]);
     let (a, b) = ((q.min[axis] - o) / d, (q.max[axis] - o) / d);
     if d.is_sign_negative() { (b, a) } else { (a, b) }
@@ -126,7 +122,7 @@ fn slab(q: &BoxClipQuestion, axis: usize) -> (f32, f32) {
 
 /// Clips by three slabs, by a rule for the order of the planes and one for when there is anything left.
 fn slabs(
-    q: &BoxClipQuestion,
+    q: &BoxClip,
     order: fn(f32, f32, f32) -> (f32, f32),
     keep: fn(f32, f32) -> bool,
 ) -> Option<Interval> {

@@ -1,13 +1,11 @@
 //! `triangle_hit`: its judge and mistakes.
 
 use super::triangle_hit_cases;
-use crate::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
+use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
 use raybook::image::rgb::Rgb;
 use raybook::math::{interval::Interval, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch06_triangle::{
-    TriangleHit, TriangleHitAnswer, TriangleHitQuestion,
-};
+use raybook_workbook::exercises::ch06_triangle::{TriangleHit, TriangleHitAnswer};
 use glam::{Vec3, vec3};
 
 impl Graded for TriangleHit {
@@ -92,7 +90,7 @@ impl Graded for TriangleHit {
         alt: "A triangle whose colours are the weights of its corners",
         question: |x, y| {
             let toward = sample::pixel(x, y);
-            TriangleHitQuestion {
+            TriangleHit {
                 ray: sample::ray(vec3(0.0, 0.0, 3.0), toward),
                 within: Interval::AHEAD,
                 p0: vec3(-1.7, -1.1, 0.3),
@@ -107,16 +105,12 @@ impl Graded for TriangleHit {
         },
     }];
 
-    fn edges() -> Vec<Edge<Self>> {
-        triangle_hit_cases::edges()
-    }
-
-    fn random(rng: &mut Pcg) -> TriangleHitQuestion {
+    fn random(rng: &mut Pcg) -> TriangleHit {
         triangle_hit_cases::random(rng)
     }
 
     fn judge(
-        _q: &TriangleHitQuestion,
+        _q: &TriangleHit,
         golden: &Option<TriangleHitAnswer>,
         got: &Option<TriangleHitAnswer>,
     ) -> Verdict {
@@ -129,12 +123,12 @@ impl Graded for TriangleHit {
 }
 
 /// Twice the triangle's area, as a vector along its normal.
-pub(super) fn normal(q: &TriangleHitQuestion) -> Vec3 {
+pub(super) fn normal(q: &TriangleHit) -> Vec3 {
     (q.p1 - q.p0).cross(q.p2 - q.p0)
 }
 
 /// The hit of the triangle's plane, if the weights there are to one's taste.
-fn plane(q: &TriangleHitQuestion, inside: fn(f32, f32) -> bool) -> Option<TriangleHitAnswer> {
+fn plane(q: &TriangleHit, inside: fn(f32, f32) -> bool) -> Option<TriangleHitAnswer> {
     let (n, e1, e2) = (normal(q), q.p1 - q.p0, q.p2 - q.p0);
     let t = n.dot(q.p0 - q.ray.origin) / n.dot(*q.ray.direction);
     let from_p0 = q.ray.at(t) - q.p0;

@@ -2,12 +2,12 @@
 
 use super::grid_walk_cases;
 use super::grid_walk_student::{ahead, least, student};
-use crate::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
+use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
 use raybook::image::rgb::Rgb;
 use raybook_chapters::kit::palette::viridis;
 use raybook::math::{interval::Interval, pcg::Pcg, slab};
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch08_grid::{GridWalk, GridWalkQuestion, Visit};
+use raybook_workbook::exercises::ch08_grid::{GridWalk, Visit};
 use glam::vec3;
 
 impl Graded for GridWalk {
@@ -98,7 +98,7 @@ impl Graded for GridWalk {
         question: |x, y| {
             let toward = vec3((x as f32 - 47.5) / 54.0, (26.5 - y as f32) / 54.0, -1.2);
             let turned = vec3(0.8 * toward.x - 0.6, toward.y - 0.45, -0.8 - 0.6 * toward.x);
-            GridWalkQuestion {
+            GridWalk {
                 min: vec3(-1.0, -0.7, -1.0),
                 cell: vec3(0.25, 0.28, 0.25),
                 nx: 8,
@@ -117,15 +117,11 @@ impl Graded for GridWalk {
         },
     }];
 
-    fn edges() -> Vec<Edge<Self>> {
-        grid_walk_cases::edges()
-    }
-
-    fn random(rng: &mut Pcg) -> GridWalkQuestion {
+    fn random(rng: &mut Pcg) -> GridWalk {
         grid_walk_cases::random(rng)
     }
 
-    fn judge(q: &GridWalkQuestion, golden: &Vec<Visit>, got: &Vec<Visit>) -> Verdict {
+    fn judge(q: &GridWalk, golden: &Vec<Visit>, got: &Vec<Visit>) -> Verdict {
         let (right, yours) = (passed(q, golden), passed(q, got));
         for (i, golden) in right.iter().enumerate() {
             let cell = golden.cell();
@@ -161,7 +157,7 @@ impl Graded for GridWalk {
 
 /// The visits without those of cells that the ray only touches, as in an edge or a corner: in which order these come,
 /// and whether they do, is left to rounding.
-fn passed(q: &GridWalkQuestion, visits: &[Visit]) -> Vec<Visit> {
+fn passed(q: &GridWalk, visits: &[Visit]) -> Vec<Visit> {
     let touch = 1e-3 * q.cell.min_element();
     let mut enter = start(q);
     let mut passed = Vec::new();
@@ -176,12 +172,12 @@ fn passed(q: &GridWalkQuestion, visits: &[Visit]) -> Vec<Visit> {
 }
 
 /// Where the ray enters the lattice, or the interval begins.
-fn start(q: &GridWalkQuestion) -> f32 {
+fn start(q: &GridWalk) -> f32 {
     slab::clip(&q.lattice().bounds(), &q.ray, q.within).map_or(q.within.min, |inside| inside.min)
 }
 
-fn walked(q: &GridWalkQuestion, within: Interval) -> Vec<Visit> {
-    GridWalk::answer(&GridWalkQuestion {
+fn walked(q: &GridWalk, within: Interval) -> Vec<Visit> {
+    GridWalk::answer(&GridWalk {
         within,
         ..q.clone()
     })

@@ -2,7 +2,7 @@
 
 use raybook::accel::lattice::Lattice;
 use raybook::math::slab;
-use raybook_workbook::exercises::ch08_grid::{GridWalkQuestion, Visit};
+use raybook_workbook::exercises::ch08_grid::{GridWalk, Visit};
 use glam::UVec3;
 
 /// The number of the plane that the ray meets next, from that of its cell.
@@ -18,7 +18,7 @@ pub(super) fn least(next: [f32; 3]) -> usize {
 
 /// A walk with a plane and an axis of the student's choice.
 pub(super) fn student(
-    q: &GridWalkQuestion,
+    q: &GridWalk,
     plane: fn(bool, i64) -> i64,
     choose: fn([f32; 3]) -> usize,
 ) -> Vec<Visit> {

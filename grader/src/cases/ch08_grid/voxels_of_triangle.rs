@@ -3,11 +3,11 @@
 use super::voxels_of_triangle_cases;
 use raybook::accel::grid::build;
 use raybook::accel::lattice::range;
-use crate::{Edge, Graded, Mistake, Verdict};
+use crate::{Graded, Mistake, Verdict};
 use raybook::math::aabb::Aabb;
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch08_grid::{Cell, VoxelsOfTriangle, VoxelsOfTriangleQuestion};
+use raybook_workbook::exercises::ch08_grid::{Cell, VoxelsOfTriangle};
 use glam::{UVec3, Vec3, uvec3, vec3};
 
 impl Graded for VoxelsOfTriangle {
@@ -76,15 +76,11 @@ impl Graded for VoxelsOfTriangle {
         },
     ];
 
-    fn edges() -> Vec<Edge<Self>> {
-        voxels_of_triangle_cases::edges()
-    }
-
-    fn random(rng: &mut Pcg) -> VoxelsOfTriangleQuestion {
+    fn random(rng: &mut Pcg) -> VoxelsOfTriangle {
         voxels_of_triangle_cases::random(rng)
     }
 
-    fn judge(q: &VoxelsOfTriangleQuestion, _golden: &Vec<Cell>, got: &Vec<Cell>) -> Verdict {
+    fn judge(q: &VoxelsOfTriangle, _golden: &Vec<Cell>, got: &Vec<Cell>) -> Verdict {
         // A cell that the triangle only touches is nobody's fault: these must be there, and only those may be.
         let hair = 1e-4 * (q.cell.max_element() + q.min.abs().max_element());
         let with = |margin| build::voxels_of_triangle(&q.lattice(), margin, &[q.p0, q.p1, q.p2]);
@@ -116,7 +112,7 @@ impl Graded for VoxelsOfTriangle {
 }
 
 /// The cells of the triangle's bounding box, grown by the margin, that a test keeps.
-fn kept(q: &VoxelsOfTriangleQuestion, keep: impl Fn(Aabb, [Vec3; 3]) -> bool) -> Vec<Cell> {
+fn kept(q: &VoxelsOfTriangle, keep: impl Fn(Aabb, [Vec3; 3]) -> bool) -> Vec<Cell> {
     let (lattice, corners) = (q.lattice(), [q.p0, q.p1, q.p2]);
     let bounds = Aabb::of(corners).grown(q.margin);
     let (first, last) = lattice.cells_of(&bounds);

@@ -3,17 +3,15 @@
 use super::refine_cell_cases;
 use super::refine_cell_judge::{self, depth};
 use raybook::accel::lattice::Lattice;
-use crate::{Edge, Graded, Mistake, Verdict};
+use crate::{Graded, Mistake, Verdict};
 use raybook::math::{aabb::Aabb, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch05_box::Corners;
-use raybook_workbook::exercises::ch09_two_level_grid::{
-    Entry, RefineCell, RefineCellAnswer, RefineCellQuestion,
-};
+use raybook_workbook::exercises::ch09_two_level_grid::{Entry, RefineCell, RefineCellAnswer};
 use glam::UVec3;
 
 /// The reference's answer with other boxes.
-fn with_shapes(q: &RefineCellQuestion, shape: impl Fn(&Corners) -> Corners) -> RefineCellAnswer {
+fn with_shapes(q: &RefineCell, shape: impl Fn(&Corners) -> Corners) -> RefineCellAnswer {
     RefineCell::misread(q, |q| q.shapes = q.shapes.iter().map(shape).collect())
 }
 
@@ -106,21 +104,17 @@ impl Graded for RefineCell {
         },
     ];
 
-    fn edges() -> Vec<Edge<Self>> {
-        refine_cell_cases::edges()
-    }
-
-    fn random(rng: &mut Pcg) -> RefineCellQuestion {
+    fn random(rng: &mut Pcg) -> RefineCell {
         refine_cell_cases::random(rng)
     }
 
-    fn judge(q: &RefineCellQuestion, golden: &RefineCellAnswer, got: &RefineCellAnswer) -> Verdict {
+    fn judge(q: &RefineCell, golden: &RefineCellAnswer, got: &RefineCellAnswer) -> Verdict {
         refine_cell_judge::judge(q, golden, got)
     }
 }
 
 /// The answer for a resolution of one's own.
-fn cut(q: &RefineCellQuestion, along: UVec3) -> RefineCellAnswer {
+fn cut(q: &RefineCell, along: UVec3) -> RefineCellAnswer {
     let bounds = Aabb {
         min: q.min,
         max: q.max,

@@ -4,14 +4,12 @@ use raybook::accel::lattice::Lattice;
 use crate::Verdict;
 use raybook::math::aabb::Aabb;
 use raybook_workbook::exercises::ch05_box::Corners;
-use raybook_workbook::exercises::ch09_two_level_grid::{
-    Entry, RefineCellAnswer, RefineCellQuestion,
-};
+use raybook_workbook::exercises::ch09_two_level_grid::{Entry, RefineCellAnswer, RefineCell};
 use glam::UVec3;
 
 /// The resolution, then every shape in the cells that it reaches and in no other.
 pub(super) fn judge(
-    q: &RefineCellQuestion,
+    q: &RefineCell,
     golden: &RefineCellAnswer,
     got: &RefineCellAnswer,
 ) -> Verdict {

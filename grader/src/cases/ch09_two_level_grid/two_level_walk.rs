@@ -2,15 +2,13 @@
 
 use super::two_level_walk_cases;
 use crate::passage::passage;
-use crate::{Edge, Graded, Mistake, Verdict};
+use crate::{Graded, Mistake, Verdict};
 use raybook::math::{aabb::Aabb, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch09_two_level_grid::{
-    Resolution, TwoLevelWalk, TwoLevelWalkQuestion,
-};
+use raybook_workbook::exercises::ch09_two_level_grid::{Resolution, TwoLevelWalk};
 
 /// The boxes of all fine cells, in the row of all.
-pub(super) fn cells(q: &TwoLevelWalkQuestion) -> Vec<Aabb> {
+pub(super) fn cells(q: &TwoLevelWalk) -> Vec<Aabb> {
     let levels = q.levels();
     let fine = levels.top.all().filter_map(|coarse| levels.fine(coarse));
     fine.flat_map(|(_, fine)| fine.all().map(move |cell| fine.bounds_of(cell, cell)))
@@ -18,7 +16,7 @@ pub(super) fn cells(q: &TwoLevelWalkQuestion) -> Vec<Aabb> {
 }
 
 /// The walk's cells grouped by the coarse cell in which they are: its first cell's place, and their places.
-fn by_coarse_cell(q: &TwoLevelWalkQuestion) -> Vec<(u32, u32, Vec<u32>)> {
+fn by_coarse_cell(q: &TwoLevelWalk) -> Vec<(u32, u32, Vec<u32>)> {
     let levels = q.levels();
     let mut groups: Vec<(u32, u32, Vec<u32>)> = Vec::new();
     for place in TwoLevelWalk::answer(q) {
@@ -113,15 +111,11 @@ impl Graded for TwoLevelWalk {
         },
     ];
 
-    fn edges() -> Vec<Edge<Self>> {
-        two_level_walk_cases::edges()
-    }
-
-    fn random(rng: &mut Pcg) -> TwoLevelWalkQuestion {
+    fn random(rng: &mut Pcg) -> TwoLevelWalk {
         two_level_walk_cases::random(rng)
     }
 
-    fn judge(q: &TwoLevelWalkQuestion, golden: &Vec<u32>, got: &Vec<u32>) -> Verdict {
+    fn judge(q: &TwoLevelWalk, golden: &Vec<u32>, got: &Vec<u32>) -> Verdict {
         passage("cell", &cells(q), &q.ray, q.within, golden, got)
     }
 }

@@ -3,15 +3,15 @@
 use super::octree_build_cases;
 use super::octree_build_judge::judge;
 use raybook::accel::octree::build::{Limits, build};
-use crate::{Edge, Graded, Mistake, Verdict};
+use crate::{Graded, Mistake, Verdict};
 use raybook::math::{aabb::Aabb, pcg::Pcg};
 use raybook_workbook::exercises::ch05_box::Corners;
-use raybook_workbook::exercises::ch10_octree::{OctreeBuild, OctreeBuildQuestion, reached};
+use raybook_workbook::exercises::ch10_octree::{OctreeBuild, reached};
 use raybook_workbook::octree_rows::TreeRow;
 
 /// The tree that the library builds if it is told something else about which cells a box reaches, or other limits.
 fn built(
-    q: &OctreeBuildQuestion,
+    q: &OctreeBuild,
     limits: impl FnOnce(Limits) -> Limits,
     seen: impl Fn(&Corners, &[Aabb; 8]) -> u8,
 ) -> TreeRow {
@@ -142,15 +142,11 @@ impl Graded for OctreeBuild {
         },
     ];
 
-    fn edges() -> Vec<Edge<Self>> {
-        octree_build_cases::edges()
-    }
-
-    fn random(rng: &mut Pcg) -> OctreeBuildQuestion {
+    fn random(rng: &mut Pcg) -> OctreeBuild {
         octree_build_cases::random(rng)
     }
 
-    fn judge(q: &OctreeBuildQuestion, golden: &TreeRow, got: &TreeRow) -> Verdict {
+    fn judge(q: &OctreeBuild, golden: &TreeRow, got: &TreeRow) -> Verdict {
         judge(q, golden, got)
     }
 }

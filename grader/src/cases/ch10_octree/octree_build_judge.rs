@@ -3,11 +3,11 @@
 use raybook::accel::octree::tree::child_cell;
 use crate::Verdict;
 use raybook::math::aabb::Aabb;
-use raybook_workbook::exercises::ch10_octree::OctreeBuildQuestion;
+use raybook_workbook::exercises::ch10_octree::OctreeBuild;
 use raybook_workbook::octree_rows::{NodeRow, TreeRow};
 
 /// Every shape in the leaves that it reaches and in no other, as few copies as asked for, and a cost like the reference's.
-pub(super) fn judge(q: &OctreeBuildQuestion, golden: &TreeRow, got: &TreeRow) -> Verdict {
+pub(super) fn judge(q: &OctreeBuild, golden: &TreeRow, got: &TreeRow) -> Verdict {
     let leaves = leaves(q, got)?;
     let tolerance = 1e-4 * (q.max - q.min).max_element();
     for leaf in &leaves {
@@ -56,7 +56,7 @@ struct LeafOf {
 }
 
 /// The leaves of an answer, if it is a tree and no deeper than it may be.
-fn leaves(q: &OctreeBuildQuestion, tree: &TreeRow) -> Result<Vec<LeafOf>, String> {
+fn leaves(q: &OctreeBuild, tree: &TreeRow) -> Result<Vec<LeafOf>, String> {
     let root = Aabb {
         min: q.min,
         max: q.max,
@@ -104,7 +104,7 @@ fn leaves(q: &OctreeBuildQuestion, tree: &TreeRow) -> Result<Vec<LeafOf>, String
 }
 
 /// The tests that a ray through the root is expected to cost: a node at depth d is entered by one ray of 4^d.
-fn cost(q: &OctreeBuildQuestion, tree: &TreeRow) -> f32 {
+fn cost(q: &OctreeBuild, tree: &TreeRow) -> f32 {
     let mut cost = 0.0;
     let mut to_do = vec![(0, 1.0)];
     while let Some((node, share)) = to_do.pop() {

@@ -3,13 +3,13 @@
 use super::octree_walk_cases;
 use raybook::accel::octree::tree::Kind;
 use crate::passage::passage;
-use crate::{Edge, Graded, Mistake, Verdict};
+use crate::{Graded, Mistake, Verdict};
 use raybook::math::{aabb::Aabb, interval::Interval, pcg::Pcg, ray::Ray};
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch10_octree::{OctreeWalk, OctreeWalkQuestion};
+use raybook_workbook::exercises::ch10_octree::OctreeWalk;
 
 /// The leaves' cells by the nodes' numbers, and which nodes are leaves that are not empty; empty boxes for inner nodes.
-pub(super) fn cells(q: &OctreeWalkQuestion) -> (Vec<Aabb>, Vec<u32>) {
+pub(super) fn cells(q: &OctreeWalk) -> (Vec<Aabb>, Vec<u32>) {
     let tree = q.tree();
     let mut cells = vec![Aabb::EMPTY; tree.nodes.len()];
     let mut leaves = Vec::new();
@@ -25,8 +25,8 @@ pub(super) fn cells(q: &OctreeWalkQuestion) -> (Vec<Aabb>, Vec<u32>) {
     (cells, leaves)
 }
 
-fn walked(q: &OctreeWalkQuestion, ray: Ray, within: Interval) -> Vec<u32> {
-    OctreeWalk::answer(&OctreeWalkQuestion {
+fn walked(q: &OctreeWalk, ray: Ray, within: Interval) -> Vec<u32> {
+    OctreeWalk::answer(&OctreeWalk {
         ray,
         within,
         ..q.clone()
@@ -83,15 +83,11 @@ impl Graded for OctreeWalk {
         },
     ];
 
-    fn edges() -> Vec<Edge<Self>> {
-        octree_walk_cases::edges()
-    }
-
-    fn random(rng: &mut Pcg) -> OctreeWalkQuestion {
+    fn random(rng: &mut Pcg) -> OctreeWalk {
         octree_walk_cases::random(rng)
     }
 
-    fn judge(q: &OctreeWalkQuestion, golden: &Vec<u32>, got: &Vec<u32>) -> Verdict {
+    fn judge(q: &OctreeWalk, golden: &Vec<u32>, got: &Vec<u32>) -> Verdict {
         let (cells, leaves) = cells(q);
         if let Some(node) = got.iter().find(|node| !leaves.contains(node)) {
             let what = match q.nodes.get(*node as usize) {

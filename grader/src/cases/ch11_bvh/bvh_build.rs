@@ -3,18 +3,17 @@
 use super::bvh_build_judge::tree_cost;
 use super::{around, center, cube, heaps, no_dearer, tree};
 use raybook::accel::bvh::build::Method;
-use crate::{Edge, Graded, Mistake, Verdict};
+use crate::{Graded, Mistake, Verdict};
 use raybook::math::{aabb::Aabb, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch11_bvh::{BvhBuild, BvhBuildAnswer, BvhBuildQuestion};
+use raybook_workbook::exercises::ch11_bvh::{BvhBuild, BvhBuildAnswer};
 use raybook_workbook::tree_rows::NodeRow;
-use glam::vec3;
 
 /// A tree may cost so much more than the reference's: neither is the best, and which cut is taken first decides more.
 const DEARER: f32 = 0.25;
 
 /// A tree that takes the boxes in this order and cuts off one after the other.
-pub(super) fn chain(q: &BvhBuildQuestion) -> BvhBuildAnswer {
+pub(super) fn chain(q: &BvhBuild) -> BvhBuildAnswer {
     let n = q.boxes.len() as u32;
     let order: Vec<_> = (0..n).collect();
     let node = |which: &[u32], first, count| {
@@ -100,46 +99,14 @@ impl Graded for BvhBuild {
         },
     ];
 
-    fn edges() -> Vec<Edge<Self>> {
-        let row = |at: &[f32], most| BvhBuildQuestion {
-            most,
-            boxes: at
-                .iter()
-                .map(|&x| cube(vec3(x, 0.5 * x, 1.0), 0.5))
-                .collect(),
-        };
-        let mut hay = row(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0], 2);
-        hay.boxes.push(cube(vec3(2.0, 2.0, 2.0), 6.0));
-        let grid = (0..9).map(|i| cube(vec3((i % 3) as f32 * 2.0, 0.0, (i / 3) as f32 * 3.0), 0.5));
-        vec![
-            Edge::new("a single box", row(&[1.0], 4)),
-            Edge::new("two boxes far from each other", row(&[0.0, 30.0], 4)),
-            Edge::new("two heaps", row(&[0.0, 0.5, 1.0, 20.0, 20.5, 21.0], 4)),
-            Edge::new("one far away", row(&[0.0, 1.0, 2.0, 3.0, 4.0, 40.0], 4)),
-            Edge::new(
-                "growing distances",
-                row(&[1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0], 2),
-            ),
-            Edge::new("the same box six times", row(&[1.0; 6], 6)),
-            Edge::new("a large box over small ones", hay),
-            Edge::new(
-                "three rows of three",
-                BvhBuildQuestion {
-                    most: 1,
-                    boxes: grid.collect(),
-                },
-            ),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> BvhBuildQuestion {
-        BvhBuildQuestion {
+    fn random(rng: &mut Pcg) -> BvhBuild {
+        BvhBuild {
             most: 4,
             boxes: heaps(rng),
         }
     }
 
-    fn judge(q: &BvhBuildQuestion, golden: &BvhBuildAnswer, got: &BvhBuildAnswer) -> Verdict {
+    fn judge(q: &BvhBuild, golden: &BvhBuildAnswer, got: &BvhBuildAnswer) -> Verdict {
         no_dearer(
             "the tree",
             tree_cost(q, got)?,
@@ -150,7 +117,7 @@ impl Graded for BvhBuild {
 }
 
 /// All boxes in one leaf.
-fn one_leaf(q: &BvhBuildQuestion) -> BvhBuildAnswer {
+fn one_leaf(q: &BvhBuild) -> BvhBuildAnswer {
     let order: Vec<_> = (0..q.boxes.len() as u32).collect();
     let Aabb { min, max } = around(&q.boxes, &order);
     let leaf = NodeRow {

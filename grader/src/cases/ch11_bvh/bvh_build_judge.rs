@@ -1,10 +1,10 @@
 //! The judge of `bvh_build`: by what a hierarchy must keep to and by its cost, not by its shape.
 
 use super::sah_cost::node_area;
-use raybook_workbook::exercises::ch11_bvh::{BvhBuildAnswer, BvhBuildQuestion};
+use raybook_workbook::exercises::ch11_bvh::{BvhBuildAnswer, BvhBuild};
 
 /// The cost of a tree, if it is one.
-pub(super) fn tree_cost(q: &BvhBuildQuestion, tree: &BvhBuildAnswer) -> Result<f32, String> {
+pub(super) fn tree_cost(q: &BvhBuild, tree: &BvhBuildAnswer) -> Result<f32, String> {
     let mut met = vec![false; q.boxes.len()];
     if tree.order.len() != met.len() {
         return Err(format!(

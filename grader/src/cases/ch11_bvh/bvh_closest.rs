@@ -2,9 +2,9 @@
 
 use super::bvh_closest_cases::{self, question};
 use crate::search::{self, How, Node, Order, Tree};
-use crate::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
+use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
 use raybook::math::{aabb::Aabb, interval::Interval, pcg::Pcg};
-use raybook_workbook::exercises::ch11_bvh::{BvhClosest, BvhClosestAnswer, BvhClosestQuestion};
+use raybook_workbook::exercises::ch11_bvh::{BvhClosest, BvhClosestAnswer};
 use raybook_workbook::tree_rows::NodeRow;
 use glam::vec3;
 
@@ -81,16 +81,12 @@ impl Graded for BvhClosest {
         colour: |_, answer| search::colour(answer.hit.as_ref()),
     }];
 
-    fn edges() -> Vec<Edge<Self>> {
-        bvh_closest_cases::edges()
-    }
-
-    fn random(rng: &mut Pcg) -> BvhClosestQuestion {
+    fn random(rng: &mut Pcg) -> BvhClosest {
         bvh_closest_cases::random(rng)
     }
 
     fn judge(
-        _q: &BvhClosestQuestion,
+        _q: &BvhClosest,
         golden: &BvhClosestAnswer,
         got: &BvhClosestAnswer,
     ) -> Verdict {
@@ -115,7 +111,7 @@ pub(super) fn few(what: &str, golden: u32, got: u32) -> Verdict {
 }
 
 /// A search that goes wrong in some way.
-fn search(q: &BvhClosestQuestion, change: impl FnOnce(&mut How)) -> BvhClosestAnswer {
+fn search(q: &BvhClosest, change: impl FnOnce(&mut How)) -> BvhClosestAnswer {
     let node = |i: u32| {
         let NodeRow { first, count, .. } = q.nodes[i as usize];
         match count {

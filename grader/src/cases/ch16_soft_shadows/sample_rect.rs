@@ -2,11 +2,11 @@
 
 use super::chosen::{DENSITY, N, each, evenly};
 use super::lattice;
-use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::math::{basis::Basis, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch16_soft_shadows::{Chosen, SampleRect, SampleRectQuestion};
-use glam::{Vec2, Vec3, vec2, vec3};
+use raybook_workbook::exercises::ch16_soft_shadows::{Chosen, SampleRect};
+use glam::{Vec2, vec2};
 use rand::RngExt;
 use std::f32::consts::TAU;
 
@@ -41,7 +41,7 @@ impl Graded for SampleRect {
             name: "does not see that the light turns its back",
             hint: "Where does a × b point, and on which side of the light is the point?",
             answer: |q| {
-                let front = SampleRectQuestion {
+                let front = SampleRect {
                     corner: q.corner + q.a,
                     a: -q.a,
                     ..q.clone()
@@ -53,7 +53,7 @@ impl Graded for SampleRect {
             name: "takes the corner for the middle",
             hint: "Which points do u = (0, 0) and u = (1, 1) belong to?",
             answer: |q| {
-                SampleRect::answer(&SampleRectQuestion {
+                SampleRect::answer(&SampleRect {
                     corner: q.corner - 0.5 * (q.a + q.b),
                     ..q.clone()
                 })
@@ -83,42 +83,7 @@ impl Graded for SampleRect {
         },
     ];
 
-    fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, at, [corner, a, b]: [Vec3; 3]| {
-            Edge::new(
-                name,
-                SampleRectQuestion {
-                    at,
-                    corner,
-                    a,
-                    b,
-                    radiance: 2.0,
-                    n: N,
-                },
-            )
-        };
-        let above = vec3(-0.5, 2.0, -0.5);
-        let square = [above, Vec3::X, Vec3::Z];
-        let long = [above, Vec3::X, 4.0 * Vec3::Z];
-        let tiny = [
-            vec3(0.25, 1.0, 0.5),
-            0.007_812_5 * Vec3::X,
-            0.015_625 * Vec3::Z,
-        ];
-        let askew = [Vec3::ONE, vec3(2.0, -1.0, 0.0), vec3(1.0, 2.0, -0.5)];
-        vec![
-            edge("a square straight above", Vec3::ZERO, square),
-            edge("it turns its back", vec3(0.0, 4.0, 0.0), square),
-            edge("from within its plane", vec3(3.0, 2.0, 0.0), square),
-            edge("a long one, from the side", vec3(4.0, 1.5, 0.0), long),
-            edge("very close", vec3(0.0, 1.9, 0.0), square),
-            edge("far away", vec3(10.0, -300.0, 20.0), square),
-            edge("a tiny one", Vec3::ZERO, tiny),
-            edge("askew", vec3(-0.4, -0.3, 0.2), askew),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> SampleRectQuestion {
+    fn random(rng: &mut Pcg) -> SampleRect {
         let basis = Basis::around(sample::direction(rng));
         let [width, height] = [(); 2].map(|()| sample::number(rng, 0.3, 3.0));
         let (a, b) = (width * *basis.x, height * *basis.y);
@@ -129,7 +94,7 @@ impl Graded for SampleRect {
         );
         let before = sample::number(rng, 0.5, 4.0);
         let side = if rng.random_bool(0.1) { -1.0 } else { 1.0 };
-        SampleRectQuestion {
+        SampleRect {
             at: corner + place.x * a + place.y * b + side * before * *basis.z,
             corner,
             a,
@@ -139,7 +104,7 @@ impl Graded for SampleRect {
         }
     }
 
-    fn judge(q: &SampleRectQuestion, golden: &Self::Answer, got: &Self::Answer) -> Verdict {
+    fn judge(q: &SampleRect, golden: &Self::Answer, got: &Self::Answer) -> Verdict {
         judge::option("light", golden.as_ref(), got.as_ref(), |_, got| {
             let size = q.a.length().max(q.b.length());
             let place = |chosen: &Chosen| {
@@ -166,12 +131,12 @@ impl Graded for SampleRect {
     }
 }
 
-fn area(q: &SampleRectQuestion) -> f32 {
+fn area(q: &SampleRect) -> f32 {
     q.a.length() * q.b.length()
 }
 
 /// The right answer with another density, of the cosine at the light and the right choice.
-fn spoil_rect(q: &SampleRectQuestion, pdf: impl Fn(f32, &Chosen) -> f32) -> Option<Vec<Chosen>> {
+fn spoil_rect(q: &SampleRect, pdf: impl Fn(f32, &Chosen) -> f32) -> Option<Vec<Chosen>> {
     let mut all = SampleRect::answer(q)?;
     for chosen in &mut all {
         let cosine = -chosen.toward.dot(q.a.cross(q.b).normalize_or_zero());
@@ -182,7 +147,7 @@ fn spoil_rect(q: &SampleRectQuestion, pdf: impl Fn(f32, &Chosen) -> f32) -> Opti
 }
 
 /// Other points of the light, with the right density of uniform ones.
-fn chosen_rect(q: &SampleRectQuestion, place: fn(Vec2) -> Vec2) -> Option<Vec<Chosen>> {
+fn chosen_rect(q: &SampleRect, place: fn(Vec2) -> Vec2) -> Option<Vec<Chosen>> {
     SampleRect::answer(q)?;
     let chosen = |u: Vec2| {
         let p = place(u);

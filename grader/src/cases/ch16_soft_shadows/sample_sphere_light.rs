@@ -2,13 +2,11 @@
 
 use super::chosen::{DENSITY, N, each, evenly};
 use super::cone::{cap, cone};
-use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch16_soft_shadows::{
-    Chosen, SampleSphereLight, SampleSphereLightQuestion,
-};
-use glam::{Vec3, dvec2, vec3};
+use raybook_workbook::exercises::ch16_soft_shadows::{Chosen, SampleSphereLight};
+use glam::dvec2;
 use rand::RngExt;
 use std::f32::consts::{PI, TAU};
 
@@ -91,39 +89,14 @@ impl Graded for SampleSphereLight {
         },
     ];
 
-    fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, at, center, radius| {
-            Edge::new(
-                name,
-                SampleSphereLightQuestion {
-                    at,
-                    center,
-                    radius,
-                    radiance: 2.0,
-                    n: N,
-                },
-            )
-        };
-        vec![
-            edge("straight above", Vec3::ZERO, 3.0 * Vec3::Y, 1.0),
-            edge("straight below", Vec3::ZERO, -2.0 * Vec3::Y, 0.5),
-            edge("along z, against it", 5.0 * Vec3::Z, Vec3::ZERO, 2.0),
-            edge("it fills half the view", 1.03125 * Vec3::X, Vec3::ZERO, 1.0),
-            edge("small and far", vec3(-60.0, 0.0, 80.0), Vec3::ZERO, 0.0625),
-            edge("from inside", vec3(0.25, 0.5, 0.0), Vec3::ZERO, 1.0),
-            edge("from its centre", Vec3::ONE, Vec3::ONE, 2.0),
-            edge("askew", vec3(1.0, -2.0, 0.5), vec3(-1.0, 1.0, 2.0), 1.5),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> SampleSphereLightQuestion {
+    fn random(rng: &mut Pcg) -> SampleSphereLight {
         let (center, radius) = (sample::point(rng, 3.0), sample::number(rng, 0.3, 2.0));
         let away = match rng.random_range(0..8) {
             0 | 1 => sample::number(rng, 0.1, 0.9),
             2 => sample::number(rng, 500.0, 2000.0),
             _ => sample::number(rng, 1.2, 6.0),
         };
-        SampleSphereLightQuestion {
+        SampleSphereLight {
             at: center + away * radius * *sample::direction(rng),
             center,
             radius,
@@ -132,7 +105,7 @@ impl Graded for SampleSphereLight {
         }
     }
 
-    fn judge(q: &SampleSphereLightQuestion, _: &Self::Answer, got: &Self::Answer) -> Verdict {
+    fn judge(q: &SampleSphereLight, _: &Self::Answer, got: &Self::Answer) -> Verdict {
         let (d, inside) = (q.at.distance(q.center), q.at.distance(q.center) <= q.radius);
         let cap = f64::from(cap(q));
         let axis = Dir3::new_or(q.center - q.at, Dir3::Y);

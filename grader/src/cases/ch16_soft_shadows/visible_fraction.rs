@@ -1,13 +1,11 @@
 //! `visible_fraction`: its cases, judge and mistakes.
 
 use super::lattice;
-use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 use raybook::shape::{Shape, sphere::Sphere};
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch16_soft_shadows::{
-    Ball, VisibleFraction, VisibleFractionQuestion,
-};
+use raybook_workbook::exercises::ch16_soft_shadows::{Ball, VisibleFraction};
 use glam::{Vec2, Vec3, vec3};
 
 /// How many samples are asked for.
@@ -59,7 +57,7 @@ impl Graded for VisibleFraction {
             name: "lets a light shine backwards",
             hint: "Where does a × b point, and on which side of the light is the point?",
             answer: |q| {
-                let turned = VisibleFractionQuestion {
+                let turned = VisibleFraction {
                     corner: q.corner + q.a,
                     a: -q.a,
                     ..q.clone()
@@ -77,42 +75,7 @@ impl Graded for VisibleFraction {
     /// The share of a whole light has no edges at which a last digit decides.
     const ULPS: i32 = 0;
 
-    fn edges() -> Vec<Edge<Self>> {
-        let square = |points: &[Vec3], balls: &[(Vec3, f32)]| VisibleFractionQuestion {
-            corner: vec3(-1.0, 4.0, -1.0),
-            a: 2.0 * Vec3::X,
-            b: 2.0 * Vec3::Z,
-            points: points.to_vec(),
-            balls: balls
-                .iter()
-                .map(|&(center, radius)| Ball { center, radius })
-                .collect(),
-            samples: SAMPLES,
-        };
-        let row = [0.0, 0.5, 1.0, 2.0].map(|x| vec3(x, 0.0, 0.0));
-        let near = [Vec3::ZERO, 0.25 * Vec3::Z];
-        let behind = [vec3(0.0, 5.0, 0.0), vec3(1.0, 7.0, 0.5), Vec3::ZERO];
-        let low = (vec3(0.0, 1.0, 0.0), 0.5);
-        let high = (vec3(0.0, 3.0, 0.0), 0.5);
-        let middle = (vec3(0.0, 2.0, 0.0), 0.25);
-        let above = (vec3(0.0, 6.0, 0.0), 1.5);
-        let below = (vec3(0.0, -2.0, 0.0), 1.5);
-        let two = [(vec3(0.25, 2.0, 0.0), 0.5), (vec3(0.5, 1.0, 0.25), 0.25)];
-        [
-            ("nothing in the way", square(&row, &[])),
-            ("from the umbra to full light", square(&row, &[low])),
-            ("a ball too small for an umbra", square(&row, &[high])),
-            ("only the middle is hidden", square(&near, &[middle])),
-            ("a ball behind the light", square(&row, &[above])),
-            ("a ball below the points", square(&row, &[below])),
-            ("points behind the light", square(&behind, &[])),
-            ("two balls, whose shadows overlap", square(&row, &two)),
-        ]
-        .map(|(name, question)| Edge::new(name, question))
-        .into()
-    }
-
-    fn random(rng: &mut Pcg) -> VisibleFractionQuestion {
+    fn random(rng: &mut Pcg) -> VisibleFraction {
         let [width, depth] = [(); 2].map(|()| sample::number(rng, 1.0, 3.0));
         let height = sample::number(rng, 3.0, 5.0);
         let balls = (0..3).map(|i| Ball {
@@ -134,7 +97,7 @@ impl Graded for VisibleFraction {
             vec3(p.x, 0.0, p.z)
         };
         let points = (0..4).map(on_floor).collect();
-        VisibleFractionQuestion {
+        VisibleFraction {
             corner: vec3(-0.5 * width, height, -0.5 * depth),
             a: width * Vec3::X,
             b: depth * Vec3::Z,
@@ -146,7 +109,7 @@ impl Graded for VisibleFraction {
 
     /// By Bernstein's inequality, the mean of n samples that are 0 or 1 is off by more than √(2 f(1 − f) L/n) + 2L/(3n)
     /// with a probability below 2 e^(−L): with L = 21 once in 10⁹ points, in a class of 500 less than once in 10⁴ times.
-    fn judge(q: &VisibleFractionQuestion, _golden: &Vec<f32>, got: &Vec<f32>) -> Verdict {
+    fn judge(q: &VisibleFraction, _golden: &Vec<f32>, got: &Vec<f32>) -> Verdict {
         const L: f32 = 21.0;
         /// What the lattice that stands for the exact value may be off.
         const LATTICE: f32 = 0.01;
@@ -168,13 +131,13 @@ impl Graded for VisibleFraction {
 }
 
 /// The fractions, by a lattice fine enough to stand for the exact value.
-fn exact(q: &VisibleFractionQuestion) -> Vec<f32> {
+fn exact(q: &VisibleFraction) -> Vec<f32> {
     seen(q, 32, |u| u, 1.0)
 }
 
 /// The fractions by the points of the light to which an n × n lattice is mapped, and by rays that end at so many times the
 /// distance of the light.
-fn seen(q: &VisibleFractionQuestion, n: u32, place: fn(Vec2) -> Vec2, end: f32) -> Vec<f32> {
+fn seen(q: &VisibleFraction, n: u32, place: fn(Vec2) -> Vec2, end: f32) -> Vec<f32> {
     let balls: Vec<_> = q
         .balls
         .iter()

@@ -1,18 +1,16 @@
 //! `cosine_hemisphere`: judged by what its directions have in common.
 
-use super::{at_height, toward};
-use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use super::at_height;
+use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch17_rendering_equation::{
-    CosineHemisphere, CosineHemisphereQuestion, lattice,
-};
+use raybook_workbook::exercises::ch17_rendering_equation::{CosineHemisphere, lattice};
 use glam::{Vec2, Vec3, vec3};
 use rand::RngExt;
 use std::f32::consts::{FRAC_PI_2, PI, TAU};
 
 /// The lattice's images, given in coordinates whose z is the normal.
-fn around(q: &CosineHemisphereQuestion, warp: fn(Vec2) -> Vec3) -> Vec<Vec3> {
+fn around(q: &CosineHemisphere, warp: fn(Vec2) -> Vec3) -> Vec<Vec3> {
     let basis = Basis::around(q.normal);
     lattice(q.n).map(|u| basis.to_world(warp(u))).collect()
 }
@@ -38,7 +36,7 @@ impl Graded for CosineHemisphere {
             name: "ignores the normal",
             hint: "Try a normal that points down: do your directions follow it?",
             answer: |q| {
-                CosineHemisphere::answer(&CosineHemisphereQuestion {
+                CosineHemisphere::answer(&CosineHemisphere {
                     normal: Dir3::Z,
                     ..q.clone()
                 })
@@ -71,21 +69,8 @@ impl Graded for CosineHemisphere {
         },
     ];
 
-    fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, normal, n| Edge::new(name, CosineHemisphereQuestion { normal, n });
-        vec![
-            edge("the normal is +z", Dir3::Z, 64),
-            edge("the normal is −z", -Dir3::Z, 64),
-            edge("the normal is up", Dir3::Y, 60),
-            edge("the normal is +x", Dir3::X, 72),
-            edge("the normal is down", -Dir3::Y, 64),
-            edge("nearly −z", toward(1e-4, -1e-4, -1.0), 64),
-            edge("askew", toward(-1.0, 2.0, 0.5), 90),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> CosineHemisphereQuestion {
-        CosineHemisphereQuestion {
+    fn random(rng: &mut Pcg) -> CosineHemisphere {
+        CosineHemisphere {
             normal: sample::direction(rng),
             n: rng.random_range(48..=96),
         }
@@ -97,7 +82,7 @@ impl Graded for CosineHemisphere {
     /// not, any turn around the normal, the disc by rings or by squares (Shirley and Chiu 1997), or a sphere's point added
     /// to the normal: all means are right to 0.026, and the shares too. The nearest mistakes, which spread the angle evenly
     /// and which use a number twice, are off by 0.095 in a share, and by 0.12 in a mean.
-    fn judge(q: &CosineHemisphereQuestion, _golden: &Vec<Vec3>, got: &Vec<Vec3>) -> Verdict {
+    fn judge(q: &CosineHemisphere, _golden: &Vec<Vec3>, got: &Vec<Vec3>) -> Verdict {
         const BOUND: f32 = 0.055;
         let expected = q.n as usize;
         if got.len() != expected {

@@ -1,13 +1,11 @@
 //! `reflected_radiance`: an estimate, held against the integral.
 
-use super::{at_height, colour, toward};
-use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use super::{at_height, colour};
+use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::image::rgb::Rgb;
 use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
 use raybook::sample::hemisphere;
-use raybook_workbook::exercises::ch17_rendering_equation::{
-    ReflectedRadiance, ReflectedRadianceQuestion,
-};
+use raybook_workbook::exercises::ch17_rendering_equation::ReflectedRadiance;
 use std::f32::consts::{PI, TAU};
 
 /// ∫ g dω over the hemisphere around the normal, of several g, by the middles of cells of equal solid angle.
@@ -27,7 +25,7 @@ fn integral<const N: usize>(normal: Dir3, g: impl Fn(Dir3) -> [Rgb; N]) -> [Rgb;
 }
 
 /// ∫ f L_i cos θ · weight dω, as a wrong estimate would have it in the mean.
-fn weighted(q: &ReflectedRadianceQuestion, weight: impl Fn(f32) -> f32) -> Rgb {
+fn weighted(q: &ReflectedRadiance, weight: impl Fn(f32) -> f32) -> Rgb {
     let brdf = q.brdf();
     let [sum] = integral(q.normal, |d| {
         let cosine = d.dot(*q.normal);
@@ -89,76 +87,11 @@ impl Graded for ReflectedRadiance {
     /// Estimates scatter: what a student's is, another estimate with the same mistake is only nearly.
     const ALIKE: f32 = 0.05;
 
-    fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, view: Dir3, [diffuse, specular]: [f32; 2], exponent, zenith| {
-            Edge::new(
-                name,
-                ReflectedRadianceQuestion {
-                    normal: Dir3::Y,
-                    view,
-                    diffuse: Rgb::new(diffuse, 0.8 * diffuse, 0.5 * diffuse),
-                    specular: Rgb::gray(specular),
-                    exponent,
-                    zenith,
-                    radiance: Rgb::new(1.0, 1.5, 2.0),
-                    samples: 20_000,
-                },
-            )
-        };
-        let slant = toward(1.0, 1.0, 0.0);
-        vec![
-            edge("matt, under the zenith", Dir3::Y, [0.8, 0.0], 1.0, Dir3::Y),
-            edge(
-                "matt, the zenith is at the horizon",
-                slant,
-                [0.8, 0.0],
-                1.0,
-                Dir3::X,
-            ),
-            edge(
-                "matt, the zenith is below",
-                slant,
-                [0.8, 0.0],
-                1.0,
-                -Dir3::Y,
-            ),
-            edge("only a highlight", Dir3::Y, [0.0, 0.9], 2.0, Dir3::Y),
-            edge(
-                "a highlight towards the zenith",
-                slant,
-                [0.2, 0.6],
-                3.0,
-                toward(-1.0, 1.0, 0.0),
-            ),
-            edge(
-                "a highlight away from the zenith",
-                slant,
-                [0.2, 0.6],
-                3.0,
-                toward(1.0, 1.0, 0.0),
-            ),
-            edge(
-                "seen at a slant: part of the lobe is cut off",
-                toward(1.0, 0.3, 0.2),
-                [0.1, 0.6],
-                2.0,
-                Dir3::Y,
-            ),
-            edge(
-                "the highlight is as wide as the matt part",
-                slant,
-                [0.3, 0.3],
-                1.0,
-                Dir3::Z,
-            ),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> ReflectedRadianceQuestion {
+    fn random(rng: &mut Pcg) -> ReflectedRadiance {
         let normal = sample::direction(rng);
         let d = sample::direction(rng);
         let above = if d.dot(*normal) < 0.0 { -d } else { d };
-        ReflectedRadianceQuestion {
+        ReflectedRadiance {
             normal,
             view: Dir3::new_or(*above + 0.3 * *normal, normal),
             diffuse: colour(rng, 0.2, 0.6),
@@ -174,7 +107,7 @@ impl Graded for ReflectedRadiance {
     /// well be written: by directions of the whole sphere, half of them in vain, or by the cosine. Of 300 random cases the
     /// others (the hemisphere, the highlight's lobe and one of them, half and half) scatter less in every one. Of 500
     /// students with 42 cases of three channels, chance fails one with a probability of 500 · 126 · 6e-10 = 4e-5.
-    fn judge(q: &ReflectedRadianceQuestion, _golden: &Rgb, got: &Rgb) -> Verdict {
+    fn judge(q: &ReflectedRadiance, _golden: &Rgb, got: &Rgb) -> Verdict {
         const DEVIATIONS: f32 = 6.2;
         let brdf = q.brdf();
         let [exact, sphere, cosine] = integral(q.normal, |d| {

@@ -1,9 +1,9 @@
 //! `concentric_disk`: judged by how its points fill the disc.
 
-use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::math::pcg::Pcg;
 use raybook::sample::disk::concentric_disk;
-use raybook_workbook::exercises::ch19_depth_of_field::{ConcentricDisk, ConcentricDiskQuestion};
+use raybook_workbook::exercises::ch19_depth_of_field::ConcentricDisk;
 use glam::{Vec2, vec2};
 use rand::RngExt;
 use std::f32::consts::{FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_4, TAU};
@@ -16,7 +16,7 @@ pub(super) trait InSquare {
     fn mapped(&self, map: fn(Vec2) -> Vec2) -> Vec<Vec2>;
 }
 
-impl InSquare for ConcentricDiskQuestion {
+impl InSquare for ConcentricDisk {
     fn mapped(&self, map: fn(Vec2) -> Vec2) -> Vec<Vec2> {
         self.points().map(map).collect()
     }
@@ -114,24 +114,8 @@ impl Graded for ConcentricDisk {
         },
     ];
 
-    fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, n, x, y| {
-            let shift = vec2(x, y);
-            Edge::new(name, ConcentricDiskQuestion { n, shift })
-        };
-        vec![
-            edge("the middle of the square", 1, 0.0, 0.190_983),
-            edge("four points", 4, 0.0, 0.0),
-            edge("200 points", 200, 0.0, 0.0),
-            edge("256 points", 256, 0.0, 0.0),
-            edge("moved to the right", 240, 0.25, 0.0),
-            edge("moved down", 250, 0.0, 0.5),
-            edge("moved to the left", 231, -0.125, 0.0),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> ConcentricDiskQuestion {
-        ConcentricDiskQuestion {
+    fn random(rng: &mut Pcg) -> ConcentricDisk {
+        ConcentricDisk {
             n: rng.random_range(ENOUGH as u32..=256),
             shift: vec2(sample::number(rng, 0.0, 1.0), sample::number(rng, 0.0, 1.0)),
         }
@@ -142,7 +126,7 @@ impl Graded for ConcentricDisk {
     /// The bounds are errors of the lattice, not of chance. Measured for 300 questions and eight right methods (the
     /// concentric map, turned and mirrored, and r = √u with either number first, from either end): at most 0.028. The nearest
     /// mistake, which bends the sides into arcs, is 0.084 off in a share.
-    fn judge(q: &ConcentricDiskQuestion, _golden: &Vec<Vec2>, got: &Vec<Vec2>) -> Verdict {
+    fn judge(q: &ConcentricDisk, _golden: &Vec<Vec2>, got: &Vec<Vec2>) -> Verdict {
         const BOUND: f32 = 0.05;
         let n = q.n as usize;
         if got.len() != n {

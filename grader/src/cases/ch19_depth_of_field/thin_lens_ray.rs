@@ -1,11 +1,11 @@
 //! `thin_lens_ray`: its judge and mistakes.
 
 use super::thin_lens_ray_cases as cases;
-use crate::{Edge, Graded, Mistake, Picture, Verdict, judge};
+use crate::{Graded, Mistake, Picture, Verdict, judge};
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch01_rays::CameraRayAnswer;
-use raybook_workbook::exercises::ch19_depth_of_field::{ThinLensRay, ThinLensRayQuestion};
+use raybook_workbook::exercises::ch19_depth_of_field::ThinLensRay;
 use glam::{Vec2, Vec3, vec2};
 
 /// What is asked of a question here.
@@ -20,7 +20,7 @@ pub(super) trait ThroughLens {
     fn toward(&self, point: Vec3) -> CameraRayAnswer;
 }
 
-impl ThroughLens for ThinLensRayQuestion {
+impl ThroughLens for ThinLensRay {
     fn central(&self) -> CameraRayAnswer {
         let mut middle = self.clone();
         middle.on_lens = Vec2::ZERO;
@@ -87,7 +87,7 @@ impl Graded for ThinLensRay {
         Mistake {
             name: "goes through the middle of the lens always",
             hint: "Is there any blur? What is `on_lens` for?",
-            answer: ThinLensRayQuestion::central,
+            answer: ThinLensRay::central,
         },
         Mistake {
             name: "focuses at the focal length",
@@ -129,16 +129,12 @@ impl Graded for ThinLensRay {
         colour: cases::colour,
     }];
 
-    fn edges() -> Vec<Edge<Self>> {
-        cases::edges()
-    }
-
-    fn random(rng: &mut Pcg) -> ThinLensRayQuestion {
+    fn random(rng: &mut Pcg) -> ThinLensRay {
         cases::random(rng)
     }
 
     /// In the units of what counts: the start by the aperture's size, the direction by what it misses in the plane in focus.
-    fn judge(q: &ThinLensRayQuestion, golden: &CameraRayAnswer, got: &CameraRayAnswer) -> Verdict {
+    fn judge(q: &ThinLensRay, golden: &CameraRayAnswer, got: &CameraRayAnswer) -> Verdict {
         /// Of the distance from the world's origin and from the lens: some two hundred roundings.
         const ROUNDING: f32 = 1e-5;
         let far = q.lens_middle.length() + q.lens().aperture();

@@ -1,21 +1,21 @@
 //! `thin_lens_ray`: its cases and its picture.
 
-use crate::{Edge, sample};
+use crate::{sample};
 use raybook::image::rgb::Rgb;
 use raybook::math::{basis::Basis, dir3::Dir3, interval::Interval, pcg, pcg::Pcg, ray::Ray};
 use raybook::sample::disk::concentric_disk;
 use raybook::shape::{Shape, sphere::Sphere};
 use raybook_workbook::exercises::ch01_rays::CameraRayAnswer;
-use raybook_workbook::exercises::ch19_depth_of_field::{ThinLensRay, ThinLensRayQuestion};
+use raybook_workbook::exercises::ch19_depth_of_field::ThinLensRay;
 use glam::{Vec2, Vec3, vec2, vec3};
 use rand::RngExt;
 
 /// A lens of 50 mm before a film of the 35 mm format, whose up is anything square to its view.
-fn question(lens_middle: Vec3, forward: Dir3) -> ThinLensRayQuestion {
+fn question(lens_middle: Vec3, forward: Dir3) -> ThinLensRay {
     let Basis {
         x: right, y: up, ..
     } = Basis::around(-forward);
-    ThinLensRayQuestion {
+    ThinLensRay {
         lens_middle,
         forward,
         right,
@@ -29,83 +29,10 @@ fn question(lens_middle: Vec3, forward: Dir3) -> ThinLensRayQuestion {
     }
 }
 
-pub(super) fn edges() -> Vec<Edge<ThinLensRay>> {
-    let at = vec3(1.0, 0.5, -0.25);
-    let edge = |name, film: (f32, f32), on_lens: (f32, f32)| {
-        ThinLensRayQuestion {
-            film: film.into(),
-            on_lens: on_lens.into(),
-            ..question(at, -Dir3::Z)
-        }
-        .named(name)
-    };
-    let changed = |name, change: fn(&mut ThinLensRayQuestion)| {
-        let mut question = ThinLensRayQuestion {
-            film: vec2(0.9, 0.2),
-            on_lens: vec2(-0.6, 0.7),
-            ..question(Vec3::ZERO, Dir3::X)
-        };
-        change(&mut question);
-        question.named(name)
-    };
-    vec![
-        edge(
-            "the middle of the film, the right edge of the lens",
-            (0.5, 0.5),
-            (1.0, 0.0),
-        ),
-        edge(
-            "the middle of the film, the lower edge of the lens",
-            (0.5, 0.5),
-            (0.0, -1.0),
-        ),
-        edge(
-            "the top left corner, the middle of the lens",
-            (0.0, 0.0),
-            (0.0, 0.0),
-        ),
-        edge(
-            "the top left corner, the left edge of the lens",
-            (0.0, 0.0),
-            (-1.0, 0.0),
-        ),
-        edge(
-            "the bottom right corner, the upper edge of the lens",
-            (1.0, 1.0),
-            (0.0, 1.0),
-        ),
-        changed("f/1, focused at half a metre", |q| {
-            q.f_number = 1.0;
-            q.focus = 0.5;
-        }),
-        changed("as large as life: focused at twice the focal length", |q| {
-            q.focal_length = 0.1;
-            q.focus = 0.2;
-        }),
-        changed("a long lens, focused far away", |q| {
-            q.focal_length = 0.3;
-            q.f_number = 2.8;
-            q.focus = 40.0;
-        }),
-        changed("a pin-hole: f/∞", |q| q.f_number = f32::INFINITY),
-    ]
-}
-
-/// What is asked of a question here.
-pub(super) trait Variations {
-    fn named(self, name: &'static str) -> Edge<ThinLensRay>;
-}
-
-impl Variations for ThinLensRayQuestion {
-    fn named(self, name: &'static str) -> Edge<ThinLensRay> {
-        Edge::new(name, self)
-    }
-}
-
-pub(super) fn random(rng: &mut Pcg) -> ThinLensRayQuestion {
+pub(super) fn random(rng: &mut Pcg) -> ThinLensRay {
     let focal_length = sample::number(rng, 0.02, 0.1);
     let unit = |rng: &mut Pcg| vec2(rng.random(), rng.random());
-    ThinLensRayQuestion {
+    ThinLensRay {
         focal_length,
         f_number: sample::number(rng, 1.0, 2.8),
         focus: focal_length * sample::number(rng, 4.0, 25.0),
@@ -116,9 +43,9 @@ pub(super) fn random(rng: &mut Pcg) -> ThinLensRayQuestion {
 }
 
 /// Each pixel has a point of the lens of its own.
-pub(super) fn pixel(x: u32, y: u32) -> ThinLensRayQuestion {
+pub(super) fn pixel(x: u32, y: u32) -> ThinLensRay {
     let mut rng = pcg::stream(19, u64::from(96 * y + x));
-    ThinLensRayQuestion {
+    ThinLensRay {
         f_number: 1.25,
         film: (vec2(x as f32, y as f32) + 0.5) / vec2(96.0, 54.0),
         on_lens: concentric_disk(vec2(rng.random(), rng.random())),
@@ -130,7 +57,7 @@ pub(super) fn pixel(x: u32, y: u32) -> ThinLensRayQuestion {
 }
 
 /// A ball near the lens, one in focus and one far away, before a bright wall.
-pub(super) fn colour(_: &ThinLensRayQuestion, ray: &CameraRayAnswer) -> Rgb {
+pub(super) fn colour(_: &ThinLensRay, ray: &CameraRayAnswer) -> Rgb {
     let balls = [
         (vec3(-0.19, -0.05, -0.8), 0.1, Rgb::new(0.80, 0.25, 0.05)),
         (vec3(0.0, 0.0, -2.0), 0.3, Rgb::new(0.02, 0.28, 0.42)),

@@ -1,9 +1,9 @@
 //! `rotated_grid`: cases, judge, mistakes.
 
 use super::points;
-use crate::{Edge, Graded, Mistake, Verdict, sample};
+use crate::{Graded, Mistake, Verdict, sample};
 use raybook::math::pcg::Pcg;
-use raybook_workbook::exercises::ch22_antialiasing::{RotatedGrid, RotatedGridQuestion};
+use raybook_workbook::exercises::ch22_antialiasing::RotatedGrid;
 use glam::{Vec2, vec2};
 use std::f32::consts::{FRAC_1_SQRT_2, FRAC_PI_4};
 
@@ -11,7 +11,7 @@ use std::f32::consts::{FRAC_1_SQRT_2, FRAC_PI_4};
 const TOLERANCE: f32 = 1e-3;
 
 /// ½ + spacing · f(i + offset.x, j + offset.y), all that may be in the square.
-fn lattice(q: &RotatedGridQuestion, f: impl Fn(Vec2) -> Vec2) -> Vec<Vec2> {
+fn lattice(q: &RotatedGrid, f: impl Fn(Vec2) -> Vec2) -> Vec<Vec2> {
     let reach = (1.0 / q.spacing).ceil() as i32 + 2;
     let whole =
         (-reach..=reach).flat_map(|j| (-reach..=reach).map(move |i| vec2(i as f32, j as f32)));
@@ -86,31 +86,15 @@ impl Graded for RotatedGrid {
         },
     ];
 
-    fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, spacing, x, y| {
-            let offset = vec2(x, y);
-            Edge::new(name, RotatedGridQuestion { spacing, offset })
-        };
-        vec![
-            edge("four points at eighths", 0.25 * 5.0_f32.sqrt(), 0.5, 0.5),
-            edge("four points, near each other", 0.5, 0.5, 0.5),
-            edge("around a point", 0.4, 0.0, 0.0),
-            edge("sixteen", 0.25, 0.5, 0.5),
-            edge("fine", 0.1, 0.25, 0.75),
-            edge("between two points", 0.3, 0.5, 0.0),
-            edge("hardly one", 0.9, 0.1, 0.2),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> RotatedGridQuestion {
-        RotatedGridQuestion {
+    fn random(rng: &mut Pcg) -> RotatedGrid {
+        RotatedGrid {
             spacing: sample::number(rng, 0.1, 0.5),
             offset: vec2(sample::number(rng, 0.0, 1.0), sample::number(rng, 0.0, 1.0)),
         }
     }
 
     /// Either sense of rotation is right; what is nearly on the square's edge may be there or not.
-    fn judge(q: &RotatedGridQuestion, _golden: &Vec<Vec2>, got: &Vec<Vec2>) -> Verdict {
+    fn judge(q: &RotatedGrid, _golden: &Vec<Vec2>, got: &Vec<Vec2>) -> Verdict {
         if got.iter().any(|p| !p.is_finite()) {
             return Err("a point is not made of numbers".into());
         }
@@ -138,7 +122,7 @@ impl Graded for RotatedGrid {
 }
 
 /// Whether the lattice is turned as it should be, by each point's way to its nearest neighbour.
-fn angle(q: &RotatedGridQuestion, got: &[Vec2]) -> Verdict {
+fn angle(q: &RotatedGrid, got: &[Vec2]) -> Verdict {
     let nearest = |p: &Vec2| {
         let ways = got.iter().map(|other| *other - *p);
         let others = ways.filter(|way| *way != Vec2::ZERO);

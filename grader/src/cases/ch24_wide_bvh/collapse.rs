@@ -3,15 +3,15 @@
 use super::collapse_cases;
 use super::collapse_judge::judge;
 use super::{MOST, half_area, is_branch, pair};
-use crate::{Edge, Graded, Mistake, Verdict};
+use crate::{Graded, Mistake, Verdict};
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch24_wide_bvh::{Collapse, CollapseQuestion, FamilyRow};
+use raybook_workbook::exercises::ch24_wide_bvh::{Collapse, FamilyRow};
 
 /// Families whose members are chosen by `open`: which of the branches among the members is opened next, if any.
 fn families(
-    q: &CollapseQuestion,
-    open: impl Fn(&CollapseQuestion, &[u32]) -> Option<usize>,
+    q: &Collapse,
+    open: impl Fn(&Collapse, &[u32]) -> Option<usize>,
 ) -> Vec<FamilyRow> {
     let mut families = Vec::new();
     let mut waiting = Vec::new();
@@ -35,9 +35,9 @@ fn families(
 
 /// The place of the best branch among the members, by an order of numbers.
 fn best(
-    q: &CollapseQuestion,
+    q: &Collapse,
     members: &[u32],
-    order: fn(&CollapseQuestion, u32) -> f32,
+    order: fn(&Collapse, u32) -> f32,
 ) -> Option<usize> {
     let branches = (0..members.len()).filter(|&i| is_branch(q, members[i]));
     branches.max_by(|&a, &b| order(q, members[a]).total_cmp(&order(q, members[b])))
@@ -45,8 +45,8 @@ fn best(
 
 fn while_fewer(
     most: usize,
-    order: fn(&CollapseQuestion, u32) -> f32,
-) -> impl Fn(&CollapseQuestion, &[u32]) -> Option<usize> {
+    order: fn(&Collapse, u32) -> f32,
+) -> impl Fn(&Collapse, &[u32]) -> Option<usize> {
     move |q, members| {
         (members.len() < most)
             .then(|| best(q, members, order))
@@ -126,15 +126,11 @@ impl Graded for Collapse {
         },
     ];
 
-    fn edges() -> Vec<Edge<Self>> {
-        collapse_cases::edges()
-    }
-
-    fn random(rng: &mut Pcg) -> CollapseQuestion {
+    fn random(rng: &mut Pcg) -> Collapse {
         collapse_cases::random(rng)
     }
 
-    fn judge(q: &CollapseQuestion, golden: &Vec<FamilyRow>, got: &Vec<FamilyRow>) -> Verdict {
+    fn judge(q: &Collapse, golden: &Vec<FamilyRow>, got: &Vec<FamilyRow>) -> Verdict {
         judge(q, golden, got)
     }
 }

@@ -2,11 +2,11 @@
 
 use super::{MOST, half_area, is_branch, pair};
 use crate::Verdict;
-use raybook_workbook::exercises::ch24_wide_bvh::{CollapseQuestion, FamilyRow};
+use raybook_workbook::exercises::ch24_wide_bvh::{Collapse, FamilyRow};
 
 /// By what a wide tree must keep to, and its cost: the areas of its branches together. A tree of another shape that
 /// costs no more is as right.
-pub(super) fn judge(q: &CollapseQuestion, golden: &[FamilyRow], got: &[FamilyRow]) -> Verdict {
+pub(super) fn judge(q: &Collapse, golden: &[FamilyRow], got: &[FamilyRow]) -> Verdict {
     let mut due: Vec<u32> = Vec::new();
     if (0..q.nodes.len() as u32)
         .take(1)
@@ -50,7 +50,7 @@ pub(super) fn judge(q: &CollapseQuestion, golden: &[FamilyRow], got: &[FamilyRow
 }
 
 /// Whether a family's children hold what the branch holds, and there are as many of them as there can be.
-fn judge_family(q: &CollapseQuestion, family: &FamilyRow) -> Verdict {
+fn judge_family(q: &Collapse, family: &FamilyRow) -> Verdict {
     let FamilyRow { branch, children } = family;
     if let Some(wrong) = children
         .iter()
@@ -87,7 +87,7 @@ fn judge_family(q: &CollapseQuestion, family: &FamilyRow) -> Verdict {
 }
 
 /// Goes down to the children, counting how often each is met; the number of a leaf that is reached without meeting one.
-fn cover(q: &CollapseQuestion, node: u32, children: &[u32], met: &mut [u32]) -> Result<(), u32> {
+fn cover(q: &Collapse, node: u32, children: &[u32], met: &mut [u32]) -> Result<(), u32> {
     let mut here = false;
     for (child, met) in children.iter().zip(met.iter_mut()) {
         if *child == node {

@@ -2,11 +2,9 @@
 
 use super::wide_closest_cases::{self, question};
 use crate::search::{self, How, Node, Order, Tree};
-use crate::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
+use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
 use raybook::math::{aabb::Aabb, interval::Interval, pcg::Pcg};
-use raybook_workbook::exercises::ch24_wide_bvh::{
-    WideChild, WideClosest, WideClosestAnswer, WideClosestQuestion,
-};
+use raybook_workbook::exercises::ch24_wide_bvh::{WideChild, WideClosest, WideClosestAnswer};
 use glam::vec3;
 
 impl Graded for WideClosest {
@@ -88,17 +86,13 @@ impl Graded for WideClosest {
         colour: |_, answer| search::colour(answer.hit.as_ref()),
     }];
 
-    fn edges() -> Vec<Edge<Self>> {
-        wide_closest_cases::edges()
-    }
-
-    fn random(rng: &mut Pcg) -> WideClosestQuestion {
+    fn random(rng: &mut Pcg) -> WideClosest {
         wide_closest_cases::random(rng)
     }
 
     /// The hit, and the work: a quarter more than the reference's is as good, for another order may be unlucky.
     fn judge(
-        _q: &WideClosestQuestion,
+        _q: &WideClosest,
         golden: &WideClosestAnswer,
         got: &WideClosestAnswer,
     ) -> Verdict {
@@ -121,7 +115,7 @@ impl Graded for WideClosest {
 }
 
 /// A search that goes wrong in some way.
-fn search(q: &WideClosestQuestion, change: impl FnOnce(&mut How)) -> WideClosestAnswer {
+fn search(q: &WideClosest, change: impl FnOnce(&mut How)) -> WideClosestAnswer {
     let child = |child: &WideChild| {
         let &WideChild {
             min, max, index, ..

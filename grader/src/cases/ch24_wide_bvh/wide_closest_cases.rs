@@ -3,79 +3,16 @@
 use raybook::accel::bvh::build::{Method, cost::Cost};
 use raybook::accel::wide_bvh::build::{COST, build as build_wide};
 use raybook::accel::wide_bvh::node::Link;
-use crate::{Edge, sample};
+use crate::{sample};
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 use raybook::shape::{Shape, mesh::Facet};
 use raybook_workbook::exercises::ch07_mesh::Corners;
-use raybook_workbook::exercises::ch24_wide_bvh::{
-    WideChild, WideClosest, WideClosestQuestion, WideLeaf, WideNode,
-};
-use glam::{Vec3, vec3};
+use raybook_workbook::exercises::ch24_wide_bvh::{WideChild, WideClosest, WideLeaf, WideNode};
+use glam::Vec3;
 use rand::RngExt;
 
-/// The cases that are most often got wrong.
-pub(super) fn edges() -> Vec<Edge<WideClosest>> {
-    let wall = |z: f32| [vec3(-2.0, -2.0, z), vec3(2.0, -2.0, z), vec3(0.0, 3.0, z)];
-    let walls = |n: usize, ray, within| {
-        question((1..=n).map(|i| wall(2.0 * i as f32)).collect(), ray, within)
-    };
-    let (ray, ahead) = (sample::ray(Vec3::ZERO, Vec3::Z), Interval::AHEAD);
-    let back = sample::ray(vec3(0.0, 0.0, 100.0), -Vec3::Z);
-    let minus_zero = sample::ray(Vec3::ZERO, vec3(-0.0, -0.0, 1.0));
-    let slanted = (1..=24).map(|i| {
-        let z = 2.0 * i as f32;
-        [
-            vec3(-2.0, -2.0, z - 3.0),
-            vec3(2.0, -2.0, z - 3.0),
-            vec3(0.0, 3.0, z + 4.0),
-        ]
-    });
-    let tilted = |i: usize| {
-        let z = i as f32;
-        [
-            vec3(-2.0, -2.0, 2.0 + 0.1 * z),
-            vec3(2.0, -2.0, 2.0),
-            vec3(0.0, 3.0, 40.0),
-        ]
-    };
-    let late = (0..4)
-        .map(tilted)
-        .chain((0..16).map(|i| wall(8.0 + i as f32)))
-        .collect();
-    vec![
-        Edge::new("forty walls ahead", walls(40, ray, ahead)),
-        Edge::new("forty walls, from the other end", walls(40, back, ahead)),
-        Edge::new(
-            "from between the walls",
-            walls(40, sample::ray(vec3(0.0, 0.0, 31.0), Vec3::Z), ahead),
-        ),
-        Edge::new(
-            "the nearest walls lie before the interval",
-            walls(40, ray, Interval::new(21.0, 90.0)),
-        ),
-        Edge::new(
-            "all walls beyond the interval",
-            walls(40, ray, Interval::new(0.0, 1.5)),
-        ),
-        Edge::new(
-            "a miss",
-            walls(40, sample::ray(vec3(5.0, 0.0, 0.0), Vec3::Z), ahead),
-        ),
-        Edge::new("−0.0 in the direction", walls(40, minus_zero, ahead)),
-        Edge::new(
-            "a slanted wall begins first and ends last",
-            question(late, ray, ahead),
-        ),
-        Edge::new(
-            "boxes that overlap",
-            question(slanted.collect(), ray, ahead),
-        ),
-        Edge::new("one leaf", walls(3, ray, ahead)),
-    ]
-}
-
 /// An ordinary question.
-pub(super) fn random(rng: &mut Pcg) -> WideClosestQuestion {
+pub(super) fn random(rng: &mut Pcg) -> WideClosest {
     let triangles = (0..rng.random_range(28..44)).map(|_| {
         let at = sample::point(rng, 2.5);
         std::array::from_fn(|_| at + sample::point(rng, 1.6))
@@ -108,7 +45,7 @@ pub(super) fn question(
     triangles: Vec<[Vec3; 3]>,
     ray: Ray,
     within: Interval,
-) -> WideClosestQuestion {
+) -> WideClosest {
     let facets = triangles.iter().zip(0..);
     let facets: Vec<_> = facets.map(|(&corners, id)| Facet { corners, id }).collect();
     let all = facets
@@ -135,7 +72,7 @@ pub(super) fn question(
     let leaves = tree.leaves.iter().map(|leaf| WideLeaf {
         triangles: leaf.facets().collect(),
     });
-    WideClosestQuestion {
+    WideClosest {
         ray,
         within,
         nodes,

@@ -6,7 +6,7 @@ use raybook::light::point::PointLight;
 use raybook::material::phong::Phong;
 use raybook::math::{dir3::Dir3, pcg::Pcg};
 use raybook::scene::description::{Backdrop, Description, Matter, Object};
-use raybook_workbook::exercises::ch25_capstone::TraceQuestion;
+use raybook_workbook::exercises::ch25_capstone::Trace;
 use glam::{Vec3, vec3};
 use rand::RngExt;
 
@@ -38,7 +38,7 @@ fn matter(rng: &mut Pcg, glassy: bool) -> Matter {
 }
 
 /// A floor, up to four balls that do not touch, a triangle behind them; one lamp or two; a ray to a ball.
-pub fn random(rng: &mut Pcg) -> TraceQuestion {
+pub fn random(rng: &mut Pcg) -> Trace {
     let mut objects = vec![Object::plane(Dir3::Y, -1.2, matter(rng, false))];
     let mut places: Vec<_> = [(-1.2, -1.2), (1.2, -1.2), (-1.2, 1.2), (1.2, 1.2)].into();
     let mut target = Vec3::ZERO;
@@ -72,7 +72,7 @@ pub fn random(rng: &mut Pcg) -> TraceQuestion {
         number(rng, 0.0, 2.5),
         number(rng, 4.5, 6.5),
     );
-    TraceQuestion {
+    Trace {
         depth: rng.random_range(2..=5),
         ray: sample::ray(eye, target + sample::point(rng, 0.6) - eye),
         scene: Description {

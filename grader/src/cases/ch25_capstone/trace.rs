@@ -1,14 +1,12 @@
 //! `trace`: its pictures, judge and mistakes.
 
-use super::glass_cases::{mirrors, refracting};
-use super::light_cases::{lamps, shadows_and_sides};
 use super::{random, trace_judge, trace_mistakes};
 use raybook::camera::pinhole::Pinhole;
-use crate::{Edge, Graded, Mistake, Picture, Verdict};
+use crate::{Graded, Mistake, Picture, Verdict};
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
 use raybook::scene::four_scenes::{ASPECT, FOUR};
-use raybook_workbook::exercises::ch25_capstone::{Trace, TraceQuestion};
+use raybook_workbook::exercises::ch25_capstone::Trace;
 use glam::{Vec3, vec2};
 
 /// Columns and rows of each picture.
@@ -27,7 +25,7 @@ const fn picture<const N: usize>() -> Picture<Trace> {
 }
 
 /// What the middle of a pixel of scene number N asks.
-fn pixel<const N: usize>(x: u32, y: u32) -> TraceQuestion {
+fn pixel<const N: usize>(x: u32, y: u32) -> Trace {
     let staged = &FOUR[N];
     let [from, to] = staged.view;
     let film = vec2(
@@ -35,7 +33,7 @@ fn pixel<const N: usize>(x: u32, y: u32) -> TraceQuestion {
         (y as f32 + 0.5) / SIZE[1] as f32,
     );
     let camera = Pinhole::look_at(from, to, Vec3::Y, staged.focal_length, ASPECT);
-    TraceQuestion {
+    Trace {
         depth: staged.depth,
         ray: camera.expect("a stage has a view").ray_through(film),
         scene: (staged.scene)(),
@@ -56,16 +54,11 @@ impl Graded for Trace {
 
     const MISTAKES: &'static [Mistake<Self>] = trace_mistakes::MISTAKES;
 
-    fn edges() -> Vec<Edge<Self>> {
-        let edges = [lamps(), shadows_and_sides(), mirrors(), refracting()];
-        edges.into_iter().flatten().collect()
-    }
-
-    fn random(rng: &mut Pcg) -> TraceQuestion {
+    fn random(rng: &mut Pcg) -> Trace {
         random::random(rng)
     }
 
-    fn judge(q: &TraceQuestion, golden: &Rgb, got: &Rgb) -> Verdict {
+    fn judge(q: &Trace, golden: &Rgb, got: &Rgb) -> Verdict {
         trace_judge::judge(q, golden, got)
     }
 }

@@ -3,7 +3,7 @@
 use crate::{Verdict, judge};
 use raybook::image::rgb::Rgb;
 use raybook::scene::description::{Form, Matter};
-use raybook_workbook::exercises::ch25_capstone::TraceQuestion;
+use raybook_workbook::exercises::ch25_capstone::Trace;
 use std::ptr;
 
 /// A channel may differ by this fraction of its value …
@@ -19,7 +19,7 @@ const ABSOLUTE: f32 = 0.005;
 ///
 /// # Errors
 /// If a channel is too far off; then also what the ray meets first.
-pub fn judge(q: &TraceQuestion, golden: &Rgb, got: &Rgb) -> Verdict {
+pub fn judge(q: &Trace, golden: &Rgb, got: &Rgb) -> Verdict {
     let tolerance = |golden: f32| ABSOLUTE + RELATIVE * golden.abs();
     let channels = || golden.channels().into_iter().zip(got.channels());
     if channels().all(|(golden, got)| (golden - got).abs() <= tolerance(golden)) {
@@ -46,7 +46,7 @@ pub fn judge(q: &TraceQuestion, golden: &Rgb, got: &Rgb) -> Verdict {
 }
 
 /// Whether an answer is what Phong's surface shows without a lamp.
-fn lit_by_nothing(q: &TraceQuestion, got: &Rgb) -> bool {
+fn lit_by_nothing(q: &Trace, got: &Rgb) -> bool {
     let nearest = q.scene.nearest(&q.ray);
     nearest.is_some_and(|(object, _)| match &object.matter {
         Matter::Phong(phong) => {
@@ -59,7 +59,7 @@ fn lit_by_nothing(q: &TraceQuestion, got: &Rgb) -> bool {
 }
 
 /// What the ray meets first.
-fn first(q: &TraceQuestion) -> String {
+fn first(q: &Trace) -> String {
     if q.depth == 0 {
         return "no surface may be met at depth 0".to_owned();
     }

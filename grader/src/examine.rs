@@ -1,6 +1,6 @@
 //! Making cases, judging answers and recognising mistakes, with everything as lines.
 
-use crate::golden::{self, GoldenError};
+use crate::golden::{self, GoldenError, Named};
 use crate::triple::PictureSize;
 use crate::{Graded, Mistake, Picture, Verdict, stable};
 use raybook::image::rgb::Rgb;
@@ -202,13 +202,21 @@ impl dyn Examiner + '_ {
         self.asked().answer_line(question)
     }
 
+    /// The named cases of the golden file.
+    ///
+    /// # Errors
+    /// If one cannot be read.
+    pub fn named(&self) -> Result<Vec<Named>, GoldenError> {
+        golden::named(self.asked(), self.golden())
+    }
+
     /// Named cases and random ones.
     ///
     /// # Errors
     /// If a named case of the golden file cannot be read.
     pub fn try_cases(&self, rng: &mut Pcg) -> Result<Cases, GoldenError> {
-        let named = golden::named(self.asked(), self.golden())?;
-        let mut cases: Vec<_> = named
+        let mut cases: Vec<_> = self
+            .named()?
             .into_iter()
             .map(|named| {
                 let mut case = self.case(&named.name, &named.question);

@@ -79,9 +79,9 @@ choice_of!(Matter {
 row_of!(Phong {
     /// k_a: the share of the ambient light that is reflected, without a unit.
     ambient: Rgb,
-    /// k_d: the diffuse coefficient, without a unit.
+    /// k_d: the diffuse coefficient, per steradian.
     diffuse: Rgb,
-    /// k_s: the specular coefficient, without a unit.
+    /// k_s: the specular coefficient, per steradian.
     specular: Rgb,
     /// α: the highlight's exponent, without a unit.
     exponent: f32,

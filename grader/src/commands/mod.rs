@@ -4,6 +4,7 @@ pub mod asking;
 pub mod bless;
 pub mod check;
 pub mod exercise;
+pub mod golden;
 pub mod hint;
 pub mod keep;
 pub mod map;

@@ -11,10 +11,10 @@ exercises! { ($) ch01_rays
     RayAt: ray_at(
         /// The ray.
         ray: Ray,
-        /// The distance along it.
+        /// The distance along it, in metres.
         t: f32,
     ) -> (
-        /// Point.
+        /// The point at that distance, in metres.
         point: Vec3,
     ) {
         ray.at(t)
@@ -23,22 +23,22 @@ exercises! { ($) ch01_rays
     /// Return the ray from the focal point through the place `film` of the image plane; film (0, 0) is the picture's
     /// top left, (1, 1) its bottom right.
     CameraRay: camera_ray(
-        /// Where all rays start.
+        /// The focal point, in metres: all rays start here.
         focal_point: Vec3,
-        /// Where the camera looks.
+        /// Where the camera looks; perpendicular to `right` and `up`.
         forward: Dir3,
-        /// Along the rows of the picture.
+        /// To the right along the rows of the picture.
         right: Dir3,
-        /// Against the columns of the picture.
+        /// Upwards along the columns of the picture.
         up: Dir3,
-        /// From the focal point to the image plane.
+        /// The distance from the focal point to the image plane, in metres.
         focal_length: f32,
-        /// Width and height of the image plane.
+        /// The width and the height of the image plane, in metres.
         plane: Vec2,
-        /// In [0, 1]², from the top left.
+        /// The place on the film, in [0, 1]² from the top left, without a unit.
         film: Vec2,
     ) -> (
-        /// Answer.
+        /// The ray through that place.
         answer: CameraRayAnswer,
     ) {
         let camera = Pinhole {
@@ -56,9 +56,9 @@ exercises! { ($) ch01_rays
 row! {
     /// A ray, as it was answered: its direction may have any length.
     pub struct CameraRayAnswer {
-        /// Where it starts.
+        /// Where the ray starts, in metres.
         pub origin: Vec3,
-        /// Where it goes.
+        /// Where the ray goes, of length 1.
         pub direction: Vec3,
     }
 }

@@ -6,12 +6,12 @@ use crate::exercise::exercises;
 exercises! { ($) ch02_hdr
     /// Return the radiance after an exposure of so many stops: one stop more is twice the light.
     Expose: expose(
-        /// The radiance.
+        /// The radiance, in W·m⁻²·sr⁻¹.
         radiance: Rgb,
-        /// How many stops; negative for less light.
+        /// The number of stops; negative for less light.
         stops: f32,
     ) -> (
-        /// Exposed.
+        /// The radiance after the exposure, in W·m⁻²·sr⁻¹.
         exposed: Rgb,
     ) {
         tone::expose(radiance, stops)
@@ -19,10 +19,10 @@ exercises! { ($) ch02_hdr
 
     /// Return Reinhard's tone mapping: scale the colour so that its luminance L becomes L/(1 + L).
     ToneMap: tone_map(
-        /// The radiance.
+        /// The radiance, where 1 is as bright as a display can be.
         radiance: Rgb,
     ) -> (
-        /// Mapped.
+        /// The mapped colour, where 1 is as bright as a display can be.
         mapped: Rgb,
     ) {
         tone::reinhard(radiance)
@@ -31,10 +31,10 @@ exercises! { ($) ch02_hdr
     /// Return the sRGB code value, from 0 to 1, of a linear value: 12.92 v up to 0.0031308, then 1.055 v^(1/2.4) −
     /// 0.055; values outside 0 to 1 are clamped.
     EncodeSrgb: encode_srgb(
-        /// The linear value.
+        /// The linear value; from 0 to 1 it can be shown.
         v: f32,
     ) -> (
-        /// Code.
+        /// The code value, from 0 to 1.
         code: f32,
     ) {
         tone::encode_srgb(v)

@@ -9,14 +9,14 @@ exercises! { ($) ch03_sphere
     /// Return both real roots of a·t² + b·t + c = 0, the smaller first, or None where there is none or a is 0; lose no
     /// digits where b² is much larger than 4ac.
     SolveQuadratic: solve_quadratic(
-        /// a.
+        /// The factor of t².
         a: f32,
-        /// b.
+        /// The factor of t.
         b: f32,
-        /// c.
+        /// The constant.
         c: f32,
     ) -> (
-        /// T.
+        /// Both roots, the smaller one first; none where there is none.
         t: Option<Vec2>,
     ) {
         quadratic::solve(a, b, c).map(Vec2::from)
@@ -27,31 +27,29 @@ exercises! { ($) ch03_sphere
     SphereHit: sphere_hit(
         /// The ray.
         ray: Ray,
-        /// Only t with min < t < max counts.
+        /// The distances that count: min < t < max, in metres.
         within: Interval,
-        /// The sphere's centre.
+        /// The sphere's centre, in metres.
         center: Vec3,
-        /// The sphere's radius.
+        /// The sphere's radius, in metres, above 0.
         radius: f32,
     ) -> (
-        /// T.
+        /// The distance along the ray, in metres; none for a miss.
         t: Option<f32>,
     ) {
-        Sphere::new(center, radius)
-            .hit(&ray, within)
-            .map(|hit| hit.t)
+        Sphere::new(center, radius).hit(&ray, within).map(|hit| hit.t)
     }
 
     /// Return the unit vector that points out of the sphere at its point p.
     SphereNormal: sphere_normal(
-        /// The sphere's centre.
+        /// The sphere's centre, in metres.
         center: Vec3,
-        /// The sphere's radius.
+        /// The sphere's radius, in metres, above 0.
         radius: f32,
-        /// A point of the sphere.
+        /// A point of the sphere, in metres.
         p: Vec3,
     ) -> (
-        /// Normal.
+        /// The normal at p, of length 1, outwards.
         normal: Vec3,
     ) {
         *Sphere::new(center, radius).normal_at(p)

@@ -10,21 +10,17 @@ exercises! { ($) ch04_plane
     PlaneHit: plane_hit(
         /// The ray.
         ray: Ray,
-        /// Only t with min < t < max counts.
+        /// The distances that count: min < t < max, in metres.
         within: Interval,
-        /// n: square to the plane.
+        /// n: perpendicular to the plane.
         normal: Dir3,
-        /// The plane holds all p with n·p = offset.
+        /// The plane holds all p with n·p = offset, in metres.
         offset: f32,
     ) -> (
-        /// T.
+        /// The distance along the ray, in metres; none for a miss.
         t: Option<f32>,
     ) {
-        Plane {
-            normal,
-            offset,
-        }
-        .hit(&ray, within)
-        .map(|hit| hit.t)
+        let plane = Plane { normal, offset };
+        plane.hit(&ray, within).map(|hit| hit.t)
     }
 }

@@ -11,32 +11,25 @@ exercises! { ($) ch05_box
     BoxClip: box_clip(
         /// The ray.
         ray: Ray,
-        /// Only this stretch of the ray counts.
+        /// The distances that count, in metres.
         within: Interval,
-        /// The box's least corner.
+        /// The box's least corner, in metres.
         min: Vec3,
-        /// The box's greatest corner.
+        /// The box's greatest corner, in metres.
         max: Vec3,
     ) -> (
-        /// Inside.
+        /// The distances at which the ray enters and leaves the box, in metres; none for a miss.
         inside: Option<Interval>,
     ) {
-        slab::clip(
-            &Aabb {
-                min,
-                max,
-            },
-            &ray,
-            within,
-        )
+        slab::clip(&Aabb { min, max }, &ray, within)
     }
 
     /// Return the smallest box that holds all the points: its least and its greatest corner.
     BoundsOf: bounds_of(
-        /// The points.
+        /// The points, in metres.
         points: Vec<Vec3>,
     ) -> (
-        /// Answer.
+        /// The box.
         answer: Corners,
     ) {
         let Aabb { min, max } = Aabb::of(points.iter().copied());
@@ -47,9 +40,9 @@ exercises! { ($) ch05_box
 row! {
     /// Two opposite corners of a box.
     pub struct Corners {
-        /// The least corner.
+        /// The least corner, in metres.
         pub min: Vec3,
-        /// The greatest corner.
+        /// The greatest corner, in metres.
         pub max: Vec3,
     }
 }

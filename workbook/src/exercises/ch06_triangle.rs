@@ -12,16 +12,16 @@ exercises! { ($) ch06_triangle
     TriangleHit: triangle_hit(
         /// The ray.
         ray: Ray,
-        /// Only t with min < t < max counts.
+        /// The distances that count: min < t < max, in metres.
         within: Interval,
-        /// The first corner.
+        /// The first corner, in metres.
         p0: Vec3,
-        /// The second corner.
+        /// The second corner, in metres.
         p1: Vec3,
-        /// The third corner.
+        /// The third corner, in metres.
         p2: Vec3,
     ) -> (
-        /// Answer.
+        /// Where the triangle is hit; none for a miss.
         answer: Option<TriangleHitAnswer>,
     ) {
         Triangle::new(p0, p1, p2)
@@ -36,14 +36,14 @@ exercises! { ($) ch06_triangle
     /// Return the unit normal of the side from which p0, p1, p2 run counter-clockwise, or None for a triangle without
     /// area.
     TriangleNormal: triangle_normal(
-        /// The first corner.
+        /// The first corner, in metres.
         p0: Vec3,
-        /// The second corner.
+        /// The second corner, in metres.
         p1: Vec3,
-        /// The third corner.
+        /// The third corner, in metres.
         p2: Vec3,
     ) -> (
-        /// Normal.
+        /// The normal, of length 1; none for a triangle without area.
         normal: Option<Vec3>,
     ) {
         Triangle::new(p0, p1, p2).normal().map(|n| *n)
@@ -53,11 +53,11 @@ exercises! { ($) ch06_triangle
 row! {
     /// Where a triangle is hit.
     pub struct TriangleHitAnswer {
-        /// The distance along the ray.
+        /// The distance along the ray, in metres.
         pub t: f32,
-        /// The weight of the second corner.
+        /// The weight of the second corner, from 0 to 1.
         pub b1: f32,
-        /// The weight of the third corner.
+        /// The weight of the third corner, from 0 to 1.
         pub b2: f32,
     }
 }

@@ -11,16 +11,16 @@ exercises! { ($) ch07_mesh
     /// Return the unit normal inside a triangle, from the normals at its corners and the weights b1 and b2 of the
     /// second and third corner.
     InterpolateNormal: interpolate_normal(
-        /// At the first corner.
+        /// The normal at the first corner.
         n0: Dir3,
-        /// At the second corner.
+        /// The normal at the second corner.
         n1: Dir3,
-        /// At the third corner.
+        /// The normal at the third corner.
         n2: Dir3,
-        /// (b1, b2).
+        /// The weights (b1, b2) of the second and third corner, from 0 to 1.
         b: Vec2,
     ) -> (
-        /// Normal.
+        /// The normal in between, of length 1.
         normal: Vec3,
     ) {
         *attributes::interpolate_normal([n0, n1, n2], b)
@@ -29,16 +29,16 @@ exercises! { ($) ch07_mesh
     /// Return the texture coordinates inside a triangle, from those at its corners and the weights b1 and b2 of the
     /// second and third corner.
     InterpolateTexture: interpolate_texture(
-        /// At the first corner.
+        /// The texture coordinates at the first corner, without a unit.
         t0: Vec2,
-        /// At the second corner.
+        /// The texture coordinates at the second corner, without a unit.
         t1: Vec2,
-        /// At the third corner.
+        /// The texture coordinates at the third corner, without a unit.
         t2: Vec2,
-        /// (b1, b2).
+        /// The weights (b1, b2) of the second and third corner, from 0 to 1.
         b: Vec2,
     ) -> (
-        /// Texture.
+        /// The texture coordinates in between, without a unit.
         texture: Vec2,
     ) {
         attributes::interpolate_texture([t0, t1, t2], b)
@@ -47,12 +47,12 @@ exercises! { ($) ch07_mesh
     /// Return a unit normal per vertex: the average of the normals of its triangles, weighted by their areas; +y where
     /// that is zero.
     VertexNormals: vertex_normals(
-        /// The vertices.
+        /// The vertices, in metres.
         positions: Vec<Vec3>,
-        /// Three indices of vertices per triangle, counter-clockwise.
+        /// The triangles, counter-clockwise seen from outside.
         triangles: Vec<Indices>,
     ) -> (
-        /// Normal.
+        /// The normals of length 1, one per vertex, in their order.
         normal: Vec<Vec3>,
     ) {
         let triangles: Vec<_> = triangles.iter().map(|t| [t.a, t.b, t.c]).collect();
@@ -66,12 +66,12 @@ exercises! { ($) ch07_mesh
     MeshHit: mesh_hit(
         /// The ray.
         ray: Ray,
-        /// Only t with min < t < max counts.
+        /// The distances that count: min < t < max, in metres.
         within: Interval,
         /// The triangles; their ids count from 0.
         triangles: Vec<Corners>,
     ) -> (
-        /// Answer.
+        /// The nearest hit; none for a miss.
         answer: Option<MeshHitAnswer>,
     ) {
         let facets = triangles.iter().zip(0..).map(|(t, id)| Facet {
@@ -90,11 +90,11 @@ exercises! { ($) ch07_mesh
 row! {
     /// A triangle by the indices of its vertices.
     pub struct Indices {
-        /// The first.
+        /// The number of the first vertex, from 0.
         pub a: u32,
-        /// The second.
+        /// The number of the second vertex, from 0.
         pub b: u32,
-        /// The third.
+        /// The number of the third vertex, from 0.
         pub c: u32,
     }
 }
@@ -102,11 +102,11 @@ row! {
 row! {
     /// A triangle by its corners.
     pub struct Corners {
-        /// The first corner.
+        /// The first corner, in metres.
         pub p0: Vec3,
-        /// The second corner.
+        /// The second corner, in metres.
         pub p1: Vec3,
-        /// The third corner.
+        /// The third corner, in metres.
         pub p2: Vec3,
     }
 }
@@ -114,9 +114,9 @@ row! {
 row! {
     /// The nearest triangle.
     pub struct MeshHitAnswer {
-        /// The distance along the ray.
+        /// The distance along the ray, in metres.
         pub t: f32,
-        /// Which triangle.
+        /// The triangle's number, from 0.
         pub id: u32,
     }
 }

@@ -15,12 +15,12 @@ exercises! { ($) ch08_grid
     GridResolution: grid_resolution(
         /// The extents of the box, in metres.
         extents: Vec3,
-        /// How many shapes are in it.
+        /// The number of shapes in it.
         shapes: u32,
-        /// How many cells there should be per shape.
+        /// The number of cells per shape.
         density: f32,
     ) -> (
-        /// Cells.
+        /// The number of cells along each axis, 1 or more.
         cells: Cell,
     ) {
         resolution::grid_resolution(extents, shapes as usize, density).into()
@@ -28,26 +28,26 @@ exercises! { ($) ch08_grid
 
     /// Return the cells, in any order, whose box, grown by the margin on every side, meets the triangle.
     VoxelsOfTriangle: voxels_of_triangle(
-        /// The least corner of the lattice.
+        /// The least corner of the lattice, in metres.
         min: Vec3,
-        /// The extents of one cell.
+        /// The extents of one cell, in metres.
         cell: Vec3,
-        /// How many cells there are along x.
+        /// The number of cells along x.
         nx: u32,
-        /// How many along y.
+        /// The number of cells along y.
         ny: u32,
-        /// How many along z.
+        /// The number of cells along z.
         nz: u32,
-        /// How far each cell reaches beyond its planes.
+        /// How far each cell reaches beyond its planes, in metres.
         margin: f32,
-        /// The triangle's first corner.
+        /// The triangle's first corner, in metres.
         p0: Vec3,
-        /// The second corner.
+        /// The triangle's second corner, in metres.
         p1: Vec3,
-        /// The third corner.
+        /// The triangle's third corner, in metres.
         p2: Vec3,
     ) -> (
-        /// Cells.
+        /// The cells that the triangle meets, in any order.
         cells: Vec<Cell>,
     ) |q| {
         let cells = build::voxels_of_triangle(&q.lattice(), q.margin, &[q.p0, q.p1, q.p2]);
@@ -57,22 +57,22 @@ exercises! { ($) ch08_grid
     /// Visit the cells that the ray passes through within the interval, in order, each with the distances at which the
     /// ray enters and leaves it, until `visit` breaks off.
     GridWalk: grid_walk(
-        /// The least corner of the lattice.
+        /// The least corner of the lattice, in metres.
         min: Vec3,
-        /// The extents of one cell.
+        /// The extents of one cell, in metres.
         cell: Vec3,
-        /// How many cells there are along x.
+        /// The number of cells along x.
         nx: u32,
-        /// How many along y.
+        /// The number of cells along y.
         ny: u32,
-        /// How many along z.
+        /// The number of cells along z.
         nz: u32,
         /// The ray.
         ray: Ray,
-        /// Only what lies between these distances counts.
+        /// The distances that count, in metres.
         within: Interval,
     ) -> (
-        /// Visits.
+        /// The cells on the ray's way, in order.
         visits: Vec<Visit>,
     ) |q| {
         let mut visits = Vec::new();
@@ -89,11 +89,11 @@ exercises! { ($) ch08_grid
 row! {
     /// A cell by its numbers along the axes, from 0; or how many there are along each.
     pub struct Cell {
-        /// Along x.
+        /// The number along x, from 0.
         pub x: u32,
-        /// Along y.
+        /// The number along y, from 0.
         pub y: u32,
-        /// Along z.
+        /// The number along z, from 0.
         pub z: u32,
     }
 }
@@ -124,11 +124,11 @@ row! {
     pub struct Visit {
         /// The cell's number along x, from 0.
         pub x: u32,
-        /// Along y.
+        /// The cell's number along y, from 0.
         pub y: u32,
-        /// Along z.
+        /// The cell's number along z, from 0.
         pub z: u32,
-        /// The distance at which the ray leaves it, or the interval ends.
+        /// The distance at which the ray leaves the cell or the interval ends, in metres.
         pub leave: f32,
     }
 }

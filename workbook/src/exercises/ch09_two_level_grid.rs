@@ -14,22 +14,19 @@ exercises! { ($) ch09_two_level_grid
     /// the density, at most 255 along an axis and 0 × 0 × 0 without shapes, and return it with all pairs of a fine cell
     /// and a shape that reaches it, sorted.
     RefineCell: refine_cell(
-        /// The coarse cell's least corner.
+        /// The coarse cell's least corner, in metres.
         min: Vec3,
-        /// Its greatest corner.
+        /// The coarse cell's greatest corner, in metres.
         max: Vec3,
-        /// How many fine cells there shall be per shape.
+        /// The number of fine cells per shape.
         density: f32,
-        /// The shapes' boxes.
+        /// The shapes' boxes; their numbers count from 0.
         shapes: Vec<Corners>,
     ) -> (
-        /// Answer.
+        /// The fine cells, and what is in them.
         answer: RefineCellAnswer,
     ) {
-        let cell = Aabb {
-            min,
-            max,
-        };
+        let cell = Aabb { min, max };
         let coarse = Lattice::new(&cell, UVec3::ONE);
         let numbers: Vec<_> = (0..shapes.len() as u32).collect();
         let refined = refine::refine_cell(&coarse, &numbers, density, |shape, fine| {
@@ -57,18 +54,19 @@ exercises! { ($) ch09_two_level_grid
     TwoLevelWalk: two_level_walk(
         /// The ray.
         ray: Ray,
-        /// Only this stretch of the ray counts.
+        /// The distances that count, in metres.
         within: Interval,
-        /// The grid's least corner.
+        /// The grid's least corner, in metres.
         min: Vec3,
-        /// Its greatest corner.
+        /// The grid's greatest corner, in metres.
         max: Vec3,
-        /// How many coarse cells there are.
+        /// The number of coarse cells along each axis.
         coarse: Resolution,
-        /// How many fine cells there are in each coarse one, along x first, then y, then z; 0 0 0 in an empty one.
+        /// The number of fine cells along each axis of each coarse cell, those along x first, then y, then z; 0
+        /// 0 0 in an empty one.
         fine: Vec<Resolution>,
     ) -> (
-        /// Cell.
+        /// The places of the visited fine cells in the row of all fine cells, from 0, in order.
         cell: Vec<u32>,
     ) |q| {
         let mut cells = Vec::new();
@@ -83,13 +81,13 @@ exercises! { ($) ch09_two_level_grid
 row! {
     /// A fine cell, counted from 0 along each axis, and a shape that reaches it.
     pub struct Entry {
-        /// Along x.
+        /// The fine cell's number along x, from 0.
         pub x: u32,
-        /// Along y.
+        /// The fine cell's number along y, from 0.
         pub y: u32,
-        /// Along z.
+        /// The fine cell's number along z, from 0.
         pub z: u32,
-        /// Which shape.
+        /// The shape's number, from 0.
         pub shape: u32,
     }
 }
@@ -97,13 +95,13 @@ row! {
 row! {
     /// How many fine cells there are along each axis, and what is in them.
     pub struct RefineCellAnswer {
-        /// Along x.
+        /// The number of fine cells along x.
         pub nx: u32,
-        /// Along y.
+        /// The number of fine cells along y.
         pub ny: u32,
-        /// Along z.
+        /// The number of fine cells along z.
         pub nz: u32,
-        /// Which shape is in which cell, in any order.
+        /// All pairs of a fine cell and a shape that reaches it, in any order.
         pub entries: Vec<Entry>,
     }
 }
@@ -111,11 +109,11 @@ row! {
 row! {
     /// How many cells there are along each axis.
     pub struct Resolution {
-        /// Along x.
+        /// The number of cells along x.
         pub nx: u32,
-        /// Along y.
+        /// The number of cells along y.
         pub ny: u32,
-        /// Along z.
+        /// The number of cells along z.
         pub nz: u32,
     }
 }

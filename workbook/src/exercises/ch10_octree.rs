@@ -13,14 +13,14 @@ exercises! { ($) ch10_octree
     /// Return the number of the child in which a point of a cell lies, 4·z + 2·y + x, where x is 1 in the upper half
     /// along x, from the middle plane on, and 0 in the lower half, and so on.
     OctreeChild: octree_child(
-        /// The cell's least corner.
+        /// The cell's least corner, in metres.
         min: Vec3,
-        /// Its greatest corner.
+        /// The cell's greatest corner, in metres.
         max: Vec3,
-        /// The point.
+        /// The point, in metres.
         p: Vec3,
     ) -> (
-        /// Child.
+        /// The number of the child, from 0 to 7.
         child: u32,
     ) {
         child_at(&Aabb::new(min, max), p) as u32
@@ -29,20 +29,20 @@ exercises! { ($) ch10_octree
     /// Build the octree of shapes: cut a cell in eight if that lowers the expected cost, opening + ¼ Σ nᵢ < n, as long
     /// as the depth and the copies that the limits allow last; a shape is named in every leaf that it reaches.
     OctreeBuild: octree_build(
-        /// The root's least corner.
+        /// The root's least corner, in metres.
         min: Vec3,
-        /// Its greatest corner.
+        /// The root's greatest corner, in metres.
         max: Vec3,
         /// The cost of opening a node, in tests of shapes.
         opening: f32,
-        /// The leaves may name each shape so often, on average.
+        /// How often the leaves may name each shape, on average.
         copies: f32,
-        /// The root may be cut so often.
+        /// How often the root may be cut.
         depth: u32,
-        /// The shapes' boxes.
+        /// The shapes' boxes; their numbers count from 0.
         shapes: Vec<Corners>,
     ) -> (
-        /// Answer.
+        /// The tree.
         answer: TreeRow,
     ) {
         let bounds = Aabb::new(min, max);
@@ -62,16 +62,17 @@ exercises! { ($) ch10_octree
     OctreeWalk: octree_walk(
         /// The ray.
         ray: Ray,
-        /// Only this stretch of the ray counts.
+        /// The distances that count, in metres.
         within: Interval,
-        /// The root's least corner.
+        /// The root's least corner, in metres.
         min: Vec3,
-        /// Its greatest corner.
+        /// The root's greatest corner, in metres.
         max: Vec3,
-        /// The nodes, the root first, the eight children of a node side by side, each node's after itself.
+        /// The nodes: the root first, the eight children of a node side by side, each node's after itself.
         nodes: Vec<NodeRow>,
     ) -> (
-        /// Leaf.
+        /// The numbers of the nodes that are the leaves on the ray's way, from 0, in order; empty ones are left
+        /// out.
         leaf: Vec<u32>,
     ) |q| {
         let tree = q.tree();

@@ -19,12 +19,12 @@ exercises! { ($) ch11_bvh
     SahCost: sah_cost(
         /// The price of opening a branch.
         branch: f32,
-        /// The price of testing a shape.
+        /// The price of testing a shape, in the same unit.
         shape: f32,
-        /// The root, then pairs of children.
+        /// The tree: the root, then pairs of children.
         nodes: Vec<NodeRow>,
     ) -> (
-        /// Cost.
+        /// The cost of a search, in the unit of the prices.
         cost: f32,
     ) {
         let tree = to_flat(&nodes, 0);
@@ -43,7 +43,7 @@ exercises! { ($) ch11_bvh
         /// The shapes' boxes; their numbers count from 0.
         boxes: Vec<BoxRow>,
     ) -> (
-        /// Left.
+        /// The numbers of the boxes on the left, in any order.
         left: Vec<u32>,
     ) {
         let mut items = items(&boxes);
@@ -54,12 +54,12 @@ exercises! { ($) ch11_bvh
     /// Build a hierarchy over the boxes from the top down, with a cost by the surface-area heuristic that is as small
     /// as you can make it if a branch and a shape cost 1 each.
     BvhBuild: bvh_build(
-        /// A leaf has at most so many shapes.
+        /// The maximum number of shapes in a leaf.
         most: u32,
         /// The shapes' boxes; their numbers count from 0.
         boxes: Vec<BoxRow>,
     ) -> (
-        /// Answer.
+        /// The tree.
         answer: BvhBuildAnswer,
     ) {
         let boxes: Vec<_> = boxes.iter().map(Aabb::from).collect();
@@ -79,14 +79,14 @@ exercises! { ($) ch11_bvh
     BvhClosest: bvh_closest(
         /// The ray.
         ray: Ray,
-        /// Only t with min < t < max counts.
+        /// The distances that count: min < t < max, in metres.
         within: Interval,
-        /// The root, then pairs of children.
+        /// The tree: the root, then pairs of children.
         nodes: Vec<NodeRow>,
-        /// In the order of the leaves; their ids count from 0.
+        /// The triangles, in the order of the leaves; their ids count from 0.
         triangles: Vec<Corners>,
     ) -> (
-        /// Answer.
+        /// The nearest hit, and the work that it took to find it.
         answer: BvhClosestAnswer,
     ) {
         let facets = triangles.iter().zip(0..).map(|(t, id)| Facet {
@@ -116,7 +116,7 @@ fn items(boxes: &[BoxRow]) -> Vec<Item> {
 row! {
     /// A tree.
     pub struct BvhBuildAnswer {
-        /// The root, then pairs of children.
+        /// The nodes: the root, then pairs of children.
         pub nodes: Vec<NodeRow>,
         /// The numbers of the boxes, in the order of the leaves.
         pub order: Vec<u32>,
@@ -126,11 +126,11 @@ row! {
 row! {
     /// The nearest triangle, and the work that it took to find it.
     pub struct BvhClosestAnswer {
-        /// How many boxes were tested: two for each branch that was opened.
+        /// The number of boxes tested: two for each branch that was opened.
         pub boxes: u32,
-        /// How many triangles were tested.
+        /// The number of triangles tested.
         pub tests: u32,
-        /// The hit.
+        /// The nearest hit; none for a miss.
         pub hit: Option<MeshHitAnswer>,
     }
 }

@@ -12,10 +12,10 @@ exercises! { ($) ch12_phong
     /// Return what Phong's model sends to the viewer of one light: diffuse k_d (L·N) i plus specular k_s (R·V)^α i,
     /// without ambient; cosines below 0 count as 0, and a light that is not above the surface gives nothing at all.
     PhongExercise: phong(
-        /// The surface and the light.
+        /// The surface, its viewer, and the light.
         at: Highlight,
     ) -> (
-        /// Radiance.
+        /// The radiance to the viewer, in W·m⁻²·sr⁻¹.
         radiance: Rgb,
     ) {
         at.phong().reflect(at.normal, at.view, &at.light())
@@ -24,10 +24,10 @@ exercises! { ($) ch12_phong
     /// Return the same with Blinn's highlight: k_d (L·N) i plus k_s (N·H)^α i, where H is the direction half way
     /// between L and V; a light that is not above the surface gives nothing at all.
     BlinnPhongExercise: blinn_phong(
-        /// The surface and the light.
+        /// The surface, its viewer, and the light.
         at: Highlight,
     ) -> (
-        /// Radiance.
+        /// The radiance to the viewer, in W·m⁻²·sr⁻¹.
         radiance: Rgb,
     ) {
         BlinnPhong(at.phong()).reflect(at.normal, at.view, &at.light())
@@ -36,20 +36,17 @@ exercises! { ($) ch12_phong
     /// Return the light that comes from a point light of intensity I to a point: the direction towards the light, its
     /// distance, and what arrives on a surface that faces it; None at the light itself.
     PointLightExercise: point_light(
-        /// Where the light is.
+        /// The light's position, in metres.
         position: Vec3,
-        /// I, in W/sr.
+        /// I: the radiant intensity, in W/sr.
         intensity: Rgb,
-        /// The point.
+        /// The point that is lit, in metres.
         at: Vec3,
     ) -> (
-        /// Answer.
+        /// The light that arrives; none at the light itself.
         answer: Option<Arriving>,
     ) {
-        let light = PointLight {
-            position,
-            intensity,
-        };
+        let light = PointLight { position, intensity };
         let sample = light.sample(at, Vec2::ZERO)?;
         Some(Arriving {
             toward: *sample.toward,
@@ -62,19 +59,19 @@ exercises! { ($) ch12_phong
 row! {
     /// A point of a surface, its viewer, and a light.
     pub struct Highlight {
-        /// N, on the viewer's side.
+        /// N: the normal, on the viewer's side.
         pub normal: Dir3,
-        /// V: to the viewer.
+        /// V: from the surface to the viewer.
         pub view: Dir3,
-        /// L: to the light.
+        /// L: from the surface to the light.
         pub toward: Dir3,
-        /// i: what arrives on a surface that faces the light.
+        /// i: the irradiance of a surface that faces the light, in W/m².
         pub arriving: Rgb,
-        /// k_d.
+        /// k_d: the diffuse coefficient, per steradian.
         pub diffuse: Rgb,
-        /// k_s.
+        /// k_s: the specular coefficient, per steradian.
         pub specular: Rgb,
-        /// α.
+        /// α: the highlight's exponent, without a unit.
         pub exponent: f32,
     }
 }
@@ -106,9 +103,9 @@ row! {
     pub struct Arriving {
         /// The direction to the light, of length 1.
         pub toward: Vec3,
-        /// How far it is.
+        /// The distance to the light, in metres.
         pub distance: f32,
-        /// What arrives on a surface that faces the light, in W/m².
+        /// The irradiance of a surface that faces the light, in W/m².
         pub arriving: Rgb,
     }
 }

@@ -11,10 +11,10 @@ exercises! { ($) ch13_reflection
     Reflect: reflect(
         /// i: where the ray goes, to the surface.
         incoming: Dir3,
-        /// n, on either side.
+        /// n: the normal, on either side.
         normal: Dir3,
     ) -> (
-        /// Reflected.
+        /// Where the reflected ray goes, of length 1.
         reflected: Vec3,
     ) {
         *mirror::reflect(incoming, normal)

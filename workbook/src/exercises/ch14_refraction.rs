@@ -11,16 +11,16 @@ exercises! { ($) ch14_refraction
     /// Return the unit direction in which a ray goes on behind a surface, from its direction, the outward normal, and
     /// the indices of refraction outside and inside; or None if it is totally reflected.
     Refract: refract(
-        /// Where the ray goes.
+        /// Where the ray goes; it may come from either side.
         direction: Dir3,
-        /// Where the surface's outside is; the ray may come from either side.
+        /// The normal, to the outside.
         normal: Dir3,
-        /// The index of refraction on the outside.
+        /// The index of refraction on the outside, without a unit.
         outside: f32,
-        /// The index of refraction on the inside.
+        /// The index of refraction on the inside, without a unit.
         inside: f32,
     ) -> (
-        /// Refracted.
+        /// Where the refracted ray goes, of length 1; none if it is totally reflected.
         refracted: Option<Vec3>,
     ) {
         refract::refract(direction, normal, outside, inside).map(|t| *t)
@@ -31,12 +31,12 @@ exercises! { ($) ch14_refraction
     Fresnel: fresnel(
         /// cos θ₁: of the angle between the light and the normal, on the side from which the light comes.
         cos1: f32,
-        /// The index of refraction on that side.
+        /// The index of refraction on that side, without a unit.
         n1: f32,
-        /// The index of refraction on the other side.
+        /// The index of refraction on the other side, without a unit.
         n2: f32,
     ) -> (
-        /// Answer.
+        /// The shares of the light that are reflected.
         answer: FresnelAnswer,
     ) {
         let share = fresnel::fresnel(cos1, n1, n2);
@@ -51,11 +51,11 @@ exercises! { ($) ch14_refraction
 row! {
     /// The shares of the light that are reflected.
     pub struct FresnelAnswer {
-        /// Of s-polarised light.
+        /// The share of s-polarised light, from 0 to 1.
         pub rs: f32,
-        /// Of p-polarised light.
+        /// The share of p-polarised light, from 0 to 1.
         pub rp: f32,
-        /// Of unpolarised light.
+        /// The share of unpolarised light, from 0 to 1.
         pub r: f32,
     }
 }

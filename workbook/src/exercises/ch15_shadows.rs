@@ -15,18 +15,18 @@ exercises! { ($) ch15_shadows
     /// Return the ray from a surface to a light, and the interval of it on which a hit is in the way: it must not find
     /// the surface again that it leaves, which `error` bounds, and must end just before the light.
     ShadowRay: shadow_ray(
-        /// The point.
+        /// The point of the surface, in metres.
         position: Vec3,
-        /// How far the true surface may be from it along each axis, in metres.
+        /// How far the true surface may be from the point along each axis, in metres.
         error: f32,
-        /// The direction square to the surface.
+        /// The normal of the surface, on either side.
         normal: Dir3,
-        /// To the light.
+        /// From the point to the light.
         toward: Dir3,
-        /// How far the light is; inf for a directional one.
+        /// The distance to the light, in metres; inf for a directional light.
         distance: f32,
     ) -> (
-        /// Answer.
+        /// The ray to the light.
         answer: Way,
     ) {
         let at = surface(position, error, normal);
@@ -42,20 +42,20 @@ exercises! { ($) ch15_shadows
     /// Return whether a light reaches a surface: true (a 1 in the answer) if nothing is in the way, false (a 0) if
     /// anything is.
     Lit: lit(
-        /// The point.
+        /// The point of the surface, in metres.
         position: Vec3,
-        /// How far the true surface may be from it along each axis, in metres.
+        /// How far the true surface may be from the point along each axis, in metres.
         error: f32,
-        /// The direction square to the surface.
+        /// The normal of the surface, on either side.
         normal: Dir3,
-        /// To the light.
+        /// From the point to the light.
         toward: Dir3,
-        /// How far the light is; inf for a directional one.
+        /// The distance to the light, in metres; inf for a directional light.
         distance: f32,
         /// The spheres of the scene; the point may lie on one of them.
         spheres: Vec<Ball>,
     ) -> (
-        /// Lit.
+        /// 1 if the light reaches the point, else 0.
         lit: u32,
     ) {
         let share = Rgb::BLACK;
@@ -93,11 +93,11 @@ fn light(toward: Dir3, distance: f32) -> LightSample {
 row! {
     /// A ray, and the stretch of it that counts.
     pub struct Way {
-        /// Where it starts.
+        /// Where the ray starts, in metres.
         pub origin: Vec3,
-        /// Where it goes.
+        /// Where the ray goes, of length 1.
         pub direction: Vec3,
-        /// Only hits at min < t < max are in the way.
+        /// The distances of hits that are in the way, min < t < max, in metres.
         pub within: Interval,
     }
 }
@@ -105,9 +105,9 @@ row! {
 row! {
     /// A sphere.
     pub struct Ball {
-        /// Its centre.
+        /// The centre, in metres.
         pub center: Vec3,
-        /// Its radius.
+        /// The radius, in metres.
         pub radius: f32,
     }
 }

@@ -18,20 +18,20 @@ exercises! { ($) ch16_soft_shadows
     /// rectangular light, uniform over its area, the density of the direction per steradian, and radiance/density; or
     /// None if the light turns its back.
     SampleRect: sample_rect(
-        /// The point that is lit.
+        /// The point that is lit, in metres.
         at: Vec3,
-        /// A corner of the light.
+        /// A corner of the light, in metres.
         corner: Vec3,
-        /// One side.
+        /// One side, in metres.
         a: Vec3,
-        /// The other side, square to a; a × b points to where the light shines.
+        /// The other side, in metres, perpendicular to a; a × b points to where the light shines.
         b: Vec3,
-        /// The radiance.
+        /// The light's radiance, in W·m⁻²·sr⁻¹.
         radiance: f32,
-        /// How many points along each side of the lattice.
+        /// The number of points along each side of the lattice.
         n: u32,
     ) -> (
-        /// Answer.
+        /// The n·n samples, with i running fastest; none if the light turns its back.
         answer: Option<Vec<Chosen>>,
     ) {
         let light = RectLight::new(corner, a, b, Rgb::gray(radiance));
@@ -42,18 +42,18 @@ exercises! { ($) ch16_soft_shadows
     /// the spherical light is seen, the distance to the light, the density of the direction per steradian, and
     /// radiance/density; the point may be inside.
     SampleSphereLight: sample_sphere_light(
-        /// The point that is lit.
+        /// The point that is lit, in metres.
         at: Vec3,
-        /// The light's centre.
+        /// The light's centre, in metres.
         center: Vec3,
-        /// Its radius.
+        /// The light's radius, in metres.
         radius: f32,
-        /// Its radiance, outwards and inwards.
+        /// The light's radiance, outwards and inwards, in W·m⁻²·sr⁻¹.
         radiance: f32,
-        /// How many points along each side of the lattice.
+        /// The number of points along each side of the lattice.
         n: u32,
     ) -> (
-        /// Answer.
+        /// The n·n samples, with i running fastest.
         answer: Vec<Chosen>,
     ) {
         let light = SphereLight {
@@ -67,20 +67,20 @@ exercises! { ($) ch16_soft_shadows
     /// For each point, estimate by so many random samples which fraction of the light's area is seen from there; none
     /// of it is, if the light turns its back.
     VisibleFraction: visible_fraction(
-        /// A corner of the light.
+        /// A corner of the light, in metres.
         corner: Vec3,
-        /// One side.
+        /// One side, in metres.
         a: Vec3,
-        /// The other side, square to a; a × b points to where the light shines.
+        /// The other side, in metres, perpendicular to a; a × b points to where the light shines.
         b: Vec3,
-        /// The points.
+        /// The points, in metres.
         points: Vec<Vec3>,
         /// The balls that may be in the way.
         balls: Vec<Ball>,
-        /// How many samples for each point.
+        /// The number of samples for each point.
         samples: u32,
     ) -> (
-        /// Fraction.
+        /// The fraction of the light's area that is seen from each point, from 0 to 1, in their order.
         fraction: Vec<f32>,
     ) |q| {
         let (light, scene) = (q.light(), q.scene());
@@ -96,13 +96,13 @@ exercises! { ($) ch16_soft_shadows
 row! {
     /// A direction that was chosen towards a light.
     pub struct Chosen {
-        /// From the point to the light.
+        /// From the point to the light, of length 1.
         pub toward: Vec3,
-        /// How far the chosen point of the light is.
+        /// The distance to the chosen point of the light, in metres.
         pub distance: f32,
         /// The density of the direction, per steradian.
         pub pdf: f32,
-        /// The light's radiance over that density.
+        /// The light's radiance over that density, in W/m².
         pub arriving: f32,
     }
 }
@@ -128,9 +128,9 @@ fn choose(light: &dyn Light, at: Vec3, n: u32) -> Option<Vec<Chosen>> {
 row! {
     /// A ball that is in the way.
     pub struct Ball {
-        /// Its centre.
+        /// The centre, in metres.
         pub center: Vec3,
-        /// Its radius.
+        /// The radius, in metres.
         pub radius: f32,
     }
 }

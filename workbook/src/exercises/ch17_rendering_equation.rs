@@ -16,10 +16,10 @@ exercises! { ($) ch17_rendering_equation
     CosineHemisphere: cosine_hemisphere(
         /// The normal.
         normal: Dir3,
-        /// How many points of the unit square are asked.
+        /// The number of points of the unit square.
         n: u32,
     ) -> (
-        /// Direction.
+        /// The n directions of length 1, in the order of the points.
         direction: Vec<Vec3>,
     ) {
         lattice(n)
@@ -37,14 +37,14 @@ exercises! { ($) ch17_rendering_equation
         view: Dir3,
         /// From the surface to the light.
         toward: Dir3,
-        /// The albedo of the matt part.
+        /// The albedo of the matte part, from 0 to 1.
         diffuse: Rgb,
-        /// The albedo of the highlight.
+        /// The albedo of the highlight, from 0 to 1.
         specular: Rgb,
-        /// The highlight's exponent.
+        /// n: the highlight's exponent, without a unit.
         exponent: f32,
     ) -> (
-        /// F.
+        /// The BRDF, per steradian.
         f: Rgb,
     ) {
         let brdf = ModifiedPhong {
@@ -64,20 +64,20 @@ exercises! { ($) ch17_rendering_equation
         normal: Dir3,
         /// From the surface to the viewer, who is above it.
         view: Dir3,
-        /// The albedo of the matt part.
+        /// The albedo of the matte part, from 0 to 1.
         diffuse: Rgb,
-        /// The albedo of the highlight.
+        /// The albedo of the highlight, from 0 to 1.
         specular: Rgb,
-        /// The highlight's exponent.
+        /// The highlight's exponent, without a unit.
         exponent: f32,
         /// Where the sky is brightest.
         zenith: Dir3,
-        /// How bright it is there; opposite it is black, and in between radiance · (1 + cos γ)/2 at an angle γ to the zenith.
+        /// The sky's radiance at the zenith, in W·m⁻²·sr⁻¹.
         radiance: Rgb,
-        /// How many samples to take.
+        /// The number of samples.
         samples: u32,
     ) -> (
-        /// Radiance.
+        /// An estimate of the radiance to the viewer, in W·m⁻²·sr⁻¹.
         radiance: Rgb,
     ) |q| {
         let at = Surface {

@@ -16,7 +16,7 @@ exercises! { ($) ch18_environment
         /// The direction.
         direction: Dir3,
     ) -> (
-        /// Answer.
+        /// The face, and the place on it.
         answer: CubePlace,
     ) {
         let (face, place) = cube::place(direction);
@@ -33,7 +33,7 @@ exercises! { ($) ch18_environment
         /// The direction.
         direction: Dir3,
     ) -> (
-        /// Place.
+        /// The place on the map, from (0, 0) at the top left to (1, 1).
         place: Vec2,
     ) {
         latlong::place(direction)
@@ -44,14 +44,14 @@ exercises! { ($) ch18_environment
     /// map. The answer is the list of the directions for the 256 points u = ((i + ½)/256, the fraction of 0.618034 · (i
     /// + ½)), with i from 0 to 255.
     SampleEnvironment: sample_environment(
-        /// Texels in a row.
+        /// The number of texels in a row.
         width: u32,
-        /// Rows.
+        /// The number of rows.
         height: u32,
-        /// The radiance of each texel, row by row from the top left.
+        /// The radiance of each texel, in W·m⁻²·sr⁻¹, row by row from the top left.
         texels: Vec<f32>,
     ) -> (
-        /// Direction.
+        /// The 256 directions of length 1, in the order of the points; no direction for a black map.
         direction: Vec<Vec3>,
     ) {
         let environment = environment(width, height, &texels);
@@ -62,16 +62,16 @@ exercises! { ($) ch18_environment
     /// Return the density per steradian with which sample_environment chooses a direction: the probability of its texel
     /// divided by the texel's solid angle; 0 for a black map.
     EnvironmentPdf: environment_pdf(
-        /// Towards a place on the map.
+        /// The direction.
         direction: Dir3,
-        /// Texels in a row.
+        /// The number of texels in a row.
         width: u32,
-        /// Rows.
+        /// The number of rows.
         height: u32,
-        /// The radiance of each texel, row by row from the top left.
+        /// The radiance of each texel, in W·m⁻²·sr⁻¹, row by row from the top left.
         texels: Vec<f32>,
     ) -> (
-        /// Density.
+        /// The density of the direction, per steradian.
         density: f32,
     ) {
         environment(width, height, &texels).density(direction)
@@ -81,11 +81,11 @@ exercises! { ($) ch18_environment
 row! {
     /// A place on a cube map.
     pub struct CubePlace {
-        /// 0 to 5: +x, −x, +y, −y, +z, −z.
+        /// The face: 0 to 5 for +x, −x, +y, −y, +z, −z.
         pub face: u32,
-        /// From the left edge of the face, 0, to the right one, 1.
+        /// From 0 at the left edge of the face to 1 at the right one.
         pub u: f32,
-        /// From the top edge of the face, 0, to the bottom one, 1.
+        /// From 0 at the top edge of the face to 1 at the bottom one.
         pub v: f32,
     }
 }

@@ -16,12 +16,12 @@ exercises! { ($) ch19_depth_of_field
     /// is right too. The answer is the list of the points for the n points u = (the fractional part of shift.x + (i +
     /// ½)/n, the fractional part of shift.y + 0.618034 · (i + ½)), with i from 0 to n − 1.
     ConcentricDisk: concentric_disk(
-        /// How many.
+        /// The number of points of the unit square.
         n: u32,
-        /// By how much all of them are moved, around the square's edges.
+        /// By how much all of them are moved, around the square's edges; from 0 to 1.
         shift: Vec2,
     ) -> (
-        /// Point.
+        /// The n points of the unit disc, in the order of the points u.
         point: Vec<Vec2>,
     ) |q| {
         q.points().map(disk::concentric_disk).collect()
@@ -33,28 +33,29 @@ exercises! { ($) ch19_depth_of_field
     /// the focus, which is larger than f; as in camera_ray, think of it in front of the lens, with film (0, 0) at its
     /// top left and (1, 1) at its bottom right.
     ThinLensRay: thin_lens_ray(
-        /// The middle of the lens.
+        /// The middle of the lens, in metres.
         lens_middle: Vec3,
-        /// Where the camera looks.
+        /// Where the camera looks; perpendicular to `right` and `up`.
         forward: Dir3,
-        /// Along the rows of the picture.
+        /// To the right along the rows of the picture.
         right: Dir3,
-        /// Against the columns of the picture.
+        /// Upwards along the columns of the picture.
         up: Dir3,
-        /// Of the lens.
+        /// The focal length of the lens, in metres.
         focal_length: f32,
-        /// The focal length over the diameter of the aperture.
+        /// The focal length over the diameter of the aperture, without a unit.
         f_number: f32,
-        /// From the lens to the plane in focus.
+        /// The distance from the lens to the plane in focus, in metres.
         focus: f32,
-        /// Width and height of the film.
+        /// The width and the height of the film, in metres.
         plane: Vec2,
-        /// In [0, 1]², from the top left.
+        /// The place on the film, in [0, 1]² from the top left, without a unit.
         film: Vec2,
-        /// In the unit disc: (1, 0) is the edge of the aperture on the camera's right, (0, 1) its upper edge.
+        /// The point of the aperture, in the unit disc: (1, 0) is its edge on the camera's right, (0, 1) its
+        /// upper edge.
         on_lens: Vec2,
     ) -> (
-        /// Answer.
+        /// The ray from that point.
         answer: CameraRayAnswer,
     ) {
         let body = Pinhole {
@@ -76,16 +77,16 @@ exercises! { ($) ch19_depth_of_field
     /// becomes, when the film is where the plane in focus is sharp and the aperture's diameter is
     /// focal_length/f_number; a star's distance is infinite.
     CircleOfConfusion: circle_of_confusion(
-        /// Of the lens, in metres.
+        /// The focal length of the lens, in metres.
         focal_length: f32,
-        /// The focal length over the diameter of the aperture.
+        /// The focal length over the diameter of the aperture, without a unit.
         f_number: f32,
-        /// From the lens to the plane in focus, in metres.
+        /// The distance from the lens to the plane in focus, in metres.
         focus: f32,
-        /// From the lens to the point, along the axis, in metres.
+        /// The distance from the lens to the point along the axis, in metres; inf for a star.
         distance: f32,
     ) -> (
-        /// Diameter.
+        /// The diameter of the disc on the film, in metres.
         diameter: f32,
     ) |q| {
         q.lens().circle_of_confusion(q.distance)

@@ -12,18 +12,18 @@ exercises! { ($) ch20_panorama
     /// quarter of the width to the right of it and -forward at both edges; down the picture the angle from `up` grows
     /// evenly, from `up` at the top edge to -up at the bottom edge.
     PanoramaRay: panorama_ray(
-        /// Where all rays start.
+        /// The position of the camera, in metres: all rays start here.
         position: Vec3,
-        /// What is in the middle of the picture.
+        /// The direction in the middle of the picture; perpendicular to `right` and `up`.
         forward: Dir3,
-        /// A quarter of the picture's width to the right of that.
+        /// The direction a quarter of the picture's width to the right of the middle.
         right: Dir3,
-        /// The top edge of the picture.
+        /// The direction at the top edge of the picture.
         up: Dir3,
-        /// In [0, 1]², from the top left.
+        /// The place on the film, in [0, 1]² from the top left, without a unit.
         film: Vec2,
     ) -> (
-        /// Answer.
+        /// The ray for that place.
         answer: CameraRayAnswer,
     ) {
         let pose = Pose {

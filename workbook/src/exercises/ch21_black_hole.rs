@@ -11,14 +11,14 @@ exercises! { ($) ch21_black_hole
     /// the origin, where dx/dt = v and dv/dt = -(3/2) h^2 x/|x|^5 with h = |x cross v|; the bend of the ray may be
     /// wrong by 10 %.
     GeodesicStep: geodesic_step(
-        /// Where it is, in radii of the hole, which is at the origin.
+        /// The photon's position, in radii of the hole, which is at the origin.
         position: Vec3,
-        /// dx/dλ.
+        /// The photon's velocity dx/dt, in radii of the hole per unit of t.
         velocity: Vec3,
-        /// The step dλ.
+        /// The step of t.
         step: f32,
     ) -> (
-        /// Answer.
+        /// The photon after the step.
         answer: GeodesicStepAnswer,
     ) {
         let photon = Photon {
@@ -35,10 +35,10 @@ exercises! { ($) ch21_black_hole
     /// Return the angle in radians by which a black hole of radius 1 turns a ray that comes from far away with this
     /// impact parameter, to 1 part in 1000; or None if the ray falls in.
     DeflectionAngle: deflection_angle(
-        /// b: how far from the hole's middle it would pass if it were straight, in radii of the hole.
+        /// b: how far from the hole's middle the ray would pass if it were straight, in radii of the hole.
         impact_parameter: f32,
     ) -> (
-        /// Angle.
+        /// The angle by which the ray is turned, in radians; none if it falls in.
         angle: Option<f32>,
     ) {
         deflection::deflection_angle(f64::from(impact_parameter)).map(|angle| angle as f32)
@@ -48,9 +48,9 @@ exercises! { ($) ch21_black_hole
 row! {
     /// The photon after the step.
     pub struct GeodesicStepAnswer {
-        /// Where it is.
+        /// The photon's position, in radii of the hole.
         pub position: Vec3,
-        /// dx/dλ.
+        /// The photon's velocity, in radii of the hole per unit of t.
         pub velocity: Vec3,
     }
 }

@@ -13,16 +13,16 @@ exercises! { ($) ch22_antialiasing
     /// Return the middles of columns × rows equal cells of the unit square, in any order; the answer is the list of
     /// these points in the pixel of column x and row y, each moved by (x, y).
     RegularGrid: regular_grid(
-        /// The pixel's column in the picture.
+        /// The pixel's column in the picture, from 0.
         x: u32,
-        /// The pixel's row in the picture.
+        /// The pixel's row in the picture, from 0.
         y: u32,
-        /// How many cells lie side by side.
+        /// The number of cells side by side.
         columns: u32,
-        /// How many cells lie one under the other.
+        /// The number of cells one under the other.
         rows: u32,
     ) -> (
-        /// Point.
+        /// The points, in pixels from the picture's top left, in any order.
         point: Vec<Vec2>,
     ) {
         let points = regular_grid::regular_grid(columns as usize, rows as usize);
@@ -34,12 +34,12 @@ exercises! { ($) ch22_antialiasing
     /// offset.y) rotated by arctan ½ about the origin, in either sense, for all whole numbers i and j; leave out what
     /// is not in [0, 1)².
     RotatedGrid: rotated_grid(
-        /// From a point to its nearest neighbours.
+        /// The distance from a point to its nearest neighbours, in sides of the square.
         spacing: f32,
         /// Where on the lattice the middle of the square is, in spacings along the lattice.
         offset: Vec2,
     ) -> (
-        /// Point.
+        /// The points, in the unit square, in any order.
         point: Vec<Vec2>,
     ) {
         rotated_grid::rotated_grid(spacing, offset)
@@ -48,12 +48,12 @@ exercises! { ($) ch22_antialiasing
     /// Return n random points of the unit square [0, 1)², each anywhere with the same probability and independent of
     /// the others; any generator will do.
     RandomPattern: random_pattern(
-        /// How many points.
+        /// The number of points.
         n: u32,
         /// What the random numbers follow from, if you like.
         seed: u32,
     ) -> (
-        /// Point.
+        /// The points, in the unit square.
         point: Vec<Vec2>,
     ) {
         random_pattern::random_pattern(n as usize, &mut pcg::stream(22, seed.into()))
@@ -62,14 +62,14 @@ exercises! { ($) ch22_antialiasing
     /// Return a random point in each of columns × rows equal cells of the unit square, in any order, each anywhere in
     /// its cell with the same probability and independent of the others; any generator will do.
     Jittered: jittered(
-        /// How many cells lie side by side.
+        /// The number of cells side by side.
         columns: u32,
-        /// How many cells lie one under the other.
+        /// The number of cells one under the other.
         rows: u32,
         /// What the random numbers follow from, if you like.
         seed: u32,
     ) -> (
-        /// Point.
+        /// The points, in the unit square, in any order.
         point: Vec<Vec2>,
     ) {
         let rng = &mut pcg::stream(22, seed.into());
@@ -80,12 +80,12 @@ exercises! { ($) ch22_antialiasing
     /// many that hardly another one fits in between; any method and any generator will do, and here the square's edges
     /// are just edges.
     PoissonDisk: poisson_disk(
-        /// The least distance between two points.
+        /// The least distance between two points, in sides of the square.
         distance: f32,
         /// What the random numbers follow from, if you like.
         seed: u32,
     ) -> (
-        /// Point.
+        /// The points, in the unit square, in any order.
         point: Vec<Vec2>,
     ) {
         let rng = &mut pcg::stream(22, seed.into());
@@ -101,7 +101,7 @@ exercises! { ($) ch22_antialiasing
         /// The samples.
         samples: Vec<Seen>,
     ) -> (
-        /// Radiance.
+        /// The average of the radiance, in W·m⁻²·sr⁻¹.
         radiance: Rgb,
     ) {
         let tent = Filter {
@@ -120,9 +120,9 @@ exercises! { ($) ch22_antialiasing
 row! {
     /// What a ray saw, and where.
     pub struct Seen {
-        /// From the pixel's centre, in pixels.
+        /// The place from the pixel's centre, in pixels.
         pub offset: Vec2,
-        /// What was seen there.
+        /// The radiance that was seen there, in W·m⁻²·sr⁻¹.
         pub radiance: Rgb,
     }
 }

@@ -10,14 +10,14 @@ exercises! { ($) ch23_adaptive
     /// is above the error, where s² = Σ (Y − mean)²/(n − 1) is the variance of the luminance Y = 0.2126 R + 0.7152 G +
     /// 0.0722 B; else false (a 0).
     NeedsMore: needs_more(
-        /// The largest contrast in each channel; inf for no limit.
+        /// The maximum contrast of each channel, without a unit; inf for no limit.
         contrast: Rgb,
-        /// The largest standard error of the mean luminance; inf for no limit.
+        /// The maximum standard error of the mean luminance, in the unit of the samples; inf for no limit.
         error: f32,
-        /// The samples.
+        /// The pixel's samples: radiance in W·m⁻²·sr⁻¹.
         samples: Vec<Rgb>,
     ) -> (
-        /// More.
+        /// 1 if the samples are not enough, else 0.
         more: u32,
     ) |q| {
         u32::from(q.enough().needs_more(&q.samples))
@@ -27,14 +27,14 @@ exercises! { ($) ch23_adaptive
     /// the sum over the pixels of σ²/n is as small as it can be, where σ is a pixel's deviation and n its number of
     /// samples; a sum that is at most 3 % larger will do.
     SpendBudget: spend_budget(
-        /// The standard deviation of each pixel's samples.
+        /// σ: the standard deviation of each pixel's samples, in any unit.
         deviations: Vec<f32>,
-        /// At least so many samples for each pixel, 1 or more.
+        /// The minimum number of samples for each pixel, 1 or more.
         least: u32,
-        /// So many samples for all pixels together; at least enough for the least.
+        /// The number of samples for all pixels together, at least enough for the minimum.
         budget: u32,
     ) -> (
-        /// Count.
+        /// The number of samples for each pixel, in their order.
         count: Vec<u32>,
     ) {
         budget::spend_budget(&deviations, least, budget)

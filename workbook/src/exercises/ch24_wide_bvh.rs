@@ -18,10 +18,10 @@ exercises! { ($) ch24_wide_bvh
     /// Make a tree of up to eight children per branch out of a binary one: return each branch that stays with its new
     /// children, opening the largest branch among them until there are eight.
     Collapse: collapse(
-        /// The root, then pairs of children.
+        /// The binary tree: the root, then pairs of children.
         nodes: Vec<NodeRow>,
     ) -> (
-        /// Families.
+        /// The branches that stay, in any order.
         families: Vec<FamilyRow>,
     ) {
         let nodes = binary(&to_flat(&nodes, 0));
@@ -37,16 +37,16 @@ exercises! { ($) ch24_wide_bvh
     WideClosest: wide_closest(
         /// The ray.
         ray: Ray,
-        /// Only t with min < t < max counts.
+        /// The distances that count: min < t < max, in metres.
         within: Interval,
         /// The nodes; the root is number 0.
         nodes: Vec<WideNode>,
-        /// The leaves.
+        /// The leaves; their numbers count from 0.
         leaves: Vec<WideLeaf>,
-        /// The triangles.
+        /// The triangles; their ids count from 0.
         triangles: Vec<Corners>,
     ) -> (
-        /// Answer.
+        /// The nearest hit, and the work that it took to find it.
         answer: WideClosestAnswer,
     ) |q| {
         let (tree, mut count) = (tree(q), Tests::default());
@@ -69,7 +69,7 @@ exercises! { ($) ch24_wide_bvh
 row! {
     /// A branch that stays, and its new children.
     pub struct FamilyRow {
-        /// The number of the branch.
+        /// The number of the branch, from 0.
         pub branch: u32,
         /// The numbers of the nodes that become its children.
         pub children: Vec<u32>,
@@ -79,13 +79,13 @@ row! {
 row! {
     /// A child of a node.
     pub struct WideChild {
-        /// The least corner of its box.
+        /// The least corner of its box, in metres.
         pub min: Vec3,
-        /// The greatest corner.
+        /// The greatest corner of its box, in metres.
         pub max: Vec3,
         /// 1 for a leaf, 0 for a node.
         pub leaf: u32,
-        /// The number of the leaf or the node.
+        /// The number of the leaf or the node, from 0.
         pub index: u32,
     }
 }
@@ -93,7 +93,7 @@ row! {
 row! {
     /// A node.
     pub struct WideNode {
-        /// Its children, at most eight.
+        /// The children, at most eight.
         pub children: Vec<WideChild>,
     }
 }
@@ -109,11 +109,11 @@ row! {
 row! {
     /// The nearest triangle, and the work that it took to find it.
     pub struct WideClosestAnswer {
-        /// How many nodes were opened: the boxes of all children of one are tested at once.
+        /// The number of nodes opened: the boxes of all children of a node are tested at once.
         pub nodes: u32,
-        /// How many triangles were tested.
+        /// The number of triangles tested.
         pub tests: u32,
-        /// The hit.
+        /// The nearest hit; none for a miss.
         pub hit: Option<MeshHitAnswer>,
     }
 }

@@ -11,14 +11,14 @@ exercises! { ($) ch25_capstone
     /// material, mirrors and glass, in the light of point lamps with their shadows; after `depth` surfaces in a row all
     /// is black (the book's last chapter has every rule).
     Trace: trace(
-        /// So many surfaces in a row may be met; beyond them all is black.
+        /// The maximum number of surfaces in a row; beyond them all is black.
         depth: u32,
         /// The ray.
         ray: Ray,
         /// The scene.
         scene: Description,
     ) -> (
-        /// Radiance.
+        /// The radiance that comes along the ray, in W·m⁻²·sr⁻¹.
         radiance: Rgb,
     ) {
         trace::trace(&scene, &ray, depth)

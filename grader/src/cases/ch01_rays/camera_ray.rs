@@ -1,4 +1,4 @@
-//! `camera_ray`: its cases, judge and mistakes.
+//! `camera_ray`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
 use raybook::image::rgb::Rgb;
@@ -8,6 +8,21 @@ use raybook_workbook::exercises::ch01_rays::{CameraRay, CameraRayAnswer};
 use glam::{Vec2, Vec3, vec2};
 
 impl Graded for CameraRay {
+    fn random(rng: &mut Pcg) -> CameraRay {
+        let film = vec2(sample::number(rng, 0.0, 1.0), sample::number(rng, 0.0, 1.0));
+        question(
+            sample::point(rng, 5.0),
+            sample::direction(rng),
+            sample::number(rng, 0.02, 0.1),
+            film,
+        )
+    }
+
+    fn judge(_q: &CameraRay, golden: &CameraRayAnswer, got: &CameraRayAnswer) -> Verdict {
+        judge::point("the ray's origin", golden.origin, got.origin)?;
+        judge::direction("the ray's direction", golden.direction, got.direction)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "draws the picture upside down",
@@ -91,21 +106,6 @@ impl Graded for CameraRay {
             Rgb::new(ray.direction.x, ray.direction.y, ray.direction.z).map(|v| 0.5 + 0.5 * v)
         },
     }];
-
-    fn random(rng: &mut Pcg) -> CameraRay {
-        let film = vec2(sample::number(rng, 0.0, 1.0), sample::number(rng, 0.0, 1.0));
-        question(
-            sample::point(rng, 5.0),
-            sample::direction(rng),
-            sample::number(rng, 0.02, 0.1),
-            film,
-        )
-    }
-
-    fn judge(_q: &CameraRay, golden: &CameraRayAnswer, got: &CameraRayAnswer) -> Verdict {
-        judge::point("the ray's origin", golden.origin, got.origin)?;
-        judge::direction("the ray's direction", golden.direction, got.direction)
-    }
 }
 
 /// A camera of the 35 mm format whose up is anything square to its view.

@@ -1,4 +1,4 @@
-//! `ray_at`: its cases, judge and mistakes.
+//! `ray_at`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::math::{pcg::Pcg, ray::Ray};
@@ -6,6 +6,17 @@ use raybook_workbook::exercises::ch01_rays::RayAt;
 use glam::Vec3;
 
 impl Graded for RayAt {
+    fn random(rng: &mut Pcg) -> RayAt {
+        RayAt {
+            ray: Ray::new(sample::point(rng, 5.0), sample::direction(rng)),
+            t: sample::number(rng, -5.0, 20.0),
+        }
+    }
+
+    fn judge(_q: &RayAt, golden: &Vec3, got: &Vec3) -> Verdict {
+        judge::point("the point", *golden, *got)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "forgets the origin",
@@ -38,15 +49,4 @@ impl Graded for RayAt {
             answer: |q| q.ray.at(q.t.max(0.0)),
         },
     ];
-
-    fn random(rng: &mut Pcg) -> RayAt {
-        RayAt {
-            ray: Ray::new(sample::point(rng, 5.0), sample::direction(rng)),
-            t: sample::number(rng, -5.0, 20.0),
-        }
-    }
-
-    fn judge(_q: &RayAt, golden: &Vec3, got: &Vec3) -> Verdict {
-        judge::point("the point", *golden, *got)
-    }
 }

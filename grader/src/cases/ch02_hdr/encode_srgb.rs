@@ -1,4 +1,4 @@
-//! `encode_srgb`: its cases, judge and mistakes.
+//! `encode_srgb`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
 use raybook::image::rgb::Rgb;
@@ -6,6 +6,16 @@ use raybook::math::pcg::Pcg;
 use raybook_workbook::exercises::ch02_hdr::EncodeSrgb;
 
 impl Graded for EncodeSrgb {
+    fn random(rng: &mut Pcg) -> EncodeSrgb {
+        let v = sample::number(rng, 0.0, 1.0);
+        EncodeSrgb { v: v * v } // more of them near black
+    }
+
+    fn judge(_q: &EncodeSrgb, golden: &f32, got: &f32) -> Verdict {
+        // A twentieth of the step of a byte: finer than anyone sees, coarser than any pow.
+        judge::number_within("the code value", "", *golden, *got, 2e-4)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "takes sRGB for a gamma of 2.2",
@@ -72,14 +82,4 @@ impl Graded for EncodeSrgb {
         question: |x, _| EncodeSrgb { v: x as f32 / 95.0 },
         colour: |_, code| Rgb::gray(*code),
     }];
-
-    fn random(rng: &mut Pcg) -> EncodeSrgb {
-        let v = sample::number(rng, 0.0, 1.0);
-        EncodeSrgb { v: v * v } // more of them near black
-    }
-
-    fn judge(_q: &EncodeSrgb, golden: &f32, got: &f32) -> Verdict {
-        // A twentieth of the step of a byte: finer than anyone sees, coarser than any pow.
-        judge::number_within("the code value", "", *golden, *got, 2e-4)
-    }
 }

@@ -1,4 +1,4 @@
-//! `expose`: its cases, judge and mistakes.
+//! `expose`: random questions, judge and mistakes.
 
 use super::{channels, colour};
 use crate::{Graded, Mistake, Verdict, sample};
@@ -8,6 +8,17 @@ use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch02_hdr::Expose;
 
 impl Graded for Expose {
+    fn random(rng: &mut Pcg) -> Expose {
+        Expose {
+            radiance: colour(rng, 4.0),
+            stops: sample::number(rng, -6.0, 6.0),
+        }
+    }
+
+    fn judge(_q: &Expose, golden: &Rgb, got: &Rgb) -> Verdict {
+        channels(*golden, *got)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "multiplies by the number of stops",
@@ -40,15 +51,4 @@ impl Graded for Expose {
             answer: |q| q.radiance * if q.stops > 0.0 { 2.0 } else { 0.5 },
         },
     ];
-
-    fn random(rng: &mut Pcg) -> Expose {
-        Expose {
-            radiance: colour(rng, 4.0),
-            stops: sample::number(rng, -6.0, 6.0),
-        }
-    }
-
-    fn judge(_q: &Expose, golden: &Rgb, got: &Rgb) -> Verdict {
-        channels(*golden, *got)
-    }
 }

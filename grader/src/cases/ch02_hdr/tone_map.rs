@@ -1,4 +1,4 @@
-//! `tone_map`: its cases, judge and mistakes.
+//! `tone_map`: random questions, judge and mistakes.
 
 use super::{channels, colour};
 use crate::{Graded, Mistake, Picture, Verdict};
@@ -7,6 +7,16 @@ use raybook::math::pcg::Pcg;
 use raybook_workbook::exercises::ch02_hdr::ToneMap;
 
 impl Graded for ToneMap {
+    fn random(rng: &mut Pcg) -> ToneMap {
+        ToneMap {
+            radiance: colour(rng, 8.0),
+        }
+    }
+
+    fn judge(_q: &ToneMap, golden: &Rgb, got: &Rgb) -> Verdict {
+        channels(*golden, *got)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "maps each channel by itself",
@@ -57,14 +67,4 @@ impl Graded for ToneMap {
         },
         colour: |_, mapped| *mapped,
     }];
-
-    fn random(rng: &mut Pcg) -> ToneMap {
-        ToneMap {
-            radiance: colour(rng, 8.0),
-        }
-    }
-
-    fn judge(_q: &ToneMap, golden: &Rgb, got: &Rgb) -> Verdict {
-        channels(*golden, *got)
-    }
 }

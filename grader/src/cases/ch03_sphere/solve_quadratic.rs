@@ -1,4 +1,4 @@
-//! `solve_quadratic`: its cases, judge and mistakes.
+//! `solve_quadratic`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::math::pcg::Pcg;
@@ -8,6 +8,40 @@ use glam::{Vec2, vec2};
 use rand::RngExt;
 
 impl Graded for SolveQuadratic {
+    fn random(rng: &mut Pcg) -> SolveQuadratic {
+        let (a, b) = (
+            sample::number(rng, 0.2, 3.0),
+            sample::number(rng, -8.0, 8.0),
+        );
+        let sign = if rng.random_bool(0.3) { -1.0 } else { 1.0 };
+        SolveQuadratic {
+            a: sign * a,
+            b,
+            c: sample::number(rng, -6.0, 6.0),
+        }
+    }
+
+    fn judge(_q: &SolveQuadratic, golden: &Option<Vec2>, got: &Option<Vec2>) -> Verdict {
+        judge::option(
+            "a pair of real roots",
+            golden.as_ref(),
+            got.as_ref(),
+            |golden, got| {
+                for (name, golden, got) in [("t0", golden.x, got.x), ("t1", golden.y, got.y)] {
+                    // Relative to the root alone: the small one is what cancellation spoils.
+                    judge::number_within(
+                        name,
+                        "",
+                        golden,
+                        got,
+                        judge::RELATIVE * golden.abs().max(1e-6),
+                    )?;
+                }
+                Ok(())
+            },
+        )
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "uses the schoolbook formula for both roots",
@@ -61,40 +95,6 @@ impl Graded for SolveQuadratic {
             },
         },
     ];
-
-    fn random(rng: &mut Pcg) -> SolveQuadratic {
-        let (a, b) = (
-            sample::number(rng, 0.2, 3.0),
-            sample::number(rng, -8.0, 8.0),
-        );
-        let sign = if rng.random_bool(0.3) { -1.0 } else { 1.0 };
-        SolveQuadratic {
-            a: sign * a,
-            b,
-            c: sample::number(rng, -6.0, 6.0),
-        }
-    }
-
-    fn judge(_q: &SolveQuadratic, golden: &Option<Vec2>, got: &Option<Vec2>) -> Verdict {
-        judge::option(
-            "a pair of real roots",
-            golden.as_ref(),
-            got.as_ref(),
-            |golden, got| {
-                for (name, golden, got) in [("t0", golden.x, got.x), ("t1", golden.y, got.y)] {
-                    // Relative to the root alone: the small one is what cancellation spoils.
-                    judge::number_within(
-                        name,
-                        "",
-                        golden,
-                        got,
-                        judge::RELATIVE * golden.abs().max(1e-6),
-                    )?;
-                }
-                Ok(())
-            },
-        )
-    }
 }
 
 /// The roots by a formula that is given √(b² − 4ac), where that is real and a ≠ 0.

@@ -1,4 +1,4 @@
-//! `sphere_hit`: its cases, judge and mistakes.
+//! `sphere_hit`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
 use raybook::image::rgb::Rgb;
@@ -9,6 +9,35 @@ use glam::{Vec2, Vec3, vec2, vec3};
 use rand::RngExt;
 
 impl Graded for SphereHit {
+    fn random(rng: &mut Pcg) -> SphereHit {
+        let (center, radius) = (sample::point(rng, 3.0), sample::number(rng, 0.5, 2.0));
+        // One ray in four starts inside; most aim near the sphere, so that about half of all hit.
+        let distance = radius
+            * if rng.random_bool(0.25) {
+                sample::number(rng, 0.1, 0.9)
+            } else {
+                sample::number(rng, 1.5, 5.0)
+            };
+        let origin = center - distance * *sample::direction(rng);
+        let aim = center + sample::point(rng, 1.2 * radius);
+        let direction = Dir3::new_or(aim - origin, Dir3::X);
+        let max = sample::end(rng, 0.3, 0.5, 6.0);
+        SphereHit {
+            ray: Ray::new(origin, direction),
+            within: Interval::new(0.0, max),
+            center,
+            radius,
+        }
+    }
+
+    fn judge(q: &SphereHit, golden: &Option<f32>, got: &Option<f32>) -> Verdict {
+        judge::option("a hit", golden.as_ref(), got.as_ref(), |golden, got| {
+            // Measured by the sphere, not by its distance; but no finer than a few of t's last digits.
+            let tolerance = judge::RELATIVE * q.radius + 4.0 * f32::EPSILON * golden.abs();
+            judge::number_within("t", "m", *golden, *got, tolerance)
+        })
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "takes the far root",
@@ -79,35 +108,6 @@ impl Graded for SphereHit {
         },
         colour: |_, t| t.map_or(Rgb::gray(0.1), |t| viridis(1.0 - (t - 2.0) / 2.0)),
     }];
-
-    fn random(rng: &mut Pcg) -> SphereHit {
-        let (center, radius) = (sample::point(rng, 3.0), sample::number(rng, 0.5, 2.0));
-        // One ray in four starts inside; most aim near the sphere, so that about half of all hit.
-        let distance = radius
-            * if rng.random_bool(0.25) {
-                sample::number(rng, 0.1, 0.9)
-            } else {
-                sample::number(rng, 1.5, 5.0)
-            };
-        let origin = center - distance * *sample::direction(rng);
-        let aim = center + sample::point(rng, 1.2 * radius);
-        let direction = Dir3::new_or(aim - origin, Dir3::X);
-        let max = sample::end(rng, 0.3, 0.5, 6.0);
-        SphereHit {
-            ray: Ray::new(origin, direction),
-            within: Interval::new(0.0, max),
-            center,
-            radius,
-        }
-    }
-
-    fn judge(q: &SphereHit, golden: &Option<f32>, got: &Option<f32>) -> Verdict {
-        judge::option("a hit", golden.as_ref(), got.as_ref(), |golden, got| {
-            // Measured by the sphere, not by its distance; but no finer than a few of t's last digits.
-            let tolerance = judge::RELATIVE * q.radius + 4.0 * f32::EPSILON * golden.abs();
-            judge::number_within("t", "m", *golden, *got, tolerance)
-        })
-    }
 }
 
 /// Both distances at which the whole line meets the sphere.

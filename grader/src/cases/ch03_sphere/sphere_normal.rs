@@ -1,4 +1,4 @@
-//! `sphere_normal`: its cases, judge and mistakes.
+//! `sphere_normal`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::math::pcg::Pcg;
@@ -7,6 +7,19 @@ use raybook_workbook::exercises::ch03_sphere::SphereNormal;
 use glam::Vec3;
 
 impl Graded for SphereNormal {
+    fn random(rng: &mut Pcg) -> SphereNormal {
+        let (center, radius) = (sample::point(rng, 5.0), sample::number(rng, 0.3, 3.0));
+        SphereNormal {
+            center,
+            radius,
+            p: center + radius * *sample::direction(rng),
+        }
+    }
+
+    fn judge(_q: &SphereNormal, golden: &Vec3, got: &Vec3) -> Verdict {
+        judge::direction("the normal", *golden, *got)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "points inwards",
@@ -34,17 +47,4 @@ impl Graded for SphereNormal {
             answer: |q| (q.p - q.center) * q.radius,
         },
     ];
-
-    fn random(rng: &mut Pcg) -> SphereNormal {
-        let (center, radius) = (sample::point(rng, 5.0), sample::number(rng, 0.3, 3.0));
-        SphereNormal {
-            center,
-            radius,
-            p: center + radius * *sample::direction(rng),
-        }
-    }
-
-    fn judge(_q: &SphereNormal, golden: &Vec3, got: &Vec3) -> Verdict {
-        judge::direction("the normal", *golden, *got)
-    }
 }

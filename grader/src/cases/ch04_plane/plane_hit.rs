@@ -10,6 +10,26 @@ use glam::vec3;
 use rand::RngExt;
 
 impl Graded for PlaneHit {
+    fn random(rng: &mut Pcg) -> PlaneHit {
+        let max = if rng.random_bool(0.4) {
+            sample::number(rng, 1.0, 8.0)
+        } else {
+            f32::INFINITY
+        };
+        PlaneHit {
+            ray: Ray::new(sample::point(rng, 4.0), sample::direction(rng)),
+            within: Interval::new(0.0, max),
+            normal: sample::direction(rng),
+            offset: sample::number(rng, -3.0, 3.0),
+        }
+    }
+
+    fn judge(_q: &PlaneHit, golden: &Option<f32>, got: &Option<f32>) -> Verdict {
+        judge::option("a hit", golden.as_ref(), got.as_ref(), |golden, got| {
+            judge::number("t", "m", *golden, *got)
+        })
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "has the sign of the offset wrong",
@@ -80,26 +100,6 @@ impl Graded for PlaneHit {
         },
         colour: |_, t| t.map_or(Rgb::gray(0.1), |t| viridis(2.0 / (0.5 + t))),
     }];
-
-    fn random(rng: &mut Pcg) -> PlaneHit {
-        let max = if rng.random_bool(0.4) {
-            sample::number(rng, 1.0, 8.0)
-        } else {
-            f32::INFINITY
-        };
-        PlaneHit {
-            ray: Ray::new(sample::point(rng, 4.0), sample::direction(rng)),
-            within: Interval::new(0.0, max),
-            normal: sample::direction(rng),
-            offset: sample::number(rng, -3.0, 3.0),
-        }
-    }
-
-    fn judge(_q: &PlaneHit, golden: &Option<f32>, got: &Option<f32>) -> Verdict {
-        judge::option("a hit", golden.as_ref(), got.as_ref(), |golden, got| {
-            judge::number("t", "m", *golden, *got)
-        })
-    }
 }
 
 /// The distance at which the whole line meets the plane.

@@ -1,4 +1,4 @@
-//! `bounds_of`: its cases, judge and mistakes.
+//! `bounds_of`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::math::pcg::Pcg;
@@ -8,6 +8,31 @@ use glam::Vec3;
 use rand::RngExt;
 
 impl Graded for BoundsOf {
+    fn random(rng: &mut Pcg) -> BoundsOf {
+        let center = sample::point(rng, 6.0);
+        let count = rng.random_range(1..8);
+        BoundsOf {
+            points: (0..count)
+                .map(|_| center + sample::point(rng, 3.0))
+                .collect(),
+        }
+    }
+
+    fn judge(_q: &BoundsOf, golden: &Corners, got: &Corners) -> Verdict {
+        for (name, golden, got) in [("min", golden.min, got.min), ("max", golden.max, got.max)] {
+            for (axis, letter) in ["x", "y", "z"].into_iter().enumerate() {
+                judge::number_within(
+                    &format!("{name}.{letter}"),
+                    "m",
+                    golden[axis],
+                    got[axis],
+                    1e-5 * golden[axis].abs().max(1.0),
+                )?;
+            }
+        }
+        Ok(())
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "starts with the origin inside",
@@ -55,31 +80,6 @@ impl Graded for BoundsOf {
             },
         },
     ];
-
-    fn random(rng: &mut Pcg) -> BoundsOf {
-        let center = sample::point(rng, 6.0);
-        let count = rng.random_range(1..8);
-        BoundsOf {
-            points: (0..count)
-                .map(|_| center + sample::point(rng, 3.0))
-                .collect(),
-        }
-    }
-
-    fn judge(_q: &BoundsOf, golden: &Corners, got: &Corners) -> Verdict {
-        for (name, golden, got) in [("min", golden.min, got.min), ("max", golden.max, got.max)] {
-            for (axis, letter) in ["x", "y", "z"].into_iter().enumerate() {
-                judge::number_within(
-                    &format!("{name}.{letter}"),
-                    "m",
-                    golden[axis],
-                    got[axis],
-                    1e-5 * golden[axis].abs().max(1.0),
-                )?;
-            }
-        }
-        Ok(())
-    }
 }
 
 /// The box of points, as an answer.

@@ -1,15 +1,42 @@
-//! `box_clip`: its judge and mistakes.
+//! `box_clip`: random questions, judge and mistakes.
 
-use super::box_clip_cases;
 use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
+use glam::{Vec3, vec3};
 use raybook::image::rgb::Rgb;
+use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 use raybook_chapters::kit::palette::viridis;
-use raybook::math::{interval::Interval, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch05_box::BoxClip;
-use glam::vec3;
 
 impl Graded for BoxClip {
+    fn random(rng: &mut Pcg) -> BoxClip {
+        let (center, half) = (
+            sample::point(rng, 3.0),
+            Vec3::splat(1.25) + sample::point(rng, 1.0),
+        );
+        let origin = center + sample::point(rng, 5.0);
+        let aim = center + sample::point(rng, 1.5) * half;
+        let max = sample::end(rng, 0.3, 1.0, 8.0);
+        BoxClip {
+            ray: Ray::new(origin, Dir3::new_or(aim - origin, Dir3::X)),
+            within: Interval::new(0.0, max),
+            min: center - half,
+            max: center + half,
+        }
+    }
+
+    fn judge(_q: &BoxClip, golden: &Option<Interval>, got: &Option<Interval>) -> Verdict {
+        judge::option(
+            "a part of the ray inside the box",
+            golden.as_ref(),
+            got.as_ref(),
+            |golden, got| {
+                judge::number("the entry", "m", golden.min, got.min)?;
+                judge::number("the exit", "m", golden.max, got.max)
+            },
+        )
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "does not swap the planes for a negative direction",
@@ -95,22 +122,6 @@ impl Graded for BoxClip {
             })
         },
     }];
-
-    fn random(rng: &mut Pcg) -> BoxClip {
-        box_clip_cases::random(rng)
-    }
-
-    fn judge(_q: &BoxClip, golden: &Option<Interval>, got: &Option<Interval>) -> Verdict {
-        judge::option(
-            "a part of the ray inside the box",
-            golden.as_ref(),
-            got.as_ref(),
-            |golden, got| {
-                judge::number("the entry", "m", golden.min, got.min)?;
-                judge::number("the exit", "m", golden.max, got.max)
-            },
-        )
-    }
 }
 
 /// Where the whole line enters and leaves the slab of an axis; by the right rule.

@@ -1,14 +1,44 @@
-//! `triangle_hit`: its judge and mistakes.
+//! `triangle_hit`: random questions, judge and mistakes.
 
-use super::triangle_hit_cases;
 use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
+use glam::{Vec3, vec3};
 use raybook::image::rgb::Rgb;
-use raybook::math::{interval::Interval, pcg::Pcg};
+use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch06_triangle::{TriangleHit, TriangleHitAnswer};
-use glam::{Vec3, vec3};
 
 impl Graded for TriangleHit {
+    fn random(rng: &mut Pcg) -> TriangleHit {
+        let [p0, p1, p2] = std::array::from_fn(|_| sample::point(rng, 3.0));
+        let (b1, b2) = (
+            sample::number(rng, -0.3, 0.8),
+            sample::number(rng, -0.3, 0.8),
+        );
+        let aim = p0 + b1 * (p1 - p0) + b2 * (p2 - p0);
+        let origin = aim - sample::number(rng, 1.0, 6.0) * *sample::direction(rng);
+        let max = sample::end(rng, 0.2, 1.0, 5.0);
+        let direction = Dir3::new_or(aim - origin, Dir3::X);
+        TriangleHit {
+            ray: Ray::new(origin, direction),
+            within: Interval::new(0.0, max),
+            p0,
+            p1,
+            p2,
+        }
+    }
+
+    fn judge(
+        _q: &TriangleHit,
+        golden: &Option<TriangleHitAnswer>,
+        got: &Option<TriangleHitAnswer>,
+    ) -> Verdict {
+        judge::option("a hit", golden.as_ref(), got.as_ref(), |golden, got| {
+            judge::number("t", "m", golden.t, got.t)?;
+            judge::number("b1", "", golden.b1, got.b1)?;
+            judge::number("b2", "", golden.b2, got.b2)
+        })
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "forgets b1 + b2 <= 1",
@@ -104,22 +134,6 @@ impl Graded for TriangleHit {
             })
         },
     }];
-
-    fn random(rng: &mut Pcg) -> TriangleHit {
-        triangle_hit_cases::random(rng)
-    }
-
-    fn judge(
-        _q: &TriangleHit,
-        golden: &Option<TriangleHitAnswer>,
-        got: &Option<TriangleHitAnswer>,
-    ) -> Verdict {
-        judge::option("a hit", golden.as_ref(), got.as_ref(), |golden, got| {
-            judge::number("t", "m", golden.t, got.t)?;
-            judge::number("b1", "", golden.b1, got.b1)?;
-            judge::number("b2", "", golden.b2, got.b2)
-        })
-    }
 }
 
 /// Twice the triangle's area, as a vector along its normal.

@@ -1,4 +1,4 @@
-//! `triangle_normal`: its cases, judge and mistakes.
+//! `triangle_normal`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::math::{dir3::Dir3, pcg::Pcg};
@@ -7,6 +7,17 @@ use raybook_workbook::exercises::ch06_triangle::TriangleNormal;
 use glam::Vec3;
 
 impl Graded for TriangleNormal {
+    fn random(rng: &mut Pcg) -> TriangleNormal {
+        let [p0, p1, p2] = std::array::from_fn(|_| sample::point(rng, 4.0));
+        TriangleNormal { p0, p1, p2 }
+    }
+
+    fn judge(_q: &TriangleNormal, golden: &Option<Vec3>, got: &Option<Vec3>) -> Verdict {
+        judge::option("a normal", golden.as_ref(), got.as_ref(), |golden, got| {
+            judge::direction("the normal", *golden, *got)
+        })
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "points to the other side",
@@ -39,15 +50,4 @@ impl Graded for TriangleNormal {
             answer: |q| TriangleNormal::answer(q).map(|_| (q.p1 - q.p0).normalize()),
         },
     ];
-
-    fn random(rng: &mut Pcg) -> TriangleNormal {
-        let [p0, p1, p2] = std::array::from_fn(|_| sample::point(rng, 4.0));
-        TriangleNormal { p0, p1, p2 }
-    }
-
-    fn judge(_q: &TriangleNormal, golden: &Option<Vec3>, got: &Option<Vec3>) -> Verdict {
-        judge::option("a normal", golden.as_ref(), got.as_ref(), |golden, got| {
-            judge::direction("the normal", *golden, *got)
-        })
-    }
 }

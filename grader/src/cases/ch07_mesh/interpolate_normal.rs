@@ -1,4 +1,4 @@
-//! `interpolate_normal`: its cases, judge and mistakes.
+//! `interpolate_normal`: random questions, judge and mistakes.
 
 use super::place;
 use crate::{Graded, Mistake, Verdict, judge, sample};
@@ -7,6 +7,23 @@ use raybook_workbook::exercises::ch07_mesh::InterpolateNormal;
 use glam::Vec3;
 
 impl Graded for InterpolateNormal {
+    fn random(rng: &mut Pcg) -> InterpolateNormal {
+        // Three normals of one hemisphere, as on a smooth mesh.
+        let around = *sample::direction(rng);
+        let mut normal = || Dir3::new_or(around + 0.9 * *sample::direction(rng), Dir3::Y);
+        let (n0, n1, n2) = (normal(), normal(), normal());
+        InterpolateNormal {
+            n0,
+            n1,
+            n2,
+            b: place(rng),
+        }
+    }
+
+    fn judge(_q: &InterpolateNormal, golden: &Vec3, got: &Vec3) -> Verdict {
+        judge::direction("the normal", *golden, *got)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "forgets to normalise",
@@ -39,23 +56,6 @@ impl Graded for InterpolateNormal {
             answer: |q| *q.n0,
         },
     ];
-
-    fn random(rng: &mut Pcg) -> InterpolateNormal {
-        // Three normals of one hemisphere, as on a smooth mesh.
-        let around = *sample::direction(rng);
-        let mut normal = || Dir3::new_or(around + 0.9 * *sample::direction(rng), Dir3::Y);
-        let (n0, n1, n2) = (normal(), normal(), normal());
-        InterpolateNormal {
-            n0,
-            n1,
-            n2,
-            b: place(rng),
-        }
-    }
-
-    fn judge(_q: &InterpolateNormal, golden: &Vec3, got: &Vec3) -> Verdict {
-        judge::direction("the normal", *golden, *got)
-    }
 }
 
 fn mix(q: &InterpolateNormal, w0: f32, w1: f32, w2: f32) -> Vec3 {

@@ -1,4 +1,4 @@
-//! `interpolate_texture`: its cases, judge and mistakes.
+//! `interpolate_texture`: random questions, judge and mistakes.
 
 use super::place;
 use crate::{Graded, Mistake, Verdict, judge, sample};
@@ -8,6 +8,26 @@ use raybook_workbook::exercises::ch07_mesh::InterpolateTexture;
 use glam::{Vec2, vec2};
 
 impl Graded for InterpolateTexture {
+    fn random(rng: &mut Pcg) -> InterpolateTexture {
+        let mut texture = || {
+            vec2(
+                sample::number(rng, -1.0, 3.0),
+                sample::number(rng, -1.0, 3.0),
+            )
+        };
+        let (t0, t1, t2) = (texture(), texture(), texture());
+        InterpolateTexture {
+            t0,
+            t1,
+            t2,
+            b: place(rng),
+        }
+    }
+
+    fn judge(_q: &InterpolateTexture, golden: &Vec2, got: &Vec2) -> Verdict {
+        judge::pair(["u", "v"], *golden, *got)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "gives the weights to the wrong corners",
@@ -50,24 +70,4 @@ impl Graded for InterpolateTexture {
             answer: |q| q.t0 + q.b.x * q.t1 + q.b.y * q.t2,
         },
     ];
-
-    fn random(rng: &mut Pcg) -> InterpolateTexture {
-        let mut texture = || {
-            vec2(
-                sample::number(rng, -1.0, 3.0),
-                sample::number(rng, -1.0, 3.0),
-            )
-        };
-        let (t0, t1, t2) = (texture(), texture(), texture());
-        InterpolateTexture {
-            t0,
-            t1,
-            t2,
-            b: place(rng),
-        }
-    }
-
-    fn judge(_q: &InterpolateTexture, golden: &Vec2, got: &Vec2) -> Verdict {
-        judge::pair(["u", "v"], *golden, *got)
-    }
 }

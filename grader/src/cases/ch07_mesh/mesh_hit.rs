@@ -1,4 +1,4 @@
-//! `mesh_hit`: its cases, judge and mistakes.
+//! `mesh_hit`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
 use raybook::image::rgb::Rgb;
@@ -10,6 +10,33 @@ use glam::{Vec3, vec3};
 use rand::RngExt;
 
 impl Graded for MeshHit {
+    fn random(rng: &mut Pcg) -> MeshHit {
+        let count = rng.random_range(2..7);
+        let corners = |rng: &mut Pcg| std::array::from_fn(|_| sample::point(rng, 2.5));
+        let triangles = (0..count)
+            .map(|_| {
+                let [p0, p1, p2] = corners(rng);
+                Corners { p0, p1, p2 }
+            })
+            .collect::<Vec<_>>();
+        let max = sample::end(rng, 0.3, 1.0, 4.0);
+        let origin = sample::point(rng, 3.0);
+        let direction = Dir3::new_or(sample::point(rng, 1.0) - origin, Dir3::X);
+        MeshHit {
+            ray: Ray::new(origin, direction),
+            within: Interval::new(0.0, max),
+            triangles,
+        }
+    }
+
+    fn judge(
+        _q: &MeshHit,
+        golden: &Option<MeshHitAnswer>,
+        got: &Option<MeshHitAnswer>,
+    ) -> Verdict {
+        judge::nearest(golden.as_ref(), got.as_ref())
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "returns the first hit in the list",
@@ -79,33 +106,6 @@ impl Graded for MeshHit {
                 .map_or(Rgb::gray(0.1), |hit| viridis(0.2 + 0.35 * hit.id as f32))
         },
     }];
-
-    fn random(rng: &mut Pcg) -> MeshHit {
-        let count = rng.random_range(2..7);
-        let corners = |rng: &mut Pcg| std::array::from_fn(|_| sample::point(rng, 2.5));
-        let triangles = (0..count)
-            .map(|_| {
-                let [p0, p1, p2] = corners(rng);
-                Corners { p0, p1, p2 }
-            })
-            .collect::<Vec<_>>();
-        let max = sample::end(rng, 0.3, 1.0, 4.0);
-        let origin = sample::point(rng, 3.0);
-        let direction = Dir3::new_or(sample::point(rng, 1.0) - origin, Dir3::X);
-        MeshHit {
-            ray: Ray::new(origin, direction),
-            within: Interval::new(0.0, max),
-            triangles,
-        }
-    }
-
-    fn judge(
-        _q: &MeshHit,
-        golden: &Option<MeshHitAnswer>,
-        got: &Option<MeshHitAnswer>,
-    ) -> Verdict {
-        judge::nearest(golden.as_ref(), got.as_ref())
-    }
 }
 
 /// The hit of each triangle that is hit, in the order of the list.

@@ -1,4 +1,4 @@
-//! `vertex_normals`: its cases, judge and mistakes.
+//! `vertex_normals`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::math::pcg::Pcg;
@@ -7,6 +7,48 @@ use glam::{Vec3, vec3};
 use rand::RngExt;
 
 impl Graded for VertexNormals {
+    fn random(rng: &mut Pcg) -> VertexNormals {
+        // A fan around vertex 0: a bumpy cone, whose triangles differ in size.
+        let count = rng.random_range(3..7_u32);
+        let rim = (0..count).map(|i| {
+            let angle = std::f32::consts::TAU * i as f32 / count as f32;
+            let radius = sample::number(rng, 0.4, 2.5);
+            vec3(
+                radius * angle.cos(),
+                sample::number(rng, -1.5, 0.5),
+                radius * angle.sin(),
+            )
+        });
+        let positions = std::iter::once(vec3(0.1, 0.8, -0.2))
+            .chain(rim.collect::<Vec<_>>())
+            .collect();
+        let triangles = (0..count)
+            .map(|i| Indices {
+                a: 0,
+                b: 1 + (i + 1) % count,
+                c: 1 + i,
+            })
+            .collect();
+        VertexNormals {
+            positions,
+            triangles,
+        }
+    }
+
+    fn judge(_q: &VertexNormals, golden: &Vec<Vec3>, got: &Vec<Vec3>) -> Verdict {
+        if golden.len() != got.len() {
+            return Err(format!(
+                "there are {} vertices, but you returned {} normals",
+                golden.len(),
+                got.len()
+            ));
+        }
+        let mut pairs = golden.iter().zip(got).enumerate();
+        pairs.try_for_each(|(i, (golden, got))| {
+            judge::direction(&format!("the normal of vertex {i}"), *golden, *got)
+        })
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "gives every triangle the same weight",
@@ -69,48 +111,6 @@ impl Graded for VertexNormals {
             },
         },
     ];
-
-    fn random(rng: &mut Pcg) -> VertexNormals {
-        // A fan around vertex 0: a bumpy cone, whose triangles differ in size.
-        let count = rng.random_range(3..7_u32);
-        let rim = (0..count).map(|i| {
-            let angle = std::f32::consts::TAU * i as f32 / count as f32;
-            let radius = sample::number(rng, 0.4, 2.5);
-            vec3(
-                radius * angle.cos(),
-                sample::number(rng, -1.5, 0.5),
-                radius * angle.sin(),
-            )
-        });
-        let positions = std::iter::once(vec3(0.1, 0.8, -0.2))
-            .chain(rim.collect::<Vec<_>>())
-            .collect();
-        let triangles = (0..count)
-            .map(|i| Indices {
-                a: 0,
-                b: 1 + (i + 1) % count,
-                c: 1 + i,
-            })
-            .collect();
-        VertexNormals {
-            positions,
-            triangles,
-        }
-    }
-
-    fn judge(_q: &VertexNormals, golden: &Vec<Vec3>, got: &Vec<Vec3>) -> Verdict {
-        if golden.len() != got.len() {
-            return Err(format!(
-                "there are {} vertices, but you returned {} normals",
-                golden.len(),
-                got.len()
-            ));
-        }
-        let mut pairs = golden.iter().zip(got).enumerate();
-        pairs.try_for_each(|(i, (golden, got))| {
-            judge::direction(&format!("the normal of vertex {i}"), *golden, *got)
-        })
-    }
 }
 
 /// Each triangle's corners, and a vector made of its edges.

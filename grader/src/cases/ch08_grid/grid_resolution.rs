@@ -1,4 +1,4 @@
-//! `grid_resolution`: its cases, judge and mistakes.
+//! `grid_resolution`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Verdict, sample};
 use raybook::math::pcg::Pcg;
@@ -8,6 +8,35 @@ use glam::Vec3;
 use rand::RngExt;
 
 impl Graded for GridResolution {
+    fn random(rng: &mut Pcg) -> GridResolution {
+        let mut extents = sample::point(rng, 6.0) + 6.5;
+        if rng.random_bool(0.3) {
+            let axis = rng.random_range(0..3_usize);
+            extents[axis] *= sample::number(rng, 0.0001, 0.01);
+        }
+        GridResolution {
+            extents,
+            shapes: rng.random_range(2..60_000),
+            density: sample::number(rng, 0.5, 10.0),
+        }
+    }
+
+    fn judge(q: &GridResolution, golden: &Cell, got: &Cell) -> Verdict {
+        for (axis, golden, got) in [
+            ("x", golden.x, got.x),
+            ("y", golden.y, got.y),
+            ("z", golden.z, got.z),
+        ] {
+            if golden != got {
+                return Err(format!(
+                    "there are {got} cells along {axis}, and should be {golden}: {} cells of about one size in each direction",
+                    cells(q)
+                ));
+            }
+        }
+        Ok(())
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "gives every axis the same number",
@@ -59,35 +88,6 @@ impl Graded for GridResolution {
             },
         },
     ];
-
-    fn random(rng: &mut Pcg) -> GridResolution {
-        let mut extents = sample::point(rng, 6.0) + 6.5;
-        if rng.random_bool(0.3) {
-            let axis = rng.random_range(0..3_usize);
-            extents[axis] *= sample::number(rng, 0.0001, 0.01);
-        }
-        GridResolution {
-            extents,
-            shapes: rng.random_range(2..60_000),
-            density: sample::number(rng, 0.5, 10.0),
-        }
-    }
-
-    fn judge(q: &GridResolution, golden: &Cell, got: &Cell) -> Verdict {
-        for (axis, golden, got) in [
-            ("x", golden.x, got.x),
-            ("y", golden.y, got.y),
-            ("z", golden.z, got.z),
-        ] {
-            if golden != got {
-                return Err(format!(
-                    "there are {got} cells along {axis}, and should be {golden}: {} cells of about one size in each direction",
-                    cells(q)
-                ));
-            }
-        }
-        Ok(())
-    }
 }
 
 /// λN.

@@ -1,4 +1,4 @@
-//! `octree_child`: its cases, judge and mistakes.
+//! `octree_child`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Verdict, sample};
 use raybook::math::pcg::Pcg;
@@ -7,6 +7,38 @@ use raybook_workbook::exercises::ch10_octree::OctreeChild;
 use glam::Vec3;
 
 impl Graded for OctreeChild {
+    fn random(rng: &mut Pcg) -> OctreeChild {
+        let min = sample::point(rng, 4.0);
+        let size = Vec3::splat(sample::number(rng, 0.5, 4.0));
+        let inside = sample::point(rng, 0.5) + 0.5;
+        OctreeChild {
+            min,
+            max: min + size,
+            p: min + inside * size,
+        }
+    }
+
+    fn judge(_q: &OctreeChild, golden: &u32, got: &u32) -> Verdict {
+        if golden == got {
+            return Ok(());
+        }
+        if *got > 7 {
+            return Err(format!(
+                "there are eight children, 0 to 7, and no child {got}"
+            ));
+        }
+        let half = |n: u32, axis: u32| if n >> axis & 1 == 1 { "upper" } else { "lower" };
+        let wrong = (0..3)
+            .zip(["x", "y", "z"])
+            .find(|&(axis, _)| half(*golden, axis) != half(*got, axis));
+        let (axis, name) = wrong.unwrap_or((0, "x"));
+        Err(format!(
+            "child {got} is in the {} half along {name}, and the point is in the {}",
+            half(*got, axis),
+            half(*golden, axis)
+        ))
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "counts x as the highest bit",
@@ -50,38 +82,6 @@ impl Graded for OctreeChild {
             answer: |q| OctreeChild::answer(q) & 3,
         },
     ];
-
-    fn random(rng: &mut Pcg) -> OctreeChild {
-        let min = sample::point(rng, 4.0);
-        let size = Vec3::splat(sample::number(rng, 0.5, 4.0));
-        let inside = sample::point(rng, 0.5) + 0.5;
-        OctreeChild {
-            min,
-            max: min + size,
-            p: min + inside * size,
-        }
-    }
-
-    fn judge(_q: &OctreeChild, golden: &u32, got: &u32) -> Verdict {
-        if golden == got {
-            return Ok(());
-        }
-        if *got > 7 {
-            return Err(format!(
-                "there are eight children, 0 to 7, and no child {got}"
-            ));
-        }
-        let half = |n: u32, axis: u32| if n >> axis & 1 == 1 { "upper" } else { "lower" };
-        let wrong = (0..3)
-            .zip(["x", "y", "z"])
-            .find(|&(axis, _)| half(*golden, axis) != half(*got, axis));
-        let (axis, name) = wrong.unwrap_or((0, "x"));
-        Err(format!(
-            "child {got} is in the {} half along {name}, and the point is in the {}",
-            half(*got, axis),
-            half(*golden, axis)
-        ))
-    }
 }
 
 pub(super) fn bits(above: glam::BVec3) -> u32 {

@@ -1,13 +1,13 @@
-//! `bvh_build`: its cases and mistakes.
+//! `bvh_build`: random questions, judge and mistakes.
 
-use super::bvh_build_judge::tree_cost;
-use super::{around, center, cube, heaps, no_dearer, tree};
-use raybook::accel::bvh::build::Method;
 use crate::{Graded, Mistake, Verdict};
+use raybook::accel::bvh::build::Method;
 use raybook::math::{aabb::Aabb, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch11_bvh::{BvhBuild, BvhBuildAnswer};
 use raybook_workbook::tree_rows::NodeRow;
+use super::{around, center, cube, heaps, no_dearer, tree};
+use super::sah_cost::node_area;
 
 /// A tree may cost so much more than the reference's: neither is the best, and which cut is taken first decides more.
 const DEARER: f32 = 0.25;
@@ -37,6 +37,22 @@ pub(super) fn chain(q: &BvhBuild) -> BvhBuildAnswer {
 }
 
 impl Graded for BvhBuild {
+    fn random(rng: &mut Pcg) -> BvhBuild {
+        BvhBuild {
+            most: 4,
+            boxes: heaps(rng),
+        }
+    }
+
+    fn judge(q: &BvhBuild, golden: &BvhBuildAnswer, got: &BvhBuildAnswer) -> Verdict {
+        no_dearer(
+            "the tree",
+            tree_cost(q, got)?,
+            tree_cost(q, golden)?,
+            DEARER,
+        )
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "splits by number",
@@ -98,22 +114,6 @@ impl Graded for BvhBuild {
             },
         },
     ];
-
-    fn random(rng: &mut Pcg) -> BvhBuild {
-        BvhBuild {
-            most: 4,
-            boxes: heaps(rng),
-        }
-    }
-
-    fn judge(q: &BvhBuild, golden: &BvhBuildAnswer, got: &BvhBuildAnswer) -> Verdict {
-        no_dearer(
-            "the tree",
-            tree_cost(q, got)?,
-            tree_cost(q, golden)?,
-            DEARER,
-        )
-    }
 }
 
 /// All boxes in one leaf.
@@ -130,4 +130,75 @@ fn one_leaf(q: &BvhBuild) -> BvhBuildAnswer {
         nodes: vec![leaf],
         order,
     }
+}
+
+/// The cost of a tree, if it is one.
+fn tree_cost(q: &BvhBuild, tree: &BvhBuildAnswer) -> Result<f32, String> {
+    let mut met = vec![false; q.boxes.len()];
+    if tree.order.len() != met.len() {
+        return Err(format!(
+            "the order has {} numbers, but there are {} boxes",
+            tree.order.len(),
+            met.len()
+        ));
+    }
+    let mut used = vec![false; tree.nodes.len()];
+    let mut sum = 0.0;
+    let mut open = vec![0];
+    while let Some(i) = open.pop() {
+        let node = tree
+            .nodes
+            .get(i)
+            .ok_or_else(|| format!("there is no node {i}"))?;
+        if std::mem::replace(&mut used[i], true) {
+            return Err(format!("node {i} is the child of two branches"));
+        }
+        let (first, count) = (node.first as usize, node.count as usize);
+        let mut below = Vec::new();
+        if count == 0 {
+            for child in [first, first.saturating_add(1)] {
+                let row = tree
+                    .nodes
+                    .get(child)
+                    .ok_or_else(|| format!("node {i} has the child {child}, which is not there"))?;
+                below.push((format!("node {child}"), row.min, row.max));
+                open.push(child);
+            }
+        } else if count > q.most as usize {
+            return Err(format!(
+                "leaf {i} has {count} shapes; {} are allowed",
+                q.most
+            ));
+        }
+        for place in first..first.saturating_add(count) {
+            let shape = tree.order.get(place).map(|&shape| shape as usize);
+            let Some((shape, row)) = shape.and_then(|s| Some((s, q.boxes.get(s)?))) else {
+                return Err(format!(
+                    "leaf {i} has place {place} of the order, where no box is"
+                ));
+            };
+            if std::mem::replace(&mut met[shape], true) {
+                return Err(format!("box {shape} is in the tree twice"));
+            }
+            below.push((format!("box {shape}"), row.min, row.max));
+        }
+        let slack = 1e-4 * (node.max - node.min).abs().max_element().max(1e-3);
+        for (name, min, max) in below {
+            if !((min + slack).cmpge(node.min).all() && (max - slack).cmple(node.max).all()) {
+                return Err(format!(
+                    "{name} sticks out of node {i}, which should hold it"
+                ));
+            }
+        }
+        sum += node_area(node) * if count == 0 { 1.0 } else { count as f32 };
+    }
+    if let Some(lost) = met.iter().position(|met| !met) {
+        return Err(format!("box {lost} is in no leaf"));
+    }
+    Ok(sum
+        / tree
+            .nodes
+            .first()
+            .map_or(1.0, node_area)
+            .max(f32::MIN_POSITIVE))
 }

@@ -1,7 +1,5 @@
 //! Chapter 11: `sah_cost`, `sah_split`, `bvh_build`, `bvh_closest`.
 
-mod bvh_build_judge;
-mod bvh_closest_cases;
 
 use raybook::accel::bvh::COST;
 use raybook::accel::bvh::build::cost::Cost;

@@ -1,4 +1,4 @@
-//! `sah_cost`: its cases, judge and mistakes.
+//! `sah_cost`: random questions, judge and mistakes.
 
 use super::{area, heaps, tree};
 use raybook::accel::bvh::build::Method;
@@ -30,6 +30,19 @@ fn node_price(q: &SahCost, node: &NodeRow) -> f32 {
 }
 
 impl Graded for SahCost {
+    fn random(rng: &mut Pcg) -> SahCost {
+        let boxes = heaps(rng);
+        SahCost {
+            branch: sample::number(rng, 0.5, 2.0),
+            shape: sample::number(rng, 0.5, 2.0),
+            nodes: tree(&boxes, Method::Median, 8).nodes,
+        }
+    }
+
+    fn judge(_q: &SahCost, golden: &f32, got: &f32) -> Verdict {
+        judge::number("the cost", "", *golden, *got)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "forgets to divide by the root's area",
@@ -80,19 +93,6 @@ impl Graded for SahCost {
             answer: |q| weighted(q, |n| (n.max - n.min).max_element(), node_price),
         },
     ];
-
-    fn random(rng: &mut Pcg) -> SahCost {
-        let boxes = heaps(rng);
-        SahCost {
-            branch: sample::number(rng, 0.5, 2.0),
-            shape: sample::number(rng, 0.5, 2.0),
-            nodes: tree(&boxes, Method::Median, 8).nodes,
-        }
-    }
-
-    fn judge(_q: &SahCost, golden: &f32, got: &f32) -> Verdict {
-        judge::number("the cost", "", *golden, *got)
-    }
 }
 
 /// The question where branches, or shapes, cost nothing.

@@ -1,4 +1,4 @@
-//! `sah_split`: its cases, judge and mistakes.
+//! `sah_split`: random questions, judge and mistakes.
 
 use super::{area, around, center, heaps, no_dearer};
 use crate::{Graded, Mistake, Verdict, judge};
@@ -66,6 +66,15 @@ fn split_cost(q: &SahSplit, left: &[u32]) -> Result<f32, String> {
 }
 
 impl Graded for SahSplit {
+    fn random(rng: &mut Pcg) -> SahSplit {
+        SahSplit { boxes: heaps(rng) }
+    }
+
+    fn judge(q: &SahSplit, golden: &Vec<u32>, got: &Vec<u32>) -> Verdict {
+        let (best, cost) = (split_cost(q, golden)?, split_cost(q, got)?);
+        no_dearer("this split", cost, best, judge::RELATIVE)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "puts half of the boxes on each side",
@@ -125,13 +134,4 @@ impl Graded for SahSplit {
             answer: |q| cut_with(q, |axis, [left, _]| left.len() as f32 + 0.1 * axis as f32),
         },
     ];
-
-    fn random(rng: &mut Pcg) -> SahSplit {
-        SahSplit { boxes: heaps(rng) }
-    }
-
-    fn judge(q: &SahSplit, golden: &Vec<u32>, got: &Vec<u32>) -> Verdict {
-        let (best, cost) = (split_cost(q, golden)?, split_cost(q, got)?);
-        no_dearer("this split", cost, best, judge::RELATIVE)
-    }
 }

@@ -1,4 +1,4 @@
-//! `blinn_phong`: its cases, judge and mistakes.
+//! `blinn_phong`: random questions, judge and mistakes.
 
 use super::highlight::{BALL, half, mirrored, on_ball, power, radiance, random, with_highlight};
 use crate::{Graded, Mistake, Picture, Verdict};
@@ -7,6 +7,14 @@ use raybook::math::pcg::Pcg;
 use raybook_workbook::exercises::ch12_phong::BlinnPhongExercise;
 
 impl Graded for BlinnPhongExercise {
+    fn random(rng: &mut Pcg) -> Self {
+        Self { at: random(rng) }
+    }
+
+    fn judge(_q: &Self, golden: &Rgb, got: &Rgb) -> Verdict {
+        radiance(*golden, *got)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "forgets to normalise H",
@@ -73,12 +81,4 @@ impl Graded for BlinnPhongExercise {
         question: |x, y| Self { at: on_ball(x, y) },
         colour: |_, radiance| *radiance,
     }];
-
-    fn random(rng: &mut Pcg) -> Self {
-        Self { at: random(rng) }
-    }
-
-    fn judge(_q: &Self, golden: &Rgb, got: &Rgb) -> Verdict {
-        radiance(*golden, *got)
-    }
 }

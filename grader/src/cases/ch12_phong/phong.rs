@@ -1,4 +1,4 @@
-//! `phong`: its cases, judge and mistakes.
+//! `phong`: random questions, judge and mistakes.
 
 use super::highlight::{BALL, half, mirrored, on_ball, power, radiance, random, with_highlight};
 use crate::{Graded, Mistake, Picture, Verdict};
@@ -7,6 +7,14 @@ use raybook::math::pcg::Pcg;
 use raybook_workbook::exercises::ch12_phong::PhongExercise;
 
 impl Graded for PhongExercise {
+    fn random(rng: &mut Pcg) -> Self {
+        Self { at: random(rng) }
+    }
+
+    fn judge(_q: &Self, golden: &Rgb, got: &Rgb) -> Verdict {
+        radiance(*golden, *got)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "lets the highlight shine through from behind",
@@ -95,12 +103,4 @@ impl Graded for PhongExercise {
         question: |x, y| Self { at: on_ball(x, y) },
         colour: |_, radiance| *radiance,
     }];
-
-    fn random(rng: &mut Pcg) -> Self {
-        Self { at: random(rng) }
-    }
-
-    fn judge(_q: &Self, golden: &Rgb, got: &Rgb) -> Verdict {
-        radiance(*golden, *got)
-    }
 }

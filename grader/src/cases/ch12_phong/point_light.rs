@@ -1,4 +1,4 @@
-//! `point_light`: its cases, judge and mistakes.
+//! `point_light`: random questions, judge and mistakes.
 
 use super::channels;
 use crate::{Graded, Mistake, Verdict, judge, sample};
@@ -16,6 +16,34 @@ fn falling_off(q: &PointLightExercise, by: fn(f32) -> f32) -> Option<Arriving> {
 }
 
 impl Graded for PointLightExercise {
+    fn random(rng: &mut Pcg) -> PointLightExercise {
+        let mut channel = || sample::number(rng, 0.5, 20.0);
+        PointLightExercise {
+            intensity: Rgb::new(channel(), channel(), channel()),
+            position: sample::point(rng, 5.0),
+            at: sample::point(rng, 5.0),
+        }
+    }
+
+    fn judge(
+        _q: &PointLightExercise,
+        golden: &Option<Arriving>,
+        got: &Option<Arriving>,
+    ) -> Verdict {
+        judge::option("light", golden.as_ref(), got.as_ref(), |golden, got| {
+            judge::direction("the direction to the light", golden.toward, got.toward)?;
+            let tolerance = judge::RELATIVE * golden.distance;
+            judge::number_within(
+                "the distance",
+                "m",
+                golden.distance,
+                got.distance,
+                tolerance,
+            )?;
+            channels(golden.arriving, got.arriving, 1e-9)
+        })
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "does not let the light fall off",
@@ -93,32 +121,4 @@ impl Graded for PointLightExercise {
             },
         },
     ];
-
-    fn random(rng: &mut Pcg) -> PointLightExercise {
-        let mut channel = || sample::number(rng, 0.5, 20.0);
-        PointLightExercise {
-            intensity: Rgb::new(channel(), channel(), channel()),
-            position: sample::point(rng, 5.0),
-            at: sample::point(rng, 5.0),
-        }
-    }
-
-    fn judge(
-        _q: &PointLightExercise,
-        golden: &Option<Arriving>,
-        got: &Option<Arriving>,
-    ) -> Verdict {
-        judge::option("light", golden.as_ref(), got.as_ref(), |golden, got| {
-            judge::direction("the direction to the light", golden.toward, got.toward)?;
-            let tolerance = judge::RELATIVE * golden.distance;
-            judge::number_within(
-                "the distance",
-                "m",
-                golden.distance,
-                got.distance,
-                tolerance,
-            )?;
-            channels(golden.arriving, got.arriving, 1e-9)
-        })
-    }
 }

@@ -13,6 +13,17 @@ fn square(q: &Reflect) -> Vec3 {
 }
 
 impl Graded for Reflect {
+    fn random(rng: &mut Pcg) -> Reflect {
+        Reflect {
+            incoming: sample::direction(rng),
+            normal: sample::direction(rng),
+        }
+    }
+
+    fn judge(_q: &Reflect, golden: &Vec3, got: &Vec3) -> Verdict {
+        judge::direction("the reflected direction", *golden, *got)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "sends the ray back through the surface's other side",
@@ -75,15 +86,4 @@ impl Graded for Reflect {
         },
         colour: |_, reflected| palette::direction(*reflected),
     }];
-
-    fn random(rng: &mut Pcg) -> Reflect {
-        Reflect {
-            incoming: sample::direction(rng),
-            normal: sample::direction(rng),
-        }
-    }
-
-    fn judge(_q: &Reflect, golden: &Vec3, got: &Vec3) -> Verdict {
-        judge::direction("the reflected direction", *golden, *got)
-    }
 }

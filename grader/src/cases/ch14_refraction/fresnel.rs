@@ -1,4 +1,4 @@
-//! `fresnel`: its cases, judge and mistakes.
+//! `fresnel`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::material::fresnel;
@@ -7,6 +7,23 @@ use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch14_refraction::{Fresnel, FresnelAnswer};
 
 impl Graded for Fresnel {
+    fn random(rng: &mut Pcg) -> Fresnel {
+        Fresnel {
+            cos1: sample::number(rng, 0.02, 1.0),
+            n1: sample::number(rng, 1.0, 1.7),
+            n2: sample::number(rng, 1.0, 2.4),
+        }
+    }
+
+    fn judge(_q: &Fresnel, golden: &FresnelAnswer, got: &FresnelAnswer) -> Verdict {
+        /// Of all light. Other orders of the same operations in `f32` are within 1e-6 of each other where the answer is stable.
+        const TOLERANCE: f32 = 1e-4;
+        let close = |name, golden, got| judge::number_within(name, "", golden, got, TOLERANCE);
+        close("Rs", golden.rs, got.rs)?;
+        close("Rp", golden.rp, got.rp)?;
+        close("R", golden.r, got.r)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "returns Schlick's approximation",
@@ -92,23 +109,6 @@ impl Graded for Fresnel {
             },
         },
     ];
-
-    fn random(rng: &mut Pcg) -> Fresnel {
-        Fresnel {
-            cos1: sample::number(rng, 0.02, 1.0),
-            n1: sample::number(rng, 1.0, 1.7),
-            n2: sample::number(rng, 1.0, 2.4),
-        }
-    }
-
-    fn judge(_q: &Fresnel, golden: &FresnelAnswer, got: &FresnelAnswer) -> Verdict {
-        /// Of all light. Other orders of the same operations in `f32` are within 1e-6 of each other where the answer is stable.
-        const TOLERANCE: f32 = 1e-4;
-        let close = |name, golden, got| judge::number_within(name, "", golden, got, TOLERANCE);
-        close("Rs", golden.rs, got.rs)?;
-        close("Rp", golden.rp, got.rp)?;
-        close("R", golden.r, got.r)
-    }
 }
 
 /// cos θ₂, unless all is reflected.

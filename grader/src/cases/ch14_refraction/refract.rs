@@ -1,4 +1,4 @@
-//! `refract`: its cases, judge and mistakes.
+//! `refract`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::math::{dir3::Dir3, pcg::Pcg};
@@ -8,6 +8,28 @@ use glam::Vec3;
 use rand::RngExt;
 
 impl Graded for Refract {
+    fn random(rng: &mut Pcg) -> Refract {
+        let (normal, mut direction) = (sample::direction(rng), sample::direction(rng));
+        // Steep rays are refracted, flat ones are often not: most are to be refracted.
+        if rng.random_bool(0.5) {
+            let steeper = *direction + direction.dot(*normal).signum() * *normal;
+            direction = Dir3::new_or(steeper, direction);
+        }
+        Refract {
+            direction,
+            normal,
+            outside: sample::number(rng, 1.0, 1.7),
+            inside: sample::number(rng, 1.0, 2.4),
+        }
+    }
+
+    fn judge(_q: &Refract, golden: &Option<Vec3>, got: &Option<Vec3>) -> Verdict {
+        let (golden, got) = (golden.as_ref(), got.as_ref());
+        judge::option("a refracted ray", golden, got, |golden, got| {
+            judge::direction("the refracted ray", *golden, *got)
+        })
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "never turns the normal",
@@ -78,28 +100,6 @@ impl Graded for Refract {
             answer: |q| Refract::answer(q).map(|_| *q.direction),
         },
     ];
-
-    fn random(rng: &mut Pcg) -> Refract {
-        let (normal, mut direction) = (sample::direction(rng), sample::direction(rng));
-        // Steep rays are refracted, flat ones are often not: most are to be refracted.
-        if rng.random_bool(0.5) {
-            let steeper = *direction + direction.dot(*normal).signum() * *normal;
-            direction = Dir3::new_or(steeper, direction);
-        }
-        Refract {
-            direction,
-            normal,
-            outside: sample::number(rng, 1.0, 1.7),
-            inside: sample::number(rng, 1.0, 2.4),
-        }
-    }
-
-    fn judge(_q: &Refract, golden: &Option<Vec3>, got: &Option<Vec3>) -> Verdict {
-        let (golden, got) = (golden.as_ref(), got.as_ref());
-        judge::option("a refracted ray", golden, got, |golden, got| {
-            judge::direction("the refracted ray", *golden, *got)
-        })
-    }
 }
 
 /// The normal on the ray's side.

@@ -1,4 +1,4 @@
-//! `lit`: its cases, judge and mistakes.
+//! `lit`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Verdict, sample};
 use raybook::math::{interval::Interval, pcg::Pcg};
@@ -26,6 +26,60 @@ fn others(q: &Lit) -> Vec<Ball> {
 }
 
 impl Graded for Lit {
+    fn random(rng: &mut Pcg) -> Lit {
+        let own = Ball {
+            center: sample::point(rng, 3.0),
+            radius: sample::number(rng, 0.5, 1.5),
+        };
+        let error = 0.001 * own.radius;
+        let (normal, toward) = loop {
+            let (normal, toward) = (sample::direction(rng), sample::direction(rng));
+            let cosine = normal.dot(*toward);
+            let wanted = if rng.random_bool(0.3) {
+                -cosine
+            } else {
+                cosine
+            };
+            if wanted > 0.15 {
+                break (normal, toward);
+            }
+        };
+        let off = own.radius + sample::number(rng, -0.5, 0.5) * error;
+        let position = own.center + off * *normal;
+        let distance = sample::number(rng, 4.0, 8.0);
+        let other = |rng: &mut Pcg| {
+            // In the way, behind the light, or behind the point.
+            let along = [0.5, 1.4, 1.4, -0.8][rng.random_range(0..4)] * distance;
+            let radius = sample::number(rng, 0.4, 0.9);
+            let aside = sample::point(rng, 0.7);
+            Ball {
+                center: position + along * *toward + aside,
+                radius,
+            }
+        };
+        let mut spheres = vec![other(rng), other(rng)];
+        spheres.insert(rng.random_range(0..3), own);
+        Lit {
+            position,
+            error,
+            normal,
+            toward,
+            distance,
+            spheres,
+        }
+    }
+
+    fn judge(_q: &Lit, golden: &u32, got: &u32) -> Verdict {
+        match (golden, got) {
+            (golden, got) if golden == got => Ok(()),
+            (1, 0) => {
+                Err("nothing is in the way of this light, but you say it is in shadow".into())
+            }
+            (0, 1) => Err("something is in the way of this light, but you say it arrives".into()),
+            _ => Err(format!("{got} is neither 1, lit, nor 0, in shadow")),
+        }
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "answers the other way round",
@@ -83,58 +137,4 @@ impl Graded for Lit {
             },
         },
     ];
-
-    fn random(rng: &mut Pcg) -> Lit {
-        let own = Ball {
-            center: sample::point(rng, 3.0),
-            radius: sample::number(rng, 0.5, 1.5),
-        };
-        let error = 0.001 * own.radius;
-        let (normal, toward) = loop {
-            let (normal, toward) = (sample::direction(rng), sample::direction(rng));
-            let cosine = normal.dot(*toward);
-            let wanted = if rng.random_bool(0.3) {
-                -cosine
-            } else {
-                cosine
-            };
-            if wanted > 0.15 {
-                break (normal, toward);
-            }
-        };
-        let off = own.radius + sample::number(rng, -0.5, 0.5) * error;
-        let position = own.center + off * *normal;
-        let distance = sample::number(rng, 4.0, 8.0);
-        let other = |rng: &mut Pcg| {
-            // In the way, behind the light, or behind the point.
-            let along = [0.5, 1.4, 1.4, -0.8][rng.random_range(0..4)] * distance;
-            let radius = sample::number(rng, 0.4, 0.9);
-            let aside = sample::point(rng, 0.7);
-            Ball {
-                center: position + along * *toward + aside,
-                radius,
-            }
-        };
-        let mut spheres = vec![other(rng), other(rng)];
-        spheres.insert(rng.random_range(0..3), own);
-        Lit {
-            position,
-            error,
-            normal,
-            toward,
-            distance,
-            spheres,
-        }
-    }
-
-    fn judge(_q: &Lit, golden: &u32, got: &u32) -> Verdict {
-        match (golden, got) {
-            (golden, got) if golden == got => Ok(()),
-            (1, 0) => {
-                Err("nothing is in the way of this light, but you say it is in shadow".into())
-            }
-            (0, 1) => Err("something is in the way of this light, but you say it arrives".into()),
-            _ => Err(format!("{got} is neither 1, lit, nor 0, in shadow")),
-        }
-    }
 }

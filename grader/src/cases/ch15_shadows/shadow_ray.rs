@@ -1,4 +1,4 @@
-//! `shadow_ray`: its cases and mistakes.
+//! `shadow_ray`: random questions, judge and mistakes.
 
 use super::way::{ends_before, starts_off};
 use crate::{Graded, Mistake, Verdict, judge, sample};
@@ -29,6 +29,34 @@ fn ending(q: &ShadowRay, max: f32) -> Way {
 }
 
 impl Graded for ShadowRay {
+    fn random(rng: &mut Pcg) -> ShadowRay {
+        let scale = 10.0_f32.powf(sample::number(rng, -1.5, 3.0));
+        let (normal, toward) = loop {
+            let (normal, toward) = (sample::direction(rng), sample::direction(rng));
+            if normal.dot(*toward).abs() > 0.1 {
+                break (normal, toward);
+            }
+        };
+        let distance = if rng.random_bool(0.15) {
+            f32::INFINITY
+        } else {
+            scale * sample::number(rng, 2.0, 6.0)
+        };
+        ShadowRay {
+            position: scale * sample::point(rng, 3.0),
+            error: scale * sample::number(rng, 0.01, 0.03),
+            normal,
+            toward,
+            distance,
+        }
+    }
+
+    fn judge(q: &ShadowRay, golden: &Way, got: &Way) -> Verdict {
+        judge::direction("the ray", golden.direction, got.direction)?;
+        starts_off(q, got)?;
+        ends_before(q, got)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "starts on the surface itself",
@@ -99,32 +127,4 @@ impl Graded for ShadowRay {
             },
         },
     ];
-
-    fn random(rng: &mut Pcg) -> ShadowRay {
-        let scale = 10.0_f32.powf(sample::number(rng, -1.5, 3.0));
-        let (normal, toward) = loop {
-            let (normal, toward) = (sample::direction(rng), sample::direction(rng));
-            if normal.dot(*toward).abs() > 0.1 {
-                break (normal, toward);
-            }
-        };
-        let distance = if rng.random_bool(0.15) {
-            f32::INFINITY
-        } else {
-            scale * sample::number(rng, 2.0, 6.0)
-        };
-        ShadowRay {
-            position: scale * sample::point(rng, 3.0),
-            error: scale * sample::number(rng, 0.01, 0.03),
-            normal,
-            toward,
-            distance,
-        }
-    }
-
-    fn judge(q: &ShadowRay, golden: &Way, got: &Way) -> Verdict {
-        judge::direction("the ray", golden.direction, got.direction)?;
-        starts_off(q, got)?;
-        ends_before(q, got)
-    }
 }

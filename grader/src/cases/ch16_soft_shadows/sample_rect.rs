@@ -1,4 +1,4 @@
-//! `sample_rect`: its cases, judge and mistakes.
+//! `sample_rect`: random questions, judge and mistakes.
 
 use super::chosen::{DENSITY, N, each, evenly};
 use super::lattice;
@@ -11,6 +11,53 @@ use rand::RngExt;
 use std::f32::consts::TAU;
 
 impl Graded for SampleRect {
+    fn random(rng: &mut Pcg) -> SampleRect {
+        let basis = Basis::around(sample::direction(rng));
+        let [width, height] = [(); 2].map(|()| sample::number(rng, 0.3, 3.0));
+        let (a, b) = (width * *basis.x, height * *basis.y);
+        let corner = sample::point(rng, 2.0);
+        let place = vec2(
+            sample::number(rng, -0.5, 1.5),
+            sample::number(rng, -0.5, 1.5),
+        );
+        let before = sample::number(rng, 0.5, 4.0);
+        let side = if rng.random_bool(0.1) { -1.0 } else { 1.0 };
+        SampleRect {
+            at: corner + place.x * a + place.y * b + side * before * *basis.z,
+            corner,
+            a,
+            b,
+            radiance: sample::number(rng, 0.5, 5.0),
+            n: N,
+        }
+    }
+
+    fn judge(q: &SampleRect, golden: &Self::Answer, got: &Self::Answer) -> Verdict {
+        judge::option("light", golden.as_ref(), got.as_ref(), |_, got| {
+            let size = q.a.length().max(q.b.length());
+            let place = |chosen: &Chosen| {
+                let p = q.at + chosen.distance * chosen.toward - q.corner;
+                vec2(p.dot(q.a), p.dot(q.b)) / vec2(q.a.length_squared(), q.b.length_squared())
+            };
+            each(q.n, q.radiance, got, |chosen| {
+                let p = place(chosen);
+                let margin = judge::RELATIVE * (1.0 + q.at.distance(q.corner) / size);
+                let point = q.at + chosen.distance * chosen.toward;
+                let off = point.distance(q.corner + p.x * q.a + p.y * q.b);
+                // As `<=`, so that a NaN is outside.
+                let inside = (p - 0.5).abs().max_element() <= 0.5 + margin && off <= margin * size;
+                if !inside {
+                    return Err("its point is not on the light".to_owned());
+                }
+                let cosine = -chosen.toward.dot(q.a.cross(q.b).normalize_or_zero());
+                let pdf = chosen.distance.powi(2) / (area(q) * cosine);
+                judge::number_within("the density", "/sr", pdf, chosen.pdf, DENSITY * pdf)
+            })?;
+            let places: Vec<_> = got.iter().map(|c| place(c).as_dvec2()).collect();
+            evenly("the points", &places)
+        })
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "returns the density per area",
@@ -82,53 +129,6 @@ impl Graded for SampleRect {
             },
         },
     ];
-
-    fn random(rng: &mut Pcg) -> SampleRect {
-        let basis = Basis::around(sample::direction(rng));
-        let [width, height] = [(); 2].map(|()| sample::number(rng, 0.3, 3.0));
-        let (a, b) = (width * *basis.x, height * *basis.y);
-        let corner = sample::point(rng, 2.0);
-        let place = vec2(
-            sample::number(rng, -0.5, 1.5),
-            sample::number(rng, -0.5, 1.5),
-        );
-        let before = sample::number(rng, 0.5, 4.0);
-        let side = if rng.random_bool(0.1) { -1.0 } else { 1.0 };
-        SampleRect {
-            at: corner + place.x * a + place.y * b + side * before * *basis.z,
-            corner,
-            a,
-            b,
-            radiance: sample::number(rng, 0.5, 5.0),
-            n: N,
-        }
-    }
-
-    fn judge(q: &SampleRect, golden: &Self::Answer, got: &Self::Answer) -> Verdict {
-        judge::option("light", golden.as_ref(), got.as_ref(), |_, got| {
-            let size = q.a.length().max(q.b.length());
-            let place = |chosen: &Chosen| {
-                let p = q.at + chosen.distance * chosen.toward - q.corner;
-                vec2(p.dot(q.a), p.dot(q.b)) / vec2(q.a.length_squared(), q.b.length_squared())
-            };
-            each(q.n, q.radiance, got, |chosen| {
-                let p = place(chosen);
-                let margin = judge::RELATIVE * (1.0 + q.at.distance(q.corner) / size);
-                let point = q.at + chosen.distance * chosen.toward;
-                let off = point.distance(q.corner + p.x * q.a + p.y * q.b);
-                // As `<=`, so that a NaN is outside.
-                let inside = (p - 0.5).abs().max_element() <= 0.5 + margin && off <= margin * size;
-                if !inside {
-                    return Err("its point is not on the light".to_owned());
-                }
-                let cosine = -chosen.toward.dot(q.a.cross(q.b).normalize_or_zero());
-                let pdf = chosen.distance.powi(2) / (area(q) * cosine);
-                judge::number_within("the density", "/sr", pdf, chosen.pdf, DENSITY * pdf)
-            })?;
-            let places: Vec<_> = got.iter().map(|c| place(c).as_dvec2()).collect();
-            evenly("the points", &places)
-        })
-    }
 }
 
 fn area(q: &SampleRect) -> f32 {

@@ -1,4 +1,4 @@
-//! `visible_fraction`: its cases, judge and mistakes.
+//! `visible_fraction`: random questions, judge and mistakes.
 
 use super::lattice;
 use crate::{Graded, Mistake, Verdict, judge, sample};
@@ -12,6 +12,63 @@ use glam::{Vec2, Vec3, vec3};
 const SAMPLES: u32 = 1024;
 
 impl Graded for VisibleFraction {
+    /// The share of a whole light has no edges at which a last digit decides.
+    const ULPS: i32 = 0;
+
+    fn random(rng: &mut Pcg) -> VisibleFraction {
+        let [width, depth] = [(); 2].map(|()| sample::number(rng, 1.0, 3.0));
+        let height = sample::number(rng, 3.0, 5.0);
+        let balls = (0..3).map(|i| Ball {
+            center: vec3(
+                sample::number(rng, -1.0, 1.0),
+                // The third is above the light, where it is in nobody's way.
+                if i == 2 {
+                    height + 1.5
+                } else {
+                    sample::number(rng, 0.9, 0.7 * height)
+                },
+                sample::number(rng, -1.0, 1.0),
+            ),
+            radius: sample::number(rng, 0.3, 0.8),
+        });
+        let balls = balls.collect();
+        let on_floor = |_| {
+            let p = sample::point(rng, 1.8);
+            vec3(p.x, 0.0, p.z)
+        };
+        let points = (0..4).map(on_floor).collect();
+        VisibleFraction {
+            corner: vec3(-0.5 * width, height, -0.5 * depth),
+            a: width * Vec3::X,
+            b: depth * Vec3::Z,
+            points,
+            balls,
+            samples: SAMPLES,
+        }
+    }
+
+    /// By Bernstein's inequality, the mean of n samples that are 0 or 1 is off by more than √(2 f(1 − f) L/n) + 2L/(3n)
+    /// with a probability below 2 e^(−L): with L = 21 once in 10⁹ points, in a class of 500 less than once in 10⁴ times.
+    fn judge(q: &VisibleFraction, _golden: &Vec<f32>, got: &Vec<f32>) -> Verdict {
+        const L: f32 = 21.0;
+        /// What the lattice that stands for the exact value may be off.
+        const LATTICE: f32 = 0.01;
+        if got.len() != q.points.len() {
+            return Err(format!(
+                "there are {} fractions, and should be {}, one per point",
+                got.len(),
+                q.points.len()
+            ));
+        }
+        let exact = exact(q);
+        for (i, (&f, &got)) in exact.iter().zip(got).enumerate() {
+            let n = q.samples as f32;
+            let bound = (2.0 * f * (1.0 - f) * L / n).sqrt() + 2.0 * L / (3.0 * n) + LATTICE;
+            judge::number_within(&format!("the fraction of point {i}"), "", f, got, bound)?;
+        }
+        Ok(())
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "asks for the middle of the light only",
@@ -71,63 +128,6 @@ impl Graded for VisibleFraction {
             },
         },
     ];
-
-    /// The share of a whole light has no edges at which a last digit decides.
-    const ULPS: i32 = 0;
-
-    fn random(rng: &mut Pcg) -> VisibleFraction {
-        let [width, depth] = [(); 2].map(|()| sample::number(rng, 1.0, 3.0));
-        let height = sample::number(rng, 3.0, 5.0);
-        let balls = (0..3).map(|i| Ball {
-            center: vec3(
-                sample::number(rng, -1.0, 1.0),
-                // The third is above the light, where it is in nobody's way.
-                if i == 2 {
-                    height + 1.5
-                } else {
-                    sample::number(rng, 0.9, 0.7 * height)
-                },
-                sample::number(rng, -1.0, 1.0),
-            ),
-            radius: sample::number(rng, 0.3, 0.8),
-        });
-        let balls = balls.collect();
-        let on_floor = |_| {
-            let p = sample::point(rng, 1.8);
-            vec3(p.x, 0.0, p.z)
-        };
-        let points = (0..4).map(on_floor).collect();
-        VisibleFraction {
-            corner: vec3(-0.5 * width, height, -0.5 * depth),
-            a: width * Vec3::X,
-            b: depth * Vec3::Z,
-            points,
-            balls,
-            samples: SAMPLES,
-        }
-    }
-
-    /// By Bernstein's inequality, the mean of n samples that are 0 or 1 is off by more than √(2 f(1 − f) L/n) + 2L/(3n)
-    /// with a probability below 2 e^(−L): with L = 21 once in 10⁹ points, in a class of 500 less than once in 10⁴ times.
-    fn judge(q: &VisibleFraction, _golden: &Vec<f32>, got: &Vec<f32>) -> Verdict {
-        const L: f32 = 21.0;
-        /// What the lattice that stands for the exact value may be off.
-        const LATTICE: f32 = 0.01;
-        if got.len() != q.points.len() {
-            return Err(format!(
-                "there are {} fractions, and should be {}, one per point",
-                got.len(),
-                q.points.len()
-            ));
-        }
-        let exact = exact(q);
-        for (i, (&f, &got)) in exact.iter().zip(got).enumerate() {
-            let n = q.samples as f32;
-            let bound = (2.0 * f * (1.0 - f) * L / n).sqrt() + 2.0 * L / (3.0 * n) + LATTICE;
-            judge::number_within(&format!("the fraction of point {i}"), "", f, got, bound)?;
-        }
-        Ok(())
-    }
 }
 
 /// The fractions, by a lattice fine enough to stand for the exact value.

@@ -26,6 +26,40 @@ fn norm(q: &BrdfPhong) -> f32 {
 }
 
 impl Graded for BrdfPhong {
+    fn random(rng: &mut Pcg) -> BrdfPhong {
+        let normal = sample::direction(rng);
+        let above = |rng: &mut Pcg| {
+            let d = sample::direction(rng);
+            let flipped = if d.dot(*normal) < 0.0 { -d } else { d };
+            Dir3::new_or(*flipped + 0.1 * *normal, normal)
+        };
+        let (view, light) = (above(rng), above(rng));
+        // Half of them near the highlight, a few behind the surface.
+        let mirrored = 2.0 * view.dot(*normal) * *normal - *view;
+        let toward = match rng.random_range(0..40) {
+            0 => -light,
+            1..=20 => Dir3::new_or(mirrored + sample::point(rng, 0.3), normal),
+            _ => light,
+        };
+        BrdfPhong {
+            normal,
+            view,
+            toward,
+            diffuse: colour(rng, 0.05, 0.6),
+            specular: colour(rng, 0.1, 0.4),
+            exponent: sample::number(rng, 0.5, 40.0),
+        }
+    }
+
+    fn judge(_q: &BrdfPhong, golden: &Rgb, got: &Rgb) -> Verdict {
+        let channels = golden.channels().into_iter().zip(got.channels());
+        for (name, (golden, got)) in ["red", "green", "blue"].into_iter().zip(channels) {
+            let tolerance = judge::RELATIVE * golden.max(0.01);
+            judge::number_within(name, "per steradian", golden, got, tolerance)?;
+        }
+        Ok(())
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "multiplies by the cosine",
@@ -91,38 +125,4 @@ impl Graded for BrdfPhong {
             },
         },
     ];
-
-    fn random(rng: &mut Pcg) -> BrdfPhong {
-        let normal = sample::direction(rng);
-        let above = |rng: &mut Pcg| {
-            let d = sample::direction(rng);
-            let flipped = if d.dot(*normal) < 0.0 { -d } else { d };
-            Dir3::new_or(*flipped + 0.1 * *normal, normal)
-        };
-        let (view, light) = (above(rng), above(rng));
-        // Half of them near the highlight, a few behind the surface.
-        let mirrored = 2.0 * view.dot(*normal) * *normal - *view;
-        let toward = match rng.random_range(0..40) {
-            0 => -light,
-            1..=20 => Dir3::new_or(mirrored + sample::point(rng, 0.3), normal),
-            _ => light,
-        };
-        BrdfPhong {
-            normal,
-            view,
-            toward,
-            diffuse: colour(rng, 0.05, 0.6),
-            specular: colour(rng, 0.1, 0.4),
-            exponent: sample::number(rng, 0.5, 40.0),
-        }
-    }
-
-    fn judge(_q: &BrdfPhong, golden: &Rgb, got: &Rgb) -> Verdict {
-        let channels = golden.channels().into_iter().zip(got.channels());
-        for (name, (golden, got)) in ["red", "green", "blue"].into_iter().zip(channels) {
-            let tolerance = judge::RELATIVE * golden.max(0.01);
-            judge::number_within(name, "per steradian", golden, got, tolerance)?;
-        }
-        Ok(())
-    }
 }

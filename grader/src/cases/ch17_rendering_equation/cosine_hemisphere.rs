@@ -16,59 +16,6 @@ fn around(q: &CosineHemisphere, warp: fn(Vec2) -> Vec3) -> Vec<Vec3> {
 }
 
 impl Graded for CosineHemisphere {
-    const MISTAKES: &'static [Mistake<Self>] = &[
-        Mistake {
-            name: "takes all directions for equally likely",
-            hint: "How many of your directions are less than 30° above the horizon? By the cosine it is a quarter, and uniformly it is a half.",
-            answer: |q| around(q, |u| at_height(1.0 - u.x, TAU * u.y)),
-        },
-        Mistake {
-            name: "takes the radius on the disc itself for the uniform number",
-            hint: "The inner half of a disc's radius holds only a quarter of its area: does it get only a quarter of your points?",
-            answer: |q| around(q, |u| at_height((1.0 - u.x * u.x).sqrt(), TAU * u.y)),
-        },
-        Mistake {
-            name: "spreads the angle to the normal evenly",
-            hint: "A ring around the normal gets larger with its angle: do your points crowd where it is small?",
-            answer: |q| around(q, |u| at_height((FRAC_PI_2 * u.x).cos(), TAU * u.y)),
-        },
-        Mistake {
-            name: "ignores the normal",
-            hint: "Try a normal that points down: do your directions follow it?",
-            answer: |q| {
-                CosineHemisphere::answer(&CosineHemisphere {
-                    normal: Dir3::Z,
-                    ..q.clone()
-                })
-            },
-        },
-        Mistake {
-            name: "goes only half way round",
-            hint: "Add up all your directions: does the sum point along the normal?",
-            answer: |q| around(q, |u| at_height((1.0 - u.x).sqrt(), PI * u.y)),
-        },
-        Mistake {
-            name: "leaves the disc at a height of 1 − r",
-            hint: "How long are your directions? What is the height of a sphere above the point at r?",
-            answer: |q| {
-                around(q, |u| {
-                    let (r, phi) = (u.x.sqrt(), TAU * u.y);
-                    vec3(r * phi.cos(), r * phi.sin(), 1.0 - r)
-                })
-            },
-        },
-        Mistake {
-            name: "fills the whole sphere",
-            hint: "Which of your directions point into the surface?",
-            answer: |q| around(q, |u| at_height(1.0 - 2.0 * u.x, TAU * u.y)),
-        },
-        Mistake {
-            name: "uses one of the two numbers twice",
-            hint: "Draw your directions on the disc: do they fill it, or do they make a spiral?",
-            answer: |q| around(q, |u| at_height((1.0 - u.x).sqrt(), TAU * u.x)),
-        },
-    ];
-
     fn random(rng: &mut Pcg) -> CosineHemisphere {
         CosineHemisphere {
             normal: sample::direction(rng),
@@ -141,4 +88,57 @@ impl Graded for CosineHemisphere {
         }
         Ok(())
     }
+
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "takes all directions for equally likely",
+            hint: "How many of your directions are less than 30° above the horizon? By the cosine it is a quarter, and uniformly it is a half.",
+            answer: |q| around(q, |u| at_height(1.0 - u.x, TAU * u.y)),
+        },
+        Mistake {
+            name: "takes the radius on the disc itself for the uniform number",
+            hint: "The inner half of a disc's radius holds only a quarter of its area: does it get only a quarter of your points?",
+            answer: |q| around(q, |u| at_height((1.0 - u.x * u.x).sqrt(), TAU * u.y)),
+        },
+        Mistake {
+            name: "spreads the angle to the normal evenly",
+            hint: "A ring around the normal gets larger with its angle: do your points crowd where it is small?",
+            answer: |q| around(q, |u| at_height((FRAC_PI_2 * u.x).cos(), TAU * u.y)),
+        },
+        Mistake {
+            name: "ignores the normal",
+            hint: "Try a normal that points down: do your directions follow it?",
+            answer: |q| {
+                CosineHemisphere::answer(&CosineHemisphere {
+                    normal: Dir3::Z,
+                    ..q.clone()
+                })
+            },
+        },
+        Mistake {
+            name: "goes only half way round",
+            hint: "Add up all your directions: does the sum point along the normal?",
+            answer: |q| around(q, |u| at_height((1.0 - u.x).sqrt(), PI * u.y)),
+        },
+        Mistake {
+            name: "leaves the disc at a height of 1 − r",
+            hint: "How long are your directions? What is the height of a sphere above the point at r?",
+            answer: |q| {
+                around(q, |u| {
+                    let (r, phi) = (u.x.sqrt(), TAU * u.y);
+                    vec3(r * phi.cos(), r * phi.sin(), 1.0 - r)
+                })
+            },
+        },
+        Mistake {
+            name: "fills the whole sphere",
+            hint: "Which of your directions point into the surface?",
+            answer: |q| around(q, |u| at_height(1.0 - 2.0 * u.x, TAU * u.y)),
+        },
+        Mistake {
+            name: "uses one of the two numbers twice",
+            hint: "Draw your directions on the disc: do they fill it, or do they make a spiral?",
+            answer: |q| around(q, |u| at_height((1.0 - u.x).sqrt(), TAU * u.x)),
+        },
+    ];
 }

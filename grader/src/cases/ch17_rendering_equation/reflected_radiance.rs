@@ -35,6 +35,55 @@ fn weighted(q: &ReflectedRadiance, weight: impl Fn(f32) -> f32) -> Rgb {
 }
 
 impl Graded for ReflectedRadiance {
+    const ULPS: i32 = 0; // an integral has no edges at which a last digit decides
+
+    /// Estimates scatter: what a student's is, another estimate with the same mistake is only nearly.
+    const ALIKE: f32 = 0.05;
+
+    fn random(rng: &mut Pcg) -> ReflectedRadiance {
+        let normal = sample::direction(rng);
+        let d = sample::direction(rng);
+        let above = if d.dot(*normal) < 0.0 { -d } else { d };
+        ReflectedRadiance {
+            normal,
+            view: Dir3::new_or(*above + 0.3 * *normal, normal),
+            diffuse: colour(rng, 0.2, 0.6),
+            specular: colour(rng, 0.05, 0.3),
+            exponent: sample::number(rng, 0.5, 5.0),
+            zenith: Dir3::new_or(*sample::direction(rng) + *normal, normal),
+            radiance: colour(rng, 0.5, 3.0),
+            samples: 20_000,
+        }
+    }
+
+    /// Against the integral. The bound is 6.2 standard deviations of the estimate that scatters most among those that may
+    /// well be written: by directions of the whole sphere, half of them in vain, or by the cosine. Of 300 random cases the
+    /// others (the hemisphere, the highlight's lobe and one of them, half and half) scatter less in every one. Of 500
+    /// students with 42 cases of three channels, chance fails one with a probability of 500 · 126 · 6e-10 = 4e-5.
+    fn judge(q: &ReflectedRadiance, _golden: &Rgb, got: &Rgb) -> Verdict {
+        const DEVIATIONS: f32 = 6.2;
+        let brdf = q.brdf();
+        let [exact, sphere, cosine] = integral(q.normal, |d| {
+            let cosine = d.dot(*q.normal);
+            let light = brdf.value(q.normal, q.view, d) * q.sky(d) * cosine;
+            let square = |pdf: f32| light * light / pdf;
+            [
+                light,
+                square(0.5 * hemisphere::UNIFORM),
+                square(hemisphere::cosine_pdf(cosine)),
+            ]
+        })
+        .map(Rgb::channels);
+        for (i, name) in ["red", "green", "blue"].into_iter().enumerate() {
+            let variance = (sphere[i].max(cosine[i]) - exact[i] * exact[i]).max(0.0);
+            let scatter = (variance / q.samples as f32).sqrt();
+            let tolerance = DEVIATIONS * scatter + 2.0 * judge::RELATIVE * exact[i];
+            judge::number_within(name, "W·m⁻²·sr⁻¹", exact[i], got.channels()[i], tolerance)
+                .map_err(|why| format!("{why}: more than chance explains"))?;
+        }
+        Ok(())
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "forgets the cosine",
@@ -82,52 +131,4 @@ impl Graded for ReflectedRadiance {
             answer: |q| weighted(q, |_| 0.5),
         },
     ];
-
-    const ULPS: i32 = 0; // an integral has no edges at which a last digit decides
-    /// Estimates scatter: what a student's is, another estimate with the same mistake is only nearly.
-    const ALIKE: f32 = 0.05;
-
-    fn random(rng: &mut Pcg) -> ReflectedRadiance {
-        let normal = sample::direction(rng);
-        let d = sample::direction(rng);
-        let above = if d.dot(*normal) < 0.0 { -d } else { d };
-        ReflectedRadiance {
-            normal,
-            view: Dir3::new_or(*above + 0.3 * *normal, normal),
-            diffuse: colour(rng, 0.2, 0.6),
-            specular: colour(rng, 0.05, 0.3),
-            exponent: sample::number(rng, 0.5, 5.0),
-            zenith: Dir3::new_or(*sample::direction(rng) + *normal, normal),
-            radiance: colour(rng, 0.5, 3.0),
-            samples: 20_000,
-        }
-    }
-
-    /// Against the integral. The bound is 6.2 standard deviations of the estimate that scatters most among those that may
-    /// well be written: by directions of the whole sphere, half of them in vain, or by the cosine. Of 300 random cases the
-    /// others (the hemisphere, the highlight's lobe and one of them, half and half) scatter less in every one. Of 500
-    /// students with 42 cases of three channels, chance fails one with a probability of 500 · 126 · 6e-10 = 4e-5.
-    fn judge(q: &ReflectedRadiance, _golden: &Rgb, got: &Rgb) -> Verdict {
-        const DEVIATIONS: f32 = 6.2;
-        let brdf = q.brdf();
-        let [exact, sphere, cosine] = integral(q.normal, |d| {
-            let cosine = d.dot(*q.normal);
-            let light = brdf.value(q.normal, q.view, d) * q.sky(d) * cosine;
-            let square = |pdf: f32| light * light / pdf;
-            [
-                light,
-                square(0.5 * hemisphere::UNIFORM),
-                square(hemisphere::cosine_pdf(cosine)),
-            ]
-        })
-        .map(Rgb::channels);
-        for (i, name) in ["red", "green", "blue"].into_iter().enumerate() {
-            let variance = (sphere[i].max(cosine[i]) - exact[i] * exact[i]).max(0.0);
-            let scatter = (variance / q.samples as f32).sqrt();
-            let tolerance = DEVIATIONS * scatter + 2.0 * judge::RELATIVE * exact[i];
-            judge::number_within(name, "W·m⁻²·sr⁻¹", exact[i], got.channels()[i], tolerance)
-                .map_err(|why| format!("{why}: more than chance explains"))?;
-        }
-        Ok(())
-    }
 }

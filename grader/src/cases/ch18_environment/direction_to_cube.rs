@@ -13,6 +13,26 @@ fn asks(direction: Dir3) -> DirectionToCube {
 }
 
 impl Graded for DirectionToCube {
+    fn random(rng: &mut Pcg) -> DirectionToCube {
+        asks(sample::direction(rng))
+    }
+
+    fn judge(_q: &Self, golden: &CubePlace, got: &CubePlace) -> Verdict {
+        const FACES: [&str; 6] = ["+x", "-x", "+y", "-y", "+z", "-z"];
+        if golden.face != got.face {
+            let name = |face: u32| FACES.get(face as usize).copied().unwrap_or("no face");
+            return Err(format!(
+                "the face is {} ({}), and should be {} ({})",
+                got.face,
+                name(got.face),
+                golden.face,
+                name(golden.face)
+            ));
+        }
+        judge::number("u", "", golden.u, got.u)?;
+        judge::number("v", "", golden.v, got.v)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "sees the faces from outside",
@@ -140,24 +160,4 @@ impl Graded for DirectionToCube {
                 }
         },
     }];
-
-    fn random(rng: &mut Pcg) -> DirectionToCube {
-        asks(sample::direction(rng))
-    }
-
-    fn judge(_q: &Self, golden: &CubePlace, got: &CubePlace) -> Verdict {
-        const FACES: [&str; 6] = ["+x", "-x", "+y", "-y", "+z", "-z"];
-        if golden.face != got.face {
-            let name = |face: u32| FACES.get(face as usize).copied().unwrap_or("no face");
-            return Err(format!(
-                "the face is {} ({}), and should be {} ({})",
-                got.face,
-                name(got.face),
-                golden.face,
-                name(golden.face)
-            ));
-        }
-        judge::number("u", "", golden.u, got.u)?;
-        judge::number("v", "", golden.v, got.v)
-    }
 }

@@ -19,6 +19,23 @@ fn asks(direction: Dir3) -> DirectionToLatlong {
 }
 
 impl Graded for DirectionToLatlong {
+    fn random(rng: &mut Pcg) -> DirectionToLatlong {
+        asks(sample::direction(rng))
+    }
+
+    /// Places are compared by their directions: at a pole all u are the same place, and so are the left and the right edge.
+    fn judge(_q: &Self, golden: &Vec2, got: &Vec2) -> Verdict {
+        let on_map = |x: f32| (-1e-4..=1.0 + 1e-4).contains(&x);
+        if !(on_map(got.x) && on_map(got.y)) {
+            return Err(format!(
+                "({}, {}) is not on the map, which is from 0 to 1",
+                got.x, got.y
+            ));
+        }
+        let [golden, place] = [golden, got].map(|place| *latlong::direction(*place));
+        judge::direction("the direction at your place", golden, place)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "has left and right exchanged",
@@ -94,21 +111,4 @@ impl Graded for DirectionToLatlong {
             viridis(place.x) * if lines % 2.0 == 0.0 { 1.0 } else { 0.6 }
         },
     }];
-
-    fn random(rng: &mut Pcg) -> DirectionToLatlong {
-        asks(sample::direction(rng))
-    }
-
-    /// Places are compared by their directions: at a pole all u are the same place, and so are the left and the right edge.
-    fn judge(_q: &Self, golden: &Vec2, got: &Vec2) -> Verdict {
-        let on_map = |x: f32| (-1e-4..=1.0 + 1e-4).contains(&x);
-        if !(on_map(got.x) && on_map(got.y)) {
-            return Err(format!(
-                "({}, {}) is not on the map, which is from 0 to 1",
-                got.x, got.y
-            ));
-        }
-        let [golden, place] = [golden, got].map(|place| *latlong::direction(*place));
-        judge::direction("the direction at your place", golden, place)
-    }
 }

@@ -47,6 +47,21 @@ impl OfDensity for EnvironmentPdf {
 }
 
 impl Graded for EnvironmentPdf {
+    fn random(rng: &mut Pcg) -> EnvironmentPdf {
+        let map = SampleEnvironment::random(rng);
+        EnvironmentPdf {
+            direction: sample::direction(rng),
+            width: map.width,
+            height: map.height,
+            texels: map.texels,
+        }
+    }
+
+    fn judge(_q: &EnvironmentPdf, golden: &f32, got: &f32) -> Verdict {
+        let tolerance = judge::RELATIVE * golden.abs().max(1e-3);
+        judge::number_within("the density", "per steradian", *golden, *got, tolerance)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "returns the probability of the texel",
@@ -130,19 +145,4 @@ impl Graded for EnvironmentPdf {
         },
         colour: |_, density| viridis(4.0 * density),
     }];
-
-    fn random(rng: &mut Pcg) -> EnvironmentPdf {
-        let map = SampleEnvironment::random(rng);
-        EnvironmentPdf {
-            direction: sample::direction(rng),
-            width: map.width,
-            height: map.height,
-            texels: map.texels,
-        }
-    }
-
-    fn judge(_q: &EnvironmentPdf, golden: &f32, got: &f32) -> Verdict {
-        let tolerance = judge::RELATIVE * golden.abs().max(1e-3);
-        judge::number_within("the density", "per steradian", *golden, *got, tolerance)
-    }
 }

@@ -56,6 +56,35 @@ fn by_angle(top: f64, bottom: f64, within: f64) -> f64 {
 }
 
 impl Graded for SampleEnvironment {
+    fn random(rng: &mut Pcg) -> SampleEnvironment {
+        let (width, height) = (rng.random_range(2..5), rng.random_range(2..5));
+        let texels = (0..width * height)
+            .map(|_| sample::number(rng, 0.1, 2.0).powi(3))
+            .collect();
+        SampleEnvironment {
+            width,
+            height,
+            texels,
+        }
+    }
+
+    /// By distribution: of the lattice's points, the right share must be in every part of the sphere.
+    fn judge(q: &SampleEnvironment, golden: &Vec<Vec3>, got: &Vec<Vec3>) -> Verdict {
+        if golden.len() != got.len() {
+            return Err(format!(
+                "there are {} directions, and should be {}",
+                got.len(),
+                golden.len()
+            ));
+        }
+        for (i, direction) in got.iter().enumerate() {
+            if (direction.length() - 1.0).abs() > judge::LENGTH || !direction.is_finite() {
+                return Err(format!("direction {i} has length {}", direction.length()));
+            }
+        }
+        distributed(q, got)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "weighs all rows as if they were equally wide",
@@ -117,33 +146,4 @@ impl Graded for SampleEnvironment {
             },
         },
     ];
-
-    fn random(rng: &mut Pcg) -> SampleEnvironment {
-        let (width, height) = (rng.random_range(2..5), rng.random_range(2..5));
-        let texels = (0..width * height)
-            .map(|_| sample::number(rng, 0.1, 2.0).powi(3))
-            .collect();
-        SampleEnvironment {
-            width,
-            height,
-            texels,
-        }
-    }
-
-    /// By distribution: of the lattice's points, the right share must be in every part of the sphere.
-    fn judge(q: &SampleEnvironment, golden: &Vec<Vec3>, got: &Vec<Vec3>) -> Verdict {
-        if golden.len() != got.len() {
-            return Err(format!(
-                "there are {} directions, and should be {}",
-                got.len(),
-                golden.len()
-            ));
-        }
-        for (i, direction) in got.iter().enumerate() {
-            if (direction.length() - 1.0).abs() > judge::LENGTH || !direction.is_finite() {
-                return Err(format!("direction {i} has length {}", direction.length()));
-            }
-        }
-        distributed(q, got)
-    }
 }

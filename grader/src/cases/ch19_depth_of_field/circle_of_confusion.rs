@@ -1,4 +1,4 @@
-//! `circle_of_confusion`: its cases, judge and mistakes.
+//! `circle_of_confusion`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::math::pcg::Pcg;
@@ -18,6 +18,29 @@ impl Blur for CircleOfConfusion {
 }
 
 impl Graded for CircleOfConfusion {
+    fn random(rng: &mut Pcg) -> CircleOfConfusion {
+        let focal_length = sample::number(rng, 0.02, 0.2);
+        let focus = focal_length * sample::number(rng, 3.0, 40.0);
+        let near = sample::number(rng, 0.4, 0.9);
+        let far = sample::number(rng, 1.1, 8.0);
+        let side = sample::number(rng, 0.0, 1.0);
+        CircleOfConfusion {
+            focal_length,
+            f_number: sample::number(rng, 1.2, 16.0),
+            focus,
+            distance: focus * if side < 0.5 { near } else { far },
+        }
+    }
+
+    /// By its size, and near the focus, where it is a small difference of distances, by the aperture's.
+    fn judge(q: &CircleOfConfusion, golden: &f32, got: &f32) -> Verdict {
+        /// Who goes by where the points are sharp subtracts two nearly equal distances: a few roundings, 6e-8 each, of f.
+        const OF_APERTURE: f32 = 1e-6;
+        let tolerance = judge::RELATIVE * golden + OF_APERTURE * q.lens().aperture();
+        let mm = |metres: f32| 1e3 * metres;
+        judge::number_within("the diameter", "mm", mm(*golden), mm(*got), mm(tolerance))
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "is negative on one side of the focus",
@@ -87,27 +110,4 @@ impl Graded for CircleOfConfusion {
             answer: |q| 1e3 * Self::answer(q),
         },
     ];
-
-    fn random(rng: &mut Pcg) -> CircleOfConfusion {
-        let focal_length = sample::number(rng, 0.02, 0.2);
-        let focus = focal_length * sample::number(rng, 3.0, 40.0);
-        let near = sample::number(rng, 0.4, 0.9);
-        let far = sample::number(rng, 1.1, 8.0);
-        let side = sample::number(rng, 0.0, 1.0);
-        CircleOfConfusion {
-            focal_length,
-            f_number: sample::number(rng, 1.2, 16.0),
-            focus,
-            distance: focus * if side < 0.5 { near } else { far },
-        }
-    }
-
-    /// By its size, and near the focus, where it is a small difference of distances, by the aperture's.
-    fn judge(q: &CircleOfConfusion, golden: &f32, got: &f32) -> Verdict {
-        /// Who goes by where the points are sharp subtracts two nearly equal distances: a few roundings, 6e-8 each, of f.
-        const OF_APERTURE: f32 = 1e-6;
-        let tolerance = judge::RELATIVE * golden + OF_APERTURE * q.lens().aperture();
-        let mm = |metres: f32| 1e3 * metres;
-        judge::number_within("the diameter", "mm", mm(*golden), mm(*got), mm(tolerance))
-    }
 }

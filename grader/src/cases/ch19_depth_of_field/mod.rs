@@ -1,6 +1,5 @@
 //! Chapter 19: `concentric_disk`, `thin_lens_ray`, `circle_of_confusion`.
 
-mod thin_lens_ray_cases;
 
 
 raybook_workbook::ch19_depth_of_field!(graded);

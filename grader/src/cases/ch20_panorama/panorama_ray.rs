@@ -10,6 +10,17 @@ use glam::{Vec2, Vec3, vec2};
 use std::f32::consts::{PI, TAU};
 
 impl Graded for PanoramaRay {
+    fn random(rng: &mut Pcg) -> PanoramaRay {
+        let film = vec2(sample::number(rng, 0.0, 1.0), sample::number(rng, 0.0, 1.0));
+        question(sample::point(rng, 5.0), sample::direction(rng), film)
+    }
+
+    /// Rays are compared, not angles: at the top and at the bottom every angle around is right.
+    fn judge(_q: &PanoramaRay, golden: &CameraRayAnswer, got: &CameraRayAnswer) -> Verdict {
+        judge::point("the ray's origin", golden.origin, got.origin)?;
+        judge::direction("the ray's direction", golden.direction, got.direction)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "draws the picture upside down",
@@ -108,17 +119,6 @@ impl Graded for PanoramaRay {
         },
         colour: |_, ray| direction_colour(ray.direction),
     }];
-
-    fn random(rng: &mut Pcg) -> PanoramaRay {
-        let film = vec2(sample::number(rng, 0.0, 1.0), sample::number(rng, 0.0, 1.0));
-        question(sample::point(rng, 5.0), sample::direction(rng), film)
-    }
-
-    /// Rays are compared, not angles: at the top and at the bottom every angle around is right.
-    fn judge(_q: &PanoramaRay, golden: &CameraRayAnswer, got: &CameraRayAnswer) -> Verdict {
-        judge::point("the ray's origin", golden.origin, got.origin)?;
-        judge::direction("the ray's direction", golden.direction, got.direction)
-    }
 }
 
 /// A camera that looks along a direction; its up is anything square to that.

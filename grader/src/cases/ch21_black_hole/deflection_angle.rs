@@ -9,6 +9,23 @@ use rand::RngExt;
 use std::f32::consts::PI;
 
 impl Graded for DeflectionAngle {
+    fn random(rng: &mut Pcg) -> DeflectionAngle {
+        let impact_parameter = if rng.random_bool(0.2) {
+            sample::number(rng, 0.1, 2.58)
+        } else {
+            (sample::number(rng, 2.61_f32.ln(), 300.0_f32.ln())).exp()
+        };
+        DeflectionAngle { impact_parameter }
+    }
+
+    fn judge(_q: &DeflectionAngle, golden: &Option<f32>, got: &Option<f32>) -> Verdict {
+        let (golden, got) = (golden.as_ref(), got.as_ref());
+        judge::option("a ray that gets away", golden, got, |golden, got| {
+            let tolerance = judge::RELATIVE * golden;
+            judge::number_within("the angle", "rad", *golden, *got, tolerance)
+        })
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "takes 2/b, which is right far away only",
@@ -69,23 +86,6 @@ impl Graded for DeflectionAngle {
             answer: |q| DeflectionAngle::answer(q).filter(|_| q.impact_parameter >= 3.0),
         },
     ];
-
-    fn random(rng: &mut Pcg) -> DeflectionAngle {
-        let impact_parameter = if rng.random_bool(0.2) {
-            sample::number(rng, 0.1, 2.58)
-        } else {
-            (sample::number(rng, 2.61_f32.ln(), 300.0_f32.ln())).exp()
-        };
-        DeflectionAngle { impact_parameter }
-    }
-
-    fn judge(_q: &DeflectionAngle, golden: &Option<f32>, got: &Option<f32>) -> Verdict {
-        let (golden, got) = (golden.as_ref(), got.as_ref());
-        judge::option("a ray that gets away", golden, got, |golden, got| {
-            let tolerance = judge::RELATIVE * golden;
-            judge::number_within("the angle", "rad", *golden, *got, tolerance)
-        })
-    }
 }
 
 /// The impact parameter of a ray that does not fall in.

@@ -7,6 +7,28 @@ use raybook_workbook::exercises::ch21_black_hole::{GeodesicStep, GeodesicStepAns
 use glam::{DVec3, Vec3};
 
 impl Graded for GeodesicStep {
+    fn random(rng: &mut Pcg) -> GeodesicStep {
+        let radius = sample::number(rng, 1.5, 10.0);
+        let speed = sample::number(rng, 0.5, 2.0);
+        GeodesicStep {
+            position: radius * *sample::direction(rng),
+            velocity: speed * *sample::direction(rng),
+            step: sample::number(rng, 0.03, 0.05) * radius / speed,
+        }
+    }
+
+    fn judge(
+        q: &GeodesicStep,
+        golden: &GeodesicStepAnswer,
+        got: &GeodesicStepAnswer,
+    ) -> Verdict {
+        let straight = q.position + q.step * q.velocity;
+        let (after, size) = (golden.position, q.position.length());
+        bend("position", straight, after, got.position, size)?;
+        let (after, size) = (golden.velocity, q.velocity.length());
+        bend("velocity", q.velocity, after, got.velocity, size)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "divides the unit vector by the fifth power",
@@ -75,28 +97,6 @@ impl Graded for GeodesicStep {
             },
         },
     ];
-
-    fn random(rng: &mut Pcg) -> GeodesicStep {
-        let radius = sample::number(rng, 1.5, 10.0);
-        let speed = sample::number(rng, 0.5, 2.0);
-        GeodesicStep {
-            position: radius * *sample::direction(rng),
-            velocity: speed * *sample::direction(rng),
-            step: sample::number(rng, 0.03, 0.05) * radius / speed,
-        }
-    }
-
-    fn judge(
-        q: &GeodesicStep,
-        golden: &GeodesicStepAnswer,
-        got: &GeodesicStepAnswer,
-    ) -> Verdict {
-        let straight = q.position + q.step * q.velocity;
-        let (after, size) = (golden.position, q.position.length());
-        bend("position", straight, after, got.position, size)?;
-        let (after, size) = (golden.velocity, q.velocity.length());
-        bend("velocity", q.velocity, after, got.velocity, size)
-    }
 }
 
 /// Compares by how much a vector is bent away from where a straight ray would have it; `size` says how large its roundings are.

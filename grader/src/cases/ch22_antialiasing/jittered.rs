@@ -21,6 +21,51 @@ fn cells(q: &Jittered, place: impl Fn(Vec2, Vec2, Vec2) -> Vec2) -> Vec<Vec2> {
 }
 
 impl Graded for Jittered {
+    fn random(rng: &mut Pcg) -> Jittered {
+        Jittered {
+            columns: rng.random_range(8..=20),
+            rows: rng.random_range(8..=20),
+            seed: rng.random(),
+        }
+    }
+
+    fn judge(q: &Jittered, _golden: &Vec<Vec2>, got: &Vec<Vec2>) -> Verdict {
+        points::in_square((q.columns * q.rows) as usize, got)?;
+        let count = vec2(q.columns as f32, q.rows as f32);
+        let mut cells = vec![0_u32; got.len()];
+        let mut places = Vec::new();
+        for p in got {
+            let scaled = count * *p;
+            let cell = scaled.floor().min(count - 1.0);
+            cells[(cell.y * count.x + cell.x) as usize] += 1;
+            places.push(scaled - cell);
+        }
+        // A point that is printed with six digits is moved by 5e-7, which is 1e-5 of a cell, perhaps over the edge.
+        let on_edge = |p: &&Vec2| (**p - 0.5).abs().max_element() > 0.5 - 2e-5;
+        let moved = places.iter().filter(on_edge).count();
+        let wrong: Vec<_> = (0..).zip(&cells).filter(|(_, c)| **c != 1).collect();
+        if wrong.len() > 2 * moved {
+            let (i, points) = wrong[0];
+            return Err(format!(
+                "the cell in column {} and row {} has {points} points; each cell has one",
+                i % q.columns,
+                i / q.columns
+            ));
+        }
+        if got.len() < 60 {
+            return Ok(()); // too few to tell
+        }
+        points::uniform(
+            "the place from left to right in a cell",
+            places.iter().map(|p| p.x),
+        )?;
+        points::uniform(
+            "the place from top to bottom in a cell",
+            places.iter().map(|p| p.y),
+        )?;
+        points::independent("the places along x and y in a cell", places.iter().copied())
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "takes the cells' middles",
@@ -80,49 +125,4 @@ impl Graded for Jittered {
             answer: |q| cells(q, |cell, count, u| (cell + vec2(u.x, 0.5)) / count),
         },
     ];
-
-    fn random(rng: &mut Pcg) -> Jittered {
-        Jittered {
-            columns: rng.random_range(8..=20),
-            rows: rng.random_range(8..=20),
-            seed: rng.random(),
-        }
-    }
-
-    fn judge(q: &Jittered, _golden: &Vec<Vec2>, got: &Vec<Vec2>) -> Verdict {
-        points::in_square((q.columns * q.rows) as usize, got)?;
-        let count = vec2(q.columns as f32, q.rows as f32);
-        let mut cells = vec![0_u32; got.len()];
-        let mut places = Vec::new();
-        for p in got {
-            let scaled = count * *p;
-            let cell = scaled.floor().min(count - 1.0);
-            cells[(cell.y * count.x + cell.x) as usize] += 1;
-            places.push(scaled - cell);
-        }
-        // A point that is printed with six digits is moved by 5e-7, which is 1e-5 of a cell, perhaps over the edge.
-        let on_edge = |p: &&Vec2| (**p - 0.5).abs().max_element() > 0.5 - 2e-5;
-        let moved = places.iter().filter(on_edge).count();
-        let wrong: Vec<_> = (0..).zip(&cells).filter(|(_, c)| **c != 1).collect();
-        if wrong.len() > 2 * moved {
-            let (i, points) = wrong[0];
-            return Err(format!(
-                "the cell in column {} and row {} has {points} points; each cell has one",
-                i % q.columns,
-                i / q.columns
-            ));
-        }
-        if got.len() < 60 {
-            return Ok(()); // too few to tell
-        }
-        points::uniform(
-            "the place from left to right in a cell",
-            places.iter().map(|p| p.x),
-        )?;
-        points::uniform(
-            "the place from top to bottom in a cell",
-            places.iter().map(|p| p.y),
-        )?;
-        points::independent("the places along x and y in a cell", places.iter().copied())
-    }
 }

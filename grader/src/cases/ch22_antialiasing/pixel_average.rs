@@ -25,6 +25,29 @@ fn average(q: &PixelAverage, weight: impl Fn(&Seen) -> f32) -> Rgb {
 }
 
 impl Graded for PixelAverage {
+    fn random(rng: &mut Pcg) -> PixelAverage {
+        let radius = sample::number(rng, 0.6, 2.0);
+        let mut number = |min, max| sample::number(rng, min, max);
+        let mut seen = || Seen {
+            offset: vec2(number(-1.2, 1.2), number(-1.2, 1.2)) * radius,
+            radiance: Rgb::new(number(0.0, 1.0), number(0.0, 1.0), number(0.0, 2.0)),
+        };
+        let mut samples: Vec<_> = (0..6).map(|_| seen()).collect();
+        // One in the middle, so that there always is something.
+        samples[0].offset *= 0.25;
+        samples.truncate(rng.random_range(3..=6));
+        PixelAverage { radius, samples }
+    }
+
+    fn judge(_q: &PixelAverage, golden: &Rgb, got: &Rgb) -> Verdict {
+        let channels = golden.channels().into_iter().zip(got.channels());
+        for (name, (golden, got)) in ["red", "green", "blue"].into_iter().zip(channels) {
+            let tolerance = judge::RELATIVE * golden.max(0.01);
+            judge::number_within(name, "W·m⁻²·sr⁻¹", golden, got, tolerance)?;
+        }
+        Ok(())
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "counts all samples alike",
@@ -109,27 +132,4 @@ impl Graded for PixelAverage {
             },
         },
     ];
-
-    fn random(rng: &mut Pcg) -> PixelAverage {
-        let radius = sample::number(rng, 0.6, 2.0);
-        let mut number = |min, max| sample::number(rng, min, max);
-        let mut seen = || Seen {
-            offset: vec2(number(-1.2, 1.2), number(-1.2, 1.2)) * radius,
-            radiance: Rgb::new(number(0.0, 1.0), number(0.0, 1.0), number(0.0, 2.0)),
-        };
-        let mut samples: Vec<_> = (0..6).map(|_| seen()).collect();
-        // One in the middle, so that there always is something.
-        samples[0].offset *= 0.25;
-        samples.truncate(rng.random_range(3..=6));
-        PixelAverage { radius, samples }
-    }
-
-    fn judge(_q: &PixelAverage, golden: &Rgb, got: &Rgb) -> Verdict {
-        let channels = golden.channels().into_iter().zip(got.channels());
-        for (name, (golden, got)) in ["red", "green", "blue"].into_iter().zip(channels) {
-            let tolerance = judge::RELATIVE * golden.max(0.01);
-            judge::number_within(name, "W·m⁻²·sr⁻¹", golden, got, tolerance)?;
-        }
-        Ok(())
-    }
 }

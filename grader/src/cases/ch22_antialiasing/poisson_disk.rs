@@ -43,6 +43,50 @@ fn apart(q: &PoissonDisk, far: impl Fn(Vec2) -> bool) -> Vec<Vec2> {
 }
 
 impl Graded for PoissonDisk {
+    /// Whatever keeps its distance is right, so no last digit of it decides.
+    const ULPS: i32 = 0;
+
+    fn random(rng: &mut Pcg) -> PoissonDisk {
+        PoissonDisk {
+            distance: 0.05 * 5.0_f32.powf(rng.random()),
+            seed: rng.random(),
+        }
+    }
+
+    fn judge(q: &PoissonDisk, _golden: &Vec<Vec2>, got: &Vec<Vec2>) -> Verdict {
+        points::all_inside(got)?;
+        let d = q.distance;
+        for (i, p) in got.iter().enumerate() {
+            for (j, other) in got[..i].iter().enumerate() {
+                let apart = p.distance(*other);
+                if apart < d * (1.0 - ROUNDING) {
+                    return Err(format!(
+                        "points {} and {} are {apart:.4} apart; {d:.4} is the least",
+                        j + 1,
+                        i + 1
+                    ));
+                }
+            }
+        }
+        let most = CROWDED * ((1.0 + d) / d).powi(2);
+        if got.len() as f32 > most.max(4.0) {
+            return Err(format!(
+                "{} points have room only in a regular lattice; at random about {:.0} have",
+                got.len(),
+                0.7 * most
+            ));
+        }
+        // Over the edges or not: whoever keeps the distance to the next square's points too is right.
+        let room = room(got, d, false).min(room(got, d, true));
+        if room > ROOM {
+            return Err(format!(
+                "in {:.0} % of the square there is still room for another point",
+                100.0 * room
+            ));
+        }
+        Ok(())
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "compares the squared distance with the distance",
@@ -100,50 +144,6 @@ impl Graded for PoissonDisk {
             },
         },
     ];
-
-    /// Whatever keeps its distance is right, so no last digit of it decides.
-    const ULPS: i32 = 0;
-
-    fn random(rng: &mut Pcg) -> PoissonDisk {
-        PoissonDisk {
-            distance: 0.05 * 5.0_f32.powf(rng.random()),
-            seed: rng.random(),
-        }
-    }
-
-    fn judge(q: &PoissonDisk, _golden: &Vec<Vec2>, got: &Vec<Vec2>) -> Verdict {
-        points::all_inside(got)?;
-        let d = q.distance;
-        for (i, p) in got.iter().enumerate() {
-            for (j, other) in got[..i].iter().enumerate() {
-                let apart = p.distance(*other);
-                if apart < d * (1.0 - ROUNDING) {
-                    return Err(format!(
-                        "points {} and {} are {apart:.4} apart; {d:.4} is the least",
-                        j + 1,
-                        i + 1
-                    ));
-                }
-            }
-        }
-        let most = CROWDED * ((1.0 + d) / d).powi(2);
-        if got.len() as f32 > most.max(4.0) {
-            return Err(format!(
-                "{} points have room only in a regular lattice; at random about {:.0} have",
-                got.len(),
-                0.7 * most
-            ));
-        }
-        // Over the edges or not: whoever keeps the distance to the next square's points too is right.
-        let room = room(got, d, false).min(room(got, d, true));
-        if room > ROOM {
-            return Err(format!(
-                "in {:.0} % of the square there is still room for another point",
-                100.0 * room
-            ));
-        }
-        Ok(())
-    }
 }
 
 /// The share of the square that is farther than d from all points.

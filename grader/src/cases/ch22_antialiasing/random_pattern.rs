@@ -16,6 +16,25 @@ fn each(q: &RandomPattern, point: impl Fn(Vec2) -> Vec2) -> Vec<Vec2> {
 }
 
 impl Graded for RandomPattern {
+    fn random(rng: &mut Pcg) -> RandomPattern {
+        RandomPattern {
+            n: rng.random_range(150..=400),
+            seed: rng.random(),
+        }
+    }
+
+    fn judge(q: &RandomPattern, _golden: &Vec<Vec2>, got: &Vec<Vec2>) -> Verdict {
+        points::in_square(q.n as usize, got)?;
+        if got.len() < 100 {
+            return Ok(()); // too few to tell
+        }
+        points::uniform("x", got.iter().map(|p| p.x))?;
+        points::uniform("y", got.iter().map(|p| p.y))?;
+        points::independent("x and y", got.iter().copied())?;
+        distinct(got)?;
+        crowds(got)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "uses one number for both coordinates",
@@ -77,25 +96,6 @@ impl Graded for RandomPattern {
             answer: |q| each(q, |u| (16.0 * u).floor() / 16.0),
         },
     ];
-
-    fn random(rng: &mut Pcg) -> RandomPattern {
-        RandomPattern {
-            n: rng.random_range(150..=400),
-            seed: rng.random(),
-        }
-    }
-
-    fn judge(q: &RandomPattern, _golden: &Vec<Vec2>, got: &Vec<Vec2>) -> Verdict {
-        points::in_square(q.n as usize, got)?;
-        if got.len() < 100 {
-            return Ok(()); // too few to tell
-        }
-        points::uniform("x", got.iter().map(|p| p.x))?;
-        points::uniform("y", got.iter().map(|p| p.y))?;
-        points::independent("x and y", got.iter().copied())?;
-        distinct(got)?;
-        crowds(got)
-    }
 }
 
 /// Equal coordinates are a coincidence of one in millions.

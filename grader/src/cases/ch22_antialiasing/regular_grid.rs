@@ -22,6 +22,19 @@ fn cells(q: &RegularGrid, place: impl Fn(Vec2, Vec2) -> Vec2) -> Vec<Vec2> {
 }
 
 impl Graded for RegularGrid {
+    fn random(rng: &mut Pcg) -> RegularGrid {
+        RegularGrid {
+            x: rng.random_range(0..1000),
+            y: rng.random_range(0..1000),
+            columns: rng.random_range(1..=6),
+            rows: rng.random_range(1..=6),
+        }
+    }
+
+    fn judge(_q: &RegularGrid, golden: &Vec<Vec2>, got: &Vec<Vec2>) -> Verdict {
+        points::same_places(golden, got, TOLERANCE)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "takes the cells' corners",
@@ -75,17 +88,4 @@ impl Graded for RegularGrid {
             answer: |q| cells(q, |cell, count| (cell + 0.5) / count.x),
         },
     ];
-
-    fn random(rng: &mut Pcg) -> RegularGrid {
-        RegularGrid {
-            x: rng.random_range(0..1000),
-            y: rng.random_range(0..1000),
-            columns: rng.random_range(1..=6),
-            rows: rng.random_range(1..=6),
-        }
-    }
-
-    fn judge(_q: &RegularGrid, golden: &Vec<Vec2>, got: &Vec<Vec2>) -> Verdict {
-        points::same_places(golden, got, TOLERANCE)
-    }
 }

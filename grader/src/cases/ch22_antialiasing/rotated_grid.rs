@@ -31,6 +31,40 @@ fn turned(q: Vec2, sense: f32) -> Vec2 {
 }
 
 impl Graded for RotatedGrid {
+    fn random(rng: &mut Pcg) -> RotatedGrid {
+        RotatedGrid {
+            spacing: sample::number(rng, 0.1, 0.5),
+            offset: vec2(sample::number(rng, 0.0, 1.0), sample::number(rng, 0.0, 1.0)),
+        }
+    }
+
+    /// Either sense of rotation is right; what is nearly on the square's edge may be there or not.
+    fn judge(q: &RotatedGrid, _golden: &Vec<Vec2>, got: &Vec<Vec2>) -> Verdict {
+        if got.iter().any(|p| !p.is_finite()) {
+            return Err("a point is not made of numbers".into());
+        }
+        let surely = |p: &Vec2| (*p - 0.5).abs().max_element() < 0.5 - TOLERANCE;
+        let nearly = |p: &Vec2| (*p - 0.5).abs().max_element() < 0.5 + TOLERANCE;
+        if let Some(p) = got.iter().find(|p| !nearly(p)) {
+            return Err(format!(
+                "the point ({:.4}, {:.4}) is outside the square",
+                p.x, p.y
+            ));
+        }
+        let sense = |sense: f32| {
+            let all = lattice(q, |p| turned(p, sense));
+            let of_edge: Vec<_> = all.iter().filter(|p| nearly(p) && !surely(p)).collect();
+            let on_edge = |p: &Vec2| of_edge.iter().any(|q| q.distance(*p) < 2.0 * TOLERANCE);
+            let golden: Vec<_> = all.iter().copied().filter(surely).collect();
+            let got: Vec<_> = got.iter().copied().filter(|p| !on_edge(p)).collect();
+            points::same_places(&golden, &got, TOLERANCE)
+        };
+        sense(1.0).or_else(|_| sense(-1.0)).or_else(|_| {
+            angle(q, got)?;
+            sense(1.0)
+        })
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "does not rotate",
@@ -85,40 +119,6 @@ impl Graded for RotatedGrid {
             answer: |q| lattice(q, |p| turned(p, 1.0)),
         },
     ];
-
-    fn random(rng: &mut Pcg) -> RotatedGrid {
-        RotatedGrid {
-            spacing: sample::number(rng, 0.1, 0.5),
-            offset: vec2(sample::number(rng, 0.0, 1.0), sample::number(rng, 0.0, 1.0)),
-        }
-    }
-
-    /// Either sense of rotation is right; what is nearly on the square's edge may be there or not.
-    fn judge(q: &RotatedGrid, _golden: &Vec<Vec2>, got: &Vec<Vec2>) -> Verdict {
-        if got.iter().any(|p| !p.is_finite()) {
-            return Err("a point is not made of numbers".into());
-        }
-        let surely = |p: &Vec2| (*p - 0.5).abs().max_element() < 0.5 - TOLERANCE;
-        let nearly = |p: &Vec2| (*p - 0.5).abs().max_element() < 0.5 + TOLERANCE;
-        if let Some(p) = got.iter().find(|p| !nearly(p)) {
-            return Err(format!(
-                "the point ({:.4}, {:.4}) is outside the square",
-                p.x, p.y
-            ));
-        }
-        let sense = |sense: f32| {
-            let all = lattice(q, |p| turned(p, sense));
-            let of_edge: Vec<_> = all.iter().filter(|p| nearly(p) && !surely(p)).collect();
-            let on_edge = |p: &Vec2| of_edge.iter().any(|q| q.distance(*p) < 2.0 * TOLERANCE);
-            let golden: Vec<_> = all.iter().copied().filter(surely).collect();
-            let got: Vec<_> = got.iter().copied().filter(|p| !on_edge(p)).collect();
-            points::same_places(&golden, &got, TOLERANCE)
-        };
-        sense(1.0).or_else(|_| sense(-1.0)).or_else(|_| {
-            angle(q, got)?;
-            sense(1.0)
-        })
-    }
 }
 
 /// Whether the lattice is turned as it should be, by each point's way to its nearest neighbour.

@@ -8,6 +8,35 @@ use raybook_workbook::exercises::ch23_adaptive::NeedsMore;
 use rand::RngExt;
 
 impl Graded for NeedsMore {
+    fn random(rng: &mut Pcg) -> NeedsMore {
+        let n = rng.random_range(2..=8);
+        let base = 10.0_f32.powf(sample::number(rng, -1.5, 1.5));
+        let spread = sample::number(rng, 0.05, 0.7);
+        let channel = [(); 3].map(|()| spread * sample::number(rng, 0.1, 1.0));
+        let samples: Vec<_> = (0..n)
+            .map(|_| {
+                let [r, g, b] = channel.map(|s| base * (1.0 + s * sample::number(rng, -1.0, 1.0)));
+                Rgb::new(r, g, b)
+            })
+            .collect();
+        let mut q = NeedsMore {
+            contrast: Rgb::new(
+                sample::number(rng, 0.2, 0.7),
+                sample::number(rng, 0.2, 0.7),
+                sample::number(rng, 0.2, 0.7),
+            ),
+            error: 0.0,
+            samples,
+        };
+        // An error that is decided by a factor of up to three, this way or that.
+        q.error = standard_error(&q) * 3.0_f32.powf(sample::number(rng, -0.5, 1.0));
+        q
+    }
+
+    fn judge(q: &NeedsMore, golden: &u32, got: &u32) -> Verdict {
+        verdict(q, *golden, *got)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "takes the difference for the contrast",
@@ -81,33 +110,4 @@ impl Graded for NeedsMore {
             answer: |q| 1 - decide(q, too_contrasty(q, ratio), standard_error(q)),
         },
     ];
-
-    fn random(rng: &mut Pcg) -> NeedsMore {
-        let n = rng.random_range(2..=8);
-        let base = 10.0_f32.powf(sample::number(rng, -1.5, 1.5));
-        let spread = sample::number(rng, 0.05, 0.7);
-        let channel = [(); 3].map(|()| spread * sample::number(rng, 0.1, 1.0));
-        let samples: Vec<_> = (0..n)
-            .map(|_| {
-                let [r, g, b] = channel.map(|s| base * (1.0 + s * sample::number(rng, -1.0, 1.0)));
-                Rgb::new(r, g, b)
-            })
-            .collect();
-        let mut q = NeedsMore {
-            contrast: Rgb::new(
-                sample::number(rng, 0.2, 0.7),
-                sample::number(rng, 0.2, 0.7),
-                sample::number(rng, 0.2, 0.7),
-            ),
-            error: 0.0,
-            samples,
-        };
-        // An error that is decided by a factor of up to three, this way or that.
-        q.error = standard_error(&q) * 3.0_f32.powf(sample::number(rng, -0.5, 1.0));
-        q
-    }
-
-    fn judge(q: &NeedsMore, golden: &u32, got: &u32) -> Verdict {
-        verdict(q, *golden, *got)
-    }
 }

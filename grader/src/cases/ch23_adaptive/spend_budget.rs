@@ -33,6 +33,55 @@ fn rounded_down(q: &SpendBudget, floor: u32, weight: fn(f32) -> f32) -> Vec<u32>
 }
 
 impl Graded for SpendBudget {
+    fn random(rng: &mut Pcg) -> SpendBudget {
+        let pixels = rng.random_range(3..=9);
+        let deviation = |_| 0.02 * 50.0_f32.powf(sample::number(rng, 0.0, 1.0));
+        let deviations = (0..pixels).map(deviation).collect();
+        let least = rng.random_range(2..=6);
+        SpendBudget {
+            deviations,
+            least,
+            budget: pixels * (least + rng.random_range(8..=30)) + rng.random_range(0..pixels),
+        }
+    }
+
+    /// By the sum of the variances: another way to round is as good.
+    fn judge(q: &SpendBudget, golden: &Vec<u32>, got: &Vec<u32>) -> Verdict {
+        if got.len() != q.deviations.len() {
+            return Err(format!(
+                "there are {} counts for {} pixels",
+                got.len(),
+                q.deviations.len()
+            ));
+        }
+        if let Some(i) = got.iter().position(|n| *n < q.least) {
+            return Err(format!(
+                "pixel {} gets {} samples; the least is {}",
+                i + 1,
+                got[i],
+                q.least
+            ));
+        }
+        let spent: u64 = got.iter().map(|n| u64::from(*n)).sum();
+        if spent != u64::from(q.budget) {
+            return Err(format!(
+                "{spent} samples are spent; the budget is {}",
+                q.budget
+            ));
+        }
+        let (best, yours) = (
+            variance(&q.deviations, golden),
+            variance(&q.deviations, got),
+        );
+        if yours > (1.0 + SLACK) * best + 1e-12 {
+            let worse = 100.0 * (yours / best - 1.0);
+            return Err(format!(
+                "the sum of σ²/n is {worse:.0} % larger than it could be"
+            ));
+        }
+        Ok(())
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "gives all pixels the same",
@@ -82,53 +131,4 @@ impl Graded for SpendBudget {
             },
         },
     ];
-
-    fn random(rng: &mut Pcg) -> SpendBudget {
-        let pixels = rng.random_range(3..=9);
-        let deviation = |_| 0.02 * 50.0_f32.powf(sample::number(rng, 0.0, 1.0));
-        let deviations = (0..pixels).map(deviation).collect();
-        let least = rng.random_range(2..=6);
-        SpendBudget {
-            deviations,
-            least,
-            budget: pixels * (least + rng.random_range(8..=30)) + rng.random_range(0..pixels),
-        }
-    }
-
-    /// By the sum of the variances: another way to round is as good.
-    fn judge(q: &SpendBudget, golden: &Vec<u32>, got: &Vec<u32>) -> Verdict {
-        if got.len() != q.deviations.len() {
-            return Err(format!(
-                "there are {} counts for {} pixels",
-                got.len(),
-                q.deviations.len()
-            ));
-        }
-        if let Some(i) = got.iter().position(|n| *n < q.least) {
-            return Err(format!(
-                "pixel {} gets {} samples; the least is {}",
-                i + 1,
-                got[i],
-                q.least
-            ));
-        }
-        let spent: u64 = got.iter().map(|n| u64::from(*n)).sum();
-        if spent != u64::from(q.budget) {
-            return Err(format!(
-                "{spent} samples are spent; the budget is {}",
-                q.budget
-            ));
-        }
-        let (best, yours) = (
-            variance(&q.deviations, golden),
-            variance(&q.deviations, got),
-        );
-        if yours > (1.0 + SLACK) * best + 1e-12 {
-            let worse = 100.0 * (yours / best - 1.0);
-            return Err(format!(
-                "the sum of σ²/n is {worse:.0} % larger than it could be"
-            ));
-        }
-        Ok(())
-    }
 }

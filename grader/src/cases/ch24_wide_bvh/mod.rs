@@ -1,8 +1,5 @@
 //! Chapter 24: `collapse`, `wide_closest`.
 
-mod collapse_cases;
-mod collapse_judge;
-mod wide_closest_cases;
 
 use raybook_workbook::exercises::ch24_wide_bvh::Collapse;
 

@@ -1,9 +1,6 @@
 //! Chapter 25: `trace`.
 
-mod random;
 mod slip;
-mod trace_judge;
-mod trace_mistakes;
 mod tracer;
 
 

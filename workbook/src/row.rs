@@ -7,7 +7,7 @@
 //! is 1 and itself, a choice is its place among the choices. Between words and numbers goes the [`Kind`], here, once for all
 //! types; between numbers and a type goes its [`Row`], which cannot fail.
 
-use crate::kind::{Kind, XYZ};
+use crate::kind::{Kind, VECTOR};
 use crate::words::Words;
 use glam::Vec3;
 use raybook::math::dir3::Dir3;
@@ -36,7 +36,12 @@ pub trait Row: Sized {
 #[derive(Debug)]
 pub struct Numbers<'a>(std::slice::Iter<'a, f64>);
 
-impl Numbers<'_> {
+impl<'a> Numbers<'a> {
+    /// The numbers of a row, from the first.
+    pub fn of(numbers: &'a [f64]) -> Self {
+        Self(numbers.iter())
+    }
+
     /// The next number; 0 after the last.
     pub fn next(&mut self) -> f64 {
         self.0.next().copied().unwrap_or(0.0)
@@ -45,7 +50,7 @@ impl Numbers<'_> {
 
 /// The value of a row's numbers.
 pub fn from_numbers<R: Row>(numbers: &[f64]) -> R {
-    R::take(&mut Numbers(numbers.iter()))
+    R::take(&mut Numbers::of(numbers))
 }
 
 /// The numbers of a value.
@@ -78,14 +83,14 @@ pub fn parse(kind: &Kind, line: &str, name: &str) -> Result<Vec<f64>, RowError> 
 /// The line of a row's numbers.
 pub fn format(kind: &Kind, numbers: &[f64]) -> String {
     let mut line = String::new();
-    format_next(kind, &mut Numbers(numbers.iter()), &mut line);
+    format_next(kind, &mut Numbers::of(numbers), &mut line);
     line
 }
 
 /// Each part of a row with its name and its words, for people.
 pub fn parts(kind: &Kind, name: &str, numbers: &[f64]) -> Vec<(String, String)> {
     let mut parts = Vec::new();
-    parts_next(kind, name, &mut Numbers(numbers.iter()), &mut parts);
+    parts_next(kind, name, &mut Numbers::of(numbers), &mut parts);
     parts
 }
 
@@ -99,16 +104,16 @@ fn parse_next(
         Kind::Number => numbers.push(words.number(name)?),
         Kind::Whole => numbers.push(words.whole(name)?.into()),
         Kind::Numbers(parts) => {
-            for part in *parts {
+            for part in parts.parts {
                 numbers.push(words.number(&format_args!("{name}.{part}"))?);
             }
         }
         Kind::Direction => {
             let at = words.position();
-            parse_next(&Kind::Numbers(XYZ), words, name, numbers)?;
+            parse_next(&Kind::Numbers(VECTOR), words, name, numbers)?;
             let last = &numbers[numbers.len() - 3..];
             if Dir3::new(from_numbers(last)).is_none() {
-                let found = format(&Kind::Numbers(XYZ), last);
+                let found = format(&Kind::Numbers(VECTOR), last);
                 return Err(RowError::word(at, name, "a direction", &found));
             }
         }
@@ -150,12 +155,12 @@ fn format_next(kind: &Kind, numbers: &mut Numbers<'_>, line: &mut String) {
         Kind::Number => line.push_str(&number(numbers.next() as f32)),
         Kind::Whole => line.push_str(&(numbers.next() as u32).to_string()),
         Kind::Numbers(parts) => {
-            for i in 0..parts.len() {
+            for i in 0..parts.parts.len() {
                 line.push_str(if i == 0 { "" } else { " " });
                 format_next(&Kind::Number, numbers, line);
             }
         }
-        Kind::Direction => format_next(&Kind::Numbers(XYZ), numbers, line),
+        Kind::Direction => format_next(&Kind::Numbers(VECTOR), numbers, line),
         Kind::Optional(_) if numbers.next() == 0.0 => line.push_str("none"),
         Kind::Optional(kind) => format_next(kind, numbers, line),
         Kind::List(kind) => {

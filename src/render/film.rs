@@ -2,10 +2,10 @@
 
 use crate::image::{Image, rgb::Rgb};
 use crate::math::pcg::{self, Pcg};
+use crate::threads;
 use glam::{Vec2, vec2};
 use rand::RngExt;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread;
 
 /// Edge of a tile in pixels: small enough to share the work evenly, large enough to fetch seldom.
 const TILE: usize = 16;
@@ -76,19 +76,10 @@ impl Film<'_> {
             }
         };
         let mut picture = Image::from_fn(self.width, self.height, |_, _| Rgb::BLACK);
-        thread::scope(|scope| {
-            let workers: Vec<_> = (0..self.threads.clamp(1, (columns * rows).max(1)))
-                .map(|_| scope.spawn(work))
-                .collect();
-            for worker in workers {
-                let pixels = worker
-                    .join()
-                    .unwrap_or_else(|panic| std::panic::resume_unwind(panic));
-                for (x, y, colour) in pixels {
-                    picture.set(x, y, colour);
-                }
-            }
-        });
+        let workers = self.threads.clamp(1, (columns * rows).max(1));
+        for (x, y, colour) in threads::workers(workers, work).into_iter().flatten() {
+            picture.set(x, y, colour);
+        }
         picture
     }
 }

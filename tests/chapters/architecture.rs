@@ -171,7 +171,7 @@ fn floors() -> BTreeMap<String, (u32, usize)> {
         })
         .collect();
     assert!(
-        floors.len() == 10,
+        floors.len() >= 10,
         "the map of floors in src/lib.rs has a row per floor"
     );
     floors
@@ -179,7 +179,8 @@ fn floors() -> BTreeMap<String, (u32, usize)> {
 
 #[test]
 fn uses_are_taken_apart() {
-    let text = "use crate::a::{self, b::{C, d::E}, F};\nfn f() { crate::g::h() } // crate::not::this";
+    let text =
+        "use crate::a::{self, b::{C, d::E}, F};\nfn f() { crate::g::h() } // crate::not::this";
     assert_eq!(
         used_paths(text, "crate"),
         ["a", "a::b::C", "a::b::d::E", "a::F", "g::h"],

@@ -150,7 +150,7 @@ pub fn course_map() -> String {
         let names: Vec<_> = chapter
             .exercises()
             .iter()
-            .map(|exercise| exercise.name())
+            .map(|exercise| exercise.name)
             .collect();
         format!(
             "    {:2}  {:<20} {}\n",

@@ -1,6 +1,7 @@
 //! `raybook check`: what is right, what is not, and the next step.
 
 use super::asking::{Asking, program_at};
+use super::golden::Golden;
 use super::keep::keep_pictures;
 use super::tell::Telling;
 use super::{Done, Target};
@@ -23,6 +24,8 @@ use std::path::{Path, PathBuf};
 pub struct Check {
     #[command(flatten)]
     target: Target,
+    #[command(flatten)]
+    golden: Golden,
     /// Ask only the case of this number
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     case: Option<u32>,
@@ -52,6 +55,7 @@ impl Check {
     /// Checks, and tells; true if everything that was asked for is right.
     pub fn run(&self) -> Done {
         let (from, examiners) = self.target.resolve()?;
+        let examiners = self.golden.replace(examiners)?;
         if self.case.is_some() && examiners.len() != 1 {
             return Err("--case needs one exercise: raybook check sphere_hit --case 3".into());
         }

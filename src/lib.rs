@@ -16,7 +16,7 @@
 //!
 //! | floor | modules |
 //! |---|---|
-//! | 0 | math |
+//! | 0 | threads, math |
 //! | 1 | image |
 //! | 2 | shape, sample |
 //! | 3 | accel |
@@ -34,3 +34,4 @@ pub mod render;
 pub mod sample;
 pub mod scene;
 pub mod shape;
+mod threads;

@@ -1,14 +1,14 @@
 //! A two-level grid in the plane.
 
+use crate::kit::palette::SKY;
+use crate::shared::{flatland::SIDE, flatland::discs, flatland::plane, flatland::ray};
+use glam::{Vec3, vec3};
 use raybook::accel::grid::resolution::grid_resolution;
 use raybook::accel::lattice::{Lattice, range};
 use raybook::accel::two_level_grid::build::Densities;
 use raybook::accel::two_level_grid::{levels::Levels, refine::refine_cell, walk::walk_two_levels};
 use raybook::image::Image;
-use crate::shared::{flatland::SIDE, flatland::discs, flatland::plane, flatland::ray};
-use crate::kit::palette::SKY;
 use raybook::math::{aabb::Aabb, interval::Interval};
-use glam::{Vec3, vec3};
 use std::error::Error;
 use std::ops::ControlFlow;
 

@@ -1,13 +1,13 @@
 //! A quad-tree: what the octree is in the plane.
 
+use crate::kit::palette::SKY;
+use crate::shared::{flatland::SIDE, flatland::discs, flatland::plane, flatland::ray};
+use glam::Vec3;
 use raybook::accel::octree::build::{Limits, build};
 use raybook::accel::octree::tree::Kind;
 use raybook::accel::octree::walk::Walk;
 use raybook::image::Image;
-use crate::shared::{flatland::SIDE, flatland::discs, flatland::plane, flatland::ray};
-use crate::kit::palette::SKY;
 use raybook::math::{aabb::Aabb, interval::Interval};
-use glam::Vec3;
 use std::error::Error;
 
 /// The quad-tree of some discs, and the leaves that a ray visits, numbered in order; the darker, the deeper.

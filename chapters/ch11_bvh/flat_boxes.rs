@@ -1,21 +1,19 @@
 //! Triangles in the plane, and the boxes of a tree around them: a tree that can be seen whole. (Cells in the plane, and a ray
 //! through them, are in `flatland.rs`.)
 
+use crate::kit::figure::{CENTRE, Canvas, Figure, coloured, figure, write};
+use crate::kit::stage::Drawn;
+use crate::kit::{
+    palette::BLUE, palette::FAINT, palette::GREEN, palette::INK, palette::ORANGE, palette::PURPLE,
+    palette::VERMILION,
+};
+use glam::{Vec2, vec2};
+use plotters::prelude::{Color, Polygon, RGBColor, Rectangle};
+use rand::RngExt;
 use raybook::accel::bvh::COST;
 use raybook::accel::bvh::build::flat::{Flat, Node};
 use raybook::accel::bvh::build::{Method, build, cost::Cost, cost::sah_cost};
-use raybook::image::Image;
-use crate::kit::{figure::self, figure::Canvas, figure::figure};
-use crate::kit::{palette::BLUE, palette::FAINT, palette::GREEN, palette::INK, palette::ORANGE, palette::PURPLE, palette::VERMILION};
 use raybook::math::{aabb::Aabb, pcg};
-use glam::{Vec2, vec2};
-use plotters::prelude::{Color, Polygon, RGBColor, Rectangle};
-use plotters::style::text_anchor::HPos;
-use rand::RngExt;
-use std::error::Error;
-
-/// What drawing returns.
-pub type Drawn = Result<(), Box<dyn Error>>;
 
 /// The boxes reach so far above and below the paper that only their outlines on it count: a ray in the paper meets a
 /// rectangle in proportion to its perimeter.
@@ -97,13 +95,11 @@ impl Paper<'_, '_> {
     /// # Errors
     /// As for [`Paper::triangle`].
     pub fn text(&self, text: &str, at: Vec2, size: i32, colour: RGBColor) -> Drawn {
-        figure::text(
+        write(
             self.canvas,
             text,
             self.pixel(at),
-            size,
-            HPos::Center,
-            colour,
+            coloured(size, colour).pos(CENTRE),
         )
     }
 
@@ -138,7 +134,7 @@ pub fn height(tree: &Flat, node: &Node) -> u32 {
 ///
 /// # Errors
 /// What plotters reports.
-pub fn two_organisations() -> Result<Image, Box<dyn Error>> {
+pub fn two_organisations() -> Figure {
     let mut rng = pcg::stream(22, 0);
     let mut near = |at: Vec2, spread: f32| {
         at + spread * vec2(rng.random::<f32>() - 0.5, rng.random::<f32>() - 0.5)

@@ -1,17 +1,17 @@
 //! The boxes of a tree, level by level.
 
+use crate::kit::palette::viridis;
+use crate::kit::sheet::sheet;
+use crate::shared::showroom::Showroom;
+use glam::vec3;
 use raybook::accel::Accel;
 use raybook::accel::bvh::Bvh;
 use raybook::accel::bvh::build::flat::Node;
 use raybook::accel::bvh::pair::Pair;
 use raybook::image::{Image, rgb::Rgb};
-use crate::kit::palette::viridis;
-use crate::kit::sheet::sheet;
-use crate::shared::showroom::Showroom;
 use raybook::math::{aabb::Aabb, interval::Interval};
 use raybook::render::film::Film;
 use raybook::shape::{Shape, cuboid::Cuboid};
-use glam::vec3;
 use std::error::Error;
 
 /// The boxes of each of these levels as solid blocks, in a tree of their own.

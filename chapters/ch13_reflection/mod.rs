@@ -78,7 +78,7 @@ fn whitted(depth: u32) -> Whitted {
 }
 
 fn photograph(film: &Film, camera: &Pinhole, scene: &Scene<dyn Material>, depth: u32) -> Image {
-    film.render(|place, rng| whitted(depth).radiance(scene, &camera.ray_through(place), rng))
+    film.render(|place, rng| whitted(depth).follow(scene, &camera.ray_through(place), rng))
 }
 
 /// The chapter's binary.

@@ -79,7 +79,7 @@ fn photograph(
         arrives: ALWAYS,
     };
     let whitted = Whitted { local, depth };
-    Ok(film.render(|place, rng| whitted.radiance(scene, &camera.ray_through(place), rng)))
+    Ok(film.render(|place, rng| whitted.follow(scene, &camera.ray_through(place), rng)))
 }
 
 /// The chapter's binary.

@@ -70,7 +70,7 @@ pub fn draw(stage: &Stage) -> Drawn {
 fn whitted(arrives: Arrives) -> Whitted {
     let local = Local {
         samples: 1,
-        arrives,
+        arrives: Some(arrives),
     };
     Whitted { local, depth: 8 }
 }
@@ -82,7 +82,7 @@ fn photograph(
     arrives: Arrives,
 ) -> Image {
     let whitted = whitted(arrives);
-    film.render(|place, rng| whitted.radiance(scene, &camera.ray_through(place), rng))
+    film.render(|place, rng| whitted.follow(scene, &camera.ray_through(place), rng))
 }
 
 /// The chapter's binary.

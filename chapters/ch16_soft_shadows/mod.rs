@@ -66,11 +66,11 @@ fn photograph(
         posts::under(light),
         Local {
             samples,
-            arrives: shadow::lit,
+            arrives: Some(shadow::lit),
         },
     );
     let whitted = Whitted { local, depth: 1 };
-    Ok(film.render(|place, rng| whitted.radiance(&scene, &camera.ray_through(place), rng)))
+    Ok(film.render(|place, rng| whitted.follow(&scene, &camera.ray_through(place), rng)))
 }
 
 /// The chapter's binary.

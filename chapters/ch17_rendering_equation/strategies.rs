@@ -60,14 +60,14 @@ impl View {
     /// A picture by paths, ready to be displayed, with random numbers that are spread evenly.
     pub fn draw(&self, film: &Film, path: Path) -> Image {
         let ray = |place| self.camera.ray_through(place);
-        let picture = even::render(film, |at, rng| path.radiance(&self.scene, &ray(at), rng));
+        let picture = even::render(film, |at, rng| path.follow(&self.scene, &ray(at), rng));
         picture.map(|v| v * self.exposure)
     }
 
     /// The same with all that chance does.
     fn roll(&self, film: &Film, path: Path) -> Image {
         let ray = |place| self.camera.ray_through(place);
-        let picture = film.render(|at, rng| path.radiance(&self.scene, &ray(at), rng));
+        let picture = film.render(|at, rng| path.follow(&self.scene, &ray(at), rng));
         picture.map(|v| v * self.exposure)
     }
 

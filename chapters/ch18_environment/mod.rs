@@ -77,7 +77,7 @@ fn picture(film: &Film, light: Box<dyn Light>) -> Result<Image, LookAtError> {
     };
     let ray = |place| camera.ray_through(place);
     Ok(even::render(film, |at, rng| {
-        path.radiance(&scene, &ray(at), rng)
+        path.follow(&scene, &ray(at), rng)
     }))
 }
 

@@ -1,10 +1,10 @@
 //! The noise of few samples of a lens: a detail of the tea table with 4 and with 128 random points, and with 4 that are spread.
 
 use raybook::camera::{Camera, aperture::Aperture, pinhole::Pinhole, thin_lens::ThinLens};
-use raybook::image::{Image, rgb::Rgb};
+use raybook::image::Image;
 use crate::kit::sheet::sheet;
 use raybook::math::{pcg::Pcg, ray::Ray};
-use raybook::render::{film::Film, through_lens::through_lens};
+use raybook::render::{film::Film, followed::Followed, through_lens::through_lens};
 use raybook::scene::tea_table::{DETAIL, EYE, FOCAL_LENGTH};
 use glam::{Vec3, vec2};
 use rand::RngExt;
@@ -19,7 +19,7 @@ const PART: f32 = 0.5;
 /// If the tiles' names cannot be drawn.
 pub fn draw(
     tile: &Film,
-    see: impl Fn(&Ray, &mut Pcg) -> Rgb + Sync,
+    see: impl Fn(&Ray, &mut Pcg) -> Followed + Sync,
 ) -> Result<Image, Box<dyn Error>> {
     let mut body = Pinhole::look_at(EYE, DETAIL, Vec3::Y, FOCAL_LENGTH, tile.aspect())?;
     body.plane *= PART;

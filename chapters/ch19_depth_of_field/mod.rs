@@ -26,13 +26,13 @@ use std::process::ExitCode;
 /// Draws the chapter's pictures.
 pub fn draw(stage: &Stage) -> Drawn {
     let (scene, lamps) = (tea_table(), lamps());
-    let arrives = shadow::lit;
+    let arrives = Some(shadow::lit as _);
     let local = Local {
         samples: 1,
         arrives,
     };
     let whitted = Whitted { local, depth: 2 };
-    let see = |ray: &_, rng: &mut _| whitted.radiance(&scene, ray, rng);
+    let see = |ray: &_, rng: &mut _| whitted.follow(&scene, ray, rng);
     let open = |ray: &_, distance| !scene.blocks(ray, Interval::new(0.0, distance));
     let photograph = |film: &Film, camera: &ThinLens| {
         let mut picture = through_lens(film, camera, see);

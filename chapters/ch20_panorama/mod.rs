@@ -74,11 +74,11 @@ pub fn draw(stage: &Stage) -> Drawn {
 fn photograph(scene: &Scene<dyn Material>, film: &Film, rays: Rays) -> Image {
     let local = Local {
         samples: 1,
-        arrives: shadow::lit,
+        arrives: Some(shadow::lit),
     };
     let whitted = Whitted { local, depth: 8 };
     film.render(|place, rng| {
-        rays(place).map_or(Rgb::BLACK, |ray| whitted.radiance(scene, &ray, rng))
+        rays(place).map_or(Rgb::BLACK.into(), |ray| whitted.follow(scene, &ray, rng))
     })
 }
 

@@ -80,6 +80,6 @@ fn photograph(film: &Film, light: Environment) -> Result<Image, LookAtError> {
         strategy: Strategy::Both,
     };
     Ok(even::render(film, |place, rng| {
-        path.radiance(&scene, &camera.ray_through(place), rng)
+        path.follow(&scene, &camera.ray_through(place), rng)
     }))
 }

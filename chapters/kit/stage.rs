@@ -3,7 +3,7 @@
 use crate::kit::{options::Options, rate::Rate};
 use indicatif::{ProgressBar, ProgressStyle};
 use raybook::image::{Image, codec, file};
-use raybook::render::film::Film;
+use raybook::render::film::{Done, Film};
 use std::cell::RefCell;
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -30,7 +30,7 @@ pub struct Stage {
     options: Options,
     folder: PathBuf,
     show: bool,
-    advance: Box<dyn Fn(usize) + Sync>,
+    advance: Box<dyn Fn(Done) + Sync>,
     bar: ProgressBar,
     rate: Arc<Rate>,
     outputs: RefCell<Vec<Output>>,
@@ -43,9 +43,9 @@ impl Stage {
         let rate = Arc::new(Rate::default());
         let advance = Box::new({
             let (bar, rate) = (bar.clone(), Arc::clone(&rate));
-            move |pixels| {
-                rate.tile();
-                bar.inc(pixels as u64);
+            move |done: Done| {
+                rate.tile(done.rays);
+                bar.inc(done.pixels as u64);
             }
         });
         Self {

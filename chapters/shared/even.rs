@@ -2,9 +2,10 @@
 
 use glam::{Vec2, vec2};
 use rand::{RngExt, TryRng};
-use raybook::image::{Image, rgb::Rgb};
+use raybook::image::Image;
 use raybook::math::pcg::Pcg;
 use raybook::render::film::{Film, place_in_pixel};
+use raybook::render::followed::Followed;
 use std::convert::Infallible;
 
 /// So many pairs of numbers are spread: those for the light and for the way on, at a path's first surfaces. What is asked
@@ -42,7 +43,10 @@ impl TryRng for Even<'_> {
 }
 
 /// As [`Film::render`], with random numbers that are spread evenly over the samples of each pixel.
-pub fn render(film: &Film, radiance: impl Fn(Vec2, &mut Even) -> Rgb + Sync) -> Image {
+pub fn render<S: Into<Followed>>(
+    film: &Film,
+    radiance: impl Fn(Vec2, &mut Even) -> S + Sync,
+) -> Image {
     let size = vec2(film.width as f32, film.height as f32);
     film.render_pixels(|x, y, rng| {
         let places = place_in_pixel(film.samples, rng);
@@ -50,7 +54,7 @@ pub fn render(film: &Film, radiance: impl Fn(Vec2, &mut Even) -> Rgb + Sync) -> 
             let points = place_in_pixel(film.samples, rng);
             (shuffled(film.samples, rng), points)
         });
-        let sum: Rgb = (0..film.samples)
+        let sum: Followed = (0..film.samples)
             .map(|i| {
                 let mut numbers = [0; 2 * PAIRS];
                 for (pair, (order, points)) in numbers.chunks_exact_mut(2).zip(&spread) {
@@ -63,10 +67,10 @@ pub fn render(film: &Film, radiance: impl Fn(Vec2, &mut Even) -> Rgb + Sync) -> 
                     rest: rng,
                 };
                 let place = vec2(x as f32, y as f32) + places(i);
-                radiance(place / size, &mut rng)
+                radiance(place / size, &mut rng).into()
             })
             .sum();
-        sum / film.samples as f32
+        sum.mean_of(film.samples)
     })
 }
 

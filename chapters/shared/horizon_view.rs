@@ -2,10 +2,9 @@
 
 use glam::{Vec2, Vec3};
 use raybook::camera::pinhole::{LookAtError, Pinhole};
-use raybook::image::rgb::Rgb;
 use raybook::material::Material;
 use raybook::math::pcg::Pcg;
-use raybook::render::{local::Local, shadow, whitted::Whitted};
+use raybook::render::{followed::Followed, local::Local, shadow, whitted::Whitted};
 use raybook::scene::{horizon, world::Scene};
 
 /// The scene, its camera, and how light is followed.
@@ -24,7 +23,7 @@ impl HorizonView {
         let [eye, at] = horizon::VIEW;
         let local = Local {
             samples: 1,
-            arrives: shadow::lit,
+            arrives: Some(shadow::lit),
         };
         Ok(Self {
             scene: horizon::scene(),
@@ -34,8 +33,8 @@ impl HorizonView {
     }
 
     /// What is seen at a place on the film.
-    pub fn radiance(&self, place: Vec2, rng: &mut Pcg) -> Rgb {
+    pub fn radiance(&self, place: Vec2, rng: &mut Pcg) -> Followed {
         let ray = self.camera.ray_through(place);
-        self.whitted.radiance(&self.scene, &ray, rng)
+        self.whitted.follow(&self.scene, &ray, rng)
     }
 }

@@ -7,6 +7,7 @@ pub mod contain;
 pub mod converse;
 pub mod describe;
 pub mod diagnose;
+pub mod drawn;
 pub mod dress;
 pub mod examine;
 pub mod feedback;

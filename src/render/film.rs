@@ -2,10 +2,11 @@
 
 use crate::image::{Image, rgb::Rgb};
 use crate::math::pcg::{self, Pcg};
+use crate::render::followed::Followed;
+use crate::threads;
 use glam::{Vec2, vec2};
 use rand::RngExt;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread;
 
 /// Edge of a tile in pixels: small enough to share the work evenly, large enough to fetch seldom.
 const TILE: usize = 16;
@@ -23,8 +24,17 @@ pub struct Film<'a> {
     pub seed: u64,
     /// How many threads work; the picture does not depend on it.
     pub threads: usize,
-    /// Told the number of pixels whenever some are done, from any thread.
-    pub progress: &'a (dyn Fn(usize) + Sync),
+    /// Told whenever some pixels are done, from any thread.
+    pub progress: &'a (dyn Fn(Done) + Sync),
+}
+
+/// A part of a picture that is done.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Done {
+    /// Its pixels.
+    pub pixels: usize,
+    /// The rays that were followed for them, as far as they were counted.
+    pub rays: u64,
 }
 
 impl Film<'_> {
@@ -36,17 +46,21 @@ impl Film<'_> {
     // ANCHOR: film_loop
     /// The picture whose pixels are the mean of `radiance` over their samples.
     ///
-    /// `radiance` is given the place on the film, in [0, 1]² from the top left, and the pixel's random numbers.
-    pub fn render(&self, radiance: impl Fn(Vec2, &mut Pcg) -> Rgb + Sync) -> Image {
+    /// `radiance` is given the place on the film, in [0, 1]² from the top left, and the pixel's random numbers. It returns an
+    /// [`Rgb`], or a [`Followed`] that counts its rays.
+    pub fn render<S: Into<Followed>>(
+        &self,
+        radiance: impl Fn(Vec2, &mut Pcg) -> S + Sync,
+    ) -> Image {
         self.render_pixels(|x, y, rng| {
             let places = place_in_pixel(self.samples, rng);
-            let sum: Rgb = (0..self.samples)
+            let sum: Followed = (0..self.samples)
                 .map(|i| {
                     let place = vec2(x as f32, y as f32) + places(i);
-                    radiance(place / vec2(self.width as f32, self.height as f32), rng)
+                    radiance(place / vec2(self.width as f32, self.height as f32), rng).into()
                 })
                 .sum();
-            sum / self.samples as f32
+            sum.mean_of(self.samples)
         })
     }
     // ANCHOR_END: film_loop
@@ -55,7 +69,10 @@ impl Film<'_> {
     ///
     /// The threads fetch tiles one by one until none is left; each pixel has its own stream of random numbers,
     /// so the picture does not depend on which thread draws which.
-    pub fn render_pixels(&self, pixel: impl Fn(usize, usize, &mut Pcg) -> Rgb + Sync) -> Image {
+    pub fn render_pixels<S: Into<Followed>>(
+        &self,
+        pixel: impl Fn(usize, usize, &mut Pcg) -> S + Sync,
+    ) -> Image {
         let (columns, rows) = (self.width.div_ceil(TILE), self.height.div_ceil(TILE));
         let next = AtomicUsize::new(0);
         let work = || {
@@ -66,29 +83,24 @@ impl Film<'_> {
                     return done;
                 }
                 let (left, top) = (tile % columns * TILE, tile / columns * TILE);
+                let mut part = Done::default();
                 for y in top..(top + TILE).min(self.height) {
                     for x in left..(left + TILE).min(self.width) {
                         let mut rng = pcg::stream(self.seed, (y * self.width + x) as u64);
-                        done.push((x, y, pixel(x, y, &mut rng)));
+                        let Followed { radiance, rays } = pixel(x, y, &mut rng).into();
+                        done.push((x, y, radiance));
+                        part.pixels += 1;
+                        part.rays += rays;
                     }
                 }
-                (self.progress)((TILE.min(self.width - left)) * (TILE.min(self.height - top)));
+                (self.progress)(part);
             }
         };
         let mut picture = Image::from_fn(self.width, self.height, |_, _| Rgb::BLACK);
-        thread::scope(|scope| {
-            let workers: Vec<_> = (0..self.threads.clamp(1, (columns * rows).max(1)))
-                .map(|_| scope.spawn(work))
-                .collect();
-            for worker in workers {
-                let pixels = worker
-                    .join()
-                    .unwrap_or_else(|panic| std::panic::resume_unwind(panic));
-                for (x, y, colour) in pixels {
-                    picture.set(x, y, colour);
-                }
-            }
-        });
+        let workers = self.threads.clamp(1, (columns * rows).max(1));
+        for (x, y, colour) in threads::workers(workers, work).into_iter().flatten() {
+            picture.set(x, y, colour);
+        }
         picture
     }
 }

@@ -4,6 +4,7 @@ pub mod adaptive;
 pub mod budget;
 pub mod curved;
 pub mod film;
+pub mod followed;
 pub mod glints;
 pub mod local;
 pub mod mis;

@@ -1,9 +1,10 @@
 //! The film loop for a camera with a lens: every sample chooses a place in its pixel and a point of the lens.
 
 use crate::camera::Camera;
-use crate::image::{Image, rgb::Rgb};
+use crate::image::Image;
 use crate::math::{pcg::Pcg, ray::Ray};
 use crate::render::film::{Film, place_in_pixel};
+use crate::render::followed::Followed;
 use glam::vec2;
 use rand::seq::SliceRandom;
 
@@ -13,10 +14,10 @@ use rand::seq::SliceRandom;
 /// A pixel's samples fill the pixel evenly, and they fill the lens evenly. Which place goes with which point of the lens is
 /// left to chance: otherwise the left of the pixel would be seen from the left of the lens (Cook, Porter and Carpenter,
 /// "Distributed ray tracing", 1984).
-pub fn through_lens(
+pub fn through_lens<S: Into<Followed>>(
     film: &Film,
     camera: &impl Camera,
-    radiance: impl Fn(&Ray, &mut Pcg) -> Rgb + Sync,
+    radiance: impl Fn(&Ray, &mut Pcg) -> S + Sync,
 ) -> Image {
     let size = vec2(film.width as f32, film.height as f32);
     film.render_pixels(|x, y, rng| {
@@ -27,9 +28,9 @@ pub fn through_lens(
         order.shuffle(rng);
         let samples = order.into_iter().enumerate().map(|(i, j)| {
             let place = vec2(x as f32, y as f32) + places(i);
-            radiance(&camera.ray(place / size, points(j)), rng)
+            radiance(&camera.ray(place / size, points(j)), rng).into()
         });
-        samples.sum::<Rgb>() / film.samples as f32
+        samples.sum::<Followed>().mean_of(film.samples)
     })
 }
 // ANCHOR_END: through_lens

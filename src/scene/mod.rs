@@ -19,7 +19,6 @@ pub mod stadium;
 pub mod starry_sky;
 pub mod still_life;
 pub mod summer;
-pub mod tally;
 pub mod tea_table;
 pub mod teapots;
 pub mod terrain;

@@ -5,7 +5,6 @@ use crate::accel::bvh::{Bvh, build::Method};
 use crate::image::rgb::Rgb;
 use crate::light::Light;
 use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
-use crate::scene::tally;
 use crate::shape::{Hit, Shape, Surface};
 
 /// Things and lights; M is what the things are made of: `dyn Material` for Whitted's way of tracing.
@@ -62,7 +61,6 @@ impl<M: ?Sized + Send + Sync> Scene<M> {
 
     /// The first surface along a ray.
     pub fn closest(&self, ray: &Ray) -> Option<Seen<'_, M>> {
-        tally::one_more();
         let (thing, hit) = self.things.closest(ray, Interval::AHEAD)?;
         Some(Seen {
             t: hit.t,
@@ -73,7 +71,6 @@ impl<M: ?Sized + Send + Sync> Scene<M> {
 
     /// Whether anything is in the way on a stretch of a ray.
     pub fn blocks(&self, ray: &Ray, within: Interval) -> bool {
-        tally::one_more();
         self.things.any(ray, within)
     }
 }

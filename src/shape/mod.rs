@@ -4,6 +4,7 @@ pub mod attributes;
 pub mod bezier;
 pub mod cuboid;
 pub mod mesh;
+#[cfg(feature = "files")]
 pub mod mesh_file;
 pub mod obj;
 pub mod placed;

@@ -26,7 +26,7 @@ type Integrator = Box<dyn Fn(&Ray, &mut Pcg) -> Rgb>;
 fn whitted(
     scene: Scene<dyn Material>,
     depth: u32,
-    (samples, arrives): (u32, Arrives),
+    (samples, arrives): (u32, Option<Arrives>),
 ) -> Integrator {
     let local = Local { samples, arrives };
     let whitted = Whitted { local, depth };
@@ -51,9 +51,9 @@ fn sky() -> Environment {
 /// Every integrator, by name, with where to look from.
 fn integrators() -> Vec<(&'static str, Vec3, Integrator)> {
     let (bare, shadows, soft) = (
-        (1, ALWAYS as Arrives),
-        (1, shadow::lit as Arrives),
-        (8, shadow::lit as Arrives),
+        (1, ALWAYS),
+        (1, Some(shadow::lit as Arrives)),
+        (8, Some(shadow::lit as Arrives)),
     );
     let above = vec3(0.4, 4.3, 7.2);
     let inside = vec3(0.28, 0.27, 0.1);

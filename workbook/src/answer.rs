@@ -18,8 +18,7 @@ const TODO: &str = "not yet implemented: ";
 pub fn run() -> io::Result<()> {
     // The message of a panic is the answer; the place is for the student.
     panic::set_hook(Box::new(|info| {
-        let todo = message(info.payload()).starts_with(TODO);
-        if let (false, Some(place)) = (todo, info.location()) {
+        if let (None, Some(place)) = (unwritten(info.payload()), info.location()) {
             println!(
                 "panicked at {}:{}:{}",
                 place.file(),
@@ -48,14 +47,21 @@ pub fn answer(line: &str) -> String {
     match panic::catch_unwind(AssertUnwindSafe(|| exercise.answer_line(question))) {
         Ok(Ok(answer)) => answer,
         Ok(Err(error)) => format!("error {error}"),
-        Err(panic) => {
-            let message = message(&*panic);
-            match message.strip_prefix(TODO) {
-                Some(name) => format!("todo {name}"),
-                None => format!("panic {}", message.lines().collect::<Vec<_>>().join(" ")),
-            }
-        }
+        Err(panic) => unwritten(&*panic).map_or_else(
+            || {
+                format!(
+                    "panic {}",
+                    message(&*panic).lines().collect::<Vec<_>>().join(" ")
+                )
+            },
+            |name| format!("todo {name}"),
+        ),
     }
+}
+
+/// The function that is not written yet, if that is what a panic says.
+pub fn unwritten(payload: &(dyn std::any::Any + Send)) -> Option<String> {
+    message(payload).strip_prefix(TODO).map(str::to_owned)
 }
 
 /// What a panic said.

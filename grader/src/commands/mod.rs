@@ -3,6 +3,7 @@
 pub mod asking;
 pub mod bless;
 pub mod check;
+pub mod draw;
 pub mod exercise;
 pub mod golden;
 pub mod hint;

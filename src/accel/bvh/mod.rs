@@ -12,7 +12,7 @@ use crate::accel::bvh::pair::{Link, Pair, RayPair};
 use crate::accel::{Accel, Count, bounded::bounded, list::List};
 use crate::math::{interval::Interval, ray::Ray};
 use crate::shape::{Hit, Shape};
-use rayon::prelude::*;
+use crate::threads;
 
 /// A tree of boxes: a ray that misses a box misses all that is in it.
 ///
@@ -43,7 +43,7 @@ impl<S: Shape> Bvh<S> {
     /// A tree by a method of one's choice.
     pub fn build(shapes: Vec<S>, method: Method) -> Self {
         let (shapes, unbounded) = bounded(shapes);
-        let boxes: Vec<_> = shapes.par_iter().map(Shape::bounds).collect();
+        let boxes = threads::list(shapes.len(), |i| shapes[i].bounds());
         let flat = build(&boxes, method, &COST);
         Self {
             unbounded,

@@ -1,6 +1,6 @@
 //! Memory in large pages.
 #![cfg_attr(
-    target_os = "linux",
+    all(feature = "mmap", target_os = "linux"),
     expect(
         unsafe_code,
         reason = "an advice to the system about memory goes by address"
@@ -23,7 +23,7 @@ pub fn list<T>(n: usize) -> Vec<T> {
     list
 }
 
-#[cfg(target_os = "linux")]
+#[cfg(all(feature = "mmap", target_os = "linux"))]
 fn advise(start: usize, bytes: usize) {
     const PAGE: usize = 4096;
     let from = start.next_multiple_of(PAGE);
@@ -41,5 +41,5 @@ fn advise(start: usize, bytes: usize) {
     }
 }
 
-#[cfg(not(target_os = "linux"))]
+#[cfg(not(all(feature = "mmap", target_os = "linux")))]
 fn advise(_start: usize, _bytes: usize) {}

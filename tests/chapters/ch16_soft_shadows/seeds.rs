@@ -33,7 +33,7 @@ fn render(light: Box<dyn Light>, arrives: Arrives, first_seed: u64) -> Noisy {
     let camera = Pinhole::look_at(from, to, Vec3::Y, focal_length, 1.6).expect("a camera");
     let local = Local {
         samples: 2,
-        arrives,
+        arrives: Some(arrives),
     };
     let whitted = Whitted { local, depth: 1 };
     let batch = |seed: u64| {

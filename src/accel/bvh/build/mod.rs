@@ -17,7 +17,7 @@ pub mod tree;
 
 use crate::accel::bvh::build::{cost::Cost, flat::Flat, item::Item, top_down::top_down};
 use crate::math::aabb::Aabb;
-use rayon::prelude::*;
+use crate::threads;
 
 /// How stage 2 makes a tree.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,7 +40,7 @@ pub enum Method {
 ///
 /// The same boxes give the same tree, whatever the number of threads.
 pub fn build(boxes: &[Aabb], method: Method, cost: &Cost) -> Flat {
-    let mut items: Vec<_> = boxes.par_iter().enumerate().map(Item::new).collect();
+    let mut items = threads::list(boxes.len(), |i| Item::new((i, &boxes[i])));
     let split = match method {
         Method::Median => halves::median,
         Method::Middle => halves::middle,

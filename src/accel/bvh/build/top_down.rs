@@ -4,6 +4,7 @@ use crate::accel::bvh::build::cost::Cost;
 use crate::accel::bvh::build::halves::halve;
 use crate::accel::bvh::build::item::{Extent, Item};
 use crate::accel::bvh::build::tree::{Inside, MAX_DEPTH, Tree, halvings};
+use crate::threads;
 
 /// A way to split: reorders the items and says how many are on the left, or `None` if a leaf is better.
 ///
@@ -39,7 +40,7 @@ fn bvh_build(items: &mut [Item], levels: u32, cost: &Cost, split: Split) -> Tree
     let (left, right) = if n < ALONE {
         (subtree(left), subtree(right))
     } else {
-        rayon::join(|| subtree(left), || subtree(right))
+        threads::join(|| subtree(left), || subtree(right))
     };
     let inside = Inside::Branch(Box::new([left, right]));
     Tree { bounds, inside }

@@ -52,18 +52,21 @@ impl Seen {
 
     fn see(&mut self, kind: &Kind, numbers: &mut Numbers<'_>) {
         match kind {
-            Kind::Number | Kind::Whole => self.number(numbers.next()),
-            Kind::Numbers(parts) => parts.parts.iter().for_each(|_| self.number(numbers.next())),
-            Kind::Direction => (0..3).for_each(|_| self.number(numbers.next())),
+            Kind::Number | Kind::Whole => self.number(numbers.number()),
+            Kind::Numbers(parts) => parts
+                .parts
+                .iter()
+                .for_each(|_| self.number(numbers.number())),
+            Kind::Direction => (0..3).for_each(|_| self.number(numbers.number())),
             Kind::Optional(kind) => {
-                if numbers.next() == 0.0 {
+                if numbers.number() == 0.0 {
                     self.none = true;
                 } else {
                     self.of[0].see(kind, numbers);
                 }
             }
             Kind::List(kind) => {
-                let length = numbers.next();
+                let length = numbers.number();
                 self.number(length);
                 (0..length as u32).for_each(|_| self.of[0].see(kind, numbers));
             }
@@ -73,7 +76,7 @@ impl Seen {
                 }
             }
             Kind::Choice(choices) => {
-                let i = numbers.next() as usize;
+                let i = numbers.number() as usize;
                 if let Some((_, kind)) = choices.get(i) {
                     self.of[i].see(kind, numbers);
                 }

@@ -34,6 +34,11 @@ fn said(program: &mut Command, lines: &str) -> String {
     String::from_utf8(output.stdout).expect("it is text")
 }
 
+/// A line for each row.
+fn lines<'a>(name: &str, rows: impl Iterator<Item = &'a String>) -> String {
+    rows.flat_map(|row| [name, " ", row, "\n"]).collect()
+}
+
 /// An exercise whose questions are the answers of another one, to be answered by themselves.
 fn echo(examiner: &dyn Examiner) -> Asked {
     let answer = examiner.asked().answer;
@@ -53,11 +58,8 @@ fn echo(examiner: &dyn Examiner) -> Asked {
 /// Asks a program for the golden answers of an exercise, and expects them back.
 fn echoes(program: &mut Command, examiner: &dyn Examiner) {
     let cases = examiner.cases(&mut visible_rng(examiner.name())).cases;
-    let lines: String = cases
-        .iter()
-        .map(|case| format!("echo {}\n", case.answers[0]))
-        .collect();
-    let said = said(program, &lines);
+    let answers = cases.iter().map(|case| &case.answers[0]);
+    let said = said(program, &lines("echo", answers));
     assert_eq!(said.lines().count(), cases.len(), "{}", examiner.name());
     let read = |line: &str| examiner.asked().read_answer(line).expect("it is an answer");
     for (line, case) in said.lines().zip(&cases) {
@@ -77,10 +79,7 @@ fn python_reads_every_question_and_writes_every_answer() {
         let file = home.path().join(format!("{name}.py"));
         fs::write(&file, python::program(examiner.asked())).expect("it can be written");
         let cases = examiner.cases(&mut visible_rng(name)).cases;
-        let lines: String = cases
-            .iter()
-            .map(|case| format!("{name} {}\n", case.question))
-            .collect();
+        let lines = lines(name, cases.iter().map(|case| &case.question));
         let said = said(Command::new("python3").arg(&file), &lines);
         assert_eq!(
             said,
@@ -124,7 +123,7 @@ fn every_program_in_cpp_compiles_without_a_warning() {
         if all.is_empty() {
             all.extend(text.lines().filter(includes).flat_map(|line| [line, "\n"]));
         }
-        all.push_str(&format!("namespace of_{} {{\n", examiner.name()));
+        all.extend(["namespace of_", examiner.name(), " {\n"]);
         let rest = text.lines().filter(|line| !includes(line));
         all.extend(rest.flat_map(|line| [line, "\n"]));
         all.push_str("}\n");
@@ -154,10 +153,7 @@ fn cpp_reads_and_writes_every_kind() {
         fs::write(&file, cpp::program(examiner.asked())).expect("it can be written");
         compile(&file, &output);
         let cases = examiner.cases(&mut visible_rng(name)).cases;
-        let lines: String = cases
-            .iter()
-            .map(|case| format!("{name} {}\n", case.question))
-            .collect();
+        let lines = lines(name, cases.iter().map(|case| &case.question));
         let said = said(&mut Command::new(&program), &lines);
         assert_eq!(
             said,

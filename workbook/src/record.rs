@@ -66,7 +66,7 @@ macro_rules! choice_of {
                 let takes = [$(|numbers: &mut crate::row::Numbers<'_>| {
                     Self::$variant(<$kind as crate::row::Row>::take(numbers))
                 }),+];
-                let i = numbers.next() as usize;
+                let i = numbers.number() as usize;
                 takes[i.min(takes.len() - 1)](numbers)
             }
         }

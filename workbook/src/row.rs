@@ -43,7 +43,7 @@ impl<'a> Numbers<'a> {
     }
 
     /// The next number; 0 after the last.
-    pub fn next(&mut self) -> f64 {
+    pub fn number(&mut self) -> f64 {
         self.0.next().copied().unwrap_or(0.0)
     }
 }
@@ -152,8 +152,8 @@ fn parse_next(
 
 fn format_next(kind: &Kind, numbers: &mut Numbers<'_>, line: &mut String) {
     match kind {
-        Kind::Number => line.push_str(&number(numbers.next() as f32)),
-        Kind::Whole => line.push_str(&(numbers.next() as u32).to_string()),
+        Kind::Number => line.push_str(&number(numbers.number() as f32)),
+        Kind::Whole => line.push_str(&(numbers.number() as u32).to_string()),
         Kind::Numbers(parts) => {
             for i in 0..parts.parts.len() {
                 line.push_str(if i == 0 { "" } else { " " });
@@ -161,10 +161,10 @@ fn format_next(kind: &Kind, numbers: &mut Numbers<'_>, line: &mut String) {
             }
         }
         Kind::Direction => format_next(&Kind::Numbers(VECTOR), numbers, line),
-        Kind::Optional(_) if numbers.next() == 0.0 => line.push_str("none"),
+        Kind::Optional(_) if numbers.number() == 0.0 => line.push_str("none"),
         Kind::Optional(kind) => format_next(kind, numbers, line),
         Kind::List(kind) => {
-            let count = numbers.next() as u32;
+            let count = numbers.number() as u32;
             line.push_str(&count.to_string());
             for _ in 0..count {
                 line.push_str("  ");
@@ -178,7 +178,7 @@ fn format_next(kind: &Kind, numbers: &mut Numbers<'_>, line: &mut String) {
             }
         }
         Kind::Choice(choices) => {
-            if let Some((word, kind)) = choices.get(numbers.next() as usize) {
+            if let Some((word, kind)) = choices.get(numbers.number() as usize) {
                 line.push_str(word);
                 line.push(' ');
                 format_next(kind, numbers, line);
@@ -195,7 +195,7 @@ fn parts_next(
 ) {
     match kind {
         Kind::Optional(kind) if numbers.0.as_slice().first() == Some(&1.0) => {
-            numbers.next();
+            numbers.number();
             parts_next(kind, name, numbers, parts);
         }
         Kind::Record(record) => {
@@ -204,7 +204,7 @@ fn parts_next(
             }
         }
         Kind::List(kind) if kind.has_a_choice() => {
-            for i in 0..numbers.next() as u32 {
+            for i in 0..numbers.number() as u32 {
                 let mut line = String::new();
                 format_next(kind, numbers, &mut line);
                 parts.push((format!("{name}[{i}]"), line));
@@ -231,7 +231,7 @@ impl Row for f32 {
     }
 
     fn take(numbers: &mut Numbers<'_>) -> Self {
-        numbers.next() as Self
+        numbers.number() as Self
     }
 }
 
@@ -243,7 +243,7 @@ impl Row for u32 {
     }
 
     fn take(numbers: &mut Numbers<'_>) -> Self {
-        numbers.next() as Self
+        numbers.number() as Self
     }
 }
 
@@ -271,7 +271,7 @@ impl<T: Row> Row for Option<T> {
     }
 
     fn take(numbers: &mut Numbers<'_>) -> Self {
-        (numbers.next() != 0.0).then(|| T::take(numbers))
+        (numbers.number() != 0.0).then(|| T::take(numbers))
     }
 }
 
@@ -286,7 +286,7 @@ impl<T: Row> Row for Vec<T> {
     }
 
     fn take(numbers: &mut Numbers<'_>) -> Self {
-        let count = numbers.next() as u32;
+        let count = numbers.number() as u32;
         (0..count).map(|_| T::take(numbers)).collect()
     }
 }

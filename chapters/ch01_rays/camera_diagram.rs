@@ -1,13 +1,15 @@
 //! The pin-hole camera as a drawing: one camera of the library looks at another.
 
-use raybook::camera::pinhole::Pinhole;
-use raybook::image::Image;
 use crate::kit::figure::figure;
-use crate::kit::{palette::BLUE, palette::GREEN, palette::INK, palette::ORANGE, palette::SKY, palette::VERMILION};
 use crate::kit::sketch::Sketch;
-use raybook::math::ray::Ray;
+use crate::kit::{
+    palette::BLUE, palette::GREEN, palette::INK, palette::ORANGE, palette::SKY, palette::VERMILION,
+};
 use glam::{Vec2, Vec3, vec2, vec3};
 use plotters::prelude::{RGBColor, WHITE};
+use raybook::camera::pinhole::Pinhole;
+use raybook::image::Image;
+use raybook::math::ray::Ray;
 use std::error::Error;
 
 /// What drawing returns.

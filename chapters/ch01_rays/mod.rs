@@ -5,13 +5,13 @@
 
 mod camera_diagram;
 
+use crate::kit::{stage::Drawn, stage::Stage};
 use glam::{Vec2, Vec3, vec3};
 use raybook::camera::{
     Camera,
     pinhole::{LookAtError, Pinhole},
 };
 use raybook::image::{Image, rgb::Rgb};
-use crate::kit::{stage::Drawn, stage::Stage};
 
 use crate::kit::{chapter, sheet::sheet};
 use raybook::math::dir3::Dir3;

@@ -5,11 +5,11 @@
 
 mod stops;
 
+use crate::kit::{chapter, sheet::sheet};
+use crate::kit::{stage::Drawn, stage::Stage};
 use glam::{Vec2, Vec3};
 use raybook::camera::{Camera, pinhole::Pinhole};
 use raybook::image::{file, rgb::Rgb, tone};
-use crate::kit::{stage::Drawn, stage::Stage};
-use crate::kit::{chapter, sheet::sheet};
 
 use raybook::render::film::Film;
 use raybook::scene::window;

@@ -1,11 +1,11 @@
 //! A small sphere at growing distance, as rounding leaves it: an experiment for the telescope.
 
-use raybook::image::{Image, rgb::Rgb};
 use crate::kit::{palette, sheet::sheet};
+use glam::{Vec2, Vec3, vec3};
+use raybook::image::{Image, rgb::Rgb};
 use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
 use raybook::render::film::Film;
 use raybook::shape::{Shape, sphere::Sphere};
-use glam::{Vec2, Vec3, vec3};
 use std::error::Error;
 
 /// The sphere's radius, in metres.

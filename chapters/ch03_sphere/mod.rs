@@ -4,10 +4,10 @@
 
 mod cancellation;
 
+use crate::kit::{stage::Drawn, stage::Stage};
 use glam::{Vec2, Vec3, vec2, vec3};
 use raybook::camera::{Camera, pinhole::Pinhole};
 use raybook::image::{Image, rgb::Rgb};
-use crate::kit::{stage::Drawn, stage::Stage};
 
 use crate::kit::{chapter, palette, sheet::sheet};
 use crate::shared::outdoors::checker;

@@ -2,13 +2,12 @@
 //!
 //! New: math/basis.rs shape/plane.rs
 
-
+use crate::kit::{chapter, palette, sheet::sheet};
+use crate::kit::{stage::Drawn, stage::Stage};
+use crate::shared::{outdoors::checker, outdoors::haze, outdoors::open_sky, outdoors::sky};
 use glam::{Vec2, Vec3, vec3};
 use raybook::camera::{Camera, pinhole::Pinhole};
 use raybook::image::{Image, rgb::Rgb};
-use crate::shared::{outdoors::checker, outdoors::haze, outdoors::open_sky, outdoors::sky};
-use crate::kit::{stage::Drawn, stage::Stage};
-use crate::kit::{chapter, palette, sheet::sheet};
 use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
 use raybook::render::film::Film;
 use raybook::shape::{Shape, Surface, plane::Plane, sphere::Sphere};

@@ -4,11 +4,11 @@
 
 mod slabs;
 
+use crate::kit::{chapter, palette, sheet::sheet};
+use crate::kit::{stage::Drawn, stage::Stage};
 use glam::{Vec2, Vec3, vec3};
 use raybook::camera::{Camera, pinhole::Pinhole};
 use raybook::image::{Image, rgb::Rgb};
-use crate::kit::{stage::Drawn, stage::Stage};
-use crate::kit::{chapter, palette, sheet::sheet};
 
 use raybook::math::{interval::Interval, ray::Ray, slab};
 use raybook::render::film::Film;

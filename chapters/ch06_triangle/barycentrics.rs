@@ -1,11 +1,11 @@
 //! The figure of barycentric coordinates: a triangle with lines of equal b₁ and of equal b₂.
 
-use raybook::image::{Image, rgb::Rgb, tone};
-use crate::kit::{figure::self, figure::Canvas, figure::FONT};
+use crate::kit::{figure, figure::Canvas, figure::FONT};
 use crate::kit::{palette::BLUE, palette::GREEN, palette::INK, palette::VERMILION};
 use glam::{Vec2, Vec3, vec2, vec3};
 use plotters::prelude::{Circle, Color, IntoFont, PathElement, RGBColor, Text};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
+use raybook::image::{Image, rgb::Rgb, tone};
 use std::error::Error;
 
 /// The corners, in pixels of the canvas.

@@ -1,7 +1,7 @@
 //! What a picture may show of a surface in the place of light: numbers as colours.
 
-use raybook::image::rgb::Rgb;
 use crate::kit::{palette::BLUE, palette::ORANGE, palette::linear, palette::viridis};
+use raybook::image::rgb::Rgb;
 use raybook::math::ray::Ray;
 use raybook::shape::{Hit, Surface};
 

@@ -9,11 +9,11 @@ pub mod platonic;
 mod race;
 pub mod triangle_race;
 
+use crate::kit::{stage::Drawn, stage::Stage};
 use glam::{Vec3, vec3};
+use looks::Look;
 use raybook::camera::pinhole::{LookAtError, Pinhole};
 use raybook::image::{Image, rgb::Rgb};
-use looks::Look;
-use crate::kit::{stage::Drawn, stage::Stage};
 
 use crate::kit::{chapter, sheet::sheet};
 use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};

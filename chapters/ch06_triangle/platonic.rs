@@ -1,7 +1,7 @@
 //! The regular solids whose faces are triangles.
 
-use raybook::shape::triangle::Triangle;
 use glam::{Mat3, Vec3, vec3};
+use raybook::shape::triangle::Triangle;
 
 /// A regular solid around a centre, turned about the vertical by so many radians; `vertices` are its directions.
 fn solid(vertices: &[Vec3], radius: f32, center: Vec3, turn: f32) -> Vec<Triangle> {

@@ -1,12 +1,12 @@
 //! The race of the three ways to hit a triangle.
 
-use raybook::image::Image;
-use crate::kit::bars::bars;
 use super::race;
-use raybook::math::{dir3::Dir3, interval::Interval, pcg, pcg::Pcg, ray::Ray};
-use raybook::shape::{Hit, Shape, triangle::Triangle, triangle_by_determinants, triangle_by_plane};
+use crate::kit::bars::bars;
 use glam::vec3;
 use rand::RngExt;
+use raybook::image::Image;
+use raybook::math::{dir3::Dir3, interval::Interval, pcg, pcg::Pcg, ray::Ray};
+use raybook::shape::{Hit, Shape, triangle::Triangle, triangle_by_determinants, triangle_by_plane};
 use std::error::Error;
 
 /// A triangle and a ray.

@@ -4,12 +4,11 @@
 //! New: accel/mod.rs accel/list.rs shape/attributes.rs shape/mesh.rs shape/bezier.rs shape/teapot.rs
 //! New: shape/triangle_watertight.rs shape/mesh_file.rs shape/word.rs shape/obj.rs shape/stl.rs
 
-
+use crate::kit::{chapter, sheet::sheet};
+use crate::kit::{stage::Drawn, stage::Stage};
+use crate::shared::{showroom, showroom::Look, showroom::Showroom};
 use raybook::accel::{Accel, Meshed, Tests, list::List};
 use raybook::image::Image;
-use crate::shared::{showroom::self, showroom::Look, showroom::Showroom};
-use crate::kit::{stage::Drawn, stage::Stage};
-use crate::kit::{chapter, sheet::sheet};
 use raybook::math::{interval::Interval, slab};
 use raybook::render::film::Film;
 use raybook::shape::{Shape, mesh::Mesh, mesh_file, teapot};

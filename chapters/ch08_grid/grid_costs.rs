@@ -1,21 +1,17 @@
 //! What a ray costs in a grid, against the grid's resolution.
 
-use raybook::accel::grid::Grid;
-use raybook::inside::grid::grid_resolution;
-use raybook::accel::{Accel, Tests};
-use raybook::image::Image;
-use crate::kit::{figure::FONT, figure::figure};
-use crate::kit::{palette::BLUE, palette::FAINT, palette::GREEN, palette::INK, palette::VERMILION};
+use crate::kit::axis::Axis;
+use crate::kit::chart::{Chart, Corner};
+use crate::kit::figure::{CENTRE, Figure};
+use crate::kit::palette::{BLUE, GREEN, INK, VERMILION};
 use crate::shared::showroom::Showroom;
+use glam::vec2;
+use plotters::style::{Color, RGBColor};
+use raybook::accel::grid::Grid;
+use raybook::accel::{Accel, Tests};
+use raybook::inside::grid::grid_resolution;
 use raybook::math::interval::Interval;
 use raybook::shape::mesh::Mesh;
-use glam::vec2;
-use plotters::prelude::{
-    ChartBuilder, Circle, Color, IntoFont, IntoLogRange, LineSeries, PathElement, RGBColor,
-    SeriesLabelPosition, Text, TextStyle, WHITE,
-};
-use plotters::style::text_anchor::{HPos, Pos, VPos};
-use std::error::Error;
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -87,7 +83,7 @@ fn best(costs: &[Cost]) -> Option<&Cost> {
 ///
 /// # Errors
 /// If plotters cannot draw.
-pub fn plot(costs: &[Cost]) -> Result<Image, Box<dyn Error>> {
+pub fn plot(costs: &[Cost]) -> Figure {
     type Curve = (&'static str, RGBColor, fn(&Cost) -> f32);
     let curves: [Curve; 3] = [
         ("nanoseconds", INK, |cost| cost.time),
@@ -98,65 +94,29 @@ pub fn plot(costs: &[Cost]) -> Result<Image, Box<dyn Error>> {
         .iter()
         .map(|c| c.time.max(c.triangles))
         .fold(10.0, f32::max);
-    figure(960, 560, |canvas| {
-        let mut chart = ChartBuilder::on(canvas)
-            .margin(30)
-            .x_label_area_size(100)
-            .y_label_area_size(150)
-            .build_cartesian_2d(
-                (0.0007_f32..450.0).log_scale(),
-                (0.7..2.0 * most).log_scale(),
-            )?;
-        chart
-            .configure_mesh()
-            .light_line_style(WHITE.mix(0.0))
-            .bold_line_style(FAINT.mix(0.5))
-            .x_label_formatter(&|density| density.to_string())
-            .y_label_formatter(&|count| count.to_string())
-            .x_desc("λ: cells per triangle")
-            .y_desc("per ray")
-            .label_style(text(30))
-            .axis_desc_style(text(32))
-            .draw()?;
-        for (name, colour, value) in curves {
-            let points = costs.iter().map(move |cost| (cost.density, value(cost)));
-            chart
-                .draw_series(LineSeries::new(points.clone(), colour.stroke_width(5)))?
-                .label(name)
-                .legend(move |(x, y)| {
-                    PathElement::new([(x, y), (x + 50, y)], colour.stroke_width(5))
-                });
-            chart.draw_series(points.map(|point| Circle::new(point, 7, colour.filled())))?;
+    let mut chart = Chart::new(
+        Axis::log(0.0007..450.0).named("λ: cells per triangle"),
+        Axis::log(0.7..2.0 * most).named("per ray"),
+    )
+    .text(32)
+    .legend(Corner::UpperMiddle);
+    for (name, colour, value) in curves {
+        let points = || costs.iter().map(|cost| (cost.density, value(cost)));
+        chart.line(points(), colour.stroke_width(5)).named(name);
+        chart.dots(points(), 7, colour.filled());
+    }
+    if let Some(best) = best(costs) {
+        let place = (best.density, best.time);
+        chart.dots([place], 20, GREEN.stroke_width(6));
+        for (x, y, words, colour) in [
+            (best.density, 0.5 * best.time, "the least time", GREEN),
+            (0.006, 30.0, "too few cells:", INK),
+            (0.006, 18.0, "nearly a list", INK),
+            (30.0, 30.0 * best.time, "too many cells:", INK),
+            (30.0, 18.0 * best.time, "steps through nothing", INK),
+        ] {
+            chart.label(CENTRE, (x, y), words, colour);
         }
-        if let Some(best) = best(costs) {
-            let place = (best.density, best.time);
-            chart.draw_series([Circle::new(place, 20, GREEN.stroke_width(6))])?;
-            let label = |x, y, words: &str, colour: RGBColor| {
-                let middle = Pos::new(HPos::Center, VPos::Center);
-                let style = (FONT, 36).into_font().color(&colour).pos(middle);
-                Text::new(words.to_owned(), (x, y), style)
-            };
-            chart.draw_series([
-                label(best.density, 0.5 * best.time, "the least time", GREEN),
-                label(0.006, 30.0, "too few cells:", INK),
-                label(0.006, 18.0, "nearly a list", INK),
-                label(30.0, 30.0 * best.time, "too many cells:", INK),
-                label(30.0, 18.0 * best.time, "steps through nothing", INK),
-            ])?;
-        }
-        chart
-            .configure_series_labels()
-            .position(SeriesLabelPosition::UpperMiddle)
-            .label_font(text(32))
-            .legend_area_size(70)
-            .margin(30)
-            .background_style(WHITE.mix(0.8))
-            .draw()?;
-        Ok(())
-    })
-}
-
-/// Text of so many pixels of the canvas.
-fn text(size: u32) -> TextStyle<'static> {
-    (FONT, size).into_font().color(&INK)
+    }
+    chart.figure(960, 560)
 }

@@ -8,14 +8,14 @@
 mod grid_costs;
 mod walk_figure;
 
+use crate::kit::{chapter, palette};
+use crate::kit::{stage::Drawn, stage::Stage};
+use crate::shared::{daylight::Paint, daylight::picture};
 use glam::{Vec3, vec3};
 use raybook::accel::grid::Grid;
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::rgb::Rgb;
 use raybook::inside::grid::lattice;
-use crate::shared::{daylight::Paint, daylight::picture};
-use crate::kit::{stage::Drawn, stage::Stage};
-use crate::kit::{chapter, palette};
 
 use crate::shared::{growth, heat, showroom, stadium_figure};
 use raybook::scene::{stadium::stadium, teapots::teapots};

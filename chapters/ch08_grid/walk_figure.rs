@@ -1,14 +1,17 @@
 //! A ray's walk through a grid, in the plane: the cells numbered in their order, the crossings, the triangles tested.
 
-use raybook::inside::grid::{Lattice, voxels_of_triangle, walk};
-use raybook::image::Image;
 use crate::kit::{figure::Canvas, figure::FONT, figure::figure};
-use crate::kit::{palette::BLUE, palette::FAINT, palette::GREEN, palette::INK, palette::ORANGE, palette::SKY, palette::VERMILION};
-use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray};
+use crate::kit::{
+    palette::BLUE, palette::FAINT, palette::GREEN, palette::INK, palette::ORANGE, palette::SKY,
+    palette::VERMILION,
+};
 use glam::{UVec3, Vec3, uvec3, vec2, vec3};
 use plotters::element::{Circle, PathElement, Polygon, Rectangle, Text};
 use plotters::prelude::{Color, IntoFont, RGBColor};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
+use raybook::image::Image;
+use raybook::inside::grid::{Lattice, voxels_of_triangle, walk};
+use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray};
 use std::error::Error;
 use std::ops::ControlFlow;
 

@@ -7,14 +7,14 @@
 mod nested_cells;
 pub mod teapot_in_stadium;
 
-use raybook::accel::grid::Grid;
+use crate::kit::chapter;
 use crate::kit::{stage::Drawn, stage::Stage};
+use raybook::accel::grid::Grid;
 use teapot_in_stadium::camera;
 use teapot_in_stadium::densities;
 use teapot_in_stadium::maps;
 use teapot_in_stadium::picture;
 use teapot_in_stadium::two_levels;
-use crate::kit::chapter;
 
 use crate::shared::{showroom::small, speeds::rays_a_second};
 use raybook::render::film::Film;

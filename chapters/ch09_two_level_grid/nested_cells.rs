@@ -1,13 +1,13 @@
 //! A two-level grid in the plane.
 
-use raybook::inside::grid::{Lattice, grid_resolution, range};
-use raybook::inside::two_level_grid::{Levels, refine_cell, walk_two_levels};
+use crate::kit::palette::SKY;
+use crate::shared::{flatland::SIDE, flatland::discs, flatland::plane, flatland::ray};
+use glam::{Vec3, vec3};
 use raybook::accel::two_level_grid::build::Densities;
 use raybook::image::Image;
-use crate::shared::{flatland::SIDE, flatland::discs, flatland::plane, flatland::ray};
-use crate::kit::palette::SKY;
+use raybook::inside::grid::{Lattice, grid_resolution, range};
+use raybook::inside::two_level_grid::{Levels, refine_cell, walk_two_levels};
 use raybook::math::{aabb::Aabb, interval::Interval};
-use glam::{Vec3, vec3};
 use std::error::Error;
 use std::ops::ControlFlow;
 

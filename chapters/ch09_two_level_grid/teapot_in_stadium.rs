@@ -1,19 +1,20 @@
 //! The teapot in the stadium: who looks at it, what it looks like, and what each pixel costs.
 
+use crate::kit::chart::{Chart, Corner};
+use crate::kit::palette::{BLUE, VERMILION};
+use crate::kit::{axis::Axis, figure::Figure};
+use crate::shared::heat::{Heat, heat, with_scale};
+use crate::shared::{daylight, stadium_figure::paint};
+use glam::{Vec3, vec3};
+use plotters::style::Color;
 use raybook::accel::Accel;
 use raybook::accel::grid::Grid;
 use raybook::accel::two_level_grid::{TwoLevelGrid, build::Densities};
 use raybook::camera::pinhole::{LookAtError, Pinhole};
 use raybook::image::Image;
-use crate::shared::{heat::Heat, heat::heat, heat::with_scale};
-use crate::kit::{lines::Line, lines::lines};
-use crate::kit::{palette::BLUE, palette::VERMILION};
-use crate::shared::{daylight, stadium_figure::paint};
 use raybook::render::film::Film;
 use raybook::scene::stadium::Stadium;
 use raybook::shape::mesh::Facet;
-use glam::{Vec3, vec3};
-use std::error::Error;
 
 /// A camera that looks down at the teapot, with the seats behind it.
 ///
@@ -39,7 +40,7 @@ pub fn picture(
 ///
 /// # Errors
 /// If the labels cannot be drawn.
-pub fn maps(film: &Film, camera: &Pinhole, stadium: &Stadium) -> Result<Image, Box<dyn Error>> {
+pub fn maps(film: &Film, camera: &Pinhole, stadium: &Stadium) -> Figure {
     let facets = || stadium.mesh.facets();
     let ray = |place| camera.ray_through(place);
     let row = |name: &str, heat: &Heat| {
@@ -73,11 +74,7 @@ pub fn two_levels(stadium: &Stadium, coarse: f32) -> TwoLevelGrid<Facet> {
 ///
 /// # Errors
 /// What plotters reports.
-pub fn densities(
-    film: &Film,
-    camera: &Pinhole,
-    stadium: &Stadium,
-) -> Result<Image, Box<dyn Error>> {
+pub fn densities(film: &Film, camera: &Pinhole, stadium: &Stadium) -> Figure {
     let counts = [64, 32, 16, 8, 4, 2, 1].map(|triangles| {
         let coarse = 1.0 / triangles as f32;
         let grid = two_levels(stadium, coarse);
@@ -88,19 +85,31 @@ pub fn densities(
             [mean(map.tests().boxes), mean(map.tests().shapes)],
         )
     });
-    let line = |i: usize, name: &str, colour| Line {
-        name: name.to_owned(),
-        colour,
-        points: counts.map(|(coarse, tests)| (coarse, tests[i])).to_vec(),
-        marked: true,
-    };
-    lines(
-        "How many coarse cells?",
-        "λ: coarse cells per triangle",
-        "per ray",
-        &[
-            line(0, "cells visited", BLUE),
-            line(1, "triangles tested", VERMILION),
-        ],
+    let highest = counts
+        .iter()
+        .flat_map(|(_, tests)| tests)
+        .fold(0.0_f64, |a, &b| a.max(b));
+    let mut chart = Chart::new(
+        Axis::log2(1.0 / 64.0..1.0)
+            .named("λ: coarse cells per triangle")
+            .format(|v| {
+                if v < 1.0 {
+                    format!("1/{:.0}", 1.0 / v)
+                } else {
+                    "1".to_owned()
+                }
+            }),
+        Axis::linear(0.0..1.25 * highest).named("per ray").labels(6),
     )
+    .titled("How many coarse cells?")
+    .legend(Corner::UpperLeft);
+    for (i, name, colour) in [
+        (0, "cells visited", BLUE),
+        (1, "triangles tested", VERMILION),
+    ] {
+        let points = counts.map(|(coarse, tests)| (coarse, tests[i]));
+        chart.line(points, colour.stroke_width(5)).named(name);
+        chart.dots(points, 9, colour.filled());
+    }
+    chart.figure(900, 560)
 }

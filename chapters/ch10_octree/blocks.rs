@@ -1,15 +1,15 @@
 //! A mesh as the blocks that an octree makes of it.
 
+use crate::shared::{showroom::SMOOTH, showroom::Showroom};
+use glam::Vec3;
 use raybook::accel::Accel;
 use raybook::accel::octree::Octree;
-use raybook::inside::octree::{self, Kind, Place};
 use raybook::image::Image;
-use crate::shared::{showroom::SMOOTH, showroom::Showroom};
+use raybook::inside::octree::{self, Kind, Place};
 use raybook::math::interval::Interval;
 use raybook::render::film::Film;
 use raybook::shape::mesh::{Facet, Mesh};
 use raybook::shape::{Shape, Surface, cuboid::Cuboid};
-use glam::Vec3;
 
 /// The cells that are not empty, as blocks: after so many cuts as `depth` says for a cell's place, or leaves before.
 pub fn cells(octree: &Octree<Facet>, depth: impl Fn(Vec3) -> u32) -> Vec<Cuboid> {

@@ -7,15 +7,15 @@
 mod blocks;
 mod quadtree;
 
-use raybook::accel::octree::{Octree, build::Limits, reach::by_triangle};
-use crate::shared::{law::Reach, law::fit, law::mean_tests};
-use crate::kit::{lines::Line, lines::lines};
-use crate::kit::{palette::BLUE, palette::FAINT, palette::VERMILION};
-use crate::shared::{showroom::Showroom, showroom::small};
-use crate::kit::{stage::Drawn, stage::Stage};
-
-use crate::kit::{chapter, sheet::sheet};
+use crate::kit::chart::{Chart, Corner, grouped};
+use crate::kit::palette::{BLUE, FAINT, VERMILION};
+use crate::kit::stage::{Drawn, Stage};
+use crate::kit::{axis::Axis, chapter, sheet::sheet};
+use crate::shared::law::{Reach, fit, mean_tests};
+use crate::shared::showroom::{Showroom, small};
 use crate::shared::{heat::heat, speeds::rays_a_second};
+use plotters::style::Color;
+use raybook::accel::octree::{Octree, build::Limits, reach::by_triangle};
 use raybook::shape::teapot;
 use std::process::ExitCode;
 
@@ -66,24 +66,30 @@ pub fn draw(stage: &Stage) -> Drawn {
 fn draw_law(stage: &Stage) -> Drawn {
     let counts = [100, 316, 1000, 3162, 10_000, 31_623, 100_000]
         .map(|n| (f64::from(n), mean_tests(n, Reach::Near, Octree::new)));
-    let [nodes, tests] = [0, 1].map(|i| counts.map(|(n, tests)| (n, tests[i])).to_vec());
+    let [nodes, tests] = [0, 1].map(|i| counts.map(|(n, tests)| (n, tests[i])));
     let [a, b] = fit(&nodes);
-    let law = nodes.iter().map(|&(n, _)| (n, a + b * n.log10())).collect();
-    let line = |name: &str, colour, points, marked| Line {
-        name: name.to_owned(),
-        colour,
-        points,
-        marked,
-    };
-    let curves = [
-        line(&format!("{a:.1} + {b:.2} log₁₀ N"), FAINT, law, false),
-        line("nodes", BLUE, nodes, true),
-        line("triangles tested", VERMILION, tests, true),
-    ];
+    let law = nodes.iter().map(|&(n, _)| (n, a + b * n.log10()));
+    let mut chart = Chart::new(
+        Axis::log(100.0..100_000.0)
+            .named("N: triangles")
+            .format(grouped),
+        Axis::linear(0.0..1.25 * nodes[6].1)
+            .named("count")
+            .labels(6),
+    )
+    .titled("A short ray in a soup, on average")
+    .legend(Corner::UpperLeft);
+    let name = format!("{a:.1} + {b:.2} log₁₀ N");
+    chart.line(law, FAINT.stroke_width(3)).named(&name);
+    for (points, name, colour) in [
+        (nodes, "nodes", BLUE),
+        (tests, "triangles tested", VERMILION),
+    ] {
+        chart.line(points, colour.stroke_width(5)).named(name);
+        chart.dots(points, 9, colour.filled());
+    }
     let caption = "A ray in a soup of N triangles that goes as far as from one triangle to the next: nodes grow with log N, the depth of the tree, and triangles tested do not grow.";
-    let title = "A short ray in a soup, on average";
-    let plot = lines(title, "N: triangles", "count", &curves)?;
-    stage.figure("law", caption, &plot)
+    stage.figure("law", caption, &chart.figure(900, 560)?)
 }
 
 /// The chapter's binary.

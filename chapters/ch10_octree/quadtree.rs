@@ -1,12 +1,12 @@
 //! A quad-tree: what the octree is in the plane.
 
-use raybook::accel::octree::build::Limits;
-use raybook::inside::octree::{Kind, Walk, build};
-use raybook::image::Image;
-use crate::shared::{flatland::SIDE, flatland::discs, flatland::plane, flatland::ray};
 use crate::kit::palette::SKY;
-use raybook::math::{aabb::Aabb, interval::Interval};
+use crate::shared::{flatland::SIDE, flatland::discs, flatland::plane, flatland::ray};
 use glam::Vec3;
+use raybook::accel::octree::build::Limits;
+use raybook::image::Image;
+use raybook::inside::octree::{Kind, Walk, build};
+use raybook::math::{aabb::Aabb, interval::Interval};
 use std::error::Error;
 
 /// The quad-tree of some discs, and the leaves that a ray visits, numbered in order; the darker, the deeper.

@@ -1,9 +1,9 @@
 //! The builders of trees compared: how long each takes, and what its tree costs.
 
+use crate::kit::{bars::bars, sheet::sheet};
 use raybook::accel::bvh::Bvh;
 use raybook::accel::bvh::build::Method;
 use raybook::image::Image;
-use crate::kit::{bars::bars, sheet::sheet};
 use raybook::shape::mesh::Facet;
 use std::error::Error;
 use std::time::Instant;

@@ -1,20 +1,18 @@
 //! Triangles in the plane, and the boxes of a tree around them: a tree that can be seen whole. (Cells in the plane, and a ray
 //! through them, are in `flatland.rs`.)
 
-use raybook::accel::bvh::build::Method;
-use raybook::inside::bvh::{COST, Cost, Flat, Node, build, sah_cost};
-use raybook::image::Image;
-use crate::kit::{figure::self, figure::Canvas, figure::figure};
-use crate::kit::{palette::BLUE, palette::FAINT, palette::GREEN, palette::INK, palette::ORANGE, palette::PURPLE, palette::VERMILION};
-use raybook::math::{aabb::Aabb, pcg};
+use crate::kit::figure::{CENTRE, Canvas, Figure, coloured, figure, write};
+use crate::kit::stage::Drawn;
+use crate::kit::{
+    palette::BLUE, palette::FAINT, palette::GREEN, palette::INK, palette::ORANGE, palette::PURPLE,
+    palette::VERMILION,
+};
 use glam::{Vec2, vec2};
 use plotters::prelude::{Color, Polygon, RGBColor, Rectangle};
-use plotters::style::text_anchor::HPos;
 use rand::RngExt;
-use std::error::Error;
-
-/// What drawing returns.
-pub type Drawn = Result<(), Box<dyn Error>>;
+use raybook::accel::bvh::build::Method;
+use raybook::inside::bvh::{COST, Cost, Flat, Node, build, sah_cost};
+use raybook::math::{aabb::Aabb, pcg};
 
 /// The boxes reach so far above and below the paper that only their outlines on it count: a ray in the paper meets a
 /// rectangle in proportion to its perimeter.
@@ -96,13 +94,11 @@ impl Paper<'_, '_> {
     /// # Errors
     /// As for [`Paper::triangle`].
     pub fn text(&self, text: &str, at: Vec2, size: i32, colour: RGBColor) -> Drawn {
-        figure::text(
+        write(
             self.canvas,
             text,
             self.pixel(at),
-            size,
-            HPos::Center,
-            colour,
+            coloured(size, colour).pos(CENTRE),
         )
     }
 
@@ -137,7 +133,7 @@ pub fn height(tree: &Flat, node: &Node) -> u32 {
 ///
 /// # Errors
 /// What plotters reports.
-pub fn two_organisations() -> Result<Image, Box<dyn Error>> {
+pub fn two_organisations() -> Figure {
     let mut rng = pcg::stream(22, 0);
     let mut near = |at: Vec2, spread: f32| {
         at + spread * vec2(rng.random::<f32>() - 0.5, rng.random::<f32>() - 0.5)

@@ -12,11 +12,10 @@ mod mountains;
 mod three_stages;
 mod tree_levels;
 
+use crate::kit::{stage::Drawn, stage::Stage};
+use crate::shared::{showroom, showroom::Showroom};
 use raybook::accel::two_level_grid::TwoLevelGrid;
 use raybook::accel::{Accel, bvh::Bvh, grid::Grid, list::List, octree::Octree};
-use crate::shared::{showroom::self, showroom::Showroom};
-use crate::kit::{stage::Drawn, stage::Stage};
-
 
 use crate::kit::chapter;
 use crate::shared::{growth, heat, speeds};

@@ -1,13 +1,13 @@
 //! A mountain range in the evening: what a tree of a million triangles looks like, with shadows.
 
+use crate::shared::{outdoors::haze, outdoors::sky};
+use glam::{Vec2, Vec3, vec3};
 use raybook::accel::Accel;
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::{Image, rgb::Rgb};
-use crate::shared::{outdoors::haze, outdoors::sky};
 use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
 use raybook::render::film::Film;
 use raybook::shape::{Surface, mesh::Facet, mesh::Mesh};
-use glam::{Vec2, Vec3, vec3};
 
 /// A metre of the model is so many metres of mountains, as far as the air is concerned.
 const METRES: f32 = 1.8;

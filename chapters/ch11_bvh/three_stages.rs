@@ -1,13 +1,17 @@
 //! The three stages of building a tree, side by side: boxes, a tree, an array.
 
-use raybook::accel::bvh::build::Method;
-use raybook::inside::bvh::{Flat, Node};
-use raybook::image::Image;
+use super::{
+    flat_boxes::LEVELS, flat_boxes::Paper, flat_boxes::bounds, flat_boxes::height,
+    flat_boxes::tree, flat_boxes::triangles,
+};
 use crate::kit::figure::figure;
-use super::{flat_boxes::Drawn, flat_boxes::LEVELS, flat_boxes::Paper, flat_boxes::bounds, flat_boxes::height, flat_boxes::tree, flat_boxes::triangles};
+use crate::kit::stage::Drawn;
 use crate::kit::{palette::BLUE, palette::FAINT, palette::INK};
 use glam::{Vec2, vec2};
 use plotters::prelude::{Circle, Color, PathElement, RGBColor, Rectangle, WHITE};
+use raybook::accel::bvh::build::Method;
+use raybook::image::Image;
+use raybook::inside::bvh::{Flat, Node};
 use std::error::Error;
 
 /// Where the triangles are, and how large.

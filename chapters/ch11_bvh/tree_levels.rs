@@ -1,16 +1,16 @@
 //! The boxes of a tree, level by level.
 
-use raybook::accel::Accel;
-use raybook::accel::bvh::Bvh;
-use raybook::inside::bvh::{self, Node, Pair};
-use raybook::image::{Image, rgb::Rgb};
 use crate::kit::palette::viridis;
 use crate::kit::sheet::sheet;
 use crate::shared::showroom::Showroom;
+use glam::vec3;
+use raybook::accel::Accel;
+use raybook::accel::bvh::Bvh;
+use raybook::image::{Image, rgb::Rgb};
+use raybook::inside::bvh::{self, Node, Pair};
 use raybook::math::{aabb::Aabb, interval::Interval};
 use raybook::render::film::Film;
 use raybook::shape::{Shape, cuboid::Cuboid};
-use glam::vec3;
 use std::error::Error;
 
 /// The boxes of each of these levels as solid blocks, in a tree of their own.

@@ -1,12 +1,12 @@
 //! Small scenes that try a material: a ball before a wall.
 
+use glam::{Vec3, vec3};
 use raybook::image::rgb::Rgb;
 use raybook::light::{Light, directional::DirectionalLight};
 use raybook::material::{Material, blinn_phong::BlinnPhong, phong::Phong};
 use raybook::math::dir3::Dir3;
 use raybook::scene::world::{Scene, Thing};
 use raybook::shape::sphere::Sphere;
-use glam::{Vec3, vec3};
 use std::f32::consts::{FRAC_1_PI, PI};
 
 /// Red clay.

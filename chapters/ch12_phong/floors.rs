@@ -1,13 +1,13 @@
 //! Small scenes that try a light: a floor, and what stands on it.
 
-use raybook::image::rgb::Rgb;
 use super::{bench::CLAY, bench::glossy, bench::matt};
+use glam::{Vec3, vec3};
+use raybook::image::rgb::Rgb;
 use raybook::light::{Light, directional::DirectionalLight, point::PointLight};
 use raybook::material::{Material, checkered::Checkered, phong::Phong};
 use raybook::math::{dir3::Dir3, ray::Ray};
 use raybook::scene::world::{Scene, Thing};
 use raybook::shape::{plane::Plane, sphere::Sphere};
-use glam::{Vec3, vec3};
 use std::f32::consts::PI;
 
 /// The light of a lamp, before its strength.

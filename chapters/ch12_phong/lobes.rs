@@ -1,21 +1,15 @@
 //! The lobes of Phong and of Blinn, side by side.
 
-use raybook::image::{Image, rgb::Rgb};
-use crate::kit::{figure::Canvas, figure::FONT, figure::figure};
-use crate::kit::{palette::BLUE, palette::FAINT, palette::INK, palette::ORANGE, palette::VERMILION};
+use crate::kit::chart::{Chart, Corner, whole};
+use crate::kit::figure::{CENTRE, Canvas, Figure, figure, text, write};
+use crate::kit::palette::{BLUE, FAINT, INK, ORANGE, VERMILION};
+use crate::kit::{axis::Axis, stage::Drawn};
+use glam::{Vec3, vec3};
+use plotters::prelude::{Color, PathElement, Polygon, RGBColor};
+use raybook::image::rgb::Rgb;
 use raybook::light::LightSample;
 use raybook::material::{blinn_phong::BlinnPhong, phong::Phong};
 use raybook::math::dir3::Dir3;
-use glam::{Vec3, vec3};
-use plotters::prelude::{
-    ChartBuilder, Color, IntoFont, LineSeries, PathElement, Polygon, RGBColor, SeriesLabelPosition,
-    Text, TextStyle, WHITE,
-};
-use plotters::style::text_anchor::{HPos, Pos, VPos};
-use std::error::Error;
-
-/// What drawing returns.
-type Drawn = Result<(), Box<dyn Error>>;
 
 /// Phong's exponent; Blinn's is this one or four times as large.
 const EXPONENT: f32 = 16.0;
@@ -60,7 +54,7 @@ const LOBES: [(&str, Lobe, RGBColor, u32); 3] = [
 ///
 /// # Errors
 /// What plotters reports.
-pub fn draw() -> Result<Image, Box<dyn Error>> {
+pub fn draw() -> Figure {
     figure(960, 480, |canvas| {
         let (left, right) = canvas.split_horizontally(960);
         in_plane(&left)?;
@@ -134,63 +128,33 @@ fn in_plane(canvas: &Canvas) -> Drawn {
         ("R", *mirrored, 700.0),
     ] {
         line(at(d, 0.0), at(d, length), INK, 3)?;
-        canvas.draw(&Text::new(name, at(d, length + 40.0), centred(40)))?;
+        write(canvas, name, at(d, length + 40.0), text(40).pos(CENTRE))?;
     }
     let title = "in the plane of light and normal";
-    canvas.draw(&Text::new(title, (480, 60), centred(36)))?;
-    Ok(())
+    write(canvas, title, (480, 60), text(36).pos(CENTRE))
 }
 
 /// The lobes over the angle by which the viewer is turned out of the plane, around the normal.
 fn across(canvas: &Canvas) -> Drawn {
-    let mut chart = ChartBuilder::on(canvas)
-        .margin(40)
-        .margin_top(20)
-        .caption(
-            format!("turned out of that plane, {RIGHT}° from the normal"),
-            text(36),
-        )
-        .x_label_area_size(100)
-        .y_label_area_size(110)
-        .build_cartesian_2d(-65.0_f32..65.0, 0.0_f32..1.05)?;
-    chart
-        .configure_mesh()
-        .light_line_style(WHITE.mix(0.0))
-        .bold_line_style(FAINT.mix(0.5))
-        .x_labels(7)
-        .y_labels(6)
-        .x_label_formatter(&|degrees| format!("{degrees:.0}°").replace('-', "−"))
-        .x_desc("angle around the normal from R")
-        .y_desc("share at the highlight")
-        .label_style(text(30))
-        .axis_desc_style(text(32))
-        .draw()?;
+    let mut chart = Chart::new(
+        Axis::linear(-65.0..65.0)
+            .named("angle around the normal from R")
+            .labels(7)
+            .format(|degrees| format!("{}°", whole(degrees))),
+        Axis::linear(0.0..1.05)
+            .named("share at the highlight")
+            .labels(6),
+    )
+    .titled(&format!(
+        "turned out of that plane, {RIGHT}° from the normal"
+    ))
+    .text(26)
+    .legend(Corner::UpperLeft);
     let light = light(RIGHT);
     for (name, lobe, colour, width) in LOBES {
         let angles = (-260..=260).map(|i| 0.25 * i as f32);
         let curve = angles.map(|around| (around, lobe(direction(RIGHT, around), &light)));
-        chart
-            .draw_series(LineSeries::new(curve, colour.stroke_width(width)))?
-            .label(name)
-            .legend(move |(x, y)| {
-                PathElement::new([(x, y), (x + 50, y)], colour.stroke_width(width))
-            });
+        chart.line(curve, colour.stroke_width(width)).named(name);
     }
-    chart
-        .configure_series_labels()
-        .position(SeriesLabelPosition::UpperLeft)
-        .label_font(text(28))
-        .legend_area_size(64)
-        .margin(12)
-        .background_style(WHITE.mix(0.85))
-        .draw()?;
-    Ok(())
-}
-
-fn text(size: u32) -> TextStyle<'static> {
-    (FONT, size).into_font().color(&INK)
-}
-
-fn centred(size: u32) -> TextStyle<'static> {
-    text(size).pos(Pos::new(HPos::Center, VPos::Center))
+    chart.draw(canvas)
 }

@@ -8,10 +8,10 @@ mod bench;
 mod floors;
 mod lobes;
 
+use crate::kit::{stage::Drawn, stage::Stage};
 use glam::{Vec3, vec3};
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::Image;
-use crate::kit::{stage::Drawn, stage::Stage};
 
 use crate::kit::{chapter, sheet::sheet};
 use raybook::material::{Material, blinn_phong::BlinnPhong};

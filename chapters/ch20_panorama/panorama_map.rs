@@ -1,7 +1,7 @@
 //! A panorama as a map: labelled, with lines of latitude and longitude; and with straight lines of the world on it.
 
 use raybook::image::{Image, rgb::Rgb, tone};
-use crate::kit::{figure::Canvas, figure::SCALE, figure::figure, figure::text};
+use crate::kit::figure::{CENTRE, Canvas, RIGHT, SCALE, figure, text, write};
 use super::{graticule::self, graticule::STEP};
 use crate::kit::{palette::BLUE, palette::GREEN, palette::INK, palette::ORANGE, palette::VERMILION};
 use crate::kit::sketch::label;
@@ -10,7 +10,6 @@ use raybook::light::environment::latlong;
 use raybook::math::dir3::Dir3;
 use glam::{Vec2, Vec3, vec2};
 use plotters::prelude::{Circle, Color, PathElement, RGBColor};
-use plotters::style::text_anchor::HPos;
 use std::error::Error;
 
 /// What drawing returns.
@@ -39,26 +38,12 @@ pub fn labelled(panorama: &Image) -> Result<Image, Box<dyn Error>> {
         for i in -3..=3 {
             let latitude = STEP * i as f32;
             let place = pixel(vec2(0.0, 0.5 - latitude / 180.0)) - vec2(12.0, 0.0);
-            text(
-                canvas,
-                &degrees(latitude),
-                whole(place),
-                TEXT,
-                HPos::Right,
-                INK,
-            )?;
+            write(canvas, &degrees(latitude), whole(place), text(TEXT).pos(RIGHT))?;
         }
         for i in -6..=6 {
             let longitude = STEP * i as f32;
             let place = pixel(vec2(0.5 + longitude / 360.0, 1.0)) + vec2(0.0, 28.0);
-            text(
-                canvas,
-                &degrees(longitude),
-                whole(place),
-                TEXT,
-                HPos::Center,
-                INK,
-            )?;
+            write(canvas, &degrees(longitude), whole(place), text(TEXT).pos(CENTRE))?;
         }
         for (longitude, name) in [(-90.0, "left"), (0.0, "ahead"), (90.0, "right")] {
             let place = pixel(vec2(0.5 + longitude / 360.0, 1.0)) + vec2(0.0, 72.0);

@@ -1,11 +1,10 @@
 //! The words of a described scene as a figure.
 
 use raybook::image::Image;
-use crate::kit::{figure::SCALE, figure::figure, figure::text};
-use crate::kit::{palette::BLUE, palette::INK};
-use raybook_workbook::exercises::ch25_capstone::TraceQuestion;
+use crate::kit::figure::{LEFT, SCALE, coloured, figure, text, write};
+use crate::kit::palette::BLUE;
+use raybook_workbook::exercises::ch25_capstone::Trace;
 use raybook_workbook::row::Row;
-use plotters::style::text_anchor::HPos;
 use std::error::Error;
 
 /// The words of a question, line by line, each under what it is.
@@ -15,9 +14,9 @@ use std::error::Error;
 pub fn words(
     width: usize,
     height: usize,
-    question: &TraceQuestion,
+    question: &Trace,
 ) -> Result<Image, Box<dyn Error>> {
-    let TraceQuestion { depth, ray, scene } = question;
+    let Trace { depth, ray, scene } = question;
     let mut lines = vec![
         (
             "the exercise, and how many surfaces in a row",
@@ -49,10 +48,10 @@ pub fn words(
         let mut y = step;
         for (title, words) in &lines {
             if !title.is_empty() {
-                text(canvas, title, (size, y), size, HPos::Left, BLUE)?;
+                write(canvas, title, (size, y), coloured(size, BLUE).pos(LEFT))?;
                 y += step;
             }
-            text(canvas, words, (2 * size, y), size, HPos::Left, INK)?;
+            write(canvas, words, (2 * size, y), text(size).pos(LEFT))?;
             y += step;
         }
         Ok(())

@@ -15,7 +15,7 @@ use crate::kit::{chapter, sheet::sheet};
 use raybook::render::{film::Film, trace::trace};
 use raybook::scene::description::Description;
 use raybook::scene::four_scenes::{ASPECT, FOUR, Staged};
-use raybook_workbook::exercises::ch25_capstone::TraceQuestion;
+use raybook_workbook::exercises::ch25_capstone::Trace;
 use std::process::ExitCode;
 
 /// Draws the chapter's pictures.
@@ -34,7 +34,7 @@ pub fn draw(stage: &Stage) -> Drawn {
         &sheet(2, &tiles)?,
     )?;
     let (easiest, shown) = (&FOUR[0], tiles.swap_remove(0).1);
-    let question = TraceQuestion {
+    let question = Trace {
         depth: easiest.depth,
         ray: camera(easiest)?.ray_through(Vec2::splat(0.5)),
         scene: (easiest.scene)(),

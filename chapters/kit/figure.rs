@@ -1,8 +1,10 @@
 //! Diagrams and plots, drawn by plotters with the font that comes along.
 
+use crate::kit::{palette::INK, stage::Drawn};
 use plotters::coord::Shift;
 use plotters::prelude::{
-    BitMapBackend, DrawingArea, IntoDrawingArea, IntoFont, RGBColor, Text, WHITE,
+    BitMapBackend, DrawingArea, DrawingBackend, IntoDrawingArea, IntoFont, RGBColor, Text,
+    TextStyle, WHITE,
 };
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use raybook::image::{Image, rgb::Rgb, tone};
@@ -11,6 +13,9 @@ use std::sync::Once;
 
 /// What a figure is drawn on.
 pub type Canvas<'a> = DrawingArea<BitMapBackend<'a>, Shift>;
+
+/// A figure, or why it could not be drawn.
+pub type Figure = Result<Image, Box<dyn Error>>;
 
 /// The font family of every figure: `DejaVu` Sans, which knows Greek and mathematics.
 pub const FONT: &str = "sans-serif";
@@ -24,11 +29,7 @@ pub const SCALE: u32 = 2;
 ///
 /// # Errors
 /// What `draw` or plotters reports.
-pub fn figure(
-    width: u32,
-    height: u32,
-    draw: impl FnOnce(&Canvas) -> Result<(), Box<dyn Error>>,
-) -> Result<Image, Box<dyn Error>> {
+pub fn figure(width: u32, height: u32, draw: impl FnOnce(&Canvas) -> Drawn) -> Figure {
     register_font();
     let (wide, high) = (SCALE * width, SCALE * height);
     let mut bytes = vec![0; (wide * high * 3) as usize];
@@ -58,20 +59,50 @@ pub fn figure(
     }))
 }
 
-/// A line of text on a canvas, anchored at the given end and at half its height.
+/// How text looks.
+pub type Style = TextStyle<'static>;
+
+/// Text is anchored at its middle, at the middle of its left end, or of its right end.
+pub const CENTRE: Pos = Pos {
+    h_pos: HPos::Center,
+    v_pos: VPos::Center,
+};
+/// As [`CENTRE`].
+pub const LEFT: Pos = Pos {
+    h_pos: HPos::Left,
+    v_pos: VPos::Center,
+};
+/// As [`CENTRE`].
+pub const RIGHT: Pos = Pos {
+    h_pos: HPos::Right,
+    v_pos: VPos::Center,
+};
+
+/// Text in ink, so many pixels of the canvas high. It is anchored at its top left, unless it is given a
+/// [position](TextStyle::pos).
+pub fn text(size: impl Into<f64>) -> Style {
+    coloured(size, INK)
+}
+
+/// As [`text`], in another colour.
+pub fn coloured(size: impl Into<f64>, colour: RGBColor) -> Style {
+    (FONT, size.into()).into_font().color(&colour)
+}
+
+/// Writes words at a place of a canvas.
 ///
 /// # Errors
 /// If plotters cannot draw.
-pub fn text(
-    canvas: &Canvas,
-    text: &str,
+pub fn write<B: DrawingBackend>(
+    canvas: &DrawingArea<B, Shift>,
+    words: &str,
     at: (i32, i32),
-    size: i32,
-    end: HPos,
-    colour: RGBColor,
-) -> Result<(), Box<dyn Error>> {
-    let style = (FONT, size).into_font().color(&colour);
-    canvas.draw(&Text::new(text, at, style.pos(Pos::new(end, VPos::Center))))?;
+    style: Style,
+) -> Drawn
+where
+    B::ErrorType: 'static,
+{
+    canvas.draw(&Text::new(words, at, style))?;
     Ok(())
 }
 

@@ -1,11 +1,12 @@
 //! What every chapter draws with.
 
+pub mod axis;
 pub mod bars;
 pub mod chapter;
+pub mod chart;
 pub mod figure;
 pub mod gallery;
 pub mod html;
-pub mod lines;
 pub mod options;
 pub mod palette;
 pub mod rate;

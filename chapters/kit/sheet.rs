@@ -1,11 +1,7 @@
 //! A contact sheet: pictures side by side, each with its caption.
 
-use crate::kit::palette::INK;
-use crate::kit::{figure::FONT, figure::SCALE, figure::figure};
-use plotters::prelude::{Color, IntoFont, Text};
-use plotters::style::text_anchor::{HPos, Pos, VPos};
+use crate::kit::figure::{CENTRE, Figure, figure, text, write};
 use raybook::image::{Image, rgb::Rgb};
-use std::error::Error;
 
 /// White space around each tile, in pixels.
 const GAP: usize = 12;
@@ -17,7 +13,7 @@ const GAP: usize = 12;
 ///
 /// # Panics
 /// If there is no tile, or they differ in size.
-pub fn sheet(columns: usize, tiles: &[(&str, Image)]) -> Result<Image, Box<dyn Error>> {
+pub fn sheet(columns: usize, tiles: &[(&str, Image)]) -> Figure {
     let (width, height) = (tiles[0].1.width(), tiles[0].1.height());
     assert!(
         tiles
@@ -38,21 +34,12 @@ pub fn sheet(columns: usize, tiles: &[(&str, Image)]) -> Result<Image, Box<dyn E
 }
 
 /// A strip of white with a line of text in the middle.
-fn caption(text: &str, width: usize, height: usize) -> Result<Image, Box<dyn Error>> {
+fn caption(words: &str, width: usize, height: usize) -> Figure {
     figure(width as u32, height as u32, |canvas| {
-        let style = (FONT, 0.66 * (SCALE as usize * height) as f64)
-            .into_font()
-            .color(&INK.to_rgba());
-        let middle = (
-            (SCALE as usize * width / 2) as i32,
-            (SCALE as usize * height / 2) as i32,
-        );
-        canvas.draw(&Text::new(
-            text,
-            middle,
-            style.pos(Pos::new(HPos::Center, VPos::Center)),
-        ))?;
-        Ok(())
+        let (wide, high) = canvas.dim_in_pixel();
+        let middle = (wide as i32 / 2, high as i32 / 2);
+        let style = text(0.66 * f64::from(high)).pos(CENTRE);
+        write(canvas, words, middle, style)
     })
 }
 

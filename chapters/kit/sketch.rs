@@ -1,15 +1,11 @@
 //! Lines, areas and labels in space, as a camera sees them.
 
-use crate::kit::{figure::Canvas, figure::FONT};
+use crate::kit::figure::{CENTRE, Canvas, coloured, write};
+use crate::kit::stage::Drawn;
 use glam::{Vec2, Vec3, vec2};
-use plotters::prelude::{Circle, Color, IntoFont, PathElement, Polygon, RGBColor, Text, WHITE};
-use plotters::style::text_anchor::{HPos, Pos, VPos};
+use plotters::prelude::{Circle, Color, PathElement, Polygon, RGBColor, WHITE};
 use raybook::camera::pinhole::Pinhole;
-use std::error::Error;
 use std::f32::consts::TAU;
-
-/// What drawing returns.
-type Drawn = Result<(), Box<dyn Error>>;
 
 /// A canvas, and the camera that looks at what is drawn on it.
 ///
@@ -112,16 +108,18 @@ pub fn label(canvas: &Canvas, place: Vec2, text: &str, colour: RGBColor) -> Draw
     const SIZE: u32 = 38;
     /// Width of the white rim that lifts the letters off what they cross, in pixels.
     const HALO: f32 = 4.0;
-    let middle = Pos::new(HPos::Center, VPos::Center);
-    let write = |shift: Vec2, colour: RGBColor| {
-        let style = (FONT, SIZE).into_font().color(&colour).pos(middle);
-        canvas.draw(&Text::new(text, pixel(place + shift), style))
+    let lettering = |shift: Vec2, colour: RGBColor| {
+        write(
+            canvas,
+            text,
+            pixel(place + shift),
+            coloured(SIZE, colour).pos(CENTRE),
+        )
     };
     for i in 0..12 {
-        write(HALO * Vec2::from_angle(i as f32 * TAU / 12.0), WHITE)?;
+        lettering(HALO * Vec2::from_angle(i as f32 * TAU / 12.0), WHITE)?;
     }
-    write(Vec2::ZERO, colour)?;
-    Ok(())
+    lettering(Vec2::ZERO, colour)
 }
 
 fn pixel(place: Vec2) -> (i32, i32) {

@@ -1,20 +1,14 @@
 //! Discs in the plane, some of them in a crowd, cells around them, and a ray that passes through: for grids and octrees. (Trees
 //! of boxes in the plane are in `flat_boxes.rs`.)
 
-use crate::kit::{figure::FONT, figure::SCALE, figure::figure};
-use crate::kit::{palette::BLUE, palette::INK, palette::ORANGE};
+use crate::kit::figure::{Canvas, Figure, SCALE, figure, text, write};
+use crate::kit::palette::{BLUE, INK, ORANGE};
+use crate::kit::stage::Drawn;
 use glam::{Vec3, vec3};
-use plotters::coord::{cartesian::Cartesian2d, types::RangedCoordf32};
-use plotters::prelude::{
-    BitMapBackend, ChartBuilder, ChartContext, Circle, Color, IntoFont, PathElement, Polygon,
-    RGBColor, Rectangle, Text,
-};
-use plotters::style::text_anchor::{HPos, Pos, VPos};
+use plotters::prelude::{Circle, Color, PathElement, Polygon, RGBColor, Rectangle};
 use rand::RngExt;
-use raybook::image::Image;
 use raybook::math::pcg;
 use raybook::math::{aabb::Aabb, dir3::Dir3, ray::Ray};
-use std::error::Error;
 
 /// The scene is the square from 0 to this, in metres, at z = 0.
 pub const SIDE: f32 = 16.0;
@@ -54,37 +48,34 @@ pub fn ray() -> Ray {
     Ray::new(from, Dir3::new_or(vec3(1.0, 0.53, 0.0), Dir3::X))
 }
 
-/// What drawing returns.
-pub type Drawn = Result<(), Box<dyn Error>>;
-
 /// The plane, to draw on.
-pub struct Plane<'a, 'b>(
-    ChartContext<'a, BitMapBackend<'b>, Cartesian2d<RangedCoordf32, RangedCoordf32>>,
-);
+pub struct Plane<'a, 'b>(&'a Canvas<'b>);
+
+/// Pixels of the canvas to a metre.
+const ZOOM: f32 = 54.0 * SCALE as f32;
 
 /// A picture of the plane: what `cells` draws, and above it the discs and the ray.
 ///
 /// # Errors
 /// What plotters reports.
-pub fn plane(cells: impl FnOnce(&mut Plane) -> Drawn) -> Result<Image, Box<dyn Error>> {
-    /// Pixels of the figure to a metre.
-    const ZOOM: f32 = 54.0;
-    let size = ((SIDE + 2.0) * ZOOM) as u32;
+pub fn plane(cells: impl FnOnce(&Plane) -> Drawn) -> Figure {
+    let size = ((SIDE + 2.0) * ZOOM) as u32 / SCALE;
     figure(size, size, |canvas| {
-        let view = -1.0..SIDE + 1.0;
-        let chart = ChartBuilder::on(canvas).build_cartesian_2d(view.clone(), view)?;
-        let mut plane = Plane(chart);
-        cells(&mut plane)?;
-        let (from, to) = (ray().origin, ray().at(19.6));
-        plane.arrow(from, to)?;
-        let radius = (RADIUS * ZOOM * SCALE as f32) as i32;
+        let plane = Plane(canvas);
+        cells(&plane)?;
+        plane.arrow(ray().origin, ray().at(19.6))?;
         for disc in discs() {
-            let p = disc.center();
-            let dot = Circle::new((p.x, p.y), radius, INK.filled());
-            plane.0.draw_series([dot])?;
+            let dot = Circle::new(pixel(disc.center()), (RADIUS * ZOOM) as i32, INK.filled());
+            canvas.draw(&dot)?;
         }
         Ok(())
     })
+}
+
+/// Where a point is on the canvas, with a metre of air around the square.
+fn pixel(p: Vec3) -> (i32, i32) {
+    let (x, y) = (p.x + 1.0, SIDE + 1.0 - p.y);
+    ((ZOOM * x) as i32, (ZOOM * y) as i32)
 }
 
 impl Plane<'_, '_> {
@@ -92,14 +83,14 @@ impl Plane<'_, '_> {
     ///
     /// # Errors
     /// If plotters cannot draw; likewise below.
-    pub fn cell(&mut self, cell: &Aabb, fill: Option<(RGBColor, f64)>, line: u32) -> Drawn {
-        let corners = [(cell.min.x, cell.min.y), (cell.max.x, cell.max.y)];
+    pub fn cell(&self, cell: &Aabb, fill: Option<(RGBColor, f64)>, line: u32) -> Drawn {
+        let corners = [cell.min, cell.max].map(pixel);
         if let Some((colour, opacity)) = fill {
             let area = Rectangle::new(corners, colour.mix(opacity).filled());
-            self.0.draw_series([area])?;
+            self.0.draw(&area)?;
         }
         let outline = Rectangle::new(corners, BLUE.mix(0.75).stroke_width(line));
-        self.0.draw_series([outline])?;
+        self.0.draw(&outline)?;
         Ok(())
     }
 
@@ -107,26 +98,21 @@ impl Plane<'_, '_> {
     ///
     /// # Errors
     /// As for [`Plane::cell`].
-    pub fn visited(&mut self, cell: &Aabb, number: usize, line: u32) -> Drawn {
+    pub fn visited(&self, cell: &Aabb, number: usize, line: u32) -> Drawn {
         self.cell(cell, Some((ORANGE, 0.45)), line)?;
         let size = (44.0 * cell.size().x).clamp(20.0, 44.0);
-        let corner = Pos::new(HPos::Left, VPos::Top);
-        let style = (FONT, size).into_font().color(&INK).pos(corner);
         let inset = 0.06 * cell.size().x.min(1.0);
-        let place = (cell.min.x + inset, cell.max.y - inset);
-        self.0
-            .draw_series([Text::new(number.to_string(), place, style)])?;
-        Ok(())
+        let corner = vec3(cell.min.x + inset, cell.max.y - inset, 0.0);
+        write(self.0, &number.to_string(), pixel(corner), text(size))
     }
 
-    fn arrow(&mut self, from: Vec3, to: Vec3) -> Drawn {
+    fn arrow(&self, from: Vec3, to: Vec3) -> Drawn {
         let along = (to - from).normalize();
         let (back, side) = (to - 0.42 * along, 0.16 * vec3(-along.y, along.x, 0.0));
-        let shaft = [from, back].map(|p| (p.x, p.y));
-        let head = [to, back + side, back - side].map(|p| (p.x, p.y));
-        let line = PathElement::new(shaft, INK.stroke_width(5));
-        self.0.draw_series([line])?;
-        self.0.draw_series([Polygon::new(head, INK.filled())])?;
+        let shaft = [from, back].map(pixel);
+        let head = [to, back + side, back - side].map(pixel);
+        self.0.draw(&PathElement::new(shaft, INK.stroke_width(5)))?;
+        self.0.draw(&Polygon::new(head, INK.filled()))?;
         Ok(())
     }
 }

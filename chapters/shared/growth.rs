@@ -1,21 +1,18 @@
 //! How the work of a search grows with the number of triangles, on two logarithmic axes: a power of N is a straight line.
 
-use crate::kit::lines::grouped;
-use crate::kit::{figure::FONT, figure::figure};
-use crate::kit::{palette::BLUE, palette::FAINT, palette::INK, palette::VERMILION};
-use crate::shared::{law::Reach, law::mean_tests};
-use plotters::prelude::{
-    ChartBuilder, Circle, Color, IntoFont, IntoLogRange, LineSeries, RGBColor, Text,
-};
+use crate::kit::axis::Axis;
+use crate::kit::chart::{Chart, grouped};
+use crate::kit::figure::{Figure, LEFT};
+use crate::kit::palette::{BLUE, INK, VERMILION};
+use crate::shared::law::{Reach, mean_tests};
+use plotters::prelude::{Color, RGBColor};
 use raybook::accel::{bvh::Bvh, grid::Grid};
-use raybook::image::Image;
-use std::error::Error;
 
 /// Tests per ray against triangles: the list, the tree.
 ///
 /// # Errors
 /// What plotters reports.
-pub fn list_and_tree() -> Result<Image, Box<dyn Error>> {
+pub fn list_and_tree() -> Figure {
     let sizes = [
         100, 300, 1000, 3000, 10_000, 30_000, 100_000, 200_000, 400_000,
     ];
@@ -25,8 +22,8 @@ pub fn list_and_tree() -> Result<Image, Box<dyn Error>> {
     });
     let list = sizes.map(|n| (f64::from(n), f64::from(n)));
     let curves = [
-        Curve::of(&list, "list: N", VERMILION, (12_000.0, 40_000.0)),
-        Curve::of(&tree, "tree: log N", BLUE, (12_000.0, 90.0)),
+        Curve::of(&list, "list: N", VERMILION, (12_000.0, 32_000.0)),
+        Curve::of(&tree, "tree: log N", BLUE, (12_000.0, 75.0)),
     ];
     plot("boxes and triangles tested per ray", &curves)
 }
@@ -35,7 +32,7 @@ pub fn list_and_tree() -> Result<Image, Box<dyn Error>> {
 ///
 /// # Errors
 /// What plotters reports.
-pub fn grid() -> Result<Image, Box<dyn Error>> {
+pub fn grid() -> Figure {
     let sizes = [100, 1000, 10_000, 100_000, 1_000_000];
     let counts = sizes.map(|n| {
         let tests = mean_tests(n, Reach::Across, Grid::of_facets);
@@ -80,45 +77,29 @@ impl<'a> Curve<'a> {
     }
 }
 
-fn plot(y: &str, curves: &[Curve]) -> Result<Image, Box<dyn Error>> {
+fn plot(y: &str, curves: &[Curve]) -> Figure {
     let points = || curves.iter().flat_map(|curve| curve.points);
     let least = |of: fn(&(f64, f64)) -> f64| points().map(of).fold(f64::INFINITY, f64::min);
     let most = |of: fn(&(f64, f64)) -> f64| points().map(of).fold(0.0, f64::max);
     let x_range = 0.8 * least(|p| p.0)..1.25 * most(|p| p.0);
     let y_range = 10_f64.powf(least(|p| p.1).log10().floor())..1.25 * most(|p| p.1);
-    figure(960, 560, |canvas| {
-        let mut chart = ChartBuilder::on(canvas)
-            .margin(40)
-            .margin_right(90)
-            .x_label_area_size(110)
-            .y_label_area_size(200)
-            .build_cartesian_2d(x_range.log_scale(), y_range.log_scale())?;
-        let font = |size: i32| (FONT, size).into_font().color(&INK);
-        chart
-            .configure_mesh()
-            .light_line_style(FAINT.mix(0.0))
-            .bold_line_style(FAINT.mix(0.6))
-            .axis_style(INK)
-            .label_style(font(34))
-            .axis_desc_style(font(38))
-            .x_desc("triangles")
-            .y_desc(y)
-            .x_label_formatter(&|n| grouped(*n))
-            .y_label_formatter(&|n| grouped(*n))
-            .draw()?;
-        for curve in curves {
-            let style = curve
-                .colour
-                .stroke_width(if curve.is_guide { 3 } else { 6 });
-            let points = || curve.points.iter().copied();
-            chart.draw_series(LineSeries::new(points(), style))?;
-            if !curve.is_guide {
-                let dot = |p| Circle::new(p, 9, curve.colour.filled());
-                chart.draw_series(points().map(dot))?;
-            }
-            let style = (FONT, 44).into_font().color(&curve.colour);
-            chart.draw_series([Text::new(curve.name.to_owned(), curve.at, style)])?;
+    let mut chart = Chart::new(
+        Axis::log(x_range).named("triangles").format(grouped),
+        Axis::log(y_range).named(y).format(grouped),
+    )
+    .text(38);
+    for curve in curves {
+        let points = || curve.points.iter().copied();
+        if curve.is_guide {
+            chart.line(points(), curve.colour.stroke_width(3));
+        } else {
+            chart.line(points(), curve.colour.stroke_width(6)).dots(
+                points(),
+                9,
+                curve.colour.filled(),
+            );
         }
-        Ok(())
-    })
+        chart.label(LEFT, curve.at, curve.name, curve.colour);
+    }
+    chart.figure(960, 560)
 }

@@ -12,12 +12,12 @@ pub fn describe(examiner: &dyn Examiner) -> String {
     lines.extend([
         String::new(),
         "  A question is the name and these words, on one line:".to_owned(),
-        format!("    {name} {}", examiner.question_names().join(" ")),
+        format!("    {name} {}", examiner.asked().question_names().join(" ")),
     ]);
     if cases.iter().any(|case| case.question.contains("inf")) {
         lines.push("  Numbers may be `inf` or `-inf`: in C++ read a word and call `std::stod`; `std::cin >> x` does not read them.".to_owned());
     }
-    let answer = examiner.answer_names().join(" ");
+    let answer = examiner.asked().answer_names().join(" ");
     lines.extend(match answer.strip_prefix("none | ") {
         Some(answer) => [
             "  An answer is `= none`, or `=` and these words:".to_owned(),

@@ -4,9 +4,9 @@ mod laws;
 use raybook_common::whole;
 
 use glam::{U8Vec3, UVec3, Vec3, vec3};
+use raybook::accel::two_level_grid::TwoLevelGrid;
 use raybook::inside::grid::{Lattice, by_first_use};
 use raybook::inside::two_level_grid::{self, Levels, refine_cell, walk_two_levels};
-use raybook::accel::two_level_grid::TwoLevelGrid;
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray};
 use raybook::shape::{mesh::Facet, teapot};
 use std::ops::ControlFlow;

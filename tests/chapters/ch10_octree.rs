@@ -8,8 +8,8 @@ use raybook_common::whole;
 use glam::{Vec3, vec3};
 use rand::RngExt;
 use raybook::accel::Accel;
-use raybook::inside::octree::{self, child_at, child_cell};
 use raybook::accel::octree::{Octree, build::Limits, reach::by_triangle};
+use raybook::inside::octree::{self, child_at, child_cell};
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg, ray::Ray};
 use raybook::scene::soup::soup;
 use raybook::shape::{mesh::Facet, teapot};
@@ -115,7 +115,11 @@ fn no_leaf_is_deeper_than_a_walk_can_follow() {
         [x, 1.1 * x].map(|x| triangle(i as u32, [x, x * 1.001, x * 1.002].map(Vec3::splat)))
     });
     let octree = valid(Octree::new(pairs.collect()));
-    let deepest = octree::tree(&octree).places().iter().map(|place| place.depth).max();
+    let deepest = octree::tree(&octree)
+        .places()
+        .iter()
+        .map(|place| place.depth)
+        .max();
     assert_eq!(
         deepest,
         Some(Limits::DEEPEST),

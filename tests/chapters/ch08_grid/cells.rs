@@ -4,7 +4,9 @@ use crate::ch08_grid::polygon::clipped;
 use glam::{DVec3, UVec3, Vec3, uvec3, vec3};
 use proptest::prelude::*;
 use raybook::accel::grid::Grid;
-use raybook::inside::grid::{Lattice, grid_resolution, range, triangle_meets_box, voxels_of_triangle};
+use raybook::inside::grid::{
+    Lattice, grid_resolution, range, triangle_meets_box, voxels_of_triangle,
+};
 use raybook::math::aabb::Aabb;
 use raybook::shape::mesh::Facet;
 

@@ -2,8 +2,8 @@
 
 use crate::ch11_bvh::METHODS;
 use glam::{Vec3, vec3};
-use raybook::inside::bvh::{self, Node, RayPair};
 use raybook::accel::{Accel, Tests, bvh::Bvh, list::List};
+use raybook::inside::bvh::{self, Node, RayPair};
 use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
 use raybook::shape::mesh::Facet;
 use raybook::shape::{Hit, Shape};

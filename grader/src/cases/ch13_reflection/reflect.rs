@@ -1,22 +1,29 @@
 //! Chapter 13: `reflect`.
 
-use crate::examine::Examiner;
-use crate::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
+use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
 use raybook_chapters::kit::palette;
 use raybook::math::{dir3::Dir3, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch13_reflection::{Reflect, ReflectQuestion};
+use raybook_workbook::exercises::ch13_reflection::Reflect;
 use glam::{Vec3, vec3};
 
-/// This chapter's exercises, in order.
-pub const GRADED: &[&dyn Examiner] = &[&Reflect];
-
 /// (i·n) n: the part of i that is square to the surface.
-fn square(q: &ReflectQuestion) -> Vec3 {
+fn square(q: &Reflect) -> Vec3 {
     q.incoming.dot(*q.normal) * *q.normal
 }
 
 impl Graded for Reflect {
+    fn random(rng: &mut Pcg) -> Reflect {
+        Reflect {
+            incoming: sample::direction(rng),
+            normal: sample::direction(rng),
+        }
+    }
+
+    fn judge(_q: &Reflect, golden: &Vec3, got: &Vec3) -> Verdict {
+        judge::direction("the reflected direction", *golden, *got)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "sends the ray back through the surface's other side",
@@ -72,53 +79,11 @@ impl Graded for Reflect {
             let (x, y) = (place(x), -place(y));
             let z = (1.0 - x * x - y * y).max(0.0).sqrt();
             let normal = if z > 0.0 { vec3(x, y, z) } else { Vec3::Z };
-            ReflectQuestion {
+            Reflect {
                 incoming: Dir3::new_or(vec3(0.2 * x, 0.2 * y, -1.0), -Dir3::Z),
                 normal: Dir3::new_or(normal, Dir3::Z),
             }
         },
         colour: |_, reflected| palette::direction(*reflected),
     }];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, incoming: Vec3, normal: Vec3| {
-            Edge::new(
-                name,
-                ReflectQuestion {
-                    incoming: Dir3::new_or(incoming, Dir3::Y),
-                    normal: Dir3::new_or(normal, Dir3::Y),
-                },
-            )
-        };
-        let slanting = vec3(0.8, -0.6, 0.0);
-        vec![
-            edge("straight down comes straight back", Vec3::NEG_Y, Vec3::Y),
-            edge("aslant onto the ground", slanting, Vec3::Y),
-            edge(
-                "the same with the normal turned round",
-                slanting,
-                Vec3::NEG_Y,
-            ),
-            edge("from below", vec3(0.8, 0.6, 0.0), Vec3::Y),
-            edge("along the surface goes on", Vec3::X, Vec3::Y),
-            edge("nearly along the surface", vec3(1.0, -0.01, 0.0), Vec3::Y),
-            edge(
-                "a mirror at 45° turns down into along",
-                Vec3::NEG_Y,
-                vec3(1.0, 1.0, 0.0),
-            ),
-            edge("askew in space", vec3(2.0, -1.0, 2.0), vec3(-1.0, 2.0, 2.0)),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> ReflectQuestion {
-        ReflectQuestion {
-            incoming: sample::direction(rng),
-            normal: sample::direction(rng),
-        }
-    }
-
-    fn judge(_q: &ReflectQuestion, golden: &Vec3, got: &Vec3) -> Verdict {
-        judge::direction("the reflected direction", *golden, *got)
-    }
 }

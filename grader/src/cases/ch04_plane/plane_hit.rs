@@ -1,25 +1,41 @@
 //! Chapter 4: `plane_hit`.
 
-use crate::examine::Examiner;
-use crate::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
+use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
 use raybook::image::rgb::Rgb;
 use raybook_chapters::kit::palette::viridis;
 use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch04_plane::{PlaneHit, PlaneHitQuestion};
-use glam::{Vec3, vec3};
+use raybook_workbook::exercises::ch04_plane::PlaneHit;
+use glam::vec3;
 use rand::RngExt;
 
-/// This chapter's exercises, in order.
-pub const GRADED: &[&dyn Examiner] = &[&PlaneHit];
-
 impl Graded for PlaneHit {
+    fn random(rng: &mut Pcg) -> PlaneHit {
+        let max = if rng.random_bool(0.4) {
+            sample::number(rng, 1.0, 8.0)
+        } else {
+            f32::INFINITY
+        };
+        PlaneHit {
+            ray: Ray::new(sample::point(rng, 4.0), sample::direction(rng)),
+            within: Interval::new(0.0, max),
+            normal: sample::direction(rng),
+            offset: sample::number(rng, -3.0, 3.0),
+        }
+    }
+
+    fn judge(_q: &PlaneHit, golden: &Option<f32>, got: &Option<f32>) -> Verdict {
+        judge::option("a hit", golden.as_ref(), got.as_ref(), |golden, got| {
+            judge::number("t", "m", *golden, *got)
+        })
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "has the sign of the offset wrong",
             hint: "A point p of the plane has n·p = offset: put o + t·d in for p and solve again.",
             answer: |q| {
-                PlaneHit::answer(&PlaneHitQuestion {
+                PlaneHit::answer(&PlaneHit {
                     offset: -q.offset,
                     ..q.clone()
                 })
@@ -29,7 +45,7 @@ impl Graded for PlaneHit {
             name: "takes the plane through the world's origin",
             hint: "Move the plane by one metre along its normal: does your t change?",
             answer: |q| {
-                PlaneHit::answer(&PlaneHitQuestion {
+                PlaneHit::answer(&PlaneHit {
                     offset: 0.0,
                     ..q.clone()
                 })
@@ -75,7 +91,7 @@ impl Graded for PlaneHit {
         question: |x, y| {
             let toward = vec3((x as f32 - 47.5) / 54.0, (16.5 - y as f32) / 54.0, -1.0);
             let ray = Ray::new(vec3(0.0, 1.0, 0.0), Dir3::new_or(toward, Dir3::Z));
-            PlaneHitQuestion {
+            PlaneHit {
                 ray,
                 within: Interval::new(0.0, 60.0),
                 normal: Dir3::Y,
@@ -84,80 +100,11 @@ impl Graded for PlaneHit {
         },
         colour: |_, t| t.map_or(Rgb::gray(0.1), |t| viridis(2.0 / (0.5 + t))),
     }];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let question = |origin, toward, within, normal, offset| PlaneHitQuestion {
-            ray: Ray::new(origin, Dir3::new_or(toward, Dir3::Z)),
-            within,
-            normal,
-            offset,
-        };
-        let (ahead, up) = (Interval::AHEAD, vec3(0.0, 2.0, 0.0));
-        vec![
-            Edge::new(
-                "straight down on the floor",
-                question(up, Vec3::NEG_Y, ahead, Dir3::Y, 0.0),
-            ),
-            Edge::new("from below", question(-up, Vec3::Y, ahead, Dir3::Y, 0.0)),
-            Edge::new("away from it", question(up, Vec3::Y, ahead, Dir3::Y, 0.0)),
-            Edge::new("parallel to it", question(up, Vec3::X, ahead, Dir3::Y, 0.0)),
-            Edge::new(
-                "in the plane itself",
-                question(vec3(0.0, 1.0, 0.0), Vec3::X, ahead, Dir3::Y, 1.0),
-            ),
-            Edge::new(
-                "a raised floor",
-                question(
-                    vec3(1.0, 5.0, 1.0),
-                    vec3(1.0, -1.0, 0.0),
-                    ahead,
-                    Dir3::Y,
-                    2.0,
-                ),
-            ),
-            Edge::new(
-                "a wall on the negative side",
-                question(Vec3::ZERO, Vec3::NEG_X, ahead, Dir3::X, -3.0),
-            ),
-            Edge::new(
-                "beyond the interval",
-                question(up, Vec3::NEG_Y, Interval::new(0.0, 1.5), Dir3::Y, 0.0),
-            ),
-            Edge::new(
-                "before the interval",
-                question(up, Vec3::NEG_Y, Interval::new(2.5, 9.0), Dir3::Y, 0.0),
-            ),
-            Edge::new(
-                "towards the horizon",
-                question(up, vec3(1.0, -0.01, 0.0), ahead, Dir3::Y, 0.0),
-            ),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> PlaneHitQuestion {
-        let max = if rng.random_bool(0.4) {
-            sample::number(rng, 1.0, 8.0)
-        } else {
-            f32::INFINITY
-        };
-        PlaneHitQuestion {
-            ray: Ray::new(sample::point(rng, 4.0), sample::direction(rng)),
-            within: Interval::new(0.0, max),
-            normal: sample::direction(rng),
-            offset: sample::number(rng, -3.0, 3.0),
-        }
-    }
-
-    fn judge(_q: &PlaneHitQuestion, golden: &Option<f32>, got: &Option<f32>) -> Verdict {
-        judge::option("a hit", golden.as_ref(), got.as_ref(), |golden, got| {
-            judge::number("t", "m", *golden, *got)
-        })
-    }
 }
 
 /// The distance at which the whole line meets the plane.
-fn line(q: &PlaneHitQuestion) -> Option<f32> {
-    PlaneHit::answer(&PlaneHitQuestion {
+fn line(q: &PlaneHit) -> Option<f32> {
+    PlaneHit::answer(&PlaneHit {
         within: Interval::new(f32::NEG_INFINITY, f32::INFINITY),
         ..q.clone()
     })

@@ -1,19 +1,26 @@
 //! Chapter 20: `panorama_ray`: its cases, judge and mistakes.
 
-use crate::examine::Examiner;
-use crate::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
+use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
 use raybook_chapters::kit::palette::direction as direction_colour;
 use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch01_rays::CameraRayAnswer;
-use raybook_workbook::exercises::ch20_panorama::{PanoramaRay, PanoramaRayQuestion};
-use glam::{Vec2, Vec3, vec2, vec3};
+use raybook_workbook::exercises::ch20_panorama::PanoramaRay;
+use glam::{Vec2, Vec3, vec2};
 use std::f32::consts::{PI, TAU};
 
-/// This chapter's exercises, in order.
-pub const GRADED: &[&dyn Examiner] = &[&PanoramaRay];
-
 impl Graded for PanoramaRay {
+    fn random(rng: &mut Pcg) -> PanoramaRay {
+        let film = vec2(sample::number(rng, 0.0, 1.0), sample::number(rng, 0.0, 1.0));
+        question(sample::point(rng, 5.0), sample::direction(rng), film)
+    }
+
+    /// Rays are compared, not angles: at the top and at the bottom every angle around is right.
+    fn judge(_q: &PanoramaRay, golden: &CameraRayAnswer, got: &CameraRayAnswer) -> Verdict {
+        judge::point("the ray's origin", golden.origin, got.origin)?;
+        judge::direction("the ray's direction", golden.direction, got.direction)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "draws the picture upside down",
@@ -112,54 +119,14 @@ impl Graded for PanoramaRay {
         },
         colour: |_, ray| direction_colour(ray.direction),
     }];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let level = |name, x, y| {
-            let position = vec3(1.0, 2.0, 3.0);
-            Edge::new(name, question(position, -Dir3::Z, vec2(x, y)))
-        };
-        let turned = Dir3::new_or(vec3(0.6, 0.64, 0.48), Dir3::X);
-        vec![
-            level("the middle, forward", 0.5, 0.5),
-            level("right", 0.75, 0.5),
-            level("left", 0.25, 0.5),
-            level("the left edge, behind", 0.0, 0.5),
-            level("the right edge, behind", 1.0, 0.5),
-            level("the top, straight up", 0.5, 0.0),
-            level("the top left corner, straight up too", 0.0, 0.0),
-            level("the bottom, straight down", 0.3, 1.0),
-            level("halfway up the sky", 0.5, 0.25),
-            level("nearly straight up, to the right", 0.75, 0.01),
-            level("the centre of pixel (0, 0) of 4 × 2", 0.125, 0.25),
-            Edge::new(
-                "a turned camera, to its upper left",
-                question(Vec3::ZERO, turned, vec2(0.3, 0.4)),
-            ),
-            Edge::new(
-                "a camera that looks straight down",
-                question(vec3(0.0, 3.0, 0.0), -Dir3::Y, vec2(0.6, 0.7)),
-            ),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> PanoramaRayQuestion {
-        let film = vec2(sample::number(rng, 0.0, 1.0), sample::number(rng, 0.0, 1.0));
-        question(sample::point(rng, 5.0), sample::direction(rng), film)
-    }
-
-    /// Rays are compared, not angles: at the top and at the bottom every angle around is right.
-    fn judge(_q: &PanoramaRayQuestion, golden: &CameraRayAnswer, got: &CameraRayAnswer) -> Verdict {
-        judge::point("the ray's origin", golden.origin, got.origin)?;
-        judge::direction("the ray's direction", golden.direction, got.direction)
-    }
 }
 
 /// A camera that looks along a direction; its up is anything square to that.
-fn question(position: Vec3, forward: Dir3, film: Vec2) -> PanoramaRayQuestion {
+fn question(position: Vec3, forward: Dir3, film: Vec2) -> PanoramaRay {
     let Basis {
         x: right, y: up, ..
     } = Basis::around(-forward);
-    PanoramaRayQuestion {
+    PanoramaRay {
         position,
         forward,
         right,
@@ -169,12 +136,12 @@ fn question(position: Vec3, forward: Dir3, film: Vec2) -> PanoramaRayQuestion {
 }
 
 /// The ray at two angles: φ around up from forward, and θ from up.
-fn along(q: &PanoramaRayQuestion, phi: f32, theta: f32) -> CameraRayAnswer {
+fn along(q: &PanoramaRay, phi: f32, theta: f32) -> CameraRayAnswer {
     let around = phi.cos() * *q.forward + phi.sin() * *q.right;
     ray(q, theta.sin() * around + theta.cos() * *q.up)
 }
 
-fn ray(q: &PanoramaRayQuestion, direction: Vec3) -> CameraRayAnswer {
+fn ray(q: &PanoramaRay, direction: Vec3) -> CameraRayAnswer {
     CameraRayAnswer {
         origin: q.position,
         direction,

@@ -2,7 +2,7 @@
 
 use crate::kit::{options::Options, rate::Rate};
 use indicatif::{ProgressBar, ProgressStyle};
-use raybook::image::{Image, codec, file};
+use raybook::image::{Image, file, tone};
 use raybook::render::film::{Done, Film};
 use std::cell::RefCell;
 use std::error::Error;
@@ -121,7 +121,9 @@ impl Stage {
         let png = self.folder.join(name).with_extension("png");
         file::save(&png, picture)?;
         if self.show {
-            let shown = image::DynamicImage::ImageRgb8(codec::to_display(picture));
+            let (width, height) = (picture.width() as u32, picture.height() as u32);
+            let shown = image::RgbImage::from_raw(width, height, tone::to_bytes(picture));
+            let shown = image::DynamicImage::ImageRgb8(shown.unwrap_or_default());
             self.bar.suspend(|| {
                 viuer::print(
                     &shown,

@@ -104,8 +104,10 @@ impl Film<'_> {
         Image::from_fn(self.width, self.height, |x, y| pixels[y * self.width + x])
     }
 
-    /// Whatever belongs to each pixel, row by row. The threads fetch tiles one by one until none is left.
-    fn pixels<T: Send>(&self, pixel: impl Fn(usize, usize, &mut Pcg) -> T + Sync) -> Vec<T> {
+    /// As [`Film::render_pixels`], for anything that belongs to a pixel: row by row.
+    ///
+    /// The threads fetch tiles one by one until none is left.
+    pub fn pixels<T: Send>(&self, pixel: impl Fn(usize, usize, &mut Pcg) -> T + Sync) -> Vec<T> {
         let (columns, rows) = (self.width.div_ceil(TILE), self.height.div_ceil(TILE));
         let next = AtomicUsize::new(0);
         let work = || {

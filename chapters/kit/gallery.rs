@@ -1,7 +1,7 @@
 //! `index.html`: every chapter's pictures, what they show, what is new, and the command that draws them.
 
+use crate::kit::html::{figure, page};
 use crate::kit::stage::Output;
-use crate::kit::{html::figure, html::page};
 use crate::lesson::Lesson;
 use maud::{Markup, html};
 use raybook::image::file;

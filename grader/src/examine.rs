@@ -7,6 +7,7 @@ use raybook::image::rgb::Rgb;
 use raybook::math::pcg::{self, Pcg};
 use raybook_workbook::exercise::Asked;
 use raybook_workbook::row::{self, RowError, from_numbers, to_numbers};
+use std::borrow::Cow;
 use std::marker::PhantomData;
 
 /// How many random cases an exercise has beside its named ones.
@@ -86,21 +87,15 @@ pub trait Examiner: Sync {
 
 /// The examiner of an exercise, with the text of its golden file.
 pub(crate) struct Examination<E> {
-    golden: Text,
+    golden: Cow<'static, str>,
     exercise: PhantomData<E>,
-}
-
-/// A text that the command carries with it, or one that was read.
-enum Text {
-    Carried(&'static str),
-    Read(String),
 }
 
 impl<E> Examination<E> {
     /// The examiner with the golden file that the command carries with it.
     pub(crate) const fn new(golden: &'static str) -> Self {
         Self {
-            golden: Text::Carried(golden),
+            golden: Cow::Borrowed(golden),
             exercise: PhantomData,
         }
     }
@@ -112,15 +107,12 @@ impl<E: Graded> Examiner for Examination<E> {
     }
 
     fn golden(&self) -> &str {
-        match &self.golden {
-            Text::Carried(text) => text,
-            Text::Read(text) => text,
-        }
+        &self.golden
     }
 
     fn with_golden(&self, text: String) -> Box<dyn Examiner> {
         Box::new(Self {
-            golden: Text::Read(text),
+            golden: Cow::Owned(text),
             exercise: PhantomData,
         })
     }

@@ -93,7 +93,7 @@ impl Asked {
 ///         /// What the answer means, and its unit.
 ///         t: Option<f32>,
 ///     ) {
-///         the call of the library's function, in which the parameters are variables
+///         the call of the library's function, in which the parameters are variables; or `|q| { … }`, in which q has them all
 ///     }
 /// }
 /// ```

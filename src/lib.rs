@@ -24,9 +24,12 @@
 //! | 5 | camera |
 //! | 6 | render |
 
+#![warn(unreachable_pub, missing_debug_implementations)]
+
 pub mod accel;
 pub mod camera;
 pub mod image;
+pub mod inside;
 pub mod light;
 pub mod material;
 pub mod math;

@@ -4,8 +4,8 @@ use crate::shared::{showroom::SMOOTH, showroom::Showroom};
 use glam::Vec3;
 use raybook::accel::Accel;
 use raybook::accel::octree::Octree;
-use raybook::accel::octree::tree::{Kind, Place};
 use raybook::image::Image;
+use raybook::inside::octree::{self, Kind, Place};
 use raybook::math::interval::Interval;
 use raybook::render::film::Film;
 use raybook::shape::mesh::{Facet, Mesh};
@@ -13,7 +13,7 @@ use raybook::shape::{Shape, Surface, cuboid::Cuboid};
 
 /// The cells that are not empty, as blocks: after so many cuts as `depth` says for a cell's place, or leaves before.
 pub fn cells(octree: &Octree<Facet>, depth: impl Fn(Vec3) -> u32) -> Vec<Cuboid> {
-    let tree = octree.tree();
+    let tree = octree::tree(octree);
     let is_shown = |place: &Place| {
         let depth = depth(place.cell.center());
         match tree.nodes[place.node as usize].kind() {
@@ -54,7 +54,7 @@ pub fn picture(film: &Film, mesh: &Mesh, blocks: Vec<Cuboid>, kept: Vec<Facet>) 
 pub fn dissolving(film: &Film, mesh: &Mesh, octree: &Octree<Facet>) -> Image {
     /// The first of 16 columns in which there are so many cuts.
     const COLUMNS: [(f32, u32); 4] = [(14.0, 4), (12.0, 5), (10.0, 6), (7.0, 7)];
-    let root = octree.tree().bounds;
+    let root = octree::tree(octree).bounds;
     let column = |p: Vec3| 16.0 * (p.x - root.min.x) / root.size().x;
     let depth = |p: Vec3| {
         let found = COLUMNS.iter().find(|(from, _)| column(p) >= *from);

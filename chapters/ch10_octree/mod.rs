@@ -73,7 +73,9 @@ fn draw_law(stage: &Stage) -> Drawn {
         Axis::log(100.0..100_000.0)
             .named("N: triangles")
             .format(grouped),
-        Axis::linear(0.0..1.25 * nodes[6].1).named("count").labels(6),
+        Axis::linear(0.0..1.25 * nodes[6].1)
+            .named("count")
+            .labels(6),
     )
     .titled("A short ray in a soup, on average")
     .legend(Corner::UpperLeft);

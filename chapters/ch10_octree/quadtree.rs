@@ -3,10 +3,9 @@
 use crate::kit::palette::SKY;
 use crate::shared::{flatland::SIDE, flatland::discs, flatland::plane, flatland::ray};
 use glam::Vec3;
-use raybook::accel::octree::build::{Limits, build};
-use raybook::accel::octree::tree::Kind;
-use raybook::accel::octree::walk::Walk;
+use raybook::accel::octree::build::Limits;
 use raybook::image::Image;
+use raybook::inside::octree::{Kind, Walk, build};
 use raybook::math::{aabb::Aabb, interval::Interval};
 use std::error::Error;
 

@@ -1,9 +1,8 @@
 //! A binary tree and the wide one that is made of it, side by side.
 
-use raybook::accel::bvh::COST;
-use raybook::accel::bvh::build::flat::Node;
-use raybook::accel::bvh::build::{Method, build, cost::Cost};
-use raybook::accel::wide_bvh::collapse::{binary, children, collapse};
+use raybook::accel::bvh::build::Method;
+use raybook::inside::bvh::{COST, Cost, Node, build};
+use raybook::inside::wide_bvh::{binary, children, collapse};
 use raybook::image::Image;
 use crate::kit::{figure::Canvas, figure::FONT, figure::figure};
 use crate::kit::{palette::BLUE, palette::FAINT, palette::INK, palette::ORANGE};

@@ -6,6 +6,7 @@ use crate::render::followed::Followed;
 use crate::threads;
 use glam::{Vec2, vec2};
 use rand::RngExt;
+use std::fmt;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Edge of a tile in pixels: small enough to share the work evenly, large enough to fetch seldom.
@@ -26,6 +27,18 @@ pub struct Film<'a> {
     pub threads: usize,
     /// Told whenever some pixels are done, from any thread.
     pub progress: &'a (dyn Fn(Done) + Sync),
+}
+
+impl fmt::Debug for Film<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.debug_struct("Film")
+            .field("width", &self.width)
+            .field("height", &self.height)
+            .field("samples", &self.samples)
+            .field("seed", &self.seed)
+            .field("threads", &self.threads)
+            .finish_non_exhaustive()
+    }
 }
 
 /// A part of a picture that is done.

@@ -17,7 +17,7 @@ pub type Arrives = fn(&Scene<dyn Material>, &Surface, &LightSample) -> bool;
 pub const ALWAYS: Option<Arrives> = None;
 
 /// How light from the lights is gathered.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct Local {
     /// So many samples are taken of every light.
     pub samples: u32,

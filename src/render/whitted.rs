@@ -7,7 +7,7 @@ use crate::render::{followed::Followed, local::Local};
 use crate::scene::world::Scene;
 
 /// Follows rays from surface to surface (Whitted, "An improved illumination model for shaded display", 1980).
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct Whitted {
     /// How light from the lights is gathered at each surface.
     pub local: Local,

@@ -5,6 +5,7 @@ use glam::{Mat3, vec2, vec3};
 use std::f32::consts::TAU;
 
 /// Teapots on a square of ground.
+#[derive(Clone, Debug)]
 pub struct Teapots {
     /// All of it: the teapots one after the other, then the ground.
     pub mesh: Mesh,

@@ -23,3 +23,4 @@ mod ch24_wide_bvh;
 mod embree_recorded;
 mod laws;
 mod noise;
+mod soundness;

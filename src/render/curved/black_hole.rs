@@ -7,6 +7,7 @@ use crate::render::curved::geodesic::between;
 use crate::render::curved::{Photon, doppler::shift, observer};
 use crate::scene::accretion_disc::AccretionDisc;
 use glam::{DVec3, Vec3};
+use std::fmt;
 use std::ops::ControlFlow;
 
 /// What there is to be seen around the hole.
@@ -15,6 +16,14 @@ pub struct BlackHole<'a> {
     pub disc: Option<&'a AccretionDisc>,
     /// Radiance by direction, from infinitely far away.
     pub sky: &'a (dyn Fn(Dir3) -> Rgb + Sync),
+}
+
+impl fmt::Debug for BlackHole<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.debug_struct("BlackHole")
+            .field("disc", &self.disc)
+            .finish_non_exhaustive()
+    }
 }
 
 /// Of a step. What is seen moves by less than a thousandth of a radian then, unless the ray has gone around the hole.

@@ -18,3 +18,4 @@ mod ch22_antialiasing;
 mod ch23_adaptive;
 mod chapters;
 mod golden;
+mod terminal;

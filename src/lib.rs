@@ -68,7 +68,11 @@
 //! | supersampling, adaptive supersampling | `render/supersample.rs` `render/adaptive.rs` |
 //! | curved rays, the black hole | `render/curved/mod.rs` |
 
-#![warn(unreachable_pub, missing_debug_implementations)]
+#![warn(
+    clippy::allow_attributes_without_reason,
+    missing_debug_implementations,
+    unreachable_pub
+)]
 
 pub mod accel;
 pub mod camera;

@@ -214,6 +214,9 @@ impl dyn Examiner + '_ {
     ///
     /// # Errors
     /// If a named case of the golden file cannot be read.
+    ///
+    /// # Panics
+    /// If the exercise's random questions are not fit for it.
     pub fn try_cases(&self, rng: &mut Pcg) -> Result<Cases, GoldenError> {
         let mut cases: Vec<_> = self
             .named()?

@@ -157,7 +157,7 @@ pub fn page(examiner: &dyn Examiner) -> Result<(String, Cases), GoldenError> {
     let _ = writeln!(text, "# answered: {}", asked.answer_names().join(" "));
     let _ = writeln!(
         text,
-        "# Each line: the case's name | the question = the answer (= another that is right too). Written by `raybook bless`."
+        "# Each line: name | question = answer (= another that is right too). People write the named cases, of which `name | question` is enough; `raybook bless` writes the rest."
     );
     for case in &cases.cases {
         let answers = case.answers.join(" = ");

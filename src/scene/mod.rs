@@ -3,7 +3,6 @@
 pub mod accretion_disc;
 pub mod cornell;
 pub mod description;
-pub mod evening;
 pub mod four_scenes;
 pub mod glassware;
 pub mod horizon;
@@ -20,7 +19,5 @@ pub mod starry_sky;
 pub mod still_life;
 pub mod summer;
 pub mod tea_table;
-pub mod teapots;
 pub mod terrain;
-pub mod window;
 pub mod world;

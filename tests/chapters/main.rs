@@ -2,6 +2,7 @@
 
 mod architecture;
 mod book;
+mod ch02_hdr;
 mod ch06_triangle;
 mod ch07_obj;
 mod ch08_grid;

@@ -7,8 +7,8 @@ pub enum Kind {
     Number,
     /// A whole number from 0 up.
     Whole,
-    /// Numbers that belong together, by the names of their parts.
-    Numbers(&'static [&'static str]),
+    /// Numbers that belong together.
+    Numbers(&'static Parts),
     /// A vector whose length does not matter.
     Direction,
     /// A value, or the word `none`.
@@ -19,6 +19,15 @@ pub enum Kind {
     Record(&'static Record),
     /// A word that says which, and the value that belongs to it.
     Choice(&'static [(&'static str, &'static Kind)]),
+}
+
+/// Numbers that belong together, such as a vector.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Parts {
+    /// The name of their type.
+    pub name: &'static str,
+    /// Their names, in order.
+    pub parts: &'static [&'static str],
 }
 
 /// Fields that belong together.
@@ -41,17 +50,23 @@ pub struct Field {
     pub meaning: &'static str,
 }
 
-/// The parts of a vector.
-pub const XYZ: &[&str] = &["x", "y", "z"];
+/// A vector of three numbers.
+pub const VECTOR: &Parts = &Parts {
+    name: "Vec3",
+    parts: &["x", "y", "z"],
+};
 
 impl Kind {
     /// The names of the words of a value of this name, in order.
     pub fn names(&self, name: &str) -> Vec<String> {
-        let of_parts = |parts: &[&str]| parts.iter().map(|part| format!("{name}.{part}")).collect();
+        let of_parts = |parts: &Parts| {
+            let parts = parts.parts.iter();
+            parts.map(|part| format!("{name}.{part}")).collect()
+        };
         match self {
             Self::Number | Self::Whole => vec![name.to_owned()],
             Self::Numbers(parts) => of_parts(parts),
-            Self::Direction => of_parts(XYZ),
+            Self::Direction => of_parts(VECTOR),
             Self::Optional(kind) => vec![format!("none | {}", kind.names(name).join(" "))],
             Self::List(kind) => vec![
                 format!("{name}.count"),

@@ -1,6 +1,6 @@
 //! Records and choices as rows: each field stands once, with its name, its type and its meaning.
 
-use crate::kind::Kind;
+use crate::kind::{Kind, Parts};
 use crate::row::{Numbers, Row};
 use glam::{Vec2, Vec3};
 use raybook::image::rgb::Rgb;
@@ -66,7 +66,7 @@ macro_rules! choice_of {
                 let takes = [$(|numbers: &mut crate::row::Numbers<'_>| {
                     Self::$variant(<$kind as crate::row::Row>::take(numbers))
                 }),+];
-                let i = numbers.next() as usize;
+                let i = numbers.number() as usize;
                 takes[i.min(takes.len() - 1)](numbers)
             }
         }
@@ -77,7 +77,10 @@ macro_rules! choice_of {
 macro_rules! numbers_of {
     ($name:ident { $($part:ident),+ }) => {
         impl Row for $name {
-            const KIND: &'static Kind = &Kind::Numbers(&[$(stringify!($part)),+]);
+            const KIND: &'static Kind = &Kind::Numbers(&Parts {
+                name: stringify!($name),
+                parts: &[$(stringify!($part)),+],
+            });
 
             fn put(&self, numbers: &mut Vec<f64>) {
                 $(self.$part.put(numbers);)+

@@ -7,7 +7,7 @@
 //! is 1 and itself, a choice is its place among the choices. Between words and numbers goes the [`Kind`], here, once for all
 //! types; between numbers and a type goes its [`Row`], which cannot fail.
 
-use crate::kind::{Kind, XYZ};
+use crate::kind::{Kind, VECTOR};
 use crate::words::Words;
 use glam::Vec3;
 use raybook::math::dir3::Dir3;
@@ -36,16 +36,21 @@ pub trait Row: Sized {
 #[derive(Debug)]
 pub struct Numbers<'a>(std::slice::Iter<'a, f64>);
 
-impl Numbers<'_> {
+impl<'a> Numbers<'a> {
+    /// The numbers of a row, from the first.
+    pub fn of(numbers: &'a [f64]) -> Self {
+        Self(numbers.iter())
+    }
+
     /// The next number; 0 after the last.
-    pub fn next(&mut self) -> f64 {
+    pub fn number(&mut self) -> f64 {
         self.0.next().copied().unwrap_or(0.0)
     }
 }
 
 /// The value of a row's numbers.
 pub fn from_numbers<R: Row>(numbers: &[f64]) -> R {
-    R::take(&mut Numbers(numbers.iter()))
+    R::take(&mut Numbers::of(numbers))
 }
 
 /// The numbers of a value.
@@ -78,14 +83,14 @@ pub fn parse(kind: &Kind, line: &str, name: &str) -> Result<Vec<f64>, RowError> 
 /// The line of a row's numbers.
 pub fn format(kind: &Kind, numbers: &[f64]) -> String {
     let mut line = String::new();
-    format_next(kind, &mut Numbers(numbers.iter()), &mut line);
+    format_next(kind, &mut Numbers::of(numbers), &mut line);
     line
 }
 
 /// Each part of a row with its name and its words, for people.
 pub fn parts(kind: &Kind, name: &str, numbers: &[f64]) -> Vec<(String, String)> {
     let mut parts = Vec::new();
-    parts_next(kind, name, &mut Numbers(numbers.iter()), &mut parts);
+    parts_next(kind, name, &mut Numbers::of(numbers), &mut parts);
     parts
 }
 
@@ -99,16 +104,16 @@ fn parse_next(
         Kind::Number => numbers.push(words.number(name)?),
         Kind::Whole => numbers.push(words.whole(name)?.into()),
         Kind::Numbers(parts) => {
-            for part in *parts {
+            for part in parts.parts {
                 numbers.push(words.number(&format_args!("{name}.{part}"))?);
             }
         }
         Kind::Direction => {
             let at = words.position();
-            parse_next(&Kind::Numbers(XYZ), words, name, numbers)?;
+            parse_next(&Kind::Numbers(VECTOR), words, name, numbers)?;
             let last = &numbers[numbers.len() - 3..];
             if Dir3::new(from_numbers(last)).is_none() {
-                let found = format(&Kind::Numbers(XYZ), last);
+                let found = format(&Kind::Numbers(VECTOR), last);
                 return Err(RowError::word(at, name, "a direction", &found));
             }
         }
@@ -147,19 +152,19 @@ fn parse_next(
 
 fn format_next(kind: &Kind, numbers: &mut Numbers<'_>, line: &mut String) {
     match kind {
-        Kind::Number => line.push_str(&number(numbers.next() as f32)),
-        Kind::Whole => line.push_str(&(numbers.next() as u32).to_string()),
+        Kind::Number => line.push_str(&number(numbers.number() as f32)),
+        Kind::Whole => line.push_str(&(numbers.number() as u32).to_string()),
         Kind::Numbers(parts) => {
-            for i in 0..parts.len() {
+            for i in 0..parts.parts.len() {
                 line.push_str(if i == 0 { "" } else { " " });
                 format_next(&Kind::Number, numbers, line);
             }
         }
-        Kind::Direction => format_next(&Kind::Numbers(XYZ), numbers, line),
-        Kind::Optional(_) if numbers.next() == 0.0 => line.push_str("none"),
+        Kind::Direction => format_next(&Kind::Numbers(VECTOR), numbers, line),
+        Kind::Optional(_) if numbers.number() == 0.0 => line.push_str("none"),
         Kind::Optional(kind) => format_next(kind, numbers, line),
         Kind::List(kind) => {
-            let count = numbers.next() as u32;
+            let count = numbers.number() as u32;
             line.push_str(&count.to_string());
             for _ in 0..count {
                 line.push_str("  ");
@@ -173,7 +178,7 @@ fn format_next(kind: &Kind, numbers: &mut Numbers<'_>, line: &mut String) {
             }
         }
         Kind::Choice(choices) => {
-            if let Some((word, kind)) = choices.get(numbers.next() as usize) {
+            if let Some((word, kind)) = choices.get(numbers.number() as usize) {
                 line.push_str(word);
                 line.push(' ');
                 format_next(kind, numbers, line);
@@ -190,7 +195,7 @@ fn parts_next(
 ) {
     match kind {
         Kind::Optional(kind) if numbers.0.as_slice().first() == Some(&1.0) => {
-            numbers.next();
+            numbers.number();
             parts_next(kind, name, numbers, parts);
         }
         Kind::Record(record) => {
@@ -199,7 +204,7 @@ fn parts_next(
             }
         }
         Kind::List(kind) if kind.has_a_choice() => {
-            for i in 0..numbers.next() as u32 {
+            for i in 0..numbers.number() as u32 {
                 let mut line = String::new();
                 format_next(kind, numbers, &mut line);
                 parts.push((format!("{name}[{i}]"), line));
@@ -226,7 +231,7 @@ impl Row for f32 {
     }
 
     fn take(numbers: &mut Numbers<'_>) -> Self {
-        numbers.next() as Self
+        numbers.number() as Self
     }
 }
 
@@ -238,7 +243,7 @@ impl Row for u32 {
     }
 
     fn take(numbers: &mut Numbers<'_>) -> Self {
-        numbers.next() as Self
+        numbers.number() as Self
     }
 }
 
@@ -266,7 +271,7 @@ impl<T: Row> Row for Option<T> {
     }
 
     fn take(numbers: &mut Numbers<'_>) -> Self {
-        (numbers.next() != 0.0).then(|| T::take(numbers))
+        (numbers.number() != 0.0).then(|| T::take(numbers))
     }
 }
 
@@ -281,7 +286,7 @@ impl<T: Row> Row for Vec<T> {
     }
 
     fn take(numbers: &mut Numbers<'_>) -> Self {
-        let count = numbers.next() as u32;
+        let count = numbers.number() as u32;
         (0..count).map(|_| T::take(numbers)).collect()
     }
 }

@@ -78,12 +78,8 @@ fn exercises_of(word: &str) -> Vec<&'static str> {
             .map(|exercise| exercise.name)
             .collect()
     });
-    of_chapter.unwrap_or_else(|| {
-        cases::find(word)
-            .map(|examiner| examiner.name())
-            .into_iter()
-            .collect()
-    })
+    let of_this_name = || cases::find(word).map(<dyn Examiner>::name);
+    of_chapter.unwrap_or_else(|| of_this_name().into_iter().collect())
 }
 
 /// A time limit in seconds.

@@ -34,22 +34,12 @@ impl Graded for PlaneHit {
         Mistake {
             name: "has the sign of the offset wrong",
             hint: "A point p of the plane has n·p = offset: put o + t·d in for p and solve again.",
-            answer: |q| {
-                PlaneHit::answer(&PlaneHit {
-                    offset: -q.offset,
-                    ..q.clone()
-                })
-            },
+            answer: |q| Self::misread(q, |q| q.offset = -q.offset),
         },
         Mistake {
             name: "takes the plane through the world's origin",
             hint: "Move the plane by one metre along its normal: does your t change?",
-            answer: |q| {
-                PlaneHit::answer(&PlaneHit {
-                    offset: 0.0,
-                    ..q.clone()
-                })
-            },
+            answer: |q| Self::misread(q, |q| q.offset = 0.0),
         },
         Mistake {
             name: "sees the front only",

@@ -1,4 +1,4 @@
-//! `refine_cell`: its mistakes.
+//! `refine_cell`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Verdict, sample};
 use glam::{UVec3, vec3};

@@ -1,4 +1,4 @@
-//! `octree_build`: its mistakes.
+//! `octree_build`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Verdict, sample};
 use glam::Vec3;

@@ -101,12 +101,7 @@ impl Graded for PointLightExercise {
         Mistake {
             name: "takes the light to be at the origin",
             hint: "Move the lamp by one metre: does your answer change?",
-            answer: |q| {
-                PointLightExercise::answer(&PointLightExercise {
-                    position: Vec3::ZERO,
-                    ..q.clone()
-                })
-            },
+            answer: |q| Self::misread(q, |q| q.position = Vec3::ZERO),
         },
         Mistake {
             name: "answers at the light itself too",

@@ -94,12 +94,7 @@ impl Graded for Lit {
         Mistake {
             name: "takes what is behind the light for an obstacle",
             hint: "How far is the light? What is farther away cannot hide it.",
-            answer: |q| {
-                Lit::answer(&Lit {
-                    distance: f32::INFINITY,
-                    ..q.clone()
-                })
-            },
+            answer: |q| Self::misread(q, |q| q.distance = f32::INFINITY),
         },
         Mistake {
             name: "takes what is behind the point for an obstacle",

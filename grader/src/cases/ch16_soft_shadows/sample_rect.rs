@@ -99,12 +99,7 @@ impl Graded for SampleRect {
         Mistake {
             name: "takes the corner for the middle",
             hint: "Which points do u = (0, 0) and u = (1, 1) belong to?",
-            answer: |q| {
-                SampleRect::answer(&SampleRect {
-                    corner: q.corner - 0.5 * (q.a + q.b),
-                    ..q.clone()
-                })
-            },
+            answer: |q| Self::misread(q, |q| q.corner -= 0.5 * (q.a + q.b)),
         },
         Mistake {
             name: "uses one number for both sides",

@@ -3,7 +3,6 @@
 use super::at_height;
 use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch17_rendering_equation::{CosineHemisphere, lattice};
 use glam::{Vec2, Vec3, vec3};
 use rand::RngExt;
@@ -108,12 +107,7 @@ impl Graded for CosineHemisphere {
         Mistake {
             name: "ignores the normal",
             hint: "Try a normal that points down: do your directions follow it?",
-            answer: |q| {
-                CosineHemisphere::answer(&CosineHemisphere {
-                    normal: Dir3::Z,
-                    ..q.clone()
-                })
-            },
+            answer: |q| Self::misread(q, |q| q.normal = Dir3::Z),
         },
         Mistake {
             name: "goes only half way round",

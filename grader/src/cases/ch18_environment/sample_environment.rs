@@ -1,4 +1,4 @@
-//! `sample_environment`: cases and mistakes; [`super::distributed`] judges.
+//! `sample_environment`: random questions and mistakes; [`super::distributed`] judges.
 
 use super::OfMap;
 use super::{cell, distributed::distributed, toward};

@@ -172,7 +172,7 @@ impl Graded for ThinLensRay {
         height: 54,
         alt: "Three balls, one ray a pixel, each from another point of the lens: the middle one has a clean edge, the near and the far one are frayed",
         question: pixel,
-        colour: colour,
+        colour,
     }];
 }
 

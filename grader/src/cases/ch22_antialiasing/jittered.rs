@@ -1,4 +1,4 @@
-//! `jittered`: cases, judge, mistakes.
+//! `jittered`: random questions, judge and mistakes.
 
 use super::points;
 use crate::{Graded, Mistake, Verdict};

@@ -1,4 +1,4 @@
-//! `pixel_average`: cases, judge, mistakes.
+//! `pixel_average`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::image::rgb::Rgb;

@@ -1,4 +1,4 @@
-//! `poisson_disk`: cases, judge, mistakes.
+//! `poisson_disk`: random questions, judge and mistakes.
 
 use super::points;
 use crate::{Graded, Mistake, Verdict};

@@ -1,4 +1,4 @@
-//! `random_pattern`: cases, judge, mistakes.
+//! `random_pattern`: random questions, judge and mistakes.
 
 use super::points;
 use crate::{Graded, Mistake, Verdict};

@@ -1,4 +1,4 @@
-//! `regular_grid`: cases, judge, mistakes.
+//! `regular_grid`: random questions, judge and mistakes.
 
 use super::points;
 use crate::{Graded, Mistake, Verdict};

@@ -1,4 +1,4 @@
-//! `rotated_grid`: cases, judge, mistakes.
+//! `rotated_grid`: random questions, judge and mistakes.
 
 use super::points;
 use crate::{Graded, Mistake, Verdict, sample};

@@ -1,4 +1,4 @@
-//! `needs_more`: cases, judge, mistakes.
+//! `needs_more`: random questions, judge and mistakes.
 
 use super::measures::{decide, range, ratio, squares, standard_error, too_contrasty, verdict};
 use crate::{Graded, Mistake, Verdict, sample};

@@ -1,4 +1,4 @@
-//! `spend_budget`: cases, judge, mistakes.
+//! `spend_budget`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Verdict, sample};
 use raybook::math::pcg::Pcg;

@@ -1,4 +1,4 @@
-//! `collapse`: its mistakes.
+//! `collapse`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Verdict, sample};
 use rand::RngExt;

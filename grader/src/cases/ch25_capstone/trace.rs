@@ -1,4 +1,4 @@
-//! `trace`: its pictures, judge and mistakes.
+//! `trace`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
 use glam::{Vec3, vec2, vec3};

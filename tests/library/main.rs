@@ -24,3 +24,4 @@ mod embree_recorded;
 mod laws;
 mod noise;
 mod soundness;
+mod where_is_what;

@@ -1,9 +1,8 @@
 //! What the course opens up of the library for its exercises, figures and tests: single steps of building and searching, and
 //! the structures behind the accelerators.
 //!
-//! A user of the library has no need of it, and it is not a promise: it changes with what is inside. Whatever it is given, its
-//! functions are memory safe; they may panic, search for ever or run out
-//! of stack where numbers do not make a tree.
+//! A user of the library has no need of it, and it is not a promise: it changes with what is inside. Whatever its functions
+//! are given, nothing undefined happens; where numbers do not make a tree, they may panic, search for ever or run out of stack.
 
 pub use crate::accel::ray_box::RayBox;
 pub use crate::sample::pattern::neighbours::{Neighbours, Space};
@@ -104,6 +103,46 @@ pub mod bvh {
 }
 
 /// Of [`WideBvh`](crate::accel::wide_bvh::WideBvh): the tree can be read, and made out of parts, which are checked.
+///
+/// On what stands in a tree and in a ray made ready, vector instructions rely: nobody else can write it. Links have no
+/// bits to set,
+///
+/// ```compile_fail,E0423
+/// let far = raybook::inside::wide_bvh::Link(3_000_000_000);
+/// ```
+///
+/// a tree's lists cannot be changed, nor can what is in a node or a leaf,
+///
+/// ```compile_fail,E0616
+/// # use raybook::{accel::wide_bvh::WideBvh, inside::wide_bvh};
+/// let mut tree = wide_bvh::tree(&WideBvh::new(Vec::new())).clone();
+/// tree.nodes.clear();
+/// ```
+///
+/// ```compile_fail,E0616
+/// # use raybook::inside::wide_bvh::Node;
+/// fn widen(node: &mut Node) {
+///     node.rows[0][0] = 0.0;
+/// }
+/// ```
+///
+/// and rays made ready, shears, stacks and the proof that a processor has AVX2 have no name outside.
+///
+/// ```compile_fail,E0603
+/// use raybook::accel::wide_bvh::ray::WideRay;
+/// ```
+///
+/// ```compile_fail,E0603
+/// use raybook::shape::triangle_watertight::Shear;
+/// ```
+///
+/// ```compile_fail,E0603
+/// use raybook::accel::wide_bvh::stack::Places;
+/// ```
+///
+/// ```compile_fail,E0603
+/// use raybook::accel::wide_bvh::avx2::Avx2;
+/// ```
 pub mod wide_bvh {
     pub use crate::accel::wide_bvh::collapse::{Family, binary, children, collapse, half_area};
     pub use crate::accel::wide_bvh::node::{CHILDREN, Leaf, Link, Node, TRIANGLES};

@@ -2,11 +2,8 @@
 //! through them, are in `flatland.rs`.)
 
 use crate::kit::figure::{CENTRE, Canvas, Figure, coloured, figure, write};
+use crate::kit::palette::{BLUE, FAINT, GREEN, INK, ORANGE, PURPLE, VERMILION};
 use crate::kit::stage::Drawn;
-use crate::kit::{
-    palette::BLUE, palette::FAINT, palette::GREEN, palette::INK, palette::ORANGE, palette::PURPLE,
-    palette::VERMILION,
-};
 use glam::{Vec2, vec2};
 use plotters::prelude::{Color, Polygon, RGBColor, Rectangle};
 use rand::RngExt;

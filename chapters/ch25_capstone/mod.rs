@@ -17,7 +17,7 @@ use raybook::render::refine::refine;
 use raybook::render::trace::trace;
 use raybook::scene::description::Description;
 use raybook::scene::four_scenes::{ASPECT, FOUR, Staged};
-use raybook_workbook::exercises::ch25_capstone::TraceQuestion;
+use raybook_workbook::exercises::ch25_capstone::Trace;
 use std::process::ExitCode;
 
 /// Draws the chapter's pictures.
@@ -36,7 +36,7 @@ pub fn draw(stage: &Stage) -> Drawn {
         &sheet(2, &tiles)?,
     )?;
     let (easiest, shown) = (&FOUR[0], tiles.swap_remove(0).1);
-    let question = TraceQuestion {
+    let question = Trace {
         depth: easiest.depth,
         ray: camera(easiest)?.ray_through(Vec2::splat(0.5)),
         scene: (easiest.scene)(),

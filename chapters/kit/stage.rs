@@ -1,8 +1,8 @@
 //! The stage on which a chapter draws: its films, its progress, and where its pictures go.
 
-use crate::kit::{options::Options, rate::Rate};
+use crate::kit::{options::Options, rate::Rate, terminal};
 use indicatif::{ProgressBar, ProgressStyle};
-use raybook::image::{Image, file, tone};
+use raybook::image::{Image, file};
 use raybook::render::film::{Done, Film};
 use std::cell::RefCell;
 use std::error::Error;
@@ -121,18 +121,7 @@ impl Stage {
         let png = self.folder.join(name).with_extension("png");
         file::save(&png, picture)?;
         if self.show {
-            let (width, height) = (picture.width() as u32, picture.height() as u32);
-            let shown = image::RgbImage::from_raw(width, height, tone::to_bytes(picture));
-            let shown = image::DynamicImage::ImageRgb8(shown.unwrap_or_default());
-            self.bar.suspend(|| {
-                viuer::print(
-                    &shown,
-                    &viuer::Config {
-                        absolute_offset: false,
-                        ..Default::default()
-                    },
-                )
-            })?;
+            self.bar.suspend(|| terminal::print(picture))?;
         }
         self.outputs.borrow_mut().push(Output {
             png,

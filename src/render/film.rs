@@ -8,6 +8,7 @@ use crate::threads;
 use glam::{Vec2, vec2};
 use rand::RngExt;
 use std::fmt;
+use std::iter::once;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Edge of a tile in pixels: small enough to share the work evenly, large enough to fetch seldom.
@@ -123,12 +124,10 @@ impl Film<'_> {
             }
             rng.clone_from(then);
             let corner = vec2(x as f32, y as f32);
-            // One after the other, as without the break: the sum is the same to the last bit.
-            let begun = Followed::from(seen.sum);
-            let sum = (first..self.samples).fold(begun, |sum, i| {
-                let one = radiance((corner + places(i)) / size, rng).into();
-                [sum, one].into_iter().sum()
-            });
+            let rest =
+                (first..self.samples).map(|i| radiance((corner + places(i)) / size, rng).into());
+            // One after the other, as `render` adds them up: then the bits are the same.
+            let sum: Followed = once(Followed::from(seen.sum)).chain(rest).sum();
             sum.mean_of(self.samples)
         })
     }

@@ -3,7 +3,6 @@
 pub mod accretion_disc;
 pub mod cornell;
 pub mod description;
-pub mod evening;
 pub mod four_scenes;
 pub mod horizon;
 pub mod marbles;
@@ -12,7 +11,5 @@ pub mod plates;
 pub mod soup;
 pub mod stadium;
 pub mod still_life;
-pub mod teapots;
 pub mod terrain;
-pub mod window;
 pub mod world;

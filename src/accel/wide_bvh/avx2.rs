@@ -8,7 +8,10 @@ use super::lanes::{Lanes, Struck, Work};
 use super::node::{CHILDREN, Leaf, Link, Node, TRIANGLES};
 use super::ray::WideRay;
 use super::tree::Tree;
-#[allow(clippy::wildcard_imports)]
+#[allow(
+    clippy::wildcard_imports,
+    reason = "the names of all vector instructions begin with _mm"
+)]
 use std::arch::x86_64::*;
 
 /// The proof that this processor has AVX2 and FMA: only [`Avx2::detect`] makes one.

@@ -109,7 +109,10 @@ impl WideBvh {
 
     /// Does the work with the best instructions. They compare distances as integers, which is right from 0 on.
     #[inline(always)]
-    #[allow(unused_variables)] // without AVX2 the interval makes no difference
+    #[allow(
+        unused_variables,
+        reason = "without AVX2 the interval makes no difference"
+    )]
     fn run<W: Work>(&self, within: Interval, work: W) -> W::Answer {
         #[cfg(target_arch = "x86_64")]
         if let Some(avx2) = self.avx2.filter(|_| within.min >= 0.0) {

@@ -4,121 +4,47 @@ use raybook::accel::Tests;
 use raybook::inside::wide_bvh::{CHILDREN, Link, TRIANGLES, Tree, binary, collapse};
 use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use raybook::shape::mesh::Facet;
-use crate::exercise::{Asked, Exercise};
+use crate::exercise::exercises;
 use crate::exercises::ch07_mesh::{Corners, MeshHitAnswer};
-use crate::row::row;
+use crate::record::row;
 use crate::tree_rows::{NodeRow, to_flat};
 use glam::Vec3;
 
-/// This chapter's exercises, in order.
-pub const EXERCISES: &[&dyn Asked] = &[&Collapse, &WideClosest];
-
-/// See [`Exercise::TASK`].
-pub struct Collapse;
-
-row! {
-    /// A binary tree.
-    pub struct CollapseQuestion {
-        /// The root, then pairs of children.
-        pub nodes: Vec<NodeRow>,
-    }
-}
-
-row! {
-    /// A branch that stays, and its new children.
-    pub struct FamilyRow {
-        /// The number of the branch.
-        pub branch: u32,
-        /// The numbers of the nodes that become its children.
-        pub children: Vec<u32>,
-    }
-}
-
-impl Exercise for Collapse {
-    type Question = CollapseQuestion;
-    type Answer = Vec<FamilyRow>;
-    const NAME: &'static str = "collapse";
-    const ANSWER: &'static str = "families";
-    const TASK: &'static str = "Make a tree of up to eight children per branch out of a binary one: return each branch that stays with its new children, opening the largest branch among them until there are eight.";
-
-    fn answer(q: &Self::Question) -> Self::Answer {
-        let nodes = binary(&to_flat(&q.nodes, 0));
+exercises! { ($) ch24_wide_bvh
+    /// Make a tree of up to eight children per branch out of a binary one: return each branch that stays with its new
+    /// children, opening the largest branch among them until there are eight.
+    Collapse: collapse(
+        /// The binary tree: the root, then pairs of children.
+        nodes: Vec<NodeRow>,
+    ) -> (
+        /// The branches that stay, in any order.
+        families: Vec<FamilyRow>,
+    ) {
+        let nodes = binary(&to_flat(&nodes, 0));
         let families = collapse(&nodes).into_iter().map(|family| FamilyRow {
             branch: family.branch,
             children: family.children,
         });
         families.collect()
     }
-}
 
-/// See [`Exercise::TASK`].
-pub struct WideClosest;
-
-row! {
-    /// A child of a node.
-    pub struct WideChild {
-        /// The least corner of its box.
-        pub min: Vec3,
-        /// The greatest corner.
-        pub max: Vec3,
-        /// 1 for a leaf, 0 for a node.
-        pub leaf: u32,
-        /// The number of the leaf or the node.
-        pub index: u32,
-    }
-}
-
-row! {
-    /// A node.
-    pub struct WideNode {
-        /// Its children, at most eight.
-        pub children: Vec<WideChild>,
-    }
-}
-
-row! {
-    /// A leaf.
-    pub struct WideLeaf {
-        /// The numbers of its triangles, at most four.
-        pub triangles: Vec<u32>,
-    }
-}
-
-row! {
-    /// A ray, the distances that count, and a wide tree over triangles.
-    pub struct WideClosestQuestion {
+    /// Return the nearest triangle of the tree that the ray hits with min < t < max, and that hit, or None; count every
+    /// node that you open and every triangle that you test, and be content with few.
+    WideClosest: wide_closest(
         /// The ray.
-        pub ray: Ray,
-        /// Only t with min < t < max counts.
-        pub within: Interval,
+        ray: Ray,
+        /// The distances that count: min < t < max, in metres.
+        within: Interval,
         /// The nodes; the root is number 0.
-        pub nodes: Vec<WideNode>,
-        /// The leaves.
-        pub leaves: Vec<WideLeaf>,
-        /// The triangles.
-        pub triangles: Vec<Corners>,
-    }
-}
-
-row! {
-    /// The nearest triangle, and the work that it took to find it.
-    pub struct WideClosestAnswer {
-        /// How many nodes were opened: the boxes of all children of one are tested at once.
-        pub nodes: u32,
-        /// How many triangles were tested.
-        pub tests: u32,
-        /// The hit.
-        pub hit: Option<MeshHitAnswer>,
-    }
-}
-
-impl Exercise for WideClosest {
-    type Question = WideClosestQuestion;
-    type Answer = WideClosestAnswer;
-    const NAME: &'static str = "wide_closest";
-    const TASK: &'static str = "Return the nearest triangle of the tree that the ray hits with min < t < max, and that hit, or None; count every node that you open and every triangle that you test, and be content with few.";
-
-    fn answer(q: &Self::Question) -> Self::Answer {
+        nodes: Vec<WideNode>,
+        /// The leaves; their numbers count from 0.
+        leaves: Vec<WideLeaf>,
+        /// The triangles; their ids count from 0.
+        triangles: Vec<Corners>,
+    ) -> (
+        /// The nearest hit, and the work that it took to find it.
+        answer: WideClosestAnswer,
+    ) |q| {
         let mut count = Tests::default();
         let hit = tree(q).and_then(|tree| tree.closest(&q.ray, q.within, &mut count));
         WideClosestAnswer {
@@ -132,8 +58,60 @@ impl Exercise for WideClosest {
     }
 }
 
+row! {
+    /// A branch that stays, and its new children.
+    pub struct FamilyRow {
+        /// The number of the branch, from 0.
+        pub branch: u32,
+        /// The numbers of the nodes that become its children.
+        pub children: Vec<u32>,
+    }
+}
+
+row! {
+    /// A child of a node.
+    pub struct WideChild {
+        /// The least corner of its box, in metres.
+        pub min: Vec3,
+        /// The greatest corner of its box, in metres.
+        pub max: Vec3,
+        /// 1 for a leaf, 0 for a node.
+        pub leaf: u32,
+        /// The number of the leaf or the node, from 0.
+        pub index: u32,
+    }
+}
+
+row! {
+    /// A node.
+    pub struct WideNode {
+        /// The children, at most eight.
+        pub children: Vec<WideChild>,
+    }
+}
+
+row! {
+    /// A leaf.
+    pub struct WideLeaf {
+        /// The numbers of its triangles, at most four.
+        pub triangles: Vec<u32>,
+    }
+}
+
+row! {
+    /// The nearest triangle, and the work that it took to find it.
+    pub struct WideClosestAnswer {
+        /// The number of nodes opened: the boxes of all children of a node are tested at once.
+        pub nodes: u32,
+        /// The number of triangles tested.
+        pub tests: u32,
+        /// The nearest hit; none for a miss.
+        pub hit: Option<MeshHitAnswer>,
+    }
+}
+
 /// The tree of a question. Children that do not exist are left out, and a child comes after its parent.
-fn tree(q: &WideClosestQuestion) -> Option<Tree> {
+fn tree(q: &WideClosest) -> Option<Tree> {
     let corners = q.triangles.iter().map(|t| [t.p0, t.p1, t.p2]).zip(0..);
     let facets: Vec<_> = corners.map(|(corners, id)| Facet { corners, id }).collect();
     let leaf = |leaf: &WideLeaf| {

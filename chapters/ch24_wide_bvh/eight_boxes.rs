@@ -1,17 +1,15 @@
 //! Eight boxes, one ray, and the sums that tell which of them it meets.
 
-use raybook::inside::wide_bvh::{CHILDREN, meets};
-use raybook::image::Image;
-use crate::kit::{figure::Canvas, figure::FONT, figure::figure};
-use crate::kit::{palette::BLUE, palette::FAINT, palette::GREEN, palette::INK, palette::VERMILION};
-use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray};
+use crate::kit::figure::{CENTRE, Canvas, Figure, coloured, figure, write};
+use crate::kit::palette::{BLUE, FAINT, GREEN, INK, VERMILION};
+use crate::kit::stage::Drawn;
 use glam::{Vec2, vec2, vec3};
-use plotters::prelude::{Circle, Color, IntoFont, PathElement, RGBColor, Rectangle, Text};
-use plotters::style::text_anchor::{HPos, Pos, VPos};
-use std::error::Error;
-
-/// What drawing returns.
-type Drawn = Result<(), Box<dyn Error>>;
+use plotters::prelude::{Circle, Color, PathElement, RGBColor, Rectangle};
+use raybook::inside::wide_bvh::{CHILDREN, meets};
+use raybook::math::aabb::Aabb;
+use raybook::math::dir3::Dir3;
+use raybook::math::interval::Interval;
+use raybook::math::ray::Ray;
 
 /// The boxes: least x and y, greatest x and y.
 const BOXES: [[f32; 4]; CHILDREN] = [
@@ -33,7 +31,7 @@ const ORIGIN: Vec2 = vec2(110.0, 880.0);
 ///
 /// # Errors
 /// If plotters cannot draw.
-pub fn draw() -> Result<Image, Box<dyn Error>> {
+pub fn draw() -> Figure {
     let ray = Ray::new(
         vec3(0.2, 0.5, 0.0),
         Dir3::new_or(vec3(9.0, 3.2, 0.0), Dir3::X),
@@ -67,10 +65,10 @@ pub fn draw() -> Result<Image, Box<dyn Error>> {
     })
 }
 
-/// The lanes' sums, a column for each.
 /// A row of the table: its name, and what it has for each lane.
 type Row<'a> = (&'a str, &'a dyn Fn(usize) -> String);
 
+/// The lanes' sums, a column for each.
 fn table(canvas: &Canvas, boxes: &[Aabb], ray: &Ray, met: u32, order: &[usize]) -> Drawn {
     let along = |row: usize, lane: usize| {
         let (axis, Aabb { min, max }) = (row / 2, boxes[lane]);
@@ -122,9 +120,6 @@ fn pixel(p: Vec2) -> (i32, i32) {
     (at.x as i32, at.y as i32)
 }
 
-fn text(canvas: &Canvas, text: &str, at: (i32, i32), size: i32, colour: RGBColor) -> Drawn {
-    let style = (FONT, size).into_font().color(&colour);
-    let style = style.pos(Pos::new(HPos::Center, VPos::Center));
-    canvas.draw(&Text::new(text.to_owned(), at, style))?;
-    Ok(())
+fn text(canvas: &Canvas, words: &str, at: (i32, i32), size: i32, colour: RGBColor) -> Drawn {
+    write(canvas, words, at, coloured(size, colour).pos(CENTRE))
 }

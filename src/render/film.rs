@@ -8,6 +8,7 @@ use crate::threads;
 use glam::{Vec2, vec2};
 use rand::RngExt;
 use std::fmt;
+use std::iter::once;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Edge of a tile in pixels: small enough to share the work evenly, large enough to fetch seldom.
@@ -123,13 +124,11 @@ impl Film<'_> {
             }
             rng.clone_from(then);
             let corner = vec2(x as f32, y as f32);
-            let rest: Followed = (first..self.samples)
-                .map(|i| radiance((corner + places(i)) / size, rng).into())
-                .sum();
-            Followed {
-                radiance: (seen.sum + rest.radiance) / self.samples as f32,
-                ..rest
-            }
+            let rest =
+                (first..self.samples).map(|i| radiance((corner + places(i)) / size, rng).into());
+            // One after the other, as `render` adds them up: then the bits are the same.
+            let sum: Followed = once(Followed::from(seen.sum)).chain(rest).sum();
+            sum.mean_of(self.samples)
         })
     }
     // ANCHOR_END: render_edges

@@ -8,7 +8,7 @@ use raybook::render::film::{Done, Film};
 use raybook::render::followed::Followed;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 
-fn film(width: usize, height: usize, samples: usize, threads: usize) -> Film<'static> {
+pub(crate) fn film(width: usize, height: usize, samples: usize, threads: usize) -> Film<'static> {
     Film {
         width,
         height,

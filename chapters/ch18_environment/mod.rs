@@ -21,7 +21,7 @@ use raybook::light::environment::Environment;
 use raybook::render::film::Film;
 use raybook::render::mis::Strategy;
 use raybook::render::path::Path;
-use raybook::render::refine::refine;
+use raybook::render::refine::render_evenly;
 use raybook::scene::still_life::{AT, EYE, still_life};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -78,7 +78,9 @@ fn picture(film: &Film, light: Box<dyn Light>) -> Result<Image, LookAtError> {
         strategy: Strategy::Both,
     };
     let ray = |place| camera.ray_through(place);
-    Ok(refine(film, |at, rng| path.follow(&scene, &ray(at), rng)))
+    Ok(render_evenly(film, |at, rng| {
+        path.follow(&scene, &ray(at), rng)
+    }))
 }
 
 /// The chapter's binary.

@@ -9,7 +9,7 @@ use raybook::light::environment::Environment;
 use raybook::render::film::Film;
 use raybook::render::mis::Strategy;
 use raybook::render::path::Path;
-use raybook::render::refine::refine;
+use raybook::render::refine::render_evenly;
 use raybook::scene::still_life::{AT, still_life};
 use std::error::Error;
 
@@ -81,7 +81,7 @@ fn photograph(film: &Film, light: Environment) -> Result<Image, LookAtError> {
         sure: 2,
         strategy: Strategy::Both,
     };
-    Ok(refine(film, |place, rng| {
+    Ok(render_evenly(film, |place, rng| {
         path.follow(&scene, &camera.ray_through(place), rng)
     }))
 }

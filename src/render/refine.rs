@@ -41,7 +41,8 @@ pub fn render_evenly<S: Into<Followed>>(
 /// in proportion to their standard deviation (Neyman 1934).
 ///
 /// The deviation is that of the pixel and its eight neighbours, for an edge may have slipped through between its own few.
-/// What is so small and so rare that they all miss it is not found.
+/// What is so small and so rare that they all miss it is not found: where light comes by chance, as in path tracing and through
+/// a lens, take [`render_evenly`].
 pub fn refine<S: Into<Followed>>(
     film: &Film,
     radiance: impl Fn(Vec2, &mut Even) -> S + Sync,

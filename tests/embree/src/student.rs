@@ -10,10 +10,10 @@ use raybook::shape::{mesh::Mesh, sphere::Sphere};
 use raybook_workbook::exercises::ch03_sphere::SphereHit;
 use raybook_workbook::exercises::ch04_plane::PlaneHit;
 use raybook_workbook::exercises::ch05_box::BoxClip;
-use raybook_workbook::exercises::ch06_triangle::{TriangleHitAnswer, TriangleHit};
-use raybook_workbook::exercises::ch07_mesh::{MeshHitAnswer, MeshHit};
-use raybook_workbook::exercises::ch11_bvh::{BvhClosestAnswer, BvhClosest};
-use raybook_workbook::exercises::ch24_wide_bvh::{WideClosestAnswer, WideClosest};
+use raybook_workbook::exercises::ch06_triangle::{TriangleHit, TriangleHitAnswer};
+use raybook_workbook::exercises::ch07_mesh::{MeshHit, MeshHitAnswer};
+use raybook_workbook::exercises::ch11_bvh::{BvhClosest, BvhClosestAnswer};
+use raybook_workbook::exercises::ch24_wide_bvh::{WideClosest, WideClosestAnswer};
 use raybook_workbook::row::{Row, RowError, read};
 
 /// What Embree answers to a question's line; an error if it cannot be asked.

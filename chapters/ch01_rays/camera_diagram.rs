@@ -1,19 +1,12 @@
 //! The pin-hole camera as a drawing: one camera of the library looks at another.
 
-use crate::kit::figure::figure;
-use crate::kit::sketch::Sketch;
-use crate::kit::{
-    palette::BLUE, palette::GREEN, palette::INK, palette::ORANGE, palette::SKY, palette::VERMILION,
-};
+use crate::kit::figure::{Figure, figure};
+use crate::kit::palette::{BLUE, GREEN, INK, ORANGE, SKY, VERMILION};
+use crate::kit::{sketch::Sketch, stage::Drawn};
 use glam::{Vec2, Vec3, vec2, vec3};
 use plotters::prelude::{RGBColor, WHITE};
 use raybook::camera::pinhole::Pinhole;
-use raybook::image::Image;
 use raybook::math::ray::Ray;
-use std::error::Error;
-
-/// What drawing returns.
-type Drawn = Result<(), Box<dyn Error>>;
 
 /// Columns and rows of the small picture that the drawn camera takes.
 const PIXELS: [usize; 2] = [7, 5];
@@ -34,7 +27,7 @@ const FRONT: [Vec3; 5] = [
 ///
 /// # Errors
 /// If plotters cannot draw.
-pub fn draw() -> Result<Image, Box<dyn Error>> {
+pub fn draw() -> Figure {
     let (o, focal_length) = (vec3(0.0, 2.0, 0.0), 3.0);
     let camera = Pinhole {
         plane: vec2(3.36, 2.4),

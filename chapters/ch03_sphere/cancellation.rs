@@ -1,12 +1,12 @@
 //! A small sphere at growing distance, as rounding leaves it: an experiment for the telescope.
 
-use crate::kit::{palette, sheet::sheet};
+use crate::kit::palette;
+use crate::kit::{figure::Figure, sheet::sheet};
 use glam::{Vec2, Vec3, vec3};
-use raybook::image::{Image, rgb::Rgb};
+use raybook::image::rgb::Rgb;
 use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
 use raybook::render::film::Film;
 use raybook::shape::{Shape, sphere::Sphere};
-use std::error::Error;
 
 /// The sphere's radius, in metres.
 const RADIUS: f32 = 0.1;
@@ -25,7 +25,7 @@ const DISTANCES: [(f32, &str); 5] = [
 ///
 /// # Errors
 /// If a caption cannot be drawn.
-pub fn figure(film: Film) -> Result<Image, Box<dyn Error>> {
+pub fn figure(film: Film) -> Figure {
     let slanting = Dir3::new_or(vec3(-0.61, -0.34, -0.71), Dir3::Z);
     let rows: [(&str, Dir3, Normal); 3] = [
         ("schoolbook", -Dir3::Z, schoolbook),
@@ -37,7 +37,7 @@ pub fn figure(film: Film) -> Result<Image, Box<dyn Error>> {
     for (name, direction, normal) in rows {
         for (distance, far) in DISTANCES {
             captions.push(format!("{name}, {far}"));
-            tiles.push(film.render(|place, _| {
+            tiles.push(film.render_edges(|place, _| {
                 let ray = ray(place, direction, distance);
                 normal(&ray).map_or(Rgb::gray(0.8), palette::direction)
             }));

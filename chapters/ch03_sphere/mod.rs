@@ -4,13 +4,12 @@
 
 mod cancellation;
 
-use crate::kit::{stage::Drawn, stage::Stage};
+use crate::kit::stage::{Drawn, Stage};
+use crate::kit::{chapter, figure::Figure, palette, sheet::sheet};
+use crate::shared::outdoors::checker;
 use glam::{Vec2, Vec3, vec2, vec3};
 use raybook::camera::{Camera, pinhole::Pinhole};
-use raybook::image::{Image, rgb::Rgb};
-
-use crate::kit::{chapter, palette, sheet::sheet};
-use crate::shared::outdoors::checker;
+use raybook::image::rgb::Rgb;
 use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
 use raybook::render::film::Film;
 use raybook::shape::{Shape, Surface, sphere::Sphere};
@@ -23,7 +22,7 @@ pub fn draw(stage: &Stage) -> Drawn {
     let (from, to) = (vec3(-2.5, 9.5, 11.5), vec3(0.0, 0.0, 0.3));
     let camera = Pinhole::look_at(from, to, Vec3::Y, 0.042, film.aspect())?;
     let flower: Vec<_> = (0..110).map(petal).collect();
-    let picture = film.render(|place, _| {
+    let picture = film.render_edges(|place, _| {
         let normal = nearest(&flower, &camera.ray(place, Vec2::ZERO));
         normal.map_or(palette::backdrop(place.y), |n| palette::direction(*n))
     });
@@ -59,12 +58,12 @@ fn nearest(spheres: &[Sphere], ray: &Ray) -> Option<Dir3> {
 }
 
 /// The near root, the far root, and the root that is left from inside.
-fn roots(film: Film) -> Result<Image, Box<dyn std::error::Error>> {
+fn roots(film: Film) -> Figure {
     let sphere = Sphere::new(Vec3::ZERO, 1.0);
     let outside = Pinhole::look_at(vec3(0.0, 1.6, 3.6), Vec3::ZERO, Vec3::Y, 0.035, 1.0)?;
     let inside = Pinhole::look_at(vec3(0.0, 0.4, 0.9), Vec3::ZERO, Vec3::Y, 0.012, 1.0)?;
     let tile = |camera: Pinhole, root: usize| {
-        film.render(|place, _| {
+        film.render_edges(|place, _| {
             let ray = camera.ray(place, Vec2::ZERO);
             let beyond = |t| sphere.hit(&ray, Interval::new(t, f32::INFINITY));
             let hit = successors(beyond(0.0), |hit| beyond(hit.t)).nth(root);

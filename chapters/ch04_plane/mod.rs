@@ -2,12 +2,12 @@
 //!
 //! New: math/basis.rs shape/plane.rs
 
-use crate::kit::{chapter, palette, sheet::sheet};
-use crate::kit::{stage::Drawn, stage::Stage};
-use crate::shared::{outdoors::checker, outdoors::haze, outdoors::open_sky, outdoors::sky};
+use crate::kit::stage::{Drawn, Stage};
+use crate::kit::{chapter, figure::Figure, palette, sheet::sheet};
+use crate::shared::outdoors::{checker, haze, open_sky, sky};
 use glam::{Vec2, Vec3, vec3};
 use raybook::camera::{Camera, pinhole::Pinhole};
-use raybook::image::{Image, rgb::Rgb};
+use raybook::image::rgb::Rgb;
 use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
 use raybook::render::film::Film;
 use raybook::shape::{Shape, Surface, plane::Plane, sphere::Sphere};
@@ -32,7 +32,7 @@ pub fn draw(stage: &Stage) -> Drawn {
     let normal = |at: &Surface, t: f32| haze(palette::direction(*at.normal), t);
     let mut things: Vec<(&dyn Shape, Paint)> = vec![(&floor, &stone)];
     things.extend(balls.iter().map(|ball| (ball as _, &normal as _)));
-    let picture = film.render(|place, _| see(&camera.ray(place, Vec2::ZERO), &things));
+    let picture = film.render_edges(|place, _| see(&camera.ray(place, Vec2::ZERO), &things));
     let caption = "Tiles of one metre, out to the horizon, where haze hides that they are smaller than a pixel. \
         Of a ray's hits, on the floor or a ball, the nearest is seen.";
     stage.picture("picture", caption, &picture)?;
@@ -55,14 +55,14 @@ fn see(ray: &Ray, things: &[(&dyn Shape, Paint)]) -> Rgb {
 }
 
 /// Planes through the world's origin, from 1.7 m above the floor.
-fn planes(film: Film) -> Result<Image, Box<dyn std::error::Error>> {
+fn planes(film: Film) -> Figure {
     let (from, to) = (vec3(4.0, 1.7, 6.0), vec3(0.0, 1.5, 0.0));
     let camera = Pinhole::look_at(from, to, Vec3::Y, 0.02, film.aspect())?;
     let tile = |normals: &[Vec3], paint: Paint| {
         let square_to = |&n: &Vec3| Plane::through(Vec3::ZERO, Dir3::new_or(n, Dir3::Y));
         let planes: Vec<_> = normals.iter().map(square_to).collect();
         let things: Vec<_> = planes.iter().map(|plane| (plane as _, paint)).collect();
-        film.render(|place, _| see(&camera.ray(place, Vec2::ZERO), &things))
+        film.render_edges(|place, _| see(&camera.ray(place, Vec2::ZERO), &things))
     };
     let doubling = |_: &Surface, t: f32| palette::viridis(t.log2().floor() / 10.0);
     let normal = |at: &Surface, t: f32| {

@@ -4,12 +4,11 @@
 
 mod slabs;
 
-use crate::kit::{chapter, palette, sheet::sheet};
-use crate::kit::{stage::Drawn, stage::Stage};
+use crate::kit::stage::{Drawn, Stage};
+use crate::kit::{chapter, figure::Figure, palette, sheet::sheet};
 use glam::{Vec2, Vec3, vec3};
 use raybook::camera::{Camera, pinhole::Pinhole};
 use raybook::image::{Image, rgb::Rgb};
-
 use raybook::math::{interval::Interval, ray::Ray, slab};
 use raybook::render::film::Film;
 use raybook::shape::{Shape, cuboid::Cuboid};
@@ -45,7 +44,7 @@ fn column(i: i32) -> Option<Cuboid> {
 
 /// What the rays of a camera see.
 fn view(film: &Film, camera: &Pinhole, see: impl Fn(&Ray) -> Option<Rgb> + Sync) -> Image {
-    film.render(|place, _| {
+    film.render_edges(|place, _| {
         let seen = see(&camera.ray(place, Vec2::ZERO));
         seen.unwrap_or(palette::backdrop(place.y))
     })
@@ -65,7 +64,7 @@ fn nearest(boxes: &[Cuboid], ray: &Ray) -> Option<Rgb> {
 }
 
 /// One box: the face that is hit, where the ray enters and leaves, and how long it is inside.
-fn inside(film: &Film) -> Result<Image, Box<dyn std::error::Error>> {
+fn inside(film: &Film) -> Figure {
     let from = vec3(2.6, 2.2, 4.0);
     let camera = Pinhole::look_at(from, Vec3::ZERO, Vec3::Y, 0.037, film.aspect())?;
     let cuboid = Cuboid::between(vec3(-1.2, -0.8, -0.9), vec3(1.2, 0.8, 0.9));

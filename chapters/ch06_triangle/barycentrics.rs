@@ -1,12 +1,12 @@
 //! The figure of barycentric coordinates: a triangle with lines of equal b₁ and of equal b₂.
 
-use crate::kit::{figure, figure::Canvas, figure::FONT};
-use crate::kit::{palette::BLUE, palette::GREEN, palette::INK, palette::VERMILION};
+use crate::kit::figure::{CENTRE, Canvas, Figure, LEFT, RIGHT, coloured, figure, write};
+use crate::kit::palette::{BLUE, GREEN, INK, VERMILION};
+use crate::kit::stage::Drawn;
 use glam::{Vec2, Vec3, vec2, vec3};
-use plotters::prelude::{Circle, Color, IntoFont, PathElement, RGBColor, Text};
-use plotters::style::text_anchor::{HPos, Pos, VPos};
-use raybook::image::{Image, rgb::Rgb, tone};
-use std::error::Error;
+use plotters::prelude::{Circle, Color, PathElement, RGBColor};
+use plotters::style::text_anchor::Pos;
+use raybook::image::{rgb::Rgb, tone};
 
 /// The corners, in pixels of the canvas.
 const CORNERS: [Vec2; 3] = [vec2(350.0, 1010.0), vec2(1610.0, 890.0), vec2(830.0, 130.0)];
@@ -23,8 +23,8 @@ fn at(b1: f32, b2: f32) -> Vec2 {
 ///
 /// # Errors
 /// What plotters reports.
-pub fn figure() -> Result<Image, Box<dyn Error>> {
-    figure::figure(960, 570, |canvas| {
+pub fn draw() -> Figure {
+    figure(960, 570, |canvas| {
         fill(canvas)?;
         for i in 0..4 {
             let b = STEP * i as f32;
@@ -42,19 +42,13 @@ pub fn figure() -> Result<Image, Box<dyn Error>> {
                     (at(0.0, b), equal_b2, BLUE),
                 ),
             };
-            label(
-                canvas,
-                &below.1,
-                below.0 + vec2(8.0, 46.0),
-                below.2,
-                HPos::Center,
-            )?;
+            label(canvas, &below.1, below.0 + vec2(8.0, 46.0), below.2, CENTRE)?;
             label(
                 canvas,
                 &beside.1,
                 beside.0 - vec2(28.0, 6.0),
                 beside.2,
-                HPos::Right,
+                RIGHT,
             )?;
         }
         line(canvas, at(1.0, 0.0), at(0.0, 1.0), GREEN)?;
@@ -63,26 +57,26 @@ pub fn figure() -> Result<Image, Box<dyn Error>> {
             "b₁ + b₂ = 1",
             at(0.5, 0.5) + vec2(36.0, -26.0),
             GREEN,
-            HPos::Left,
+            LEFT,
         )?;
         let [p0, p1, p2] = CORNERS;
-        label(canvas, "p₀", p0 + vec2(-30.0, 62.0), INK, HPos::Right)?;
-        label(canvas, "p₁", p1 + vec2(34.0, 10.0), INK, HPos::Left)?;
-        label(canvas, "p₂", p2 - vec2(0.0, 56.0), INK, HPos::Center)?;
+        label(canvas, "p₀", p0 + vec2(-30.0, 62.0), INK, RIGHT)?;
+        label(canvas, "p₁", p1 + vec2(34.0, 10.0), INK, LEFT)?;
+        label(canvas, "p₂", p2 - vec2(0.0, 56.0), INK, CENTRE)?;
         let p = at(0.5, 0.25);
         for corner in [p0, p1, p2, p] {
             canvas.draw(&Circle::new(pixel(corner), 11, INK.filled()))?;
         }
-        label(canvas, "p", p + vec2(24.0, 34.0), INK, HPos::Left)?;
+        label(canvas, "p", p + vec2(24.0, 34.0), INK, LEFT)?;
         let text = "p = p₀ + ½·e₁ + ¼·e₂";
-        label(canvas, text, vec2(1200.0, 150.0), INK, HPos::Left)?;
+        label(canvas, text, vec2(1200.0, 150.0), INK, LEFT)?;
         let text = "b₀ = 1 − b₁ − b₂ = ¼";
-        label(canvas, text, vec2(1200.0, 220.0), INK, HPos::Left)
+        label(canvas, text, vec2(1200.0, 220.0), INK, LEFT)
     })
 }
 
 /// Fills the triangle with b₀, b₁, b₂ as red, green and blue, paled so that lines and letters stand out.
-fn fill(canvas: &Canvas) -> Result<(), Box<dyn Error>> {
+fn fill(canvas: &Canvas) -> Drawn {
     let [p0, p1, p2] = CORNERS;
     let (e1, e2) = (p1 - p0, p2 - p0);
     let area = e1.perp_dot(e2);
@@ -101,26 +95,14 @@ fn fill(canvas: &Canvas) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-fn line(canvas: &Canvas, from: Vec2, to: Vec2, colour: RGBColor) -> Result<(), Box<dyn Error>> {
+fn line(canvas: &Canvas, from: Vec2, to: Vec2, colour: RGBColor) -> Drawn {
     let ends = vec![pixel(from), pixel(to)];
     canvas.draw(&PathElement::new(ends, colour.stroke_width(5)))?;
     Ok(())
 }
 
-fn label(
-    canvas: &Canvas,
-    text: &str,
-    at: Vec2,
-    colour: RGBColor,
-    end: HPos,
-) -> Result<(), Box<dyn Error>> {
-    let style = (FONT, 40).into_font().color(&colour.to_rgba());
-    canvas.draw(&Text::new(
-        text,
-        pixel(at),
-        style.pos(Pos::new(end, VPos::Center)),
-    ))?;
-    Ok(())
+fn label(canvas: &Canvas, text: &str, at: Vec2, colour: RGBColor, part: Pos) -> Drawn {
+    write(canvas, text, pixel(at), coloured(40, colour).pos(part))
 }
 
 fn pixel(p: Vec2) -> (i32, i32) {

@@ -1,6 +1,6 @@
 //! What a picture may show of a surface in the place of light: numbers as colours.
 
-use crate::kit::{palette::BLUE, palette::ORANGE, palette::linear, palette::viridis};
+use crate::kit::palette::{BLUE, ORANGE, linear, viridis};
 use raybook::image::rgb::Rgb;
 use raybook::math::ray::Ray;
 use raybook::shape::{Hit, Surface};

@@ -9,13 +9,13 @@ pub mod platonic;
 mod race;
 pub mod triangle_race;
 
-use crate::kit::{stage::Drawn, stage::Stage};
+use crate::kit::chapter;
+use crate::kit::sheet::sheet;
+use crate::kit::stage::{Drawn, Stage};
 use glam::{Vec3, vec3};
 use looks::Look;
 use raybook::camera::pinhole::{LookAtError, Pinhole};
 use raybook::image::{Image, rgb::Rgb};
-
-use crate::kit::{chapter, sheet::sheet};
 use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
 use raybook::render::film::Film;
 use raybook::shape::{Hit, Shape, Surface, plane::Plane, triangle::Triangle};
@@ -44,7 +44,7 @@ pub fn draw(stage: &Stage) -> Drawn {
     let caption = "What a hit tells of a triangle: how far, where, how it lies, and which side.";
     stage.figure("sheet", caption, &sheet(2, &tiles)?)?;
     let caption = "Barycentric coordinates: b₁ grows from the side p₀p₂ to p₁, b₂ from p₀p₁ to p₂.";
-    stage.figure("barycentrics", caption, &barycentrics::figure()?)?;
+    stage.figure("barycentrics", caption, &barycentrics::draw()?)?;
     let caption = "Three ways to the same hits, timed on the same rays while this was drawn.";
     stage.figure("cost", caption, &triangle_race::figure()?)
 }
@@ -62,7 +62,7 @@ fn photograph(film: &Film, look: Look) -> Result<Image, LookAtError> {
     let solids = platonic::still_life();
     let floor = Plane::through(Vec3::ZERO, Dir3::Y);
     let sun = Dir3::new_or(vec3(-0.5, 1.4, 0.7), Dir3::Y);
-    Ok(film.render(|place, _| {
+    Ok(film.render_edges(|place, _| {
         let ray = camera.ray_through(place);
         if let Some((triangle, hit)) = nearest(&solids, &ray) {
             let at = triangle.surface(&ray, &hit);

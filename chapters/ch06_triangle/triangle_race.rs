@@ -1,13 +1,11 @@
 //! The race of the three ways to hit a triangle.
 
 use super::race;
-use crate::kit::bars::bars;
+use crate::kit::{bars::bars, figure::Figure};
 use glam::vec3;
 use rand::RngExt;
-use raybook::image::Image;
 use raybook::math::{dir3::Dir3, interval::Interval, pcg, pcg::Pcg, ray::Ray};
 use raybook::shape::{Hit, Shape, triangle::Triangle, triangle_by_determinants, triangle_by_plane};
-use std::error::Error;
 
 /// A triangle and a ray.
 pub type Question = (Triangle, Ray);
@@ -54,7 +52,7 @@ pub fn questions(count: usize, rng: &mut Pcg) -> Vec<Question> {
 ///
 /// # Errors
 /// What plotters reports.
-pub fn figure() -> Result<Image, Box<dyn Error>> {
+pub fn figure() -> Figure {
     let questions = questions(10_000, &mut pcg::stream(6, 0));
     let times = race::nanoseconds(&questions, &WAYS.map(|way| way.1));
     let rows: Vec<_> = WAYS.iter().map(|way| way.0).zip(times).collect();

@@ -4,14 +4,17 @@
 //! New: accel/mod.rs accel/list.rs shape/attributes.rs shape/mesh.rs shape/bezier.rs shape/teapot.rs
 //! New: shape/triangle_watertight.rs shape/mesh_file.rs shape/word.rs shape/obj.rs shape/stl.rs
 
-use crate::kit::{chapter, sheet::sheet};
-use crate::kit::{stage::Drawn, stage::Stage};
-use crate::shared::{showroom, showroom::Look, showroom::Showroom};
+use crate::kit::sheet::sheet;
+use crate::kit::stage::{Drawn, Stage};
+use crate::shared::showroom::{Look, Showroom};
+use crate::{kit::chapter, shared::showroom};
+use glam::vec2;
 use raybook::accel::{Accel, Meshed, Tests, list::List};
-use raybook::image::Image;
-use raybook::math::{interval::Interval, slab};
-use raybook::render::film::Film;
-use raybook::shape::{Shape, mesh::Mesh, mesh_file, teapot};
+use raybook::image::{Image, rgb::Rgb};
+use raybook::math::{interval::Interval, ray::Ray, slab};
+use raybook::render::film::{Film, place_in_pixel};
+use raybook::shape::mesh::{Facet, Mesh};
+use raybook::shape::{Hit, Shape, mesh_file, teapot};
 use std::error::Error;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -47,13 +50,14 @@ fn draw_mesh<'a>(stage: &'a Stage, mesh: &Mesh) -> Result<Film<'a>, Box<dyn Erro
         tests / 1_000_000
     );
     stage.picture("picture", &caption, &main)?;
-    let tile = |look| picture(&showroom::small(&film), mesh, look).0;
-    let tiles = [
-        ("one normal per triangle", tile(showroom::FLAT)),
-        ("normals interpolated", tile(showroom::SMOOTH)),
-        ("these normals as colours", tile(showroom::NORMALS)),
-        ("texture coordinates", tile(showroom::TEXTURE)),
+    let names = [
+        "one normal per triangle",
+        "normals interpolated",
+        "these normals as colours",
+        "texture coordinates",
     ];
+    let tiles = attributes(&showroom::small(&film), mesh);
+    let tiles: Vec<_> = names.into_iter().zip(tiles).collect();
     let caption = "The same triangles with the normal of each, with the vertices' normals interpolated, with those as colours, and with a checkerboard on the texture coordinates.";
     stage.figure("attributes", caption, &sheet(2, &tiles)?)?;
     Ok(film)
@@ -64,18 +68,53 @@ fn picture(film: &Film, mesh: &Mesh, look: Look) -> (Image, u64) {
     let room = Showroom::around(mesh, film.aspect());
     let shape = Meshed::new(mesh.clone(), List::new);
     let tests = AtomicU64::new(0);
-    let image = film.render(|place, _| {
+    let image = film.render_edges(|place, _| {
         let ray = room.ray(place);
         let mut count = Tests::default();
-        let ahead = slab::clip(&shape.bounds(), &ray, Interval::AHEAD).map(|_| Interval::AHEAD);
-        let closest = ahead.and_then(|t| shape.facets().closest_counted(&ray, t, &mut count));
+        let hit = nearest(&shape, &ray, &mut count);
         tests.fetch_add(count.shapes, Ordering::Relaxed);
-        closest.map_or_else(
-            || room.backdrop(place, &ray),
-            |(_, hit)| look(&ray, &hit, &shape.surface(&ray, &hit)),
-        )
+        match hit {
+            Some(hit) => look(&ray, &hit, &shape.surface(&ray, &hit)),
+            None => room.backdrop(place, &ray),
+        }
     });
     (image, tests.into_inner())
+}
+
+/// The nearest of a mesh's triangles: if the ray meets the mesh's box, all of them are asked.
+fn nearest(shape: &Meshed<List<Facet>>, ray: &Ray, count: &mut Tests) -> Option<Hit> {
+    slab::clip(&shape.bounds(), ray, Interval::AHEAD)?;
+    let closest = shape.facets().closest_counted(ray, Interval::AHEAD, count);
+    closest.map(|(_, hit)| hit)
+}
+
+/// Four looks of the same hits: the mesh is searched once for all of them.
+fn attributes(film: &Film, mesh: &Mesh) -> [Image; 4] {
+    use showroom::{FLAT, NORMALS, SMOOTH, TEXTURE};
+    let room = Showroom::around(mesh, film.aspect());
+    let shape = Meshed::new(mesh.clone(), List::new);
+    let size = vec2(film.width as f32, film.height as f32);
+    let pixels = film.each_pixel(|x, y, rng| {
+        let places = place_in_pixel(film.samples, rng);
+        let mut sums = [Rgb::BLACK; 4];
+        for i in 0..film.samples {
+            let place = (vec2(x as f32, y as f32) + places(i)) / size;
+            let ray = room.ray(place);
+            let seen = match nearest(&shape, &ray, &mut Tests::default()) {
+                Some(hit) => {
+                    let at = shape.surface(&ray, &hit);
+                    [FLAT, SMOOTH, NORMALS, TEXTURE].map(|look| look(&ray, &hit, &at))
+                }
+                None => [room.backdrop(place, &ray); 4],
+            };
+            sums = std::array::from_fn(|look| sums[look] + seen[look]);
+        }
+        (sums.map(|sum| sum / film.samples as f32), 0)
+    });
+    [0, 1, 2, 3].map(|look| {
+        let pixel = |x: usize, y: usize| pixels[y * film.width + x][look];
+        Image::from_fn(film.width, film.height, pixel)
+    })
 }
 
 /// The chapter's binary.

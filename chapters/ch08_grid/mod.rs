@@ -3,23 +3,26 @@
 //!
 //! New: accel/bounded.rs accel/ray_box.rs accel/lattice.rs accel/margin.rs accel/overlap.rs accel/walk.rs
 //! New: accel/grid/mod.rs accel/grid/build.rs accel/grid/lists.rs accel/grid/mailbox.rs accel/grid/resolution.rs accel/grid/validate.rs
-//! New: scene/soup.rs scene/stadium.rs scene/teapots.rs scene/terrain.rs
+//! New: scene/soup.rs scene/stadium.rs scene/terrain.rs
 
 mod grid_costs;
+mod teapots;
 mod walk_figure;
 
+use crate::kit::stage::{Drawn, Stage};
 use crate::kit::{chapter, palette};
-use crate::kit::{stage::Drawn, stage::Stage};
-use crate::shared::{daylight::Paint, daylight::picture};
+use crate::shared::daylight::{Paint, shade};
+use crate::shared::{growth, heat, outdoors::sky, showroom, stadium_figure};
 use glam::{Vec3, vec3};
-use raybook::accel::grid::Grid;
+use raybook::accel::{Accel, grid::Grid};
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::rgb::Rgb;
-
-use crate::shared::{growth, heat, showroom, stadium_figure};
-use raybook::scene::{stadium::stadium, teapots::teapots};
+use raybook::inside::grid::lattice;
+use raybook::math::interval::Interval;
+use raybook::scene::stadium::stadium;
 use raybook::shape::teapot;
 use std::process::ExitCode;
+use teapots::teapots;
 
 /// Draws the chapter's pictures.
 pub fn draw(stage: &Stage) -> Drawn {
@@ -28,13 +31,24 @@ pub fn draw(stage: &Stage) -> Drawn {
     let grid = Grid::of_facets(crowd.mesh.facets());
     let (from, to) = (vec3(8.0, 52.0, 92.0), vec3(0.0, 0.0, 10.0));
     let camera = Pinhole::look_at(from, to, Vec3::Y, 0.035, film.aspect())?;
-    let paint = |id| Paint {
-        colour: crowd
-            .teapot(id)
-            .map_or(Rgb::gray(0.6), |out| palette::viridis(1.0 - out)),
-        round: crowd.teapot(id).is_some(),
+    let paint = |id| {
+        let colour = |out| palette::viridis(1.0 - out);
+        Paint {
+            colour: crowd.teapot(id).map_or(Rgb::gray(0.6), colour),
+            round: crowd.teapot(id).is_some(),
+        }
     };
-    let cells = grid.lattice().resolution;
+    let picture = film.render_edges(|place, _| {
+        let ray = camera.ray_through(place);
+        match grid.closest(&ray, Interval::AHEAD) {
+            Some((_, hit)) => {
+                let at = crowd.mesh.surface(&ray, &hit);
+                shade(&at, paint(hit.id), &ray, &grid)
+            }
+            None => sky(ray.direction),
+        }
+    });
+    let cells = lattice(&grid).resolution;
     let caption = format!(
         "{} triangles in a grid of {} × {} × {} cells. A list would ask each ray about all of them.",
         crowd.mesh.triangles().len(),
@@ -42,8 +56,7 @@ pub fn draw(stage: &Stage) -> Drawn {
         cells.y,
         cells.z
     );
-    let main = picture(&film, &camera, &crowd.mesh, &grid, paint);
-    stage.picture("picture", &caption, &main)?;
+    stage.picture("picture", &caption, &picture)?;
 
     let caption = "The cells through which a ray passes, numbered in their order up to the first hit. It tests only the triangles of these cells, two of six, and each once; the blue cells hold the others.";
     stage.figure("walk", caption, &walk_figure::diagram()?)?;
@@ -67,7 +80,7 @@ pub fn draw(stage: &Stage) -> Drawn {
     let grid = Grid::of_facets(stadium.mesh.facets());
     let caption = format!(
         "The teapot in the stadium. A cell is {:.1} m wide, so that the teapot and the camera are in the same one: every ray of the near view tests the whole teapot, even one that goes to the seats.",
-        grid.lattice().cell.x
+        lattice(&grid).cell.x
     );
     let tiles = stadium_figure::figure(&small, &stadium, &grid, "cells visited")?;
     stage.figure("stadium", &caption, &tiles)

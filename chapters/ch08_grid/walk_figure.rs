@@ -1,19 +1,12 @@
 //! A ray's walk through a grid, in the plane: the cells numbered in their order, the crossings, the triangles tested.
 
-use crate::kit::{figure::Canvas, figure::FONT, figure::figure};
-use crate::kit::{
-    palette::BLUE, palette::FAINT, palette::GREEN, palette::INK, palette::ORANGE, palette::SKY,
-    palette::VERMILION,
-};
+use crate::kit::figure::{CENTRE, Canvas, Figure, LEFT, coloured, figure, text, write};
+use crate::kit::palette::{BLUE, FAINT, GREEN, INK, ORANGE, SKY, VERMILION};
+use crate::kit::stage::Drawn;
 use glam::{UVec3, Vec3, uvec3, vec2, vec3};
-use plotters::element::{Circle, PathElement, Polygon, Rectangle, Text};
-use plotters::prelude::{Color, IntoFont, RGBColor};
-use plotters::style::text_anchor::{HPos, Pos, VPos};
-use raybook::accel::grid::build::voxels_of_triangle;
-use raybook::accel::{lattice::Lattice, walk::walk};
-use raybook::image::Image;
+use plotters::prelude::{Circle, Color, PathElement, Polygon, RGBColor, Rectangle};
+use raybook::inside::grid::{Lattice, voxels_of_triangle, walk};
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray};
-use std::error::Error;
 use std::ops::ControlFlow;
 
 /// The grid: one layer of cells.
@@ -39,7 +32,7 @@ const VIEW: (f32, f32) = (9.5, 6.3);
 ///
 /// # Errors
 /// If it cannot be drawn.
-pub fn diagram() -> Result<Image, Box<dyn Error>> {
+pub fn diagram() -> Figure {
     let bounds = Aabb {
         min: Vec3::ZERO,
         max: CELLS.as_vec3(),
@@ -57,10 +50,8 @@ pub fn diagram() -> Result<Image, Box<dyn Error>> {
                 (high - METRE * (p.y + 0.35)) as i32,
             )
         };
-        let text = |text: &str, p: Vec3, size: u32, colour: RGBColor| {
-            let middle = Pos::new(HPos::Center, VPos::Center);
-            let style = (FONT, size).into_font().color(&colour).pos(middle);
-            canvas.draw(&Text::new(text.to_owned(), at(p), style))
+        let label = |words: &str, p: Vec3, size: u32, colour: RGBColor| {
+            write(canvas, words, at(p), coloured(size, colour).pos(CENTRE))
         };
         let fill = |cell: UVec3, colour: RGBColor, opacity| {
             let corners = [cell.as_vec3(), (cell + 1).as_vec3()].map(at);
@@ -126,18 +117,17 @@ pub fn diagram() -> Result<Image, Box<dyn Error>> {
             let beside = ray.at(0.5 * (inside.min + inside.max)) - middle;
             let side = if beside.x < beside.y { 1.0 } else { -1.0 };
             let corner = middle + 0.33 * side * vec3(1.0, -1.0, 0.0);
-            text(&number.to_string(), corner, 52, INK)?;
+            label(&number.to_string(), corner, 52, INK)?;
         }
         canvas.draw(&Circle::new(at(ray.at(hit)), 17, VERMILION.filled()))?;
-        text("hit", ray.at(hit) + vec3(0.32, -0.08, 0.0), 46, VERMILION)?;
+        label("hit", ray.at(hit) + vec3(0.32, -0.08, 0.0), 46, VERMILION)?;
 
-        legend(canvas, at)?;
-        Ok(())
+        legend(canvas, at)
     })
 }
 
 /// What the colours mean, above the grid.
-fn legend(canvas: &Canvas, at: impl Fn(Vec3) -> (i32, i32)) -> Result<(), Box<dyn Error>> {
+fn legend(canvas: &Canvas, at: impl Fn(Vec3) -> (i32, i32)) -> Drawn {
     let names = [
         (0.9, "crosses a plane x = i", BLUE),
         (3.9, "crosses a plane y = j", GREEN),
@@ -146,9 +136,8 @@ fn legend(canvas: &Canvas, at: impl Fn(Vec3) -> (i32, i32)) -> Result<(), Box<dy
     for (x, name, colour) in names {
         let place = vec3(x - 0.85, 5.5, 0.0);
         canvas.draw(&Circle::new(at(place), 13, colour.filled()))?;
-        let start = Pos::new(HPos::Left, VPos::Center);
-        let style = (FONT, 42).into_font().color(&INK).pos(start);
-        canvas.draw(&Text::new(name, at(place + vec3(0.16, 0.0, 0.0)), style))?;
+        let beside = at(place + vec3(0.16, 0.0, 0.0));
+        write(canvas, name, beside, text(42).pos(LEFT))?;
     }
     Ok(())
 }

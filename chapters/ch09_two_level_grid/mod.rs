@@ -8,18 +8,17 @@ mod nested_cells;
 pub mod teapot_in_stadium;
 
 use crate::kit::chapter;
-use crate::kit::{stage::Drawn, stage::Stage};
+use crate::kit::stage::{Drawn, Stage};
+use crate::shared::{
+    daylight::shade, outdoors::sky, showroom::small, speeds::rays_a_second, stadium_figure::paint,
+};
+use raybook::accel::Accel;
 use raybook::accel::grid::Grid;
-use teapot_in_stadium::camera;
-use teapot_in_stadium::densities;
-use teapot_in_stadium::maps;
-use teapot_in_stadium::picture;
-use teapot_in_stadium::two_levels;
-
-use crate::shared::{showroom::small, speeds::rays_a_second};
+use raybook::math::interval::Interval;
 use raybook::render::film::Film;
 use raybook::scene::stadium::stadium;
 use std::process::ExitCode;
+use teapot_in_stadium::{camera, densities, maps, two_levels};
 
 /// Draws the chapter's pictures.
 pub fn draw(stage: &Stage) -> Drawn {
@@ -31,11 +30,17 @@ pub fn draw(stage: &Stage) -> Drawn {
     let caption = format!(
         "A teapot in a stadium of {triangles} triangles, and its shadow. A uniform grid has cells as large as suit the seats, and one or two of them hold all of the teapot."
     );
-    stage.picture(
-        "picture",
-        &caption,
-        &picture(&film, &camera, &stadium, &fine),
-    )?;
+    let picture = film.render_edges(|place, _| {
+        let ray = camera.ray_through(place);
+        match fine.closest(&ray, Interval::AHEAD) {
+            Some((_, hit)) => {
+                let at = stadium.mesh.surface(&ray, &hit);
+                shade(&at, paint(stadium.part(hit.id)), &ray, &fine)
+            }
+            None => sky(ray.direction),
+        }
+    });
+    stage.picture("picture", &caption, &picture)?;
 
     let caption = "A two-level grid in the plane: thick lines part coarse cells, thin lines fine ones. Each coarse cell has as many fine ones as suit its discs, an empty one has none. The numbers are the ray's steps.";
     stage.figure("walk", caption, &nested_cells::diagram()?)?;

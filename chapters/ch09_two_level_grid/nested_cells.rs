@@ -1,22 +1,19 @@
 //! A two-level grid in the plane.
 
-use crate::kit::palette::SKY;
-use crate::shared::{flatland::SIDE, flatland::discs, flatland::plane, flatland::ray};
+use crate::kit::{figure::Figure, palette::SKY};
+use crate::shared::flatland::{SIDE, discs, plane, ray};
 use glam::{Vec3, vec3};
-use raybook::accel::grid::resolution::grid_resolution;
-use raybook::accel::lattice::{Lattice, range};
 use raybook::accel::two_level_grid::build::Densities;
-use raybook::accel::two_level_grid::{levels::Levels, refine::refine_cell, walk::walk_two_levels};
-use raybook::image::Image;
+use raybook::inside::grid::{Lattice, grid_resolution, range};
+use raybook::inside::two_level_grid::{Levels, refine_cell, walk_two_levels};
 use raybook::math::{aabb::Aabb, interval::Interval};
-use std::error::Error;
 use std::ops::ControlFlow;
 
 /// The two-level grid of some discs, and the fine cells that a ray visits, numbered in order.
 ///
 /// # Errors
 /// What plotters reports.
-pub fn diagram() -> Result<Image, Box<dyn Error>> {
+pub fn diagram() -> Figure {
     let (discs, size) = (discs(), vec3(SIDE, SIDE, 1e-4));
     let densities = Densities {
         coarse: 1.0 / 4.0,

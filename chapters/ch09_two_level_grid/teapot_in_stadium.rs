@@ -4,14 +4,11 @@ use crate::kit::chart::{Chart, Corner};
 use crate::kit::palette::{BLUE, VERMILION};
 use crate::kit::{axis::Axis, figure::Figure};
 use crate::shared::heat::{Heat, heat, with_scale};
-use crate::shared::{daylight, stadium_figure::paint};
 use glam::{Vec3, vec3};
 use plotters::style::Color;
-use raybook::accel::Accel;
 use raybook::accel::grid::Grid;
 use raybook::accel::two_level_grid::{TwoLevelGrid, build::Densities};
 use raybook::camera::pinhole::{LookAtError, Pinhole};
-use raybook::image::Image;
 use raybook::render::film::Film;
 use raybook::scene::stadium::Stadium;
 use raybook::shape::mesh::Facet;
@@ -23,17 +20,6 @@ use raybook::shape::mesh::Facet;
 pub fn camera(aspect: f32) -> Result<Pinhole, LookAtError> {
     let (eye, toward) = (vec3(0.42, 0.33, 0.66), vec3(0.03, 0.17, 0.0));
     Pinhole::look_at(eye, toward, Vec3::Y, 0.035, aspect)
-}
-
-/// The picture, by daylight.
-pub fn picture(
-    film: &Film,
-    camera: &Pinhole,
-    stadium: &Stadium,
-    accel: &impl Accel<Facet>,
-) -> Image {
-    let paint = |id| paint(stadium.part(id));
-    daylight::picture(film, camera, &stadium.mesh, accel, paint)
 }
 
 /// The heat maps of a uniform grid and of two two-level grids, the second with more coarse cells.

@@ -7,16 +7,22 @@
 mod blocks;
 mod quadtree;
 
+use crate::kit::chapter;
 use crate::kit::chart::{Chart, Corner, grouped};
 use crate::kit::palette::{BLUE, FAINT, VERMILION};
 use crate::kit::stage::{Drawn, Stage};
-use crate::kit::{axis::Axis, chapter, sheet::sheet};
+use crate::kit::{axis::Axis, sheet::sheet};
 use crate::shared::law::{Reach, fit, mean_tests};
-use crate::shared::showroom::{Showroom, small};
+use crate::shared::showroom::{SMOOTH, Showroom, small};
 use crate::shared::{heat::heat, speeds::rays_a_second};
 use plotters::style::Color;
+use raybook::accel::Accel;
 use raybook::accel::octree::{Octree, build::Limits, reach::by_triangle};
-use raybook::shape::teapot;
+use raybook::image::Image;
+use raybook::math::interval::Interval;
+use raybook::render::film::Film;
+use raybook::shape::mesh::{Facet, Mesh};
+use raybook::shape::{cuboid::Cuboid, teapot};
 use std::process::ExitCode;
 
 /// Draws the chapter's pictures.
@@ -32,16 +38,13 @@ pub fn draw(stage: &Stage) -> Drawn {
     };
     let fine = Octree::with(mesh.facets(), limits, by_triangle);
     let caption = "The teapot, and the cells that an octree makes of it: from left to right its triangles, then the cells after 7, 6, 5 and 4 cuts.";
-    let picture = blocks::dissolving(&film, &mesh, &fine);
-    stage.picture("picture", caption, &picture)?;
+    let (cells, kept) = blocks::dissolving(&mesh, &fine);
+    stage.picture("picture", caption, &photograph(&film, &mesh, cells, kept))?;
 
     let tiles = [3, 4, 5, 6].map(|depth| {
         let cells = blocks::cells(&fine, |_| depth);
         let name = format!("{depth} cuts: {} cells", cells.len());
-        (
-            name,
-            blocks::picture(&small(&film), &mesh, cells, Vec::new()),
-        )
+        (name, photograph(&small(&film), &mesh, cells, Vec::new()))
     });
     let tiles = tiles.each_ref().map(|(name, tile)| (&**name, tile.clone()));
     let caption = "The cells that are not empty, level by level. A surface goes through about four of a cell's eight children, so each level has four times as many.";
@@ -62,6 +65,24 @@ pub fn draw(stage: &Stage) -> Drawn {
     draw_law(stage)
 }
 
+/// A picture of blocks, and of those facets of the mesh that are kept, all of clay.
+///
+/// An octree over each finds the nearest; whatever facet is hit shortens the ray for the blocks.
+fn photograph(film: &Film, mesh: &Mesh, blocks: Vec<Cuboid>, kept: Vec<Facet>) -> Image {
+    let room = Showroom::around(mesh, film.aspect());
+    let (blocks, kept) = (Octree::new(blocks), Octree::of_facets(kept));
+    film.render_edges(|place, _| {
+        let ray = room.ray(place);
+        let facet = kept.closest(&ray, Interval::AHEAD);
+        let before = facet.map_or(Interval::AHEAD, |(_, hit)| Interval::AHEAD.before(hit.t));
+        match (blocks.closest(&ray, before), facet) {
+            (Some((block, hit)), _) => blocks::shade(block, &ray, &hit),
+            (None, Some((_, hit))) => SMOOTH(&ray, &hit, &mesh.surface(&ray, &hit)),
+            (None, None) => room.backdrop(place, &ray),
+        }
+    })
+}
+
 /// What a ray costs by the number of triangles.
 fn draw_law(stage: &Stage) -> Drawn {
     let counts = [100, 316, 1000, 3162, 10_000, 31_623, 100_000]
@@ -73,7 +94,9 @@ fn draw_law(stage: &Stage) -> Drawn {
         Axis::log(100.0..100_000.0)
             .named("N: triangles")
             .format(grouped),
-        Axis::linear(0.0..1.25 * nodes[6].1).named("count").labels(6),
+        Axis::linear(0.0..1.25 * nodes[6].1)
+            .named("count")
+            .labels(6),
     )
     .titled("A short ray in a soup, on average")
     .legend(Corner::UpperLeft);

@@ -1,14 +1,11 @@
 //! A quad-tree: what the octree is in the plane.
 
-use crate::kit::palette::SKY;
-use crate::shared::{flatland::SIDE, flatland::discs, flatland::plane, flatland::ray};
+use crate::kit::{figure::Figure, palette::SKY};
+use crate::shared::flatland::{SIDE, discs, plane, ray};
 use glam::Vec3;
-use raybook::accel::octree::build::{Limits, build};
-use raybook::accel::octree::tree::Kind;
-use raybook::accel::octree::walk::Walk;
-use raybook::image::Image;
+use raybook::accel::octree::build::Limits;
+use raybook::inside::octree::{Kind, Walk, build};
 use raybook::math::{aabb::Aabb, interval::Interval};
-use std::error::Error;
 
 /// The quad-tree of some discs, and the leaves that a ray visits, numbered in order; the darker, the deeper.
 ///
@@ -16,7 +13,7 @@ use std::error::Error;
 ///
 /// # Errors
 /// What plotters reports.
-pub fn diagram() -> Result<Image, Box<dyn Error>> {
+pub fn diagram() -> Figure {
     let cube = Aabb {
         min: Vec3::ZERO,
         max: Vec3::splat(SIDE),

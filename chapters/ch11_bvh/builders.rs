@@ -1,11 +1,9 @@
 //! The builders of trees compared: how long each takes, and what its tree costs.
 
-use crate::kit::{bars::bars, sheet::sheet};
+use crate::kit::{bars::bars, figure::Figure, sheet::sheet};
 use raybook::accel::bvh::Bvh;
 use raybook::accel::bvh::build::Method;
-use raybook::image::Image;
 use raybook::shape::mesh::Facet;
-use std::error::Error;
 use std::time::Instant;
 
 /// The methods, by name.
@@ -21,7 +19,7 @@ pub const METHODS: [(&str, Method); 5] = [
 ///
 /// # Errors
 /// What plotters reports.
-pub fn figure(facets: &[Facet]) -> Result<Image, Box<dyn Error>> {
+pub fn figure(facets: &[Facet]) -> Figure {
     let mut rows = Vec::new();
     for (name, method) in METHODS {
         let facets = facets.to_vec();

@@ -2,17 +2,13 @@
 //! through them, are in `flatland.rs`.)
 
 use crate::kit::figure::{CENTRE, Canvas, Figure, coloured, figure, write};
+use crate::kit::palette::{BLUE, FAINT, GREEN, INK, ORANGE, PURPLE, VERMILION};
 use crate::kit::stage::Drawn;
-use crate::kit::{
-    palette::BLUE, palette::FAINT, palette::GREEN, palette::INK, palette::ORANGE, palette::PURPLE,
-    palette::VERMILION,
-};
 use glam::{Vec2, vec2};
 use plotters::prelude::{Color, Polygon, RGBColor, Rectangle};
 use rand::RngExt;
-use raybook::accel::bvh::COST;
-use raybook::accel::bvh::build::flat::{Flat, Node};
-use raybook::accel::bvh::build::{Method, build, cost::Cost, cost::sah_cost};
+use raybook::accel::bvh::build::Method;
+use raybook::inside::bvh::{COST, Cost, Flat, Node, build, sah_cost};
 use raybook::math::{aabb::Aabb, pcg};
 
 /// The boxes reach so far above and below the paper that only their outlines on it count: a ray in the paper meets a

@@ -12,13 +12,13 @@ mod mountains;
 mod three_stages;
 mod tree_levels;
 
-use crate::kit::{stage::Drawn, stage::Stage};
-use crate::shared::{showroom, showroom::Showroom};
+use crate::kit::chapter;
+use crate::kit::stage::{Drawn, Stage};
+use crate::shared::{growth, heat, outdoors::sky, showroom, showroom::Showroom, speeds};
+use glam::{Vec3, vec3};
 use raybook::accel::two_level_grid::TwoLevelGrid;
 use raybook::accel::{Accel, bvh::Bvh, grid::Grid, list::List, octree::Octree};
-
-use crate::kit::chapter;
-use crate::shared::{growth, heat, speeds};
+use raybook::camera::pinhole::Pinhole;
 use raybook::math::interval::Interval;
 use raybook::render::film::Film;
 use raybook::scene::terrain::terrain;
@@ -32,15 +32,24 @@ pub fn draw(stage: &Stage) -> Drawn {
     let film = stage.film_of(960, 4, 1.78);
     let mesh = terrain(400);
     let tree = Bvh::new(mesh.facets());
+    let (eye, to) = (vec3(-3.9, 2.0, 4.3), vec3(0.3, 0.62, -0.7));
+    let camera = Pinhole::look_at(eye, to, Vec3::Y, 0.044, film.aspect())?;
+    let sun = mountains::toward_sun();
+    let picture = film.render_edges(|place, _| {
+        let ray = camera.ray_through(place);
+        let Some((_, hit)) = tree.closest(&ray, AHEAD) else {
+            return sky(ray.direction);
+        };
+        let at = mesh.surface(&ray, &hit);
+        let faces_sun = at.shading_normal.dot(*sun) > 0.0;
+        let in_sunlight = faces_sun && !tree.any(&at.leave(sun), AHEAD);
+        mountains::shade(&at, hit.t, in_sunlight)
+    });
     let caption = format!(
         "{} triangles in the evening sun. A ray looks at a few dozen of them, and so does the ray towards the sun from where it ends.",
         mesh.triangles().len()
     );
-    stage.picture(
-        "picture",
-        &caption,
-        &mountains::picture(&film, &mesh, &tree),
-    )?;
+    stage.picture("picture", &caption, &picture)?;
     let caption = "The three stages: a box around each triangle, boxes around boxes, and the tree as an array without pointers.";
     stage.figure("stages", caption, &three_stages::draw()?)?;
     let caption = "Two trees over the same 22 triangles. In the left one, boxes are large, long and overlap; the cost says how much work that is.";

@@ -1,17 +1,13 @@
 //! The three stages of building a tree, side by side: boxes, a tree, an array.
 
-use super::{
-    flat_boxes::LEVELS, flat_boxes::Paper, flat_boxes::bounds, flat_boxes::height,
-    flat_boxes::tree, flat_boxes::triangles,
-};
-use crate::kit::figure::figure;
+use super::flat_boxes::{LEVELS, Paper, bounds, height, tree, triangles};
+use crate::kit::figure::{Figure, figure};
+use crate::kit::palette::{BLUE, FAINT, INK};
 use crate::kit::stage::Drawn;
-use crate::kit::{palette::BLUE, palette::FAINT, palette::INK};
 use glam::{Vec2, vec2};
 use plotters::prelude::{Circle, Color, PathElement, RGBColor, Rectangle, WHITE};
 use raybook::accel::bvh::build::Method;
-use raybook::accel::bvh::build::flat::{Flat, Node};
-use raybook::image::Image;
+use raybook::inside::bvh::{Flat, Node};
 use std::error::Error;
 
 /// Where the triangles are, and how large.
@@ -32,7 +28,7 @@ const SCALE: f32 = 105.0;
 ///
 /// # Errors
 /// What plotters reports.
-pub fn draw() -> Result<Image, Box<dyn Error>> {
+pub fn draw() -> Figure {
     let triangles = triangles(&PLACES.map(|((x, y), size)| (vec2(x, y), size)), 5);
     let tree = tree(&triangles, Method::Sweep);
     figure(1120, 390, |canvas| {

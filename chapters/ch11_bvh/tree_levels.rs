@@ -1,29 +1,21 @@
 //! The boxes of a tree, level by level.
 
-use crate::kit::palette::viridis;
-use crate::kit::sheet::sheet;
+use crate::kit::{figure::Figure, palette::viridis, sheet::sheet};
 use crate::shared::showroom::Showroom;
 use glam::vec3;
 use raybook::accel::Accel;
 use raybook::accel::bvh::Bvh;
-use raybook::accel::bvh::build::flat::Node;
-use raybook::accel::bvh::pair::Pair;
 use raybook::image::{Image, rgb::Rgb};
+use raybook::inside::bvh::{self, Node, Pair};
 use raybook::math::{aabb::Aabb, interval::Interval};
 use raybook::render::film::Film;
 use raybook::shape::{Shape, cuboid::Cuboid};
-use std::error::Error;
 
 /// The boxes of each of these levels as solid blocks, in a tree of their own.
 ///
 /// # Errors
 /// If the labels cannot be drawn.
-pub fn figure<S: Shape>(
-    film: &Film,
-    room: &Showroom,
-    tree: &Bvh<S>,
-    levels: &[u32],
-) -> Result<Image, Box<dyn Error>> {
+pub fn figure<S: Shape>(film: &Film, room: &Showroom, tree: &Bvh<S>, levels: &[u32]) -> Figure {
     let tiles = levels.iter().map(|&depth| {
         let boxes = level(tree, depth);
         let label = format!("level {depth}: {} boxes", boxes.len());
@@ -41,7 +33,7 @@ pub fn figure<S: Shape>(
 fn blocks(film: &Film, room: &Showroom, boxes: &[Aabb]) -> Image {
     let cuboid = |bounds: &Aabb| Cuboid::between(bounds.min, bounds.max);
     let tree = Bvh::new(boxes.iter().map(cuboid).collect());
-    film.render(|place, _| {
+    film.render_edges(|place, _| {
         let ray = room.ray(place);
         let Some((cuboid, hit)) = tree.closest(&ray, Interval::AHEAD) else {
             return room.backdrop(place, &ray);
@@ -59,7 +51,7 @@ fn colour(bounds: &Aabb) -> Rgb {
 
 /// The boxes of all nodes that have so many branches above them, and of leaves that have fewer: together they hold all.
 pub fn level<S: Shape>(tree: &Bvh<S>, level: u32) -> Vec<Aabb> {
-    let (root, pairs) = tree.nodes();
+    let (root, pairs) = bvh::nodes(tree);
     let mut boxes = Vec::new();
     if let Some(root) = root {
         collect(root, pairs, level, &mut boxes);

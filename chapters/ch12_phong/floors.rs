@@ -1,6 +1,6 @@
 //! Small scenes that try a light: a floor, and what stands on it.
 
-use super::{bench::CLAY, bench::glossy, bench::matt};
+use super::bench::{CLAY, glossy, matt};
 use glam::{Vec3, vec3};
 use raybook::image::rgb::Rgb;
 use raybook::light::{Light, directional::DirectionalLight, point::PointLight};

@@ -8,12 +8,12 @@ mod bench;
 mod floors;
 mod lobes;
 
-use crate::kit::{stage::Drawn, stage::Stage};
+use crate::kit::chapter;
+use crate::kit::sheet::sheet;
+use crate::kit::stage::{Drawn, Stage};
 use glam::{Vec3, vec3};
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::Image;
-
-use crate::kit::{chapter, sheet::sheet};
 use raybook::material::{Material, blinn_phong::BlinnPhong};
 use raybook::render::film::Film;
 use raybook::render::followed::Followed;
@@ -64,7 +64,7 @@ fn photograph(film: &Film, camera: &Pinhole, scene: &Scene<dyn Material>) -> Ima
         samples: 1,
         arrives: ALWAYS,
     };
-    film.render(|place, rng| {
+    film.render_edges(|place, rng| {
         let ray = camera.ray_through(place);
         let radiance = match scene.closest(&ray) {
             Some(seen) => local.follow(scene, &seen, -ray.direction, rng).radiance,

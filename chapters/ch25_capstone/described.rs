@@ -1,8 +1,8 @@
 //! The words of a described scene as a figure.
 
-use raybook::image::Image;
 use crate::kit::figure::{LEFT, SCALE, coloured, figure, text, write};
 use crate::kit::palette::BLUE;
+use raybook::image::Image;
 use raybook_workbook::exercises::ch25_capstone::Trace;
 use raybook_workbook::row::Row;
 use std::error::Error;

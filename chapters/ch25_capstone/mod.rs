@@ -6,13 +6,15 @@
 mod described;
 mod misread;
 
+use crate::kit::chapter;
+use crate::kit::sheet::sheet;
+use crate::kit::stage::{Drawn, Stage};
 use glam::{Vec2, Vec3};
 use raybook::camera::pinhole::{LookAtError, Pinhole};
 use raybook::image::Image;
-use crate::kit::{stage::Drawn, stage::Stage};
-use crate::kit::{chapter, sheet::sheet};
-
-use raybook::render::{film::Film, trace::trace};
+use raybook::render::film::Film;
+use raybook::render::refine::refine;
+use raybook::render::trace::trace;
 use raybook::scene::description::Description;
 use raybook::scene::four_scenes::{ASPECT, FOUR, Staged};
 use raybook_workbook::exercises::ch25_capstone::Trace;
@@ -68,7 +70,9 @@ fn photograph(
     depth: u32,
 ) -> Result<Image, LookAtError> {
     let camera = camera(staged)?;
-    Ok(film.render(|place, _| trace(scene, &camera.ray_through(place), depth)))
+    Ok(refine(film, |place, _| {
+        trace(scene, &camera.ray_through(place), depth)
+    }))
 }
 
 /// The chapter's binary.

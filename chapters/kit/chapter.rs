@@ -1,8 +1,7 @@
 //! The `main` of every chapter binary.
 
-use crate::kit::options::Options;
-use crate::kit::say::say;
-use crate::kit::{stage::Drawn, stage::Stage, stage::progress_bar};
+use crate::kit::stage::{Drawn, Stage, progress_bar};
+use crate::kit::{options::Options, say::say};
 use crate::lesson::{self, Lesson};
 use clap::{Args, CommandFactory, FromArgMatches, Parser};
 use raybook_workbook::answer::unwritten;

@@ -1,8 +1,8 @@
 //! The stage on which a chapter draws: its films, its progress, and where its pictures go.
 
-use crate::kit::{options::Options, rate::Rate};
+use crate::kit::{options::Options, rate::Rate, terminal};
 use indicatif::{ProgressBar, ProgressStyle};
-use raybook::image::{Image, codec, file};
+use raybook::image::{Image, file};
 use raybook::render::film::{Done, Film};
 use std::cell::RefCell;
 use std::error::Error;
@@ -121,16 +121,7 @@ impl Stage {
         let png = self.folder.join(name).with_extension("png");
         file::save(&png, picture)?;
         if self.show {
-            let shown = image::DynamicImage::ImageRgb8(codec::to_display(picture));
-            self.bar.suspend(|| {
-                viuer::print(
-                    &shown,
-                    &viuer::Config {
-                        absolute_offset: false,
-                        ..Default::default()
-                    },
-                )
-            })?;
+            self.bar.suspend(|| terminal::print(picture))?;
         }
         self.outputs.borrow_mut().push(Output {
             png,

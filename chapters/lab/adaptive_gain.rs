@@ -1,9 +1,9 @@
 //! What adaptive supersampling saves: the error against the rays that were spent.
 
 use crate::kit::palette::viridis;
+use crate::lab::error_plot::{Curve, ErrorPlot};
 use crate::lab::integrands::Error;
 use crate::lab::plot::colour;
-use crate::lab::{error_plot::Curve, error_plot::ErrorPlot};
 use plotters::prelude::Color;
 use raybook::image::Image;
 use raybook::render::adaptive::{Adaptive, Limits, adaptive, by_budget};

@@ -1,14 +1,11 @@
 //! Sun and sky, before there are lights: enough to see shapes and their shadows.
 
-use crate::shared::outdoors::sky;
 use glam::vec3;
 use raybook::accel::Accel;
-use raybook::camera::pinhole::Pinhole;
-use raybook::image::{Image, rgb::Rgb};
+use raybook::image::rgb::Rgb;
 use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
-use raybook::render::film::Film;
 use raybook::shape::Surface;
-use raybook::shape::mesh::{Facet, Mesh};
+use raybook::shape::mesh::Facet;
 
 /// How a triangle looks.
 #[derive(Clone, Copy, Debug)]
@@ -19,31 +16,17 @@ pub struct Paint {
     pub round: bool,
 }
 
-/// A mesh by daylight, with the sun's shadows; `paint` says how a triangle looks.
-pub fn picture(
-    film: &Film,
-    camera: &Pinhole,
-    mesh: &Mesh,
-    accel: &impl Accel<Facet>,
-    paint: impl Fn(u32) -> Paint + Sync,
-) -> Image {
-    film.render(|place, _| {
-        let ray = camera.ray_through(place);
-        let Some((_, hit)) = accel.closest(&ray, Interval::AHEAD) else {
-            return sky(ray.direction);
-        };
-        let at = mesh.surface(&ray, &hit);
-        let Paint { colour, round } = paint(hit.id);
-        let normal = if round { at.shading_normal } else { at.normal };
-        let light = daylight(&at, normal, &ray, accel);
-        Rgb::new(colour.r * light.r, colour.g * light.g, colour.b * light.b)
-    })
+/// What a ray sees of a surface by daylight, with the sun's shadows.
+pub fn shade(at: &Surface, paint: Paint, seen: &Ray, accel: &impl Accel<Facet>) -> Rgb {
+    let Paint { colour, round } = paint;
+    let normal = if round { at.shading_normal } else { at.normal };
+    colour * light(at, normal, seen, accel)
 }
 
 /// The light on a surface: the sun's, where nothing is in its way, and the sky's.
 ///
 /// `normal` is the one to shade with; it is turned to the side that is seen.
-fn daylight(at: &Surface, normal: Dir3, seen: &Ray, accel: &impl Accel<Facet>) -> Rgb {
+fn light(at: &Surface, normal: Dir3, seen: &Ray, accel: &impl Accel<Facet>) -> Rgb {
     let sun = Dir3::new_or(vec3(-0.62, 0.75, 0.42), Dir3::Y);
     let away = at.normal.dot(*seen.direction) > 0.0;
     let normal = if away { -normal } else { normal };

@@ -1,17 +1,14 @@
 //! Heat maps: what each pixel's ray costs, with one scale for all accelerators.
 
-use crate::kit::sheet::sheet;
-use crate::kit::{figure::FONT, figure::SCALE, figure::figure};
-use crate::kit::{palette::INK, palette::viridis};
+use crate::kit::figure::{CENTRE, Figure, SCALE, figure, text, write};
+use crate::kit::{palette::viridis, sheet::sheet};
 use glam::{Vec2, vec2};
-use plotters::prelude::{Color, IntoFont, RGBColor, Rectangle, Text};
-use plotters::style::text_anchor::{HPos, Pos, VPos};
+use plotters::prelude::{Color, RGBColor, Rectangle};
 use raybook::accel::{Accel, Tests};
 use raybook::image::{Image, rgb::Rgb, tone};
 use raybook::math::{interval::Interval, ray::Ray};
 use raybook::render::film::Film;
 use raybook::shape::mesh::Facet;
-use std::error::Error;
 
 /// The count that has the last colour; the scale is logarithmic, for a ray can cost a few tests or thousands.
 const MOST: f32 = 1000.0;
@@ -64,7 +61,7 @@ impl Heat {
     ///
     /// # Errors
     /// If the labels cannot be drawn.
-    pub fn figure(&self, boxes: &str) -> Result<Image, Box<dyn Error>> {
+    pub fn figure(&self, boxes: &str) -> Figure {
         with_scale(2, &[self.of_boxes(boxes), self.of_triangles()])
     }
 
@@ -84,7 +81,7 @@ impl Heat {
 ///
 /// # Errors
 /// If the labels cannot be drawn.
-pub fn with_scale(columns: usize, maps: &[(String, Image)]) -> Result<Image, Box<dyn Error>> {
+pub fn with_scale(columns: usize, maps: &[(String, Image)]) -> Figure {
     let maps: Vec<_> = maps
         .iter()
         .map(|(label, map)| (label.as_str(), map.clone()))
@@ -104,7 +101,7 @@ pub fn colour(count: f32) -> Rgb {
 }
 
 /// The colours of the counts, with the counts below.
-fn scale(width: u32) -> Result<Image, Box<dyn Error>> {
+fn scale(width: u32) -> Figure {
     let height = (width / 16).clamp(24, 64);
     figure(width, height, |canvas| {
         let (wide, high) = ((SCALE * width) as f32, (SCALE * height) as f32);
@@ -115,20 +112,14 @@ fn scale(width: u32) -> Result<Image, Box<dyn Error>> {
             let column = [(x, 0), (x + 1, bottom as i32)];
             canvas.draw(&Rectangle::new(column, RGBColor(r, g, b).filled()))?;
         }
-        let text = |text: &str, x: f32| {
-            let middle = Pos::new(HPos::Center, VPos::Center);
-            let style = (FONT, 0.42 * f64::from(high))
-                .into_font()
-                .color(&INK)
-                .pos(middle);
+        let label = |words: &str, x: f32| {
             let place = (x as i32, (0.74 * high) as i32);
-            canvas.draw(&Text::new(text.to_owned(), place, style))
+            write(canvas, words, place, text(0.42 * high).pos(CENTRE))
         };
         for count in [1.0, 3.0, 10.0, 30.0, 100.0, 300.0, MOST] {
-            text(&count.to_string(), left + (right - left) * count.log(MOST))?;
+            label(&count.to_string(), left + (right - left) * count.log(MOST))?;
         }
-        text("tests:", 0.06 * wide)?;
-        Ok(())
+        label("tests:", 0.06 * wide)
     })
 }
 

@@ -1,20 +1,15 @@
 //! The figure of a tree of rays: in the scene, and as a tree.
 
-use crate::kit::{figure::Canvas, figure::SCALE, figure::figure};
-use crate::kit::{
-    palette::BLUE, palette::FAINT, palette::INK, palette::ORANGE, palette::PURPLE,
-    palette::VERMILION,
-};
-use crate::kit::{sketch::Sketch, sketch::label};
-use crate::shared::{ray_tree::Branch, ray_tree::End, ray_tree::Kind};
+use crate::kit::figure::{Canvas, Figure, SCALE, figure};
+use crate::kit::palette::{BLUE, FAINT, INK, ORANGE, PURPLE, VERMILION};
+use crate::kit::sketch::{Sketch, label};
+use crate::kit::stage::Drawn;
+use crate::shared::ray_tree::{Branch, End, Kind};
 use glam::{Vec2, vec2};
 use plotters::prelude::{Circle, Color, PathElement, RGBColor};
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::{Image, rgb::Rgb, tone};
 use std::error::Error;
-
-/// What drawing returns.
-type Drawn = Result<(), Box<dyn Error>>;
 
 /// Width and height of the photograph on which the rays are drawn, in pixels of the figure.
 pub const PHOTOGRAPH: (usize, usize) = (560, 520);
@@ -32,7 +27,7 @@ const SHOWN: f32 = 1.6;
 ///
 /// # Errors
 /// What plotters reports.
-pub fn draw(tree: &Branch, photograph: &Image, viewer: Pinhole) -> Result<Image, Box<dyn Error>> {
+pub fn draw(tree: &Branch, photograph: &Image, viewer: Pinhole) -> Figure {
     let (width, height) = PHOTOGRAPH;
     figure(width as u32 + TREE, height as u32, |canvas| {
         let (left, right) = canvas.split_horizontally(SCALE * width as u32);

@@ -1,13 +1,11 @@
 //! Rays per second, of one structure in words or of several in bars.
 
-use crate::kit::bars::bars;
+use crate::kit::{bars::bars, figure::Figure};
 use glam::{Vec2, vec2};
 use raybook::accel::Accel;
-use raybook::image::Image;
 use raybook::math::{interval::Interval, ray::Ray};
 use raybook::render::film::Film;
 use raybook::shape::mesh::Facet;
-use std::error::Error;
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -61,7 +59,7 @@ pub fn rays_a_second(film: &Film, ray: impl Fn(Vec2) -> Ray, accel: &impl Accel<
 ///
 /// # Errors
 /// What plotters reports.
-pub fn figure(rays: &[Ray], structures: &[Searcher], note: &str) -> Result<Image, Box<dyn Error>> {
+pub fn figure(rays: &[Ray], structures: &[Searcher], note: &str) -> Figure {
     let names = structures.iter().map(|(name, _)| *name);
     let rows: Vec<_> = names.zip(thousands(rays, structures)).collect();
     bars("Rays per second, one thread", "thousand", &rows, note)

@@ -1,33 +1,36 @@
 //! The teapot in the stadium, and what its rays cost in an accelerator.
 
-use crate::shared::{daylight::Paint, daylight::picture};
-use crate::shared::{heat::heat, heat::with_scale};
+use crate::kit::figure::Figure;
+use crate::shared::daylight::{Paint, shade};
+use crate::shared::heat::{heat, with_scale};
+use crate::shared::outdoors::sky;
 use glam::{Vec3, vec3};
 use raybook::accel::Accel;
 use raybook::camera::pinhole::Pinhole;
-use raybook::image::{Image, rgb::Rgb};
+use raybook::image::rgb::Rgb;
+use raybook::math::interval::Interval;
 use raybook::render::film::Film;
 use raybook::scene::stadium::{Part, Stadium};
 use raybook::shape::mesh::Facet;
-use std::error::Error;
 
 /// The stadium, the teapot close by, and for the second view the boxes and the triangles tested; `boxes` is what the
 /// accelerator calls its boxes: "cells visited".
 ///
 /// # Errors
 /// If a label cannot be drawn.
-pub fn figure(
-    film: &Film,
-    stadium: &Stadium,
-    accel: &impl Accel<Facet>,
-    boxes: &str,
-) -> Result<Image, Box<dyn Error>> {
+pub fn figure(film: &Film, stadium: &Stadium, accel: &impl Accel<Facet>, boxes: &str) -> Figure {
     let camera = |from, to| Pinhole::look_at(from, to, Vec3::Y, 0.035, film.aspect());
     let far = camera(vec3(-40.0, 15.0, 38.0), vec3(4.0, -2.0, -4.0))?;
     let near = camera(vec3(0.32, 0.36, 0.9), vec3(0.02, 0.17, 0.0))?;
-    let shown = |camera| {
-        picture(film, camera, &stadium.mesh, accel, |id| {
-            paint(stadium.part(id))
+    let shown = |camera: &Pinhole| {
+        film.render_edges(|place, _| {
+            let ray = camera.ray_through(place);
+            accel
+                .closest(&ray, Interval::AHEAD)
+                .map_or(sky(ray.direction), |(_, hit)| {
+                    let at = stadium.mesh.surface(&ray, &hit);
+                    shade(&at, paint(stadium.part(hit.id)), &ray, accel)
+                })
         })
     };
     let heat = heat(film, |place| near.ray_through(place), accel);

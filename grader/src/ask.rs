@@ -133,6 +133,8 @@ impl<'a> Asker<'a> {
     pub fn ask(&mut self, questions: &[String]) -> io::Result<Vec<Reply>> {
         let mut replies = Vec::new();
         let mut misfortunes = 0;
+        // Whether the process has been asked another list of questions.
+        let mut used = self.process.is_some();
         while replies.len() < questions.len() {
             if ends_silent(&replies) {
                 replies.resize_with(questions.len(), || Reply {
@@ -152,7 +154,6 @@ impl<'a> Asker<'a> {
             } else {
                 rest.len()
             };
-            let used = self.process.is_some();
             let Conversation {
                 answers,
                 end,
@@ -164,7 +165,7 @@ impl<'a> Asker<'a> {
                 misfortunes = PATIENCE; // which one has two answers, or none? ask them one by one
                 continue;
             }
-            if missing && used && answers.is_empty() {
+            if missing && std::mem::take(&mut used) && answers.is_empty() {
                 continue; // it may have died of a question before these, so these go to a new process
             }
             replies.extend(answers.into_iter().map(Reply::of));

@@ -1,7 +1,7 @@
 //! Floor 1: pictures of linear radiance, their files, their way to a display, and their comparison.
 
 #[cfg(feature = "files")]
-pub mod codec;
+mod codec;
 pub mod compare;
 #[cfg(feature = "files")]
 pub mod file;

@@ -3,12 +3,12 @@
 use crate::image::rgb::Rgb;
 use crate::light::LightSample;
 use crate::material::Material;
-use crate::math::{dir3::Dir3, pcg::Pcg};
+use crate::math::dir3::Dir3;
 use crate::render::followed::Followed;
 use crate::scene::world::{Scene, Seen};
 use crate::shape::Surface;
 use glam::vec2;
-use rand::RngExt;
+use rand::{Rng, RngExt};
 
 /// Whether light on its way to a surface arrives there.
 pub type Arrives = fn(&Scene<dyn Material>, &Surface, &LightSample) -> bool;
@@ -17,7 +17,7 @@ pub type Arrives = fn(&Scene<dyn Material>, &Surface, &LightSample) -> bool;
 pub const ALWAYS: Option<Arrives> = None;
 
 /// How light from the lights is gathered.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct Local {
     /// So many samples are taken of every light.
     pub samples: u32,
@@ -33,7 +33,7 @@ impl Local {
         scene: &Scene<dyn Material>,
         seen: &Seen<dyn Material>,
         view: Dir3,
-        rng: &mut Pcg,
+        rng: &mut impl Rng,
     ) -> Followed {
         let mut rays = 0;
         let mut arrives = |sample: &LightSample| {

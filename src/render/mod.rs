@@ -10,6 +10,7 @@ pub mod local;
 pub mod mis;
 pub mod needs_more;
 pub mod path;
+pub mod refine;
 pub mod reflection;
 pub mod shadow;
 pub mod soft_shadow;

@@ -2,11 +2,9 @@
 
 use crate::camera::Camera;
 use crate::image::Image;
-use crate::math::{pcg::Pcg, ray::Ray};
-use crate::render::film::{Film, place_in_pixel};
-use crate::render::followed::Followed;
-use glam::vec2;
-use rand::seq::SliceRandom;
+use crate::math::ray::Ray;
+use crate::render::{film::Film, followed::Followed, refine::refine};
+use crate::sample::even::Even;
 
 // ANCHOR: through_lens
 /// The picture whose pixels are the mean of what rays see from all over the lens.
@@ -17,20 +15,11 @@ use rand::seq::SliceRandom;
 pub fn through_lens<S: Into<Followed>>(
     film: &Film,
     camera: &impl Camera,
-    radiance: impl Fn(&Ray, &mut Pcg) -> S + Sync,
+    radiance: impl Fn(&Ray, &mut Even) -> S + Sync,
 ) -> Image {
-    let size = vec2(film.width as f32, film.height as f32);
-    film.render_pixels(|x, y, rng| {
-        let places = place_in_pixel(film.samples, rng);
-        // A single sample must not always go through the middle of the lens: the second number is for that.
-        let points = place_in_pixel(film.samples.max(2), rng);
-        let mut order: Vec<_> = (0..film.samples).collect();
-        order.shuffle(rng);
-        let samples = order.into_iter().enumerate().map(|(i, j)| {
-            let place = vec2(x as f32, y as f32) + places(i);
-            radiance(&camera.ray(place / size, points(j)), rng).into()
-        });
-        samples.sum::<Followed>().mean_of(film.samples)
+    refine(film, |place, numbers| {
+        let ray = camera.ray(place, numbers.pair());
+        radiance(&ray, numbers)
     })
 }
 // ANCHOR_END: through_lens

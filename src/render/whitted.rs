@@ -2,12 +2,13 @@
 
 use crate::image::rgb::Rgb;
 use crate::material::{Material, See, Sight};
-use crate::math::{pcg::Pcg, ray::Ray};
+use crate::math::ray::Ray;
 use crate::render::{followed::Followed, local::Local};
 use crate::scene::world::Scene;
+use rand::Rng;
 
 /// Follows rays from surface to surface (Whitted, "An improved illumination model for shaded display", 1980).
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct Whitted {
     /// How light from the lights is gathered at each surface.
     pub local: Local,
@@ -24,7 +25,7 @@ impl Whitted {
     /// What a ray sees: L = local illumination + what the material sees beyond, which asks the same question again.
     ///
     /// Two facing mirrors would ask for ever. Each question has one surface less to go, and at 0 the answer is black.
-    pub fn follow(&self, scene: &Scene<dyn Material>, ray: &Ray, rng: &mut Pcg) -> Followed {
+    pub fn follow(&self, scene: &Scene<dyn Material>, ray: &Ray, rng: &mut impl Rng) -> Followed {
         let mut rays = 0;
         let sight = self.sight(scene, ray, self.depth, 1.0, rng, &mut rays);
         Followed {
@@ -39,7 +40,7 @@ impl Whitted {
         ray: &Ray,
         left: u32,
         share: f32,
-        rng: &mut Pcg,
+        rng: &mut impl Rng,
         rays: &mut u64,
     ) -> Sight {
         let nothing = |radiance| Sight {
@@ -66,7 +67,7 @@ impl Whitted {
     // ANCHOR_END: whitted
 
     /// The same, uncounted.
-    pub fn radiance(&self, scene: &Scene<dyn Material>, ray: &Ray, rng: &mut Pcg) -> Rgb {
+    pub fn radiance(&self, scene: &Scene<dyn Material>, ray: &Ray, rng: &mut impl Rng) -> Rgb {
         self.follow(scene, ray, rng).radiance
     }
 }

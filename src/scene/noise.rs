@@ -5,14 +5,9 @@ use glam::Vec2;
 /// A smooth random function of the plane, in [0, 1]: random at whole coordinates, blended between them
 /// (value noise, after Perlin, "An image synthesizer", 1985).
 pub fn noise(p: Vec2) -> f32 {
-    let cell = p.floor();
-    let corner = |x, y| {
-        hash(
-            (cell.x as i32).wrapping_add(x),
-            (cell.y as i32).wrapping_add(y),
-        )
-    };
-    let f = p - cell;
+    let (i, j) = (below(p.x), below(p.y));
+    let corner = |x, y| hash(i.wrapping_add(x), j.wrapping_add(y));
+    let f = p - Vec2::new(i as f32, j as f32);
     let blend = f * f * (3.0 - 2.0 * f);
     let across = |y: i32| corner(0, y) + (corner(1, y) - corner(0, y)) * blend.x;
     across(0) + (across(1) - across(0)) * blend.y
@@ -22,14 +17,20 @@ pub fn noise(p: Vec2) -> f32 {
 pub fn layers(p: Vec2, count: u32) -> f32 {
     /// Turns and doubles, so that the lattices of the layers do not lie on each other.
     const FINER: Vec2 = Vec2::new(1.6, 1.2);
-    let (mut sum, mut weight, mut place) = (0.0, 0.0, p);
-    for layer in 0..count {
-        let strength = 0.5_f32.powi(layer as i32);
+    let (mut sum, mut weight, mut strength, mut place) = (0.0, 0.0, 1.0, p);
+    for _ in 0..count {
         sum += strength * noise(place);
         weight += strength;
+        strength *= 0.5;
         place = FINER.rotate(place) + 17.3;
     }
     sum / weight
+}
+
+/// The largest whole number that is not above v: `f32::floor` would be a call of a function.
+fn below(v: f32) -> i32 {
+    let toward_zero = v as i32;
+    toward_zero.wrapping_sub(i32::from(v < toward_zero as f32))
 }
 
 /// A random number in [0, 1] for a pair of whole numbers.

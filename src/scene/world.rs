@@ -6,6 +6,7 @@ use crate::image::rgb::Rgb;
 use crate::light::Light;
 use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use crate::shape::{Hit, Shape, Surface};
+use std::fmt;
 
 /// Things and lights; M is what the things are made of: `dyn Material` for Whitted's way of tracing.
 pub struct Scene<M: ?Sized> {
@@ -34,6 +35,32 @@ pub struct Seen<'a, M: ?Sized> {
     pub surface: Surface,
     /// What it is made of.
     pub material: &'a M,
+}
+
+impl<M: ?Sized + Send + Sync> fmt::Debug for Scene<M> {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.debug_struct("Scene")
+            .field("lights", &self.lights.len())
+            .field("ambient", &self.ambient)
+            .finish_non_exhaustive()
+    }
+}
+
+impl<M: ?Sized> fmt::Debug for Thing<M> {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.debug_struct("Thing")
+            .field("bounds", &self.shape.bounds())
+            .finish_non_exhaustive()
+    }
+}
+
+impl<M: ?Sized> fmt::Debug for Seen<'_, M> {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.debug_struct("Seen")
+            .field("t", &self.t)
+            .field("surface", &self.surface)
+            .finish_non_exhaustive()
+    }
 }
 
 impl<M: ?Sized + Send + Sync> Scene<M> {

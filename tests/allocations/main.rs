@@ -10,9 +10,13 @@ use raybook::material::{Material, brdf::Brdf};
 use raybook::math::{pcg, pcg::Pcg, ray::Ray};
 use raybook::render::local::{ALWAYS, Arrives, Local};
 use raybook::render::{mis::Strategy, path::Path, shadow, whitted::Whitted};
-use raybook::scene::{cornell, plates, skies, still_life};
-use raybook::scene::{glassware, kissing_balls, marbles, posts, world::Scene};
+use raybook::scene::{cornell, plates, still_life};
+use raybook::scene::{marbles, world::Scene};
+use raybook_chapters::ch13_reflection::kissing_balls;
+use raybook_chapters::ch14_refraction::glassware;
+use raybook_chapters::ch16_soft_shadows::posts;
 use raybook_chapters::ch18_environment::everywhere::Everywhere;
+use raybook_chapters::ch18_environment::skies;
 use raybook_common::rays::{random_direction, ray};
 use std::hint::black_box;
 

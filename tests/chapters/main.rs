@@ -2,6 +2,7 @@
 
 mod architecture;
 mod book;
+mod ch02_hdr;
 mod ch06_triangle;
 mod ch07_obj;
 mod ch08_grid;
@@ -18,3 +19,4 @@ mod ch22_antialiasing;
 mod ch23_adaptive;
 mod chapters;
 mod golden;
+mod terminal;

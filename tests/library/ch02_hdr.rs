@@ -6,7 +6,6 @@ mod formats;
 mod pictures;
 mod planted;
 mod refusals;
-mod scene;
 mod srgb;
 
 use raybook::image::{Image, rgb::Rgb, tone};

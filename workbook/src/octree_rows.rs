@@ -2,7 +2,7 @@
 
 use crate::record::row;
 use raybook::accel::octree::build::Limits;
-use raybook::accel::octree::tree::{Kind, Node, Tree};
+use raybook::inside::octree::{Kind, Node, Tree};
 use raybook::math::aabb::Aabb;
 
 row! {

@@ -2,8 +2,7 @@
 
 use crate::record::row;
 use glam::Vec3;
-use raybook::accel::bvh::build::flat::{Flat, Node};
-use raybook::accel::bvh::pair::{Link, Pair};
+use raybook::inside::bvh::{Flat, Link, Node, Pair};
 use raybook::math::aabb::Aabb;
 
 row! {

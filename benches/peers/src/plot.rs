@@ -48,7 +48,7 @@ enum Form {
 ///
 /// # Errors
 /// If it cannot be drawn or written.
-pub fn write(path: &Path, rows: &[Row]) -> Drawn {
+pub(crate) fn write(path: &Path, rows: &[Row]) -> Drawn {
     let rows: Vec<&Row> = rows
         .iter()
         .filter(|row| row.structure != "Embree")

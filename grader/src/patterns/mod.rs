@@ -6,8 +6,8 @@ pub mod got;
 use crate::patterns::got::Wanted;
 use glam::Vec2;
 use rand::seq::SliceRandom;
+use raybook::inside::Space;
 use raybook::math::pcg;
-use raybook::sample::pattern::neighbours::Space;
 use raybook::sample::pattern::{dart_throwing, poisson_disk, rotated_grid, rows};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch22_antialiasing::{

@@ -3,7 +3,8 @@
 use super::collapse::binary;
 use super::node::{Leaf, Link, Node, TRIANGLES};
 use super::optimal;
-use super::{Tree, pages};
+use super::pages;
+use super::tree::Tree;
 use crate::accel::bvh::build::{Method, build as build_binary, cost::Cost};
 use crate::shape::{Shape, mesh::Facet};
 use crate::threads;
@@ -11,7 +12,7 @@ use glam::Vec3A;
 
 /// Eight boxes at once cost about half as much as a block of triangles; the binary tree, which has seven branches in place
 /// of one node, is made with this in mind.
-pub const COST: Cost = Cost {
+pub(crate) const COST: Cost = Cost {
     branch: 0.5,
     block: 1.0,
     block_size: TRIANGLES as u32,
@@ -19,9 +20,10 @@ pub const COST: Cost = Cost {
 };
 
 /// The tree of facets with finite boxes; leaves have at most `cost.most` of them, and [`TRIANGLES`].
-pub fn build(facets: Vec<Facet>, method: Method, cost: &Cost) -> Tree {
+pub(crate) fn build(facets: Vec<Facet>, method: Method, cost: &Cost) -> Tree {
     let boxes = threads::list(facets.len(), |i| facets[i].bounds());
-    let flat = build_binary(&boxes, method, cost);
+    let most = cost.most.min(TRIANGLES as u32);
+    let flat = build_binary(&boxes, method, &Cost { most, ..*cost });
     let old = binary(&flat);
     let families = optimal::collapse(&old);
     // Where each node of the binary tree that stays is in the new one.

@@ -14,7 +14,7 @@ const LARGE: usize = 2 << 20;
 ///
 /// A processor keeps the addresses of a few thousand pages at hand; in pages of 4 KB that is a few megabytes, less than a tree
 /// of a hundred thousand triangles. Rays that go anywhere then look up an address for nearly every node.
-pub fn list<T>(n: usize) -> Vec<T> {
+pub(super) fn list<T>(n: usize) -> Vec<T> {
     let list = Vec::with_capacity(n);
     let bytes = n * size_of::<T>();
     if bytes >= LARGE {
@@ -29,7 +29,8 @@ fn advise(start: usize, bytes: usize) {
     let from = start.next_multiple_of(PAGE);
     let to = (start + bytes) / PAGE * PAGE;
     if from < to {
-        // SAFETY: the pages are whole and belong to the list; this advice changes neither their contents nor their rights.
+        // SAFETY: `list` alone calls this, with the address and the size of a list that it has just made. The pages are whole and
+        // within the list, for `from` is rounded up and `to` down; this advice changes neither their contents nor their rights.
         // If the system does not follow it, nothing is lost.
         let _ = unsafe {
             rustix::mm::madvise(

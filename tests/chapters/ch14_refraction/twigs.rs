@@ -5,7 +5,7 @@ use raybook::camera::pinhole::Pinhole;
 use raybook::math::pcg;
 use raybook::render::local::{ALWAYS, Local};
 use raybook::render::whitted::Whitted;
-use raybook::scene::glassware;
+use raybook_chapters::ch14_refraction::glassware;
 use raybook_chapters::shared::{ray_tree::Branch, ray_tree::Kind, ray_tree::grow};
 
 /// How many rays a tree has, without those to the lights.

@@ -7,8 +7,8 @@ use raybook::image::{Image, rgb::Rgb};
 use raybook::light::{Light, extent::Choose, rect_light::RectLight, sphere_light::SphereLight};
 use raybook::render::local::{Arrives, Local};
 use raybook::render::{film::Film, shadow, whitted::Whitted};
-use raybook::scene::posts;
 use raybook::shape::sphere::Sphere;
+use raybook_chapters::ch16_soft_shadows::posts;
 
 const MIDDLE: Vec3 = vec3(-3.0, 4.0, -3.0);
 

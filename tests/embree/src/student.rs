@@ -1,12 +1,12 @@
 //! Embree as a student: it answers the workbook's questions about hits, by lines.
 
 use crate::embree::{Embree, Mode};
-use crate::oracle::judge::Answer;
-use crate::oracle::meshes;
-use crate::oracle::target::Solid;
 use glam::Vec3;
 use raybook::math::{aabb::Aabb, basis::Basis, interval::Interval, ray::Ray};
 use raybook::shape::{mesh::Mesh, sphere::Sphere};
+use raybook_common::oracle::judge::Answer;
+use raybook_common::oracle::meshes;
+use raybook_common::oracle::target::Solid;
 use raybook_workbook::exercises::ch03_sphere::SphereHit;
 use raybook_workbook::exercises::ch04_plane::PlaneHit;
 use raybook_workbook::exercises::ch05_box::BoxClip;

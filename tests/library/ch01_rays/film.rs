@@ -1,13 +1,14 @@
 //! The film loop: the same picture on any number of threads, and means without bias.
 
-use glam::vec2;
+use glam::{Vec2, vec2};
 use rand::RngExt;
 use raybook::image::rgb::Rgb;
+use raybook::math::pcg::Pcg;
 use raybook::render::film::{Done, Film};
 use raybook::render::followed::Followed;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 
-fn film(width: usize, height: usize, samples: usize, threads: usize) -> Film<'static> {
+pub(crate) fn film(width: usize, height: usize, samples: usize, threads: usize) -> Film<'static> {
     Film {
         width,
         height,
@@ -149,7 +150,7 @@ fn many_samples_still_fill_the_pixel_evenly() {
 
 #[test]
 fn an_edge_through_pixels_is_found_by_the_mean() {
-    // A half plane through every pixel at x = 0.3: R₂ with 64 samples has a discrepancy below 4/64.
+    // A half plane through every pixel at x = 0.3: 64 of Sobol's points have a discrepancy below 4/64.
     let picture = film(8, 8, 64, 1).render(|place, _| {
         if (8.0 * place.x).fract() < 0.3 {
             Rgb::WHITE
@@ -164,4 +165,32 @@ fn an_edge_through_pixels_is_found_by_the_mean() {
             p.r
         );
     }
+}
+
+#[test]
+fn edges_are_rendered_with_all_samples_and_the_rest_with_few() {
+    // A disc of a quarter of the picture's area, with a soft shade inside.
+    let asked = AtomicUsize::new(0);
+    let disc = |place: Vec2, _: &mut Pcg| {
+        asked.fetch_add(1, Ordering::Relaxed);
+        let inside = place.distance(Vec2::splat(0.5)) < 0.28;
+        Rgb::gray(if inside { 0.5 + 0.1 * place.x } else { 1.0 })
+    };
+    let film = film(100, 100, 16, 2);
+    let all = film.render(disc);
+    assert_eq!(asked.swap(0, Ordering::Relaxed), 160_000);
+    let edges = film.render_edges(disc);
+    let (asked, pixels) = (asked.into_inner(), all.pixels().iter().zip(edges.pixels()));
+    // The rim is 2π·28 = 176 pixels long, and a band of three to four pixels is looked at more closely.
+    assert!((20_000..32_000).contains(&asked), "{asked} samples");
+    let (mut on_edge, mut same) = (0, 0);
+    for (a, b) in pixels {
+        let is_edge = a.r > 0.6 && a.r < 1.0;
+        on_edge += u32::from(is_edge);
+        same += u32::from(is_edge && a == b);
+        // Half a pixel is 0.0005 of the shade.
+        assert!((a.r - b.r).abs() < 0.001, "{a:?} and {b:?}");
+    }
+    assert!(on_edge > 150, "{on_edge} pixels on the edge");
+    assert_eq!(on_edge, same, "pixels on the edge");
 }

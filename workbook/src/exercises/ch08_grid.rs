@@ -1,7 +1,6 @@
 //! Chapter 8: `grid_resolution`, `voxels_of_triangle`, `grid_walk`.
 
-use raybook::accel::grid::{build, resolution};
-use raybook::accel::{lattice::Lattice, walk::walk};
+use raybook::inside::grid::{self, Lattice, walk};
 use raybook::math::{interval::Interval, ray::Ray};
 use crate::exercise::exercises;
 use crate::record::row;
@@ -23,7 +22,7 @@ exercises! { ($) ch08_grid
         /// The number of cells along each axis, 1 or more.
         cells: Cell,
     ) {
-        resolution::grid_resolution(extents, shapes as usize, density).into()
+        grid::grid_resolution(extents, shapes as usize, density).into()
     }
 
     /// Return the cells, in any order, whose box, grown by the margin on every side, meets the triangle.
@@ -50,7 +49,7 @@ exercises! { ($) ch08_grid
         /// The cells that the triangle meets, in any order.
         cells: Vec<Cell>,
     ) |q| {
-        let cells = build::voxels_of_triangle(&q.lattice(), q.margin, &[q.p0, q.p1, q.p2]);
+        let cells = grid::voxels_of_triangle(&q.lattice(), q.margin, &[q.p0, q.p1, q.p2]);
         cells.into_iter().map(Cell::from).collect()
     }
 

@@ -1,7 +1,7 @@
 //! Chapter 9: `refine_cell`, `two_level_walk`.
 
-use raybook::accel::lattice::{Lattice, range};
-use raybook::accel::two_level_grid::{levels::Levels, refine, walk::walk_two_levels};
+use raybook::inside::grid::{Lattice, range};
+use raybook::inside::two_level_grid::{self, Levels, walk_two_levels};
 use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use crate::exercise::exercises;
 use crate::exercises::ch05_box::Corners;
@@ -29,7 +29,7 @@ exercises! { ($) ch09_two_level_grid
         let cell = Aabb { min, max };
         let coarse = Lattice::new(&cell, UVec3::ONE);
         let numbers: Vec<_> = (0..shapes.len() as u32).collect();
-        let refined = refine::refine_cell(&coarse, &numbers, density, |shape, fine| {
+        let refined = two_level_grid::refine_cell(&coarse, &numbers, density, |shape, fine| {
             let Corners { min, max } = shapes[shape as usize];
             let (first, last) = fine.cells_of(&Aabb { min, max });
             range(first, last).collect()

@@ -1,8 +1,7 @@
 //! Chapter 10: `octree_child`, `octree_build`, `octree_walk`.
 
-use raybook::accel::octree::build::{Limits, build};
-use raybook::accel::octree::tree::{Tree, child_at};
-use raybook::accel::octree::walk::Walk;
+use raybook::accel::octree::build::Limits;
+use raybook::inside::octree::{Tree, Walk, build, child_at};
 use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use crate::exercise::exercises;
 use crate::exercises::ch05_box::Corners;

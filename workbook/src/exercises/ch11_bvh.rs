@@ -1,10 +1,7 @@
 //! Chapter 11: `sah_cost`, `sah_split`, `bvh_build`, `bvh_closest`.
 
-use raybook::accel::bvh::build::cost::{Cost, sah_cost};
-use raybook::accel::bvh::build::item::Item;
-use raybook::accel::bvh::build::sweep::sah_split;
-use raybook::accel::bvh::build::{Method, build};
-use raybook::accel::bvh::{Bvh, COST};
+use raybook::accel::bvh::build::Method;
+use raybook::inside::bvh::{self, COST, Cost, Item, build, sah_cost, sah_split};
 use raybook::accel::{Accel, Tests};
 use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use raybook::shape::mesh::Facet;
@@ -94,7 +91,7 @@ exercises! { ($) ch11_bvh
             id,
         });
         let tree = to_flat(&nodes, triangles.len());
-        let bvh = Bvh::from_flat(tree, facets.collect());
+        let bvh = bvh::over(tree, facets.collect());
         let mut count = Tests::default();
         let closest = bvh.closest_counted(&ray, within, &mut count);
         BvhClosestAnswer {

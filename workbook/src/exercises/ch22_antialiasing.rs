@@ -3,7 +3,7 @@
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg;
 use raybook::sample::filter::{self, Filter};
-use raybook::sample::pattern::neighbours::Space;
+use raybook::inside::Space;
 use raybook::sample::pattern::{jittered, poisson_disk, random_pattern, regular_grid, rotated_grid};
 use crate::exercise::exercises;
 use crate::record::row;

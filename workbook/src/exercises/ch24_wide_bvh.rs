@@ -1,11 +1,7 @@
 //! Chapter 24: `collapse`, `wide_closest`.
 
 use raybook::accel::Tests;
-use raybook::accel::wide_bvh::collapse::{binary, collapse};
-use raybook::accel::wide_bvh::nearest::{Nearest, Seeker};
-use raybook::accel::wide_bvh::node::{CHILDREN, Leaf, Link, NO_FACET, Node, TRIANGLES};
-use raybook::accel::wide_bvh::portable::Portable;
-use raybook::accel::wide_bvh::{Tree, walk};
+use raybook::inside::wide_bvh::{CHILDREN, Link, TRIANGLES, Tree, binary, collapse};
 use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use raybook::shape::mesh::Facet;
 use crate::exercise::exercises;
@@ -49,18 +45,14 @@ exercises! { ($) ch24_wide_bvh
         /// The nearest hit, and the work that it took to find it.
         answer: WideClosestAnswer,
     ) |q| {
-        let (tree, mut count) = (tree(q), Tests::default());
-        let nothing = Nearest::nothing(q.within.max);
-        let found = tree.root.map_or(nothing, |root| {
-            let seeker = Seeker::new(&q.ray, q.within.min, &tree);
-            walk::closest(Portable, &tree, root, &seeker, nothing, &mut count)
-        });
+        let mut count = Tests::default();
+        let hit = tree(q).and_then(|tree| tree.closest(&q.ray, q.within, &mut count));
         WideClosestAnswer {
             nodes: count.boxes as u32,
             tests: count.shapes as u32,
-            hit: (found.facet != NO_FACET).then_some(MeshHitAnswer {
-                t: found.hit.t,
-                id: found.hit.id,
+            hit: hit.map(|hit| MeshHitAnswer {
+                t: hit.t,
+                id: hit.id,
             }),
         }
     }
@@ -119,13 +111,13 @@ row! {
 }
 
 /// The tree of a question. Children that do not exist are left out, and a child comes after its parent.
-fn tree(q: &WideClosest) -> Tree {
+fn tree(q: &WideClosest) -> Option<Tree> {
     let corners = q.triangles.iter().map(|t| [t.p0, t.p1, t.p2]).zip(0..);
     let facets: Vec<_> = corners.map(|(corners, id)| Facet { corners, id }).collect();
     let leaf = |leaf: &WideLeaf| {
         let exist = leaf.triangles.iter().copied();
         let exist = exist.filter(|&i| (i as usize) < facets.len());
-        Leaf::new(&facets, &exist.take(TRIANGLES).collect::<Vec<_>>())
+        exist.take(TRIANGLES).collect()
     };
     let node = |(i, node): (usize, &WideNode)| {
         let exist = node.children.iter().filter(|child| {
@@ -135,7 +127,7 @@ fn tree(q: &WideClosest) -> Tree {
                 _ => index < q.leaves.len(),
             }
         });
-        Node::new(exist.take(CHILDREN).map(|child| {
+        let child = |child: &WideChild| {
             let (min, max) = (child.min, child.max);
             let index = child.index as usize;
             let link = match child.leaf {
@@ -143,15 +135,10 @@ fn tree(q: &WideClosest) -> Tree {
                 _ => Link::leaf(index),
             };
             (Aabb { min, max }, link)
-        }))
+        };
+        exist.take(CHILDREN).map(child).collect()
     };
-    let corners = facets.iter().flat_map(|facet| facet.corners);
-    let largest = corners.fold(Vec3::ZERO, |largest, p| p.abs().max(largest));
-    Tree {
-        nodes: q.nodes.iter().enumerate().map(node).collect(),
-        leaves: q.leaves.iter().map(leaf).collect(),
-        root: (!q.nodes.is_empty()).then_some(Link::node(0)),
-        largest: largest.into(),
-        facets,
-    }
+    let nodes: Vec<_> = q.nodes.iter().enumerate().map(node).collect();
+    let leaves: Vec<_> = q.leaves.iter().map(leaf).collect();
+    Tree::new(facets, &leaves, &nodes).ok()
 }

@@ -3,7 +3,7 @@
 use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
 use glam::{UVec3, uvec3, vec3};
 use rand::RngExt;
-use raybook::accel::lattice::Lattice;
+use raybook::inside::grid::Lattice;
 use raybook::image::rgb::Rgb;
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray, slab};
 use raybook_chapters::kit::palette::viridis;

@@ -3,7 +3,7 @@
 use crate::{Graded, Mistake, Verdict, sample};
 use glam::{UVec3, Vec3, uvec3, vec3};
 use rand::RngExt;
-use raybook::accel::{grid::build, lattice::range};
+use raybook::inside::grid::{self, range};
 use raybook::math::{aabb::Aabb, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch08_grid::{Cell, VoxelsOfTriangle};
@@ -38,7 +38,7 @@ impl Graded for VoxelsOfTriangle {
     fn judge(q: &VoxelsOfTriangle, _golden: &Vec<Cell>, got: &Vec<Cell>) -> Verdict {
         // A cell that the triangle only touches is nobody's fault: these must be there, and only those may be.
         let hair = 1e-4 * (q.cell.max_element() + q.min.abs().max_element());
-        let with = |margin| build::voxels_of_triangle(&q.lattice(), margin, &[q.p0, q.p1, q.p2]);
+        let with = |margin| grid::voxels_of_triangle(&q.lattice(), margin, &[q.p0, q.p1, q.p2]);
         let (must, may) = (with(q.margin - hair), with(q.margin + hair));
         let got: Vec<_> = got.iter().map(|c| uvec3(c.x, c.y, c.z)).collect();
         for (i, cell) in got.iter().enumerate() {

@@ -3,7 +3,7 @@
 use crate::{Graded, Mistake, Verdict, sample};
 use glam::{UVec3, vec3};
 use rand::RngExt;
-use raybook::accel::lattice::Lattice;
+use raybook::inside::grid::Lattice;
 use raybook::math::{aabb::Aabb, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch05_box::Corners;

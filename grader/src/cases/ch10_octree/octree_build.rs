@@ -3,7 +3,8 @@
 use crate::{Graded, Mistake, Verdict, sample};
 use glam::Vec3;
 use rand::RngExt;
-use raybook::accel::{octree::build::Limits, octree::build::build, octree::tree::child_cell};
+use raybook::accel::octree::build::Limits;
+use raybook::inside::octree::{build, child_cell};
 use raybook::math::{aabb::Aabb, pcg::Pcg};
 use raybook_workbook::exercises::ch05_box::Corners;
 use raybook_workbook::exercises::ch10_octree::{OctreeBuild, reached};

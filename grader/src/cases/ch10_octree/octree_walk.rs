@@ -2,7 +2,7 @@
 
 use crate::{Graded, Mistake, Verdict, passage::passage, sample};
 use rand::RngExt;
-use raybook::accel::octree::tree::Kind;
+use raybook::inside::octree::Kind;
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch10_octree::OctreeWalk;

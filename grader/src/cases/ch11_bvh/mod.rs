@@ -1,9 +1,8 @@
 //! Chapter 11: `sah_cost`, `sah_split`, `bvh_build`, `bvh_closest`.
 
 
-use raybook::accel::bvh::COST;
-use raybook::accel::bvh::build::cost::Cost;
-use raybook::accel::bvh::build::{Method, build};
+use raybook::accel::bvh::build::Method;
+use raybook::inside::bvh::{COST, Cost, build};
 use crate::{Verdict, sample};
 use raybook::math::{aabb::Aabb, pcg::Pcg};
 use raybook_workbook::exercises::ch11_bvh::BvhBuildAnswer;

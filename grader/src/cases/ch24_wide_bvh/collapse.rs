@@ -2,7 +2,8 @@
 
 use crate::{Graded, Mistake, Verdict, sample};
 use rand::RngExt;
-use raybook::accel::{bvh::COST, bvh::build::Method, bvh::build::build, bvh::build::cost::Cost};
+use raybook::accel::bvh::build::Method;
+use raybook::inside::bvh::{COST, Cost, build};
 use raybook::math::{aabb::Aabb, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch24_wide_bvh::{Collapse, FamilyRow};

@@ -3,7 +3,9 @@
 use crate::{Graded, Mistake, Picture, Verdict, judge, sample, search, search::How, search::Node, search::Order, search::Tree};
 use glam::{Vec3, vec3};
 use rand::RngExt;
-use raybook::accel::{bvh::build::Method, bvh::build::cost::Cost, wide_bvh::build::COST, wide_bvh::build::build as build_wide, wide_bvh::node::Link};
+use raybook::accel::bvh::build::Method;
+use raybook::inside::bvh::Cost;
+use raybook::inside::wide_bvh::{COST, Link, build as build_wide};
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 use raybook::shape::{Shape, mesh::Facet};
 use raybook_workbook::exercises::ch07_mesh::Corners;
@@ -188,14 +190,14 @@ fn question(
         children: children.into_iter().map(child).collect(),
     };
     let mut nodes: Vec<_> = tree
-        .nodes
+        .nodes()
         .iter()
         .map(|old| node(old.children().collect()))
         .collect();
-    if let Some(root) = tree.root.filter(|root| root.as_leaf().is_some()) {
+    if let Some(root) = tree.root().filter(|root| root.as_leaf().is_some()) {
         nodes.push(node(vec![(all, root)]));
     }
-    let leaves = tree.leaves.iter().map(|leaf| WideLeaf {
+    let leaves = tree.leaves().iter().map(|leaf| WideLeaf {
         triangles: leaf.facets().collect(),
     });
     WideClosest {

@@ -15,7 +15,7 @@ const RADIUS: usize = 14;
 /// They are ordered along a curve that visits neighbours in space one soon after the other. Each of them starts as a
 /// subtree of its own. In each round every subtree looks at those that are near on the curve for the one with which it
 /// would have the smallest box; two that choose each other are merged, and the result takes the place of the first.
-pub fn build(mut items: Vec<Item>, cost: &Cost) -> Flat {
+pub(super) fn build(mut items: Vec<Item>, cost: &Cost) -> Flat {
     sort_along_curve(&mut items);
     let mut trees: Vec<_> = items.iter().map(single).collect();
     let mut levels = MAX_DEPTH;

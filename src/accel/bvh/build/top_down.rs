@@ -9,13 +9,13 @@ use crate::threads;
 /// A way to split: reorders the items and says how many are on the left, or `None` if a leaf is better.
 ///
 /// It is given at least two items, and how far they extend.
-pub type Split = fn(&mut [Item], &Extent, &Cost) -> Option<usize>;
+pub(super) type Split = fn(&mut [Item], &Extent, &Cost) -> Option<usize>;
 
 /// Fewer items than this are not worth another thread.
 const ALONE: usize = 1 << 12;
 
 /// Builds a tree over the items; reorders them as they follow each other in its leaves.
-pub fn top_down(items: &mut [Item], cost: &Cost, split: Split) -> Tree {
+pub(super) fn top_down(items: &mut [Item], cost: &Cost, split: Split) -> Tree {
     bvh_build(items, MAX_DEPTH, cost, split)
 }
 

@@ -1,16 +1,21 @@
 //! A pavilion to stand in: there is something to see in every direction, above and below too.
 
-use crate::accel::Meshed;
-use crate::accel::bvh::{Bvh, build::Method};
-use crate::image::rgb::Rgb;
-use crate::material::glass::{Glass, Medium};
-use crate::material::{Material, mirror::Mirror, phong::Phong};
-use crate::math::dir3::Dir3;
-use crate::scene::summer;
-use crate::scene::world::{Scene, Thing};
-use crate::shape::placed::placed;
-use crate::shape::{Shape, cuboid::Cuboid, plane::Plane, sphere::Sphere, teapot};
+use super::summer;
 use glam::{Mat3, Vec3, vec3};
+use raybook::accel::Meshed;
+use raybook::accel::wide_bvh::WideBvh;
+use raybook::image::rgb::Rgb;
+use raybook::material::Material;
+use raybook::material::glass::{Glass, Medium};
+use raybook::material::mirror::Mirror;
+use raybook::material::phong::Phong;
+use raybook::math::dir3::Dir3;
+use raybook::scene::world::{Scene, Thing};
+use raybook::shape::cuboid::Cuboid;
+use raybook::shape::placed::placed;
+use raybook::shape::plane::Plane;
+use raybook::shape::sphere::Sphere;
+use raybook::shape::{Shape, teapot};
 use std::f32::consts::{FRAC_1_PI, FRAC_PI_2};
 
 /// Where one sees all of it: in the middle, at a person's height.
@@ -146,12 +151,12 @@ fn on_show(things: &mut Vec<Thing<dyn Material>>) {
 }
 
 /// The teapot, half a metre wide and a little more, its spout to the viewer's right.
-fn pot(place: Vec3) -> Meshed<Bvh<crate::shape::mesh::Facet>> {
+fn pot(place: Vec3) -> Meshed<WideBvh> {
     let mesh = teapot::mesh(8);
     let scale = 0.95 / mesh.bounds().size().x;
     let turn = Mat3::from_rotation_y(-FRAC_PI_2);
     let mesh = placed(&mesh, scale, turn, place);
-    Meshed::new(mesh, |facets| Bvh::build(facets, Method::BottomUp))
+    Meshed::new(mesh, WideBvh::new)
 }
 
 /// A box on a square, from one height to another.

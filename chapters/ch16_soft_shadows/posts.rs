@@ -1,15 +1,21 @@
 //! Posts, a table and a ball on a pale floor: things of which some parts are near the floor and some are high above it.
 
-use crate::image::rgb::Rgb;
-use crate::light::{
-    Light, extent::Choose, point::PointLight, rect_light::RectLight, sphere_light::SphereLight,
-};
-use crate::material::Material;
-use crate::material::phong::Phong;
-use crate::math::{dir3::Dir3, ray::Ray};
-use crate::scene::world::{Scene, Thing};
-use crate::shape::{Shape, cuboid::Cuboid, plane::Plane, sphere::Sphere};
 use glam::{Vec3, vec3};
+use raybook::image::rgb::Rgb;
+use raybook::light::Light;
+use raybook::light::extent::Choose;
+use raybook::light::point::PointLight;
+use raybook::light::rect_light::RectLight;
+use raybook::light::sphere_light::SphereLight;
+use raybook::material::Material;
+use raybook::material::phong::Phong;
+use raybook::math::dir3::Dir3;
+use raybook::math::ray::Ray;
+use raybook::scene::world::{Scene, Thing};
+use raybook::shape::Shape;
+use raybook::shape::cuboid::Cuboid;
+use raybook::shape::plane::Plane;
+use raybook::shape::sphere::Sphere;
 use std::f32::consts::PI;
 
 /// Where all of it is seen, and where some of the shadows are: a camera's place, where it looks, and its focal length.

@@ -1,13 +1,20 @@
 //! Things of glass and water on a checkered floor.
 
-use crate::image::rgb::Rgb;
-use crate::light::directional::DirectionalLight;
-use crate::material::glass::{Glass, Medium};
-use crate::material::{Material, checkered::Checkered, phong::Phong};
-use crate::math::{basis::Basis, dir3::Dir3, ray::Ray};
-use crate::scene::world::{Scene, Thing};
-use crate::shape::{Shape, cuboid::Cuboid, plane::Plane, sphere::Sphere};
 use glam::{Vec3, vec3};
+use raybook::image::rgb::Rgb;
+use raybook::light::directional::DirectionalLight;
+use raybook::material::Material;
+use raybook::material::checkered::Checkered;
+use raybook::material::glass::{Glass, Medium};
+use raybook::material::phong::Phong;
+use raybook::math::basis::Basis;
+use raybook::math::dir3::Dir3;
+use raybook::math::ray::Ray;
+use raybook::scene::world::{Scene, Thing};
+use raybook::shape::Shape;
+use raybook::shape::cuboid::Cuboid;
+use raybook::shape::plane::Plane;
+use raybook::shape::sphere::Sphere;
 use std::f32::consts::PI;
 
 /// Where a camera sees the still life, where it looks, and its focal length.

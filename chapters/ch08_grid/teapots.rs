@@ -1,10 +1,11 @@
 //! A crowd of teapots: one mesh of many triangles, evenly spread.
 
-use crate::shape::{mesh::Mesh, teapot};
 use glam::{Mat3, vec2, vec3};
+use raybook::shape::{mesh::Mesh, teapot};
 use std::f32::consts::TAU;
 
 /// Teapots on a square of ground.
+#[derive(Clone, Debug)]
 pub struct Teapots {
     /// All of it: the teapots one after the other, then the ground.
     pub mesh: Mesh,

@@ -1,11 +1,13 @@
 //! Four mirror balls that touch each other: between them, mirrors show mirrors without end.
 
-use crate::image::rgb::Rgb;
-use crate::material::{Material, mirror::Mirror};
-use crate::math::{dir3::Dir3, ray::Ray};
-use crate::scene::world::{Scene, Thing};
-use crate::shape::sphere::Sphere;
 use glam::{Vec3, vec3};
+use raybook::image::rgb::Rgb;
+use raybook::material::Material;
+use raybook::material::mirror::Mirror;
+use raybook::math::dir3::Dir3;
+use raybook::math::ray::Ray;
+use raybook::scene::world::{Scene, Thing};
+use raybook::shape::sphere::Sphere;
 
 /// Where a camera sees the fourth through the gap of the other three, and where it looks.
 pub const VIEW: [Vec3; 2] = [vec3(0.0, 0.0, 5.2), Vec3::ZERO];

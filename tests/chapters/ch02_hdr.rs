@@ -7,7 +7,8 @@ use raybook::image::Image;
 use raybook::image::compare::{Tolerance, compare};
 use raybook::math::{dir3::Dir3, pcg, ray::Ray};
 use raybook::render::film::Film;
-use raybook::scene::{evening, noise, window};
+use raybook::scene::noise;
+use raybook_chapters::ch02_hdr::{evening, window};
 
 fn look_out(width: usize, jiggle: f32) -> Image {
     let film = Film {

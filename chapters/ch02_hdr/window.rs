@@ -3,11 +3,11 @@
 //! The window is in the wall z = 0, and the room is where z > 0. What light the room receives is estimated in one step:
 //! from each pane, from the sun, and from the floor that the sun lights.
 
-use crate::image::rgb::Rgb;
-use crate::math::{dir3::Dir3, ray::Ray};
-use crate::scene::evening;
-use crate::scene::noise::{hash, layers, rise};
+use super::evening;
 use glam::{Vec2, Vec3, vec2, vec3};
+use raybook::image::rgb::Rgb;
+use raybook::math::{dir3::Dir3, ray::Ray};
+use raybook::scene::noise::{hash, layers, rise};
 use std::f32::consts::PI;
 
 /// The corners of the room, in metres; it has no wall behind the viewer that anyone could see.

@@ -1,10 +1,11 @@
 //! Environments made of formulas: a clear day, a sunset, an overcast sky, a studio.
 
-use crate::image::{Image, rgb::Rgb};
-use crate::light::environment::latlong;
-use crate::math::dir3::Dir3;
-use crate::scene::noise;
 use glam::{Vec3, vec2, vec3};
+use raybook::image::Image;
+use raybook::image::rgb::Rgb;
+use raybook::light::environment::latlong;
+use raybook::math::dir3::Dir3;
+use raybook::scene::noise;
 
 /// The sun's radius as we see it, in radians: 0.2665°.
 pub const SUN: f32 = 0.2665 * std::f32::consts::PI / 180.0;

@@ -1,9 +1,9 @@
 //! An evening by the sea: the radiance of sky, sun and water, for every direction.
 
-use crate::image::rgb::Rgb;
-use crate::math::dir3::Dir3;
-use crate::scene::noise::{layers, noise, rise};
 use glam::{Vec2, Vec3, vec2, vec3};
+use raybook::image::rgb::Rgb;
+use raybook::math::dir3::Dir3;
+use raybook::scene::noise::{layers, noise, rise};
 use std::f32::consts::PI;
 
 /// The sun's radius, in radians: four times the true one, so that its rim can be seen in a picture of a room.

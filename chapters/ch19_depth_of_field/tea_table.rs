@@ -1,16 +1,23 @@
 //! Teapots on a long table in the garden, at dusk, under strings of lamps.
 
-use crate::accel::Meshed;
-use crate::accel::bvh::{Bvh, build::Method};
-use crate::image::rgb::Rgb;
-use crate::light::{LightSample, point::PointLight, rect_light::RectLight};
-use crate::material::{Material, See, mirror::Mirror, phong::Phong, polished::Polished};
-use crate::math::{dir3::Dir3, ray::Ray};
-use crate::scene::noise::{hash, rise};
-use crate::scene::world::{Scene, Thing};
-use crate::shape::placed::placed;
-use crate::shape::{Surface, cuboid::Cuboid, teapot};
 use glam::{Mat3, Vec3, vec3};
+use raybook::accel::Meshed;
+use raybook::accel::wide_bvh::WideBvh;
+use raybook::image::rgb::Rgb;
+use raybook::light::LightSample;
+use raybook::light::point::PointLight;
+use raybook::light::rect_light::RectLight;
+use raybook::material::mirror::Mirror;
+use raybook::material::phong::Phong;
+use raybook::material::polished::Polished;
+use raybook::material::{Material, See};
+use raybook::math::dir3::Dir3;
+use raybook::math::ray::Ray;
+use raybook::scene::noise::{hash, rise};
+use raybook::scene::world::{Scene, Thing};
+use raybook::shape::cuboid::Cuboid;
+use raybook::shape::placed::placed;
+use raybook::shape::{Surface, teapot};
 use std::f32::consts::PI;
 
 /// Where the table is seen from, in metres.
@@ -63,7 +70,7 @@ pub fn tea_table() -> Scene<dyn Material> {
     for (i, (foot, glaze)) in POTS.into_iter().zip(GLAZES).enumerate() {
         let turned = Mat3::from_rotation_y(-0.35 - 0.5 * i as f32);
         let mesh = placed(&pot, HEIGHT / 3.15, turned, foot);
-        let shape = Meshed::new(mesh, |facets| Bvh::build(facets, Method::Fine));
+        let shape = Meshed::new(mesh, WideBvh::new);
         things.push(Thing::new(shape, Box::new(glazed(glaze))));
     }
     // It faces the table from the left, above the camera.

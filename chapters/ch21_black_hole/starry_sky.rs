@@ -1,10 +1,10 @@
 //! A night sky: stars, and the Milky Way.
 
-use crate::image::rgb::Rgb;
-use crate::light::black_body::black_body;
-use crate::math::dir3::Dir3;
-use crate::scene::noise;
 use glam::{Vec3, vec2, vec3};
+use raybook::image::rgb::Rgb;
+use raybook::light::black_body::black_body;
+use raybook::math::dir3::Dir3;
+use raybook::scene::noise;
 
 /// The night sky in a direction.
 pub fn starry_sky(d: Dir3) -> Rgb {

@@ -1,10 +1,11 @@
 //! A summer day: sky, hills along the horizon, and a sun that is seen as bright as it shines.
 
-use crate::image::rgb::Rgb;
-use crate::light::directional::DirectionalLight;
-use crate::math::{dir3::Dir3, ray::Ray};
-use crate::scene::noise::{layers, rise};
 use glam::{vec2, vec3};
+use raybook::image::rgb::Rgb;
+use raybook::light::directional::DirectionalLight;
+use raybook::math::dir3::Dir3;
+use raybook::math::ray::Ray;
+use raybook::scene::noise::{layers, rise};
 use std::f32::consts::PI;
 
 /// What the sun sends on a surface that faces it, in W/m².

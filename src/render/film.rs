@@ -31,9 +31,6 @@ pub struct Film<'a> {
 /// Samples that every pixel of [`Film::render_edges`] gets.
 const FIRST: usize = 2;
 
-/// Samples that a pixel at an edge gets at least, if the film asks for so many.
-const HALF: usize = 4;
-
 impl Film<'_> {
     /// Width over height.
     pub fn aspect(&self) -> f32 {
@@ -59,8 +56,8 @@ impl Film<'_> {
     // ANCHOR_END: film_loop
 
     // ANCHOR: render_edges
-    /// As [`Film::render`], but most pixels get 2 samples: only those in whose neighbourhood samples differ get half of them,
-    /// and all if their own still differ (Whitted, "An improved illumination model for shaded display", 1980).
+    /// As [`Film::render`], but most pixels get 2 samples: only those in whose neighbourhood samples differ get all of them
+    /// (Whitted, "An improved illumination model for shaded display", 1980).
     ///
     /// The neighbourhood is a pixel and the eight around it, so that an edge that slips between a pixel's own samples is
     /// found by its neighbours'. Use it where the radiance depends on the place alone: what chance decides can agree by
@@ -86,22 +83,15 @@ impl Film<'_> {
                 row.map(move |x| y * self.width + x)
             });
             let around = around.map(|i| begun[i].0).reduce(Seen::with);
-            if !around.is_some_and(|around| around.differs()) {
+            if first == self.samples || !around.is_some_and(|around| around.differs()) {
                 return seen.sum / first as f32;
             }
             rng.clone_from(then);
             let corner = vec2(x as f32, y as f32);
-            let (mut seen, mut taken) = (*seen, first);
-            for goal in [(self.samples / 2).max(HALF), self.samples] {
-                let more = (taken..goal.min(self.samples))
-                    .map(|i| radiance((corner + places(i)) / size, rng));
-                seen = seen.with(Seen::of(more));
-                taken = goal.min(self.samples);
-                if !seen.differs() {
-                    break;
-                }
-            }
-            seen.sum / taken as f32
+            let sum = (first..self.samples).fold(seen.sum, |sum, i| {
+                sum + radiance((corner + places(i)) / size, rng)
+            });
+            sum / self.samples as f32
         })
     }
     // ANCHOR_END: render_edges

@@ -175,16 +175,15 @@ fn edges_are_rendered_with_all_samples_and_the_rest_with_few() {
     let edges = film.render_edges(disc);
     let (asked, pixels) = (asked.into_inner(), all.pixels().iter().zip(edges.pixels()));
     // The rim is 2π·28 = 176 pixels long, and a band of three to four pixels is looked at more closely.
-    assert!((20_000..30_000).contains(&asked), "{asked} samples");
+    assert!((20_000..32_000).contains(&asked), "{asked} samples");
     let (mut on_edge, mut same) = (0, 0);
     for (a, b) in pixels {
         let is_edge = a.r > 0.6 && a.r < 1.0;
         on_edge += u32::from(is_edge);
         same += u32::from(is_edge && a == b);
-        // Half a pixel is 0.0005 of the shade. An edge that cuts off less than an eighth of a pixel may miss 8 samples.
-        let off = if is_edge { 0.5 / 8.0 } else { 0.001 };
-        assert!((a.r - b.r).abs() < off, "{a:?} and {b:?}");
+        // Half a pixel is 0.0005 of the shade.
+        assert!((a.r - b.r).abs() < 0.001, "{a:?} and {b:?}");
     }
     assert!(on_edge > 150, "{on_edge} pixels on the edge");
-    assert!(10 * same > 9 * on_edge, "{same} of {on_edge}");
+    assert_eq!(on_edge, same, "pixels on the edge");
 }

@@ -1,6 +1,11 @@
-//! raybook: a ray-tracing course that you can run.
+//! raybook: a ray tracer to read, and the library of a course. One idea is one file.
 //!
-//! Each lecture topic is a chapter: a small binary in `chapters/`, a page of the book, and a few files of this library.
+//! A shape, a light, a material, a camera or an accelerator is a type that answers the few questions of a trait; a film asks
+//! for the radiance of each of its samples, and an integrator follows the rays. What is public is what a ray tracer needs;
+//! [`inside`] is for the course.
+//!
+//! The features `threads`, `files` and `mmap` are on by default. Without them there is one thread, there are no files and no
+//! large pages, and the answers are the same: so a browser can run it.
 //!
 //! # Conventions
 //!
@@ -11,22 +16,68 @@
 //!
 //! # The map of floors
 //!
-//! A module uses only modules on lower floors, or to its left on its own (`tests/architecture.rs` reads this table and
-//! checks).
+//! A module uses only modules on lower floors, or to its left on its own (a test reads this table and checks).
 //!
 //! | floor | modules |
 //! |---|---|
-//! | 0 | math |
+//! | 0 | threads, math |
 //! | 1 | image |
 //! | 2 | shape, sample |
 //! | 3 | accel |
 //! | 4 | light, material, scene |
 //! | 5 | camera |
 //! | 6 | render |
+//!
+//! # Where is what
+//!
+//! | what | where in `src/` |
+//! |---|---|
+//! | rays, unit directions, the stretch of a ray that counts | `math/ray.rs` `math/dir3.rs` `math/interval.rs` |
+//! | boxes, and a ray's way through one by slabs | `math/aabb.rs` `math/slab.rs` |
+//! | the quadratic equation without cancellation | `math/quadratic.rs` |
+//! | random numbers: a stream for each pixel | `math/pcg.rs` |
+//! | sampling a tabulated density | `math/piecewise.rs` |
+//! | radiance, exposure, tone curves, sRGB | `image/rgb.rs` `image/tone.rs` |
+//! | EXR, HDR and PNG files | `image/file.rs` |
+//! | how much two pictures differ | `image/compare.rs` `image/rms.rs` |
+//! | what a shape must answer; leaving a surface without hitting it again | `shape/mod.rs` |
+//! | sphere, plane, box | `shape/sphere.rs` `shape/plane.rs` `shape/cuboid.rs` |
+//! | triangle: Möller–Trumbore, plane first, determinants, watertight | `shape/triangle.rs` `shape/triangle_by_plane.rs` `shape/triangle_by_determinants.rs` `shape/triangle_watertight.rs` |
+//! | meshes, their normals and texture coordinates; OBJ and STL files | `shape/mesh.rs` `shape/attributes.rs` `shape/mesh_file.rs` |
+//! | Bézier patches and the teapot | `shape/bezier.rs` `shape/teapot.rs` |
+//! | sampling patterns of a pixel | `sample/pattern/mod.rs` |
+//! | filters | `sample/filter.rs` |
+//! | sampling a disc, a polygon, a hemisphere | `sample/disk.rs` `sample/polygon.rs` `sample/hemisphere.rs` |
+//! | what an accelerator must answer; counting its work | `accel/mod.rs` |
+//! | linear search | `accel/list.rs` |
+//! | grid, two-level grid, the walk from cell to cell | `accel/grid/mod.rs` `accel/two_level_grid/mod.rs` `accel/walk.rs` |
+//! | octree | `accel/octree/mod.rs` |
+//! | bounding volume hierarchy, the surface-area heuristic | `accel/bvh/mod.rs` `accel/bvh/build/cost.rs` |
+//! | eight boxes at once, vector instructions | `accel/wide_bvh/mod.rs` `accel/wide_bvh/avx2.rs` |
+//! | what a light must answer; point, directional, rectangular and spherical lights | `light/mod.rs` `light/point.rs` `light/directional.rs` `light/rect_light.rs` `light/sphere_light.rs` |
+//! | light from everywhere: cube maps and sphere maps | `light/environment/mod.rs` |
+//! | what a material must answer; Phong, Blinn, mirror, glass | `material/mod.rs` `material/phong.rs` `material/blinn_phong.rs` `material/mirror.rs` `material/glass.rs` |
+//! | Snell's law, Fresnel's equations | `material/refract.rs` `material/fresnel.rs` |
+//! | BRDFs: Lambert, modified Phong | `material/brdf.rs` `material/lambert.rs` `material/modified_phong.rs` |
+//! | scenes; scenes described by numbers | `scene/world.rs` `scene/description.rs` |
+//! | pin-hole, thin lens, fisheye, panorama | `camera/pinhole.rs` `camera/thin_lens.rs` `camera/fisheye.rs` `camera/panorama.rs` |
+//! | the film loop; how many rays were followed | `render/film.rs` `render/followed.rs` |
+//! | local illumination, shadows, soft shadows | `render/local.rs` `render/shadow.rs` `render/soft_shadow.rs` |
+//! | Whitted's ray tracing | `render/whitted.rs` |
+//! | path tracing, multiple importance sampling | `render/path.rs` `render/mis.rs` |
+//! | supersampling, adaptive supersampling | `render/supersample.rs` `render/adaptive.rs` |
+//! | curved rays, the black hole | `render/curved/mod.rs` |
+
+#![warn(
+    clippy::allow_attributes_without_reason,
+    missing_debug_implementations,
+    unreachable_pub
+)]
 
 pub mod accel;
 pub mod camera;
 pub mod image;
+pub mod inside;
 pub mod light;
 pub mod material;
 pub mod math;
@@ -34,3 +85,4 @@ pub mod render;
 pub mod sample;
 pub mod scene;
 pub mod shape;
+mod threads;

@@ -17,6 +17,7 @@ use glam::{Vec3, vec3};
 use raybook::accel::{Accel, grid::Grid};
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::rgb::Rgb;
+use raybook::inside::grid::lattice;
 use raybook::math::interval::Interval;
 use raybook::scene::stadium::stadium;
 use raybook::shape::teapot;
@@ -47,7 +48,7 @@ pub fn draw(stage: &Stage) -> Drawn {
             None => sky(ray.direction),
         }
     });
-    let cells = grid.lattice().resolution;
+    let cells = lattice(&grid).resolution;
     let caption = format!(
         "{} triangles in a grid of {} × {} × {} cells. A list would ask each ray about all of them.",
         crowd.mesh.triangles().len(),
@@ -79,7 +80,7 @@ pub fn draw(stage: &Stage) -> Drawn {
     let grid = Grid::of_facets(stadium.mesh.facets());
     let caption = format!(
         "The teapot in the stadium. A cell is {:.1} m wide, so that the teapot and the camera are in the same one: every ray of the near view tests the whole teapot, even one that goes to the seats.",
-        grid.lattice().cell.x
+        lattice(&grid).cell.x
     );
     let tiles = stadium_figure::figure(&small, &stadium, &grid, "cells visited")?;
     stage.figure("stadium", &caption, &tiles)

@@ -5,6 +5,7 @@ use raybook::shape::{mesh::Mesh, teapot};
 use std::f32::consts::TAU;
 
 /// Teapots on a square of ground.
+#[derive(Clone, Debug)]
 pub struct Teapots {
     /// All of it: the teapots one after the other, then the ground.
     pub mesh: Mesh,

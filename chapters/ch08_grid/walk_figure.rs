@@ -5,8 +5,7 @@ use crate::kit::palette::{BLUE, FAINT, GREEN, INK, ORANGE, SKY, VERMILION};
 use crate::kit::stage::Drawn;
 use glam::{UVec3, Vec3, uvec3, vec2, vec3};
 use plotters::prelude::{Circle, Color, PathElement, Polygon, RGBColor, Rectangle};
-use raybook::accel::grid::build::voxels_of_triangle;
-use raybook::accel::{lattice::Lattice, walk::walk};
+use raybook::inside::grid::{Lattice, voxels_of_triangle, walk};
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray};
 use std::ops::ControlFlow;
 

@@ -3,10 +3,9 @@
 use crate::kit::{figure::Figure, palette::SKY};
 use crate::shared::flatland::{SIDE, discs, plane, ray};
 use glam::{Vec3, vec3};
-use raybook::accel::grid::resolution::grid_resolution;
-use raybook::accel::lattice::{Lattice, range};
 use raybook::accel::two_level_grid::build::Densities;
-use raybook::accel::two_level_grid::{levels::Levels, refine::refine_cell, walk::walk_two_levels};
+use raybook::inside::grid::{Lattice, grid_resolution, range};
+use raybook::inside::two_level_grid::{Levels, refine_cell, walk_two_levels};
 use raybook::math::{aabb::Aabb, interval::Interval};
 use std::ops::ControlFlow;
 

@@ -3,15 +3,15 @@
 use crate::shared::showroom::SMOOTH;
 use glam::Vec3;
 use raybook::accel::octree::Octree;
-use raybook::accel::octree::tree::{Kind, Place};
 use raybook::image::rgb::Rgb;
+use raybook::inside::octree::{self, Kind, Place};
 use raybook::math::ray::Ray;
 use raybook::shape::mesh::{Facet, Mesh};
 use raybook::shape::{Hit, Shape, Surface, cuboid::Cuboid};
 
 /// The cells that are not empty, as blocks: after so many cuts as `depth` says for a cell's place, or leaves before.
 pub fn cells(octree: &Octree<Facet>, depth: impl Fn(Vec3) -> u32) -> Vec<Cuboid> {
-    let tree = octree.tree();
+    let tree = octree::tree(octree);
     let is_shown = |place: &Place| {
         let depth = depth(place.cell.center());
         match tree.nodes[place.node as usize].kind() {
@@ -39,7 +39,7 @@ pub fn shade(block: &Cuboid, ray: &Ray, hit: &Hit) -> Rgb {
 pub fn dissolving(mesh: &Mesh, octree: &Octree<Facet>) -> (Vec<Cuboid>, Vec<Facet>) {
     /// The first of 16 columns in which there are so many cuts.
     const COLUMNS: [(f32, u32); 4] = [(14.0, 4), (12.0, 5), (10.0, 6), (7.0, 7)];
-    let root = octree.tree().bounds;
+    let root = octree::tree(octree).bounds;
     let column = |p: Vec3| 16.0 * (p.x - root.min.x) / root.size().x;
     let depth = |p: Vec3| {
         let found = COLUMNS.iter().find(|(from, _)| column(p) >= *from);

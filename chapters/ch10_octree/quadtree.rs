@@ -3,9 +3,8 @@
 use crate::kit::{figure::Figure, palette::SKY};
 use crate::shared::flatland::{SIDE, discs, plane, ray};
 use glam::Vec3;
-use raybook::accel::octree::build::{Limits, build};
-use raybook::accel::octree::tree::Kind;
-use raybook::accel::octree::walk::Walk;
+use raybook::accel::octree::build::Limits;
+use raybook::inside::octree::{Kind, Walk, build};
 use raybook::math::{aabb::Aabb, interval::Interval};
 
 /// The quad-tree of some discs, and the leaves that a ray visits, numbered in order; the darker, the deeper.

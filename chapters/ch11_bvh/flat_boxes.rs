@@ -7,9 +7,8 @@ use crate::kit::stage::Drawn;
 use glam::{Vec2, vec2};
 use plotters::prelude::{Color, Polygon, RGBColor, Rectangle};
 use rand::RngExt;
-use raybook::accel::bvh::COST;
-use raybook::accel::bvh::build::flat::{Flat, Node};
-use raybook::accel::bvh::build::{Method, build, cost::Cost, cost::sah_cost};
+use raybook::accel::bvh::build::Method;
+use raybook::inside::bvh::{COST, Cost, Flat, Node, build, sah_cost};
 use raybook::math::{aabb::Aabb, pcg};
 
 /// The boxes reach so far above and below the paper that only their outlines on it count: a ray in the paper meets a

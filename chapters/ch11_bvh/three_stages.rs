@@ -7,7 +7,7 @@ use crate::kit::stage::Drawn;
 use glam::{Vec2, vec2};
 use plotters::prelude::{Circle, Color, PathElement, RGBColor, Rectangle, WHITE};
 use raybook::accel::bvh::build::Method;
-use raybook::accel::bvh::build::flat::{Flat, Node};
+use raybook::inside::bvh::{Flat, Node};
 use std::error::Error;
 
 /// Where the triangles are, and how large.

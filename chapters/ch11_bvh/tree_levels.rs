@@ -5,9 +5,8 @@ use crate::shared::showroom::Showroom;
 use glam::vec3;
 use raybook::accel::Accel;
 use raybook::accel::bvh::Bvh;
-use raybook::accel::bvh::build::flat::Node;
-use raybook::accel::bvh::pair::Pair;
 use raybook::image::{Image, rgb::Rgb};
+use raybook::inside::bvh::{self, Node, Pair};
 use raybook::math::{aabb::Aabb, interval::Interval};
 use raybook::render::film::Film;
 use raybook::shape::{Shape, cuboid::Cuboid};
@@ -52,7 +51,7 @@ fn colour(bounds: &Aabb) -> Rgb {
 
 /// The boxes of all nodes that have so many branches above them, and of leaves that have fewer: together they hold all.
 pub fn level<S: Shape>(tree: &Bvh<S>, level: u32) -> Vec<Aabb> {
-    let (root, pairs) = tree.nodes();
+    let (root, pairs) = bvh::nodes(tree);
     let mut boxes = Vec::new();
     if let Some(root) = root {
         collect(root, pairs, level, &mut boxes);

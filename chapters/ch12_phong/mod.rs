@@ -2,7 +2,7 @@
 //! Phong, the half vector after Blinn. Point lights fall off with the squared distance, directional lights do not.
 //!
 //! New: light/mod.rs light/point.rs light/directional.rs material/mod.rs material/phong.rs material/blinn_phong.rs
-//! New: material/checkered.rs scene/world.rs scene/tally.rs render/local.rs
+//! New: material/checkered.rs scene/world.rs render/local.rs
 
 mod bench;
 mod floors;
@@ -16,6 +16,7 @@ use raybook::camera::pinhole::Pinhole;
 use raybook::image::Image;
 use raybook::material::{Material, blinn_phong::BlinnPhong};
 use raybook::render::film::Film;
+use raybook::render::followed::Followed;
 use raybook::render::local::{ALWAYS, Local};
 use raybook::scene::world::Scene;
 use std::process::ExitCode;
@@ -65,10 +66,11 @@ fn photograph(film: &Film, camera: &Pinhole, scene: &Scene<dyn Material>) -> Ima
     };
     film.render_edges(|place, rng| {
         let ray = camera.ray_through(place);
-        match scene.closest(&ray) {
-            Some(seen) => local.radiance(scene, &seen, -ray.direction, rng),
+        let radiance = match scene.closest(&ray) {
+            Some(seen) => local.follow(scene, &seen, -ray.direction, rng).radiance,
             None => (scene.backdrop)(&ray),
-        }
+        };
+        Followed { radiance, rays: 1 } // to the surface; none to the lights
     })
 }
 

@@ -1,21 +1,24 @@
 //! What a mirror shows is what another ray sees. So the question of one ray becomes a question of several, a tree of them,
 //! and something must end it where mirrors face each other.
 //!
-//! New: material/mirror.rs material/polished.rs render/whitted.rs scene/marbles.rs scene/kissing_balls.rs
+//! New: material/mirror.rs material/polished.rs render/whitted.rs scene/marbles.rs
 
+pub mod kissing_balls;
 
+use crate::kit::chapter;
+use crate::kit::sheet::sheet;
+use crate::kit::stage::{Drawn, Stage};
+use crate::shared::{ray_tree, ray_tree_figure};
 use glam::{Vec2, Vec3, vec2};
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::Image;
-use crate::kit::{stage::Drawn, stage::Stage};
-use crate::kit::{chapter, sheet::sheet};
-use crate::shared::{ray_tree, ray_tree_figure};
 use raybook::material::Material;
 use raybook::render::film::Film;
 use raybook::render::local::{ALWAYS, Local};
+use raybook::render::refine::refine;
 use raybook::render::whitted::Whitted;
+use raybook::scene::marbles;
 use raybook::scene::world::Scene;
-use raybook::scene::{kissing_balls, marbles};
 use std::process::ExitCode;
 
 /// The pixel whose tree is drawn: its place on the film.
@@ -78,7 +81,9 @@ fn whitted(depth: u32) -> Whitted {
 }
 
 fn photograph(film: &Film, camera: &Pinhole, scene: &Scene<dyn Material>, depth: u32) -> Image {
-    film.render(|place, rng| whitted(depth).radiance(scene, &camera.ray_through(place), rng))
+    refine(film, |place, rng| {
+        whitted(depth).follow(scene, &camera.ray_through(place), rng)
+    })
 }
 
 /// The chapter's binary.

@@ -1,23 +1,15 @@
 //! The plot of how much a surface reflects against the angle, both ways.
 
-use raybook::image::Image;
-use crate::kit::{figure::Canvas, figure::FONT, figure::figure};
-use crate::kit::{palette::BLUE, palette::FAINT, palette::GREEN, palette::INK, palette::VERMILION};
+use crate::kit::axis::Axis;
+use crate::kit::chart::{Chart, Corner};
+use crate::kit::figure::{Canvas, Figure, LEFT, RIGHT, figure};
+use crate::kit::palette::{BLUE, FAINT, GREEN, INK, VERMILION};
+use crate::kit::stage::Drawn;
+use plotters::prelude::{Color, RGBColor};
 use raybook::material::fresnel::{fresnel, schlick};
-use plotters::element::{Circle, DashedPathElement, PathElement, Text};
-use plotters::prelude::{ChartBuilder, Color, IntoFont, RGBColor, TextStyle, WHITE};
-use plotters::series::{DashedLineSeries, LineSeries};
-use plotters::style::SizeDesc;
-use plotters::style::text_anchor::{HPos, Pos, VPos};
-use std::error::Error;
-
-type Drawn = Result<(), Box<dyn Error>>;
 
 /// The index of refraction of window glass.
 const GLASS: f32 = 1.5;
-
-/// Size of the text, in pixels of the canvas.
-const TEXT: u32 = 32;
 
 /// Points per degree.
 const FINE: i32 = 8;
@@ -37,7 +29,7 @@ const CURVES: [Curve; 3] = [
 ///
 /// # Errors
 /// If plotters cannot draw.
-pub fn plot() -> Result<Image, Box<dyn Error>> {
+pub fn plot() -> Figure {
     figure(1000, 470, |canvas| {
         let (into, out) = canvas.split_horizontally(1000);
         panel(&into, "from air into glass", 1.0, GLASS)?;
@@ -46,41 +38,26 @@ pub fn plot() -> Result<Image, Box<dyn Error>> {
 }
 
 fn panel(canvas: &Canvas, title: &str, n1: f32, n2: f32) -> Drawn {
-    let mut chart = ChartBuilder::on(canvas)
-        .margin(24)
-        .caption(title, text(40))
-        .x_label_area_size(90)
-        .y_label_area_size(110)
-        .build_cartesian_2d(0.0_f32..90.0, 0.0_f32..1.04)?;
-    chart
-        .configure_mesh()
-        .light_line_style(WHITE.mix(0.0))
-        .bold_line_style(FAINT.mix(0.5))
-        .x_labels(10)
-        .x_label_formatter(&|angle| format!("{angle:.0}°"))
-        .y_label_formatter(&|share| format!("{:.0} %", 100.0 * share))
-        .x_desc("angle to the normal")
-        .label_style(text(TEXT - 4))
-        .axis_desc_style(text(TEXT))
-        .draw()?;
+    let angles = Axis::linear(0.0_f32..90.0)
+        .named("angle to the normal")
+        .labels(10)
+        .format(|angle| format!("{angle:.0}°"));
+    let shares = Axis::linear(0.0_f32..1.04).format(|share| format!("{:.0} %", 100.0 * share));
+    let mut chart = Chart::new(angles, shares).titled(title);
     let critical = (n2 < n1).then(|| (n2 / n1).asin().to_degrees());
     let brewster = (n2 / n1).atan().to_degrees();
+    // A line up to a height with its name beside it, and a dot where the curve touches the axis.
     let marks = [
-        (Some(brewster), "Brewster's angle", 0.0, HPos::Right),
-        (critical, "critical angle", 1.0, HPos::Left),
+        (Some(brewster), "Brewster's angle", 0.0, RIGHT, 0.5, 4.0),
+        (critical, "critical angle", 1.0, LEFT, 0.6, 1.5),
     ];
-    for (angle, name, share, end) in marks {
+    for (angle, name, share, end, top, aside) in marks {
         let Some(angle) = angle else { continue };
-        let (top, beside) = match end {
-            HPos::Left => (0.6, angle + 1.5),
-            _ => (0.5, angle + 4.0),
-        };
-        let line = [(angle, 0.0), (angle, top - 0.03)];
-        chart.draw_series([PathElement::new(line, FAINT.stroke_width(4))])?;
-        let label = format!("{name} {angle:.1}°");
-        let style = text(TEXT - 2).pos(Pos::new(end, VPos::Center));
-        chart.draw_series([Text::new(label, (beside, top), style)])?;
-        chart.draw_series([Circle::new((angle, share), 9, INK.filled())])?;
+        let words = format!("{name} {angle:.1}°");
+        chart
+            .line([(angle, 0.0), (angle, top - 0.03)], FAINT.stroke_width(4))
+            .label(end, (angle + aside, top), &words, INK)
+            .dots([(angle, share)], 9, INK.filled());
     }
     let points = |height: fn(f32, f32, f32) -> f32| {
         (0..=90 * FINE).map(move |i| {
@@ -89,32 +66,15 @@ fn panel(canvas: &Canvas, title: &str, n1: f32, n2: f32) -> Drawn {
         })
     };
     for (name, colour, width, height) in CURVES {
-        let style = colour.stroke_width(width);
         chart
-            .draw_series(LineSeries::new(points(height), style))?
-            .label(name)
-            .legend(move |(x, y)| PathElement::new([(x, y), (x + 50, y)], style));
+            .line(points(height), colour.stroke_width(width))
+            .named(name);
     }
-    let (dash, gap, style) = (14, 12, GREEN.stroke_width(5));
     chart
-        .draw_series(DashedLineSeries::new(points(schlick), dash, gap, style))?
-        .label("Schlick's approximation")
-        .legend(move |(x, y)| {
-            DashedPathElement::new([(x, y), (x + 50, y)], dash.in_pixels(&(0, 0)), gap, style)
-        });
+        .dashes(points(schlick), GREEN.stroke_width(5))
+        .named("Schlick's approximation");
     if n1 < n2 {
-        chart
-            .configure_series_labels()
-            .position(plotters::prelude::SeriesLabelPosition::UpperLeft)
-            .label_font(text(TEXT))
-            .legend_area_size(70)
-            .margin(24)
-            .background_style(WHITE.mix(0.85))
-            .draw()?;
+        chart = chart.legend(Corner::UpperLeft);
     }
-    Ok(())
-}
-
-fn text(size: u32) -> TextStyle<'static> {
-    (FONT, size).into_font().color(&INK)
+    chart.draw(canvas)
 }

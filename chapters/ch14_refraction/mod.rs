@@ -1,22 +1,24 @@
 //! Glass shows what is in front of it and what is behind it. Snell's law says where the second ray goes, Fresnel's equations
 //! how much light takes which way, and every surface knows the media on both of its sides.
 //!
-//! New: material/refract.rs material/fresnel.rs material/glass.rs scene/glassware.rs
+//! New: material/refract.rs material/fresnel.rs material/glass.rs
 
 mod fresnel_plot;
+pub mod glassware;
 mod refraction_fan;
 
+use crate::kit::chapter;
+use crate::kit::sheet::sheet;
+use crate::kit::stage::{Drawn, Stage};
 use glam::{Vec3, vec3};
 use raybook::camera::pinhole::{LookAtError, Pinhole};
 use raybook::image::Image;
-use crate::kit::{stage::Drawn, stage::Stage};
-use crate::kit::{chapter, sheet::sheet};
-
 use raybook::material::Material;
 use raybook::render::film::Film;
 use raybook::render::local::{ALWAYS, Local};
+use raybook::render::refine::refine;
 use raybook::render::whitted::Whitted;
-use raybook::scene::{glassware, world::Scene};
+use raybook::scene::world::Scene;
 use std::process::ExitCode;
 
 /// Where a camera stands, where it looks, and its focal length.
@@ -79,7 +81,9 @@ fn photograph(
         arrives: ALWAYS,
     };
     let whitted = Whitted { local, depth };
-    Ok(film.render(|place, rng| whitted.radiance(scene, &camera.ray_through(place), rng)))
+    Ok(refine(film, |place, rng| {
+        whitted.follow(scene, &camera.ray_through(place), rng)
+    }))
 }
 
 /// The chapter's binary.

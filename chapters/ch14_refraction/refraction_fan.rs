@@ -1,18 +1,15 @@
 //! Beams through a flat surface at several angles: where each part of the light goes.
 
-use raybook::image::Image;
-use crate::kit::{figure::Canvas, figure::FONT, figure::figure};
-use crate::kit::{palette::BLUE, palette::FAINT, palette::INK, palette::SKY, palette::VERMILION};
+use crate::kit::figure::{CENTRE, Canvas, Figure, RIGHT, coloured, figure, write};
+use crate::kit::palette::{BLUE, FAINT, INK, SKY, VERMILION};
+use crate::kit::stage::Drawn;
+use glam::{Vec2, Vec3, vec2, vec3};
+use plotters::element::{PathElement, Polygon, Rectangle};
+use plotters::prelude::{Color, RGBColor};
+use plotters::style::text_anchor::Pos;
 use raybook::material::fresnel::fresnel;
 use raybook::material::refract::refract;
 use raybook::math::dir3::Dir3;
-use glam::{Vec2, Vec3, vec2, vec3};
-use plotters::element::{PathElement, Polygon, Rectangle, Text};
-use plotters::prelude::{Color, IntoFont, RGBColor};
-use plotters::style::text_anchor::{HPos, Pos, VPos};
-use std::error::Error;
-
-type Drawn = Result<(), Box<dyn Error>>;
 
 /// The indices of air, above, and window glass, below.
 const AIR: f32 = 1.0;
@@ -33,7 +30,7 @@ const WIDEST: f32 = 26.0;
 ///
 /// # Errors
 /// If plotters cannot draw.
-pub fn diagram() -> Result<Image, Box<dyn Error>> {
+pub fn diagram() -> Figure {
     let (width, height) = (2 * PANEL[0] as u32, PANEL[1] as u32);
     figure(width, height, |canvas| {
         let panels = canvas.split_evenly((2, 4));
@@ -75,18 +72,12 @@ fn draw(canvas: &Canvas, degrees: f32, out: bool) -> Drawn {
         &format!("{way}, {degrees:.0}°"),
         (MIDDLE.x, 26.0),
         INK,
-        HPos::Center,
+        CENTRE,
     )?;
     let beside = |side: f32| (MIDDLE.x + 238.0, MIDDLE.y + side * 26.0);
     let percent = |share: f32| format!("{:.0} %", 100.0 * share);
-    label(canvas, &percent(share), beside(up), VERMILION, HPos::Right)?;
-    label(
-        canvas,
-        &percent(1.0 - share),
-        beside(-up),
-        BLUE,
-        HPos::Right,
-    )
+    label(canvas, &percent(share), beside(up), VERMILION, RIGHT)?;
+    label(canvas, &percent(1.0 - share), beside(-up), BLUE, RIGHT)
 }
 
 /// A beam from the middle, as wide as its share of the light.
@@ -100,9 +91,7 @@ fn beam(canvas: &Canvas, toward: Vec3, share: f32, colour: RGBColor) -> Drawn {
     Ok(())
 }
 
-fn label(canvas: &Canvas, text: &str, at: (f32, f32), colour: RGBColor, end: HPos) -> Drawn {
-    let style = (FONT, 30).into_font().color(&colour.to_rgba());
+fn label(canvas: &Canvas, words: &str, at: (f32, f32), colour: RGBColor, end: Pos) -> Drawn {
     let at = (at.0 as i32, at.1 as i32);
-    canvas.draw(&Text::new(text, at, style.pos(Pos::new(end, VPos::Center))))?;
-    Ok(())
+    write(canvas, words, at, coloured(30, colour).pos(end))
 }

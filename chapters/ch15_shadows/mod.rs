@@ -5,18 +5,21 @@
 
 mod wrong_shadows;
 
+use crate::kit::chapter;
+use crate::kit::sheet::sheet;
+use crate::kit::stage::{Drawn, Stage};
+use crate::shared::{ray_tree, ray_tree_figure};
 use glam::{Vec2, Vec3, vec2, vec3};
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::Image;
-use crate::kit::{stage::Drawn, stage::Stage};
-use crate::kit::{chapter, sheet::sheet};
-use crate::shared::{ray_tree, ray_tree_figure};
-
 use raybook::material::Material;
 use raybook::render::film::Film;
 use raybook::render::local::{Arrives, Local};
-use raybook::render::{shadow, whitted::Whitted};
-use raybook::scene::{marbles, world::Scene};
+use raybook::render::refine::refine;
+use raybook::render::shadow;
+use raybook::render::whitted::Whitted;
+use raybook::scene::marbles;
+use raybook::scene::world::Scene;
 use std::process::ExitCode;
 
 /// The pixel whose rays are drawn: its place on the film.
@@ -39,7 +42,11 @@ pub fn draw(stage: &Stage) -> Drawn {
         &photograph(&film, &camera, &scene, shadow::lit),
     )?;
 
-    let film = stage.tile(2, 16.0 / 9.0);
+    let tile = stage.tile(2, 16.0 / 9.0);
+    let film = Film {
+        samples: 2 * tile.samples, // acne is finer than pixels
+        ..tile
+    };
     let near = Pinhole::look_at(from, CLOSE_UP, Vec3::Y, 0.08, film.aspect())?;
     let roofed = marbles::under_roof();
     let tiles = wrong_shadows::WAYS
@@ -70,7 +77,7 @@ pub fn draw(stage: &Stage) -> Drawn {
 fn whitted(arrives: Arrives) -> Whitted {
     let local = Local {
         samples: 1,
-        arrives,
+        arrives: Some(arrives),
     };
     Whitted { local, depth: 8 }
 }
@@ -82,7 +89,9 @@ fn photograph(
     arrives: Arrives,
 ) -> Image {
     let whitted = whitted(arrives);
-    film.render(|place, rng| whitted.radiance(scene, &camera.ray_through(place), rng))
+    refine(film, |place, rng| {
+        whitted.follow(scene, &camera.ray_through(place), rng)
+    })
 }
 
 /// The chapter's binary.

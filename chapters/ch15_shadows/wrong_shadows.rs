@@ -1,6 +1,7 @@
 //! Shadow rays as they should not be.
 
-use raybook::math::{interval::Interval, ray::Ray};
+use raybook::math::interval::Interval;
+use raybook::math::ray::Ray;
 use raybook::render::local::Arrives;
 use raybook::render::shadow;
 

@@ -1,18 +1,23 @@
 //! How the error of a light's estimate shrinks as samples are added.
 
-use raybook::image::{Image, rgb::Rgb};
-use crate::kit::{figure::Canvas, figure::FONT, figure::figure};
-use crate::kit::{palette::BLUE, palette::FAINT, palette::INK, palette::VERMILION};
-use raybook::light::{Light, extent::Choose, rect_light::RectLight};
-use raybook::math::{interval::Interval, pcg, pcg::Pcg, ray::Ray};
-use raybook::shape::{Shape, sphere::Sphere};
+use crate::kit::axis::Axis;
+use crate::kit::chart::{Chart, Corner};
+use crate::kit::figure::{Canvas, Figure, figure};
+use crate::kit::palette::{BLUE, FAINT, VERMILION};
+use crate::kit::stage::Drawn;
 use glam::{Vec2, Vec3, vec2, vec3};
-use plotters::element::{Circle, PathElement};
-use plotters::prelude::{
-    ChartBuilder, Color, IntoFont, IntoLogRange, LineSeries, SeriesLabelPosition, TextStyle, WHITE,
-};
+use plotters::prelude::Color;
 use rand::RngExt;
-use std::error::Error;
+use raybook::image::rgb::Rgb;
+use raybook::light::Light;
+use raybook::light::extent::Choose;
+use raybook::light::rect_light::RectLight;
+use raybook::math::interval::Interval;
+use raybook::math::pcg;
+use raybook::math::pcg::Pcg;
+use raybook::math::ray::Ray;
+use raybook::shape::Shape;
+use raybook::shape::sphere::Sphere;
 
 /// So often is each error measured.
 const REPEATS: u32 = 300;
@@ -94,7 +99,7 @@ impl Setting {
 ///
 /// # Errors
 /// If plotters cannot draw.
-pub fn plot() -> Result<Image, Box<dyn Error>> {
+pub fn plot() -> Figure {
     figure(1000, 460, |canvas| {
         let (open, shaded) = canvas.split_horizontally(1000);
         panel(
@@ -112,41 +117,19 @@ pub fn plot() -> Result<Image, Box<dyn Error>> {
     })
 }
 
-fn panel(
-    canvas: &Canvas,
-    title: &str,
-    setting: &Setting,
-    legend: bool,
-) -> Result<(), Box<dyn Error>> {
-    let mut chart = ChartBuilder::on(canvas)
-        .margin(24)
-        .margin_right(48)
-        .caption(title, text(38))
-        .x_label_area_size(90)
-        .y_label_area_size(120)
-        .build_cartesian_2d(
-            (1.0_f64..1024.0).log_scale().base(2.0),
-            (0.003_f64..2.0).log_scale(),
-        )?;
-    chart
-        .configure_mesh()
-        .light_line_style(WHITE.mix(0.0))
-        .bold_line_style(FAINT.mix(0.5))
-        .x_label_formatter(&|n| format!("{n:.0}"))
-        .y_label_formatter(&|error| format!("{} %", 100.0 * error))
-        .x_desc("samples")
-        .y_desc("error")
-        .label_style(text(28))
-        .axis_desc_style(text(30))
-        .draw()?;
+fn panel(canvas: &Canvas, title: &str, setting: &Setting, legend: bool) -> Drawn {
+    let samples = Axis::log2(1.0..1024.0).named("samples");
+    let errors = Axis::log(0.003..2.0)
+        .named("error")
+        .format(|error| format!("{} %", (100.0 * error) as f32));
+    let mut chart = Chart::new(samples, errors).titled(title).text(28);
     let (exact, mut rng) = (setting.exact(), pcg::stream(16, 1));
     let guide = POWERS
         .map(|p| f64::from(1_u32 << p))
         .map(|n| (n, 1.3 / n.sqrt()));
     chart
-        .draw_series(LineSeries::new(guide, FAINT.stroke_width(5)))?
-        .label("slope −½: half the error by four times the samples")
-        .legend(|(x, y)| PathElement::new([(x, y), (x + 50, y)], FAINT.stroke_width(5)));
+        .line(guide, FAINT.stroke_width(5))
+        .named("slope −½: half the error by four times the samples");
     for (name, choose, colour) in [
         ("by area", Choose::ByArea, VERMILION),
         ("by solid angle", Choose::BySolidAngle, BLUE),
@@ -155,25 +138,13 @@ fn panel(
             .map(|p| 1_u32 << p)
             .map(|n| (f64::from(n), setting.error(choose, n, exact, &mut rng)))
             .collect();
-        chart.draw_series(measured.iter().map(|&p| Circle::new(p, 8, colour.filled())))?;
         chart
-            .draw_series(LineSeries::new(measured, colour.stroke_width(4)))?
-            .label(name)
-            .legend(move |(x, y)| PathElement::new([(x, y), (x + 50, y)], colour.stroke_width(5)));
+            .dots(measured.iter().copied(), 8, colour.filled())
+            .line(measured, colour.stroke_width(4))
+            .named(name);
     }
     if legend {
-        chart
-            .configure_series_labels()
-            .position(SeriesLabelPosition::LowerLeft)
-            .label_font(text(28))
-            .legend_area_size(70)
-            .margin(24)
-            .background_style(WHITE.mix(0.85))
-            .draw()?;
+        chart = chart.legend(Corner::LowerLeft);
     }
-    Ok(())
-}
-
-fn text(size: u32) -> TextStyle<'static> {
-    (FONT, size).into_font().color(&INK)
+    chart.draw(canvas)
 }

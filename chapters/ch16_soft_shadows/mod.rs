@@ -1,50 +1,76 @@
 //! A light with an extent is seen in part from the edge of a shadow: between the umbra and full light lies the penumbra.
 //! Points of the light are chosen at random, by its area or by its solid angle, and each sends a shadow ray.
 //!
-//! New: light/extent.rs light/rect_light.rs light/sphere_light.rs render/soft_shadow.rs scene/posts.rs
+//! New: light/extent.rs light/rect_light.rs light/sphere_light.rs render/soft_shadow.rs
 
 pub mod light_error;
 pub mod penumbra;
+pub mod posts;
 
+use crate::kit::chapter;
+use crate::kit::sheet::sheet;
+use crate::kit::stage::{Drawn, Stage};
 use glam::Vec3;
 use raybook::camera::pinhole::{LookAtError, Pinhole};
-use raybook::image::Image;
-use crate::kit::{stage::Drawn, stage::Stage};
-use crate::kit::{chapter, sheet::sheet};
-
 use raybook::light::Light;
-use raybook::render::{film::Film, local::Local, shadow, whitted::Whitted};
-use raybook::scene::posts;
+use raybook::render::film::Film;
+use raybook::render::local::Local;
+use raybook::render::refine::refine;
+use raybook::render::shadow;
+use raybook::render::whitted::Whitted;
 use std::process::ExitCode;
+
+/// A shadow ray for each sample of a pixel: the samples that smooth edges find the penumbrae too.
+const ONE_SAMPLE: Whitted = with_samples(1);
+
+/// The light from lights alone, by so many shadow rays for each sample of a pixel.
+const fn with_samples(samples: u32) -> Whitted {
+    let local = Local {
+        samples,
+        arrives: Some(shadow::lit),
+    };
+    Whitted { local, depth: 1 }
+}
 
 /// Draws the chapter's pictures.
 pub fn draw(stage: &Stage) -> Drawn {
     let [whole, close] = posts::VIEWS;
-    let film = stage.film_of(960, 9, 16.0 / 9.0);
-    let picture = photograph(&film, posts::square(1.4), 12, whole)?;
+    let film = stage.film_of(960, 64, 16.0 / 9.0);
+    let camera = camera(whole, &film)?;
+    let scene = posts::under(posts::square(1.4));
+    let picture = refine(&film, |place, numbers| {
+        ONE_SAMPLE.follow(&scene, &camera.ray_through(place), numbers)
+    });
     let caption = "Under a square light of 1.4 m, shadows are sharp near what throws them, and the softer the farther away they fall.";
     stage.picture("picture", caption, &picture)?;
 
-    let mut tile = stage.tile(4, 1.0);
-    tile.samples = 1;
-    let mut tiles = Vec::new();
-    for (name, samples) in [("1 sample", 1), ("4", 4), ("16", 16), ("64", 64)] {
-        tiles.push((name, photograph(&tile, posts::square(1.4), samples, close)?));
-    }
+    let tile = Film {
+        samples: film.samples,
+        ..stage.tile(4, 1.0)
+    };
+    let close = self::camera(close, &tile)?;
+    let one_ray = Film { samples: 1, ..tile };
+    let counts = [("1 sample", 1), ("4", 4), ("16", 16), ("64", 64)];
+    let tiles = counts.map(|(name, samples)| {
+        let whitted = with_samples(samples);
+        let see = |place, rng: &mut _| whitted.follow(&scene, &close.ray_through(place), rng);
+        (name, one_ray.render(see))
+    });
     let caption = "One, 4, 16 and 64 samples of the light per pixel: with four times as many, half the noise. It is coarsest where part of the light is seen, and there is none where nothing is.";
     stage.figure("samples", caption, &sheet(4, &tiles)?)?;
 
-    tile.samples = film.samples.min(4);
     let lights: [(&str, Box<dyn Light>); 4] = [
         ("a point", posts::point()),
         ("a square of 0.4 m", posts::square(0.4)),
         ("a square of 2.4 m", posts::square(2.4)),
         ("a sphere of 2.4 m", posts::sphere(1.2)),
     ];
-    let mut tiles = Vec::new();
-    for (name, light) in lights {
-        tiles.push((name, photograph(&tile, light, 20, close)?));
-    }
+    let tiles = lights.map(|(name, light)| {
+        let scene = posts::under(light);
+        let see =
+            |place, numbers: &mut _| ONE_SAMPLE.follow(&scene, &close.ray_through(place), numbers);
+        (name, refine(&tile, see))
+    });
     let caption = "The same place under a point, a small and a large square, and a sphere: the larger the light, the wider the penumbra.";
     stage.figure("lights", caption, &sheet(4, &tiles)?)?;
 
@@ -54,23 +80,12 @@ pub fn draw(stage: &Stage) -> Drawn {
     stage.figure("error", caption, &light_error::plot()?)
 }
 
-/// A picture with so many shadow rays per sample of a pixel.
-fn photograph(
-    film: &Film,
-    light: Box<dyn Light>,
-    samples: u32,
+/// The camera of a view.
+fn camera(
     (from, to, focal_length): (Vec3, Vec3, f32),
-) -> Result<Image, LookAtError> {
-    let camera = Pinhole::look_at(from, to, Vec3::Y, focal_length, film.aspect())?;
-    let (scene, local) = (
-        posts::under(light),
-        Local {
-            samples,
-            arrives: shadow::lit,
-        },
-    );
-    let whitted = Whitted { local, depth: 1 };
-    Ok(film.render(|place, rng| whitted.radiance(&scene, &camera.ray_through(place), rng)))
+    film: &Film,
+) -> Result<Pinhole, LookAtError> {
+    Pinhole::look_at(from, to, Vec3::Y, focal_length, film.aspect())
 }
 
 /// The chapter's binary.

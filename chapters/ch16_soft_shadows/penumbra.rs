@@ -1,20 +1,20 @@
 //! The shadow of a board under a light, from the side: where the umbra and the penumbra are, and what is measured there.
 
-use raybook::image::{Image, rgb::Rgb};
-use crate::kit::{figure::Canvas, figure::FONT, figure::figure};
-use crate::kit::{palette::BLUE, palette::FAINT, palette::INK, palette::ORANGE, palette::VERMILION};
+use crate::kit::axis::Axis;
+use crate::kit::chart::Chart;
+use crate::kit::figure::{CENTRE, Canvas, Figure, figure};
+use crate::kit::palette::{BLUE, FAINT, INK, ORANGE, VERMILION};
+use crate::kit::stage::Drawn;
+use glam::{Vec2, Vec3, vec3};
+use plotters::prelude::Color;
+use raybook::image::rgb::Rgb;
 use raybook::light::rect_light::RectLight;
-use raybook::math::{dir3::Dir3, pcg};
+use raybook::math::dir3::Dir3;
+use raybook::math::pcg;
 use raybook::render::soft_shadow::visible_fraction;
 use raybook::scene::world::{Scene, Thing};
-use raybook::shape::{Surface, cuboid::Cuboid};
-use glam::{Vec2, Vec3, vec3};
-use plotters::element::{PathElement, Rectangle, Text};
-use plotters::prelude::{ChartBuilder, Color, IntoFont, LineSeries, RGBColor, TextStyle, WHITE};
-use plotters::style::text_anchor::{HPos, Pos, VPos};
-use std::error::Error;
-
-type Drawn = Result<(), Box<dyn Error>>;
+use raybook::shape::Surface;
+use raybook::shape::cuboid::Cuboid;
 
 /// A board below a light, both level and with their middles above the origin; very long in the third dimension.
 #[derive(Clone, Copy, Debug)]
@@ -71,7 +71,7 @@ impl Shadow {
 ///
 /// # Errors
 /// If plotters cannot draw.
-pub fn diagram() -> Result<Image, Box<dyn Error>> {
+pub fn diagram() -> Figure {
     let shadow = Shadow {
         light: Vec2::new(1.6, 3.0),
         board: Vec2::new(2.0, 1.2),
@@ -86,12 +86,13 @@ pub fn diagram() -> Result<Image, Box<dyn Error>> {
 /// How much of the floor is drawn, in metres to either side.
 const REACH: f32 = 3.2;
 
+/// Space to the left of both charts, in pixels of the canvas.
+const BESIDE: u32 = 150;
+
 fn side_view(canvas: &Canvas, shadow: &Shadow) -> Drawn {
-    let mut chart = ChartBuilder::on(canvas)
-        .margin(24)
-        .margin_bottom(0)
-        .set_label_area_size(plotters::prelude::LabelAreaPosition::Left, 150)
-        .build_cartesian_2d(-REACH..REACH, -0.3_f32..3.4)?;
+    let across = Axis::linear(-REACH..REACH).hidden();
+    let up = Axis::linear(-0.3_f32..3.4).hidden();
+    let mut chart = Chart::new(across, up).left(BESIDE);
     let (light, board) = (shadow.light, shadow.board);
     let [umbra, penumbra] = shadow.ends();
     for (from, to, colour) in [
@@ -99,58 +100,47 @@ fn side_view(canvas: &Canvas, shadow: &Shadow) -> Drawn {
         (umbra, penumbra, ORANGE),
         (-penumbra, -umbra, ORANGE),
     ] {
-        let floor = Rectangle::new([(from, -0.12), (to, 0.0)], colour.filled());
-        chart.draw_series([floor])?;
+        chart.bar([(from, -0.12), (to, 0.0)], colour.filled());
     }
     for side in [-1.0, 1.0] {
         for (end, floor_end, colour) in [(0.5, umbra, INK), (-0.5, penumbra, ORANGE)] {
             let from = (side * end * light.x, light.y);
-            let line = [from, (side * floor_end, 0.0)];
-            chart.draw_series([PathElement::new(line, colour.stroke_width(3))])?;
+            chart.line([from, (side * floor_end, 0.0)], colour.stroke_width(3));
         }
     }
-    let floor = [(-REACH, 0.0), (REACH, 0.0)];
-    chart.draw_series([PathElement::new(floor, FAINT.stroke_width(4))])?;
-    let bar = |size: Vec2, thick: f32, colour: RGBColor| {
+    chart.line([(-REACH, 0.0), (REACH, 0.0)], FAINT.stroke_width(4));
+    for (size, thick, colour) in [(light, 0.1, VERMILION), (board, 0.08, BLUE)] {
         let (x, y) = (0.5 * size.x, size.y);
-        Rectangle::new([(-x, y), (x, y + thick)], colour.filled())
-    };
-    chart.draw_series([bar(light, 0.1, VERMILION), bar(board, 0.08, BLUE)])?;
-    chart.draw_series([
-        label("light", (0.0, light.y + 0.25), VERMILION),
-        label("board", (0.0, board.y + 0.24), BLUE),
-        label("umbra", (0.0, -0.24), INK),
-        label("penumbra", (0.5 * (umbra + penumbra), -0.24), INK),
-        label("penumbra", (-0.5 * (umbra + penumbra), -0.24), INK),
-    ])?;
-    Ok(())
+        chart.bar([(-x, y), (x, y + thick)], colour.filled());
+    }
+    let middle = 0.5 * (umbra + penumbra);
+    for (name, at, colour) in [
+        ("light", (0.0, light.y + 0.25), VERMILION),
+        ("board", (0.0, board.y + 0.24), BLUE),
+        ("umbra", (0.0, -0.24), INK),
+        ("penumbra", (middle, -0.24), INK),
+        ("penumbra", (-middle, -0.24), INK),
+    ] {
+        chart.label(CENTRE, at, name, colour);
+    }
+    chart.draw(canvas)
 }
 
 fn profile(canvas: &Canvas, shadow: &Shadow) -> Drawn {
     /// For each point of the floor, and how far the points are apart, in metres.
     const SAMPLES: u32 = 2000;
     const STEP: f32 = 0.02;
-    let mut chart = ChartBuilder::on(canvas)
-        .margin(24)
-        .x_label_area_size(90)
-        .y_label_area_size(150)
-        .build_cartesian_2d(-REACH..REACH, 0.0_f32..1.05)?;
-    chart
-        .configure_mesh()
-        .light_line_style(WHITE.mix(0.0))
-        .bold_line_style(FAINT.mix(0.5))
-        .y_labels(5)
-        .x_label_formatter(&|x| format!("{x:.0}").replace('-', "−"))
-        .y_label_formatter(&|share| format!("{:.0} %", 100.0 * share))
-        .x_desc("place on the floor, in metres")
-        .y_desc("of the light is seen")
-        .label_style(text(28))
-        .axis_desc_style(text(30))
-        .draw()?;
+    let places = Axis::linear(-REACH..REACH)
+        .named("place on the floor, in metres")
+        .format(|x| format!("{x:.0}").replace('-', "−"));
+    let shares = Axis::linear(0.0_f32..1.05)
+        .named("of the light is seen")
+        .labels(5)
+        .format(|share| format!("{:.0} %", 100.0 * share));
+    let mut chart = Chart::new(places, shares).text(28).left(BESIDE);
     for end in shadow.ends() {
         for x in [-end, end] {
-            let line = [(x, 0.0), (x, 1.05)];
-            chart.draw_series([PathElement::new(line, ORANGE.stroke_width(4))])?;
+            chart.line([(x, 0.0), (x, 1.05)], ORANGE.stroke_width(4));
         }
     }
     let steps = (REACH / STEP) as i32;
@@ -158,19 +148,6 @@ fn profile(canvas: &Canvas, shadow: &Shadow) -> Drawn {
         let x = i as f32 * STEP;
         (x, shadow.seen_from(x, SAMPLES))
     });
-    chart.draw_series(LineSeries::new(measured, BLUE.stroke_width(4)))?;
-    Ok(())
-}
-
-fn label(
-    name: &'static str,
-    at: (f32, f32),
-    colour: RGBColor,
-) -> Text<'static, (f32, f32), &'static str> {
-    let middle = Pos::new(HPos::Center, VPos::Center);
-    Text::new(name, at, (FONT, 30).into_font().color(&colour).pos(middle))
-}
-
-fn text(size: u32) -> TextStyle<'static> {
-    (FONT, size).into_font().color(&INK)
+    chart.line(measured, BLUE.stroke_width(4));
+    chart.draw(canvas)
 }

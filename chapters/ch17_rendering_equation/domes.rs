@@ -1,16 +1,14 @@
 //! Directions as points of a dome, and their shadows on the floor: what a density looks like.
 
-use raybook::camera::pinhole::Pinhole;
-use raybook::image::Image;
-use crate::kit::{figure::FONT, figure::figure};
-use crate::kit::{palette::BLUE, palette::FAINT, palette::INK, palette::ORANGE};
+use crate::kit::figure::{CENTRE, Figure, figure, text, write};
+use crate::kit::palette::{BLUE, FAINT, INK, ORANGE};
 use crate::kit::sketch::Sketch;
+use crate::kit::stage::Drawn;
+use glam::{Vec2, Vec3, vec2, vec3};
+use plotters::prelude::RGBColor;
+use raybook::camera::pinhole::Pinhole;
 use raybook::math::dir3::Dir3;
 use raybook::sample::hemisphere::{cosine_hemisphere, uniform_hemisphere};
-use glam::{Vec2, Vec3, vec2, vec3};
-use plotters::prelude::{IntoFont, RGBColor, Text};
-use plotters::style::text_anchor::{HPos, Pos, VPos};
-use std::error::Error;
 use std::f32::consts::TAU;
 
 /// Directions in each dome.
@@ -37,13 +35,12 @@ const EYE: Vec3 = vec3(0.0, 2.6, 5.0);
 const FLOOR: f32 = -0.95;
 
 type Warp = fn(Dir3, Vec2) -> Dir3;
-type Drawn = Result<(), Box<dyn Error>>;
 
 /// Two domes side by side: all directions equally likely, and by the cosine.
 ///
 /// # Errors
 /// If plotters cannot draw.
-pub fn draw() -> Result<Image, Box<dyn Error>> {
+pub fn draw() -> Figure {
     figure(960, 560, |canvas| {
         let halves = canvas.split_evenly((1, 2));
         for ((name, warp, note), half) in DOMES.into_iter().zip(&halves) {
@@ -57,10 +54,9 @@ pub fn draw() -> Result<Image, Box<dyn Error>> {
                 },
                 warp,
             )?;
-            for (text, y, size) in [(name, 70, 48), (note, height as i32 - 60, 32)] {
-                let style = (FONT, size).into_font().color(&INK);
-                let middle = style.pos(Pos::new(HPos::Center, VPos::Center));
-                half.draw(&Text::new(text, (width as i32 / 2, y), middle))?;
+            for (words, y, size) in [(name, 70, 48), (note, height as i32 - 60, 32)] {
+                let middle = (width as i32 / 2, y);
+                write(half, words, middle, text(size).pos(CENTRE))?;
             }
         }
         Ok(())

@@ -8,12 +8,16 @@ mod domes;
 mod path_error;
 mod strategies;
 
-use crate::kit::{stage::Drawn, stage::Stage};
-use strategies::View;
-use crate::kit::{chapter, sheet::sheet};
-
-use raybook::render::{film::Film, mis::Strategy, path::Path};
+use crate::kit::chapter;
+use crate::kit::sheet::sheet;
+use crate::kit::stage::{Drawn, Stage};
+use raybook::image::Image;
+use raybook::render::film::Film;
+use raybook::render::mis::Strategy;
+use raybook::render::path::Path;
+use raybook::render::refine::refine;
 use std::process::ExitCode;
+use strategies::View;
 
 /// Over as many surfaces as there are.
 const ALL: Path = Path {
@@ -29,7 +33,7 @@ const DIRECT: Path = Path { depth: 1, ..ALL };
 pub fn draw(stage: &Stage) -> Drawn {
     let film = stage.film_of(400, 64, 1.0);
     let cornell_box = View::cornell_box()?;
-    let picture = cornell_box.draw(&film, ALL);
+    let picture = photograph(&film, &cornell_box, ALL);
     let caption = "The Cornell box. Red and green light on the white blocks has come from the walls; \
         the ceiling gets no light from the lamp at all, only from the other surfaces.";
     stage.picture("picture", caption, &picture)?;
@@ -38,9 +42,11 @@ pub fn draw(stage: &Stage) -> Drawn {
         samples: film.samples.div_ceil(4),
         ..film
     };
-    let direct = cornell_box.draw(&few, DIRECT);
     let tiles = [
-        ("light straight from the lamp", direct),
+        (
+            "light straight from the lamp",
+            photograph(&few, &cornell_box, DIRECT),
+        ),
         ("with inter-reflections", picture),
     ];
     let caption = "Local and global illumination: without the light from other surfaces, ceiling and shadows are black.";
@@ -60,6 +66,14 @@ pub fn draw(stage: &Stage) -> Drawn {
 
     let caption = "What the strategies cost, measured while this was drawn. Looking for the lamp itself pays in the box, and both together pay on the plates, also for the time that they take.";
     stage.figure("error", caption, &path_error::plot(&tile)?)
+}
+
+/// A picture by paths, ready to be displayed: each ray of the camera begins a path, and what it finds is exposed.
+fn photograph(film: &Film, view: &View, path: Path) -> Image {
+    refine(film, |place, numbers| {
+        let ray = view.camera.ray_through(place);
+        path.radiance(&view.scene, &ray, numbers) * view.exposure
+    })
 }
 
 /// The chapter's binary.

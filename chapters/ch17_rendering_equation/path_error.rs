@@ -1,15 +1,14 @@
 //! How the error of a path-traced picture shrinks: with the samples, and with the time.
 
-use raybook::image::Image;
-use crate::kit::{figure::Canvas, figure::FONT, figure::figure};
-use crate::kit::{palette::BLUE, palette::FAINT, palette::GREEN, palette::INK, palette::VERMILION};
-use super::{strategies::STRATEGIES, strategies::View};
-use raybook::render::{film::Film, path::Path};
-use plotters::element::{Circle, PathElement};
-use plotters::prelude::{
-    ChartBuilder, Color, IntoFont, IntoLogRange, LineSeries, SeriesLabelPosition, TextStyle, WHITE,
-};
-use std::error::Error;
+use super::strategies::{STRATEGIES, View};
+use crate::kit::axis::Axis;
+use crate::kit::chart::{Chart, Corner};
+use crate::kit::figure::{Canvas, Figure, figure};
+use crate::kit::palette::{BLUE, GREEN, VERMILION};
+use crate::kit::stage::Drawn;
+use plotters::prelude::Color;
+use raybook::render::film::Film;
+use raybook::render::path::Path;
 use std::time::Instant;
 
 /// Samples per pixel, as powers of 2.
@@ -22,7 +21,7 @@ type Measured = [f64; 3];
 ///
 /// # Errors
 /// If plotters cannot draw, or there is no camera.
-pub fn plot(film: &Film) -> Result<Image, Box<dyn Error>> {
+pub fn plot(film: &Film) -> Figure {
     let views = [
         ("the Cornell box", View::cornell_box()?, 6, 1.0),
         ("the plates", View::plates(1.5)?, 1, 1.5),
@@ -85,13 +84,7 @@ fn measure(view: &View, film: &Film, depth: u32) -> Vec<Vec<Measured>> {
         .collect()
 }
 
-fn panel(
-    canvas: &Canvas,
-    title: &str,
-    unit: &str,
-    curves: &[Vec<Measured>],
-    axis: usize,
-) -> Result<(), Box<dyn Error>> {
+fn panel(canvas: &Canvas, title: &str, unit: &str, curves: &[Vec<Measured>], axis: usize) -> Drawn {
     let all = || curves.iter().flatten();
     let ends = |i: usize| {
         let least = all().map(|m| m[i]).fold(f64::INFINITY, f64::min);
@@ -99,59 +92,31 @@ fn panel(
         (0.8 * least, 1.25 * most)
     };
     let ((left, right), (low, high)) = (ends(axis), ends(2));
-    // Plotters labels an axis from its first power of ten on.
-    let least = low / 0.8;
-    let low = low.min(0.99 * 10.0_f64.powf(least.log10().floor()));
-    let mut chart = ChartBuilder::on(canvas)
-        .margin(24)
-        .caption(title, text(36))
-        .x_label_area_size(84)
-        .y_label_area_size(130)
-        .build_cartesian_2d((left..right).log_scale(), (low..high).log_scale())?;
-    chart
-        .configure_mesh()
-        .bold_line_style(FAINT.mix(0.5))
-        .max_light_lines(0)
-        .x_labels(40)
-        .y_labels(40)
-        .x_label_formatter(&|v| round(*v, ""))
-        .y_label_formatter(&|v| round(100.0 * v, " %"))
-        .x_desc(unit)
-        .y_desc("error")
-        .label_style(text(28))
-        .axis_desc_style(text(30))
-        .draw()?;
+    let costs = Axis::log(left..right)
+        .named(unit)
+        .marks(&round_numbers(left, right));
+    let errors = Axis::log(low..high)
+        .named("error")
+        .marks(&round_numbers(low, high))
+        .format(|v| format!("{} %", (100.0 * v) as f32));
+    let mut chart = Chart::new(costs, errors)
+        .titled(title)
+        .text(28)
+        .legend(Corner::LowerLeft);
     for ((curve, (_, name)), colour) in curves.iter().zip(STRATEGIES).zip([VERMILION, GREEN, BLUE])
     {
         let points = || curve.iter().map(|m| (m[axis], m[2]));
-        chart.draw_series(points().map(|p| Circle::new(p, 8, colour.filled())))?;
         chart
-            .draw_series(LineSeries::new(points(), colour.stroke_width(4)))?
-            .label(name)
-            .legend(move |(x, y)| PathElement::new([(x, y), (x + 50, y)], colour.stroke_width(5)));
+            .dots(points(), 8, colour.filled())
+            .line(points(), colour.stroke_width(4))
+            .named(name);
     }
-    chart
-        .configure_series_labels()
-        .position(SeriesLabelPosition::LowerLeft)
-        .label_font(text(28))
-        .legend_area_size(70)
-        .margin(20)
-        .background_style(WHITE.mix(0.85))
-        .draw()?;
-    Ok(())
+    chart.draw(canvas)
 }
 
-/// A round number, 1, 2 or 5 with zeros: so that labels do not overlap, others have none.
-fn round(v: f64, unit: &str) -> String {
-    let first = v / 10.0_f64.powf((v.log10() + 1e-9).floor());
-    let is_round = [1.0, 2.0, 5.0].iter().any(|r| (first - r).abs() < 0.01);
-    if is_round {
-        format!("{v:.0}{unit}")
-    } else {
-        String::new()
-    }
-}
-
-fn text(size: u32) -> TextStyle<'static> {
-    (FONT, size).into_font().color(&INK)
+/// 1, 2 and 5 with zeros, between two numbers.
+fn round_numbers(low: f64, high: f64) -> Vec<f64> {
+    let decades = low.log10().floor() as i32..=high.log10().floor() as i32;
+    let numbers = decades.flat_map(|power| [1.0, 2.0, 5.0].map(|v| v * 10.0_f64.powi(power)));
+    numbers.filter(|v| (low..=high).contains(v)).collect()
 }

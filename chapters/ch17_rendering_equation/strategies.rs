@@ -1,15 +1,19 @@
 //! Scenes for path tracing, each with its camera, and how much a strategy's pictures scatter.
 
-use raybook::camera::pinhole::{LookAtError, PLANE_HEIGHT, Pinhole};
-use raybook::image::{Image, rgb::Rgb};
-use crate::shared::even;
 use crate::kit::sheet::sheet;
+use crate::lab::sheets::named;
+use glam::Vec3;
+use raybook::camera::pinhole::{LookAtError, PLANE_HEIGHT, Pinhole};
+use raybook::image::Image;
+use raybook::image::rgb::Rgb;
 use raybook::material::brdf::Brdf;
-use raybook::render::{film::Film, mis::Strategy, path::Path};
+use raybook::render::film::Film;
+use raybook::render::mis::Strategy;
+use raybook::render::path::Path;
 use raybook::scene::world::Scene;
 use raybook::scene::{cornell, plates};
-use glam::Vec3;
 use std::error::Error;
+use std::f64::consts::FRAC_1_SQRT_2;
 
 /// The strategies, and what they are called.
 pub const STRATEGIES: [(Strategy, &str); 3] = [
@@ -20,9 +24,12 @@ pub const STRATEGIES: [(Strategy, &str); 3] = [
 
 /// A scene, a camera, and how its radiance is displayed.
 pub struct View {
-    scene: Scene<dyn Brdf>,
-    camera: Pinhole,
-    exposure: Rgb,
+    /// The scene.
+    pub scene: Scene<dyn Brdf>,
+    /// The camera.
+    pub camera: Pinhole,
+    /// What makes a display's light of the radiance.
+    pub exposure: Rgb,
 }
 
 impl View {
@@ -57,22 +64,15 @@ impl View {
         })
     }
 
-    /// A picture by paths, ready to be displayed, with random numbers that are spread evenly.
-    pub fn draw(&self, film: &Film, path: Path) -> Image {
-        let ray = |place| self.camera.ray_through(place);
-        let picture = even::render(film, |at, rng| path.radiance(&self.scene, &ray(at), rng));
-        picture.map(|v| v * self.exposure)
-    }
-
-    /// The same with all that chance does.
+    /// A picture by paths with all that chance does, ready to be displayed.
     fn roll(&self, film: &Film, path: Path) -> Image {
         let ray = |place| self.camera.ray_through(place);
-        let picture = film.render(|at, rng| path.radiance(&self.scene, &ray(at), rng));
+        let picture = film.render(|at, rng| path.follow(&self.scene, &ray(at), rng));
         picture.map(|v| v * self.exposure)
     }
 
-    /// A picture, and how much it scatters: half of the mean square difference between it and one with another seed is the
-    /// mean square error of either. Relative to the mean, of what a display shows, which ends at 1.
+    /// The mean of two pictures with different seeds, and how much one of the two scatters: half of the mean square difference
+    /// between them is the mean square error of either. Relative to the mean, of what a display shows, which ends at 1.
     pub fn scatter(&self, film: &Film, path: Path) -> (Image, f64) {
         let other = Film {
             seed: !film.seed,
@@ -86,7 +86,10 @@ impl View {
         let (a, b) = (shown(&one), shown(&other));
         let squares: f64 = a.iter().zip(&b).map(|(a, b)| (a - b).powi(2)).sum();
         let (count, sum) = (a.len() as f64, a.iter().sum::<f64>());
-        (one, (0.5 * squares / count).sqrt() / (sum / count))
+        let mean = Image::from_fn(film.width, film.height, |x, y| {
+            one.at(x, y).lerp(other.at(x, y), 0.5)
+        });
+        (mean, (0.5 * squares / count).sqrt() / (sum / count))
     }
 }
 
@@ -96,6 +99,10 @@ impl View {
 /// If a caption cannot be drawn.
 pub fn figure(film: &Film) -> Result<Image, Box<dyn Error>> {
     let view = View::plates(film.aspect())?;
+    let half = Film {
+        samples: film.samples.div_ceil(2),
+        ..*film
+    };
     let mut tiles = Vec::new();
     for (strategy, name) in STRATEGIES {
         let path = Path {
@@ -103,12 +110,10 @@ pub fn figure(film: &Film) -> Result<Image, Box<dyn Error>> {
             sure: 1,
             strategy,
         };
-        let (picture, error) = view.scatter(film, path);
+        let (picture, of_half) = view.scatter(&half, path);
+        // Two independent halves are √2 times as good as either.
+        let error = of_half * FRAC_1_SQRT_2;
         tiles.push((format!("{name}: error {:.0} %", 100.0 * error), picture));
     }
-    let tiles: Vec<_> = tiles
-        .iter()
-        .map(|(text, tile)| (text.as_str(), tile.clone()))
-        .collect();
-    sheet(STRATEGIES.len(), &tiles)
+    sheet(STRATEGIES.len(), &named(&tiles))
 }

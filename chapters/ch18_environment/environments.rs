@@ -1,7 +1,8 @@
 //! Pictures of environment maps.
 
-use raybook::image::{Image, rgb::Rgb, tone};
 use crate::kit::sheet::sheet;
+use raybook::image::rgb::Rgb;
+use raybook::image::{Image, tone};
 use raybook::light::environment::angular::Angular;
 use raybook::light::environment::convert::{LatLong, convert};
 use raybook::light::environment::cube::Cross;

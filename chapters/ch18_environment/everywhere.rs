@@ -1,10 +1,12 @@
 //! An environment that is asked in the wrong way, to show what the right one is good for.
 
+use glam::{Vec2, Vec3};
 use raybook::image::rgb::Rgb;
 use raybook::light::environment::Environment;
-use raybook::light::{Light, LightSample, extent::shine};
-use raybook::math::{dir3::Dir3, ray::Ray};
-use glam::{Vec2, Vec3};
+use raybook::light::extent::shine;
+use raybook::light::{Light, LightSample};
+use raybook::math::dir3::Dir3;
+use raybook::math::ray::Ray;
 use std::f32::consts::PI;
 
 /// An environment whose directions are chosen without looking: each is as likely as any other.

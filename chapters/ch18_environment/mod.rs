@@ -2,24 +2,26 @@
 //! more often.
 //!
 //! New: math/piecewise.rs light/environment/mod.rs light/environment/latlong.rs light/environment/cube.rs
-//! New: light/environment/angular.rs light/environment/convert.rs scene/skies.rs scene/still_life.rs
+//! New: light/environment/angular.rs light/environment/convert.rs scene/still_life.rs
 
 mod environments;
 pub mod everywhere;
+pub mod skies;
 
+use crate::kit::chapter;
+use crate::kit::sheet::sheet;
+use crate::kit::stage::{Drawn, Stage};
+use environments::{Layouts, layouts, quarters};
+use everywhere::Everywhere;
 use glam::Vec3;
 use raybook::camera::pinhole::{LookAtError, Pinhole};
 use raybook::image::{Image, file};
-use environments::Layouts;
-use environments::layouts;
-use environments::quarters;
-use crate::kit::{stage::Drawn, stage::Stage};
-use crate::kit::{chapter, sheet::sheet};
-use crate::shared::even;
-use everywhere::Everywhere;
-use raybook::light::{Light, environment::Environment};
-use raybook::render::{film::Film, mis::Strategy, path::Path};
-use raybook::scene::skies;
+use raybook::light::Light;
+use raybook::light::environment::Environment;
+use raybook::render::film::Film;
+use raybook::render::mis::Strategy;
+use raybook::render::path::Path;
+use raybook::render::refine::refine;
 use raybook::scene::still_life::{AT, EYE, still_life};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -76,9 +78,7 @@ fn picture(film: &Film, light: Box<dyn Light>) -> Result<Image, LookAtError> {
         strategy: Strategy::Both,
     };
     let ray = |place| camera.ray_through(place);
-    Ok(even::render(film, |at, rng| {
-        path.radiance(&scene, &ray(at), rng)
-    }))
+    Ok(refine(film, |at, rng| path.follow(&scene, &ray(at), rng)))
 }
 
 /// The chapter's binary.

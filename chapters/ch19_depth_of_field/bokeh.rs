@@ -1,11 +1,15 @@
 //! What lamps out of focus look like through apertures of several shapes.
 
-use raybook::camera::{aperture::Aperture, pinhole::Pinhole, thin_lens::ThinLens};
-use raybook::image::Image;
+use super::tea_table::{EYE, dusk, lamps};
 use crate::kit::sheet::sheet;
-use raybook::render::{film::Film, glints::add_glints, through_lens::through_lens};
-use raybook::scene::tea_table::{EYE, dusk, lamps};
 use glam::{Vec3, vec3};
+use raybook::camera::aperture::Aperture;
+use raybook::camera::pinhole::Pinhole;
+use raybook::camera::thin_lens::ThinLens;
+use raybook::image::Image;
+use raybook::render::film::Film;
+use raybook::render::glints::add_glints;
+use raybook::render::through_lens::through_lens;
 use std::error::Error;
 
 /// Where the lamps hang.

@@ -1,25 +1,32 @@
-//! The noise of few samples of a lens: a detail of the tea table with 4 and with 128 random points, and with 4 that are spread.
+//! The noise of few samples of a lens: a detail of the tea table with 4 and with 64 random points, and with 4 that are spread.
 
-use raybook::camera::{Camera, aperture::Aperture, pinhole::Pinhole, thin_lens::ThinLens};
-use raybook::image::{Image, rgb::Rgb};
+use super::tea_table::{DETAIL, EYE, FOCAL_LENGTH};
 use crate::kit::sheet::sheet;
-use raybook::math::{pcg::Pcg, ray::Ray};
-use raybook::render::{film::Film, through_lens::through_lens};
-use raybook::scene::tea_table::{DETAIL, EYE, FOCAL_LENGTH};
 use glam::{Vec3, vec2};
 use rand::RngExt;
+use raybook::camera::Camera;
+use raybook::camera::aperture::Aperture;
+use raybook::camera::pinhole::Pinhole;
+use raybook::camera::thin_lens::ThinLens;
+use raybook::image::Image;
+use raybook::material::Material;
+use raybook::render::film::Film;
+use raybook::render::through_lens::through_lens;
+use raybook::render::whitted::Whitted;
+use raybook::scene::world::Scene;
 use std::error::Error;
 
 /// How much of the film is shown, in width and height.
 const PART: f32 = 0.5;
 
-/// Focused at 1 m; `see` tells what a ray sees.
+/// Focused at 1 m.
 ///
 /// # Errors
 /// If the tiles' names cannot be drawn.
 pub fn draw(
     tile: &Film,
-    see: impl Fn(&Ray, &mut Pcg) -> Rgb + Sync,
+    scene: &Scene<dyn Material>,
+    whitted: &Whitted,
 ) -> Result<Image, Box<dyn Error>> {
     let mut body = Pinhole::look_at(EYE, DETAIL, Vec3::Y, FOCAL_LENGTH, tile.aspect())?;
     body.plane *= PART;
@@ -28,13 +35,16 @@ pub fn draw(
     let by_chance = |samples| {
         film(samples).render(|place, rng| {
             let ray = camera.ray(place, vec2(rng.random(), rng.random()));
-            see(&ray, rng)
+            whitted.follow(scene, &ray, rng)
         })
     };
+    let spread = through_lens(&film(4), &camera, |ray, numbers| {
+        whitted.follow(scene, ray, numbers)
+    });
     let tiles = [
         ("4 samples", by_chance(4)),
-        ("128 samples", by_chance(128)),
-        ("4, spread evenly", through_lens(&film(4), &camera, &see)),
+        ("64 samples", by_chance(64)),
+        ("4, spread evenly", spread),
     ];
     sheet(3, &tiles)
 }

@@ -2,40 +2,46 @@
 //! a blurred disc, whose size a formula tells.
 //!
 //! New: shape/placed.rs sample/disk.rs sample/polygon.rs camera/aperture.rs camera/lens.rs camera/thin_lens.rs
-//! New: render/through_lens.rs render/glints.rs scene/tea_table.rs
+//! New: render/through_lens.rs render/glints.rs
 
 mod blur_plot;
 mod bokeh;
 mod lens_samples;
+pub mod tea_table;
 
-use glam::Vec3;
-use raybook::camera::lens::LensError;
-use raybook::camera::{aperture::Aperture, pinhole::Pinhole, thin_lens::ThinLens};
-use crate::kit::{stage::Drawn, stage::Stage};
-
-use crate::kit::{chapter, sheet::sheet};
+use crate::kit::chapter;
+use crate::kit::sheet::sheet;
+use crate::kit::stage::{Drawn, Stage};
 use crate::lab::sheets::named;
+use glam::Vec3;
+use raybook::camera::aperture::Aperture;
+use raybook::camera::lens::LensError;
+use raybook::camera::pinhole::Pinhole;
+use raybook::camera::thin_lens::ThinLens;
 use raybook::math::interval::Interval;
-use raybook::render::{film::Film, glints::add_glints, local::Local, shadow};
-use raybook::render::{through_lens::through_lens, whitted::Whitted};
-use raybook::scene::tea_table::{
-    ALONG, EYE, FAR, FOCAL_LENGTH, NARROW_VIEW, POTS, VIEW, lamps, tea_table,
-};
+use raybook::render::film::Film;
+use raybook::render::glints::add_glints;
+use raybook::render::local::Local;
+use raybook::render::shadow;
+use raybook::render::through_lens::through_lens;
+use raybook::render::whitted::Whitted;
 use std::process::ExitCode;
+use tea_table::{ALONG, EYE, FAR, FOCAL_LENGTH, NARROW_VIEW, POTS, VIEW, lamps, tea_table};
 
 /// Draws the chapter's pictures.
 pub fn draw(stage: &Stage) -> Drawn {
     let (scene, lamps) = (tea_table(), lamps());
-    let arrives = shadow::lit;
+    let arrives = Some(shadow::lit as _);
     let local = Local {
         samples: 1,
         arrives,
     };
     let whitted = Whitted { local, depth: 2 };
-    let see = |ray: &_, rng: &mut _| whitted.radiance(&scene, ray, rng);
     let open = |ray: &_, distance| !scene.blocks(ray, Interval::new(0.0, distance));
     let photograph = |film: &Film, camera: &ThinLens| {
-        let mut picture = through_lens(film, camera, see);
+        let mut picture = through_lens(film, camera, |ray, numbers| {
+            whitted.follow(&scene, ray, numbers)
+        });
         add_glints(&mut picture, film, camera, &lamps, open);
         picture
     };
@@ -47,7 +53,7 @@ pub fn draw(stage: &Stage) -> Drawn {
     stage.picture("picture", caption, &picture)?;
 
     let caption = "With few random points of the lens there is noise where the picture is blurred, and hardly any where it is sharp. Points that are spread evenly over the lens have less of it.";
-    let figure = lens_samples::draw(&stage.tile(3, 1.6), see)?;
+    let figure = lens_samples::draw(&stage.tile(3, 1.6), &scene, &whitted)?;
     stage.figure("samples", caption, &figure)?;
 
     let (tile, mut tiles) = (stage.tile(2, 16.0 / 9.0), vec![]);

@@ -1,14 +1,14 @@
 //! One place through many cameras: pin holes of several widths, and fisheyes, with discs that show what they stretch.
 
+use super::graticule;
+use crate::kit::sheet::sheet;
+use glam::{Vec2, Vec3};
 use raybook::camera::fisheye::{Fisheye, Projection};
 use raybook::camera::pinhole::{LookAtError, Pinhole};
 use raybook::camera::pose::Pose;
 use raybook::image::Image;
-use super::graticule;
-use crate::kit::sheet::sheet;
 use raybook::math::ray::Ray;
 use raybook::render::film::Film;
-use glam::{Vec2, Vec3};
 use std::error::Error;
 
 /// The ray of each place of a film; none where no light falls.

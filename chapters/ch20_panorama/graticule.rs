@@ -1,9 +1,10 @@
 //! Circles of latitude and longitude, and small discs of equal size, over a picture: what its projection stretches.
 
-use raybook::image::{Image, rgb::Rgb, tone};
-use crate::kit::{palette::INK, palette::linear};
-use raybook::math::dir3::Dir3;
+use crate::kit::palette::{INK, linear};
 use glam::{Vec2, vec2, vec3};
+use raybook::image::rgb::Rgb;
+use raybook::image::{Image, tone};
+use raybook::math::dir3::Dir3;
 
 /// From one line to the next, in degrees.
 pub const STEP: f32 = 30.0;

@@ -1,30 +1,34 @@
 //! A ray can start anywhere and go anywhere, so a camera need not have an image plane. One whose film holds all directions
 //! takes a picture that is an environment map; a fisheye sees nearly as much, in a disc.
 //!
-//! New: camera/pose.rs camera/panorama.rs camera/fisheye.rs scene/pavilion.rs scene/summer.rs
+//! New: camera/pose.rs camera/panorama.rs camera/fisheye.rs
 
 mod all_around;
 mod graticule;
 mod panorama_as_environment;
 mod panorama_map;
+pub mod pavilion;
 mod projections;
+pub mod summer;
 
-use raybook::camera::fisheye::Fisheye;
-use raybook::camera::{panorama::Panorama, pose::Pose};
-use raybook::image::{Image, rgb::Rgb};
-use all_around::Rays;
-use all_around::fisheyes;
-use all_around::pinholes;
 use crate::kit::chapter;
-use panorama_as_environment::lit;
-use panorama_as_environment::looks;
-use panorama_map::labelled;
-use panorama_map::with_lines;
-use crate::kit::{stage::Drawn, stage::Stage};
+use crate::kit::stage::{Drawn, Stage};
+use all_around::{Rays, fisheyes, pinholes};
+use panorama_as_environment::{lit, looks};
+use panorama_map::{labelled, with_lines};
+use pavilion::{BEAMS, EYE};
+use raybook::camera::fisheye::Fisheye;
+use raybook::camera::panorama::Panorama;
+use raybook::camera::pose::Pose;
+use raybook::image::Image;
+use raybook::image::rgb::Rgb;
 use raybook::light::environment::Environment;
 use raybook::material::Material;
-use raybook::render::{film::Film, local::Local, shadow, whitted::Whitted};
-use raybook::scene::pavilion::{self, BEAMS, EYE};
+use raybook::render::film::Film;
+use raybook::render::local::Local;
+use raybook::render::refine::refine;
+use raybook::render::shadow;
+use raybook::render::whitted::Whitted;
 use raybook::scene::world::Scene;
 use std::process::ExitCode;
 
@@ -74,11 +78,11 @@ pub fn draw(stage: &Stage) -> Drawn {
 fn photograph(scene: &Scene<dyn Material>, film: &Film, rays: Rays) -> Image {
     let local = Local {
         samples: 1,
-        arrives: shadow::lit,
+        arrives: Some(shadow::lit),
     };
     let whitted = Whitted { local, depth: 8 };
-    film.render(|place, rng| {
-        rays(place).map_or(Rgb::BLACK, |ray| whitted.radiance(scene, &ray, rng))
+    refine(film, |place, rng| {
+        rays(place).map_or(Rgb::BLACK.into(), |ray| whitted.follow(scene, &ray, rng))
     })
 }
 

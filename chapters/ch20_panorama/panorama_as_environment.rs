@@ -1,14 +1,16 @@
 //! What a panorama is good for as an environment map: it shows its scene again, and it lights others.
 
+use super::all_around::{Rays, wide};
+use crate::kit::sheet::sheet;
+use glam::{Vec3, vec3};
 use raybook::camera::pinhole::{LookAtError, Pinhole};
 use raybook::image::{Image, tone};
-use super::{all_around::Rays, all_around::wide};
-use crate::shared::even;
-use crate::kit::sheet::sheet;
 use raybook::light::environment::Environment;
-use raybook::render::{film::Film, mis::Strategy, path::Path};
+use raybook::render::film::Film;
+use raybook::render::mis::Strategy;
+use raybook::render::path::Path;
+use raybook::render::refine::refine;
 use raybook::scene::still_life::{AT, still_life};
-use glam::{Vec3, vec3};
 use std::error::Error;
 
 /// The directions of the looks, by their names.
@@ -79,7 +81,7 @@ fn photograph(film: &Film, light: Environment) -> Result<Image, LookAtError> {
         sure: 2,
         strategy: Strategy::Both,
     };
-    Ok(even::render(film, |place, rng| {
-        path.radiance(&scene, &camera.ray_through(place), rng)
+    Ok(refine(film, |place, rng| {
+        path.follow(&scene, &camera.ray_through(place), rng)
     }))
 }

@@ -1,15 +1,17 @@
 //! A panorama as a map: labelled, with lines of latitude and longitude; and with straight lines of the world on it.
 
-use raybook::image::{Image, rgb::Rgb, tone};
+use super::graticule;
+use super::graticule::STEP;
 use crate::kit::figure::{CENTRE, Canvas, RIGHT, SCALE, figure, text, write};
-use super::{graticule::self, graticule::STEP};
-use crate::kit::{palette::BLUE, palette::GREEN, palette::INK, palette::ORANGE, palette::VERMILION};
+use crate::kit::palette::{BLUE, GREEN, INK, ORANGE, VERMILION};
 use crate::kit::sketch::label;
+use glam::{Vec2, Vec3, vec2};
+use plotters::prelude::{Circle, Color, PathElement, RGBColor};
+use raybook::image::rgb::Rgb;
+use raybook::image::{Image, tone};
 use raybook::light::environment::convert::{LatLong, convert};
 use raybook::light::environment::latlong;
 use raybook::math::dir3::Dir3;
-use glam::{Vec2, Vec3, vec2};
-use plotters::prelude::{Circle, Color, PathElement, RGBColor};
 use std::error::Error;
 
 /// What drawing returns.
@@ -38,12 +40,22 @@ pub fn labelled(panorama: &Image) -> Result<Image, Box<dyn Error>> {
         for i in -3..=3 {
             let latitude = STEP * i as f32;
             let place = pixel(vec2(0.0, 0.5 - latitude / 180.0)) - vec2(12.0, 0.0);
-            write(canvas, &degrees(latitude), whole(place), text(TEXT).pos(RIGHT))?;
+            write(
+                canvas,
+                &degrees(latitude),
+                whole(place),
+                text(TEXT).pos(RIGHT),
+            )?;
         }
         for i in -6..=6 {
             let longitude = STEP * i as f32;
             let place = pixel(vec2(0.5 + longitude / 360.0, 1.0)) + vec2(0.0, 28.0);
-            write(canvas, &degrees(longitude), whole(place), text(TEXT).pos(CENTRE))?;
+            write(
+                canvas,
+                &degrees(longitude),
+                whole(place),
+                text(TEXT).pos(CENTRE),
+            )?;
         }
         for (longitude, name) in [(-90.0, "left"), (0.0, "ahead"), (90.0, "right")] {
             let place = pixel(vec2(0.5 + longitude / 360.0, 1.0)) + vec2(0.0, 72.0);

@@ -1,16 +1,14 @@
 //! The figure of rays that pass a black hole at many distances.
 
-use raybook::image::Image;
-use crate::kit::{figure::Canvas, figure::FONT, figure::figure};
-use crate::kit::{palette::BLUE, palette::INK, palette::VERMILION};
+use crate::kit::figure::{CENTRE, Canvas, Figure, coloured, figure, text, write};
+use crate::kit::palette::{BLUE, INK, VERMILION};
+use crate::kit::stage::Drawn;
+use glam::{DVec2, DVec3, dvec2, dvec3};
+use plotters::element::{Circle, PathElement, Rectangle};
+use plotters::prelude::{Color, WHITE};
 use raybook::render::curved::follow::{Fate, follow};
 use raybook::render::curved::geodesic::{between, geodesic_step};
 use raybook::render::curved::{HORIZON, PHOTON_SPHERE, Photon};
-use glam::{DVec2, DVec3, dvec2, dvec3};
-use plotters::element::{Circle, PathElement, Rectangle, Text};
-use plotters::prelude::{Color, IntoFont, RGBColor, WHITE};
-use plotters::style::text_anchor::{HPos, Pos, VPos};
-use std::error::Error;
 use std::ops::ControlFlow;
 
 /// Size of the figure in pixels, and of its canvas.
@@ -33,7 +31,7 @@ const FINE: u32 = 6;
 ///
 /// # Errors
 /// If plotters cannot draw.
-pub fn draw() -> Result<Image, Box<dyn Error>> {
+pub fn draw() -> Figure {
     figure(SIZE[0], SIZE[1], |canvas| {
         for i in 0..15 {
             let b = APART * (f64::from(i) + 0.5);
@@ -48,7 +46,7 @@ pub fn draw() -> Result<Image, Box<dyn Error>> {
         canvas.draw(&Circle::new(centre, radius(HORIZON), INK.filled()))?;
         let sphere = Circle::new(centre, radius(PHOTON_SPHERE), INK.stroke_width(3));
         canvas.draw(&sphere)?;
-        label(canvas, "horizon", centre, WHITE)?;
+        write(canvas, "horizon", centre, coloured(32, WHITE).pos(CENTRE))?;
         let beside = (centre.0 + radius(2.9), centre.1);
         let [wide, high] = [130, 26];
         let corners = [
@@ -56,12 +54,12 @@ pub fn draw() -> Result<Image, Box<dyn Error>> {
             (beside.0 + wide, beside.1 + high),
         ];
         canvas.draw(&Rectangle::new(corners, WHITE.filled()))?;
-        label(canvas, "photon sphere", beside, INK)
+        write(canvas, "photon sphere", beside, text(32).pos(CENTRE))
     })
 }
 
 /// One ray: blue if it escapes; if it falls, orange and down to the horizon.
-fn ray(canvas: &Canvas, b: f64) -> Result<(), Box<dyn Error>> {
+fn ray(canvas: &Canvas, b: f64) -> Drawn {
     let mut points = Vec::new();
     let mut last = Photon {
         x: dvec3(LEFT, b, 0.0),
@@ -92,16 +90,4 @@ fn ray(canvas: &Canvas, b: f64) -> Result<(), Box<dyn Error>> {
 fn pixel(p: DVec3) -> (i32, i32) {
     let at = MIDDLE + SCALE * dvec2(p.x, -p.y);
     (at.x.round() as i32, at.y.round() as i32)
-}
-
-fn label(
-    canvas: &Canvas,
-    text: &'static str,
-    at: (i32, i32),
-    colour: RGBColor,
-) -> Result<(), Box<dyn Error>> {
-    let middle = Pos::new(HPos::Center, VPos::Center);
-    let style = (FONT, 32).into_font().color(&colour).pos(middle);
-    canvas.draw(&Text::new(text, at, style))?;
-    Ok(())
 }

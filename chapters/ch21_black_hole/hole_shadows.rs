@@ -1,12 +1,16 @@
 //! What observers see of a black hole from nearer and nearer.
 
-use raybook::image::{Image, rgb::Rgb};
-use crate::kit::{palette::BLUE, palette::SKY, palette::VERMILION, palette::linear};
+use crate::kit::palette::{BLUE, SKY, VERMILION, linear};
 use crate::kit::sheet::sheet;
-use raybook::math::dir3::Dir3;
-use raybook::render::curved::{black_hole::BlackHole, observer::shadow_half_angle};
-use raybook::render::film::Film;
 use glam::{Vec2, Vec3, vec2, vec3};
+use raybook::image::Image;
+use raybook::image::rgb::Rgb;
+use raybook::math::dir3::Dir3;
+use raybook::render::curved::black_hole::BlackHole;
+use raybook::render::curved::fan::Fan;
+use raybook::render::curved::observer::shadow_half_angle;
+use raybook::render::film::Film;
+use raybook::render::refine::refine;
 use std::error::Error;
 use std::f32::consts::{FRAC_PI_2, PI};
 
@@ -21,7 +25,12 @@ pub fn draw(film: &Film) -> Result<Image, Box<dyn Error>> {
     let tiles = RADII.map(|r| {
         let edge = shadow_half_angle(f64::from(r));
         let name = format!("r = {r}: {:.1}°", edge.to_degrees());
-        (name, film.render(|place, _| seen(r, edge as f32, place)))
+        let pixel = std::f64::consts::PI / film.width as f64;
+        let fan = Fan::new(r * Vec3::Z, FRAC_PI_2.into(), 0.25 * pixel);
+        (
+            name,
+            refine(film, |place, _| seen(&fan, edge as f32, place)),
+        )
     });
     let tiles: Vec<_> = tiles
         .iter()
@@ -30,7 +39,7 @@ pub fn draw(film: &Film) -> Result<Image, Box<dyn Error>> {
     sheet(4, &tiles)
 }
 
-fn seen(r: f32, edge: f32, place: Vec2) -> Rgb {
+fn seen(fan: &Fan, edge: f32, place: Vec2) -> Rgb {
     let p = vec2(2.0 * place.x - 1.0, 1.0 - 2.0 * place.y);
     let (radius, turn) = (p.length(), p.y.atan2(p.x));
     if radius > 1.0 {
@@ -47,7 +56,7 @@ fn seen(r: f32, edge: f32, place: Vec2) -> Rgb {
         disc: None,
         sky: &ruled,
     };
-    hole.radiance(r * Vec3::Z, Dir3::new_or(toward, Dir3::Z))
+    hole.radiance_by(fan, Dir3::new_or(toward, Dir3::Z))
 }
 
 /// A sky in squares of 15°, lighter before the observer than behind.

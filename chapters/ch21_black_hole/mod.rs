@@ -2,27 +2,31 @@
 //! every pixel, step by step, as carefully as needed and no more.
 //!
 //! New: render/curved/mod.rs render/curved/geodesic.rs render/curved/follow.rs render/curved/deflection.rs
-//! New: render/curved/observer.rs render/curved/doppler.rs render/curved/black_hole.rs
-//! New: light/black_body.rs scene/accretion_disc.rs scene/starry_sky.rs
+//! New: render/curved/fan.rs render/curved/observer.rs render/curved/doppler.rs render/curved/black_hole.rs
+//! New: light/black_body.rs scene/accretion_disc.rs
 
 mod bent_rays;
 pub mod deflection_plot;
 mod hole_shadows;
+pub mod starry_sky;
 mod straight_hole;
 
-use glam::vec3;
-use raybook::camera::pinhole::Pinhole;
-use raybook::image::{file, rgb::Rgb};
-use crate::kit::{stage::Drawn, stage::Stage};
-
 use crate::kit::chapter;
+use crate::kit::stage::{Drawn, Stage};
+use glam::{vec2, vec3};
+use raybook::camera::pinhole::Pinhole;
+use raybook::image::file;
+use raybook::image::rgb::Rgb;
 use raybook::light::environment::Environment;
 use raybook::math::dir3::Dir3;
-use raybook::render::{curved::black_hole::BlackHole, film::Film};
-use raybook::scene::{accretion_disc::AccretionDisc, starry_sky::starry_sky};
+use raybook::render::curved::black_hole::BlackHole;
+use raybook::render::curved::fan::Fan;
+use raybook::render::film::Film;
+use raybook::render::refine::refine;
+use raybook::scene::accretion_disc::AccretionDisc;
+use starry_sky::starry_sky;
 use std::path::PathBuf;
 use std::process::ExitCode;
-use std::time::Instant;
 
 #[derive(clap::Args)]
 struct BackgroundOptions {
@@ -53,13 +57,10 @@ fn draw_before(stage: &Stage, sky: &(dyn Fn(Dir3) -> Rgb + Sync)) -> Drawn {
         disc: Some(&disc),
         sky,
     };
-    let start = Instant::now();
-    let picture = film.render(|place, _| {
-        let ray = camera.ray_through(place);
-        hole.radiance(ray.origin, ray.direction) * EXPOSURE
+    let fan = fan(&camera, &film);
+    let picture = refine(&film, |place, _| {
+        hole.radiance_by(&fan, camera.ray_through(place).direction) * EXPOSURE
     });
-    let rays = (film.width * film.height * film.samples) as f64;
-    let rate = 1e-6 * rays / start.elapsed().as_secs_f64();
     let caption = "A black hole and a disc of hot gas. The arch above the shadow is the disc's far side, its light bent over the hole; \
         the left side comes towards us, and is bluer and brighter.";
     stage.picture("picture", caption, &picture)?;
@@ -70,9 +71,10 @@ fn draw_before(stage: &Stage, sky: &(dyn Fn(Dir3) -> Rgb + Sync)) -> Drawn {
     };
     let caption = format!(
         "The same ball and disc without gravity and with it: the far side appears above the hole and below it, and the shadow \
-        is larger than the ball. Rays were followed at {rate:.2} million per second."
+        is larger than the ball. All rays at one angle to the hole are one curve, turned: {} curves were followed for the picture, step by step.",
+        fan.curves()
     );
-    let figure = straight_hole::compare(&tile(2, 1.78), &camera, &hole, EXPOSURE)?;
+    let figure = straight_hole::compare(&tile(2, 1.78), &camera, &hole, &fan, EXPOSURE)?;
     stage.figure("straight_and_bent", &caption, &figure)?;
 
     let caption = "Rays from the left at many distances from the middle: the hole swallows those below 2.598 radii (orange). The next ones turn back or go around before they leave.";
@@ -81,6 +83,21 @@ fn draw_before(stage: &Stage, sky: &(dyn Fn(Dir3) -> Rgb + Sync)) -> Drawn {
     stage.figure("deflection", caption, &deflection_plot::draw()?)?;
     let caption = "Half of the sky, towards the hole, for observers who stand nearer and nearer. The dashed circles are the shadow's edge by the formula.";
     stage.figure("shadows", caption, &hole_shadows::draw(&tile(4, 1.0))?)
+}
+
+/// The curves for a camera's picture, a quarter of a pixel from each other at most.
+fn fan(camera: &Pinhole, film: &Film) -> Fan {
+    let eye = camera.focal_point;
+    let pixel = camera.plane.x / camera.focal_length / film.width as f32;
+    let corners = [
+        vec2(0.0, 0.0),
+        vec2(1.0, 0.0),
+        vec2(0.0, 1.0),
+        vec2(1.0, 1.0),
+    ];
+    let off = |corner| camera.ray_through(corner).direction.angle_between(-eye);
+    let widest = corners.map(off).into_iter().fold(0.0, f32::max);
+    Fan::new(eye, f64::from(widest), f64::from(0.25 * pixel))
 }
 
 /// The chapter's binary.

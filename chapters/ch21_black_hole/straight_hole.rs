@@ -1,12 +1,18 @@
 //! A black hole beside what it would look like if light went straight on.
 
-use raybook::camera::pinhole::Pinhole;
-use raybook::image::{Image, rgb::Rgb};
 use crate::kit::sheet::sheet;
-use raybook::math::{interval::Interval, ray::Ray};
-use raybook::render::{curved::black_hole::BlackHole, film::Film};
-use raybook::shape::{Shape, sphere::Sphere};
 use glam::Vec3;
+use raybook::camera::pinhole::Pinhole;
+use raybook::image::Image;
+use raybook::image::rgb::Rgb;
+use raybook::math::interval::Interval;
+use raybook::math::ray::Ray;
+use raybook::render::curved::black_hole::BlackHole;
+use raybook::render::curved::fan::Fan;
+use raybook::render::film::Film;
+use raybook::render::refine::refine;
+use raybook::shape::Shape;
+use raybook::shape::sphere::Sphere;
 use std::error::Error;
 
 /// The hole without gravity, and with it, in this exposure.
@@ -17,10 +23,13 @@ pub fn compare(
     film: &Film,
     camera: &Pinhole,
     hole: &BlackHole,
+    fan: &Fan,
     exposure: f32,
 ) -> Result<Image, Box<dyn Error>> {
     let tile = |radiance: &(dyn Fn(&Ray) -> Rgb + Sync)| {
-        film.render(|place, _| radiance(&camera.ray_through(place)) * exposure)
+        refine(film, |place, _| {
+            radiance(&camera.ray_through(place)) * exposure
+        })
     };
     let tiles = [
         (
@@ -29,7 +38,7 @@ pub fn compare(
         ),
         (
             "as it is bent",
-            tile(&|ray| hole.radiance(ray.origin, ray.direction)),
+            tile(&|ray| hole.radiance_by(fan, ray.direction)),
         ),
     ];
     sheet(2, &tiles)

@@ -8,29 +8,49 @@
 //! New: sample/pattern/sobol.rs sample/pattern/owen.rs sample/pattern/best_candidate.rs
 //! New: render/supersample.rs scene/horizon.rs
 
-
-use crate::shared::horizon_view::HorizonView;
+use crate::kit::chapter;
+use crate::kit::sheet::sheet;
+use crate::kit::stage::{Drawn, Stage};
 use crate::lab::plot::Plot;
 use crate::lab::point_sets::PointSets;
 use crate::lab::polar::Polar;
-use crate::lab::{sheets, subject::Subject};
-use crate::kit::{stage::Drawn, stage::Stage};
-use crate::kit::{chapter, sheet::sheet};
-use raybook::render::{film::Film, supersample};
+use crate::lab::sheets;
+use crate::lab::subject::Subject;
+use glam::Vec3;
+use raybook::camera::pinhole::Pinhole;
+use raybook::math::pcg::Pcg;
+use raybook::render::film::Film;
+use raybook::render::local::Local;
+use raybook::render::shadow;
+use raybook::render::supersample::supersample;
+use raybook::render::whitted::Whitted;
 use raybook::sample::pattern::{PATTERNS, find};
+use raybook::scene::horizon;
 use std::process::ExitCode;
+
+/// The light that comes straight from the lamps, with shadows.
+const DIRECT: Whitted = Whitted {
+    local: Local {
+        samples: 1,
+        arrives: Some(shadow::lit),
+    },
+    depth: 1,
+};
 
 /// Draws the chapter's pictures.
 pub fn draw(stage: &Stage) -> Drawn {
     let film = stage.film(16.0 / 9.0);
-    let view = HorizonView::new(film.aspect())?;
+    let scene = horizon::scene();
+    let [eye, at] = horizon::VIEW;
+    let camera = Pinhole::look_at(eye, at, Vec3::Y, horizon::FOCAL_LENGTH, film.aspect())?;
+    let see = |place, rng: &mut Pcg| DIRECT.follow(&scene, &camera.ray_through(place), rng);
     let grid = find("regular-grid").ok_or("there is a grid")?;
     let jittered = find("jittered").ok_or("there is a jittered pattern")?;
     let most = film.samples;
     let ways = [(1, grid), (most.isqrt(), jittered), (most, jittered)];
     let views = ways.map(|(samples, pattern)| {
         let film = Film { samples, ..film };
-        supersample::supersample(&film, pattern, |place, rng| view.radiance(place, rng))
+        supersample(&film, pattern, see)
     });
     let caption = "One picture, from left to right with one ray through the middle of each pixel, and with 4 and 16 jittered ones. With one ray the far squares make a pattern that \
         is not there, and the edges are stairs; with sixteen the squares melt into grey, as they should.";

@@ -3,22 +3,40 @@
 //!
 //! New: render/needs_more.rs render/budget.rs render/adaptive.rs
 
-
-use crate::shared::horizon_view::HorizonView;
-use crate::lab::{adaptive_gain::map, adaptive_gain::measure, adaptive_gain::spent};
+use crate::kit::chapter;
+use crate::kit::sheet::sheet;
+use crate::kit::stage::{Drawn, Stage};
+use crate::lab::adaptive_gain::{map, measure, spent};
 use crate::lab::plot::Plot as _;
-use crate::kit::{stage::Drawn, stage::Stage};
-use crate::kit::{chapter, sheet::sheet};
+use glam::Vec3;
+use raybook::camera::pinhole::Pinhole;
+use raybook::math::pcg::Pcg;
 use raybook::render::adaptive::{Limits, adaptive, by_budget};
-use raybook::render::{film::Film, needs_more::Enough};
+use raybook::render::film::Film;
+use raybook::render::local::Local;
+use raybook::render::needs_more::Enough;
+use raybook::render::shadow;
+use raybook::render::whitted::Whitted;
 use raybook::sample::pattern::find;
+use raybook::scene::horizon;
 use std::process::ExitCode;
+
+/// The light that comes straight from the lamps, with shadows.
+const DIRECT: Whitted = Whitted {
+    local: Local {
+        samples: 1,
+        arrives: Some(shadow::lit),
+    },
+    depth: 1,
+};
 
 /// Draws the chapter's pictures.
 pub fn draw(stage: &Stage) -> Drawn {
     let film = stage.film(16.0 / 9.0);
-    let view = HorizonView::new(film.aspect())?;
-    let see = |place, rng: &mut _| view.radiance(place, rng);
+    let scene = horizon::scene();
+    let [eye, at] = horizon::VIEW;
+    let camera = Pinhole::look_at(eye, at, Vec3::Y, horizon::FOCAL_LENGTH, film.aspect())?;
+    let see = |place, rng: &mut Pcg| DIRECT.follow(&scene, &camera.ray_through(place), rng);
     let limits = Limits {
         first: 4,
         most: 4 * film.samples.max(2),

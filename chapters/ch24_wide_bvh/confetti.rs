@@ -1,16 +1,21 @@
 //! A teapot in a heap of confetti, in the light of the sky: many small triangles, and many rays for each pixel.
 
-use raybook::accel::Accel;
-use raybook::camera::pinhole::Pinhole;
-use raybook::image::{Image, rgb::Rgb};
+use crate::kit::palette::{BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILION, linear};
 use crate::shared::outdoors;
-use crate::kit::{palette::BLUE, palette::GREEN, palette::ORANGE, palette::PURPLE, palette::SKY, palette::VERMILION, palette::linear};
-use raybook::math::{basis::Basis, dir3::Dir3, interval::Interval, pcg, ray::Ray};
-use raybook::render::film::Film;
-use raybook::shape::mesh::Facet;
-use raybook::shape::{Hit, Shape, Surface, mesh::Mesh, plane::Plane, teapot};
 use glam::{Vec3, vec3};
 use rand::{Rng, RngExt};
+use raybook::accel::Accel;
+use raybook::camera::pinhole::Pinhole;
+use raybook::image::rgb::Rgb;
+use raybook::math::basis::Basis;
+use raybook::math::dir3::Dir3;
+use raybook::math::interval::Interval;
+use raybook::math::pcg;
+use raybook::math::ray::Ray;
+use raybook::render::followed::Followed;
+use raybook::shape::mesh::{Facet, Mesh};
+use raybook::shape::plane::Plane;
+use raybook::shape::{Hit, Shape, Surface, teapot};
 use std::f32::consts::TAU;
 
 /// A teapot, and so many pieces of paper on and around it.
@@ -60,21 +65,8 @@ impl Confetti {
         }
     }
 
-    /// The picture, and how many rays it takes.
-    pub fn picture(&self, film: &Film, accel: &impl Accel<Facet>) -> (Image, u64) {
-        let rays = std::sync::atomic::AtomicU64::new(0);
-        let camera = camera(film.aspect());
-        let image = film.render(|place, rng| {
-            let ray = camera.ray_through(place);
-            let (radiance, cast) = self.radiance(&ray, accel, rng);
-            rays.fetch_add(cast, std::sync::atomic::Ordering::Relaxed);
-            radiance
-        });
-        (image, rays.into_inner())
-    }
-
     /// What a ray sees: paper, porcelain or floor, in the light of sky and sun; and how many rays that takes.
-    fn radiance(&self, ray: &Ray, accel: &impl Accel<Facet>, rng: &mut impl Rng) -> (Rgb, u64) {
+    pub fn follow(&self, ray: &Ray, accel: &impl Accel<Facet>, rng: &mut impl Rng) -> Followed {
         /// Rays towards the sky.
         const TOWARD_SKY: u8 = 6;
         let floor = Plane::through(Vec3::ZERO, Dir3::Y);
@@ -82,7 +74,12 @@ impl Confetti {
             Some((_, hit)) => (self.colour(&hit), self.mesh.surface(ray, &hit)),
             None => match floor.hit(ray, Interval::AHEAD) {
                 Some(hit) => (Rgb::new(0.42, 0.40, 0.38), floor.surface(ray, &hit)),
-                None => return (outdoors::sky(ray.direction), 1),
+                None => {
+                    return Followed {
+                        radiance: outdoors::sky(ray.direction),
+                        rays: 1,
+                    };
+                }
             },
         };
         let inward = at.normal.dot(*ray.direction) > 0.0;
@@ -103,7 +100,10 @@ impl Confetti {
         let distance = (at.position - ray.origin).length();
         let far = (-(distance / 9.0).powi(4)).exp();
         let seen = outdoors::sky(Dir3::new_or(ray.direction.with_y(0.0), Dir3::Y));
-        (seen.lerp(colour * light, far), 2 + u64::from(TOWARD_SKY))
+        Followed {
+            radiance: seen.lerp(colour * light, far),
+            rays: 2 + u64::from(TOWARD_SKY),
+        }
     }
 
     fn colour(&self, hit: &Hit) -> Rgb {

@@ -1,20 +1,15 @@
 //! Eight boxes, one ray, and the sums that tell which of them it meets.
 
-use raybook::accel::wide_bvh::lanes::Lanes;
-use raybook::accel::wide_bvh::node::{CHILDREN, Link, Node};
-use raybook::accel::wide_bvh::portable::Portable;
-use raybook::accel::wide_bvh::ray::WideRay;
-use raybook::image::Image;
-use crate::kit::{figure::Canvas, figure::FONT, figure::figure};
-use crate::kit::{palette::BLUE, palette::FAINT, palette::GREEN, palette::INK, palette::VERMILION};
-use raybook::math::{aabb::Aabb, dir3::Dir3, ray::Ray};
-use glam::{Vec2, Vec3A, vec2, vec3};
-use plotters::prelude::{Circle, Color, IntoFont, PathElement, RGBColor, Rectangle, Text};
-use plotters::style::text_anchor::{HPos, Pos, VPos};
-use std::error::Error;
-
-/// What drawing returns.
-type Drawn = Result<(), Box<dyn Error>>;
+use crate::kit::figure::{CENTRE, Canvas, Figure, coloured, figure, write};
+use crate::kit::palette::{BLUE, FAINT, GREEN, INK, VERMILION};
+use crate::kit::stage::Drawn;
+use glam::{Vec2, vec2, vec3};
+use plotters::prelude::{Circle, Color, PathElement, RGBColor, Rectangle};
+use raybook::inside::wide_bvh::{CHILDREN, meets};
+use raybook::math::aabb::Aabb;
+use raybook::math::dir3::Dir3;
+use raybook::math::interval::Interval;
+use raybook::math::ray::Ray;
 
 /// The boxes: least x and y, greatest x and y.
 const BOXES: [[f32; 4]; CHILDREN] = [
@@ -36,7 +31,7 @@ const ORIGIN: Vec2 = vec2(110.0, 880.0);
 ///
 /// # Errors
 /// If plotters cannot draw.
-pub fn draw() -> Result<Image, Box<dyn Error>> {
+pub fn draw() -> Figure {
     let ray = Ray::new(
         vec3(0.2, 0.5, 0.0),
         Dir3::new_or(vec3(9.0, 3.2, 0.0), Dir3::X),
@@ -45,9 +40,8 @@ pub fn draw() -> Result<Image, Box<dyn Error>> {
         min: vec3(x0, y0, -1.0),
         max: vec3(x1, y1, 1.0),
     };
-    let node = Node::new(BOXES.map(|b| (aabb(b), Link::node(0))));
-    let wide = WideRay::new(&ray, 0.0, Vec3A::splat(10.0));
-    let (met, t) = Portable.boxes(&node, &wide, f32::INFINITY);
+    let boxes = BOXES.map(aabb);
+    let (met, t) = meets(&boxes, &ray, Interval::AHEAD);
     figure(960, 820, |canvas| {
         let mut order: Vec<_> = (0..CHILDREN).filter(|lane| met >> lane & 1 == 1).collect();
         order.sort_by(|&a, &b| t[a].total_cmp(&t[b]));
@@ -67,18 +61,19 @@ pub fn draw() -> Result<Image, Box<dyn Error>> {
             let place = pixel(vec2(at.x, at.y));
             canvas.draw(&Circle::new(place, 13, BLUE.filled()))?;
         }
-        table(canvas, &node, &ray, met, &order)
+        table(canvas, &boxes, &ray, met, &order)
     })
 }
 
-/// The lanes' sums, a column for each.
 /// A row of the table: its name, and what it has for each lane.
 type Row<'a> = (&'a str, &'a dyn Fn(usize) -> String);
 
-fn table(canvas: &Canvas, node: &Node, ray: &Ray, met: u32, order: &[usize]) -> Drawn {
+/// The lanes' sums, a column for each.
+fn table(canvas: &Canvas, boxes: &[Aabb], ray: &Ray, met: u32, order: &[usize]) -> Drawn {
     let along = |row: usize, lane: usize| {
-        let axis = row / 2;
-        (node.rows[row][lane] - ray.origin[axis]) / ray.direction[axis]
+        let (axis, Aabb { min, max }) = (row / 2, boxes[lane]);
+        let plane = if row % 2 == 0 { min } else { max };
+        (plane[axis] - ray.origin[axis]) / ray.direction[axis]
     };
     let enter = |lane: usize| along(0, lane).max(along(2, lane)).max(0.0);
     let leave = |lane: usize| along(1, lane).min(along(3, lane));
@@ -125,9 +120,6 @@ fn pixel(p: Vec2) -> (i32, i32) {
     (at.x as i32, at.y as i32)
 }
 
-fn text(canvas: &Canvas, text: &str, at: (i32, i32), size: i32, colour: RGBColor) -> Drawn {
-    let style = (FONT, size).into_font().color(&colour);
-    let style = style.pos(Pos::new(HPos::Center, VPos::Center));
-    canvas.draw(&Text::new(text.to_owned(), at, style))?;
-    Ok(())
+fn text(canvas: &Canvas, words: &str, at: (i32, i32), size: i32, colour: RGBColor) -> Drawn {
+    write(canvas, words, at, coloured(size, colour).pos(CENTRE))
 }

@@ -4,31 +4,40 @@
 //! New: accel/wide_bvh/mod.rs accel/wide_bvh/avx2.rs accel/wide_bvh/batch.rs accel/wide_bvh/build.rs
 //! New: accel/wide_bvh/collapse.rs accel/wide_bvh/lanes.rs accel/wide_bvh/nearest.rs accel/wide_bvh/node.rs
 //! New: accel/wide_bvh/optimal.rs accel/wide_bvh/pages.rs accel/wide_bvh/portable.rs accel/wide_bvh/ray.rs accel/wide_bvh/search.rs
-//! New: accel/wide_bvh/stack.rs accel/wide_bvh/validate.rs accel/wide_bvh/walk.rs
+//! New: accel/wide_bvh/stack.rs accel/wide_bvh/tree.rs accel/wide_bvh/validate.rs accel/wide_bvh/walk.rs
 
 mod confetti;
 mod eight_boxes;
 mod wide_gain;
 mod wide_trees;
 
-use raybook::accel::{bvh::Bvh, wide_bvh::WideBvh};
-use confetti::Confetti;
-use crate::kit::{stage::Drawn, stage::Stage};
 use crate::kit::chapter;
-
+use crate::kit::stage::{Drawn, Stage};
 use crate::shared::{heat, showroom};
+use confetti::Confetti;
+use raybook::accel::bvh::Bvh;
+use raybook::accel::wide_bvh::WideBvh;
+use raybook::render::refine::refine;
 use std::process::ExitCode;
+use std::sync::atomic::AtomicU64;
+use std::sync::atomic::Ordering::Relaxed;
 
 /// Draws the chapter's pictures.
 pub fn draw(stage: &Stage) -> Drawn {
     let film = stage.film_of(960, 4, 1.78);
     let confetti = Confetti::new(120_000);
     let tree = WideBvh::new(confetti.mesh.facets());
-    let (picture, rays) = confetti.picture(&film, &tree);
+    let camera = confetti::camera(film.aspect());
+    let rays = AtomicU64::new(0);
+    let picture = refine(&film, |place, numbers| {
+        let seen = confetti.follow(&camera.ray_through(place), &tree, numbers);
+        rays.fetch_add(seen.rays, Relaxed);
+        seen
+    });
     let caption = format!(
         "A teapot in a heap of confetti, {} triangles. {:.1} million rays make this picture: each point looks for the sky in six directions, and for the sun.",
         confetti.mesh.triangles().len(),
-        rays as f64 / 1e6
+        rays.into_inner() as f64 / 1e6
     );
     stage.picture("picture", &caption, &picture)?;
 
@@ -53,7 +62,6 @@ pub fn draw(stage: &Stage) -> Drawn {
         &wide_gain::gain(&rays, &two, &tree, &note)?,
     )?;
     let caption = "What each ray of the camera costs, on the scale of the other structures' maps.";
-    let camera = confetti::camera(film.aspect());
     let heat = heat::heat(&showroom::small(&film), |p| camera.ray_through(p), &tree);
     stage.figure("heat", caption, &heat.figure("nodes visited")?)
 }

@@ -1,11 +1,13 @@
 //! What each step from two children to eight gives: in counts, and in time on this machine.
 
+use crate::kit::bars::bars;
 use raybook::accel::bvh::Bvh;
 use raybook::accel::wide_bvh::WideBvh;
 use raybook::accel::{Accel, Tests};
 use raybook::image::Image;
-use crate::kit::bars::bars;
-use raybook::math::{interval::Interval, pcg, ray::Ray};
+use raybook::math::interval::Interval;
+use raybook::math::pcg;
+use raybook::math::ray::Ray;
 use raybook::shape::mesh::{Facet, Mesh};
 use std::error::Error;
 use std::hint::black_box;
@@ -17,9 +19,9 @@ const ROUNDS: usize = 5;
 
 /// Rays that go their own ways: from a point of a ball around the mesh to another.
 pub fn rays(mesh: &Mesh, n: usize) -> Vec<Ray> {
-    use raybook::math::dir3::Dir3;
     use glam::Vec3;
     use rand::RngExt;
+    use raybook::math::dir3::Dir3;
     let bounds = mesh.bounds();
     let radius = 0.5 * bounds.size().length();
     let mut rng = pcg::stream(24, 1);

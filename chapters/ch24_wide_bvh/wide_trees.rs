@@ -1,16 +1,14 @@
 //! A binary tree and the wide one that is made of it, side by side.
 
-use raybook::accel::bvh::COST;
-use raybook::accel::bvh::build::flat::Node;
-use raybook::accel::bvh::build::{Method, build, cost::Cost};
-use raybook::accel::wide_bvh::collapse::{binary, children, collapse};
-use raybook::image::Image;
-use crate::kit::{figure::Canvas, figure::FONT, figure::figure};
-use crate::kit::{palette::BLUE, palette::FAINT, palette::INK, palette::ORANGE};
+use crate::kit::figure::{CENTRE, Canvas, Figure, figure, text, write};
+use crate::kit::palette::{BLUE, FAINT, INK, ORANGE};
+use crate::kit::stage::Drawn;
+use plotters::prelude::{Circle, Color, PathElement, Rectangle, WHITE};
+use raybook::accel::bvh::build::Method;
+use raybook::inside::bvh::{COST, Cost, Node, build};
+use raybook::inside::wide_bvh::{binary, children, collapse};
 use raybook::scene::soup::soup;
 use raybook::shape::Shape;
-use plotters::prelude::{Circle, Color, IntoFont, PathElement, Rectangle, Text, WHITE};
-use plotters::style::text_anchor::{HPos, Pos, VPos};
 use std::collections::BTreeMap;
 use std::error::Error;
 
@@ -23,14 +21,11 @@ const HEIGHT: u32 = 1500;
 const TOP: [i32; 2] = [190, 1040];
 const STEP: [i32; 2] = [82, 130];
 
-/// What drawing returns.
-type Drawn = Result<(), Box<dyn Error>>;
-
 /// Above the binary tree, the branches that stay in blue; below what becomes of it.
 ///
 /// # Errors
 /// If plotters cannot draw.
-pub fn draw() -> Result<Image, Box<dyn Error>> {
+pub fn draw() -> Figure {
     let boxes: Vec<_> = soup(LEAVES, 6).facets().iter().map(Shape::bounds).collect();
     let nodes = binary(&build(&boxes, Method::Sweep, &Cost { most: 1, ..COST }));
     let families = collapse(&nodes);
@@ -68,13 +63,8 @@ pub fn draw() -> Result<Image, Box<dyn Error>> {
             format!("up to eight children: {} branches stay", wide.len()),
         ];
         for (title, top) in titles.iter().zip(TOP) {
-            let style = (FONT, 46).into_font().color(&INK);
-            let style = style.pos(Pos::new(HPos::Center, VPos::Center));
-            canvas.draw(&Text::new(
-                title.clone(),
-                (WIDTH as i32 / 2, top - 110),
-                style,
-            ))?;
+            let above = (WIDTH as i32 / 2, top - 110);
+            write(canvas, title, above, text(46).pos(CENTRE))?;
         }
         Ok(())
     })
@@ -122,7 +112,7 @@ impl Picture<'_, '_> {
         let (fill, rim) = if (self.stays)(i) {
             (BLUE, BLUE)
         } else {
-            (WHITE_FILL, FAINT)
+            (WHITE, FAINT)
         };
         self.canvas.draw(&Circle::new(at, 20, fill.filled()))?;
         self.canvas
@@ -130,6 +120,3 @@ impl Picture<'_, '_> {
         Ok(())
     }
 }
-
-/// The inside of a branch that gives way.
-const WHITE_FILL: plotters::style::RGBColor = WHITE;

@@ -1,9 +1,9 @@
 //! The words of a described scene as a figure.
 
-use raybook::image::Image;
 use crate::kit::figure::{LEFT, SCALE, coloured, figure, text, write};
 use crate::kit::palette::BLUE;
-use raybook_workbook::exercises::ch25_capstone::TraceQuestion;
+use raybook::image::Image;
+use raybook_workbook::exercises::ch25_capstone::Trace;
 use raybook_workbook::row::Row;
 use std::error::Error;
 
@@ -14,9 +14,9 @@ use std::error::Error;
 pub fn words(
     width: usize,
     height: usize,
-    question: &TraceQuestion,
+    question: &Trace,
 ) -> Result<Image, Box<dyn Error>> {
-    let TraceQuestion { depth, ray, scene } = question;
+    let Trace { depth, ray, scene } = question;
     let mut lines = vec![
         (
             "the exercise, and how many surfaces in a row",

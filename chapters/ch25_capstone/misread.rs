@@ -1,8 +1,10 @@
 //! What a ray tracer shows if it is wrong: some mistakes come down to another scene, here in the four scenes.
 
-use raybook::camera::pinhole::LookAtError;
-use raybook::image::{Image, rgb::Rgb, rms::rms};
 use crate::kit::{palette, sheet};
+use raybook::camera::pinhole::LookAtError;
+use raybook::image::Image;
+use raybook::image::rgb::Rgb;
+use raybook::image::rms::rms;
 use raybook::scene::description::{Description, Matter};
 use raybook::scene::four_scenes::{FOUR, Staged};
 use std::error::Error;

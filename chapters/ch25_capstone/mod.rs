@@ -6,16 +6,18 @@
 mod described;
 mod misread;
 
+use crate::kit::chapter;
+use crate::kit::sheet::sheet;
+use crate::kit::stage::{Drawn, Stage};
 use glam::{Vec2, Vec3};
 use raybook::camera::pinhole::{LookAtError, Pinhole};
 use raybook::image::Image;
-use crate::kit::{stage::Drawn, stage::Stage};
-use crate::kit::{chapter, sheet::sheet};
-
-use raybook::render::{film::Film, trace::trace};
+use raybook::render::film::Film;
+use raybook::render::refine::refine;
+use raybook::render::trace::trace;
 use raybook::scene::description::Description;
 use raybook::scene::four_scenes::{ASPECT, FOUR, Staged};
-use raybook_workbook::exercises::ch25_capstone::TraceQuestion;
+use raybook_workbook::exercises::ch25_capstone::Trace;
 use std::process::ExitCode;
 
 /// Draws the chapter's pictures.
@@ -34,7 +36,7 @@ pub fn draw(stage: &Stage) -> Drawn {
         &sheet(2, &tiles)?,
     )?;
     let (easiest, shown) = (&FOUR[0], tiles.swap_remove(0).1);
-    let question = TraceQuestion {
+    let question = Trace {
         depth: easiest.depth,
         ray: camera(easiest)?.ray_through(Vec2::splat(0.5)),
         scene: (easiest.scene)(),
@@ -68,7 +70,9 @@ fn photograph(
     depth: u32,
 ) -> Result<Image, LookAtError> {
     let camera = camera(staged)?;
-    Ok(film.render(|place, _| trace(scene, &camera.ray_through(place), depth)))
+    Ok(refine(film, |place, _| {
+        trace(scene, &camera.ray_through(place), depth)
+    }))
 }
 
 /// The chapter's binary.

@@ -4,8 +4,11 @@ use crate::kit::stage::{Drawn, Stage, progress_bar};
 use crate::kit::{options::Options, say::say};
 use crate::lesson::{self, Lesson};
 use clap::{Args, CommandFactory, FromArgMatches, Parser};
+use raybook_workbook::answer::unwritten;
 use std::error::Error;
+use std::panic;
 use std::process::ExitCode;
+use std::sync::Mutex;
 
 /// No options beyond the shared ones.
 #[derive(Args)]
@@ -29,6 +32,7 @@ pub fn run(chapter: &'static str, draw: fn(&Stage) -> Drawn) -> ExitCode {
 
 /// As [`run`], for a chapter with options of its own.
 pub fn run_with<E: Args>(chapter: &'static str, draw: impl FnOnce(&Stage, E) -> Drawn) -> ExitCode {
+    end_at_what_is_unwritten();
     let about = lesson::find(chapter).map_or_else(String::new, Lesson::teaches);
     let matches = Command::<E>::command()
         .name(chapter)
@@ -56,6 +60,28 @@ pub fn run_with<E: Args>(chapter: &'static str, draw: impl FnOnce(&Stage, E) -> 
             ExitCode::from(2)
         }
     }
+}
+
+/// In a student's workbook, a function that is not written yet ends the program with a sentence.
+fn end_at_what_is_unwritten() {
+    /// Something is missing, as `raybook check` counts it.
+    const MISSING: i32 = 1;
+    let panics = panic::take_hook();
+    panic::set_hook(Box::new(move |info| {
+        let Some(name) = unwritten(info.payload()) else {
+            return panics(info);
+        };
+        // Several threads come here at the same time: the first one speaks.
+        static SPEAKS: Mutex<()> = Mutex::new(());
+        let _speaks = SPEAKS.lock();
+        let place = info.location().map_or_else(String::new, |place| {
+            format!(" in {}:{}", place.file(), place.line())
+        });
+        eprintln!(
+            "error: this chapter's pictures need {name}, which is not written yet: write it{place}; `raybook exercise {name}` says what it is asked"
+        );
+        std::process::exit(MISSING);
+    }));
 }
 
 /// Prints an error and what caused it.

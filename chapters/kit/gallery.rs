@@ -19,11 +19,16 @@ pub struct Drawing {
     pub time: Duration,
 }
 
-/// Writes the gallery into the folder that holds the chapters' folders, and returns its path.
+/// The gallery's file in the folder that holds the chapters' folders.
+pub fn page_in(folder: &Path) -> PathBuf {
+    folder.join("index.html")
+}
+
+/// Writes the gallery of these chapters.
 ///
 /// # Errors
 /// If the file cannot be written.
-pub fn write(folder: &Path, drawings: &[Drawing]) -> io::Result<PathBuf> {
+pub fn write(folder: &Path, drawings: &[Drawing]) -> io::Result<()> {
     let body = html! {
         h1 { "raybook" }
         p { "A ray-tracing course that you can run. Every picture here was drawn on this machine; click one to see it whole." }
@@ -31,9 +36,7 @@ pub fn write(folder: &Path, drawings: &[Drawing]) -> io::Result<PathBuf> {
         @for drawing in drawings { (section(folder, drawing)) }
     };
     let page = page("raybook: the pictures", &body);
-    let path = folder.join("index.html");
-    file::write_whole(&path, page.as_bytes())?;
-    Ok(path)
+    file::write_whole(&page_in(folder), page.as_bytes())
 }
 
 fn section(folder: &Path, drawing: &Drawing) -> Markup {

@@ -14,3 +14,4 @@ pub mod say;
 pub mod sheet;
 pub mod sketch;
 pub mod stage;
+pub mod terminal;

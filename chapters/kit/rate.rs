@@ -1,6 +1,5 @@
 //! How many rays a second are followed while a chapter draws.
 
-use raybook::scene::tally;
 use std::cell::Cell;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use std::time::Instant;
@@ -18,9 +17,10 @@ pub struct Rate {
 }
 
 impl Rate {
-    /// A tile is done, on this thread. A thread's first one does not count: nobody knows when it was begun.
-    pub fn tile(&self) {
-        let (rays, now) = (tally::take(), Instant::now());
+    /// A tile is done, on this thread, with so many rays. A thread's first one does not count: nobody knows when it was
+    /// begun.
+    pub fn tile(&self, rays: u64) {
+        let now = Instant::now();
         if let Some(before) = BEFORE.replace(Some(now)) {
             self.rays.fetch_add(rays, Relaxed);
             let time = now.duration_since(before).as_nanos() as u64;

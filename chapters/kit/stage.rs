@@ -1,9 +1,9 @@
 //! The stage on which a chapter draws: its films, its progress, and where its pictures go.
 
-use crate::kit::{options::Options, rate::Rate};
+use crate::kit::{options::Options, rate::Rate, terminal};
 use indicatif::{ProgressBar, ProgressStyle};
-use raybook::image::{Image, codec, file};
-use raybook::render::film::Film;
+use raybook::image::{Image, file};
+use raybook::render::film::{Done, Film};
 use std::cell::RefCell;
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -30,7 +30,7 @@ pub struct Stage {
     options: Options,
     folder: PathBuf,
     show: bool,
-    advance: Box<dyn Fn(usize) + Sync>,
+    advance: Box<dyn Fn(Done) + Sync>,
     bar: ProgressBar,
     rate: Arc<Rate>,
     outputs: RefCell<Vec<Output>>,
@@ -43,9 +43,9 @@ impl Stage {
         let rate = Arc::new(Rate::default());
         let advance = Box::new({
             let (bar, rate) = (bar.clone(), Arc::clone(&rate));
-            move |pixels| {
-                rate.tile();
-                bar.inc(pixels as u64);
+            move |done: Done| {
+                rate.tile(done.rays);
+                bar.inc(done.pixels as u64);
             }
         });
         Self {
@@ -121,16 +121,7 @@ impl Stage {
         let png = self.folder.join(name).with_extension("png");
         file::save(&png, picture)?;
         if self.show {
-            let shown = image::DynamicImage::ImageRgb8(codec::to_display(picture));
-            self.bar.suspend(|| {
-                viuer::print(
-                    &shown,
-                    &viuer::Config {
-                        absolute_offset: false,
-                        ..Default::default()
-                    },
-                )
-            })?;
+            self.bar.suspend(|| terminal::print(picture))?;
         }
         self.outputs.borrow_mut().push(Output {
             png,

@@ -1,13 +1,14 @@
 //! What adaptive supersampling saves: the error against the rays that were spent.
 
 use crate::kit::palette::viridis;
+use crate::lab::error_plot::{Curve, ErrorPlot};
 use crate::lab::integrands::Error;
 use crate::lab::plot::colour;
-use crate::lab::{error_plot::Curve, error_plot::ErrorPlot};
 use plotters::prelude::Color;
 use raybook::image::Image;
 use raybook::render::adaptive::{Adaptive, Limits, adaptive, by_budget};
 use raybook::render::film::Film;
+use raybook::render::followed::Followed;
 use raybook::render::needs_more::Enough;
 use raybook::render::supersample::{Radiance, supersample};
 use raybook::sample::pattern::Pattern;
@@ -28,7 +29,12 @@ pub fn rms(one: &Image, other: &Image) -> f64 {
 /// Error against rays: the same number for every pixel, by a budget, and by contrast.
 ///
 /// `see` is asked for every ray; the reference has so many samples a pixel.
-pub fn measure(film: &Film, pattern: &Pattern, reference: usize, see: &impl Radiance) -> ErrorPlot {
+pub fn measure(
+    film: &Film,
+    pattern: &Pattern,
+    reference: usize,
+    see: &impl Radiance<Followed>,
+) -> ErrorPlot {
     let exact = Film {
         samples: reference,
         seed: film.seed + 1,

@@ -1,7 +1,7 @@
 //! How evenly points fill the square, in numbers.
 
 use glam::Vec2;
-use raybook::sample::pattern::neighbours::Space;
+use raybook::inside::Space;
 
 /// The L₂ star discrepancy, squared: the mean, over all boxes from the origin, of (share of points in it − its area)².
 ///

@@ -1,14 +1,14 @@
 //! Error against samples, both axes logarithmic.
 
-use crate::kit::figure::FONT;
-use crate::kit::{palette::FAINT, palette::INK};
-use crate::lab::{integrands::Error, integrands::slope};
-use crate::lab::{plot::Drawn, plot::Plot, plot::coloured};
+use crate::kit::axis::Axis;
+use crate::kit::chart::{Chart, Corner};
+use crate::kit::figure::CENTRE;
+use crate::kit::palette::{FAINT, INK};
+use crate::kit::stage::Drawn;
+use crate::lab::integrands::{Error, slope};
+use crate::lab::plot::Plot;
 use plotters::coord::Shift;
-use plotters::prelude::{
-    ChartBuilder, Circle, Color, DrawingArea, DrawingBackend, IntoFont, IntoLogRange, LineSeries,
-    PathElement, Polygon, SeriesLabelPosition, ShapeStyle, Text, WHITE,
-};
+use plotters::prelude::{Color, DrawingArea, DrawingBackend, ShapeStyle};
 use std::fmt::Write;
 
 /// Slopes that are drawn as guides, with what they mean.
@@ -62,35 +62,21 @@ impl Plot for ErrorPlot {
         B::ErrorType: 'static,
     {
         let [left, right, bottom, top] = self.range();
-        let font = |size: u32| (FONT, size).into_font().color(&INK);
-        let mut chart = ChartBuilder::on(canvas)
-            .margin(24)
-            .margin_right(90)
-            .caption(&self.title, font(42))
-            .x_label_area_size(90)
-            .y_label_area_size(140)
-            .build_cartesian_2d(
-                (left..right).log_scale().base(2.0),
-                (bottom..top).log_scale(),
-            )?;
-        chart
-            .configure_mesh()
-            .light_line_style(WHITE.mix(0.0))
-            .bold_line_style(FAINT.mix(0.4))
-            .x_label_formatter(&|n| format!("{n:.0}"))
-            .y_label_formatter(&|error| format!("{error:.0e}"))
-            .x_desc("samples")
-            .y_desc("RMS error")
-            .label_style(font(28))
-            .axis_desc_style(font(30))
-            .draw()?;
+        let samples = Axis::log2(left..right).named("samples");
+        let errors = Axis::log(bottom..top)
+            .named("RMS error")
+            .format(|error| format!("{error:.0e}"));
+        let mut chart = Chart::new(samples, errors)
+            .titled(&self.title)
+            .text(28)
+            .legend(Corner::LowerLeft);
         for (slope, name) in GUIDES {
             let at = |n: f64| (n, 0.75 * top * (n / left).powf(slope));
             let end = right.min(left * (0.75 * top / bottom).powf(-1.0 / slope));
-            let guide = LineSeries::new([at(left), at(end)], FAINT.stroke_width(3));
-            chart.draw_series(guide)?;
-            let label = Text::new(name, at(left * (end / left).powf(0.93)), coloured(30, INK));
-            chart.draw_series([label])?;
+            let beside = at(left * (end / left).powf(0.93));
+            chart
+                .line([at(left), at(end)], FAINT.stroke_width(3))
+                .label(CENTRE, beside, name, INK);
         }
         for curve in &self.curves {
             let stroke = curve.stroke;
@@ -99,30 +85,18 @@ impl Plot for ErrorPlot {
                 .errors
                 .iter()
                 .map(|e| (e.n as f64, e.high.max(bottom)));
-            let band: Vec<_> = up.chain(curve.errors.iter().rev().map(low)).collect();
-            chart.draw_series([Polygon::new(band, stroke.color.mix(0.18))])?;
+            let band = up.chain(curve.errors.iter().rev().map(low));
+            chart.area(band, stroke.color.mix(0.18));
             let inside: Vec<_> = curve.errors.iter().filter(|e| e.rms >= bottom).collect();
-            let line = inside.iter().map(|e| (e.n as f64, e.rms));
+            let line = || inside.iter().map(|e| (e.n as f64, e.rms));
             let measured: Vec<_> = inside.iter().map(|e| **e).collect();
             let name = format!("{}: {:.2}", curve.title, slope(&measured)).replace(": -", ": −");
-            chart
-                .draw_series(LineSeries::new(line.clone(), stroke))?
-                .label(name)
-                .legend(move |(x, y)| PathElement::new([(x, y), (x + 40, y)], stroke));
+            chart.line(line(), stroke).named(&name);
             if stroke.color.3 == 1.0 {
-                chart.draw_series(line.map(|p| Circle::new(p, 6, stroke.filled())))?;
+                chart.dots(line(), 6, stroke.filled());
             }
         }
-        chart
-            .configure_series_labels()
-            .position(SeriesLabelPosition::LowerLeft)
-            .label_font(font(28))
-            .legend_area_size(60)
-            .margin(20)
-            .background_style(WHITE.mix(0.9))
-            .border_style(FAINT)
-            .draw()?;
-        Ok(())
+        chart.draw(canvas)
     }
 
     fn csv(&self) -> String {

@@ -1,8 +1,10 @@
 //! The lab's page: every figure with its files, and the table.
 
-use crate::kit::{html::figure, html::page};
-use crate::lab::{plot::Drawn, plot::Plot};
-use crate::lab::{table, table::Row};
+use crate::kit::html::{figure, page};
+use crate::kit::stage::Drawn;
+use crate::lab::plot::Plot;
+use crate::lab::table;
+use crate::lab::table::Row;
 use maud::{Markup, html};
 use raybook::image::{Image, file};
 use std::error::Error;

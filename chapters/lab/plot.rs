@@ -1,19 +1,14 @@
 //! A plot that can be drawn as pixels and as an SVG file, and its numbers as a table.
 
-use crate::kit::palette::INK;
-use crate::kit::{figure::FONT, figure::SCALE, figure::figure};
+use crate::kit::figure::{Figure, SCALE, figure};
+use crate::kit::stage::Drawn;
 use crate::lab::subject::Subject;
 use plotters::coord::Shift;
 use plotters::prelude::{
-    BLACK, Color, DrawingArea, DrawingBackend, IntoDrawingArea, IntoFont, RGBColor, SVGBackend,
-    ShapeStyle, TextStyle, WHITE,
+    BLACK, Color, DrawingArea, DrawingBackend, IntoDrawingArea, RGBColor, SVGBackend, ShapeStyle,
+    WHITE,
 };
-use plotters::style::text_anchor::{HPos, Pos, VPos};
-use raybook::image::Image;
 use std::error::Error;
-
-/// What drawing returns.
-pub type Drawn = Result<(), Box<dyn Error>>;
 
 /// Something to be looked at, in whatever form.
 pub trait Plot {
@@ -35,7 +30,7 @@ pub trait Plot {
     ///
     /// # Errors
     /// What plotters reports.
-    fn image(&self) -> Result<Image, Box<dyn Error>> {
+    fn image(&self) -> Figure {
         let (width, height) = self.size();
         figure(width, height, |canvas| self.draw(canvas))
     }
@@ -58,17 +53,6 @@ pub trait Plot {
         }
         Ok(text)
     }
-}
-
-/// Text in ink, anchored at its middle.
-pub fn text(size: u32) -> TextStyle<'static> {
-    coloured(size, INK)
-}
-
-/// Text in a colour, anchored at its middle.
-pub fn coloured(size: u32, colour: RGBColor) -> TextStyle<'static> {
-    let middle = Pos::new(HPos::Center, VPos::Center);
-    (FONT, size).into_font().color(&colour).pos(middle)
 }
 
 /// The colours of curves, in order: seven, and then the same ones darker.

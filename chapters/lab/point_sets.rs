@@ -1,12 +1,14 @@
 //! Patterns' points in the square, with the cells that some of them have.
 
-use crate::kit::{palette::BLUE, palette::FAINT, palette::INK};
+use crate::kit::figure::{CENTRE, text, write};
+use crate::kit::palette::{BLUE, FAINT, INK};
+use crate::kit::stage::Drawn;
+use crate::lab::plot::Plot;
 use crate::lab::subject::Subject;
-use crate::lab::{plot::Drawn, plot::Plot, plot::text};
 use glam::{Vec2, vec2};
 use plotters::coord::Shift;
 use plotters::prelude::{
-    Circle, Color, DrawingArea, DrawingBackend, PathElement, RGBColor, Rectangle, Text,
+    Circle, Color, DrawingArea, DrawingBackend, PathElement, RGBColor, Rectangle,
 };
 use raybook::sample::pattern::{Pattern, multi_jittered, rows};
 use std::fmt::Write;
@@ -96,7 +98,7 @@ impl Plot for PointSets<'_> {
                 (left + on_canvas.x as i32, top + on_canvas.y as i32)
             };
             let heading = (left + SIDE / 2, top - TITLE / 2);
-            canvas.draw(&Text::new(subject.title(), heading, text(38)))?;
+            write(canvas, &subject.title(), heading, text(38).pos(CENTRE))?;
             for (from, to, colour) in strata(&subject.pattern, self.n) {
                 let line = vec![place(from), place(to)];
                 canvas.draw(&PathElement::new(line, colour.stroke_width(2)))?;

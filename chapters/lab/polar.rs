@@ -1,14 +1,14 @@
 //! The error of an edge, by the angle at which it passes through the pixel.
 
-use crate::kit::{palette::FAINT, palette::INK};
+use crate::kit::figure::{CENTRE as MIDDLE, LEFT, RIGHT, text, write};
+use crate::kit::palette::FAINT;
+use crate::kit::stage::Drawn;
 use crate::lab::edge;
+use crate::lab::plot::{Plot, strokes};
 use crate::lab::subject::Subject;
-use crate::lab::{plot::Drawn, plot::Plot, plot::coloured, plot::strokes, plot::text};
 use plotters::coord::Shift;
-use plotters::prelude::{
-    Circle, Color, DrawingArea, DrawingBackend, PathElement, ShapeStyle, Text,
-};
-use plotters::style::text_anchor::{HPos, Pos, VPos};
+use plotters::prelude::{Circle, Color, DrawingArea, DrawingBackend, PathElement, ShapeStyle};
+use plotters::style::text_anchor::Pos;
 use rayon::prelude::*;
 use std::f64::consts::PI;
 use std::fmt::Write;
@@ -99,7 +99,7 @@ impl Plot for Polar {
         for ring in 1..=rings as i32 {
             let error = f64::from(ring) * step;
             let at = place(error, 0.62 * PI / 4.0);
-            canvas.draw(&Text::new(format!("{error:.2}"), at, coloured(30, INK)))?;
+            write(canvas, &format!("{error:.2}"), at, text(30).pos(MIDDLE))?;
         }
         for (label, angle) in [("vertical edge", 0.0), ("horizontal edge", 0.5 * PI)] {
             let (x, y) = place(rings * step, angle);
@@ -108,7 +108,7 @@ impl Plot for Polar {
             } else {
                 (x, y - 40)
             };
-            canvas.draw(&Text::new(label, at, text(32)))?;
+            write(canvas, label, at, text(32).pos(MIDDLE))?;
         }
         self.legend(canvas)
     }
@@ -131,25 +131,23 @@ impl Polar {
     where
         B::ErrorType: 'static,
     {
-        let say = |words: &str, (x, y): (i32, i32), end: HPos| {
-            let style = text(32).pos(Pos::new(end, VPos::Center));
-            canvas.draw(&Text::new(words.to_owned(), (x, y), style))
-        };
+        let say =
+            |words: &str, at: (i32, i32), end: Pos| write(canvas, words, at, text(32).pos(end));
         let samples = if self.n == 1 { "sample" } else { "samples" };
         let heading = format!("RMS error of the covered area, {} {samples}", self.n);
-        say(&heading, (LEGEND[0], 70), HPos::Left)?;
+        say(&heading, (LEGEND[0], 70), LEFT)?;
         let [swatch, name, mean, worst] = LEGEND;
-        say("mean", (mean, 150), HPos::Right)?;
-        say("worst", (worst, 150), HPos::Right)?;
+        say("mean", (mean, 150), RIGHT)?;
+        say("worst", (worst, 150), RIGHT)?;
         for (curve, i) in self.curves.iter().zip(0..) {
             let y = 220 + 70 * i;
             let line = vec![(swatch, y), (swatch + 60, y)];
             canvas.draw(&PathElement::new(line, curve.stroke))?;
-            say(&curve.title, (name, y), HPos::Left)?;
+            say(&curve.title, (name, y), LEFT)?;
             let of_angles = curve.errors.iter().sum::<f64>() / ANGLES as f64;
             let largest = curve.errors.iter().fold(0.0_f64, |most, e| most.max(*e));
-            say(&format!("{of_angles:.4}"), (mean, y), HPos::Right)?;
-            say(&format!("{largest:.4}"), (worst, y), HPos::Right)?;
+            say(&format!("{of_angles:.4}"), (mean, y), RIGHT)?;
+            say(&format!("{largest:.4}"), (worst, y), RIGHT)?;
         }
         Ok(())
     }

@@ -1,18 +1,19 @@
 //! The sampling lab from the first plot to the page.
 
 use crate::kit::sheet::sheet;
+use crate::kit::stage::Drawn;
+use crate::lab::error_plot::{Curve, ErrorPlot};
 use crate::lab::page::Page;
+use crate::lab::plot::strokes;
 use crate::lab::point_sets::PointSets;
 use crate::lab::polar::Polar;
+use crate::lab::settings::{FEW, Settings, counts};
 use crate::lab::spectrum::Spectrum;
 use crate::lab::spectrum_plot::SpectrumPlot;
 use crate::lab::steps::Steps;
 use crate::lab::table::Row;
 use crate::lab::targets::TARGETS;
-use crate::lab::{error_plot::Curve, error_plot::ErrorPlot};
 use crate::lab::{integrands, sheets};
-use crate::lab::{plot::Drawn, plot::strokes};
-use crate::lab::{settings::FEW, settings::Settings, settings::counts};
 use raybook::render::film::Film;
 use std::error::Error;
 use std::path::PathBuf;

@@ -1,14 +1,17 @@
 //! Contact sheets of patterns and filters at work.
 
 use crate::kit::figure::figure;
+use crate::kit::palette::{BLUE, FAINT};
 use crate::kit::sheet::sheet;
-use crate::kit::{palette::BLUE, palette::FAINT};
 use crate::lab::subject::Subject;
-use crate::lab::{targets, targets::Target};
+use crate::lab::targets;
+use crate::lab::targets::Target;
 use glam::{Vec2, vec2};
 use plotters::prelude::{Color, PathElement};
-use raybook::image::{Image, rgb::Rgb};
-use raybook::render::{film::Film, supersample};
+use raybook::image::Image;
+use raybook::image::rgb::Rgb;
+use raybook::render::film::Film;
+use raybook::render::supersample;
 use raybook::sample::filter::Filter;
 use raybook::sample::pattern::Pattern;
 use std::error::Error;

@@ -1,14 +1,14 @@
 //! A power spectrum as a picture, its mean over rings, and how much it varies within them.
 
-use crate::kit::figure::FONT;
-use crate::kit::{palette::BLUE, palette::FAINT, palette::INK};
+use crate::kit::axis::Axis;
+use crate::kit::chart::Chart;
+use crate::kit::figure::{CENTRE, text, write};
+use crate::kit::palette::{BLUE, FAINT};
+use crate::kit::stage::Drawn;
+use crate::lab::plot::Plot;
 use crate::lab::spectrum::Spectrum;
-use crate::lab::{plot::Drawn, plot::Plot, plot::text};
 use plotters::coord::Shift;
-use plotters::prelude::{
-    ChartBuilder, Color, DrawingArea, DrawingBackend, IntoFont, LineSeries, RGBColor, Rectangle,
-    Text, WHITE,
-};
+use plotters::prelude::{Color, DrawingArea, DrawingBackend, RGBColor, Rectangle};
 use raybook::image::rgb::Rgb;
 use raybook::image::tone;
 use std::fmt::Write;
@@ -52,11 +52,8 @@ impl Plot for SpectrumPlot {
     {
         let limit = self.spectrum.limit as i32;
         let edge = |f: i32| (f + limit) * SIDE / (2 * limit + 1);
-        canvas.draw(&Text::new(
-            self.title.as_str(),
-            (LEFT + SIDE / 2, TOP / 2),
-            text(40),
-        ))?;
+        let above = (LEFT + SIDE / 2, TOP / 2);
+        write(canvas, &self.title, above, text(40).pos(CENTRE))?;
         for y in -limit..=limit {
             for x in -limit..=limit {
                 let corners = [
@@ -99,30 +96,17 @@ fn curve<B: DrawingBackend>(
 where
     B::ErrorType: 'static,
 {
-    let font = |size: u32| (FONT, size).into_font().color(&INK);
     let right = points.last().map_or(1.0, |p| p.0);
-    let mut chart = ChartBuilder::on(canvas)
-        .margin(16)
-        .margin_right(40)
-        .caption(title, font(36))
-        .x_label_area_size(80)
-        .y_label_area_size(80)
-        .build_cartesian_2d(0.0..right, low..high)?;
-    chart
-        .configure_mesh()
-        .light_line_style(WHITE.mix(0.0))
-        .bold_line_style(FAINT.mix(0.3))
-        .x_labels(6)
-        .y_labels(6)
-        .x_label_formatter(&|f| format!("{f:.0}"))
-        .y_label_formatter(&|v| format!("{v:.0}"))
-        .x_desc("frequency, waves across the square")
-        .label_style(font(28))
-        .axis_desc_style(font(28))
-        .draw()?;
-    let line = [(0.0, level), (right, level)];
-    chart.draw_series(LineSeries::new(line, FAINT.stroke_width(4)))?;
+    let whole = |v: f64| format!("{v:.0}");
+    let frequencies = Axis::linear(0.0..right)
+        .named("frequency, waves across the square")
+        .labels(6)
+        .format(whole);
+    let values = Axis::linear(low..high).labels(6).format(whole);
+    let mut chart = Chart::new(frequencies, values).titled(title).text(28);
     let cut = points.iter().map(|&(r, v)| (r, v.clamp(low, high)));
-    chart.draw_series(LineSeries::new(cut, BLUE.stroke_width(5)))?;
-    Ok(())
+    chart
+        .line([(0.0, level), (right, level)], FAINT.stroke_width(4))
+        .line(cut, BLUE.stroke_width(5));
+    chart.draw(canvas)
 }

@@ -1,7 +1,7 @@
 //! Numbers of patterns, side by side.
 
+use crate::lab::discrepancy::{l2_star_squared, least_distance, star};
 use crate::lab::subject::Subject;
-use crate::lab::{discrepancy::l2_star_squared, discrepancy::least_distance, discrepancy::star};
 use raybook::sample::pattern::dart_throwing::largest_distance;
 use std::fmt::Write;
 use std::time::Instant;

@@ -1,11 +1,9 @@
 //! Rooms, scenes and figures that a few chapters share.
 
 pub mod daylight;
-pub mod even;
 pub mod flatland;
 pub mod growth;
 pub mod heat;
-pub mod horizon_view;
 pub mod law;
 pub mod outdoors;
 pub mod ray_tree;

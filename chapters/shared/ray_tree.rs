@@ -92,7 +92,8 @@ fn follow(
         .map(|sample| (seen.material.lit(&seen.surface, view, &sample), sample))
         .filter(|(lit, _)| *lit != Rgb::BLACK)
         .map(|(lit, sample)| {
-            let arrives = (whitted.local.arrives)(scene, &seen.surface, &sample);
+            let arrives = whitted.local.arrives;
+            let arrives = arrives.is_none_or(|arrives| arrives(scene, &seen.surface, &sample));
             toward_light(&seen, &sample, arrives.then_some(lit))
         })
         .collect();

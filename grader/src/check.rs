@@ -1,9 +1,10 @@
 //! Checking one exercise: asks the student's program, judges, diagnoses, and draws.
 
-use crate::ask::{Reply, Said, ask};
+use crate::ask::{Asker, Reply, Said};
 use crate::converse::{Limits, Program};
 use crate::diagnose::{Diagnosis, diagnose};
 use crate::examine::{Case, Examiner};
+use crate::picture::ask_pixels;
 use crate::triple::Triple;
 use std::io;
 
@@ -107,19 +108,64 @@ impl Report {
     }
 }
 
-/// Asks the program all the cases, and judges its replies.
+/// Asks the program all the cases of an exercise, and judges its replies.
 ///
 /// # Errors
 /// If the program cannot be started.
 pub fn check(
-    program: &Program,
+    asker: &mut Asker<'_>,
     examiner: &dyn Examiner,
     cases: Vec<Case>,
-    limits: Limits,
 ) -> io::Result<Report> {
     let question = |case: &Case| format!("{} {}", examiner.name(), case.question);
     let questions: Vec<_> = cases.iter().map(question).collect();
-    Ok(assess(examiner, cases, ask(program, &questions, limits)?))
+    Ok(assess(examiner, cases, asker.ask(&questions)?))
+}
+
+/// Checks several exercises, and draws their pictures if these are wanted; `done` is called after each.
+///
+/// The program is asked everything in one process. Only if it gave an answer that nobody asked for, nobody knows which, it is
+/// asked again, with a process for each exercise.
+///
+/// # Errors
+/// If the program cannot be started.
+pub fn check_all(
+    program: &Program,
+    exercises: &[(&dyn Examiner, Vec<Case>)],
+    limits: Limits,
+    pictures: bool,
+    done: &dyn Fn(),
+) -> io::Result<Vec<Report>> {
+    let mut asker = Asker::new(program, limits);
+    let mut reports = Vec::new();
+    for (examiner, cases) in exercises {
+        reports.push(check_and_draw(&mut asker, *examiner, cases, pictures)?);
+        done();
+    }
+    if asker.finish() {
+        for (report, (examiner, cases)) in reports.iter_mut().zip(exercises) {
+            let mut asker = Asker::apart(program, limits);
+            *report = check_and_draw(&mut asker, *examiner, cases, pictures)?;
+        }
+    }
+    Ok(reports)
+}
+
+/// Checks an exercise, and draws its pictures if they are wanted and the program answers its cases.
+fn check_and_draw(
+    asker: &mut Asker<'_>,
+    examiner: &dyn Examiner,
+    cases: &[Case],
+    pictures: bool,
+) -> io::Result<Report> {
+    let mut report = check(asker, examiner, cases.to_vec())?;
+    if pictures && report.answers() {
+        (report.pictures, report.stopped) = ask_pixels(asker, examiner)?;
+    } else if pictures && !examiner.pictures().is_empty() {
+        let why = "not every case has an answer. Let your program answer something, all zeros say, to what you have not written";
+        report.stopped = Some(why.to_owned());
+    }
+    Ok(report)
 }
 
 /// Judges the replies to the cases.

@@ -1,34 +1,71 @@
-//! What an exercise asks: task, place, words, an example, the number of cases.
+//! What an exercise asks: task, place, every field with its kind, its range, its meaning and unit, an example, the number of cases.
 
-use crate::examine::{Examiner, visible_rng};
+use crate::examine::{Case, Examiner, visible_rng};
 use crate::library;
+use crate::seen::Seen;
+use raybook_workbook::kind::{Field, Kind, Record};
+use serde_json::{Value, json};
+
+/// An exercise, and what occurs in its visible cases.
+struct Described {
+    cases: Vec<Case>,
+    asked: Seen,
+    answered: Seen,
+}
+
+impl Described {
+    fn new(examiner: &dyn Examiner) -> Self {
+        let asked = examiner.asked();
+        let cases = examiner.cases(&mut visible_rng(asked.name)).cases;
+        let questions = cases.iter().map(|case| &case.question);
+        let questions: Vec<_> = questions.flat_map(|row| asked.read_question(row)).collect();
+        let answers = cases.iter().flat_map(|case| &case.answers);
+        let answers: Vec<_> = answers.flat_map(|row| asked.read_answer(row)).collect();
+        Self {
+            asked: Seen::in_rows(asked.question, questions.iter().map(Vec::as_slice)),
+            answered: Seen::in_rows(asked.answer.kind, answers.iter().map(Vec::as_slice)),
+            cases,
+        }
+    }
+}
 
 /// The description of an exercise for people.
 pub fn describe(examiner: &dyn Examiner) -> String {
-    let name = examiner.name();
-    let cases = examiner.cases(&mut visible_rng(name)).cases;
-    let mut lines = vec![name.to_owned(), format!("  {}", examiner.task())];
+    let described = Described::new(examiner);
+    let asked = examiner.asked();
+    let name = asked.name;
+    let mut lines = vec![name.to_owned(), format!("  {}", asked.task)];
     lines.extend(library::place(name).map(|file| format!("  Write it in {file}.")));
     lines.extend([
         String::new(),
         "  A question is the name and these words, on one line:".to_owned(),
-        format!("    {name} {}", examiner.question_names().join(" ")),
+        format!("    {name} {}", asked.question_names().join(" ")),
+        String::new(),
     ]);
-    if cases.iter().any(|case| case.question.contains("inf")) {
+    let mut rows = Vec::new();
+    of_parts(asked.question, &described.asked, 0, &mut rows);
+    lines.extend(table("asked", &rows));
+    let answer = asked.answer_names().join(" ");
+    lines.extend([
+        String::new(),
+        match answer.strip_prefix("none | ") {
+            Some(_) => "  An answer is `= none`, or `=` and these words:".to_owned(),
+            None => "  An answer is `=` and these words:".to_owned(),
+        },
+        format!(
+            "    = {}",
+            answer.strip_prefix("none | ").unwrap_or(&answer)
+        ),
+        String::new(),
+    ]);
+    let mut rows = Vec::new();
+    of_field(&asked.answer, &described.answered, 0, &mut rows);
+    lines.extend(table("answered", &rows));
+    lines.push(String::new());
+    if described.asked.has_infinity() {
         lines.push("  Numbers may be `inf` or `-inf`: in C++ read a word and call `std::stod`; `std::cin >> x` does not read them.".to_owned());
     }
-    let answer = examiner.answer_names().join(" ");
-    lines.extend(match answer.strip_prefix("none | ") {
-        Some(answer) => [
-            "  An answer is `= none`, or `=` and these words:".to_owned(),
-            format!("    = {answer}"),
-        ],
-        None => [
-            "  An answer is `=` and these words:".to_owned(),
-            format!("    = {answer}"),
-        ],
-    });
-    if let Some(case) = cases.first() {
+    if let Some(case) = described.cases.first() {
         lines.extend([
             format!("  For example ({}):", case.name),
             format!("    {name} {}", case.question),
@@ -39,9 +76,205 @@ pub fn describe(examiner: &dyn Examiner) -> String {
         String::new(),
         format!(
             "  {} cases are visible; `raybook check {name}` asks them.",
-            cases.len()
+            described.cases.len()
+        ),
+        format!(
+            "  `raybook exercise {name} --reader python` (or cpp) prints a program that reads them."
         ),
         String::new(),
     ]);
     lines.join("\n")
+}
+
+/// The description of an exercise as data.
+///
+/// A field has `name`, `meaning` and the keys of its kind: `kind` is `number`, `whole`, `numbers` (with `parts`), `direction`,
+/// `optional` and `list` (with `of`), `record` (with its name, `record`, and its `fields`) or `choice` (with `choices`, each of a
+/// `word` and its kind). Of the visible cases, `least` and `most` are the smallest and the largest finite number of it, or the
+/// shortest and the longest length of a list; `infinite`, `minus_infinite` and `none` say that those occur.
+pub fn schema(examiner: &dyn Examiner) -> Value {
+    let described = Described::new(examiner);
+    let asked = examiner.asked();
+    let example = described.cases.first().map(
+        |case| json!({ "name": case.name, "question": case.question, "answer": case.answers[0] }),
+    );
+    json!({
+        "name": asked.name,
+        "task": asked.task,
+        "file": library::place(asked.name),
+        "question": of_kind(asked.question, &described.asked),
+        "answer": named(&asked.answer, &described.answered),
+        "example": example,
+        "cases": described.cases.len(),
+    })
+}
+
+fn named(field: &Field, seen: &Seen) -> Value {
+    let mut value = of_kind(field.kind, seen);
+    value["name"] = field.name.into();
+    value["meaning"] = field.meaning.into();
+    value
+}
+
+fn of_kind(kind: &Kind, seen: &Seen) -> Value {
+    let below = |kind: &Kind| of_kind(kind, &seen.of[0]);
+    let mut value = match kind {
+        Kind::Number => json!({ "kind": "number" }),
+        Kind::Whole => json!({ "kind": "whole" }),
+        Kind::Numbers(parts) => json!({ "kind": "numbers", "parts": parts.parts }),
+        Kind::Direction => json!({ "kind": "direction" }),
+        Kind::Optional(kind) => json!({ "kind": "optional", "of": below(kind) }),
+        Kind::List(kind) => json!({ "kind": "list", "of": below(kind) }),
+        Kind::Record(Record { name, fields }) => {
+            let fields = fields.iter().zip(&seen.of);
+            let fields: Vec<_> = fields.map(|(field, seen)| named(field, seen)).collect();
+            json!({ "kind": "record", "record": name, "fields": fields })
+        }
+        Kind::Choice(choices) => {
+            let choices = choices.iter().zip(&seen.of);
+            let choices: Vec<_> = choices
+                .map(|((word, kind), seen)| {
+                    let mut value = of_kind(kind, seen);
+                    value["word"] = (*word).into();
+                    value
+                })
+                .collect();
+            json!({ "kind": "choice", "choices": choices })
+        }
+    };
+    if let Some([least, most]) = seen.range {
+        value["least"] = least.into();
+        value["most"] = most.into();
+    }
+    for (name, occurs) in [
+        ("infinite", seen.infinite),
+        ("minus_infinite", seen.minus_infinite),
+        ("none", seen.none),
+    ] {
+        if occurs {
+            value[name] = true.into();
+        }
+    }
+    value
+}
+
+/// A row of the table: name, kind, what occurs, meaning.
+type Row = [String; 4];
+
+/// The rows of a field, and of what is in it.
+fn of_field(field: &Field, seen: &Seen, depth: usize, rows: &mut Vec<Row>) {
+    rows.push([
+        format!("{:1$}{2}", "", 2 * depth, field.name),
+        words(field.kind),
+        occurring(field.kind, seen),
+        field.meaning.to_owned(),
+    ]);
+    of_parts(field.kind, seen, depth + 1, rows);
+}
+
+fn of_parts(kind: &Kind, seen: &Seen, depth: usize, rows: &mut Vec<Row>) {
+    match kind {
+        Kind::Number | Kind::Whole | Kind::Numbers(_) | Kind::Direction => {}
+        Kind::Optional(kind) | Kind::List(kind) => of_parts(kind, &seen.of[0], depth, rows),
+        Kind::Record(record) => {
+            for (field, seen) in record.fields.iter().zip(&seen.of) {
+                of_field(field, seen, depth, rows);
+            }
+        }
+        Kind::Choice(choices) => {
+            for ((word, kind), seen) in choices.iter().zip(&seen.of) {
+                let field = Field {
+                    name: word,
+                    kind,
+                    meaning: "this word, and then:",
+                };
+                of_field(&field, seen, depth, rows);
+            }
+        }
+    }
+}
+
+/// A kind in words.
+fn words(kind: &Kind) -> String {
+    match kind {
+        Kind::Number => "number".to_owned(),
+        Kind::Whole => "whole number".to_owned(),
+        Kind::Numbers(parts) => parts.parts.join(" "),
+        Kind::Direction => "direction x y z".to_owned(),
+        Kind::Optional(kind) => format!("{} or none", words(kind)),
+        Kind::List(kind) => match kind {
+            Kind::Number => "list of numbers".to_owned(),
+            Kind::Whole => "list of whole numbers".to_owned(),
+            kind => format!("list of {}", words(kind)),
+        },
+        Kind::Record(record) => record.name.to_owned(),
+        Kind::Choice(choices) => {
+            let choices: Vec<_> = choices.iter().map(|(word, _)| *word).collect();
+            choices.join(" | ")
+        }
+    }
+}
+
+/// What occurs of a value, but for the parts that have rows of their own.
+fn occurring(kind: &Kind, seen: &Seen) -> String {
+    let range = seen.range.map(|[least, most]| match kind {
+        Kind::List(_) if least == most => format!("length {least}"),
+        Kind::List(_) => format!("length {least} to {most}"),
+        _ if least == most => short(least),
+        _ => format!("{} to {}", short(least), short(most)),
+    });
+    let of = match kind {
+        Kind::Optional(kind) | Kind::List(kind) => Some(occurring(kind, &seen.of[0])),
+        _ => None,
+    };
+    let or = |word: &str, occurs: bool| occurs.then(|| word.to_owned());
+    let all = [
+        range,
+        of,
+        or("inf", seen.infinite),
+        or("-inf", seen.minus_infinite),
+        or("none", seen.none),
+    ];
+    let all: Vec<_> = all
+        .into_iter()
+        .flatten()
+        .filter(|said| !said.is_empty())
+        .collect();
+    all.join(", ")
+}
+
+/// A number with three digits that count.
+fn short(v: f64) -> String {
+    if v == v.trunc() && v.abs() < 1e6 {
+        return format!("{v}");
+    }
+    let digits = 2 - v.abs().log10().floor() as i32;
+    match digits {
+        0..=6 => {
+            let text = format!("{v:.0$}", digits as usize);
+            let text = text.trim_end_matches('0').trim_end_matches('.');
+            text.to_owned()
+        }
+        _ if (-3..0).contains(&digits) => format!("{v:.0}"),
+        _ => format!("{v:.2e}"),
+    }
+}
+
+/// The rows under their heading.
+fn table(occurs: &str, rows: &[Row]) -> Vec<String> {
+    let heading = ["name", "kind", occurs, "meaning and unit"].map(str::to_owned);
+    let all = || std::iter::once(&heading).chain(rows);
+    let widest = [0, 1, 2].map(|i| all().map(|row| row[i].chars().count()).max().unwrap_or(0));
+    let [name, kind, range] = widest;
+    all()
+        .map(|[a, b, c, d]| format!("    {a:<name$}   {b:<kind$}   {c:<range$}   {d}"))
+        .map(|line| line.trim_end().to_owned())
+        .collect()
+}
+
+impl Seen {
+    /// Whether an infinite number occurs anywhere.
+    fn has_infinity(&self) -> bool {
+        self.infinite || self.minus_infinite || self.of.iter().any(Self::has_infinity)
+    }
 }

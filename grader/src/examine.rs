@@ -1,11 +1,14 @@
 //! Making cases, judging answers and recognising mistakes, with everything as lines.
 
+use crate::golden::{self, GoldenError, Named};
 use crate::triple::PictureSize;
-use crate::{Graded, Picture, stable};
+use crate::{Graded, Mistake, Picture, Verdict, stable};
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::{self, Pcg};
 use raybook_workbook::exercise::Asked;
-use raybook_workbook::row::{self, Row, RowError};
+use raybook_workbook::row::{self, RowError, from_numbers, to_numbers};
+use std::borrow::Cow;
+use std::marker::PhantomData;
 
 /// How many random cases an exercise has beside its named ones.
 pub const RANDOM_CASES: usize = 34;
@@ -39,43 +42,129 @@ impl Cases {
     }
 }
 
-/// A graded exercise whose types are forgotten.
-pub trait Examiner: Asked {
-    /// Named cases and random ones.
-    fn cases(&self, rng: &mut Pcg) -> Cases;
+/// A graded exercise whose types are forgotten: questions and answers are rows of numbers. What can be said of lines is a method
+/// of `dyn Examiner`.
+pub trait Examiner: Sync {
+    /// The exercise.
+    fn asked(&self) -> &'static Asked;
 
-    /// Judges an answer against the right ones; being any of them is enough.
+    /// The text of its golden file.
+    fn golden(&self) -> &str;
+
+    /// The same exercise with the text of another golden file.
+    fn with_golden(&self, text: String) -> Box<dyn Examiner>;
+
+    /// An ordinary question.
+    fn random(&self, rng: &mut Pcg) -> Vec<f64>;
+
+    /// Compares an answer with the golden one.
     ///
     /// # Errors
-    /// Why it is wrong, or that it cannot be read.
-    fn judge(&self, question: &str, answers: &[String], got: &str) -> Result<(), String>;
+    /// Why it is wrong.
+    fn compare(&self, question: &[f64], golden: &[f64], got: &[f64]) -> Verdict;
 
-    /// The mistakes' names and hints.
-    fn mistakes(&self) -> Vec<(&'static str, &'static str)>;
+    /// The name and the hint of mistake number i.
+    fn mistake(&self, i: usize) -> Option<(&'static str, &'static str)>;
 
-    /// What mistake number i answers; `None` if the question cannot be read.
-    fn mistaken(&self, i: usize, question: &str) -> Option<String>;
+    /// What mistake number i answers.
+    fn mistake_answers(&self, i: usize, question: &[f64]) -> Option<Vec<f64>>;
 
-    /// How close an answer to a mistake's is that mistake, relatively.
+    /// See [`Graded::ULPS`].
+    fn ulps(&self) -> i32;
+
+    /// See [`Graded::ALIKE`].
     fn alike(&self) -> f32;
 
-    /// The parts of a question, by name.
-    fn question_parts(&self, question: &str) -> Vec<(String, String)>;
-
-    /// The parts of an answer, by name; the words themselves if it cannot be read.
-    fn answer_parts(&self, answer: &str) -> Vec<(String, String)>;
-
-    /// Whether the answer stays right when the question's numbers move in their last digits.
-    fn is_fair(&self, question: &str) -> bool;
-
-    /// The pictures that answers make, if any.
-    fn pictures(&self) -> Vec<PictureSize>;
+    /// Picture number i that answers make.
+    fn picture(&self, i: usize) -> Option<PictureSize>;
 
     /// The question of a pixel of picture number i.
-    fn pixel_question(&self, i: usize, x: u32, y: u32) -> String;
+    fn pixel(&self, i: usize, x: u32, y: u32) -> Option<Vec<f64>>;
 
-    /// The colour of a pixel's answer in picture number i; `None` if it cannot be read.
-    fn pixel_colour(&self, i: usize, question: &str, answer: &str) -> Option<Rgb>;
+    /// The colour of a pixel's answer in picture number i.
+    fn colour(&self, i: usize, question: &[f64], answer: &[f64]) -> Option<Rgb>;
+}
+
+/// The examiner of an exercise, with the text of its golden file.
+pub(crate) struct Examination<E> {
+    golden: Cow<'static, str>,
+    exercise: PhantomData<E>,
+}
+
+impl<E> Examination<E> {
+    /// The examiner with the golden file that the command carries with it.
+    pub(crate) const fn new(golden: &'static str) -> Self {
+        Self {
+            golden: Cow::Borrowed(golden),
+            exercise: PhantomData,
+        }
+    }
+}
+
+impl<E: Graded> Examiner for Examination<E> {
+    fn asked(&self) -> &'static Asked {
+        const { &Asked::of::<E>() }
+    }
+
+    fn golden(&self) -> &str {
+        &self.golden
+    }
+
+    fn with_golden(&self, text: String) -> Box<dyn Examiner> {
+        Box::new(Self {
+            golden: Cow::Owned(text),
+            exercise: PhantomData,
+        })
+    }
+
+    fn random(&self, rng: &mut Pcg) -> Vec<f64> {
+        to_numbers(&E::random(rng))
+    }
+
+    fn compare(&self, question: &[f64], golden: &[f64], got: &[f64]) -> Verdict {
+        E::judge(
+            &from_numbers(question),
+            &from_numbers(golden),
+            &from_numbers(got),
+        )
+    }
+
+    fn mistake(&self, i: usize) -> Option<(&'static str, &'static str)> {
+        let Mistake { name, hint, .. } = E::MISTAKES.get(i)?;
+        Some((name, hint))
+    }
+
+    fn mistake_answers(&self, i: usize, question: &[f64]) -> Option<Vec<f64>> {
+        let answer = E::MISTAKES.get(i)?.answer;
+        Some(to_numbers(&answer(&from_numbers(question))))
+    }
+
+    fn ulps(&self) -> i32 {
+        E::ULPS
+    }
+
+    fn alike(&self) -> f32 {
+        E::ALIKE
+    }
+
+    fn picture(&self, i: usize) -> Option<PictureSize> {
+        let picture: &Picture<E> = E::PICTURES.get(i)?;
+        Some(PictureSize {
+            name: picture.name,
+            width: picture.width,
+            height: picture.height,
+            alt: picture.alt,
+        })
+    }
+
+    fn pixel(&self, i: usize, x: u32, y: u32) -> Option<Vec<f64>> {
+        Some(to_numbers(&(E::PICTURES.get(i)?.question)(x, y)))
+    }
+
+    fn colour(&self, i: usize, question: &[f64], answer: &[f64]) -> Option<Rgb> {
+        let colour = E::PICTURES.get(i)?.colour;
+        Some(colour(&from_numbers(question), &from_numbers(answer)))
+    }
 }
 
 /// The random numbers of an exercise's visible cases: the same for everyone, for ever.
@@ -86,55 +175,106 @@ pub fn visible_rng(exercise: &str) -> Pcg {
     pcg::stream(0, name)
 }
 
-/// A question with the reference's answer; its number comes later.
-fn case<E: Graded>(name: &str, question: &E::Question) -> Case {
-    Case {
-        number: 0,
-        name: name.to_owned(),
-        question: question.write(),
-        answers: vec![E::answer(question).write()],
+impl dyn Examiner + '_ {
+    /// The exercise's name.
+    pub fn name(&self) -> &'static str {
+        self.asked().name
     }
-}
 
-impl<E: Graded> Examiner for E {
-    fn cases(&self, rng: &mut Pcg) -> Cases {
-        let mut cases: Vec<_> = E::edges()
+    /// What to do.
+    pub fn task(&self) -> &'static str {
+        self.asked().task
+    }
+
+    /// The reference's answer to a question.
+    ///
+    /// # Errors
+    /// If the line is not a question of this exercise.
+    pub fn answer_line(&self, question: &str) -> Result<String, RowError> {
+        self.asked().answer_line(question)
+    }
+
+    /// The named cases of the golden file.
+    ///
+    /// # Errors
+    /// If one cannot be read.
+    pub fn named(&self) -> Result<Vec<Named>, GoldenError> {
+        golden::named(self.asked(), self.golden())
+    }
+
+    /// Named cases and random ones.
+    ///
+    /// # Errors
+    /// If a named case of the golden file cannot be read.
+    ///
+    /// # Panics
+    /// If the exercise's random questions are not fit for it.
+    pub fn try_cases(&self, rng: &mut Pcg) -> Result<Cases, GoldenError> {
+        let mut cases: Vec<_> = self
+            .named()?
             .into_iter()
-            .map(|edge| {
-                let mut case = case::<E>(edge.name, &edge.question);
-                case.answers.extend(edge.also_right.iter().map(Row::write));
+            .map(|named| {
+                let mut case = self.case(&named.name, &named.question);
+                case.answers.extend(named.also_right);
                 case
             })
             .collect();
         let (mut kept, mut thrown_away) = (0, 0);
         while kept < RANDOM_CASES {
-            let question = E::random(rng);
-            if stable::is_stable::<E>(&question, rng) {
+            let question = self.random(rng);
+            if stable::is_stable(self, &question, rng) {
                 kept += 1;
-                cases.push(case::<E>(&format!("random {kept}"), &question));
+                cases.push(self.case(&format!("random {kept}"), &question));
             } else {
                 thrown_away += 1;
                 assert!(
                     thrown_away < 100 * RANDOM_CASES,
                     "{}: hardly any random question has a stable answer",
-                    E::NAME
+                    self.name()
                 );
             }
         }
         for (case, number) in cases.iter_mut().zip(1..) {
             case.number = number;
         }
-        Cases { cases, thrown_away }
+        Ok(Cases { cases, thrown_away })
     }
 
-    fn judge(&self, question: &str, answers: &[String], got: &str) -> Result<(), String> {
-        let read_error = |e: RowError| format!("the answer cannot be read: {e}");
-        let question: E::Question = row::read(question, "question").map_err(|e| e.to_string())?;
-        let got: E::Answer = row::read(got, E::ANSWER).map_err(read_error)?;
+    /// Named cases and random ones of a golden file that can be read.
+    ///
+    /// # Panics
+    /// If it cannot; `try_cases` says why.
+    pub fn cases(&self, rng: &mut Pcg) -> Cases {
+        let cases = self.try_cases(rng);
+        cases.unwrap_or_else(|error| panic!("{}: {error}", self.name()))
+    }
+
+    /// A question with the reference's answer; its number comes later.
+    fn case(&self, name: &str, question: &[f64]) -> Case {
+        let asked = self.asked();
+        Case {
+            number: 0,
+            name: name.to_owned(),
+            question: row::format(asked.question, question),
+            answers: vec![row::format(asked.answer.kind, &(asked.call)(question))],
+        }
+    }
+
+    /// Judges an answer against the right ones; being any of them is enough.
+    ///
+    /// # Errors
+    /// Why it is wrong, or that it cannot be read.
+    pub fn judge(&self, question: &str, answers: &[String], got: &str) -> Verdict {
+        let read = |answer: &str| {
+            let numbers = self.asked().read_answer(answer);
+            numbers.map_err(|e| format!("the answer cannot be read: {e}"))
+        };
+        let question = self.asked().read_question(question);
+        let question = question.map_err(|e| e.to_string())?;
+        let got = read(got)?;
         let mut verdict = Err("there is no right answer to compare with".to_owned());
         for golden in answers.iter().rev() {
-            let golden: E::Answer = row::read(golden, E::ANSWER).map_err(read_error)?;
-            verdict = E::judge(&question, &golden, &got);
+            verdict = self.compare(&question, &read(golden)?, &got);
             if verdict.is_ok() {
                 break;
             }
@@ -142,57 +282,61 @@ impl<E: Graded> Examiner for E {
         verdict
     }
 
-    fn mistakes(&self) -> Vec<(&'static str, &'static str)> {
-        E::MISTAKES
-            .iter()
-            .map(|mistake| (mistake.name, mistake.hint))
-            .collect()
+    /// The mistakes' names and hints.
+    pub fn mistakes(&self) -> Vec<(&'static str, &'static str)> {
+        (0..).map_while(|i| self.mistake(i)).collect()
     }
 
-    fn mistaken(&self, i: usize, question: &str) -> Option<String> {
-        let question = row::read(question, "question").ok()?;
-        Some((E::MISTAKES.get(i)?.answer)(&question).write())
+    /// What mistake number i answers; `None` if the question cannot be read.
+    pub fn mistaken(&self, i: usize, question: &str) -> Option<String> {
+        let question = self.asked().read_question(question).ok()?;
+        let answer = self.mistake_answers(i, &question)?;
+        Some(row::format(self.asked().answer.kind, &answer))
     }
 
-    fn alike(&self) -> f32 {
-        E::ALIKE
+    /// The parts of a question, by name.
+    pub fn question_parts(&self, question: &str) -> Vec<(String, String)> {
+        let asked = self.asked();
+        let numbers = asked.read_question(question);
+        numbers.map_or_else(
+            |_| Vec::new(),
+            |numbers| row::parts(asked.question, "question", &numbers),
+        )
     }
 
-    fn question_parts(&self, question: &str) -> Vec<(String, String)> {
-        row::read::<E::Question>(question, "question")
-            .map_or_else(|_| Vec::new(), |q| q.parts("question"))
+    /// The parts of an answer, by name; the words themselves if it cannot be read.
+    pub fn answer_parts(&self, answer: &str) -> Vec<(String, String)> {
+        let asked = self.asked();
+        let name = asked.answer.name;
+        let numbers = asked.read_answer(answer);
+        numbers.map_or_else(
+            |_| vec![(name.to_owned(), answer.to_owned())],
+            |numbers| row::parts(asked.answer.kind, name, &numbers),
+        )
     }
 
-    fn answer_parts(&self, answer: &str) -> Vec<(String, String)> {
-        let as_it_is = |_| vec![(E::ANSWER.to_owned(), answer.to_owned())];
-        row::read::<E::Answer>(answer, E::ANSWER)
-            .map_or_else(as_it_is, |answer| answer.parts(E::ANSWER))
+    /// Whether the answer stays right when the question's numbers move in their last digits.
+    pub fn is_fair(&self, question: &str) -> bool {
+        let question = self.asked().read_question(question);
+        question
+            .is_ok_and(|question| stable::is_stable(self, &question, &mut visible_rng(self.name())))
     }
 
-    fn is_fair(&self, question: &str) -> bool {
-        row::read(question, "question")
-            .is_ok_and(|question| stable::is_stable::<E>(&question, &mut visible_rng(E::NAME)))
+    /// The pictures that answers make, if any.
+    pub fn pictures(&self) -> Vec<PictureSize> {
+        (0..).map_while(|i| self.picture(i)).collect()
     }
 
-    fn pictures(&self) -> Vec<PictureSize> {
-        let size = |p: &Picture<E>| PictureSize {
-            name: p.name,
-            width: p.width,
-            height: p.height,
-            alt: p.alt,
-        };
-        E::PICTURES.iter().map(size).collect()
+    /// The question of a pixel of picture number i.
+    pub fn pixel_question(&self, i: usize, x: u32, y: u32) -> String {
+        let question = self.pixel(i, x, y).unwrap_or_default();
+        row::format(self.asked().question, &question)
     }
 
-    fn pixel_question(&self, i: usize, x: u32, y: u32) -> String {
-        let picture = E::PICTURES.get(i);
-        picture.map_or_else(String::new, |p| (p.question)(x, y).write())
-    }
-
-    fn pixel_colour(&self, i: usize, question: &str, answer: &str) -> Option<Rgb> {
-        Some((E::PICTURES.get(i)?.colour)(
-            &row::read(question, "question").ok()?,
-            &row::read(answer, "answer").ok()?,
-        ))
+    /// The colour of a pixel's answer in picture number i; `None` if it cannot be read.
+    pub fn pixel_colour(&self, i: usize, question: &str, answer: &str) -> Option<Rgb> {
+        let question = self.asked().read_question(question).ok()?;
+        let answer = self.asked().read_answer(answer).ok()?;
+        self.colour(i, &question, &answer)
     }
 }

@@ -1,44 +1,171 @@
-//! The golden answers as files that people read: `golden/<chapter>/<exercise>.txt`.
+//! Golden files: the named cases of an exercise, which people write, and the random ones, which `raybook bless` appends.
+//!
+//! `golden/<chapter>/<exercise>.txt` has a line per case: `name | question = answer = another that is right too`. A named case
+//! may be written without an answer: the answer is the reference's, the others are the file's.
 
 use crate::examine::{Cases, Examiner, visible_rng};
 use raybook_workbook::curriculum::CHAPTERS;
+use raybook_workbook::exercise::Asked;
+use raybook_workbook::row::{self, RowError};
+use std::collections::BTreeSet;
 use std::fmt::Write;
 
-/// An exercise's file below `golden/`, its text, and the cases in it.
-pub fn page(examiner: &dyn Examiner) -> (String, String, Cases) {
-    let name = examiner.name();
-    let chapter = CHAPTERS.iter().find(|chapter| {
-        chapter
-            .exercises()
-            .iter()
-            .any(|exercise| exercise.name() == name)
+/// What stands between the name of a case and its question.
+const BAR: &str = " | ";
+
+/// How the name of a random case begins.
+const RANDOM: &str = "random ";
+
+/// A case that a person has written.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Named {
+    /// What is special about it.
+    pub name: String,
+    /// The numbers of the question.
+    pub question: Vec<f64>,
+    /// Answers that are as right as the reference's.
+    pub also_right: Vec<String>,
+}
+
+/// What is wrong with a golden file, and where.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("line {line}, column {column}: {what}")]
+pub struct GoldenError {
+    /// The line, from 1.
+    pub line: usize,
+    /// The character in it, from 1.
+    pub column: usize,
+    /// What is wrong, what was expected, and what to do.
+    pub what: String,
+}
+
+/// The named cases of a golden file; its random ones are left out.
+///
+/// # Errors
+/// If a line is not a name and a question of this exercise, with answers to it.
+pub fn named(asked: &Asked, text: &str) -> Result<Vec<Named>, GoldenError> {
+    let mut named = Vec::new();
+    let mut names = BTreeSet::new();
+    for (line, number) in text.lines().zip(1..) {
+        if line.trim().is_empty() || line.starts_with('#') || is_random(line) {
+            continue;
+        }
+        let case = case(asked, line).map_err(|(at, what)| GoldenError {
+            line: number,
+            column: 1 + line[..at].chars().count(),
+            what,
+        })?;
+        if !names.insert(case.name.clone()) {
+            return Err(GoldenError {
+                line: number,
+                column: 1,
+                what: format!(
+                    "there is a case {:?} above; give this one another name",
+                    case.name
+                ),
+            });
+        }
+        named.push(case);
+    }
+    Ok(named)
+}
+
+/// Whether a line is a random case: `random 7 | …`.
+fn is_random(line: &str) -> bool {
+    let number = line
+        .split_once(BAR)
+        .and_then(|(name, _)| name.strip_prefix(RANDOM));
+    number.is_some_and(|number| number.trim().parse::<u32>().is_ok())
+}
+
+/// The case of a line, or the place in the line where it is wrong, and what is wrong.
+fn case(asked: &Asked, line: &str) -> Result<Named, (usize, String)> {
+    let Some((name, rest)) = line.split_once(BAR) else {
+        let what =
+            "there is no ` | `; a case is written `name | question`, or `name | question = answer`";
+        return Err((0, what.to_owned()));
+    };
+    let from = name.len() + BAR.len();
+    let name = name.trim();
+    if name.is_empty() || name.starts_with(RANDOM) {
+        let what = format!(
+            "a case cannot be called {name:?}: names that begin with `random ` are those of the cases that `raybook bless` makes; say what is special about this one"
+        );
+        return Err((0, what));
+    }
+    let mut places = vec![];
+    let mut at = from;
+    for part in rest.split(" = ") {
+        places.push((at, part));
+        at += part.len() + " = ".len();
+    }
+    let (at, question) = places[0];
+    let names = |names: Vec<String>| names.join(" ");
+    let question = asked.read_question(question).map_err(|e| {
+        let expected = names(asked.question_names());
+        wrong(at, question, "question", &e, &expected)
+    })?;
+    let mut answers = Vec::new();
+    for &(at, answer) in &places[1..] {
+        let numbers = asked.read_answer(answer).map_err(|e| {
+            let expected = names(asked.answer_names());
+            wrong(at, answer, "answer", &e, &expected)
+        })?;
+        answers.push(row::format(asked.answer.kind, &numbers));
+    }
+    Ok(Named {
+        name: name.to_owned(),
+        question,
+        also_right: answers.split_off(answers.len().min(1)),
+    })
+}
+
+/// What is wrong with a row at a place of a line, and where in the line.
+fn wrong(at: usize, row: &str, what: &str, error: &RowError, expected: &str) -> (usize, String) {
+    let mut words = row.split_whitespace();
+    let word = words.nth(error.place() - 1);
+    let within = word.map_or(row.trim_end().len(), |word| {
+        word.as_ptr() as usize - row.as_ptr() as usize
     });
-    let cases = examiner.cases(&mut visible_rng(name));
-    let widest = cases
-        .cases
-        .iter()
-        .map(|case| case.name.chars().count())
-        .max()
-        .unwrap_or(0);
-    let mut text = format!("# {name}: {}\n", examiner.task());
-    let _ = writeln!(text, "# asked:    {}", examiner.question_names().join(" "));
-    let _ = writeln!(text, "# answered: {}", examiner.answer_names().join(" "));
+    let what = format!("in the {what}, {error}; the words of {what}s are: {expected}");
+    (at + within, what)
+}
+
+/// An exercise's file below `golden/`.
+pub fn path(exercise: &str) -> String {
+    let chapter = CHAPTERS.iter().find(|chapter| {
+        let mut exercises = chapter.exercises().iter();
+        exercises.any(|asked| asked.name == exercise)
+    });
+    format!(
+        "{}/{exercise}.txt",
+        chapter.map_or("", |chapter| chapter.name)
+    )
+}
+
+/// The text of an exercise's golden file, and the cases in it.
+///
+/// # Errors
+/// If a named case cannot be read.
+pub fn page(examiner: &dyn Examiner) -> Result<(String, Cases), GoldenError> {
+    let asked = examiner.asked();
+    let cases = examiner.try_cases(&mut visible_rng(asked.name))?;
+    let lengths = cases.cases.iter().map(|case| case.name.chars().count());
+    let widest = lengths.max().unwrap_or(0);
+    let mut text = format!("# {}: {}\n", asked.name, asked.task);
+    let _ = writeln!(text, "# asked:    {}", asked.question_names().join(" "));
+    let _ = writeln!(text, "# answered: {}", asked.answer_names().join(" "));
     let _ = writeln!(
         text,
-        "# Each line: the case's name | the question = the answer (= another that is right too). Written by `raybook bless`."
+        "# Each line: name | question = answer (= another that is right too). People write the named cases, of which `name | question` is enough; `raybook bless` writes the rest."
     );
     for case in &cases.cases {
+        let answers = case.answers.join(" = ");
         let _ = writeln!(
             text,
-            "{:widest$} | {} = {}",
-            case.name,
-            case.question,
-            case.answers.join(" = ")
+            "{:widest$} | {} = {answers}",
+            case.name, case.question
         );
     }
-    (
-        format!("{}/{name}.txt", chapter.map_or("", |chapter| chapter.name)),
-        text,
-        cases,
-    )
+    Ok((text, cases))
 }

@@ -7,6 +7,7 @@ pub mod contain;
 pub mod converse;
 pub mod describe;
 pub mod diagnose;
+pub mod drawn;
 pub mod dress;
 pub mod examine;
 pub mod feedback;
@@ -22,9 +23,11 @@ pub mod picture;
 pub mod pictured;
 pub mod prints;
 pub mod progress;
+pub mod reader;
 pub mod sample;
 pub mod score;
 pub mod search;
+pub mod seen;
 pub mod stable;
 pub mod starter;
 pub mod student;
@@ -37,8 +40,17 @@ use raybook_workbook::exercise::Exercise;
 /// Whether an answer is right; if not, why not, in the exercise's own words and units.
 pub type Verdict = Result<(), String>;
 
-/// An exercise with everything that grading needs.
-pub trait Graded: Exercise + Sized + 'static {
+/// An exercise with everything that grading needs, but for its named cases: they are text, in its golden file.
+pub trait Graded: Exercise + Clone + Sync + 'static {
+    /// An ordinary question. It is kept only if its answer does not hang on the last digits of its numbers.
+    fn random(rng: &mut Pcg) -> Self;
+
+    /// Compares an answer with the golden one.
+    ///
+    /// # Errors
+    /// Why the answer is wrong.
+    fn judge(question: &Self, golden: &Self::Answer, got: &Self::Answer) -> Verdict;
+
     /// Wrong implementations that students are known to write.
     const MISTAKES: &'static [Mistake<Self>];
 
@@ -52,54 +64,11 @@ pub trait Graded: Exercise + Sized + 'static {
     /// An answer this close to a mistake's, relatively, is that mistake: more where answers scatter.
     const ALIKE: f32 = 1e-3;
 
-    /// The cases that are most often got wrong, each with a name.
-    fn edges() -> Vec<Edge<Self>>;
-
-    /// An ordinary question. It is kept only if its answer does not hang on the last digits of its numbers.
-    fn random(rng: &mut Pcg) -> Self::Question;
-
     /// The right answer to a question that was misread: what many a mistake comes down to.
-    fn misread(question: &Self::Question, how: impl FnOnce(&mut Self::Question)) -> Self::Answer
-    where
-        Self::Question: Clone,
-    {
+    fn misread(question: &Self, how: impl FnOnce(&mut Self)) -> Self::Answer {
         let mut question = question.clone();
         how(&mut question);
-        Self::answer(&question)
-    }
-
-    /// Compares an answer with the golden one.
-    ///
-    /// # Errors
-    /// Why the answer is wrong.
-    fn judge(question: &Self::Question, golden: &Self::Answer, got: &Self::Answer) -> Verdict;
-}
-
-/// A question that matters, by name.
-pub struct Edge<E: Exercise> {
-    /// What is special about it.
-    pub name: &'static str,
-    /// The question.
-    pub question: E::Question,
-    /// Answers that are as right as the reference's.
-    pub also_right: Vec<E::Answer>,
-}
-
-impl<E: Exercise> Edge<E> {
-    /// A question with one right answer.
-    pub fn new(name: &'static str, question: E::Question) -> Self {
-        Self {
-            name,
-            question,
-            also_right: Vec::new(),
-        }
-    }
-
-    /// The same, with another right answer.
-    #[must_use]
-    pub fn or(mut self, answer: E::Answer) -> Self {
-        self.also_right.push(answer);
-        self
+        question.answer()
     }
 }
 
@@ -110,7 +79,7 @@ pub struct Mistake<E: Exercise> {
     /// A sentence that leads the student on and does not give the answer away.
     pub hint: &'static str,
     /// The wrong answer.
-    pub answer: fn(&E::Question) -> E::Answer,
+    pub answer: fn(&E) -> E::Answer,
 }
 
 /// A picture with a question per pixel.
@@ -124,7 +93,7 @@ pub struct Picture<E: Exercise> {
     /// What it shows, for those who cannot see it.
     pub alt: &'static str,
     /// The question of the pixel in column x and row y.
-    pub question: fn(x: u32, y: u32) -> E::Question,
+    pub question: fn(x: u32, y: u32) -> E,
     /// The colour of an answer.
-    pub colour: fn(&E::Question, &E::Answer) -> Rgb,
+    pub colour: fn(&E, &E::Answer) -> Rgb,
 }

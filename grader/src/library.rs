@@ -1,19 +1,38 @@
-//! The library's own text, which the command carries with it: starters and references are taken from it.
+//! The course's own text, which the command carries with it: starters and references are taken from it.
 
 use include_dir::{Dir, File, include_dir};
 use raybook_workbook::anchor;
 
 static SOURCE: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../src");
+static WORKBOOK: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../workbook");
 static CHAPTERS: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../chapters");
 
-/// All files of `src/`, with their paths from there.
+/// What a package's files are called besides its sources.
+pub const MANIFEST: &str = "Cargo.toml";
+
+/// All files of the library, with their paths from `src/`.
 pub fn source() -> Vec<&'static File<'static>> {
     all_files(&SOURCE)
 }
 
-/// All files of `chapters/`.
+/// All files of the exercises' package, with their paths from its folder.
+pub fn workbook() -> Vec<&'static File<'static>> {
+    all_files(&WORKBOOK)
+}
+
+/// All files of the chapters' package, with their paths from its folder.
 pub fn chapters() -> Vec<&'static File<'static>> {
     all_files(&CHAPTERS)
+}
+
+/// The manifest of the exercises' package.
+pub fn manifest_of_workbook() -> &'static str {
+    manifest(&WORKBOOK)
+}
+
+/// The manifest of the chapters' package.
+pub fn manifest_of_chapters() -> &'static str {
+    manifest(&CHAPTERS)
 }
 
 /// The file in which a student writes an exercise, as a path in the student's folder.
@@ -23,10 +42,12 @@ pub fn place(exercise: &str) -> Option<String> {
         regions.iter().any(|(name, _)| *name == exercise)
     };
     let file = source().into_iter().find(holds)?;
-    Some(format!(
-        "src/{}",
-        file.path().to_string_lossy().replace('\\', "/")
-    ))
+    Some(format!("src/{}", slashes(file)))
+}
+
+/// The path with forward slashes, on every system.
+pub fn slashes(file: &File<'_>) -> String {
+    file.path().to_string_lossy().replace('\\', "/")
 }
 
 /// The reference's text of an exercise: the function with its comment.
@@ -45,21 +66,20 @@ pub fn reference_file(place: &str) -> Option<String> {
     let text = SOURCE
         .get_file(place.strip_prefix("src/")?)?
         .contents_utf8()?;
-    Some(
-        text.lines()
-            .filter(|line| !is_of_the_course(line))
-            .flat_map(|line| [line, "\n"])
-            .collect(),
-    )
+    Some(without_anchors(text))
 }
 
-/// The lines that mean nothing to the student: the anchors, and in `lib.rs` the grader, which is not there.
-pub fn is_of_the_course(line: &str) -> bool {
-    let line = line.trim();
-    line == "pub mod grade;"
-        || line.ends_with("| grade |")
-        || line.ends_with("| commands |")
-        || line.starts_with("// ANCHOR")
+/// The text without the anchors' lines, which mean nothing to the student.
+pub fn without_anchors(text: &str) -> String {
+    text.lines()
+        .filter(|line| !line.trim().starts_with("// ANCHOR"))
+        .flat_map(|line| [line, "\n"])
+        .collect()
+}
+
+fn manifest(folder: &'static Dir<'static>) -> &'static str {
+    let file = folder.get_file(MANIFEST);
+    file.and_then(File::contents_utf8).unwrap_or_default()
 }
 
 fn all_files<'a>(folder: &'a Dir<'static>) -> Vec<&'a File<'static>> {

@@ -25,6 +25,8 @@ enum Task {
     New(commands::new::New),
     /// Check a workbook: what is right, what is not, and the next step
     Check(commands::check::Check),
+    /// Draw a chapter's pictures with the functions of your workbook
+    Draw(commands::draw::Draw),
     /// Hint at what is wrong, without giving the answer away
     Hint(commands::hint::Hint),
     /// Say what an exercise asks and how it is answered
@@ -51,6 +53,7 @@ fn main() -> ExitCode {
         Some(Task::Tour(task)) => task.run(),
         Some(Task::New(task)) => task.run(),
         Some(Task::Check(task)) => task.run(),
+        Some(Task::Draw(task)) => task.run(),
         Some(Task::Hint(task)) => task.run(),
         Some(Task::Exercise(task)) => task.run(),
         Some(Task::Solve(task)) => task.run(),

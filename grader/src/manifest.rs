@@ -1,45 +1,106 @@
-//! The student's `Cargo.toml`, derived from the course's.
+//! The manifests of a student's folder, derived from the course's.
 
-use crate::starter::StarterFile;
-use raybook_workbook::curriculum::CHAPTERS;
+use crate::library;
 
-const MANIFEST: &str = include_str!("../../Cargo.toml");
+/// The course's own.
+const COURSE: &str = include_str!("../../Cargo.toml");
 
-/// The table of what only Unix systems need.
-const UNIX: &str = "target.'cfg(unix)'.dependencies";
+/// The package that stays with the course, but has a profile in its manifest.
+const WITHHELD: &str = "raybook-grader";
 
-/// The student's `Cargo.toml`: the chapters' binaries, and those of the library's dependencies that the copied files use.
-pub fn text(files: &[StarterFile]) -> String {
-    let sources: Vec<_> = files
-        .iter()
-        .map(|(_, bytes)| String::from_utf8_lossy(bytes))
+/// The `Cargo.toml` of the folder: the library, without the features that answering does not need.
+pub fn root() -> String {
+    let features: String = lines(section(COURSE, "features"))
+        .map(|line| match line.starts_with("default = ") {
+            true => "default = []\n".to_owned(),
+            false => format!("{line}\n"),
+        })
         .collect();
-    let used = |line: &str| {
-        let dependency = line
-            .split([' ', '='])
-            .next()
-            .unwrap_or_default()
-            .replace('-', "_");
-        sources
-            .iter()
-            .any(|source| source.contains(&format!("{dependency}::")))
-    };
-    let section = |title: &str| {
-        let rest = MANIFEST
-            .split_once(&format!("\n[{title}]\n"))
-            .map_or("", |(_, rest)| rest);
-        rest.split("\n[").next().unwrap_or_default()
-    };
-    let dependencies = |title| -> String {
-        let lines = section(title).lines().filter(|line| used(line));
-        lines.flat_map(|line| [line, "\n"]).collect()
-    };
-    let bin = |name| format!("[[bin]]\nname = \"{name}\"\npath = \"chapters/{name}.rs\"\n\n");
-    let chapters: Vec<_> = CHAPTERS.iter().map(|chapter| bin(chapter.name)).collect();
+    let own = sections(COURSE).filter(|(title, _)| title.ends_with("dependencies"));
+    let own = own.filter(|(title, _)| !title.contains("dev-") && !title.starts_with("workspace"));
+    let dependencies: String = own
+        .map(|(title, text)| format!("\n[{title}]\n{text}"))
+        .collect();
+    let inherited = [&dependencies, &workbook()].map(String::as_str).concat();
     format!(
         include_str!("starter/Cargo.toml.txt"),
-        dependencies = dependencies("dependencies"),
-        unix_dependencies = dependencies(UNIX),
-        chapters = chapters.concat()
+        package = section(COURSE, "workspace.package"),
+        shared = shared(&inherited, "."),
+        features = features,
+        dependencies = dependencies,
     )
+}
+
+/// The `workbook/Cargo.toml`: the course's, with the answer program as what is run.
+pub fn workbook() -> String {
+    let text = library::manifest_of_workbook();
+    text.replacen("\n\n", "\ndefault-run = \"answer\"\n\n", 1)
+}
+
+/// The `Cargo.toml` of the chapters' package, at `.raybook/chapters`: a workspace of its own, in which the library has all its
+/// features.
+pub fn chapters() -> String {
+    let text = library::manifest_of_chapters();
+    let own: String = sections(text)
+        .filter(|(title, _)| !["dev-dependencies", "[test]", "lints"].contains(title))
+        .map(|(title, text)| format!("\n[{title}]\n{text}"))
+        .collect();
+    let profiles: String = sections(COURSE)
+        .filter(|(title, _)| title.starts_with("profile.release") && !title.contains(WITHHELD))
+        .map(|(title, text)| format!("\n[{title}]\n{text}"))
+        .collect();
+    format!(
+        "[workspace] # of its own: the workbook compiles without it\nresolver = \"3\"\n\n[workspace.package]\n{}\n[workspace.dependencies]\n{}{own}{profiles}",
+        section(COURSE, "workspace.package"),
+        shared(&own, "../.."),
+    )
+}
+
+/// The dependencies that a manifest inherits, with the library at `folder`.
+fn shared(inherited: &str, folder: &str) -> String {
+    let features =
+        lines(section(COURSE, "features")).find_map(|line| line.strip_prefix("default = "));
+    let shared = lines(section(COURSE, "workspace.dependencies")).filter_map(|line| {
+        let name = line.split(" = ").next()?;
+        let is_used = lines(inherited).any(|line| {
+            line.split(['.', ' ']).next() == Some(name) && line.contains("workspace = true")
+        });
+        is_used.then(|| match name {
+            "raybook" if folder == "." => "raybook = { path = \".\" }\n".to_owned(),
+            "raybook" => format!(
+                "raybook = {{ path = \"{folder}\", features = {} }}\n",
+                features.unwrap_or("[]")
+            ),
+            "raybook-workbook" => {
+                format!("raybook-workbook = {{ path = \"{folder}/workbook\" }}\n")
+            }
+            _ => format!("{line}\n"),
+        })
+    });
+    shared.collect()
+}
+
+/// The text of a section.
+fn section<'a>(manifest: &'a str, title: &str) -> &'a str {
+    let found = sections(manifest).find(|(of, _)| *of == title);
+    found.map_or("", |(_, text)| text)
+}
+
+/// The sections with their titles (`[bin]` for one of several), in order.
+fn sections(manifest: &str) -> impl Iterator<Item = (&str, &str)> {
+    let parts = manifest.split("\n[").enumerate();
+    parts.filter_map(|(i, part)| {
+        let part = if i == 0 {
+            part.strip_prefix('[')?
+        } else {
+            part
+        };
+        let (title, text) = part.split_once("]\n")?;
+        Some((title, text))
+    })
+}
+
+/// The lines that say something.
+fn lines(text: &str) -> impl Iterator<Item = &str> {
+    text.lines().filter(|line| !line.trim().is_empty())
 }

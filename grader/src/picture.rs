@@ -1,7 +1,7 @@
 //! Pictures made of answers: a question per pixel.
 
-use crate::ask::{Said, silence, understand};
-use crate::converse::{Conversation, Limits, Program, converse};
+use crate::ask::{Asker, Said, silence, understand};
+use crate::converse::Conversation;
 use crate::examine::Examiner;
 use crate::triple::{PictureSize, Triple, triple};
 use std::io;
@@ -13,9 +13,8 @@ use std::io;
 /// # Errors
 /// If the program cannot be started.
 pub fn ask_pixels(
-    program: &Program,
+    asker: &mut Asker<'_>,
     examiner: &dyn Examiner,
-    limits: Limits,
 ) -> io::Result<(Vec<Triple>, Option<String>)> {
     let questions = pixel_questions(examiner);
     if questions.is_empty() {
@@ -25,9 +24,9 @@ pub fn ask_pixels(
         .iter()
         .map(|question| format!("{} {question}", examiner.name()))
         .collect();
-    let Conversation { answers, end, .. } = converse(program, &asked, limits)?;
+    let Conversation { answers, end, .. } = asker.converse(&asked)?;
     let all = answers.len() >= questions.len();
-    let stopped = if all { None } else { silence(end).why_none() };
+    let stopped = end.filter(|_| !all).and_then(|end| silence(end).why_none());
     let mut answers: Vec<_> = answers
         .into_iter()
         .map(|(answer, _)| match understand(&answer) {

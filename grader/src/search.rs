@@ -1,7 +1,7 @@
 //! Searches of a tree for the nearest triangle, as students write them: the right one, and the ways to go wrong.
 
-use raybook::accel::ray_box::RayBox;
 use raybook::image::rgb::Rgb;
+use raybook::inside::RayBox;
 use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use raybook::shape::{Shape, mesh::Facet};
 use raybook_chapters::kit::palette::viridis;

@@ -1,30 +1,30 @@
 //! The student's folder: a copy of the library in which the exercises are still to be written.
 
-use crate::{cases, library, manifest};
+use crate::library::{self, MANIFEST};
+use crate::{cases, manifest};
+use include_dir::File;
 use raybook::image::file;
 use raybook_workbook::anchor::{self, AnchorError, Anchored};
 use raybook_workbook::curriculum::{CHAPTERS, Chapter};
 use std::io;
 use std::path::{Path, PathBuf};
 
-const LOCK: &str = include_str!("../../Cargo.lock");
-
-/// What stays with the course: the grader, and the `raybook` command.
-const WITHHELD: &[&str] = &["grade", "main.rs", "commands"];
+/// The versions of all packages, those of the course among them: cargo leaves out what is not used.
+pub const LOCK: &str = include_str!("../../Cargo.lock");
 
 /// Other ways to what an exercise asks, by their anchors: in the student's copy they call what the student writes.
 const OTHER_WAYS: &[(&str, &str)] = &[
     (
         "hit_by_plane",
-        "raybook::shape::Shape::hit(triangle, ray, within)",
+        "crate::shape::Shape::hit(triangle, ray, within)",
     ),
     (
         "hit_by_determinants",
-        "raybook::shape::Shape::hit(triangle, ray, within)",
+        "crate::shape::Shape::hit(triangle, ray, within)",
     ),
     (
         "hit_watertight",
-        "let [p0, p1, p2] = *corners;\n    raybook::shape::Shape::hit(&raybook::shape::triangle::Triangle::new(p0, p1, p2), ray, within)",
+        "let [p0, p1, p2] = *corners;\n    crate::shape::Shape::hit(&crate::shape::triangle::Triangle::new(p0, p1, p2), ray, within)",
     ),
 ];
 
@@ -49,7 +49,7 @@ pub enum StarterError {
         source: io::Error,
     },
     /// The library itself is wrong; a test sees to it that it is not.
-    #[error("src/{0}: {1}")]
+    #[error("{0}: {1}")]
     Anchor(String, AnchorError),
 }
 
@@ -93,45 +93,21 @@ pub fn stub(function: &Anchored<'_>) -> Option<String> {
 pub fn files(
     rewrite: &dyn Fn(&Anchored<'_>) -> Option<String>,
 ) -> Result<Vec<StarterFile>, StarterError> {
-    let mut files = Vec::new();
-    for file in library::source() {
-        let path = file.path().to_string_lossy().replace('\\', "/");
-        if WITHHELD
-            .iter()
-            .any(|withheld| path.split('/').next() == Some(*withheld))
-        {
-            continue;
-        }
-        let bytes = match file.contents_utf8() {
-            Some(text) if file.path().extension().is_some_and(|e| e == "rs") => {
-                let text = anchor::rewrite(text, rewrite)
-                    .map_err(|error| StarterError::Anchor(path.clone(), error))?;
-                text.lines()
-                    .filter(|line| !library::is_of_the_course(line))
-                    .flat_map(|line| [line, "\n"])
-                    .collect::<String>()
-                    .into_bytes()
-            }
-            _ => file.contents().to_vec(),
-        };
-        files.push((Path::new("src").join(path), bytes));
-    }
-    for file in library::chapters() {
-        files.push((
-            Path::new("chapters").join(file.path()),
-            file.contents().to_vec(),
-        ));
-    }
-    let manifest = manifest::text(&files);
+    let mut files = copies("src", library::source(), rewrite)?;
+    files.extend(copies("workbook", library::workbook(), rewrite)?);
     let readme = format!(
         "{}\n## The course\n\n{}",
         include_str!("starter/README.md"),
         course_map()
     );
     for (path, text) in [
-        ("Cargo.toml", manifest.as_str()),
+        ("Cargo.toml", manifest::root().as_str()),
         ("Cargo.lock", LOCK),
-        ("src/bin/answer.rs", include_str!("starter/answer.rs.txt")),
+        ("workbook/Cargo.toml", manifest::workbook().as_str()),
+        (
+            "workbook/src/bin/answer.rs",
+            include_str!("starter/answer.rs.txt"),
+        ),
         ("README.md", readme.as_str()),
         (
             MARKER,
@@ -144,13 +120,41 @@ pub fn files(
     Ok(files)
 }
 
+/// Copies of the course's sources, without its anchors; `rewrite` gives the anchored functions their new text.
+///
+/// # Errors
+/// If an anchor is wrong.
+pub fn copies(
+    folder: &str,
+    originals: Vec<&File<'_>>,
+    rewrite: &dyn Fn(&Anchored<'_>) -> Option<String>,
+) -> Result<Vec<StarterFile>, StarterError> {
+    let mut files = Vec::new();
+    for file in originals {
+        let path = library::slashes(file);
+        if path == MANIFEST {
+            continue;
+        }
+        let bytes = match file.contents_utf8() {
+            Some(text) if path.ends_with(".rs") => {
+                let text = anchor::rewrite(text, rewrite)
+                    .map_err(|error| StarterError::Anchor(format!("{folder}/{path}"), error))?;
+                library::without_anchors(&text).into_bytes()
+            }
+            _ => file.contents().to_vec(),
+        };
+        files.push((Path::new(folder).join(path), bytes));
+    }
+    Ok(files)
+}
+
 /// A line per chapter: its number, its title and its exercises.
 pub fn course_map() -> String {
     let line = |chapter: &Chapter| {
         let names: Vec<_> = chapter
             .exercises()
             .iter()
-            .map(|exercise| exercise.name())
+            .map(|exercise| exercise.name)
             .collect();
         format!(
             "    {:2}  {:<20} {}\n",

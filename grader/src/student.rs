@@ -22,8 +22,13 @@ pub enum StudentError {
     #[error("your program does not compile; the compiler's message is above")]
     DoesNotCompile,
     /// Cargo built something else.
-    #[error("{}: cargo built no program `answer` here; is src/bin/answer.rs still there?", .0.display())]
-    NoProgram(PathBuf),
+    #[error("{}: cargo built no program `{program}` here; is everything in workbook/ still there?", folder.display())]
+    NoProgram {
+        /// Where it was to be built.
+        folder: PathBuf,
+        /// Its name.
+        program: String,
+    },
 }
 
 /// The student's folder: this one, or the nearest above it that is a workbook.
@@ -45,13 +50,23 @@ pub fn workbook(from: &Path) -> Result<PathBuf, StudentError> {
 /// # Errors
 /// If cargo is missing, or the program does not compile.
 pub fn build(folder: &Path) -> Result<Program, StudentError> {
-    let output = Command::new("cargo")
-        .args([
-            "build",
-            "--bin",
-            "answer",
-            "--message-format=json-render-diagnostics",
-        ])
+    build_binary(&mut Command::new("cargo"), folder, "answer", &[])
+}
+
+/// Builds one of the folder's programs with this cargo and these further options.
+///
+/// # Errors
+/// If cargo is missing, or the program does not compile.
+pub fn build_binary(
+    cargo: &mut Command,
+    folder: &Path,
+    binary: &str,
+    options: &[&str],
+) -> Result<Program, StudentError> {
+    let output = cargo
+        .args(["build", "--message-format=json-render-diagnostics", "--bin"])
+        .arg(binary)
+        .args(options)
         .current_dir(folder)
         .stderr(Stdio::inherit())
         .output()
@@ -61,16 +76,19 @@ pub fn build(folder: &Path) -> Result<Program, StudentError> {
     }
     let executable = |line: &str| {
         let message: Value = serde_json::from_str(line).ok()?;
-        let is_answer = message["target"]["name"] == "answer";
+        let is_asked_for = message["target"]["name"] == binary;
         message["executable"]
             .as_str()
-            .filter(|_| is_answer)
+            .filter(|_| is_asked_for)
             .map(PathBuf::from)
     };
     let file = String::from_utf8_lossy(&output.stdout)
         .lines()
         .find_map(executable);
-    let file = file.ok_or_else(|| StudentError::NoProgram(folder.to_owned()))?;
+    let file = file.ok_or_else(|| StudentError::NoProgram {
+        folder: folder.to_owned(),
+        program: binary.to_owned(),
+    })?;
     Ok(Program {
         file,
         arguments: Vec::new(),

@@ -9,7 +9,7 @@ use crate::shape::Shape;
 const LARGEST: f32 = 1e18;
 
 /// The shapes with a finite box, for a structure to sort, and all others, such as planes, in a list to be searched beside it.
-pub fn bounded<S: Shape>(shapes: Vec<S>) -> (Vec<S>, List<S>) {
+pub(super) fn bounded<S: Shape>(shapes: Vec<S>) -> (Vec<S>, List<S>) {
     let (bounded, unbounded) = shapes
         .into_iter()
         .partition(|shape| is_bounded(&shape.bounds()));

@@ -8,7 +8,7 @@ use crate::math::{aabb::Aabb, ray::Ray};
 /// by a hair, in the cell next to the one that holds the shape. So a shape is put into all cells that are this near to it.
 /// 2⁻¹³ of the extent is a hundredth of a usual cell, and is enough for rays that start up to 200 extents away
 /// ([`is_too_far`]); 2⁻²¹ of the coordinates is 4 steps from one `f32` to the next.
-pub fn margin(bounds: &Aabb) -> f32 {
+pub(super) fn margin(bounds: &Aabb) -> f32 {
     let largest = bounds.min.abs().max(bounds.max.abs()).max_element();
     let extent = bounds.size().max_element();
     extent / 8192.0 + 4.0 * f32::EPSILON * largest + f32::MIN_POSITIVE
@@ -18,7 +18,7 @@ pub fn margin(bounds: &Aabb) -> f32 {
 ///
 /// A hit test computes with p − o, which is rounded by 2⁻²⁴ of its size, and so are about 8 results after it. Once that is
 /// more than the margin, a shape can be hit where it is in no cell: then only asking every shape is right.
-pub fn is_too_far(ray: &Ray, bounds: &Aabb, margin: f32) -> bool {
+pub(super) fn is_too_far(ray: &Ray, bounds: &Aabb, margin: f32) -> bool {
     const ROUNDINGS: f32 = 8.0 * (f32::EPSILON / 2.0);
     let away = (ray.origin - bounds.center()).abs() + 0.5 * bounds.size();
     ROUNDINGS * away.max_element() > margin

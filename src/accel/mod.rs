@@ -1,17 +1,17 @@
 //! Floor 3: which of many shapes a ray hits first.
 
-pub mod bounded;
+mod bounded;
 pub mod bvh;
 pub mod grid;
-pub mod lattice;
+pub(crate) mod lattice;
 pub mod list;
-pub mod margin;
+mod margin;
 pub mod octree;
-pub mod order;
-pub mod overlap;
-pub mod ray_box;
+pub(crate) mod order;
+pub(crate) mod overlap;
+pub(crate) mod ray_box;
 pub mod two_level_grid;
-pub mod walk;
+pub(crate) mod walk;
 pub mod wide_bvh;
 
 use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};

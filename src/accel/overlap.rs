@@ -11,7 +11,7 @@ use glam::Vec3;
 /// This type has the last 10. Along a direction a, the triangle covers the interval from min a·pᵢ to max a·pᵢ, and a box
 /// with centre c and half its extents h the interval a·c ± |a|·h.
 #[derive(Clone, Copy, Debug)]
-pub struct Separation {
+pub(crate) struct Separation {
     /// p₀: all is measured from here, so that numbers are as small as the triangle.
     origin: Vec3,
     /// Directions a, and the least and the greatest a·(c − p₀) of a box that the triangle reaches.
@@ -23,7 +23,7 @@ const SLACK: f32 = 16.0 * (f32::EPSILON / 2.0);
 
 impl Separation {
     /// A triangle, and half the extents of the boxes.
-    pub fn new(corners: &[Vec3; 3], half: Vec3) -> Self {
+    pub(crate) fn new(corners: &[Vec3; 3], half: Vec3) -> Self {
         let [p0, p1, p2] = *corners;
         // Scaled, so that no product of edges overflows or vanishes.
         let edges =
@@ -47,7 +47,7 @@ impl Separation {
     /// Whether one of the directions separates the triangle from the box around this centre.
     ///
     /// A yes is certain. A no means that they meet, or nearly do, if the box meets the bounds of the triangle.
-    pub fn separates(&self, center: Vec3) -> bool {
+    pub(crate) fn separates(&self, center: Vec3) -> bool {
         let c = center - self.origin;
         self.directions.iter().any(|&(a, least, greatest)| {
             let place = a.dot(c);

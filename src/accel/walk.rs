@@ -81,7 +81,7 @@ pub fn walk(
 // ANCHOR_END: grid_walk
 
 /// Ends a walk, or lets it go on.
-pub fn break_if(done: bool) -> ControlFlow<()> {
+pub(crate) fn break_if(done: bool) -> ControlFlow<()> {
     if done {
         ControlFlow::Break(())
     } else {

@@ -2,6 +2,7 @@
 
 use crate::image::{Image, rgb::Rgb, tone};
 use exr::prelude::{ReadChannels, ReadLayers, WritableImage};
+use image::ImageEncoder;
 use std::io::Cursor;
 
 /// No EXR file packs more pixels into a byte: its densest blocks, of 256 rows, take tens of bytes each.
@@ -75,8 +76,10 @@ pub(super) fn encode_hdr(picture: &Image) -> Result<Vec<u8>, String> {
 
 pub(super) fn encode_png(picture: &Image) -> Result<Vec<u8>, String> {
     let mut bytes = Cursor::new(Vec::new());
-    to_display(picture)
-        .write_to(&mut bytes, image::ImageFormat::Png)
+    let (width, height) = (picture.width() as u32, picture.height() as u32);
+    let colour = image::ExtendedColorType::Rgb8;
+    image::codecs::png::PngEncoder::new(&mut bytes)
+        .write_image(&tone::to_bytes(picture), width, height, colour)
         .map_err(|e| e.to_string())?;
     Ok(bytes.into_inner())
 }
@@ -94,16 +97,4 @@ pub(super) fn decode_with_image(
         let [r, g, b] = decoded.get_pixel(x as u32, y as u32).0;
         Rgb::new(r, g, b).map(to_linear)
     }))
-}
-
-/// The picture as a display shows it: clamped, encoded as sRGB, 8 bits a channel.
-pub fn to_display(picture: &Image) -> image::RgbImage {
-    image::RgbImage::from_fn(picture.width() as u32, picture.height() as u32, |x, y| {
-        image::Rgb(
-            picture
-                .at(x as usize, y as usize)
-                .channels()
-                .map(tone::to_byte),
-        )
-    })
 }

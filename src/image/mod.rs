@@ -1,7 +1,9 @@
 //! Floor 1: pictures of linear radiance, their files, their way to a display, and their comparison.
 
-pub mod codec;
+#[cfg(feature = "files")]
+mod codec;
 pub mod compare;
+#[cfg(feature = "files")]
 pub mod file;
 pub mod rgb;
 pub mod rms;

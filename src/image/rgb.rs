@@ -37,17 +37,20 @@ impl Rgb {
 
     /// The colour with f applied to each channel.
     #[must_use]
+    #[inline]
     pub fn map(self, f: impl Fn(f32) -> f32) -> Self {
         Self::new(f(self.r), f(self.g), f(self.b))
     }
 
     /// How bright the eye finds it: Y = 0.2126 R + 0.7152 G + 0.0722 B (ITU-R BT.709).
+    #[inline]
     pub fn luminance(self) -> f32 {
         0.2126 * self.r + 0.7152 * self.g + 0.0722 * self.b
     }
 
     /// The colour a fraction x of the way from self to other: (1 − x)·self + x·other.
     #[must_use]
+    #[inline]
     pub fn lerp(self, other: Self, x: f32) -> Self {
         self * (1.0 - x) + other * x
     }
@@ -55,12 +58,14 @@ impl Rgb {
 
 impl Add for Rgb {
     type Output = Self;
+    #[inline]
     fn add(self, other: Self) -> Self {
         Self::new(self.r + other.r, self.g + other.g, self.b + other.b)
     }
 }
 
 impl AddAssign for Rgb {
+    #[inline]
     fn add_assign(&mut self, other: Self) {
         *self = *self + other;
     }
@@ -68,6 +73,7 @@ impl AddAssign for Rgb {
 
 impl Mul for Rgb {
     type Output = Self;
+    #[inline]
     fn mul(self, other: Self) -> Self {
         Self::new(self.r * other.r, self.g * other.g, self.b * other.b)
     }
@@ -75,6 +81,7 @@ impl Mul for Rgb {
 
 impl Mul<f32> for Rgb {
     type Output = Self;
+    #[inline]
     fn mul(self, scale: f32) -> Self {
         self.map(|v| v * scale)
     }
@@ -82,6 +89,7 @@ impl Mul<f32> for Rgb {
 
 impl Div<f32> for Rgb {
     type Output = Self;
+    #[inline]
     fn div(self, divisor: f32) -> Self {
         self.map(|v| v / divisor)
     }

@@ -1,6 +1,6 @@
 //! From radiance without a limit to a display that ends at one.
 
-use crate::image::rgb::Rgb;
+use crate::image::{Image, rgb::Rgb};
 use std::sync::LazyLock;
 
 // ANCHOR: expose
@@ -67,4 +67,10 @@ pub fn to_byte(v: f32) -> u8 {
     static CHANGES: LazyLock<[f32; 255]> =
         LazyLock::new(|| std::array::from_fn(|byte| decode_srgb((byte as f32 + 0.5) / 255.0)));
     CHANGES.partition_point(|&change| change <= v) as u8
+}
+
+/// The picture as a display shows it: clamped, encoded as sRGB, three bytes a pixel, row by row from the top left.
+pub fn to_bytes(picture: &Image) -> Vec<u8> {
+    let channels = picture.pixels().iter().flat_map(|p| p.channels());
+    channels.map(to_byte).collect()
 }

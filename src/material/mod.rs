@@ -49,6 +49,7 @@ pub struct Sight {
 
 impl Surface {
     /// The shading normal, turned to the side from which the surface is seen.
+    #[inline]
     pub fn facing(&self, view: Dir3) -> Dir3 {
         if self.normal.dot(*view) < 0.0 {
             -self.shading_normal

@@ -29,9 +29,13 @@ impl Phong {
         if cosine <= 0.0 {
             return Rgb::BLACK;
         }
-        let mirrored = 2.0 * cosine * *normal - *light.toward;
-        let highlight = mirrored.dot(*view).max(0.0).powf(self.exponent);
-        (self.diffuse * cosine + self.specular * highlight) * light.arriving
+        let mut reflected = self.diffuse * cosine;
+        // The power takes longer than all the rest, and a matte surface has no use for it.
+        if self.specular != Rgb::BLACK {
+            let mirrored = 2.0 * cosine * *normal - *light.toward;
+            reflected += self.specular * mirrored.dot(*view).max(0.0).powf(self.exponent);
+        }
+        reflected * light.arriving
     }
     // ANCHOR_END: phong
 }

@@ -17,6 +17,7 @@ pub struct Basis {
 impl Basis {
     /// A basis whose z is the given direction, without a branch and without a degenerate direction
     /// (Duff et al., "Building an orthonormal basis, revisited", 2017).
+    #[inline]
     pub fn around(z: Dir3) -> Self {
         let sign = 1.0_f32.copysign(z.z);
         let a = -1.0 / (sign + z.z);
@@ -24,13 +25,14 @@ impl Basis {
         let x = vec3(1.0 + sign * z.x * z.x * a, sign * b, -sign * z.x);
         let y = vec3(b, sign + z.y * z.y * a, -z.y);
         Self {
-            x: Dir3::new_or(x, Dir3::X),
-            y: Dir3::new_or(y, Dir3::Y),
+            x: Dir3::of_length_1(x),
+            y: Dir3::of_length_1(y),
             z,
         }
     }
 
     /// The world's vector for coordinates in this basis: x·v.x + y·v.y + z·v.z.
+    #[inline]
     pub fn to_world(&self, v: Vec3) -> Vec3 {
         v.x * *self.x + v.y * *self.y + v.z * *self.z
     }

@@ -22,6 +22,7 @@ impl Dir3 {
     ///
     /// v is first divided by its largest component, so that no square overflows or vanishes:
     /// a vector of length 1e-30 has a direction too, though its square is 0 in `f32`.
+    #[inline]
     pub fn new(v: Vec3) -> Option<Self> {
         let largest = v.abs().max_element();
         let usable = largest > 0.0 && v.is_finite();
@@ -29,7 +30,15 @@ impl Dir3 {
     }
     // ANCHOR_END: direction
 
+    /// v, which has length 1 already, up to rounding: where a formula has made it so.
+    #[inline]
+    pub(crate) fn of_length_1(v: Vec3) -> Self {
+        debug_assert!((v.length_squared() - 1.0).abs() < 1e-5, "{v} has length 1");
+        Self(v)
+    }
+
     /// v/|v|, or `otherwise` where v has no direction.
+    #[inline]
     pub fn new_or(v: Vec3, otherwise: Self) -> Self {
         Self::new(v).unwrap_or(otherwise)
     }
@@ -38,6 +47,7 @@ impl Dir3 {
 impl Deref for Dir3 {
     type Target = Vec3;
 
+    #[inline]
     fn deref(&self) -> &Vec3 {
         &self.0
     }
@@ -46,6 +56,7 @@ impl Deref for Dir3 {
 impl Neg for Dir3 {
     type Output = Self;
 
+    #[inline]
     fn neg(self) -> Self {
         Self(-self.0)
     }

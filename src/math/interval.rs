@@ -22,12 +22,14 @@ impl Interval {
     }
 
     /// Whether t counts; never for NaN.
+    #[inline]
     pub fn contains(&self, t: f32) -> bool {
         self.min < t && t < self.max
     }
 
     /// The same interval, ending at t: what is left once something was hit there.
     #[must_use]
+    #[inline]
     pub fn before(&self, t: f32) -> Self {
         Self { max: t, ..*self }
     }

@@ -16,6 +16,7 @@ pub fn stream(seed: u64, stream: u64) -> Pcg {
 // ANCHOR_END: stream
 
 /// `SplitMix64`'s finaliser (Steele, Lea and Flood 2014): every bit of the input changes half the bits of the output.
+#[inline]
 pub fn mix(x: u64) -> u64 {
     let x = x.wrapping_add(0x9e37_79b9_7f4a_7c15);
     let x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

@@ -5,6 +5,9 @@
 pub struct Piecewise {
     /// The sums of the weights before each cell, and of all; in `f64`, because a map has millions of texels.
     sums: Vec<f64>,
+    /// How many sums are at most 0, 1/n, 2/n, … of all the weight: between two of them a search is short (Chen and Asau,
+    /// "On generating random variates from an empirical distribution", 1974).
+    guide: Vec<u32>,
 }
 
 /// A cell that was chosen.
@@ -27,7 +30,17 @@ impl Piecewise {
             }
             sums.push(sum);
         }
-        Self { sums }
+        let n = sums.len() - 1;
+        let mut reached = 0;
+        let guide = (0..=n).map(|i| {
+            let share = sum * i as f64 / n.max(1) as f64;
+            while reached <= n && sums[reached] <= share {
+                reached += 1;
+            }
+            reached as u32
+        });
+        let guide = guide.collect();
+        Self { sums, guide }
     }
 
     /// The sum of the weights.
@@ -42,7 +55,7 @@ impl Piecewise {
     pub fn choose(&self, u: f32) -> Option<Choice> {
         let target = f64::from(u) * self.total();
         // The first sum above the target ends the cell; equal sums, those of cells without weight, are passed over.
-        let end = self.sums.partition_point(|&sum| sum <= target);
+        let end = self.above(target, u);
         let cell = end.checked_sub(1).filter(|_| end < self.sums.len())?;
         let weight = self.sums[end] - self.sums[cell];
         let within = ((target - self.sums[cell]) / weight) as f32;
@@ -52,6 +65,24 @@ impl Piecewise {
         })
     }
     // ANCHOR_END: choose
+
+    /// How many sums are at most a target, which is u of all the weight.
+    fn above(&self, target: f64, u: f32) -> usize {
+        let part = (f64::from(u) * (self.sums.len() - 1) as f64) as usize;
+        let guide = |part: usize| {
+            self.guide
+                .get(part)
+                .map_or(self.sums.len(), |&i| i as usize)
+        };
+        let begin = guide(part).saturating_sub(1).min(self.sums.len());
+        let near = &self.sums[begin..(guide(part + 1) + 1).min(self.sums.len())];
+        match near.partition_point(|&sum| sum <= target) {
+            // Rounding may have led to the part before or after.
+            0 => self.sums.partition_point(|&sum| sum <= target),
+            found if found == near.len() => self.sums.partition_point(|&sum| sum <= target),
+            found => begin + found,
+        }
+    }
 
     /// The probability of a cell; 0 for one that does not exist, or if no cell has any weight.
     pub fn probability(&self, cell: usize) -> f64 {

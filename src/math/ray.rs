@@ -16,12 +16,14 @@ pub struct Ray {
 
 impl Ray {
     /// A ray from a point in a direction.
+    #[inline]
     pub fn new(origin: Vec3, direction: Dir3) -> Self {
         Self { origin, direction }
     }
 
     // ANCHOR: ray_at
     /// The point at distance t: r(t) = o + t·d.
+    #[inline]
     pub fn at(&self, t: f32) -> Vec3 {
         self.origin + t * *self.direction
     }

@@ -2,7 +2,8 @@
 
 use crate::image::{Image, rgb::Rgb};
 use crate::render::budget::spend_budget;
-use crate::render::film::Film;
+use crate::render::film::{Done, Film};
+use crate::render::followed::Followed;
 use crate::render::needs_more::Enough;
 use crate::render::supersample::Radiance;
 use crate::sample::pattern::owen::sobol_owen;
@@ -39,22 +40,32 @@ pub struct Limits {
 /// Each pixel gets a few samples, and twice as many again for as long as they are not enough (Whitted 1980; Mitchell 1987).
 ///
 /// They are the beginning of one sequence, Sobol's by Owen, so that all of them together are as even as if they had been planned.
-pub fn adaptive(film: &Film, limits: Limits, enough: &Enough, radiance: impl Radiance) -> Adaptive {
+pub fn adaptive<S: Into<Followed>>(
+    film: &Film,
+    limits: Limits,
+    enough: &Enough,
+    radiance: impl Radiance<S>,
+) -> Adaptive {
     let most = limits.most.max(1);
     let spent = Counts::new(film);
     let picture = film.render_pixels(|x, y, rng| {
         let points = sobol_owen(most, rng);
         let (mut seen, mut goal) = (Vec::new(), limits.first.clamp(1, most));
+        let mut rays = 0;
         loop {
-            let next = &points[seen.len()..goal];
-            seen.extend(next.iter().map(|p| radiance(place(film, x, y, *p), rng)));
+            for p in &points[seen.len()..goal] {
+                let sample: Followed = radiance(place(film, x, y, *p), rng).into();
+                seen.push(sample.radiance);
+                rays += sample.rays;
+            }
             if goal == most || !enough.needs_more(&seen) {
                 break;
             }
             goal = (2 * goal).min(most);
         }
         spent.set(x, y, seen.len());
-        seen.iter().copied().sum::<Rgb>() / seen.len() as f32
+        let radiance = seen.iter().copied().sum::<Rgb>() / seen.len() as f32;
+        Followed { radiance, rays }
     });
     Adaptive {
         picture,
@@ -67,15 +78,20 @@ pub fn adaptive(film: &Film, limits: Limits, enough: &Enough, radiance: impl Rad
 /// So many samples a pixel in the mean, shared out by how much the first few of each pixel differ.
 ///
 /// A pixel counts as much as the most restless of its neighbours: an edge may have slipped through between its own few.
-pub fn by_budget(film: &Film, first: usize, mean: usize, radiance: impl Radiance) -> Adaptive {
+pub fn by_budget<S: Into<Followed>>(
+    film: &Film,
+    first: usize,
+    mean: usize,
+    radiance: impl Radiance<S>,
+) -> Adaptive {
     let first = first.max(2);
     let restless = Counts::new(film);
     let begun = film.render_pixels(|x, y, rng| {
         let points = sobol_owen(first, rng);
-        let see = |p: &Vec2| radiance(place(film, x, y, *p), rng);
-        let seen: Vec<_> = points.iter().map(see).collect();
+        let see = |p: &Vec2| radiance(place(film, x, y, *p), rng).into();
+        let seen: Vec<Followed> = points.iter().map(see).collect();
         restless.set(x, y, deviation(&seen).to_bits() as usize);
-        seen.into_iter().sum()
+        seen.into_iter().sum::<Followed>()
     });
     let near = |v: usize, end: usize| v.saturating_sub(1)..(v + 2).min(end);
     let of = |x: usize, y: usize| f32::from_bits(restless.get(x, y) as u32);
@@ -91,16 +107,21 @@ pub fn by_budget(film: &Film, first: usize, mean: usize, radiance: impl Radiance
         .collect();
     let counts = spend_budget(&deviations, first as u32, (mean * deviations.len()) as u32);
     let count = |x: usize, y: usize| counts[y * film.width + x] as usize;
-    let silent = Film {
-        progress: &|_| {},
+    // Every pixel was told to be done when it was begun.
+    let again = Film {
+        progress: &|Done { rays, .. }| (film.progress)(Done { pixels: 0, rays }),
         ..*film
     };
-    let picture = silent.render_pixels(|x, y, rng| {
+    let picture = again.render_pixels(|x, y, rng| {
         let points = sobol_owen(count(x, y), rng);
         let rest = points[first..]
             .iter()
-            .map(|p| radiance(place(film, x, y, *p), rng));
-        (begun.at(x, y) + rest.sum()) / count(x, y) as f32
+            .map(|p| radiance(place(film, x, y, *p), rng).into());
+        let rest: Followed = rest.sum();
+        Followed {
+            radiance: (begun.at(x, y) + rest.radiance) / count(x, y) as f32,
+            ..rest
+        }
     });
     Adaptive {
         picture,
@@ -114,10 +135,13 @@ pub fn by_budget(film: &Film, first: usize, mean: usize, radiance: impl Radiance
 // ANCHOR_END: by_budget
 
 /// The standard deviation of the samples' luminance.
-fn deviation(seen: &[Rgb]) -> f32 {
+fn deviation(seen: &[Followed]) -> f32 {
     let n = seen.len() as f32;
-    let mean = seen.iter().map(|s| s.luminance()).sum::<f32>() / n;
-    let squares: f32 = seen.iter().map(|s| (s.luminance() - mean).powi(2)).sum();
+    let mean = seen.iter().map(|s| s.radiance.luminance()).sum::<f32>() / n;
+    let squares: f32 = seen
+        .iter()
+        .map(|s| (s.radiance.luminance() - mean).powi(2))
+        .sum();
     (squares / (n - 1.0)).sqrt()
 }
 

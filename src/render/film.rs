@@ -2,11 +2,14 @@
 
 use crate::image::{Image, rgb::Rgb};
 use crate::math::pcg::{self, Pcg};
+use crate::render::followed::Followed;
 use crate::sample::pattern::sobol::sobol;
+use crate::threads;
 use glam::{Vec2, vec2};
 use rand::RngExt;
+use std::fmt;
+use std::iter::once;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread;
 
 /// Edge of a tile in pixels: small enough to share the work evenly, large enough to fetch seldom.
 const TILE: usize = 16;
@@ -24,8 +27,29 @@ pub struct Film<'a> {
     pub seed: u64,
     /// How many threads work; the picture does not depend on it.
     pub threads: usize,
-    /// Told the number of pixels whenever some are done, from any thread.
-    pub progress: &'a (dyn Fn(usize) + Sync),
+    /// Told whenever some pixels are done, from any thread.
+    pub progress: &'a (dyn Fn(Done) + Sync),
+}
+
+impl fmt::Debug for Film<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.debug_struct("Film")
+            .field("width", &self.width)
+            .field("height", &self.height)
+            .field("samples", &self.samples)
+            .field("seed", &self.seed)
+            .field("threads", &self.threads)
+            .finish_non_exhaustive()
+    }
+}
+
+/// A part of a picture that is done.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Done {
+    /// Its pixels.
+    pub pixels: usize,
+    /// The rays that were followed for them, as far as they were counted.
+    pub rays: u64,
 }
 
 /// Samples that every pixel of [`Film::render_edges`] gets.
@@ -40,17 +64,21 @@ impl Film<'_> {
     // ANCHOR: film_loop
     /// The picture whose pixels are the mean of `radiance` over their samples.
     ///
-    /// `radiance` is given the place on the film, in [0, 1]² from the top left, and the pixel's random numbers.
-    pub fn render(&self, radiance: impl Fn(Vec2, &mut Pcg) -> Rgb + Sync) -> Image {
+    /// `radiance` is given the place on the film, in [0, 1]² from the top left, and the pixel's random numbers. It returns an
+    /// [`Rgb`], or a [`Followed`] that counts its rays.
+    pub fn render<S: Into<Followed>>(
+        &self,
+        radiance: impl Fn(Vec2, &mut Pcg) -> S + Sync,
+    ) -> Image {
         self.render_pixels(|x, y, rng| {
             let places = place_in_pixel(self.samples, rng);
-            let sum: Rgb = (0..self.samples)
+            let sum: Followed = (0..self.samples)
                 .map(|i| {
                     let place = vec2(x as f32, y as f32) + places(i);
-                    radiance(place / vec2(self.width as f32, self.height as f32), rng)
+                    radiance(place / vec2(self.width as f32, self.height as f32), rng).into()
                 })
                 .sum();
-            sum / self.samples as f32
+            sum.mean_of(self.samples)
         })
     }
     // ANCHOR_END: film_loop
@@ -62,21 +90,29 @@ impl Film<'_> {
     /// The neighbourhood is a pixel and the eight around it, so that an edge that slips between a pixel's own samples is
     /// found by its neighbours'. Use it where the radiance depends on the place alone: what chance decides can agree by
     /// chance. A pixel that gets all samples is the same as in [`Film::render`].
-    pub fn render_edges(&self, radiance: impl Fn(Vec2, &mut Pcg) -> Rgb + Sync) -> Image {
+    pub fn render_edges<S: Into<Followed>>(
+        &self,
+        radiance: impl Fn(Vec2, &mut Pcg) -> S + Sync,
+    ) -> Image {
         let size = vec2(self.width as f32, self.height as f32);
         let first = FIRST.min(self.samples);
-        let begun = self.pixels(|x, y, rng| {
+        let begun = self.each_pixel(|x, y, rng| {
             let corner = vec2(x as f32, y as f32);
             let places = place_in_pixel(self.samples, rng);
-            let seen = Seen::of((0..first).map(|i| radiance((corner + places(i)) / size, rng)));
-            (seen, places, rng.clone())
+            let mut rays = 0;
+            let seen = Seen::of((0..first).map(|i| {
+                let one = radiance((corner + places(i)) / size, rng).into();
+                rays += one.rays;
+                one.radiance
+            }));
+            ((seen, places, rng.clone()), rays)
         });
-        let silent = Film {
-            progress: &|_| {},
+        let again = Film {
+            progress: &|done| (self.progress)(Done { pixels: 0, ..done }),
             ..*self
         };
         let near = |v: usize, end: usize| v.saturating_sub(1)..(v + 2).min(end);
-        silent.render_pixels(|x, y, rng| {
+        again.render_pixels(|x, y, rng| {
             let (seen, places, then) = &begun[y * self.width + x];
             let around = near(y, self.height).flat_map(|y| {
                 let row = near(x, self.width);
@@ -84,30 +120,39 @@ impl Film<'_> {
             });
             let around = around.map(|i| begun[i].0).reduce(Seen::with);
             if first == self.samples || !around.is_some_and(|around| around.differs()) {
-                return seen.sum / first as f32;
+                return Followed::from(seen.sum / first as f32);
             }
             rng.clone_from(then);
             let corner = vec2(x as f32, y as f32);
-            let sum = (first..self.samples).fold(seen.sum, |sum, i| {
-                sum + radiance((corner + places(i)) / size, rng)
-            });
-            sum / self.samples as f32
+            let rest =
+                (first..self.samples).map(|i| radiance((corner + places(i)) / size, rng).into());
+            // One after the other, as `render` adds them up: then the bits are the same.
+            let sum: Followed = once(Followed::from(seen.sum)).chain(rest).sum();
+            sum.mean_of(self.samples)
         })
     }
     // ANCHOR_END: render_edges
 
     /// The picture whose pixel in column x and row y is `pixel(x, y, its random numbers)`.
     ///
-    /// Each pixel has its own stream of random numbers, so the picture does not depend on which thread draws which.
-    pub fn render_pixels(&self, pixel: impl Fn(usize, usize, &mut Pcg) -> Rgb + Sync) -> Image {
-        let pixels = self.pixels(pixel);
+    /// The threads fetch tiles one by one until none is left; each pixel has its own stream of random numbers,
+    /// so the picture does not depend on which thread draws which.
+    pub fn render_pixels<S: Into<Followed>>(
+        &self,
+        pixel: impl Fn(usize, usize, &mut Pcg) -> S + Sync,
+    ) -> Image {
+        let pixels = self.each_pixel(|x, y, rng| {
+            let Followed { radiance, rays } = pixel(x, y, rng).into();
+            (radiance, rays)
+        });
         Image::from_fn(self.width, self.height, |x, y| pixels[y * self.width + x])
     }
 
-    /// As [`Film::render_pixels`], for anything that belongs to a pixel: row by row.
-    ///
-    /// The threads fetch tiles one by one until none is left.
-    pub fn pixels<T: Send>(&self, pixel: impl Fn(usize, usize, &mut Pcg) -> T + Sync) -> Vec<T> {
+    /// Whatever `pixel` says of each pixel, row by row; the second thing it says is the rays that it took.
+    pub fn each_pixel<T: Send>(
+        &self,
+        pixel: impl Fn(usize, usize, &mut Pcg) -> (T, u64) + Sync,
+    ) -> Vec<T> {
         let (columns, rows) = (self.width.div_ceil(TILE), self.height.div_ceil(TILE));
         let next = AtomicUsize::new(0);
         let work = || {
@@ -118,31 +163,25 @@ impl Film<'_> {
                     return done;
                 }
                 let (left, top) = (tile % columns * TILE, tile / columns * TILE);
+                let mut part = Done::default();
                 for y in top..(top + TILE).min(self.height) {
                     for x in left..(left + TILE).min(self.width) {
-                        let i = y * self.width + x;
-                        let mut rng = pcg::stream(self.seed, i as u64);
-                        done.push((i, pixel(x, y, &mut rng)));
+                        let mut rng = pcg::stream(self.seed, (y * self.width + x) as u64);
+                        let (what, rays) = pixel(x, y, &mut rng);
+                        done.push((x, y, what));
+                        part.pixels += 1;
+                        part.rays += rays;
                     }
                 }
-                (self.progress)((TILE.min(self.width - left)) * (TILE.min(self.height - top)));
+                (self.progress)(part);
             }
         };
-        let mut pixels: Vec<_> = (0..self.width * self.height).map(|_| None).collect();
-        thread::scope(|scope| {
-            let workers: Vec<_> = (0..self.threads.clamp(1, (columns * rows).max(1)))
-                .map(|_| scope.spawn(work))
-                .collect();
-            for worker in workers {
-                let done = worker
-                    .join()
-                    .unwrap_or_else(|panic| std::panic::resume_unwind(panic));
-                for (i, value) in done {
-                    pixels[i] = Some(value);
-                }
-            }
-        });
-        pixels.into_iter().flatten().collect() // each pixel is in one tile: none is missing
+        let mut all: Vec<_> = (0..self.width * self.height).map(|_| None).collect();
+        let workers = self.threads.clamp(1, (columns * rows).max(1));
+        for (x, y, pixel) in threads::workers(workers, work).into_iter().flatten() {
+            all[y * self.width + x] = Some(pixel);
+        }
+        all.into_iter().flatten().collect() // each pixel is in one tile: none is missing
     }
 }
 

@@ -3,37 +3,45 @@
 use crate::image::rgb::Rgb;
 use crate::light::LightSample;
 use crate::material::Material;
-use crate::math::{dir3::Dir3, pcg::Pcg};
+use crate::math::dir3::Dir3;
+use crate::render::followed::Followed;
 use crate::scene::world::{Scene, Seen};
 use crate::shape::Surface;
 use glam::vec2;
-use rand::RngExt;
+use rand::{Rng, RngExt};
 
 /// Whether light on its way to a surface arrives there.
 pub type Arrives = fn(&Scene<dyn Material>, &Surface, &LightSample) -> bool;
 
-/// Nothing is in the way, ever: the world without shadows.
-pub const ALWAYS: Arrives = |_, _, _| true;
+/// Nothing is in the way, ever: the world without shadows, in which no ray to a light need be followed.
+pub const ALWAYS: Option<Arrives> = None;
 
 /// How light from the lights is gathered.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct Local {
     /// So many samples are taken of every light.
     pub samples: u32,
-    /// Whether a sample arrives.
-    pub arrives: Arrives,
+    /// Whether a sample arrives, by following a ray to the light; [`ALWAYS`] if there is no need to.
+    pub arrives: Option<Arrives>,
 }
 
 impl Local {
     // ANCHOR: local
     /// I = k_a i_a + Σ over the lights: the mean, over a light's samples, of what the material makes of them.
-    pub fn radiance(
+    pub fn follow(
         &self,
         scene: &Scene<dyn Material>,
         seen: &Seen<dyn Material>,
         view: Dir3,
-        rng: &mut Pcg,
-    ) -> Rgb {
+        rng: &mut impl Rng,
+    ) -> Followed {
+        let mut rays = 0;
+        let mut arrives = |sample: &LightSample| {
+            self.arrives.is_none_or(|arrives| {
+                rays += 1;
+                arrives(scene, &seen.surface, sample)
+            })
+        };
         let mut sum = seen.material.ambient(&seen.surface) * scene.ambient;
         for light in &scene.lights {
             let mut of_light = Rgb::BLACK;
@@ -44,13 +52,16 @@ impl Local {
                 };
                 let lit = seen.material.lit(&seen.surface, view, &sample);
                 // A mirror makes nothing of a lamp, nor does a surface that is turned away: then nobody need look.
-                if lit != Rgb::BLACK && (self.arrives)(scene, &seen.surface, &sample) {
+                if lit != Rgb::BLACK && arrives(&sample) {
                     of_light += lit;
                 }
             }
             sum += of_light / self.samples as f32;
         }
-        sum
+        Followed {
+            radiance: sum,
+            rays,
+        }
     }
     // ANCHOR_END: local
 }

@@ -3,7 +3,7 @@
 use crate::image::rgb::Rgb;
 use crate::material::brdf::Brdf;
 use crate::math::{dir3::Dir3, ray::Ray};
-use crate::render::{mis::Strategy, shadow};
+use crate::render::{followed::Followed, mis::Strategy, shadow};
 use crate::scene::world::{Scene, Seen};
 use glam::vec2;
 use rand::{Rng, RngExt};
@@ -29,23 +29,27 @@ impl Path {
     /// `weight` is the product of f cos θ/p so far. Light straight from a light is looked for twice: towards the light (next
     /// event estimation) and by the ray that goes on; the strategy shares it out. L_i of the rest is followed by one ray.
     /// The mean over all random numbers is exact, but for what `depth` cuts off.
-    pub fn radiance(&self, scene: &Scene<dyn Brdf>, ray: &Ray, rng: &mut impl Rng) -> Rgb {
+    pub fn follow(&self, scene: &Scene<dyn Brdf>, ray: &Ray, rng: &mut impl Rng) -> Followed {
         let (mut ray, mut pdf) = (*ray, f32::INFINITY);
-        let (mut sum, mut weight) = (Rgb::BLACK, Rgb::WHITE);
+        let (mut sum, mut weight) = (Followed::default(), Rgb::WHITE);
         let mut surfaces = 0;
         loop {
+            sum.rays += 1;
             let seen = scene.closest(&ray);
             let found = self.found(scene, &ray, seen.as_ref().map(|seen| seen.t), pdf);
             let (Some(seen), None) = (seen, found) else {
-                return sum + weight * found.unwrap_or(Rgb::BLACK);
+                sum.radiance += weight * found.unwrap_or(Rgb::BLACK);
+                return sum;
             };
             let view = -ray.direction;
-            sum += weight * seen.material.emitted(&seen.surface, view);
+            sum.radiance += weight * seen.material.emitted(&seen.surface, view);
             if surfaces == self.depth {
                 return sum;
             }
             surfaces += 1;
-            sum += weight * self.next_event(scene, &seen, view, rng);
+            let direct = self.next_event(scene, &seen, view, rng);
+            sum.radiance += weight * direct.radiance;
+            sum.rays += direct.rays;
             let Some(next) = Next::sample(&seen, view, rng) else {
                 return sum;
             };
@@ -61,6 +65,11 @@ impl Path {
     }
     // ANCHOR_END: path
 
+    /// The same, uncounted.
+    pub fn radiance(&self, scene: &Scene<dyn Brdf>, ray: &Ray, rng: &mut impl Rng) -> Rgb {
+        self.follow(scene, ray, rng).radiance
+    }
+
     // ANCHOR: next_event
     /// The radiance towards the viewer of light that comes straight from the lights: a place on each is asked.
     fn next_event(
@@ -69,8 +78,8 @@ impl Path {
         seen: &Seen<dyn Brdf>,
         view: Dir3,
         rng: &mut impl Rng,
-    ) -> Rgb {
-        let mut sum = Rgb::BLACK;
+    ) -> Followed {
+        let mut sum = Followed::default();
         for light in &scene.lights {
             let u = vec2(rng.random(), rng.random());
             let Some(sample) = light.sample(seen.surface.position, u) else {
@@ -80,8 +89,12 @@ impl Path {
             let share = self.strategy.of_light(sample.pdf, surface);
             let light = seen.material.reflect(&seen.surface, view, &sample) * share;
             // The shadow ray costs more than all the rest: only for light that would count.
-            if light != Rgb::BLACK && shadow::lit(scene, &seen.surface, &sample) {
-                sum += light;
+            if light == Rgb::BLACK {
+                continue;
+            }
+            sum.rays += 1;
+            if shadow::lit(scene, &seen.surface, &sample) {
+                sum.radiance += light;
             }
         }
         sum

@@ -1,28 +1,35 @@
 //! Supersampling: several rays per pixel, placed by a pattern and averaged by a filter.
 
-use crate::image::{Image, rgb::Rgb};
+use crate::image::Image;
 use crate::math::pcg::{self, Pcg};
-use crate::render::film::Film;
+use crate::render::film::{Done, Film};
+use crate::render::followed::Followed;
 use crate::sample::filter::{Filter, Sample, pixel_average};
 use crate::sample::pattern::Pattern;
 use glam::{Vec2, vec2};
 
 /// What a ray through a place on the film, in [0, 1]² from the top left, sees.
-pub trait Radiance: Fn(Vec2, &mut Pcg) -> Rgb + Sync {}
+pub trait Radiance<S>: Fn(Vec2, &mut Pcg) -> S + Sync {}
 
-impl<F: Fn(Vec2, &mut Pcg) -> Rgb + Sync> Radiance for F {}
+impl<S, F: Fn(Vec2, &mut Pcg) -> S + Sync> Radiance<S> for F {}
 
 // ANCHOR: supersample
 /// The picture whose pixels are the mean of as many samples as the film asks for, placed by a pattern: a box filter.
 ///
 /// Every pixel has its own random numbers, and so its own pattern where the pattern has any.
-pub fn supersample(film: &Film, pattern: &Pattern, radiance: impl Radiance) -> Image {
+pub fn supersample<S: Into<Followed>>(
+    film: &Film,
+    pattern: &Pattern,
+    radiance: impl Radiance<S>,
+) -> Image {
     let size = vec2(film.width as f32, film.height as f32);
     film.render_pixels(|x, y, rng| {
         let points = (pattern.points)(film.samples, rng);
         let corner = vec2(x as f32, y as f32);
-        let seen = points.iter().map(|p| radiance((corner + *p) / size, rng));
-        seen.sum::<Rgb>() / film.samples as f32
+        let seen = points
+            .iter()
+            .map(|p| radiance((corner + *p) / size, rng).into());
+        seen.sum::<Followed>().mean_of(film.samples)
     })
 }
 // ANCHOR_END: supersample
@@ -30,7 +37,12 @@ pub fn supersample(film: &Film, pattern: &Pattern, radiance: impl Radiance) -> I
 /// The same samples, each counted by a filter for all pixels in its reach.
 ///
 /// A pixel near the picture's edge has fewer samples, and their weights are still divided by their sum.
-pub fn filtered(film: &Film, pattern: &Pattern, filter: &Filter, radiance: impl Radiance) -> Image {
+pub fn filtered<S: Into<Followed>>(
+    film: &Film,
+    pattern: &Pattern,
+    filter: &Filter,
+    radiance: impl Radiance<S>,
+) -> Image {
     let (n, size) = (film.samples, vec2(film.width as f32, film.height as f32));
     let points = |x: usize, y: usize| {
         let mut rng = pcg::stream(film.seed, (y * film.width + x) as u64);
@@ -39,7 +51,10 @@ pub fn filtered(film: &Film, pattern: &Pattern, filter: &Filter, radiance: impl 
     // First what each ray sees, the samples of a pixel side by side.
     let wide = Film {
         width: film.width * n,
-        progress: &|samples| (film.progress)(samples / n.max(1)),
+        progress: &|Done { pixels, rays }| {
+            let pixels = pixels / n.max(1);
+            (film.progress)(Done { pixels, rays });
+        },
         ..*film
     };
     let seen = wide.render_pixels(|column, y, rng| {

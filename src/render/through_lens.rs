@@ -1,11 +1,10 @@
 //! The film loop for a camera with a lens: every sample chooses a place in its pixel and a point of the lens.
 
 use crate::camera::Camera;
-use crate::image::{Image, rgb::Rgb};
-use crate::math::{pcg::Pcg, ray::Ray};
-use crate::render::film::{Film, place_in_pixel};
-use glam::vec2;
-use rand::seq::SliceRandom;
+use crate::image::Image;
+use crate::math::ray::Ray;
+use crate::render::{film::Film, followed::Followed, refine::refine};
+use crate::sample::even::Even;
 
 // ANCHOR: through_lens
 /// The picture whose pixels are the mean of what rays see from all over the lens.
@@ -13,23 +12,14 @@ use rand::seq::SliceRandom;
 /// A pixel's samples fill the pixel evenly, and they fill the lens evenly. Which place goes with which point of the lens is
 /// left to chance: otherwise the left of the pixel would be seen from the left of the lens (Cook, Porter and Carpenter,
 /// "Distributed ray tracing", 1984).
-pub fn through_lens(
+pub fn through_lens<S: Into<Followed>>(
     film: &Film,
     camera: &impl Camera,
-    radiance: impl Fn(&Ray, &mut Pcg) -> Rgb + Sync,
+    radiance: impl Fn(&Ray, &mut Even) -> S + Sync,
 ) -> Image {
-    let size = vec2(film.width as f32, film.height as f32);
-    film.render_pixels(|x, y, rng| {
-        let places = place_in_pixel(film.samples, rng);
-        // A single sample must not always go through the middle of the lens: the second number is for that.
-        let points = place_in_pixel(film.samples.max(2), rng);
-        let mut order: Vec<_> = (0..film.samples).collect();
-        order.shuffle(rng);
-        let samples = order.into_iter().enumerate().map(|(i, j)| {
-            let place = vec2(x as f32, y as f32) + places(i);
-            radiance(&camera.ray(place / size, points(j)), rng)
-        });
-        samples.sum::<Rgb>() / film.samples as f32
+    refine(film, |place, numbers| {
+        let ray = camera.ray(place, numbers.pair());
+        radiance(&ray, numbers)
     })
 }
 // ANCHOR_END: through_lens

@@ -2,12 +2,13 @@
 
 use crate::image::rgb::Rgb;
 use crate::material::{Material, See, Sight};
-use crate::math::{pcg::Pcg, ray::Ray};
-use crate::render::local::Local;
+use crate::math::ray::Ray;
+use crate::render::{followed::Followed, local::Local};
 use crate::scene::world::Scene;
+use rand::Rng;
 
 /// Follows rays from surface to surface (Whitted, "An improved illumination model for shaded display", 1980).
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct Whitted {
     /// How light from the lights is gathered at each surface.
     pub local: Local,
@@ -24,17 +25,23 @@ impl Whitted {
     /// What a ray sees: L = local illumination + what the material sees beyond, which asks the same question again.
     ///
     /// Two facing mirrors would ask for ever. Each question has one surface less to go, and at 0 the answer is black.
-    pub fn radiance(&self, scene: &Scene<dyn Material>, ray: &Ray, rng: &mut Pcg) -> Rgb {
-        self.follow(scene, ray, self.depth, 1.0, rng).radiance
+    pub fn follow(&self, scene: &Scene<dyn Material>, ray: &Ray, rng: &mut impl Rng) -> Followed {
+        let mut rays = 0;
+        let sight = self.sight(scene, ray, self.depth, 1.0, rng, &mut rays);
+        Followed {
+            radiance: sight.radiance,
+            rays,
+        }
     }
 
-    fn follow(
+    fn sight(
         &self,
         scene: &Scene<dyn Material>,
         ray: &Ray,
         left: u32,
         share: f32,
-        rng: &mut Pcg,
+        rng: &mut impl Rng,
+        rays: &mut u64,
     ) -> Sight {
         let nothing = |radiance| Sight {
             radiance,
@@ -43,16 +50,24 @@ impl Whitted {
         if left == 0 || share < LEAST {
             return nothing(Rgb::BLACK);
         }
+        *rays += 1;
         let Some(seen) = scene.closest(ray) else {
             return nothing((scene.backdrop)(ray));
         };
         let view = -ray.direction;
-        let local = self.local.radiance(scene, &seen, view, rng);
-        let see: &mut See = &mut |ray, of_it| self.follow(scene, ray, left - 1, of_it * share, rng);
+        let local = self.local.follow(scene, &seen, view, rng);
+        *rays += local.rays;
+        let see: &mut See =
+            &mut |ray, of_it| self.sight(scene, ray, left - 1, of_it * share, rng, rays);
         Sight {
-            radiance: local + seen.material.beyond(&seen.surface, view, see),
+            radiance: local.radiance + seen.material.beyond(&seen.surface, view, see),
             distance: seen.t,
         }
     }
     // ANCHOR_END: whitted
+
+    /// The same, uncounted.
+    pub fn radiance(&self, scene: &Scene<dyn Material>, ray: &Ray, rng: &mut impl Rng) -> Rgb {
+        self.follow(scene, ray, rng).radiance
+    }
 }

@@ -9,7 +9,8 @@
 //! `tests/ch17_rendering_equation` does so again.
 
 use crate::accel::Meshed;
-use crate::accel::bvh::{Bvh, build::Method};
+use crate::accel::bvh::build::Method;
+use crate::accel::wide_bvh::WideBvh;
 use crate::image::rgb::Rgb;
 use crate::light::{extent::Choose, rect_light::RectLight};
 use crate::material::{brdf::Brdf, lambert::Lambert};
@@ -128,7 +129,7 @@ fn painted(quads: &[Quad], albedo: Rgb) -> Thing<dyn Brdf> {
         .unwrap_or_else(|error| unreachable!("the box is finite: {error}"));
     Thing {
         shape: Box::new(Meshed::new(mesh, |faces| {
-            Bvh::build(faces, Method::BottomUp)
+            WideBvh::build(faces, Method::BottomUp)
         })),
         material: Box::new(Lambert { albedo }),
     }

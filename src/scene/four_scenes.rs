@@ -7,7 +7,7 @@ use crate::scene::description::{Backdrop, Description, Matter, Object};
 use glam::{Vec3, vec3};
 
 /// A scene, and how it is looked at.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct Staged {
     /// What it is about.
     pub name: &'static str,

@@ -6,6 +6,7 @@ use glam::{Vec3, vec3};
 use std::f32::consts::TAU;
 
 /// A teapot of life's size on the centre spot of a stadium.
+#[derive(Clone, Debug)]
 pub struct Stadium {
     /// All of it, in metres.
     pub mesh: Mesh,

@@ -5,8 +5,8 @@ use crate::accel::bvh::{Bvh, build::Method};
 use crate::image::rgb::Rgb;
 use crate::light::Light;
 use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
-use crate::scene::tally;
 use crate::shape::{Hit, Shape, Surface};
+use std::fmt;
 
 /// Things and lights; M is what the things are made of: `dyn Material` for Whitted's way of tracing.
 pub struct Scene<M: ?Sized> {
@@ -37,6 +37,32 @@ pub struct Seen<'a, M: ?Sized> {
     pub material: &'a M,
 }
 
+impl<M: ?Sized + Send + Sync> fmt::Debug for Scene<M> {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.debug_struct("Scene")
+            .field("lights", &self.lights.len())
+            .field("ambient", &self.ambient)
+            .finish_non_exhaustive()
+    }
+}
+
+impl<M: ?Sized> fmt::Debug for Thing<M> {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.debug_struct("Thing")
+            .field("bounds", &self.shape.bounds())
+            .finish_non_exhaustive()
+    }
+}
+
+impl<M: ?Sized> fmt::Debug for Seen<'_, M> {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.debug_struct("Seen")
+            .field("t", &self.t)
+            .field("surface", &self.surface)
+            .finish_non_exhaustive()
+    }
+}
+
 impl<M: ?Sized + Send + Sync> Scene<M> {
     /// A scene of things and lights, without ambient light, before a black backdrop.
     ///
@@ -62,7 +88,6 @@ impl<M: ?Sized + Send + Sync> Scene<M> {
 
     /// The first surface along a ray.
     pub fn closest(&self, ray: &Ray) -> Option<Seen<'_, M>> {
-        tally::one_more();
         let (thing, hit) = self.things.closest(ray, Interval::AHEAD)?;
         Some(Seen {
             t: hit.t,
@@ -73,7 +98,6 @@ impl<M: ?Sized + Send + Sync> Scene<M> {
 
     /// Whether anything is in the way on a stretch of a ray.
     pub fn blocks(&self, ray: &Ray, within: Interval) -> bool {
-        tally::one_more();
         self.things.any(ray, within)
     }
 }

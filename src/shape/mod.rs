@@ -4,6 +4,7 @@ pub mod attributes;
 pub mod bezier;
 pub mod cuboid;
 pub mod mesh;
+#[cfg(feature = "files")]
 pub mod mesh_file;
 pub mod obj;
 pub mod placed;
@@ -75,6 +76,7 @@ impl Surface {
     /// e = `error` away along each axis, that is e·(|nₓ| + |n_y| + |n_z|) along the normal n. The ray starts so far off,
     /// on the side to which it leaves (Pharr, Jakob and Humphreys, *Physically Based Rendering*, §3.9).
     /// So it is certainly on that side, at any scale of the scene, and AHEAD needs no 0.001.
+    #[inline]
     pub fn leave(&self, direction: Dir3) -> Ray {
         let off = self.error * self.normal.abs().element_sum();
         let inward = self.normal.dot(*direction) < 0.0;

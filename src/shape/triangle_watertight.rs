@@ -38,17 +38,16 @@ pub fn hit(corners: &[Vec3; 3], ray: &Ray, within: Interval) -> Option<Hit> {
 
 /// The shear that turns a ray from 0 into a ray along +z, with t as z.
 #[derive(Clone, Copy, Debug)]
-pub struct Shear {
-    /// The axes that become x, y and z; the last is the one along which the ray moves most.
-    pub axes: [usize; 3],
-    /// dₓ/d_z, d_y/d_z and 1/d_z.
-    pub slopes: [f32; 3],
+pub(crate) struct Shear {
+    /// 0, 1 and 2 in some order. Only [`Shear::along`] writes it.
+    axes: [usize; 3],
+    slopes: [f32; 3],
 }
 
 impl Shear {
     /// The shear of a ray.
     #[inline]
-    pub fn along(ray: &Ray) -> Self {
+    pub(crate) fn along(ray: &Ray) -> Self {
         /// By the axis that becomes z.
         const AXES: [[usize; 3]; 3] = [[1, 2, 0], [2, 0, 1], [0, 1, 2]];
         let Vec3 { x, y, z } = ray.direction.abs();
@@ -62,6 +61,18 @@ impl Shear {
             axes,
             slopes: [dx * inverse, dy * inverse, inverse],
         }
+    }
+
+    /// The axes that become x, y and z: 0, 1 and 2 in some order; the last is the one along which the ray moves most.
+    #[inline]
+    pub(crate) fn axes(&self) -> [usize; 3] {
+        self.axes
+    }
+
+    /// dₓ/d_z, d_y/d_z and 1/d_z.
+    #[inline]
+    pub(crate) fn slopes(&self) -> [f32; 3] {
+        self.slopes
     }
 
     /// The x, the y and the z of all three corners.

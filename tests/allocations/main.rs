@@ -10,9 +10,13 @@ use raybook::material::{Material, brdf::Brdf};
 use raybook::math::{pcg, pcg::Pcg, ray::Ray};
 use raybook::render::local::{ALWAYS, Arrives, Local};
 use raybook::render::{mis::Strategy, path::Path, shadow, whitted::Whitted};
-use raybook::scene::{cornell, plates, skies, still_life};
-use raybook::scene::{glassware, kissing_balls, marbles, posts, world::Scene};
+use raybook::scene::{cornell, plates, still_life};
+use raybook::scene::{marbles, world::Scene};
+use raybook_chapters::ch13_reflection::kissing_balls;
+use raybook_chapters::ch14_refraction::glassware;
+use raybook_chapters::ch16_soft_shadows::posts;
 use raybook_chapters::ch18_environment::everywhere::Everywhere;
+use raybook_chapters::ch18_environment::skies;
 use raybook_common::rays::{random_direction, ray};
 use std::hint::black_box;
 
@@ -26,7 +30,7 @@ type Integrator = Box<dyn Fn(&Ray, &mut Pcg) -> Rgb>;
 fn whitted(
     scene: Scene<dyn Material>,
     depth: u32,
-    (samples, arrives): (u32, Arrives),
+    (samples, arrives): (u32, Option<Arrives>),
 ) -> Integrator {
     let local = Local { samples, arrives };
     let whitted = Whitted { local, depth };
@@ -51,9 +55,9 @@ fn sky() -> Environment {
 /// Every integrator, by name, with where to look from.
 fn integrators() -> Vec<(&'static str, Vec3, Integrator)> {
     let (bare, shadows, soft) = (
-        (1, ALWAYS as Arrives),
-        (1, shadow::lit as Arrives),
-        (8, shadow::lit as Arrives),
+        (1, ALWAYS),
+        (1, Some(shadow::lit as Arrives)),
+        (8, Some(shadow::lit as Arrives)),
     );
     let above = vec3(0.4, 4.3, 7.2);
     let inside = vec3(0.28, 0.27, 0.1);

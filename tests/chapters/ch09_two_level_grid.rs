@@ -4,11 +4,9 @@ mod laws;
 use raybook_common::whole;
 
 use glam::{U8Vec3, UVec3, Vec3, vec3};
-use raybook::accel::lattice::Lattice;
-use raybook::accel::order;
-use raybook::accel::two_level_grid::{
-    TwoLevelGrid, levels::Levels, refine::refine_cell, walk::walk_two_levels,
-};
+use raybook::accel::two_level_grid::TwoLevelGrid;
+use raybook::inside::grid::{Lattice, by_first_use};
+use raybook::inside::two_level_grid::{self, Levels, refine_cell, walk_two_levels};
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray};
 use raybook::shape::{mesh::Facet, teapot};
 use std::ops::ControlFlow;
@@ -51,7 +49,7 @@ fn crowded_cells_are_cut_finely_and_empty_ones_not_at_all() {
 #[test]
 fn all_fine_cells_are_in_one_row_without_gaps() {
     let grid = valid(TwoLevelGrid::of_facets(teapot::mesh(6).facets()));
-    let levels = grid.levels();
+    let levels = two_level_grid::levels(&grid);
     let mut next = 0;
     for coarse in levels.top.all() {
         if let Some((first, fine)) = levels.fine(coarse) {
@@ -149,7 +147,7 @@ fn the_walk_ends_where_it_is_told() {
 #[test]
 fn shapes_are_numbered_by_their_first_use() {
     let (mut shapes, mut named) = (vec!["a", "b", "c", "d"], vec![3, 1, 3, 0]);
-    order::by_first_use(&mut shapes, &mut named);
+    by_first_use(&mut shapes, &mut named);
     assert_eq!(
         shapes,
         ["d", "b", "a", "c"],

@@ -8,8 +8,8 @@ use raybook_common::whole;
 use glam::{Vec3, vec3};
 use rand::RngExt;
 use raybook::accel::Accel;
-use raybook::accel::octree::tree::{child_at, child_cell};
 use raybook::accel::octree::{Octree, build::Limits, reach::by_triangle};
+use raybook::inside::octree::{self, child_at, child_cell};
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg, ray::Ray};
 use raybook::scene::soup::soup;
 use raybook::shape::{mesh::Facet, teapot};
@@ -51,7 +51,7 @@ fn the_children_of_a_cell_fill_it_and_hold_their_points() {
 fn every_point_of_a_triangle_lies_in_a_leaf_that_names_it() {
     let octree = valid(Octree::of_facets(teapot::mesh(4).facets()));
     let mut rng = pcg::stream(2, 2);
-    for (i, facet) in (0..).zip(octree.shapes()) {
+    for (i, facet) in (0..).zip(octree::shapes(&octree)) {
         for _ in 0..8 {
             let (b, c) = (rng.random::<f32>(), rng.random::<f32>());
             let (b, c) = if b + c > 1.0 {
@@ -61,10 +61,10 @@ fn every_point_of_a_triangle_lies_in_a_leaf_that_names_it() {
             };
             let [p0, p1, p2] = facet.corners;
             let p = p0 + b * (p1 - p0) + c * (p2 - p0);
-            let leaf = octree.tree().leaf_at(p);
+            let leaf = octree::tree(&octree).leaf_at(p);
             // By rounding, a point on a face of its leaf may be on the wrong side of it.
             let inside = (p - leaf.cell.min).min(leaf.cell.max - p).min_element() > 1e-6;
-            let named = octree.tree().shapes_in(leaf.node).contains(&i);
+            let named = octree::tree(&octree).shapes_in(leaf.node).contains(&i);
             assert!(named || !inside, "{p} of triangle {i} is in leaf {leaf:?}");
         }
     }
@@ -93,7 +93,7 @@ fn cutting_ends_where_it_does_not_help() {
     ] {
         let count = facets.len();
         let octree = valid(Octree::of_facets(facets));
-        let tree = octree.tree();
+        let tree = octree::tree(&octree);
         let copies = tree.named.len() as f32 / count as f32;
         assert!(
             copies <= Limits::USUAL.copies,
@@ -115,7 +115,11 @@ fn no_leaf_is_deeper_than_a_walk_can_follow() {
         [x, 1.1 * x].map(|x| triangle(i as u32, [x, x * 1.001, x * 1.002].map(Vec3::splat)))
     });
     let octree = valid(Octree::new(pairs.collect()));
-    let deepest = octree.tree().places().iter().map(|place| place.depth).max();
+    let deepest = octree::tree(&octree)
+        .places()
+        .iter()
+        .map(|place| place.depth)
+        .max();
     assert_eq!(
         deepest,
         Some(Limits::DEEPEST),

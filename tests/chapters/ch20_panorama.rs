@@ -32,7 +32,7 @@ fn direction(rng: &mut Pcg) -> Dir3 {
 fn seen(scene: &Scene<dyn Material>, ray: &Ray) -> Rgb {
     let local = Local {
         samples: 1,
-        arrives: shadow::lit,
+        arrives: Some(shadow::lit),
     };
     Whitted { local, depth: 4 }.radiance(scene, ray, &mut pcg::stream(1, 0))
 }

@@ -1,5 +1,6 @@
 //! Chapter 21: light around a black hole.
 
 mod colours;
+mod fan;
 mod known;
 mod rays;

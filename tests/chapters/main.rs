@@ -19,3 +19,4 @@ mod ch22_antialiasing;
 mod ch23_adaptive;
 mod chapters;
 mod golden;
+mod terminal;

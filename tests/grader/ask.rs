@@ -4,6 +4,7 @@
 
 mod answers;
 mod failures;
+mod one_process;
 
 use raybook_grader::ask::{Reply, Said, ask};
 use raybook_grader::converse::{Limits, Program};

@@ -4,6 +4,7 @@ use raybook_grader::cases;
 use raybook_grader::diagnose::diagnose;
 use raybook_grader::examine::{Cases, Examiner, RANDOM_CASES, visible_rng};
 use raybook_grader::hidden::Key;
+use raybook_workbook::curriculum;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 
@@ -42,6 +43,26 @@ fn every_exercise_has_enough_cases_and_mistakes_with_names() {
             "{name}: every mistake has a hint"
         );
     }
+}
+
+#[test]
+fn nothing_is_lost() {
+    let all = cases::all();
+    let sum = |count: fn(&dyn Examiner) -> usize| all.iter().map(|e| count(*e)).sum::<usize>();
+    assert_eq!(all.len(), 64, "exercises");
+    let named = sum(|e| e.named().expect("they can be read").len());
+    assert_eq!(named, 621, "named cases");
+    assert_eq!(sum(|e| e.mistakes().len()), 537, "mistakes");
+    let names = |chapters: &[curriculum::Chapter]| -> Vec<_> {
+        let asked = chapters.iter().flat_map(curriculum::Chapter::exercises);
+        asked.map(|asked| asked.name).collect()
+    };
+    let graded: Vec<_> = all.iter().map(|e| e.name()).collect();
+    assert_eq!(
+        graded,
+        names(curriculum::CHAPTERS),
+        "every exercise is graded"
+    );
 }
 
 #[test]

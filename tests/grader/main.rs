@@ -2,14 +2,17 @@
 
 mod alternatives;
 mod ask;
+mod bless;
 mod ch25_capstone;
 mod common;
+mod exercise;
 mod feedback;
 mod first_hour;
 mod golden_answers;
 mod grade;
 mod interrupt;
 mod own_patterns;
+mod readers;
 mod rows;
 mod samplers;
 mod silly;

@@ -4,13 +4,13 @@ use glam::{Vec2, Vec3, vec3};
 use proptest::prelude::{any, proptest};
 use raybook::image::rgb::Rgb;
 use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
+use raybook_grader::cases::find;
 use raybook_grader::examine::visible_rng;
 use raybook_grader::stable::is_stable;
 use raybook_workbook::answer::answer;
-use raybook_workbook::exercises;
-use raybook_workbook::exercises::ch03_sphere::{SphereHit, SphereHitQuestion};
-use raybook_workbook::exercises::ch07_mesh::{Indices, MeshQuestion};
-use raybook_workbook::row::{Row, read};
+use raybook_workbook::exercises::ch03_sphere::SphereHit;
+use raybook_workbook::exercises::ch07_mesh::{Indices, VertexNormals};
+use raybook_workbook::row::{Row, read, to_numbers};
 use std::fmt::Debug;
 
 /// The value, written and read again.
@@ -37,7 +37,7 @@ fn rows_go_there_and_back() {
     );
     there_and_back(&Some(Vec2::ONE), "1 1");
     there_and_back(&vec![1_u32, 7], "2  1  7");
-    let mesh = MeshQuestion {
+    let mesh = VertexNormals {
         positions: vec![Vec3::X],
         triangles: vec![Indices { a: 0, b: 0, c: 0 }],
     };
@@ -55,7 +55,7 @@ proptest! {
 
     #[test]
     fn no_line_makes_the_answer_loop_panic(line in "\\PC*") {
-        let said = answer(&exercises::all(), &line);
+        let said = answer(&line);
         assert!(said.starts_with("error"), "{line:?} is no question, but was answered: {said}");
     }
 }
@@ -63,7 +63,7 @@ proptest! {
 #[test]
 fn errors_say_the_word() {
     let error = |line: &str| {
-        read::<SphereHitQuestion>(line, "question")
+        read::<SphereHit>(line, "question")
             .expect_err("it is wrong")
             .to_string()
     };
@@ -93,7 +93,7 @@ fn errors_say_the_word() {
 
 #[test]
 fn the_answer_loop_answers_by_hand() {
-    let ask = |line: &str| answer(&exercises::all(), line);
+    let ask = answer;
     assert_eq!(ask("ray_at 0 0 0  1 0 0  2.5"), "2.5 0 0");
     assert_eq!(ask("  sphere_hit 0 0 -3  0 0 1  0 inf  0 0 0  1\r"), "2");
     assert_eq!(
@@ -109,13 +109,17 @@ fn the_answer_loop_answers_by_hand() {
 
 #[test]
 fn a_question_that_its_last_digits_decide_is_thrown_away() {
-    let question = |height: f32| SphereHitQuestion {
+    let question = |height: f32| SphereHit {
         ray: Ray::new(vec3(-3.3, height, 0.1), Dir3::X),
         within: Interval::AHEAD,
         center: vec3(0.2, 0.1, 0.1),
         radius: 1.7,
     };
-    let stable = |height| is_stable::<SphereHit>(&question(height), &mut visible_rng("a test"));
+    let sphere_hit = find("sphere_hit").expect("an exercise");
+    let stable = |height| {
+        let numbers = to_numbers(&question(height));
+        is_stable(sphere_hit, &numbers, &mut visible_rng("a test"))
+    };
     assert!(stable(0.3), "through the middle");
     assert!(!stable(1.8 - 1e-7), "along the silhouette");
     assert!(stable(1.9), "past it");

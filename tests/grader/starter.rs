@@ -1,5 +1,6 @@
 //! The student's folder: it compiles, it is honest about what is not written, and it gives nothing away.
 
+mod chapters;
 mod contents;
 mod programs;
 

@@ -97,6 +97,30 @@ fn the_tour_tells_the_rays_a_second_of_the_main_picture() {
 }
 
 #[test]
+fn the_gallery_grows_chapter_by_chapter() {
+    let out = tempfile::tempdir().expect("a temporary folder");
+    // A file where the second chapter's folder should be: it ends the tour.
+    fs::write(out.path().join("ch04_plane"), "").expect("the file can be written");
+    let run = raybook()
+        .args(["tour", "--only", "ch03,ch04", "--width", "32", "--out"])
+        .arg(out.path())
+        .assert()
+        .code(2);
+    let page = out.path().join("index.html");
+    let said = String::from_utf8_lossy(&run.get_output().stdout).into_owned();
+    let first = said.lines().next().unwrap_or_default();
+    assert!(
+        first.contains(&page.display().to_string()),
+        "at first it says where the pictures will be: {said}"
+    );
+    let page = fs::read_to_string(page).expect("the gallery is there");
+    assert!(
+        page.contains("ch03_sphere/picture.png"),
+        "with the chapter that is drawn"
+    );
+}
+
+#[test]
 fn a_mistyped_chapter_is_explained() {
     let run = raybook().args(["tour", "--only", "ch99"]).assert().code(2);
     let said = String::from_utf8_lossy(&run.get_output().stderr).into_owned();

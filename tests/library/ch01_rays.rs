@@ -2,6 +2,7 @@
 
 mod camera;
 mod film;
+mod refine;
 mod streams;
 
 use glam::{Vec3, vec3};

@@ -3,8 +3,8 @@
 //! The random numbers follow from fixed seeds, so that a run can be repeated.
 
 mod boxes;
-mod forms;
+pub(crate) mod forms;
 mod hits;
 mod leave;
 mod motion;
-mod wild;
+pub(crate) mod wild;

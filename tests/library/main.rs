@@ -23,3 +23,5 @@ mod ch24_wide_bvh;
 mod embree_recorded;
 mod laws;
 mod noise;
+mod soundness;
+mod where_is_what;

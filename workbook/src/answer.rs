@@ -4,7 +4,7 @@
 //! `= todo NAME` says that the function NAME is not written yet, `= panic MESSAGE` that it panicked,
 //! `= error MESSAGE` that the question could not be read.
 
-use crate::exercise::Asked;
+use crate::exercises;
 use std::io::{self, BufRead, Write};
 use std::panic::{self, AssertUnwindSafe};
 
@@ -15,11 +15,10 @@ const TODO: &str = "not yet implemented: ";
 ///
 /// # Errors
 /// If standard input or output breaks.
-pub fn run(exercises: &[&dyn Asked]) -> io::Result<()> {
+pub fn run() -> io::Result<()> {
     // The message of a panic is the answer; the place is for the student.
     panic::set_hook(Box::new(|info| {
-        let todo = message(info.payload()).starts_with(TODO);
-        if let (false, Some(place)) = (todo, info.location()) {
+        if let (None, Some(place)) = (unwritten(info.payload()), info.location()) {
             println!(
                 "panicked at {}:{}:{}",
                 place.file(),
@@ -29,7 +28,7 @@ pub fn run(exercises: &[&dyn Asked]) -> io::Result<()> {
         }
     }));
     for line in io::stdin().lock().lines() {
-        let answer = answer(exercises, &line?);
+        let answer = answer(&line?);
         writeln!(io::stdout(), "= {answer}")?;
         io::stdout().flush()?;
     }
@@ -37,25 +36,32 @@ pub fn run(exercises: &[&dyn Asked]) -> io::Result<()> {
 }
 
 /// The answer to one line, without the `= `.
-pub fn answer(exercises: &[&dyn Asked], line: &str) -> String {
+pub fn answer(line: &str) -> String {
     let (name, question) = line
         .trim()
         .split_once(char::is_whitespace)
         .unwrap_or((line.trim(), ""));
-    let Some(exercise) = exercises.iter().find(|exercise| exercise.name() == name) else {
+    let Some(exercise) = exercises::find(name) else {
         return format!("error there is no exercise `{name}`");
     };
     match panic::catch_unwind(AssertUnwindSafe(|| exercise.answer_line(question))) {
         Ok(Ok(answer)) => answer,
         Ok(Err(error)) => format!("error {error}"),
-        Err(panic) => {
-            let message = message(&*panic);
-            match message.strip_prefix(TODO) {
-                Some(name) => format!("todo {name}"),
-                None => format!("panic {}", message.lines().collect::<Vec<_>>().join(" ")),
-            }
-        }
+        Err(panic) => unwritten(&*panic).map_or_else(
+            || {
+                format!(
+                    "panic {}",
+                    message(&*panic).lines().collect::<Vec<_>>().join(" ")
+                )
+            },
+            |name| format!("todo {name}"),
+        ),
     }
+}
+
+/// The function that is not written yet, if that is what a panic says.
+pub fn unwritten(payload: &(dyn std::any::Any + Send)) -> Option<String> {
+    message(payload).strip_prefix(TODO).map(str::to_owned)
 }
 
 /// What a panic said.

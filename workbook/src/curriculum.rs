@@ -63,7 +63,7 @@ pub fn find(name: &str) -> Option<&'static Chapter> {
 
 impl Chapter {
     /// The functions that a student writes; their names are grade keys.
-    pub fn exercises(&self) -> &'static [&'static dyn Asked] {
+    pub fn exercises(&self) -> &'static [Asked] {
         exercises::of_chapter(self.name)
     }
 

@@ -1,63 +1,165 @@
 //! An exercise: one function of the library, asked many times.
 
+use crate::kind::{Field, Kind};
 use crate::row::{self, Row, RowError};
 
-/// One function that a student writes.
-pub trait Exercise: Sync {
-    /// What it is given.
-    type Question: Row;
+/// One function that a student writes; the type is the question, and its fields are the function's parameters.
+pub trait Exercise: Row {
     /// What it returns.
     type Answer: Row;
     /// Its name: the grade key, and the anchor around the function in the library.
     const NAME: &'static str;
-    /// What to do, in a sentence; also the comment above the student's stub.
+    /// What to do, in a sentence or two; also the comment above the student's stub.
     const TASK: &'static str;
-    /// What an answer that is a single value is called.
-    const ANSWER: &'static str = "answer";
+    /// The answer: its name, its kind and its meaning.
+    const ANSWER: Field;
 
     /// Calls the library's function; in a student's copy of the library, the student's.
-    fn answer(question: &Self::Question) -> Self::Answer;
+    fn answer(&self) -> Self::Answer;
 }
 
-/// An exercise whose types are forgotten: questions and answers are lines.
-pub trait Asked: Sync {
+/// An exercise whose types are forgotten: questions and answers are lines, or rows of numbers.
+#[derive(Debug)]
+pub struct Asked {
     /// Its name.
-    fn name(&self) -> &'static str;
-
+    pub name: &'static str,
     /// What to do.
-    fn task(&self) -> &'static str;
+    pub task: &'static str,
+    /// The kind of its questions.
+    pub question: &'static Kind,
+    /// Its answers.
+    pub answer: Field,
+    /// Answers a question, both as numbers.
+    pub call: fn(&[f64]) -> Vec<f64>,
+}
+
+impl Asked {
+    /// An exercise without its types.
+    pub const fn of<E: Exercise>() -> Self {
+        Self {
+            name: E::NAME,
+            task: E::TASK,
+            question: E::KIND,
+            answer: E::ANSWER,
+            call: |question| row::to_numbers(&row::from_numbers::<E>(question).answer()),
+        }
+    }
 
     /// The names of a question's words.
-    fn question_names(&self) -> Vec<String>;
+    pub fn question_names(&self) -> Vec<String> {
+        self.question.names("question")
+    }
 
     /// The names of an answer's words.
-    fn answer_names(&self) -> Vec<String>;
+    pub fn answer_names(&self) -> Vec<String> {
+        self.answer.kind.names(self.answer.name)
+    }
+
+    /// The numbers of a question.
+    ///
+    /// # Errors
+    /// If the line is not a question of this exercise.
+    pub fn read_question(&self, line: &str) -> Result<Vec<f64>, RowError> {
+        row::parse(self.question, line, "question")
+    }
+
+    /// The numbers of an answer.
+    ///
+    /// # Errors
+    /// If the line is not an answer to this exercise.
+    pub fn read_answer(&self, line: &str) -> Result<Vec<f64>, RowError> {
+        row::parse(self.answer.kind, line, self.answer.name)
+    }
 
     /// Answers a question.
     ///
     /// # Errors
     /// If the line is not a question of this exercise.
-    fn answer_line(&self, question: &str) -> Result<String, RowError>;
-}
-
-impl<E: Exercise> Asked for E {
-    fn name(&self) -> &'static str {
-        E::NAME
-    }
-
-    fn task(&self) -> &'static str {
-        E::TASK
-    }
-
-    fn question_names(&self) -> Vec<String> {
-        E::Question::names("question")
-    }
-
-    fn answer_names(&self) -> Vec<String> {
-        E::Answer::names(E::ANSWER)
-    }
-
-    fn answer_line(&self, question: &str) -> Result<String, RowError> {
-        Ok(E::answer(&row::read(question, "question")?).write())
+    pub fn answer_line(&self, question: &str) -> Result<String, RowError> {
+        let answer = (self.call)(&self.read_question(question)?);
+        Ok(row::format(self.answer.kind, &answer))
     }
 }
+
+/// Declares the exercises of a chapter, each once:
+///
+/// ```text
+/// exercises! { ($) ch03_sphere
+///     /// The task.
+///     SphereHit: sphere_hit(
+///         /// What the parameter means, and its unit.
+///         ray: Ray,
+///     ) -> (
+///         /// What the answer means, and its unit.
+///         t: Option<f32>,
+///     ) {
+///         the call of the library's function, in which the parameters are variables; or `|q| { … }`, in which q has them all
+///     }
+/// }
+/// ```
+///
+/// It makes the struct `SphereHit` of the parameters, which is the question and its row; its [`Exercise`]; the chapter's list
+/// `EXERCISES`; and the macro `ch03_sphere!`, which calls another macro with the names of the exercises and of their types. The
+/// `$` is for the parameter of that macro.
+macro_rules! exercises {
+    (($d:tt) $chapter:ident $(
+        $(#[doc = $task:literal])+
+        $exercise:ident: $name:ident($(
+            $(#[doc = $meaning:literal])+
+            $field:ident: $kind:ty
+        ),+ $(,)?) -> (
+            $(#[doc = $answers:literal])+
+            $answer:ident: $type:ty $(,)?
+        ) $(|$q:ident|)? $body:block
+    )+) => {
+        /// The exercises of this chapter, in order.
+        pub static EXERCISES: &[crate::exercise::Asked] =
+            &[$(crate::exercise::Asked::of::<$exercise>()),+];
+
+        /// Calls a macro with the chapter, and the name and the type of each of its exercises.
+        #[macro_export]
+        macro_rules! $chapter {
+            ($d then:ident) => {
+                $d then! { $chapter $($name: $exercise),+ }
+            };
+        }
+
+        $(
+            crate::record::row! {
+                $(#[doc = $task])+
+                pub struct $exercise {
+                    $($(#[doc = $meaning])+ pub $field: $kind),+
+                }
+            }
+
+            impl crate::exercise::Exercise for $exercise {
+                type Answer = $type;
+                const NAME: &'static str = stringify!($name);
+                const TASK: &'static str = concat!($($task),+).trim_ascii();
+                const ANSWER: crate::kind::Field = crate::kind::Field {
+                    name: stringify!($answer),
+                    kind: <$type as crate::row::Row>::KIND,
+                    meaning: concat!($($answers),+).trim_ascii(),
+                };
+
+                fn answer(&self) -> Self::Answer {
+                    crate::exercise::answer_of!(self [$($q)?] [$($field),+] $body)
+                }
+            }
+        )+
+    };
+}
+
+/// The value of a declaration's block: in it the parameters are variables, or the name between bars is the whole question.
+macro_rules! answer_of {
+    ($this:ident [] [$($field:ident),+] $body:block) => {{
+        let Self { $($field),+ } = $this.clone();
+        $body
+    }};
+    ($this:ident [$q:ident] [$($field:ident),+] $body:block) => {{
+        let $q = $this;
+        $body
+    }};
+}
+
+pub(crate) use {answer_of, exercises};

@@ -2,12 +2,13 @@
 
 pub mod anchor;
 pub mod answer;
-pub mod choice;
 pub mod curriculum;
 pub mod exercise;
 pub mod exercises;
+pub mod kind;
 pub mod octree_rows;
+mod record;
 pub mod row;
-pub mod row_types;
-pub mod scene_rows;
+mod scene_rows;
 pub mod tree_rows;
+mod words;

@@ -1,8 +1,8 @@
 //! Octrees as rows.
 
-use crate::row::row;
+use crate::record::row;
 use raybook::accel::octree::build::Limits;
-use raybook::accel::octree::tree::{Kind, Node, Tree};
+use raybook::inside::octree::{Kind, Node, Tree};
 use raybook::math::aabb::Aabb;
 
 row! {
@@ -12,7 +12,7 @@ row! {
         pub inner: u32,
         /// The number of its first child; or the place in the list of names where the leaf's names begin.
         pub first: u32,
-        /// How many shapes a leaf names; 0 for a node with children.
+        /// The number of shapes that a leaf names; 0 for a node with children.
         pub count: u32,
     }
 }
@@ -20,7 +20,7 @@ row! {
 row! {
     /// A tree: its nodes, the root first, the eight children of a node side by side; and the names in its leaves.
     pub struct TreeRow {
-        /// The nodes.
+        /// The nodes: the root first, the eight children of a node side by side.
         pub nodes: Vec<NodeRow>,
         /// The shapes that the leaves name, by their numbers from 0.
         pub names: Vec<u32>,

@@ -1,170 +1,292 @@
-//! Rows: questions and answers as numbers on a line, the same for every language.
+//! Rows: questions and answers as words on a line, the same for every language.
 //!
 //! A row is words with spaces in between. A number is written as people write it, or `inf`, `-inf`, `nan`;
 //! a missing value is `none`; a list begins with its length. Two spaces between fields are for the eye only.
+//!
+//! In between, a row is a list of numbers: an `f64` holds every `f32` and every `u32`, `none` is 0 and a value that is there
+//! is 1 and itself, a choice is its place among the choices. Between words and numbers goes the [`Kind`], here, once for all
+//! types; between numbers and a type goes its [`Row`], which cannot fail.
+
+use crate::kind::{Kind, VECTOR};
+use crate::words::Words;
+use glam::Vec3;
+use raybook::math::dir3::Dir3;
+use std::fmt::Display;
+
+pub use crate::words::RowError;
 
 /// Something that can be written as a row.
 pub trait Row: Sized {
-    /// Whether people are shown each one of a list on a line of its own.
-    const ALONE: bool = false;
+    /// What it is made of.
+    const KIND: &'static Kind;
 
-    /// The names of the words, in order, of a value of this name.
-    fn names(name: &str) -> Vec<String>;
+    /// Appends its numbers.
+    fn put(&self, numbers: &mut Vec<f64>);
 
-    /// The words.
-    fn write(&self) -> String;
+    /// The value in the next numbers, which are of its kind.
+    fn take(numbers: &mut Numbers<'_>) -> Self;
 
-    /// The value in the next words; `name` is for the error.
-    ///
-    /// # Errors
-    /// If a word is missing or is not what it should be.
-    fn read(words: &mut Words<'_>, name: &str) -> Result<Self, RowError>;
-
-    /// Each part with its name and its words, for people.
-    fn parts(&self, name: &str) -> Vec<(String, String)> {
-        vec![(name.to_owned(), self.write())]
+    /// Its words.
+    fn write(&self) -> String {
+        format(Self::KIND, &to_numbers(self))
     }
 }
 
-/// Reads a whole line as one value.
+/// The numbers of a row that are still to be taken.
+#[derive(Debug)]
+pub struct Numbers<'a>(std::slice::Iter<'a, f64>);
+
+impl<'a> Numbers<'a> {
+    /// The numbers of a row, from the first.
+    pub fn of(numbers: &'a [f64]) -> Self {
+        Self(numbers.iter())
+    }
+
+    /// The next number; 0 after the last.
+    pub fn number(&mut self) -> f64 {
+        self.0.next().copied().unwrap_or(0.0)
+    }
+}
+
+/// The value of a row's numbers.
+pub fn from_numbers<R: Row>(numbers: &[f64]) -> R {
+    R::take(&mut Numbers::of(numbers))
+}
+
+/// The numbers of a value.
+pub fn to_numbers<R: Row>(value: &R) -> Vec<f64> {
+    let mut numbers = Vec::new();
+    value.put(&mut numbers);
+    numbers
+}
+
+/// A value as a line; `name` is for the error.
 ///
 /// # Errors
 /// If a word is missing, wrong, or left over.
 pub fn read<R: Row>(line: &str, name: &str) -> Result<R, RowError> {
-    let mut words = Words {
-        rest: line.split_whitespace(),
-        taken: 0,
-    };
-    let value = R::read(&mut words, name)?;
-    match words.rest.next() {
-        None => Ok(value),
-        Some(found) => Err(RowError::TooLong {
-            word: words.position(),
-            found: found.to_owned(),
-        }),
-    }
+    Ok(from_numbers(&parse(R::KIND, line, name)?))
 }
 
-/// The words of a line that are still to be read.
-pub struct Words<'a> {
-    rest: std::str::SplitWhitespace<'a>,
-    taken: usize,
+/// The numbers of a whole line; `name` is for the error.
+///
+/// # Errors
+/// If a word is missing, wrong, or left over.
+pub fn parse(kind: &Kind, line: &str, name: &str) -> Result<Vec<f64>, RowError> {
+    let mut words = Words::of(line);
+    let mut numbers = Vec::new();
+    parse_next(kind, &mut words, &name, &mut numbers)?;
+    words.end()?;
+    Ok(numbers)
 }
 
-/// What is wrong with a row, and where.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum RowError {
-    /// The line ends too early.
-    #[error("the line ends before word {word}, `{name}`")]
-    TooShort {
-        /// Which word is missing, from 1.
-        word: usize,
-        /// What it should have been.
-        name: String,
-    },
-    /// Not a number, or not the right kind.
-    #[error("word {word} should be `{name}`, {expected}, but is `{found}`")]
-    Word {
-        /// Which word, from 1.
-        word: usize,
-        /// What it should have been.
-        name: String,
-        /// "a number", say.
-        expected: &'static str,
-        /// What it is.
-        found: String,
-    },
-    /// Words are left over.
-    #[error("word {word}, `{found}`, is one too many")]
-    TooLong {
-        /// Which word, from 1.
-        word: usize,
-        /// What it is.
-        found: String,
-    },
+/// The line of a row's numbers.
+pub fn format(kind: &Kind, numbers: &[f64]) -> String {
+    let mut line = String::new();
+    format_next(kind, &mut Numbers::of(numbers), &mut line);
+    line
 }
 
-impl<'a> Words<'a> {
-    /// The number of the next word, from 1.
-    pub fn position(&self) -> usize {
-        self.taken + 1
-    }
-
-    /// The next word, parsed.
-    ///
-    /// # Errors
-    /// If there is none, or `parse` refuses it; `name` and `expected` say what it should have been.
-    pub fn next<T>(
-        &mut self,
-        name: &str,
-        expected: &'static str,
-        parse: impl Fn(&'a str) -> Option<T>,
-    ) -> Result<T, RowError> {
-        let word = self.position();
-        let found = self.rest.next().ok_or_else(|| RowError::TooShort {
-            word,
-            name: name.to_owned(),
-        })?;
-        self.taken = word;
-        parse(found).ok_or_else(|| RowError::Word {
-            word,
-            name: name.to_owned(),
-            expected,
-            found: found.to_owned(),
-        })
-    }
-
-    /// Whether the next word is this one, in small or capital letters (Python prints `None`); then it is taken.
-    pub fn take(&mut self, word: &str) -> bool {
-        let mut ahead = self.rest.clone();
-        let found = ahead
-            .next()
-            .is_some_and(|next| next.eq_ignore_ascii_case(word));
-        if found {
-            self.rest = ahead;
-            self.taken += 1;
-        }
-        found
-    }
+/// Each part of a row with its name and its words, for people.
+pub fn parts(kind: &Kind, name: &str, numbers: &[f64]) -> Vec<(String, String)> {
+    let mut parts = Vec::new();
+    parts_next(kind, name, &mut Numbers::of(numbers), &mut parts);
+    parts
 }
 
-/// Defines a struct of rows that is a row itself: its fields in order.
-macro_rules! row {
-    ($(#[$doc:meta])* pub struct $name:ident { $($(#[$field_doc:meta])* pub $field:ident: $kind:ty),+ $(,)? }) => {
-        $(#[$doc])*
-        #[derive(Clone, Debug, PartialEq)]
-        pub struct $name {
-            $($(#[$field_doc])* pub $field: $kind),+
-        }
-
-        crate::row::row_of!($name { $($field: $kind),+ });
-    };
-}
-
-/// Makes a row of a struct that there is: its fields in order.
-macro_rules! row_of {
-    ($name:ty { $($field:ident: $kind:ty),+ $(,)? }) => {
-        impl crate::row::Row for $name {
-            fn names(_name: &str) -> Vec<String> {
-                [$(<$kind as crate::row::Row>::names(stringify!($field))),+].concat()
-            }
-
-            fn write(&self) -> String {
-                [$(<$kind as crate::row::Row>::write(&self.$field)),+].join("  ")
-            }
-
-            fn read(
-                words: &mut crate::row::Words<'_>,
-                _name: &str,
-            ) -> Result<Self, crate::row::RowError> {
-                Ok(Self { $($field: <$kind as crate::row::Row>::read(words, stringify!($field))?),+ })
-            }
-
-            fn parts(&self, _name: &str) -> Vec<(String, String)> {
-                [$(<$kind as crate::row::Row>::parts(&self.$field, stringify!($field))),+].concat()
+fn parse_next(
+    kind: &Kind,
+    words: &mut Words<'_>,
+    name: &dyn Display,
+    numbers: &mut Vec<f64>,
+) -> Result<(), RowError> {
+    match kind {
+        Kind::Number => numbers.push(words.number(name)?),
+        Kind::Whole => numbers.push(words.whole(name)?.into()),
+        Kind::Numbers(parts) => {
+            for part in parts.parts {
+                numbers.push(words.number(&format_args!("{name}.{part}"))?);
             }
         }
-    };
+        Kind::Direction => {
+            let at = words.position();
+            parse_next(&Kind::Numbers(VECTOR), words, name, numbers)?;
+            let last = &numbers[numbers.len() - 3..];
+            if Dir3::new(from_numbers(last)).is_none() {
+                let found = format(&Kind::Numbers(VECTOR), last);
+                return Err(RowError::word(at, name, "a direction", &found));
+            }
+        }
+        Kind::Optional(kind) => {
+            let there = !words.take("none");
+            numbers.push(there.into());
+            if there {
+                parse_next(kind, words, name, numbers)?;
+            }
+        }
+        Kind::List(kind) => {
+            let count = words.whole(&format_args!("the number of {name}"))?;
+            numbers.push(count.into());
+            for i in 0..count {
+                parse_next(kind, words, &format_args!("{name}[{i}]"), numbers)?;
+            }
+        }
+        Kind::Record(record) => {
+            for field in record.fields {
+                parse_next(field.kind, words, &field.name, numbers)?;
+            }
+        }
+        Kind::Choice(choices) => {
+            let chosen = choices.iter().position(|(word, _)| words.take(word));
+            let Some(i) = chosen else {
+                let known: Vec<_> = choices.iter().map(|(word, _)| *word).collect();
+                let expected = format!("one of the words {}", known.join(", "));
+                return Err(words.refuse(name, &expected));
+            };
+            numbers.push(i as f64);
+            parse_next(choices[i].1, words, name, numbers)?;
+        }
+    }
+    Ok(())
 }
 
-pub(crate) use {row, row_of};
+fn format_next(kind: &Kind, numbers: &mut Numbers<'_>, line: &mut String) {
+    match kind {
+        Kind::Number => line.push_str(&number(numbers.number() as f32)),
+        Kind::Whole => line.push_str(&(numbers.number() as u32).to_string()),
+        Kind::Numbers(parts) => {
+            for i in 0..parts.parts.len() {
+                line.push_str(if i == 0 { "" } else { " " });
+                format_next(&Kind::Number, numbers, line);
+            }
+        }
+        Kind::Direction => format_next(&Kind::Numbers(VECTOR), numbers, line),
+        Kind::Optional(_) if numbers.number() == 0.0 => line.push_str("none"),
+        Kind::Optional(kind) => format_next(kind, numbers, line),
+        Kind::List(kind) => {
+            let count = numbers.number() as u32;
+            line.push_str(&count.to_string());
+            for _ in 0..count {
+                line.push_str("  ");
+                format_next(kind, numbers, line);
+            }
+        }
+        Kind::Record(record) => {
+            for (i, field) in record.fields.iter().enumerate() {
+                line.push_str(if i == 0 { "" } else { "  " });
+                format_next(field.kind, numbers, line);
+            }
+        }
+        Kind::Choice(choices) => {
+            if let Some((word, kind)) = choices.get(numbers.number() as usize) {
+                line.push_str(word);
+                line.push(' ');
+                format_next(kind, numbers, line);
+            }
+        }
+    }
+}
+
+fn parts_next(
+    kind: &Kind,
+    name: &str,
+    numbers: &mut Numbers<'_>,
+    parts: &mut Vec<(String, String)>,
+) {
+    match kind {
+        Kind::Optional(kind) if numbers.0.as_slice().first() == Some(&1.0) => {
+            numbers.number();
+            parts_next(kind, name, numbers, parts);
+        }
+        Kind::Record(record) => {
+            for field in record.fields {
+                parts_next(field.kind, field.name, numbers, parts);
+            }
+        }
+        Kind::List(kind) if kind.has_a_choice() => {
+            for i in 0..numbers.number() as u32 {
+                let mut line = String::new();
+                format_next(kind, numbers, &mut line);
+                parts.push((format!("{name}[{i}]"), line));
+            }
+        }
+        _ => {
+            let mut line = String::new();
+            format_next(kind, numbers, &mut line);
+            parts.push((name.to_owned(), line));
+        }
+    }
+}
+
+/// A number as people write it.
+fn number(v: f32) -> String {
+    format!("{v:?}").trim_end_matches(".0").to_lowercase()
+}
+
+impl Row for f32 {
+    const KIND: &'static Kind = &Kind::Number;
+
+    fn put(&self, numbers: &mut Vec<f64>) {
+        numbers.push((*self).into());
+    }
+
+    fn take(numbers: &mut Numbers<'_>) -> Self {
+        numbers.number() as Self
+    }
+}
+
+impl Row for u32 {
+    const KIND: &'static Kind = &Kind::Whole;
+
+    fn put(&self, numbers: &mut Vec<f64>) {
+        numbers.push((*self).into());
+    }
+
+    fn take(numbers: &mut Numbers<'_>) -> Self {
+        numbers.number() as Self
+    }
+}
+
+impl Row for Dir3 {
+    const KIND: &'static Kind = &Kind::Direction;
+
+    fn put(&self, numbers: &mut Vec<f64>) {
+        Vec3::put(self, numbers);
+    }
+
+    /// Any vector that has a direction; it is normalised.
+    fn take(numbers: &mut Numbers<'_>) -> Self {
+        Self::new_or(Vec3::take(numbers), Self::Z)
+    }
+}
+
+impl<T: Row> Row for Option<T> {
+    const KIND: &'static Kind = &Kind::Optional(T::KIND);
+
+    fn put(&self, numbers: &mut Vec<f64>) {
+        numbers.push(self.is_some().into());
+        if let Some(value) = self {
+            value.put(numbers);
+        }
+    }
+
+    fn take(numbers: &mut Numbers<'_>) -> Self {
+        (numbers.number() != 0.0).then(|| T::take(numbers))
+    }
+}
+
+impl<T: Row> Row for Vec<T> {
+    const KIND: &'static Kind = &Kind::List(T::KIND);
+
+    fn put(&self, numbers: &mut Vec<f64>) {
+        numbers.push(self.len() as f64);
+        for value in self {
+            value.put(numbers);
+        }
+    }
+
+    fn take(numbers: &mut Numbers<'_>) -> Self {
+        let count = numbers.number() as u32;
+        (0..count).map(|_| T::take(numbers)).collect()
+    }
+}

@@ -1,7 +1,6 @@
 //! Described scenes as rows.
 
-use crate::choice::choice_of;
-use crate::row::{Row, RowError, Words, row_of};
+use crate::record::{choice_of, row_of};
 use glam::Vec3;
 use raybook::image::rgb::Rgb;
 use raybook::light::point::PointLight;
@@ -11,40 +10,36 @@ use raybook::scene::description::{Backdrop, Clear, Corners, Description, Form, M
 use raybook::shape::{plane::Plane, sphere::Sphere};
 
 row_of!(Description {
+    /// i_a: the light that arrives from everywhere, radiance in W·m⁻²·sr⁻¹.
     ambient: Rgb,
+    /// What a ray sees that meets nothing.
     backdrop: Backdrop,
+    /// The point lights.
     lamps: Vec<PointLight>,
+    /// The things.
     objects: Vec<Object>,
 });
 
 row_of!(Backdrop {
+    /// The radiance straight below, direction −y, in W·m⁻²·sr⁻¹.
     below: Rgb,
-    above: Rgb
+    /// The radiance straight above, direction +y, in W·m⁻²·sr⁻¹; in between it follows the direction's y evenly.
+    above: Rgb,
 });
 
 row_of!(PointLight {
+    /// The position, in metres.
     position: Vec3,
-    intensity: Rgb
+    /// I: the radiant intensity, in W/sr.
+    intensity: Rgb,
 });
 
-impl Row for Object {
-    const ALONE: bool = true;
-
-    fn names(name: &str) -> Vec<String> {
-        [Form::names(name), Matter::names(name)].concat()
-    }
-
-    fn write(&self) -> String {
-        [self.form.write(), self.matter.write()].join("  ")
-    }
-
-    fn read(words: &mut Words<'_>, name: &str) -> Result<Self, RowError> {
-        Ok(Self {
-            form: Form::read(words, name)?,
-            matter: Matter::read(words, name)?,
-        })
-    }
-}
+row_of!(Object {
+    /// The shape.
+    form: Form,
+    /// The material.
+    matter: Matter,
+});
 
 choice_of!(Form {
     "sphere": Sphere(Sphere),
@@ -53,19 +48,26 @@ choice_of!(Form {
 });
 
 row_of!(Sphere {
+    /// The centre, in metres.
     center: Vec3,
-    radius: f32
+    /// The radius, in metres.
+    radius: f32,
 });
 
 row_of!(Plane {
+    /// n: perpendicular to the plane, to its outside.
     normal: Dir3,
-    offset: f32
+    /// The plane holds all p with n·p = offset, in metres.
+    offset: f32,
 });
 
 row_of!(Corners {
+    /// The first corner, in metres.
     p0: Vec3,
+    /// The second corner, in metres.
     p1: Vec3,
-    p2: Vec3
+    /// The third corner, in metres; seen from outside the three run counter-clockwise.
+    p2: Vec3,
 });
 
 choice_of!(Matter {
@@ -75,12 +77,22 @@ choice_of!(Matter {
 });
 
 row_of!(Phong {
+    /// k_a: the share of the ambient light that is reflected, without a unit.
     ambient: Rgb,
+    /// k_d: the diffuse coefficient, per steradian.
     diffuse: Rgb,
+    /// k_s: the specular coefficient, per steradian.
     specular: Rgb,
-    exponent: f32
+    /// α: the highlight's exponent, without a unit.
+    exponent: f32,
 });
 
-row_of!(Mirror { share: Rgb });
+row_of!(Mirror {
+    /// The share of the light that is reflected, without a unit.
+    share: Rgb,
+});
 
-row_of!(Clear { index: f32 });
+row_of!(Clear {
+    /// n: the index of refraction, without a unit.
+    index: f32,
+});

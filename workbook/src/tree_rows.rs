@@ -1,21 +1,21 @@
 //! Boxes and trees of them as rows.
 
-use crate::row::row;
+use crate::record::row;
 use glam::Vec3;
-use raybook::accel::bvh::build::flat::{Flat, Node};
-use raybook::accel::bvh::pair::{Link, Pair};
+use raybook::inside::bvh::{Flat, Link, Node, Pair};
 use raybook::math::aabb::Aabb;
 
 row! {
     /// A node of a tree in a list: the root is number 0.
     pub struct NodeRow {
-        /// The least corner of its box.
+        /// The least corner of its box, in metres.
         pub min: Vec3,
-        /// The greatest corner.
+        /// The greatest corner of its box, in metres.
         pub max: Vec3,
-        /// Of a branch: the number of its left child; the right one follows it. Of a leaf: its first shape.
+        /// Of a branch: the number of its left child; the right one follows it. Of a leaf: the number of its
+        /// first shape.
         pub first: u32,
-        /// How many shapes a leaf has; 0 for a branch.
+        /// The number of shapes in a leaf; 0 for a branch.
         pub count: u32,
     }
 }
@@ -23,9 +23,9 @@ row! {
 row! {
     /// A box.
     pub struct BoxRow {
-        /// The least corner.
+        /// The least corner, in metres.
         pub min: Vec3,
-        /// The greatest corner.
+        /// The greatest corner, in metres.
         pub max: Vec3,
     }
 }

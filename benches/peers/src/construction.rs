@@ -10,7 +10,7 @@ use std::time::Instant;
 static MEMORY: PeakAlloc = PeakAlloc;
 
 /// A structure, and what it took to build it.
-pub struct Built {
+pub(crate) struct Built {
     /// The structure, until it is taken.
     racer: Option<Box<dyn Racer>>,
     /// Seconds with 1 thread and with 2.
@@ -24,7 +24,7 @@ impl Built {
     ///
     /// # Panics
     /// If it was taken before.
-    pub fn take(&mut self) -> Box<dyn Racer> {
+    pub(crate) fn take(&mut self) -> Box<dyn Racer> {
         self.racer.take().expect("a structure is taken once")
     }
 }
@@ -33,7 +33,7 @@ impl Built {
 ///
 /// # Errors
 /// If it cannot be built.
-pub fn build(entry: &Entry, mesh: &Mesh, times: usize) -> Result<Built, String> {
+pub(crate) fn build(entry: &Entry, mesh: &Mesh, times: usize) -> Result<Built, String> {
     let mut seconds = [f64::INFINITY; 2];
     let mut built = None;
     for _ in 0..times {

@@ -7,7 +7,7 @@ use raybook::shape::{mesh::Mesh, teapot};
 use raybook_embree::scans;
 
 /// A mesh by name.
-pub struct Scene {
+pub(crate) struct Scene {
     /// The name in tables.
     pub name: &'static str,
     /// The triangles.
@@ -17,13 +17,13 @@ pub struct Scene {
 }
 
 /// The names of all.
-pub const NAMES: [&str; 6] = ["teapot", "bunny", "dragon", "stadium", "terrain", "soup"];
+pub(crate) const NAMES: [&str; 6] = ["teapot", "bunny", "dragon", "stadium", "terrain", "soup"];
 
 /// The mesh of a name.
 ///
 /// # Errors
 /// If it cannot be fetched, or there is no such name.
-pub fn scene(name: &str) -> Result<Scene, String> {
+pub(crate) fn scene(name: &str) -> Result<Scene, String> {
     let name = NAMES.into_iter().find(|known| *known == name);
     let name =
         name.ok_or_else(|| format!("there is no mesh of this name, only {}", NAMES.join(", ")))?;
@@ -47,7 +47,7 @@ pub fn scene(name: &str) -> Result<Scene, String> {
 }
 
 /// A ball around the mesh: the middle of its box, and half of the box's diagonal.
-pub fn ball(mesh: &Mesh) -> (Vec3, f32) {
+pub(crate) fn ball(mesh: &Mesh) -> (Vec3, f32) {
     let bounds = mesh.bounds();
     (bounds.center(), 0.5 * bounds.size().length())
 }

@@ -4,17 +4,11 @@ use crate::meshes::NAMES as MESHES;
 use crate::report::{COLUMNS, Row};
 use plotters::element::{Circle, PathElement, Polygon, Rectangle};
 use plotters::prelude::{Color, RGBColor};
-use plotters::style::text_anchor::HPos;
 use raybook::image::file;
-use raybook_chapters::kit::{figure::Canvas, figure::figure, figure::text};
-use raybook_chapters::kit::{
-    palette::BLUE, palette::FAINT, palette::GREEN, palette::INK, palette::ORANGE, palette::PURPLE,
-    palette::SKY, palette::VERMILION,
-};
-use std::error::Error;
+use raybook_chapters::kit::figure::{self, CENTRE, Canvas, LEFT, RIGHT, figure, text};
+use raybook_chapters::kit::palette::{BLUE, FAINT, GREEN, INK, ORANGE, PURPLE, SKY, VERMILION};
+use raybook_chapters::kit::stage::Drawn;
 use std::path::Path;
-
-type Drawn = Result<(), Box<dyn Error>>;
 
 /// Sizes in pixels of the canvas, which is twice as wide and as high as the picture.
 const NAMES: i32 = 320;
@@ -54,7 +48,7 @@ enum Form {
 ///
 /// # Errors
 /// If it cannot be drawn or written.
-pub fn write(path: &Path, rows: &[Row]) -> Drawn {
+pub(crate) fn write(path: &Path, rows: &[Row]) -> Drawn {
     let rows: Vec<&Row> = rows
         .iter()
         .filter(|row| row.structure != "Embree")
@@ -79,20 +73,18 @@ pub fn write(path: &Path, rows: &[Row]) -> Drawn {
     let image = figure(width as u32 / 2, height as u32 / 2, |canvas| {
         let middle = NAMES + (width - NAMES - GAP) / 2;
         let title = "Rays per second, as a multiple of Embree's in the same round (one thread, one ray at a time; “many”: a batch)";
-        text(canvas, title, (middle, 48), 44, HPos::Center, INK)?;
+        figure::write(canvas, title, (middle, 48), text(44).pos(CENTRE))?;
         for (i, row) in (0..).zip(&structures) {
             let top = HEAD + ROW * i;
             if row.ours {
                 let band = [(0, top), (width - GAP / 2, top + ROW)];
                 canvas.draw(&Rectangle::new(band, SKY.mix(0.12).filled()))?;
             }
-            text(
+            figure::write(
                 canvas,
                 row.structure,
                 (NAMES - 30, top + ROW / 2),
-                38,
-                HPos::Right,
-                INK,
+                text(38).pos(RIGHT),
             )?;
         }
         for (i, column) in (0..).zip(&columns) {
@@ -110,26 +102,22 @@ fn panel(canvas: &Canvas, left: i32, column: &str, structures: &[&Row], rows: &[
         let part = (ratio.max(LEAST) / LEAST).ln() / (MOST / LEAST).ln();
         left + (f64::from(PANEL) * part.min(1.0)) as i32
     };
-    text(
+    figure::write(
         canvas,
         column,
         (left + PANEL / 2, HEAD - 44),
-        40,
-        HPos::Center,
-        INK,
+        text(40).pos(CENTRE),
     )?;
     for tick in TICKS {
         let (colour, wide) = if tick == 1.0 { (INK, 5) } else { (FAINT, 2) };
         let line = vec![(x(tick), HEAD), (x(tick), bottom)];
         canvas.draw(&PathElement::new(line, colour.stroke_width(wide)))?;
         let number = format!("{tick}");
-        text(
+        figure::write(
             canvas,
             &number,
             (x(tick), bottom + 32),
-            32,
-            HPos::Center,
-            INK,
+            text(32).pos(CENTRE),
         )?;
     }
     for row in rows.iter().filter(|row| row.column() == column) {
@@ -153,7 +141,7 @@ fn legend(canvas: &Canvas, rows: &[&Row], (left, y): (i32, i32)) -> Drawn {
     for (mesh, name) in MESHES.iter().enumerate() {
         if rows.iter().any(|row| row.mesh == *name) {
             mark(canvas, mesh, (x, y))?;
-            text(canvas, name, (x + 26, y), 36, HPos::Left, INK)?;
+            figure::write(canvas, name, (x + 26, y), text(36).pos(LEFT))?;
             x += 250;
         }
     }

@@ -13,7 +13,7 @@ const PATIENCE: f64 = 8.0;
 
 /// What came of one racer, set and query.
 #[derive(Clone, Debug)]
-pub struct Lap {
+pub(crate) struct Lap {
     /// Its place among the racers.
     pub racer: usize,
     /// What was asked.
@@ -29,7 +29,7 @@ pub struct Lap {
 /// Lets all run over the set, so many rounds; the first of the racers is Embree, and in each of its laps the ratio is 1.
 ///
 /// `scale` is a length of the scene: distances agree within 10⁻⁵ of it and of themselves.
-pub fn race(set: &Set, racers: &[Box<dyn Racer>], rounds: usize, scale: f32) -> Vec<Lap> {
+pub(crate) fn race(set: &Set, racers: &[Box<dyn Racer>], rounds: usize, scale: f32) -> Vec<Lap> {
     let turns: Vec<&[Question]> = set.questions.chunks(TURN).collect();
     if turns.is_empty() {
         return Vec::new();
@@ -140,7 +140,7 @@ impl Runner {
 }
 
 /// The middle one of the numbers; of two middle ones, the mean.
-pub fn median(mut numbers: Vec<f64>) -> f64 {
+pub(crate) fn median(mut numbers: Vec<f64>) -> f64 {
     numbers.sort_by(f64::total_cmp);
     let n = numbers.len();
     0.5 * (numbers[(n - 1) / 2] + numbers[n / 2])

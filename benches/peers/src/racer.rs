@@ -4,13 +4,13 @@ use raybook::math::{interval::Interval, ray::Ray};
 use raybook::shape::mesh::Mesh;
 
 /// A ray, and the stretch of it that counts.
-pub type Question = (Ray, Interval);
+pub(crate) type Question = (Ray, Interval);
 
 /// The distance that stands for a miss.
-pub const MISS: f32 = f32::INFINITY;
+pub(crate) const MISS: f32 = f32::INFINITY;
 
 /// A structure over the triangles of a mesh, asked ray by ray: all that a new one has to provide.
-pub trait Search: Send + Sized {
+pub(crate) trait Search: Send + Sized {
     /// The distance of the nearest hit within the interval, or [`MISS`].
     fn closest(&self, question: &Question) -> f32;
 
@@ -29,7 +29,7 @@ pub trait Search: Send + Sized {
 }
 
 /// The same for whole sets of rays, so that only one call in thousands is an indirect one.
-pub trait Racer: Send {
+pub(crate) trait Racer: Send {
     /// Answers: distances for [`Query::Closest`] and [`Query::ClosestMany`], 0 or [`MISS`] for [`Query::Any`].
     /// False if the structure knows no such query.
     fn run(&self, query: Query, questions: &[Question], answers: &mut Vec<f32>) -> bool;
@@ -59,7 +59,7 @@ impl<S: Search> Racer for S {
 
 /// What is asked of a set of rays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Query {
+pub(crate) enum Query {
     /// The nearest hit, ray by ray.
     Closest,
     /// Any hit, ray by ray.
@@ -70,7 +70,7 @@ pub enum Query {
 
 impl Query {
     /// The name in tables.
-    pub fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Closest => "closest",
             Self::Any => "any",
@@ -80,10 +80,10 @@ impl Query {
 }
 
 /// Builds over a mesh, with so many threads; or says why not.
-pub type Build = fn(&Mesh, usize) -> Result<Box<dyn Racer>, String>;
+pub(crate) type Build = fn(&Mesh, usize) -> Result<Box<dyn Racer>, String>;
 
 /// One that takes part: how it is called, and how it is built over a mesh, with so many threads.
-pub struct Entry {
+pub(crate) struct Entry {
     /// The name in tables.
     pub name: &'static str,
     /// Whether it is one of raybook's.

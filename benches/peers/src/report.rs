@@ -8,7 +8,7 @@ use std::io;
 use std::path::Path;
 
 /// A row of the report: one structure at one set of rays of one mesh.
-pub struct Row {
+pub(crate) struct Row {
     /// The mesh.
     pub mesh: &'static str,
     /// The set of rays.
@@ -27,7 +27,7 @@ pub struct Row {
 
 impl Row {
     /// A row.
-    pub fn new(
+    pub(crate) fn new(
         mesh: &'static str,
         set: &'static str,
         entry: &Entry,
@@ -46,7 +46,7 @@ impl Row {
     }
 
     /// The set, and the query where it is not the set's usual one: "random, many".
-    pub fn column(&self) -> String {
+    pub(crate) fn column(&self) -> String {
         match self.lap.query {
             Query::ClosestMany => format!("{}, many", self.set),
             Query::Closest | Query::Any => self.set.to_owned(),
@@ -55,7 +55,7 @@ impl Row {
 }
 
 /// The columns of the table, in order.
-pub const COLUMNS: [&str; 7] = [
+pub(crate) const COLUMNS: [&str; 7] = [
     "primary",
     "random",
     "diffuse",
@@ -66,7 +66,7 @@ pub const COLUMNS: [&str; 7] = [
 ];
 
 /// The table of one mesh.
-pub fn table(rows: &[Row]) -> String {
+pub(crate) fn table(rows: &[Row]) -> String {
     let mut text = format!("{:13}", "");
     for column in COLUMNS {
         let _ = write!(text, "{:>10}", column.replace(", many", "+"));
@@ -105,7 +105,7 @@ pub fn table(rows: &[Row]) -> String {
 }
 
 /// The structures, each once, in the order in which they come.
-pub fn structures(rows: &[Row]) -> Vec<&'static str> {
+pub(crate) fn structures(rows: &[Row]) -> Vec<&'static str> {
     let mut names = Vec::new();
     for row in rows {
         if !names.contains(&row.structure) {
@@ -116,7 +116,7 @@ pub fn structures(rows: &[Row]) -> Vec<&'static str> {
 }
 
 /// The n-th root of the product; NaN of no numbers.
-pub fn geometric_mean(numbers: impl Iterator<Item = f64>) -> f64 {
+pub(crate) fn geometric_mean(numbers: impl Iterator<Item = f64>) -> f64 {
     let logarithms: Vec<_> = numbers.map(f64::ln).collect();
     (logarithms.iter().sum::<f64>() / logarithms.len() as f64).exp()
 }
@@ -125,7 +125,7 @@ pub fn geometric_mean(numbers: impl Iterator<Item = f64>) -> f64 {
 ///
 /// # Errors
 /// If a file cannot be written.
-pub fn write(folder: &Path, rows: &[Row], how: &[String]) -> io::Result<()> {
+pub(crate) fn write(folder: &Path, rows: &[Row], how: &[String]) -> io::Result<()> {
     let mut ratios =
         String::from("mesh,set,query,structure,ratio,agree,build_s,bytes_per_triangle\n");
     let mut builds = vec!["mesh,structure,threads,build_s,bytes_per_triangle".to_owned()];

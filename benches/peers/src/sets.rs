@@ -12,7 +12,7 @@ use raybook::shape::Surface;
 use std::f32::consts::TAU;
 
 /// Rays of one kind, and what is asked of them.
-pub struct Set {
+pub(crate) struct Set {
     /// The name in tables.
     pub name: &'static str,
     /// What is asked; of incoherent rays, the nearest hits also in batches.
@@ -27,7 +27,7 @@ const NEARBY: f32 = 0.1;
 /// All sets at a mesh: of primary rays side², of the others `count`.
 ///
 /// The later sets begin where the primary rays of Embree end: at visible points, in the order of the pixels.
-pub fn sets(scene: &Scene, embree: &Embree, side: usize, count: usize) -> Vec<Set> {
+pub(crate) fn sets(scene: &Scene, embree: &Embree, side: usize, count: usize) -> Vec<Set> {
     let primary: Vec<_> = (0..side * side)
         .map(|i| through_pixel(scene, side, i))
         .collect();

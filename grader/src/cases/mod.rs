@@ -1,7 +1,28 @@
-//! The cases, judges and mistakes: a file per chapter.
+//! The random questions, judges and mistakes: a folder per chapter, a file per exercise.
 
 use crate::examine::Examiner;
 use raybook_workbook::for_each_chapter;
+
+/// The modules of a chapter's exercises, and the list of their examiners.
+macro_rules! graded {
+    ($chapter:ident $($name:ident: $exercise:ident),+) => {
+        $(mod $name;)+
+
+        /// The exercises of this chapter, in order.
+        pub static GRADED: &[&dyn crate::examine::Examiner] = &[$(
+            &crate::examine::Examination::<raybook_workbook::exercises::$chapter::$exercise>::new(
+                include_str!(concat!(
+                    env!("CARGO_MANIFEST_DIR"),
+                    "/../golden/",
+                    stringify!($chapter),
+                    "/",
+                    stringify!($name),
+                    ".txt"
+                )),
+            )
+        ),+];
+    };
+}
 
 /// The modules, and all their exercises in order.
 macro_rules! modules {

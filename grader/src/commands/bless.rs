@@ -1,41 +1,91 @@
-//! `raybook bless`: writes the golden answers of the visible cases, for course authors.
+//! `raybook bless`: completes the golden files: answers for the named cases, and the random cases.
 
 use super::{Done, Target};
 use raybook::image::file;
 use raybook_chapters::kit::say::say;
+use raybook_grader::examine::{Cases, Examiner};
 use raybook_grader::golden;
-use std::path::PathBuf;
+use std::error::Error;
+use std::path::{Path, PathBuf};
+use std::{fs, io};
 
-/// Writes `golden/<chapter>/<exercise>.txt`; run it in the project's folder.
+/// Completes the golden files: the named cases in them get the reference's answers, and the random cases are appended.
 #[derive(clap::Args)]
 pub struct Bless {
     #[command(flatten)]
     target: Target,
+    /// The folder of the golden files, instead of the folder golden here
+    #[arg(long, value_name = "FOLDER")]
+    golden: Option<PathBuf>,
+    /// Write nothing; say which files are not complete
+    #[arg(long)]
+    check: bool,
 }
 
 impl Bless {
-    /// Writes them, and says how many random questions were thrown away.
+    /// Completes them, and says how many random questions were thrown away; true if `--check` finds nothing to write.
     pub fn run(&self) -> Done {
         let (from, examiners) = self.target.resolve()?;
-        let golden = from.join("golden");
-        if !golden.is_dir() {
+        let folder = self.golden.clone().unwrap_or_else(|| from.join("golden"));
+        if !folder.is_dir() {
             return Err(format!(
-                "{}: there is no folder golden here; bless is for the project's own folder",
-                from.display()
+                "{}: there is no such folder; bless is for the project's own folder, or name a folder of golden files by --golden",
+                folder.display()
             )
             .into());
         }
+        let (mut complete, mut wrong) = (true, Vec::new());
         for examiner in examiners {
-            let (path, text, cases) = golden::page(examiner);
-            let path: PathBuf = golden.join(path);
-            file::write_whole(&path, text.as_bytes())?;
-            let percent = 100.0 * cases.thrown_away_fraction();
-            say(format!(
-                "{}: {} cases; {percent:.0} % of the random questions thrown away",
-                path.display(),
-                cases.cases.len()
-            ));
+            let path = folder.join(golden::path(examiner.name()));
+            match self.bless(examiner, &path) {
+                Ok(was_complete) => complete &= was_complete,
+                Err(error) => wrong.push(format!("{}: {error}", path.display())),
+            }
         }
-        Ok(true)
+        if wrong.is_empty() {
+            Ok(complete || !self.check)
+        } else {
+            Err(wrong.join("\n").into())
+        }
+    }
+
+    /// Completes a file; whether it was complete.
+    fn bless(&self, examiner: &'static dyn Examiner, path: &Path) -> Result<bool, Box<dyn Error>> {
+        let kept = fs::read_to_string(path).map_err(|error| missing(&error))?;
+        let (text, cases) = golden::page(&*examiner.with_golden(kept.clone()))?;
+        if text != kept && !self.check {
+            file::write_whole(path, text.as_bytes())?;
+        }
+        say(format!(
+            "{}: {}",
+            path.display(),
+            self.told(&kept, &text, &cases)
+        ));
+        Ok(text == kept)
+    }
+
+    fn told(&self, kept: &str, text: &str, cases: &Cases) -> String {
+        let percent = 100.0 * cases.thrown_away_fraction();
+        let cases = format!(
+            "{} cases; {percent:.0} % of the random questions thrown away",
+            cases.cases.len()
+        );
+        let same = kept.lines().zip(text.lines()).take_while(|(a, b)| a == b);
+        match (text == kept, self.check) {
+            (true, _) => cases,
+            (false, true) => format!("not complete, from line {} on", same.count() + 1),
+            (false, false) => format!("{cases}; written anew"),
+        }
+    }
+}
+
+/// Why a file cannot be read, and what to do where there is none.
+fn missing(error: &io::Error) -> String {
+    match error.kind() {
+        io::ErrorKind::NotFound => {
+            "there is no such file; write named cases into it, each on a line: `name | question`"
+                .to_owned()
+        }
+        _ => error.to_string(),
     }
 }

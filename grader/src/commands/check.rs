@@ -1,20 +1,19 @@
 //! `raybook check`: what is right, what is not, and the next step.
 
 use super::asking::{Asking, program_at};
+use super::golden::Golden;
 use super::keep::keep_pictures;
 use super::tell::Telling;
 use super::{Done, Target};
 use indicatif::ProgressBar;
 use raybook_chapters::kit::say::say;
-use raybook_grader::check::{Report, State, check};
-use raybook_grader::converse::Program;
+use raybook_grader::check::{State, check_all};
 use raybook_grader::dress::Dress;
-use raybook_grader::examine::{Examiner, visible_rng};
+use raybook_grader::examine::{Case, Examiner, visible_rng};
 use raybook_grader::hidden::Key;
 use raybook_grader::json;
-use raybook_grader::picture::ask_pixels;
 use raybook_grader::progress::Progress;
-use std::error::Error;
+use rayon::prelude::*;
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 
@@ -23,6 +22,8 @@ use std::path::{Path, PathBuf};
 pub struct Check {
     #[command(flatten)]
     target: Target,
+    #[command(flatten)]
+    golden: Golden,
     /// Ask only the case of this number
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     case: Option<u32>,
@@ -52,27 +53,28 @@ impl Check {
     /// Checks, and tells; true if everything that was asked for is right.
     pub fn run(&self) -> Done {
         let (from, examiners) = self.target.resolve()?;
+        let examiners = self.golden.replace(examiners)?;
         if self.case.is_some() && examiners.len() != 1 {
             return Err("--case needs one exercise: raybook check sphere_hit --case 3".into());
         }
         let (program, folder) = program_at(self.asking.program.as_deref().unwrap_or(&from))?;
         let gallery = self.gallery(folder.as_deref());
         let bar = ProgressBar::new(examiners.len() as u64);
-        let mut reports = Vec::new();
-        for examiner in &examiners {
-            let mut report = self.examine(&program, *examiner)?;
-            if gallery.is_some() && report.answers() {
-                (report.pictures, report.stopped) =
-                    ask_pixels(&program, *examiner, self.asking.limits())?;
-            } else if gallery.is_some() && !examiner.pictures().is_empty() {
-                let why = "not every case has an answer. Let your program answer something, all zeros say, to what you have not written";
-                report.stopped = Some(why.to_owned());
-            }
-            let picture = keep_pictures(&report, gallery.as_deref())?;
-            reports.push((report, picture));
+        let exercises = examiners
+            .par_iter()
+            .map(|examiner| Ok((*examiner, self.cases(*examiner)?)));
+        let exercises = exercises.collect::<Result<Vec<_>, String>>()?;
+        let limits = self.asking.limits();
+        let reports = check_all(&program, &exercises, limits, gallery.is_some(), &|| {
             bar.inc(1);
-        }
+        })?;
         bar.finish_and_clear();
+        let mut pictured = Vec::new();
+        for report in reports {
+            let picture = keep_pictures(&report, gallery.as_deref())?;
+            pictured.push((report, picture));
+        }
+        let reports = pictured;
         if let (Some(folder), None, None) = (&folder, self.case, &self.key) {
             Progress::remember(folder, reports.iter().map(|(report, _)| report))?;
         }
@@ -92,11 +94,8 @@ impl Check {
             .all(|(report, _)| report.state() == State::Right))
     }
 
-    fn examine(
-        &self,
-        program: &Program,
-        examiner: &dyn Examiner,
-    ) -> Result<Report, Box<dyn Error>> {
+    /// The cases that are asked of an exercise.
+    fn cases(&self, examiner: &dyn Examiner) -> Result<Vec<Case>, String> {
         let mut rng = match (&self.key, &self.student) {
             (Some(course), Some(student)) => Key {
                 course: course.clone(),
@@ -117,7 +116,7 @@ impl Check {
                 )
             })?];
         }
-        Ok(check(program, examiner, cases, self.asking.limits())?)
+        Ok(cases)
     }
 
     /// Where pictures go; nowhere if a single case is asked.

@@ -3,6 +3,7 @@
 use super::asking::{Asking, program_at};
 use super::{Done, Target};
 use raybook_chapters::kit::say::say;
+use raybook_grader::ask::Asker;
 use raybook_grader::check::{State, check};
 use raybook_grader::examine::visible_rng;
 use raybook_grader::library;
@@ -21,12 +22,12 @@ impl Hint {
     pub fn run(&self) -> Done {
         let (from, examiners) = self.target.resolve()?;
         let (program, workbook) = program_at(self.asking.program.as_deref().unwrap_or(&from))?;
+        let mut asker = Asker::new(&program, self.asking.limits());
         for examiner in examiners {
             let report = check(
-                &program,
+                &mut asker,
                 examiner,
                 examiner.cases(&mut visible_rng(examiner.name())).cases,
-                self.asking.limits(),
             )?;
             let name = report.exercise;
             match (report.state(), &report.diagnosis, report.first_wrong()) {

@@ -28,9 +28,9 @@ pub fn print() {
         let all = CHAPTERS.iter().flat_map(Chapter::exercises);
         match all
             .into_iter()
-            .find(|exercise| !progress.is_right(exercise.name()))
+            .find(|exercise| !progress.is_right(exercise.name))
         {
-            Some(exercise) => say(format!("\nNext: raybook check {}", exercise.name())),
+            Some(exercise) => say(format!("\nNext: raybook check {}", exercise.name)),
             None => say("\nEvery exercise is right."),
         }
     } else {
@@ -48,7 +48,7 @@ fn standing(chapter: &Chapter, progress: &Progress) -> String {
     let right = chapter
         .exercises()
         .iter()
-        .filter(|exercise| progress.is_right(exercise.name()))
+        .filter(|exercise| progress.is_right(exercise.name))
         .count();
     format!("[{right} of {}] ", chapter.exercises().len())
 }

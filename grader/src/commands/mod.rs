@@ -3,7 +3,9 @@
 pub mod asking;
 pub mod bless;
 pub mod check;
+pub mod draw;
 pub mod exercise;
+pub mod golden;
 pub mod hint;
 pub mod keep;
 pub mod map;
@@ -16,7 +18,6 @@ pub mod tour;
 use raybook_grader::cases;
 use raybook_grader::examine::Examiner;
 use raybook_workbook::curriculum::CHAPTERS;
-use raybook_workbook::exercise::Asked;
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
@@ -74,10 +75,11 @@ fn exercises_of(word: &str) -> Vec<&'static str> {
         chapter
             .exercises()
             .iter()
-            .map(|exercise| Asked::name(*exercise))
+            .map(|exercise| exercise.name)
             .collect()
     });
-    of_chapter.unwrap_or_else(|| cases::find(word).map(Asked::name).into_iter().collect())
+    let of_this_name = || cases::find(word).map(<dyn Examiner>::name);
+    of_chapter.unwrap_or_else(|| of_this_name().into_iter().collect())
 }
 
 /// A time limit in seconds.

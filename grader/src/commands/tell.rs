@@ -75,7 +75,7 @@ impl Telling<'_> {
         let of_chapter: Vec<_> = chapter
             .exercises()
             .iter()
-            .filter_map(|exercise| find(exercise.name()))
+            .filter_map(|exercise| find(exercise.name))
             .collect();
         if of_chapter.is_empty() {
             return Ok(());
@@ -143,7 +143,7 @@ fn keep_reference(folder: &Path, chapter: &Chapter) -> io::Result<PathBuf> {
     let texts: Vec<_> = chapter
         .exercises()
         .iter()
-        .filter_map(|exercise| library::reference(exercise.name()))
+        .filter_map(|exercise| library::reference(exercise.name))
         .collect();
     let path = folder
         .join(".raybook")

@@ -23,12 +23,18 @@ pub struct Tour {
 }
 
 impl Tour {
-    /// Draws the chapters, one after the other, then the gallery.
+    /// Draws the chapters, one after the other, and after each the gallery of those so far.
     pub fn run(&self) -> Done {
         let start = Instant::now();
+        let chosen = self.chosen()?;
+        let page = gallery::page_in(&self.options.out);
+        say(format!(
+            "The pictures come into {}: open it, and reload it as chapters finish.",
+            page.display()
+        ));
         let bars = MultiProgress::new();
         let mut drawings = Vec::new();
-        for lesson in self.chosen()? {
+        for lesson in chosen {
             let chapter_start = Instant::now();
             let stage = Stage::new(
                 lesson.name,
@@ -52,8 +58,8 @@ impl Tour {
                 outputs,
                 time,
             });
+            gallery::write(&self.options.out, &drawings)?;
         }
-        let page = gallery::write(&self.options.out, &drawings)?;
         say(format!(
             "{} chapters in {:.1} s; look at {}",
             drawings.len(),

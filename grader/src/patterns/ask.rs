@@ -121,7 +121,8 @@ fn converse_about(
         let mut of_set = Vec::new();
         for _ in &set.questions {
             let Some(answer) = answers.next() else {
-                return Ok((done, silence(heard.end).why_none()));
+                let why = heard.end.and_then(|end| silence(end).why_none());
+                return Ok((done, why));
             };
             match read(answer) {
                 Ok(points) => of_set.push(points),

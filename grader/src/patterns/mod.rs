@@ -6,15 +6,13 @@ pub mod got;
 use crate::patterns::got::Wanted;
 use glam::Vec2;
 use rand::seq::SliceRandom;
+use raybook::inside::Space;
 use raybook::math::pcg;
-use raybook::sample::pattern::neighbours::Space;
 use raybook::sample::pattern::{dart_throwing, poisson_disk, rotated_grid, rows};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch22_antialiasing::{
-    Jittered, JitteredQuestion, PoissonDisk, PoissonDiskQuestion, RandomPattern,
-    RandomPatternQuestion, RegularGrid, RegularGridQuestion, RotatedGrid, RotatedGridQuestion,
+    Jittered, PoissonDisk, RandomPattern, RegularGrid, RotatedGrid,
 };
-use raybook_workbook::row::Row;
 
 /// Answers a question with points.
 pub type Ask<'a> = &'a mut dyn FnMut(String) -> Vec<Vec2>;
@@ -62,7 +60,7 @@ pub const OWN_PATTERNS: [OwnPattern; 5] = [
         random: true,
         points: |n, seed, ask| {
             let n = n as u32;
-            ask(line::<RandomPattern>(&RandomPatternQuestion { n, seed }))
+            ask(line::<RandomPattern>(&RandomPattern { n, seed }))
         },
     },
     OwnPattern {
@@ -87,12 +85,12 @@ pub const OWN_PATTERNS: [OwnPattern; 5] = [
 ];
 
 /// A question as a program reads it.
-fn line<E: Exercise>(question: &E::Question) -> String {
+fn line<E: Exercise>(question: &E) -> String {
     format!("{} {}", E::NAME, question.write())
 }
 
 fn regular_grid(columns: usize, rows: usize, ask: Ask) -> Vec<Vec2> {
-    ask(line::<RegularGrid>(&RegularGridQuestion {
+    ask(line::<RegularGrid>(&RegularGrid {
         x: 0,
         y: 0,
         columns: columns as u32,
@@ -101,14 +99,11 @@ fn regular_grid(columns: usize, rows: usize, ask: Ask) -> Vec<Vec2> {
 }
 
 fn rotated(spacing: f32, offset: Vec2, ask: Ask) -> Vec<Vec2> {
-    ask(line::<RotatedGrid>(&RotatedGridQuestion {
-        spacing,
-        offset,
-    }))
+    ask(line::<RotatedGrid>(&RotatedGrid { spacing, offset }))
 }
 
 fn jittered(columns: usize, rows: usize, seed: u32, ask: Ask) -> Vec<Vec2> {
-    ask(line::<Jittered>(&JitteredQuestion {
+    ask(line::<Jittered>(&Jittered {
         columns: columns as u32,
         rows: rows as u32,
         seed,
@@ -118,7 +113,7 @@ fn jittered(columns: usize, rows: usize, seed: u32, ask: Ask) -> Vec<Vec2> {
 /// The points for the distance at which about n have room; any that are too many are left out by chance, and darts fill up what is
 /// missing. But the answer is returned as it is if it lacks a fifth: then it has gaps, which darts would hide.
 fn poisson_disk(n: usize, seed: u32, ask: Ask) -> Vec<Vec2> {
-    let mut points = ask(line::<PoissonDisk>(&PoissonDiskQuestion {
+    let mut points = ask(line::<PoissonDisk>(&PoissonDisk {
         distance: poisson_disk::distance_for(n, Space::Square) as f32,
         seed,
     }));

@@ -1,8 +1,8 @@
 //! The bounding volume hierarchy: boxes in boxes, and shapes in the smallest.
 
 pub mod build;
-pub mod pair;
-pub mod validate;
+pub(crate) mod pair;
+pub(crate) mod validate;
 
 use crate::accel::bvh::build::cost::{self, Cost};
 use crate::accel::bvh::build::flat::{Flat, Node};
@@ -12,7 +12,7 @@ use crate::accel::bvh::pair::{Link, Pair, RayPair};
 use crate::accel::{Accel, Count, bounded::bounded, list::List};
 use crate::math::{interval::Interval, ray::Ray};
 use crate::shape::{Hit, Shape};
-use rayon::prelude::*;
+use crate::threads;
 
 /// A tree of boxes: a ray that misses a box misses all that is in it.
 ///
@@ -27,7 +27,7 @@ pub struct Bvh<S> {
 }
 
 /// What a step costs here: testing a shape takes as long as testing the two boxes of a pair.
-pub const COST: Cost = Cost {
+pub(crate) const COST: Cost = Cost {
     branch: 1.0,
     block: 1.0,
     block_size: 1,
@@ -43,7 +43,7 @@ impl<S: Shape> Bvh<S> {
     /// A tree by a method of one's choice.
     pub fn build(shapes: Vec<S>, method: Method) -> Self {
         let (shapes, unbounded) = bounded(shapes);
-        let boxes: Vec<_> = shapes.par_iter().map(Shape::bounds).collect();
+        let boxes = threads::list(shapes.len(), |i| shapes[i].bounds());
         let flat = build(&boxes, method, &COST);
         Self {
             unbounded,
@@ -52,7 +52,7 @@ impl<S: Shape> Bvh<S> {
     }
 
     /// A tree that is there already, over the shapes whose boxes it was built from.
-    pub fn from_flat(flat: Flat, shapes: Vec<S>) -> Self {
+    pub(crate) fn from_flat(flat: Flat, shapes: Vec<S>) -> Self {
         let mut shapes: Vec<_> = shapes.into_iter().map(Some).collect();
         let in_order = flat.order.iter().filter_map(|&i| shapes[i as usize].take());
         Self {
@@ -64,7 +64,7 @@ impl<S: Shape> Bvh<S> {
     }
 
     /// The node of all, and the pairs of all others, depth-first.
-    pub fn nodes(&self) -> (Option<&Node>, &[Pair]) {
+    pub(crate) fn nodes(&self) -> (Option<&Node>, &[Pair]) {
         (self.root.as_ref(), &self.pairs)
     }
 

@@ -8,7 +8,7 @@ use glam::{UVec3, Vec3};
 
 /// The parts of a grid.
 #[derive(Clone, Debug)]
-pub struct Parts<S> {
+pub(crate) struct Parts<S> {
     /// The shapes, in the order of the first cell in which they are.
     pub shapes: Vec<S>,
     /// The cells' planes.
@@ -31,7 +31,7 @@ const MOST: usize = 1 << 26;
 /// second pass writes each shape into its lists. So there are two arrays, and not a list of its own for each cell.
 ///
 /// Where shapes are so large that the lists would not fit into memory, the resolution is halved until they do.
-pub fn build<S: Shape>(
+pub(crate) fn build<S: Shape>(
     shapes: Vec<S>,
     resolution: impl FnOnce(Vec3, usize) -> UVec3,
     cells_of: impl Fn(&Lattice, f32, &S) -> Vec<UVec3>,
@@ -103,13 +103,13 @@ fn lists<S>(
 }
 
 /// The cells that the shape's bounding box reaches.
-pub fn by_bounds<S: Shape>(lattice: &Lattice, margin: f32, shape: &S) -> Vec<UVec3> {
+pub(crate) fn by_bounds<S: Shape>(lattice: &Lattice, margin: f32, shape: &S) -> Vec<UVec3> {
     let (first, last) = lattice.cells_of(&shape.bounds().grown(margin));
     range(first, last).collect()
 }
 
 /// The cells that the triangle itself reaches.
-pub fn by_triangle(lattice: &Lattice, margin: f32, facet: &Facet) -> Vec<UVec3> {
+pub(crate) fn by_triangle(lattice: &Lattice, margin: f32, facet: &Facet) -> Vec<UVec3> {
     voxels_of_triangle(lattice, margin, &facet.corners)
 }
 

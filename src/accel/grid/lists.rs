@@ -5,7 +5,7 @@ use crate::math::{interval::Interval, ray::Ray};
 use crate::shape::{Hit, Shape};
 
 /// A ray that comes through the lists of cells.
-pub struct Lists<'a, 'r, S> {
+pub(crate) struct Lists<'a, 'r, S> {
     shapes: &'a [S],
     ray: &'r Ray,
     asked: Mailbox,
@@ -13,7 +13,7 @@ pub struct Lists<'a, 'r, S> {
 
 impl<'a, 'r, S: Shape> Lists<'a, 'r, S> {
     /// Before the first list; lists hold places in `shapes`.
-    pub fn new(shapes: &'a [S], ray: &'r Ray) -> Self {
+    pub(crate) fn new(shapes: &'a [S], ray: &'r Ray) -> Self {
         Self {
             shapes,
             ray,
@@ -23,7 +23,7 @@ impl<'a, 'r, S: Shape> Lists<'a, 'r, S> {
 
     /// The nearest hit of the shapes in a list that no earlier list had; the interval ends there.
     #[inline]
-    pub fn nearest(
+    pub(crate) fn nearest(
         &mut self,
         list: &[u32],
         within: &mut Interval,
@@ -45,7 +45,7 @@ impl<'a, 'r, S: Shape> Lists<'a, 'r, S> {
 
     /// Whether any of the shapes in a list that no earlier list had is hit.
     #[inline]
-    pub fn block(&mut self, list: &[u32], within: Interval) -> bool {
+    pub(crate) fn block(&mut self, list: &[u32], within: Interval) -> bool {
         list.iter().any(|&place| {
             self.asked.is_first(place) && self.shapes[place as usize].blocks(self.ray, within)
         })

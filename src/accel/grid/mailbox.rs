@@ -10,7 +10,7 @@
 /// a table of 8 or 64 numbers where a new one pushes out what has the same place. The times of the four differ by less than
 /// they vary from run to run: a triangle's test costs little more than to look it up. Where shapes are dear, or much larger
 /// than cells, the whole memory pays.
-pub struct Mailbox {
+pub(super) struct Mailbox {
     small: [u32; SMALL],
     /// Empty as long as `small` suffices.
     large: Vec<u32>,
@@ -25,7 +25,7 @@ const FREE: u32 = u32::MAX;
 
 impl Mailbox {
     /// Nothing asked yet.
-    pub fn new() -> Self {
+    pub(super) fn new() -> Self {
         Self {
             small: [FREE; SMALL],
             large: Vec::new(),
@@ -35,7 +35,7 @@ impl Mailbox {
 
     /// Whether this shape was not asked before; now it is.
     #[inline]
-    pub fn is_first(&mut self, shape: u32) -> bool {
+    pub(super) fn is_first(&mut self, shape: u32) -> bool {
         let table = if self.large.is_empty() {
             &mut self.small[..]
         } else {

@@ -1,10 +1,10 @@
 //! The uniform grid: space cut into equal cells, each with a list of the shapes in it.
 
-pub mod build;
-pub mod lists;
-pub mod mailbox;
-pub mod resolution;
-pub mod validate;
+pub(crate) mod build;
+pub(crate) mod lists;
+mod mailbox;
+pub(crate) mod resolution;
+mod validate;
 
 use crate::accel::grid::{
     build::Parts,
@@ -44,7 +44,7 @@ impl<S: Shape> Grid<S> {
     }
 
     /// The grid's planes.
-    pub fn lattice(&self) -> &Lattice {
+    pub(crate) fn lattice(&self) -> &Lattice {
         &self.parts.lattice
     }
 

@@ -7,7 +7,7 @@ use glam::{UVec3, Vec3};
 /// Measured on the Stanford bunny, with λ from 2.5 to 40: for rays from a camera 2.5 to 20 are alike; rays from the surface are
 /// fastest at 10, and 5 costs them a seventh more; rays from everywhere to everywhere are fastest at 2.5, for more cells are
 /// more memory to wait for, and 5 costs them a sixth more. So 5 is in between. The chapter draws such a measurement.
-pub const DENSITY: f32 = 5.0;
+pub(crate) const DENSITY: f32 = 5.0;
 
 // ANCHOR: grid_resolution
 /// How many cells a grid has along each axis: about λ per shape in all, and each cell about a cube.

@@ -36,7 +36,7 @@ impl Limits {
 /// > opening + ¼ Σ nᵢ < n.
 ///
 /// It never does where most shapes reach four children or more: a corner that they share, a triangle as large as the cell.
-pub fn build(
+pub(crate) fn build(
     bounds: Aabb,
     count: u32,
     limits: Limits,

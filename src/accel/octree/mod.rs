@@ -2,9 +2,9 @@
 
 pub mod build;
 pub mod reach;
-pub mod tree;
-pub mod validate;
-pub mod walk;
+pub(crate) mod tree;
+mod validate;
+pub(crate) mod walk;
 
 use crate::accel::{Accel, Count, bounded::bounded, list::List, order};
 use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
@@ -52,12 +52,12 @@ impl<S: Shape> Octree<S> {
     }
 
     /// The tree of cells.
-    pub fn tree(&self) -> &Tree {
+    pub(crate) fn tree(&self) -> &Tree {
         &self.tree
     }
 
     /// The shapes, by the numbers that [`Tree::named`] gives them.
-    pub fn shapes(&self) -> &[S] {
+    pub(crate) fn shapes(&self) -> &[S] {
         &self.shapes
     }
 

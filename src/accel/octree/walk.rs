@@ -14,6 +14,7 @@ const SLACK: f32 = 16.0 * (f32::EPSILON / 2.0);
 const LOWER: [u8; 3] = [0b0101_0101, 0b0011_0011, 0b0000_1111];
 
 /// A ray on its way through a tree.
+#[derive(Clone, Debug)]
 pub struct Walk<'a> {
     tree: &'a Tree,
     origin: Vec3,
@@ -30,7 +31,7 @@ pub struct Walk<'a> {
 }
 
 /// A node that the ray enters, its cell, and the distances at which the ray enters and leaves it.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 struct Visit {
     node: usize,
     cell: Aabb,
@@ -39,7 +40,7 @@ struct Visit {
 }
 
 /// A node of which some children are still to be visited.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 struct Open {
     children: u32,
     /// The children to be visited, as the ray counts them, one bit each.

@@ -1,10 +1,10 @@
 //! The two-level grid: a coarse grid, each of whose cells is a grid of its own.
 
 pub mod build;
-pub mod levels;
-pub mod refine;
-pub mod validate;
-pub mod walk;
+pub(crate) mod levels;
+pub(crate) mod refine;
+mod validate;
+pub(crate) mod walk;
 
 use crate::accel::grid::{build as grid, lists::Lists};
 use crate::accel::{
@@ -36,7 +36,7 @@ impl<S: Shape> TwoLevelGrid<S> {
     }
 
     /// The cells.
-    pub fn levels(&self) -> &Levels {
+    pub(crate) fn levels(&self) -> &Levels {
         &self.parts.levels
     }
 

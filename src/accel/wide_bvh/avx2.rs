@@ -4,31 +4,34 @@
     reason = "vector instructions, and their loads by address"
 )]
 
-use super::Tree;
 use super::lanes::{Lanes, Struck, Work};
 use super::node::{CHILDREN, Leaf, Link, Node, TRIANGLES};
 use super::ray::WideRay;
-#[allow(clippy::wildcard_imports)]
+use super::tree::Tree;
+#[allow(
+    clippy::wildcard_imports,
+    reason = "the names of all vector instructions begin with _mm"
+)]
 use std::arch::x86_64::*;
 
 /// The proof that this processor has AVX2 and FMA: only [`Avx2::detect`] makes one.
 #[derive(Clone, Copy, Debug)]
-pub struct Avx2(());
+pub(super) struct Avx2(());
 
 impl Avx2 {
     /// The proof, if it can be given.
-    pub fn detect() -> Option<Self> {
+    pub(super) fn detect() -> Option<Self> {
         (is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma")).then_some(Self(()))
     }
 
     /// Does the work, compiled for this processor.
     #[inline(always)]
-    pub fn run<W: Work>(self, work: W) -> W::Answer {
+    pub(super) fn run<W: Work>(self, work: W) -> W::Answer {
         #[target_feature(enable = "avx2,fma")]
         fn compiled<W: Work>(lanes: Avx2, work: W) -> W::Answer {
             work.with(lanes)
         }
-        // SAFETY: the proof is there.
+        // SAFETY: this processor has AVX2 and FMA. `self` is the proof: only `detect` makes one, for the field is private.
         unsafe { compiled(self, work) }
     }
 }
@@ -36,13 +39,13 @@ impl Avx2 {
 impl Lanes for Avx2 {
     #[inline(always)]
     fn boxes(self, node: &Node, ray: &WideRay, max: f32) -> (u32, [f32; CHILDREN]) {
-        // SAFETY: the proof is there.
+        // SAFETY: this processor has AVX2 and FMA; `self` is the proof, which only `detect` makes.
         unsafe { boxes(node, ray, max) }
     }
 
     #[inline(always)]
     fn triangles(self, leaf: &Leaf, ray: &WideRay, max: f32) -> Option<Struck> {
-        // SAFETY: the proof is there.
+        // SAFETY: this processor has AVX2 and FMA; `self` is the proof, which only `detect` makes.
         unsafe { triangles(leaf, ray, max) }
     }
 
@@ -51,7 +54,8 @@ impl Lanes for Avx2 {
         let node = tree.nodes.as_ptr().wrapping_add(link.index()).cast::<i8>();
         let leaf = tree.leaves.as_ptr().wrapping_add(link.index()).cast::<i8>();
         let at = std::hint::select_unpredictable(link.as_leaf().is_some(), leaf, node);
-        // SAFETY: a prefetch of any address is harmless.
+        // SAFETY: a prefetch reads nothing that the program sees, and of an address without memory it does nothing: so any link
+        // will do. The addresses are computed by `wrapping_add`, which may leave the lists. Every x86-64 processor has it.
         unsafe {
             _mm_prefetch::<_MM_HINT_T0>(at);
             _mm_prefetch::<_MM_HINT_T0>(at.wrapping_add(64));
@@ -77,9 +81,11 @@ fn splats(v: glam::Vec3A) -> [__m256; 3] {
 #[inline]
 fn boxes(node: &Node, ray: &WideRay, max: f32) -> (u32, [f32; CHILDREN]) {
     let rows = node.rows.as_flattened().as_ptr();
-    // SAFETY: the rows are of eight numbers each, and start at multiples of 32 bytes.
+    // SAFETY: `start` is a multiple of 8 below 48, so eight of the 48 numbers begin there, at a multiple of 32 bytes: a node
+    // begins at one of 64 (`repr(C, align(64))`), and its rows are its first field. That holds for what `WideRay::near`
+    // returns, and for it ^ 8; its field is private, and only `WideRay::new` writes it.
     let row = |start: usize| unsafe { _mm256_load_ps(rows.add(start)) };
-    let [nx, ny, nz] = ray.near;
+    let [nx, ny, nz] = ray.near();
     let [ix, iy, iz] = splats(ray.inverse);
     let [ex, ey, ez] = splats(ray.enter);
     let [lx, ly, lz] = splats(ray.leave);
@@ -97,7 +103,7 @@ fn boxes(node: &Node, ray: &WideRay, max: f32) -> (u32, [f32; CHILDREN]) {
     );
     let missed = _mm256_movemask_ps(_mm256_castsi256_ps(_mm256_cmpgt_epi32(enter, leave)));
     let mut t = [0.0; CHILDREN];
-    // SAFETY: eight numbers fit.
+    // SAFETY: `t` has room for eight numbers, and this store takes any address.
     unsafe { _mm256_storeu_si256(t.as_mut_ptr().cast(), enter) };
     (missed as u32 ^ 255, t)
 }
@@ -105,12 +111,14 @@ fn boxes(node: &Node, ray: &WideRay, max: f32) -> (u32, [f32; CHILDREN]) {
 #[target_feature(enable = "avx2,fma")]
 #[inline(never)] // the loop over the nodes then has the registers for itself
 fn triangles(leaf: &Leaf, ray: &WideRay, max: f32) -> Option<Struck> {
-    let [ax, ay, az] = ray.shear.axes;
-    let [sx, sy, sz] = ray.shear.slopes.map(|v| _mm256_set1_ps(v));
+    let [ax, ay, az] = ray.shear.axes();
+    let [sx, sy, sz] = ray.shear.slopes().map(|v| _mm256_set1_ps(v));
     let [ox, oy, oz] = ray.origin.map(|v| _mm256_set1_ps(v));
     let corner = |i: usize| {
         let rows = leaf.corners[i].as_ptr();
-        // SAFETY: axes are 0 to 2, and each row is of eight numbers and starts at a multiple of 32 bytes.
+        // SAFETY: `axis` is 0, 1 or 2: it comes from `Shear::axes`, whose field is private, and only `Shear::along` writes it.
+        // So it is one of the three rows of a corner, of eight numbers; it begins at a multiple of 32 bytes, as the leaf does
+        // (`repr(C, align(32))`) whose first field the corners are.
         let row = |axis: usize| unsafe { _mm256_load_ps(rows.add(axis).cast()) };
         let x = _mm256_sub_ps(row(ax), ox);
         let y = _mm256_sub_ps(row(ay), oy);
@@ -160,7 +168,7 @@ fn triangles(leaf: &Leaf, ray: &WideRay, max: f32) -> Option<Struck> {
     }
     let array = |v: __m256| {
         let mut array = [0.0; TRIANGLES];
-        // SAFETY: eight numbers fit.
+        // SAFETY: `array` has room for eight numbers, and this store takes any address.
         unsafe { _mm256_storeu_ps(array.as_mut_ptr(), v) };
         array
     };

@@ -1,10 +1,10 @@
 //! Several rays in flight: while one waits for memory, the others go on.
 
-use super::Tree;
 use super::lanes::{Lanes, Work};
 use super::nearest::{Nearest, Seeker};
 use super::node::{CHILDREN, Link};
 use super::stack::{PLACES, Places, Waiting};
+use super::tree::Tree;
 use super::walk;
 use crate::math::{interval::Interval, ray::Ray};
 
@@ -62,7 +62,7 @@ impl Flight {
         }
         while self.height > 0 {
             self.height -= 1;
-            let next = self.stack.0[self.height];
+            let next = self.stack.at(self.height);
             if next.t() < self.found.limit {
                 self.next = next.link();
                 lanes.prefetch(tree, self.next);
@@ -74,7 +74,7 @@ impl Flight {
 }
 
 /// The nearest hit of each of many rays.
-pub struct Batch<'a> {
+pub(super) struct Batch<'a> {
     /// The tree.
     pub tree: &'a Tree,
     /// The rays.

@@ -3,16 +3,16 @@
 use super::collapse::binary;
 use super::node::{Leaf, Link, Node, TRIANGLES};
 use super::optimal;
-use super::{Tree, pages};
+use super::pages;
+use super::tree::Tree;
 use crate::accel::bvh::build::{Method, build as build_binary, cost::Cost};
-use crate::math::aabb::Aabb;
 use crate::shape::{Shape, mesh::Facet};
+use crate::threads;
 use glam::Vec3A;
-use rayon::prelude::*;
 
 /// Eight boxes at once cost about half as much as a block of triangles; the binary tree, which has seven branches in place
 /// of one node, is made with this in mind.
-pub const COST: Cost = Cost {
+pub(crate) const COST: Cost = Cost {
     branch: 0.5,
     block: 1.0,
     block_size: TRIANGLES as u32,
@@ -20,9 +20,10 @@ pub const COST: Cost = Cost {
 };
 
 /// The tree of facets with finite boxes; leaves have at most `cost.most` of them, and [`TRIANGLES`].
-pub fn build(facets: Vec<Facet>, method: Method, cost: &Cost) -> Tree {
-    let boxes: Vec<Aabb> = facets.par_iter().map(Shape::bounds).collect();
-    let flat = build_binary(&boxes, method, cost);
+pub(crate) fn build(facets: Vec<Facet>, method: Method, cost: &Cost) -> Tree {
+    let boxes = threads::list(facets.len(), |i| facets[i].bounds());
+    let most = cost.most.min(TRIANGLES as u32);
+    let flat = build_binary(&boxes, method, &Cost { most, ..*cost });
     let old = binary(&flat);
     let families = optimal::collapse(&old);
     // Where each node of the binary tree that stays is in the new one.
@@ -42,10 +43,7 @@ pub fn build(facets: Vec<Facet>, method: Method, cost: &Cost) -> Tree {
     let mut nodes = pages::list(families.len());
     let member = |&i: &u32| (old[i as usize].bounds, links[i as usize]);
     let node = |i: usize| Node::new(families[i].children.iter().map(member));
-    (0..families.len())
-        .into_par_iter()
-        .map(node)
-        .collect_into_vec(&mut nodes);
+    threads::fill(&mut nodes, families.len(), node);
     let mut leaves = pages::list(chosen.len());
     let leaf = |i: usize| {
         let node = &old[chosen[i] as usize];
@@ -54,10 +52,7 @@ pub fn build(facets: Vec<Facet>, method: Method, cost: &Cost) -> Tree {
             &flat.order[node.link.first as usize..][..node.link.count as usize],
         )
     };
-    (0..chosen.len())
-        .into_par_iter()
-        .map(leaf)
-        .collect_into_vec(&mut leaves);
+    threads::fill(&mut leaves, chosen.len(), leaf);
     Tree {
         root: links.first().copied(),
         largest: old.first().map_or(Vec3A::ZERO, |root| {

@@ -1,11 +1,11 @@
 //! What the searches ask of a processor.
 
-use super::Tree;
 use super::node::{CHILDREN, Leaf, Link, Node, TRIANGLES};
 use super::ray::WideRay;
+use super::tree::Tree;
 
 /// Tests of several boxes, and of several triangles, at once.
-pub trait Lanes: Copy {
+pub(super) trait Lanes: Copy {
     /// The children that the ray meets before `max`, as bits, and where it enters each of them.
     fn boxes(self, node: &Node, ray: &WideRay, max: f32) -> (u32, [f32; CHILDREN]);
 
@@ -17,7 +17,7 @@ pub trait Lanes: Copy {
 }
 
 /// A search that any [`Lanes`] can do. It is compiled once for each of them.
-pub trait Work {
+pub(super) trait Work {
     /// What it finds.
     type Answer;
 
@@ -27,7 +27,7 @@ pub trait Work {
 
 /// Triangles that a ray hits.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Struck {
+pub(super) struct Struck {
     /// Bit i: triangle i.
     pub mask: u32,
     /// Bit i: triangle i is hit so near an edge that only the test of one triangle can tell.

@@ -6,35 +6,37 @@
 )]
 
 #[cfg(target_arch = "x86_64")]
-pub mod avx2;
-pub mod batch;
-pub mod build;
-pub mod collapse;
-pub mod lanes;
-pub mod nearest;
-pub mod node;
-pub mod optimal;
-pub mod pages;
-pub mod portable;
-pub mod ray;
-pub mod search;
-pub mod stack;
-pub mod validate;
-pub mod walk;
+mod avx2;
+mod batch;
+pub(crate) mod build;
+pub(crate) mod collapse;
+mod lanes;
+mod nearest;
+pub(crate) mod node;
+pub(crate) mod optimal;
+mod pages;
+mod portable;
+mod ray;
+mod search;
+mod stack;
+pub(crate) mod tree;
+mod validate;
+mod walk;
 
 use crate::accel::bvh::build::Method;
 use crate::accel::{Accel, Count, bounded::bounded, list::List};
-use crate::math::{interval::Interval, ray::Ray};
+use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use crate::shape::{Hit, mesh::Facet};
 #[cfg(target_arch = "x86_64")]
 use avx2::Avx2;
 use batch::Batch;
-use glam::Vec3A;
-use lanes::Work;
+use lanes::{Lanes, Work};
 use nearest::Nearest;
-use node::{Leaf, Link, NO_FACET, Node};
+use node::{CHILDREN, Link, Node};
 use portable::Portable;
+use ray::WideRay;
 use search::{Any, Closest};
+use tree::Tree;
 
 /// Facets with finite boxes in a tree of eight children per node and up to eight triangles per leaf.
 ///
@@ -46,21 +48,6 @@ pub struct WideBvh {
     beside: Option<Box<List<Facet>>>,
     #[cfg(target_arch = "x86_64")]
     avx2: Option<Avx2>,
-}
-
-/// The tree.
-#[derive(Clone, Debug)]
-pub struct Tree {
-    /// The nodes, depth-first.
-    pub nodes: Vec<Node>,
-    /// The leaves, in the order in which the nodes name them.
-    pub leaves: Vec<Leaf>,
-    /// Where to begin; none if there are no facets.
-    pub root: Option<Link>,
-    /// The largest |coordinate| along each axis.
-    pub largest: Vec3A,
-    /// The facets, in the order in which they came.
-    pub facets: Vec<Facet>,
 }
 
 impl WideBvh {
@@ -111,24 +98,21 @@ impl WideBvh {
     }
 
     /// The tree.
-    pub fn tree(&self) -> &Tree {
+    pub(crate) fn tree(&self) -> &Tree {
         &self.tree
     }
 
     /// Memory in use, in bytes.
     pub fn bytes(&self) -> usize {
-        let Tree {
-            nodes,
-            leaves,
-            facets,
-            ..
-        } = &self.tree;
-        size_of_val(&nodes[..]) + size_of_val(&leaves[..]) + size_of_val(&facets[..])
+        self.tree.bytes()
     }
 
     /// Does the work with the best instructions. They compare distances as integers, which is right from 0 on.
     #[inline(always)]
-    #[allow(unused_variables)] // without AVX2 the interval makes no difference
+    #[allow(
+        unused_variables,
+        reason = "without AVX2 the interval makes no difference"
+    )]
     fn run<W: Work>(&self, within: Interval, work: W) -> W::Answer {
         #[cfg(target_arch = "x86_64")]
         if let Some(avx2) = self.avx2.filter(|_| within.min >= 0.0) {
@@ -146,8 +130,9 @@ impl WideBvh {
         nearest: Nearest,
         count: &mut impl Count,
     ) -> Option<(&Facet, Hit)> {
-        let in_tree = (nearest.facet != NO_FACET)
-            .then(|| (&self.tree.facets[nearest.facet as usize], nearest.hit));
+        let in_tree = nearest
+            .hit()
+            .map(|hit| (&self.tree.facets[nearest.facet as usize], hit));
         match &self.beside {
             None => in_tree,
             Some(list) => {
@@ -183,4 +168,17 @@ impl Accel<Facet> for WideBvh {
         self.run(within, Any { tree, ray, within })
             || matches!(&self.beside, Some(list) if list.any(ray, within))
     }
+}
+
+/// Which of eight boxes a ray meets within an interval, as bits, and where it enters them.
+pub(crate) fn eight_boxes(
+    boxes: &[Aabb; CHILDREN],
+    ray: &Ray,
+    within: Interval,
+) -> (u32, [f32; CHILDREN]) {
+    let node = Node::new(boxes.map(|bounds| (bounds, Link::NONE)));
+    let all = boxes.iter().fold(Aabb::EMPTY, |all, b| all.union(b));
+    let largest = all.min.abs().max(all.max.abs());
+    let ready = WideRay::new(ray, within.min, largest.into());
+    Portable.boxes(&node, &ready, within.max)
 }

@@ -1,9 +1,9 @@
 //! What a search carries along: the ray, and the nearest hit so far.
 
-use super::Tree;
 use super::lanes::Lanes;
 use super::node::{Leaf, NO_FACET};
 use super::ray::WideRay;
+use super::tree::Tree;
 use crate::accel::Count;
 use crate::math::{interval::Interval, ray::Ray};
 use crate::shape::{Hit, Shape};
@@ -11,7 +11,7 @@ use glam::Vec2;
 
 /// The nearest hit so far.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Nearest {
+pub(super) struct Nearest {
     /// What counts from now on has t < limit.
     pub limit: f32,
     /// Which facet was hit, by its place in the list; [`NO_FACET`] for none.
@@ -22,7 +22,7 @@ pub struct Nearest {
 
 impl Nearest {
     /// Nothing yet, with an end of the distances that count.
-    pub fn nothing(limit: f32) -> Self {
+    pub(super) fn nothing(limit: f32) -> Self {
         let hit = Hit {
             t: f32::INFINITY,
             uv: Vec2::ZERO,
@@ -35,12 +35,18 @@ impl Nearest {
         }
     }
 
+    /// The hit, if there is one.
+    #[inline(always)]
+    pub(super) fn hit(&self) -> Option<Hit> {
+        (self.facet != NO_FACET).then_some(self.hit)
+    }
+
     /// The nearer of this and another hit: of two at the same distance, that of the facet which is first in the list.
     ///
     /// So the answer does not depend on the tree. The limit is the next number after t, for one at t itself must be seen.
     #[inline(always)]
     #[must_use]
-    pub fn or(self, facet: u32, hit: Hit) -> Self {
+    pub(super) fn or(self, facet: u32, hit: Hit) -> Self {
         if hit.t < self.hit.t || (hit.t == self.hit.t && facet < self.facet) {
             Self {
                 limit: hit.t.next_up(),
@@ -55,7 +61,7 @@ impl Nearest {
 
 /// A ray that seeks.
 #[derive(Clone, Copy, Debug)]
-pub struct Seeker {
+pub(super) struct Seeker {
     /// As it is.
     pub ray: Ray,
     /// Made ready.
@@ -65,7 +71,7 @@ pub struct Seeker {
 impl Seeker {
     /// Makes a ray ready for a tree; nothing at or before `min` counts.
     #[inline(always)]
-    pub fn new(ray: &Ray, min: f32, tree: &Tree) -> Self {
+    pub(super) fn new(ray: &Ray, min: f32, tree: &Tree) -> Self {
         Self {
             ray: *ray,
             wide: WideRay::new(ray, min, tree.largest),
@@ -74,7 +80,7 @@ impl Seeker {
 
     /// The nearest hit so far, and in a leaf.
     #[inline(always)]
-    pub fn test<L: Lanes>(
+    pub(super) fn test<L: Lanes>(
         &self,
         lanes: L,
         tree: &Tree,
@@ -107,7 +113,7 @@ impl Seeker {
 
     /// Whether anything in a leaf is hit before `max`.
     #[inline(always)]
-    pub fn test_any<L: Lanes>(&self, lanes: L, tree: &Tree, leaf: &Leaf, max: f32) -> bool {
+    pub(super) fn test_any<L: Lanes>(&self, lanes: L, tree: &Tree, leaf: &Leaf, max: f32) -> bool {
         let Some(struck) = lanes.triangles(leaf, &self.wide, max) else {
             return false;
         };

@@ -12,14 +12,14 @@ pub const TRIANGLES: usize = 8;
 
 /// The place of a child: a node, or, with the top bit set, a leaf.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd)]
-pub struct Link(pub u32);
+pub struct Link(u32);
 
 /// The bit that tells leaves from nodes.
 const LEAF: u32 = 1 << 31;
 
 impl Link {
     /// To no child.
-    pub const NONE: Self = Self(u32::MAX);
+    pub(super) const NONE: Self = Self(u32::MAX);
 
     /// To the node number i.
     pub fn node(i: usize) -> Self {
@@ -29,6 +29,18 @@ impl Link {
     /// To the leaf number i.
     pub fn leaf(i: usize) -> Self {
         Self(i as u32 | LEAF)
+    }
+
+    /// The link with these bits.
+    #[inline(always)]
+    pub(super) fn from_bits(bits: u32) -> Self {
+        Self(bits)
+    }
+
+    /// Its number and what it leads to, in one number.
+    #[inline(always)]
+    pub(super) fn bits(self) -> u32 {
+        self.0
     }
 
     /// The number of the leaf, if it is one.
@@ -49,14 +61,14 @@ impl Link {
 #[repr(C, align(64))]
 pub struct Node {
     /// Row 2·axis + 0 or 1.
-    pub rows: [[f32; CHILDREN]; 6],
+    pub(super) rows: [[f32; CHILDREN]; 6],
     /// The children.
-    pub links: [Link; CHILDREN],
+    pub(super) links: [Link; CHILDREN],
 }
 
 impl Node {
     /// A node of at most eight children with their boxes.
-    pub fn new(children: impl IntoIterator<Item = (Aabb, Link)>) -> Self {
+    pub(super) fn new(children: impl IntoIterator<Item = (Aabb, Link)>) -> Self {
         let mut node = Self {
             rows: [f32::INFINITY, f32::NEG_INFINITY]
                 .map(|v| [v; CHILDREN])
@@ -99,19 +111,19 @@ impl Node {
 #[repr(C, align(32))]
 pub struct Leaf {
     /// `[corner][axis][lane]`, in metres.
-    pub corners: [[[f32; TRIANGLES]; 3]; 3],
+    pub(super) corners: [[[f32; TRIANGLES]; 3]; 3],
     /// Their places in the list of facets.
-    pub facets: [u32; TRIANGLES],
+    pub(super) facets: [u32; TRIANGLES],
     /// Their ids.
-    pub ids: [u32; TRIANGLES],
+    pub(super) ids: [u32; TRIANGLES],
 }
 
 /// A place without a triangle.
-pub const NO_FACET: u32 = u32::MAX;
+pub(super) const NO_FACET: u32 = u32::MAX;
 
 impl Leaf {
     /// A leaf of at most [`TRIANGLES`] of the facets.
-    pub fn new(facets: &[Facet], chosen: &[u32]) -> Self {
+    pub(super) fn new(facets: &[Facet], chosen: &[u32]) -> Self {
         let mut leaf = Self {
             corners: [[[f32::NAN; TRIANGLES]; 3]; 3],
             facets: [NO_FACET; TRIANGLES],

@@ -1,6 +1,6 @@
 //! Memory in large pages.
 #![cfg_attr(
-    target_os = "linux",
+    all(feature = "mmap", target_os = "linux"),
     expect(
         unsafe_code,
         reason = "an advice to the system about memory goes by address"
@@ -14,7 +14,7 @@ const LARGE: usize = 2 << 20;
 ///
 /// A processor keeps the addresses of a few thousand pages at hand; in pages of 4 KB that is a few megabytes, less than a tree
 /// of a hundred thousand triangles. Rays that go anywhere then look up an address for nearly every node.
-pub fn list<T>(n: usize) -> Vec<T> {
+pub(super) fn list<T>(n: usize) -> Vec<T> {
     let list = Vec::with_capacity(n);
     let bytes = n * size_of::<T>();
     if bytes >= LARGE {
@@ -23,13 +23,14 @@ pub fn list<T>(n: usize) -> Vec<T> {
     list
 }
 
-#[cfg(target_os = "linux")]
+#[cfg(all(feature = "mmap", target_os = "linux"))]
 fn advise(start: usize, bytes: usize) {
     const PAGE: usize = 4096;
     let from = start.next_multiple_of(PAGE);
     let to = (start + bytes) / PAGE * PAGE;
     if from < to {
-        // SAFETY: the pages are whole and belong to the list; this advice changes neither their contents nor their rights.
+        // SAFETY: `list` alone calls this, with the address and the size of a list that it has just made. The pages are whole and
+        // within the list, for `from` is rounded up and `to` down; this advice changes neither their contents nor their rights.
         // If the system does not follow it, nothing is lost.
         let _ = unsafe {
             rustix::mm::madvise(
@@ -41,5 +42,5 @@ fn advise(start: usize, bytes: usize) {
     }
 }
 
-#[cfg(not(target_os = "linux"))]
+#[cfg(not(all(feature = "mmap", target_os = "linux")))]
 fn advise(_start: usize, _bytes: usize) {}

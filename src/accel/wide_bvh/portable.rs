@@ -1,21 +1,21 @@
 //! Eight boxes and eight triangles at once, by plain arithmetic on arrays, on any processor.
 
-use super::Tree;
 use super::lanes::{Lanes, Struck, Work};
 use super::node::{CHILDREN, Leaf, Link, Node, TRIANGLES};
 use super::ray::WideRay;
+use super::tree::Tree;
 
 /// What every processor can do.
 ///
 /// The compiler makes vector instructions of these loops where it may; the answers are those of any other [`Lanes`], bit for
 /// bit, for a box test only decides how far a search looks, and a triangle's test is the same sum, step by step.
 #[derive(Clone, Copy, Debug)]
-pub struct Portable;
+pub(super) struct Portable;
 
 impl Portable {
     /// Does the work.
     #[inline(never)]
-    pub fn run<W: Work>(self, work: W) -> W::Answer {
+    pub(super) fn run<W: Work>(self, work: W) -> W::Answer {
         work.with(self)
     }
 }
@@ -27,7 +27,7 @@ impl Lanes for Portable {
         let mut leave = [max; CHILDREN];
         let rows = |start: usize| &node.rows[start / CHILDREN];
         for axis in 0..3 {
-            let (near, far) = (rows(ray.near[axis]), rows(ray.near[axis] ^ CHILDREN));
+            let (near, far) = (rows(ray.near()[axis]), rows(ray.near()[axis] ^ CHILDREN));
             for lane in 0..CHILDREN {
                 enter[lane] = enter[lane].max(near[lane] * ray.inverse[axis] + ray.enter[axis]);
                 leave[lane] = leave[lane].min(far[lane] * ray.inverse[axis] + ray.leave[axis]);
@@ -43,8 +43,8 @@ impl Lanes for Portable {
         for lane in 0..TRIANGLES {
             let corner = |i: usize| {
                 let rows = &leaf.corners[i];
-                let along = |axis: usize| rows[ray.shear.axes[axis]][lane] - ray.origin[axis];
-                let [sx, sy, sz] = ray.shear.slopes;
+                let along = |axis: usize| rows[ray.shear.axes()[axis]][lane] - ray.origin[axis];
+                let [sx, sy, sz] = ray.shear.slopes();
                 let z = along(2);
                 [along(0) - sx * z, along(1) - sy * z, sz * z]
             };

@@ -23,28 +23,27 @@ const ROUNDINGS: f32 = 16.0;
 /// once per ray, as part of −o/d: no box is missed by rounding, and it costs nothing per box. The test of a triangle moves
 /// its corners by up to 8u·(|b| + |o|) too ([`triangle_watertight`](crate::shape::triangle_watertight)): k = 16 holds both.
 #[derive(Clone, Copy, Debug)]
-pub struct WideRay {
+pub(super) struct WideRay {
     /// 1/d.
-    pub inverse: Vec3A,
+    pub(super) inverse: Vec3A,
     /// −o/d − pad, for planes through which the ray enters.
-    pub enter: Vec3A,
+    pub(super) enter: Vec3A,
     /// −o/d + pad, for planes through which it leaves.
-    pub leave: Vec3A,
-    /// Where in a node's numbers the planes begin through which the ray enters; those through which it leaves begin
-    /// at `near ^ 8`.
-    pub near: [usize; 3],
+    pub(super) leave: Vec3A,
+    /// 0 or 8; 16 or 24; 32 or 40: see [`WideRay::near`]. Only [`WideRay::new`] writes it.
+    near: [usize; 3],
     /// What moves a triangle into the ray's frame.
-    pub shear: Shear,
+    pub(super) shear: Shear,
     /// o along the shear's axes.
-    pub origin: [f32; 3],
+    pub(super) origin: [f32; 3],
     /// Nothing at or before this distance counts.
-    pub min: f32,
+    pub(super) min: f32,
 }
 
 impl WideRay {
     /// Makes a ray ready for a scene whose coordinates are at most `largest`.
     #[inline(always)]
-    pub fn new(ray: &Ray, min: f32, largest: Vec3A) -> Self {
+    pub(super) fn new(ray: &Ray, min: f32, largest: Vec3A) -> Self {
         let (o, d) = (Vec3A::from(ray.origin), Vec3A::from(*ray.direction));
         let inverse = d.abs().max(Vec3A::splat(LEAST)).copysign(d).recip();
         // Finite, whatever the origin: −o/d ± pad must not be ∞ − ∞.
@@ -54,7 +53,7 @@ impl WideRay {
         let shear = Shear::along(ray);
         let backwards = d.is_negative_bitmask() as usize;
         let origin = ray.origin.to_array();
-        let [x, y, z] = shear.axes;
+        let [x, y, z] = shear.axes();
         Self {
             inverse,
             enter: finite(middle - pad),
@@ -68,5 +67,12 @@ impl WideRay {
             shear,
             min,
         }
+    }
+
+    /// Per axis, where in a node's numbers the planes begin through which the ray enters: 0 or 8, 16 or 24, 32 or 40. Those
+    /// through which it leaves begin at `near ^ 8`.
+    #[inline(always)]
+    pub(super) fn near(&self) -> [usize; 3] {
+        self.near
     }
 }

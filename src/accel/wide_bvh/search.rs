@@ -1,14 +1,14 @@
 //! The two questions of one ray, as work for any [`Lanes`].
 
-use super::Tree;
 use super::lanes::{Lanes, Work};
 use super::nearest::{Nearest, Seeker};
+use super::tree::Tree;
 use super::walk;
 use crate::accel::Count;
 use crate::math::{interval::Interval, ray::Ray};
 
 /// The search for the nearest hit.
-pub struct Closest<'a, C> {
+pub(super) struct Closest<'a, C> {
     /// The tree.
     pub tree: &'a Tree,
     /// The ray.
@@ -34,7 +34,7 @@ impl<C: Count> Work for Closest<'_, C> {
 }
 
 /// The search for any hit.
-pub struct Any<'a> {
+pub(super) struct Any<'a> {
     /// The tree.
     pub tree: &'a Tree,
     /// The ray.

@@ -8,35 +8,35 @@ use super::node::Link;
 /// is of no importance for the answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[repr(transparent)]
-pub struct Waiting(u64);
+pub(super) struct Waiting(u64);
 
 impl Waiting {
     /// A child that the ray enters at t.
     #[inline(always)]
-    pub fn new(t: f32, link: Link) -> Self {
-        Self(u64::from(t.to_bits()) << 32 | u64::from(link.0))
+    pub(super) fn new(t: f32, link: Link) -> Self {
+        Self(u64::from(t.to_bits()) << 32 | u64::from(link.bits()))
     }
 
     /// Where the ray enters it.
     #[inline(always)]
-    pub fn t(self) -> f32 {
+    pub(super) fn t(self) -> f32 {
         f32::from_bits((self.0 >> 32) as u32)
     }
 
     /// Which it is.
     #[inline(always)]
-    pub fn link(self) -> Link {
-        Link(self.0 as u32)
+    pub(super) fn link(self) -> Link {
+        Link::from_bits(self.0 as u32)
     }
 }
 
 /// So many places; few trees need more than half of them.
-pub const PLACES: usize = 40;
+pub(super) const PLACES: usize = 40;
 
 /// Places on the processor's stack, where they cost no allocation.
 #[derive(Clone, Copy)]
 #[repr(C, align(64))]
-pub struct Places(pub [Waiting; PLACES]);
+pub(super) struct Places([Waiting; PLACES]);
 
 impl Default for Places {
     #[inline(always)]
@@ -48,18 +48,24 @@ impl Default for Places {
 impl Places {
     /// Empty ones.
     #[inline(always)]
-    pub fn new() -> Self {
+    pub(super) fn new() -> Self {
         Self([Waiting(0); PLACES])
     }
 
     /// Puts a child aside, below those from the place `base` on that are nearer.
     #[inline(always)]
-    pub fn insert(&mut self, base: usize, len: usize, item: Waiting) {
+    pub(super) fn insert(&mut self, base: usize, len: usize, item: Waiting) {
         let mut place = len;
         while place > base && self.0[place - 1] < item {
             self.0[place] = self.0[place - 1];
             place -= 1;
         }
         self.0[place] = item;
+    }
+
+    /// The child in a place.
+    #[inline(always)]
+    pub(super) fn at(&self, place: usize) -> Waiting {
+        self.0[place]
     }
 }

@@ -1,7 +1,7 @@
 //! What every wide tree keeps to.
 
-use super::Tree;
 use super::node::{CHILDREN, Link, TRIANGLES};
+use super::tree::Tree;
 use crate::math::aabb::Aabb;
 use crate::shape::Shape;
 
@@ -14,7 +14,7 @@ use crate::shape::Shape;
 ///
 /// # Errors
 /// Says which invariant is broken, and where.
-pub fn validate(tree: &Tree) -> Result<(), String> {
+pub(super) fn validate(tree: &Tree) -> Result<(), String> {
     let mut walk = Walk {
         tree,
         seen: vec![false; tree.facets.len()],

@@ -1,10 +1,10 @@
 //! The searches of one ray: near children first, and nothing beyond the nearest hit.
 
-use super::Tree;
 use super::lanes::Lanes;
 use super::nearest::{Nearest, Seeker};
 use super::node::{CHILDREN, Link};
 use super::stack::{PLACES, Places, Waiting};
+use super::tree::Tree;
 use crate::accel::Count;
 
 // ANCHOR: wide_closest
@@ -13,7 +13,7 @@ use crate::accel::Count;
 /// Eight boxes are tested at once. Of the children met, the nearest is next and the others wait, the farthest at the bottom
 /// of the stack; whoever comes up after a hit that is nearer than its box has waited in vain.
 #[inline(always)]
-pub fn closest<L: Lanes>(
+pub(super) fn closest<L: Lanes>(
     lanes: L,
     tree: &Tree,
     mut link: Link,
@@ -56,7 +56,7 @@ pub fn closest<L: Lanes>(
                 return found;
             }
             height -= 1;
-            let next = stack.0[height];
+            let next = stack.at(height);
             if next.t() < found.limit {
                 link = next.link();
                 break;
@@ -68,7 +68,7 @@ pub fn closest<L: Lanes>(
 
 /// Takes the first lane out of those that are met.
 #[inline(always)]
-pub fn first(met: &mut u32) -> usize {
+pub(super) fn first(met: &mut u32) -> usize {
     let lane = met.trailing_zeros() as usize % CHILDREN;
     *met &= *met - 1;
     lane
@@ -90,7 +90,13 @@ fn deeper<L: Lanes>(
 
 /// Whether anything is hit at or below a node or leaf. No child needs to be nearer than another, so nothing is sorted.
 #[inline(always)]
-pub fn any<L: Lanes>(lanes: L, tree: &Tree, mut link: Link, seeker: &Seeker, max: f32) -> bool {
+pub(super) fn any<L: Lanes>(
+    lanes: L,
+    tree: &Tree,
+    mut link: Link,
+    seeker: &Seeker,
+    max: f32,
+) -> bool {
     let (mut stack, mut height) = ([link; PLACES], 0);
     loop {
         if let Some(leaf) = link.as_leaf() {

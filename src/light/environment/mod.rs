@@ -91,10 +91,14 @@ impl Environment {
     /// texel's solid angle.
     pub fn density(&self, toward: Dir3) -> f32 {
         let (x, y) = self.texel(toward);
-        let probability = self.rows.probability(y) * self.columns[y].probability(x);
-        (probability / self.solid_angle(y)) as f32
+        (self.probability(x, y) / self.solid_angle(y)) as f32
     }
     // ANCHOR_END: environment_pdf
+
+    /// The probability with which a texel is chosen.
+    fn probability(&self, x: usize, y: usize) -> f64 {
+        self.rows.probability(y) * self.columns[y].probability(x)
+    }
 
     /// The solid angle of a texel in a row, in steradians: its share of a zone between two circles of latitude,
     /// 2π (cos θ₀ − cos θ₁).
@@ -115,8 +119,9 @@ impl Light for Environment {
     /// the neighbour of the one that was chosen: the sun's radiance over a dark neighbour's density would be a firefly.
     fn sample(&self, _at: Vec3, u: Vec2) -> Option<LightSample> {
         let toward = self.choose(u)?;
-        let (radiance, pdf) = (self.radiance(toward), self.density(toward));
-        shine(toward, f32::INFINITY, radiance, pdf)
+        let (x, y) = self.texel(toward);
+        let pdf = (self.probability(x, y) / self.solid_angle(y)) as f32;
+        shine(toward, f32::INFINITY, self.map.at(x, y), pdf)
     }
 
     fn pdf(&self, _at: Vec3, toward: Dir3) -> f32 {

@@ -2,11 +2,13 @@
 
 use crate::image::rgb::Rgb;
 use crate::math::dir3::Dir3;
+use crate::render::curved::fan::Fan;
 use crate::render::curved::follow::{Fate, Piece, follow};
 use crate::render::curved::geodesic::between;
 use crate::render::curved::{Photon, doppler::shift, observer};
 use crate::scene::accretion_disc::AccretionDisc;
 use glam::{DVec3, Vec3};
+use std::fmt;
 use std::ops::ControlFlow;
 
 /// What there is to be seen around the hole.
@@ -15,6 +17,14 @@ pub struct BlackHole<'a> {
     pub disc: Option<&'a AccretionDisc>,
     /// Radiance by direction, from infinitely far away.
     pub sky: &'a (dyn Fn(Dir3) -> Rgb + Sync),
+}
+
+impl fmt::Debug for BlackHole<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.debug_struct("BlackHole")
+            .field("disc", &self.disc)
+            .finish_non_exhaustive()
+    }
 }
 
 /// Of a step. What is seen moves by less than a thousandth of a radian then, unless the ray has gone around the hole.
@@ -26,31 +36,42 @@ impl BlackHole<'_> {
     /// The ray is followed backwards, from the eye: light takes the same way in both directions.
     pub fn radiance(&self, eye: Vec3, toward: Dir3) -> Rgb {
         let start = observer::seen(eye.as_dvec3(), toward.as_dvec3());
-        let (mut light, mut through) = (Rgb::BLACK, 1.0);
+        let mut seen = Layers::NONE;
         let fate = follow(start, TOLERANCE, |piece| {
-            if let Some((glow, opacity)) = self.gas(piece, &start) {
-                light += glow * (through * opacity);
-                through *= 1.0 - opacity;
+            if let Some(at) = crossing(piece) {
+                seen.add(self.gas(at, &start));
             }
-            if through > 0.0 {
+            if seen.through > 0.0 {
                 ControlFlow::Continue(())
             } else {
                 ControlFlow::Break(())
             }
         });
         match fate {
-            Fate::Escaped(toward) => {
-                let toward = Dir3::new_or(toward.as_vec3(), Dir3::Y);
-                light + (self.sky)(toward) * through
-            }
-            Fate::Fell | Fate::Stopped => light,
+            Fate::Escaped(toward) => seen.before(self.sky, toward),
+            Fate::Fell | Fate::Stopped => seen.light,
         }
     }
 
-    /// The glow of the gas, and its opacity, where a piece of the ray passes through the disc.
-    fn gas(&self, piece: &Piece, start: &Photon) -> Option<(Rgb, f32)> {
+    /// The same by curves that have been followed before: for a picture, which has far more rays than curves.
+    pub fn radiance_by(&self, fan: &Fan, toward: Dir3) -> Rgb {
+        let start = observer::seen(fan.eye().as_dvec3(), toward.as_dvec3());
+        let ray = fan.ray(toward);
+        let mut seen = Layers::NONE;
+        if self.disc.is_some() {
+            for at in ray.crossings(DVec3::Y) {
+                seen.add(self.gas(at, &start));
+            }
+        }
+        match ray.escapes() {
+            Some(toward) => seen.before(self.sky, toward),
+            None => seen.light,
+        }
+    }
+
+    /// The glow of the gas, and its opacity, where a ray passes through the plane of the disc.
+    fn gas(&self, at: DVec3, start: &Photon) -> Option<(Rgb, f32)> {
         let disc = self.disc?;
-        let at = crossing(piece)?;
         let r = at.length();
         if !disc.holds(r) {
             return None;
@@ -59,6 +80,33 @@ impl BlackHole<'_> {
         let axial = -start.x.cross(start.v).y / start.energy();
         let shift = shift(r, axial, start.x.length());
         Some(disc.glow(at.as_vec3(), shift as f32))
+    }
+}
+
+/// What is seen along a ray, from front to back.
+struct Layers {
+    light: Rgb,
+    /// The share of what is behind that comes through.
+    through: f32,
+}
+
+impl Layers {
+    const NONE: Self = Self {
+        light: Rgb::BLACK,
+        through: 1.0,
+    };
+
+    fn add(&mut self, layer: Option<(Rgb, f32)>) {
+        if let Some((glow, opacity)) = layer {
+            self.light += glow * (self.through * opacity);
+            self.through *= 1.0 - opacity;
+        }
+    }
+
+    /// With the sky behind.
+    fn before(&self, sky: &(dyn Fn(Dir3) -> Rgb + Sync), toward: DVec3) -> Rgb {
+        let toward = Dir3::new_or(toward.as_vec3(), Dir3::Y);
+        self.light + sky(toward) * self.through
     }
 }
 

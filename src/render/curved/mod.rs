@@ -5,6 +5,7 @@
 pub mod black_hole;
 pub mod deflection;
 pub mod doppler;
+pub mod fan;
 pub mod follow;
 pub mod geodesic;
 pub mod observer;

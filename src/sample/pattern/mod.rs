@@ -6,7 +6,7 @@ pub mod halton;
 pub mod jittered;
 pub mod multi_jittered;
 pub mod n_rooks;
-pub mod neighbours;
+pub(crate) mod neighbours;
 pub mod owen;
 pub mod poisson_disk;
 pub mod r2;

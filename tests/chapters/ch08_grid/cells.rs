@@ -3,9 +3,10 @@
 use crate::ch08_grid::polygon::clipped;
 use glam::{DVec3, UVec3, Vec3, uvec3, vec3};
 use proptest::prelude::*;
-use raybook::accel::grid::{Grid, build::voxels_of_triangle, resolution::grid_resolution};
-use raybook::accel::lattice::{Lattice, range};
-use raybook::accel::overlap::triangle_meets_box;
+use raybook::accel::grid::Grid;
+use raybook::inside::grid::{
+    Lattice, grid_resolution, range, triangle_meets_box, voxels_of_triangle,
+};
 use raybook::math::aabb::Aabb;
 use raybook::shape::mesh::Facet;
 

@@ -2,7 +2,7 @@
 
 use glam::{UVec3, Vec3, uvec3, vec3};
 use proptest::prelude::*;
-use raybook::accel::{lattice::Lattice, walk::walk};
+use raybook::inside::grid::{Lattice, walk};
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray, slab};
 use std::ops::ControlFlow;
 

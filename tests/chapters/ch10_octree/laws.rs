@@ -2,7 +2,8 @@
 
 use crate::ch10_octree::whole::whole;
 use proptest::prelude::*;
-use raybook::accel::octree::{Octree, tree::Kind};
+use raybook::accel::octree::Octree;
+use raybook::inside::octree::Kind;
 use raybook_chapters::shared::{law::Reach, law::fit, law::mean_tests};
 
 /// The law of this chapter, from 10² to 10⁶ triangles. What it costs to find a place in the tree is its depth, and that is
@@ -47,7 +48,7 @@ proptest! {
 
     #[test]
     fn kinds_survive_their_packing(first in 0..u32::MAX, count in 0..1_u32 << 31, occupied in 0..=255_u8) {
-        use raybook::accel::octree::tree::Node;
+        use raybook::inside::octree::Node;
         prop_assert_eq!(Node::leaf(first, count).kind(), Kind::Leaf { first, count });
         prop_assert_eq!(Node::inner(first, occupied).kind(), Kind::Inner { children: first, occupied });
     }

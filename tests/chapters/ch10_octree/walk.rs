@@ -3,8 +3,9 @@
 use crate::ch10_octree::rays::{random_direction, ray};
 use crate::ch10_octree::valid;
 use glam::{Vec3, vec3};
-use raybook::accel::octree::{Octree, walk::Walk};
+use raybook::accel::octree::Octree;
 use raybook::accel::{Accel, Tests, list::List};
+use raybook::inside::octree::{self, Walk};
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg, ray::Ray};
 use raybook::scene::soup::soup;
 use raybook::shape::{sphere::Sphere, teapot};
@@ -12,7 +13,7 @@ use raybook::shape::{sphere::Sphere, teapot};
 #[test]
 fn leaves_come_in_order_and_none_that_matters_is_left_out() {
     let octree = valid(Octree::of_facets(soup(400, 5).facets()));
-    let tree = octree.tree();
+    let tree = octree::tree(&octree);
     let places = tree.places();
     let leaves: Vec<_> = places
         .iter()
@@ -73,7 +74,7 @@ fn leaves_come_in_order_and_none_that_matters_is_left_out() {
 fn a_hit_ends_the_walk() {
     let octree = valid(Octree::of_facets(teapot::mesh(8).facets()));
     let list = teapot::mesh(8).facets().len() as u64;
-    let toward = octree.tree().bounds.center();
+    let toward = octree::tree(&octree).bounds.center();
     let mut tests = Tests::default();
     let mut rng = pcg::stream(6, 6);
     for _ in 0..200 {

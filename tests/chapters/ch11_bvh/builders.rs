@@ -2,12 +2,8 @@
 
 use crate::ch11_bvh::METHODS;
 use glam::Vec3;
-use raybook::accel::bvh::build::cost::sah_cost;
-use raybook::accel::bvh::build::flat::{Flat, Node};
-use raybook::accel::bvh::build::{Method, build};
-use raybook::accel::bvh::pair::Pair;
-use raybook::accel::bvh::validate::validate;
-use raybook::accel::bvh::{Bvh, COST};
+use raybook::accel::bvh::{Bvh, build::Method};
+use raybook::inside::bvh::{COST, Flat, Node, Pair, build, sah_cost, validate};
 use raybook::math::aabb::Aabb;
 use raybook::scene::soup::soup;
 use raybook::shape::{Shape, teapot};

@@ -2,9 +2,8 @@
 
 use crate::ch11_bvh::METHODS;
 use glam::{Vec3, vec3};
-use raybook::accel::bvh::build::flat::Node;
-use raybook::accel::bvh::pair::RayPair;
 use raybook::accel::{Accel, Tests, bvh::Bvh, list::List};
+use raybook::inside::bvh::{self, Node, RayPair};
 use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
 use raybook::shape::mesh::Facet;
 use raybook::shape::{Hit, Shape};
@@ -71,7 +70,7 @@ fn planted(
     shrinks: bool,
     keeps_last: bool,
 ) -> (Option<Hit>, u32) {
-    let (root, pairs) = tree.nodes();
+    let (root, pairs) = bvh::nodes(tree);
     let mut within = Interval::AHEAD;
     let mut open: Vec<Node> = root.copied().into_iter().collect();
     let (mut found, mut tests) = (None::<Hit>, 0);

@@ -6,9 +6,9 @@ use glam::{Vec3, vec3};
 use raybook::image::rgb::Rgb;
 use raybook::material::{Material, mirror::Mirror, phong::Phong};
 use raybook::math::dir3::Dir3;
-use raybook::scene::kissing_balls;
 use raybook::scene::world::{Scene, Thing};
 use raybook::shape::{plane::Plane, sphere::Sphere};
+use raybook_chapters::ch13_reflection::kissing_balls;
 
 const SHARE: f32 = 0.5;
 

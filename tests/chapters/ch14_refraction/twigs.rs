@@ -5,7 +5,7 @@ use raybook::camera::pinhole::Pinhole;
 use raybook::math::pcg;
 use raybook::render::local::{ALWAYS, Local};
 use raybook::render::whitted::Whitted;
-use raybook::scene::{glassware, tally};
+use raybook_chapters::ch14_refraction::glassware;
 use raybook_chapters::shared::{ray_tree::Branch, ray_tree::Kind, ray_tree::grow};
 
 /// How many rays a tree has, without those to the lights.
@@ -33,10 +33,9 @@ fn most_rays_of_the_whole_tree_count_for_nearly_nothing() {
         let ray = camera.ray_through(place);
         let tree = grow(&whitted, &scene, &ray);
         whole += rays(&tree);
-        tally::take();
-        let seen = whitted.radiance(&scene, &ray, &mut pcg::stream(14, 1));
-        followed += tally::take();
-        worst = worst.max((tree.sees.g - seen.g).abs());
+        let seen = whitted.follow(&scene, &ray, &mut pcg::stream(14, 1));
+        followed += seen.rays;
+        worst = worst.max((tree.sees.g - seen.radiance.g).abs());
     }
     let times = whole as f64 / followed as f64;
     println!(

@@ -7,8 +7,8 @@ use raybook::image::{Image, rgb::Rgb};
 use raybook::light::{Light, extent::Choose, rect_light::RectLight, sphere_light::SphereLight};
 use raybook::render::local::{Arrives, Local};
 use raybook::render::{film::Film, shadow, whitted::Whitted};
-use raybook::scene::posts;
 use raybook::shape::sphere::Sphere;
+use raybook_chapters::ch16_soft_shadows::posts;
 
 const MIDDLE: Vec3 = vec3(-3.0, 4.0, -3.0);
 
@@ -33,7 +33,7 @@ fn render(light: Box<dyn Light>, arrives: Arrives, first_seed: u64) -> Noisy {
     let camera = Pinhole::look_at(from, to, Vec3::Y, focal_length, 1.6).expect("a camera");
     let local = Local {
         samples: 2,
-        arrives,
+        arrives: Some(arrives),
     };
     let whitted = Whitted { local, depth: 1 };
     let batch = |seed: u64| {

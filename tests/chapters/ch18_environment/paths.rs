@@ -7,13 +7,12 @@ use raybook::image::{Image, rgb::Rgb};
 use raybook::light::{Light, environment::Environment};
 use raybook::material::{brdf::Brdf, lambert::Lambert};
 use raybook::math::{dir3::Dir3, pcg, ray::Ray};
-use raybook::render::{film::Film, mis::Strategy, path::Path};
-use raybook::scene::skies;
+use raybook::render::{film::Film, mis::Strategy, path::Path, refine::refine};
 use raybook::scene::still_life::{AT, EYE, still_life};
 use raybook::scene::world::{Scene, Thing};
 use raybook::shape::sphere::Sphere;
 use raybook_chapters::ch18_environment::everywhere::Everywhere;
-use raybook_chapters::shared::even;
+use raybook_chapters::ch18_environment::skies;
 use raybook_common::statistics::Mean;
 
 const STRATEGIES: [Strategy; 3] = [Strategy::Surface, Strategy::Light, Strategy::Both];
@@ -125,7 +124,7 @@ fn even_random_numbers_change_the_noise_and_not_the_mean() {
         for seed in 0..16 {
             let film = film(seed, samples);
             let chance = film.render(|at, rng| path.radiance(&scene, &ray(at), rng));
-            let even = even::render(&film, |at, rng| path.radiance(&scene, &ray(at), rng));
+            let even = refine(&film, |at, rng| path.radiance(&scene, &ray(at), rng));
             let mean = |image: &Image| {
                 let sum: f64 = image.pixels().iter().map(|p| f64::from(p.g)).sum();
                 sum / image.pixels().len() as f64

@@ -4,7 +4,7 @@ use glam::vec2;
 use raybook::image::{Image, rgb::Rgb};
 use raybook::light::environment::latlong;
 use raybook::math::dir3::Dir3;
-use raybook::scene::skies::{self, SUN, Sky};
+use raybook_chapters::ch18_environment::skies::{self, SUN, Sky};
 use std::f64::consts::PI;
 
 /// ∫ L max(0, cos θ) dω of a map, θ being the angle to a normal.

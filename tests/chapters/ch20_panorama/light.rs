@@ -9,10 +9,10 @@ use raybook::light::environment::Environment;
 use raybook::material::{brdf::Brdf, lambert::Lambert};
 use raybook::math::{basis::Basis, dir3::Dir3, ray::Ray};
 use raybook::render::{mis::Strategy, path::Path};
-use raybook::scene::pavilion::{self, EYE};
-use raybook::scene::summer;
 use raybook::scene::world::{Scene, Thing};
 use raybook::shape::sphere::Sphere;
+use raybook_chapters::ch20_panorama::pavilion::{self, EYE};
+use raybook_chapters::ch20_panorama::summer;
 use raybook_common::statistics::Mean;
 use std::f64::consts::PI;
 

@@ -9,9 +9,9 @@ use raybook::light::environment::Environment;
 use raybook::material::brdf::Brdf;
 use raybook::math::pcg;
 use raybook::render::{mis::Strategy, path::Path};
-use raybook::scene::pavilion::{self, EYE};
-use raybook::scene::skies;
 use raybook::scene::world::Scene;
+use raybook_chapters::ch18_environment::skies;
+use raybook_chapters::ch20_panorama::pavilion::{self, EYE};
 
 /// Looks in all directions: level, upwards, downwards, and nearly straight up and down.
 const LOOKS: [Vec3; 7] = [

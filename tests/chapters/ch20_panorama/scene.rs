@@ -4,8 +4,8 @@ use crate::ch20_panorama::{direction, seen};
 use glam::{Vec3, vec3};
 use raybook::light::Light;
 use raybook::math::{basis::Basis, dir3::Dir3, pcg, ray::Ray};
-use raybook::scene::pavilion::{self, BEAMS, EYE};
-use raybook::scene::summer::{self, SUN_RADIUS};
+use raybook_chapters::ch20_panorama::pavilion::{self, BEAMS, EYE};
+use raybook_chapters::ch20_panorama::summer::{self, SUN_RADIUS};
 use std::f64::consts::TAU;
 
 #[test]

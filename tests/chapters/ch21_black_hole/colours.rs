@@ -5,7 +5,7 @@ use raybook::light::black_body::black_body;
 use raybook::math::dir3::Dir3;
 use raybook::render::curved::doppler::shift;
 use raybook::scene::accretion_disc::AccretionDisc;
-use raybook::scene::starry_sky::starry_sky;
+use raybook_chapters::ch21_black_hole::starry_sky::starry_sky;
 
 #[test]
 fn hotter_is_brighter_and_bluer() {

@@ -2,9 +2,9 @@
 
 use super::points;
 use glam::{Vec2, vec2};
+use raybook::inside::{Neighbours, Space};
 use raybook::math::pcg;
 use raybook::sample::pattern::dart_throwing::largest_distance;
-use raybook::sample::pattern::neighbours::{Neighbours, Space};
 use raybook::sample::pattern::poisson_disk::{distance_for, poisson_disk};
 
 #[test]

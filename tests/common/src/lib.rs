@@ -1,5 +1,11 @@
 //! What the tests share.
 
+#![allow(
+    clippy::missing_errors_doc,
+    clippy::missing_panics_doc,
+    reason = "parts of tests: a panic is a failure, and an error is the sentence that it says"
+)]
+
 pub mod noisy;
 pub mod oracle;
 pub mod polygon;

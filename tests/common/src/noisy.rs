@@ -28,6 +28,7 @@ const PIXEL_SHARE: f64 = 0.05;
 const SQUARE: usize = 8;
 
 /// A picture's mean, and the variance of that mean, of each channel of each pixel.
+#[derive(Clone, Debug)]
 pub struct Noisy {
     width: usize,
     height: usize,

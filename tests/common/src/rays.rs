@@ -1,7 +1,5 @@
 //! Rays for tests: named ones, and random ones.
 
-#![allow(dead_code)] // each test file uses its own part
-
 use glam::Vec3;
 use rand::RngExt;
 use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};

@@ -1,11 +1,11 @@
 //! Rays of all kinds at many targets, both sides asked, and what came of it.
 
 use crate::embree::{Embree, Mode};
-use crate::oracle::judge::judge;
-use crate::oracle::target::Target;
 use crate::rays::{KINDS, rays};
 use crate::tally::{HEAD, Tally};
 use raybook::math::pcg;
+use raybook_common::oracle::judge::judge;
+use raybook_common::oracle::target::Target;
 use std::fmt;
 
 /// Both ways in which Embree can be asked.

@@ -1,13 +1,13 @@
 //! An accelerator over a mesh against Embree, which is asked once and remembered.
 
 use crate::embree::{Embree, Mode};
-use crate::oracle::judge::{Answer, Excuse, Verdict, judge};
-use crate::oracle::target::{Solid, Target};
 use crate::rays::{KINDS, rays};
 use crate::tally::{HEAD, Tally};
 use raybook::accel::{Accel, Meshed, list::List};
 use raybook::math::{interval::Interval, pcg, ray::Ray};
 use raybook::shape::mesh::{Facet, Mesh};
+use raybook_common::oracle::judge::{Answer, Excuse, Verdict, judge};
+use raybook_common::oracle::target::{Solid, Target};
 
 /// A mesh, rays of all kinds at it, and what Embree's robust mode answers.
 pub struct Contest {

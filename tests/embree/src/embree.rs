@@ -1,13 +1,13 @@
 //! Embree behind raybook's question: what does this ray hit first?
 
-use crate::oracle::judge::Answer;
-use crate::oracle::target::Solid;
 use embree3::{
     BufferUsage, Config, Device, DeviceProperty, Error, Format, Geometry, GeometryKind,
     IntersectContext, Isa, RayHit, Scene, SceneFlags,
 };
 use glam::{Vec2, Vec3};
 use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
+use raybook_common::oracle::judge::Answer;
+use raybook_common::oracle::target::Solid;
 
 /// How Embree intersects triangles. Spheres know no difference.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -42,7 +42,6 @@ pub mod campaign;
 pub mod closed;
 pub mod contest;
 pub mod embree;
-use raybook_common::oracle;
 pub mod patch;
 pub mod questions;
 pub mod rays;

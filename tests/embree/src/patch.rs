@@ -1,9 +1,9 @@
 //! Where to aim: a part of a target, drawn by chance.
 
-use crate::oracle::target::{Solid, Target, corners};
 use glam::{Vec3, vec3};
 use rand::RngExt;
 use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
+use raybook_common::oracle::target::{Solid, Target, corners};
 
 /// The part of a plane's stand-in that rays are aimed at: 2 m of its 16.
 const PLANE_PART: f32 = 0.125;

@@ -1,10 +1,10 @@
 //! Rays at a target, of five kinds.
 
-use crate::oracle::target::{Solid, Target};
 use crate::patch::{Patch, direction, size_of};
 use glam::Vec3;
 use rand::RngExt;
 use raybook::math::{basis::Basis, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
+use raybook_common::oracle::target::{Solid, Target};
 
 /// A kind of rays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,13 +1,13 @@
 //! The recorded sample: a few questions of every kind, with Embree's answers.
 
 use crate::embree::{Embree, Mode};
-use crate::oracle::judge::{Answer, Verdict, judge};
-use crate::oracle::recording::{line, shape};
-use crate::oracle::target::Target;
 use crate::questions::{named, shapes};
 use crate::rays::{KINDS, Kind, rays};
 use embree3::Isa;
 use raybook::math::{dir3::Dir3, interval::Interval, pcg, ray::Ray};
+use raybook_common::oracle::judge::{Answer, Verdict, judge};
+use raybook_common::oracle::recording::{line, shape};
+use raybook_common::oracle::target::Target;
 
 /// The files of `golden/embree`, without their ending.
 pub const FILES: [&str; 5] = ["triangle", "sphere", "plane", "cuboid", "mesh"];

@@ -1,11 +1,11 @@
 //! Shapes to shoot at: many small scenes, at scales from centimetres to a hundred metres.
 
-use crate::oracle::target::Target;
 use glam::{Vec3, vec3};
 use rand::RngExt;
 use raybook::math::{aabb::Aabb, dir3::Dir3, pcg::Pcg};
 use raybook::shape::mesh::MeshError;
 use raybook::shape::sphere::Sphere;
+use raybook_common::oracle::target::Target;
 
 /// How large the shapes are, in metres.
 const SCALES: [f32; 5] = [0.01, 0.1, 1.0, 10.0, 100.0];

@@ -1,19 +1,19 @@
 //! Embree as a student: it answers the workbook's questions about hits, by lines.
 
 use crate::embree::{Embree, Mode};
-use crate::oracle::judge::Answer;
-use crate::oracle::meshes;
-use crate::oracle::target::Solid;
 use glam::Vec3;
 use raybook::math::{aabb::Aabb, basis::Basis, interval::Interval, ray::Ray};
 use raybook::shape::{mesh::Mesh, sphere::Sphere};
-use raybook_workbook::exercises::ch03_sphere::SphereHitQuestion;
-use raybook_workbook::exercises::ch04_plane::PlaneHitQuestion;
-use raybook_workbook::exercises::ch05_box::BoxClipQuestion;
-use raybook_workbook::exercises::ch06_triangle::{TriangleHitAnswer, TriangleHitQuestion};
-use raybook_workbook::exercises::ch07_mesh::{MeshHitAnswer, MeshHitQuestion};
-use raybook_workbook::exercises::ch11_bvh::{BvhClosestAnswer, BvhClosestQuestion};
-use raybook_workbook::exercises::ch24_wide_bvh::{WideClosestAnswer, WideClosestQuestion};
+use raybook_common::oracle::judge::Answer;
+use raybook_common::oracle::meshes;
+use raybook_common::oracle::target::Solid;
+use raybook_workbook::exercises::ch03_sphere::SphereHit;
+use raybook_workbook::exercises::ch04_plane::PlaneHit;
+use raybook_workbook::exercises::ch05_box::BoxClip;
+use raybook_workbook::exercises::ch06_triangle::{TriangleHit, TriangleHitAnswer};
+use raybook_workbook::exercises::ch07_mesh::{MeshHit, MeshHitAnswer};
+use raybook_workbook::exercises::ch11_bvh::{BvhClosest, BvhClosestAnswer};
+use raybook_workbook::exercises::ch24_wide_bvh::{WideClosest, WideClosestAnswer};
 use raybook_workbook::row::{Row, RowError, read};
 
 /// What Embree answers to a question's line; an error if it cannot be asked.
@@ -53,7 +53,7 @@ fn triangles(corners: &[[Vec3; 3]]) -> Result<Solid, String> {
 }
 
 fn sphere_hit(embree: &Embree, line: &str) -> Result<String, String> {
-    let SphereHitQuestion {
+    let SphereHit {
         ray,
         within,
         center,
@@ -65,7 +65,7 @@ fn sphere_hit(embree: &Embree, line: &str) -> Result<String, String> {
 
 /// The plane is two triangles, a square around the ray's foot; it reaches farther than all but parallel rays.
 fn plane_hit(embree: &Embree, line: &str) -> Result<String, String> {
-    let PlaneHitQuestion {
+    let PlaneHit {
         ray,
         within,
         normal,
@@ -84,7 +84,7 @@ fn plane_hit(embree: &Embree, line: &str) -> Result<String, String> {
 /// The box is twelve triangles, asked from both ends of a long stretch of the line: where it enters, and where it leaves.
 fn box_clip(embree: &Embree, line: &str) -> Result<String, String> {
     const AWAY: f32 = 32.0;
-    let BoxClipQuestion {
+    let BoxClip {
         ray,
         within,
         min,
@@ -108,7 +108,7 @@ fn box_clip(embree: &Embree, line: &str) -> Result<String, String> {
 }
 
 fn triangle_hit(embree: &Embree, line: &str) -> Result<String, String> {
-    let TriangleHitQuestion {
+    let TriangleHit {
         ray,
         within,
         p0,
@@ -126,7 +126,7 @@ fn triangle_hit(embree: &Embree, line: &str) -> Result<String, String> {
 }
 
 fn mesh_hit(embree: &Embree, line: &str) -> Result<String, String> {
-    let MeshHitQuestion {
+    let MeshHit {
         ray,
         within,
         triangles: list,
@@ -143,7 +143,7 @@ fn mesh_hit(embree: &Embree, line: &str) -> Result<String, String> {
 
 /// Embree searches a tree of its own and does not count: it is given the least number of tests that is believable.
 fn bvh_closest(embree: &Embree, line: &str) -> Result<String, String> {
-    let q: BvhClosestQuestion = question(line)?;
+    let q: BvhClosest = question(line)?;
     let corners: Vec<_> = q.triangles.iter().map(|t| [t.p0, t.p1, t.p2]).collect();
     let hit = ask(embree, &triangles(&corners)?, &q.ray, q.within)?;
     let answer = BvhClosestAnswer {
@@ -159,7 +159,7 @@ fn bvh_closest(embree: &Embree, line: &str) -> Result<String, String> {
 
 /// As for `bvh_closest`.
 fn wide_closest(embree: &Embree, line: &str) -> Result<String, String> {
-    let q: WideClosestQuestion = question(line)?;
+    let q: WideClosest = question(line)?;
     let corners: Vec<_> = q.triangles.iter().map(|t| [t.p0, t.p1, t.p2]).collect();
     let hit = ask(embree, &triangles(&corners)?, &q.ray, q.within)?;
     let answer = WideClosestAnswer {

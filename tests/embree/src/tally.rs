@@ -1,6 +1,6 @@
 //! Counting what comes of many comparisons, for one row of a table.
 
-use crate::oracle::judge::{Excuse, Verdict};
+use raybook_common::oracle::judge::{Excuse, Verdict};
 use std::fmt;
 
 /// The counts of one kind of rays at one kind of shape.

@@ -5,8 +5,8 @@
 //! where answers may differ, is said in `tests/common/oracle/meeting.rs`.
 
 use raybook::math::pcg;
+use raybook_common::oracle::target::Target;
 use raybook_embree::campaign::Campaign;
-use raybook_embree::oracle::target::Target;
 use raybook_embree::shapes;
 
 /// Rays at each kind of shape.

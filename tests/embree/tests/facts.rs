@@ -3,8 +3,8 @@
 use glam::{Vec3, vec3};
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray};
 use raybook::shape::sphere::Sphere;
+use raybook_common::oracle::target::Target;
 use raybook_embree::embree::{Embree, Mode};
-use raybook_embree::oracle::target::Target;
 
 /// Whether raybook, Embree's fast mode and Embree's robust mode hit.
 fn hits(target: &Target, ray: &Ray, within: Interval) -> [bool; 3] {

@@ -5,8 +5,8 @@ use rand::RngExt;
 use raybook::accel::{Accel, list::List};
 use raybook::math::{dir3::Dir3, interval::Interval, pcg, ray::Ray};
 use raybook::shape::mesh::Mesh;
+use raybook_common::oracle::target::Solid;
 use raybook_embree::embree::{Embree, Mode};
-use raybook_embree::oracle::target::Solid;
 
 #[test]
 fn of_two_equal_triangles_raybook_names_the_first() {

@@ -2,8 +2,8 @@
 //!
 //! `RAYBOOK_BLESS=1 cargo test --release -p raybook-embree` writes it anew.
 
-use raybook_embree::oracle::judge::{Verdict, judge};
-use raybook_embree::oracle::recording::parse;
+use raybook_common::oracle::judge::{Verdict, judge};
+use raybook_common::oracle::recording::parse;
 use raybook_embree::sample::{FILES, recording};
 use std::path::PathBuf;
 

@@ -3,6 +3,7 @@
 #![cfg(unix)]
 
 use raybook_common::project;
+use raybook_grader::ask::Asker;
 use raybook_grader::cases;
 use raybook_grader::check::{State, check};
 use raybook_grader::converse::{Limits, Program};
@@ -46,7 +47,7 @@ fn a_ray_tracer_in_python_answers_every_case_rightly() {
         };
         cases.extend(trace.cases(&mut key.rng("trace")).cases);
     }
-    let report = check(&program, trace, cases, LIMITS).expect("python runs");
+    let report = check(&mut Asker::new(&program, LIMITS), trace, cases).expect("python runs");
     assert_eq!(report.state(), State::Right, "{:?}", report.first_wrong());
 }
 
@@ -54,7 +55,8 @@ fn a_ray_tracer_in_python_answers_every_case_rightly() {
 fn its_pictures_are_right_in_every_pixel() {
     let Some(program) = program() else { return };
     let trace = cases::find("trace").expect("it is an exercise");
-    let (pictures, stopped) = ask_pixels(&program, trace, LIMITS).expect("python runs");
+    let (pictures, stopped) =
+        ask_pixels(&mut Asker::new(&program, LIMITS), trace).expect("python runs");
     assert_eq!(stopped, None, "it answers all pixels");
     assert_eq!(pictures.len(), 4, "there are four scenes");
     for picture in pictures {

@@ -2,7 +2,7 @@
 
 use raybook::scene::description::Description;
 use raybook::scene::four_scenes::FOUR;
-use raybook_workbook::exercises::ch25_capstone::TraceQuestion;
+use raybook_workbook::exercises::ch25_capstone::Trace;
 use raybook_workbook::row::{self, Row};
 
 /// Ambient light, backdrop, a lamp, and one thing of each shape and of each material.
@@ -46,12 +46,12 @@ fn a_wrong_scene_is_refused_with_the_word_that_is_wrong() {
         (
             "sphere",
             "cone",
-            "word 18 should be `objects[0]`, one of the words sphere plane triangle, but is `cone`",
+            "word 18 should be `form`, one of the words sphere, plane, triangle, but is `cone`",
         ),
         (
             "mirror",
             "wood",
-            "one of the words phong mirror glass, but is `wood`",
+            "`matter`, one of the words phong, mirror, glass, but is `wood`",
         ),
         (
             "glass 1.5",
@@ -72,7 +72,7 @@ fn a_wrong_scene_is_refused_with_the_word_that_is_wrong() {
 
 #[test]
 fn the_names_tell_the_kinds_and_each_thing_is_shown_on_a_line() {
-    let names = TraceQuestion::names("question").join(" ");
+    let names = Trace::KIND.names("question").join(" ");
     for part in [
         "depth origin.x",
         "(sphere center.x center.y center.z radius | plane normal.x normal.y normal.z offset | triangle p0.x",
@@ -81,7 +81,7 @@ fn the_names_tell_the_kinds_and_each_thing_is_shown_on_a_line() {
         assert!(names.contains(part), "{names} should contain {part}");
     }
     let scene: Description = row::read(SCENE, "scene").expect("it is a scene");
-    let parts = scene.parts("scene");
+    let parts = row::parts(Description::KIND, "scene", &row::to_numbers(&scene));
     let things = parts
         .iter()
         .filter(|(name, _)| name.starts_with("objects["));

@@ -6,7 +6,7 @@ use raybook_grader::examine::{Examiner, RANDOM_CASES, visible_rng};
 use raybook_grader::picture::{pixel_questions, triples};
 use raybook_grader::score::{Score, table};
 use raybook_grader::triple::Triple;
-use raybook_workbook::exercises::ch25_capstone::TraceQuestion;
+use raybook_workbook::exercises::ch25_capstone::Trace;
 use raybook_workbook::row::{Row, read};
 use rayon::prelude::*;
 
@@ -149,7 +149,7 @@ fn no_named_case_hangs_on_a_millimetre() {
 #[test]
 fn who_sees_only_the_backdrop_is_right_only_where_nothing_is_hit() {
     for case in examiner().cases(&mut visible_rng("trace")).cases {
-        let q: TraceQuestion = read(&case.question, "question").expect("a case is a question");
+        let q: Trace = read(&case.question, "question").expect("a case is a question");
         let backdrop = q.scene.backdrop.seen(q.ray.direction);
         let verdict = examiner().judge(&case.question, &case.answers, &backdrop.write());
         assert!(

@@ -52,7 +52,7 @@ fn trace_agrees_with_whitted_in_the_four_scenes() {
         let whitted = Whitted {
             local: Local {
                 samples: 1,
-                arrives: lit,
+                arrives: Some(lit),
             },
             depth: staged.depth,
         };

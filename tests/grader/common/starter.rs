@@ -7,7 +7,7 @@ use raybook_workbook::anchor::Anchored;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// The folder in which all starters of the tests compile: their dependencies are compiled once.
 pub fn target() -> PathBuf {
@@ -17,17 +17,19 @@ pub fn target() -> PathBuf {
 /// Only one starter is written and built at a time.
 static FOLDER: Mutex<()> = Mutex::new(());
 
-/// Writes a starter whose anchored functions are rewritten so, builds one of its programs, and keeps that in `keep`.
+/// The folder of a starter; nobody else has it as long as this is held.
+pub struct Written {
+    pub folder: PathBuf,
+    _alone: MutexGuard<'static, ()>,
+}
+
+/// Writes a starter whose anchored functions are rewritten so.
 ///
 /// The folder is always the same, and a file that stays the same is not written, so that the compiler goes on from the build
 /// before: seconds instead of a minute.
-pub fn build(
-    keep: &Path,
-    rewrite: &dyn Fn(&Anchored<'_>) -> Option<String>,
-    binary: &str,
-) -> Program {
+pub fn write(rewrite: &dyn Fn(&Anchored<'_>) -> Option<String>) -> Written {
     // Another test's failure says nothing about the folder.
-    let _alone = FOLDER.lock().unwrap_or_else(PoisonError::into_inner);
+    let alone = FOLDER.lock().unwrap_or_else(PoisonError::into_inner);
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("my-rays");
     for (path, bytes) in files(rewrite).expect("the library's anchors are right") {
         let path = folder.join(path);
@@ -38,9 +40,18 @@ pub fn build(
             .expect("the folder can be made");
         fs::write(path, bytes).expect("the file can be written");
     }
+    Written {
+        folder,
+        _alone: alone,
+    }
+}
+
+/// Writes a starter whose anchored functions are rewritten so, builds its answer program, and keeps that in `keep`.
+pub fn build(keep: &Path, rewrite: &dyn Fn(&Anchored<'_>) -> Option<String>) -> Program {
+    let written = write(rewrite);
     let output = Command::new(env!("CARGO"))
-        .args(["build", "--quiet", "--offline", "--bin", binary])
-        .current_dir(&folder)
+        .args(["build", "--quiet", "--offline", "--bin", "answer"])
+        .current_dir(&written.folder)
         .env("CARGO_TARGET_DIR", target())
         .output()
         .expect("cargo can be run");
@@ -54,7 +65,7 @@ pub fn build(
         "without a warning: {}",
         String::from_utf8_lossy(&output.stderr)
     );
-    let (built, kept) = (target().join("debug").join(binary), keep.join(binary));
+    let (built, kept) = (target().join("debug/answer"), keep.join("answer"));
     executable::copy(&built, &kept);
     Program {
         file: kept,

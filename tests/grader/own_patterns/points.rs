@@ -15,7 +15,7 @@ use raybook_workbook::row;
 fn answer(question: &str) -> Vec<Vec2> {
     let (name, question) = question.split_once(' ').expect("a name and a question");
     let mut exercises = CHAPTERS.iter().flat_map(Chapter::exercises);
-    let exercise = exercises.find(|exercise| exercise.name() == name);
+    let exercise = exercises.find(|exercise| exercise.name == name);
     let exercise = exercise.expect("questions are asked of exercises");
     let line = exercise
         .answer_line(question)

@@ -20,7 +20,7 @@ const LIMITS: Limits = Limits {
 #[test]
 fn the_untouched_starter_compiles_and_everything_is_todo() {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let program = build(folder.path(), &stub, "answer");
+    let program = build(folder.path(), &stub);
     for (examiner, cases) in &visible_cases() {
         for (case, said) in cases.iter().zip(replies(&program, *examiner, cases)) {
             assert_eq!(
@@ -48,7 +48,7 @@ fn each_exercise_stubbed_alone_is_the_only_one_that_turns_todo() {
         );
         stub(function).map(|_| text.replacen(body, &format!("\n{switch}\n{body}"), 1))
     };
-    let program = build(folder.path(), &switched, "answer");
+    let program = build(folder.path(), &switched);
     let asked = visible_cases();
     names().par_iter().enumerate().for_each(|(i, stubbed)| {
         only_this_turns_todo(&program, stubbed, i, &asked);
@@ -89,46 +89,6 @@ fn only_this_turns_todo(program: &Program, stubbed: &str, i: usize, asked: &[Ask
         }
     }
     assert!(todo > 0, "{stubbed} itself turned todo");
-}
-
-#[test]
-fn the_chapters_run_on_the_students_functions() {
-    let draw = |rewrite: &dyn Fn(&Anchored<'_>) -> Option<String>| {
-        let folder = tempfile::tempdir().expect("a temporary folder");
-        let chapter = build(folder.path(), rewrite, "ch03_sphere");
-        let status = std::process::Command::new(&chapter.file)
-            .args(["--width", "64", "--samples", "1", "--out"])
-            .arg(folder.path().join("out"))
-            .status()
-            .expect("the chapter runs");
-        assert!(status.success(), "the student's chapter draws");
-        raybook::image::file::load(&folder.path().join("out/ch03_sphere/picture.exr"))
-            .expect("and writes its picture")
-    };
-    let right = draw(&|_| None);
-    let inwards = draw(&|function: &Anchored<'_>| {
-        (function.name == "sphere_normal")
-            .then(|| function.text.replace("p - self.center", "self.center - p"))
-    });
-    assert!(
-        right != inwards,
-        "a normal that points inwards is seen in the chapter's picture"
-    );
-}
-
-#[test]
-fn the_first_chapter_draws_when_its_own_exercises_are_written() {
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    let written = ["ray_at", "camera_ray"];
-    let rest =
-        |function: &Anchored<'_>| stub(function).filter(|_| !written.contains(&function.name));
-    let chapter = build(folder.path(), &rest, "ch01_rays");
-    let status = std::process::Command::new(&chapter.file)
-        .args(["--width", "64", "--samples", "1", "--out"])
-        .arg(folder.path().join("out"))
-        .status()
-        .expect("the chapter runs");
-    assert!(status.success(), "it needs nothing of the chapters to come");
 }
 
 /// An exercise with its visible cases.

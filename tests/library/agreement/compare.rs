@@ -17,13 +17,13 @@ const EQUAL: f32 = raybook::shape::ROUNDING;
 
 /// What was seen, lest a test passes in which nothing is hit.
 #[derive(Default)]
-pub struct Seen {
+pub(super) struct Seen {
     pub rays: Cell<u32>,
     pub hits: Cell<u32>,
 }
 
 /// Asks all structures over a scene all questions, each in every way.
-pub fn compare<S: Shape + Copy + PartialEq + Debug>(
+pub(super) fn compare<S: Shape + Copy + PartialEq + Debug>(
     scene: &Scene<S>,
     questions: &[RayRecipe],
     structures: &[(&str, Box<dyn Checked<S>>)],

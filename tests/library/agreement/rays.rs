@@ -9,7 +9,7 @@ use raybook::shape::Shape;
 
 /// A ray in the scene's own measure.
 #[derive(Clone, Debug)]
-pub enum RayRecipe {
+pub(super) enum RayRecipe {
     /// From a place to a place.
     Between(Vec3, Vec3, Stretch),
     /// Along an axis, with zeros of these signs.
@@ -22,13 +22,13 @@ pub enum RayRecipe {
 
 /// Which part of the ray counts.
 #[derive(Clone, Copy, Debug)]
-pub enum Stretch {
+pub(super) enum Stretch {
     Ahead,
     Between(f32, f32),
     Backwards,
 }
 
-pub fn recipe() -> impl Strategy<Value = RayRecipe> {
+pub(super) fn recipe() -> impl Strategy<Value = RayRecipe> {
     let stretch = || {
         prop_oneof![
             6 => Just(Stretch::Ahead),
@@ -54,7 +54,7 @@ pub fn recipe() -> impl Strategy<Value = RayRecipe> {
 
 impl RayRecipe {
     /// The ray, and the interval that counts.
-    pub fn in_scene<S: Shape>(&self, scene: &Scene<S>) -> (Ray, Interval) {
+    pub(super) fn in_scene<S: Shape>(&self, scene: &Scene<S>) -> (Ray, Interval) {
         let at = |p: Vec3| scene.scale * p + scene.center;
         let bounds = |i: &Index| {
             let bounds = i.get(&scene.shapes).bounds();

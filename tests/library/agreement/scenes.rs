@@ -8,7 +8,7 @@ use raybook::shape::{Hit, Shape, Surface, cuboid::Cuboid, plane::Plane, sphere::
 
 /// Shapes, and how large the scene is: its coordinates are a few times `scale` from `center`.
 #[derive(Clone, Debug)]
-pub struct Scene<S> {
+pub(super) struct Scene<S> {
     pub shapes: Vec<S>,
     pub scale: f32,
     pub center: Vec3,
@@ -16,7 +16,7 @@ pub struct Scene<S> {
 
 impl<S: Shape> Scene<S> {
     /// The largest coordinate of all.
-    pub fn largest(&self) -> f32 {
+    pub(super) fn largest(&self) -> f32 {
         let of_shape = |shape: &S| {
             let Aabb { min, max } = shape.bounds();
             min.abs().max(max.abs()).max_element()
@@ -29,11 +29,11 @@ impl<S: Shape> Scene<S> {
 }
 
 /// Points of a small lattice: shapes made of them share corners, edges and planes, or have no area.
-pub fn lattice_point() -> impl Strategy<Value = Vec3> {
+pub(super) fn lattice_point() -> impl Strategy<Value = Vec3> {
     prop::array::uniform3(-2_i8..=2).prop_map(|p| Vec3::from(p.map(f32::from)))
 }
 
-pub fn point() -> impl Strategy<Value = Vec3> {
+pub(super) fn point() -> impl Strategy<Value = Vec3> {
     prop::array::uniform3(-2.5_f32..2.5).prop_map(Vec3::from)
 }
 
@@ -100,7 +100,7 @@ fn place() -> impl Strategy<Value = (f32, Vec3)> {
 }
 
 /// Triangles.
-pub fn facets() -> impl Strategy<Value = Scene<Facet>> {
+pub(super) fn facets() -> impl Strategy<Value = Scene<Facet>> {
     (triangles(), place()).prop_map(|(triangles, (scale, center))| Scene {
         shapes: placed(&triangles, scale, center),
         scale,
@@ -118,7 +118,7 @@ fn placed(triangles: &[[Vec3; 3]], scale: f32, center: Vec3) -> Vec<Facet> {
 
 /// A shape of any kind.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Thing {
+pub(super) enum Thing {
     Facet(Facet),
     Ball(Sphere),
     Box(Cuboid),
@@ -152,7 +152,7 @@ impl Shape for Thing {
 }
 
 /// Shapes of all kinds.
-pub fn things() -> impl Strategy<Value = Scene<Thing>> {
+pub(super) fn things() -> impl Strategy<Value = Scene<Thing>> {
     let thing = prop_oneof![
         4 => triangle().prop_map(|corners| Thing::Facet(Facet { corners, id: 0 })),
         3 => (point(), prop_oneof![0.05_f32..1.0, Just(0.0), Just(20.0), Just(1.0)])

@@ -9,7 +9,7 @@ use raybook::math::{interval::Interval, ray::Ray};
 use raybook::shape::{Hit, Shape, mesh::Facet};
 
 /// A structure under test.
-pub trait Checked<S> {
+pub(super) trait Checked<S> {
     fn validate(&self) -> Result<(), String>;
     fn closest(&self, ray: &Ray, within: Interval) -> Option<(S, Hit)>;
     fn closest_counted(&self, ray: &Ray, within: Interval) -> (Option<(S, Hit)>, Tests);
@@ -54,7 +54,7 @@ fn named<S: Shape + Copy, A: Accel<S> + 'static>(
 }
 
 /// All structures over facets.
-pub fn facets(shapes: &[Facet]) -> Vec<Named<Facet>> {
+pub(super) fn facets(shapes: &[Facet]) -> Vec<Named<Facet>> {
     let shapes = || shapes.to_vec();
     vec![
         named("Grid", Grid::of_facets(shapes()), Grid::validate),
@@ -82,7 +82,7 @@ pub fn facets(shapes: &[Facet]) -> Vec<Named<Facet>> {
 }
 
 /// All structures over shapes of any kind.
-pub fn things(shapes: &[Thing]) -> Vec<Named<Thing>> {
+pub(super) fn things(shapes: &[Thing]) -> Vec<Named<Thing>> {
     let shapes = || shapes.to_vec();
     vec![
         named("Grid", Grid::new(shapes()), Grid::validate),
@@ -98,7 +98,7 @@ pub fn things(shapes: &[Thing]) -> Vec<Named<Thing>> {
 
 /// How a structure can be wrong.
 #[derive(Clone, Copy, Debug)]
-pub enum Wrong {
+pub(super) enum Wrong {
     /// One shape is in no leaf.
     ForgetsOne,
     /// The hit found last is returned, not the nearest.
@@ -108,7 +108,7 @@ pub enum Wrong {
 }
 
 /// A wrong structure.
-pub fn wrong(wrong: Wrong, shapes: &[Facet]) -> Box<dyn Checked<Facet>> {
+pub(super) fn wrong(wrong: Wrong, shapes: &[Facet]) -> Box<dyn Checked<Facet>> {
     let kept = match wrong {
         Wrong::ForgetsOne => &shapes[..shapes.len().saturating_sub(1)],
         Wrong::Last | Wrong::IgnoresTheEnd => shapes,

@@ -4,10 +4,11 @@ use glam::{Vec2, vec2};
 use rand::RngExt;
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
-use raybook::render::film::Film;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use raybook::render::film::{Done, Film};
+use raybook::render::followed::Followed;
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 
-fn film(width: usize, height: usize, samples: usize, threads: usize) -> Film<'static> {
+pub(crate) fn film(width: usize, height: usize, samples: usize, threads: usize) -> Film<'static> {
     Film {
         width,
         height,
@@ -70,22 +71,28 @@ fn every_pixel_gets_its_own_place_whatever_the_size() {
 }
 
 #[test]
-fn progress_adds_up_to_all_pixels() {
+fn progress_adds_up_to_all_pixels_and_all_rays() {
     for (width, height, threads) in [(1, 1, 1), (50, 31, 1), (50, 31, 4), (16, 16, 2)] {
-        let done = AtomicUsize::new(0);
-        let progress = |pixels: usize| {
+        let (done, followed) = (AtomicUsize::new(0), AtomicU64::new(0));
+        let progress = |Done { pixels, rays }: Done| {
             done.fetch_add(pixels, Ordering::Relaxed);
+            followed.fetch_add(rays, Ordering::Relaxed);
         };
         let film = Film {
             progress: &progress,
-            ..film(width, height, 1, threads)
+            ..film(width, height, 2, threads)
         };
-        film.render(|_, _| Rgb::BLACK);
+        film.render(|_, _| Followed {
+            radiance: Rgb::BLACK,
+            rays: 3,
+        });
         assert_eq!(
             done.into_inner(),
             width * height,
             "{width}×{height} on {threads} threads"
         );
+        let rays = 2 * 3 * (width * height) as u64;
+        assert_eq!(followed.into_inner(), rays, "3 rays for each of 2 samples");
     }
 }
 

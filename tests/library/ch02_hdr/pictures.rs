@@ -8,7 +8,7 @@ use raybook::render::film::Film;
 use raybook::shape::{Shape, sphere::Sphere};
 
 /// A real picture: a shaded sphere before a sky that changes slowly.
-pub fn rendered() -> Image {
+pub(super) fn rendered() -> Image {
     let film = Film {
         width: 96,
         height: 54,
@@ -42,7 +42,7 @@ pub fn rendered() -> Image {
 }
 
 /// The picture with one pixel replaced.
-pub fn with_pixel(picture: &Image, x: usize, y: usize, colour: Rgb) -> Image {
+pub(super) fn with_pixel(picture: &Image, x: usize, y: usize, colour: Rgb) -> Image {
     let mut changed = picture.clone();
     changed.set(x, y, colour);
     changed

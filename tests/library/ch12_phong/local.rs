@@ -34,14 +34,16 @@ fn sun() -> Box<dyn Light> {
 }
 
 /// What is seen of the ground at the origin from straight above.
-fn radiance(lights: Vec<Box<dyn Light>>, samples: u32, arrives: Arrives) -> Rgb {
+fn radiance(lights: Vec<Box<dyn Light>>, samples: u32, arrives: Option<Arrives>) -> Rgb {
     let material: Box<dyn Material> = Box::new(PHONG);
     let ground = Thing::new(Plane::through(Vec3::ZERO, Dir3::Y), material);
     let scene = Scene::new(vec![ground], lights).surrounded_by(Rgb::gray(0.2), |_| Rgb::BLACK);
     let seen = scene.closest(&ray(vec3(0.0, 9.0, 0.0), Vec3::NEG_Y));
     let seen = seen.expect("the ray meets the ground");
     let local = Local { samples, arrives };
-    local.radiance(&scene, &seen, Dir3::Y, &mut pcg::stream(0, 0))
+    local
+        .follow(&scene, &seen, Dir3::Y, &mut pcg::stream(0, 0))
+        .radiance
 }
 
 #[test]
@@ -83,7 +85,7 @@ fn more_samples_of_a_light_without_extent_change_nothing() {
 fn light_that_does_not_arrive_leaves_the_ambient_light() {
     let ambient = Rgb::gray(0.1);
     close(
-        radiance(vec![lamp(0.0)], 1, |_, _, _| false),
+        radiance(vec![lamp(0.0)], 1, Some(|_, _, _| false)),
         ambient,
         "all in shadow",
     );

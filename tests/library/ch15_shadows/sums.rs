@@ -9,7 +9,6 @@ use raybook::material::{Material, mirror::Mirror};
 use raybook::math::{dir3::Dir3, pcg};
 use raybook::render::local::Local;
 use raybook::render::whitted::Whitted;
-use raybook::scene::tally;
 use raybook::scene::world::{Scene, Thing};
 use raybook::shape::plane::Plane;
 
@@ -26,7 +25,7 @@ fn a_shadow_takes_away_one_lights_part_and_no_more() {
     scene.lights = vec![lamp(0.0), lamp(3.0)];
     let local = Local {
         samples: 1,
-        arrives: lit,
+        arrives: Some(lit),
     };
     let whitted = Whitted { local, depth: 1 };
     let aslant = ray(vec3(0.0, 1.0, 0.0), Vec3::NEG_Y);
@@ -51,14 +50,13 @@ fn no_ray_is_sent_for_light_that_would_not_count() {
     };
     let local = Local {
         samples: 1,
-        arrives: lit,
+        arrives: Some(lit),
     };
     let rays = |material: Box<dyn Material>, y: f32| {
         let scene = Scene::new(things(material), vec![lamp(y)]);
-        tally::take();
         let down = ray(vec3(0.0, 1.0, 0.0), Vec3::NEG_Y);
-        Whitted { local, depth: 1 }.radiance(&scene, &down, &mut pcg::stream(0, 0));
-        tally::take()
+        let whitted = Whitted { local, depth: 1 };
+        whitted.follow(&scene, &down, &mut pcg::stream(0, 0)).rays
     };
     assert_eq!(rays(Box::new(CLAY), 4.0), 2, "to the floor and to the lamp");
     assert_eq!(

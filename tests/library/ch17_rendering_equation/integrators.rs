@@ -52,7 +52,7 @@ fn whitted_with_point_lights_is_a_path_over_one_surface() {
     let (scene, for_whitted) = (Scene::new(brdfs, lights()), Scene::new(materials, lights()));
     let local = Local {
         samples: 1,
-        arrives: shadow::lit,
+        arrives: Some(shadow::lit),
     };
     let (whitted, mut lit, mut dark) = (Whitted { local, depth: 3 }, 0, 0);
     for strategy in [Strategy::Surface, Strategy::Light, Strategy::Both] {

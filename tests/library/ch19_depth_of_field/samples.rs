@@ -2,12 +2,12 @@
 
 use crate::ch19_depth_of_field::camera;
 use glam::{Vec2, vec2};
-use rand::RngExt;
+use rand::{Rng, RngExt};
 use raybook::camera::Camera;
 use raybook::camera::aperture::Aperture;
 use raybook::camera::thin_lens::ThinLens;
 use raybook::image::{Image, rgb::Rgb};
-use raybook::math::{pcg::Pcg, ray::Ray};
+use raybook::math::ray::Ray;
 use raybook::render::{film::Film, through_lens::through_lens};
 use raybook_common::statistics::Mean;
 
@@ -30,7 +30,7 @@ fn lens() -> ThinLens {
 }
 
 /// Stripes far behind the plane in focus.
-fn stripes(ray: &Ray, _: &mut Pcg) -> Rgb {
+fn stripes(ray: &Ray, _: &mut impl Rng) -> Rgb {
     let p = ray.at(12.0 / -ray.direction.z);
     Rgb::gray(f32::from((2.0 * p.x + 0.7 * p.y).fract().abs() < 0.5))
 }

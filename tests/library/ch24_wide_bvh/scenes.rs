@@ -6,7 +6,7 @@ use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
 use raybook::shape::mesh::Facet;
 
 /// Facets with their places in the list as ids.
-pub fn facets(corners: impl IntoIterator<Item = [Vec3; 3]>) -> Vec<Facet> {
+pub(super) fn facets(corners: impl IntoIterator<Item = [Vec3; 3]>) -> Vec<Facet> {
     let numbered = corners.into_iter().zip(0..);
     numbered
         .map(|(corners, id)| Facet { corners, id })
@@ -40,7 +40,7 @@ fn triangle() -> impl Strategy<Value = [Vec3; 3]> {
 }
 
 /// A scene: from none to two hundred triangles, some of them several times, at any scale.
-pub fn scene() -> impl Strategy<Value = (Vec<Facet>, f32)> {
+pub(super) fn scene() -> impl Strategy<Value = (Vec<Facet>, f32)> {
     let triangles = prop::collection::vec((triangle(), 1..4_usize), 0..100);
     (triangles, -6..=6_i32).prop_map(|(triangles, scale)| {
         let scale = 10.0_f32.powi(scale);
@@ -50,7 +50,7 @@ pub fn scene() -> impl Strategy<Value = (Vec<Facet>, f32)> {
 }
 
 /// Triangles without area among others.
-pub fn with_degenerate() -> impl Strategy<Value = Vec<Facet>> {
+pub(super) fn with_degenerate() -> impl Strategy<Value = Vec<Facet>> {
     let line = (point(2.0), point(1.0), 0.0_f32..1.0).prop_map(|(p, d, s)| [p, p + d, p + s * d]);
     let dot = point(2.0).prop_map(|p| [p; 3]);
     let not_a_number = point(2.0).prop_map(|p| [p, Vec3::NAN, p + Vec3::X]);
@@ -60,7 +60,7 @@ pub fn with_degenerate() -> impl Strategy<Value = Vec<Facet>> {
 }
 
 /// A ray, of a size that fits the unit scale: from anywhere, from far away, along axes with ±0, on the lattice.
-pub fn ray() -> impl Strategy<Value = (Ray, Interval)> {
+pub(super) fn ray() -> impl Strategy<Value = (Ray, Interval)> {
     let component = prop_oneof![Just(0.0_f32), Just(-0.0_f32), -1.0_f32..1.0];
     let axis = prop_oneof![Just(Vec3::X), Just(Vec3::Y), Just(Vec3::Z)];
     let along = (axis, any::<bool>(), any::<bool>()).prop_map(|(axis, back, minus)| {
@@ -89,7 +89,7 @@ pub fn ray() -> impl Strategy<Value = (Ray, Interval)> {
 }
 
 /// The ray in a scene of another scale.
-pub fn scaled((ray, within): (Ray, Interval), scale: f32) -> (Ray, Interval) {
+pub(super) fn scaled((ray, within): (Ray, Interval), scale: f32) -> (Ray, Interval) {
     (
         Ray::new(scale * ray.origin, ray.direction),
         Interval::new(scale * within.min, scale * within.max),

@@ -4,13 +4,11 @@ use crate::ch24_wide_bvh::scenes::facets;
 use glam::{Vec3, vec3};
 use proptest::prelude::*;
 use rand::RngExt;
-use raybook::accel::bvh::{
-    Bvh, COST,
-    build::{Method, build},
-};
-use raybook::accel::wide_bvh::collapse::{Family, binary, collapse, half_area};
-use raybook::accel::wide_bvh::{WideBvh, optimal};
+use raybook::accel::bvh::{Bvh, build::Method};
+use raybook::accel::wide_bvh::WideBvh;
 use raybook::accel::{Accel, Tests};
+use raybook::inside::bvh::{COST, build};
+use raybook::inside::wide_bvh::{self, Family, binary, collapse, collapse_optimally, half_area};
 use raybook::math::{dir3::Dir3, interval::Interval, pcg, ray::Ray};
 use raybook::scene::soup::soup;
 use raybook::shape::{Shape, teapot};
@@ -27,7 +25,7 @@ proptest! {
     ) {
         let tree = WideBvh::build(soup(n, seed).facets(), method);
         prop_assert_eq!(tree.validate(), Ok(()));
-        prop_assert_eq!(tree.tree().facets.len(), n as usize);
+        prop_assert_eq!(wide_bvh::tree(&tree).facets().len(), n as usize);
     }
 }
 
@@ -51,14 +49,14 @@ fn few_and_equal_facets_have_trees_too() {
 fn nodes_are_nearly_full() {
     let mesh = teapot::mesh(12);
     let tree = WideBvh::new(mesh.facets());
-    let nodes = &tree.tree().nodes;
+    let nodes = wide_bvh::tree(&tree).nodes();
     let children: usize = nodes.iter().map(|node| node.children().count()).sum();
     let mean = children as f32 / nodes.len() as f32;
     assert!(
         mean > 5.0,
         "{mean} children per node of the teapot; 6.0 were measured"
     );
-    let per_leaf = mesh.triangles().len() as f32 / tree.tree().leaves.len() as f32;
+    let per_leaf = mesh.triangles().len() as f32 / wide_bvh::tree(&tree).leaves().len() as f32;
     assert!(
         per_leaf > 6.5,
         "{per_leaf} triangles per leaf of the teapot; 7.5 were measured"
@@ -82,7 +80,7 @@ fn the_optimal_collapse_has_the_same_leaves_and_fewer_and_smaller_nodes() {
                 .map(|family| half_area(&nodes[family.branch as usize]));
             areas.sum::<f32>()
         };
-        let (greedy, optimal) = (collapse(&nodes), optimal::collapse(&nodes));
+        let (greedy, optimal) = (collapse(&nodes), collapse_optimally(&nodes));
         assert_eq!(
             leaves(&greedy),
             leaves(&optimal),
@@ -110,7 +108,7 @@ fn the_optimal_collapse_has_the_same_leaves_and_fewer_and_smaller_nodes() {
 #[test]
 fn the_same_tree_comes_of_any_number_of_threads() {
     let build = || WideBvh::new(soup(20_000, 3).facets());
-    let print = |tree: &WideBvh| format!("{:?}", tree.tree());
+    let print = |tree: &WideBvh| format!("{:?}", wide_bvh::tree(tree));
     let pool = |n| {
         rayon::ThreadPoolBuilder::new()
             .num_threads(n)

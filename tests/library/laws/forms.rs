@@ -9,7 +9,7 @@ use raybook::shape::mesh::Mesh;
 use raybook::shape::{Shape, cuboid::Cuboid, plane::Plane, sphere::Sphere, triangle::Triangle};
 
 /// So many cases, always the same ones.
-pub fn config(cases: u32) -> ProptestConfig {
+pub(crate) fn config(cases: u32) -> ProptestConfig {
     ProptestConfig {
         cases,
         failure_persistence: None,
@@ -20,7 +20,7 @@ pub fn config(cases: u32) -> ProptestConfig {
 
 /// A shape as data.
 #[derive(Clone, Copy, Debug)]
-pub enum Form {
+pub(crate) enum Form {
     /// Its centre and radius.
     Sphere(Vec3, f32),
     /// A point of it, and its normal.
@@ -35,24 +35,24 @@ pub enum Form {
 
 /// p ↦ turn·(scale·p) + shift.
 #[derive(Clone, Copy, Debug)]
-pub struct Motion {
+pub(crate) struct Motion {
     pub scale: f32,
     pub turn: Mat3,
     pub shift: Vec3,
 }
 
 impl Motion {
-    pub fn point(&self, p: Vec3) -> Vec3 {
+    pub(crate) fn point(&self, p: Vec3) -> Vec3 {
         self.turn * (self.scale * p) + self.shift
     }
 
-    pub fn direction(&self, d: Dir3) -> Dir3 {
+    pub(crate) fn direction(&self, d: Dir3) -> Dir3 {
         Dir3::new(self.turn * *d).expect("a turned direction is one")
     }
 }
 
 impl Form {
-    pub fn build(&self) -> Box<dyn Shape> {
+    pub(crate) fn build(&self) -> Box<dyn Shape> {
         match *self {
             Self::Sphere(center, radius) => Box::new(Sphere::new(center, radius)),
             Self::Plane(point, normal) => Box::new(Plane::through(point, normal)),
@@ -67,7 +67,7 @@ impl Form {
     }
 
     /// The form moved; a cuboid only where the motion leaves its faces square to the axes.
-    pub fn moved(&self, motion: &Motion) -> Self {
+    pub(crate) fn moved(&self, motion: &Motion) -> Self {
         let point = |p| motion.point(p);
         match *self {
             Self::Sphere(center, radius) => Self::Sphere(point(center), motion.scale * radius),
@@ -79,7 +79,7 @@ impl Form {
     }
 
     /// A point well inside the shape, for each u in [−1, 1]³; larger ones lead outside.
-    pub fn target(&self, u: Vec3) -> Vec3 {
+    pub(crate) fn target(&self, u: Vec3) -> Vec3 {
         match *self {
             Self::Sphere(center, radius) => center + 0.5 * radius * u,
             Self::Plane(point, normal) => point + u - normal.dot(u) * *normal,
@@ -105,7 +105,7 @@ impl Form {
     }
 
     /// The distance from the point to the shape's surface, in `f64`.
-    pub fn distance(&self, p: Vec3) -> f64 {
+    pub(crate) fn distance(&self, p: Vec3) -> f64 {
         let p = p.as_dvec3();
         match *self {
             Self::Sphere(center, radius) => {
@@ -155,18 +155,18 @@ fn to_triangle(p: DVec3, triangle: &Triangle) -> f64 {
 }
 
 /// A vector in [−1, 1]³.
-pub fn vector() -> impl Strategy<Value = Vec3> {
+pub(crate) fn vector() -> impl Strategy<Value = Vec3> {
     let x = || -1.0_f32..=1.0;
     (x(), x(), x()).prop_map(|(x, y, z)| vec3(x, y, z))
 }
 
 /// A direction.
-pub fn direction() -> impl Strategy<Value = Dir3> {
+pub(crate) fn direction() -> impl Strategy<Value = Dir3> {
     vector().prop_filter_map("no direction", Dir3::new)
 }
 
 /// A form of size 1, at most 10 from the origin; triangles and tetrahedra that are not too thin.
-pub fn form() -> impl Strategy<Value = Form> {
+pub(crate) fn form() -> impl Strategy<Value = Form> {
     let parts = (vector(), vector(), vector(), vector(), direction());
     (0..5, vector(), parts).prop_filter_map("too thin", |(kind, center, (a, b, c, d, normal))| {
         let center = 10.0 * center;
@@ -184,7 +184,7 @@ pub fn form() -> impl Strategy<Value = Form> {
 }
 
 /// A form and a ray towards its target for a u in [−reach, reach]³, not too grazing.
-pub fn aimed(reach: f32) -> impl Strategy<Value = (Form, Ray)> {
+pub(crate) fn aimed(reach: f32) -> impl Strategy<Value = (Form, Ray)> {
     (form(), vector(), direction(), 0.1_f32..20.0).prop_filter_map(
         "too grazing",
         move |(form, u, away, distance)| {

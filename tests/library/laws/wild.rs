@@ -33,11 +33,11 @@ fn number() -> impl Strategy<Value = f32> {
     ]
 }
 
-fn vector() -> impl Strategy<Value = Vec3> {
+pub(crate) fn vector() -> impl Strategy<Value = Vec3> {
     (number(), number(), number()).prop_map(|(x, y, z)| vec3(x, y, z))
 }
 
-fn direction() -> impl Strategy<Value = Dir3> {
+pub(crate) fn direction() -> impl Strategy<Value = Dir3> {
     vector().prop_filter_map("no direction", Dir3::new)
 }
 
@@ -58,7 +58,7 @@ fn build(kind: usize, [a, b, c]: [Vec3; 3], normal: Dir3, x: f32) -> Option<Box<
     })
 }
 
-fn interval() -> impl Strategy<Value = Interval> {
+pub(crate) fn interval() -> impl Strategy<Value = Interval> {
     prop_oneof![
         Just(Interval::AHEAD),
         (number(), number()).prop_map(|(a, b)| Interval::new(a, b))

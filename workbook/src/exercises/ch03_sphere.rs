@@ -2,97 +2,56 @@
 
 use raybook::math::{interval::Interval, quadratic, ray::Ray};
 use raybook::shape::{Shape, sphere::Sphere};
-use crate::exercise::{Asked, Exercise};
-use crate::row::row;
+use crate::exercise::exercises;
 use glam::{Vec2, Vec3};
 
-/// This chapter's exercises, in order.
-pub const EXERCISES: &[&dyn Asked] = &[&SolveQuadratic, &SphereHit, &SphereNormal];
-
-/// See [`Exercise::TASK`].
-pub struct SolveQuadratic;
-
-row! {
-    /// The coefficients of a·t² + b·t + c = 0.
-    pub struct Coefficients {
-        /// a.
-        pub a: f32,
-        /// b.
-        pub b: f32,
-        /// c.
-        pub c: f32,
+exercises! { ($) ch03_sphere
+    /// Return both real roots of a·t² + b·t + c = 0, the smaller first, or None where there is none or a is 0; lose no
+    /// digits where b² is much larger than 4ac.
+    SolveQuadratic: solve_quadratic(
+        /// The factor of t².
+        a: f32,
+        /// The factor of t.
+        b: f32,
+        /// The constant.
+        c: f32,
+    ) -> (
+        /// Both roots, the smaller one first; none where there is none.
+        t: Option<Vec2>,
+    ) {
+        quadratic::solve(a, b, c).map(Vec2::from)
     }
-}
 
-impl Exercise for SolveQuadratic {
-    type Question = Coefficients;
-    type Answer = Option<Vec2>;
-    const NAME: &'static str = "solve_quadratic";
-    const ANSWER: &'static str = "t";
-    const TASK: &'static str = "Return both real roots of a·t² + b·t + c = 0, the smaller first, or None where there is none or a is 0; \
-        lose no digits where b² is much larger than 4ac.";
-
-    fn answer(q: &Self::Question) -> Self::Answer {
-        quadratic::solve(q.a, q.b, q.c).map(Vec2::from)
-    }
-}
-
-/// See [`Exercise::TASK`].
-pub struct SphereHit;
-
-row! {
-    /// A ray, the distances that count, and a sphere.
-    pub struct SphereHitQuestion {
+    /// Return the smallest distance t in the interval (min < t < max) at which the ray meets the sphere, as `Hit { t,
+    /// uv: Vec2::ZERO, id: 0 }`, or None; lose no digits where the sphere is small and far away.
+    SphereHit: sphere_hit(
         /// The ray.
-        pub ray: Ray,
-        /// Only t with min < t < max counts.
-        pub within: Interval,
-        /// The sphere's centre.
-        pub center: Vec3,
-        /// The sphere's radius.
-        pub radius: f32,
+        ray: Ray,
+        /// The distances that count: min < t < max, in metres.
+        within: Interval,
+        /// The sphere's centre, in metres.
+        center: Vec3,
+        /// The sphere's radius, in metres, above 0.
+        radius: f32,
+    ) -> (
+        /// The distance along the ray, in metres; none for a miss.
+        t: Option<f32>,
+    ) {
+        Sphere::new(center, radius).hit(&ray, within).map(|hit| hit.t)
     }
-}
 
-impl Exercise for SphereHit {
-    type Question = SphereHitQuestion;
-    type Answer = Option<f32>;
-    const NAME: &'static str = "sphere_hit";
-    const ANSWER: &'static str = "t";
-    const TASK: &'static str = "Return the smallest distance t in the interval (min < t < max) at which the ray meets the sphere, \
-        as `Hit { t, uv: Vec2::ZERO, id: 0 }`, or None; lose no digits where the sphere is small and far away.";
-
-    fn answer(q: &Self::Question) -> Self::Answer {
-        Sphere::new(q.center, q.radius)
-            .hit(&q.ray, q.within)
-            .map(|hit| hit.t)
-    }
-}
-
-/// See [`Exercise::TASK`].
-pub struct SphereNormal;
-
-row! {
-    /// A sphere and a point on it.
-    pub struct SphereNormalQuestion {
-        /// The sphere's centre.
-        pub center: Vec3,
-        /// The sphere's radius.
-        pub radius: f32,
-        /// A point of the sphere.
-        pub p: Vec3,
-    }
-}
-
-impl Exercise for SphereNormal {
-    type Question = SphereNormalQuestion;
-    type Answer = Vec3;
-    const NAME: &'static str = "sphere_normal";
-    const ANSWER: &'static str = "normal";
-    const TASK: &'static str =
-        "Return the unit vector that points out of the sphere at its point p.";
-
-    fn answer(q: &Self::Question) -> Self::Answer {
-        *Sphere::new(q.center, q.radius).normal_at(q.p)
+    /// Return the unit vector that points out of the sphere at its point p.
+    SphereNormal: sphere_normal(
+        /// The sphere's centre, in metres.
+        center: Vec3,
+        /// The sphere's radius, in metres, above 0.
+        radius: f32,
+        /// A point of the sphere, in metres.
+        p: Vec3,
+    ) -> (
+        /// The normal at p, of length 1, outwards.
+        normal: Vec3,
+    ) {
+        *Sphere::new(center, radius).normal_at(p)
     }
 }

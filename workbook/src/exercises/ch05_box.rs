@@ -1,79 +1,48 @@
 //! Chapter 5: `box_clip`, `bounds_of`.
 
 use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray, slab};
-use crate::exercise::{Asked, Exercise};
-use crate::row::row;
+use crate::exercise::exercises;
+use crate::record::row;
 use glam::Vec3;
 
-/// This chapter's exercises, in order.
-pub const EXERCISES: &[&dyn Asked] = &[&BoxClip, &BoundsOf];
-
-/// See [`Exercise::TASK`].
-pub struct BoxClip;
-
-row! {
-    /// A ray, the distances that count, and a box.
-    pub struct BoxClipQuestion {
+exercises! { ($) ch05_box
+    /// Return the part of the interval on which the ray is inside the box, as an Interval, or None if it never is; a
+    /// ray in a face touches the box.
+    BoxClip: box_clip(
         /// The ray.
-        pub ray: Ray,
-        /// Only this stretch of the ray counts.
-        pub within: Interval,
-        /// The box's least corner.
-        pub min: Vec3,
-        /// The box's greatest corner.
-        pub max: Vec3,
+        ray: Ray,
+        /// The distances that count, in metres.
+        within: Interval,
+        /// The box's least corner, in metres.
+        min: Vec3,
+        /// The box's greatest corner, in metres.
+        max: Vec3,
+    ) -> (
+        /// The distances at which the ray enters and leaves the box, in metres; none for a miss.
+        inside: Option<Interval>,
+    ) {
+        slab::clip(&Aabb { min, max }, &ray, within)
     }
-}
 
-impl Exercise for BoxClip {
-    type Question = BoxClipQuestion;
-    type Answer = Option<Interval>;
-    const NAME: &'static str = "box_clip";
-    const ANSWER: &'static str = "inside";
-    const TASK: &'static str = "Return the part of the interval on which the ray is inside the box, as an Interval, or None if it never is; a ray in a face touches the box.";
-
-    fn answer(q: &Self::Question) -> Self::Answer {
-        slab::clip(
-            &Aabb {
-                min: q.min,
-                max: q.max,
-            },
-            &q.ray,
-            q.within,
-        )
-    }
-}
-
-/// See [`Exercise::TASK`].
-pub struct BoundsOf;
-
-row! {
-    /// Some points.
-    pub struct BoundsOfQuestion {
-        /// The points.
-        pub points: Vec<Vec3>,
+    /// Return the smallest box that holds all the points: its least and its greatest corner.
+    BoundsOf: bounds_of(
+        /// The points, in metres.
+        points: Vec<Vec3>,
+    ) -> (
+        /// The box.
+        answer: Corners,
+    ) {
+        let Aabb { min, max } = Aabb::of(points.iter().copied());
+        Corners { min, max }
     }
 }
 
 row! {
     /// Two opposite corners of a box.
     pub struct Corners {
-        /// The least corner.
+        /// The least corner, in metres.
         pub min: Vec3,
-        /// The greatest corner.
+        /// The greatest corner, in metres.
         pub max: Vec3,
-    }
-}
-
-impl Exercise for BoundsOf {
-    type Question = BoundsOfQuestion;
-    type Answer = Corners;
-    const NAME: &'static str = "bounds_of";
-    const TASK: &'static str =
-        "Return the smallest box that holds all the points: its least and its greatest corner.";
-
-    fn answer(q: &Self::Question) -> Self::Answer {
-        let Aabb { min, max } = Aabb::of(q.points.iter().copied());
-        Corners { min, max }
     }
 }

@@ -1,78 +1,36 @@
 //! Chapter 9: `refine_cell`, `two_level_walk`.
 
-use raybook::accel::lattice::{Lattice, range};
-use raybook::accel::two_level_grid::{levels::Levels, refine, walk::walk_two_levels};
+use raybook::inside::grid::{Lattice, range};
+use raybook::inside::two_level_grid::{self, Levels, walk_two_levels};
 use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray};
-use crate::exercise::{Asked, Exercise};
+use crate::exercise::exercises;
 use crate::exercises::ch05_box::Corners;
-use crate::row::row;
+use crate::record::row;
 use glam::{U8Vec3, UVec3, Vec3};
 use std::ops::ControlFlow;
 
-/// This chapter's exercises, in order.
-pub const EXERCISES: &[&dyn Asked] = &[&RefineCell, &TwoLevelWalk];
-
-/// See [`Exercise::TASK`].
-pub struct RefineCell;
-
-row! {
-    /// A coarse cell and the boxes of the shapes that reach it.
-    pub struct RefineCellQuestion {
-        /// The coarse cell's least corner.
-        pub min: Vec3,
-        /// Its greatest corner.
-        pub max: Vec3,
-        /// How many fine cells there shall be per shape.
-        pub density: f32,
-        /// The shapes' boxes.
-        pub shapes: Vec<Corners>,
-    }
-}
-
-row! {
-    /// A fine cell, counted from 0 along each axis, and a shape that reaches it.
-    pub struct Entry {
-        /// Along x.
-        pub x: u32,
-        /// Along y.
-        pub y: u32,
-        /// Along z.
-        pub z: u32,
-        /// Which shape.
-        pub shape: u32,
-    }
-}
-
-row! {
-    /// How many fine cells there are along each axis, and what is in them.
-    pub struct RefineCellAnswer {
-        /// Along x.
-        pub nx: u32,
-        /// Along y.
-        pub ny: u32,
-        /// Along z.
-        pub nz: u32,
-        /// Which shape is in which cell, in any order.
-        pub entries: Vec<Entry>,
-    }
-}
-
-impl Exercise for RefineCell {
-    type Question = RefineCellQuestion;
-    type Answer = RefineCellAnswer;
-    const NAME: &'static str = "refine_cell";
-    const TASK: &'static str = "Cut a coarse cell with the resolution that grid_resolution gives for its extents, the number of shapes in it and the density, \
-        at most 255 along an axis and 0 × 0 × 0 without shapes, and return it with all pairs of a fine cell and a shape that reaches it, sorted.";
-
-    fn answer(q: &Self::Question) -> Self::Answer {
-        let cell = Aabb {
-            min: q.min,
-            max: q.max,
-        };
+exercises! { ($) ch09_two_level_grid
+    /// Cut a coarse cell with the resolution that grid_resolution gives for its extents, the number of shapes in it and
+    /// the density, at most 255 along an axis and 0 × 0 × 0 without shapes, and return it with all pairs of a fine cell
+    /// and a shape that reaches it, sorted.
+    RefineCell: refine_cell(
+        /// The coarse cell's least corner, in metres.
+        min: Vec3,
+        /// The coarse cell's greatest corner, in metres.
+        max: Vec3,
+        /// The number of fine cells per shape.
+        density: f32,
+        /// The shapes' boxes; their numbers count from 0.
+        shapes: Vec<Corners>,
+    ) -> (
+        /// The fine cells, and what is in them.
+        answer: RefineCellAnswer,
+    ) {
+        let cell = Aabb { min, max };
         let coarse = Lattice::new(&cell, UVec3::ONE);
-        let shapes: Vec<_> = (0..q.shapes.len() as u32).collect();
-        let refined = refine::refine_cell(&coarse, &shapes, q.density, |shape, fine| {
-            let Corners { min, max } = q.shapes[shape as usize];
+        let numbers: Vec<_> = (0..shapes.len() as u32).collect();
+        let refined = two_level_grid::refine_cell(&coarse, &numbers, density, |shape, fine| {
+            let Corners { min, max } = shapes[shape as usize];
             let (first, last) = fine.cells_of(&Aabb { min, max });
             range(first, last).collect()
         });
@@ -90,42 +48,77 @@ impl Exercise for RefineCell {
             entries: refined.entries.iter().map(entry).collect(),
         }
     }
+
+    /// Visit the coarse cells on the ray's way, each as None, and after each one that is not empty its fine cells on
+    /// the ray's way, as Some of their places in the row of all fine cells, in order, until `visit` breaks off.
+    TwoLevelWalk: two_level_walk(
+        /// The ray.
+        ray: Ray,
+        /// The distances that count, in metres.
+        within: Interval,
+        /// The grid's least corner, in metres.
+        min: Vec3,
+        /// The grid's greatest corner, in metres.
+        max: Vec3,
+        /// The number of coarse cells along each axis.
+        coarse: Resolution,
+        /// The number of fine cells along each axis of each coarse cell, those along x first, then y, then z; 0
+        /// 0 0 in an empty one.
+        fine: Vec<Resolution>,
+    ) -> (
+        /// The places of the visited fine cells in the row of all fine cells, from 0, in order.
+        cell: Vec<u32>,
+    ) |q| {
+        let mut cells = Vec::new();
+        walk_two_levels(&q.levels(), &q.ray, q.within, |place, _| {
+            cells.extend(place.map(|place| place as u32));
+            ControlFlow::Continue(())
+        });
+        cells
+    }
 }
 
-/// See [`Exercise::TASK`].
-pub struct TwoLevelWalk;
+row! {
+    /// A fine cell, counted from 0 along each axis, and a shape that reaches it.
+    pub struct Entry {
+        /// The fine cell's number along x, from 0.
+        pub x: u32,
+        /// The fine cell's number along y, from 0.
+        pub y: u32,
+        /// The fine cell's number along z, from 0.
+        pub z: u32,
+        /// The shape's number, from 0.
+        pub shape: u32,
+    }
+}
+
+row! {
+    /// How many fine cells there are along each axis, and what is in them.
+    pub struct RefineCellAnswer {
+        /// The number of fine cells along x.
+        pub nx: u32,
+        /// The number of fine cells along y.
+        pub ny: u32,
+        /// The number of fine cells along z.
+        pub nz: u32,
+        /// All pairs of a fine cell and a shape that reaches it, in any order.
+        pub entries: Vec<Entry>,
+    }
+}
 
 row! {
     /// How many cells there are along each axis.
     pub struct Resolution {
-        /// Along x.
+        /// The number of cells along x.
         pub nx: u32,
-        /// Along y.
+        /// The number of cells along y.
         pub ny: u32,
-        /// Along z.
+        /// The number of cells along z.
         pub nz: u32,
     }
 }
 
-row! {
-    /// A ray, the distances that count, a coarse grid, and how each of its cells is cut.
-    pub struct TwoLevelWalkQuestion {
-        /// The ray.
-        pub ray: Ray,
-        /// Only this stretch of the ray counts.
-        pub within: Interval,
-        /// The grid's least corner.
-        pub min: Vec3,
-        /// Its greatest corner.
-        pub max: Vec3,
-        /// How many coarse cells there are.
-        pub coarse: Resolution,
-        /// How many fine cells there are in each coarse one, along x first, then y, then z; 0 0 0 in an empty one.
-        pub fine: Vec<Resolution>,
-    }
-}
-
-impl TwoLevelWalkQuestion {
+impl TwoLevelWalk {
     /// The cells, as the library stores them; a missing resolution is taken for an empty cell.
     pub fn levels(&self) -> Levels {
         let cells = |r: &Resolution| UVec3::new(r.nx, r.ny, r.nz);
@@ -139,24 +132,5 @@ impl TwoLevelWalkQuestion {
             .chain(std::iter::repeat(U8Vec3::ZERO))
             .take(top.cells());
         Levels::new(top, fine)
-    }
-}
-
-impl Exercise for TwoLevelWalk {
-    type Question = TwoLevelWalkQuestion;
-    type Answer = Vec<u32>;
-    const NAME: &'static str = "two_level_walk";
-    const ANSWER: &'static str = "cell";
-    const TASK: &'static str = "Visit the coarse cells on the ray's way, each as None, and after each one that is not empty its fine cells on the ray's way, \
-        as Some of their places in the row of all fine cells, in order, until `visit` breaks off.";
-
-    /// The fine cells; the coarse ones are left out.
-    fn answer(q: &Self::Question) -> Self::Answer {
-        let mut cells = Vec::new();
-        walk_two_levels(&q.levels(), &q.ray, q.within, |place, _| {
-            cells.extend(place.map(|place| place as u32));
-            ControlFlow::Continue(())
-        });
-        cells
     }
 }

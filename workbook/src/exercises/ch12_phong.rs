@@ -4,29 +4,74 @@ use raybook::image::rgb::Rgb;
 use raybook::light::{Light, LightSample, point::PointLight};
 use raybook::material::{blinn_phong::BlinnPhong, phong::Phong};
 use raybook::math::dir3::Dir3;
-use crate::exercise::{Asked, Exercise};
-use crate::row::row;
+use crate::exercise::exercises;
+use crate::record::row;
 use glam::{Vec2, Vec3};
 
-/// This chapter's exercises, in order.
-pub const EXERCISES: &[&dyn Asked] = &[&PhongExercise, &BlinnPhongExercise, &PointLightExercise];
+exercises! { ($) ch12_phong
+    /// Return what Phong's model sends to the viewer of one light: diffuse k_d (L·N) i plus specular k_s (R·V)^α i,
+    /// without ambient; cosines below 0 count as 0, and a light that is not above the surface gives nothing at all.
+    PhongExercise: phong(
+        /// The surface, its viewer, and the light.
+        at: Highlight,
+    ) -> (
+        /// The radiance to the viewer, in W·m⁻²·sr⁻¹.
+        radiance: Rgb,
+    ) {
+        at.phong().reflect(at.normal, at.view, &at.light())
+    }
+
+    /// Return the same with Blinn's highlight: k_d (L·N) i plus k_s (N·H)^α i, where H is the direction half way
+    /// between L and V; a light that is not above the surface gives nothing at all.
+    BlinnPhongExercise: blinn_phong(
+        /// The surface, its viewer, and the light.
+        at: Highlight,
+    ) -> (
+        /// The radiance to the viewer, in W·m⁻²·sr⁻¹.
+        radiance: Rgb,
+    ) {
+        BlinnPhong(at.phong()).reflect(at.normal, at.view, &at.light())
+    }
+
+    /// Return the light that comes from a point light of intensity I to a point: the direction towards the light, its
+    /// distance, and what arrives on a surface that faces it; None at the light itself.
+    PointLightExercise: point_light(
+        /// The light's position, in metres.
+        position: Vec3,
+        /// I: the radiant intensity, in W/sr.
+        intensity: Rgb,
+        /// The point that is lit, in metres.
+        at: Vec3,
+    ) -> (
+        /// The light that arrives; none at the light itself.
+        answer: Option<Arriving>,
+    ) {
+        let light = PointLight { position, intensity };
+        let sample = light.sample(at, Vec2::ZERO)?;
+        Some(Arriving {
+            toward: *sample.toward,
+            distance: sample.distance,
+            arriving: sample.arriving,
+        })
+    }
+}
 
 row! {
     /// A point of a surface, its viewer, and a light.
     pub struct Highlight {
-        /// N, on the viewer's side.
+        /// N: the normal, on the viewer's side.
         pub normal: Dir3,
-        /// V: to the viewer.
+        /// V: from the surface to the viewer.
         pub view: Dir3,
-        /// L: to the light.
+        /// L: from the surface to the light.
         pub toward: Dir3,
-        /// i: what arrives on a surface that faces the light.
+        /// i: the irradiance of a surface that faces the light, in W/m².
         pub arriving: Rgb,
-        /// k_d.
+        /// k_d: the diffuse coefficient, per steradian.
         pub diffuse: Rgb,
-        /// k_s.
+        /// k_s: the specular coefficient, per steradian.
         pub specular: Rgb,
-        /// α.
+        /// α: the highlight's exponent, without a unit.
         pub exponent: f32,
     }
 }
@@ -53,79 +98,14 @@ impl Highlight {
     }
 }
 
-/// See [`Exercise::TASK`].
-pub struct PhongExercise;
-
-impl Exercise for PhongExercise {
-    type Question = Highlight;
-    type Answer = Rgb;
-    const NAME: &'static str = "phong";
-    const ANSWER: &'static str = "radiance";
-    const TASK: &'static str = "Return what Phong's model sends to the viewer of one light: diffuse k_d (L·N) i plus specular k_s (R·V)^α i, without ambient; cosines below 0 count as 0, and a light that is not above the surface gives nothing at all.";
-
-    fn answer(q: &Self::Question) -> Self::Answer {
-        q.phong().reflect(q.normal, q.view, &q.light())
-    }
-}
-
-/// See [`Exercise::TASK`].
-pub struct BlinnPhongExercise;
-
-impl Exercise for BlinnPhongExercise {
-    type Question = Highlight;
-    type Answer = Rgb;
-    const NAME: &'static str = "blinn_phong";
-    const ANSWER: &'static str = "radiance";
-    const TASK: &'static str = "Return the same with Blinn's highlight: k_d (L·N) i plus k_s (N·H)^α i, where H is the direction half way between L and V; a light that is not above the surface gives nothing at all.";
-
-    fn answer(q: &Self::Question) -> Self::Answer {
-        BlinnPhong(q.phong()).reflect(q.normal, q.view, &q.light())
-    }
-}
-
-/// See [`Exercise::TASK`].
-pub struct PointLightExercise;
-
-row! {
-    /// A point light, and a point that it shines on.
-    pub struct PointLightQuestion {
-        /// Where the light is.
-        pub position: Vec3,
-        /// I, in W/sr.
-        pub intensity: Rgb,
-        /// The point.
-        pub at: Vec3,
-    }
-}
-
 row! {
     /// What comes from a light.
     pub struct Arriving {
         /// The direction to the light, of length 1.
         pub toward: Vec3,
-        /// How far it is.
+        /// The distance to the light, in metres.
         pub distance: f32,
-        /// What arrives on a surface that faces the light, in W/m².
+        /// The irradiance of a surface that faces the light, in W/m².
         pub arriving: Rgb,
-    }
-}
-
-impl Exercise for PointLightExercise {
-    type Question = PointLightQuestion;
-    type Answer = Option<Arriving>;
-    const NAME: &'static str = "point_light";
-    const TASK: &'static str = "Return the light that comes from a point light of intensity I to a point: the direction towards the light, its distance, and what arrives on a surface that faces it; None at the light itself.";
-
-    fn answer(q: &Self::Question) -> Self::Answer {
-        let light = PointLight {
-            position: q.position,
-            intensity: q.intensity,
-        };
-        let sample = light.sample(q.at, Vec2::ZERO)?;
-        Some(Arriving {
-            toward: *sample.toward,
-            distance: sample.distance,
-            arriving: sample.arriving,
-        })
     }
 }

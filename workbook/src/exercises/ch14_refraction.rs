@@ -3,81 +3,59 @@
 use raybook::material::fresnel;
 use raybook::material::refract;
 use raybook::math::dir3::Dir3;
-use crate::exercise::{Asked, Exercise};
-use crate::row::row;
+use crate::exercise::exercises;
+use crate::record::row;
 use glam::Vec3;
 
-/// This chapter's exercises, in order.
-pub const EXERCISES: &[&dyn Asked] = &[&Refract, &Fresnel];
-
-/// See [`Exercise::TASK`].
-pub struct Refract;
-
-row! {
-    /// A ray's direction and a surface between two media.
-    pub struct RefractQuestion {
-        /// Where the ray goes.
-        pub direction: Dir3,
-        /// Where the surface's outside is; the ray may come from either side.
-        pub normal: Dir3,
-        /// The index of refraction on the outside.
-        pub outside: f32,
-        /// The index of refraction on the inside.
-        pub inside: f32,
+exercises! { ($) ch14_refraction
+    /// Return the unit direction in which a ray goes on behind a surface, from its direction, the outward normal, and
+    /// the indices of refraction outside and inside; or None if it is totally reflected.
+    Refract: refract(
+        /// Where the ray goes; it may come from either side.
+        direction: Dir3,
+        /// The normal, to the outside.
+        normal: Dir3,
+        /// The index of refraction on the outside, without a unit.
+        outside: f32,
+        /// The index of refraction on the inside, without a unit.
+        inside: f32,
+    ) -> (
+        /// Where the refracted ray goes, of length 1; none if it is totally reflected.
+        refracted: Option<Vec3>,
+    ) {
+        refract::refract(direction, normal, outside, inside).map(|t| *t)
     }
-}
 
-impl Exercise for Refract {
-    type Question = RefractQuestion;
-    type Answer = Option<Vec3>;
-    const NAME: &'static str = "refract";
-    const ANSWER: &'static str = "refracted";
-    const TASK: &'static str = "Return the unit direction in which a ray goes on behind a surface, from its direction, the outward normal, and the indices of refraction outside and inside; or None if it is totally reflected.";
-
-    fn answer(q: &Self::Question) -> Self::Answer {
-        refract::refract(q.direction, q.normal, q.outside, q.inside).map(|t| *t)
-    }
-}
-
-/// See [`Exercise::TASK`].
-pub struct Fresnel;
-
-row! {
-    /// An angle, by its cosine, and two media.
-    pub struct FresnelQuestion {
+    /// Return the shares Rs, Rp and R of s-polarised, p-polarised and unpolarised light that a surface reflects, from
+    /// the cosine of the angle at which the light arrives through n1, and the index n2 behind the surface.
+    Fresnel: fresnel(
         /// cos θ₁: of the angle between the light and the normal, on the side from which the light comes.
-        pub cos1: f32,
-        /// The index of refraction on that side.
-        pub n1: f32,
-        /// The index of refraction on the other side.
-        pub n2: f32,
+        cos1: f32,
+        /// The index of refraction on that side, without a unit.
+        n1: f32,
+        /// The index of refraction on the other side, without a unit.
+        n2: f32,
+    ) -> (
+        /// The shares of the light that are reflected.
+        answer: FresnelAnswer,
+    ) {
+        let share = fresnel::fresnel(cos1, n1, n2);
+        FresnelAnswer {
+            rs: share.s,
+            rp: share.p,
+            r: share.unpolarised,
+        }
     }
 }
 
 row! {
     /// The shares of the light that are reflected.
     pub struct FresnelAnswer {
-        /// Of s-polarised light.
+        /// The share of s-polarised light, from 0 to 1.
         pub rs: f32,
-        /// Of p-polarised light.
+        /// The share of p-polarised light, from 0 to 1.
         pub rp: f32,
-        /// Of unpolarised light.
+        /// The share of unpolarised light, from 0 to 1.
         pub r: f32,
-    }
-}
-
-impl Exercise for Fresnel {
-    type Question = FresnelQuestion;
-    type Answer = FresnelAnswer;
-    const NAME: &'static str = "fresnel";
-    const TASK: &'static str = "Return the shares Rs, Rp and R of s-polarised, p-polarised and unpolarised light that a surface reflects, from the cosine of the angle at which the light arrives through n1, and the index n2 behind the surface.";
-
-    fn answer(q: &Self::Question) -> Self::Answer {
-        let share = fresnel::fresnel(q.cos1, q.n1, q.n2);
-        FresnelAnswer {
-            rs: share.s,
-            rp: share.p,
-            r: share.unpolarised,
-        }
     }
 }

@@ -7,12 +7,67 @@ use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
 use raybook::render::shadow;
 use raybook::scene::world::{Scene, Thing};
 use raybook::shape::{Surface, sphere::Sphere};
-use crate::exercise::{Asked, Exercise};
-use crate::row::row;
+use crate::exercise::exercises;
+use crate::record::row;
 use glam::{Vec2, Vec3};
 
-/// This chapter's exercises, in order.
-pub const EXERCISES: &[&dyn Asked] = &[&ShadowRay, &Lit];
+exercises! { ($) ch15_shadows
+    /// Return the ray from a surface to a light, and the interval of it on which a hit is in the way: it must not find
+    /// the surface again that it leaves, which `error` bounds, and must end just before the light.
+    ShadowRay: shadow_ray(
+        /// The point of the surface, in metres.
+        position: Vec3,
+        /// How far the true surface may be from the point along each axis, in metres.
+        error: f32,
+        /// The normal of the surface, on either side.
+        normal: Dir3,
+        /// From the point to the light.
+        toward: Dir3,
+        /// The distance to the light, in metres; inf for a directional light.
+        distance: f32,
+    ) -> (
+        /// The ray to the light.
+        answer: Way,
+    ) {
+        let at = surface(position, error, normal);
+        let (Ray { origin, direction }, within) =
+            shadow::shadow_ray(&at, &light(toward, distance));
+        Way {
+            origin,
+            direction: *direction,
+            within,
+        }
+    }
+
+    /// Return whether a light reaches a surface: true (a 1 in the answer) if nothing is in the way, false (a 0) if
+    /// anything is.
+    Lit: lit(
+        /// The point of the surface, in metres.
+        position: Vec3,
+        /// How far the true surface may be from the point along each axis, in metres.
+        error: f32,
+        /// The normal of the surface, on either side.
+        normal: Dir3,
+        /// From the point to the light.
+        toward: Dir3,
+        /// The distance to the light, in metres; inf for a directional light.
+        distance: f32,
+        /// The spheres of the scene; the point may lie on one of them.
+        spheres: Vec<Ball>,
+    ) -> (
+        /// 1 if the light reaches the point, else 0.
+        lit: u32,
+    ) {
+        let share = Rgb::BLACK;
+        let things = spheres.iter().map(|ball| -> Thing<dyn Material> {
+            let sphere = Sphere::new(ball.center, ball.radius);
+            Thing::new(sphere, Box::new(Mirror { share }))
+        });
+        let scene = Scene::new(things.collect(), Vec::new());
+        let at = surface(position, error, normal);
+        u32::from(shadow::lit(&scene, &at, &light(toward, distance)))
+    }
+}
 
 /// A surface, as far as a shadow needs to know it.
 fn surface(position: Vec3, error: f32, normal: Dir3) -> Surface {
@@ -35,101 +90,24 @@ fn light(toward: Dir3, distance: f32) -> LightSample {
     }
 }
 
-/// See [`Exercise::TASK`].
-pub struct ShadowRay;
-
-row! {
-    /// A surface, and where a light is.
-    pub struct ShadowRayQuestion {
-        /// The point.
-        pub position: Vec3,
-        /// How far the true surface may be from it along each axis, in metres.
-        pub error: f32,
-        /// The direction square to the surface.
-        pub normal: Dir3,
-        /// To the light.
-        pub toward: Dir3,
-        /// How far the light is; inf for a directional one.
-        pub distance: f32,
-    }
-}
-
 row! {
     /// A ray, and the stretch of it that counts.
     pub struct Way {
-        /// Where it starts.
+        /// Where the ray starts, in metres.
         pub origin: Vec3,
-        /// Where it goes.
+        /// Where the ray goes, of length 1.
         pub direction: Vec3,
-        /// Only hits at min < t < max are in the way.
+        /// The distances of hits that are in the way, min < t < max, in metres.
         pub within: Interval,
     }
 }
 
-impl Exercise for ShadowRay {
-    type Question = ShadowRayQuestion;
-    type Answer = Way;
-    const NAME: &'static str = "shadow_ray";
-    const TASK: &'static str = "Return the ray from a surface to a light, and the interval of it on which a hit is in the way: it must not find the surface again that it leaves, which `error` bounds, and must end just before the light.";
-
-    fn answer(q: &Self::Question) -> Self::Answer {
-        let at = surface(q.position, q.error, q.normal);
-        let (Ray { origin, direction }, within) =
-            shadow::shadow_ray(&at, &light(q.toward, q.distance));
-        Way {
-            origin,
-            direction: *direction,
-            within,
-        }
-    }
-}
-
-/// See [`Exercise::TASK`].
-pub struct Lit;
-
 row! {
     /// A sphere.
     pub struct Ball {
-        /// Its centre.
+        /// The centre, in metres.
         pub center: Vec3,
-        /// Its radius.
+        /// The radius, in metres.
         pub radius: f32,
-    }
-}
-
-row! {
-    /// A surface, where a light is, and what may be in the way.
-    pub struct LitQuestion {
-        /// The point.
-        pub position: Vec3,
-        /// How far the true surface may be from it along each axis, in metres.
-        pub error: f32,
-        /// The direction square to the surface.
-        pub normal: Dir3,
-        /// To the light.
-        pub toward: Dir3,
-        /// How far the light is; inf for a directional one.
-        pub distance: f32,
-        /// The spheres of the scene; the point may lie on one of them.
-        pub spheres: Vec<Ball>,
-    }
-}
-
-impl Exercise for Lit {
-    type Question = LitQuestion;
-    type Answer = u32;
-    const NAME: &'static str = "lit";
-    const ANSWER: &'static str = "lit";
-    const TASK: &'static str = "Return whether a light reaches a surface: true (a 1 in the answer) if nothing is in the way, false (a 0) if anything is.";
-
-    fn answer(q: &Self::Question) -> Self::Answer {
-        let share = Rgb::BLACK;
-        let things = q.spheres.iter().map(|ball| -> Thing<dyn Material> {
-            let sphere = Sphere::new(ball.center, ball.radius);
-            Thing::new(sphere, Box::new(Mirror { share }))
-        });
-        let scene = Scene::new(things.collect(), Vec::new());
-        let at = surface(q.position, q.error, q.normal);
-        u32::from(shadow::lit(&scene, &at, &light(q.toward, q.distance)))
     }
 }

@@ -9,23 +9,100 @@ use raybook::math::{dir3::Dir3, pcg};
 use raybook::render::soft_shadow;
 use raybook::scene::world::{Scene, Thing};
 use raybook::shape::{Surface, sphere::Sphere};
-use crate::exercise::{Asked, Exercise};
-use crate::row::row;
+use crate::exercise::exercises;
+use crate::record::row;
 use glam::{Vec2, Vec3, vec2};
 
-/// This chapter's exercises, in order.
-pub const EXERCISES: &[&dyn Asked] = &[&SampleRect, &SampleSphereLight, &VisibleFraction];
+exercises! { ($) ch16_soft_shadows
+    /// For each of the n·n numbers u = ((i + ½)/n, (j + ½)/n), return the direction and the distance to a point of the
+    /// rectangular light, uniform over its area, the density of the direction per steradian, and radiance/density; or
+    /// None if the light turns its back.
+    SampleRect: sample_rect(
+        /// The point that is lit, in metres.
+        at: Vec3,
+        /// A corner of the light, in metres.
+        corner: Vec3,
+        /// One side, in metres.
+        a: Vec3,
+        /// The other side, in metres, perpendicular to a; a × b points to where the light shines.
+        b: Vec3,
+        /// The light's radiance, in W·m⁻²·sr⁻¹.
+        radiance: f32,
+        /// The number of points along each side of the lattice.
+        n: u32,
+    ) -> (
+        /// The n·n samples, with i running fastest; none if the light turns its back.
+        answer: Option<Vec<Chosen>>,
+    ) {
+        let light = RectLight::new(corner, a, b, Rgb::gray(radiance));
+        choose(&light.choosing(Choose::ByArea), at, n)
+    }
+
+    /// For each of the n·n numbers u = ((i + ½)/n, (j + ½)/n), return a direction uniform over the solid angle in which
+    /// the spherical light is seen, the distance to the light, the density of the direction per steradian, and
+    /// radiance/density; the point may be inside.
+    SampleSphereLight: sample_sphere_light(
+        /// The point that is lit, in metres.
+        at: Vec3,
+        /// The light's centre, in metres.
+        center: Vec3,
+        /// The light's radius, in metres.
+        radius: f32,
+        /// The light's radiance, outwards and inwards, in W·m⁻²·sr⁻¹.
+        radiance: f32,
+        /// The number of points along each side of the lattice.
+        n: u32,
+    ) -> (
+        /// The n·n samples, with i running fastest.
+        answer: Vec<Chosen>,
+    ) {
+        let light = SphereLight {
+            sphere: Sphere::new(center, radius),
+            radiance: Rgb::gray(radiance),
+            choose: Choose::BySolidAngle,
+        };
+        choose(&light, at, n).unwrap_or_default()
+    }
+
+    /// For each point, estimate by so many random samples which fraction of the light's area is seen from there; none
+    /// of it is, if the light turns its back.
+    VisibleFraction: visible_fraction(
+        /// A corner of the light, in metres.
+        corner: Vec3,
+        /// One side, in metres.
+        a: Vec3,
+        /// The other side, in metres, perpendicular to a; a × b points to where the light shines.
+        b: Vec3,
+        /// The points, in metres.
+        points: Vec<Vec3>,
+        /// The balls that may be in the way.
+        balls: Vec<Ball>,
+        /// The number of samples for each point.
+        samples: u32,
+    ) -> (
+        /// The fraction of the light's area that is seen from each point, from 0 to 1, in their order.
+        fraction: Vec<f32>,
+    ) |q| {
+        let (light, scene) = (q.light(), q.scene());
+        let points = q.points.iter().zip(0..);
+        let seen = points.map(|(&p, i)| {
+            let rng = &mut pcg::stream(16, i);
+            soft_shadow::visible_fraction(&scene, &surface(p), &light, q.samples, rng)
+        });
+        seen.collect()
+    }
+}
 
 row! {
     /// A direction that was chosen towards a light.
     pub struct Chosen {
-        /// From the point to the light.
+        /// From the point to the light, of length 1.
         pub toward: Vec3,
-        /// How far the chosen point of the light is.
+        /// The distance to the chosen point of the light, in metres.
         pub distance: f32,
         /// The density of the direction, per steradian.
         pub pdf: f32,
-        /// The light's radiance over that density.
+        /// The light's radiance over that density, in W/m².
         pub arriving: f32,
     }
 }
@@ -48,106 +125,17 @@ fn choose(light: &dyn Light, at: Vec3, n: u32) -> Option<Vec<Chosen>> {
         .collect()
 }
 
-/// See [`Exercise::TASK`].
-pub struct SampleRect;
-
-row! {
-    /// A rectangle that shines, a point, and how fine a lattice.
-    pub struct SampleRectQuestion {
-        /// The point that is lit.
-        pub at: Vec3,
-        /// A corner of the light.
-        pub corner: Vec3,
-        /// One side.
-        pub a: Vec3,
-        /// The other side, square to a; a × b points to where the light shines.
-        pub b: Vec3,
-        /// The radiance.
-        pub radiance: f32,
-        /// How many points along each side of the lattice.
-        pub n: u32,
-    }
-}
-
-impl Exercise for SampleRect {
-    type Question = SampleRectQuestion;
-    type Answer = Option<Vec<Chosen>>;
-    const NAME: &'static str = "sample_rect";
-    const TASK: &'static str = "For each of the n·n numbers u = ((i + ½)/n, (j + ½)/n), return the direction and the distance to a point of the rectangular light, uniform over its area, the density of the direction per steradian, and radiance/density; or None if the light turns its back.";
-
-    fn answer(q: &Self::Question) -> Self::Answer {
-        let light = RectLight::new(q.corner, q.a, q.b, Rgb::gray(q.radiance));
-        choose(&light.choosing(Choose::ByArea), q.at, q.n)
-    }
-}
-
-/// See [`Exercise::TASK`].
-pub struct SampleSphereLight;
-
-row! {
-    /// A sphere that shines, a point, and how fine a lattice.
-    pub struct SampleSphereLightQuestion {
-        /// The point that is lit.
-        pub at: Vec3,
-        /// The light's centre.
-        pub center: Vec3,
-        /// Its radius.
-        pub radius: f32,
-        /// Its radiance, outwards and inwards.
-        pub radiance: f32,
-        /// How many points along each side of the lattice.
-        pub n: u32,
-    }
-}
-
-impl Exercise for SampleSphereLight {
-    type Question = SampleSphereLightQuestion;
-    type Answer = Vec<Chosen>;
-    const NAME: &'static str = "sample_sphere_light";
-    const TASK: &'static str = "For each of the n·n numbers u = ((i + ½)/n, (j + ½)/n), return a direction uniform over the solid angle in which the spherical light is seen, the distance to the light, the density of the direction per steradian, and radiance/density; the point may be inside.";
-
-    fn answer(q: &Self::Question) -> Self::Answer {
-        let light = SphereLight {
-            sphere: Sphere::new(q.center, q.radius),
-            radiance: Rgb::gray(q.radiance),
-            choose: Choose::BySolidAngle,
-        };
-        choose(&light, q.at, q.n).unwrap_or_default()
-    }
-}
-
-/// See [`Exercise::TASK`].
-pub struct VisibleFraction;
-
 row! {
     /// A ball that is in the way.
     pub struct Ball {
-        /// Its centre.
+        /// The centre, in metres.
         pub center: Vec3,
-        /// Its radius.
+        /// The radius, in metres.
         pub radius: f32,
     }
 }
 
-row! {
-    /// Points, a light, and what is in between.
-    pub struct VisibleFractionQuestion {
-        /// A corner of the light.
-        pub corner: Vec3,
-        /// One side.
-        pub a: Vec3,
-        /// The other side, square to a; a × b points to where the light shines.
-        pub b: Vec3,
-        /// The points.
-        pub points: Vec<Vec3>,
-        /// The balls that may be in the way.
-        pub balls: Vec<Ball>,
-        /// How many samples for each point.
-        pub samples: u32,
-    }
-}
-
-impl VisibleFractionQuestion {
+impl VisibleFraction {
     /// The light.
     pub fn light(&self) -> RectLight {
         RectLight::new(self.corner, self.a, self.b, Rgb::WHITE)
@@ -171,23 +159,5 @@ fn surface(position: Vec3) -> Surface {
         normal: Dir3::Y,
         shading_normal: Dir3::Y,
         texture: Vec2::ZERO,
-    }
-}
-
-impl Exercise for VisibleFraction {
-    type Question = VisibleFractionQuestion;
-    type Answer = Vec<f32>;
-    const NAME: &'static str = "visible_fraction";
-    const ANSWER: &'static str = "fraction";
-    const TASK: &'static str = "For each point, estimate by so many random samples which fraction of the light's area is seen from there; none of it is, if the light turns its back.";
-
-    fn answer(q: &Self::Question) -> Self::Answer {
-        let (light, scene) = (q.light(), q.scene());
-        let points = q.points.iter().zip(0..);
-        let seen = points.map(|(&p, i)| {
-            let rng = &mut pcg::stream(16, i);
-            soft_shadow::visible_fraction(&scene, &surface(p), &light, q.samples, rng)
-        });
-        seen.collect()
     }
 }

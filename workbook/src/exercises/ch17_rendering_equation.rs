@@ -6,23 +6,90 @@ use raybook::math::{dir3::Dir3, pcg};
 use raybook::render::reflection;
 use raybook::sample::hemisphere;
 use raybook::shape::Surface;
-use crate::exercise::{Asked, Exercise};
-use crate::row::row;
+use crate::exercise::exercises;
 use glam::{Vec2, Vec3, vec2};
 
-/// This chapter's exercises, in order.
-pub const EXERCISES: &[&dyn Asked] = &[&CosineHemisphere, &BrdfPhong, &ReflectedRadiance];
-
-/// See [`Exercise::TASK`].
-pub struct CosineHemisphere;
-
-row! {
-    /// A normal, and how many points are asked.
-    pub struct CosineHemisphereQuestion {
+exercises! { ($) ch17_rendering_equation
+    /// Return a direction of the hemisphere around the normal for a point u of the unit square, such that evenly spread
+    /// points become directions with the density cos θ/π per steradian; the answer is the list of the n directions for
+    /// u = ((i + ½)/n, the fraction of 0.618034 · (i + ½)) with i from 0 to n − 1.
+    CosineHemisphere: cosine_hemisphere(
         /// The normal.
-        pub normal: Dir3,
-        /// How many points of the unit square are asked.
-        pub n: u32,
+        normal: Dir3,
+        /// The number of points of the unit square.
+        n: u32,
+    ) -> (
+        /// The n directions of length 1, in the order of the points.
+        direction: Vec<Vec3>,
+    ) {
+        lattice(n)
+            .map(|u| *hemisphere::cosine_hemisphere(normal, u))
+            .collect()
+    }
+
+    /// Return the BRDF of the modified Phong model, in 1/sr: diffuse/π + specular · (n + 2)/2π · cosⁿ of the angle
+    /// between the viewer and the mirror direction of the light; no highlight beyond 90°, and nothing at all if the
+    /// light or the viewer is not above the surface.
+    BrdfPhong: brdf_phong(
+        /// The normal.
+        normal: Dir3,
+        /// From the surface to the viewer.
+        view: Dir3,
+        /// From the surface to the light.
+        toward: Dir3,
+        /// The albedo of the matte part, from 0 to 1.
+        diffuse: Rgb,
+        /// The albedo of the highlight, from 0 to 1.
+        specular: Rgb,
+        /// n: the highlight's exponent, without a unit.
+        exponent: f32,
+    ) -> (
+        /// The BRDF, per steradian.
+        f: Rgb,
+    ) {
+        let brdf = ModifiedPhong {
+            diffuse,
+            specular,
+            exponent,
+        };
+        brdf.value(normal, view, toward)
+    }
+
+    /// Return an estimate of the radiance that a surface reflects towards the viewer, by the mean of f · incoming · cos
+    /// θ/p over so many random directions of density p above the surface; here the surface is that of brdf_phong, and
+    /// the light comes from a sky of radiance · (1 + cos γ)/2 at an angle γ to its zenith, however the surface is
+    /// turned.
+    ReflectedRadiance: reflected_radiance(
+        /// The normal.
+        normal: Dir3,
+        /// From the surface to the viewer, who is above it.
+        view: Dir3,
+        /// The albedo of the matte part, from 0 to 1.
+        diffuse: Rgb,
+        /// The albedo of the highlight, from 0 to 1.
+        specular: Rgb,
+        /// The highlight's exponent, without a unit.
+        exponent: f32,
+        /// Where the sky is brightest.
+        zenith: Dir3,
+        /// The sky's radiance at the zenith, in W·m⁻²·sr⁻¹.
+        radiance: Rgb,
+        /// The number of samples.
+        samples: u32,
+    ) -> (
+        /// An estimate of the radiance to the viewer, in W·m⁻²·sr⁻¹.
+        radiance: Rgb,
+    ) |q| {
+        let at = Surface {
+            position: Vec3::ZERO,
+            error: 0.0,
+            normal: q.normal,
+            shading_normal: q.normal,
+            texture: Vec2::ZERO,
+        };
+        let rng = &mut pcg::stream(17, u64::from(q.samples));
+        let sky = |toward| q.sky(toward);
+        reflection::reflected_radiance(&q.brdf(), &at, q.view, &sky, q.samples, rng)
     }
 }
 
@@ -34,84 +101,7 @@ pub fn lattice(n: u32) -> impl Iterator<Item = Vec2> {
     })
 }
 
-impl Exercise for CosineHemisphere {
-    type Question = CosineHemisphereQuestion;
-    type Answer = Vec<Vec3>;
-    const NAME: &'static str = "cosine_hemisphere";
-    const ANSWER: &'static str = "direction";
-    const TASK: &'static str = "Return a direction of the hemisphere around the normal for a point u of the unit square, such that evenly spread points become directions with the density cos θ/π per steradian; the answer is the list of the n directions for u = ((i + ½)/n, the fraction of 0.618034 · (i + ½)) with i from 0 to n − 1.";
-
-    fn answer(q: &Self::Question) -> Self::Answer {
-        lattice(q.n)
-            .map(|u| *hemisphere::cosine_hemisphere(q.normal, u))
-            .collect()
-    }
-}
-
-/// See [`Exercise::TASK`].
-pub struct BrdfPhong;
-
-row! {
-    /// A surface of Phong's modified model, and two directions.
-    pub struct BrdfPhongQuestion {
-        /// The normal.
-        pub normal: Dir3,
-        /// From the surface to the viewer.
-        pub view: Dir3,
-        /// From the surface to the light.
-        pub toward: Dir3,
-        /// The albedo of the matt part.
-        pub diffuse: Rgb,
-        /// The albedo of the highlight.
-        pub specular: Rgb,
-        /// The highlight's exponent.
-        pub exponent: f32,
-    }
-}
-
-impl Exercise for BrdfPhong {
-    type Question = BrdfPhongQuestion;
-    type Answer = Rgb;
-    const NAME: &'static str = "brdf_phong";
-    const ANSWER: &'static str = "f";
-    const TASK: &'static str = "Return the BRDF of the modified Phong model, in 1/sr: diffuse/π + specular · (n + 2)/2π · cosⁿ of the angle between the viewer and the mirror direction of the light; no highlight beyond 90°, and nothing at all if the light or the viewer is not above the surface.";
-
-    fn answer(q: &Self::Question) -> Self::Answer {
-        let brdf = ModifiedPhong {
-            diffuse: q.diffuse,
-            specular: q.specular,
-            exponent: q.exponent,
-        };
-        brdf.value(q.normal, q.view, q.toward)
-    }
-}
-
-/// See [`Exercise::TASK`].
-pub struct ReflectedRadiance;
-
-row! {
-    /// A surface, a viewer, a sky, and a number of samples.
-    pub struct ReflectedRadianceQuestion {
-        /// The normal.
-        pub normal: Dir3,
-        /// From the surface to the viewer, who is above it.
-        pub view: Dir3,
-        /// The albedo of the matt part.
-        pub diffuse: Rgb,
-        /// The albedo of the highlight.
-        pub specular: Rgb,
-        /// The highlight's exponent.
-        pub exponent: f32,
-        /// Where the sky is brightest.
-        pub zenith: Dir3,
-        /// How bright it is there; opposite it is black, and in between radiance · (1 + cos γ)/2 at an angle γ to the zenith.
-        pub radiance: Rgb,
-        /// How many samples to take.
-        pub samples: u32,
-    }
-}
-
-impl ReflectedRadianceQuestion {
+impl ReflectedRadiance {
     /// The sky's radiance.
     pub fn sky(&self, toward: Dir3) -> Rgb {
         self.radiance * (0.5 + 0.5 * toward.dot(*self.zenith))
@@ -124,26 +114,5 @@ impl ReflectedRadianceQuestion {
             specular: self.specular,
             exponent: self.exponent,
         }
-    }
-}
-
-impl Exercise for ReflectedRadiance {
-    type Question = ReflectedRadianceQuestion;
-    type Answer = Rgb;
-    const NAME: &'static str = "reflected_radiance";
-    const ANSWER: &'static str = "radiance";
-    const TASK: &'static str = "Return an estimate of the radiance that a surface reflects towards the viewer, by the mean of f · incoming · cos θ/p over so many random directions of density p above the surface; here the surface is that of brdf_phong, and the light comes from a sky of radiance · (1 + cos γ)/2 at an angle γ to its zenith, however the surface is turned.";
-
-    fn answer(q: &Self::Question) -> Self::Answer {
-        let at = Surface {
-            position: Vec3::ZERO,
-            error: 0.0,
-            normal: q.normal,
-            shading_normal: q.normal,
-            texture: Vec2::ZERO,
-        };
-        let rng = &mut pcg::stream(17, u64::from(q.samples));
-        let sky = |toward| q.sky(toward);
-        reflection::reflected_radiance(&q.brdf(), &at, q.view, &sky, q.samples, rng)
     }
 }

@@ -3,70 +3,90 @@
 use raybook::image::{Image, rgb::Rgb};
 use raybook::light::environment::{Environment, cube, latlong};
 use raybook::math::dir3::Dir3;
-use crate::exercise::{Asked, Exercise};
+use crate::exercise::exercises;
 use crate::exercises::ch17_rendering_equation::lattice;
-use crate::row::row;
+use crate::record::row;
 use glam::{Vec2, Vec3};
 
-/// This chapter's exercises, in order.
-pub const EXERCISES: &[&dyn Asked] = &[
-    &DirectionToCube,
-    &DirectionToLatlong,
-    &SampleEnvironment,
-    &EnvironmentPdf,
-];
-
-/// See [`Exercise::TASK`].
-pub struct DirectionToCube;
-
-row! {
-    /// A direction.
-    pub struct DirectionQuestion {
-        /// Where to look.
-        pub direction: Dir3,
-    }
-}
-
-row! {
-    /// A place on a cube map.
-    pub struct CubePlace {
-        /// 0 to 5: +x, −x, +y, −y, +z, −z.
-        pub face: u32,
-        /// From the left edge of the face, 0, to the right one, 1.
-        pub u: f32,
-        /// From the top edge of the face, 0, to the bottom one, 1.
-        pub v: f32,
-    }
-}
-
-impl Exercise for DirectionToCube {
-    type Question = DirectionQuestion;
-    type Answer = CubePlace;
-    const NAME: &'static str = "direction_to_cube";
-    const TASK: &'static str = "Return the face of a cube map that a direction points at (0 to 5: +x, -x, +y, -y, +z, -z) and the place on it, (0, 0) at its top left and (1, 1) at its bottom right, as seen from inside: +y is up on the walls, -z is down on the ceiling +y and up on the floor -y.";
-
-    fn answer(q: &Self::Question) -> Self::Answer {
-        let (face, place) = cube::place(q.direction);
+exercises! { ($) ch18_environment
+    /// Return the face of a cube map that a direction points at (0 to 5: +x, -x, +y, -y, +z, -z) and the place on it,
+    /// (0, 0) at its top left and (1, 1) at its bottom right, as seen from inside: +y is up on the walls, -z is down on
+    /// the ceiling +y and up on the floor -y.
+    DirectionToCube: direction_to_cube(
+        /// The direction.
+        direction: Dir3,
+    ) -> (
+        /// The face, and the place on it.
+        answer: CubePlace,
+    ) {
+        let (face, place) = cube::place(direction);
         CubePlace {
             face: face as u32,
             u: place.x,
             v: place.y,
         }
     }
+
+    /// Return where a direction is on a latitude-longitude map, from (0, 0) at its top left to (1, 1) at its bottom
+    /// right: -z is in the middle, +x right of it, +y the top edge.
+    DirectionToLatlong: direction_to_latlong(
+        /// The direction.
+        direction: Dir3,
+    ) -> (
+        /// The place on the map, from (0, 0) at the top left to (1, 1).
+        place: Vec2,
+    ) {
+        latlong::place(direction)
+    }
+
+    /// Return a direction for u in the unit square, so that a texel of the latitude-longitude map is chosen in
+    /// proportion to its radiance times its solid angle, and its directions uniformly by solid angle; None for a black
+    /// map. The answer is the list of the directions for the 256 points u = ((i + ½)/256, the fraction of 0.618034 · (i
+    /// + ½)), with i from 0 to 255.
+    SampleEnvironment: sample_environment(
+        /// The number of texels in a row.
+        width: u32,
+        /// The number of rows.
+        height: u32,
+        /// The radiance of each texel, in W·m⁻²·sr⁻¹, row by row from the top left.
+        texels: Vec<f32>,
+    ) -> (
+        /// The 256 directions of length 1, in the order of the points; no direction for a black map.
+        direction: Vec<Vec3>,
+    ) {
+        let environment = environment(width, height, &texels);
+        let chosen = lattice(POINTS).filter_map(|u| environment.choose(u));
+        chosen.map(|direction| *direction).collect()
+    }
+
+    /// Return the density per steradian with which sample_environment chooses a direction: the probability of its texel
+    /// divided by the texel's solid angle; 0 for a black map.
+    EnvironmentPdf: environment_pdf(
+        /// The direction.
+        direction: Dir3,
+        /// The number of texels in a row.
+        width: u32,
+        /// The number of rows.
+        height: u32,
+        /// The radiance of each texel, in W·m⁻²·sr⁻¹, row by row from the top left.
+        texels: Vec<f32>,
+    ) -> (
+        /// The density of the direction, per steradian.
+        density: f32,
+    ) {
+        environment(width, height, &texels).density(direction)
+    }
 }
 
-/// See [`Exercise::TASK`].
-pub struct DirectionToLatlong;
-
-impl Exercise for DirectionToLatlong {
-    type Question = DirectionQuestion;
-    type Answer = Vec2;
-    const NAME: &'static str = "direction_to_latlong";
-    const ANSWER: &'static str = "place";
-    const TASK: &'static str = "Return where a direction is on a latitude-longitude map, from (0, 0) at its top left to (1, 1) at its bottom right: -z is in the middle, +x right of it, +y the top edge.";
-
-    fn answer(q: &Self::Question) -> Self::Answer {
-        latlong::place(q.direction)
+row! {
+    /// A place on a cube map.
+    pub struct CubePlace {
+        /// The face: 0 to 5 for +x, −x, +y, −y, +z, −z.
+        pub face: u32,
+        /// From 0 at the left edge of the face to 1 at the right one.
+        pub u: f32,
+        /// From 0 at the top edge of the face to 1 at the bottom one.
+        pub v: f32,
     }
 }
 
@@ -79,63 +99,5 @@ fn environment(width: u32, height: u32, texels: &[f32]) -> Environment {
     ))
 }
 
-/// See [`Exercise::TASK`].
-pub struct SampleEnvironment;
-
-row! {
-    /// A latitude–longitude map.
-    pub struct MapQuestion {
-        /// Texels in a row.
-        pub width: u32,
-        /// Rows.
-        pub height: u32,
-        /// The radiance of each texel, row by row from the top left.
-        pub texels: Vec<f32>,
-    }
-}
-
 /// So many points u are asked for.
 pub const POINTS: u32 = 256;
-
-impl Exercise for SampleEnvironment {
-    type Question = MapQuestion;
-    type Answer = Vec<Vec3>;
-    const NAME: &'static str = "sample_environment";
-    const ANSWER: &'static str = "direction";
-    const TASK: &'static str = "Return a direction for u in the unit square, so that a texel of the latitude-longitude map is chosen in proportion to its radiance times its solid angle, and its directions uniformly by solid angle; None for a black map. The answer is the list of the directions for the 256 points u = ((i + ½)/256, the fraction of 0.618034 · (i + ½)), with i from 0 to 255.";
-
-    fn answer(q: &Self::Question) -> Self::Answer {
-        let environment = environment(q.width, q.height, &q.texels);
-        let chosen = lattice(POINTS).filter_map(|u| environment.choose(u));
-        chosen.map(|direction| *direction).collect()
-    }
-}
-
-/// See [`Exercise::TASK`].
-pub struct EnvironmentPdf;
-
-row! {
-    /// A latitude–longitude map, and a direction.
-    pub struct DensityQuestion {
-        /// Towards a place on the map.
-        pub direction: Dir3,
-        /// Texels in a row.
-        pub width: u32,
-        /// Rows.
-        pub height: u32,
-        /// The radiance of each texel, row by row from the top left.
-        pub texels: Vec<f32>,
-    }
-}
-
-impl Exercise for EnvironmentPdf {
-    type Question = DensityQuestion;
-    type Answer = f32;
-    const NAME: &'static str = "environment_pdf";
-    const ANSWER: &'static str = "density";
-    const TASK: &'static str = "Return the density per steradian with which sample_environment chooses a direction: the probability of its texel divided by the texel's solid angle; 0 for a black map.";
-
-    fn answer(q: &Self::Question) -> Self::Answer {
-        environment(q.width, q.height, &q.texels).density(q.direction)
-    }
-}

@@ -1,73 +1,83 @@
 //! Chapter 24: `collapse`, `wide_closest`.
 
 use raybook::accel::Tests;
-use raybook::accel::wide_bvh::collapse::{binary, collapse};
-use raybook::accel::wide_bvh::nearest::{Nearest, Seeker};
-use raybook::accel::wide_bvh::node::{CHILDREN, Leaf, Link, NO_FACET, Node, TRIANGLES};
-use raybook::accel::wide_bvh::portable::Portable;
-use raybook::accel::wide_bvh::{Tree, walk};
+use raybook::inside::wide_bvh::{CHILDREN, Link, TRIANGLES, Tree, binary, collapse};
 use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use raybook::shape::mesh::Facet;
-use crate::exercise::{Asked, Exercise};
+use crate::exercise::exercises;
 use crate::exercises::ch07_mesh::{Corners, MeshHitAnswer};
-use crate::row::row;
+use crate::record::row;
 use crate::tree_rows::{NodeRow, to_flat};
 use glam::Vec3;
 
-/// This chapter's exercises, in order.
-pub const EXERCISES: &[&dyn Asked] = &[&Collapse, &WideClosest];
-
-/// See [`Exercise::TASK`].
-pub struct Collapse;
-
-row! {
-    /// A binary tree.
-    pub struct CollapseQuestion {
-        /// The root, then pairs of children.
-        pub nodes: Vec<NodeRow>,
-    }
-}
-
-row! {
-    /// A branch that stays, and its new children.
-    pub struct FamilyRow {
-        /// The number of the branch.
-        pub branch: u32,
-        /// The numbers of the nodes that become its children.
-        pub children: Vec<u32>,
-    }
-}
-
-impl Exercise for Collapse {
-    type Question = CollapseQuestion;
-    type Answer = Vec<FamilyRow>;
-    const NAME: &'static str = "collapse";
-    const ANSWER: &'static str = "families";
-    const TASK: &'static str = "Make a tree of up to eight children per branch out of a binary one: return each branch that stays with its new children, opening the largest branch among them until there are eight.";
-
-    fn answer(q: &Self::Question) -> Self::Answer {
-        let nodes = binary(&to_flat(&q.nodes, 0));
+exercises! { ($) ch24_wide_bvh
+    /// Make a tree of up to eight children per branch out of a binary one: return each branch that stays with its new
+    /// children, opening the largest branch among them until there are eight.
+    Collapse: collapse(
+        /// The binary tree: the root, then pairs of children.
+        nodes: Vec<NodeRow>,
+    ) -> (
+        /// The branches that stay, in any order.
+        families: Vec<FamilyRow>,
+    ) {
+        let nodes = binary(&to_flat(&nodes, 0));
         let families = collapse(&nodes).into_iter().map(|family| FamilyRow {
             branch: family.branch,
             children: family.children,
         });
         families.collect()
     }
+
+    /// Return the nearest triangle of the tree that the ray hits with min < t < max, and that hit, or None; count every
+    /// node that you open and every triangle that you test, and be content with few.
+    WideClosest: wide_closest(
+        /// The ray.
+        ray: Ray,
+        /// The distances that count: min < t < max, in metres.
+        within: Interval,
+        /// The nodes; the root is number 0.
+        nodes: Vec<WideNode>,
+        /// The leaves; their numbers count from 0.
+        leaves: Vec<WideLeaf>,
+        /// The triangles; their ids count from 0.
+        triangles: Vec<Corners>,
+    ) -> (
+        /// The nearest hit, and the work that it took to find it.
+        answer: WideClosestAnswer,
+    ) |q| {
+        let mut count = Tests::default();
+        let hit = tree(q).and_then(|tree| tree.closest(&q.ray, q.within, &mut count));
+        WideClosestAnswer {
+            nodes: count.boxes as u32,
+            tests: count.shapes as u32,
+            hit: hit.map(|hit| MeshHitAnswer {
+                t: hit.t,
+                id: hit.id,
+            }),
+        }
+    }
 }
 
-/// See [`Exercise::TASK`].
-pub struct WideClosest;
+row! {
+    /// A branch that stays, and its new children.
+    pub struct FamilyRow {
+        /// The number of the branch, from 0.
+        pub branch: u32,
+        /// The numbers of the nodes that become its children.
+        pub children: Vec<u32>,
+    }
+}
 
 row! {
     /// A child of a node.
     pub struct WideChild {
-        /// The least corner of its box.
+        /// The least corner of its box, in metres.
         pub min: Vec3,
-        /// The greatest corner.
+        /// The greatest corner of its box, in metres.
         pub max: Vec3,
         /// 1 for a leaf, 0 for a node.
         pub leaf: u32,
-        /// The number of the leaf or the node.
+        /// The number of the leaf or the node, from 0.
         pub index: u32,
     }
 }
@@ -75,7 +85,7 @@ row! {
 row! {
     /// A node.
     pub struct WideNode {
-        /// Its children, at most eight.
+        /// The children, at most eight.
         pub children: Vec<WideChild>,
     }
 }
@@ -89,65 +99,25 @@ row! {
 }
 
 row! {
-    /// A ray, the distances that count, and a wide tree over triangles.
-    pub struct WideClosestQuestion {
-        /// The ray.
-        pub ray: Ray,
-        /// Only t with min < t < max counts.
-        pub within: Interval,
-        /// The nodes; the root is number 0.
-        pub nodes: Vec<WideNode>,
-        /// The leaves.
-        pub leaves: Vec<WideLeaf>,
-        /// The triangles.
-        pub triangles: Vec<Corners>,
-    }
-}
-
-row! {
     /// The nearest triangle, and the work that it took to find it.
     pub struct WideClosestAnswer {
-        /// How many nodes were opened: the boxes of all children of one are tested at once.
+        /// The number of nodes opened: the boxes of all children of a node are tested at once.
         pub nodes: u32,
-        /// How many triangles were tested.
+        /// The number of triangles tested.
         pub tests: u32,
-        /// The hit.
+        /// The nearest hit; none for a miss.
         pub hit: Option<MeshHitAnswer>,
     }
 }
 
-impl Exercise for WideClosest {
-    type Question = WideClosestQuestion;
-    type Answer = WideClosestAnswer;
-    const NAME: &'static str = "wide_closest";
-    const TASK: &'static str = "Return the nearest triangle of the tree that the ray hits with min < t < max, and that hit, or None; count every node that you open and every triangle that you test, and be content with few.";
-
-    fn answer(q: &Self::Question) -> Self::Answer {
-        let (tree, mut count) = (tree(q), Tests::default());
-        let nothing = Nearest::nothing(q.within.max);
-        let found = tree.root.map_or(nothing, |root| {
-            let seeker = Seeker::new(&q.ray, q.within.min, &tree);
-            walk::closest(Portable, &tree, root, &seeker, nothing, &mut count)
-        });
-        WideClosestAnswer {
-            nodes: count.boxes as u32,
-            tests: count.shapes as u32,
-            hit: (found.facet != NO_FACET).then_some(MeshHitAnswer {
-                t: found.hit.t,
-                id: found.hit.id,
-            }),
-        }
-    }
-}
-
 /// The tree of a question. Children that do not exist are left out, and a child comes after its parent.
-fn tree(q: &WideClosestQuestion) -> Tree {
+fn tree(q: &WideClosest) -> Option<Tree> {
     let corners = q.triangles.iter().map(|t| [t.p0, t.p1, t.p2]).zip(0..);
     let facets: Vec<_> = corners.map(|(corners, id)| Facet { corners, id }).collect();
     let leaf = |leaf: &WideLeaf| {
         let exist = leaf.triangles.iter().copied();
         let exist = exist.filter(|&i| (i as usize) < facets.len());
-        Leaf::new(&facets, &exist.take(TRIANGLES).collect::<Vec<_>>())
+        exist.take(TRIANGLES).collect()
     };
     let node = |(i, node): (usize, &WideNode)| {
         let exist = node.children.iter().filter(|child| {
@@ -157,7 +127,7 @@ fn tree(q: &WideClosestQuestion) -> Tree {
                 _ => index < q.leaves.len(),
             }
         });
-        Node::new(exist.take(CHILDREN).map(|child| {
+        let child = |child: &WideChild| {
             let (min, max) = (child.min, child.max);
             let index = child.index as usize;
             let link = match child.leaf {
@@ -165,15 +135,10 @@ fn tree(q: &WideClosestQuestion) -> Tree {
                 _ => Link::leaf(index),
             };
             (Aabb { min, max }, link)
-        }))
+        };
+        exist.take(CHILDREN).map(child).collect()
     };
-    let corners = facets.iter().flat_map(|facet| facet.corners);
-    let largest = corners.fold(Vec3::ZERO, |largest, p| p.abs().max(largest));
-    Tree {
-        nodes: q.nodes.iter().enumerate().map(node).collect(),
-        leaves: q.leaves.iter().map(leaf).collect(),
-        root: (!q.nodes.is_empty()).then_some(Link::node(0)),
-        largest: largest.into(),
-        facets,
-    }
+    let nodes: Vec<_> = q.nodes.iter().enumerate().map(node).collect();
+    let leaves: Vec<_> = q.leaves.iter().map(leaf).collect();
+    Tree::new(facets, &leaves, &nodes).ok()
 }

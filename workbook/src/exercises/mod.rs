@@ -1,4 +1,4 @@
-//! What is asked: a file per chapter, a type per exercise. This part travels with the student.
+//! What is asked: a file per chapter, in which each exercise is declared once. This part travels with the student.
 
 use crate::exercise::Asked;
 use crate::for_each_chapter;
@@ -9,12 +9,12 @@ macro_rules! modules {
         $(pub mod $chapter;)+
 
         /// Every exercise of the course.
-        pub fn all() -> Vec<&'static dyn Asked> {
-            [$($chapter::EXERCISES),+].concat()
+        pub fn all() -> impl Iterator<Item = &'static Asked> {
+            [$($chapter::EXERCISES),+].into_iter().flatten()
         }
 
         /// The exercises of the chapter of this name.
-        pub fn of_chapter(name: &str) -> &'static [&'static dyn Asked] {
+        pub fn of_chapter(name: &str) -> &'static [Asked] {
             match name {
                 $(stringify!($chapter) => $chapter::EXERCISES,)+
                 _ => &[],
@@ -24,3 +24,8 @@ macro_rules! modules {
 }
 
 for_each_chapter!(modules);
+
+/// The exercise of this name.
+pub fn find(name: &str) -> Option<&'static Asked> {
+    all().find(|exercise| exercise.name == name)
+}

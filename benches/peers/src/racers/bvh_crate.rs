@@ -11,7 +11,7 @@ use raybook::shape::mesh::Mesh;
 use raybook::shape::{Shape, triangle::Triangle};
 
 /// Its tree of two children.
-pub struct Bvh {
+pub(crate) struct Bvh {
     tree: Tree<f32, 3>,
     triangles: Vec<Placed>,
 }
@@ -42,7 +42,7 @@ impl BHShape<f32, 3> for Placed {
 
 impl Bvh {
     /// Builds the tree.
-    pub fn new(mesh: &Mesh) -> Self {
+    pub(crate) fn new(mesh: &Mesh) -> Self {
         let placed = |facet: &raybook::shape::mesh::Facet| Placed {
             triangle: facet.triangle(),
             node: 0,

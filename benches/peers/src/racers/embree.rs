@@ -11,7 +11,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicIsize, Ordering};
 
 /// A scene of one mesh.
-pub struct Embree {
+pub(crate) struct Embree {
     scene: Scene<'static>,
     /// What Embree has allocated since before the scene was made; the memory of the mesh's buffers counts too.
     bytes: usize,
@@ -21,7 +21,7 @@ pub struct Embree {
 ///
 /// # Errors
 /// If Embree fails.
-pub fn build(mesh: &Mesh, threads: usize) -> Result<Box<dyn Racer>, String> {
+pub(crate) fn build(mesh: &Mesh, threads: usize) -> Result<Box<dyn Racer>, String> {
     Ok(Box::new(Embree::new(mesh, threads)?))
 }
 
@@ -30,7 +30,7 @@ impl Embree {
     ///
     /// # Errors
     /// If Embree fails.
-    pub fn new(mesh: &Mesh, threads: usize) -> Result<Self, String> {
+    pub(crate) fn new(mesh: &Mesh, threads: usize) -> Result<Self, String> {
         let told = |error: Error| format!("Embree: {error}");
         let config = Config {
             threads: threads as u32,
@@ -70,7 +70,7 @@ impl Embree {
     }
 
     /// The nearest hit: `rtcIntersect1`.
-    pub fn hit(&self, (ray, within): &Question) -> Option<Hit> {
+    pub(crate) fn hit(&self, (ray, within): &Question) -> Option<Hit> {
         let (o, d) = (ray.origin.to_array(), ray.direction.to_array());
         let mut answer = RayHit::from(Ray::segment(o, d, within.min, within.max));
         let mut context = IntersectContext::incoherent();

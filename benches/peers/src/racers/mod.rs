@@ -1,10 +1,10 @@
 //! Everyone in the race. One more is a line here, and a [`Search`] where there is none yet.
 
-pub mod bvh_crate;
-pub mod embree;
-pub mod obvhs;
-pub mod ours;
-pub mod parry;
+pub(crate) mod bvh_crate;
+pub(crate) mod embree;
+pub(crate) mod obvhs;
+pub(crate) mod ours;
+pub(crate) mod parry;
 
 use crate::racer::{Build, Entry, Racer, Search};
 use ours::{Ours, Wide};
@@ -14,7 +14,7 @@ use raybook::accel::{
 };
 
 /// All that take part; the first is what the others are compared with.
-pub const ENTRIES: &[Entry] = &[
+pub(crate) const ENTRIES: &[Entry] = &[
     entry("Embree", false, embree::build),
     Entry {
         at_most: 10_000,
@@ -54,7 +54,7 @@ const fn entry(name: &'static str, ours: bool, build: Build) -> Entry {
     }
 }
 
-#[allow(clippy::unnecessary_wraps)] // others can fail
+#[allow(clippy::unnecessary_wraps, reason = "others can fail")]
 fn boxed<S: Search + 'static>(search: S) -> Result<Box<dyn Racer>, String> {
     Ok(Box::new(search))
 }

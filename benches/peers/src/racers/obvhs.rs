@@ -12,13 +12,13 @@ use raybook::shape::mesh::Mesh;
 use std::time::Duration;
 
 /// Two children to a node.
-pub struct Bvh2 {
+pub(crate) struct Bvh2 {
     tree: Tree,
     triangles: Vec<Triangle>,
 }
 
 /// Eight children to a node, their boxes compressed.
-pub struct Wide {
+pub(crate) struct Wide {
     tree: CwBvh,
     triangles: Vec<Triangle>,
 }
@@ -44,7 +44,7 @@ fn ray((ray, within): &Question) -> Ray {
 
 impl Bvh2 {
     /// Builds the tree.
-    pub fn new(mesh: &Mesh) -> Self {
+    pub(crate) fn new(mesh: &Mesh) -> Self {
         let triangles = triangles(mesh);
         let params = BvhBuildParams::medium_build();
         let tree = build_bvh2_from_tris(&triangles, params, &mut Duration::default());
@@ -55,7 +55,7 @@ impl Bvh2 {
 
 impl Wide {
     /// Builds the tree.
-    pub fn new(mesh: &Mesh) -> Self {
+    pub(crate) fn new(mesh: &Mesh) -> Self {
         let triangles = triangles(mesh);
         let params = BvhBuildParams::medium_build();
         let tree = build_cwbvh_from_tris(&triangles, params, &mut Duration::default());

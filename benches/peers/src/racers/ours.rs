@@ -6,7 +6,7 @@ use raybook::math::ray::Ray;
 use raybook::shape::mesh::Facet;
 
 /// An accelerator over facets.
-pub struct Ours<A>(pub A);
+pub(crate) struct Ours<A>(pub A);
 
 impl<A: Accel<Facet>> Search for Ours<A> {
     fn closest(&self, (ray, within): &Question) -> f32 {
@@ -19,7 +19,7 @@ impl<A: Accel<Facet>> Search for Ours<A> {
 }
 
 /// The wide tree, which can also be asked in batches.
-pub struct Wide(pub WideBvh);
+pub(crate) struct Wide(pub WideBvh);
 
 impl Search for Wide {
     fn closest(&self, (ray, within): &Question) -> f32 {

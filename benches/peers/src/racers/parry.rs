@@ -7,14 +7,14 @@ use parry3d::shape::TriMesh;
 use raybook::shape::mesh::Mesh;
 
 /// A triangle mesh with parry's tree.
-pub struct Trimesh(TriMesh);
+pub(crate) struct Trimesh(TriMesh);
 
 impl Trimesh {
     /// Builds it.
     ///
     /// # Errors
     /// If parry refuses the mesh.
-    pub fn new(mesh: &Mesh) -> Result<Self, String> {
+    pub(crate) fn new(mesh: &Mesh) -> Result<Self, String> {
         let points = mesh.positions().iter().map(|p| Point::from(p.to_array()));
         TriMesh::new(points.collect(), mesh.triangles().to_vec())
             .map(Self)

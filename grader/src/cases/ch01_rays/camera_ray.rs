@@ -1,13 +1,28 @@
-//! `camera_ray`: its cases, judge and mistakes.
+//! `camera_ray`: random questions, judge and mistakes.
 
-use crate::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
+use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
 use raybook::image::rgb::Rgb;
 use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch01_rays::{CameraRay, CameraRayAnswer, CameraRayQuestion};
-use glam::{Vec2, Vec3, vec2, vec3};
+use raybook_workbook::exercises::ch01_rays::{CameraRay, CameraRayAnswer};
+use glam::{Vec2, Vec3, vec2};
 
 impl Graded for CameraRay {
+    fn random(rng: &mut Pcg) -> CameraRay {
+        let film = vec2(sample::number(rng, 0.0, 1.0), sample::number(rng, 0.0, 1.0));
+        question(
+            sample::point(rng, 5.0),
+            sample::direction(rng),
+            sample::number(rng, 0.02, 0.1),
+            film,
+        )
+    }
+
+    fn judge(_q: &CameraRay, golden: &CameraRayAnswer, got: &CameraRayAnswer) -> Verdict {
+        judge::point("the ray's origin", golden.origin, got.origin)?;
+        judge::direction("the ray's direction", golden.direction, got.direction)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "draws the picture upside down",
@@ -91,48 +106,12 @@ impl Graded for CameraRay {
             Rgb::new(ray.direction.x, ray.direction.y, ray.direction.z).map(|v| 0.5 + 0.5 * v)
         },
     }];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, x, y| {
-            Edge::new(
-                name,
-                question(vec3(1.0, 2.0, 3.0), -Dir3::Z, 0.05, vec2(x, y)),
-            )
-        };
-        vec![
-            edge("the middle of the film", 0.5, 0.5),
-            edge("the top left corner", 0.0, 0.0),
-            edge("the bottom right corner", 1.0, 1.0),
-            edge("the middle of the top", 0.5, 0.0),
-            edge("the middle of the right", 1.0, 0.5),
-            edge("the centre of pixel (0, 0) of 4 × 2", 0.125, 0.25),
-            Edge::new(
-                "a wide angle",
-                question(Vec3::ZERO, Dir3::X, 0.01, vec2(0.1, 0.8)),
-            ),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> CameraRayQuestion {
-        let film = vec2(sample::number(rng, 0.0, 1.0), sample::number(rng, 0.0, 1.0));
-        question(
-            sample::point(rng, 5.0),
-            sample::direction(rng),
-            sample::number(rng, 0.02, 0.1),
-            film,
-        )
-    }
-
-    fn judge(_q: &CameraRayQuestion, golden: &CameraRayAnswer, got: &CameraRayAnswer) -> Verdict {
-        judge::point("the ray's origin", golden.origin, got.origin)?;
-        judge::direction("the ray's direction", golden.direction, got.direction)
-    }
 }
 
 /// A camera of the 35 mm format whose up is anything square to its view.
-fn question(focal_point: Vec3, forward: Dir3, focal_length: f32, film: Vec2) -> CameraRayQuestion {
+fn question(focal_point: Vec3, forward: Dir3, focal_length: f32, film: Vec2) -> CameraRay {
     let Basis { x: right, y, .. } = Basis::around(-forward);
-    CameraRayQuestion {
+    CameraRay {
         focal_point,
         forward,
         right,

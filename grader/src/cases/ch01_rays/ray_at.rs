@@ -1,11 +1,22 @@
-//! `ray_at`: its cases, judge and mistakes.
+//! `ray_at`: random questions, judge and mistakes.
 
-use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::math::{pcg::Pcg, ray::Ray};
-use raybook_workbook::exercises::ch01_rays::{RayAt, RayAtQuestion};
-use glam::{Vec3, vec3};
+use raybook_workbook::exercises::ch01_rays::RayAt;
+use glam::Vec3;
 
 impl Graded for RayAt {
+    fn random(rng: &mut Pcg) -> RayAt {
+        RayAt {
+            ray: Ray::new(sample::point(rng, 5.0), sample::direction(rng)),
+            t: sample::number(rng, -5.0, 20.0),
+        }
+    }
+
+    fn judge(_q: &RayAt, golden: &Vec3, got: &Vec3) -> Verdict {
+        judge::point("the point", *golden, *got)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "forgets the origin",
@@ -38,35 +49,4 @@ impl Graded for RayAt {
             answer: |q| q.ray.at(q.t.max(0.0)),
         },
     ];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, origin, toward, t| {
-            Edge::new(
-                name,
-                RayAtQuestion {
-                    ray: sample::ray(origin, toward),
-                    t,
-                },
-            )
-        };
-        vec![
-            edge("t is 0", vec3(1.0, 2.0, 3.0), Vec3::X, 0.0),
-            edge("along x from the world's origin", Vec3::ZERO, Vec3::X, 2.5),
-            edge("from somewhere else", vec3(-4.0, 0.5, 2.0), Vec3::Y, 3.0),
-            edge("behind the origin", vec3(1.0, 1.0, 1.0), Vec3::Z, -2.0),
-            edge("askew", vec3(0.0, 1.0, 0.0), vec3(3.0, 0.0, 4.0), 10.0),
-            edge("far away", vec3(1.0, 2.0, 3.0), Vec3::NEG_Z, 1e6),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> RayAtQuestion {
-        RayAtQuestion {
-            ray: Ray::new(sample::point(rng, 5.0), sample::direction(rng)),
-            t: sample::number(rng, -5.0, 20.0),
-        }
-    }
-
-    fn judge(_q: &RayAtQuestion, golden: &Vec3, got: &Vec3) -> Verdict {
-        judge::point("the point", *golden, *got)
-    }
 }

@@ -1,11 +1,21 @@
-//! `encode_srgb`: its cases, judge and mistakes.
+//! `encode_srgb`: random questions, judge and mistakes.
 
-use crate::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
+use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
-use raybook_workbook::exercises::ch02_hdr::{EncodeSrgb, EncodeSrgbQuestion};
+use raybook_workbook::exercises::ch02_hdr::EncodeSrgb;
 
 impl Graded for EncodeSrgb {
+    fn random(rng: &mut Pcg) -> EncodeSrgb {
+        let v = sample::number(rng, 0.0, 1.0);
+        EncodeSrgb { v: v * v } // more of them near black
+    }
+
+    fn judge(_q: &EncodeSrgb, golden: &f32, got: &f32) -> Verdict {
+        // A twentieth of the step of a byte: finer than anyone sees, coarser than any pow.
+        judge::number_within("the code value", "", *golden, *got, 2e-4)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "takes sRGB for a gamma of 2.2",
@@ -69,31 +79,7 @@ impl Graded for EncodeSrgb {
         width: 96,
         height: 8,
         alt: "A gray ramp by code value, from black to white",
-        question: |x, _| EncodeSrgbQuestion { v: x as f32 / 95.0 },
+        question: |x, _| EncodeSrgb { v: x as f32 / 95.0 },
         colour: |_, code| Rgb::gray(*code),
     }];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, v| Edge::new(name, EncodeSrgbQuestion { v });
-        vec![
-            edge("black", 0.0),
-            edge("white", 1.0),
-            edge("middle gray", 0.18),
-            edge("half the light", 0.5),
-            edge("on the straight piece", 0.002),
-            edge("where the pieces meet", 0.003_130_8),
-            edge("brighter than white", 7.5),
-            edge("below black", -0.25),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> EncodeSrgbQuestion {
-        let v = sample::number(rng, 0.0, 1.0);
-        EncodeSrgbQuestion { v: v * v } // more of them near black
-    }
-
-    fn judge(_q: &EncodeSrgbQuestion, golden: &f32, got: &f32) -> Verdict {
-        // A twentieth of the step of a byte: finer than anyone sees, coarser than any pow.
-        judge::number_within("the code value", "", *golden, *got, 2e-4)
-    }
 }

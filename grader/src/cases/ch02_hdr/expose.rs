@@ -1,13 +1,24 @@
-//! `expose`: its cases, judge and mistakes.
+//! `expose`: random questions, judge and mistakes.
 
 use super::{channels, colour};
-use crate::{Edge, Graded, Mistake, Verdict, sample};
+use crate::{Graded, Mistake, Verdict, sample};
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch02_hdr::{Expose, ExposeQuestion};
+use raybook_workbook::exercises::ch02_hdr::Expose;
 
 impl Graded for Expose {
+    fn random(rng: &mut Pcg) -> Expose {
+        Expose {
+            radiance: colour(rng, 4.0),
+            stops: sample::number(rng, -6.0, 6.0),
+        }
+    }
+
+    fn judge(_q: &Expose, golden: &Rgb, got: &Rgb) -> Verdict {
+        channels(*golden, *got)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "multiplies by the number of stops",
@@ -40,36 +51,4 @@ impl Graded for Expose {
             answer: |q| q.radiance * if q.stops > 0.0 { 2.0 } else { 0.5 },
         },
     ];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, r, g, b, stops| {
-            Edge::new(
-                name,
-                ExposeQuestion {
-                    radiance: Rgb::new(r, g, b),
-                    stops,
-                },
-            )
-        };
-        vec![
-            edge("no change", 0.2, 0.5, 0.8, 0.0),
-            edge("one stop more", 0.1, 0.2, 0.3, 1.0),
-            edge("one stop less", 0.1, 0.2, 0.3, -1.0),
-            edge("half a stop", 1.0, 1.0, 1.0, 0.5),
-            edge("black stays black", 0.0, 0.0, 0.0, 10.0),
-            edge("the sun, ten stops down", 60000.0, 50000.0, 40000.0, -10.0),
-            edge("beyond white", 0.5, 1.5, 20.0, 3.0),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> ExposeQuestion {
-        ExposeQuestion {
-            radiance: colour(rng, 4.0),
-            stops: sample::number(rng, -6.0, 6.0),
-        }
-    }
-
-    fn judge(_q: &ExposeQuestion, golden: &Rgb, got: &Rgb) -> Verdict {
-        channels(*golden, *got)
-    }
 }

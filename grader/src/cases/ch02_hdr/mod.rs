@@ -1,17 +1,10 @@
 //! Chapter 2: `expose`, `tone_map`, `encode_srgb`.
 
-mod encode_srgb;
-mod expose;
-mod tone_map;
-
-use crate::examine::Examiner;
 use crate::{Verdict, judge, sample};
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
-use raybook_workbook::exercises::ch02_hdr::{EncodeSrgb, Expose, ToneMap};
 
-/// This chapter's exercises, in order.
-pub const GRADED: &[&dyn Examiner] = &[&Expose, &ToneMap, &EncodeSrgb];
+raybook_workbook::ch02_hdr!(graded);
 
 /// A colour whose channels are up to so much.
 fn colour(rng: &mut Pcg, most: f32) -> Rgb {

@@ -1,12 +1,22 @@
-//! `tone_map`: its cases, judge and mistakes.
+//! `tone_map`: random questions, judge and mistakes.
 
 use super::{channels, colour};
-use crate::{Edge, Graded, Mistake, Picture, Verdict};
+use crate::{Graded, Mistake, Picture, Verdict};
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
-use raybook_workbook::exercises::ch02_hdr::{ToneMap, ToneMapQuestion};
+use raybook_workbook::exercises::ch02_hdr::ToneMap;
 
 impl Graded for ToneMap {
+    fn random(rng: &mut Pcg) -> ToneMap {
+        ToneMap {
+            radiance: colour(rng, 8.0),
+        }
+    }
+
+    fn judge(_q: &ToneMap, golden: &Rgb, got: &Rgb) -> Verdict {
+        channels(*golden, *got)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "maps each channel by itself",
@@ -51,40 +61,10 @@ impl Graded for ToneMap {
                 (0.5 + 0.5 * ((hue - shift) * std::f32::consts::FRAC_PI_3).cos()).max(0.02)
             };
             let brightness = ((53 - y) as f32 / 53.0 * 6.0 - 3.0).exp2();
-            ToneMapQuestion {
+            ToneMap {
                 radiance: Rgb::new(wave(0.0), wave(2.0), wave(4.0)) * brightness,
             }
         },
         colour: |_, mapped| *mapped,
     }];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, r, g, b| {
-            Edge::new(
-                name,
-                ToneMapQuestion {
-                    radiance: Rgb::new(r, g, b),
-                },
-            )
-        };
-        vec![
-            edge("gray 1 becomes 1/2", 1.0, 1.0, 1.0),
-            edge("gray 3 becomes 3/4", 3.0, 3.0, 3.0),
-            edge("dark stays nearly as it is", 0.001, 0.002, 0.001),
-            edge("pure red", 4.0, 0.0, 0.0),
-            edge("pure green", 0.0, 4.0, 0.0),
-            edge("pure blue, which may exceed 1", 0.0, 0.0, 40.0),
-            edge("the sun", 60000.0, 50000.0, 40000.0),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> ToneMapQuestion {
-        ToneMapQuestion {
-            radiance: colour(rng, 8.0),
-        }
-    }
-
-    fn judge(_q: &ToneMapQuestion, golden: &Rgb, got: &Rgb) -> Verdict {
-        channels(*golden, *got)
-    }
 }

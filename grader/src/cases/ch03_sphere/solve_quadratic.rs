@@ -1,13 +1,47 @@
-//! `solve_quadratic`: its cases, judge and mistakes.
+//! `solve_quadratic`: random questions, judge and mistakes.
 
-use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch03_sphere::{Coefficients, SolveQuadratic};
+use raybook_workbook::exercises::ch03_sphere::SolveQuadratic;
 use glam::{Vec2, vec2};
 use rand::RngExt;
 
 impl Graded for SolveQuadratic {
+    fn random(rng: &mut Pcg) -> SolveQuadratic {
+        let (a, b) = (
+            sample::number(rng, 0.2, 3.0),
+            sample::number(rng, -8.0, 8.0),
+        );
+        let sign = if rng.random_bool(0.3) { -1.0 } else { 1.0 };
+        SolveQuadratic {
+            a: sign * a,
+            b,
+            c: sample::number(rng, -6.0, 6.0),
+        }
+    }
+
+    fn judge(_q: &SolveQuadratic, golden: &Option<Vec2>, got: &Option<Vec2>) -> Verdict {
+        judge::option(
+            "a pair of real roots",
+            golden.as_ref(),
+            got.as_ref(),
+            |golden, got| {
+                for (name, golden, got) in [("t0", golden.x, got.x), ("t1", golden.y, got.y)] {
+                    // Relative to the root alone: the small one is what cancellation spoils.
+                    judge::number_within(
+                        name,
+                        "",
+                        golden,
+                        got,
+                        judge::RELATIVE * golden.abs().max(1e-6),
+                    )?;
+                }
+                Ok(())
+            },
+        )
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "uses the schoolbook formula for both roots",
@@ -61,70 +95,10 @@ impl Graded for SolveQuadratic {
             },
         },
     ];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, a, b, c| Edge::new(name, Coefficients { a, b, c });
-        vec![
-            edge("two whole roots", 1.0, -3.0, 2.0),
-            edge("a double root", 1.0, -2.0, 1.0),
-            edge("no real root", 1.0, 2.0, 5.0),
-            edge("a is 0, so it is not a quadratic", 0.0, 2.0, -4.0),
-            edge("b is 0", 1.0, 0.0, -9.0),
-            edge("c is 0", 2.0, -6.0, 0.0),
-            edge("all roots are 0", 3.0, 0.0, 0.0),
-            edge("a is negative", -1.0, 1.0, 6.0),
-            edge(
-                "a large negative b: the small root cancels",
-                1.0,
-                -20000.0,
-                1.0,
-            ),
-            edge(
-                "a large positive b: the other root cancels",
-                1.0,
-                20000.0,
-                1.0,
-            ),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> Coefficients {
-        let (a, b) = (
-            sample::number(rng, 0.2, 3.0),
-            sample::number(rng, -8.0, 8.0),
-        );
-        let sign = if rng.random_bool(0.3) { -1.0 } else { 1.0 };
-        Coefficients {
-            a: sign * a,
-            b,
-            c: sample::number(rng, -6.0, 6.0),
-        }
-    }
-
-    fn judge(_q: &Coefficients, golden: &Option<Vec2>, got: &Option<Vec2>) -> Verdict {
-        judge::option(
-            "a pair of real roots",
-            golden.as_ref(),
-            got.as_ref(),
-            |golden, got| {
-                for (name, golden, got) in [("t0", golden.x, got.x), ("t1", golden.y, got.y)] {
-                    // Relative to the root alone: the small one is what cancellation spoils.
-                    judge::number_within(
-                        name,
-                        "",
-                        golden,
-                        got,
-                        judge::RELATIVE * golden.abs().max(1e-6),
-                    )?;
-                }
-                Ok(())
-            },
-        )
-    }
 }
 
 /// The roots by a formula that is given √(b² − 4ac), where that is real and a ≠ 0.
-fn roots(q: &Coefficients, formula: fn(&Coefficients, f32) -> Vec2) -> Option<Vec2> {
+fn roots(q: &SolveQuadratic, formula: fn(&SolveQuadratic, f32) -> Vec2) -> Option<Vec2> {
     let discriminant = q.b * q.b - 4.0 * q.a * q.c;
     (q.a != 0.0 && discriminant >= 0.0).then(|| formula(q, discriminant.sqrt()))
 }

@@ -1,14 +1,43 @@
-//! `sphere_hit`: its cases, judge and mistakes.
+//! `sphere_hit`: random questions, judge and mistakes.
 
-use crate::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
+use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
 use raybook::image::rgb::Rgb;
 use raybook_chapters::kit::palette::viridis;
 use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
-use raybook_workbook::exercises::ch03_sphere::{SphereHit, SphereHitQuestion};
+use raybook_workbook::exercises::ch03_sphere::SphereHit;
 use glam::{Vec2, Vec3, vec2, vec3};
 use rand::RngExt;
 
 impl Graded for SphereHit {
+    fn random(rng: &mut Pcg) -> SphereHit {
+        let (center, radius) = (sample::point(rng, 3.0), sample::number(rng, 0.5, 2.0));
+        // One ray in four starts inside; most aim near the sphere, so that about half of all hit.
+        let distance = radius
+            * if rng.random_bool(0.25) {
+                sample::number(rng, 0.1, 0.9)
+            } else {
+                sample::number(rng, 1.5, 5.0)
+            };
+        let origin = center - distance * *sample::direction(rng);
+        let aim = center + sample::point(rng, 1.2 * radius);
+        let direction = Dir3::new_or(aim - origin, Dir3::X);
+        let max = sample::end(rng, 0.3, 0.5, 6.0);
+        SphereHit {
+            ray: Ray::new(origin, direction),
+            within: Interval::new(0.0, max),
+            center,
+            radius,
+        }
+    }
+
+    fn judge(q: &SphereHit, golden: &Option<f32>, got: &Option<f32>) -> Verdict {
+        judge::option("a hit", golden.as_ref(), got.as_ref(), |golden, got| {
+            // Measured by the sphere, not by its distance; but no finer than a few of t's last digits.
+            let tolerance = judge::RELATIVE * q.radius + 4.0 * f32::EPSILON * golden.abs();
+            judge::number_within("t", "m", *golden, *got, tolerance)
+        })
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "takes the far root",
@@ -70,7 +99,7 @@ impl Graded for SphereHit {
         question: |x, y| {
             let toward = sample::pixel(x, y);
             let ray = sample::ray(vec3(0.0, 0.0, 3.0), toward);
-            SphereHitQuestion {
+            SphereHit {
                 ray,
                 within: Interval::AHEAD,
                 center: vec3(0.2, 0.1, 0.0),
@@ -79,107 +108,17 @@ impl Graded for SphereHit {
         },
         colour: |_, t| t.map_or(Rgb::gray(0.1), |t| viridis(1.0 - (t - 2.0) / 2.0)),
     }];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let question = |origin, toward, within, center, radius| SphereHitQuestion {
-            ray: sample::ray(origin, toward),
-            within,
-            center,
-            radius,
-        };
-        let unit = |origin, toward, within| question(origin, toward, within, Vec3::ZERO, 1.0);
-        let ahead = Interval::AHEAD;
-        let back = vec3(0.0, 0.0, -3.0);
-        vec![
-            Edge::new("head on", unit(back, Vec3::Z, ahead)),
-            Edge::new(
-                "from the centre",
-                question(Vec3::ZERO, Vec3::Y, ahead, Vec3::ZERO, 2.0),
-            ),
-            Edge::new(
-                "from inside, off the centre",
-                unit(vec3(0.5, 0.0, 0.0), Vec3::X, ahead),
-            ),
-            Edge::new("the sphere is behind", unit(back, Vec3::NEG_Z, ahead)),
-            Edge::new("past it", unit(back, vec3(0.0, 1.0, 1.0), ahead)),
-            Edge::new(
-                "both hits lie beyond the interval",
-                unit(back, Vec3::Z, Interval::new(0.0, 1.5)),
-            ),
-            Edge::new(
-                "the interval begins inside",
-                unit(back, Vec3::Z, Interval::new(3.0, f32::INFINITY)),
-            ),
-            Edge::new(
-                "the interval lies inside",
-                unit(back, Vec3::Z, Interval::new(2.5, 3.5)),
-            ),
-            Edge::new(
-                "away from the origin",
-                question(
-                    vec3(4.0, -2.0, 7.0),
-                    vec3(0.0, 0.0, 1.0),
-                    ahead,
-                    vec3(4.2, -2.1, 12.0),
-                    0.5,
-                ),
-            ),
-            Edge::new(
-                "starts a quarter of a millimetre before the surface",
-                unit(vec3(0.0, 0.0, -1.0 - 1.0 / 4096.0), Vec3::Z, ahead),
-            ),
-            Edge::new(
-                "a small sphere, far away",
-                question(
-                    vec3(0.0, 0.0, -4096.0),
-                    Vec3::Z,
-                    ahead,
-                    vec3(0.0625, 0.0, 0.0),
-                    0.125,
-                ),
-            ),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> SphereHitQuestion {
-        let (center, radius) = (sample::point(rng, 3.0), sample::number(rng, 0.5, 2.0));
-        // One ray in four starts inside; most aim near the sphere, so that about half of all hit.
-        let distance = radius
-            * if rng.random_bool(0.25) {
-                sample::number(rng, 0.1, 0.9)
-            } else {
-                sample::number(rng, 1.5, 5.0)
-            };
-        let origin = center - distance * *sample::direction(rng);
-        let aim = center + sample::point(rng, 1.2 * radius);
-        let direction = Dir3::new_or(aim - origin, Dir3::X);
-        let max = sample::end(rng, 0.3, 0.5, 6.0);
-        SphereHitQuestion {
-            ray: Ray::new(origin, direction),
-            within: Interval::new(0.0, max),
-            center,
-            radius,
-        }
-    }
-
-    fn judge(q: &SphereHitQuestion, golden: &Option<f32>, got: &Option<f32>) -> Verdict {
-        judge::option("a hit", golden.as_ref(), got.as_ref(), |golden, got| {
-            // Measured by the sphere, not by its distance; but no finer than a few of t's last digits.
-            let tolerance = judge::RELATIVE * q.radius + 4.0 * f32::EPSILON * golden.abs();
-            judge::number_within("t", "m", *golden, *got, tolerance)
-        })
-    }
 }
 
 /// Both distances at which the whole line meets the sphere.
-fn both(q: &SphereHitQuestion) -> Option<Vec2> {
+fn both(q: &SphereHit) -> Option<Vec2> {
     let near = SphereHit::misread(q, |q| q.within = sample::LINE)?;
     let middle = (q.center - q.ray.origin).dot(*q.ray.direction);
     Some(vec2(near, 2.0 * middle - near))
 }
 
 /// The root that is picked, if it counts.
-fn pick(q: &SphereHitQuestion, choose: fn(f32, f32) -> Option<f32>) -> Option<f32> {
+fn pick(q: &SphereHit, choose: fn(f32, f32) -> Option<f32>) -> Option<f32> {
     both(q)
         .and_then(|t| choose(t.x, t.y))
         .filter(|t| q.within.contains(*t))

@@ -1,12 +1,25 @@
-//! `sphere_normal`: its cases, judge and mistakes.
+//! `sphere_normal`: random questions, judge and mistakes.
 
-use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch03_sphere::{SphereNormal, SphereNormalQuestion};
-use glam::{Vec3, vec3};
+use raybook_workbook::exercises::ch03_sphere::SphereNormal;
+use glam::Vec3;
 
 impl Graded for SphereNormal {
+    fn random(rng: &mut Pcg) -> SphereNormal {
+        let (center, radius) = (sample::point(rng, 5.0), sample::number(rng, 0.3, 3.0));
+        SphereNormal {
+            center,
+            radius,
+            p: center + radius * *sample::direction(rng),
+        }
+    }
+
+    fn judge(_q: &SphereNormal, golden: &Vec3, got: &Vec3) -> Verdict {
+        judge::direction("the normal", *golden, *got)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "points inwards",
@@ -34,48 +47,4 @@ impl Graded for SphereNormal {
             answer: |q| (q.p - q.center) * q.radius,
         },
     ];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, center: Vec3, radius: f32, toward: Vec3| {
-            Edge::new(
-                name,
-                SphereNormalQuestion {
-                    center,
-                    radius,
-                    p: center + radius * toward.normalize(),
-                },
-            )
-        };
-        vec![
-            edge("the top of the unit sphere", Vec3::ZERO, 1.0, Vec3::Y),
-            edge("a larger sphere", Vec3::ZERO, 4.0, Vec3::X),
-            edge("a small sphere", Vec3::ZERO, 0.125, Vec3::NEG_Z),
-            edge(
-                "away from the origin",
-                vec3(5.0, -3.0, 2.0),
-                2.0,
-                Vec3::NEG_Y,
-            ),
-            edge("askew", vec3(1.0, 2.0, 3.0), 0.5, vec3(1.0, -1.0, 1.0)),
-            edge(
-                "the side towards the world's origin",
-                vec3(10.0, 0.0, 0.0),
-                1.0,
-                Vec3::NEG_X,
-            ),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> SphereNormalQuestion {
-        let (center, radius) = (sample::point(rng, 5.0), sample::number(rng, 0.3, 3.0));
-        SphereNormalQuestion {
-            center,
-            radius,
-            p: center + radius * *sample::direction(rng),
-        }
-    }
-
-    fn judge(_q: &SphereNormalQuestion, golden: &Vec3, got: &Vec3) -> Verdict {
-        judge::direction("the normal", *golden, *got)
-    }
 }

@@ -1,13 +1,38 @@
-//! `bounds_of`: its cases, judge and mistakes.
+//! `bounds_of`: random questions, judge and mistakes.
 
-use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch05_box::{BoundsOf, BoundsOfQuestion, Corners};
-use glam::{Vec3, vec3};
+use raybook_workbook::exercises::ch05_box::{BoundsOf, Corners};
+use glam::Vec3;
 use rand::RngExt;
 
 impl Graded for BoundsOf {
+    fn random(rng: &mut Pcg) -> BoundsOf {
+        let center = sample::point(rng, 6.0);
+        let count = rng.random_range(1..8);
+        BoundsOf {
+            points: (0..count)
+                .map(|_| center + sample::point(rng, 3.0))
+                .collect(),
+        }
+    }
+
+    fn judge(_q: &BoundsOf, golden: &Corners, got: &Corners) -> Verdict {
+        for (name, golden, got) in [("min", golden.min, got.min), ("max", golden.max, got.max)] {
+            for (axis, letter) in ["x", "y", "z"].into_iter().enumerate() {
+                judge::number_within(
+                    &format!("{name}.{letter}"),
+                    "m",
+                    golden[axis],
+                    got[axis],
+                    1e-5 * golden[axis].abs().max(1.0),
+                )?;
+            }
+        }
+        Ok(())
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "starts with the origin inside",
@@ -55,68 +80,11 @@ impl Graded for BoundsOf {
             },
         },
     ];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, points: &[Vec3]| {
-            Edge::new(
-                name,
-                BoundsOfQuestion {
-                    points: points.to_vec(),
-                },
-            )
-        };
-        let (a, b, c) = (
-            vec3(1.0, 5.0, -2.0),
-            vec3(4.0, 2.0, 6.0),
-            vec3(2.0, 8.0, 1.0),
-        );
-        vec![
-            edge("one point", &[a]),
-            edge("two points", &[a, b]),
-            edge("the extremes come from different points", &[a, b, c]),
-            edge(
-                "the outermost point is in the middle",
-                &[a, vec3(9.0, -9.0, 9.0), b],
-            ),
-            edge(
-                "all coordinates are negative",
-                &[vec3(-1.0, -2.0, -3.0), vec3(-4.0, -5.0, -1.5)],
-            ),
-            edge("all coordinates are positive", &[b, vec3(5.0, 3.0, 7.0)]),
-            edge("the same point twice", &[c, c]),
-            edge("no points: the empty box, from +infinity to -infinity", &[]),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> BoundsOfQuestion {
-        let center = sample::point(rng, 6.0);
-        let count = rng.random_range(1..8);
-        BoundsOfQuestion {
-            points: (0..count)
-                .map(|_| center + sample::point(rng, 3.0))
-                .collect(),
-        }
-    }
-
-    fn judge(_q: &BoundsOfQuestion, golden: &Corners, got: &Corners) -> Verdict {
-        for (name, golden, got) in [("min", golden.min, got.min), ("max", golden.max, got.max)] {
-            for (axis, letter) in ["x", "y", "z"].into_iter().enumerate() {
-                judge::number_within(
-                    &format!("{name}.{letter}"),
-                    "m",
-                    golden[axis],
-                    got[axis],
-                    1e-5 * golden[axis].abs().max(1.0),
-                )?;
-            }
-        }
-        Ok(())
-    }
 }
 
 /// The box of points, as an answer.
 fn bounds(points: impl Iterator<Item = Vec3>) -> Corners {
-    BoundsOf::answer(&BoundsOfQuestion {
+    BoundsOf::answer(&BoundsOf {
         points: points.collect(),
     })
 }

@@ -1,15 +1,42 @@
-//! `box_clip`: its judge and mistakes.
+//! `box_clip`: random questions, judge and mistakes.
 
-use super::box_clip_cases;
-use crate::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
+use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
+use glam::{Vec3, vec3};
 use raybook::image::rgb::Rgb;
+use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 use raybook_chapters::kit::palette::viridis;
-use raybook::math::{interval::Interval, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch05_box::{BoxClip, BoxClipQuestion};
-use glam::vec3;
+use raybook_workbook::exercises::ch05_box::BoxClip;
 
 impl Graded for BoxClip {
+    fn random(rng: &mut Pcg) -> BoxClip {
+        let (center, half) = (
+            sample::point(rng, 3.0),
+            Vec3::splat(1.25) + sample::point(rng, 1.0),
+        );
+        let origin = center + sample::point(rng, 5.0);
+        let aim = center + sample::point(rng, 1.5) * half;
+        let max = sample::end(rng, 0.3, 1.0, 8.0);
+        BoxClip {
+            ray: Ray::new(origin, Dir3::new_or(aim - origin, Dir3::X)),
+            within: Interval::new(0.0, max),
+            min: center - half,
+            max: center + half,
+        }
+    }
+
+    fn judge(_q: &BoxClip, golden: &Option<Interval>, got: &Option<Interval>) -> Verdict {
+        judge::option(
+            "a part of the ray inside the box",
+            golden.as_ref(),
+            got.as_ref(),
+            |golden, got| {
+                judge::number("the entry", "m", golden.min, got.min)?;
+                judge::number("the exit", "m", golden.max, got.max)
+            },
+        )
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "does not swap the planes for a negative direction",
@@ -82,7 +109,7 @@ impl Graded for BoxClip {
             let toward = sample::pixel(x, y);
             let turned = vec3(0.8 * toward.x - 0.6, toward.y - 0.4, -0.8 + 0.6 * -toward.x);
             let ray = sample::ray(vec3(2.0, 1.4, 2.6), turned);
-            BoxClipQuestion {
+            BoxClip {
                 ray,
                 within: Interval::AHEAD,
                 min: vec3(-1.0, -0.6, -0.8),
@@ -95,30 +122,10 @@ impl Graded for BoxClip {
             })
         },
     }];
-
-    fn edges() -> Vec<Edge<Self>> {
-        box_clip_cases::edges()
-    }
-
-    fn random(rng: &mut Pcg) -> BoxClipQuestion {
-        box_clip_cases::random(rng)
-    }
-
-    fn judge(_q: &BoxClipQuestion, golden: &Option<Interval>, got: &Option<Interval>) -> Verdict {
-        judge::option(
-            "a part of the ray inside the box",
-            golden.as_ref(),
-            got.as_ref(),
-            |golden, got| {
-                judge::number("the entry", "m", golden.min, got.min)?;
-                judge::number("the exit", "m", golden.max, got.max)
-            },
-        )
-    }
 }
 
 /// Where the whole line enters and leaves the slab of an axis; by the right rule.
-fn slab(q: &BoxClipQuestion, axis: usize) -> (f32, f32) {
+fn slab(q: &BoxClip, axis: usize) -> (f32, f32) {
     let (o, d) = (q.ray.origin[axis], q.ray.direction[axis]);
     let (a, b) = ((q.min[axis] - o) / d, (q.max[axis] - o) / d);
     if d.is_sign_negative() { (b, a) } else { (a, b) }
@@ -126,7 +133,7 @@ fn slab(q: &BoxClipQuestion, axis: usize) -> (f32, f32) {
 
 /// Clips by three slabs, by a rule for the order of the planes and one for when there is anything left.
 fn slabs(
-    q: &BoxClipQuestion,
+    q: &BoxClip,
     order: fn(f32, f32, f32) -> (f32, f32),
     keep: fn(f32, f32) -> bool,
 ) -> Option<Interval> {

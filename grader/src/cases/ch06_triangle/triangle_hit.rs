@@ -1,16 +1,44 @@
-//! `triangle_hit`: its judge and mistakes.
+//! `triangle_hit`: random questions, judge and mistakes.
 
-use super::triangle_hit_cases;
-use crate::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
-use raybook::image::rgb::Rgb;
-use raybook::math::{interval::Interval, pcg::Pcg};
-use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch06_triangle::{
-    TriangleHit, TriangleHitAnswer, TriangleHitQuestion,
-};
+use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
 use glam::{Vec3, vec3};
+use raybook::image::rgb::Rgb;
+use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
+use raybook_workbook::exercise::Exercise;
+use raybook_workbook::exercises::ch06_triangle::{TriangleHit, TriangleHitAnswer};
 
 impl Graded for TriangleHit {
+    fn random(rng: &mut Pcg) -> TriangleHit {
+        let [p0, p1, p2] = std::array::from_fn(|_| sample::point(rng, 3.0));
+        let (b1, b2) = (
+            sample::number(rng, -0.3, 0.8),
+            sample::number(rng, -0.3, 0.8),
+        );
+        let aim = p0 + b1 * (p1 - p0) + b2 * (p2 - p0);
+        let origin = aim - sample::number(rng, 1.0, 6.0) * *sample::direction(rng);
+        let max = sample::end(rng, 0.2, 1.0, 5.0);
+        let direction = Dir3::new_or(aim - origin, Dir3::X);
+        TriangleHit {
+            ray: Ray::new(origin, direction),
+            within: Interval::new(0.0, max),
+            p0,
+            p1,
+            p2,
+        }
+    }
+
+    fn judge(
+        _q: &TriangleHit,
+        golden: &Option<TriangleHitAnswer>,
+        got: &Option<TriangleHitAnswer>,
+    ) -> Verdict {
+        judge::option("a hit", golden.as_ref(), got.as_ref(), |golden, got| {
+            judge::number("t", "m", golden.t, got.t)?;
+            judge::number("b1", "", golden.b1, got.b1)?;
+            judge::number("b2", "", golden.b2, got.b2)
+        })
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "forgets b1 + b2 <= 1",
@@ -92,7 +120,7 @@ impl Graded for TriangleHit {
         alt: "A triangle whose colours are the weights of its corners",
         question: |x, y| {
             let toward = sample::pixel(x, y);
-            TriangleHitQuestion {
+            TriangleHit {
                 ray: sample::ray(vec3(0.0, 0.0, 3.0), toward),
                 within: Interval::AHEAD,
                 p0: vec3(-1.7, -1.1, 0.3),
@@ -106,35 +134,15 @@ impl Graded for TriangleHit {
             })
         },
     }];
-
-    fn edges() -> Vec<Edge<Self>> {
-        triangle_hit_cases::edges()
-    }
-
-    fn random(rng: &mut Pcg) -> TriangleHitQuestion {
-        triangle_hit_cases::random(rng)
-    }
-
-    fn judge(
-        _q: &TriangleHitQuestion,
-        golden: &Option<TriangleHitAnswer>,
-        got: &Option<TriangleHitAnswer>,
-    ) -> Verdict {
-        judge::option("a hit", golden.as_ref(), got.as_ref(), |golden, got| {
-            judge::number("t", "m", golden.t, got.t)?;
-            judge::number("b1", "", golden.b1, got.b1)?;
-            judge::number("b2", "", golden.b2, got.b2)
-        })
-    }
 }
 
 /// Twice the triangle's area, as a vector along its normal.
-pub(super) fn normal(q: &TriangleHitQuestion) -> Vec3 {
+pub(super) fn normal(q: &TriangleHit) -> Vec3 {
     (q.p1 - q.p0).cross(q.p2 - q.p0)
 }
 
 /// The hit of the triangle's plane, if the weights there are to one's taste.
-fn plane(q: &TriangleHitQuestion, inside: fn(f32, f32) -> bool) -> Option<TriangleHitAnswer> {
+fn plane(q: &TriangleHit, inside: fn(f32, f32) -> bool) -> Option<TriangleHitAnswer> {
     let (n, e1, e2) = (normal(q), q.p1 - q.p0, q.p2 - q.p0);
     let t = n.dot(q.p0 - q.ray.origin) / n.dot(*q.ray.direction);
     let from_p0 = q.ray.at(t) - q.p0;

@@ -1,12 +1,23 @@
-//! `triangle_normal`: its cases, judge and mistakes.
+//! `triangle_normal`: random questions, judge and mistakes.
 
-use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::math::{dir3::Dir3, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch06_triangle::{TriangleNormal, TriangleQuestion};
-use glam::{Vec3, vec3};
+use raybook_workbook::exercises::ch06_triangle::TriangleNormal;
+use glam::Vec3;
 
 impl Graded for TriangleNormal {
+    fn random(rng: &mut Pcg) -> TriangleNormal {
+        let [p0, p1, p2] = std::array::from_fn(|_| sample::point(rng, 4.0));
+        TriangleNormal { p0, p1, p2 }
+    }
+
+    fn judge(_q: &TriangleNormal, golden: &Option<Vec3>, got: &Option<Vec3>) -> Verdict {
+        judge::option("a normal", golden.as_ref(), got.as_ref(), |golden, got| {
+            judge::direction("the normal", *golden, *got)
+        })
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "points to the other side",
@@ -39,35 +50,4 @@ impl Graded for TriangleNormal {
             answer: |q| TriangleNormal::answer(q).map(|_| (q.p1 - q.p0).normalize()),
         },
     ];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, p0, p1, p2| Edge::new(name, TriangleQuestion { p0, p1, p2 });
-        let (x, y, z) = (Vec3::X, Vec3::Y, Vec3::Z);
-        vec![
-            edge("counter-clockwise seen from +z", Vec3::ZERO, x, y),
-            edge("clockwise seen from +z", Vec3::ZERO, y, x),
-            edge("lying on the floor, face down", Vec3::ZERO, x, z),
-            edge(
-                "away from the origin",
-                vec3(5.0, 5.0, 5.0),
-                vec3(6.0, 5.0, 5.0),
-                vec3(5.0, 6.0, 5.0),
-            ),
-            edge("a small one", Vec3::ZERO, 0.001 * x, 0.001 * z),
-            edge("a large one", Vec3::ZERO, 1000.0 * y, 1000.0 * z),
-            edge("three corners on a line", Vec3::ZERO, x, 2.0 * x),
-            edge("a single point", y, y, y),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> TriangleQuestion {
-        let [p0, p1, p2] = std::array::from_fn(|_| sample::point(rng, 4.0));
-        TriangleQuestion { p0, p1, p2 }
-    }
-
-    fn judge(_q: &TriangleQuestion, golden: &Option<Vec3>, got: &Option<Vec3>) -> Verdict {
-        judge::option("a normal", golden.as_ref(), got.as_ref(), |golden, got| {
-            judge::direction("the normal", *golden, *got)
-        })
-    }
 }

@@ -1,12 +1,29 @@
-//! `interpolate_normal`: its cases, judge and mistakes.
+//! `interpolate_normal`: random questions, judge and mistakes.
 
-use super::{PLACES, place};
-use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use super::place;
+use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::math::{dir3::Dir3, pcg::Pcg};
-use raybook_workbook::exercises::ch07_mesh::{InterpolateNormal, InterpolateNormalQuestion};
-use glam::{Vec3, vec3};
+use raybook_workbook::exercises::ch07_mesh::InterpolateNormal;
+use glam::Vec3;
 
 impl Graded for InterpolateNormal {
+    fn random(rng: &mut Pcg) -> InterpolateNormal {
+        // Three normals of one hemisphere, as on a smooth mesh.
+        let around = *sample::direction(rng);
+        let mut normal = || Dir3::new_or(around + 0.9 * *sample::direction(rng), Dir3::Y);
+        let (n0, n1, n2) = (normal(), normal(), normal());
+        InterpolateNormal {
+            n0,
+            n1,
+            n2,
+            b: place(rng),
+        }
+    }
+
+    fn judge(_q: &InterpolateNormal, golden: &Vec3, got: &Vec3) -> Verdict {
+        judge::direction("the normal", *golden, *got)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "forgets to normalise",
@@ -39,38 +56,8 @@ impl Graded for InterpolateNormal {
             answer: |q| *q.n0,
         },
     ];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let normals = [
-            vec3(0.0, 1.0, 0.0),
-            vec3(1.0, 1.0, 0.0),
-            vec3(0.0, 0.5, 1.0),
-        ]
-        .map(|n| Dir3::new_or(n, Dir3::Y));
-        let [n0, n1, n2] = normals;
-        PLACES
-            .map(|(name, b)| Edge::new(name, InterpolateNormalQuestion { n0, n1, n2, b }))
-            .into()
-    }
-
-    fn random(rng: &mut Pcg) -> InterpolateNormalQuestion {
-        // Three normals of one hemisphere, as on a smooth mesh.
-        let around = *sample::direction(rng);
-        let mut normal = || Dir3::new_or(around + 0.9 * *sample::direction(rng), Dir3::Y);
-        let (n0, n1, n2) = (normal(), normal(), normal());
-        InterpolateNormalQuestion {
-            n0,
-            n1,
-            n2,
-            b: place(rng),
-        }
-    }
-
-    fn judge(_q: &InterpolateNormalQuestion, golden: &Vec3, got: &Vec3) -> Verdict {
-        judge::direction("the normal", *golden, *got)
-    }
 }
 
-fn mix(q: &InterpolateNormalQuestion, w0: f32, w1: f32, w2: f32) -> Vec3 {
+fn mix(q: &InterpolateNormal, w0: f32, w1: f32, w2: f32) -> Vec3 {
     w0 * *q.n0 + w1 * *q.n1 + w2 * *q.n2
 }

@@ -1,13 +1,33 @@
-//! `interpolate_texture`: its cases, judge and mistakes.
+//! `interpolate_texture`: random questions, judge and mistakes.
 
-use super::{PLACES, place};
-use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use super::place;
+use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch07_mesh::{InterpolateTexture, InterpolateTextureQuestion};
+use raybook_workbook::exercises::ch07_mesh::InterpolateTexture;
 use glam::{Vec2, vec2};
 
 impl Graded for InterpolateTexture {
+    fn random(rng: &mut Pcg) -> InterpolateTexture {
+        let mut texture = || {
+            vec2(
+                sample::number(rng, -1.0, 3.0),
+                sample::number(rng, -1.0, 3.0),
+            )
+        };
+        let (t0, t1, t2) = (texture(), texture(), texture());
+        InterpolateTexture {
+            t0,
+            t1,
+            t2,
+            b: place(rng),
+        }
+    }
+
+    fn judge(_q: &InterpolateTexture, golden: &Vec2, got: &Vec2) -> Verdict {
+        judge::pair(["u", "v"], *golden, *got)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "gives the weights to the wrong corners",
@@ -50,31 +70,4 @@ impl Graded for InterpolateTexture {
             answer: |q| q.t0 + q.b.x * q.t1 + q.b.y * q.t2,
         },
     ];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let (t0, t1, t2) = (vec2(0.25, 0.5), vec2(2.0, 0.75), vec2(0.5, -1.0));
-        PLACES
-            .map(|(name, b)| Edge::new(name, InterpolateTextureQuestion { t0, t1, t2, b }))
-            .into()
-    }
-
-    fn random(rng: &mut Pcg) -> InterpolateTextureQuestion {
-        let mut texture = || {
-            vec2(
-                sample::number(rng, -1.0, 3.0),
-                sample::number(rng, -1.0, 3.0),
-            )
-        };
-        let (t0, t1, t2) = (texture(), texture(), texture());
-        InterpolateTextureQuestion {
-            t0,
-            t1,
-            t2,
-            b: place(rng),
-        }
-    }
-
-    fn judge(_q: &InterpolateTextureQuestion, golden: &Vec2, got: &Vec2) -> Verdict {
-        judge::pair(["u", "v"], *golden, *got)
-    }
 }

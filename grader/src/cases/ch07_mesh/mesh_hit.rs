@@ -1,15 +1,42 @@
-//! `mesh_hit`: its cases, judge and mistakes.
+//! `mesh_hit`: random questions, judge and mistakes.
 
-use crate::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
+use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
 use raybook::image::rgb::Rgb;
 use raybook_chapters::kit::palette::viridis;
 use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch07_mesh::{Corners, MeshHit, MeshHitAnswer, MeshHitQuestion};
+use raybook_workbook::exercises::ch07_mesh::{Corners, MeshHit, MeshHitAnswer};
 use glam::{Vec3, vec3};
 use rand::RngExt;
 
 impl Graded for MeshHit {
+    fn random(rng: &mut Pcg) -> MeshHit {
+        let count = rng.random_range(2..7);
+        let corners = |rng: &mut Pcg| std::array::from_fn(|_| sample::point(rng, 2.5));
+        let triangles = (0..count)
+            .map(|_| {
+                let [p0, p1, p2] = corners(rng);
+                Corners { p0, p1, p2 }
+            })
+            .collect::<Vec<_>>();
+        let max = sample::end(rng, 0.3, 1.0, 4.0);
+        let origin = sample::point(rng, 3.0);
+        let direction = Dir3::new_or(sample::point(rng, 1.0) - origin, Dir3::X);
+        MeshHit {
+            ray: Ray::new(origin, direction),
+            within: Interval::new(0.0, max),
+            triangles,
+        }
+    }
+
+    fn judge(
+        _q: &MeshHit,
+        golden: &Option<MeshHitAnswer>,
+        got: &Option<MeshHitAnswer>,
+    ) -> Verdict {
+        judge::nearest(golden.as_ref(), got.as_ref())
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "returns the first hit in the list",
@@ -62,7 +89,7 @@ impl Graded for MeshHit {
                 .map(|p| p + by);
                 Corners { p0, p1, p2 }
             };
-            MeshHitQuestion {
+            MeshHit {
                 ray: sample::ray(vec3(0.0, 0.0, 3.0), toward),
                 within: Interval::AHEAD,
                 triangles: [
@@ -79,74 +106,12 @@ impl Graded for MeshHit {
                 .map_or(Rgb::gray(0.1), |hit| viridis(0.2 + 0.35 * hit.id as f32))
         },
     }];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let wall = |z: f32| Corners {
-            p0: vec3(-2.0, -2.0, z),
-            p1: vec3(2.0, -2.0, z),
-            p2: vec3(0.0, 3.0, z),
-        };
-        let question = |walls: &[f32], within| MeshHitQuestion {
-            ray: Ray::new(Vec3::ZERO, Dir3::Z),
-            within,
-            triangles: walls.iter().map(|&z| wall(z)).collect(),
-        };
-        let ahead = Interval::AHEAD;
-        vec![
-            Edge::new("near before far", question(&[2.0, 5.0], ahead)),
-            Edge::new("far before near", question(&[5.0, 2.0], ahead)),
-            Edge::new(
-                "the nearest in the middle",
-                question(&[7.0, 3.0, 5.0], ahead),
-            ),
-            Edge::new("one behind the origin", question(&[-1.0, 4.0], ahead)),
-            Edge::new("a single triangle", question(&[3.0], ahead)),
-            Edge::new("an empty list", question(&[], ahead)),
-            Edge::new(
-                "all beyond the interval",
-                question(&[5.0, 6.0], Interval::new(0.0, 4.0)),
-            ),
-            Edge::new(
-                "the nearest lies before the interval",
-                question(&[2.0, 6.0], Interval::new(3.0, 9.0)),
-            ),
-            Edge::new("two at the same distance", question(&[3.0, 3.0], ahead))
-                .or(Some(MeshHitAnswer { t: 3.0, id: 1 })),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> MeshHitQuestion {
-        let count = rng.random_range(2..7);
-        let corners = |rng: &mut Pcg| std::array::from_fn(|_| sample::point(rng, 2.5));
-        let triangles = (0..count)
-            .map(|_| {
-                let [p0, p1, p2] = corners(rng);
-                Corners { p0, p1, p2 }
-            })
-            .collect::<Vec<_>>();
-        let max = sample::end(rng, 0.3, 1.0, 4.0);
-        let origin = sample::point(rng, 3.0);
-        let direction = Dir3::new_or(sample::point(rng, 1.0) - origin, Dir3::X);
-        MeshHitQuestion {
-            ray: Ray::new(origin, direction),
-            within: Interval::new(0.0, max),
-            triangles,
-        }
-    }
-
-    fn judge(
-        _q: &MeshHitQuestion,
-        golden: &Option<MeshHitAnswer>,
-        got: &Option<MeshHitAnswer>,
-    ) -> Verdict {
-        judge::nearest(golden.as_ref(), got.as_ref())
-    }
 }
 
 /// The hit of each triangle that is hit, in the order of the list.
-fn hits(q: &MeshHitQuestion) -> impl Iterator<Item = MeshHitAnswer> {
+fn hits(q: &MeshHit) -> impl Iterator<Item = MeshHitAnswer> {
     q.triangles.iter().zip(0..).filter_map(|(triangle, id)| {
-        let alone = MeshHitQuestion {
+        let alone = MeshHit {
             triangles: vec![triangle.clone()],
             ..q.clone()
         };

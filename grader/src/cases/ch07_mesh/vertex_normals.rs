@@ -1,12 +1,54 @@
-//! `vertex_normals`: its cases, judge and mistakes.
+//! `vertex_normals`: random questions, judge and mistakes.
 
-use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::math::pcg::Pcg;
-use raybook_workbook::exercises::ch07_mesh::{Indices, MeshQuestion, VertexNormals};
+use raybook_workbook::exercises::ch07_mesh::{Indices, VertexNormals};
 use glam::{Vec3, vec3};
 use rand::RngExt;
 
 impl Graded for VertexNormals {
+    fn random(rng: &mut Pcg) -> VertexNormals {
+        // A fan around vertex 0: a bumpy cone, whose triangles differ in size.
+        let count = rng.random_range(3..7_u32);
+        let rim = (0..count).map(|i| {
+            let angle = std::f32::consts::TAU * i as f32 / count as f32;
+            let radius = sample::number(rng, 0.4, 2.5);
+            vec3(
+                radius * angle.cos(),
+                sample::number(rng, -1.5, 0.5),
+                radius * angle.sin(),
+            )
+        });
+        let positions = std::iter::once(vec3(0.1, 0.8, -0.2))
+            .chain(rim.collect::<Vec<_>>())
+            .collect();
+        let triangles = (0..count)
+            .map(|i| Indices {
+                a: 0,
+                b: 1 + (i + 1) % count,
+                c: 1 + i,
+            })
+            .collect();
+        VertexNormals {
+            positions,
+            triangles,
+        }
+    }
+
+    fn judge(_q: &VertexNormals, golden: &Vec<Vec3>, got: &Vec<Vec3>) -> Verdict {
+        if golden.len() != got.len() {
+            return Err(format!(
+                "there are {} vertices, but you returned {} normals",
+                golden.len(),
+                got.len()
+            ));
+        }
+        let mut pairs = golden.iter().zip(got).enumerate();
+        pairs.try_for_each(|(i, (golden, got))| {
+            judge::direction(&format!("the normal of vertex {i}"), *golden, *got)
+        })
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "gives every triangle the same weight",
@@ -69,101 +111,11 @@ impl Graded for VertexNormals {
             },
         },
     ];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, positions: &[Vec3], triangles: &[[u32; 3]]| {
-            Edge::new(
-                name,
-                MeshQuestion {
-                    positions: positions.to_vec(),
-                    triangles: triangles
-                        .iter()
-                        .map(|&[a, b, c]| Indices { a, b, c })
-                        .collect(),
-                },
-            )
-        };
-        let square = [Vec3::ZERO, Vec3::X, vec3(1.0, 1.0, 0.0), Vec3::Y];
-        let roof = [
-            Vec3::ZERO,
-            vec3(0.0, 0.0, 1.0),
-            vec3(-4.0, -1.0, 0.5),
-            vec3(0.5, -1.0, 0.5),
-        ];
-        let tetrahedron = [Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z];
-        vec![
-            edge("one triangle", &square[..3], &[[0, 1, 2]]),
-            edge("a flat square", &square, &[[0, 1, 2], [0, 2, 3]]),
-            edge(
-                "a roof with a large and a small side",
-                &roof,
-                &[[0, 2, 1], [0, 1, 3]],
-            ),
-            edge(
-                "a tetrahedron",
-                &tetrahedron,
-                &[[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]],
-            ),
-            edge("a vertex without triangles", &square, &[[0, 1, 2]]),
-            edge(
-                "a triangle without area adds nothing",
-                &square,
-                &[[0, 1, 2], [0, 2, 2]],
-            ),
-            edge(
-                "two sides that cancel out",
-                &square[..3],
-                &[[0, 1, 2], [0, 2, 1]],
-            ),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> MeshQuestion {
-        // A fan around vertex 0: a bumpy cone, whose triangles differ in size.
-        let count = rng.random_range(3..7_u32);
-        let rim = (0..count).map(|i| {
-            let angle = std::f32::consts::TAU * i as f32 / count as f32;
-            let radius = sample::number(rng, 0.4, 2.5);
-            vec3(
-                radius * angle.cos(),
-                sample::number(rng, -1.5, 0.5),
-                radius * angle.sin(),
-            )
-        });
-        let positions = std::iter::once(vec3(0.1, 0.8, -0.2))
-            .chain(rim.collect::<Vec<_>>())
-            .collect();
-        let triangles = (0..count)
-            .map(|i| Indices {
-                a: 0,
-                b: 1 + (i + 1) % count,
-                c: 1 + i,
-            })
-            .collect();
-        MeshQuestion {
-            positions,
-            triangles,
-        }
-    }
-
-    fn judge(_q: &MeshQuestion, golden: &Vec<Vec3>, got: &Vec<Vec3>) -> Verdict {
-        if golden.len() != got.len() {
-            return Err(format!(
-                "there are {} vertices, but you returned {} normals",
-                golden.len(),
-                got.len()
-            ));
-        }
-        let mut pairs = golden.iter().zip(got).enumerate();
-        pairs.try_for_each(|(i, (golden, got))| {
-            judge::direction(&format!("the normal of vertex {i}"), *golden, *got)
-        })
-    }
 }
 
 /// Each triangle's corners, and a vector made of its edges.
 fn faces(
-    q: &MeshQuestion,
+    q: &VertexNormals,
     vector: fn(Vec3, Vec3) -> Vec3,
 ) -> impl Iterator<Item = ([usize; 3], Vec3)> {
     q.triangles.iter().map(move |t| {
@@ -174,7 +126,7 @@ fn faces(
 }
 
 /// Per vertex, the sum of its triangles' vectors.
-fn sums(q: &MeshQuestion, vector: fn(Vec3, Vec3) -> Vec3) -> Vec<Vec3> {
+fn sums(q: &VertexNormals, vector: fn(Vec3, Vec3) -> Vec3) -> Vec<Vec3> {
     let mut sums = vec![Vec3::ZERO; q.positions.len()];
     for (corners, vector) in faces(q, vector) {
         for i in corners {
@@ -184,7 +136,7 @@ fn sums(q: &MeshQuestion, vector: fn(Vec3, Vec3) -> Vec3) -> Vec<Vec3> {
     sums
 }
 
-pub(super) fn normals(q: &MeshQuestion, vector: fn(Vec3, Vec3) -> Vec3) -> Vec<Vec3> {
+pub(super) fn normals(q: &VertexNormals, vector: fn(Vec3, Vec3) -> Vec3) -> Vec<Vec3> {
     sums(q, vector)
         .into_iter()
         .map(|sum| sum.normalize_or(Vec3::Y))

@@ -1,13 +1,42 @@
-//! `grid_resolution`: its cases, judge and mistakes.
+//! `grid_resolution`: random questions, judge and mistakes.
 
-use crate::{Edge, Graded, Mistake, Verdict, sample};
+use crate::{Graded, Mistake, Verdict, sample};
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch08_grid::{Cell, GridResolution, GridResolutionQuestion};
-use glam::{Vec3, vec3};
+use raybook_workbook::exercises::ch08_grid::{Cell, GridResolution};
+use glam::Vec3;
 use rand::RngExt;
 
 impl Graded for GridResolution {
+    fn random(rng: &mut Pcg) -> GridResolution {
+        let mut extents = sample::point(rng, 6.0) + 6.5;
+        if rng.random_bool(0.3) {
+            let axis = rng.random_range(0..3_usize);
+            extents[axis] *= sample::number(rng, 0.0001, 0.01);
+        }
+        GridResolution {
+            extents,
+            shapes: rng.random_range(2..60_000),
+            density: sample::number(rng, 0.5, 10.0),
+        }
+    }
+
+    fn judge(q: &GridResolution, golden: &Cell, got: &Cell) -> Verdict {
+        for (axis, golden, got) in [
+            ("x", golden.x, got.x),
+            ("y", golden.y, got.y),
+            ("z", golden.z, got.z),
+        ] {
+            if golden != got {
+                return Err(format!(
+                    "there are {got} cells along {axis}, and should be {golden}: {} cells of about one size in each direction",
+                    cells(q)
+                ));
+            }
+        }
+        Ok(())
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "gives every axis the same number",
@@ -59,66 +88,10 @@ impl Graded for GridResolution {
             },
         },
     ];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, extents, shapes, density| {
-            Edge::new(
-                name,
-                GridResolutionQuestion {
-                    extents,
-                    shapes,
-                    density,
-                },
-            )
-        };
-        vec![
-            edge("a cube", Vec3::splat(2.0), 1000, 1.0),
-            edge("a cube, eight cells a shape", Vec3::splat(0.5), 1000, 8.0),
-            edge("a long hall", vec3(40.0, 10.0, 5.0), 3000, 4.0),
-            edge("a flat square", vec3(10.0, 0.0, 10.0), 900, 4.0),
-            edge("a thin terrain", vec3(10.0, 0.01, 20.0), 2000, 5.0),
-            edge("a stick", vec3(0.0, 3.0, 0.0), 50, 2.0),
-            edge("a thin stick", vec3(0.02, 3.0, 0.001), 50, 2.0),
-            edge("one point", Vec3::ZERO, 10, 5.0),
-            edge("one shape", vec3(1.0, 1.3, 0.7), 1, 5.0),
-            edge("no shape", Vec3::ONE, 0, 5.0),
-            edge("a grain", vec3(2e-4, 1e-4, 1.3e-4), 500, 5.0),
-            edge("fewer cells than shapes", vec3(3.0, 2.0, 1.0), 5000, 0.1),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> GridResolutionQuestion {
-        let mut extents = sample::point(rng, 6.0) + 6.5;
-        if rng.random_bool(0.3) {
-            let axis = rng.random_range(0..3_usize);
-            extents[axis] *= sample::number(rng, 0.0001, 0.01);
-        }
-        GridResolutionQuestion {
-            extents,
-            shapes: rng.random_range(2..60_000),
-            density: sample::number(rng, 0.5, 10.0),
-        }
-    }
-
-    fn judge(q: &GridResolutionQuestion, golden: &Cell, got: &Cell) -> Verdict {
-        for (axis, golden, got) in [
-            ("x", golden.x, got.x),
-            ("y", golden.y, got.y),
-            ("z", golden.z, got.z),
-        ] {
-            if golden != got {
-                return Err(format!(
-                    "there are {got} cells along {axis}, and should be {golden}: {} cells of about one size in each direction",
-                    cells(q)
-                ));
-            }
-        }
-        Ok(())
-    }
 }
 
 /// λN.
-pub(super) fn cells(q: &GridResolutionQuestion) -> f32 {
+pub(super) fn cells(q: &GridResolution) -> f32 {
     q.density * q.shapes as f32
 }
 
@@ -128,7 +101,7 @@ fn whole(along: Vec3, round: fn(f32) -> f32) -> Cell {
 }
 
 /// What is to be rounded: it is right up to the last step.
-fn share(q: &GridResolutionQuestion) -> Vec3 {
+fn share(q: &GridResolution) -> Vec3 {
     let mut thick = Vec3::from([0, 1, 2].map(|i| f32::from(u8::from(q.extents[i] > 0.0))));
     loop {
         let root = |x: f32| x.powf(1.0 / thick.element_sum());

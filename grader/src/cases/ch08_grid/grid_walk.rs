@@ -1,16 +1,81 @@
-//! `grid_walk`: its judge and mistakes.
+//! `grid_walk`: random questions, judge and mistakes.
 
-use super::grid_walk_cases;
-use super::grid_walk_student::{ahead, least, student};
-use crate::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
+use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
+use glam::{UVec3, uvec3, vec3};
+use rand::RngExt;
+use raybook::inside::grid::Lattice;
 use raybook::image::rgb::Rgb;
+use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray, slab};
 use raybook_chapters::kit::palette::viridis;
-use raybook::math::{interval::Interval, pcg::Pcg, slab};
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch08_grid::{GridWalk, GridWalkQuestion, Visit};
-use glam::vec3;
+use raybook_workbook::exercises::ch08_grid::{GridWalk, Visit};
 
 impl Graded for GridWalk {
+    fn random(rng: &mut Pcg) -> GridWalk {
+        let mut count = || rng.random_range(1..7_u32);
+        let n = uvec3(count(), count(), count());
+        let cell = vec3(1.0, 0.7, 1.2) * sample::number(rng, 0.4, 1.5);
+        let min = sample::point(rng, 3.0);
+        let (center, half) = (min + 0.5 * n.as_vec3() * cell, 0.5 * n.as_vec3() * cell);
+        let origin = center + sample::point(rng, 1.8) * half;
+        let aim = center + sample::point(rng, 0.9) * half;
+        let ray = Ray::new(origin, Dir3::new_or(aim - origin, Dir3::X));
+        let bounds = Aabb {
+            min,
+            max: min + 2.0 * half,
+        };
+        // From the middle of what is inside, or up to there.
+        let inside = slab::clip(&bounds, &ray, Interval::AHEAD).unwrap_or(Interval::AHEAD);
+        let middle = 0.5 * (inside.min + inside.max);
+        let within = match rng.random_range(0..6) {
+            0 => Interval::new(0.0, middle),
+            1 | 2 => Interval::new(middle, f32::INFINITY),
+            _ => Interval::AHEAD,
+        };
+        GridWalk {
+            min,
+            cell,
+            nx: n.x,
+            ny: n.y,
+            nz: n.z,
+            ray,
+            within,
+        }
+    }
+
+    fn judge(q: &GridWalk, golden: &Vec<Visit>, got: &Vec<Visit>) -> Verdict {
+        let (right, yours) = (passed(q, golden), passed(q, got));
+        for (i, golden) in right.iter().enumerate() {
+            let cell = golden.cell();
+            let Some(got) = yours.get(i) else {
+                return Err(format!(
+                    "your walk ends after {i} cells, and the ray goes on through cell {cell}"
+                ));
+            };
+            if got.cell() != cell {
+                return Err(format!(
+                    "cell {} of your walk is {}, and the ray passes through {cell} there",
+                    i + 1,
+                    got.cell()
+                ));
+            }
+            judge::number(
+                &format!("the distance at which it leaves {cell}"),
+                "m",
+                golden.leave,
+                got.leave,
+            )?;
+        }
+        match yours.get(right.len()) {
+            Some(more) => Err(format!(
+                "your walk goes on to cell {}, but the ray is through after {} cells",
+                more.cell(),
+                right.len()
+            )),
+            None => Ok(()),
+        }
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "skips the first cell",
@@ -98,7 +163,7 @@ impl Graded for GridWalk {
         question: |x, y| {
             let toward = vec3((x as f32 - 47.5) / 54.0, (26.5 - y as f32) / 54.0, -1.2);
             let turned = vec3(0.8 * toward.x - 0.6, toward.y - 0.45, -0.8 - 0.6 * toward.x);
-            GridWalkQuestion {
+            GridWalk {
                 min: vec3(-1.0, -0.7, -1.0),
                 cell: vec3(0.25, 0.28, 0.25),
                 nx: 8,
@@ -116,52 +181,11 @@ impl Graded for GridWalk {
             }
         },
     }];
-
-    fn edges() -> Vec<Edge<Self>> {
-        grid_walk_cases::edges()
-    }
-
-    fn random(rng: &mut Pcg) -> GridWalkQuestion {
-        grid_walk_cases::random(rng)
-    }
-
-    fn judge(q: &GridWalkQuestion, golden: &Vec<Visit>, got: &Vec<Visit>) -> Verdict {
-        let (right, yours) = (passed(q, golden), passed(q, got));
-        for (i, golden) in right.iter().enumerate() {
-            let cell = golden.cell();
-            let Some(got) = yours.get(i) else {
-                return Err(format!(
-                    "your walk ends after {i} cells, and the ray goes on through cell {cell}"
-                ));
-            };
-            if got.cell() != cell {
-                return Err(format!(
-                    "cell {} of your walk is {}, and the ray passes through {cell} there",
-                    i + 1,
-                    got.cell()
-                ));
-            }
-            judge::number(
-                &format!("the distance at which it leaves {cell}"),
-                "m",
-                golden.leave,
-                got.leave,
-            )?;
-        }
-        match yours.get(right.len()) {
-            Some(more) => Err(format!(
-                "your walk goes on to cell {}, but the ray is through after {} cells",
-                more.cell(),
-                right.len()
-            )),
-            None => Ok(()),
-        }
-    }
 }
 
 /// The visits without those of cells that the ray only touches, as in an edge or a corner: in which order these come,
 /// and whether they do, is left to rounding.
-fn passed(q: &GridWalkQuestion, visits: &[Visit]) -> Vec<Visit> {
+fn passed(q: &GridWalk, visits: &[Visit]) -> Vec<Visit> {
     let touch = 1e-3 * q.cell.min_element();
     let mut enter = start(q);
     let mut passed = Vec::new();
@@ -176,13 +200,65 @@ fn passed(q: &GridWalkQuestion, visits: &[Visit]) -> Vec<Visit> {
 }
 
 /// Where the ray enters the lattice, or the interval begins.
-fn start(q: &GridWalkQuestion) -> f32 {
+fn start(q: &GridWalk) -> f32 {
     slab::clip(&q.lattice().bounds(), &q.ray, q.within).map_or(q.within.min, |inside| inside.min)
 }
 
-fn walked(q: &GridWalkQuestion, within: Interval) -> Vec<Visit> {
-    GridWalk::answer(&GridWalkQuestion {
+fn walked(q: &GridWalk, within: Interval) -> Vec<Visit> {
+    GridWalk::answer(&GridWalk {
         within,
         ..q.clone()
     })
+}
+
+/// The number of the plane that the ray meets next, from that of its cell.
+fn ahead(backward: bool, cell: i64) -> i64 {
+    if backward { cell } else { cell + 1 }
+}
+
+fn least(next: [f32; 3]) -> usize {
+    (0..3)
+        .min_by(|&a, &b| next[a].total_cmp(&next[b]))
+        .unwrap_or(0)
+}
+
+/// A walk with a plane and an axis of the student's choice.
+fn student(
+    q: &GridWalk,
+    plane: fn(bool, i64) -> i64,
+    choose: fn([f32; 3]) -> usize,
+) -> Vec<Visit> {
+    let lattice: Lattice = q.lattice();
+    let Some(inside) = slab::clip(&lattice.bounds(), &q.ray, q.within) else {
+        return Vec::new();
+    };
+    let mut cell = lattice.cell_at(q.ray.at(inside.min));
+    let mut visits = Vec::new();
+    for _ in 0..lattice.resolution.element_sum() {
+        let next = [0, 1, 2].map(|axis| {
+            let (o, d) = (q.ray.origin[axis], q.ray.direction[axis]);
+            let number = plane(d.is_sign_negative(), i64::from(cell[axis])) as f32;
+            let t = (lattice.min[axis] + number * lattice.cell[axis] - o) / d;
+            if t.is_nan() { f32::INFINITY } else { t }
+        });
+        let axis = choose(next);
+        let leave = next[axis].min(q.within.max);
+        let UVec3 { x, y, z } = cell;
+        visits.push(Visit { x, y, z, leave });
+        let forward = !q.ray.direction[axis].is_sign_negative();
+        let last = if forward {
+            lattice.resolution[axis] - 1
+        } else {
+            0
+        };
+        if leave >= q.within.max || cell[axis] == last {
+            break;
+        }
+        cell[axis] = if forward {
+            cell[axis] + 1
+        } else {
+            cell[axis] - 1
+        };
+    }
+    visits
 }

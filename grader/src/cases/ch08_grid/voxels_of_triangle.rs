@@ -1,16 +1,70 @@
-//! `voxels_of_triangle`: its judge and mistakes.
+//! `voxels_of_triangle`: random questions, judge and mistakes.
 
-use super::voxels_of_triangle_cases;
-use raybook::accel::grid::build;
-use raybook::accel::lattice::range;
-use crate::{Edge, Graded, Mistake, Verdict};
-use raybook::math::aabb::Aabb;
-use raybook::math::pcg::Pcg;
-use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch08_grid::{Cell, VoxelsOfTriangle, VoxelsOfTriangleQuestion};
+use crate::{Graded, Mistake, Verdict, sample};
 use glam::{UVec3, Vec3, uvec3, vec3};
+use rand::RngExt;
+use raybook::inside::grid::{self, range};
+use raybook::math::{aabb::Aabb, pcg::Pcg};
+use raybook_workbook::exercise::Exercise;
+use raybook_workbook::exercises::ch08_grid::{Cell, VoxelsOfTriangle};
 
 impl Graded for VoxelsOfTriangle {
+    fn random(rng: &mut Pcg) -> VoxelsOfTriangle {
+        let cell = vec3(1.0, 0.8, 1.1) * sample::number(rng, 0.5, 1.5);
+        let min = sample::point(rng, 3.0);
+        let n = uvec3(
+            rng.random_range(2..6),
+            rng.random_range(2..6),
+            rng.random_range(2..5),
+        );
+        let extents = n.as_vec3() * cell;
+        let center = min + 0.5 * extents;
+        let half = 0.5 * sample::number(rng, 0.5, 1.1) * extents;
+        let mut corner = || center + sample::point(rng, 1.0) * half;
+        let (p0, p1, p2) = (corner(), corner(), corner());
+        VoxelsOfTriangle {
+            min,
+            cell,
+            nx: n.x,
+            ny: n.y,
+            nz: n.z,
+            margin: sample::number(rng, 0.0, 0.15),
+            p0,
+            p1,
+            p2,
+        }
+    }
+
+    fn judge(q: &VoxelsOfTriangle, _golden: &Vec<Cell>, got: &Vec<Cell>) -> Verdict {
+        // A cell that the triangle only touches is nobody's fault: these must be there, and only those may be.
+        let hair = 1e-4 * (q.cell.max_element() + q.min.abs().max_element());
+        let with = |margin| grid::voxels_of_triangle(&q.lattice(), margin, &[q.p0, q.p1, q.p2]);
+        let (must, may) = (with(q.margin - hair), with(q.margin + hair));
+        let got: Vec<_> = got.iter().map(|c| uvec3(c.x, c.y, c.z)).collect();
+        for (i, cell) in got.iter().enumerate() {
+            if got[..i].contains(cell) {
+                return Err(format!("cell {cell} is there twice"));
+            }
+            if cell.cmpge(q.lattice().resolution).any() {
+                return Err(format!(
+                    "cell {cell} is not in the lattice, whose last cell is {}",
+                    q.lattice().resolution - 1
+                ));
+            }
+            if !may.contains(cell) {
+                return Err(format!(
+                    "cell {cell} is one too many: the triangle does not reach it"
+                ));
+            }
+        }
+        match must.iter().find(|&cell| !got.contains(cell)) {
+            Some(cell) => Err(format!(
+                "cell {cell} is missing: the triangle reaches into it"
+            )),
+            None => Ok(()),
+        }
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "takes all cells of the bounding box",
@@ -75,48 +129,10 @@ impl Graded for VoxelsOfTriangle {
             answer: |q| Self::misread(q, |q| q.min = Vec3::ZERO),
         },
     ];
-
-    fn edges() -> Vec<Edge<Self>> {
-        voxels_of_triangle_cases::edges()
-    }
-
-    fn random(rng: &mut Pcg) -> VoxelsOfTriangleQuestion {
-        voxels_of_triangle_cases::random(rng)
-    }
-
-    fn judge(q: &VoxelsOfTriangleQuestion, _golden: &Vec<Cell>, got: &Vec<Cell>) -> Verdict {
-        // A cell that the triangle only touches is nobody's fault: these must be there, and only those may be.
-        let hair = 1e-4 * (q.cell.max_element() + q.min.abs().max_element());
-        let with = |margin| build::voxels_of_triangle(&q.lattice(), margin, &[q.p0, q.p1, q.p2]);
-        let (must, may) = (with(q.margin - hair), with(q.margin + hair));
-        let got: Vec<_> = got.iter().map(|c| uvec3(c.x, c.y, c.z)).collect();
-        for (i, cell) in got.iter().enumerate() {
-            if got[..i].contains(cell) {
-                return Err(format!("cell {cell} is there twice"));
-            }
-            if cell.cmpge(q.lattice().resolution).any() {
-                return Err(format!(
-                    "cell {cell} is not in the lattice, whose last cell is {}",
-                    q.lattice().resolution - 1
-                ));
-            }
-            if !may.contains(cell) {
-                return Err(format!(
-                    "cell {cell} is one too many: the triangle does not reach it"
-                ));
-            }
-        }
-        match must.iter().find(|&cell| !got.contains(cell)) {
-            Some(cell) => Err(format!(
-                "cell {cell} is missing: the triangle reaches into it"
-            )),
-            None => Ok(()),
-        }
-    }
 }
 
 /// The cells of the triangle's bounding box, grown by the margin, that a test keeps.
-fn kept(q: &VoxelsOfTriangleQuestion, keep: impl Fn(Aabb, [Vec3; 3]) -> bool) -> Vec<Cell> {
+fn kept(q: &VoxelsOfTriangle, keep: impl Fn(Aabb, [Vec3; 3]) -> bool) -> Vec<Cell> {
     let (lattice, corners) = (q.lattice(), [q.p0, q.p1, q.p2]);
     let bounds = Aabb::of(corners).grown(q.margin);
     let (first, last) = lattice.cells_of(&bounds);

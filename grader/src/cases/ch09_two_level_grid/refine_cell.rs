@@ -1,23 +1,97 @@
-//! `refine_cell`: its mistakes.
+//! `refine_cell`: random questions, judge and mistakes.
 
-use super::refine_cell_cases;
-use super::refine_cell_judge::{self, depth};
-use raybook::accel::lattice::Lattice;
-use crate::{Edge, Graded, Mistake, Verdict};
+use crate::{Graded, Mistake, Verdict, sample};
+use glam::{UVec3, vec3};
+use rand::RngExt;
+use raybook::inside::grid::Lattice;
 use raybook::math::{aabb::Aabb, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch05_box::Corners;
-use raybook_workbook::exercises::ch09_two_level_grid::{
-    Entry, RefineCell, RefineCellAnswer, RefineCellQuestion,
-};
-use glam::UVec3;
+use raybook_workbook::exercises::ch09_two_level_grid::{Entry, RefineCell, RefineCellAnswer};
 
 /// The reference's answer with other boxes.
-fn with_shapes(q: &RefineCellQuestion, shape: impl Fn(&Corners) -> Corners) -> RefineCellAnswer {
+fn with_shapes(q: &RefineCell, shape: impl Fn(&Corners) -> Corners) -> RefineCellAnswer {
     RefineCell::misread(q, |q| q.shapes = q.shapes.iter().map(shape).collect())
 }
 
 impl Graded for RefineCell {
+    fn random(rng: &mut Pcg) -> RefineCell {
+        let min = sample::point(rng, 3.0);
+        let size = vec3(
+            sample::number(rng, 1.0, 4.0),
+            sample::number(rng, 1.0, 4.0),
+            sample::number(rng, 1.0, 4.0),
+        );
+        let shapes = (0..rng.random_range(2..6))
+            .map(|_| {
+                let middle = min + size * (sample::point(rng, 0.55) + 0.5);
+                let half = 0.2 * size * (sample::point(rng, 0.5) + 0.5);
+                // All of them reach the cell.
+                let middle = middle.clamp(min - 0.5 * half, min + size + 0.5 * half);
+                Corners {
+                    min: middle - half,
+                    max: middle + half,
+                }
+            })
+            .collect();
+        RefineCell {
+            min,
+            max: min + size,
+            density: sample::number(rng, 2.0, 6.0),
+            shapes,
+        }
+    }
+
+    /// The resolution, then every shape in the cells that it reaches and in no other.
+    fn judge(
+        q: &RefineCell,
+        golden: &RefineCellAnswer,
+        got: &RefineCellAnswer,
+    ) -> Verdict {
+        let cells = |n: &RefineCellAnswer| UVec3::new(n.nx, n.ny, n.nz);
+        let (right, along) = (cells(golden), cells(got));
+        if right != along {
+            return Err(format!(
+                "you cut it into {} × {} × {} fine cells, and {} × {} × {} are asked for",
+                along.x, along.y, along.z, right.x, right.y, right.z
+            ));
+        }
+        if right == UVec3::ZERO {
+            return Ok(());
+        }
+        let bounds = Aabb {
+            min: q.min,
+            max: q.max,
+        };
+        let fine = Lattice::new(&bounds, right);
+        for (i, entry) in got.entries.iter().enumerate() {
+            let cell = UVec3::new(entry.x, entry.y, entry.z);
+            let Some(shape) = q.shapes.get(entry.shape as usize) else {
+                return Err(format!("there is no shape {}", entry.shape));
+            };
+            if cell.cmpge(right).any() {
+                return Err(format!("there is no cell {cell}"));
+            }
+            if got.entries[..i].contains(entry) {
+                return Err(format!("shape {} is twice in cell {cell}", entry.shape));
+            }
+            if depth(&fine, cell, shape) < -TOLERANCE {
+                return Err(format!("shape {} does not reach cell {cell}", entry.shape));
+            }
+        }
+        let missing = golden.entries.iter().find(|entry| {
+            let cell = UVec3::new(entry.x, entry.y, entry.z);
+            let deep = depth(&fine, cell, &q.shapes[entry.shape as usize]) > TOLERANCE;
+            deep && !got.entries.contains(entry)
+        });
+        match missing {
+            Some(Entry { x, y, z, shape }) => Err(format!(
+                "shape {shape} reaches cell [{x}, {y}, {z}], which does not name it"
+            )),
+            None => Ok(()),
+        }
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "ignores the density",
@@ -105,22 +179,10 @@ impl Graded for RefineCell {
             },
         },
     ];
-
-    fn edges() -> Vec<Edge<Self>> {
-        refine_cell_cases::edges()
-    }
-
-    fn random(rng: &mut Pcg) -> RefineCellQuestion {
-        refine_cell_cases::random(rng)
-    }
-
-    fn judge(q: &RefineCellQuestion, golden: &RefineCellAnswer, got: &RefineCellAnswer) -> Verdict {
-        refine_cell_judge::judge(q, golden, got)
-    }
 }
 
 /// The answer for a resolution of one's own.
-fn cut(q: &RefineCellQuestion, along: UVec3) -> RefineCellAnswer {
+fn cut(q: &RefineCell, along: UVec3) -> RefineCellAnswer {
     let bounds = Aabb {
         min: q.min,
         max: q.max,
@@ -145,4 +207,13 @@ fn cut(q: &RefineCellQuestion, along: UVec3) -> RefineCellAnswer {
         nz: along.z,
         entries,
     }
+}
+
+/// A shape may reach a cell by so little, in metres, or miss it, and either answer is right.
+const TOLERANCE: f32 = 1e-4;
+
+/// How far a box reaches into a cell; negative if it does not.
+fn depth(fine: &Lattice, cell: UVec3, shape: &Corners) -> f32 {
+    let Aabb { min, max } = fine.bounds_of(cell, cell);
+    (shape.max.min(max) - shape.min.max(min)).min_element()
 }

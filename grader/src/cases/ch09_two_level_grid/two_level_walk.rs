@@ -1,16 +1,14 @@
-//! `two_level_walk`: its judge and mistakes.
+//! `two_level_walk`: random questions, judge and mistakes.
 
-use super::two_level_walk_cases;
-use crate::passage::passage;
-use crate::{Edge, Graded, Mistake, Verdict};
-use raybook::math::{aabb::Aabb, pcg::Pcg};
+use crate::{Graded, Mistake, Verdict, passage::passage, sample};
+use glam::vec3;
+use rand::RngExt;
+use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch09_two_level_grid::{
-    Resolution, TwoLevelWalk, TwoLevelWalkQuestion,
-};
+use raybook_workbook::exercises::ch09_two_level_grid::{Resolution, TwoLevelWalk};
 
 /// The boxes of all fine cells, in the row of all.
-pub(super) fn cells(q: &TwoLevelWalkQuestion) -> Vec<Aabb> {
+pub(super) fn cells(q: &TwoLevelWalk) -> Vec<Aabb> {
     let levels = q.levels();
     let fine = levels.top.all().filter_map(|coarse| levels.fine(coarse));
     fine.flat_map(|(_, fine)| fine.all().map(move |cell| fine.bounds_of(cell, cell)))
@@ -18,7 +16,7 @@ pub(super) fn cells(q: &TwoLevelWalkQuestion) -> Vec<Aabb> {
 }
 
 /// The walk's cells grouped by the coarse cell in which they are: its first cell's place, and their places.
-fn by_coarse_cell(q: &TwoLevelWalkQuestion) -> Vec<(u32, u32, Vec<u32>)> {
+fn by_coarse_cell(q: &TwoLevelWalk) -> Vec<(u32, u32, Vec<u32>)> {
     let levels = q.levels();
     let mut groups: Vec<(u32, u32, Vec<u32>)> = Vec::new();
     for place in TwoLevelWalk::answer(q) {
@@ -38,6 +36,56 @@ fn by_coarse_cell(q: &TwoLevelWalkQuestion) -> Vec<(u32, u32, Vec<u32>)> {
 }
 
 impl Graded for TwoLevelWalk {
+    fn random(rng: &mut Pcg) -> TwoLevelWalk {
+        let min = sample::point(rng, 3.0);
+        let size = vec3(
+            sample::number(rng, 2.0, 6.0),
+            sample::number(rng, 2.0, 6.0),
+            sample::number(rng, 2.0, 6.0),
+        );
+        let mut along = |least| rng.random_range(least..4_u32);
+        let coarse = Resolution {
+            nx: along(2),
+            ny: along(1),
+            nz: along(1),
+        };
+        let count = coarse.nx * coarse.ny * coarse.nz;
+        let fine = (0..count)
+            .map(|_| {
+                let (nx, ny, nz) = (along(0), along(1), along(1));
+                let some = u32::from(nx > 0);
+                Resolution {
+                    nx,
+                    ny: ny * some,
+                    nz: nz * some,
+                }
+            })
+            .collect();
+        let inside = min + size * (sample::point(rng, 0.35) + 0.5);
+        let origin = if rng.random_bool(0.3) {
+            min + size * (sample::point(rng, 0.5) + 0.5)
+        } else {
+            inside + size.max_element() * 1.5 * *sample::direction(rng)
+        };
+        let end = if rng.random_bool(0.3) {
+            size.max_element()
+        } else {
+            f32::INFINITY
+        };
+        TwoLevelWalk {
+            ray: Ray::new(origin, Dir3::new_or(inside - origin, Dir3::X)),
+            within: Interval::new(0.0, end),
+            min,
+            max: min + size,
+            coarse,
+            fine,
+        }
+    }
+
+    fn judge(q: &TwoLevelWalk, golden: &Vec<u32>, got: &Vec<u32>) -> Verdict {
+        passage("cell", &cells(q), &q.ray, q.within, golden, got)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "visits all fine cells of a coarse cell",
@@ -112,16 +160,4 @@ impl Graded for TwoLevelWalk {
             },
         },
     ];
-
-    fn edges() -> Vec<Edge<Self>> {
-        two_level_walk_cases::edges()
-    }
-
-    fn random(rng: &mut Pcg) -> TwoLevelWalkQuestion {
-        two_level_walk_cases::random(rng)
-    }
-
-    fn judge(q: &TwoLevelWalkQuestion, golden: &Vec<u32>, got: &Vec<u32>) -> Verdict {
-        passage("cell", &cells(q), &q.ray, q.within, golden, got)
-    }
 }

@@ -1,17 +1,18 @@
-//! `octree_build`: its mistakes.
+//! `octree_build`: random questions, judge and mistakes.
 
-use super::octree_build_cases;
-use super::octree_build_judge::judge;
-use raybook::accel::octree::build::{Limits, build};
-use crate::{Edge, Graded, Mistake, Verdict};
+use crate::{Graded, Mistake, Verdict, sample};
+use glam::Vec3;
+use rand::RngExt;
+use raybook::accel::octree::build::Limits;
+use raybook::inside::octree::{build, child_cell};
 use raybook::math::{aabb::Aabb, pcg::Pcg};
 use raybook_workbook::exercises::ch05_box::Corners;
-use raybook_workbook::exercises::ch10_octree::{OctreeBuild, OctreeBuildQuestion, reached};
-use raybook_workbook::octree_rows::TreeRow;
+use raybook_workbook::exercises::ch10_octree::{OctreeBuild, reached};
+use raybook_workbook::octree_rows::{NodeRow, TreeRow};
 
 /// The tree that the library builds if it is told something else about which cells a box reaches, or other limits.
 fn built(
-    q: &OctreeBuildQuestion,
+    q: &OctreeBuild,
     limits: impl FnOnce(Limits) -> Limits,
     seen: impl Fn(&Corners, &[Aabb; 8]) -> u8,
 ) -> TreeRow {
@@ -31,6 +32,75 @@ fn built(
 }
 
 impl Graded for OctreeBuild {
+    fn random(rng: &mut Pcg) -> OctreeBuild {
+        let min = sample::point(rng, 3.0);
+        let size = sample::number(rng, 1.0, 4.0);
+        // Half of the shapes in one corner, so that depth matters.
+        let crowd = min + size * Vec3::splat(sample::number(rng, 0.1, 0.6));
+        let shapes = (0..rng.random_range(6..11))
+            .map(|i| {
+                let anywhere = min + size * (0.9 * (sample::point(rng, 0.5) + 0.5));
+                let near = crowd + size * (0.1 * (sample::point(rng, 0.5) + 0.5));
+                let least = if i % 2 == 0 { near } else { anywhere };
+                let extent = size * 0.08 * (sample::point(rng, 0.5) + 0.5);
+                Corners {
+                    min: least,
+                    max: least + extent,
+                }
+            })
+            .collect();
+        OctreeBuild {
+            min,
+            max: min + size,
+            opening: 1.0,
+            copies: [1.2, 2.0, 8.0][rng.random_range(0..3_usize)],
+            depth: rng.random_range(1..4),
+            shapes,
+        }
+    }
+
+    /// Every shape in the leaves that it reaches and in no other, as few copies as asked for, and a cost like the reference's.
+    fn judge(q: &OctreeBuild, golden: &TreeRow, got: &TreeRow) -> Verdict {
+        let leaves = leaves(q, got)?;
+        let tolerance = 1e-4 * (q.max - q.min).max_element();
+        for leaf in &leaves {
+            let names = &got.names[leaf.names.clone()];
+            for (i, shape) in (0..).zip(&q.shapes) {
+                let deep = (shape.max.min(leaf.cell.max) - shape.min.max(leaf.cell.min)).min_element();
+                let named = names.iter().filter(|&&name| name == i).count();
+                if named > 1 {
+                    return Err(format!("leaf {} names shape {i} twice", leaf.node));
+                }
+                if named == 0 && deep > tolerance {
+                    return Err(format!(
+                        "shape {i} reaches leaf {}, which does not name it",
+                        leaf.node
+                    ));
+                }
+                if named == 1 && deep < -tolerance {
+                    return Err(format!(
+                        "leaf {} names shape {i}, which is not in it",
+                        leaf.node
+                    ));
+                }
+            }
+        }
+        let (most, copies) = (q.copies * q.shapes.len() as f32, got.names.len() as f32);
+        if copies > most.max(q.shapes.len() as f32) + 1e-3 {
+            return Err(format!(
+                "the leaves name {copies} shapes in all, and may name {most}"
+            ));
+        }
+        // The golden tree is made by the same rules, so it can be taken apart too.
+        let (cost, least) = (cost(q, got), cost(q, golden));
+        if cost > 1.02 * least + 1e-3 {
+            return Err(format!(
+                "a ray through the cell is expected to cost {cost:.2} tests, and need not cost more than {least:.2}"
+            ));
+        }
+        Ok(())
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "names a shape only where its middle is",
@@ -141,16 +211,75 @@ impl Graded for OctreeBuild {
             },
         },
     ];
+}
 
-    fn edges() -> Vec<Edge<Self>> {
-        octree_build_cases::edges()
-    }
+/// A leaf of an answer.
+struct LeafOf {
+    node: usize,
+    cell: Aabb,
+    names: std::ops::Range<usize>,
+}
 
-    fn random(rng: &mut Pcg) -> OctreeBuildQuestion {
-        octree_build_cases::random(rng)
+/// The leaves of an answer, if it is a tree and no deeper than it may be.
+fn leaves(q: &OctreeBuild, tree: &TreeRow) -> Result<Vec<LeafOf>, String> {
+    let root = Aabb {
+        min: q.min,
+        max: q.max,
+    };
+    let (mut leaves, mut seen) = (Vec::new(), vec![false; tree.nodes.len()]);
+    let mut to_do = vec![(0_usize, root, 0)];
+    while let Some((node, cell, depth)) = to_do.pop() {
+        let Some(row) = tree.nodes.get(node) else {
+            return Err(format!(
+                "there is no node {node}; there are {}",
+                tree.nodes.len()
+            ));
+        };
+        if std::mem::replace(&mut seen[node], true) {
+            return Err(format!("node {node} is the child of two nodes"));
+        }
+        let first = row.first as usize;
+        if row.inner == 0 {
+            let names = first..first.saturating_add(row.count as usize);
+            if names.end > tree.names.len() && !names.is_empty() {
+                return Err(format!(
+                    "leaf {node} names the shapes {first} to {} of a list of {}",
+                    names.end,
+                    tree.names.len()
+                ));
+            }
+            let names = if names.is_empty() { 0..0 } else { names };
+            leaves.push(LeafOf { node, cell, names });
+        } else if depth == q.depth {
+            return Err(format!(
+                "node {node} is cut at depth {depth}, which is the limit"
+            ));
+        } else {
+            to_do
+                .extend((0..8).map(|i| (first.saturating_add(i), child_cell(&cell, i), depth + 1)));
+        }
     }
+    let shapes = q.shapes.len();
+    match tree.names.iter().find(|&&name| name as usize >= shapes) {
+        Some(name) => Err(format!(
+            "there is no shape {name}; there are {shapes}, counted from 0"
+        )),
+        None => Ok(leaves),
+    }
+}
 
-    fn judge(q: &OctreeBuildQuestion, golden: &TreeRow, got: &TreeRow) -> Verdict {
-        judge(q, golden, got)
+/// The tests that a ray through the root is expected to cost: a node at depth d is entered by one ray of 4^d.
+fn cost(q: &OctreeBuild, tree: &TreeRow) -> f32 {
+    let mut cost = 0.0;
+    let mut to_do = vec![(0, 1.0)];
+    while let Some((node, share)) = to_do.pop() {
+        let row: &NodeRow = &tree.nodes[node];
+        if row.inner == 0 {
+            cost += share * row.count as f32;
+        } else {
+            cost += share * q.opening;
+            to_do.extend((0..8).map(|i| (row.first as usize + i, 0.25 * share)));
+        }
     }
+    cost
 }

@@ -1,12 +1,44 @@
-//! `octree_child`: its cases, judge and mistakes.
+//! `octree_child`: random questions, judge and mistakes.
 
-use crate::{Edge, Graded, Mistake, Verdict, sample};
+use crate::{Graded, Mistake, Verdict, sample};
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch10_octree::{OctreeChild, OctreeChildQuestion};
-use glam::{Vec3, vec3};
+use raybook_workbook::exercises::ch10_octree::OctreeChild;
+use glam::Vec3;
 
 impl Graded for OctreeChild {
+    fn random(rng: &mut Pcg) -> OctreeChild {
+        let min = sample::point(rng, 4.0);
+        let size = Vec3::splat(sample::number(rng, 0.5, 4.0));
+        let inside = sample::point(rng, 0.5) + 0.5;
+        OctreeChild {
+            min,
+            max: min + size,
+            p: min + inside * size,
+        }
+    }
+
+    fn judge(_q: &OctreeChild, golden: &u32, got: &u32) -> Verdict {
+        if golden == got {
+            return Ok(());
+        }
+        if *got > 7 {
+            return Err(format!(
+                "there are eight children, 0 to 7, and no child {got}"
+            ));
+        }
+        let half = |n: u32, axis: u32| if n >> axis & 1 == 1 { "upper" } else { "lower" };
+        let wrong = (0..3)
+            .zip(["x", "y", "z"])
+            .find(|&(axis, _)| half(*golden, axis) != half(*got, axis));
+        let (axis, name) = wrong.unwrap_or((0, "x"));
+        Err(format!(
+            "child {got} is in the {} half along {name}, and the point is in the {}",
+            half(*got, axis),
+            half(*golden, axis)
+        ))
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "counts x as the highest bit",
@@ -50,72 +82,6 @@ impl Graded for OctreeChild {
             answer: |q| OctreeChild::answer(q) & 3,
         },
     ];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, min: f32, max: f32, p| {
-            Edge::new(
-                name,
-                OctreeChildQuestion {
-                    min: Vec3::splat(min),
-                    max: Vec3::splat(max),
-                    p,
-                },
-            )
-        };
-        vec![
-            edge("at the least corner", 0.0, 2.0, vec3(0.0, 0.0, 0.0)),
-            edge("at the greatest corner", 0.0, 2.0, vec3(2.0, 2.0, 2.0)),
-            edge("only x is above", 0.0, 2.0, vec3(1.5, 0.5, 0.5)),
-            edge("only y is above", 0.0, 2.0, vec3(0.5, 1.5, 0.5)),
-            edge("only z is above", 0.0, 2.0, vec3(0.5, 0.5, 1.5)),
-            edge("in the middle", 0.0, 2.0, vec3(1.0, 1.0, 1.0)),
-            edge("on one middle plane", 0.0, 2.0, vec3(0.5, 1.0, 1.5)),
-            edge(
-                "in a cell away from the origin",
-                10.0,
-                12.0,
-                vec3(10.5, 11.5, 10.5),
-            ),
-            edge(
-                "in a cell of negative coordinates",
-                -8.0,
-                -4.0,
-                vec3(-5.0, -7.0, -4.5),
-            ),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> OctreeChildQuestion {
-        let min = sample::point(rng, 4.0);
-        let size = Vec3::splat(sample::number(rng, 0.5, 4.0));
-        let inside = sample::point(rng, 0.5) + 0.5;
-        OctreeChildQuestion {
-            min,
-            max: min + size,
-            p: min + inside * size,
-        }
-    }
-
-    fn judge(_q: &OctreeChildQuestion, golden: &u32, got: &u32) -> Verdict {
-        if golden == got {
-            return Ok(());
-        }
-        if *got > 7 {
-            return Err(format!(
-                "there are eight children, 0 to 7, and no child {got}"
-            ));
-        }
-        let half = |n: u32, axis: u32| if n >> axis & 1 == 1 { "upper" } else { "lower" };
-        let wrong = (0..3)
-            .zip(["x", "y", "z"])
-            .find(|&(axis, _)| half(*golden, axis) != half(*got, axis));
-        let (axis, name) = wrong.unwrap_or((0, "x"));
-        Err(format!(
-            "child {got} is in the {} half along {name}, and the point is in the {}",
-            half(*got, axis),
-            half(*golden, axis)
-        ))
-    }
 }
 
 pub(super) fn bits(above: glam::BVec3) -> u32 {

@@ -1,15 +1,15 @@
-//! `octree_walk`: its judge and mistakes.
+//! `octree_walk`: random questions, judge and mistakes.
 
-use super::octree_walk_cases;
-use raybook::accel::octree::tree::Kind;
-use crate::passage::passage;
-use crate::{Edge, Graded, Mistake, Verdict};
-use raybook::math::{aabb::Aabb, interval::Interval, pcg::Pcg, ray::Ray};
+use crate::{Graded, Mistake, Verdict, passage::passage, sample};
+use rand::RngExt;
+use raybook::inside::octree::Kind;
+use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch10_octree::{OctreeWalk, OctreeWalkQuestion};
+use raybook_workbook::exercises::ch10_octree::OctreeWalk;
+use raybook_workbook::octree_rows::NodeRow;
 
 /// The leaves' cells by the nodes' numbers, and which nodes are leaves that are not empty; empty boxes for inner nodes.
-pub(super) fn cells(q: &OctreeWalkQuestion) -> (Vec<Aabb>, Vec<u32>) {
+pub(super) fn cells(q: &OctreeWalk) -> (Vec<Aabb>, Vec<u32>) {
     let tree = q.tree();
     let mut cells = vec![Aabb::EMPTY; tree.nodes.len()];
     let mut leaves = Vec::new();
@@ -25,8 +25,8 @@ pub(super) fn cells(q: &OctreeWalkQuestion) -> (Vec<Aabb>, Vec<u32>) {
     (cells, leaves)
 }
 
-fn walked(q: &OctreeWalkQuestion, ray: Ray, within: Interval) -> Vec<u32> {
-    OctreeWalk::answer(&OctreeWalkQuestion {
+fn walked(q: &OctreeWalk, ray: Ray, within: Interval) -> Vec<u32> {
+    OctreeWalk::answer(&OctreeWalk {
         ray,
         within,
         ..q.clone()
@@ -34,6 +34,63 @@ fn walked(q: &OctreeWalkQuestion, ray: Ray, within: Interval) -> Vec<u32> {
 }
 
 impl Graded for OctreeWalk {
+    fn random(rng: &mut Pcg) -> OctreeWalk {
+        let (min, size) = (sample::point(rng, 3.0), sample::number(rng, 1.0, 6.0));
+        let mut nodes = vec![inner(1)];
+        let mut names = 0;
+        let mut add_leaf = |rng: &mut Pcg| {
+            let count = if rng.random_bool(0.25) {
+                0
+            } else {
+                rng.random_range(1..4)
+            };
+            names += count;
+            leaf(names - count, count)
+        };
+        for _ in 0..8 {
+            nodes.push(add_leaf(rng));
+        }
+        for child in 1..9 {
+            if rng.random_bool(0.35) {
+                nodes[child] = inner(nodes.len() as u32);
+                for _ in 0..8 {
+                    nodes.push(add_leaf(rng));
+                }
+            }
+        }
+        let inside = min + size * (sample::point(rng, 0.35) + 0.5);
+        let origin = if rng.random_bool(0.3) {
+            min + size * (sample::point(rng, 0.5) + 0.5)
+        } else {
+            inside + size * 1.5 * *sample::direction(rng)
+        };
+        let end = if rng.random_bool(0.3) {
+            size
+        } else {
+            f32::INFINITY
+        };
+        OctreeWalk {
+            ray: Ray::new(origin, Dir3::new_or(inside - origin, Dir3::X)),
+            within: Interval::new(0.0, end),
+            min,
+            max: min + size,
+            nodes,
+        }
+    }
+
+    fn judge(q: &OctreeWalk, golden: &Vec<u32>, got: &Vec<u32>) -> Verdict {
+        let (cells, leaves) = cells(q);
+        if let Some(node) = got.iter().find(|node| !leaves.contains(node)) {
+            let what = match q.nodes.get(*node as usize) {
+                None => "does not exist",
+                Some(row) if row.inner != 0 => "is no leaf",
+                Some(_) => "is an empty leaf",
+            };
+            return Err(format!("node {node} {what}"));
+        }
+        passage("leaf", &cells, &q.ray, q.within, golden, got)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "visits the children in the order of their numbers",
@@ -82,25 +139,20 @@ impl Graded for OctreeWalk {
             answer: |q| OctreeWalk::answer(q).into_iter().rev().collect(),
         },
     ];
+}
 
-    fn edges() -> Vec<Edge<Self>> {
-        octree_walk_cases::edges()
+fn leaf(first: u32, count: u32) -> NodeRow {
+    NodeRow {
+        inner: 0,
+        first,
+        count,
     }
+}
 
-    fn random(rng: &mut Pcg) -> OctreeWalkQuestion {
-        octree_walk_cases::random(rng)
-    }
-
-    fn judge(q: &OctreeWalkQuestion, golden: &Vec<u32>, got: &Vec<u32>) -> Verdict {
-        let (cells, leaves) = cells(q);
-        if let Some(node) = got.iter().find(|node| !leaves.contains(node)) {
-            let what = match q.nodes.get(*node as usize) {
-                None => "does not exist",
-                Some(row) if row.inner != 0 => "is no leaf",
-                Some(_) => "is an empty leaf",
-            };
-            return Err(format!("node {node} {what}"));
-        }
-        passage("leaf", &cells, &q.ray, q.within, golden, got)
+fn inner(first: u32) -> NodeRow {
+    NodeRow {
+        inner: 1,
+        first,
+        count: 0,
     }
 }

@@ -1,20 +1,19 @@
-//! `bvh_build`: its cases and mistakes.
+//! `bvh_build`: random questions, judge and mistakes.
 
-use super::bvh_build_judge::tree_cost;
-use super::{around, center, cube, heaps, no_dearer, tree};
+use crate::{Graded, Mistake, Verdict};
 use raybook::accel::bvh::build::Method;
-use crate::{Edge, Graded, Mistake, Verdict};
 use raybook::math::{aabb::Aabb, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch11_bvh::{BvhBuild, BvhBuildAnswer, BvhBuildQuestion};
+use raybook_workbook::exercises::ch11_bvh::{BvhBuild, BvhBuildAnswer};
 use raybook_workbook::tree_rows::NodeRow;
-use glam::vec3;
+use super::{around, center, cube, heaps, no_dearer, tree};
+use super::sah_cost::node_area;
 
 /// A tree may cost so much more than the reference's: neither is the best, and which cut is taken first decides more.
 const DEARER: f32 = 0.25;
 
 /// A tree that takes the boxes in this order and cuts off one after the other.
-pub(super) fn chain(q: &BvhBuildQuestion) -> BvhBuildAnswer {
+pub(super) fn chain(q: &BvhBuild) -> BvhBuildAnswer {
     let n = q.boxes.len() as u32;
     let order: Vec<_> = (0..n).collect();
     let node = |which: &[u32], first, count| {
@@ -38,6 +37,22 @@ pub(super) fn chain(q: &BvhBuildQuestion) -> BvhBuildAnswer {
 }
 
 impl Graded for BvhBuild {
+    fn random(rng: &mut Pcg) -> BvhBuild {
+        BvhBuild {
+            most: 4,
+            boxes: heaps(rng),
+        }
+    }
+
+    fn judge(q: &BvhBuild, golden: &BvhBuildAnswer, got: &BvhBuildAnswer) -> Verdict {
+        no_dearer(
+            "the tree",
+            tree_cost(q, got)?,
+            tree_cost(q, golden)?,
+            DEARER,
+        )
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "splits by number",
@@ -99,58 +114,10 @@ impl Graded for BvhBuild {
             },
         },
     ];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let row = |at: &[f32], most| BvhBuildQuestion {
-            most,
-            boxes: at
-                .iter()
-                .map(|&x| cube(vec3(x, 0.5 * x, 1.0), 0.5))
-                .collect(),
-        };
-        let mut hay = row(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0], 2);
-        hay.boxes.push(cube(vec3(2.0, 2.0, 2.0), 6.0));
-        let grid = (0..9).map(|i| cube(vec3((i % 3) as f32 * 2.0, 0.0, (i / 3) as f32 * 3.0), 0.5));
-        vec![
-            Edge::new("a single box", row(&[1.0], 4)),
-            Edge::new("two boxes far from each other", row(&[0.0, 30.0], 4)),
-            Edge::new("two heaps", row(&[0.0, 0.5, 1.0, 20.0, 20.5, 21.0], 4)),
-            Edge::new("one far away", row(&[0.0, 1.0, 2.0, 3.0, 4.0, 40.0], 4)),
-            Edge::new(
-                "growing distances",
-                row(&[1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0], 2),
-            ),
-            Edge::new("the same box six times", row(&[1.0; 6], 6)),
-            Edge::new("a large box over small ones", hay),
-            Edge::new(
-                "three rows of three",
-                BvhBuildQuestion {
-                    most: 1,
-                    boxes: grid.collect(),
-                },
-            ),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> BvhBuildQuestion {
-        BvhBuildQuestion {
-            most: 4,
-            boxes: heaps(rng),
-        }
-    }
-
-    fn judge(q: &BvhBuildQuestion, golden: &BvhBuildAnswer, got: &BvhBuildAnswer) -> Verdict {
-        no_dearer(
-            "the tree",
-            tree_cost(q, got)?,
-            tree_cost(q, golden)?,
-            DEARER,
-        )
-    }
 }
 
 /// All boxes in one leaf.
-fn one_leaf(q: &BvhBuildQuestion) -> BvhBuildAnswer {
+fn one_leaf(q: &BvhBuild) -> BvhBuildAnswer {
     let order: Vec<_> = (0..q.boxes.len() as u32).collect();
     let Aabb { min, max } = around(&q.boxes, &order);
     let leaf = NodeRow {
@@ -163,4 +130,75 @@ fn one_leaf(q: &BvhBuildQuestion) -> BvhBuildAnswer {
         nodes: vec![leaf],
         order,
     }
+}
+
+/// The cost of a tree, if it is one.
+fn tree_cost(q: &BvhBuild, tree: &BvhBuildAnswer) -> Result<f32, String> {
+    let mut met = vec![false; q.boxes.len()];
+    if tree.order.len() != met.len() {
+        return Err(format!(
+            "the order has {} numbers, but there are {} boxes",
+            tree.order.len(),
+            met.len()
+        ));
+    }
+    let mut used = vec![false; tree.nodes.len()];
+    let mut sum = 0.0;
+    let mut open = vec![0];
+    while let Some(i) = open.pop() {
+        let node = tree
+            .nodes
+            .get(i)
+            .ok_or_else(|| format!("there is no node {i}"))?;
+        if std::mem::replace(&mut used[i], true) {
+            return Err(format!("node {i} is the child of two branches"));
+        }
+        let (first, count) = (node.first as usize, node.count as usize);
+        let mut below = Vec::new();
+        if count == 0 {
+            for child in [first, first.saturating_add(1)] {
+                let row = tree
+                    .nodes
+                    .get(child)
+                    .ok_or_else(|| format!("node {i} has the child {child}, which is not there"))?;
+                below.push((format!("node {child}"), row.min, row.max));
+                open.push(child);
+            }
+        } else if count > q.most as usize {
+            return Err(format!(
+                "leaf {i} has {count} shapes; {} are allowed",
+                q.most
+            ));
+        }
+        for place in first..first.saturating_add(count) {
+            let shape = tree.order.get(place).map(|&shape| shape as usize);
+            let Some((shape, row)) = shape.and_then(|s| Some((s, q.boxes.get(s)?))) else {
+                return Err(format!(
+                    "leaf {i} has place {place} of the order, where no box is"
+                ));
+            };
+            if std::mem::replace(&mut met[shape], true) {
+                return Err(format!("box {shape} is in the tree twice"));
+            }
+            below.push((format!("box {shape}"), row.min, row.max));
+        }
+        let slack = 1e-4 * (node.max - node.min).abs().max_element().max(1e-3);
+        for (name, min, max) in below {
+            if !((min + slack).cmpge(node.min).all() && (max - slack).cmple(node.max).all()) {
+                return Err(format!(
+                    "{name} sticks out of node {i}, which should hold it"
+                ));
+            }
+        }
+        sum += node_area(node) * if count == 0 { 1.0 } else { count as f32 };
+    }
+    if let Some(lost) = met.iter().position(|met| !met) {
+        return Err(format!("box {lost} is in no leaf"));
+    }
+    Ok(sum
+        / tree
+            .nodes
+            .first()
+            .map_or(1.0, node_area)
+            .max(f32::MIN_POSITIVE))
 }

@@ -1,14 +1,41 @@
-//! `bvh_closest`: its judge and mistakes.
+//! `bvh_closest`: random questions, judge and mistakes.
 
-use super::bvh_closest_cases::{self, question};
-use crate::search::{self, How, Node, Order, Tree};
-use crate::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
-use raybook::math::{aabb::Aabb, interval::Interval, pcg::Pcg};
-use raybook_workbook::exercises::ch11_bvh::{BvhClosest, BvhClosestAnswer, BvhClosestQuestion};
-use raybook_workbook::tree_rows::NodeRow;
-use glam::vec3;
+use crate::{Graded, Mistake, Picture, Verdict, judge, sample, search, search::How, search::Node, search::Order, search::Tree};
+use glam::{Vec3, vec3};
+use raybook::accel::bvh::build::Method;
+use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
+use raybook_workbook::exercises::ch07_mesh::Corners;
+use raybook_workbook::exercises::ch11_bvh::{BvhClosest, BvhClosestAnswer};
+use raybook_workbook::tree_rows::{BoxRow, NodeRow};
+use super::tree;
 
 impl Graded for BvhClosest {
+    fn random(rng: &mut Pcg) -> BvhClosest {
+        let triangles = (0..24).map(|_| {
+            let center = sample::point(rng, 2.0);
+            std::array::from_fn(|_| center + sample::point(rng, 1.0))
+        });
+        let triangles: Vec<_> = triangles.collect();
+        let origin = sample::point(rng, 4.0);
+        let toward = sample::point(rng, 1.5) - origin;
+        let end = sample::end(rng, 0.2, 2.0, 5.0);
+        let ray = Ray::new(origin, Dir3::new_or(toward, Dir3::X));
+        question(&triangles, ray, Interval::new(0.0, end))
+    }
+
+    fn judge(
+        _q: &BvhClosest,
+        golden: &BvhClosestAnswer,
+        got: &BvhClosestAnswer,
+    ) -> Verdict {
+        judge::nearest(golden.hit.as_ref(), got.hit.as_ref())?;
+        if got.hit.is_some() && got.tests == 0 {
+            return Err("you found a hit without testing a triangle".to_owned());
+        }
+        few("triangle", golden.tests, got.tests)?;
+        few("box", golden.boxes, got.boxes)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "tests every triangle",
@@ -80,27 +107,6 @@ impl Graded for BvhClosest {
         },
         colour: |_, answer| search::colour(answer.hit.as_ref()),
     }];
-
-    fn edges() -> Vec<Edge<Self>> {
-        bvh_closest_cases::edges()
-    }
-
-    fn random(rng: &mut Pcg) -> BvhClosestQuestion {
-        bvh_closest_cases::random(rng)
-    }
-
-    fn judge(
-        _q: &BvhClosestQuestion,
-        golden: &BvhClosestAnswer,
-        got: &BvhClosestAnswer,
-    ) -> Verdict {
-        judge::nearest(golden.hit.as_ref(), got.hit.as_ref())?;
-        if got.hit.is_some() && got.tests == 0 {
-            return Err("you found a hit without testing a triangle".to_owned());
-        }
-        few("triangle", golden.tests, got.tests)?;
-        few("box", golden.boxes, got.boxes)
-    }
 }
 
 /// Not many more tests than the reference's: half as many, and four, for another sound order of the children.
@@ -115,7 +121,7 @@ pub(super) fn few(what: &str, golden: u32, got: u32) -> Verdict {
 }
 
 /// A search that goes wrong in some way.
-fn search(q: &BvhClosestQuestion, change: impl FnOnce(&mut How)) -> BvhClosestAnswer {
+fn search(q: &BvhClosest, change: impl FnOnce(&mut How)) -> BvhClosestAnswer {
     let node = |i: u32| {
         let NodeRow { first, count, .. } = q.nodes[i as usize];
         match count {
@@ -141,5 +147,27 @@ fn search(q: &BvhClosestQuestion, change: impl FnOnce(&mut How)) -> BvhClosestAn
         boxes: found.boxes,
         tests: found.tests,
         hit: found.hit,
+    }
+}
+
+/// The question about triangles in a tree of small leaves.
+fn question(triangles: &[[Vec3; 3]], ray: Ray, within: Interval) -> BvhClosest {
+    let boxes: Vec<_> = triangles
+        .iter()
+        .map(|&corners| {
+            let Aabb { min, max } = Aabb::of(corners);
+            BoxRow { min, max }
+        })
+        .collect();
+    let tree = tree(&boxes, Method::Binned, 2);
+    let in_order = tree.order.iter().map(|&i| {
+        let [p0, p1, p2] = triangles[i as usize];
+        Corners { p0, p1, p2 }
+    });
+    BvhClosest {
+        ray,
+        within,
+        triangles: in_order.collect(),
+        nodes: tree.nodes,
     }
 }

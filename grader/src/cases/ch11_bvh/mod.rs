@@ -1,27 +1,16 @@
 //! Chapter 11: `sah_cost`, `sah_split`, `bvh_build`, `bvh_closest`.
 
-mod bvh_build;
-mod bvh_build_judge;
-mod bvh_closest;
-mod bvh_closest_cases;
-mod sah_cost;
-mod sah_split;
 
-use raybook::accel::bvh::COST;
-use raybook::accel::bvh::build::cost::Cost;
-use raybook::accel::bvh::build::{Method, build};
-use crate::examine::Examiner;
+use raybook::accel::bvh::build::Method;
+use raybook::inside::bvh::{COST, Cost, build};
 use crate::{Verdict, sample};
 use raybook::math::{aabb::Aabb, pcg::Pcg};
-use raybook_workbook::exercises::ch11_bvh::{
-    BvhBuild, BvhBuildAnswer, BvhClosest, SahCost, SahSplit,
-};
+use raybook_workbook::exercises::ch11_bvh::BvhBuildAnswer;
 use raybook_workbook::tree_rows::{BoxRow, to_rows};
 use glam::{Vec3, vec3};
 use rand::RngExt;
 
-/// This chapter's exercises, in order.
-pub const GRADED: &[&dyn Examiner] = &[&SahCost, &SahSplit, &BvhBuild, &BvhClosest];
+raybook_workbook::ch11_bvh!(graded);
 
 fn area(min: Vec3, max: Vec3) -> f32 {
     let size = max - min;

@@ -1,11 +1,11 @@
-//! `sah_split`: its cases, judge and mistakes.
+//! `sah_split`: random questions, judge and mistakes.
 
-use super::{area, around, center, cube, heaps, no_dearer};
-use crate::{Edge, Graded, Mistake, Verdict, judge};
+use super::{area, around, center, heaps, no_dearer};
+use crate::{Graded, Mistake, Verdict, judge};
 use raybook::math::{aabb::Aabb, pcg::Pcg};
-use raybook_workbook::exercises::ch11_bvh::{SahSplit, SahSplitQuestion};
+use raybook_workbook::exercises::ch11_bvh::SahSplit;
 use raybook_workbook::tree_rows::BoxRow;
-use glam::{Vec3, vec3};
+use glam::Vec3;
 
 /// All cuts between neighbouring centres along an axis: the axis, and who is on the left and on the right.
 pub(super) fn cuts(boxes: &[BoxRow], key: fn(&BoxRow) -> Vec3) -> Vec<(usize, [Vec<u32>; 2])> {
@@ -24,14 +24,14 @@ pub(super) fn cuts(boxes: &[BoxRow], key: fn(&BoxRow) -> Vec3) -> Vec<(usize, [V
 }
 
 /// The left side of the cut that is least by some measure of a side, left plus right.
-fn least(q: &SahSplitQuestion, side: fn(&Aabb, f32) -> f32) -> Vec<u32> {
+fn least(q: &SahSplit, side: fn(&Aabb, f32) -> f32) -> Vec<u32> {
     cut_with(q, |_, sides| {
         let measure = |s: &Vec<u32>| side(&around(&q.boxes, s), s.len() as f32);
         measure(&sides[0]) + measure(&sides[1])
     })
 }
 
-fn cut_with(q: &SahSplitQuestion, cost: impl Fn(usize, &[Vec<u32>; 2]) -> f32) -> Vec<u32> {
+fn cut_with(q: &SahSplit, cost: impl Fn(usize, &[Vec<u32>; 2]) -> f32) -> Vec<u32> {
     let cuts = cuts(&q.boxes, center);
     let best = cuts
         .into_iter()
@@ -44,12 +44,12 @@ fn sah(bounds: &Aabb, count: f32) -> f32 {
 }
 
 /// The axis along which all boxes together are longest.
-pub(super) fn longest(q: &SahSplitQuestion) -> usize {
+pub(super) fn longest(q: &SahSplit) -> usize {
     let all: Vec<_> = (0..q.boxes.len() as u32).collect();
     around(&q.boxes, &all).size().max_position()
 }
 
-fn split_cost(q: &SahSplitQuestion, left: &[u32]) -> Result<f32, String> {
+fn split_cost(q: &SahSplit, left: &[u32]) -> Result<f32, String> {
     let n = q.boxes.len() as u32;
     if let Some(i) = left.iter().find(|&&i| i >= n) {
         return Err(format!("there is no box {i}: there are {n}, from 0"));
@@ -66,6 +66,15 @@ fn split_cost(q: &SahSplitQuestion, left: &[u32]) -> Result<f32, String> {
 }
 
 impl Graded for SahSplit {
+    fn random(rng: &mut Pcg) -> SahSplit {
+        SahSplit { boxes: heaps(rng) }
+    }
+
+    fn judge(q: &SahSplit, golden: &Vec<u32>, got: &Vec<u32>) -> Verdict {
+        let (best, cost) = (split_cost(q, golden)?, split_cost(q, got)?);
+        no_dearer("this split", cost, best, judge::RELATIVE)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "puts half of the boxes on each side",
@@ -125,50 +134,4 @@ impl Graded for SahSplit {
             answer: |q| cut_with(q, |axis, [left, _]| left.len() as f32 + 0.1 * axis as f32),
         },
     ];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let row = |centers: &[[f32; 3]]| {
-            let boxes = centers.iter().map(|&c| cube(c.into(), 0.5));
-            SahSplitQuestion {
-                boxes: boxes.collect(),
-            }
-        };
-        let along = |at: &[f32], axis: usize| {
-            let mut centers = vec![[0.0; 3]; at.len()];
-            for (center, &at) in centers.iter_mut().zip(at) {
-                center[axis] = at;
-            }
-            row(&centers)
-        };
-        let mut one_large = along(&[0.0, 2.0, 4.0, 6.0], 0);
-        one_large.boxes.push(cube(vec3(1.0, 0.0, 0.0), 4.0));
-        let tiles = [0.0, 1.0, 5.0, 6.0].map(|x| BoxRow {
-            min: vec3(x, 0.0, 0.0),
-            max: vec3(x + 1.0, 0.0, 3.0),
-        });
-        vec![
-            Edge::new("two boxes", along(&[0.0, 3.0], 0)),
-            Edge::new("one far away", along(&[0.0, 1.0, 2.0, 3.0, 20.0], 0)),
-            Edge::new("a stack along y", along(&[0.0, 1.0, 7.0, 8.0, 9.0], 1)),
-            Edge::new("a row along z", along(&[0.0, 6.0, 7.0], 2)),
-            Edge::new("the same box four times", along(&[1.0; 4], 0)),
-            Edge::new("in no order", along(&[9.0, 0.0, 8.0, 1.0, 2.0], 0)),
-            Edge::new("one large box among small ones", one_large),
-            Edge::new(
-                "flat boxes",
-                SahSplitQuestion {
-                    boxes: tiles.into(),
-                },
-            ),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> SahSplitQuestion {
-        SahSplitQuestion { boxes: heaps(rng) }
-    }
-
-    fn judge(q: &SahSplitQuestion, golden: &Vec<u32>, got: &Vec<u32>) -> Verdict {
-        let (best, cost) = (split_cost(q, golden)?, split_cost(q, got)?);
-        no_dearer("this split", cost, best, judge::RELATIVE)
-    }
 }

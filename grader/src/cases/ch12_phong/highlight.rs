@@ -1,10 +1,9 @@
 //! What `phong` and `blinn_phong` share: the questions, the picture, and the judge.
 
 use super::channels;
-use crate::{Edge, Picture, Verdict, sample};
+use crate::{Verdict, sample};
 use raybook::image::rgb::Rgb;
 use raybook::math::{dir3::Dir3, pcg::Pcg};
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch12_phong::Highlight;
 use glam::{Vec3, vec3};
 use rand::RngExt;
@@ -31,76 +30,6 @@ pub(super) fn with_highlight(q: &Highlight, highlight: f32) -> Rgb {
 
 pub(super) fn power(cosine: f32, q: &Highlight) -> f32 {
     cosine.max(0.0).powf(q.exponent)
-}
-
-/// Named questions; the surface lies in the xz plane.
-pub(super) fn edges<E: Exercise<Question = Highlight>>() -> Vec<Edge<E>> {
-    let edge = |name, view: Vec3, toward: Vec3, exponent| {
-        let q = Highlight {
-            normal: Dir3::Y,
-            view: Dir3::new_or(view, Dir3::Y),
-            toward: Dir3::new_or(toward, Dir3::Y),
-            arriving: Rgb::new(3.0, 2.0, 1.0),
-            diffuse: Rgb::new(0.1, 0.2, 0.3),
-            specular: Rgb::gray(0.25),
-            exponent,
-        };
-        Edge::new(name, q)
-    };
-    let slanting = vec3(0.6, 0.8, 0.0);
-    vec![
-        edge("light and viewer straight above", Vec3::Y, Vec3::Y, 10.0),
-        edge(
-            "the viewer in the mirror direction",
-            vec3(-0.6, 0.8, 0.0),
-            slanting,
-            50.0,
-        ),
-        edge("the view along the light", slanting, slanting, 3.0),
-        edge(
-            "beside the mirror direction",
-            vec3(-0.48, 0.8, 0.36),
-            slanting,
-            20.0,
-        ),
-        edge("an exponent of 1", vec3(0.0, 0.8, 0.6), slanting, 1.0),
-        edge(
-            "the mirror direction points away from the viewer",
-            vec3(0.96, 0.28, 0.0),
-            vec3(0.8, 0.6, 0.0),
-            2.0,
-        ),
-        edge(
-            "a light at the horizon, in the viewer's face",
-            vec3(-0.96, 0.28, 0.0),
-            Vec3::X,
-            2.0,
-        ),
-        edge(
-            "a light below the horizon",
-            Vec3::Y,
-            vec3(0.6, -0.8, 0.0),
-            2.0,
-        ),
-        edge(
-            "a light just below the horizon, in the viewer's face",
-            vec3(-0.8, 0.6, 0.0),
-            vec3(0.96, -0.28, 0.0),
-            2.0,
-        ),
-        edge(
-            "a light straight below",
-            vec3(0.6, 0.8, 0.0),
-            Vec3::NEG_Y,
-            4.0,
-        ),
-        edge(
-            "light and viewer opposite, both at the horizon",
-            Vec3::X,
-            Vec3::NEG_X,
-            5.0,
-        ),
-    ]
 }
 
 /// A viewer above the surface, and a light, most often near enough to the viewer's mirror direction for a highlight.
@@ -133,20 +62,12 @@ pub(super) fn random(rng: &mut Pcg) -> Highlight {
     }
 }
 
-/// A ball before a wall.
-pub(super) const fn picture<E: Exercise<Question = Highlight, Answer = Rgb>>() -> Picture<E> {
-    Picture {
-        name: E::NAME,
-        width: 64,
-        height: 64,
-        alt: "A shiny clay ball before a wall of the same material, lit from the upper left",
-        question: on_ball,
-        colour: |_, radiance| *radiance,
-    }
-}
+/// What the picture of both shows.
+pub(super) const BALL: &str =
+    "A shiny clay ball before a wall of the same material, lit from the upper left";
 
 /// A pixel of the ball, or of the wall behind it.
-fn on_ball(x: u32, y: u32) -> Highlight {
+pub(super) fn on_ball(x: u32, y: u32) -> Highlight {
     let place = |i: u32| (i as f32 + 0.5) / 29.0 - 32.0 / 29.0;
     let (x, y) = (place(x), -place(y));
     let z = (1.0 - x * x - y * y).max(0.0).sqrt();

@@ -1,19 +1,11 @@
 //! Chapter 12: `phong`, `blinn_phong`, `point_light`.
 
-mod blinn_phong;
 mod highlight;
-mod phong;
-mod point_light;
 
-use crate::examine::Examiner;
 use crate::{Verdict, judge};
 use raybook::image::rgb::Rgb;
-use raybook_workbook::exercises::ch12_phong::{
-    BlinnPhongExercise, PhongExercise, PointLightExercise,
-};
 
-/// This chapter's exercises, in order.
-pub const GRADED: &[&dyn Examiner] = &[&PhongExercise, &BlinnPhongExercise, &PointLightExercise];
+raybook_workbook::ch12_phong!(graded);
 
 /// Each channel, relative to its size or to `least`.
 fn channels(golden: Rgb, got: Rgb, least: f32) -> Verdict {

@@ -1,21 +1,49 @@
-//! `point_light`: its cases, judge and mistakes.
+//! `point_light`: random questions, judge and mistakes.
 
 use super::channels;
-use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch12_phong::{Arriving, PointLightExercise, PointLightQuestion};
-use glam::{Vec3, vec3};
+use raybook_workbook::exercises::ch12_phong::{Arriving, PointLightExercise};
+use glam::Vec3;
 
 /// What arrives, changed by a function of the distance.
-fn falling_off(q: &PointLightQuestion, by: fn(f32) -> f32) -> Option<Arriving> {
+fn falling_off(q: &PointLightExercise, by: fn(f32) -> f32) -> Option<Arriving> {
     let right = PointLightExercise::answer(q)?;
     let arriving = q.intensity * by(right.distance);
     Some(Arriving { arriving, ..right })
 }
 
 impl Graded for PointLightExercise {
+    fn random(rng: &mut Pcg) -> PointLightExercise {
+        let mut channel = || sample::number(rng, 0.5, 20.0);
+        PointLightExercise {
+            intensity: Rgb::new(channel(), channel(), channel()),
+            position: sample::point(rng, 5.0),
+            at: sample::point(rng, 5.0),
+        }
+    }
+
+    fn judge(
+        _q: &PointLightExercise,
+        golden: &Option<Arriving>,
+        got: &Option<Arriving>,
+    ) -> Verdict {
+        judge::option("light", golden.as_ref(), got.as_ref(), |golden, got| {
+            judge::direction("the direction to the light", golden.toward, got.toward)?;
+            let tolerance = judge::RELATIVE * golden.distance;
+            judge::number_within(
+                "the distance",
+                "m",
+                golden.distance,
+                got.distance,
+                tolerance,
+            )?;
+            channels(golden.arriving, got.arriving, 1e-9)
+        })
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "does not let the light fall off",
@@ -73,12 +101,7 @@ impl Graded for PointLightExercise {
         Mistake {
             name: "takes the light to be at the origin",
             hint: "Move the lamp by one metre: does your answer change?",
-            answer: |q| {
-                PointLightExercise::answer(&PointLightQuestion {
-                    position: Vec3::ZERO,
-                    ..q.clone()
-                })
-            },
+            answer: |q| Self::misread(q, |q| q.position = Vec3::ZERO),
         },
         Mistake {
             name: "answers at the light itself too",
@@ -93,68 +116,4 @@ impl Graded for PointLightExercise {
             },
         },
     ];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, position, at| {
-            let intensity = Rgb::new(8.0, 4.0, 2.0);
-            Edge::new(
-                name,
-                PointLightQuestion {
-                    position,
-                    intensity,
-                    at,
-                },
-            )
-        };
-        vec![
-            edge("one metre below the lamp", Vec3::Y, Vec3::ZERO),
-            edge("two metres: a quarter", 2.0 * Vec3::Y, Vec3::ZERO),
-            edge(
-                "half a metre: four times as much",
-                0.5 * Vec3::Y,
-                Vec3::ZERO,
-            ),
-            edge("above the lamp", Vec3::ZERO, vec3(0.0, 4.0, 0.0)),
-            edge(
-                "far from the origin",
-                vec3(100.0, 50.0, -200.0),
-                vec3(103.0, 46.0, -200.0),
-            ),
-            edge("a kilometre away", vec3(600.0, 800.0, 0.0), Vec3::ZERO),
-            edge("a millimetre away", vec3(0.0, 0.0, 0.001), Vec3::ZERO),
-            edge(
-                "at the light itself",
-                vec3(1.0, 2.0, 3.0),
-                vec3(1.0, 2.0, 3.0),
-            ),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> PointLightQuestion {
-        let mut channel = || sample::number(rng, 0.5, 20.0);
-        PointLightQuestion {
-            intensity: Rgb::new(channel(), channel(), channel()),
-            position: sample::point(rng, 5.0),
-            at: sample::point(rng, 5.0),
-        }
-    }
-
-    fn judge(
-        _q: &PointLightQuestion,
-        golden: &Option<Arriving>,
-        got: &Option<Arriving>,
-    ) -> Verdict {
-        judge::option("light", golden.as_ref(), got.as_ref(), |golden, got| {
-            judge::direction("the direction to the light", golden.toward, got.toward)?;
-            let tolerance = judge::RELATIVE * golden.distance;
-            judge::number_within(
-                "the distance",
-                "m",
-                golden.distance,
-                got.distance,
-                tolerance,
-            )?;
-            channels(golden.arriving, got.arriving, 1e-9)
-        })
-    }
 }

@@ -1,12 +1,29 @@
-//! `fresnel`: its cases, judge and mistakes.
+//! `fresnel`: random questions, judge and mistakes.
 
-use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::material::fresnel;
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch14_refraction::{Fresnel, FresnelAnswer, FresnelQuestion};
+use raybook_workbook::exercises::ch14_refraction::{Fresnel, FresnelAnswer};
 
 impl Graded for Fresnel {
+    fn random(rng: &mut Pcg) -> Fresnel {
+        Fresnel {
+            cos1: sample::number(rng, 0.02, 1.0),
+            n1: sample::number(rng, 1.0, 1.7),
+            n2: sample::number(rng, 1.0, 2.4),
+        }
+    }
+
+    fn judge(_q: &Fresnel, golden: &FresnelAnswer, got: &FresnelAnswer) -> Verdict {
+        /// Of all light. Other orders of the same operations in `f32` are within 1e-6 of each other where the answer is stable.
+        const TOLERANCE: f32 = 1e-4;
+        let close = |name, golden, got| judge::number_within(name, "", golden, got, TOLERANCE);
+        close("Rs", golden.rs, got.rs)?;
+        close("Rp", golden.rp, got.rp)?;
+        close("R", golden.r, got.r)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "returns Schlick's approximation",
@@ -68,7 +85,7 @@ impl Graded for Fresnel {
             name: "exchanges the two media",
             hint: "Out of glass, all is reflected from 42° on; into glass, never. Try 60° both ways.",
             answer: |q| {
-                Fresnel::answer(&FresnelQuestion {
+                Fresnel::answer(&Fresnel {
                     cos1: q.cos1,
                     n1: q.n2,
                     n2: q.n1,
@@ -92,55 +109,10 @@ impl Graded for Fresnel {
             },
         },
     ];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, degrees: f32, n1, n2| {
-            let cos1 = degrees.to_radians().cos().max(0.0);
-            Edge::new(name, FresnelQuestion { cos1, n1, n2 })
-        };
-        vec![
-            edge("straight into glass: 4 %", 0.0, 1.0, 1.5),
-            edge("straight out of glass: 4 % too", 0.0, 1.5, 1.0),
-            edge("into glass at 45°", 45.0, 1.0, 1.5),
-            edge("out of glass at 10°", 10.0, 1.5, 1.0),
-            edge("Brewster's angle: Rp is 0", 56.309_93, 1.0, 1.5),
-            edge("into glass at 89°", 89.0, 1.0, 1.5),
-            Edge::new(
-                "along the surface: all is reflected",
-                FresnelQuestion {
-                    cos1: 0.0,
-                    n1: 1.0,
-                    n2: 1.5,
-                },
-            ),
-            edge("out of glass at 40°", 40.0, 1.5, 1.0),
-            edge("out of glass at 60°: totally reflected", 60.0, 1.5, 1.0),
-            edge("the same medium on both sides", 70.0, 1.333, 1.333),
-            edge("from water into glass", 50.0, 1.333, 1.5),
-            edge("into diamond", 30.0, 1.0, 2.417),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> FresnelQuestion {
-        FresnelQuestion {
-            cos1: sample::number(rng, 0.02, 1.0),
-            n1: sample::number(rng, 1.0, 1.7),
-            n2: sample::number(rng, 1.0, 2.4),
-        }
-    }
-
-    fn judge(_q: &FresnelQuestion, golden: &FresnelAnswer, got: &FresnelAnswer) -> Verdict {
-        /// Of all light. Other orders of the same operations in `f32` are within 1e-6 of each other where the answer is stable.
-        const TOLERANCE: f32 = 1e-4;
-        let close = |name, golden, got| judge::number_within(name, "", golden, got, TOLERANCE);
-        close("Rs", golden.rs, got.rs)?;
-        close("Rp", golden.rp, got.rp)?;
-        close("R", golden.r, got.r)
-    }
 }
 
 /// cos θ₂, unless all is reflected.
-fn cos2(q: &FresnelQuestion) -> Option<f32> {
+fn cos2(q: &Fresnel) -> Option<f32> {
     let squared = 1.0 - (q.n1 / q.n2).powi(2) * (1.0 - q.cos1 * q.cos1);
     (squared >= 0.0).then(|| squared.sqrt())
 }

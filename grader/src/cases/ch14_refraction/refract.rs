@@ -1,13 +1,35 @@
-//! `refract`: its cases, judge and mistakes.
+//! `refract`: random questions, judge and mistakes.
 
-use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::math::{dir3::Dir3, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch14_refraction::{Refract, RefractQuestion};
-use glam::{Vec3, vec3};
+use raybook_workbook::exercises::ch14_refraction::Refract;
+use glam::Vec3;
 use rand::RngExt;
 
 impl Graded for Refract {
+    fn random(rng: &mut Pcg) -> Refract {
+        let (normal, mut direction) = (sample::direction(rng), sample::direction(rng));
+        // Steep rays are refracted, flat ones are often not: most are to be refracted.
+        if rng.random_bool(0.5) {
+            let steeper = *direction + direction.dot(*normal).signum() * *normal;
+            direction = Dir3::new_or(steeper, direction);
+        }
+        Refract {
+            direction,
+            normal,
+            outside: sample::number(rng, 1.0, 1.7),
+            inside: sample::number(rng, 1.0, 2.4),
+        }
+    }
+
+    fn judge(_q: &Refract, golden: &Option<Vec3>, got: &Option<Vec3>) -> Verdict {
+        let (golden, got) = (golden.as_ref(), got.as_ref());
+        judge::option("a refracted ray", golden, got, |golden, got| {
+            judge::direction("the refracted ray", *golden, *got)
+        })
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "never turns the normal",
@@ -78,78 +100,15 @@ impl Graded for Refract {
             answer: |q| Refract::answer(q).map(|_| *q.direction),
         },
     ];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, direction: Vec3, outside, inside| {
-            Edge::new(
-                name,
-                RefractQuestion {
-                    direction: Dir3::new_or(direction, Dir3::Y),
-                    normal: Dir3::Y,
-                    outside,
-                    inside,
-                },
-            )
-        };
-        let down = |degrees: f32| {
-            let (sine, cosine) = degrees.to_radians().sin_cos();
-            vec3(sine, -cosine, 0.0)
-        };
-        let up = |degrees: f32| down(degrees) * vec3(1.0, -1.0, 1.0);
-        let askew = RefractQuestion {
-            direction: Dir3::new_or(vec3(0.3, -0.5, -0.8), Dir3::Y),
-            normal: Dir3::new_or(vec3(-1.0, 1.0, 2.0), Dir3::Y),
-            outside: 1.0,
-            inside: 2.417,
-        };
-        vec![
-            edge("straight into glass", Vec3::NEG_Y, 1.0, 1.5),
-            edge("straight out of glass", Vec3::Y, 1.0, 1.5),
-            edge("into glass at 45°", down(45.0), 1.0, 1.5),
-            edge("out of glass at 30°", up(30.0), 1.0, 1.5),
-            edge("out at 60°: totally reflected", up(60.0), 1.0, 1.5),
-            edge("just before the critical angle", up(41.5), 1.0, 1.5),
-            edge("just behind the critical angle", up(42.1), 1.0, 1.5),
-            edge("into glass, nearly along it", down(89.0), 1.0, 1.5),
-            edge("the same on both sides", down(50.0), 1.333, 1.333),
-            edge("from water into glass", down(50.0), 1.333, 1.5),
-            edge("into a bubble of air in glass", down(20.0), 1.5, 1.0),
-            edge("a bubble that reflects totally", down(60.0), 1.5, 1.0),
-            edge("out of a bubble of air in glass", up(60.0), 1.5, 1.0),
-            Edge::new("a normal askew", askew),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> RefractQuestion {
-        let (normal, mut direction) = (sample::direction(rng), sample::direction(rng));
-        // Steep rays are refracted, flat ones are often not: most are to be refracted.
-        if rng.random_bool(0.5) {
-            let steeper = *direction + direction.dot(*normal).signum() * *normal;
-            direction = Dir3::new_or(steeper, direction);
-        }
-        RefractQuestion {
-            direction,
-            normal,
-            outside: sample::number(rng, 1.0, 1.7),
-            inside: sample::number(rng, 1.0, 2.4),
-        }
-    }
-
-    fn judge(_q: &RefractQuestion, golden: &Option<Vec3>, got: &Option<Vec3>) -> Verdict {
-        let (golden, got) = (golden.as_ref(), got.as_ref());
-        judge::option("a refracted ray", golden, got, |golden, got| {
-            judge::direction("the refracted ray", *golden, *got)
-        })
-    }
 }
 
 /// The normal on the ray's side.
-fn facing(q: &RefractQuestion) -> Vec3 {
+fn facing(q: &Refract) -> Vec3 {
     -q.direction.dot(*q.normal).signum() * *q.normal
 }
 
 /// n₁/n₂.
-fn ratio(q: &RefractQuestion) -> f32 {
+fn ratio(q: &Refract) -> f32 {
     if q.direction.dot(*q.normal) < 0.0 {
         q.outside / q.inside
     } else {
@@ -158,14 +117,14 @@ fn ratio(q: &RefractQuestion) -> f32 {
 }
 
 /// The part of the refracted ray along the surface, unless it is totally reflected.
-fn along(q: &RefractQuestion) -> Option<Vec3> {
+fn along(q: &Refract) -> Option<Vec3> {
     let n = facing(q);
     let along = ratio(q) * (*q.direction - q.direction.dot(n) * n);
     (along.length_squared() < 1.0).then_some(along)
 }
 
 /// η i + (η cos θ₁ − √(1 − η²(1 − cos²θ₁))) n.
-fn snell(q: &RefractQuestion, n: Vec3, cos1: f32, eta: f32) -> Option<Vec3> {
+fn snell(q: &Refract, n: Vec3, cos1: f32, eta: f32) -> Option<Vec3> {
     let cos2_squared = 1.0 - eta * eta * (1.0 - cos1 * cos1);
     (cos2_squared >= 0.0).then(|| eta * *q.direction + (eta * cos1 - cos2_squared.sqrt()) * n)
 }

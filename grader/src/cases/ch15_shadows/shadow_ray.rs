@@ -1,15 +1,15 @@
-//! `shadow_ray`: its cases and mistakes.
+//! `shadow_ray`: random questions, judge and mistakes.
 
 use super::way::{ends_before, starts_off};
-use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
-use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg};
+use crate::{Graded, Mistake, Verdict, judge, sample};
+use raybook::math::{interval::Interval, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch15_shadows::{ShadowRay, ShadowRayQuestion, Way};
-use glam::{Vec3, vec3};
+use raybook_workbook::exercises::ch15_shadows::{ShadowRay, Way};
+use glam::Vec3;
 use rand::RngExt;
 
 /// The right answer, with another start.
-fn starting(q: &ShadowRayQuestion, origin: Vec3, min: f32) -> Way {
+fn starting(q: &ShadowRay, origin: Vec3, min: f32) -> Way {
     let right = ShadowRay::answer(q);
     let within = Interval::new(min, right.within.max);
     Way {
@@ -20,7 +20,7 @@ fn starting(q: &ShadowRayQuestion, origin: Vec3, min: f32) -> Way {
 }
 
 /// The right answer, with another end.
-fn ending(q: &ShadowRayQuestion, max: f32) -> Way {
+fn ending(q: &ShadowRay, max: f32) -> Way {
     let right = ShadowRay::answer(q);
     Way {
         within: right.within.before(max),
@@ -29,6 +29,34 @@ fn ending(q: &ShadowRayQuestion, max: f32) -> Way {
 }
 
 impl Graded for ShadowRay {
+    fn random(rng: &mut Pcg) -> ShadowRay {
+        let scale = 10.0_f32.powf(sample::number(rng, -1.5, 3.0));
+        let (normal, toward) = loop {
+            let (normal, toward) = (sample::direction(rng), sample::direction(rng));
+            if normal.dot(*toward).abs() > 0.1 {
+                break (normal, toward);
+            }
+        };
+        let distance = if rng.random_bool(0.15) {
+            f32::INFINITY
+        } else {
+            scale * sample::number(rng, 2.0, 6.0)
+        };
+        ShadowRay {
+            position: scale * sample::point(rng, 3.0),
+            error: scale * sample::number(rng, 0.01, 0.03),
+            normal,
+            toward,
+            distance,
+        }
+    }
+
+    fn judge(q: &ShadowRay, golden: &Way, got: &Way) -> Verdict {
+        judge::direction("the ray", golden.direction, got.direction)?;
+        starts_off(q, got)?;
+        ends_before(q, got)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "starts on the surface itself",
@@ -91,7 +119,7 @@ impl Graded for ShadowRay {
             name: "goes away from the light",
             hint: "From the surface to the light: in which direction?",
             answer: |q| {
-                let away = ShadowRayQuestion {
+                let away = ShadowRay {
                     toward: -q.toward,
                     ..q.clone()
                 };
@@ -99,68 +127,4 @@ impl Graded for ShadowRay {
             },
         },
     ];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, (position, error, normal): (Vec3, f32, Vec3), toward: Vec3, distance| {
-            let [normal, toward] = [normal, toward].map(|v| Dir3::new_or(v, Dir3::Y));
-            Edge::new(
-                name,
-                ShadowRayQuestion {
-                    position,
-                    error,
-                    normal,
-                    toward,
-                    distance,
-                },
-            )
-        };
-        let place = vec3(1.0, 2.0, -1.0);
-        let up = (place, 0.01, Vec3::Y);
-        let down = (place, 0.01, Vec3::NEG_Y);
-        let askew = (place, 0.02, Vec3::ONE);
-        let sand = (vec3(0.001, 0.002, 0.0), 1e-5, Vec3::Y);
-        let planet = (vec3(6e6, 0.0, 1e6), 1e4, Vec3::X);
-        let (aslant, below) = (vec3(0.6, 0.8, 0.0), vec3(0.0, -0.8, 0.6));
-        let low = vec3(1.0, 0.1, 0.0);
-        vec![
-            edge("a lamp straight above", up, Vec3::Y, 2.0),
-            edge("a lamp aslant", up, aslant, 5.0),
-            edge("a lamp below a sheet", up, below, 3.0),
-            edge("the normal points away from the lamp", down, Vec3::Y, 2.0),
-            edge("a surface askew to all axes", askew, Vec3::Z, 4.0),
-            edge("a lamp just above the horizon", up, low, 4.0),
-            edge("the sun", up, aslant, f32::INFINITY),
-            edge("the sun, from behind", up, below, f32::INFINITY),
-            edge("a grain of sand", sand, Vec3::Y, 0.003),
-            edge("a planet", planet, vec3(0.8, 0.6, 0.0), 4e7),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> ShadowRayQuestion {
-        let scale = 10.0_f32.powf(sample::number(rng, -1.5, 3.0));
-        let (normal, toward) = loop {
-            let (normal, toward) = (sample::direction(rng), sample::direction(rng));
-            if normal.dot(*toward).abs() > 0.1 {
-                break (normal, toward);
-            }
-        };
-        let distance = if rng.random_bool(0.15) {
-            f32::INFINITY
-        } else {
-            scale * sample::number(rng, 2.0, 6.0)
-        };
-        ShadowRayQuestion {
-            position: scale * sample::point(rng, 3.0),
-            error: scale * sample::number(rng, 0.01, 0.03),
-            normal,
-            toward,
-            distance,
-        }
-    }
-
-    fn judge(q: &ShadowRayQuestion, golden: &Way, got: &Way) -> Verdict {
-        judge::direction("the ray", golden.direction, got.direction)?;
-        starts_off(q, got)?;
-        ends_before(q, got)
-    }
 }

@@ -1,7 +1,7 @@
 //! The judge of `shadow_ray`: where the way to the light begins and where it ends.
 
 use crate::Verdict;
-use raybook_workbook::exercises::ch15_shadows::{ShadowRayQuestion, Way};
+use raybook_workbook::exercises::ch15_shadows::{ShadowRay, Way};
 use glam::DVec3;
 
 /// A shadow ray may start so many times the error bound off the surface: beyond, shadows come loose.
@@ -15,14 +15,14 @@ const NEAREST_END: f64 = 5e-7;
 const FARTHEST_END: f64 = 0.01;
 
 /// Where the stretch that counts begins, seen from the point, and where it ends.
-fn ends(q: &ShadowRayQuestion, got: &Way) -> [DVec3; 2] {
+fn ends(q: &ShadowRay, got: &Way) -> [DVec3; 2] {
     let from = got.origin.as_dvec3() - q.position.as_dvec3();
     let at = |t: f32| from + f64::from(t) * got.direction.as_dvec3();
     [at(got.within.min), at(got.within.max)]
 }
 
 /// The start is on the light's side of all places where the surface may be, and not much farther.
-pub(super) fn starts_off(q: &ShadowRayQuestion, got: &Way) -> Verdict {
+pub(super) fn starts_off(q: &ShadowRay, got: &Way) -> Verdict {
     let [start, _] = ends(q, got);
     if !start.is_finite() {
         return Err("the ray starts nowhere: a number is missing or infinite".into());
@@ -51,7 +51,7 @@ pub(super) fn starts_off(q: &ShadowRayQuestion, got: &Way) -> Verdict {
 }
 
 /// The end is before the light, and not much.
-pub(super) fn ends_before(q: &ShadowRayQuestion, got: &Way) -> Verdict {
+pub(super) fn ends_before(q: &ShadowRay, got: &Way) -> Verdict {
     let (distance, max) = (f64::from(q.distance), got.within.max);
     if distance.is_infinite() {
         // The largest f32 will do.

@@ -3,11 +3,11 @@
 use super::lattice;
 use raybook::math::{basis::Basis, dir3::Dir3, interval::Interval, ray::Ray};
 use raybook::shape::{Shape, sphere::Sphere};
-use raybook_workbook::exercises::ch16_soft_shadows::{Chosen, SampleSphereLightQuestion};
+use raybook_workbook::exercises::ch16_soft_shadows::{Chosen, SampleSphereLight};
 use glam::{Vec2, vec3};
 
 /// 1 − cos α of the cone in which the light is seen.
-pub(super) fn cap(q: &SampleSphereLightQuestion) -> f32 {
+pub(super) fn cap(q: &SampleSphereLight) -> f32 {
     let squared = (q.radius / q.at.distance(q.center)).powi(2);
     if squared < 1.0 {
         squared / (1.0 + (1.0 - squared).sqrt())
@@ -18,7 +18,7 @@ pub(super) fn cap(q: &SampleSphereLightQuestion) -> f32 {
 
 /// Directions by 1 − cos θ and φ, with a density, from u and 1 − cos α.
 pub(super) fn cone(
-    q: &SampleSphereLightQuestion,
+    q: &SampleSphereLight,
     choose: impl Fn(Vec2, f32) -> (f32, f32, f32),
 ) -> Vec<Chosen> {
     let axis = Dir3::new_or(q.center - q.at, Dir3::Y);

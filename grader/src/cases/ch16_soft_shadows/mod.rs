@@ -2,18 +2,10 @@
 
 mod chosen;
 mod cone;
-mod sample_rect;
-mod sample_sphere_light;
-mod visible_fraction;
 
-use crate::examine::Examiner;
-use raybook_workbook::exercises::ch16_soft_shadows::{
-    SampleRect, SampleSphereLight, VisibleFraction,
-};
 use glam::{Vec2, vec2};
 
-/// This chapter's exercises, in order.
-pub const GRADED: &[&dyn Examiner] = &[&SampleRect, &SampleSphereLight, &VisibleFraction];
+raybook_workbook::ch16_soft_shadows!(graded);
 
 /// The middles of the cells of an n × n lattice.
 fn lattice(n: u32) -> impl Iterator<Item = Vec2> {

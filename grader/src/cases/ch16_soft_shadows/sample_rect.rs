@@ -1,16 +1,63 @@
-//! `sample_rect`: its cases, judge and mistakes.
+//! `sample_rect`: random questions, judge and mistakes.
 
 use super::chosen::{DENSITY, N, each, evenly};
 use super::lattice;
-use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::math::{basis::Basis, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch16_soft_shadows::{Chosen, SampleRect, SampleRectQuestion};
-use glam::{Vec2, Vec3, vec2, vec3};
+use raybook_workbook::exercises::ch16_soft_shadows::{Chosen, SampleRect};
+use glam::{Vec2, vec2};
 use rand::RngExt;
 use std::f32::consts::TAU;
 
 impl Graded for SampleRect {
+    fn random(rng: &mut Pcg) -> SampleRect {
+        let basis = Basis::around(sample::direction(rng));
+        let [width, height] = [(); 2].map(|()| sample::number(rng, 0.3, 3.0));
+        let (a, b) = (width * *basis.x, height * *basis.y);
+        let corner = sample::point(rng, 2.0);
+        let place = vec2(
+            sample::number(rng, -0.5, 1.5),
+            sample::number(rng, -0.5, 1.5),
+        );
+        let before = sample::number(rng, 0.5, 4.0);
+        let side = if rng.random_bool(0.1) { -1.0 } else { 1.0 };
+        SampleRect {
+            at: corner + place.x * a + place.y * b + side * before * *basis.z,
+            corner,
+            a,
+            b,
+            radiance: sample::number(rng, 0.5, 5.0),
+            n: N,
+        }
+    }
+
+    fn judge(q: &SampleRect, golden: &Self::Answer, got: &Self::Answer) -> Verdict {
+        judge::option("light", golden.as_ref(), got.as_ref(), |_, got| {
+            let size = q.a.length().max(q.b.length());
+            let place = |chosen: &Chosen| {
+                let p = q.at + chosen.distance * chosen.toward - q.corner;
+                vec2(p.dot(q.a), p.dot(q.b)) / vec2(q.a.length_squared(), q.b.length_squared())
+            };
+            each(q.n, q.radiance, got, |chosen| {
+                let p = place(chosen);
+                let margin = judge::RELATIVE * (1.0 + q.at.distance(q.corner) / size);
+                let point = q.at + chosen.distance * chosen.toward;
+                let off = point.distance(q.corner + p.x * q.a + p.y * q.b);
+                // As `<=`, so that a NaN is outside.
+                let inside = (p - 0.5).abs().max_element() <= 0.5 + margin && off <= margin * size;
+                if !inside {
+                    return Err("its point is not on the light".to_owned());
+                }
+                let cosine = -chosen.toward.dot(q.a.cross(q.b).normalize_or_zero());
+                let pdf = chosen.distance.powi(2) / (area(q) * cosine);
+                judge::number_within("the density", "/sr", pdf, chosen.pdf, DENSITY * pdf)
+            })?;
+            let places: Vec<_> = got.iter().map(|c| place(c).as_dvec2()).collect();
+            evenly("the points", &places)
+        })
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "returns the density per area",
@@ -41,7 +88,7 @@ impl Graded for SampleRect {
             name: "does not see that the light turns its back",
             hint: "Where does a × b point, and on which side of the light is the point?",
             answer: |q| {
-                let front = SampleRectQuestion {
+                let front = SampleRect {
                     corner: q.corner + q.a,
                     a: -q.a,
                     ..q.clone()
@@ -52,12 +99,7 @@ impl Graded for SampleRect {
         Mistake {
             name: "takes the corner for the middle",
             hint: "Which points do u = (0, 0) and u = (1, 1) belong to?",
-            answer: |q| {
-                SampleRect::answer(&SampleRectQuestion {
-                    corner: q.corner - 0.5 * (q.a + q.b),
-                    ..q.clone()
-                })
-            },
+            answer: |q| Self::misread(q, |q| q.corner -= 0.5 * (q.a + q.b)),
         },
         Mistake {
             name: "uses one number for both sides",
@@ -82,96 +124,14 @@ impl Graded for SampleRect {
             },
         },
     ];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, at, [corner, a, b]: [Vec3; 3]| {
-            Edge::new(
-                name,
-                SampleRectQuestion {
-                    at,
-                    corner,
-                    a,
-                    b,
-                    radiance: 2.0,
-                    n: N,
-                },
-            )
-        };
-        let above = vec3(-0.5, 2.0, -0.5);
-        let square = [above, Vec3::X, Vec3::Z];
-        let long = [above, Vec3::X, 4.0 * Vec3::Z];
-        let tiny = [
-            vec3(0.25, 1.0, 0.5),
-            0.007_812_5 * Vec3::X,
-            0.015_625 * Vec3::Z,
-        ];
-        let askew = [Vec3::ONE, vec3(2.0, -1.0, 0.0), vec3(1.0, 2.0, -0.5)];
-        vec![
-            edge("a square straight above", Vec3::ZERO, square),
-            edge("it turns its back", vec3(0.0, 4.0, 0.0), square),
-            edge("from within its plane", vec3(3.0, 2.0, 0.0), square),
-            edge("a long one, from the side", vec3(4.0, 1.5, 0.0), long),
-            edge("very close", vec3(0.0, 1.9, 0.0), square),
-            edge("far away", vec3(10.0, -300.0, 20.0), square),
-            edge("a tiny one", Vec3::ZERO, tiny),
-            edge("askew", vec3(-0.4, -0.3, 0.2), askew),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> SampleRectQuestion {
-        let basis = Basis::around(sample::direction(rng));
-        let [width, height] = [(); 2].map(|()| sample::number(rng, 0.3, 3.0));
-        let (a, b) = (width * *basis.x, height * *basis.y);
-        let corner = sample::point(rng, 2.0);
-        let place = vec2(
-            sample::number(rng, -0.5, 1.5),
-            sample::number(rng, -0.5, 1.5),
-        );
-        let before = sample::number(rng, 0.5, 4.0);
-        let side = if rng.random_bool(0.1) { -1.0 } else { 1.0 };
-        SampleRectQuestion {
-            at: corner + place.x * a + place.y * b + side * before * *basis.z,
-            corner,
-            a,
-            b,
-            radiance: sample::number(rng, 0.5, 5.0),
-            n: N,
-        }
-    }
-
-    fn judge(q: &SampleRectQuestion, golden: &Self::Answer, got: &Self::Answer) -> Verdict {
-        judge::option("light", golden.as_ref(), got.as_ref(), |_, got| {
-            let size = q.a.length().max(q.b.length());
-            let place = |chosen: &Chosen| {
-                let p = q.at + chosen.distance * chosen.toward - q.corner;
-                vec2(p.dot(q.a), p.dot(q.b)) / vec2(q.a.length_squared(), q.b.length_squared())
-            };
-            each(q.n, q.radiance, got, |chosen| {
-                let p = place(chosen);
-                let margin = judge::RELATIVE * (1.0 + q.at.distance(q.corner) / size);
-                let point = q.at + chosen.distance * chosen.toward;
-                let off = point.distance(q.corner + p.x * q.a + p.y * q.b);
-                // As `<=`, so that a NaN is outside.
-                let inside = (p - 0.5).abs().max_element() <= 0.5 + margin && off <= margin * size;
-                if !inside {
-                    return Err("its point is not on the light".to_owned());
-                }
-                let cosine = -chosen.toward.dot(q.a.cross(q.b).normalize_or_zero());
-                let pdf = chosen.distance.powi(2) / (area(q) * cosine);
-                judge::number_within("the density", "/sr", pdf, chosen.pdf, DENSITY * pdf)
-            })?;
-            let places: Vec<_> = got.iter().map(|c| place(c).as_dvec2()).collect();
-            evenly("the points", &places)
-        })
-    }
 }
 
-fn area(q: &SampleRectQuestion) -> f32 {
+fn area(q: &SampleRect) -> f32 {
     q.a.length() * q.b.length()
 }
 
 /// The right answer with another density, of the cosine at the light and the right choice.
-fn spoil_rect(q: &SampleRectQuestion, pdf: impl Fn(f32, &Chosen) -> f32) -> Option<Vec<Chosen>> {
+fn spoil_rect(q: &SampleRect, pdf: impl Fn(f32, &Chosen) -> f32) -> Option<Vec<Chosen>> {
     let mut all = SampleRect::answer(q)?;
     for chosen in &mut all {
         let cosine = -chosen.toward.dot(q.a.cross(q.b).normalize_or_zero());
@@ -182,7 +142,7 @@ fn spoil_rect(q: &SampleRectQuestion, pdf: impl Fn(f32, &Chosen) -> f32) -> Opti
 }
 
 /// Other points of the light, with the right density of uniform ones.
-fn chosen_rect(q: &SampleRectQuestion, place: fn(Vec2) -> Vec2) -> Option<Vec<Chosen>> {
+fn chosen_rect(q: &SampleRect, place: fn(Vec2) -> Vec2) -> Option<Vec<Chosen>> {
     SampleRect::answer(q)?;
     let chosen = |u: Vec2| {
         let p = place(u);

@@ -1,18 +1,73 @@
-//! `sample_sphere_light`: its cases, judge and mistakes.
+//! `sample_sphere_light`: random questions, judge and mistakes.
 
 use super::chosen::{DENSITY, N, each, evenly};
 use super::cone::{cap, cone};
-use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch16_soft_shadows::{
-    Chosen, SampleSphereLight, SampleSphereLightQuestion,
-};
-use glam::{Vec3, dvec2, vec3};
+use raybook_workbook::exercises::ch16_soft_shadows::{Chosen, SampleSphereLight};
+use glam::dvec2;
 use rand::RngExt;
 use std::f32::consts::{PI, TAU};
 
 impl Graded for SampleSphereLight {
+    fn random(rng: &mut Pcg) -> SampleSphereLight {
+        let (center, radius) = (sample::point(rng, 3.0), sample::number(rng, 0.3, 2.0));
+        let away = match rng.random_range(0..8) {
+            0 | 1 => sample::number(rng, 0.1, 0.9),
+            2 => sample::number(rng, 500.0, 2000.0),
+            _ => sample::number(rng, 1.2, 6.0),
+        };
+        SampleSphereLight {
+            at: center + away * radius * *sample::direction(rng),
+            center,
+            radius,
+            radiance: sample::number(rng, 0.5, 5.0),
+            n: N,
+        }
+    }
+
+    fn judge(q: &SampleSphereLight, _: &Self::Answer, got: &Self::Answer) -> Verdict {
+        let (d, inside) = (q.at.distance(q.center), q.at.distance(q.center) <= q.radius);
+        let cap = f64::from(cap(q));
+        let axis = Dir3::new_or(q.center - q.at, Dir3::Y);
+        // 1 − cos θ by the chord, which keeps its digits in a narrow cone.
+        let height = |c: &Chosen| 0.5 * c.toward.as_dvec3().distance_squared(axis.as_dvec3());
+        let pdf = (1.0 / (f64::from(TAU) * cap)) as f32;
+        each(q.n, q.radiance, got, |chosen| {
+            if height(chosen) > cap * 1.01 + 1e-6 {
+                return Err("its direction misses the light".to_owned());
+            }
+            let point = q.at + chosen.distance * chosen.toward;
+            let off = (point.distance(q.center) - q.radius).abs();
+            let middle = (q.center - q.at).dot(chosen.toward);
+            // Next to the rim the near side and the far side are close to each other.
+            let margin = 0.02 * q.radius + judge::RELATIVE * d;
+            let seen = if inside {
+                chosen.distance >= middle - margin
+            } else {
+                chosen.distance <= middle + margin
+            };
+            // As `<=`, so that a NaN is off.
+            let on_it = off <= margin && seen;
+            if !on_it {
+                return Err(format!(
+                    "at a distance of {:.4} m, there is no point of the light that is seen",
+                    chosen.distance
+                ));
+            }
+            judge::number_within("the density", "/sr", pdf, chosen.pdf, DENSITY * pdf)
+        })?;
+        // In these coordinates, directions uniform in the cone are uniform in the unit square.
+        let basis = Basis::around(axis);
+        let place = |c: &Chosen| {
+            let phi = c.toward.dot(*basis.y).atan2(c.toward.dot(*basis.x));
+            dvec2(height(c) / cap, f64::from(phi / TAU + 0.5))
+        };
+        let places: Vec<_> = got.iter().map(place).collect();
+        evenly("the directions", &places)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "makes θ uniform in the place of cos θ",
@@ -90,86 +145,4 @@ impl Graded for SampleSphereLight {
             },
         },
     ];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, at, center, radius| {
-            Edge::new(
-                name,
-                SampleSphereLightQuestion {
-                    at,
-                    center,
-                    radius,
-                    radiance: 2.0,
-                    n: N,
-                },
-            )
-        };
-        vec![
-            edge("straight above", Vec3::ZERO, 3.0 * Vec3::Y, 1.0),
-            edge("straight below", Vec3::ZERO, -2.0 * Vec3::Y, 0.5),
-            edge("along z, against it", 5.0 * Vec3::Z, Vec3::ZERO, 2.0),
-            edge("it fills half the view", 1.03125 * Vec3::X, Vec3::ZERO, 1.0),
-            edge("small and far", vec3(-60.0, 0.0, 80.0), Vec3::ZERO, 0.0625),
-            edge("from inside", vec3(0.25, 0.5, 0.0), Vec3::ZERO, 1.0),
-            edge("from its centre", Vec3::ONE, Vec3::ONE, 2.0),
-            edge("askew", vec3(1.0, -2.0, 0.5), vec3(-1.0, 1.0, 2.0), 1.5),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> SampleSphereLightQuestion {
-        let (center, radius) = (sample::point(rng, 3.0), sample::number(rng, 0.3, 2.0));
-        let away = match rng.random_range(0..8) {
-            0 | 1 => sample::number(rng, 0.1, 0.9),
-            2 => sample::number(rng, 500.0, 2000.0),
-            _ => sample::number(rng, 1.2, 6.0),
-        };
-        SampleSphereLightQuestion {
-            at: center + away * radius * *sample::direction(rng),
-            center,
-            radius,
-            radiance: sample::number(rng, 0.5, 5.0),
-            n: N,
-        }
-    }
-
-    fn judge(q: &SampleSphereLightQuestion, _: &Self::Answer, got: &Self::Answer) -> Verdict {
-        let (d, inside) = (q.at.distance(q.center), q.at.distance(q.center) <= q.radius);
-        let cap = f64::from(cap(q));
-        let axis = Dir3::new_or(q.center - q.at, Dir3::Y);
-        // 1 − cos θ by the chord, which keeps its digits in a narrow cone.
-        let height = |c: &Chosen| 0.5 * c.toward.as_dvec3().distance_squared(axis.as_dvec3());
-        let pdf = (1.0 / (f64::from(TAU) * cap)) as f32;
-        each(q.n, q.radiance, got, |chosen| {
-            if height(chosen) > cap * 1.01 + 1e-6 {
-                return Err("its direction misses the light".to_owned());
-            }
-            let point = q.at + chosen.distance * chosen.toward;
-            let off = (point.distance(q.center) - q.radius).abs();
-            let middle = (q.center - q.at).dot(chosen.toward);
-            // Next to the rim the near side and the far side are close to each other.
-            let margin = 0.02 * q.radius + judge::RELATIVE * d;
-            let seen = if inside {
-                chosen.distance >= middle - margin
-            } else {
-                chosen.distance <= middle + margin
-            };
-            // As `<=`, so that a NaN is off.
-            let on_it = off <= margin && seen;
-            if !on_it {
-                return Err(format!(
-                    "at a distance of {:.4} m, there is no point of the light that is seen",
-                    chosen.distance
-                ));
-            }
-            judge::number_within("the density", "/sr", pdf, chosen.pdf, DENSITY * pdf)
-        })?;
-        // In these coordinates, directions uniform in the cone are uniform in the unit square.
-        let basis = Basis::around(axis);
-        let place = |c: &Chosen| {
-            let phi = c.toward.dot(*basis.y).atan2(c.toward.dot(*basis.x));
-            dvec2(height(c) / cap, f64::from(phi / TAU + 0.5))
-        };
-        let places: Vec<_> = got.iter().map(place).collect();
-        evenly("the directions", &places)
-    }
 }

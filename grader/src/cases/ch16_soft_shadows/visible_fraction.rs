@@ -1,19 +1,74 @@
-//! `visible_fraction`: its cases, judge and mistakes.
+//! `visible_fraction`: random questions, judge and mistakes.
 
 use super::lattice;
-use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 use raybook::shape::{Shape, sphere::Sphere};
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch16_soft_shadows::{
-    Ball, VisibleFraction, VisibleFractionQuestion,
-};
+use raybook_workbook::exercises::ch16_soft_shadows::{Ball, VisibleFraction};
 use glam::{Vec2, Vec3, vec3};
 
 /// How many samples are asked for.
 const SAMPLES: u32 = 1024;
 
 impl Graded for VisibleFraction {
+    /// The share of a whole light has no edges at which a last digit decides.
+    const ULPS: i32 = 0;
+
+    fn random(rng: &mut Pcg) -> VisibleFraction {
+        let [width, depth] = [(); 2].map(|()| sample::number(rng, 1.0, 3.0));
+        let height = sample::number(rng, 3.0, 5.0);
+        let balls = (0..3).map(|i| Ball {
+            center: vec3(
+                sample::number(rng, -1.0, 1.0),
+                // The third is above the light, where it is in nobody's way.
+                if i == 2 {
+                    height + 1.5
+                } else {
+                    sample::number(rng, 0.9, 0.7 * height)
+                },
+                sample::number(rng, -1.0, 1.0),
+            ),
+            radius: sample::number(rng, 0.3, 0.8),
+        });
+        let balls = balls.collect();
+        let on_floor = |_| {
+            let p = sample::point(rng, 1.8);
+            vec3(p.x, 0.0, p.z)
+        };
+        let points = (0..4).map(on_floor).collect();
+        VisibleFraction {
+            corner: vec3(-0.5 * width, height, -0.5 * depth),
+            a: width * Vec3::X,
+            b: depth * Vec3::Z,
+            points,
+            balls,
+            samples: SAMPLES,
+        }
+    }
+
+    /// By Bernstein's inequality, the mean of n samples that are 0 or 1 is off by more than √(2 f(1 − f) L/n) + 2L/(3n)
+    /// with a probability below 2 e^(−L): with L = 21 once in 10⁹ points, in a class of 500 less than once in 10⁴ times.
+    fn judge(q: &VisibleFraction, _golden: &Vec<f32>, got: &Vec<f32>) -> Verdict {
+        const L: f32 = 21.0;
+        /// What the lattice that stands for the exact value may be off.
+        const LATTICE: f32 = 0.01;
+        if got.len() != q.points.len() {
+            return Err(format!(
+                "there are {} fractions, and should be {}, one per point",
+                got.len(),
+                q.points.len()
+            ));
+        }
+        let exact = exact(q);
+        for (i, (&f, &got)) in exact.iter().zip(got).enumerate() {
+            let n = q.samples as f32;
+            let bound = (2.0 * f * (1.0 - f) * L / n).sqrt() + 2.0 * L / (3.0 * n) + LATTICE;
+            judge::number_within(&format!("the fraction of point {i}"), "", f, got, bound)?;
+        }
+        Ok(())
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "asks for the middle of the light only",
@@ -59,7 +114,7 @@ impl Graded for VisibleFraction {
             name: "lets a light shine backwards",
             hint: "Where does a × b point, and on which side of the light is the point?",
             answer: |q| {
-                let turned = VisibleFractionQuestion {
+                let turned = VisibleFraction {
                     corner: q.corner + q.a,
                     a: -q.a,
                     ..q.clone()
@@ -73,108 +128,16 @@ impl Graded for VisibleFraction {
             },
         },
     ];
-
-    /// The share of a whole light has no edges at which a last digit decides.
-    const ULPS: i32 = 0;
-
-    fn edges() -> Vec<Edge<Self>> {
-        let square = |points: &[Vec3], balls: &[(Vec3, f32)]| VisibleFractionQuestion {
-            corner: vec3(-1.0, 4.0, -1.0),
-            a: 2.0 * Vec3::X,
-            b: 2.0 * Vec3::Z,
-            points: points.to_vec(),
-            balls: balls
-                .iter()
-                .map(|&(center, radius)| Ball { center, radius })
-                .collect(),
-            samples: SAMPLES,
-        };
-        let row = [0.0, 0.5, 1.0, 2.0].map(|x| vec3(x, 0.0, 0.0));
-        let near = [Vec3::ZERO, 0.25 * Vec3::Z];
-        let behind = [vec3(0.0, 5.0, 0.0), vec3(1.0, 7.0, 0.5), Vec3::ZERO];
-        let low = (vec3(0.0, 1.0, 0.0), 0.5);
-        let high = (vec3(0.0, 3.0, 0.0), 0.5);
-        let middle = (vec3(0.0, 2.0, 0.0), 0.25);
-        let above = (vec3(0.0, 6.0, 0.0), 1.5);
-        let below = (vec3(0.0, -2.0, 0.0), 1.5);
-        let two = [(vec3(0.25, 2.0, 0.0), 0.5), (vec3(0.5, 1.0, 0.25), 0.25)];
-        [
-            ("nothing in the way", square(&row, &[])),
-            ("from the umbra to full light", square(&row, &[low])),
-            ("a ball too small for an umbra", square(&row, &[high])),
-            ("only the middle is hidden", square(&near, &[middle])),
-            ("a ball behind the light", square(&row, &[above])),
-            ("a ball below the points", square(&row, &[below])),
-            ("points behind the light", square(&behind, &[])),
-            ("two balls, whose shadows overlap", square(&row, &two)),
-        ]
-        .map(|(name, question)| Edge::new(name, question))
-        .into()
-    }
-
-    fn random(rng: &mut Pcg) -> VisibleFractionQuestion {
-        let [width, depth] = [(); 2].map(|()| sample::number(rng, 1.0, 3.0));
-        let height = sample::number(rng, 3.0, 5.0);
-        let balls = (0..3).map(|i| Ball {
-            center: vec3(
-                sample::number(rng, -1.0, 1.0),
-                // The third is above the light, where it is in nobody's way.
-                if i == 2 {
-                    height + 1.5
-                } else {
-                    sample::number(rng, 0.9, 0.7 * height)
-                },
-                sample::number(rng, -1.0, 1.0),
-            ),
-            radius: sample::number(rng, 0.3, 0.8),
-        });
-        let balls = balls.collect();
-        let on_floor = |_| {
-            let p = sample::point(rng, 1.8);
-            vec3(p.x, 0.0, p.z)
-        };
-        let points = (0..4).map(on_floor).collect();
-        VisibleFractionQuestion {
-            corner: vec3(-0.5 * width, height, -0.5 * depth),
-            a: width * Vec3::X,
-            b: depth * Vec3::Z,
-            points,
-            balls,
-            samples: SAMPLES,
-        }
-    }
-
-    /// By Bernstein's inequality, the mean of n samples that are 0 or 1 is off by more than √(2 f(1 − f) L/n) + 2L/(3n)
-    /// with a probability below 2 e^(−L): with L = 21 once in 10⁹ points, in a class of 500 less than once in 10⁴ times.
-    fn judge(q: &VisibleFractionQuestion, _golden: &Vec<f32>, got: &Vec<f32>) -> Verdict {
-        const L: f32 = 21.0;
-        /// What the lattice that stands for the exact value may be off.
-        const LATTICE: f32 = 0.01;
-        if got.len() != q.points.len() {
-            return Err(format!(
-                "there are {} fractions, and should be {}, one per point",
-                got.len(),
-                q.points.len()
-            ));
-        }
-        let exact = exact(q);
-        for (i, (&f, &got)) in exact.iter().zip(got).enumerate() {
-            let n = q.samples as f32;
-            let bound = (2.0 * f * (1.0 - f) * L / n).sqrt() + 2.0 * L / (3.0 * n) + LATTICE;
-            judge::number_within(&format!("the fraction of point {i}"), "", f, got, bound)?;
-        }
-        Ok(())
-    }
 }
 
 /// The fractions, by a lattice fine enough to stand for the exact value.
-fn exact(q: &VisibleFractionQuestion) -> Vec<f32> {
+fn exact(q: &VisibleFraction) -> Vec<f32> {
     seen(q, 32, |u| u, 1.0)
 }
 
 /// The fractions by the points of the light to which an n × n lattice is mapped, and by rays that end at so many times the
 /// distance of the light.
-fn seen(q: &VisibleFractionQuestion, n: u32, place: fn(Vec2) -> Vec2, end: f32) -> Vec<f32> {
+fn seen(q: &VisibleFraction, n: u32, place: fn(Vec2) -> Vec2, end: f32) -> Vec<f32> {
     let balls: Vec<_> = q
         .balls
         .iter()

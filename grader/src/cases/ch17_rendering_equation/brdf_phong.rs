@@ -1,31 +1,65 @@
 //! `brdf_phong`: the number itself.
 
-use super::{colour, toward};
-use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use super::colour;
+use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::image::rgb::Rgb;
 use raybook::math::{dir3::Dir3, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch17_rendering_equation::{BrdfPhong, BrdfPhongQuestion};
+use raybook_workbook::exercises::ch17_rendering_equation::BrdfPhong;
 use rand::RngExt;
 use std::f32::consts::{PI, TAU};
 
 /// The matt part plus the highlight times a factor, of which all mistakes are made.
-fn phong(q: &BrdfPhongQuestion, cos_alpha: f32, matt: f32, norm: f32) -> Rgb {
+fn phong(q: &BrdfPhong, cos_alpha: f32, matt: f32, norm: f32) -> Rgb {
     if q.normal.dot(*q.toward) <= 0.0 || q.normal.dot(*q.view) <= 0.0 {
         return Rgb::BLACK;
     }
     q.diffuse * matt + q.specular * (norm * cos_alpha.max(0.0).powf(q.exponent))
 }
 
-fn cos_alpha(q: &BrdfPhongQuestion) -> f32 {
+fn cos_alpha(q: &BrdfPhong) -> f32 {
     2.0 * q.normal.dot(*q.toward) * q.normal.dot(*q.view) - q.toward.dot(*q.view)
 }
 
-fn norm(q: &BrdfPhongQuestion) -> f32 {
+fn norm(q: &BrdfPhong) -> f32 {
     (q.exponent + 2.0) / TAU
 }
 
 impl Graded for BrdfPhong {
+    fn random(rng: &mut Pcg) -> BrdfPhong {
+        let normal = sample::direction(rng);
+        let above = |rng: &mut Pcg| {
+            let d = sample::direction(rng);
+            let flipped = if d.dot(*normal) < 0.0 { -d } else { d };
+            Dir3::new_or(*flipped + 0.1 * *normal, normal)
+        };
+        let (view, light) = (above(rng), above(rng));
+        // Half of them near the highlight, a few behind the surface.
+        let mirrored = 2.0 * view.dot(*normal) * *normal - *view;
+        let toward = match rng.random_range(0..40) {
+            0 => -light,
+            1..=20 => Dir3::new_or(mirrored + sample::point(rng, 0.3), normal),
+            _ => light,
+        };
+        BrdfPhong {
+            normal,
+            view,
+            toward,
+            diffuse: colour(rng, 0.05, 0.6),
+            specular: colour(rng, 0.1, 0.4),
+            exponent: sample::number(rng, 0.5, 40.0),
+        }
+    }
+
+    fn judge(_q: &BrdfPhong, golden: &Rgb, got: &Rgb) -> Verdict {
+        let channels = golden.channels().into_iter().zip(got.channels());
+        for (name, (golden, got)) in ["red", "green", "blue"].into_iter().zip(channels) {
+            let tolerance = judge::RELATIVE * golden.max(0.01);
+            judge::number_within(name, "per steradian", golden, got, tolerance)?;
+        }
+        Ok(())
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "multiplies by the cosine",
@@ -91,99 +125,4 @@ impl Graded for BrdfPhong {
             },
         },
     ];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, view: Dir3, light: Dir3, exponent| -> Edge<Self> {
-            Edge::new(
-                name,
-                BrdfPhongQuestion {
-                    normal: Dir3::Z,
-                    view,
-                    toward: light,
-                    diffuse: Rgb::new(0.5, 0.3, 0.1),
-                    specular: Rgb::new(0.3, 0.4, 0.5),
-                    exponent,
-                },
-            )
-        };
-        let slant = |x: f32| toward(x, 0.0, 1.0);
-        let mut turned = edge(
-            "the normal is askew",
-            slant(0.5),
-            toward(0.0, 1.0, 1.0),
-            8.0,
-        );
-        turned.question.normal = toward(0.3, 0.4, 1.0);
-        vec![
-            edge("both straight above", Dir3::Z, Dir3::Z, 10.0),
-            edge("in the mirror direction", slant(1.0), slant(-1.0), 20.0),
-            edge("the view along the light", slant(0.7), slant(0.7), 5.0),
-            edge(
-                "the light below the horizon",
-                slant(0.2),
-                toward(0.3, 0.0, -1.0),
-                4.0,
-            ),
-            edge(
-                "the viewer below the horizon",
-                toward(0.3, 0.0, -1.0),
-                slant(0.2),
-                4.0,
-            ),
-            edge(
-                "more than 90° from the mirror direction",
-                slant(3.0),
-                slant(2.0),
-                2.0,
-            ),
-            edge("an exponent of 0", slant(0.5), toward(0.1, 0.4, 1.0), 0.0),
-            edge(
-                "a sharp highlight",
-                slant(0.5),
-                toward(-0.52, 0.03, 1.0),
-                200.0,
-            ),
-            edge(
-                "the light near the horizon",
-                slant(0.5),
-                toward(-6.0, 1.0, 0.6),
-                3.0,
-            ),
-            turned,
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> BrdfPhongQuestion {
-        let normal = sample::direction(rng);
-        let above = |rng: &mut Pcg| {
-            let d = sample::direction(rng);
-            let flipped = if d.dot(*normal) < 0.0 { -d } else { d };
-            Dir3::new_or(*flipped + 0.1 * *normal, normal)
-        };
-        let (view, light) = (above(rng), above(rng));
-        // Half of them near the highlight, a few behind the surface.
-        let mirrored = 2.0 * view.dot(*normal) * *normal - *view;
-        let toward = match rng.random_range(0..40) {
-            0 => -light,
-            1..=20 => Dir3::new_or(mirrored + sample::point(rng, 0.3), normal),
-            _ => light,
-        };
-        BrdfPhongQuestion {
-            normal,
-            view,
-            toward,
-            diffuse: colour(rng, 0.05, 0.6),
-            specular: colour(rng, 0.1, 0.4),
-            exponent: sample::number(rng, 0.5, 40.0),
-        }
-    }
-
-    fn judge(_q: &BrdfPhongQuestion, golden: &Rgb, got: &Rgb) -> Verdict {
-        let channels = golden.channels().into_iter().zip(got.channels());
-        for (name, (golden, got)) in ["red", "green", "blue"].into_iter().zip(channels) {
-            let tolerance = judge::RELATIVE * golden.max(0.01);
-            judge::number_within(name, "per steradian", golden, got, tolerance)?;
-        }
-        Ok(())
-    }
 }

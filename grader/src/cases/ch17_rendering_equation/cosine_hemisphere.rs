@@ -1,91 +1,22 @@
 //! `cosine_hemisphere`: judged by what its directions have in common.
 
-use super::{at_height, toward};
-use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use super::at_height;
+use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
-use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch17_rendering_equation::{
-    CosineHemisphere, CosineHemisphereQuestion, lattice,
-};
+use raybook_workbook::exercises::ch17_rendering_equation::{CosineHemisphere, lattice};
 use glam::{Vec2, Vec3, vec3};
 use rand::RngExt;
 use std::f32::consts::{FRAC_PI_2, PI, TAU};
 
 /// The lattice's images, given in coordinates whose z is the normal.
-fn around(q: &CosineHemisphereQuestion, warp: fn(Vec2) -> Vec3) -> Vec<Vec3> {
+fn around(q: &CosineHemisphere, warp: fn(Vec2) -> Vec3) -> Vec<Vec3> {
     let basis = Basis::around(q.normal);
     lattice(q.n).map(|u| basis.to_world(warp(u))).collect()
 }
 
 impl Graded for CosineHemisphere {
-    const MISTAKES: &'static [Mistake<Self>] = &[
-        Mistake {
-            name: "takes all directions for equally likely",
-            hint: "How many of your directions are less than 30° above the horizon? By the cosine it is a quarter, and uniformly it is a half.",
-            answer: |q| around(q, |u| at_height(1.0 - u.x, TAU * u.y)),
-        },
-        Mistake {
-            name: "takes the radius on the disc itself for the uniform number",
-            hint: "The inner half of a disc's radius holds only a quarter of its area: does it get only a quarter of your points?",
-            answer: |q| around(q, |u| at_height((1.0 - u.x * u.x).sqrt(), TAU * u.y)),
-        },
-        Mistake {
-            name: "spreads the angle to the normal evenly",
-            hint: "A ring around the normal gets larger with its angle: do your points crowd where it is small?",
-            answer: |q| around(q, |u| at_height((FRAC_PI_2 * u.x).cos(), TAU * u.y)),
-        },
-        Mistake {
-            name: "ignores the normal",
-            hint: "Try a normal that points down: do your directions follow it?",
-            answer: |q| {
-                CosineHemisphere::answer(&CosineHemisphereQuestion {
-                    normal: Dir3::Z,
-                    ..q.clone()
-                })
-            },
-        },
-        Mistake {
-            name: "goes only half way round",
-            hint: "Add up all your directions: does the sum point along the normal?",
-            answer: |q| around(q, |u| at_height((1.0 - u.x).sqrt(), PI * u.y)),
-        },
-        Mistake {
-            name: "leaves the disc at a height of 1 − r",
-            hint: "How long are your directions? What is the height of a sphere above the point at r?",
-            answer: |q| {
-                around(q, |u| {
-                    let (r, phi) = (u.x.sqrt(), TAU * u.y);
-                    vec3(r * phi.cos(), r * phi.sin(), 1.0 - r)
-                })
-            },
-        },
-        Mistake {
-            name: "fills the whole sphere",
-            hint: "Which of your directions point into the surface?",
-            answer: |q| around(q, |u| at_height(1.0 - 2.0 * u.x, TAU * u.y)),
-        },
-        Mistake {
-            name: "uses one of the two numbers twice",
-            hint: "Draw your directions on the disc: do they fill it, or do they make a spiral?",
-            answer: |q| around(q, |u| at_height((1.0 - u.x).sqrt(), TAU * u.x)),
-        },
-    ];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, normal, n| Edge::new(name, CosineHemisphereQuestion { normal, n });
-        vec![
-            edge("the normal is +z", Dir3::Z, 64),
-            edge("the normal is −z", -Dir3::Z, 64),
-            edge("the normal is up", Dir3::Y, 60),
-            edge("the normal is +x", Dir3::X, 72),
-            edge("the normal is down", -Dir3::Y, 64),
-            edge("nearly −z", toward(1e-4, -1e-4, -1.0), 64),
-            edge("askew", toward(-1.0, 2.0, 0.5), 90),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> CosineHemisphereQuestion {
-        CosineHemisphereQuestion {
+    fn random(rng: &mut Pcg) -> CosineHemisphere {
+        CosineHemisphere {
             normal: sample::direction(rng),
             n: rng.random_range(48..=96),
         }
@@ -97,7 +28,7 @@ impl Graded for CosineHemisphere {
     /// not, any turn around the normal, the disc by rings or by squares (Shirley and Chiu 1997), or a sphere's point added
     /// to the normal: all means are right to 0.026, and the shares too. The nearest mistakes, which spread the angle evenly
     /// and which use a number twice, are off by 0.095 in a share, and by 0.12 in a mean.
-    fn judge(q: &CosineHemisphereQuestion, _golden: &Vec<Vec3>, got: &Vec<Vec3>) -> Verdict {
+    fn judge(q: &CosineHemisphere, _golden: &Vec<Vec3>, got: &Vec<Vec3>) -> Verdict {
         const BOUND: f32 = 0.055;
         let expected = q.n as usize;
         if got.len() != expected {
@@ -156,4 +87,52 @@ impl Graded for CosineHemisphere {
         }
         Ok(())
     }
+
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "takes all directions for equally likely",
+            hint: "How many of your directions are less than 30° above the horizon? By the cosine it is a quarter, and uniformly it is a half.",
+            answer: |q| around(q, |u| at_height(1.0 - u.x, TAU * u.y)),
+        },
+        Mistake {
+            name: "takes the radius on the disc itself for the uniform number",
+            hint: "The inner half of a disc's radius holds only a quarter of its area: does it get only a quarter of your points?",
+            answer: |q| around(q, |u| at_height((1.0 - u.x * u.x).sqrt(), TAU * u.y)),
+        },
+        Mistake {
+            name: "spreads the angle to the normal evenly",
+            hint: "A ring around the normal gets larger with its angle: do your points crowd where it is small?",
+            answer: |q| around(q, |u| at_height((FRAC_PI_2 * u.x).cos(), TAU * u.y)),
+        },
+        Mistake {
+            name: "ignores the normal",
+            hint: "Try a normal that points down: do your directions follow it?",
+            answer: |q| Self::misread(q, |q| q.normal = Dir3::Z),
+        },
+        Mistake {
+            name: "goes only half way round",
+            hint: "Add up all your directions: does the sum point along the normal?",
+            answer: |q| around(q, |u| at_height((1.0 - u.x).sqrt(), PI * u.y)),
+        },
+        Mistake {
+            name: "leaves the disc at a height of 1 − r",
+            hint: "How long are your directions? What is the height of a sphere above the point at r?",
+            answer: |q| {
+                around(q, |u| {
+                    let (r, phi) = (u.x.sqrt(), TAU * u.y);
+                    vec3(r * phi.cos(), r * phi.sin(), 1.0 - r)
+                })
+            },
+        },
+        Mistake {
+            name: "fills the whole sphere",
+            hint: "Which of your directions point into the surface?",
+            answer: |q| around(q, |u| at_height(1.0 - 2.0 * u.x, TAU * u.y)),
+        },
+        Mistake {
+            name: "uses one of the two numbers twice",
+            hint: "Draw your directions on the disc: do they fill it, or do they make a spiral?",
+            answer: |q| around(q, |u| at_height((1.0 - u.x).sqrt(), TAU * u.x)),
+        },
+    ];
 }

@@ -1,24 +1,11 @@
 //! Chapter 17: `cosine_hemisphere`, `brdf_phong`, `reflected_radiance`.
 
-mod brdf_phong;
-mod cosine_hemisphere;
-mod reflected_radiance;
-
-use crate::examine::Examiner;
 use crate::sample;
 use raybook::image::rgb::Rgb;
-use raybook::math::{dir3::Dir3, pcg::Pcg};
-use raybook_workbook::exercises::ch17_rendering_equation::{
-    BrdfPhong, CosineHemisphere, ReflectedRadiance,
-};
+use raybook::math::pcg::Pcg;
 use glam::{Vec3, vec3};
 
-/// This chapter's exercises, in order.
-pub const GRADED: &[&dyn Examiner] = &[&CosineHemisphere, &BrdfPhong, &ReflectedRadiance];
-
-fn toward(x: f32, y: f32, z: f32) -> Dir3 {
-    Dir3::new_or(vec3(x, y, z), Dir3::Z)
-}
+raybook_workbook::ch17_rendering_equation!(graded);
 
 /// The direction at a height over the horizon, and an angle around the normal.
 fn at_height(z: f32, phi: f32) -> Vec3 {

@@ -1,13 +1,11 @@
 //! `reflected_radiance`: an estimate, held against the integral.
 
-use super::{at_height, colour, toward};
-use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use super::{at_height, colour};
+use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::image::rgb::Rgb;
 use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
 use raybook::sample::hemisphere;
-use raybook_workbook::exercises::ch17_rendering_equation::{
-    ReflectedRadiance, ReflectedRadianceQuestion,
-};
+use raybook_workbook::exercises::ch17_rendering_equation::ReflectedRadiance;
 use std::f32::consts::{PI, TAU};
 
 /// ∫ g dω over the hemisphere around the normal, of several g, by the middles of cells of equal solid angle.
@@ -27,7 +25,7 @@ fn integral<const N: usize>(normal: Dir3, g: impl Fn(Dir3) -> [Rgb; N]) -> [Rgb;
 }
 
 /// ∫ f L_i cos θ · weight dω, as a wrong estimate would have it in the mean.
-fn weighted(q: &ReflectedRadianceQuestion, weight: impl Fn(f32) -> f32) -> Rgb {
+fn weighted(q: &ReflectedRadiance, weight: impl Fn(f32) -> f32) -> Rgb {
     let brdf = q.brdf();
     let [sum] = integral(q.normal, |d| {
         let cosine = d.dot(*q.normal);
@@ -37,6 +35,55 @@ fn weighted(q: &ReflectedRadianceQuestion, weight: impl Fn(f32) -> f32) -> Rgb {
 }
 
 impl Graded for ReflectedRadiance {
+    const ULPS: i32 = 0; // an integral has no edges at which a last digit decides
+
+    /// Estimates scatter: what a student's is, another estimate with the same mistake is only nearly.
+    const ALIKE: f32 = 0.05;
+
+    fn random(rng: &mut Pcg) -> ReflectedRadiance {
+        let normal = sample::direction(rng);
+        let d = sample::direction(rng);
+        let above = if d.dot(*normal) < 0.0 { -d } else { d };
+        ReflectedRadiance {
+            normal,
+            view: Dir3::new_or(*above + 0.3 * *normal, normal),
+            diffuse: colour(rng, 0.2, 0.6),
+            specular: colour(rng, 0.05, 0.3),
+            exponent: sample::number(rng, 0.5, 5.0),
+            zenith: Dir3::new_or(*sample::direction(rng) + *normal, normal),
+            radiance: colour(rng, 0.5, 3.0),
+            samples: 20_000,
+        }
+    }
+
+    /// Against the integral. The bound is 6.2 standard deviations of the estimate that scatters most among those that may
+    /// well be written: by directions of the whole sphere, half of them in vain, or by the cosine. Of 300 random cases the
+    /// others (the hemisphere, the highlight's lobe and one of them, half and half) scatter less in every one. Of 500
+    /// students with 42 cases of three channels, chance fails one with a probability of 500 · 126 · 6e-10 = 4e-5.
+    fn judge(q: &ReflectedRadiance, _golden: &Rgb, got: &Rgb) -> Verdict {
+        const DEVIATIONS: f32 = 6.2;
+        let brdf = q.brdf();
+        let [exact, sphere, cosine] = integral(q.normal, |d| {
+            let cosine = d.dot(*q.normal);
+            let light = brdf.value(q.normal, q.view, d) * q.sky(d) * cosine;
+            let square = |pdf: f32| light * light / pdf;
+            [
+                light,
+                square(0.5 * hemisphere::UNIFORM),
+                square(hemisphere::cosine_pdf(cosine)),
+            ]
+        })
+        .map(Rgb::channels);
+        for (i, name) in ["red", "green", "blue"].into_iter().enumerate() {
+            let variance = (sphere[i].max(cosine[i]) - exact[i] * exact[i]).max(0.0);
+            let scatter = (variance / q.samples as f32).sqrt();
+            let tolerance = DEVIATIONS * scatter + 2.0 * judge::RELATIVE * exact[i];
+            judge::number_within(name, "W·m⁻²·sr⁻¹", exact[i], got.channels()[i], tolerance)
+                .map_err(|why| format!("{why}: more than chance explains"))?;
+        }
+        Ok(())
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "forgets the cosine",
@@ -84,117 +131,4 @@ impl Graded for ReflectedRadiance {
             answer: |q| weighted(q, |_| 0.5),
         },
     ];
-
-    const ULPS: i32 = 0; // an integral has no edges at which a last digit decides
-    /// Estimates scatter: what a student's is, another estimate with the same mistake is only nearly.
-    const ALIKE: f32 = 0.05;
-
-    fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, view: Dir3, [diffuse, specular]: [f32; 2], exponent, zenith| {
-            Edge::new(
-                name,
-                ReflectedRadianceQuestion {
-                    normal: Dir3::Y,
-                    view,
-                    diffuse: Rgb::new(diffuse, 0.8 * diffuse, 0.5 * diffuse),
-                    specular: Rgb::gray(specular),
-                    exponent,
-                    zenith,
-                    radiance: Rgb::new(1.0, 1.5, 2.0),
-                    samples: 20_000,
-                },
-            )
-        };
-        let slant = toward(1.0, 1.0, 0.0);
-        vec![
-            edge("matt, under the zenith", Dir3::Y, [0.8, 0.0], 1.0, Dir3::Y),
-            edge(
-                "matt, the zenith is at the horizon",
-                slant,
-                [0.8, 0.0],
-                1.0,
-                Dir3::X,
-            ),
-            edge(
-                "matt, the zenith is below",
-                slant,
-                [0.8, 0.0],
-                1.0,
-                -Dir3::Y,
-            ),
-            edge("only a highlight", Dir3::Y, [0.0, 0.9], 2.0, Dir3::Y),
-            edge(
-                "a highlight towards the zenith",
-                slant,
-                [0.2, 0.6],
-                3.0,
-                toward(-1.0, 1.0, 0.0),
-            ),
-            edge(
-                "a highlight away from the zenith",
-                slant,
-                [0.2, 0.6],
-                3.0,
-                toward(1.0, 1.0, 0.0),
-            ),
-            edge(
-                "seen at a slant: part of the lobe is cut off",
-                toward(1.0, 0.3, 0.2),
-                [0.1, 0.6],
-                2.0,
-                Dir3::Y,
-            ),
-            edge(
-                "the highlight is as wide as the matt part",
-                slant,
-                [0.3, 0.3],
-                1.0,
-                Dir3::Z,
-            ),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> ReflectedRadianceQuestion {
-        let normal = sample::direction(rng);
-        let d = sample::direction(rng);
-        let above = if d.dot(*normal) < 0.0 { -d } else { d };
-        ReflectedRadianceQuestion {
-            normal,
-            view: Dir3::new_or(*above + 0.3 * *normal, normal),
-            diffuse: colour(rng, 0.2, 0.6),
-            specular: colour(rng, 0.05, 0.3),
-            exponent: sample::number(rng, 0.5, 5.0),
-            zenith: Dir3::new_or(*sample::direction(rng) + *normal, normal),
-            radiance: colour(rng, 0.5, 3.0),
-            samples: 20_000,
-        }
-    }
-
-    /// Against the integral. The bound is 6.2 standard deviations of the estimate that scatters most among those that may
-    /// well be written: by directions of the whole sphere, half of them in vain, or by the cosine. Of 300 random cases the
-    /// others (the hemisphere, the highlight's lobe and one of them, half and half) scatter less in every one. Of 500
-    /// students with 42 cases of three channels, chance fails one with a probability of 500 · 126 · 6e-10 = 4e-5.
-    fn judge(q: &ReflectedRadianceQuestion, _golden: &Rgb, got: &Rgb) -> Verdict {
-        const DEVIATIONS: f32 = 6.2;
-        let brdf = q.brdf();
-        let [exact, sphere, cosine] = integral(q.normal, |d| {
-            let cosine = d.dot(*q.normal);
-            let light = brdf.value(q.normal, q.view, d) * q.sky(d) * cosine;
-            let square = |pdf: f32| light * light / pdf;
-            [
-                light,
-                square(0.5 * hemisphere::UNIFORM),
-                square(hemisphere::cosine_pdf(cosine)),
-            ]
-        })
-        .map(Rgb::channels);
-        for (i, name) in ["red", "green", "blue"].into_iter().enumerate() {
-            let variance = (sphere[i].max(cosine[i]) - exact[i] * exact[i]).max(0.0);
-            let scatter = (variance / q.samples as f32).sqrt();
-            let tolerance = DEVIATIONS * scatter + 2.0 * judge::RELATIVE * exact[i];
-            judge::number_within(name, "W·m⁻²·sr⁻¹", exact[i], got.channels()[i], tolerance)
-                .map_err(|why| format!("{why}: more than chance explains"))?;
-        }
-        Ok(())
-    }
 }

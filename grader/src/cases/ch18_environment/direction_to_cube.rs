@@ -1,15 +1,38 @@
 //! `direction_to_cube`: the face, and the place on it.
 
-use super::{asks, toward};
-use crate::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
+use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
 use raybook_chapters::kit::palette::direction as direction_colour;
 use raybook::light::environment::latlong;
 use raybook::math::{dir3::Dir3, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch18_environment::{CubePlace, DirectionQuestion, DirectionToCube};
+use raybook_workbook::exercises::ch18_environment::{CubePlace, DirectionToCube};
 use glam::{Vec3, vec2};
 
+fn asks(direction: Dir3) -> DirectionToCube {
+    DirectionToCube { direction }
+}
+
 impl Graded for DirectionToCube {
+    fn random(rng: &mut Pcg) -> DirectionToCube {
+        asks(sample::direction(rng))
+    }
+
+    fn judge(_q: &Self, golden: &CubePlace, got: &CubePlace) -> Verdict {
+        const FACES: [&str; 6] = ["+x", "-x", "+y", "-y", "+z", "-z"];
+        if golden.face != got.face {
+            let name = |face: u32| FACES.get(face as usize).copied().unwrap_or("no face");
+            return Err(format!(
+                "the face is {} ({}), and should be {} ({})",
+                got.face,
+                name(got.face),
+                golden.face,
+                name(golden.face)
+            ));
+        }
+        judge::number("u", "", golden.u, got.u)?;
+        judge::number("v", "", golden.v, got.v)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "sees the faces from outside",
@@ -137,43 +160,4 @@ impl Graded for DirectionToCube {
                 }
         },
     }];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let place = |face, u, v| CubePlace { face, u, v };
-        vec![
-            Edge::new("the middle of +x", asks(Dir3::X)),
-            Edge::new("the middle of -x", asks(-Dir3::X)),
-            Edge::new("the middle of +y", asks(Dir3::Y)),
-            Edge::new("the middle of -y", asks(-Dir3::Y)),
-            Edge::new("the middle of +z", asks(Dir3::Z)),
-            Edge::new("the middle of -z", asks(-Dir3::Z)),
-            Edge::new("right of and above -z", asks(toward(0.25, 0.5, -1.0))),
-            Edge::new("on the ceiling, towards -z", asks(toward(0.2, 1.0, -0.7))),
-            Edge::new("on the floor, towards -z", asks(toward(0.2, -1.0, -0.7))),
-            Edge::new("on the wall -x", asks(toward(-1.0, 0.3, 0.6))),
-            Edge::new("just before an edge", asks(toward(1.0, 0.2, -0.999))),
-            Edge::new("on the edge of +x and +y", asks(toward(1.0, 1.0, 0.0)))
-                .or(place(2, 1.0, 0.5)),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> DirectionQuestion {
-        asks(sample::direction(rng))
-    }
-
-    fn judge(_q: &DirectionQuestion, golden: &CubePlace, got: &CubePlace) -> Verdict {
-        const FACES: [&str; 6] = ["+x", "-x", "+y", "-y", "+z", "-z"];
-        if golden.face != got.face {
-            let name = |face: u32| FACES.get(face as usize).copied().unwrap_or("no face");
-            return Err(format!(
-                "the face is {} ({}), and should be {} ({})",
-                got.face,
-                name(got.face),
-                golden.face,
-                name(golden.face)
-            ));
-        }
-        judge::number("u", "", golden.u, got.u)?;
-        judge::number("v", "", golden.v, got.v)
-    }
 }

@@ -1,20 +1,41 @@
 //! `direction_to_latlong`: the place, compared by the direction that it is.
 
-use super::{asks, toward};
-use crate::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
+use super::toward;
+use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
 use raybook_chapters::kit::palette::viridis;
 use raybook::light::environment::latlong;
 use raybook::math::{dir3::Dir3, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch18_environment::{DirectionQuestion, DirectionToLatlong};
+use raybook_workbook::exercises::ch18_environment::{DirectionToLatlong};
 use glam::{Vec2, Vec3, vec2, vec3};
 use std::f64::consts::PI;
 
-fn turned(q: &DirectionQuestion, turn: impl Fn(Vec3) -> Vec3) -> DirectionQuestion {
+fn turned(q: &DirectionToLatlong, turn: impl Fn(Vec3) -> Vec3) -> DirectionToLatlong {
     asks(Dir3::new_or(turn(*q.direction), Dir3::X))
 }
 
+fn asks(direction: Dir3) -> DirectionToLatlong {
+    DirectionToLatlong { direction }
+}
+
 impl Graded for DirectionToLatlong {
+    fn random(rng: &mut Pcg) -> DirectionToLatlong {
+        asks(sample::direction(rng))
+    }
+
+    /// Places are compared by their directions: at a pole all u are the same place, and so are the left and the right edge.
+    fn judge(_q: &Self, golden: &Vec2, got: &Vec2) -> Verdict {
+        let on_map = |x: f32| (-1e-4..=1.0 + 1e-4).contains(&x);
+        if !(on_map(got.x) && on_map(got.y)) {
+            return Err(format!(
+                "({}, {}) is not on the map, which is from 0 to 1",
+                got.x, got.y
+            ));
+        }
+        let [golden, place] = [golden, got].map(|place| *latlong::direction(*place));
+        judge::direction("the direction at your place", golden, place)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "has left and right exchanged",
@@ -90,36 +111,4 @@ impl Graded for DirectionToLatlong {
             viridis(place.x) * if lines % 2.0 == 0.0 { 1.0 } else { 0.6 }
         },
     }];
-
-    fn edges() -> Vec<Edge<Self>> {
-        vec![
-            Edge::new("the middle, -z", asks(-Dir3::Z)),
-            Edge::new("right, +x", asks(Dir3::X)),
-            Edge::new("left, -x", asks(-Dir3::X)),
-            Edge::new("behind, +z", asks(Dir3::Z)).or(vec2(1.0, 0.5)),
-            Edge::new("straight up", asks(Dir3::Y)),
-            Edge::new("straight down", asks(-Dir3::Y)),
-            Edge::new("45 degrees up", asks(toward(0.0, 1.0, -1.0))),
-            Edge::new("nearly straight up", asks(toward(1e-4, 1.0, 0.0))),
-            Edge::new("behind, on the right", asks(toward(0.3, 0.2, 1.0))),
-            Edge::new("behind, on the left", asks(toward(-0.3, 0.2, 1.0))),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> DirectionQuestion {
-        asks(sample::direction(rng))
-    }
-
-    /// Places are compared by their directions: at a pole all u are the same place, and so are the left and the right edge.
-    fn judge(_q: &DirectionQuestion, golden: &Vec2, got: &Vec2) -> Verdict {
-        let on_map = |x: f32| (-1e-4..=1.0 + 1e-4).contains(&x);
-        if !(on_map(got.x) && on_map(got.y)) {
-            return Err(format!(
-                "({}, {}) is not on the map, which is from 0 to 1",
-                got.x, got.y
-            ));
-        }
-        let [golden, place] = [golden, got].map(|place| *latlong::direction(*place));
-        judge::direction("the direction at your place", golden, place)
-    }
 }

@@ -4,7 +4,7 @@ use super::OfMap;
 use super::{cell, toward};
 use crate::Verdict;
 use raybook::light::environment::latlong;
-use raybook_workbook::exercises::ch18_environment::MapQuestion;
+use raybook_workbook::exercises::ch18_environment::SampleEnvironment;
 use glam::{Vec2, Vec3, vec2};
 use std::f64::consts::PI;
 
@@ -13,7 +13,7 @@ use std::f64::consts::PI;
 const STRAY: usize = 10;
 
 /// Whether directions are distributed as the map's light.
-pub fn distributed(q: &MapQuestion, directions: &[Vec3]) -> Verdict {
+pub fn distributed(q: &SampleEnvironment, directions: &[Vec3]) -> Verdict {
     let (width, height) = (q.width as usize, q.height as usize);
     let places: Vec<Vec2> = directions
         .iter()

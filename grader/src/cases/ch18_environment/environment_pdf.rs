@@ -2,20 +2,18 @@
 
 use super::OfMap;
 use super::{cell, toward};
-use crate::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
+use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
 use raybook_chapters::kit::palette::viridis;
 use raybook::light::environment::latlong;
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch18_environment::{
-    DensityQuestion, EnvironmentPdf, MapQuestion, SampleEnvironment,
-};
+use raybook_workbook::exercises::ch18_environment::{EnvironmentPdf, SampleEnvironment};
 use glam::vec2;
 use std::f64::consts::PI;
 
 /// What is asked of a question here.
 pub(super) trait OfDensity {
-    fn map(&self) -> MapQuestion;
+    fn map(&self) -> SampleEnvironment;
 
     /// The texel of the direction: its column and its row.
     fn texel(&self) -> (usize, usize);
@@ -24,9 +22,9 @@ pub(super) trait OfDensity {
     fn share(&self) -> (f64, f64);
 }
 
-impl OfDensity for DensityQuestion {
-    fn map(&self) -> MapQuestion {
-        MapQuestion {
+impl OfDensity for EnvironmentPdf {
+    fn map(&self) -> SampleEnvironment {
+        SampleEnvironment {
             width: self.width,
             height: self.height,
             texels: self.texels.clone(),
@@ -49,6 +47,21 @@ impl OfDensity for DensityQuestion {
 }
 
 impl Graded for EnvironmentPdf {
+    fn random(rng: &mut Pcg) -> EnvironmentPdf {
+        let map = SampleEnvironment::random(rng);
+        EnvironmentPdf {
+            direction: sample::direction(rng),
+            width: map.width,
+            height: map.height,
+            texels: map.texels,
+        }
+    }
+
+    fn judge(_q: &EnvironmentPdf, golden: &f32, got: &f32) -> Verdict {
+        let tolerance = judge::RELATIVE * golden.abs().max(1e-3);
+        judge::number_within("the density", "per steradian", *golden, *got, tolerance)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "returns the probability of the texel",
@@ -103,7 +116,7 @@ impl Graded for EnvironmentPdf {
             hint: "Which row does +y belong to?",
             answer: |q| {
                 let d = q.direction;
-                Self::answer(&DensityQuestion {
+                Self::answer(&EnvironmentPdf {
                     direction: toward(d.x, -d.y, d.z),
                     ..q.clone()
                 })
@@ -124,7 +137,7 @@ impl Graded for EnvironmentPdf {
         width: 96,
         height: 48,
         alt: "A map of 8 by 4 texels, each as bright as the density there",
-        question: |x, y| DensityQuestion {
+        question: |x, y| EnvironmentPdf {
             direction: latlong::direction(vec2((x as f32 + 0.5) / 96.0, (y as f32 + 0.5) / 48.0)),
             width: 8,
             height: 4,
@@ -132,65 +145,4 @@ impl Graded for EnvironmentPdf {
         },
         colour: |_, density| viridis(4.0 * density),
     }];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let question = |direction, width, height, texels: &[f32]| DensityQuestion {
-            direction,
-            width,
-            height,
-            texels: texels.to_vec(),
-        };
-        let sky = [4.0, 2.0, 1.0, 0.5, 1.0, 2.0, 0.0, 1.0];
-        let inside = toward(0.4, 0.5, -0.9);
-        vec![
-            Edge::new(
-                "a single texel: all directions alike",
-                question(inside, 1, 1, &[3.0]),
-            ),
-            Edge::new("a black map", question(inside, 2, 2, &[0.0; 4])),
-            Edge::new(
-                "one bright texel, outside it",
-                question(inside, 2, 2, &[0.0, 0.0, 0.0, 5.0]),
-            ),
-            Edge::new(
-                "one bright texel, inside it",
-                question(inside, 2, 2, &[0.0, 5.0, 0.0, 0.0]),
-            ),
-            Edge::new(
-                "a constant map, near a pole",
-                question(toward(0.1, 1.0, 0.1), 2, 4, &[1.0; 8]),
-            ),
-            Edge::new(
-                "a constant map, at the equator",
-                question(toward(0.3, 0.1, 1.0), 2, 4, &[1.0; 8]),
-            ),
-            Edge::new(
-                "the upper row",
-                question(toward(-0.3, 0.8, 0.3), 2, 4, &sky),
-            ),
-            Edge::new(
-                "the lower row",
-                question(toward(0.3, -0.9, 0.3), 2, 4, &sky),
-            ),
-            Edge::new(
-                "a black texel among others",
-                question(toward(-0.4, -0.9, -0.3), 2, 4, &sky),
-            ),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> DensityQuestion {
-        let map = SampleEnvironment::random(rng);
-        DensityQuestion {
-            direction: sample::direction(rng),
-            width: map.width,
-            height: map.height,
-            texels: map.texels,
-        }
-    }
-
-    fn judge(_q: &DensityQuestion, golden: &f32, got: &f32) -> Verdict {
-        let tolerance = judge::RELATIVE * golden.abs().max(1e-3);
-        judge::number_within("the density", "per steradian", *golden, *got, tolerance)
-    }
 }

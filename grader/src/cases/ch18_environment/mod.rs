@@ -1,35 +1,17 @@
 //! Chapter 18: `direction_to_cube`, `direction_to_latlong`, `sample_environment`, `environment_pdf`.
 
-mod direction_to_cube;
-mod direction_to_latlong;
 mod distributed;
-mod environment_pdf;
-mod sample_environment;
 
-use crate::examine::Examiner;
 use raybook::light::environment::latlong;
 use raybook::math::dir3::Dir3;
-use raybook_workbook::exercises::ch18_environment::{
-    DirectionQuestion, DirectionToCube, DirectionToLatlong, EnvironmentPdf, MapQuestion,
-    SampleEnvironment,
-};
+use raybook_workbook::exercises::ch18_environment::SampleEnvironment;
 use glam::vec3;
 use std::f64::consts::PI;
 
-/// This chapter's exercises, in order.
-pub const GRADED: &[&dyn Examiner] = &[
-    &DirectionToCube,
-    &DirectionToLatlong,
-    &SampleEnvironment,
-    &EnvironmentPdf,
-];
+raybook_workbook::ch18_environment!(graded);
 
 fn toward(x: f32, y: f32, z: f32) -> Dir3 {
     Dir3::new_or(vec3(x, y, z), Dir3::X)
-}
-
-fn asks(direction: Dir3) -> DirectionQuestion {
-    DirectionQuestion { direction }
 }
 
 /// The row and the cell of a place in so many.
@@ -48,7 +30,7 @@ pub(super) trait OfMap {
     fn share(&self, x: usize, y: usize) -> f64;
 }
 
-impl OfMap for MapQuestion {
+impl OfMap for SampleEnvironment {
     fn texel(&self, x: usize, y: usize) -> f64 {
         f64::from(self.texels[y * self.width as usize + x])
     }

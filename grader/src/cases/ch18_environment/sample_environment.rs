@@ -1,13 +1,13 @@
-//! `sample_environment`: cases and mistakes; [`super::distributed`] judges.
+//! `sample_environment`: random questions and mistakes; [`super::distributed`] judges.
 
 use super::OfMap;
 use super::{cell, distributed::distributed, toward};
-use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::light::environment::latlong;
 use raybook::math::{pcg::Pcg, piecewise::Piecewise};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch17_rendering_equation::lattice;
-use raybook_workbook::exercises::ch18_environment::{MapQuestion, POINTS, SampleEnvironment};
+use raybook_workbook::exercises::ch18_environment::{SampleEnvironment, POINTS};
 use glam::{Vec2, Vec3, vec2};
 use rand::RngExt;
 
@@ -24,7 +24,7 @@ pub(super) trait Asked {
     ) -> Vec<Vec3>;
 }
 
-impl Asked for MapQuestion {
+impl Asked for SampleEnvironment {
     fn sampled(
         &self,
         weight: fn(&Self, usize, usize) -> f64,
@@ -56,11 +56,40 @@ fn by_angle(top: f64, bottom: f64, within: f64) -> f64 {
 }
 
 impl Graded for SampleEnvironment {
+    fn random(rng: &mut Pcg) -> SampleEnvironment {
+        let (width, height) = (rng.random_range(2..5), rng.random_range(2..5));
+        let texels = (0..width * height)
+            .map(|_| sample::number(rng, 0.1, 2.0).powi(3))
+            .collect();
+        SampleEnvironment {
+            width,
+            height,
+            texels,
+        }
+    }
+
+    /// By distribution: of the lattice's points, the right share must be in every part of the sphere.
+    fn judge(q: &SampleEnvironment, golden: &Vec<Vec3>, got: &Vec<Vec3>) -> Verdict {
+        if golden.len() != got.len() {
+            return Err(format!(
+                "there are {} directions, and should be {}",
+                got.len(),
+                golden.len()
+            ));
+        }
+        for (i, direction) in got.iter().enumerate() {
+            if (direction.length() - 1.0).abs() > judge::LENGTH || !direction.is_finite() {
+                return Err(format!("direction {i} has length {}", direction.length()));
+            }
+        }
+        distributed(q, got)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "weighs all rows as if they were equally wide",
             hint: "The rows near the poles are as long on the map as the others: are they on the sphere?",
-            answer: |q| q.sampled(MapQuestion::texel, by_solid_angle),
+            answer: |q| q.sampled(SampleEnvironment::texel, by_solid_angle),
         },
         Mistake {
             name: "goes through a row evenly by its angle",
@@ -117,60 +146,4 @@ impl Graded for SampleEnvironment {
             },
         },
     ];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let map = |width, height, texels: &[f32]| MapQuestion {
-            width,
-            height,
-            texels: texels.to_vec(),
-        };
-        let one = |at: usize| {
-            let mut texels = [0.0; 8];
-            texels[at] = 2.0;
-            map(4, 2, &texels)
-        };
-        vec![
-            Edge::new("a single texel: all directions alike", map(1, 1, &[1.0])),
-            Edge::new("a black map", map(2, 2, &[0.0; 4])),
-            Edge::new("one bright texel", one(5)),
-            Edge::new("the first texel only", one(0)),
-            Edge::new("the last texel only", one(7)),
-            Edge::new("a constant map of four rows", map(2, 4, &[1.0; 8])),
-            Edge::new("the poles brightest", map(1, 5, &[4.0, 1.0, 1.0, 1.0, 4.0])),
-            Edge::new(
-                "two bright texels, in other rows and columns",
-                map(3, 2, &[5.0, 0.0, 0.0, 0.0, 0.0, 5.0]),
-            ),
-            Edge::new("a bright sky, a dim ground", map(1, 2, &[3.0, 1.0])),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> MapQuestion {
-        let (width, height) = (rng.random_range(2..5), rng.random_range(2..5));
-        let texels = (0..width * height)
-            .map(|_| sample::number(rng, 0.1, 2.0).powi(3))
-            .collect();
-        MapQuestion {
-            width,
-            height,
-            texels,
-        }
-    }
-
-    /// By distribution: of the lattice's points, the right share must be in every part of the sphere.
-    fn judge(q: &MapQuestion, golden: &Vec<Vec3>, got: &Vec<Vec3>) -> Verdict {
-        if golden.len() != got.len() {
-            return Err(format!(
-                "there are {} directions, and should be {}",
-                got.len(),
-                golden.len()
-            ));
-        }
-        for (i, direction) in got.iter().enumerate() {
-            if (direction.length() - 1.0).abs() > judge::LENGTH || !direction.is_finite() {
-                return Err(format!("direction {i} has length {}", direction.length()));
-            }
-        }
-        distributed(q, got)
-    }
 }

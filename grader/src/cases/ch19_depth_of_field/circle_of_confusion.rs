@@ -1,11 +1,9 @@
-//! `circle_of_confusion`: its cases, judge and mistakes.
+//! `circle_of_confusion`: random questions, judge and mistakes.
 
-use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch19_depth_of_field::{
-    CircleOfConfusion, CircleOfConfusionQuestion,
-};
+use raybook_workbook::exercises::ch19_depth_of_field::CircleOfConfusion;
 
 /// What is asked of a question here.
 pub(super) trait Blur {
@@ -13,13 +11,36 @@ pub(super) trait Blur {
     fn magnification(&self) -> f32;
 }
 
-impl Blur for CircleOfConfusionQuestion {
+impl Blur for CircleOfConfusion {
     fn magnification(&self) -> f32 {
         self.lens().film_distance() / self.focus
     }
 }
 
 impl Graded for CircleOfConfusion {
+    fn random(rng: &mut Pcg) -> CircleOfConfusion {
+        let focal_length = sample::number(rng, 0.02, 0.2);
+        let focus = focal_length * sample::number(rng, 3.0, 40.0);
+        let near = sample::number(rng, 0.4, 0.9);
+        let far = sample::number(rng, 1.1, 8.0);
+        let side = sample::number(rng, 0.0, 1.0);
+        CircleOfConfusion {
+            focal_length,
+            f_number: sample::number(rng, 1.2, 16.0),
+            focus,
+            distance: focus * if side < 0.5 { near } else { far },
+        }
+    }
+
+    /// By its size, and near the focus, where it is a small difference of distances, by the aperture's.
+    fn judge(q: &CircleOfConfusion, golden: &f32, got: &f32) -> Verdict {
+        /// Who goes by where the points are sharp subtracts two nearly equal distances: a few roundings, 6e-8 each, of f.
+        const OF_APERTURE: f32 = 1e-6;
+        let tolerance = judge::RELATIVE * golden + OF_APERTURE * q.lens().aperture();
+        let mm = |metres: f32| 1e3 * metres;
+        judge::number_within("the diameter", "mm", mm(*golden), mm(*got), mm(tolerance))
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "is negative on one side of the focus",
@@ -89,59 +110,4 @@ impl Graded for CircleOfConfusion {
             answer: |q| 1e3 * Self::answer(q),
         },
     ];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, focal_length, f_number, focus, distance| {
-            Edge::new(
-                name,
-                CircleOfConfusionQuestion {
-                    focal_length,
-                    f_number,
-                    focus,
-                    distance,
-                },
-            )
-        };
-        vec![
-            edge("nearer than the focus", 0.05, 2.0, 2.0, 1.0),
-            edge("farther than the focus", 0.05, 2.0, 2.0, 3.0),
-            edge("far behind the focus", 0.05, 2.0, 2.0, 10.0),
-            edge("in focus", 0.05, 2.0, 2.0, 2.0),
-            edge("a star", 0.05, 2.0, 2.0, f32::INFINITY),
-            edge(
-                "a star through a telephoto lens",
-                0.3,
-                2.8,
-                5.0,
-                f32::INFINITY,
-            ),
-            edge("as large as life", 0.1, 4.0, 0.2, 0.25),
-            edge("a wide-angle lens", 0.02, 8.0, 1.0, 4.0),
-            edge("an aperture like a pin-hole's", 0.05, 200.0, 2.0, 1.0),
-            edge("just before the lens", 0.05, 2.0, 2.0, 0.0625),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> CircleOfConfusionQuestion {
-        let focal_length = sample::number(rng, 0.02, 0.2);
-        let focus = focal_length * sample::number(rng, 3.0, 40.0);
-        let near = sample::number(rng, 0.4, 0.9);
-        let far = sample::number(rng, 1.1, 8.0);
-        let side = sample::number(rng, 0.0, 1.0);
-        CircleOfConfusionQuestion {
-            focal_length,
-            f_number: sample::number(rng, 1.2, 16.0),
-            focus,
-            distance: focus * if side < 0.5 { near } else { far },
-        }
-    }
-
-    /// By its size, and near the focus, where it is a small difference of distances, by the aperture's.
-    fn judge(q: &CircleOfConfusionQuestion, golden: &f32, got: &f32) -> Verdict {
-        /// Who goes by where the points are sharp subtracts two nearly equal distances: a few roundings, 6e-8 each, of f.
-        const OF_APERTURE: f32 = 1e-6;
-        let tolerance = judge::RELATIVE * golden + OF_APERTURE * q.lens().aperture();
-        let mm = |metres: f32| 1e3 * metres;
-        judge::number_within("the diameter", "mm", mm(*golden), mm(*got), mm(tolerance))
-    }
 }

@@ -1,12 +1,15 @@
-//! `thin_lens_ray`: its judge and mistakes.
+//! `thin_lens_ray`: random questions, judge and mistakes.
 
-use super::thin_lens_ray_cases as cases;
-use crate::{Edge, Graded, Mistake, Picture, Verdict, judge};
-use raybook::math::pcg::Pcg;
+use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
+use glam::{Vec2, Vec3, vec2, vec3};
+use rand::RngExt;
+use raybook::image::rgb::Rgb;
+use raybook::math::{basis::Basis, dir3::Dir3, interval::Interval, pcg, pcg::Pcg, ray::Ray};
+use raybook::sample::disk::concentric_disk;
+use raybook::shape::{Shape, sphere::Sphere};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch01_rays::CameraRayAnswer;
-use raybook_workbook::exercises::ch19_depth_of_field::{ThinLensRay, ThinLensRayQuestion};
-use glam::{Vec2, Vec3, vec2};
+use raybook_workbook::exercises::ch19_depth_of_field::ThinLensRay;
 
 /// What is asked of a question here.
 pub(super) trait ThroughLens {
@@ -20,7 +23,7 @@ pub(super) trait ThroughLens {
     fn toward(&self, point: Vec3) -> CameraRayAnswer;
 }
 
-impl ThroughLens for ThinLensRayQuestion {
+impl ThroughLens for ThinLensRay {
     fn central(&self) -> CameraRayAnswer {
         let mut middle = self.clone();
         middle.on_lens = Vec2::ZERO;
@@ -43,6 +46,49 @@ impl ThroughLens for ThinLensRayQuestion {
 }
 
 impl Graded for ThinLensRay {
+    fn random(rng: &mut Pcg) -> ThinLensRay {
+        let focal_length = sample::number(rng, 0.02, 0.1);
+        let unit = |rng: &mut Pcg| vec2(rng.random(), rng.random());
+        ThinLensRay {
+            focal_length,
+            f_number: sample::number(rng, 1.0, 2.8),
+            focus: focal_length * sample::number(rng, 4.0, 25.0),
+            film: unit(rng),
+            on_lens: concentric_disk(unit(rng)),
+            ..question(sample::point(rng, 1.0), sample::direction(rng))
+        }
+    }
+
+    /// In the units of what counts: the start by the aperture's size, the direction by what it misses in the plane in focus.
+    fn judge(q: &ThinLensRay, golden: &CameraRayAnswer, got: &CameraRayAnswer) -> Verdict {
+        /// Of the distance from the world's origin and from the lens: some two hundred roundings.
+        const ROUNDING: f32 = 1e-5;
+        let far = q.lens_middle.length() + q.lens().aperture();
+        let of_lens = judge::RELATIVE * q.lens().aperture();
+        judge::direction(
+            "the ray's direction",
+            got.direction.normalize_or_zero(),
+            got.direction,
+        )?;
+        let off = golden.origin.distance(got.origin);
+        if off.is_nan() || off > of_lens + ROUNDING * far {
+            return Err(format!(
+                "the ray's origin is {:.3} mm away from where it should be",
+                1e3 * off
+            ));
+        }
+        judge::direction("the ray's direction", golden.direction, got.direction)?;
+        let miss = q.in_plane(golden).distance(q.in_plane(got));
+        if miss.is_nan() || miss > of_lens + ROUNDING * (far + q.focus) {
+            return Err(format!(
+                "the ray misses the point in focus by {:.3} mm, {} m ahead of the lens",
+                1e3 * miss,
+                q.focus
+            ));
+        }
+        Ok(())
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "focuses on a sphere instead of a plane",
@@ -87,7 +133,7 @@ impl Graded for ThinLensRay {
         Mistake {
             name: "goes through the middle of the lens always",
             hint: "Is there any blur? What is `on_lens` for?",
-            answer: ThinLensRayQuestion::central,
+            answer: ThinLensRay::central,
         },
         Mistake {
             name: "focuses at the focal length",
@@ -125,45 +171,59 @@ impl Graded for ThinLensRay {
         width: 96,
         height: 54,
         alt: "Three balls, one ray a pixel, each from another point of the lens: the middle one has a clean edge, the near and the far one are frayed",
-        question: cases::pixel,
-        colour: cases::colour,
+        question: pixel,
+        colour,
     }];
+}
 
-    fn edges() -> Vec<Edge<Self>> {
-        cases::edges()
+/// A lens of 50 mm before a film of the 35 mm format, whose up is anything square to its view.
+fn question(lens_middle: Vec3, forward: Dir3) -> ThinLensRay {
+    let Basis {
+        x: right, y: up, ..
+    } = Basis::around(-forward);
+    ThinLensRay {
+        lens_middle,
+        forward,
+        right,
+        up,
+        focal_length: 0.05,
+        f_number: 2.0,
+        focus: 2.0,
+        plane: vec2(0.036, 0.024),
+        film: Vec2::splat(0.5),
+        on_lens: Vec2::ZERO,
     }
+}
 
-    fn random(rng: &mut Pcg) -> ThinLensRayQuestion {
-        cases::random(rng)
+/// Each pixel has a point of the lens of its own.
+fn pixel(x: u32, y: u32) -> ThinLensRay {
+    let mut rng = pcg::stream(19, u64::from(96 * y + x));
+    ThinLensRay {
+        f_number: 1.25,
+        film: (vec2(x as f32, y as f32) + 0.5) / vec2(96.0, 54.0),
+        on_lens: concentric_disk(vec2(rng.random(), rng.random())),
+        plane: vec2(0.0427, 0.024),
+        right: Dir3::X,
+        up: Dir3::Y,
+        ..question(Vec3::ZERO, -Dir3::Z)
     }
+}
 
-    /// In the units of what counts: the start by the aperture's size, the direction by what it misses in the plane in focus.
-    fn judge(q: &ThinLensRayQuestion, golden: &CameraRayAnswer, got: &CameraRayAnswer) -> Verdict {
-        /// Of the distance from the world's origin and from the lens: some two hundred roundings.
-        const ROUNDING: f32 = 1e-5;
-        let far = q.lens_middle.length() + q.lens().aperture();
-        let of_lens = judge::RELATIVE * q.lens().aperture();
-        judge::direction(
-            "the ray's direction",
-            got.direction.normalize_or_zero(),
-            got.direction,
-        )?;
-        let off = golden.origin.distance(got.origin);
-        if off.is_nan() || off > of_lens + ROUNDING * far {
-            return Err(format!(
-                "the ray's origin is {:.3} mm away from where it should be",
-                1e3 * off
-            ));
-        }
-        judge::direction("the ray's direction", golden.direction, got.direction)?;
-        let miss = q.in_plane(golden).distance(q.in_plane(got));
-        if miss.is_nan() || miss > of_lens + ROUNDING * (far + q.focus) {
-            return Err(format!(
-                "the ray misses the point in focus by {:.3} mm, {} m ahead of the lens",
-                1e3 * miss,
-                q.focus
-            ));
-        }
-        Ok(())
-    }
+/// A ball near the lens, one in focus and one far away, before a bright wall.
+fn colour(_: &ThinLensRay, ray: &CameraRayAnswer) -> Rgb {
+    let balls = [
+        (vec3(-0.19, -0.05, -0.8), 0.1, Rgb::new(0.80, 0.25, 0.05)),
+        (vec3(0.0, 0.0, -2.0), 0.3, Rgb::new(0.02, 0.28, 0.42)),
+        (vec3(2.5, 0.6, -9.0), 1.1, Rgb::new(0.10, 0.42, 0.25)),
+    ];
+    let Some(direction) = Dir3::new(ray.direction) else {
+        return Rgb::BLACK;
+    };
+    let ray = Ray::new(ray.origin, direction);
+    let seen = |(center, radius, _): &(Vec3, f32, Rgb)| {
+        let ball = Sphere::new(*center, *radius);
+        ball.hit(&ray, Interval::AHEAD).is_some()
+    };
+    let ball = balls.iter().find(|ball| seen(ball));
+    ball.map_or(Rgb::new(0.85, 0.80, 0.70), |(.., colour)| *colour)
 }

@@ -1,14 +1,31 @@
 //! `deflection_angle`: by quadrature, by stepping the ray, by series where they are good enough.
 
-use crate::{Edge, Graded, Mistake, Verdict, judge, sample};
+use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::math::pcg::Pcg;
 use raybook::render::curved::CRITICAL;
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch21_black_hole::{DeflectionAngle, DeflectionAngleQuestion};
+use raybook_workbook::exercises::ch21_black_hole::DeflectionAngle;
 use rand::RngExt;
 use std::f32::consts::PI;
 
 impl Graded for DeflectionAngle {
+    fn random(rng: &mut Pcg) -> DeflectionAngle {
+        let impact_parameter = if rng.random_bool(0.2) {
+            sample::number(rng, 0.1, 2.58)
+        } else {
+            (sample::number(rng, 2.61_f32.ln(), 300.0_f32.ln())).exp()
+        };
+        DeflectionAngle { impact_parameter }
+    }
+
+    fn judge(_q: &DeflectionAngle, golden: &Option<f32>, got: &Option<f32>) -> Verdict {
+        let (golden, got) = (golden.as_ref(), got.as_ref());
+        judge::option("a ray that gets away", golden, got, |golden, got| {
+            let tolerance = judge::RELATIVE * golden;
+            judge::number_within("the angle", "rad", *golden, *got, tolerance)
+        })
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "takes 2/b, which is right far away only",
@@ -69,49 +86,13 @@ impl Graded for DeflectionAngle {
             answer: |q| DeflectionAngle::answer(q).filter(|_| q.impact_parameter >= 3.0),
         },
     ];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let edge =
-            |name, impact_parameter| Edge::new(name, DeflectionAngleQuestion { impact_parameter });
-        vec![
-            edge("aimed at the hole: it falls in", 0.5),
-            edge("it would miss the photon sphere, and falls in", 2.0),
-            edge("it just falls in", 2.59),
-            edge("it just gets away, after more than a full turn", 2.6),
-            edge("almost turned back", 2.7),
-            edge("turned by more than 90°", 3.0),
-            edge("b = 4", 4.0),
-            edge("b = 5", 5.0),
-            edge("b = 10", 10.0),
-            edge("b = 20", 20.0),
-            edge("b = 100", 100.0),
-            edge("b = 1000", 1000.0),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> DeflectionAngleQuestion {
-        let impact_parameter = if rng.random_bool(0.2) {
-            sample::number(rng, 0.1, 2.58)
-        } else {
-            (sample::number(rng, 2.61_f32.ln(), 300.0_f32.ln())).exp()
-        };
-        DeflectionAngleQuestion { impact_parameter }
-    }
-
-    fn judge(_q: &DeflectionAngleQuestion, golden: &Option<f32>, got: &Option<f32>) -> Verdict {
-        let (golden, got) = (golden.as_ref(), got.as_ref());
-        judge::option("a ray that gets away", golden, got, |golden, got| {
-            let tolerance = judge::RELATIVE * golden;
-            judge::number_within("the angle", "rad", *golden, *got, tolerance)
-        })
-    }
 }
 
 /// The impact parameter of a ray that does not fall in.
-fn escapes(q: &DeflectionAngleQuestion) -> Option<f32> {
+fn escapes(q: &DeflectionAngle) -> Option<f32> {
     Some(q.impact_parameter).filter(|&b| f64::from(b) > CRITICAL)
 }
 
 fn deflection(impact_parameter: f32) -> Option<f32> {
-    DeflectionAngle::answer(&DeflectionAngleQuestion { impact_parameter })
+    DeflectionAngle::answer(&DeflectionAngle { impact_parameter })
 }

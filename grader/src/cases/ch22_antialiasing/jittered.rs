@@ -1,15 +1,15 @@
-//! `jittered`: cases, judge, mistakes.
+//! `jittered`: random questions, judge and mistakes.
 
 use super::points;
-use crate::{Edge, Graded, Mistake, Verdict};
+use crate::{Graded, Mistake, Verdict};
 use raybook::math::pcg::{self, Pcg};
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch22_antialiasing::{Jittered, JitteredQuestion};
+use raybook_workbook::exercises::ch22_antialiasing::Jittered;
 use glam::{Vec2, vec2};
 use rand::RngExt;
 
 /// What a wrong formula makes of each cell (i, j) of (columns, rows) and two uniform numbers.
-fn cells(q: &JitteredQuestion, place: impl Fn(Vec2, Vec2, Vec2) -> Vec2) -> Vec<Vec2> {
+fn cells(q: &Jittered, place: impl Fn(Vec2, Vec2, Vec2) -> Vec2) -> Vec<Vec2> {
     let rng = &mut pcg::stream(22, q.seed.into());
     let count = vec2(q.columns as f32, q.rows as f32);
     let cells = (0..q.rows).flat_map(|j| (0..q.columns).map(move |i| vec2(i as f32, j as f32)));
@@ -21,6 +21,51 @@ fn cells(q: &JitteredQuestion, place: impl Fn(Vec2, Vec2, Vec2) -> Vec2) -> Vec<
 }
 
 impl Graded for Jittered {
+    fn random(rng: &mut Pcg) -> Jittered {
+        Jittered {
+            columns: rng.random_range(8..=20),
+            rows: rng.random_range(8..=20),
+            seed: rng.random(),
+        }
+    }
+
+    fn judge(q: &Jittered, _golden: &Vec<Vec2>, got: &Vec<Vec2>) -> Verdict {
+        points::in_square((q.columns * q.rows) as usize, got)?;
+        let count = vec2(q.columns as f32, q.rows as f32);
+        let mut cells = vec![0_u32; got.len()];
+        let mut places = Vec::new();
+        for p in got {
+            let scaled = count * *p;
+            let cell = scaled.floor().min(count - 1.0);
+            cells[(cell.y * count.x + cell.x) as usize] += 1;
+            places.push(scaled - cell);
+        }
+        // A point that is printed with six digits is moved by 5e-7, which is 1e-5 of a cell, perhaps over the edge.
+        let on_edge = |p: &&Vec2| (**p - 0.5).abs().max_element() > 0.5 - 2e-5;
+        let moved = places.iter().filter(on_edge).count();
+        let wrong: Vec<_> = (0..).zip(&cells).filter(|(_, c)| **c != 1).collect();
+        if wrong.len() > 2 * moved {
+            let (i, points) = wrong[0];
+            return Err(format!(
+                "the cell in column {} and row {} has {points} points; each cell has one",
+                i % q.columns,
+                i / q.columns
+            ));
+        }
+        if got.len() < 60 {
+            return Ok(()); // too few to tell
+        }
+        points::uniform(
+            "the place from left to right in a cell",
+            places.iter().map(|p| p.x),
+        )?;
+        points::uniform(
+            "the place from top to bottom in a cell",
+            places.iter().map(|p| p.y),
+        )?;
+        points::independent("the places along x and y in a cell", places.iter().copied())
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "takes the cells' middles",
@@ -66,7 +111,7 @@ impl Graded for Jittered {
             name: "exchanges columns and rows",
             hint: "Try three columns and one row: are your points side by side?",
             answer: |q| {
-                let exchanged = JitteredQuestion {
+                let exchanged = Jittered {
                     columns: q.rows,
                     rows: q.columns,
                     ..q.clone()
@@ -80,72 +125,4 @@ impl Graded for Jittered {
             answer: |q| cells(q, |cell, count, u| (cell + vec2(u.x, 0.5)) / count),
         },
     ];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, columns, rows| {
-            let seed = 100 * columns + rows;
-            Edge::new(
-                name,
-                JitteredQuestion {
-                    columns,
-                    rows,
-                    seed,
-                },
-            )
-        };
-        vec![
-            edge("twelve by twelve", 12, 12),
-            edge("one cell", 1, 1),
-            edge("two by two", 2, 2),
-            edge("a row of a hundred", 100, 1),
-            edge("a column of eighty-one", 1, 81),
-            edge("more columns than rows", 20, 7),
-            edge("fine", 24, 24),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> JitteredQuestion {
-        JitteredQuestion {
-            columns: rng.random_range(8..=20),
-            rows: rng.random_range(8..=20),
-            seed: rng.random(),
-        }
-    }
-
-    fn judge(q: &JitteredQuestion, _golden: &Vec<Vec2>, got: &Vec<Vec2>) -> Verdict {
-        points::in_square((q.columns * q.rows) as usize, got)?;
-        let count = vec2(q.columns as f32, q.rows as f32);
-        let mut cells = vec![0_u32; got.len()];
-        let mut places = Vec::new();
-        for p in got {
-            let scaled = count * *p;
-            let cell = scaled.floor().min(count - 1.0);
-            cells[(cell.y * count.x + cell.x) as usize] += 1;
-            places.push(scaled - cell);
-        }
-        // A point that is printed with six digits is moved by 5e-7, which is 1e-5 of a cell, perhaps over the edge.
-        let on_edge = |p: &&Vec2| (**p - 0.5).abs().max_element() > 0.5 - 2e-5;
-        let moved = places.iter().filter(on_edge).count();
-        let wrong: Vec<_> = (0..).zip(&cells).filter(|(_, c)| **c != 1).collect();
-        if wrong.len() > 2 * moved {
-            let (i, points) = wrong[0];
-            return Err(format!(
-                "the cell in column {} and row {} has {points} points; each cell has one",
-                i % q.columns,
-                i / q.columns
-            ));
-        }
-        if got.len() < 60 {
-            return Ok(()); // too few to tell
-        }
-        points::uniform(
-            "the place from left to right in a cell",
-            places.iter().map(|p| p.x),
-        )?;
-        points::uniform(
-            "the place from top to bottom in a cell",
-            places.iter().map(|p| p.y),
-        )?;
-        points::independent("the places along x and y in a cell", places.iter().copied())
-    }
 }

@@ -1,10 +1,10 @@
-//! `poisson_disk`: cases, judge, mistakes.
+//! `poisson_disk`: random questions, judge and mistakes.
 
 use super::points;
-use crate::{Edge, Graded, Mistake, Verdict};
+use crate::{Graded, Mistake, Verdict};
 use raybook::math::pcg::{self, Pcg};
 use raybook::sample::pattern::{jittered, random_pattern};
-use raybook_workbook::exercises::ch22_antialiasing::{PoissonDisk, PoissonDiskQuestion};
+use raybook_workbook::exercises::ch22_antialiasing::PoissonDisk;
 use glam::{Vec2, vec2};
 use rand::RngExt;
 
@@ -22,7 +22,7 @@ const PROBES: u32 = 96;
 const CROWDED: f32 = 0.85;
 
 /// Darts, each kept if `keeps` says so of it and the points before, until a thousand in a row are not.
-fn darts(q: &PoissonDiskQuestion, keeps: impl Fn(Vec2, &[Vec2]) -> bool) -> Vec<Vec2> {
+fn darts(q: &PoissonDisk, keeps: impl Fn(Vec2, &[Vec2]) -> bool) -> Vec<Vec2> {
     let rng = &mut pcg::stream(22, q.seed.into());
     let (mut points, mut misses) = (Vec::new(), 0);
     while misses < 1000 && points.len() < 2000 {
@@ -38,11 +38,55 @@ fn darts(q: &PoissonDiskQuestion, keeps: impl Fn(Vec2, &[Vec2]) -> bool) -> Vec<
 }
 
 /// The same, with a rule for the way from a dart to every other point.
-fn apart(q: &PoissonDiskQuestion, far: impl Fn(Vec2) -> bool) -> Vec<Vec2> {
+fn apart(q: &PoissonDisk, far: impl Fn(Vec2) -> bool) -> Vec<Vec2> {
     darts(q, |p, points| points.iter().all(|o| far(p - *o)))
 }
 
 impl Graded for PoissonDisk {
+    /// Whatever keeps its distance is right, so no last digit of it decides.
+    const ULPS: i32 = 0;
+
+    fn random(rng: &mut Pcg) -> PoissonDisk {
+        PoissonDisk {
+            distance: 0.05 * 5.0_f32.powf(rng.random()),
+            seed: rng.random(),
+        }
+    }
+
+    fn judge(q: &PoissonDisk, _golden: &Vec<Vec2>, got: &Vec<Vec2>) -> Verdict {
+        points::all_inside(got)?;
+        let d = q.distance;
+        for (i, p) in got.iter().enumerate() {
+            for (j, other) in got[..i].iter().enumerate() {
+                let apart = p.distance(*other);
+                if apart < d * (1.0 - ROUNDING) {
+                    return Err(format!(
+                        "points {} and {} are {apart:.4} apart; {d:.4} is the least",
+                        j + 1,
+                        i + 1
+                    ));
+                }
+            }
+        }
+        let most = CROWDED * ((1.0 + d) / d).powi(2);
+        if got.len() as f32 > most.max(4.0) {
+            return Err(format!(
+                "{} points have room only in a regular lattice; at random about {:.0} have",
+                got.len(),
+                0.7 * most
+            ));
+        }
+        // Over the edges or not: whoever keeps the distance to the next square's points too is right.
+        let room = room(got, d, false).min(room(got, d, true));
+        if room > ROOM {
+            return Err(format!(
+                "in {:.0} % of the square there is still room for another point",
+                100.0 * room
+            ));
+        }
+        Ok(())
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "compares the squared distance with the distance",
@@ -100,63 +144,6 @@ impl Graded for PoissonDisk {
             },
         },
     ];
-
-    /// Whatever keeps its distance is right, so no last digit of it decides.
-    const ULPS: i32 = 0;
-
-    fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, distance, seed| Edge::new(name, PoissonDiskQuestion { distance, seed });
-        vec![
-            edge("only one point has room", 1.5, 2),
-            edge("about sixty points", 0.1, 1),
-            edge("two or three", 0.7, 3),
-            edge("about a dozen", 0.25, 4),
-            edge("about two hundred", 0.055, 5),
-            edge("about four hundred", 0.04, 6),
-            edge("another seed", 0.1, 7),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> PoissonDiskQuestion {
-        PoissonDiskQuestion {
-            distance: 0.05 * 5.0_f32.powf(rng.random()),
-            seed: rng.random(),
-        }
-    }
-
-    fn judge(q: &PoissonDiskQuestion, _golden: &Vec<Vec2>, got: &Vec<Vec2>) -> Verdict {
-        points::all_inside(got)?;
-        let d = q.distance;
-        for (i, p) in got.iter().enumerate() {
-            for (j, other) in got[..i].iter().enumerate() {
-                let apart = p.distance(*other);
-                if apart < d * (1.0 - ROUNDING) {
-                    return Err(format!(
-                        "points {} and {} are {apart:.4} apart; {d:.4} is the least",
-                        j + 1,
-                        i + 1
-                    ));
-                }
-            }
-        }
-        let most = CROWDED * ((1.0 + d) / d).powi(2);
-        if got.len() as f32 > most.max(4.0) {
-            return Err(format!(
-                "{} points have room only in a regular lattice; at random about {:.0} have",
-                got.len(),
-                0.7 * most
-            ));
-        }
-        // Over the edges or not: whoever keeps the distance to the next square's points too is right.
-        let room = room(got, d, false).min(room(got, d, true));
-        if room > ROOM {
-            return Err(format!(
-                "in {:.0} % of the square there is still room for another point",
-                100.0 * room
-            ));
-        }
-        Ok(())
-    }
 }
 
 /// The share of the square that is farther than d from all points.

@@ -1,21 +1,40 @@
-//! `random_pattern`: cases, judge, mistakes.
+//! `random_pattern`: random questions, judge and mistakes.
 
 use super::points;
-use crate::{Edge, Graded, Mistake, Verdict};
+use crate::{Graded, Mistake, Verdict};
 use raybook::math::pcg::{self, Pcg};
 use raybook::sample::pattern::{jittered, regular_grid, rows};
-use raybook_workbook::exercises::ch22_antialiasing::{RandomPattern, RandomPatternQuestion};
+use raybook_workbook::exercises::ch22_antialiasing::RandomPattern;
 use glam::{Vec2, vec2};
 use rand::RngExt;
 
 /// n points, each from two uniform numbers.
-fn each(q: &RandomPatternQuestion, point: impl Fn(Vec2) -> Vec2) -> Vec<Vec2> {
+fn each(q: &RandomPattern, point: impl Fn(Vec2) -> Vec2) -> Vec<Vec2> {
     let rng = &mut pcg::stream(22, q.seed.into());
     let u = (0..q.n).map(|_| vec2(rng.random(), rng.random()));
     u.map(point).collect()
 }
 
 impl Graded for RandomPattern {
+    fn random(rng: &mut Pcg) -> RandomPattern {
+        RandomPattern {
+            n: rng.random_range(150..=400),
+            seed: rng.random(),
+        }
+    }
+
+    fn judge(q: &RandomPattern, _golden: &Vec<Vec2>, got: &Vec<Vec2>) -> Verdict {
+        points::in_square(q.n as usize, got)?;
+        if got.len() < 100 {
+            return Ok(()); // too few to tell
+        }
+        points::uniform("x", got.iter().map(|p| p.x))?;
+        points::uniform("y", got.iter().map(|p| p.y))?;
+        points::independent("x and y", got.iter().copied())?;
+        distinct(got)?;
+        crowds(got)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "uses one number for both coordinates",
@@ -77,37 +96,6 @@ impl Graded for RandomPattern {
             answer: |q| each(q, |u| (16.0 * u).floor() / 16.0),
         },
     ];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, n| Edge::new(name, RandomPatternQuestion { n, seed: n + 1 });
-        vec![
-            edge("150 points", 150),
-            edge("no point", 0),
-            edge("one point", 1),
-            edge("256 points", 256),
-            edge("a prime number of points", 211),
-            edge("many points", 1000),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> RandomPatternQuestion {
-        RandomPatternQuestion {
-            n: rng.random_range(150..=400),
-            seed: rng.random(),
-        }
-    }
-
-    fn judge(q: &RandomPatternQuestion, _golden: &Vec<Vec2>, got: &Vec<Vec2>) -> Verdict {
-        points::in_square(q.n as usize, got)?;
-        if got.len() < 100 {
-            return Ok(()); // too few to tell
-        }
-        points::uniform("x", got.iter().map(|p| p.x))?;
-        points::uniform("y", got.iter().map(|p| p.y))?;
-        points::independent("x and y", got.iter().copied())?;
-        distinct(got)?;
-        crowds(got)
-    }
 }
 
 /// Equal coordinates are a coincidence of one in millions.

@@ -1,10 +1,10 @@
-//! `regular_grid`: cases, judge, mistakes.
+//! `regular_grid`: random questions, judge and mistakes.
 
 use super::points;
-use crate::{Edge, Graded, Mistake, Verdict};
+use crate::{Graded, Mistake, Verdict};
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch22_antialiasing::{RegularGrid, RegularGridQuestion};
+use raybook_workbook::exercises::ch22_antialiasing::RegularGrid;
 use glam::{Vec2, vec2};
 use rand::RngExt;
 
@@ -12,7 +12,7 @@ use rand::RngExt;
 const TOLERANCE: f32 = 5e-4;
 
 /// What a wrong formula makes of each cell (i, j) of (columns, rows).
-fn cells(q: &RegularGridQuestion, place: impl Fn(Vec2, Vec2) -> Vec2) -> Vec<Vec2> {
+fn cells(q: &RegularGrid, place: impl Fn(Vec2, Vec2) -> Vec2) -> Vec<Vec2> {
     let cells = (0..q.rows).flat_map(|j| (0..q.columns).map(move |i| vec2(i as f32, j as f32)));
     let (pixel, count) = (
         vec2(q.x as f32, q.y as f32),
@@ -22,6 +22,19 @@ fn cells(q: &RegularGridQuestion, place: impl Fn(Vec2, Vec2) -> Vec2) -> Vec<Vec
 }
 
 impl Graded for RegularGrid {
+    fn random(rng: &mut Pcg) -> RegularGrid {
+        RegularGrid {
+            x: rng.random_range(0..1000),
+            y: rng.random_range(0..1000),
+            columns: rng.random_range(1..=6),
+            rows: rng.random_range(1..=6),
+        }
+    }
+
+    fn judge(_q: &RegularGrid, golden: &Vec<Vec2>, got: &Vec<Vec2>) -> Verdict {
+        points::same_places(golden, got, TOLERANCE)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "takes the cells' corners",
@@ -42,7 +55,7 @@ impl Graded for RegularGrid {
             name: "exchanges columns and rows",
             hint: "Try three columns and one row: are your points side by side?",
             answer: |q| {
-                let exchanged = RegularGridQuestion {
+                let exchanged = RegularGrid {
                     columns: q.rows,
                     rows: q.columns,
                     ..q.clone()
@@ -55,7 +68,7 @@ impl Graded for RegularGrid {
             hint: "In which pixel are your points, if it is not the one at the top left?",
             answer: |q| {
                 cells(
-                    &RegularGridQuestion {
+                    &RegularGrid {
                         x: 0,
                         y: 0,
                         ..q.clone()
@@ -75,40 +88,4 @@ impl Graded for RegularGrid {
             answer: |q| cells(q, |cell, count| (cell + 0.5) / count.x),
         },
     ];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, [x, y]: [u32; 2], [columns, rows]: [u32; 2]| {
-            Edge::new(
-                name,
-                RegularGridQuestion {
-                    x,
-                    y,
-                    columns,
-                    rows,
-                },
-            )
-        };
-        vec![
-            edge("two by two, the first pixel", [0, 0], [2, 2]),
-            edge("one sample", [3, 5], [1, 1]),
-            edge("a row of five", [7, 2], [5, 1]),
-            edge("a column of three", [0, 9], [1, 3]),
-            edge("more columns than rows", [4, 1], [4, 2]),
-            edge("sixteen samples", [1, 0], [4, 4]),
-            edge("a pixel far to the right", [999, 1], [3, 3]),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> RegularGridQuestion {
-        RegularGridQuestion {
-            x: rng.random_range(0..1000),
-            y: rng.random_range(0..1000),
-            columns: rng.random_range(1..=6),
-            rows: rng.random_range(1..=6),
-        }
-    }
-
-    fn judge(_q: &RegularGridQuestion, golden: &Vec<Vec2>, got: &Vec<Vec2>) -> Verdict {
-        points::same_places(golden, got, TOLERANCE)
-    }
 }

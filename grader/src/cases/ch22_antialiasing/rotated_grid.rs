@@ -1,9 +1,9 @@
-//! `rotated_grid`: cases, judge, mistakes.
+//! `rotated_grid`: random questions, judge and mistakes.
 
 use super::points;
-use crate::{Edge, Graded, Mistake, Verdict, sample};
+use crate::{Graded, Mistake, Verdict, sample};
 use raybook::math::pcg::Pcg;
-use raybook_workbook::exercises::ch22_antialiasing::{RotatedGrid, RotatedGridQuestion};
+use raybook_workbook::exercises::ch22_antialiasing::RotatedGrid;
 use glam::{Vec2, vec2};
 use std::f32::consts::{FRAC_1_SQRT_2, FRAC_PI_4};
 
@@ -11,7 +11,7 @@ use std::f32::consts::{FRAC_1_SQRT_2, FRAC_PI_4};
 const TOLERANCE: f32 = 1e-3;
 
 /// ½ + spacing · f(i + offset.x, j + offset.y), all that may be in the square.
-fn lattice(q: &RotatedGridQuestion, f: impl Fn(Vec2) -> Vec2) -> Vec<Vec2> {
+fn lattice(q: &RotatedGrid, f: impl Fn(Vec2) -> Vec2) -> Vec<Vec2> {
     let reach = (1.0 / q.spacing).ceil() as i32 + 2;
     let whole =
         (-reach..=reach).flat_map(|j| (-reach..=reach).map(move |i| vec2(i as f32, j as f32)));
@@ -31,6 +31,40 @@ fn turned(q: Vec2, sense: f32) -> Vec2 {
 }
 
 impl Graded for RotatedGrid {
+    fn random(rng: &mut Pcg) -> RotatedGrid {
+        RotatedGrid {
+            spacing: sample::number(rng, 0.1, 0.5),
+            offset: vec2(sample::number(rng, 0.0, 1.0), sample::number(rng, 0.0, 1.0)),
+        }
+    }
+
+    /// Either sense of rotation is right; what is nearly on the square's edge may be there or not.
+    fn judge(q: &RotatedGrid, _golden: &Vec<Vec2>, got: &Vec<Vec2>) -> Verdict {
+        if got.iter().any(|p| !p.is_finite()) {
+            return Err("a point is not made of numbers".into());
+        }
+        let surely = |p: &Vec2| (*p - 0.5).abs().max_element() < 0.5 - TOLERANCE;
+        let nearly = |p: &Vec2| (*p - 0.5).abs().max_element() < 0.5 + TOLERANCE;
+        if let Some(p) = got.iter().find(|p| !nearly(p)) {
+            return Err(format!(
+                "the point ({:.4}, {:.4}) is outside the square",
+                p.x, p.y
+            ));
+        }
+        let sense = |sense: f32| {
+            let all = lattice(q, |p| turned(p, sense));
+            let of_edge: Vec<_> = all.iter().filter(|p| nearly(p) && !surely(p)).collect();
+            let on_edge = |p: &Vec2| of_edge.iter().any(|q| q.distance(*p) < 2.0 * TOLERANCE);
+            let golden: Vec<_> = all.iter().copied().filter(surely).collect();
+            let got: Vec<_> = got.iter().copied().filter(|p| !on_edge(p)).collect();
+            points::same_places(&golden, &got, TOLERANCE)
+        };
+        sense(1.0).or_else(|_| sense(-1.0)).or_else(|_| {
+            angle(q, got)?;
+            sense(1.0)
+        })
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "does not rotate",
@@ -85,60 +119,10 @@ impl Graded for RotatedGrid {
             answer: |q| lattice(q, |p| turned(p, 1.0)),
         },
     ];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, spacing, x, y| {
-            let offset = vec2(x, y);
-            Edge::new(name, RotatedGridQuestion { spacing, offset })
-        };
-        vec![
-            edge("four points at eighths", 0.25 * 5.0_f32.sqrt(), 0.5, 0.5),
-            edge("four points, near each other", 0.5, 0.5, 0.5),
-            edge("around a point", 0.4, 0.0, 0.0),
-            edge("sixteen", 0.25, 0.5, 0.5),
-            edge("fine", 0.1, 0.25, 0.75),
-            edge("between two points", 0.3, 0.5, 0.0),
-            edge("hardly one", 0.9, 0.1, 0.2),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> RotatedGridQuestion {
-        RotatedGridQuestion {
-            spacing: sample::number(rng, 0.1, 0.5),
-            offset: vec2(sample::number(rng, 0.0, 1.0), sample::number(rng, 0.0, 1.0)),
-        }
-    }
-
-    /// Either sense of rotation is right; what is nearly on the square's edge may be there or not.
-    fn judge(q: &RotatedGridQuestion, _golden: &Vec<Vec2>, got: &Vec<Vec2>) -> Verdict {
-        if got.iter().any(|p| !p.is_finite()) {
-            return Err("a point is not made of numbers".into());
-        }
-        let surely = |p: &Vec2| (*p - 0.5).abs().max_element() < 0.5 - TOLERANCE;
-        let nearly = |p: &Vec2| (*p - 0.5).abs().max_element() < 0.5 + TOLERANCE;
-        if let Some(p) = got.iter().find(|p| !nearly(p)) {
-            return Err(format!(
-                "the point ({:.4}, {:.4}) is outside the square",
-                p.x, p.y
-            ));
-        }
-        let sense = |sense: f32| {
-            let all = lattice(q, |p| turned(p, sense));
-            let of_edge: Vec<_> = all.iter().filter(|p| nearly(p) && !surely(p)).collect();
-            let on_edge = |p: &Vec2| of_edge.iter().any(|q| q.distance(*p) < 2.0 * TOLERANCE);
-            let golden: Vec<_> = all.iter().copied().filter(surely).collect();
-            let got: Vec<_> = got.iter().copied().filter(|p| !on_edge(p)).collect();
-            points::same_places(&golden, &got, TOLERANCE)
-        };
-        sense(1.0).or_else(|_| sense(-1.0)).or_else(|_| {
-            angle(q, got)?;
-            sense(1.0)
-        })
-    }
 }
 
 /// Whether the lattice is turned as it should be, by each point's way to its nearest neighbour.
-fn angle(q: &RotatedGridQuestion, got: &[Vec2]) -> Verdict {
+fn angle(q: &RotatedGrid, got: &[Vec2]) -> Verdict {
     let nearest = |p: &Vec2| {
         let ways = got.iter().map(|other| *other - *p);
         let others = ways.filter(|way| *way != Vec2::ZERO);

@@ -1,10 +1,10 @@
 //! What the right rule and the wrong ones are made of.
 
 use crate::Verdict;
-use raybook_workbook::exercises::ch23_adaptive::NeedsMoreQuestion;
+use raybook_workbook::exercises::ch23_adaptive::NeedsMore;
 
 /// The largest and the least of a channel.
-pub fn range(q: &NeedsMoreQuestion, channel: usize) -> [f32; 2] {
+pub fn range(q: &NeedsMore, channel: usize) -> [f32; 2] {
     let values = || q.samples.iter().map(|s| s.channels()[channel]);
     [
         values().fold(0.0, f32::max),
@@ -13,7 +13,7 @@ pub fn range(q: &NeedsMoreQuestion, channel: usize) -> [f32; 2] {
 }
 
 /// Whether any channel's contrast is too large, by whatever the caller calls contrast.
-pub fn too_contrasty(q: &NeedsMoreQuestion, contrast: impl Fn([f32; 2]) -> f32) -> bool {
+pub fn too_contrasty(q: &NeedsMore, contrast: impl Fn([f32; 2]) -> f32) -> bool {
     let limits = q.contrast.channels();
     (0..3).any(|channel| contrast(range(q, channel)) > limits[channel])
 }
@@ -28,7 +28,7 @@ pub fn ratio([max, min]: [f32; 2]) -> f32 {
 }
 
 /// Σ (Y − mean)².
-pub fn squares(q: &NeedsMoreQuestion) -> f32 {
+pub fn squares(q: &NeedsMore) -> f32 {
     let n = q.samples.len() as f32;
     let mean = q.samples.iter().map(|s| s.luminance()).sum::<f32>() / n;
     q.samples
@@ -38,18 +38,18 @@ pub fn squares(q: &NeedsMoreQuestion) -> f32 {
 }
 
 /// The answer, from the two rules.
-pub fn decide(q: &NeedsMoreQuestion, contrast: bool, error: f32) -> u32 {
+pub fn decide(q: &NeedsMore, contrast: bool, error: f32) -> u32 {
     u32::from(q.samples.len() < 2 || contrast || error > q.error)
 }
 
 /// s/√n of the luminance.
-pub fn standard_error(q: &NeedsMoreQuestion) -> f32 {
+pub fn standard_error(q: &NeedsMore) -> f32 {
     let n = q.samples.len() as f32;
     (squares(q) / (n - 1.0) / n).sqrt()
 }
 
 /// Whether the answer is right, and else which numbers decide.
-pub fn verdict(q: &NeedsMoreQuestion, golden: u32, got: u32) -> Verdict {
+pub fn verdict(q: &NeedsMore, golden: u32, got: u32) -> Verdict {
     if golden == got {
         return Ok(());
     }

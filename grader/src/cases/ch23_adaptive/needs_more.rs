@@ -1,13 +1,42 @@
-//! `needs_more`: cases, judge, mistakes.
+//! `needs_more`: random questions, judge and mistakes.
 
 use super::measures::{decide, range, ratio, squares, standard_error, too_contrasty, verdict};
-use crate::{Edge, Graded, Mistake, Verdict, sample};
+use crate::{Graded, Mistake, Verdict, sample};
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
-use raybook_workbook::exercises::ch23_adaptive::{NeedsMore, NeedsMoreQuestion};
+use raybook_workbook::exercises::ch23_adaptive::NeedsMore;
 use rand::RngExt;
 
 impl Graded for NeedsMore {
+    fn random(rng: &mut Pcg) -> NeedsMore {
+        let n = rng.random_range(2..=8);
+        let base = 10.0_f32.powf(sample::number(rng, -1.5, 1.5));
+        let spread = sample::number(rng, 0.05, 0.7);
+        let channel = [(); 3].map(|()| spread * sample::number(rng, 0.1, 1.0));
+        let samples: Vec<_> = (0..n)
+            .map(|_| {
+                let [r, g, b] = channel.map(|s| base * (1.0 + s * sample::number(rng, -1.0, 1.0)));
+                Rgb::new(r, g, b)
+            })
+            .collect();
+        let mut q = NeedsMore {
+            contrast: Rgb::new(
+                sample::number(rng, 0.2, 0.7),
+                sample::number(rng, 0.2, 0.7),
+                sample::number(rng, 0.2, 0.7),
+            ),
+            error: 0.0,
+            samples,
+        };
+        // An error that is decided by a factor of up to three, this way or that.
+        q.error = standard_error(&q) * 3.0_f32.powf(sample::number(rng, -0.5, 1.0));
+        q
+    }
+
+    fn judge(q: &NeedsMore, golden: &u32, got: &u32) -> Verdict {
+        verdict(q, *golden, *got)
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "takes the difference for the contrast",
@@ -81,97 +110,4 @@ impl Graded for NeedsMore {
             answer: |q| 1 - decide(q, too_contrasty(q, ratio), standard_error(q)),
         },
     ];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let gray = Rgb::gray;
-        let edge = |name, contrast, error, samples: &[Rgb]| {
-            let samples = samples.to_vec();
-            Edge::new(
-                name,
-                NeedsMoreQuestion {
-                    contrast,
-                    error,
-                    samples,
-                },
-            )
-        };
-        let eye = Rgb::new(0.4, 0.3, 0.6);
-        let (never, inf) = (gray(f32::INFINITY), f32::INFINITY);
-        let black = [Rgb::BLACK; 4];
-        let bright = [10.0, 30.0, 20.0, 40.0].map(gray);
-        vec![
-            edge("all black", eye, 0.01, &black),
-            edge("all the same", eye, 0.01, &[gray(0.7); 4]),
-            edge("no sample", eye, inf, &[]),
-            edge("one sample", eye, inf, &[gray(0.5)]),
-            edge("black and white", eye, inf, &[Rgb::BLACK, Rgb::WHITE]),
-            edge(
-                "a dark edge",
-                eye,
-                inf,
-                &[gray(0.01), gray(0.04), gray(0.01)],
-            ),
-            edge(
-                "a bright wall with a little noise",
-                eye,
-                inf,
-                &[gray(9.0), gray(11.0), gray(10.0)],
-            ),
-            edge(
-                "red differs only",
-                eye,
-                inf,
-                &[Rgb::new(0.1, 0.3, 0.2), Rgb::new(0.5, 0.3, 0.2)],
-            ),
-            edge(
-                "blue differs, less than it may",
-                eye,
-                inf,
-                &[Rgb::new(0.3, 0.3, 0.2), Rgb::new(0.3, 0.3, 0.6)],
-            ),
-            edge(
-                "noise beyond the error",
-                never,
-                0.02,
-                &[gray(0.4), gray(0.5), gray(0.6), gray(0.5)],
-            ),
-            edge("bright noise beyond the error", never, 2.0, &bright),
-            edge("bright noise within the error", never, 10.0, &bright),
-            edge(
-                "noise within the error",
-                never,
-                0.06,
-                &[gray(0.4), gray(0.5), gray(0.6), gray(0.5)],
-            ),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> NeedsMoreQuestion {
-        let n = rng.random_range(2..=8);
-        let base = 10.0_f32.powf(sample::number(rng, -1.5, 1.5));
-        let spread = sample::number(rng, 0.05, 0.7);
-        let channel = [(); 3].map(|()| spread * sample::number(rng, 0.1, 1.0));
-        let samples: Vec<_> = (0..n)
-            .map(|_| {
-                let [r, g, b] = channel.map(|s| base * (1.0 + s * sample::number(rng, -1.0, 1.0)));
-                Rgb::new(r, g, b)
-            })
-            .collect();
-        let mut q = NeedsMoreQuestion {
-            contrast: Rgb::new(
-                sample::number(rng, 0.2, 0.7),
-                sample::number(rng, 0.2, 0.7),
-                sample::number(rng, 0.2, 0.7),
-            ),
-            error: 0.0,
-            samples,
-        };
-        // An error that is decided by a factor of up to three, this way or that.
-        q.error = standard_error(&q) * 3.0_f32.powf(sample::number(rng, -0.5, 1.0));
-        q
-    }
-
-    fn judge(q: &NeedsMoreQuestion, golden: &u32, got: &u32) -> Verdict {
-        verdict(q, *golden, *got)
-    }
 }

@@ -1,8 +1,8 @@
-//! `spend_budget`: cases, judge, mistakes.
+//! `spend_budget`: random questions, judge and mistakes.
 
-use crate::{Edge, Graded, Mistake, Verdict, sample};
+use crate::{Graded, Mistake, Verdict, sample};
 use raybook::math::pcg::Pcg;
-use raybook_workbook::exercises::ch23_adaptive::{SpendBudget, SpendBudgetQuestion};
+use raybook_workbook::exercises::ch23_adaptive::SpendBudget;
 use rand::RngExt;
 
 /// The sum may be so much larger than the least: whole numbers can be rounded in more than one way.
@@ -16,7 +16,7 @@ fn variance(deviations: &[f32], counts: &[u32]) -> f64 {
 }
 
 /// `floor` for each pixel and the rest of the budget in proportion to weights; what rounding leaves goes to the first ones.
-fn shares(q: &SpendBudgetQuestion, floor: u32, weight: fn(f32) -> f32) -> Vec<u32> {
+fn shares(q: &SpendBudget, floor: u32, weight: fn(f32) -> f32) -> Vec<u32> {
     let mut counts = rounded_down(q, floor, weight);
     let left = q.budget.saturating_sub(counts.iter().sum()) as usize;
     let pixels = counts.len();
@@ -24,7 +24,7 @@ fn shares(q: &SpendBudgetQuestion, floor: u32, weight: fn(f32) -> f32) -> Vec<u3
     counts
 }
 
-fn rounded_down(q: &SpendBudgetQuestion, floor: u32, weight: fn(f32) -> f32) -> Vec<u32> {
+fn rounded_down(q: &SpendBudget, floor: u32, weight: fn(f32) -> f32) -> Vec<u32> {
     let sum: f32 = q.deviations.iter().map(|d| weight(*d)).sum();
     let rest = (q.budget - floor * q.deviations.len() as u32) as f32;
     let share = |d: &f32| if sum > 0.0 { weight(*d) / sum } else { 0.0 };
@@ -33,6 +33,55 @@ fn rounded_down(q: &SpendBudgetQuestion, floor: u32, weight: fn(f32) -> f32) -> 
 }
 
 impl Graded for SpendBudget {
+    fn random(rng: &mut Pcg) -> SpendBudget {
+        let pixels = rng.random_range(3..=9);
+        let deviation = |_| 0.02 * 50.0_f32.powf(sample::number(rng, 0.0, 1.0));
+        let deviations = (0..pixels).map(deviation).collect();
+        let least = rng.random_range(2..=6);
+        SpendBudget {
+            deviations,
+            least,
+            budget: pixels * (least + rng.random_range(8..=30)) + rng.random_range(0..pixels),
+        }
+    }
+
+    /// By the sum of the variances: another way to round is as good.
+    fn judge(q: &SpendBudget, golden: &Vec<u32>, got: &Vec<u32>) -> Verdict {
+        if got.len() != q.deviations.len() {
+            return Err(format!(
+                "there are {} counts for {} pixels",
+                got.len(),
+                q.deviations.len()
+            ));
+        }
+        if let Some(i) = got.iter().position(|n| *n < q.least) {
+            return Err(format!(
+                "pixel {} gets {} samples; the least is {}",
+                i + 1,
+                got[i],
+                q.least
+            ));
+        }
+        let spent: u64 = got.iter().map(|n| u64::from(*n)).sum();
+        if spent != u64::from(q.budget) {
+            return Err(format!(
+                "{spent} samples are spent; the budget is {}",
+                q.budget
+            ));
+        }
+        let (best, yours) = (
+            variance(&q.deviations, golden),
+            variance(&q.deviations, got),
+        );
+        if yours > (1.0 + SLACK) * best + 1e-12 {
+            let worse = 100.0 * (yours / best - 1.0);
+            return Err(format!(
+                "the sum of σ²/n is {worse:.0} % larger than it could be"
+            ));
+        }
+        Ok(())
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "gives all pixels the same",
@@ -82,82 +131,4 @@ impl Graded for SpendBudget {
             },
         },
     ];
-
-    fn edges() -> Vec<Edge<Self>> {
-        let edge = |name, deviations: &[f32], least, budget| {
-            let deviations = deviations.to_vec();
-            Edge::new(
-                name,
-                SpendBudgetQuestion {
-                    deviations,
-                    least,
-                    budget,
-                },
-            )
-        };
-        vec![
-            edge("one is twice as restless", &[1.0, 2.0], 1, 30),
-            edge("one pixel", &[0.3], 4, 17),
-            edge("all alike", &[0.5; 4], 2, 41),
-            edge("one of them is quiet", &[0.0, 1.0, 1.0], 4, 60),
-            edge("all are quiet", &[0.0; 3], 2, 12),
-            edge("only the least", &[0.1, 0.9, 0.4], 5, 15),
-            edge(
-                "an edge through two of eight",
-                &[0.01, 0.02, 0.5, 0.01, 0.45, 0.02, 0.01, 0.03],
-                4,
-                100,
-            ),
-            edge("the least is more than the share", &[0.2, 1.0, 3.0], 10, 60),
-        ]
-    }
-
-    fn random(rng: &mut Pcg) -> SpendBudgetQuestion {
-        let pixels = rng.random_range(3..=9);
-        let deviation = |_| 0.02 * 50.0_f32.powf(sample::number(rng, 0.0, 1.0));
-        let deviations = (0..pixels).map(deviation).collect();
-        let least = rng.random_range(2..=6);
-        SpendBudgetQuestion {
-            deviations,
-            least,
-            budget: pixels * (least + rng.random_range(8..=30)) + rng.random_range(0..pixels),
-        }
-    }
-
-    /// By the sum of the variances: another way to round is as good.
-    fn judge(q: &SpendBudgetQuestion, golden: &Vec<u32>, got: &Vec<u32>) -> Verdict {
-        if got.len() != q.deviations.len() {
-            return Err(format!(
-                "there are {} counts for {} pixels",
-                got.len(),
-                q.deviations.len()
-            ));
-        }
-        if let Some(i) = got.iter().position(|n| *n < q.least) {
-            return Err(format!(
-                "pixel {} gets {} samples; the least is {}",
-                i + 1,
-                got[i],
-                q.least
-            ));
-        }
-        let spent: u64 = got.iter().map(|n| u64::from(*n)).sum();
-        if spent != u64::from(q.budget) {
-            return Err(format!(
-                "{spent} samples are spent; the budget is {}",
-                q.budget
-            ));
-        }
-        let (best, yours) = (
-            variance(&q.deviations, golden),
-            variance(&q.deviations, got),
-        );
-        if yours > (1.0 + SLACK) * best + 1e-12 {
-            let worse = 100.0 * (yours / best - 1.0);
-            return Err(format!(
-                "the sum of σ²/n is {worse:.0} % larger than it could be"
-            ));
-        }
-        Ok(())
-    }
 }

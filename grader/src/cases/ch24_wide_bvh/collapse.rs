@@ -1,17 +1,19 @@
-//! `collapse`: its mistakes.
+//! `collapse`: random questions, judge and mistakes.
 
-use super::collapse_cases;
-use super::collapse_judge::judge;
-use super::{MOST, half_area, is_branch, pair};
-use crate::{Edge, Graded, Mistake, Verdict};
-use raybook::math::pcg::Pcg;
+use crate::{Graded, Mistake, Verdict, sample};
+use rand::RngExt;
+use raybook::accel::bvh::build::Method;
+use raybook::inside::bvh::{COST, Cost, build};
+use raybook::math::{aabb::Aabb, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch24_wide_bvh::{Collapse, CollapseQuestion, FamilyRow};
+use raybook_workbook::exercises::ch24_wide_bvh::{Collapse, FamilyRow};
+use raybook_workbook::tree_rows::to_rows;
+use super::{MOST, half_area, is_branch, pair};
 
 /// Families whose members are chosen by `open`: which of the branches among the members is opened next, if any.
 fn families(
-    q: &CollapseQuestion,
-    open: impl Fn(&CollapseQuestion, &[u32]) -> Option<usize>,
+    q: &Collapse,
+    open: impl Fn(&Collapse, &[u32]) -> Option<usize>,
 ) -> Vec<FamilyRow> {
     let mut families = Vec::new();
     let mut waiting = Vec::new();
@@ -35,9 +37,9 @@ fn families(
 
 /// The place of the best branch among the members, by an order of numbers.
 fn best(
-    q: &CollapseQuestion,
+    q: &Collapse,
     members: &[u32],
-    order: fn(&CollapseQuestion, u32) -> f32,
+    order: fn(&Collapse, u32) -> f32,
 ) -> Option<usize> {
     let branches = (0..members.len()).filter(|&i| is_branch(q, members[i]));
     branches.max_by(|&a, &b| order(q, members[a]).total_cmp(&order(q, members[b])))
@@ -45,8 +47,8 @@ fn best(
 
 fn while_fewer(
     most: usize,
-    order: fn(&CollapseQuestion, u32) -> f32,
-) -> impl Fn(&CollapseQuestion, &[u32]) -> Option<usize> {
+    order: fn(&Collapse, u32) -> f32,
+) -> impl Fn(&Collapse, &[u32]) -> Option<usize> {
     move |q, members| {
         (members.len() < most)
             .then(|| best(q, members, order))
@@ -70,6 +72,64 @@ pub(super) fn without(
 }
 
 impl Graded for Collapse {
+    fn random(rng: &mut Pcg) -> Collapse {
+        let boxes: Vec<_> = (0..rng.random_range(14..40))
+            .map(|_| {
+                let (at, size) = (sample::point(rng, 4.0), sample::number(rng, 0.05, 2.0));
+                Aabb {
+                    min: at,
+                    max: at + size * (sample::point(rng, 0.4) + 0.5),
+                }
+            })
+            .collect();
+        binary_tree(&boxes)
+    }
+
+    /// By what a wide tree must keep to, and its cost: the areas of its branches together. A tree of another shape that
+    /// costs no more is as right.
+    fn judge(q: &Collapse, golden: &Vec<FamilyRow>, got: &Vec<FamilyRow>) -> Verdict {
+        let mut due: Vec<u32> = Vec::new();
+        if (0..q.nodes.len() as u32)
+            .take(1)
+            .any(|root| is_branch(q, root))
+        {
+            due.push(0);
+        }
+        let mut done = 0;
+        while let Some(branch) = due.pop() {
+            let mut own = got.iter().filter(|family| family.branch == branch);
+            let (Some(family), None) = (own.next(), own.next()) else {
+                return Err(format!(
+                    "branch {branch} is in the new tree, so it needs one list of children; there are {}",
+                    got.iter().filter(|family| family.branch == branch).count()
+                ));
+            };
+            judge_family(q, family)?;
+            due.extend(family.children.iter().filter(|&&child| is_branch(q, child)));
+            done += 1;
+        }
+        if done < got.len() {
+            return Err(format!(
+                "{} branches have children, but only {done} are in the tree that begins at node 0",
+                got.len()
+            ));
+        }
+        let cost = |families: &[FamilyRow]| -> f32 {
+            families
+                .iter()
+                .map(|family| half_area(q, family.branch))
+                .sum()
+        };
+        let (least, paid) = (cost(golden), cost(got));
+        if paid > 1.01 * least {
+            let more = 100.0 * (paid / least - 1.0);
+            return Err(format!(
+                "all leaves are there, but the branches that are left have {more:.0} % more area than they need"
+            ));
+        }
+        Ok(())
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "opens the smallest branch first",
@@ -125,16 +185,69 @@ impl Graded for Collapse {
             },
         },
     ];
+}
 
-    fn edges() -> Vec<Edge<Self>> {
-        collapse_cases::edges()
+/// A binary tree over boxes, one in each leaf.
+fn binary_tree(boxes: &[Aabb]) -> Collapse {
+    let cost = Cost { most: 1, ..COST };
+    Collapse {
+        nodes: to_rows(&build(boxes, Method::Binned, &cost)),
     }
+}
 
-    fn random(rng: &mut Pcg) -> CollapseQuestion {
-        collapse_cases::random(rng)
+/// Whether a family's children hold what the branch holds, and there are as many of them as there can be.
+fn judge_family(q: &Collapse, family: &FamilyRow) -> Verdict {
+    let FamilyRow { branch, children } = family;
+    if let Some(wrong) = children
+        .iter()
+        .find(|&&child| child as usize >= q.nodes.len())
+    {
+        return Err(format!(
+            "branch {branch} has a child {wrong}, and there are only {} nodes",
+            q.nodes.len()
+        ));
     }
+    if children.len() > MOST {
+        return Err(format!(
+            "branch {branch} has {} children; there are {MOST} lanes",
+            children.len()
+        ));
+    }
+    let mut met = vec![0; children.len()];
+    cover(q, *branch, children, &mut met).map_err(|lost| {
+        format!("leaf {lost} was below branch {branch} and is below none of its new children")
+    })?;
+    if let Some(i) = met.iter().position(|&times| times != 1) {
+        return Err(format!(
+            "child {} of branch {branch} is below another child, twice in the list, or not below the branch",
+            children[i]
+        ));
+    }
+    match children.iter().find(|&&child| is_branch(q, child)) {
+        Some(open) if children.len() < MOST => Err(format!(
+            "branch {branch} has only {} children, and child {open} could be opened",
+            children.len()
+        )),
+        _ => Ok(()),
+    }
+}
 
-    fn judge(q: &CollapseQuestion, golden: &Vec<FamilyRow>, got: &Vec<FamilyRow>) -> Verdict {
-        judge(q, golden, got)
+/// Goes down to the children, counting how often each is met; the number of a leaf that is reached without meeting one.
+fn cover(q: &Collapse, node: u32, children: &[u32], met: &mut [u32]) -> Result<(), u32> {
+    let mut here = false;
+    for (child, met) in children.iter().zip(met.iter_mut()) {
+        if *child == node {
+            *met += 1;
+            here = true;
+        }
+    }
+    if here {
+        Ok(())
+    } else if is_branch(q, node) {
+        pair(q, node)
+            .into_iter()
+            .try_for_each(|below| cover(q, below, children, met))
+    } else {
+        Err(node)
     }
 }

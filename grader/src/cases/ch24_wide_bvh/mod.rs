@@ -1,28 +1,21 @@
 //! Chapter 24: `collapse`, `wide_closest`.
 
-mod collapse;
-mod collapse_cases;
-mod collapse_judge;
-mod wide_closest;
-mod wide_closest_cases;
 
-use crate::examine::Examiner;
-use raybook_workbook::exercises::ch24_wide_bvh::{Collapse, CollapseQuestion, WideClosest};
+use raybook_workbook::exercises::ch24_wide_bvh::Collapse;
 
-/// This chapter's exercises, in order.
-pub const GRADED: &[&dyn Examiner] = &[&Collapse, &WideClosest];
+raybook_workbook::ch24_wide_bvh!(graded);
 
 const MOST: usize = 8;
 
-fn is_branch(q: &CollapseQuestion, i: u32) -> bool {
+fn is_branch(q: &Collapse, i: u32) -> bool {
     q.nodes[i as usize].count == 0
 }
 
-fn pair(q: &CollapseQuestion, i: u32) -> [u32; 2] {
+fn pair(q: &Collapse, i: u32) -> [u32; 2] {
     [0, 1].map(|side| q.nodes[i as usize].first + side)
 }
 
-fn half_area(q: &CollapseQuestion, i: u32) -> f32 {
+fn half_area(q: &Collapse, i: u32) -> f32 {
     let node = &q.nodes[i as usize];
     let size = node.max - node.min;
     size.x * size.y + size.y * size.z + size.z * size.x

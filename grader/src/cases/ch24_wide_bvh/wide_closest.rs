@@ -1,15 +1,61 @@
-//! `wide_closest`: its judge and mistakes.
+//! `wide_closest`: random questions, judge and mistakes.
 
-use super::wide_closest_cases::{self, question};
-use crate::search::{self, How, Node, Order, Tree};
-use crate::{Edge, Graded, Mistake, Picture, Verdict, judge, sample};
-use raybook::math::{aabb::Aabb, interval::Interval, pcg::Pcg};
-use raybook_workbook::exercises::ch24_wide_bvh::{
-    WideChild, WideClosest, WideClosestAnswer, WideClosestQuestion,
-};
-use glam::vec3;
+use crate::{Graded, Mistake, Picture, Verdict, judge, sample, search, search::How, search::Node, search::Order, search::Tree};
+use glam::{Vec3, vec3};
+use rand::RngExt;
+use raybook::accel::bvh::build::Method;
+use raybook::inside::bvh::Cost;
+use raybook::inside::wide_bvh::{COST, Link, build as build_wide};
+use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
+use raybook::shape::{Shape, mesh::Facet};
+use raybook_workbook::exercises::ch07_mesh::Corners;
+use raybook_workbook::exercises::ch24_wide_bvh::{WideChild, WideClosest, WideClosestAnswer, WideLeaf, WideNode};
 
 impl Graded for WideClosest {
+    fn random(rng: &mut Pcg) -> WideClosest {
+        let triangles = (0..rng.random_range(28..44)).map(|_| {
+            let at = sample::point(rng, 2.5);
+            std::array::from_fn(|_| at + sample::point(rng, 1.6))
+        });
+        let triangles = triangles.collect();
+        let max = sample::end(rng, 0.3, 1.0, 5.0);
+        let min = if rng.random_bool(0.3) {
+            sample::number(rng, 0.5, 3.0)
+        } else {
+            0.0
+        };
+        let origin = 4.0 * *sample::direction(rng);
+        let direction = Dir3::new_or(sample::point(rng, 1.5) - origin, Dir3::X);
+        question(
+            triangles,
+            Ray::new(origin, direction),
+            Interval::new(min, max.max(min + 1.0)),
+        )
+    }
+
+    /// The hit, and the work: a quarter more than the reference's is as good, for another order may be unlucky.
+    fn judge(
+        _q: &WideClosest,
+        golden: &WideClosestAnswer,
+        got: &WideClosestAnswer,
+    ) -> Verdict {
+        judge::nearest(golden.hit.as_ref(), got.hit.as_ref())?;
+        if got.hit.is_some() && got.tests == 0 {
+            return Err("there is a hit, but no triangle was tested: count each test".into());
+        }
+        for (what, needed, made) in [
+            ("triangle tests", golden.tests, got.tests),
+            ("nodes opened", golden.nodes, got.nodes),
+        ] {
+            if 4 * u64::from(made) > 5 * u64::from(needed) + 4 {
+                return Err(format!(
+                    "the hit is right, but with {made} {what}; the reference needs {needed}"
+                ));
+            }
+        }
+        Ok(())
+    }
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "opens every child",
@@ -87,41 +133,10 @@ impl Graded for WideClosest {
         },
         colour: |_, answer| search::colour(answer.hit.as_ref()),
     }];
-
-    fn edges() -> Vec<Edge<Self>> {
-        wide_closest_cases::edges()
-    }
-
-    fn random(rng: &mut Pcg) -> WideClosestQuestion {
-        wide_closest_cases::random(rng)
-    }
-
-    /// The hit, and the work: a quarter more than the reference's is as good, for another order may be unlucky.
-    fn judge(
-        _q: &WideClosestQuestion,
-        golden: &WideClosestAnswer,
-        got: &WideClosestAnswer,
-    ) -> Verdict {
-        judge::nearest(golden.hit.as_ref(), got.hit.as_ref())?;
-        if got.hit.is_some() && got.tests == 0 {
-            return Err("there is a hit, but no triangle was tested: count each test".into());
-        }
-        for (what, needed, made) in [
-            ("triangle tests", golden.tests, got.tests),
-            ("nodes opened", golden.nodes, got.nodes),
-        ] {
-            if 4 * u64::from(made) > 5 * u64::from(needed) + 4 {
-                return Err(format!(
-                    "the hit is right, but with {made} {what}; the reference needs {needed}"
-                ));
-            }
-        }
-        Ok(())
-    }
 }
 
 /// A search that goes wrong in some way.
-fn search(q: &WideClosestQuestion, change: impl FnOnce(&mut How)) -> WideClosestAnswer {
+fn search(q: &WideClosest, change: impl FnOnce(&mut How)) -> WideClosestAnswer {
     let child = |child: &WideChild| {
         let &WideChild {
             min, max, index, ..
@@ -143,5 +158,56 @@ fn search(q: &WideClosestQuestion, change: impl FnOnce(&mut How)) -> WideClosest
         nodes: found.branches,
         tests: found.tests,
         hit: found.hit,
+    }
+}
+
+/// Four triangles to a leaf: so a few dozen make a tree in which the order of the search matters.
+const SMALL_LEAVES: Cost = Cost {
+    block_size: 4,
+    most: 4,
+    ..COST
+};
+
+/// A question about triangles in the tree that the reference builds, its root a node even if a leaf would do.
+fn question(
+    triangles: Vec<[Vec3; 3]>,
+    ray: Ray,
+    within: Interval,
+) -> WideClosest {
+    let facets = triangles.iter().zip(0..);
+    let facets: Vec<_> = facets.map(|(&corners, id)| Facet { corners, id }).collect();
+    let all = facets
+        .iter()
+        .fold(Aabb::EMPTY, |all, facet| all.union(&facet.bounds()));
+    let tree = build_wide(facets, Method::Binned, &SMALL_LEAVES);
+    let child = |(bounds, link): (Aabb, Link)| WideChild {
+        min: bounds.min,
+        max: bounds.max,
+        leaf: u32::from(link.as_leaf().is_some()),
+        index: link.index() as u32,
+    };
+    let node = |children: Vec<(Aabb, Link)>| WideNode {
+        children: children.into_iter().map(child).collect(),
+    };
+    let mut nodes: Vec<_> = tree
+        .nodes()
+        .iter()
+        .map(|old| node(old.children().collect()))
+        .collect();
+    if let Some(root) = tree.root().filter(|root| root.as_leaf().is_some()) {
+        nodes.push(node(vec![(all, root)]));
+    }
+    let leaves = tree.leaves().iter().map(|leaf| WideLeaf {
+        triangles: leaf.facets().collect(),
+    });
+    WideClosest {
+        ray,
+        within,
+        nodes,
+        leaves: leaves.collect(),
+        triangles: triangles
+            .into_iter()
+            .map(|[p0, p1, p2]| Corners { p0, p1, p2 })
+            .collect(),
     }
 }

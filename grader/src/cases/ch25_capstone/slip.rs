@@ -2,7 +2,7 @@
 
 use super::tracer::Tracer;
 use raybook::image::{rgb::Rgb, tone};
-use raybook_workbook::exercises::ch25_capstone::TraceQuestion;
+use raybook_workbook::exercises::ch25_capstone::Trace;
 
 /// What a ray tracer does wrongly; each is explained by its mistake in `trace.rs`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,7 +38,7 @@ pub enum Slip {
 }
 
 /// The answer of a ray tracer with this slip.
-pub fn answer(q: &TraceQuestion, slip: Slip) -> Rgb {
+pub fn answer(q: &Trace, slip: Slip) -> Rgb {
     let depth = match slip {
         Slip::OneSurfaceLess => q.depth.saturating_sub(1),
         Slip::OneSurfaceMore => q.depth.saturating_add(1),

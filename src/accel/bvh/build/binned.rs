@@ -8,7 +8,7 @@ use crate::accel::bvh::build::item::{Bounds, Extent, Item};
 const MANY: usize = 64;
 
 /// Splits the items between two bins, where the surface-area heuristic is least, if that is better than a leaf (Wald 2007).
-pub fn split(items: &mut [Item], extent: &Extent, cost: &Cost) -> Option<usize> {
+pub(super) fn split(items: &mut [Item], extent: &Extent, cost: &Cost) -> Option<usize> {
     let cut = if items.len() < MANY {
         Cut::best_along::<8>(extent.widest(), items, extent, cost)
     } else {
@@ -69,7 +69,7 @@ impl Bin {
 
 /// A cut between two slices.
 #[derive(Clone, Copy)]
-pub struct Cut {
+pub(super) struct Cut {
     slices: Slices,
     /// The first slice on the right.
     before: usize,
@@ -79,7 +79,7 @@ pub struct Cut {
 
 impl Cut {
     /// The best cut along any axis, between so many bins.
-    pub fn best<const BINS: usize>(items: &[Item], extent: &Extent, cost: &Cost) -> Self {
+    pub(super) fn best<const BINS: usize>(items: &[Item], extent: &Extent, cost: &Cost) -> Self {
         let cuts = [0, 1, 2].map(|axis| Self::best_along::<BINS>(axis, items, extent, cost));
         let [x, y, z] = cuts;
         let xy = if y.cost < x.cost { y } else { x };
@@ -87,7 +87,7 @@ impl Cut {
     }
 
     /// Splits the items there, if that is better than a leaf.
-    pub fn split(&self, items: &mut [Item], extent: &Extent, cost: &Cost) -> Option<usize> {
+    pub(super) fn split(&self, items: &mut [Item], extent: &Extent, cost: &Cost) -> Option<usize> {
         let parent = extent.bounds.half_area();
         let better = cost.branch * parent + self.cost < cost.shapes(items.len()) * parent;
         better.then(|| partition(items, |item| self.slices.of(item) < self.before))

@@ -4,8 +4,8 @@ use crate::accel::bvh::build::cost::Cost;
 use crate::accel::bvh::build::flat::Flat;
 use crate::accel::bvh::build::item::{Bounds, Extent, Item};
 use crate::accel::bvh::build::tree::{Inside, MAX_DEPTH, Tree, halvings};
+use crate::threads;
 use glam::Vec3A;
-use rayon::prelude::*;
 
 /// How far along the curve a subtree looks for a partner, to either side.
 const RADIUS: usize = 14;
@@ -15,7 +15,7 @@ const RADIUS: usize = 14;
 /// They are ordered along a curve that visits neighbours in space one soon after the other. Each of them starts as a
 /// subtree of its own. In each round every subtree looks at those that are near on the curve for the one with which it
 /// would have the smallest box; two that choose each other are merged, and the result takes the place of the first.
-pub fn build(mut items: Vec<Item>, cost: &Cost) -> Flat {
+pub(super) fn build(mut items: Vec<Item>, cost: &Cost) -> Flat {
     sort_along_curve(&mut items);
     let mut trees: Vec<_> = items.iter().map(single).collect();
     let mut levels = MAX_DEPTH;
@@ -72,8 +72,7 @@ fn partners(trees: &[Tree]) -> Vec<usize> {
         }
         best.1
     };
-    let all = (0..trees.len()).into_par_iter();
-    all.with_min_len(1 << 10).map(of).collect()
+    threads::list(trees.len(), of)
 }
 
 /// Merges all subtrees that are each other's partners; the others stay.
@@ -132,7 +131,7 @@ fn sort_along_curve(items: &mut [Item]) {
         let [x, y, z] = at.to_array().map(|at| spread(at as u64));
         x << 2 | y << 1 | z
     };
-    items.par_sort_by_cached_key(|item| (code(item), item.index));
+    threads::sort_by_cached_key(items, |item| (code(item), item.index));
 }
 
 /// Moves bit i of 21 to place 3·i.

@@ -11,7 +11,7 @@ use crate::accel::bvh::build::sweep;
 const FEW: usize = 32;
 
 /// Splits the items where the surface-area heuristic is least, as well as sweeping does and in a quarter of its time.
-pub fn split(items: &mut [Item], extent: &Extent, cost: &Cost) -> Option<usize> {
+pub(super) fn split(items: &mut [Item], extent: &Extent, cost: &Cost) -> Option<usize> {
     if items.len() <= FEW {
         sweep::split(items, extent, cost)
     } else {

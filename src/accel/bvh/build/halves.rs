@@ -7,19 +7,19 @@ use crate::accel::bvh::build::item::{Extent, Item};
 const FEW: usize = 4;
 
 /// Half of the items to each side, along the axis on which the centres are spread most.
-pub fn median(items: &mut [Item], extent: &Extent, _cost: &Cost) -> Option<usize> {
+pub(super) fn median(items: &mut [Item], extent: &Extent, _cost: &Cost) -> Option<usize> {
     (items.len() > FEW).then(|| halve(items, extent))
 }
 
 /// Cuts the box of the centres in the middle of its longest axis.
-pub fn middle(items: &mut [Item], extent: &Extent, _cost: &Cost) -> Option<usize> {
+pub(super) fn middle(items: &mut [Item], extent: &Extent, _cost: &Cost) -> Option<usize> {
     let (axis, centers2) = (extent.widest(), &extent.centers2);
     let middle2 = 0.5 * (centers2.min[axis] + centers2.max[axis]);
     (items.len() > FEW).then(|| partition(items, |item| item.center2_along(axis) < middle2))
 }
 
 /// Splits the items by the median of their centres along their widest axis; equal centres go to either side.
-pub fn halve(items: &mut [Item], extent: &Extent) -> usize {
+pub(super) fn halve(items: &mut [Item], extent: &Extent) -> usize {
     let (axis, half) = (extent.widest(), items.len() / 2);
     items.select_nth_unstable_by(half, |a, b| {
         a.center2_along(axis).total_cmp(&b.center2_along(axis))
@@ -28,7 +28,7 @@ pub fn halve(items: &mut [Item], extent: &Extent) -> usize {
 }
 
 /// Moves the items for which `left` holds to the front; returns how many these are.
-pub fn partition(items: &mut [Item], left: impl Fn(&Item) -> bool) -> usize {
+pub(super) fn partition(items: &mut [Item], left: impl Fn(&Item) -> bool) -> usize {
     let (mut at, mut end) = (0, items.len());
     while at < end {
         if left(&items[at]) {

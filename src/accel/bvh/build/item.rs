@@ -57,7 +57,7 @@ impl From<Bounds> for Aabb {
 #[derive(Clone, Copy, Debug)]
 pub struct Item {
     /// The box.
-    pub bounds: Bounds,
+    pub(crate) bounds: Bounds,
     /// Which shape.
     pub index: u32,
 }
@@ -87,7 +87,7 @@ impl Item {
 
 /// How far items extend.
 #[derive(Clone, Copy, Debug)]
-pub struct Extent {
+pub(crate) struct Extent {
     /// The smallest box that holds their boxes.
     pub bounds: Bounds,
     /// The smallest box that holds twice their centres.
@@ -96,7 +96,7 @@ pub struct Extent {
 
 impl Extent {
     /// How far these items extend.
-    pub fn of(items: &[Item]) -> Self {
+    pub(crate) fn of(items: &[Item]) -> Self {
         let mut all = Self {
             bounds: Bounds::EMPTY,
             centers2: Bounds::EMPTY,
@@ -110,7 +110,7 @@ impl Extent {
     }
 
     /// The axis along which the centres are spread most.
-    pub fn widest(&self) -> usize {
+    pub(crate) fn widest(&self) -> usize {
         (self.centers2.max - self.centers2.min).max_position()
     }
 }

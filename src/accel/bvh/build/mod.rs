@@ -4,20 +4,20 @@
 //! 2. [`tree`]: top-down by the middle, the median or the surface-area heuristic, or bottom-up.
 //! 3. [`flat`]: the tree as a compact array without pointers.
 
-pub mod binned;
-pub mod bottom_up;
-pub mod cost;
-pub mod fine;
-pub mod flat;
-pub mod halves;
-pub mod item;
-pub mod sweep;
-pub mod top_down;
-pub mod tree;
+mod binned;
+mod bottom_up;
+pub(crate) mod cost;
+mod fine;
+pub(crate) mod flat;
+mod halves;
+pub(crate) mod item;
+pub(crate) mod sweep;
+mod top_down;
+pub(crate) mod tree;
 
 use crate::accel::bvh::build::{cost::Cost, flat::Flat, item::Item, top_down::top_down};
 use crate::math::aabb::Aabb;
-use rayon::prelude::*;
+use crate::threads;
 
 /// How stage 2 makes a tree.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,8 +39,8 @@ pub enum Method {
 /// Builds a tree over boxes: finite ones, with coordinates up to 1e18 (`accel/bounded.rs`).
 ///
 /// The same boxes give the same tree, whatever the number of threads.
-pub fn build(boxes: &[Aabb], method: Method, cost: &Cost) -> Flat {
-    let mut items: Vec<_> = boxes.par_iter().enumerate().map(Item::new).collect();
+pub(crate) fn build(boxes: &[Aabb], method: Method, cost: &Cost) -> Flat {
+    let mut items = threads::list(boxes.len(), |i| Item::new((i, &boxes[i])));
     let split = match method {
         Method::Median => halves::median,
         Method::Middle => halves::middle,

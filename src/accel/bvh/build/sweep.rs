@@ -4,7 +4,7 @@ use crate::accel::bvh::build::cost::Cost;
 use crate::accel::bvh::build::item::{Bounds, Extent, Item};
 
 /// Splits the items where it is best, if that is better than a leaf.
-pub fn split(items: &mut [Item], extent: &Extent, cost: &Cost) -> Option<usize> {
+pub(crate) fn split(items: &mut [Item], extent: &Extent, cost: &Cost) -> Option<usize> {
     let (left, both) = sah_split(items, cost);
     let parent = extent.bounds.half_area();
     let better = cost.branch * parent + both < cost.shapes(items.len()) * parent;

@@ -4,17 +4,18 @@ use crate::accel::bvh::build::cost::Cost;
 use crate::accel::bvh::build::halves::halve;
 use crate::accel::bvh::build::item::{Extent, Item};
 use crate::accel::bvh::build::tree::{Inside, MAX_DEPTH, Tree, halvings};
+use crate::threads;
 
 /// A way to split: reorders the items and says how many are on the left, or `None` if a leaf is better.
 ///
 /// It is given at least two items, and how far they extend.
-pub type Split = fn(&mut [Item], &Extent, &Cost) -> Option<usize>;
+pub(super) type Split = fn(&mut [Item], &Extent, &Cost) -> Option<usize>;
 
 /// Fewer items than this are not worth another thread.
 const ALONE: usize = 1 << 12;
 
 /// Builds a tree over the items; reorders them as they follow each other in its leaves.
-pub fn top_down(items: &mut [Item], cost: &Cost, split: Split) -> Tree {
+pub(super) fn top_down(items: &mut [Item], cost: &Cost, split: Split) -> Tree {
     bvh_build(items, MAX_DEPTH, cost, split)
 }
 
@@ -39,7 +40,7 @@ fn bvh_build(items: &mut [Item], levels: u32, cost: &Cost, split: Split) -> Tree
     let (left, right) = if n < ALONE {
         (subtree(left), subtree(right))
     } else {
-        rayon::join(|| subtree(left), || subtree(right))
+        threads::join(|| subtree(left), || subtree(right))
     };
     let inside = Inside::Branch(Box::new([left, right]));
     Tree { bounds, inside }

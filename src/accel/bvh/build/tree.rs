@@ -21,11 +21,11 @@ pub enum Inside {
 }
 
 /// No way from the root to a leaf passes more than this many branches: a search needs a stack of this size, and no more.
-pub const MAX_DEPTH: u32 = 64;
+pub(crate) const MAX_DEPTH: u32 = 64;
 
 /// The branches on the way to any of n shapes if they are halved again and again: ⌈log₂ n⌉.
 ///
 /// A builder may cut as unevenly as it likes while `MAX_DEPTH` leaves room for that.
-pub fn halvings(n: usize) -> u32 {
+pub(crate) fn halvings(n: usize) -> u32 {
     usize::BITS - n.saturating_sub(1).leading_zeros()
 }

@@ -1,9 +1,7 @@
 //! What the comparison with Embree and the replay of its recorded answers share.
 //!
-//! `tests/embree` (which needs Embree) and `tests/embree_recorded.rs` (which does not) both take these files in, so that
+//! `tests/embree` (which needs Embree) and `tests/library/embree_recorded.rs` (which does not) both take these files in, so that
 //! both ask the same shapes, know the same meshes and demand the same closeness.
-
-#![allow(dead_code)] // each of the two uses its own part
 
 #[cfg(test)]
 mod bad_lines;

@@ -12,6 +12,7 @@ use raybook::shape::sphere::Sphere;
 use std::str::FromStr;
 
 /// One question and Embree's answer.
+#[derive(Debug)]
 pub struct Recorded {
     /// What the question is about.
     pub name: String,

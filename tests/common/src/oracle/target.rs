@@ -8,6 +8,7 @@ use raybook::accel::{Meshed, list::List};
 use raybook::math::{aabb::Aabb, basis::Basis, dir3::Dir3, interval::Interval, ray::Ray};
 use raybook::shape::mesh::{Mesh, MeshError};
 use raybook::shape::{Shape, cuboid::Cuboid, plane::Plane, sphere::Sphere, triangle::Triangle};
+use std::fmt;
 
 /// A plane's stand-in for Embree is a square from −8 m to 8 m around the plane's point nearest to the world's origin.
 const PLANE_HALF: f32 = 8.0;
@@ -36,6 +37,12 @@ pub struct Target {
     pub numbered: bool,
     /// No ray looks farther.
     pub far: f32,
+}
+
+impl fmt::Debug for Target {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.debug_tuple("Target").field(&self.words).finish()
+    }
 }
 
 impl Target {

@@ -1,0 +1,3 @@
+//! Chapter 4: `plane_hit`.
+
+raybook_workbook::ch04_plane!(graded);

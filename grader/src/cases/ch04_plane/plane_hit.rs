@@ -1,0 +1,101 @@
+//! Chapter 4: `plane_hit`.
+
+use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
+use raybook::image::rgb::Rgb;
+use raybook_chapters::kit::palette::viridis;
+use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
+use raybook_workbook::exercise::Exercise;
+use raybook_workbook::exercises::ch04_plane::PlaneHit;
+use glam::vec3;
+use rand::RngExt;
+
+impl Graded for PlaneHit {
+    fn random(rng: &mut Pcg) -> PlaneHit {
+        let max = if rng.random_bool(0.4) {
+            sample::number(rng, 1.0, 8.0)
+        } else {
+            f32::INFINITY
+        };
+        PlaneHit {
+            ray: Ray::new(sample::point(rng, 4.0), sample::direction(rng)),
+            within: Interval::new(0.0, max),
+            normal: sample::direction(rng),
+            offset: sample::number(rng, -3.0, 3.0),
+        }
+    }
+
+    fn judge(_q: &PlaneHit, golden: &Option<f32>, got: &Option<f32>) -> Verdict {
+        judge::option("a hit", golden.as_ref(), got.as_ref(), |golden, got| {
+            judge::number("t", "m", *golden, *got)
+        })
+    }
+
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "has the sign of the offset wrong",
+            hint: "A point p of the plane has n·p = offset: put o + t·d in for p and solve again.",
+            answer: |q| Self::misread(q, |q| q.offset = -q.offset),
+        },
+        Mistake {
+            name: "takes the plane through the world's origin",
+            hint: "Move the plane by one metre along its normal: does your t change?",
+            answer: |q| Self::misread(q, |q| q.offset = 0.0),
+        },
+        Mistake {
+            name: "sees the front only",
+            hint: "Look at the plane from below: is it still there?",
+            answer: |q| PlaneHit::answer(q).filter(|_| q.normal.dot(*q.ray.direction) < 0.0),
+        },
+        Mistake {
+            name: "ignores the interval",
+            hint: "Is every t you return between min and max?",
+            answer: |q| line(q).filter(|t| t.is_finite()),
+        },
+        Mistake {
+            name: "only asks for t > min",
+            hint: "Something nearer may already have been hit: what is the interval's max for?",
+            answer: |q| line(q).filter(|t| t.is_finite() && *t > q.within.min),
+        },
+        Mistake {
+            name: "returns a negative distance",
+            hint: "What is the sign of (offset − n·o)/(n·d) for a plane that lies ahead?",
+            answer: |q| PlaneHit::answer(q).map(|t| -t),
+        },
+        Mistake {
+            name: "returns the distance along the normal",
+            hint: "A slanted ray takes longer to the plane than the straight way.",
+            answer: |q| PlaneHit::answer(q).map(|t| (t * q.normal.dot(*q.ray.direction)).abs()),
+        },
+        Mistake {
+            name: "calls a nearly parallel ray a miss",
+            hint: "How close to 0 is too close? A plane reaches to the horizon.",
+            answer: |q| PlaneHit::answer(q).filter(|_| q.normal.dot(*q.ray.direction).abs() > 0.02),
+        },
+    ];
+
+    const PICTURES: &'static [Picture<Self>] = &[Picture {
+        name: "plane_hit",
+        width: 96,
+        height: 54,
+        alt: "A floor and a wall of sky; the brighter, the nearer",
+        question: |x, y| {
+            let toward = vec3((x as f32 - 47.5) / 54.0, (16.5 - y as f32) / 54.0, -1.0);
+            let ray = Ray::new(vec3(0.0, 1.0, 0.0), Dir3::new_or(toward, Dir3::Z));
+            PlaneHit {
+                ray,
+                within: Interval::new(0.0, 60.0),
+                normal: Dir3::Y,
+                offset: -0.5,
+            }
+        },
+        colour: |_, t| t.map_or(Rgb::gray(0.1), |t| viridis(2.0 / (0.5 + t))),
+    }];
+}
+
+/// The distance at which the whole line meets the plane.
+fn line(q: &PlaneHit) -> Option<f32> {
+    PlaneHit::answer(&PlaneHit {
+        within: Interval::new(f32::NEG_INFINITY, f32::INFINITY),
+        ..q.clone()
+    })
+}

@@ -1,0 +1,3 @@
+//! Chapter 13: `reflect`.
+
+raybook_workbook::ch13_reflection!(graded);

@@ -1,0 +1,89 @@
+//! Chapter 13: `reflect`.
+
+use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
+use raybook_chapters::kit::palette;
+use raybook::math::{dir3::Dir3, pcg::Pcg};
+use raybook_workbook::exercise::Exercise;
+use raybook_workbook::exercises::ch13_reflection::Reflect;
+use glam::{Vec3, vec3};
+
+/// (i·n) n: the part of i that is square to the surface.
+fn square(q: &Reflect) -> Vec3 {
+    q.incoming.dot(*q.normal) * *q.normal
+}
+
+impl Graded for Reflect {
+    fn random(rng: &mut Pcg) -> Reflect {
+        Reflect {
+            incoming: sample::direction(rng),
+            normal: sample::direction(rng),
+        }
+    }
+
+    fn judge(_q: &Reflect, golden: &Vec3, got: &Vec3) -> Verdict {
+        judge::direction("the reflected direction", *golden, *got)
+    }
+
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "sends the ray back through the surface's other side",
+            hint: "Which part of i turns round at the mirror: the one along the surface, or the one square to it?",
+            answer: |q| -Reflect::answer(q),
+        },
+        Mistake {
+            name: "forgets the 2",
+            hint: "Subtract (i·n) n once, and you are left with a direction along the surface: how far is it to the other side?",
+            answer: |q| (*q.incoming - square(q)).normalize_or_zero(),
+        },
+        Mistake {
+            name: "adds in the place of subtracting",
+            hint: "Let the ray fall straight down: how long is your answer?",
+            answer: |q| *q.incoming + 2.0 * square(q),
+        },
+        Mistake {
+            name: "takes the size of i·n",
+            hint: "Turn the normal round: it is the same mirror. Does your answer change?",
+            answer: |q| *q.incoming + 2.0 * q.incoming.dot(*q.normal).abs() * *q.normal,
+        },
+        Mistake {
+            name: "lets the ray pass",
+            hint: "Your answer is the incoming direction itself.",
+            answer: |q| *q.incoming,
+        },
+        Mistake {
+            name: "sends the ray back to where it came from",
+            hint: "Only a ray along the normal comes back the same way.",
+            answer: |q| -*q.incoming,
+        },
+        Mistake {
+            name: "answers with the normal",
+            hint: "The normal is half way between where the light comes from and where it goes.",
+            answer: |q| {
+                let facing = if q.incoming.dot(*q.normal) > 0.0 {
+                    -1.0
+                } else {
+                    1.0
+                };
+                facing * *q.normal
+            },
+        },
+    ];
+
+    const PICTURES: &'static [Picture<Self>] = &[Picture {
+        name: "reflect",
+        width: 64,
+        height: 64,
+        alt: "A mirror ball; the direction that each pixel sees in it is a colour",
+        question: |x, y| {
+            let place = |i: u32| (i as f32 + 0.5) / 29.0 - 32.0 / 29.0;
+            let (x, y) = (place(x), -place(y));
+            let z = (1.0 - x * x - y * y).max(0.0).sqrt();
+            let normal = if z > 0.0 { vec3(x, y, z) } else { Vec3::Z };
+            Reflect {
+                incoming: Dir3::new_or(vec3(0.2 * x, 0.2 * y, -1.0), -Dir3::Z),
+                normal: Dir3::new_or(normal, Dir3::Z),
+            }
+        },
+        colour: |_, reflected| palette::direction(*reflected),
+    }];
+}

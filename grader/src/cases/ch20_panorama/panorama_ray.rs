@@ -1,0 +1,149 @@
+//! Chapter 20: `panorama_ray`: its cases, judge and mistakes.
+
+use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
+use raybook_chapters::kit::palette::direction as direction_colour;
+use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
+use raybook_workbook::exercise::Exercise;
+use raybook_workbook::exercises::ch01_rays::CameraRayAnswer;
+use raybook_workbook::exercises::ch20_panorama::PanoramaRay;
+use glam::{Vec2, Vec3, vec2};
+use std::f32::consts::{PI, TAU};
+
+impl Graded for PanoramaRay {
+    fn random(rng: &mut Pcg) -> PanoramaRay {
+        let film = vec2(sample::number(rng, 0.0, 1.0), sample::number(rng, 0.0, 1.0));
+        question(sample::point(rng, 5.0), sample::direction(rng), film)
+    }
+
+    /// Rays are compared, not angles: at the top and at the bottom every angle around is right.
+    fn judge(_q: &PanoramaRay, golden: &CameraRayAnswer, got: &CameraRayAnswer) -> Verdict {
+        judge::point("the ray's origin", golden.origin, got.origin)?;
+        judge::direction("the ray's direction", golden.direction, got.direction)
+    }
+
+    const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "draws the picture upside down",
+            hint: "film (0, 0) is the top left: is the top edge of your picture the sky or the ground?",
+            answer: |q| Self::misread(q, |q| q.film.y = 1.0 - q.film.y),
+        },
+        Mistake {
+            name: "draws the picture mirrored",
+            hint: "Turn your head from the middle of the picture to your right: does film.x grow or shrink?",
+            answer: |q| Self::misread(q, |q| q.film.x = 1.0 - q.film.x),
+        },
+        Mistake {
+            name: "looks backwards in the middle",
+            hint: "For which film.x is the angle around up 0, and where is that on the picture?",
+            answer: |q| Self::misread(q, |q| q.film.x += 0.5),
+        },
+        Mistake {
+            name: "has right in the middle",
+            hint: "At the angle 0 around up, which of the camera's axes do you get?",
+            answer: |q| Self::misread(q, |q| q.film.x += 0.25),
+        },
+        Mistake {
+            name: "sees half of the way around only",
+            hint: "From the left edge of the picture to its right edge you turn once around: by which angle?",
+            answer: |q| Self::misread(q, |q| q.film.x = 0.25 + 0.5 * q.film.x),
+        },
+        Mistake {
+            name: "goes down twice as far",
+            hint: "What is the angle between straight up and straight down?",
+            answer: |q| along(q, TAU * (q.film.x - 0.5), TAU * q.film.y),
+        },
+        Mistake {
+            name: "counts the angle from the horizon",
+            hint: "Your angle is 0 at the top edge: which direction must that be, and which do you return?",
+            answer: |q| along(q, TAU * (q.film.x - 0.5), PI * q.film.y + 0.5 * PI),
+        },
+        Mistake {
+            name: "takes the height for the angle",
+            hint: "A quarter of the way down the picture the direction is 45 degrees high: how high is yours?",
+            answer: |q| along(q, TAU * (q.film.x - 0.5), (1.0 - 2.0 * q.film.y).acos()),
+        },
+        Mistake {
+            name: "makes every circle of latitude as large as the horizon",
+            hint: "How long is your direction halfway up the sky? Near the zenith the circle that you walk around is small.",
+            answer: |q| {
+                let (sin, cos) = (TAU * (q.film.x - 0.5)).sin_cos();
+                let up = (PI * q.film.y).cos() * *q.up;
+                ray(q, cos * *q.forward + sin * *q.right + up)
+            },
+        },
+        Mistake {
+            name: "takes degrees for radians",
+            hint: "In which unit does your sine expect its angle?",
+            answer: |q| along(q, 360.0 * (q.film.x - 0.5), 180.0 * q.film.y),
+        },
+        Mistake {
+            name: "looks along the world's axes",
+            hint: "Turn the camera: does your direction turn with it?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    (q.forward, q.right, q.up) = (-Dir3::Z, Dir3::X, Dir3::Y);
+                })
+            },
+        },
+        Mistake {
+            name: "confuses up and forward",
+            hint: "Around which of the camera's axes does the picture go from left to right?",
+            answer: |q| Self::misread(q, |q| std::mem::swap(&mut q.up, &mut q.forward)),
+        },
+        Mistake {
+            name: "goes around from the first pixel to the last",
+            hint: "The left edge and the right edge of the picture are one direction; where are the top and the bottom?",
+            answer: |q| Self::misread(q, |q| q.film = 0.01 + 0.98 * q.film),
+        },
+        Mistake {
+            name: "starts on a sphere around the position",
+            hint: "Where do the rays of this camera meet? That is where they start.",
+            answer: |q| {
+                let right = Self::answer(q);
+                CameraRayAnswer {
+                    origin: right.origin + right.direction,
+                    ..right
+                }
+            },
+        },
+    ];
+
+    const PICTURES: &'static [Picture<Self>] = &[Picture {
+        name: "panorama_ray",
+        width: 96,
+        height: 48,
+        alt: "All directions as colours: a bright sky in the upper half, a dark ground in the lower one",
+        question: |x, y| {
+            let film = vec2((x as f32 + 0.5) / 96.0, (y as f32 + 0.5) / 48.0);
+            question(Vec3::ZERO, -Dir3::Z, film)
+        },
+        colour: |_, ray| direction_colour(ray.direction),
+    }];
+}
+
+/// A camera that looks along a direction; its up is anything square to that.
+fn question(position: Vec3, forward: Dir3, film: Vec2) -> PanoramaRay {
+    let Basis {
+        x: right, y: up, ..
+    } = Basis::around(-forward);
+    PanoramaRay {
+        position,
+        forward,
+        right,
+        up,
+        film,
+    }
+}
+
+/// The ray at two angles: φ around up from forward, and θ from up.
+fn along(q: &PanoramaRay, phi: f32, theta: f32) -> CameraRayAnswer {
+    let around = phi.cos() * *q.forward + phi.sin() * *q.right;
+    ray(q, theta.sin() * around + theta.cos() * *q.up)
+}
+
+fn ray(q: &PanoramaRay, direction: Vec3) -> CameraRayAnswer {
+    CameraRayAnswer {
+        origin: q.position,
+        direction,
+    }
+}

@@ -1,0 +1,58 @@
+//! `--golden`: the golden files of a folder, which a lecturer edits without compiling.
+
+use super::Examiners;
+use raybook_grader::golden::path;
+use std::error::Error;
+use std::fs;
+use std::io::ErrorKind;
+use std::path::PathBuf;
+
+/// Where the named cases come from.
+#[derive(clap::Args)]
+pub struct Golden {
+    /// Take the named cases from the golden files of this folder, where it has one, instead of those that the command carries with it
+    #[arg(long, value_name = "FOLDER")]
+    pub golden: Option<PathBuf>,
+}
+
+impl Golden {
+    /// The exercises, each with the golden file of the folder, if it has one.
+    ///
+    /// # Errors
+    /// If the folder has none of them, or a file or a named case cannot be read.
+    pub fn replace(&self, examiners: Examiners) -> Result<Examiners, Box<dyn Error>> {
+        let Some(folder) = &self.golden else {
+            return Ok(examiners);
+        };
+        let mut replaced = 0;
+        let mut replace = |examiner: &mut &'static dyn raybook_grader::examine::Examiner| {
+            let file = folder.join(path(examiner.name()));
+            match fs::read_to_string(&file) {
+                Ok(text) => {
+                    let read = examiner.with_golden(text);
+                    read.named()
+                        .map_err(|error| format!("{}: {error}", file.display()))?;
+                    // Once for each exercise: the command ends soon.
+                    *examiner = Box::leak(read);
+                    replaced += 1;
+                    Ok(())
+                }
+                Err(error) if error.kind() == ErrorKind::NotFound => Ok(()),
+                Err(error) => Err(format!("{}: {error}", file.display())),
+            }
+        };
+        let mut examiners = examiners;
+        examiners.iter_mut().try_for_each(&mut replace)?;
+        if replaced == 0 {
+            let first = examiners
+                .first()
+                .map_or_else(String::new, |e| path(e.name()));
+            return Err(format!(
+                "{}: there is no golden file here, such as {first}",
+                folder.display()
+            )
+            .into());
+        }
+        Ok(examiners)
+    }
+}

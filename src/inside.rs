@@ -1,0 +1,174 @@
+//! What the course opens up of the library for its exercises, figures and tests: single steps of building and searching, and
+//! the structures behind the accelerators.
+//!
+//! A user of the library has no need of it, and it is not a promise: it changes with what is inside. Whatever its functions
+//! are given, nothing undefined happens; where numbers do not make a tree, they may panic, search for ever or run out of stack.
+
+pub use crate::accel::ray_box::RayBox;
+pub use crate::sample::pattern::neighbours::{Neighbours, Space};
+
+/// Of [`Grid`](crate::accel::grid::Grid), and what all grids share.
+pub mod grid {
+    pub use crate::accel::grid::build::voxels_of_triangle;
+    pub use crate::accel::grid::resolution::grid_resolution;
+    pub use crate::accel::lattice::{Lattice, range};
+    pub use crate::accel::order::by_first_use;
+    pub use crate::accel::overlap::triangle_meets_box;
+    pub use crate::accel::walk::walk;
+
+    use crate::accel::grid::Grid;
+    use crate::shape::Shape;
+
+    /// The cells' planes.
+    pub fn lattice<S: Shape>(grid: &Grid<S>) -> &Lattice {
+        grid.lattice()
+    }
+}
+
+/// Of [`TwoLevelGrid`](crate::accel::two_level_grid::TwoLevelGrid).
+pub mod two_level_grid {
+    pub use crate::accel::two_level_grid::levels::{Cut, Levels};
+    pub use crate::accel::two_level_grid::refine::{Refined, refine_cell};
+    pub use crate::accel::two_level_grid::walk::walk_two_levels;
+
+    use crate::accel::two_level_grid::TwoLevelGrid;
+    use crate::shape::Shape;
+
+    /// The cells.
+    pub fn levels<S: Shape>(grid: &TwoLevelGrid<S>) -> &Levels {
+        grid.levels()
+    }
+}
+
+/// Of [`Octree`](crate::accel::octree::Octree).
+pub mod octree {
+    pub use crate::accel::octree::tree::{Kind, Node, Place, Tree, child_at, child_cell};
+    pub use crate::accel::octree::walk::Walk;
+
+    use crate::accel::octree::{Octree, build::Limits};
+    use crate::math::aabb::Aabb;
+    use crate::shape::Shape;
+
+    /// The tree of the shapes 0, 1, … count − 1 in a cell; `reached` says which of eight cells a shape reaches, one bit each.
+    pub fn build(
+        bounds: Aabb,
+        count: u32,
+        limits: Limits,
+        reached: &impl Fn(u32, &[Aabb; 8]) -> u8,
+    ) -> Tree {
+        crate::accel::octree::build::build(bounds, count, limits, reached)
+    }
+
+    /// The tree of cells.
+    pub fn tree<S: Shape>(octree: &Octree<S>) -> &Tree {
+        octree.tree()
+    }
+
+    /// The shapes, by the numbers that [`Tree::named`] gives them.
+    pub fn shapes<S: Shape>(octree: &Octree<S>) -> &[S] {
+        octree.shapes()
+    }
+}
+
+/// Of [`Bvh`](crate::accel::bvh::Bvh).
+pub mod bvh {
+    pub use crate::accel::bvh::build::cost::{Cost, sah_cost};
+    pub use crate::accel::bvh::build::flat::{Flat, Node};
+    pub use crate::accel::bvh::build::item::Item;
+    pub use crate::accel::bvh::build::sweep::sah_split;
+    pub use crate::accel::bvh::pair::{Link, Pair, RayPair};
+    pub use crate::accel::bvh::validate::validate;
+
+    use crate::accel::bvh::{self, Bvh, build::Method};
+    use crate::math::aabb::Aabb;
+    use crate::shape::Shape;
+
+    /// What a step of its search costs.
+    pub const COST: Cost = bvh::COST;
+
+    /// A tree over boxes: finite ones, with coordinates up to 1e18.
+    pub fn build(boxes: &[Aabb], method: Method, cost: &Cost) -> Flat {
+        bvh::build::build(boxes, method, cost)
+    }
+
+    /// The accelerator of a tree that is there already, over the shapes whose boxes it was built from.
+    pub fn over<S: Shape>(flat: Flat, shapes: Vec<S>) -> Bvh<S> {
+        Bvh::from_flat(flat, shapes)
+    }
+
+    /// The node of all, and the pairs of all others, depth-first.
+    pub fn nodes<S: Shape>(bvh: &Bvh<S>) -> (Option<&Node>, &[Pair]) {
+        bvh.nodes()
+    }
+}
+
+/// Of [`WideBvh`](crate::accel::wide_bvh::WideBvh): the tree can be read, and made out of parts, which are checked.
+///
+/// On what stands in a tree and in a ray made ready, vector instructions rely: nobody else can write it. Links have no
+/// bits to set,
+///
+/// ```compile_fail,E0423
+/// let far = raybook::inside::wide_bvh::Link(3_000_000_000);
+/// ```
+///
+/// a tree's lists cannot be changed, nor can what is in a node or a leaf,
+///
+/// ```compile_fail,E0616
+/// # use raybook::{accel::wide_bvh::WideBvh, inside::wide_bvh};
+/// let mut tree = wide_bvh::tree(&WideBvh::new(Vec::new())).clone();
+/// tree.nodes.clear();
+/// ```
+///
+/// ```compile_fail,E0616
+/// # use raybook::inside::wide_bvh::Node;
+/// fn widen(node: &mut Node) {
+///     node.rows[0][0] = 0.0;
+/// }
+/// ```
+///
+/// and rays made ready, shears, stacks and the proof that a processor has AVX2 have no name outside.
+///
+/// ```compile_fail,E0603
+/// use raybook::accel::wide_bvh::ray::WideRay;
+/// ```
+///
+/// ```compile_fail,E0603
+/// use raybook::shape::triangle_watertight::Shear;
+/// ```
+///
+/// ```compile_fail,E0603
+/// use raybook::accel::wide_bvh::stack::Places;
+/// ```
+///
+/// ```compile_fail,E0603
+/// use raybook::accel::wide_bvh::avx2::Avx2;
+/// ```
+pub mod wide_bvh {
+    pub use crate::accel::wide_bvh::collapse::{Family, binary, children, collapse, half_area};
+    pub use crate::accel::wide_bvh::node::{CHILDREN, Leaf, Link, Node, TRIANGLES};
+    pub use crate::accel::wide_bvh::optimal::collapse as collapse_optimally;
+    pub use crate::accel::wide_bvh::tree::Tree;
+
+    use crate::accel::bvh::build::{Method, cost::Cost};
+    use crate::accel::wide_bvh::{self, WideBvh};
+    use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
+    use crate::shape::mesh::Facet;
+
+    /// What a step of its search costs.
+    pub const COST: Cost = wide_bvh::build::COST;
+
+    /// The tree of facets with finite boxes; leaves have at most `cost.most` of them, and [`TRIANGLES`].
+    pub fn build(facets: Vec<Facet>, method: Method, cost: &Cost) -> Tree {
+        wide_bvh::build::build(facets, method, cost)
+    }
+
+    /// The tree.
+    pub fn tree(bvh: &WideBvh) -> &Tree {
+        bvh.tree()
+    }
+
+    /// Which of eight boxes a ray meets within an interval, as bits, and where it enters them.
+    pub fn meets(boxes: &[Aabb; CHILDREN], ray: &Ray, within: Interval) -> (u32, [f32; CHILDREN]) {
+        wide_bvh::eight_boxes(boxes, ray, within)
+    }
+}

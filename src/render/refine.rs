@@ -1,0 +1,93 @@
+//! The film loop that spares work: few samples where they are alike, all of them where they differ.
+
+use crate::image::Image;
+use crate::render::film::{Done, Film};
+use crate::render::followed::Followed;
+use crate::sample::even::Even;
+use glam::{Vec2, vec2};
+use rand::RngExt;
+
+/// The first samples of every pixel.
+const FIRST: usize = 4;
+
+/// The standard deviation, in what a display shows, from which on a pixel gets all its samples.
+const RESTLESS: f32 = 0.2;
+
+/// What the first samples of a pixel tell.
+#[derive(Clone, Copy, Default)]
+struct Begun {
+    sum: Followed,
+    /// Of what a display shows, in the channel that has most.
+    variance: f32,
+}
+
+// ANCHOR: refine
+/// The picture whose pixels are the mean of `radiance` over their samples: as many as the film asks for where they differ most,
+/// and fewer, down to four, in proportion to their standard deviation (Neyman 1934).
+///
+/// The deviation is that of the pixel and its eight neighbours, for an edge may have slipped through between its own few.
+/// `radiance` is given the place on the film, in [0, 1]² from the top left, and the sample's random numbers.
+pub fn refine<S: Into<Followed>>(
+    film: &Film,
+    radiance: impl Fn(Vec2, &mut Even) -> S + Sync,
+) -> Image {
+    let (all, size) = (film.samples, vec2(film.width as f32, film.height as f32));
+    let first = FIRST.min(all);
+    let sample = |x: usize, y: usize, pixel: u64, i: usize| {
+        let mut numbers = Even::new(pixel, i, all);
+        let place = numbers.pair();
+        let place = if all == 1 { Vec2::splat(0.5) } else { place };
+        radiance((vec2(x as f32, y as f32) + place) / size, &mut numbers).into()
+    };
+    let begun = film.each_pixel(|x, y, rng| {
+        let pixel = rng.random();
+        let seen: Vec<Followed> = (0..first).map(|i| sample(x, y, pixel, i)).collect();
+        let begun = Begun::by(&seen);
+        (begun, begun.sum.rays)
+    });
+    let again = Film {
+        progress: &|done| (film.progress)(Done { pixels: 0, ..done }),
+        ..*film
+    };
+    again.render_pixels(|x, y, rng| {
+        let pixel = rng.random();
+        let share = (deviation(film, &begun, x, y) / RESTLESS).min(1.0);
+        let count = (share * all as f32).ceil() as usize;
+        let count = count.max(first).next_power_of_two().min(all);
+        let rest: Followed = (first..count).map(|i| sample(x, y, pixel, i)).sum();
+        let sum = begun[y * film.width + x].sum.radiance + rest.radiance;
+        Followed {
+            radiance: sum / count as f32,
+            ..rest
+        }
+    })
+}
+// ANCHOR_END: refine
+
+impl Begun {
+    fn by(seen: &[Followed]) -> Self {
+        let n = seen.len() as f32;
+        // The square root is near to the curve by which a display shows light.
+        let shown = |channel: usize| {
+            let values = seen.iter().map(move |s| s.radiance.channels()[channel]);
+            values.map(|v| v.clamp(0.0, 1.0).sqrt())
+        };
+        let variance = |channel: usize| {
+            let mean = shown(channel).sum::<f32>() / n;
+            shown(channel).map(|v| (v - mean).powi(2)).sum::<f32>() / (n - 1.0).max(1.0)
+        };
+        Self {
+            sum: seen.iter().copied().sum(),
+            variance: (0..3).map(variance).fold(0.0, f32::max),
+        }
+    }
+}
+
+/// The standard deviation of a pixel's samples and its neighbours', each around their own mean.
+fn deviation(film: &Film, begun: &[Begun], x: usize, y: usize) -> f32 {
+    let near = |v: usize, end: usize| v.saturating_sub(1)..(v + 2).min(end);
+    let (xs, ys) = (near(x, film.width), near(y, film.height));
+    let pixels = (xs.len() * ys.len()) as f32;
+    let variances = ys.flat_map(|y| xs.clone().map(move |x| begun[y * film.width + x].variance));
+    (variances.sum::<f32>() / pixels).sqrt()
+}

@@ -1,0 +1,83 @@
+//! Floor 0: work on several threads; without the feature `threads`, on this one, with the same answers.
+//!
+//! Every function here returns what one thread would, bit for bit, in the same order.
+
+#[cfg(feature = "threads")]
+pub(crate) use many::{fill, join, sort_by_cached_key, workers};
+#[cfg(not(feature = "threads"))]
+pub(crate) use one::{fill, join, sort_by_cached_key, workers};
+
+/// The list of f(0), f(1), …, f(n − 1).
+pub(crate) fn list<T: Send>(n: usize, f: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
+    let mut list = Vec::with_capacity(n);
+    fill(&mut list, n, f);
+    list
+}
+
+#[cfg(feature = "threads")]
+mod many {
+    use rayon::prelude::*;
+    use std::thread;
+
+    /// Fewer items than this are not worth another thread.
+    const ALONE: usize = 1 << 10;
+
+    /// Puts f(0), f(1), …, f(n − 1) into a list, in place of what is in it.
+    pub(crate) fn fill<T: Send>(list: &mut Vec<T>, n: usize, f: impl Fn(usize) -> T + Sync + Send) {
+        let all = (0..n).into_par_iter().with_min_len(ALONE);
+        all.map(f).collect_into_vec(list);
+    }
+
+    /// Both answers.
+    pub(crate) fn join<A: Send, B: Send>(
+        a: impl FnOnce() -> A + Send,
+        b: impl FnOnce() -> B + Send,
+    ) -> (A, B) {
+        rayon::join(a, b)
+    }
+
+    /// Sorts by keys, each of which is computed once; equal ones stay in order.
+    pub(crate) fn sort_by_cached_key<T: Send + Sync, K: Ord + Send + Sync>(
+        list: &mut [T],
+        key: impl Fn(&T) -> K + Sync,
+    ) {
+        list.par_sort_by_cached_key(key);
+    }
+
+    /// The answers of n workers who share the work among themselves, each on a thread of its own.
+    pub(crate) fn workers<T: Send>(n: usize, work: impl Fn() -> T + Sync) -> Vec<T> {
+        thread::scope(|scope| {
+            let workers: Vec<_> = (0..n).map(|_| scope.spawn(&work)).collect();
+            let answer = |worker: thread::ScopedJoinHandle<'_, T>| {
+                worker
+                    .join()
+                    .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+            };
+            workers.into_iter().map(answer).collect()
+        })
+    }
+}
+
+#[cfg(not(feature = "threads"))]
+mod one {
+    /// Puts f(0), f(1), …, f(n − 1) into a list, in place of what is in it.
+    pub(crate) fn fill<T>(list: &mut Vec<T>, n: usize, f: impl Fn(usize) -> T) {
+        list.clear();
+        list.extend((0..n).map(f));
+    }
+
+    /// Both answers.
+    pub(crate) fn join<A, B>(a: impl FnOnce() -> A, b: impl FnOnce() -> B) -> (A, B) {
+        (a(), b())
+    }
+
+    /// Sorts by keys, each of which is computed once; equal ones stay in order.
+    pub(crate) fn sort_by_cached_key<T, K: Ord>(list: &mut [T], key: impl Fn(&T) -> K) {
+        list.sort_by_cached_key(key);
+    }
+
+    /// The answer of the one worker there is.
+    pub(crate) fn workers<T>(_n: usize, work: impl Fn() -> T) -> Vec<T> {
+        vec![work()]
+    }
+}

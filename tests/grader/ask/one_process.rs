@@ -1,0 +1,198 @@
+//! A program that answers is started once, and again only after a misfortune.
+
+use crate::ask::{LIMITS, answer};
+use raybook_grader::ask::{Asker, Said};
+use raybook_grader::cases;
+use raybook_grader::check::check_all;
+use raybook_grader::converse::{Limits, Program};
+use raybook_grader::examine::{Case, Examiner, visible_rng};
+use rayon::prelude::*;
+use std::fs;
+use std::path::PathBuf;
+use std::time::Duration;
+
+/// Long enough on a machine that does other things too.
+const PATIENT: Limits = Limits {
+    time: Duration::from_secs(5),
+    ..LIMITS
+};
+
+/// A script that counts its starts in a file.
+struct Counted {
+    folder: tempfile::TempDir,
+    program: Program,
+}
+
+impl Counted {
+    fn new(script: &str) -> Self {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let script = format!("echo start >> starts; {script}");
+        let program = Program {
+            file: "/bin/sh".into(),
+            arguments: vec!["-c".into(), script.into()],
+            folder: folder.path().to_owned(),
+        };
+        Self { folder, program }
+    }
+
+    fn starts(&self) -> usize {
+        let starts = fs::read_to_string(self.folder.path().join("starts"));
+        starts.unwrap_or_default().lines().count()
+    }
+}
+
+fn lists(lists: &[&[&str]]) -> Vec<Vec<String>> {
+    let list = |list: &&[&str]| list.iter().map(ToString::to_string).collect();
+    lists.iter().map(list).collect()
+}
+
+/// What a script says to several lists of questions, and how often it is started.
+fn heard(script: &str, questions: &[&[&str]]) -> (Vec<Vec<Said>>, usize) {
+    let counted = Counted::new(script);
+    let mut asker = Asker::new(&counted.program, PATIENT);
+    let mut said = Vec::new();
+    for list in lists(questions) {
+        let replies = asker.ask(&list).expect("the shell can be started");
+        said.push(replies.into_iter().map(|reply| reply.said).collect());
+    }
+    assert!(!asker.finish(), "it says no more than it was asked");
+    (said, counted.starts())
+}
+
+fn all_exercises() -> Vec<(&'static dyn Examiner, Vec<Case>)> {
+    let cases = |examiner: &dyn Examiner| examiner.cases(&mut visible_rng(examiner.name())).cases;
+    let all = cases::all();
+    all.par_iter()
+        .map(|&examiner| (examiner, cases(examiner)))
+        .collect()
+}
+
+/// The reports of all exercises on a script, and how often it is started.
+fn checked(script: &str) -> (Vec<raybook_grader::check::Report>, usize) {
+    let counted = Counted::new(script);
+    let reports = check_all(&counted.program, &all_exercises(), PATIENT, false, &|| {});
+    (reports.expect("the shell can be started"), counted.starts())
+}
+
+#[test]
+fn all_exercises_are_asked_in_one_process() {
+    let (reports, starts) = checked("while read q; do echo '= 0'; done");
+    assert_eq!(starts, 1, "nothing goes wrong");
+    assert_eq!(reports.len(), 64, "and all are asked");
+    let answered = |said: &Said| *said == answer("0");
+    let mut outcomes = reports.iter().flat_map(|report| &report.cases);
+    assert!(
+        outcomes.all(|outcome| answered(&outcome.reply.said)),
+        "each question is answered"
+    );
+}
+
+#[test]
+fn a_crash_costs_one_more_process() {
+    let script = "while read q; do case $q in b|e) exit 3;; esac; echo \"= $q\"; done";
+    let (said, starts) = heard(script, &[&["a", "b", "c"], &["d", "e", "f"], &["g"]]);
+    let crash = || Said::Ended("exit code 3".into());
+    assert_eq!(
+        said,
+        [
+            vec![answer("a"), crash(), answer("c")],
+            vec![answer("d"), crash(), answer("f")],
+            vec![answer("g")]
+        ],
+        "the right questions are blamed"
+    );
+    assert_eq!(starts, 3, "one, and one for each crash");
+}
+
+#[test]
+fn who_dies_of_the_last_question_is_not_blamed_for_the_next_exercise() {
+    let script = "while read q; do echo \"= $q\"; if [ $q = b ]; then sleep 0.1; exit 3; fi; done";
+    let (said, starts) = heard(script, &[&["a", "b"], &["c", "d"]]);
+    assert_eq!(
+        said,
+        [
+            vec![answer("a"), answer("b")],
+            vec![answer("c"), answer("d")]
+        ],
+        "everything was answered"
+    );
+    assert_eq!(starts, 2, "and the second exercise goes to a new process");
+}
+
+#[test]
+fn what_it_does_not_know_is_skipped_and_the_rest_is_asked() {
+    let script = "while read q; do case $q in no*) ;; *) echo \"= $q\";; esac; done";
+    let unknown = ["no 1", "no 2", "no 3", "no 4", "no 5", "no 6", "no 7"];
+    let (said, _) = heard(script, &[&["a", "b"], &unknown, &["c", "d"]]);
+    assert_eq!(said[0], [answer("a"), answer("b")], "what it knows");
+    assert_eq!(
+        said[1][..5],
+        vec![Said::Ended("exit code 0".into()); 5],
+        "silence"
+    );
+    assert_eq!(said[1][5..], vec![Said::NotAsked(5); 2], "five times");
+    assert_eq!(said[2], [answer("c"), answer("d")], "and what it knows");
+}
+
+#[test]
+fn a_question_without_an_answer_does_not_shift_the_others() {
+    let script = "while read q; do if [ $q != c ]; then echo \"= $q\"; fi; done";
+    let (said, _) = heard(script, &[&["a", "b", "c", "d"], &["e"]]);
+    let silent = Said::Ended("exit code 0".into());
+    assert_eq!(
+        said,
+        [
+            vec![answer("a"), answer("b"), silent, answer("d")],
+            vec![answer("e")]
+        ],
+        "only c has none"
+    );
+}
+
+#[test]
+fn who_holds_the_answers_back_is_started_for_each_list() {
+    let script = "held=''; while read q; do held=\"$held= $q\n\"; done; printf '%s' \"$held\"";
+    let (said, starts) = heard(script, &[&["a", "b"], &["c", "d"], &["e", "f"]]);
+    assert_eq!(said[1], [answer("c"), answer("d")], "and is understood");
+    assert_eq!(starts, 4, "once more, to find that out");
+}
+
+#[test]
+fn an_answer_that_nobody_asked_for_makes_each_exercise_be_asked_apart() {
+    let script = "while read q; do echo '= 0'; done; echo '= 0'";
+    let (reports, starts) = checked(script);
+    assert!(starts > 64, "they are asked apart: {starts}");
+    let first = &reports[0].cases[0].reply.said;
+    assert_eq!(
+        *first,
+        Said::TooMany(2),
+        "and then it is seen at the first question"
+    );
+}
+
+#[test]
+fn python_need_not_flush() {
+    let python = PathBuf::from("python3");
+    let there = std::process::Command::new(&python)
+        .arg("--version")
+        .output();
+    if !there.is_ok_and(|output| output.status.success()) {
+        println!("there is no python3 here: it is not asked");
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let text = "import sys\nopen('starts', 'a').write('start\\n')\nfor line in sys.stdin:\n    print('=', line.strip())\n";
+    let program = Program {
+        file: python,
+        arguments: vec!["-c".into(), text.into()],
+        folder: folder.path().to_owned(),
+    };
+    let mut asker = Asker::new(&program, PATIENT);
+    for list in lists(&[&["a", "b"], &["c", "d"]]) {
+        let replies = asker.ask(&list).expect("python starts");
+        let said: Vec<_> = replies.into_iter().map(|reply| reply.said).collect();
+        assert_eq!(said, [answer(&list[0]), answer(&list[1])], "as they come");
+    }
+    let starts = fs::read_to_string(folder.path().join("starts")).expect("it was started");
+    assert_eq!(starts.lines().count(), 1, "in one process");
+}

@@ -19,6 +19,9 @@ use raybook::render::film::Film;
 use std::process::ExitCode;
 
 /// Draws the chapter's pictures.
+///
+/// # Errors
+/// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage) -> Drawn {
     let film = stage.film(16.0 / 9.0);
     stage.picture(

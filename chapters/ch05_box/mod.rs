@@ -15,6 +15,9 @@ use raybook::shape::{Shape, cuboid::Cuboid};
 use std::process::ExitCode;
 
 /// Draws the chapter's pictures.
+///
+/// # Errors
+/// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage) -> Drawn {
     let rows: Vec<_> = (-8..=8).map(Row::new).collect();
     let (from, to) = (vec3(12.0, 13.0, 17.0), vec3(0.0, -1.75, 0.0));

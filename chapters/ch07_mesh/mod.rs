@@ -29,6 +29,9 @@ struct MeshOptions {
 }
 
 /// Draws the chapter's pictures.
+///
+/// # Errors
+/// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage) -> Drawn {
     let (film, finest) = draw_mesh(stage, &teapot::mesh(5))?;
     let tile = |n| picture(&film, &teapot::mesh(n), showroom::SMOOTH).0;

@@ -23,8 +23,9 @@ const DENSITIES: [f32; 12] = [
 /// How many rays each grid is asked.
 const RAYS: usize = 600;
 
-/// Rounds are run for so many seconds, but one at least: the slow grids' is long enough.
-const ENOUGH: f64 = 0.008;
+/// Each grid is timed in so many rounds at least, and for so many seconds: what takes little time needs more of them.
+const ROUNDS: u32 = 3;
+const ENOUGH: f64 = 0.01;
 
 /// What a ray costs, on average, in a grid of so many cells per triangle.
 #[derive(Clone, Copy, Debug)]
@@ -55,8 +56,11 @@ pub fn measure(mesh: &Mesh) -> Vec<Cost> {
             grid.closest_counted(ray, Interval::AHEAD, &mut tests);
         }
         let (mut best, begin) = (f64::INFINITY, Instant::now());
-        while best == f64::INFINITY || begin.elapsed().as_secs_f64() < ENOUGH {
+        for round in 0.. {
             let start = Instant::now();
+            if round >= ROUNDS && begin.elapsed().as_secs_f64() > ENOUGH {
+                break;
+            }
             for ray in &rays {
                 black_box(grid.closest(ray, Interval::AHEAD));
             }

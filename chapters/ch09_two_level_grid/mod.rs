@@ -21,6 +21,9 @@ use std::process::ExitCode;
 use teapot_in_stadium::{camera, densities, maps, two_levels};
 
 /// Draws the chapter's pictures.
+///
+/// # Errors
+/// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage) -> Drawn {
     let stadium = stadium(5);
     let triangles = stadium.mesh.triangles().len();

@@ -72,7 +72,7 @@ type Row<'a> = (&'a str, &'a dyn Fn(usize) -> String);
 fn table(canvas: &Canvas, boxes: &[Aabb], ray: &Ray, met: u32, order: &[usize]) -> Drawn {
     let along = |row: usize, lane: usize| {
         let (axis, Aabb { min, max }) = (row / 2, boxes[lane]);
-        let plane = if row % 2 == 0 { min } else { max };
+        let plane = if row.is_multiple_of(2) { min } else { max };
         (plane[axis] - ray.origin[axis]) / ray.direction[axis]
     };
     let enter = |lane: usize| along(0, lane).max(along(2, lane)).max(0.0);

@@ -19,6 +19,9 @@ use raybook::render::film::Film;
 use std::process::ExitCode;
 
 /// Draws the chapter's pictures.
+///
+/// # Errors
+/// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage) -> Drawn {
     let film = stage.film(16.0 / 9.0);
     stage.picture(
@@ -61,7 +64,7 @@ pub fn draw(stage: &Stage) -> Drawn {
 /// What the rays of a camera at the origin see: nothing but directions.
 fn directions(film: &Film, toward: Vec3, focal_length: f32) -> Result<Image, LookAtError> {
     let camera = Pinhole::look_at(Vec3::ZERO, toward, Vec3::Y, focal_length, film.aspect())?;
-    Ok(film.render_edges(|place, _| {
+    Ok(film.render(|place, _| {
         let d = camera.ray(place, Vec2::ZERO).direction;
         let below_horizon = if d.y < 0.0 { 0.55 } else { 1.0 };
         // From [−1, 1] to [0, 1]; squared, because the eye finds half the light much brighter than half.

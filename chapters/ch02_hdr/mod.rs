@@ -19,6 +19,9 @@ use std::process::ExitCode;
 const EXPOSURE: f32 = -2.0;
 
 /// Draws the chapter's pictures.
+///
+/// # Errors
+/// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage) -> Drawn {
     let film = stage.film_of(960, 24, 16.0 / 9.0);
     let camera = Pinhole::look_at(window::EYE, window::MIDDLE, Vec3::Y, 0.024, film.aspect())?;

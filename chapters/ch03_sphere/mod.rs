@@ -17,6 +17,9 @@ use std::iter::successors;
 use std::process::ExitCode;
 
 /// Draws the chapter's pictures.
+///
+/// # Errors
+/// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage) -> Drawn {
     let film = stage.film(16.0 / 9.0);
     let (from, to) = (vec3(-2.5, 9.5, 11.5), vec3(0.0, 0.0, 0.3));

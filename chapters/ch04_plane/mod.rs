@@ -17,6 +17,9 @@ use std::process::ExitCode;
 type Paint<'a> = &'a (dyn Fn(&Surface, f32) -> Rgb + Sync);
 
 /// Draws the chapter's pictures.
+///
+/// # Errors
+/// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage) -> Drawn {
     let film = stage.film(16.0 / 9.0);
     let (from, to) = (vec3(-1.5, 1.7, 6.2), vec3(-0.2, 1.15, 0.0));

@@ -9,18 +9,21 @@ use crate::kit::{chapter, figure::Figure, palette, sheet::sheet};
 use glam::{Vec2, Vec3, vec3};
 use raybook::camera::{Camera, pinhole::Pinhole};
 use raybook::image::{Image, rgb::Rgb};
-use raybook::math::{interval::Interval, ray::Ray, slab};
+use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray, slab};
 use raybook::render::film::Film;
 use raybook::shape::{Shape, cuboid::Cuboid};
 use std::process::ExitCode;
 
 /// Draws the chapter's pictures.
+///
+/// # Errors
+/// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage) -> Drawn {
-    let columns: Vec<_> = (0..289).filter_map(column).collect();
+    let rows: Vec<_> = (-8..=8).map(Row::new).collect();
     let (from, to) = (vec3(12.0, 13.0, 17.0), vec3(0.0, -1.75, 0.0));
     let film = stage.film(16.0 / 9.0);
     let camera = Pinhole::look_at(from, to, Vec3::Y, 0.042, film.aspect())?;
-    let picture = view(&film, &camera, |ray| nearest(&columns, ray));
+    let picture = view(&film, &camera, |ray| nearest(&rows, ray));
     let caption = "More than two hundred boxes. The colour is the height of the box; the brightness tells which face was hit.";
     stage.picture("picture", caption, &picture)?;
 
@@ -33,9 +36,24 @@ pub fn draw(stage: &Stage) -> Drawn {
     stage.figure("slabs", caption, &slabs::diagram()?)
 }
 
-/// Column i of a round field of columns, with waves that die away; there is none beyond the rim.
-fn column(i: i32) -> Option<Cuboid> {
-    let (x, z) = ((i % 17 - 8) as f32, (i / 17 - 8) as f32);
+/// Boxes side by side, and the box around all of them: a ray that misses it misses each.
+struct Row {
+    boxes: Vec<Cuboid>,
+    bounds: Aabb,
+}
+
+impl Row {
+    fn new(z: i32) -> Self {
+        let boxes: Vec<_> = (-8..=8).filter_map(|x| column(x, z)).collect();
+        let corners = boxes.iter().flat_map(|b| [b.bounds.min, b.bounds.max]);
+        let bounds = Aabb::of(corners);
+        Self { boxes, bounds }
+    }
+}
+
+/// One of a round field of columns, with waves that die away; there is none beyond the rim.
+fn column(x: i32, z: i32) -> Option<Cuboid> {
+    let (x, z) = (x as f32, z as f32);
     let r = x.hypot(z);
     let top = 1.9 * (0.95 * r).cos() * (-0.13 * r).exp();
     let half = vec3(0.43, 0.0, 0.43);
@@ -51,9 +69,12 @@ fn view(film: &Film, camera: &Pinhole, see: impl Fn(&Ray) -> Option<Rgb> + Sync)
 }
 
 /// The nearest box: its height as a colour, by the face brighter or darker, and mist below.
-fn nearest(boxes: &[Cuboid], ray: &Ray) -> Option<Rgb> {
-    let hits = boxes
+fn nearest(rows: &[Row], ray: &Ray) -> Option<Rgb> {
+    let met = |row: &&Row| slab::clip(&row.bounds, ray, Interval::AHEAD).is_some();
+    let hits = rows
         .iter()
+        .filter(met)
+        .flat_map(|row| &row.boxes)
         .filter_map(|cuboid| Some((cuboid.hit(ray, Interval::AHEAD)?, cuboid)));
     let (hit, cuboid) = hits.min_by(|(a, _), (b, _)| a.t.total_cmp(&b.t))?;
     let at = cuboid.surface(ray, &hit);

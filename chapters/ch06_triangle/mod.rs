@@ -22,6 +22,9 @@ use raybook::shape::{Hit, Shape, Surface, plane::Plane, triangle::Triangle};
 use std::process::ExitCode;
 
 /// Draws the chapter's pictures.
+///
+/// # Errors
+/// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage) -> Drawn {
     let picture = photograph(&stage.film(16.0 / 9.0), coordinates)?;
     let caption = "Where on its triangle each ray ends: b₀ as red, b₁ as green, b₂ as blue.";

@@ -4,10 +4,11 @@
 //! New: accel/mod.rs accel/list.rs shape/attributes.rs shape/mesh.rs shape/bezier.rs shape/teapot.rs
 //! New: shape/triangle_watertight.rs shape/mesh_file.rs shape/word.rs shape/obj.rs shape/stl.rs
 
+use crate::kit::chapter;
 use crate::kit::sheet::sheet;
 use crate::kit::stage::{Drawn, Stage};
+use crate::shared::showroom;
 use crate::shared::showroom::{Look, Showroom};
-use crate::{kit::chapter, shared::showroom};
 use glam::vec2;
 use raybook::accel::{Accel, Meshed, Tests, list::List};
 use raybook::image::{Image, rgb::Rgb};
@@ -28,19 +29,23 @@ struct MeshOptions {
 }
 
 /// Draws the chapter's pictures.
+///
+/// # Errors
+/// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage) -> Drawn {
-    let film = draw_mesh(stage, &teapot::mesh(5))?;
-    let tile = |n| picture(&showroom::small(&film), &teapot::mesh(n), showroom::SMOOTH).0;
+    let (film, finest) = draw_mesh(stage, &teapot::mesh(5))?;
+    let tile = |n| picture(&film, &teapot::mesh(n), showroom::SMOOTH).0;
     let tiles = [
         ("2 × 2 per patch", tile(2)),
         ("3 × 3", tile(3)),
-        ("5 × 5", tile(5)),
+        ("5 × 5", finest),
     ];
     let caption = "The teapot's 32 patches cut into 4, 9 and 25 quadrilaterals each. The interpolated normals look round from the start; the outline does not.";
     stage.figure("tessellation", caption, &sheet(3, &tiles)?)
 }
 
-fn draw_mesh<'a>(stage: &'a Stage, mesh: &Mesh) -> Result<Film<'a>, Box<dyn Error>> {
+/// Draws any mesh; the film of the small pictures, and the one with interpolated normals, are for more of them.
+fn draw_mesh<'a>(stage: &'a Stage, mesh: &Mesh) -> Result<(Film<'a>, Image), Box<dyn Error>> {
     let triangles = mesh.triangles().len();
     let width = (4.9e8 / triangles as f32).sqrt().clamp(160.0, 640.0); // a few seconds' work
     let film = stage.film_of(width as u32, 4, 1.6);
@@ -56,11 +61,12 @@ fn draw_mesh<'a>(stage: &'a Stage, mesh: &Mesh) -> Result<Film<'a>, Box<dyn Erro
         "these normals as colours",
         "texture coordinates",
     ];
-    let tiles = attributes(&showroom::small(&film), mesh);
-    let tiles: Vec<_> = names.into_iter().zip(tiles).collect();
+    let film = showroom::small(&film);
+    let tiles: Vec<_> = names.into_iter().zip(attributes(&film, mesh)).collect();
+    let smooth = tiles[1].1.clone();
     let caption = "The same triangles with the normal of each, with the vertices' normals interpolated, with those as colours, and with a checkerboard on the texture coordinates.";
     stage.figure("attributes", caption, &sheet(2, &tiles)?)?;
-    Ok(film)
+    Ok((film, smooth))
 }
 
 /// The picture of a mesh, and how many triangles were tested for it.

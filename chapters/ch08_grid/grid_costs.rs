@@ -21,14 +21,18 @@ const DENSITIES: [f32; 12] = [
 ];
 
 /// How many rays each grid is asked.
-const RAYS: usize = 2000;
+const RAYS: usize = 600;
+
+/// Each grid is timed in so many rounds at least, and for so many seconds: what takes little time needs more of them.
+const ROUNDS: u32 = 3;
+const ENOUGH: f64 = 0.01;
 
 /// What a ray costs, on average, in a grid of so many cells per triangle.
 #[derive(Clone, Copy, Debug)]
 pub struct Cost {
     /// λ.
     pub density: f32,
-    /// Nanoseconds, the best of a few rounds.
+    /// Nanoseconds, the best of several rounds.
     pub time: f32,
     /// Cells visited.
     pub cells: f32,
@@ -51,9 +55,12 @@ pub fn measure(mesh: &Mesh) -> Vec<Cost> {
         for ray in &rays {
             grid.closest_counted(ray, Interval::AHEAD, &mut tests);
         }
-        let mut best = f64::INFINITY;
-        for _ in 0..3 {
+        let (mut best, begin) = (f64::INFINITY, Instant::now());
+        for round in 0.. {
             let start = Instant::now();
+            if round >= ROUNDS && begin.elapsed().as_secs_f64() > ENOUGH {
+                break;
+            }
             for ray in &rays {
                 black_box(grid.closest(ray, Interval::AHEAD));
             }

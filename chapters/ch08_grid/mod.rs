@@ -25,6 +25,9 @@ use std::process::ExitCode;
 use teapots::teapots;
 
 /// Draws the chapter's pictures.
+///
+/// # Errors
+/// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage) -> Drawn {
     let film = stage.film_of(640, 4, 1.6);
     let crowd = teapots(350, 4);

@@ -21,6 +21,9 @@ use std::process::ExitCode;
 use teapot_in_stadium::{camera, densities, maps, two_levels};
 
 /// Draws the chapter's pictures.
+///
+/// # Errors
+/// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage) -> Drawn {
     let stadium = stadium(5);
     let triangles = stadium.mesh.triangles().len();
@@ -58,7 +61,11 @@ pub fn draw(stage: &Stage) -> Drawn {
         rays_a_second(&tiny, ray, &grid),
         rays_a_second(&tile, ray, &fine)
     );
-    stage.figure("heat", &caption, &maps(&tile, &camera, &stadium)?)?;
+    stage.figure(
+        "heat",
+        &caption,
+        &maps(&tile, &camera, &stadium, &grid, &fine)?,
+    )?;
 
     let caption = "The same view with more and more coarse cells: each holds a smaller part of the teapot, but a ray walks through more of them. Where triangles are spread evenly, λ = 1/8 is best.";
     stage.figure("densities", caption, &densities(&tiny, &camera, &stadium)?)

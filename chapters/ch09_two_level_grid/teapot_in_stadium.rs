@@ -22,27 +22,27 @@ pub fn camera(aspect: f32) -> Result<Pinhole, LookAtError> {
     Pinhole::look_at(eye, toward, Vec3::Y, 0.035, aspect)
 }
 
-/// The heat maps of a uniform grid and of two two-level grids, the second with more coarse cells.
+/// The heat maps of a uniform grid and of two two-level grids, the second, `fine`, with λ = 1.
 ///
 /// # Errors
 /// If the labels cannot be drawn.
-pub fn maps(film: &Film, camera: &Pinhole, stadium: &Stadium) -> Figure {
-    let facets = || stadium.mesh.facets();
+pub fn maps(
+    film: &Film,
+    camera: &Pinhole,
+    stadium: &Stadium,
+    grid: &Grid<Facet>,
+    fine: &TwoLevelGrid<Facet>,
+) -> Figure {
+    let usual = TwoLevelGrid::of_facets(stadium.mesh.facets());
     let ray = |place| camera.ray_through(place);
     let row = |name: &str, heat: &Heat| {
         let maps = [heat.of_boxes("cells"), heat.of_triangles()];
         maps.map(|(label, map)| (format!("{name}: {label}"), map))
     };
     let rows = [
-        row("grid", &heat(film, ray, &Grid::of_facets(facets()))),
-        row(
-            "two levels, λ = 1/8",
-            &heat(film, ray, &TwoLevelGrid::of_facets(facets())),
-        ),
-        row(
-            "two levels, λ = 1",
-            &heat(film, ray, &two_levels(stadium, 1.0)),
-        ),
+        row("grid", &heat(film, ray, grid)),
+        row("two levels, λ = 1/8", &heat(film, ray, &usual)),
+        row("two levels, λ = 1", &heat(film, ray, fine)),
     ];
     with_scale(2, &rows.concat())
 }

@@ -26,6 +26,9 @@ use raybook::shape::{cuboid::Cuboid, teapot};
 use std::process::ExitCode;
 
 /// Draws the chapter's pictures.
+///
+/// # Errors
+/// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage) -> Drawn {
     let mesh = teapot::mesh(24);
     let octree = Octree::of_facets(mesh.facets());

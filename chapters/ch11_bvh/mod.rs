@@ -28,6 +28,9 @@ use std::process::ExitCode;
 const AHEAD: Interval = Interval::AHEAD;
 
 /// Draws the chapter's pictures.
+///
+/// # Errors
+/// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage) -> Drawn {
     let film = stage.film_of(960, 4, 1.78);
     let mesh = terrain(400);

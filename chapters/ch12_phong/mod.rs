@@ -22,6 +22,9 @@ use raybook::scene::world::Scene;
 use std::process::ExitCode;
 
 /// Draws the chapter's pictures.
+///
+/// # Errors
+/// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage) -> Drawn {
     let film = stage.tile(4, 1.0);
     let camera = Pinhole::look_at(vec3(0.0, 0.0, 7.0), Vec3::ZERO, Vec3::Y, 0.072, 1.0)?;

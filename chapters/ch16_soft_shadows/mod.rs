@@ -35,7 +35,7 @@ const fn with_samples(samples: u32) -> Whitted {
 /// Draws the chapter's pictures.
 pub fn draw(stage: &Stage) -> Drawn {
     let [whole, close] = posts::VIEWS;
-    let film = stage.film_of(960, 64, 16.0 / 9.0);
+    let film = stage.film_of(960, 16, 16.0 / 9.0);
     let camera = camera(whole, &film)?;
     let scene = posts::under(posts::square(1.4));
     let picture = refine(&film, |place, numbers| {

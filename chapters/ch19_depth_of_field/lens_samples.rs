@@ -1,4 +1,4 @@
-//! The noise of few samples of a lens: a detail of the tea table with 4 and with 64 random points, and with 4 that are spread.
+//! The noise of few samples of a lens: a detail of the tea table with 4 and with 128 random points, and with 4 that are spread.
 
 use super::tea_table::{DETAIL, EYE, FOCAL_LENGTH};
 use crate::kit::sheet::sheet;
@@ -43,7 +43,7 @@ pub fn draw(
     });
     let tiles = [
         ("4 samples", by_chance(4)),
-        ("64 samples", by_chance(64)),
+        ("128 samples", by_chance(128)),
         ("4, spread evenly", spread),
     ];
     sheet(3, &tiles)

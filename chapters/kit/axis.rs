@@ -54,30 +54,35 @@ impl Axis {
     }
 
     /// With the name of what is measured along it.
+    #[must_use]
     pub fn named(mut self, name: &str) -> Self {
         name.clone_into(&mut self.name);
         self
     }
 
     /// With so many labels at most, where plotters finds round numbers.
+    #[must_use]
     pub fn labels(mut self, at_most: usize) -> Self {
         self.labels = at_most;
         self
     }
 
     /// With labels at these numbers and no others.
+    #[must_use]
     pub fn marks(mut self, at: &[f64]) -> Self {
         self.scale.marks = at.to_vec();
         self
     }
 
     /// With its numbers written by `format`.
+    #[must_use]
     pub fn format(mut self, format: impl Fn(f64) -> String + 'static) -> Self {
         self.format = Box::new(format);
         self
     }
 
     /// Without a line, labels or a grid.
+    #[must_use]
     pub fn hidden(mut self) -> Self {
         self.is_drawn = false;
         self

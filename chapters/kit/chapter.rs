@@ -66,13 +66,13 @@ pub fn run_with<E: Args>(chapter: &'static str, draw: impl FnOnce(&Stage, E) -> 
 fn end_at_what_is_unwritten() {
     /// Something is missing, as `raybook check` counts it.
     const MISSING: i32 = 1;
+    /// Several threads come here at the same time: the first one speaks.
+    static SPEAKS: Mutex<()> = Mutex::new(());
     let panics = panic::take_hook();
     panic::set_hook(Box::new(move |info| {
         let Some(name) = unwritten(info.payload()) else {
             return panics(info);
         };
-        // Several threads come here at the same time: the first one speaks.
-        static SPEAKS: Mutex<()> = Mutex::new(());
         let _speaks = SPEAKS.lock();
         let place = info.location().map_or_else(String::new, |place| {
             format!(" in {}:{}", place.file(), place.line())

@@ -49,7 +49,7 @@ enum Form {
     Dots(Vec<(f64, f64)>, i32),
     Bar([(f64, f64); 2]),
     Area(Vec<(f64, f64)>),
-    Label((f64, f64), String, Style),
+    Label((f64, f64), String, Box<Style>),
 }
 
 impl Chart {
@@ -67,24 +67,28 @@ impl Chart {
     }
 
     /// With a title above.
+    #[must_use]
     pub fn titled(mut self, title: &str) -> Self {
         title.clone_into(&mut self.title);
         self
     }
 
     /// With text of another size than 30 pixels.
+    #[must_use]
     pub fn text(mut self, size: i32) -> Self {
         self.text = size;
         self
     }
 
     /// With the names of what is [named](Chart::named), in a corner.
+    #[must_use]
     pub fn legend(mut self, corner: Corner) -> Self {
         self.legend = Some(corner);
         self
     }
 
     /// With so many pixels to the left of the axes, so that charts one above the other are aligned.
+    #[must_use]
     pub fn left(mut self, pixels: u32) -> Self {
         self.left = Some(pixels);
         self
@@ -146,7 +150,7 @@ impl Chart {
     ) -> &mut Self {
         let style = coloured(self.text + 2, colour).pos(part);
         self.add(
-            Form::Label((x.into(), y.into()), words.to_owned(), style),
+            Form::Label((x.into(), y.into()), words.to_owned(), Box::new(style)),
             INK,
         )
     }
@@ -333,7 +337,7 @@ impl Thing {
                 axes.draw_series([Polygon::new(corners.clone(), style)])?;
             }
             Form::Label(at, words, style) => {
-                axes.draw_series([Text::new(words.clone(), *at, style.clone())])?;
+                axes.draw_series([Text::new(words.clone(), *at, Style::clone(style))])?;
             }
         }
         Ok(())

@@ -18,7 +18,7 @@ pub type Canvas<'a> = DrawingArea<BitMapBackend<'a>, Shift>;
 pub type Figure = Result<Image, Box<dyn Error>>;
 
 /// The font family of every figure: `DejaVu` Sans, which knows Greek and mathematics.
-pub const FONT: &str = "sans-serif";
+const FONT: &str = "sans-serif";
 
 /// How many pixels of the canvas make one of the figure, in each direction; their mean smooths the edges.
 pub const SCALE: u32 = 2;

@@ -29,9 +29,9 @@ pub fn characters(picture: &Image, columns: usize) -> String {
     let mut text = String::new();
     for y in (0..height).step_by(2) {
         for x in 0..width {
-            text += &format!("\x1b[38;2;{}m", pixel(x, y));
+            text.extend(["\x1b[38;2;", &pixel(x, y), "m"]);
             if y + 1 < height {
-                text += &format!("\x1b[48;2;{}m", pixel(x, y + 1));
+                text.extend(["\x1b[48;2;", &pixel(x, y + 1), "m"]);
             }
             text.push('▀');
         }

@@ -13,10 +13,10 @@ use std::time::Instant;
 pub type Searcher<'a> = (&'a str, &'a dyn Fn(&Ray) -> bool);
 
 /// So many rounds are run, in each of which everybody has a turn; the best counts.
-const ROUNDS: usize = 3;
+const ROUNDS: usize = 4;
 
 /// One turn ends after so many seconds: slow structures do not get through all rays.
-const TURN: f64 = 0.05;
+const TURN: f64 = 0.015;
 
 /// A ray through the middle of each pixel of the film, row by row.
 pub fn rays(film: &Film, ray: impl Fn(Vec2) -> Ray) -> Vec<Ray> {

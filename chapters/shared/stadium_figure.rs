@@ -5,7 +5,7 @@ use crate::shared::daylight::{Paint, shade};
 use crate::shared::heat::{heat, with_scale};
 use crate::shared::outdoors::sky;
 use glam::{Vec3, vec3};
-use raybook::accel::Accel;
+use raybook::accel::{Accel, wide_bvh::WideBvh};
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::rgb::Rgb;
 use raybook::math::interval::Interval;
@@ -22,14 +22,15 @@ pub fn figure(film: &Film, stadium: &Stadium, accel: &impl Accel<Facet>, boxes: 
     let camera = |from, to| Pinhole::look_at(from, to, Vec3::Y, 0.035, film.aspect());
     let far = camera(vec3(-40.0, 15.0, 38.0), vec3(4.0, -2.0, -4.0))?;
     let near = camera(vec3(0.32, 0.36, 0.9), vec3(0.02, 0.17, 0.0))?;
+    // The pictures are the same by any structure; what they cost is shown for the one in question.
+    let tree = WideBvh::new(stadium.mesh.facets());
     let shown = |camera: &Pinhole| {
         film.render_edges(|place, _| {
             let ray = camera.ray_through(place);
-            accel
-                .closest(&ray, Interval::AHEAD)
+            tree.closest(&ray, Interval::AHEAD)
                 .map_or(sky(ray.direction), |(_, hit)| {
                     let at = stadium.mesh.surface(&ray, &hit);
-                    shade(&at, paint(stadium.part(hit.id)), &ray, accel)
+                    shade(&at, paint(stadium.part(hit.id)), &ray, &tree)
                 })
         })
     };

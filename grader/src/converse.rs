@@ -51,7 +51,7 @@ pub struct Conversation {
 }
 
 /// How a process ended.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
     /// By itself; with its exit code or signal, where the system tells.
     Exited(Option<ExitStatus>),

@@ -11,16 +11,15 @@ const WITHHELD: &str = "raybook-grader";
 /// The `Cargo.toml` of the folder: the library, without the features that answering does not need.
 pub fn root() -> String {
     let features: String = lines(section(COURSE, "features"))
-        .map(|line| match line.starts_with("default = ") {
-            true => "default = []\n".to_owned(),
-            false => format!("{line}\n"),
+        .map(|line| match line.strip_prefix("default = ") {
+            Some(_) => "default = []",
+            None => line,
         })
+        .flat_map(|line| [line, "\n"])
         .collect();
     let own = sections(COURSE).filter(|(title, _)| title.ends_with("dependencies"));
     let own = own.filter(|(title, _)| !title.contains("dev-") && !title.starts_with("workspace"));
-    let dependencies: String = own
-        .map(|(title, text)| format!("\n[{title}]\n{text}"))
-        .collect();
+    let dependencies: String = own.flat_map(written).collect();
     let inherited = [&dependencies, &workbook()].map(String::as_str).concat();
     format!(
         include_str!("starter/Cargo.toml.txt"),
@@ -43,11 +42,11 @@ pub fn chapters() -> String {
     let text = library::manifest_of_chapters();
     let own: String = sections(text)
         .filter(|(title, _)| !["dev-dependencies", "[test]", "lints"].contains(title))
-        .map(|(title, text)| format!("\n[{title}]\n{text}"))
+        .flat_map(written)
         .collect();
     let profiles: String = sections(COURSE)
         .filter(|(title, _)| title.starts_with("profile.release") && !title.contains(WITHHELD))
-        .map(|(title, text)| format!("\n[{title}]\n{text}"))
+        .flat_map(written)
         .collect();
     format!(
         "[workspace] # of its own: the workbook compiles without it\nresolver = \"3\"\n\n[workspace.package]\n{}\n[workspace.dependencies]\n{}{own}{profiles}",
@@ -98,6 +97,11 @@ fn sections(manifest: &str) -> impl Iterator<Item = (&str, &str)> {
         let (title, text) = part.split_once("]\n")?;
         Some((title, text))
     })
+}
+
+/// A section as it is written, in parts.
+fn written<'a>((title, text): (&'a str, &'a str)) -> [&'a str; 4] {
+    ["\n[", title, "]\n", text]
 }
 
 /// The lines that say something.

@@ -136,7 +136,7 @@ pub fn copies(
             continue;
         }
         let bytes = match file.contents_utf8() {
-            Some(text) if path.ends_with(".rs") => {
+            Some(text) if file.path().extension().is_some_and(|e| e == "rs") => {
                 let text = anchor::rewrite(text, rewrite)
                     .map_err(|error| StarterError::Anchor(format!("{folder}/{path}"), error))?;
                 library::without_anchors(&text).into_bytes()

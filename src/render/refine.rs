@@ -1,6 +1,7 @@
 //! The film loop that spares work: few samples where they are alike, all of them where they differ.
 
 use crate::image::Image;
+use crate::math::pcg::Pcg;
 use crate::render::film::{Done, Film};
 use crate::render::followed::Followed;
 use crate::sample::even::Even;
@@ -21,27 +22,35 @@ struct Begun {
     variance: f32,
 }
 
+/// The picture whose pixels are the mean of `radiance` over all samples that the film asks for, with numbers that are spread evenly.
+///
+/// `radiance` is given the place on the film, in [0, 1]² from the top left, and the sample's random numbers.
+pub fn render_evenly<S: Into<Followed>>(
+    film: &Film,
+    radiance: impl Fn(Vec2, &mut Even) -> S + Sync,
+) -> Image {
+    film.render_pixels(|x, y, rng| {
+        let sample = Sample::of(film, x, y, rng);
+        let sum: Followed = (0..film.samples).map(|i| sample.seen(i, &radiance)).sum();
+        sum.mean_of(film.samples)
+    })
+}
+
 // ANCHOR: refine
-/// The picture whose pixels are the mean of `radiance` over their samples: as many as the film asks for where they differ most,
-/// and fewer, down to four, in proportion to their standard deviation (Neyman 1934).
+/// As [`render_evenly`], but a pixel gets as many samples as the film asks for where they differ most, and fewer, down to four,
+/// in proportion to their standard deviation (Neyman 1934).
 ///
 /// The deviation is that of the pixel and its eight neighbours, for an edge may have slipped through between its own few.
-/// `radiance` is given the place on the film, in [0, 1]² from the top left, and the sample's random numbers.
+/// What is so small and so rare that they all miss it is not found.
 pub fn refine<S: Into<Followed>>(
     film: &Film,
     radiance: impl Fn(Vec2, &mut Even) -> S + Sync,
 ) -> Image {
-    let (all, size) = (film.samples, vec2(film.width as f32, film.height as f32));
+    let all = film.samples;
     let first = FIRST.min(all);
-    let sample = |x: usize, y: usize, pixel: u64, i: usize| {
-        let mut numbers = Even::new(pixel, i, all);
-        let place = numbers.pair();
-        let place = if all == 1 { Vec2::splat(0.5) } else { place };
-        radiance((vec2(x as f32, y as f32) + place) / size, &mut numbers).into()
-    };
     let begun = film.each_pixel(|x, y, rng| {
-        let pixel = rng.random();
-        let seen: Vec<Followed> = (0..first).map(|i| sample(x, y, pixel, i)).collect();
+        let sample = Sample::of(film, x, y, rng);
+        let seen: Vec<_> = (0..first).map(|i| sample.seen(i, &radiance)).collect();
         let begun = Begun::by(&seen);
         (begun, begun.sum.rays)
     });
@@ -50,11 +59,11 @@ pub fn refine<S: Into<Followed>>(
         ..*film
     };
     again.render_pixels(|x, y, rng| {
-        let pixel = rng.random();
+        let sample = Sample::of(film, x, y, rng);
         let share = (deviation(film, &begun, x, y) / RESTLESS).min(1.0);
         let count = (share * all as f32).ceil() as usize;
         let count = count.max(first).next_power_of_two().min(all);
-        let rest: Followed = (first..count).map(|i| sample(x, y, pixel, i)).sum();
+        let rest: Followed = (first..count).map(|i| sample.seen(i, &radiance)).sum();
         let sum = begun[y * film.width + x].sum.radiance + rest.radiance;
         Followed {
             radiance: sum / count as f32,
@@ -63,6 +72,43 @@ pub fn refine<S: Into<Followed>>(
     })
 }
 // ANCHOR_END: refine
+
+/// The samples of a pixel.
+struct Sample<'a> {
+    film: &'a Film<'a>,
+    /// The pixel's top left corner, in pixels.
+    corner: Vec2,
+    /// What all its numbers follow from.
+    key: u64,
+}
+
+impl<'a> Sample<'a> {
+    fn of(film: &'a Film<'a>, x: usize, y: usize, rng: &mut Pcg) -> Self {
+        Self {
+            film,
+            corner: vec2(x as f32, y as f32),
+            key: rng.random(),
+        }
+    }
+
+    /// What sample i sees. A single one is in the middle of the pixel.
+    fn seen<S: Into<Followed>>(
+        &self,
+        i: usize,
+        radiance: impl Fn(Vec2, &mut Even) -> S,
+    ) -> Followed {
+        let film = self.film;
+        let mut numbers = Even::new(self.key, i, film.samples);
+        let spread = numbers.pair();
+        let place = if film.samples == 1 {
+            Vec2::splat(0.5)
+        } else {
+            spread
+        };
+        let size = vec2(film.width as f32, film.height as f32);
+        radiance((self.corner + place) / size, &mut numbers).into()
+    }
+}
 
 impl Begun {
     fn by(seen: &[Followed]) -> Self {

@@ -18,9 +18,7 @@ fn a_character_shows_the_pixel_above_and_the_one_below() {
 
 #[test]
 fn a_wide_picture_is_made_as_narrow_as_the_terminal() {
-    let halves = Image::from_fn(64, 32, |x, _| {
-        if x < 32 { Rgb::WHITE } else { Rgb::BLACK }
-    });
+    let halves = Image::from_fn(64, 32, |x, _| if x < 32 { Rgb::WHITE } else { Rgb::BLACK });
     let text = characters(&halves, 16);
     let lines: Vec<_> = text.lines().collect();
     assert_eq!(lines.len(), 4, "two pixels high each");

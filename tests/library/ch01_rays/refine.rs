@@ -25,7 +25,8 @@ fn edges_get_all_samples_and_what_is_even_gets_four() {
     assert!((10_000..45_000).contains(&more), "{more} samples more");
     let exact = film(100, 100, 4096, 2).render(|place, _| disc(place));
     for (a, b) in picture.pixels().iter().zip(exact.pixels()) {
-        assert!((a.g - b.g).abs() < 0.05, "{} is not {}", a.g, b.g);
+        // An edge that hardly touches a pixel may be missed by up to an eighth of its step of 0.65.
+        assert!((a.g - b.g).abs() < 0.09, "{} is not {}", a.g, b.g);
     }
 }
 

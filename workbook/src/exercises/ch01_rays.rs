@@ -1,10 +1,10 @@
 //! Chapter 1: `ray_at`, `camera_ray`.
 
-use raybook::camera::pinhole::Pinhole;
-use raybook::math::{dir3::Dir3, ray::Ray};
 use crate::exercise::exercises;
 use crate::record::row;
 use glam::{Vec2, Vec3};
+use raybook::camera::pinhole::Pinhole;
+use raybook::math::{dir3::Dir3, ray::Ray};
 
 exercises! { ($) ch01_rays
     /// Return the point at distance t along the ray.

@@ -1,7 +1,7 @@
 //! Chapter 2: `expose`, `tone_map`, `encode_srgb`.
 
-use raybook::image::{rgb::Rgb, tone};
 use crate::exercise::exercises;
+use raybook::image::{rgb::Rgb, tone};
 
 exercises! { ($) ch02_hdr
     /// Return the radiance after an exposure of so many stops: one stop more is twice the light.

@@ -1,9 +1,9 @@
 //! Chapter 3: `solve_quadratic`, `sphere_hit`, `sphere_normal`.
 
-use raybook::math::{interval::Interval, quadratic, ray::Ray};
-use raybook::shape::{Shape, sphere::Sphere};
 use crate::exercise::exercises;
 use glam::{Vec2, Vec3};
+use raybook::math::{interval::Interval, quadratic, ray::Ray};
+use raybook::shape::{Shape, sphere::Sphere};
 
 exercises! { ($) ch03_sphere
     /// Return both real roots of a·t² + b·t + c = 0, the smaller first, or None where there is none or a is 0; lose no

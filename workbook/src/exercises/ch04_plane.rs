@@ -1,8 +1,8 @@
 //! Chapter 4: `plane_hit`.
 
+use crate::exercise::exercises;
 use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
 use raybook::shape::{Shape, plane::Plane};
-use crate::exercise::exercises;
 
 exercises! { ($) ch04_plane
     /// Return the distance t in the interval (min < t < max) at which the ray meets the plane n·p = offset, as `Hit {

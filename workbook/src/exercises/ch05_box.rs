@@ -1,9 +1,9 @@
 //! Chapter 5: `box_clip`, `bounds_of`.
 
-use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray, slab};
 use crate::exercise::exercises;
 use crate::record::row;
 use glam::Vec3;
+use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray, slab};
 
 exercises! { ($) ch05_box
     /// Return the part of the interval on which the ray is inside the box, as an Interval, or None if it never is; a

@@ -1,10 +1,10 @@
 //! Chapter 6: `triangle_hit`, `triangle_normal`.
 
-use raybook::math::{interval::Interval, ray::Ray};
-use raybook::shape::{Shape, triangle::Triangle};
 use crate::exercise::exercises;
 use crate::record::row;
 use glam::Vec3;
+use raybook::math::{interval::Interval, ray::Ray};
+use raybook::shape::{Shape, triangle::Triangle};
 
 exercises! { ($) ch06_triangle
     /// Return where the ray meets the triangle with min < t < max, from either side, as `Hit { t, uv: (b1, b2), id: 0

@@ -1,11 +1,11 @@
 //! Chapter 7: `interpolate_normal`, `interpolate_texture`, `vertex_normals`, `mesh_hit`.
 
-use raybook::accel::{Accel, list::List};
-use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
-use raybook::shape::{attributes, mesh::Facet};
 use crate::exercise::exercises;
 use crate::record::row;
 use glam::{Vec2, Vec3};
+use raybook::accel::{Accel, list::List};
+use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
+use raybook::shape::{attributes, mesh::Facet};
 
 exercises! { ($) ch07_mesh
     /// Return the unit normal inside a triangle, from the normals at its corners and the weights b1 and b2 of the

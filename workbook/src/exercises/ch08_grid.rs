@@ -1,10 +1,10 @@
 //! Chapter 8: `grid_resolution`, `voxels_of_triangle`, `grid_walk`.
 
-use raybook::inside::grid::{self, Lattice, walk};
-use raybook::math::{interval::Interval, ray::Ray};
 use crate::exercise::exercises;
 use crate::record::row;
 use glam::{UVec3, Vec3, uvec3};
+use raybook::inside::grid::{self, Lattice, walk};
+use raybook::math::{interval::Interval, ray::Ray};
 use std::ops::ControlFlow;
 
 exercises! { ($) ch08_grid

@@ -1,12 +1,12 @@
 //! Chapter 9: `refine_cell`, `two_level_walk`.
 
-use raybook::inside::grid::{Lattice, range};
-use raybook::inside::two_level_grid::{self, Levels, walk_two_levels};
-use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use crate::exercise::exercises;
 use crate::exercises::ch05_box::Corners;
 use crate::record::row;
 use glam::{U8Vec3, UVec3, Vec3};
+use raybook::inside::grid::{Lattice, range};
+use raybook::inside::two_level_grid::{self, Levels, walk_two_levels};
+use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use std::ops::ControlFlow;
 
 exercises! { ($) ch09_two_level_grid

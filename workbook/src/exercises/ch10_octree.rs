@@ -1,12 +1,12 @@
 //! Chapter 10: `octree_child`, `octree_build`, `octree_walk`.
 
-use raybook::accel::octree::build::Limits;
-use raybook::inside::octree::{Tree, Walk, build, child_at};
-use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use crate::exercise::exercises;
 use crate::exercises::ch05_box::Corners;
 use crate::octree_rows::{NodeRow, TreeRow, to_tree};
 use glam::Vec3;
+use raybook::accel::octree::build::Limits;
+use raybook::inside::octree::{Tree, Walk, build, child_at};
+use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray};
 
 exercises! { ($) ch10_octree
     /// Return the number of the child in which a point of a cell lies, 4·z + 2·y + x, where x is 1 in the upper half

@@ -1,14 +1,14 @@
 //! Chapter 11: `sah_cost`, `sah_split`, `bvh_build`, `bvh_closest`.
 
-use raybook::accel::bvh::build::Method;
-use raybook::inside::bvh::{self, COST, Cost, Item, build, sah_cost, sah_split};
-use raybook::accel::{Accel, Tests};
-use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray};
-use raybook::shape::mesh::Facet;
 use crate::exercise::exercises;
 use crate::exercises::ch07_mesh::{Corners, MeshHitAnswer};
 use crate::record::row;
 use crate::tree_rows::{BoxRow, NodeRow, to_flat, to_rows};
+use raybook::accel::bvh::build::Method;
+use raybook::accel::{Accel, Tests};
+use raybook::inside::bvh::{self, COST, Cost, Item, build, sah_cost, sah_split};
+use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray};
+use raybook::shape::mesh::Facet;
 
 exercises! { ($) ch11_bvh
     /// Return the cost of a search by the surface-area heuristic: over all nodes, the area of the node's box by the

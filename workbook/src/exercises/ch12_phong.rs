@@ -1,12 +1,12 @@
 //! Chapter 12: `phong`, `blinn_phong`, `point_light`.
 
+use crate::exercise::exercises;
+use crate::record::row;
+use glam::{Vec2, Vec3};
 use raybook::image::rgb::Rgb;
 use raybook::light::{Light, LightSample, point::PointLight};
 use raybook::material::{blinn_phong::BlinnPhong, phong::Phong};
 use raybook::math::dir3::Dir3;
-use crate::exercise::exercises;
-use crate::record::row;
-use glam::{Vec2, Vec3};
 
 exercises! { ($) ch12_phong
     /// Return what Phong's model sends to the viewer of one light: diffuse k_d (L·N) i plus specular k_s (R·V)^α i,

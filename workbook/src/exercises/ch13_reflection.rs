@@ -1,9 +1,9 @@
 //! Chapter 13: `reflect`.
 
-use raybook::material::mirror;
-use raybook::math::dir3::Dir3;
 use crate::exercise::exercises;
 use glam::Vec3;
+use raybook::material::mirror;
+use raybook::math::dir3::Dir3;
 
 exercises! { ($) ch13_reflection
     /// Return the unit direction in which a mirror with this normal sends a ray on, from the direction in which the ray

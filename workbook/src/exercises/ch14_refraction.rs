@@ -1,11 +1,11 @@
 //! Chapter 14: `refract`, `fresnel`.
 
-use raybook::material::fresnel;
-use raybook::material::refract;
-use raybook::math::dir3::Dir3;
 use crate::exercise::exercises;
 use crate::record::row;
 use glam::Vec3;
+use raybook::material::fresnel;
+use raybook::material::refract;
+use raybook::math::dir3::Dir3;
 
 exercises! { ($) ch14_refraction
     /// Return the unit direction in which a ray goes on behind a surface, from its direction, the outward normal, and

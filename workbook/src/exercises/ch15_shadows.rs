@@ -1,5 +1,8 @@
 //! Chapter 15: `shadow_ray`, `lit`.
 
+use crate::exercise::exercises;
+use crate::record::row;
+use glam::{Vec2, Vec3};
 use raybook::image::rgb::Rgb;
 use raybook::light::LightSample;
 use raybook::material::{Material, mirror::Mirror};
@@ -7,9 +10,6 @@ use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
 use raybook::render::shadow;
 use raybook::scene::world::{Scene, Thing};
 use raybook::shape::{Surface, sphere::Sphere};
-use crate::exercise::exercises;
-use crate::record::row;
-use glam::{Vec2, Vec3};
 
 exercises! { ($) ch15_shadows
     /// Return the ray from a surface to a light, and the interval of it on which a hit is in the way: it must not find

@@ -1,5 +1,8 @@
 //! Chapter 16: `sample_rect`, `sample_sphere_light`, `visible_fraction`.
 
+use crate::exercise::exercises;
+use crate::record::row;
+use glam::{Vec2, Vec3, vec2};
 use raybook::image::rgb::Rgb;
 use raybook::light::extent::Choose;
 use raybook::light::rect_light::RectLight;
@@ -9,9 +12,6 @@ use raybook::math::{dir3::Dir3, pcg};
 use raybook::render::soft_shadow;
 use raybook::scene::world::{Scene, Thing};
 use raybook::shape::{Surface, sphere::Sphere};
-use crate::exercise::exercises;
-use crate::record::row;
-use glam::{Vec2, Vec3, vec2};
 
 exercises! { ($) ch16_soft_shadows
     /// For each of the n·n numbers u = ((i + ½)/n, (j + ½)/n), return the direction and the distance to a point of the

@@ -1,13 +1,13 @@
 //! Chapter 17: `cosine_hemisphere`, `brdf_phong`, `reflected_radiance`.
 
+use crate::exercise::exercises;
+use glam::{Vec2, Vec3, vec2};
 use raybook::image::rgb::Rgb;
 use raybook::material::modified_phong::ModifiedPhong;
 use raybook::math::{dir3::Dir3, pcg};
 use raybook::render::reflection;
 use raybook::sample::hemisphere;
 use raybook::shape::Surface;
-use crate::exercise::exercises;
-use glam::{Vec2, Vec3, vec2};
 
 exercises! { ($) ch17_rendering_equation
     /// Return a direction of the hemisphere around the normal for a point u of the unit square, such that evenly spread

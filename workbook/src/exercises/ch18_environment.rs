@@ -1,12 +1,12 @@
 //! Chapter 18: `direction_to_cube`, `direction_to_latlong`, `sample_environment`, `environment_pdf`.
 
-use raybook::image::{Image, rgb::Rgb};
-use raybook::light::environment::{Environment, cube, latlong};
-use raybook::math::dir3::Dir3;
 use crate::exercise::exercises;
 use crate::exercises::ch17_rendering_equation::lattice;
 use crate::record::row;
 use glam::{Vec2, Vec3};
+use raybook::image::{Image, rgb::Rgb};
+use raybook::light::environment::{Environment, cube, latlong};
+use raybook::math::dir3::Dir3;
 
 exercises! { ($) ch18_environment
     /// Return the face of a cube map that a direction points at (0 to 5: +x, -x, +y, -y, +z, -z) and the place on it,

@@ -1,14 +1,14 @@
 //! Chapter 19: `concentric_disk`, `thin_lens_ray`, `circle_of_confusion`.
 
+use crate::exercise::exercises;
+use crate::exercises::ch01_rays::CameraRayAnswer;
+use glam::{Vec2, Vec3, vec2};
 use raybook::camera::aperture::Aperture;
 use raybook::camera::lens::Lens;
 use raybook::camera::pinhole::Pinhole;
 use raybook::camera::thin_lens::ThinLens;
 use raybook::math::dir3::Dir3;
 use raybook::sample::disk;
-use crate::exercise::exercises;
-use crate::exercises::ch01_rays::CameraRayAnswer;
-use glam::{Vec2, Vec3, vec2};
 
 exercises! { ($) ch19_depth_of_field
     /// Return the point of the unit disc that belongs to a point u of the unit square, so that equal areas of the

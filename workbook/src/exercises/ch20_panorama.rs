@@ -1,10 +1,10 @@
 //! Chapter 20: `panorama_ray`.
 
-use raybook::camera::{panorama::Panorama, pose::Pose};
-use raybook::math::dir3::Dir3;
 use crate::exercise::exercises;
 use crate::exercises::ch01_rays::CameraRayAnswer;
 use glam::{Vec2, Vec3};
+use raybook::camera::{panorama::Panorama, pose::Pose};
+use raybook::math::dir3::Dir3;
 
 exercises! { ($) ch20_panorama
     /// Return the ray from `position` for the place `film` of a panorama, from film (0, 0) at its top left to (1, 1) at

@@ -1,10 +1,10 @@
 //! Chapter 21: `geodesic_step`, `deflection_angle`.
 
-use raybook::render::curved::deflection;
-use raybook::render::curved::{Photon, geodesic};
 use crate::exercise::exercises;
 use crate::record::row;
 use glam::Vec3;
+use raybook::render::curved::deflection;
+use raybook::render::curved::{Photon, geodesic};
 
 exercises! { ($) ch21_black_hole
     /// Return the position and the velocity of a photon after a step along its ray around a black hole of radius 1 at

@@ -1,13 +1,15 @@
 //! Chapter 22: `regular_grid`, `rotated_grid`, `random_pattern`, `jittered`, `poisson_disk`, `pixel_average`.
 
-use raybook::image::rgb::Rgb;
-use raybook::math::pcg;
-use raybook::sample::filter::{self, Filter};
-use raybook::inside::Space;
-use raybook::sample::pattern::{jittered, poisson_disk, random_pattern, regular_grid, rotated_grid};
 use crate::exercise::exercises;
 use crate::record::row;
 use glam::{Vec2, vec2};
+use raybook::image::rgb::Rgb;
+use raybook::inside::Space;
+use raybook::math::pcg;
+use raybook::sample::filter::{self, Filter};
+use raybook::sample::pattern::{
+    jittered, poisson_disk, random_pattern, regular_grid, rotated_grid,
+};
 
 exercises! { ($) ch22_antialiasing
     /// Return the middles of columns × rows equal cells of the unit square, in any order; the answer is the list of

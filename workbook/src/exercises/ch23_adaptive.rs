@@ -1,8 +1,8 @@
 //! Chapter 23: `needs_more`, `spend_budget`.
 
+use crate::exercise::exercises;
 use raybook::image::rgb::Rgb;
 use raybook::render::{budget, needs_more::Enough};
-use crate::exercise::exercises;
 
 exercises! { ($) ch23_adaptive
     /// Return whether a pixel's samples are not enough yet: true (a 1 in the answer) if there are fewer than two; or if

@@ -1,14 +1,14 @@
 //! Chapter 24: `collapse`, `wide_closest`.
 
-use raybook::accel::Tests;
-use raybook::inside::wide_bvh::{CHILDREN, Link, TRIANGLES, Tree, binary, collapse};
-use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray};
-use raybook::shape::mesh::Facet;
 use crate::exercise::exercises;
 use crate::exercises::ch07_mesh::{Corners, MeshHitAnswer};
 use crate::record::row;
 use crate::tree_rows::{NodeRow, to_flat};
 use glam::Vec3;
+use raybook::accel::Tests;
+use raybook::inside::wide_bvh::{CHILDREN, Link, TRIANGLES, Tree, binary, collapse};
+use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray};
+use raybook::shape::mesh::Facet;
 
 exercises! { ($) ch24_wide_bvh
     /// Make a tree of up to eight children per branch out of a binary one: return each branch that stays with its new

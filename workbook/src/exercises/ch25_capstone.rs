@@ -1,10 +1,10 @@
 //! Chapter 25: `trace`.
 
+use crate::exercise::exercises;
 use raybook::image::rgb::Rgb;
 use raybook::math::ray::Ray;
 use raybook::render::trace;
 use raybook::scene::description::Description;
-use crate::exercise::exercises;
 
 exercises! { ($) ch25_capstone
     /// Return the radiance that comes along a ray through a scene of spheres, planes and triangles, of Phong's

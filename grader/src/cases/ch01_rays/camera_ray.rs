@@ -1,11 +1,11 @@
 //! `camera_ray`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
+use glam::{Vec2, Vec3, vec2};
 use raybook::image::rgb::Rgb;
 use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch01_rays::{CameraRay, CameraRayAnswer};
-use glam::{Vec2, Vec3, vec2};
 
 impl Graded for CameraRay {
     fn random(rng: &mut Pcg) -> CameraRay {

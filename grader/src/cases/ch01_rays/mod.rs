@@ -1,4 +1,3 @@
 //! Chapter 1: `ray_at`, `camera_ray`.
 
-
 raybook_workbook::ch01_rays!(graded);

@@ -1,9 +1,9 @@
 //! `ray_at`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Verdict, judge, sample};
+use glam::Vec3;
 use raybook::math::{pcg::Pcg, ray::Ray};
 use raybook_workbook::exercises::ch01_rays::RayAt;
-use glam::Vec3;
 
 impl Graded for RayAt {
     fn random(rng: &mut Pcg) -> RayAt {

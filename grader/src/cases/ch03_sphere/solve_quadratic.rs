@@ -1,11 +1,11 @@
 //! `solve_quadratic`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Verdict, judge, sample};
+use glam::{Vec2, vec2};
+use rand::RngExt;
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch03_sphere::SolveQuadratic;
-use glam::{Vec2, vec2};
-use rand::RngExt;
 
 impl Graded for SolveQuadratic {
     fn random(rng: &mut Pcg) -> SolveQuadratic {

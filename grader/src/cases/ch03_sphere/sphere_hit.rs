@@ -1,12 +1,12 @@
 //! `sphere_hit`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
-use raybook::image::rgb::Rgb;
-use raybook_chapters::kit::palette::viridis;
-use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
-use raybook_workbook::exercises::ch03_sphere::SphereHit;
 use glam::{Vec2, Vec3, vec2, vec3};
 use rand::RngExt;
+use raybook::image::rgb::Rgb;
+use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
+use raybook_chapters::kit::palette::viridis;
+use raybook_workbook::exercises::ch03_sphere::SphereHit;
 
 impl Graded for SphereHit {
     fn random(rng: &mut Pcg) -> SphereHit {

@@ -1,10 +1,10 @@
 //! `sphere_normal`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Verdict, judge, sample};
+use glam::Vec3;
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch03_sphere::SphereNormal;
-use glam::Vec3;
 
 impl Graded for SphereNormal {
     fn random(rng: &mut Pcg) -> SphereNormal {

@@ -1,13 +1,13 @@
 //! Chapter 4: `plane_hit`.
 
 use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
-use raybook::image::rgb::Rgb;
-use raybook_chapters::kit::palette::viridis;
-use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
-use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch04_plane::PlaneHit;
 use glam::vec3;
 use rand::RngExt;
+use raybook::image::rgb::Rgb;
+use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
+use raybook_chapters::kit::palette::viridis;
+use raybook_workbook::exercise::Exercise;
+use raybook_workbook::exercises::ch04_plane::PlaneHit;
 
 impl Graded for PlaneHit {
     fn random(rng: &mut Pcg) -> PlaneHit {

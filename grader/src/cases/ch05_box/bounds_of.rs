@@ -1,11 +1,11 @@
 //! `bounds_of`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Verdict, judge, sample};
+use glam::Vec3;
+use rand::RngExt;
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch05_box::{BoundsOf, Corners};
-use glam::Vec3;
-use rand::RngExt;
 
 impl Graded for BoundsOf {
     fn random(rng: &mut Pcg) -> BoundsOf {

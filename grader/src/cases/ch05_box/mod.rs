@@ -1,5 +1,3 @@
 //! Chapter 5: `box_clip`, `bounds_of`.
 
-
-
 raybook_workbook::ch05_box!(graded);

@@ -1,5 +1,3 @@
 //! Chapter 6: `triangle_hit`, `triangle_normal`.
 
-
-
 raybook_workbook::ch06_triangle!(graded);

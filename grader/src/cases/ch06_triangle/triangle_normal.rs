@@ -1,10 +1,10 @@
 //! `triangle_normal`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Verdict, judge, sample};
+use glam::Vec3;
 use raybook::math::{dir3::Dir3, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch06_triangle::TriangleNormal;
-use glam::Vec3;
 
 impl Graded for TriangleNormal {
     fn random(rng: &mut Pcg) -> TriangleNormal {

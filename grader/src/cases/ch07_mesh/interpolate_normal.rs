@@ -2,9 +2,9 @@
 
 use super::place;
 use crate::{Graded, Mistake, Verdict, judge, sample};
+use glam::Vec3;
 use raybook::math::{dir3::Dir3, pcg::Pcg};
 use raybook_workbook::exercises::ch07_mesh::InterpolateNormal;
-use glam::Vec3;
 
 impl Graded for InterpolateNormal {
     fn random(rng: &mut Pcg) -> InterpolateNormal {

@@ -2,10 +2,10 @@
 
 use super::place;
 use crate::{Graded, Mistake, Verdict, judge, sample};
+use glam::{Vec2, vec2};
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch07_mesh::InterpolateTexture;
-use glam::{Vec2, vec2};
 
 impl Graded for InterpolateTexture {
     fn random(rng: &mut Pcg) -> InterpolateTexture {

@@ -1,13 +1,13 @@
 //! `mesh_hit`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
-use raybook::image::rgb::Rgb;
-use raybook_chapters::kit::palette::viridis;
-use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
-use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch07_mesh::{Corners, MeshHit, MeshHitAnswer};
 use glam::{Vec3, vec3};
 use rand::RngExt;
+use raybook::image::rgb::Rgb;
+use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
+use raybook_chapters::kit::palette::viridis;
+use raybook_workbook::exercise::Exercise;
+use raybook_workbook::exercises::ch07_mesh::{Corners, MeshHit, MeshHitAnswer};
 
 impl Graded for MeshHit {
     fn random(rng: &mut Pcg) -> MeshHit {
@@ -29,11 +29,7 @@ impl Graded for MeshHit {
         }
     }
 
-    fn judge(
-        _q: &MeshHit,
-        golden: &Option<MeshHitAnswer>,
-        got: &Option<MeshHitAnswer>,
-    ) -> Verdict {
+    fn judge(_q: &MeshHit, golden: &Option<MeshHitAnswer>, got: &Option<MeshHitAnswer>) -> Verdict {
         judge::nearest(golden.as_ref(), got.as_ref())
     }
 

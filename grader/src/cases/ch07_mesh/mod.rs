@@ -1,8 +1,8 @@
 //! Chapter 7: `interpolate_normal`, `interpolate_texture`, `vertex_normals`, `mesh_hit`.
 
 use crate::sample;
-use raybook::math::pcg::Pcg;
 use glam::{Vec2, vec2};
+use raybook::math::pcg::Pcg;
 
 raybook_workbook::ch07_mesh!(graded);
 

@@ -1,10 +1,10 @@
 //! `vertex_normals`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Verdict, judge, sample};
-use raybook::math::pcg::Pcg;
-use raybook_workbook::exercises::ch07_mesh::{Indices, VertexNormals};
 use glam::{Vec3, vec3};
 use rand::RngExt;
+use raybook::math::pcg::Pcg;
+use raybook_workbook::exercises::ch07_mesh::{Indices, VertexNormals};
 
 impl Graded for VertexNormals {
     fn random(rng: &mut Pcg) -> VertexNormals {

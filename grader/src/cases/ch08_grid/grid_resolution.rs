@@ -1,11 +1,11 @@
 //! `grid_resolution`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Verdict, sample};
+use glam::Vec3;
+use rand::RngExt;
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch08_grid::{Cell, GridResolution};
-use glam::Vec3;
-use rand::RngExt;
 
 impl Graded for GridResolution {
     fn random(rng: &mut Pcg) -> GridResolution {

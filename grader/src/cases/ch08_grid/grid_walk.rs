@@ -3,8 +3,8 @@
 use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
 use glam::{UVec3, uvec3, vec3};
 use rand::RngExt;
-use raybook::inside::grid::Lattice;
 use raybook::image::rgb::Rgb;
+use raybook::inside::grid::Lattice;
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray, slab};
 use raybook_chapters::kit::palette::viridis;
 use raybook_workbook::exercise::Exercise;
@@ -223,11 +223,7 @@ fn least(next: [f32; 3]) -> usize {
 }
 
 /// A walk with a plane and an axis of the student's choice.
-fn student(
-    q: &GridWalk,
-    plane: fn(bool, i64) -> i64,
-    choose: fn([f32; 3]) -> usize,
-) -> Vec<Visit> {
+fn student(q: &GridWalk, plane: fn(bool, i64) -> i64, choose: fn([f32; 3]) -> usize) -> Vec<Visit> {
     let lattice: Lattice = q.lattice();
     let Some(inside) = slab::clip(&lattice.bounds(), &q.ray, q.within) else {
         return Vec::new();

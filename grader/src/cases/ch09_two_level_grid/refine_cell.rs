@@ -43,11 +43,7 @@ impl Graded for RefineCell {
     }
 
     /// The resolution, then every shape in the cells that it reaches and in no other.
-    fn judge(
-        q: &RefineCell,
-        golden: &RefineCellAnswer,
-        got: &RefineCellAnswer,
-    ) -> Verdict {
+    fn judge(q: &RefineCell, golden: &RefineCellAnswer, got: &RefineCellAnswer) -> Verdict {
         let cells = |n: &RefineCellAnswer| UVec3::new(n.nx, n.ny, n.nz);
         let (right, along) = (cells(golden), cells(got));
         if right != along {

@@ -66,7 +66,8 @@ impl Graded for OctreeBuild {
         for leaf in &leaves {
             let names = &got.names[leaf.names.clone()];
             for (i, shape) in (0..).zip(&q.shapes) {
-                let deep = (shape.max.min(leaf.cell.max) - shape.min.max(leaf.cell.min)).min_element();
+                let deep =
+                    (shape.max.min(leaf.cell.max) - shape.min.max(leaf.cell.min)).min_element();
                 let named = names.iter().filter(|&&name| name == i).count();
                 if named > 1 {
                     return Err(format!("leaf {} names shape {i} twice", leaf.node));

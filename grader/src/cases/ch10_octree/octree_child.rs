@@ -1,10 +1,10 @@
 //! `octree_child`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Verdict, sample};
+use glam::Vec3;
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch10_octree::OctreeChild;
-use glam::Vec3;
 
 impl Graded for OctreeChild {
     fn random(rng: &mut Pcg) -> OctreeChild {

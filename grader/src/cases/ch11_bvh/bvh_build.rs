@@ -1,13 +1,13 @@
 //! `bvh_build`: random questions, judge and mistakes.
 
+use super::sah_cost::node_area;
+use super::{around, center, cube, heaps, no_dearer, tree};
 use crate::{Graded, Mistake, Verdict};
 use raybook::accel::bvh::build::Method;
 use raybook::math::{aabb::Aabb, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch11_bvh::{BvhBuild, BvhBuildAnswer};
 use raybook_workbook::tree_rows::NodeRow;
-use super::{around, center, cube, heaps, no_dearer, tree};
-use super::sah_cost::node_area;
 
 /// A tree may cost so much more than the reference's: neither is the best, and which cut is taken first decides more.
 const DEARER: f32 = 0.25;

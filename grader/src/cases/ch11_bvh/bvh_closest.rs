@@ -1,13 +1,16 @@
 //! `bvh_closest`: random questions, judge and mistakes.
 
-use crate::{Graded, Mistake, Picture, Verdict, judge, sample, search, search::How, search::Node, search::Order, search::Tree};
+use super::tree;
+use crate::{
+    Graded, Mistake, Picture, Verdict, judge, sample, search, search::How, search::Node,
+    search::Order, search::Tree,
+};
 use glam::{Vec3, vec3};
 use raybook::accel::bvh::build::Method;
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 use raybook_workbook::exercises::ch07_mesh::Corners;
 use raybook_workbook::exercises::ch11_bvh::{BvhClosest, BvhClosestAnswer};
 use raybook_workbook::tree_rows::{BoxRow, NodeRow};
-use super::tree;
 
 impl Graded for BvhClosest {
     fn random(rng: &mut Pcg) -> BvhClosest {
@@ -23,11 +26,7 @@ impl Graded for BvhClosest {
         question(&triangles, ray, Interval::new(0.0, end))
     }
 
-    fn judge(
-        _q: &BvhClosest,
-        golden: &BvhClosestAnswer,
-        got: &BvhClosestAnswer,
-    ) -> Verdict {
+    fn judge(_q: &BvhClosest, golden: &BvhClosestAnswer, got: &BvhClosestAnswer) -> Verdict {
         judge::nearest(golden.hit.as_ref(), got.hit.as_ref())?;
         if got.hit.is_some() && got.tests == 0 {
             return Err("you found a hit without testing a triangle".to_owned());

@@ -1,14 +1,13 @@
 //! Chapter 11: `sah_cost`, `sah_split`, `bvh_build`, `bvh_closest`.
 
-
+use crate::{Verdict, sample};
+use glam::{Vec3, vec3};
+use rand::RngExt;
 use raybook::accel::bvh::build::Method;
 use raybook::inside::bvh::{COST, Cost, build};
-use crate::{Verdict, sample};
 use raybook::math::{aabb::Aabb, pcg::Pcg};
 use raybook_workbook::exercises::ch11_bvh::BvhBuildAnswer;
 use raybook_workbook::tree_rows::{BoxRow, to_rows};
-use glam::{Vec3, vec3};
-use rand::RngExt;
 
 raybook_workbook::ch11_bvh!(graded);
 

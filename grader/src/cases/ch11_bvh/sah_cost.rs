@@ -1,8 +1,8 @@
 //! `sah_cost`: random questions, judge and mistakes.
 
 use super::{area, heaps, tree};
-use raybook::accel::bvh::build::Method;
 use crate::{Graded, Mistake, Verdict, judge, sample};
+use raybook::accel::bvh::build::Method;
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch11_bvh::SahCost;

@@ -2,10 +2,10 @@
 
 use super::{area, around, center, heaps, no_dearer};
 use crate::{Graded, Mistake, Verdict, judge};
+use glam::Vec3;
 use raybook::math::{aabb::Aabb, pcg::Pcg};
 use raybook_workbook::exercises::ch11_bvh::SahSplit;
 use raybook_workbook::tree_rows::BoxRow;
-use glam::Vec3;
 
 /// All cuts between neighbouring centres along an axis: the axis, and who is on the left and on the right.
 pub(super) fn cuts(boxes: &[BoxRow], key: fn(&BoxRow) -> Vec3) -> Vec<(usize, [Vec<u32>; 2])> {

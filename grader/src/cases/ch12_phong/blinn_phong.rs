@@ -19,12 +19,22 @@ impl Graded for BlinnPhongExercise {
         Mistake {
             name: "forgets to normalise H",
             hint: "How long is L + V if light and viewer are in the same place, and if they are far apart?",
-            answer: |q| with_highlight(&q.at, power((*q.at.toward + *q.at.view).dot(*q.at.normal), &q.at)),
+            answer: |q| {
+                with_highlight(
+                    &q.at,
+                    power((*q.at.toward + *q.at.view).dot(*q.at.normal), &q.at),
+                )
+            },
         },
         Mistake {
             name: "halves L + V",
             hint: "The middle of two points on a circle is not on the circle: how long is your H?",
-            answer: |q| with_highlight(&q.at, power(0.5 * (*q.at.toward + *q.at.view).dot(*q.at.normal), &q.at)),
+            answer: |q| {
+                with_highlight(
+                    &q.at,
+                    power(0.5 * (*q.at.toward + *q.at.view).dot(*q.at.normal), &q.at),
+                )
+            },
         },
         Mistake {
             name: "takes R·V",
@@ -47,14 +57,23 @@ impl Graded for BlinnPhongExercise {
         Mistake {
             name: "takes four times the exponent",
             hint: "That makes Phong's and Blinn's highlights alike; but the α that you are given is already Blinn's.",
-            answer: |q| with_highlight(&q.at, half(&q.at).dot(*q.at.normal).max(0.0).powf(4.0 * q.at.exponent)),
+            answer: |q| {
+                with_highlight(
+                    &q.at,
+                    half(&q.at)
+                        .dot(*q.at.normal)
+                        .max(0.0)
+                        .powf(4.0 * q.at.exponent),
+                )
+            },
         },
         Mistake {
             name: "lets the highlight shine through from behind",
             hint: "Put the light just below the surface: N·H may still be large; should there be a highlight?",
             answer: |q| {
                 let diffuse = q.at.diffuse * q.at.toward.dot(*q.at.normal).max(0.0);
-                (diffuse + q.at.specular * power(half(&q.at).dot(*q.at.normal), &q.at)) * q.at.arriving
+                (diffuse + q.at.specular * power(half(&q.at).dot(*q.at.normal), &q.at))
+                    * q.at.arriving
             },
         },
         Mistake {

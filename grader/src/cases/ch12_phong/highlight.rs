@@ -2,11 +2,11 @@
 
 use super::channels;
 use crate::{Verdict, sample};
+use glam::{Vec3, vec3};
+use rand::RngExt;
 use raybook::image::rgb::Rgb;
 use raybook::math::{dir3::Dir3, pcg::Pcg};
 use raybook_workbook::exercises::ch12_phong::Highlight;
-use glam::{Vec3, vec3};
-use rand::RngExt;
 
 /// R.
 pub(super) fn mirrored(q: &Highlight) -> Vec3 {

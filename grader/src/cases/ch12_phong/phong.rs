@@ -21,7 +21,8 @@ impl Graded for PhongExercise {
             hint: "Put the light below the surface: the diffuse part vanishes; does everything?",
             answer: |q| {
                 let diffuse = q.at.diffuse * q.at.toward.dot(*q.at.normal).max(0.0);
-                (diffuse + q.at.specular * power(mirrored(&q.at).dot(*q.at.view), &q.at)) * q.at.arriving
+                (diffuse + q.at.specular * power(mirrored(&q.at).dot(*q.at.view), &q.at))
+                    * q.at.arriving
             },
         },
         Mistake {
@@ -29,7 +30,8 @@ impl Graded for PhongExercise {
             hint: "Is any of your channels ever negative? There is no negative light.",
             answer: |q| {
                 let diffuse = q.at.diffuse * q.at.toward.dot(*q.at.normal);
-                (diffuse + q.at.specular * power(mirrored(&q.at).dot(*q.at.view), &q.at)) * q.at.arriving
+                (diffuse + q.at.specular * power(mirrored(&q.at).dot(*q.at.view), &q.at))
+                    * q.at.arriving
             },
         },
         Mistake {
@@ -50,12 +52,22 @@ impl Graded for PhongExercise {
         Mistake {
             name: "has a highlight on the far side too",
             hint: "An even power of a negative number is positive: what if R and V point away from each other?",
-            answer: |q| with_highlight(&q.at, mirrored(&q.at).dot(*q.at.view).abs().powf(q.at.exponent)),
+            answer: |q| {
+                with_highlight(
+                    &q.at,
+                    mirrored(&q.at).dot(*q.at.view).abs().powf(q.at.exponent),
+                )
+            },
         },
         Mistake {
             name: "multiplies by the exponent",
             hint: "Raise α: the highlight should become smaller, and stay as bright in its middle.",
-            answer: |q| with_highlight(&q.at, q.at.exponent * mirrored(&q.at).dot(*q.at.view).max(0.0)),
+            answer: |q| {
+                with_highlight(
+                    &q.at,
+                    q.at.exponent * mirrored(&q.at).dot(*q.at.view).max(0.0),
+                )
+            },
         },
         Mistake {
             name: "multiplies the highlight by L·N",

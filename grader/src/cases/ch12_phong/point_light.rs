@@ -2,11 +2,11 @@
 
 use super::channels;
 use crate::{Graded, Mistake, Verdict, judge, sample};
+use glam::Vec3;
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch12_phong::{Arriving, PointLightExercise};
-use glam::Vec3;
 
 /// What arrives, changed by a function of the distance.
 fn falling_off(q: &PointLightExercise, by: fn(f32) -> f32) -> Option<Arriving> {

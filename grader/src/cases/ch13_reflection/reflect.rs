@@ -1,11 +1,11 @@
 //! Chapter 13: `reflect`.
 
 use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
-use raybook_chapters::kit::palette;
+use glam::{Vec3, vec3};
 use raybook::math::{dir3::Dir3, pcg::Pcg};
+use raybook_chapters::kit::palette;
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch13_reflection::Reflect;
-use glam::{Vec3, vec3};
 
 /// (i·n) n: the part of i that is square to the surface.
 fn square(q: &Reflect) -> Vec3 {

@@ -1,4 +1,3 @@
 //! Chapter 14: `refract`, `fresnel`.
 
-
 raybook_workbook::ch14_refraction!(graded);

@@ -1,11 +1,11 @@
 //! `refract`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Verdict, judge, sample};
+use glam::Vec3;
+use rand::RngExt;
 use raybook::math::{dir3::Dir3, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch14_refraction::Refract;
-use glam::Vec3;
-use rand::RngExt;
 
 impl Graded for Refract {
     fn random(rng: &mut Pcg) -> Refract {

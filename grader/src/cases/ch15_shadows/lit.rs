@@ -1,10 +1,10 @@
 //! `lit`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Verdict, sample};
+use rand::RngExt;
 use raybook::math::{interval::Interval, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch15_shadows::{Ball, Lit};
-use rand::RngExt;
 
 /// Whether any of these spheres is met from the point itself, at min < t < max.
 fn blocked(q: &Lit, spheres: &[Ball], within: Interval) -> bool {

@@ -2,5 +2,4 @@
 
 mod way;
 
-
 raybook_workbook::ch15_shadows!(graded);

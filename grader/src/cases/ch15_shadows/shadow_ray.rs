@@ -2,11 +2,11 @@
 
 use super::way::{ends_before, starts_off};
 use crate::{Graded, Mistake, Verdict, judge, sample};
+use glam::Vec3;
+use rand::RngExt;
 use raybook::math::{interval::Interval, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch15_shadows::{ShadowRay, Way};
-use glam::Vec3;
-use rand::RngExt;
 
 /// The right answer, with another start.
 fn starting(q: &ShadowRay, origin: Vec3, min: f32) -> Way {

@@ -1,8 +1,8 @@
 //! The judge of `shadow_ray`: where the way to the light begins and where it ends.
 
 use crate::Verdict;
-use raybook_workbook::exercises::ch15_shadows::{ShadowRay, Way};
 use glam::DVec3;
+use raybook_workbook::exercises::ch15_shadows::{ShadowRay, Way};
 
 /// A shadow ray may start so many times the error bound off the surface: beyond, shadows come loose.
 const FARTHEST: f64 = 5.0;

@@ -5,8 +5,8 @@
 //! square has a variance that is 0.021 off.
 
 use crate::{Verdict, judge};
-use raybook_workbook::exercises::ch16_soft_shadows::Chosen;
 use glam::DVec2;
+use raybook_workbook::exercises::ch16_soft_shadows::Chosen;
 
 /// So fine are the lattices.
 pub(super) const N: u32 = 8;

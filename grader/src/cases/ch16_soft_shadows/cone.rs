@@ -1,10 +1,10 @@
 //! Directions to a spherical light, as the mistakes of `sample_sphere_light` choose them.
 
 use super::lattice;
+use glam::{Vec2, vec3};
 use raybook::math::{basis::Basis, dir3::Dir3, interval::Interval, ray::Ray};
 use raybook::shape::{Shape, sphere::Sphere};
 use raybook_workbook::exercises::ch16_soft_shadows::{Chosen, SampleSphereLight};
-use glam::{Vec2, vec3};
 
 /// 1 − cos α of the cone in which the light is seen.
 pub(super) fn cap(q: &SampleSphereLight) -> f32 {

@@ -3,11 +3,11 @@
 use super::chosen::{DENSITY, N, each, evenly};
 use super::lattice;
 use crate::{Graded, Mistake, Verdict, judge, sample};
+use glam::{Vec2, vec2};
+use rand::RngExt;
 use raybook::math::{basis::Basis, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch16_soft_shadows::{Chosen, SampleRect};
-use glam::{Vec2, vec2};
-use rand::RngExt;
 use std::f32::consts::TAU;
 
 impl Graded for SampleRect {

@@ -3,11 +3,11 @@
 use super::chosen::{DENSITY, N, each, evenly};
 use super::cone::{cap, cone};
 use crate::{Graded, Mistake, Verdict, judge, sample};
+use glam::dvec2;
+use rand::RngExt;
 use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch16_soft_shadows::{Chosen, SampleSphereLight};
-use glam::dvec2;
-use rand::RngExt;
 use std::f32::consts::{PI, TAU};
 
 impl Graded for SampleSphereLight {

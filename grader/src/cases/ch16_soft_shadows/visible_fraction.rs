@@ -2,11 +2,11 @@
 
 use super::lattice;
 use crate::{Graded, Mistake, Verdict, judge, sample};
+use glam::{Vec2, Vec3, vec3};
 use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 use raybook::shape::{Shape, sphere::Sphere};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch16_soft_shadows::{Ball, VisibleFraction};
-use glam::{Vec2, Vec3, vec3};
 
 /// How many samples are asked for.
 const SAMPLES: u32 = 1024;

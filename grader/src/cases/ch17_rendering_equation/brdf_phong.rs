@@ -2,11 +2,11 @@
 
 use super::colour;
 use crate::{Graded, Mistake, Verdict, judge, sample};
+use rand::RngExt;
 use raybook::image::rgb::Rgb;
 use raybook::math::{dir3::Dir3, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch17_rendering_equation::BrdfPhong;
-use rand::RngExt;
 use std::f32::consts::{PI, TAU};
 
 /// The matt part plus the highlight times a factor, of which all mistakes are made.

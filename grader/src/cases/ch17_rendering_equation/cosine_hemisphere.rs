@@ -2,10 +2,10 @@
 
 use super::at_height;
 use crate::{Graded, Mistake, Verdict, judge, sample};
-use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
-use raybook_workbook::exercises::ch17_rendering_equation::{CosineHemisphere, lattice};
 use glam::{Vec2, Vec3, vec3};
 use rand::RngExt;
+use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
+use raybook_workbook::exercises::ch17_rendering_equation::{CosineHemisphere, lattice};
 use std::f32::consts::{FRAC_PI_2, PI, TAU};
 
 /// The lattice's images, given in coordinates whose z is the normal.

@@ -1,9 +1,9 @@
 //! Chapter 17: `cosine_hemisphere`, `brdf_phong`, `reflected_radiance`.
 
 use crate::sample;
+use glam::{Vec3, vec3};
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
-use glam::{Vec3, vec3};
 
 raybook_workbook::ch17_rendering_equation!(graded);
 

@@ -1,12 +1,12 @@
 //! `direction_to_cube`: the face, and the place on it.
 
 use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
-use raybook_chapters::kit::palette::direction as direction_colour;
+use glam::{Vec3, vec2};
 use raybook::light::environment::latlong;
 use raybook::math::{dir3::Dir3, pcg::Pcg};
+use raybook_chapters::kit::palette::direction as direction_colour;
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch18_environment::{CubePlace, DirectionToCube};
-use glam::{Vec3, vec2};
 
 fn asks(direction: Dir3) -> DirectionToCube {
     DirectionToCube { direction }

@@ -2,12 +2,12 @@
 
 use super::toward;
 use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
-use raybook_chapters::kit::palette::viridis;
+use glam::{Vec2, Vec3, vec2, vec3};
 use raybook::light::environment::latlong;
 use raybook::math::{dir3::Dir3, pcg::Pcg};
+use raybook_chapters::kit::palette::viridis;
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch18_environment::{DirectionToLatlong};
-use glam::{Vec2, Vec3, vec2, vec3};
+use raybook_workbook::exercises::ch18_environment::DirectionToLatlong;
 use std::f64::consts::PI;
 
 fn turned(q: &DirectionToLatlong, turn: impl Fn(Vec3) -> Vec3) -> DirectionToLatlong {

@@ -3,9 +3,9 @@
 use super::OfMap;
 use super::{cell, toward};
 use crate::Verdict;
+use glam::{Vec2, Vec3, vec2};
 use raybook::light::environment::latlong;
 use raybook_workbook::exercises::ch18_environment::SampleEnvironment;
-use glam::{Vec2, Vec3, vec2};
 use std::f64::consts::PI;
 
 /// So many of the points may be on the wrong side of a line. Measured for 400 maps and 24 right methods (by rows, by columns,

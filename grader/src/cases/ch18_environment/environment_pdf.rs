@@ -3,12 +3,12 @@
 use super::OfMap;
 use super::{cell, toward};
 use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
-use raybook_chapters::kit::palette::viridis;
+use glam::vec2;
 use raybook::light::environment::latlong;
 use raybook::math::pcg::Pcg;
+use raybook_chapters::kit::palette::viridis;
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch18_environment::{EnvironmentPdf, SampleEnvironment};
-use glam::vec2;
 use std::f64::consts::PI;
 
 /// What is asked of a question here.

@@ -2,10 +2,10 @@
 
 mod distributed;
 
+use glam::vec3;
 use raybook::light::environment::latlong;
 use raybook::math::dir3::Dir3;
 use raybook_workbook::exercises::ch18_environment::SampleEnvironment;
-use glam::vec3;
 use std::f64::consts::PI;
 
 raybook_workbook::ch18_environment!(graded);

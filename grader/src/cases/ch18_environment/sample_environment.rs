@@ -3,13 +3,13 @@
 use super::OfMap;
 use super::{cell, distributed::distributed, toward};
 use crate::{Graded, Mistake, Verdict, judge, sample};
+use glam::{Vec2, Vec3, vec2};
+use rand::RngExt;
 use raybook::light::environment::latlong;
 use raybook::math::{pcg::Pcg, piecewise::Piecewise};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch17_rendering_equation::lattice;
-use raybook_workbook::exercises::ch18_environment::{SampleEnvironment, POINTS};
-use glam::{Vec2, Vec3, vec2};
-use rand::RngExt;
+use raybook_workbook::exercises::ch18_environment::{POINTS, SampleEnvironment};
 
 /// What is asked of a question here.
 pub(super) trait Asked {

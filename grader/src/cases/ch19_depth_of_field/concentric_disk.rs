@@ -1,11 +1,11 @@
 //! `concentric_disk`: judged by how its points fill the disc.
 
 use crate::{Graded, Mistake, Verdict, judge, sample};
+use glam::{Vec2, vec2};
+use rand::RngExt;
 use raybook::math::pcg::Pcg;
 use raybook::sample::disk::concentric_disk;
 use raybook_workbook::exercises::ch19_depth_of_field::ConcentricDisk;
-use glam::{Vec2, vec2};
-use rand::RngExt;
 use std::f32::consts::{FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_4, TAU};
 
 /// From so many points on, they tell how evenly the disc is filled.

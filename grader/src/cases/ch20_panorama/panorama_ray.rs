@@ -1,12 +1,12 @@
 //! Chapter 20: `panorama_ray`: its cases, judge and mistakes.
 
 use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
-use raybook_chapters::kit::palette::direction as direction_colour;
+use glam::{Vec2, Vec3, vec2};
 use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
+use raybook_chapters::kit::palette::direction as direction_colour;
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch01_rays::CameraRayAnswer;
 use raybook_workbook::exercises::ch20_panorama::PanoramaRay;
-use glam::{Vec2, Vec3, vec2};
 use std::f32::consts::{PI, TAU};
 
 impl Graded for PanoramaRay {

@@ -1,11 +1,11 @@
 //! `deflection_angle`: by quadrature, by stepping the ray, by series where they are good enough.
 
 use crate::{Graded, Mistake, Verdict, judge, sample};
+use rand::RngExt;
 use raybook::math::pcg::Pcg;
 use raybook::render::curved::CRITICAL;
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch21_black_hole::DeflectionAngle;
-use rand::RngExt;
 use std::f32::consts::PI;
 
 impl Graded for DeflectionAngle {

@@ -1,10 +1,10 @@
 //! `geodesic_step`: judged by the bend of the ray, so any method that is good enough is right.
 
 use crate::{Graded, Mistake, Verdict, sample};
+use glam::{DVec3, Vec3};
 use raybook::math::pcg::Pcg;
 use raybook::render::curved::Photon;
 use raybook_workbook::exercises::ch21_black_hole::{GeodesicStep, GeodesicStepAnswer};
-use glam::{DVec3, Vec3};
 
 impl Graded for GeodesicStep {
     fn random(rng: &mut Pcg) -> GeodesicStep {
@@ -17,11 +17,7 @@ impl Graded for GeodesicStep {
         }
     }
 
-    fn judge(
-        q: &GeodesicStep,
-        golden: &GeodesicStepAnswer,
-        got: &GeodesicStepAnswer,
-    ) -> Verdict {
+    fn judge(q: &GeodesicStep, golden: &GeodesicStepAnswer, got: &GeodesicStepAnswer) -> Verdict {
         let straight = q.position + q.step * q.velocity;
         let (after, size) = (golden.position, q.position.length());
         bend("position", straight, after, got.position, size)?;

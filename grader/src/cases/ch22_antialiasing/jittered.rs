@@ -2,11 +2,11 @@
 
 use super::points;
 use crate::{Graded, Mistake, Verdict};
+use glam::{Vec2, vec2};
+use rand::RngExt;
 use raybook::math::pcg::{self, Pcg};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch22_antialiasing::Jittered;
-use glam::{Vec2, vec2};
-use rand::RngExt;
 
 /// What a wrong formula makes of each cell (i, j) of (columns, rows) and two uniform numbers.
 fn cells(q: &Jittered, place: impl Fn(Vec2, Vec2, Vec2) -> Vec2) -> Vec<Vec2> {

@@ -6,5 +6,4 @@
 
 mod points;
 
-
 raybook_workbook::ch22_antialiasing!(graded);

@@ -1,12 +1,12 @@
 //! `pixel_average`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Verdict, judge, sample};
+use glam::{Vec2, vec2};
+use rand::RngExt;
 use raybook::image::rgb::Rgb;
 use raybook::image::tone;
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercises::ch22_antialiasing::{PixelAverage, Seen};
-use glam::{Vec2, vec2};
-use rand::RngExt;
 
 fn tent(q: &PixelAverage, offset: Vec2) -> f32 {
     let along = 1.0 - offset.abs() / q.radius;

@@ -2,11 +2,11 @@
 
 use super::points;
 use crate::{Graded, Mistake, Verdict};
+use glam::{Vec2, vec2};
+use rand::RngExt;
 use raybook::math::pcg::{self, Pcg};
 use raybook::sample::pattern::{jittered, random_pattern};
 use raybook_workbook::exercises::ch22_antialiasing::PoissonDisk;
-use glam::{Vec2, vec2};
-use rand::RngExt;
 
 /// Two points may be nearer by this share of the distance: what `f32` and printing round.
 const ROUNDING: f32 = 1e-4;

@@ -2,11 +2,11 @@
 
 use super::points;
 use crate::{Graded, Mistake, Verdict};
+use glam::{Vec2, vec2};
+use rand::RngExt;
 use raybook::math::pcg::{self, Pcg};
 use raybook::sample::pattern::{jittered, regular_grid, rows};
 use raybook_workbook::exercises::ch22_antialiasing::RandomPattern;
-use glam::{Vec2, vec2};
-use rand::RngExt;
 
 /// n points, each from two uniform numbers.
 fn each(q: &RandomPattern, point: impl Fn(Vec2) -> Vec2) -> Vec<Vec2> {

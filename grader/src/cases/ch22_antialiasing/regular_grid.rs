@@ -2,11 +2,11 @@
 
 use super::points;
 use crate::{Graded, Mistake, Verdict};
+use glam::{Vec2, vec2};
+use rand::RngExt;
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch22_antialiasing::RegularGrid;
-use glam::{Vec2, vec2};
-use rand::RngExt;
 
 /// A point may be so far from its place, in pixels: column 999 is exact to 0.00006 in `f32`.
 const TOLERANCE: f32 = 5e-4;

@@ -2,9 +2,9 @@
 
 use super::points;
 use crate::{Graded, Mistake, Verdict, sample};
+use glam::{Vec2, vec2};
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercises::ch22_antialiasing::RotatedGrid;
-use glam::{Vec2, vec2};
 use std::f32::consts::{FRAC_1_SQRT_2, FRAC_PI_4};
 
 /// A point may be so far from its place; so near to the square's edge it may be there or not.

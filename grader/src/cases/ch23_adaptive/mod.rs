@@ -2,5 +2,4 @@
 
 mod measures;
 
-
 raybook_workbook::ch23_adaptive!(graded);

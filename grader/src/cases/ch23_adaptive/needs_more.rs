@@ -2,10 +2,10 @@
 
 use super::measures::{decide, range, ratio, squares, standard_error, too_contrasty, verdict};
 use crate::{Graded, Mistake, Verdict, sample};
+use rand::RngExt;
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercises::ch23_adaptive::NeedsMore;
-use rand::RngExt;
 
 impl Graded for NeedsMore {
     fn random(rng: &mut Pcg) -> NeedsMore {

@@ -1,9 +1,9 @@
 //! `spend_budget`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Verdict, sample};
+use rand::RngExt;
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercises::ch23_adaptive::SpendBudget;
-use rand::RngExt;
 
 /// The sum may be so much larger than the least: whole numbers can be rounded in more than one way.
 const SLACK: f64 = 0.03;

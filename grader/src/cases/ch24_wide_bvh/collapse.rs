@@ -1,5 +1,6 @@
 //! `collapse`: random questions, judge and mistakes.
 
+use super::{MOST, half_area, is_branch, pair};
 use crate::{Graded, Mistake, Verdict, sample};
 use rand::RngExt;
 use raybook::accel::bvh::build::Method;
@@ -8,13 +9,9 @@ use raybook::math::{aabb::Aabb, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch24_wide_bvh::{Collapse, FamilyRow};
 use raybook_workbook::tree_rows::to_rows;
-use super::{MOST, half_area, is_branch, pair};
 
 /// Families whose members are chosen by `open`: which of the branches among the members is opened next, if any.
-fn families(
-    q: &Collapse,
-    open: impl Fn(&Collapse, &[u32]) -> Option<usize>,
-) -> Vec<FamilyRow> {
+fn families(q: &Collapse, open: impl Fn(&Collapse, &[u32]) -> Option<usize>) -> Vec<FamilyRow> {
     let mut families = Vec::new();
     let mut waiting = Vec::new();
     if !q.nodes.is_empty() {
@@ -36,11 +33,7 @@ fn families(
 }
 
 /// The place of the best branch among the members, by an order of numbers.
-fn best(
-    q: &Collapse,
-    members: &[u32],
-    order: fn(&Collapse, u32) -> f32,
-) -> Option<usize> {
+fn best(q: &Collapse, members: &[u32], order: fn(&Collapse, u32) -> f32) -> Option<usize> {
     let branches = (0..members.len()).filter(|&i| is_branch(q, members[i]));
     branches.max_by(|&a, &b| order(q, members[a]).total_cmp(&order(q, members[b])))
 }

@@ -1,6 +1,5 @@
 //! Chapter 24: `collapse`, `wide_closest`.
 
-
 use raybook_workbook::exercises::ch24_wide_bvh::Collapse;
 
 raybook_workbook::ch24_wide_bvh!(graded);

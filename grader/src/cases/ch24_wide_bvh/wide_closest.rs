@@ -1,6 +1,9 @@
 //! `wide_closest`: random questions, judge and mistakes.
 
-use crate::{Graded, Mistake, Picture, Verdict, judge, sample, search, search::How, search::Node, search::Order, search::Tree};
+use crate::{
+    Graded, Mistake, Picture, Verdict, judge, sample, search, search::How, search::Node,
+    search::Order, search::Tree,
+};
 use glam::{Vec3, vec3};
 use rand::RngExt;
 use raybook::accel::bvh::build::Method;
@@ -9,7 +12,9 @@ use raybook::inside::wide_bvh::{COST, Link, build as build_wide};
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 use raybook::shape::{Shape, mesh::Facet};
 use raybook_workbook::exercises::ch07_mesh::Corners;
-use raybook_workbook::exercises::ch24_wide_bvh::{WideChild, WideClosest, WideClosestAnswer, WideLeaf, WideNode};
+use raybook_workbook::exercises::ch24_wide_bvh::{
+    WideChild, WideClosest, WideClosestAnswer, WideLeaf, WideNode,
+};
 
 impl Graded for WideClosest {
     fn random(rng: &mut Pcg) -> WideClosest {
@@ -34,11 +39,7 @@ impl Graded for WideClosest {
     }
 
     /// The hit, and the work: a quarter more than the reference's is as good, for another order may be unlucky.
-    fn judge(
-        _q: &WideClosest,
-        golden: &WideClosestAnswer,
-        got: &WideClosestAnswer,
-    ) -> Verdict {
+    fn judge(_q: &WideClosest, golden: &WideClosestAnswer, got: &WideClosestAnswer) -> Verdict {
         judge::nearest(golden.hit.as_ref(), got.hit.as_ref())?;
         if got.hit.is_some() && got.tests == 0 {
             return Err("there is a hit, but no triangle was tested: count each test".into());
@@ -169,11 +170,7 @@ const SMALL_LEAVES: Cost = Cost {
 };
 
 /// A question about triangles in the tree that the reference builds, its root a node even if a leaf would do.
-fn question(
-    triangles: Vec<[Vec3; 3]>,
-    ray: Ray,
-    within: Interval,
-) -> WideClosest {
+fn question(triangles: Vec<[Vec3; 3]>, ray: Ray, within: Interval) -> WideClosest {
     let facets = triangles.iter().zip(0..);
     let facets: Vec<_> = facets.map(|(&corners, id)| Facet { corners, id }).collect();
     let all = facets

@@ -3,5 +3,4 @@
 mod slip;
 mod tracer;
 
-
 raybook_workbook::ch25_capstone!(graded);

@@ -1,5 +1,6 @@
 //! `trace`: random questions, judge and mistakes.
 
+use super::slip::{Slip, answer};
 use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
 use glam::{Vec3, vec2, vec3};
 use rand::RngExt;
@@ -8,10 +9,12 @@ use raybook::image::rgb::Rgb;
 use raybook::light::point::PointLight;
 use raybook::material::phong::Phong;
 use raybook::math::{dir3::Dir3, pcg::Pcg};
-use raybook::scene::{description::Backdrop, description::Description, description::Form, description::Matter, description::Object, four_scenes::ASPECT, four_scenes::FOUR};
+use raybook::scene::{
+    description::Backdrop, description::Description, description::Form, description::Matter,
+    description::Object, four_scenes::ASPECT, four_scenes::FOUR,
+};
 use raybook_workbook::exercises::ch25_capstone::Trace;
 use std::ptr;
-use super::slip::{Slip, answer};
 
 /// Columns and rows of each picture.
 const SIZE: [u32; 2] = [72, 48];
@@ -66,7 +69,8 @@ impl Graded for Trace {
             ));
         }
         let mut corner = |x, y| vec3(x, y, -3.0) + sample::point(rng, 0.8);
-        let corners = [corner(-2.5, -1.0), corner(2.5, -1.0), corner(0.0, 3.0)].map(|p| p.map(round));
+        let corners =
+            [corner(-2.5, -1.0), corner(2.5, -1.0), corner(0.0, 3.0)].map(|p| p.map(round));
         objects.push(Object::triangle(corners, matter(rng, false)));
         let first = rng.random_range(0..objects.len());
         objects.rotate_left(first);
@@ -110,7 +114,8 @@ impl Graded for Trace {
             return Ok(());
         }
         let ratio = got.luminance() / golden.luminance();
-        let same_colour = channels().all(|(golden, got)| (ratio * golden - got).abs() <= 0.02 * got);
+        let same_colour =
+            channels().all(|(golden, got)| (ratio * golden - got).abs() <= 0.02 * got);
         let why = if *got == Rgb::BLACK {
             "your answer is black, and there is light".to_owned()
         } else if *golden == Rgb::BLACK {

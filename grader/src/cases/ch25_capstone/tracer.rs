@@ -1,6 +1,7 @@
 //! A ray tracer that can slip.
 
 use super::slip::Slip;
+use glam::{Vec2, vec2};
 use raybook::image::rgb::Rgb;
 use raybook::light::{Light, LightSample};
 use raybook::material::{fresnel::fresnel, mirror::reflect, phong::Phong, refract::refract};
@@ -8,7 +9,6 @@ use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
 use raybook::render::shadow::shadow_ray;
 use raybook::scene::description::{Description, Form, Matter, Object};
 use raybook::shape::{Hit, Shape, Surface, triangle::Triangle};
-use glam::{Vec2, vec2};
 
 /// A ray tracer, and what it does wrongly.
 pub struct Tracer<'a> {

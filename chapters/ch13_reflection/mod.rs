@@ -25,6 +25,9 @@ use std::process::ExitCode;
 const PIXEL: Vec2 = vec2(0.432, 0.76);
 
 /// Draws the chapter's pictures.
+///
+/// # Errors
+/// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage) -> Drawn {
     let film = stage.film(16.0 / 9.0);
     let [from, to] = marbles::VIEW;

@@ -25,6 +25,9 @@ use std::process::ExitCode;
 type View = (Vec3, Vec3, f32);
 
 /// Draws the chapter's pictures.
+///
+/// # Errors
+/// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage) -> Drawn {
     let scene = glassware::still_life();
     let film = stage.film_of(960, 9, 16.0 / 9.0);

@@ -29,6 +29,9 @@ const PIXEL: Vec2 = vec2(0.432, 0.76);
 const CLOSE_UP: Vec3 = vec3(1.3, 0.4, 1.3);
 
 /// Draws the chapter's pictures.
+///
+/// # Errors
+/// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage) -> Drawn {
     let film = stage.film(16.0 / 9.0);
     let [from, to] = marbles::VIEW;

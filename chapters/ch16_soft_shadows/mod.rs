@@ -33,6 +33,9 @@ const fn with_samples(samples: u32) -> Whitted {
 }
 
 /// Draws the chapter's pictures.
+///
+/// # Errors
+/// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage) -> Drawn {
     let [whole, close] = posts::VIEWS;
     let film = stage.film_of(960, 16, 16.0 / 9.0);

@@ -30,6 +30,9 @@ const ALL: Path = Path {
 const DIRECT: Path = Path { depth: 1, ..ALL };
 
 /// Draws the chapter's pictures.
+///
+/// # Errors
+/// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage) -> Drawn {
     let film = stage.film_of(400, 64, 1.0);
     let cornell_box = View::cornell_box()?;

@@ -37,6 +37,9 @@ struct MapOptions {
 }
 
 /// Draws the chapter's pictures.
+///
+/// # Errors
+/// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage) -> Drawn {
     let tile = stage.tile(2, 1.6);
     let samples = 2 * tile.samples;

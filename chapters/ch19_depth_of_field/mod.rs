@@ -29,6 +29,9 @@ use std::process::ExitCode;
 use tea_table::{ALONG, EYE, FAR, FOCAL_LENGTH, NARROW_VIEW, POTS, VIEW, lamps, tea_table};
 
 /// Draws the chapter's pictures.
+///
+/// # Errors
+/// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage) -> Drawn {
     let (scene, lamps) = (tea_table(), lamps());
     let arrives = Some(shadow::lit as _);

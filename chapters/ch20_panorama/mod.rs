@@ -43,6 +43,9 @@ struct PanoramaOptions {
 }
 
 /// Draws the chapter's pictures.
+///
+/// # Errors
+/// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage) -> Drawn {
     let (pose, scene) = (Pose::level(EYE), pavilion::scene());
     let camera = Panorama { pose };

@@ -39,6 +39,9 @@ struct BackgroundOptions {
 const EXPOSURE: f32 = 1.1;
 
 /// Draws the chapter's pictures.
+///
+/// # Errors
+/// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage) -> Drawn {
     draw_before(stage, &starry_sky)
 }

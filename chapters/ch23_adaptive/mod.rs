@@ -31,6 +31,9 @@ const DIRECT: Whitted = Whitted {
 };
 
 /// Draws the chapter's pictures.
+///
+/// # Errors
+/// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage) -> Drawn {
     let film = stage.film(16.0 / 9.0);
     let scene = horizon::scene();

@@ -21,6 +21,9 @@ use raybook_workbook::exercises::ch25_capstone::Trace;
 use std::process::ExitCode;
 
 /// Draws the chapter's pictures.
+///
+/// # Errors
+/// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage) -> Drawn {
     let tile = stage.tile(2, ASPECT);
     let samples = tile.samples.min(9);

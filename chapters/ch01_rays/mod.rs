@@ -1,7 +1,7 @@
 //! A pin-hole camera turns each pixel into a ray, r(t) = o + t·d: from the focal point through the pixel's centre.
 //!
 //! New: threads.rs math/mod.rs math/dir3.rs math/ray.rs math/pcg.rs image/mod.rs image/rgb.rs
-//! New: camera/mod.rs camera/pinhole.rs render/mod.rs render/film.rs render/followed.rs
+//! New: camera/mod.rs camera/pinhole.rs sample/pattern/sobol.rs render/mod.rs render/film.rs render/followed.rs
 
 mod camera_diagram;
 

@@ -2,6 +2,7 @@
 //! and something must end it where mirrors face each other.
 //!
 //! New: material/mirror.rs material/polished.rs render/whitted.rs scene/marbles.rs
+//! New: sample/even.rs render/refine.rs
 
 pub mod kissing_balls;
 

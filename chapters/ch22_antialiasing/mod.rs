@@ -5,7 +5,7 @@
 //! New: sample/pattern/rotated_grid.rs sample/pattern/random_pattern.rs sample/pattern/jittered.rs
 //! New: sample/pattern/neighbours.rs sample/pattern/dart_throwing.rs sample/pattern/poisson_disk.rs
 //! New: sample/pattern/n_rooks.rs sample/pattern/multi_jittered.rs sample/pattern/halton.rs sample/pattern/r2.rs
-//! New: sample/pattern/sobol.rs sample/pattern/owen.rs sample/even.rs sample/pattern/best_candidate.rs
+//! New: sample/pattern/owen.rs sample/pattern/best_candidate.rs
 //! New: render/supersample.rs scene/horizon.rs
 
 use crate::kit::chapter;

@@ -1,7 +1,7 @@
 //! Most pixels show one surface, and a few rays are enough for them; edges and fine patterns need many. So look a few times
 //! everywhere, and again where the samples differ.
 //!
-//! New: render/refine.rs render/needs_more.rs render/budget.rs render/adaptive.rs
+//! New: render/needs_more.rs render/budget.rs render/adaptive.rs
 
 use crate::kit::chapter;
 use crate::kit::sheet::sheet;

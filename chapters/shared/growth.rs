@@ -13,7 +13,7 @@ use raybook::accel::{bvh::Bvh, grid::Grid};
 /// # Errors
 /// What plotters reports.
 pub fn list_and_tree() -> Figure {
-    let sizes = [100, 300, 1000, 3000, 10_000, 30_000, 100_000, 300_000];
+    let sizes = [100, 300, 1000, 3000, 10_000, 30_000, 100_000, 400_000];
     let tree = sizes.map(|n| {
         let tests = mean_tests(n, Reach::Inside, Bvh::new);
         (f64::from(n), tests[0] + tests[1])
@@ -31,7 +31,7 @@ pub fn list_and_tree() -> Figure {
 /// # Errors
 /// What plotters reports.
 pub fn grid() -> Figure {
-    let sizes = [100, 316, 1000, 3162, 10_000, 31_623, 100_000, 316_228];
+    let sizes = [100, 1000, 10_000, 100_000, 1_000_000];
     let counts = sizes.map(|n| {
         let tests = mean_tests(n, Reach::Across, Grid::of_facets);
         (f64::from(n), tests)

@@ -10,7 +10,7 @@ use crate::math::aabb::Aabb;
 /// - the leaves hold all boxes, one leaf after the other, none empty;
 /// - every node's box is the smallest that holds what is below;
 /// - the pairs lie depth-first, each the children of one branch;
-/// - no leaf is deeper than [`MAX_DEPTH`].
+/// - no leaf is deeper than `MAX_DEPTH`.
 ///
 /// # Errors
 /// Says which invariant is broken, and where.

@@ -1,8 +1,8 @@
 //! From boxes to a tree: the three stages of building a bounding volume hierarchy.
 //!
-//! 1. [`item`]: each shape's box, and its centre. Nothing else of a shape is looked at.
-//! 2. [`tree`]: top-down by the middle, the median or the surface-area heuristic, or bottom-up.
-//! 3. [`flat`]: the tree as a compact array without pointers.
+//! 1. `item`: each shape's box, and its centre. Nothing else of a shape is looked at.
+//! 2. `tree`: top-down by the middle, the median or the surface-area heuristic, or bottom-up.
+//! 3. `flat`: the tree as a compact array without pointers.
 
 mod binned;
 mod bottom_up;

@@ -23,11 +23,12 @@ const DENSITIES: [f32; 12] = [
 /// How many rays each grid is asked.
 const RAYS: usize = 600;
 
-/// Each grid is timed in so many rounds at least, and for so many seconds: what takes little time needs more of them.
+/// Rounds in which each grid is timed, at least.
 const ROUNDS: u32 = 3;
+/// Seconds for which each grid is timed, at least: what takes little time needs more rounds.
 const ENOUGH: f64 = 0.01;
 
-/// What a ray costs, on average, in a grid of so many cells per triangle.
+/// What a ray costs, on average, in a grid of a given density, in cells per triangle.
 #[derive(Clone, Copy, Debug)]
 pub struct Cost {
     /// λ.

@@ -47,7 +47,7 @@ pub fn maps(
     with_scale(2, &rows.concat())
 }
 
-/// A two-level grid of the stadium with so many coarse cells per triangle.
+/// A two-level grid of the stadium with `coarse` coarse cells per triangle.
 pub fn two_levels(stadium: &Stadium, coarse: f32) -> TwoLevelGrid<Facet> {
     let densities = Densities {
         coarse,

@@ -9,7 +9,7 @@ use raybook::math::ray::Ray;
 use raybook::shape::mesh::{Facet, Mesh};
 use raybook::shape::{Hit, Shape, Surface, cuboid::Cuboid};
 
-/// The cells that are not empty, as blocks: after so many cuts as `depth` says for a cell's place, or leaves before.
+/// The cells that are not empty, as blocks: cells after `depth(place)` cuts, or leaves that come before.
 pub fn cells(octree: &Octree<Facet>, depth: impl Fn(Vec3) -> u32) -> Vec<Cuboid> {
     let tree = octree::tree(octree);
     let is_shown = |place: &Place| {
@@ -37,7 +37,7 @@ pub fn shade(block: &Cuboid, ray: &Ray, hit: &Hit) -> Rgb {
 
 /// The mesh turning into blocks from left to right, after 7, 6, 5 and 4 cuts: the blocks, and the facets that are kept.
 pub fn dissolving(mesh: &Mesh, octree: &Octree<Facet>) -> (Vec<Cuboid>, Vec<Facet>) {
-    /// The first of 16 columns in which there are so many cuts.
+    /// The first of 16 columns, and the number of cuts from there on.
     const COLUMNS: [(f32, u32); 4] = [(14.0, 4), (12.0, 5), (10.0, 6), (7.0, 7)];
     let root = octree::tree(octree).bounds;
     let column = |p: Vec3| 16.0 * (p.x - root.min.x) / root.size().x;

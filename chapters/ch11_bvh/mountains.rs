@@ -6,7 +6,7 @@ use raybook::image::rgb::Rgb;
 use raybook::math::dir3::Dir3;
 use raybook::shape::Surface;
 
-/// A metre of the model is so many metres of mountains, as far as the air is concerned.
+/// Metres of air in front of the mountains for each metre of the model.
 const METRES: f32 = 1.8;
 
 /// Where the evening sun stands.
@@ -14,7 +14,7 @@ pub fn toward_sun() -> Dir3 {
     Dir3::new_or(vec3(0.80, 0.42, 0.10), Dir3::Y)
 }
 
-/// A point of the mountains, so far from the eye, in the light of sun and sky, behind the air.
+/// The colour of a point of the mountains at a distance from the eye in metres, in the light of sun and sky, behind the air.
 pub fn shade(at: &Surface, distance: f32, in_sunlight: bool) -> Rgb {
     let toward = at.shading_normal.dot(*toward_sun()).max(0.0);
     let sunlight = Rgb::new(2.3, 1.75, 1.15) * if in_sunlight { toward } else { 0.0 };

@@ -23,7 +23,7 @@ use std::process::ExitCode;
 /// A shadow ray for each sample of a pixel: the samples that smooth edges find the penumbrae too.
 const ONE_SAMPLE: Whitted = with_samples(1);
 
-/// The light from lights alone, by so many shadow rays for each sample of a pixel.
+/// The light from lights alone, by `samples` shadow rays to each light for each sample of a pixel.
 const fn with_samples(samples: u32) -> Whitted {
     let local = Local {
         samples,

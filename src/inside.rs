@@ -86,7 +86,7 @@ pub mod bvh {
     /// What a step of its search costs.
     pub const COST: Cost = bvh::COST;
 
-    /// A tree over boxes: finite ones, with coordinates up to 1e18.
+    /// A tree over boxes: finite ones, within the [domain](crate::math::domain).
     pub fn build(boxes: &[Aabb], method: Method, cost: &Cost) -> Flat {
         bvh::build::build(boxes, method, cost)
     }

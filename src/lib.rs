@@ -9,7 +9,7 @@
 //!
 //! # Conventions
 //!
-//! The world is right-handed, y points up, lengths are metres, numbers are `f32`. A [`Dir3`](math::dir3::Dir3) has
+//! The world is right-handed, y points up, lengths are metres, from 1e-9 to 1e9 (the [domain](math::domain)), numbers are `f32`. A [`Dir3`](math::dir3::Dir3) has
 //! length 1, so a ray's parameter t is a distance. A miss is `None`. Radiance is an [`Rgb`](image::rgb::Rgb), linear and
 //! without an upper limit. Every random number follows from a seed: the same seed gives the same picture, bit for bit,
 //! whatever the number of threads. A path names its file: `shape::sphere::Sphere` is in `src/shape/sphere.rs`.
@@ -20,29 +20,34 @@
 //!
 //! | floor | modules |
 //! |---|---|
-//! | 0 | threads, math |
+//! | 0 | threads, memory, store, math |
 //! | 1 | image |
 //! | 2 | shape, sample |
 //! | 3 | accel |
 //! | 4 | light, material, scene |
 //! | 5 | camera |
 //! | 6 | render |
+//! | 7 | prelude |
 //!
 //! # Where is what
 //!
 //! | what | where in `src/` |
 //! |---|---|
+//! | what most programs use, in one line | `prelude.rs` |
 //! | rays, unit directions, the stretch of a ray that counts | `math/ray.rs` `math/dir3.rs` `math/interval.rs` |
 //! | boxes, and a ray's way through one by slabs | `math/aabb.rs` `math/slab.rs` |
+//! | the lengths for which all of this holds | `math/domain.rs` |
 //! | the quadratic equation without cancellation | `math/quadratic.rs` |
 //! | random numbers: a stream for each pixel | `math/pcg.rs` |
 //! | sampling a tabulated density | `math/piecewise.rs` |
 //! | radiance, exposure, tone curves, sRGB | `image/rgb.rs` `image/tone.rs` |
 //! | EXR, HDR and PNG files | `image/file.rs` |
+//! | files that appear whole or not at all, and how large they may be | `store.rs` `memory.rs` |
 //! | how much two pictures differ | `image/compare.rs` `image/rms.rs` |
 //! | what a shape must answer; leaving a surface without hitting it again | `shape/mod.rs` |
 //! | sphere, plane, box | `shape/sphere.rs` `shape/plane.rs` `shape/cuboid.rs` |
 //! | triangle: Möller–Trumbore, plane first, determinants, watertight | `shape/triangle.rs` `shape/triangle_by_plane.rs` `shape/triangle_by_determinants.rs` `shape/triangle_watertight.rs` |
+//! | a shape seen elsewhere: instances | `shape/placed.rs` |
 //! | meshes, their normals and texture coordinates; OBJ and STL files | `shape/mesh.rs` `shape/attributes.rs` `shape/mesh_file.rs` |
 //! | Bézier patches and the teapot | `shape/bezier.rs` `shape/teapot.rs` |
 //! | sampling patterns of a pixel | `sample/pattern/mod.rs` |
@@ -56,9 +61,11 @@
 //! | eight boxes at once, vector instructions | `accel/wide_bvh/mod.rs` `accel/wide_bvh/avx2.rs` |
 //! | what a light must answer; point, directional, rectangular and spherical lights | `light/mod.rs` `light/point.rs` `light/directional.rs` `light/rect_light.rs` `light/sphere_light.rs` |
 //! | light from everywhere: cube maps and sphere maps | `light/environment/mod.rs` |
-//! | what a material must answer; Phong, Blinn, mirror, glass | `material/mod.rs` `material/phong.rs` `material/blinn_phong.rs` `material/mirror.rs` `material/glass.rs` |
+//! | what a material must answer, and its lobes; Phong, Blinn, mirror, glass | `material/mod.rs` `material/phong.rs` `material/blinn_phong.rs` `material/mirror.rs` `material/glass.rs` |
 //! | Snell's law, Fresnel's equations | `material/refract.rs` `material/fresnel.rs` |
-//! | BRDFs: Lambert, modified Phong | `material/brdf.rs` `material/lambert.rs` `material/modified_phong.rs` |
+//! | matte and glossy surfaces that keep the laws of nature: Lambert, modified Phong | `material/lambert.rs` `material/modified_phong.rs` |
+//! | metals, smooth and rough (GGX) | `material/conductor.rs` `material/ggx.rs` |
+//! | textures: another material at each place | `material/texture.rs` `material/checkered.rs` |
 //! | scenes; scenes described by numbers | `scene/world.rs` `scene/description.rs` |
 //! | pin-hole, thin lens, fisheye, panorama | `camera/pinhole.rs` `camera/thin_lens.rs` `camera/fisheye.rs` `camera/panorama.rs` |
 //! | the film loop; how many rays were followed | `render/film.rs` `render/followed.rs` |
@@ -81,8 +88,13 @@ pub mod inside;
 pub mod light;
 pub mod material;
 pub mod math;
+pub mod memory;
+#[cfg(feature = "files")]
+pub mod prelude;
 pub mod render;
 pub mod sample;
 pub mod scene;
 pub mod shape;
+#[cfg(feature = "files")]
+pub mod store;
 mod threads;

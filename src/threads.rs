@@ -44,17 +44,15 @@ mod many {
         list.par_sort_by_cached_key(key);
     }
 
-    /// The answers of n workers who share the work among themselves, each on a thread of its own.
-    pub(crate) fn workers<T: Send>(n: usize, work: impl Fn() -> T + Sync) -> Vec<T> {
+    /// Has n workers share the work among themselves, each on a thread of its own.
+    pub(crate) fn workers(n: usize, work: &(dyn Fn() + Sync)) {
         thread::scope(|scope| {
-            let workers: Vec<_> = (0..n).map(|_| scope.spawn(&work)).collect();
-            let answer = |worker: thread::ScopedJoinHandle<'_, T>| {
+            for worker in (0..n).map(|_| scope.spawn(work)).collect::<Vec<_>>() {
                 worker
                     .join()
-                    .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
-            };
-            workers.into_iter().map(answer).collect()
-        })
+                    .unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+            }
+        });
     }
 }
 
@@ -76,8 +74,8 @@ mod one {
         list.sort_by_cached_key(key);
     }
 
-    /// The answer of the one worker there is.
-    pub(crate) fn workers<T>(_n: usize, work: impl Fn() -> T) -> Vec<T> {
-        vec![work()]
+    /// Has the one worker there is do the work.
+    pub(crate) fn workers(_n: usize, work: &(dyn Fn() + Sync)) {
+        work();
     }
 }

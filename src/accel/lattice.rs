@@ -32,6 +32,11 @@ impl Lattice {
         self.resolution.as_usizevec3().element_product()
     }
 
+    /// How many cells there are from `first` to `last`, both included.
+    pub fn cells_between(&self, first: UVec3, last: UVec3) -> usize {
+        (last - first + UVec3::ONE).as_usizevec3().element_product()
+    }
+
     /// All cells together.
     pub fn bounds(&self) -> Aabb {
         self.bounds_of(UVec3::ZERO, self.resolution - UVec3::ONE)

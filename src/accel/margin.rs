@@ -1,6 +1,6 @@
 //! How far a cell looks beyond its planes, so that no hit is lost to rounding.
 
-use crate::math::{aabb::Aabb, ray::Ray};
+use crate::math::{aabb::Aabb, domain::SMALLEST, ray::Ray};
 
 /// What a cell must look beyond its planes, in metres, in a structure with these bounds.
 ///
@@ -11,7 +11,7 @@ use crate::math::{aabb::Aabb, ray::Ray};
 pub(super) fn margin(bounds: &Aabb) -> f32 {
     let largest = bounds.min.abs().max(bounds.max.abs()).max_element();
     let extent = bounds.size().max_element();
-    extent / 8192.0 + 4.0 * f32::EPSILON * largest + f32::MIN_POSITIVE
+    extent / 8192.0 + 4.0 * f32::EPSILON * largest + SMALLEST / 8192.0
 }
 
 /// Whether a ray starts so far away that rounding moves hits by more than the margin.

@@ -1,6 +1,7 @@
 //! Floor 3: which of many shapes a ray hits first.
 
 mod bounded;
+mod budget;
 pub mod bvh;
 pub mod grid;
 pub(crate) mod lattice;

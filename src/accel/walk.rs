@@ -33,8 +33,8 @@ pub fn walk(
     let plane_ahead = |axis: usize, cell: u32| {
         let plane = cell + u32::from(!backward(axis));
         let t = first[axis] + plane as f32 * apart[axis];
-        // ∞ − ∞ where the ray does not move along this axis: it never meets a plane.
-        if t.is_nan() { f32::INFINITY } else { t }
+        // ∞, −∞ or ∞ − ∞ where the ray does not move along this axis, or next to nothing: it never meets a plane.
+        if t.is_finite() { t } else { f32::INFINITY }
     };
     let mut next = vec3(
         plane_ahead(0, cell.x),

@@ -1,9 +1,13 @@
 //! The bytes of picture files, by the crates `exr` and `image`.
 
 use crate::image::{Image, rgb::Rgb, tone};
+use crate::memory::{BUDGET, gigabytes};
+use exr::meta::BlockDescription;
+use exr::meta::header::Header;
 use exr::prelude::{ReadChannels, ReadLayers, WritableImage};
-use image::ImageEncoder;
+use image::{ImageDecoder, ImageEncoder, ImageError, ImageResult, Limits};
 use std::io::Cursor;
+use std::thread;
 
 /// No EXR file packs more pixels into a byte: its densest blocks, of 256 rows, take tens of bytes each.
 /// A damaged header may claim any size, and memory for it must not be asked for before it is known to be a lie.
@@ -23,6 +27,22 @@ pub(super) fn encode_exr(picture: &Image) -> Result<Vec<u8>, String> {
     Ok(bytes.into_inner())
 }
 
+/// Refuses a picture that would take more than the [`BUDGET`]: this many bytes while it is decoded, and the pixels themselves.
+fn afford(width: u64, height: u64, decoding: u64) -> Result<(), String> {
+    let pixels = width.saturating_mul(height);
+    let needed = pixels
+        .saturating_mul(size_of::<Rgb>() as u64)
+        .saturating_add(decoding);
+    if needed <= BUDGET {
+        return Ok(());
+    }
+    Err(format!(
+        "{width} × {height} pixels take {} of memory, and a picture may take {}; scale it down, or cut it up",
+        gigabytes(needed),
+        gigabytes(BUDGET)
+    ))
+}
+
 pub(super) fn decode_exr(bytes: &[u8]) -> Result<Image, String> {
     let file = exr::block::read(Cursor::new(bytes), false).map_err(|e| e.to_string())?;
     for header in file.headers() {
@@ -34,6 +54,7 @@ pub(super) fn decode_exr(bytes: &[u8]) -> Result<Image, String> {
                 bytes.len()
             ));
         }
+        afford(width as u64, height as u64, blocks_of_exr(header))?;
     }
     let read = exr::prelude::read()
         .no_deep_data()
@@ -49,6 +70,24 @@ pub(super) fn decode_exr(bytes: &[u8]) -> Result<Image, String> {
         .from_chunks(file);
     read.map(|file| file.layer_data.channel_data.pixels)
         .map_err(|e| e.to_string())
+}
+
+/// Bytes of the blocks that the decoder holds at the same time, packed and unpacked.
+fn blocks_of_exr(header: &Header) -> u64 {
+    let [width, height] = [header.layer_size.width(), header.layer_size.height()];
+    let lines = header.compression.scan_lines_per_block();
+    let block = match header.blocks {
+        BlockDescription::ScanLines => width.saturating_mul(lines),
+        BlockDescription::Tiles(tiles) => {
+            let [across, down] = [tiles.tile_size.width(), tiles.tile_size.height()];
+            across.saturating_mul(down)
+        }
+    };
+    // One for each thread, and two that wait (`ParallelBlockDecompressor`), but no more than there are.
+    let threads = thread::available_parallelism().map_or(1, usize::from);
+    let blocks = (width.saturating_mul(height) / block.max(1) + 1).min(threads + 2);
+    let bytes = block.saturating_mul(header.channels.bytes_per_pixel);
+    (2 * blocks).saturating_mul(bytes) as u64
 }
 
 pub(super) fn encode_hdr(picture: &Image) -> Result<Vec<u8>, String> {
@@ -84,17 +123,59 @@ pub(super) fn encode_png(picture: &Image) -> Result<Vec<u8>, String> {
     Ok(bytes.into_inner())
 }
 
-pub(super) fn decode_with_image(
-    bytes: &[u8],
-    format: image::ImageFormat,
+pub(super) fn decode_hdr(bytes: &[u8]) -> Result<Image, String> {
+    decode(
+        image::codecs::hdr::HdrDecoder::new(Cursor::new(bytes)),
+        |v| v,
+    )
+}
+
+/// The linear radiance of a PNG's code values, without their opacity.
+pub(super) fn decode_png(bytes: &[u8]) -> Result<Image, String> {
+    // For what is beside the pixels: colour profiles and texts.
+    let mut limits = Limits::default();
+    limits.max_alloc = Some(BUDGET);
+    let decoder = image::codecs::png::PngDecoder::with_limits(Cursor::new(bytes), limits);
+    decode(decoder, tone::decode_srgb)
+}
+
+/// What a decoder found.
+fn told(error: &ImageError) -> String {
+    match error {
+        ImageError::Limits(_) => format!(
+            "decoding it takes more memory than a picture may take, {}; scale it down, or cut it up",
+            gigabytes(BUDGET)
+        ),
+        error => error.to_string(),
+    }
+}
+
+/// The picture of a decoder; memory is asked for when its header has been found affordable.
+fn decode<D: ImageDecoder>(
+    decoder: ImageResult<D>,
     to_linear: fn(f32) -> f32,
 ) -> Result<Image, String> {
-    let decoded = image::load_from_memory_with_format(bytes, format)
-        .map_err(|e| e.to_string())?
-        .to_rgb32f();
-    let (width, height) = (decoded.width() as usize, decoded.height() as usize);
+    let decoder = decoder.map_err(|e| told(&e))?;
+    let (width, height) = decoder.dimensions();
+    let (colour, size) = (decoder.color_type(), decoder.total_bytes());
+    afford(width.into(), height.into(), size)?;
+    let channels = usize::from(colour.channel_count());
+    let bytes = usize::from(colour.bytes_per_pixel()) / channels;
+    let value = match bytes {
+        1 => |sample: &[u8]| f32::from(sample[0]) / 255.0,
+        2 => |sample: &[u8]| f32::from(u16::from_ne_bytes([sample[0], sample[1]])) / 65535.0,
+        4 => |sample: &[u8]| f32::from_ne_bytes([sample[0], sample[1], sample[2], sample[3]]),
+        _ => return Err(format!("its samples are of an unknown kind, {colour:?}")),
+    };
+    let mut samples = vec![0; size as usize];
+    decoder.read_image(&mut samples).map_err(|e| told(&e))?;
+    let sample = |i: usize| to_linear(value(&samples[i * bytes..][..bytes]));
+    let (width, height) = (width as usize, height as usize);
     Ok(Image::from_fn(width, height, |x, y| {
-        let [r, g, b] = decoded.get_pixel(x as u32, y as u32).0;
-        Rgb::new(r, g, b).map(to_linear)
+        let first = (y * width + x) * channels;
+        match channels {
+            1 | 2 => Rgb::gray(sample(first)),
+            _ => Rgb::new(sample(first), sample(first + 1), sample(first + 2)),
+        }
     }))
 }

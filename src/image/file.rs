@@ -1,23 +1,16 @@
 //! Picture files: OpenEXR and Radiance HDR keep the radiance, PNG keeps what a display shows.
 
-use crate::image::{Image, codec, tone};
-use std::fs;
+use crate::image::{Image, codec};
+use crate::store::{self, StoreError};
 use std::io;
 use std::path::{Path, PathBuf};
 
 /// Why a picture could not be read or written; every kind names the file.
 #[derive(Debug, thiserror::Error)]
 pub enum FileError {
-    /// The system refused.
-    #[error("{}: cannot {doing} this file: {reason}", path.display())]
-    Io {
-        /// The file.
-        path: PathBuf,
-        /// "read" or "write".
-        doing: &'static str,
-        /// The system's answer.
-        reason: io::Error,
-    },
+    /// The system refused, or it is no file.
+    #[error(transparent)]
+    Store(#[from] StoreError),
     /// The name does not end like a picture's.
     #[error("{}: a picture's name must end in .exr, .hdr or .png", path.display())]
     Format {
@@ -70,41 +63,28 @@ pub fn save(path: &Path, picture: &Image) -> Result<(), FileError> {
             height: picture.height(),
         });
     }
-    let failed = |reason| FileError::Io {
-        path: path.into(),
-        doing: "write",
-        reason,
-    };
     let bytes = match format {
         Format::Exr => codec::encode_exr(picture),
         Format::Hdr => codec::encode_hdr(picture),
         Format::Png => codec::encode_png(picture),
     };
+    let failed = StoreError::of(path, "write this file");
     let bytes = bytes.map_err(|reason| failed(io::Error::other(reason)))?;
-    write_whole(path, &bytes).map_err(failed)
+    Ok(store::write(path, &bytes)?)
 }
 
 /// Reads a picture of linear radiance; a PNG's code values are decoded from sRGB.
 ///
 /// # Errors
-/// If the file cannot be read, holds something else than its name promises, or no pixels.
+/// If the file cannot be read, holds something else than its name promises, no pixels, or so many that decoding them would take
+/// more memory than the [budget](crate::memory::BUDGET): its header is asked first.
 pub fn load(path: &Path) -> Result<Image, FileError> {
     let format = format_of(path)?;
-    let bytes = fs::read(path).map_err(|reason| FileError::Io {
-        path: path.into(),
-        doing: "read",
-        reason,
-    })?;
+    let bytes = store::read(path)?;
     let (name, decoded) = match format {
         Format::Exr => ("OpenEXR", codec::decode_exr(&bytes)),
-        Format::Hdr => (
-            "Radiance HDR",
-            codec::decode_with_image(&bytes, image::ImageFormat::Hdr, |v| v),
-        ),
-        Format::Png => (
-            "PNG",
-            codec::decode_with_image(&bytes, image::ImageFormat::Png, tone::decode_srgb),
-        ),
+        Format::Hdr => ("Radiance HDR", codec::decode_hdr(&bytes)),
+        Format::Png => ("PNG", codec::decode_png(&bytes)),
     };
     let some = |picture: Image| match picture.pixels() {
         [] => Err("it has no pixels".to_owned()),
@@ -115,29 +95,6 @@ pub fn load(path: &Path) -> Result<Image, FileError> {
         format: name,
         reason,
     })
-}
-
-/// Writes a file so that it appears whole or not at all: under the name `….partial` first, then renamed.
-///
-/// # Errors
-/// If the folder cannot be made or the file cannot be written.
-pub fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    if let Some(folder) = path.parent() {
-        fs::create_dir_all(folder).map_err(|e| {
-            io::Error::new(
-                e.kind(),
-                format!("the folder {} cannot be made: {e}", folder.display()),
-            )
-        })?;
-    }
-    let mut partial = path.as_os_str().to_owned();
-    partial.push(".partial");
-    let written = fs::write(&partial, bytes).and_then(|()| fs::rename(&partial, path));
-    if written.is_err() {
-        // The first error is the one worth reporting.
-        let _ = fs::remove_file(&partial);
-    }
-    written
 }
 
 fn format_of(path: &Path) -> Result<Format, FileError> {

@@ -48,6 +48,11 @@ impl Rgb {
         0.2126 * self.r + 0.7152 * self.g + 0.0722 * self.b
     }
 
+    /// The largest channel.
+    pub fn max_channel(self) -> f32 {
+        self.r.max(self.g).max(self.b)
+    }
+
     /// The colour a fraction x of the way from self to other: (1 − x)·self + x·other.
     #[must_use]
     #[inline]

@@ -44,3 +44,15 @@ pub struct LightSample {
     /// The density of this direction, per steradian; ∞ for a light without extent, whose direction is no choice.
     pub pdf: f32,
 }
+
+impl LightSample {
+    /// Light of 1 W/m² from a direction, from infinitely far away.
+    pub fn unit(toward: Dir3) -> Self {
+        Self {
+            toward,
+            distance: f32::INFINITY,
+            arriving: Rgb::WHITE,
+            pdf: f32::INFINITY,
+        }
+    }
+}

@@ -4,7 +4,9 @@ use crate::image::rgb::Rgb;
 use crate::light::LightSample;
 use crate::material::{Material, phong::Phong};
 use crate::math::dir3::Dir3;
+use crate::sample::hemisphere::{cosine_hemisphere, cosine_pdf};
 use crate::shape::Surface;
+use glam::Vec2;
 
 /// As [`Phong`], with (N·H)^α in the place of (R·V)^α (Blinn, "Models of light reflection for computer synthesized
 /// pictures", 1977).
@@ -29,6 +31,25 @@ impl BlinnPhong {
 }
 
 impl Material for BlinnPhong {
+    /// As Phong's.
+    fn eval(&self, at: &Surface, view: Dir3, toward: Dir3) -> Rgb {
+        let cosine = at.facing(view).dot(*toward);
+        if cosine <= 0.0 {
+            return Rgb::BLACK;
+        }
+        self.lit(at, view, &LightSample::unit(toward)) / cosine
+    }
+
+    /// By the cosine: right for the matte part, and possible for the highlight.
+    fn sample(&self, at: &Surface, view: Dir3, u: Vec2) -> Option<Dir3> {
+        Some(cosine_hemisphere(at.facing(view), u))
+    }
+
+    fn pdf(&self, at: &Surface, view: Dir3, toward: Dir3) -> f32 {
+        cosine_pdf(at.facing(view).dot(*toward))
+    }
+
+    /// The model itself: what arrives comes multiplied by the cosine where the model says so.
     fn lit(&self, at: &Surface, view: Dir3, light: &LightSample) -> Rgb {
         self.reflect(at.facing(view), view, light)
     }

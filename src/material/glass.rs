@@ -1,10 +1,9 @@
 //! Glass, water and air: media that light goes through, and the surfaces between them.
 
 use crate::image::rgb::Rgb;
-use crate::light::LightSample;
 use crate::material::fresnel::fresnel;
 use crate::material::refract::refract;
-use crate::material::{Material, See, mirror::reflect};
+use crate::material::{Delta, Material, mirror::reflect};
 use crate::math::dir3::Dir3;
 use crate::shape::Surface;
 
@@ -72,14 +71,9 @@ impl Glass {
 }
 
 impl Material for Glass {
-    /// A smooth surface shows a light only in its mirror direction, where a light without extent never is.
-    fn lit(&self, _at: &Surface, _view: Dir3, _light: &LightSample) -> Rgb {
-        Rgb::BLACK
-    }
-
     // ANCHOR: glass
     /// R·(what is seen in the surface) + (1 − R)·(what is seen through it), each less what the medium on the way absorbs.
-    fn beyond(&self, at: &Surface, view: Dir3, see: &mut See) -> Rgb {
+    fn deltas(&self, at: &Surface, view: Dir3, tell: &mut dyn FnMut(Delta)) {
         let normal = at.facing(view);
         let (here, there) = if at.normal.dot(*view) < 0.0 {
             (self.inside, self.outside)
@@ -88,18 +82,23 @@ impl Material for Glass {
         };
         let cosine = normal.dot(*view);
         let share = fresnel(cosine, here.index, there.index).unpolarised;
-        let mut way = |share: f32, medium: Medium, direction: Dir3| {
-            let sight = see(&at.leave(direction), share);
-            sight.radiance * medium.transmittance(sight.distance) * share
+        let mut lobe = |toward: Dir3, share: f32, medium: Medium| {
+            tell(Delta {
+                toward,
+                share: Rgb::gray(share),
+                medium,
+            });
         };
-        let mut radiance = Rgb::BLACK;
         if share > 0.0 {
-            radiance += way(share, here, reflect(-view, normal));
+            lobe(reflect(-view, normal), share, here);
         }
         if let Some(refracted) = refract(-view, normal, here.index, there.index) {
-            radiance += way(1.0 - share, there, refracted);
+            lobe(refracted, 1.0 - share, there);
         }
-        radiance
     }
     // ANCHOR_END: glass
+
+    fn scatters(&self, _at: &Surface) -> bool {
+        false
+    }
 }

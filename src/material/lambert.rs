@@ -1,7 +1,7 @@
 //! The ideally matt surface.
 
 use crate::image::rgb::Rgb;
-use crate::material::brdf::Brdf;
+use crate::material::Material;
 use crate::math::dir3::Dir3;
 use crate::sample::hemisphere::{cosine_hemisphere, cosine_pdf};
 use crate::shape::Surface;
@@ -15,7 +15,7 @@ pub struct Lambert {
     pub albedo: Rgb,
 }
 
-impl Brdf for Lambert {
+impl Material for Lambert {
     // ANCHOR: lambert
     /// ρ/π: the hemisphere's ∫ cos θ dω is π, so that a share ρ of what arrives leaves again.
     fn eval(&self, at: &Surface, view: Dir3, toward: Dir3) -> Rgb {

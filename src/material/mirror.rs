@@ -1,8 +1,7 @@
 //! The mirror.
 
 use crate::image::rgb::Rgb;
-use crate::light::LightSample;
-use crate::material::{Material, See};
+use crate::material::{Delta, Material, glass::Medium};
 use crate::math::dir3::Dir3;
 use crate::shape::Surface;
 
@@ -24,22 +23,25 @@ pub fn reflect(incoming: Dir3, normal: Dir3) -> Dir3 {
 // ANCHOR_END: reflect
 
 impl Material for Mirror {
-    /// Nothing: a point light is seen in a mirror in one direction only, and no ray meets it by chance.
-    fn lit(&self, _at: &Surface, _view: Dir3, _light: &LightSample) -> Rgb {
-        Rgb::BLACK
-    }
-
     // ANCHOR: mirror
     /// The share of what the mirrored ray sees.
     ///
     /// At a grazing angle an interpolated normal may send it below the surface; then the surface's own normal is asked.
-    fn beyond(&self, at: &Surface, view: Dir3, see: &mut See) -> Rgb {
+    fn deltas(&self, at: &Surface, view: Dir3, tell: &mut dyn FnMut(Delta)) {
         let side = |d: Dir3| at.normal.dot(*d) < 0.0;
-        let mut mirrored = reflect(-view, at.shading_normal);
-        if side(mirrored) != side(view) {
-            mirrored = reflect(-view, at.normal);
+        let mut toward = reflect(-view, at.shading_normal);
+        if side(toward) != side(view) {
+            toward = reflect(-view, at.normal);
         }
-        self.share * see(&at.leave(mirrored), 1.0).radiance
+        tell(Delta {
+            toward,
+            share: self.share,
+            medium: Medium::AIR,
+        });
     }
     // ANCHOR_END: mirror
+
+    fn scatters(&self, _at: &Surface) -> bool {
+        false
+    }
 }

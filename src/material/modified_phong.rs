@@ -1,7 +1,7 @@
 //! Phong's model as a BRDF that keeps the laws of nature.
 
 use crate::image::rgb::Rgb;
-use crate::material::brdf::Brdf;
+use crate::material::Material;
 use crate::math::dir3::Dir3;
 use crate::sample::hemisphere::{cosine_hemisphere, cosine_pdf, lobe, lobe_pdf};
 use crate::shape::Surface;
@@ -54,7 +54,7 @@ fn mirrored(normal: Dir3, view: Dir3) -> Dir3 {
     Dir3::new_or(2.0 * view.dot(*normal) * *normal - *view, normal)
 }
 
-impl Brdf for ModifiedPhong {
+impl Material for ModifiedPhong {
     fn eval(&self, at: &Surface, view: Dir3, toward: Dir3) -> Rgb {
         self.value(at.facing(view), view, toward)
     }

@@ -4,7 +4,9 @@ use crate::image::rgb::Rgb;
 use crate::light::LightSample;
 use crate::material::Material;
 use crate::math::dir3::Dir3;
+use crate::sample::hemisphere::{cosine_hemisphere, cosine_pdf};
 use crate::shape::Surface;
+use glam::Vec2;
 
 /// Ambient, diffuse and specular reflection (Phong, "Illumination for computer generated pictures", 1975).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,6 +43,26 @@ impl Phong {
 }
 
 impl Material for Phong {
+    /// f is what light of 1 W/m² becomes, over the cosine that is in it. It grows without bound at the horizon, and the model
+    /// sends out more than it gets if k_s is large: it was made to look right, before anybody asked for energy.
+    fn eval(&self, at: &Surface, view: Dir3, toward: Dir3) -> Rgb {
+        let cosine = at.facing(view).dot(*toward);
+        if cosine <= 0.0 {
+            return Rgb::BLACK;
+        }
+        self.lit(at, view, &LightSample::unit(toward)) / cosine
+    }
+
+    /// By the cosine: right for the matte part, and possible for the highlight.
+    fn sample(&self, at: &Surface, view: Dir3, u: Vec2) -> Option<Dir3> {
+        Some(cosine_hemisphere(at.facing(view), u))
+    }
+
+    fn pdf(&self, at: &Surface, view: Dir3, toward: Dir3) -> f32 {
+        cosine_pdf(at.facing(view).dot(*toward))
+    }
+
+    /// The model itself: what arrives comes multiplied by the cosine where the model says so.
     fn lit(&self, at: &Surface, view: Dir3, light: &LightSample) -> Rgb {
         self.reflect(at.facing(view), view, light)
     }

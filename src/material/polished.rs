@@ -2,9 +2,10 @@
 
 use crate::image::rgb::Rgb;
 use crate::light::LightSample;
-use crate::material::{Material, See, mirror::Mirror};
+use crate::material::{Delta, Material, mirror::Mirror};
 use crate::math::dir3::Dir3;
 use crate::shape::Surface;
+use glam::Vec2;
 
 /// What the polish does not mirror goes through it, to the material below.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,16 +24,39 @@ impl<M> Polished<M> {
 }
 
 impl<M: Material> Material for Polished<M> {
-    fn lit(&self, at: &Surface, view: Dir3, light: &LightSample) -> Rgb {
-        self.through() * self.below.lit(at, view, light)
+    fn eval(&self, at: &Surface, view: Dir3, toward: Dir3) -> Rgb {
+        self.through() * self.below.eval(at, view, toward)
+    }
+
+    fn sample(&self, at: &Surface, view: Dir3, u: Vec2) -> Option<Dir3> {
+        self.below.sample(at, view, u)
+    }
+
+    fn pdf(&self, at: &Surface, view: Dir3, toward: Dir3) -> f32 {
+        self.below.pdf(at, view, toward)
+    }
+
+    fn emitted(&self, at: &Surface, view: Dir3) -> Rgb {
+        self.through() * self.below.emitted(at, view)
     }
 
     fn ambient(&self, at: &Surface) -> Rgb {
         self.through() * self.below.ambient(at)
     }
 
-    fn beyond(&self, at: &Surface, view: Dir3, see: &mut See) -> Rgb {
-        let mirrored = self.mirror.beyond(at, view, see);
-        mirrored + self.through() * self.below.beyond(at, view, see)
+    fn deltas(&self, at: &Surface, view: Dir3, tell: &mut dyn FnMut(Delta)) {
+        self.mirror.deltas(at, view, tell);
+        self.below.deltas(at, view, &mut |lobe| {
+            let share = self.through() * lobe.share;
+            tell(Delta { share, ..lobe });
+        });
+    }
+
+    fn scatters(&self, at: &Surface) -> bool {
+        self.below.scatters(at)
+    }
+
+    fn lit(&self, at: &Surface, view: Dir3, light: &LightSample) -> Rgb {
+        self.through() * self.below.lit(at, view, light)
     }
 }

@@ -5,6 +5,7 @@
 pub mod aabb;
 pub mod basis;
 pub mod dir3;
+pub mod domain;
 pub mod interval;
 pub mod pcg;
 pub mod piecewise;

@@ -9,7 +9,10 @@ use glam::{Vec2, vec2};
 use rand::RngExt;
 use std::fmt;
 use std::iter::once;
+use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::thread::available_parallelism;
 
 /// Edge of a tile in pixels: small enough to share the work evenly, large enough to fetch seldom.
 const TILE: usize = 16;
@@ -52,10 +55,25 @@ pub struct Done {
     pub rays: u64,
 }
 
+/// What a pixel is, by column, row and its random numbers; and the rays that it took.
+pub type Pixel<'a, T> = dyn Fn(usize, usize, &mut Pcg) -> (T, u64) + Sync + 'a;
+
 /// Samples that every pixel of [`Film::render_edges`] gets.
 const FIRST: usize = 2;
 
 impl Film<'_> {
+    /// A film that is drawn by all processors, from the seed 0, and tells nobody how far it is.
+    pub fn new(width: usize, height: usize, samples: usize) -> Self {
+        Self {
+            width,
+            height,
+            samples,
+            seed: 0,
+            threads: available_parallelism().map_or(1, usize::from),
+            progress: &|_| {},
+        }
+    }
+
     /// Width over height.
     pub fn aspect(&self) -> f32 {
         self.width as f32 / self.height as f32
@@ -94,14 +112,18 @@ impl Film<'_> {
         &self,
         radiance: impl Fn(Vec2, &mut Pcg) -> S + Sync,
     ) -> Image {
+        self.draw_edges(&|place, rng| radiance(place, rng).into())
+    }
+
+    fn draw_edges(&self, radiance: &(dyn Fn(Vec2, &mut Pcg) -> Followed + Sync)) -> Image {
         let size = vec2(self.width as f32, self.height as f32);
         let first = FIRST.min(self.samples);
-        let begun = self.each_pixel(|x, y, rng| {
+        let begun = self.each_pixel(&|x, y, rng| {
             let corner = vec2(x as f32, y as f32);
             let places = place_in_pixel(self.samples, rng);
             let mut rays = 0;
             let seen = Seen::of((0..first).map(|i| {
-                let one = radiance((corner + places(i)) / size, rng).into();
+                let one = radiance((corner + places(i)) / size, rng);
                 rays += one.rays;
                 one.radiance
             }));
@@ -124,8 +146,7 @@ impl Film<'_> {
             }
             rng.clone_from(then);
             let corner = vec2(x as f32, y as f32);
-            let rest =
-                (first..self.samples).map(|i| radiance((corner + places(i)) / size, rng).into());
+            let rest = (first..self.samples).map(|i| radiance((corner + places(i)) / size, rng));
             // One after the other, as `render` adds them up: then the bits are the same.
             let sum: Followed = once(Followed::from(seen.sum)).chain(rest).sum();
             sum.mean_of(self.samples)
@@ -141,47 +162,59 @@ impl Film<'_> {
         &self,
         pixel: impl Fn(usize, usize, &mut Pcg) -> S + Sync,
     ) -> Image {
-        let pixels = self.each_pixel(|x, y, rng| {
+        self.draw(&|x, y, rng| {
             let Followed { radiance, rays } = pixel(x, y, rng).into();
             (radiance, rays)
-        });
+        })
+    }
+
+    // What follows asks `pixel` through a pointer, so that it is compiled once, not once for each picture of the course.
+
+    fn draw(&self, pixel: &Pixel<Rgb>) -> Image {
+        let pixels = self.each_pixel(pixel);
         Image::from_fn(self.width, self.height, |x, y| pixels[y * self.width + x])
     }
 
     /// Whatever `pixel` says of each pixel, row by row; the second thing it says is the rays that it took.
-    pub fn each_pixel<T: Send>(
-        &self,
-        pixel: impl Fn(usize, usize, &mut Pcg) -> (T, u64) + Sync,
-    ) -> Vec<T> {
+    pub fn each_pixel<T: Send>(&self, pixel: &Pixel<T>) -> Vec<T> {
+        let nothing = (0..self.width * self.height).map(|_| None).collect();
+        let all = Mutex::new(nothing);
+        self.each_tile(&|columns, rows| {
+            let mut done = Vec::with_capacity(TILE * TILE);
+            let mut part = Done::default();
+            for (x, y) in rows.flat_map(|y| columns.clone().map(move |x| (x, y))) {
+                let place = y * self.width + x;
+                let (what, rays) = pixel(x, y, &mut pcg::stream(self.seed, place as u64));
+                done.push((place, what));
+                part.pixels += 1;
+                part.rays += rays;
+            }
+            let mut all: MutexGuard<Vec<_>> = all.lock().unwrap_or_else(PoisonError::into_inner);
+            for (place, what) in done {
+                all[place] = Some(what);
+            }
+            part
+        });
+        let all = all.into_inner().unwrap_or_else(PoisonError::into_inner);
+        all.into_iter().flatten().collect() // each pixel is in one tile: none is missing
+    }
+
+    /// Has every tile drawn, given by its columns and rows, by all threads.
+    fn each_tile(&self, draw: &(dyn Fn(Range<usize>, Range<usize>) -> Done + Sync)) {
         let (columns, rows) = (self.width.div_ceil(TILE), self.height.div_ceil(TILE));
         let next = AtomicUsize::new(0);
-        let work = || {
-            let mut done = Vec::new();
+        threads::workers(self.threads.clamp(1, (columns * rows).max(1)), &|| {
             loop {
                 let tile = next.fetch_add(1, Ordering::Relaxed);
                 if tile >= columns * rows {
-                    return done;
+                    return;
                 }
                 let (left, top) = (tile % columns * TILE, tile / columns * TILE);
-                let mut part = Done::default();
-                for y in top..(top + TILE).min(self.height) {
-                    for x in left..(left + TILE).min(self.width) {
-                        let mut rng = pcg::stream(self.seed, (y * self.width + x) as u64);
-                        let (what, rays) = pixel(x, y, &mut rng);
-                        done.push((x, y, what));
-                        part.pixels += 1;
-                        part.rays += rays;
-                    }
-                }
-                (self.progress)(part);
+                let (right, bottom) =
+                    ((left + TILE).min(self.width), (top + TILE).min(self.height));
+                (self.progress)(draw(left..right, top..bottom));
             }
-        };
-        let mut all: Vec<_> = (0..self.width * self.height).map(|_| None).collect();
-        let workers = self.threads.clamp(1, (columns * rows).max(1));
-        for (x, y, pixel) in threads::workers(workers, work).into_iter().flatten() {
-            all[y * self.width + x] = Some(pixel);
-        }
-        all.into_iter().flatten().collect() // each pixel is in one tile: none is missing
+        });
     }
 }
 

@@ -2,7 +2,6 @@
 
 use crate::image::rgb::Rgb;
 use crate::light::LightSample;
-use crate::material::Material;
 use crate::math::dir3::Dir3;
 use crate::render::followed::Followed;
 use crate::scene::world::{Scene, Seen};
@@ -11,7 +10,7 @@ use glam::vec2;
 use rand::{Rng, RngExt};
 
 /// Whether light on its way to a surface arrives there.
-pub type Arrives = fn(&Scene<dyn Material>, &Surface, &LightSample) -> bool;
+pub type Arrives = fn(&Scene, &Surface, &LightSample) -> bool;
 
 /// Nothing is in the way, ever: the world without shadows, in which no ray to a light need be followed.
 pub const ALWAYS: Option<Arrives> = None;
@@ -28,13 +27,7 @@ pub struct Local {
 impl Local {
     // ANCHOR: local
     /// I = k_a i_a + Σ over the lights: the mean, over a light's samples, of what the material makes of them.
-    pub fn follow(
-        &self,
-        scene: &Scene<dyn Material>,
-        seen: &Seen<dyn Material>,
-        view: Dir3,
-        rng: &mut impl Rng,
-    ) -> Followed {
+    pub fn follow(&self, scene: &Scene, seen: &Seen, view: Dir3, rng: &mut impl Rng) -> Followed {
         let mut rays = 0;
         let mut arrives = |sample: &LightSample| {
             self.arrives.is_none_or(|arrives| {

@@ -14,6 +14,9 @@ const FIRST: usize = 4;
 /// The standard deviation, in what a display shows, from which on a pixel gets all its samples.
 const RESTLESS: f32 = 0.2;
 
+/// What is seen at a place on the film, by a sample's random numbers.
+type Radiance<'a> = dyn Fn(Vec2, &mut Even) -> Followed + Sync + 'a;
+
 /// What the first samples of a pixel tell.
 #[derive(Clone, Copy, Default)]
 struct Begun {
@@ -29,6 +32,7 @@ pub fn render_evenly<S: Into<Followed>>(
     film: &Film,
     radiance: impl Fn(Vec2, &mut Even) -> S + Sync,
 ) -> Image {
+    let radiance = |place, numbers: &mut Even| radiance(place, numbers).into();
     film.render_pixels(|x, y, rng| {
         let sample = Sample::of(film, x, y, rng);
         let sum: Followed = (0..film.samples).map(|i| sample.seen(i, &radiance)).sum();
@@ -47,11 +51,15 @@ pub fn refine<S: Into<Followed>>(
     film: &Film,
     radiance: impl Fn(Vec2, &mut Even) -> S + Sync,
 ) -> Image {
+    refined(film, &|place, numbers| radiance(place, numbers).into())
+}
+
+fn refined(film: &Film, radiance: &Radiance) -> Image {
     let all = film.samples;
     let first = FIRST.min(all);
-    let begun = film.each_pixel(|x, y, rng| {
+    let begun = film.each_pixel(&|x, y, rng| {
         let sample = Sample::of(film, x, y, rng);
-        let seen: Vec<_> = (0..first).map(|i| sample.seen(i, &radiance)).collect();
+        let seen: Vec<_> = (0..first).map(|i| sample.seen(i, radiance)).collect();
         let begun = Begun::by(&seen);
         (begun, begun.sum.rays)
     });
@@ -64,7 +72,7 @@ pub fn refine<S: Into<Followed>>(
         let share = (deviation(film, &begun, x, y) / RESTLESS).min(1.0);
         let count = (share * all as f32).ceil() as usize;
         let count = count.max(first).next_power_of_two().min(all);
-        let rest: Followed = (first..count).map(|i| sample.seen(i, &radiance)).sum();
+        let rest: Followed = (first..count).map(|i| sample.seen(i, radiance)).sum();
         let sum = begun[y * film.width + x].sum.radiance + rest.radiance;
         Followed {
             radiance: sum / count as f32,
@@ -93,11 +101,7 @@ impl<'a> Sample<'a> {
     }
 
     /// What sample i sees. A single one is in the middle of the pixel.
-    fn seen<S: Into<Followed>>(
-        &self,
-        i: usize,
-        radiance: impl Fn(Vec2, &mut Even) -> S,
-    ) -> Followed {
+    fn seen(&self, i: usize, radiance: &Radiance) -> Followed {
         let film = self.film;
         let mut numbers = Even::new(self.key, i, film.samples);
         let spread = numbers.pair();
@@ -107,7 +111,7 @@ impl<'a> Sample<'a> {
             spread
         };
         let size = vec2(film.width as f32, film.height as f32);
-        radiance((self.corner + place) / size, &mut numbers).into()
+        radiance((self.corner + place) / size, &mut numbers)
     }
 }
 

@@ -1,7 +1,7 @@
 //! The integral over the hemisphere that turns light from everywhere into light towards a viewer.
 
 use crate::image::rgb::Rgb;
-use crate::material::brdf::Brdf;
+use crate::material::Material;
 use crate::math::{dir3::Dir3, pcg::Pcg};
 use crate::shape::Surface;
 use glam::vec2;
@@ -13,7 +13,7 @@ use rand::RngExt;
 /// `incoming` is L_i: the radiance that arrives from a direction. Its mean over all random numbers is exact for any density
 /// that is positive wherever f L_i cos θ is; the more alike they are, the less it scatters. Here p is that of the BRDF.
 pub fn reflected_radiance(
-    brdf: &dyn Brdf,
+    brdf: &dyn Material,
     at: &Surface,
     view: Dir3,
     incoming: &dyn Fn(Dir3) -> Rgb,

@@ -32,7 +32,7 @@ pub fn shadow_ray(at: &Surface, light: &LightSample) -> (Ray, Interval) {
 
 // ANCHOR: lit
 /// Whether light arrives at a surface: nothing is in its way. Any hit will do, so the search ends at the first.
-pub fn lit<M: ?Sized + Send + Sync>(scene: &Scene<M>, at: &Surface, light: &LightSample) -> bool {
+pub fn lit(scene: &Scene, at: &Surface, light: &LightSample) -> bool {
     let (ray, way) = shadow_ray(at, light);
     !scene.blocks(&ray, way)
 }

@@ -14,8 +14,8 @@ use rand::RngExt;
 /// 0 in the umbra, 1 in full light, and in between in the penumbra. Of n samples, each arrives with the probability f that
 /// is asked for, so the estimate is off by √(f(1 − f)/n), in the root of the mean square.
 /// A light that is chosen by area is measured by its area.
-pub fn visible_fraction<M: ?Sized + Send + Sync>(
-    scene: &Scene<M>,
+pub fn visible_fraction(
+    scene: &Scene,
     at: &Surface,
     light: &dyn Light,
     samples: u32,

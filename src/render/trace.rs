@@ -3,7 +3,7 @@
 use crate::image::rgb::Rgb;
 use crate::light::Light;
 use crate::material::glass::{Glass, Medium};
-use crate::material::{Material, Sight};
+use crate::material::{Material, Sight, beyond};
 use crate::math::ray::Ray;
 use crate::render::shadow::shadow_ray;
 use crate::scene::description::{Description, Matter};
@@ -45,8 +45,11 @@ pub fn trace(scene: &Description, ray: &Ray, depth: u32) -> Rgb {
             let lit: Rgb = arriving.map(|light| phong.lit(&at, view, &light)).sum();
             phong.ambient(&at) * scene.ambient + lit
         }
-        Matter::Mirror(mirror) => mirror.beyond(&at, view, &mut see),
-        Matter::Glass(clear) => Glass::of(Medium::clear(clear.index)).beyond(&at, view, &mut see),
+        Matter::Mirror(mirror) => beyond(mirror, &at, view, &mut see),
+        Matter::Glass(clear) => {
+            let glass = Glass::of(Medium::clear(clear.index));
+            beyond(&glass, &at, view, &mut see)
+        }
     }
 }
 // ANCHOR_END: trace

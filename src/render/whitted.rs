@@ -1,7 +1,7 @@
 //! Whitted's ray tracing: what a surface shows in itself or through itself is seen by another ray.
 
 use crate::image::rgb::Rgb;
-use crate::material::{Material, See, Sight};
+use crate::material::{See, Sight, beyond};
 use crate::math::ray::Ray;
 use crate::render::{followed::Followed, local::Local};
 use crate::scene::world::Scene;
@@ -25,7 +25,7 @@ impl Whitted {
     /// What a ray sees: L = local illumination + what the material sees beyond, which asks the same question again.
     ///
     /// Two facing mirrors would ask for ever. Each question has one surface less to go, and at 0 the answer is black.
-    pub fn follow(&self, scene: &Scene<dyn Material>, ray: &Ray, rng: &mut impl Rng) -> Followed {
+    pub fn follow(&self, scene: &Scene, ray: &Ray, rng: &mut impl Rng) -> Followed {
         let mut rays = 0;
         let sight = self.sight(scene, ray, self.depth, 1.0, rng, &mut rays);
         Followed {
@@ -36,7 +36,7 @@ impl Whitted {
 
     fn sight(
         &self,
-        scene: &Scene<dyn Material>,
+        scene: &Scene,
         ray: &Ray,
         left: u32,
         share: f32,
@@ -52,7 +52,7 @@ impl Whitted {
         }
         *rays += 1;
         let Some(seen) = scene.closest(ray) else {
-            return nothing((scene.backdrop)(ray));
+            return nothing(scene.behind_everything(ray));
         };
         let view = -ray.direction;
         let local = self.local.follow(scene, &seen, view, rng);
@@ -60,14 +60,14 @@ impl Whitted {
         let see: &mut See =
             &mut |ray, of_it| self.sight(scene, ray, left - 1, of_it * share, rng, rays);
         Sight {
-            radiance: local.radiance + seen.material.beyond(&seen.surface, view, see),
+            radiance: local.radiance + beyond(seen.material, &seen.surface, view, see),
             distance: seen.t,
         }
     }
     // ANCHOR_END: whitted
 
     /// The same, uncounted.
-    pub fn radiance(&self, scene: &Scene<dyn Material>, ray: &Ray, rng: &mut impl Rng) -> Rgb {
+    pub fn radiance(&self, scene: &Scene, ray: &Ray, rng: &mut impl Rng) -> Rgb {
         self.follow(scene, ray, rng).radiance
     }
 }

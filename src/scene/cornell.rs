@@ -13,9 +13,12 @@ use crate::accel::bvh::build::Method;
 use crate::accel::wide_bvh::WideBvh;
 use crate::image::rgb::Rgb;
 use crate::light::{extent::Choose, rect_light::RectLight};
-use crate::material::{brdf::Brdf, lambert::Lambert};
+use crate::material::conductor::{Conductor, Metal};
+use crate::material::glass::{Glass, Medium};
+use crate::material::lambert::Lambert;
 use crate::scene::world::{Scene, Thing};
 use crate::shape::mesh::Mesh;
+use crate::shape::sphere::Sphere;
 use glam::{Vec3, vec3};
 
 /// The white paint's albedo.
@@ -96,7 +99,7 @@ const fn quad(a: [f32; 3], b: [f32; 3], c: [f32; 3], d: [f32; 3]) -> Quad {
 }
 
 /// The box with its two blocks. The lamp reflects nothing.
-pub fn cornell_box() -> Scene<dyn Brdf> {
+pub fn cornell_box() -> Scene {
     let things = [
         (&WALLS[..], WHITE),
         (&RIGHT, GREEN),
@@ -108,6 +111,24 @@ pub fn cornell_box() -> Scene<dyn Brdf> {
     Scene::new(things.into(), vec![Box::new(lamp())])
 }
 
+/// The box without its blocks: a mirror ball stands at the back, a glass ball in front, whose light is gathered to a caustic on the
+/// floor and on the wall.
+pub fn with_balls() -> Scene {
+    let ball = |x: f32, z: f32| Sphere::new(vec3(x, RADIUS, z), RADIUS);
+    let silver = Conductor(Metal::SILVER);
+    let things = vec![
+        painted(&WALLS, WHITE),
+        painted(&RIGHT, GREEN),
+        painted(&LEFT, RED),
+        Thing::new(ball(0.395, 0.385), silver),
+        Thing::new(ball(0.165, 0.175), Glass::of(Medium::GLASS)),
+    ];
+    Scene::new(things, vec![Box::new(lamp())])
+}
+
+/// The radius of the balls, in metres.
+const RADIUS: f32 = 0.1;
+
 /// The lamp, which shines downwards.
 pub fn lamp() -> RectLight {
     let corner = vec3(LAMP_X[0], LAMP_Y, LAMP_Z[0]) / 1000.0;
@@ -117,7 +138,7 @@ pub fn lamp() -> RectLight {
 }
 
 /// Quads of one colour.
-fn painted(quads: &[Quad], albedo: Rgb) -> Thing<dyn Brdf> {
+fn painted(quads: &[Quad], albedo: Rgb) -> Thing {
     let corners = quads.iter().flatten();
     let positions = corners.map(|&p| Vec3::from(p) / 1000.0).collect();
     // No corner is shared: a shared one would have the mean of two walls' normals.
@@ -127,12 +148,8 @@ fn painted(quads: &[Quad], albedo: Rgb) -> Thing<dyn Brdf> {
     });
     let mesh = Mesh::new(positions, triangles.collect(), None, None)
         .unwrap_or_else(|error| unreachable!("the box is finite: {error}"));
-    Thing {
-        shape: Box::new(Meshed::new(mesh, |faces| {
-            WideBvh::build(faces, Method::BottomUp)
-        })),
-        material: Box::new(Lambert { albedo }),
-    }
+    let mesh = Meshed::new(mesh, |faces| WideBvh::build(faces, Method::BottomUp));
+    Thing::new(mesh, Lambert { albedo })
 }
 
 /// The top and the four sides.

@@ -2,7 +2,7 @@
 
 use crate::image::rgb::Rgb;
 use crate::light::{Light, directional::DirectionalLight};
-use crate::material::{Material, checkered::Checkered, phong::Phong};
+use crate::material::{checkered::Checkered, phong::Phong};
 use crate::math::{dir3::Dir3, ray::Ray};
 use crate::scene::world::{Scene, Thing};
 use crate::shape::{plane::Plane, sphere::Sphere};
@@ -16,11 +16,10 @@ pub const VIEW: [Vec3; 2] = [vec3(0.0, 1.5, 6.5), vec3(0.0, 0.85, 0.0)];
 pub const FOCAL_LENGTH: f32 = 0.040;
 
 /// The plane and the balls in the sun.
-pub fn scene() -> Scene<dyn Material> {
+pub fn scene() -> Scene {
     let squares = Checkered(matt(0.74, 0.72, 0.68), matt(0.10, 0.14, 0.22));
     let floor = Plane::through(Vec3::ZERO, Dir3::Y);
     let ball = |x: f32, z: f32, r: f32, material: Phong| {
-        let material: Box<dyn Material> = Box::new(material);
         Thing::new(Sphere::new(vec3(x, r, z), r), material)
     };
     let sun = DirectionalLight {
@@ -29,7 +28,7 @@ pub fn scene() -> Scene<dyn Material> {
     };
     let lights: Vec<Box<dyn Light>> = vec![Box::new(sun)];
     let things = vec![
-        Thing::new(floor, Box::new(squares) as Box<dyn Material>),
+        Thing::new(floor, squares),
         ball(-2.3, -0.4, 0.9, glossy(0.75, 0.20, 0.12)),
         ball(0.1, 0.2, 0.7, glossy(0.85, 0.62, 0.12)),
         ball(2.2, -0.6, 1.0, glossy(0.10, 0.42, 0.60)),

@@ -2,9 +2,7 @@
 
 use crate::image::rgb::Rgb;
 use crate::light::{Light, directional::DirectionalLight, point::PointLight};
-use crate::material::{
-    Material, checkered::Checkered, mirror::Mirror, phong::Phong, polished::Polished,
-};
+use crate::material::{checkered::Checkered, mirror::Mirror, phong::Phong, polished::Polished};
 use crate::math::{dir3::Dir3, ray::Ray};
 use crate::scene::world::{Scene, Thing};
 use crate::shape::{plane::Plane, sphere::Sphere};
@@ -42,7 +40,7 @@ const MARBLES: [(f32, f32, f32, Rgb); 7] = [
 ];
 
 /// The scene.
-pub fn scene() -> Scene<dyn Material> {
+pub fn scene() -> Scene {
     let sun = DirectionalLight {
         toward: Dir3::new_or(vec3(0.75, 1.0, 0.35), Dir3::Y),
         irradiance: Rgb::new(1.0, 0.97, 0.92) * 1.3,
@@ -51,16 +49,16 @@ pub fn scene() -> Scene<dyn Material> {
 }
 
 /// The same with the lamp alone, below a roof.
-pub fn under_roof() -> Scene<dyn Material> {
+pub fn under_roof() -> Scene {
     let roof = Plane::through(vec3(0.0, 7.0, 0.0), -Dir3::Y);
     let white = glossy(Rgb::new(0.80, 0.78, 0.72), 0.0, 1.0);
     let mut things = things();
-    things.push(Thing::new(roof, Box::new(white)));
+    things.push(Thing::new(roof, white));
     Scene::new(things, vec![lamp()]).surrounded_by(AMBIENT, sky)
 }
 
 /// Floor, mirrors and marbles.
-fn things() -> Vec<Thing<dyn Material>> {
+fn things() -> Vec<Thing> {
     let tile = |colour| Polished {
         mirror: Mirror {
             share: Rgb::gray(0.22),
@@ -72,16 +70,14 @@ fn things() -> Vec<Thing<dyn Material>> {
         tile(Rgb::new(0.07, 0.17, 0.22)),
     );
     let floor = Plane::through(Vec3::ZERO, Dir3::Y);
-    let mut things: Vec<Thing<dyn Material>> = vec![Thing::new(floor, Box::new(tiles))];
-    things.extend(MIRRORS.map(|(x, z, radius, share)| -> Thing<dyn Material> {
-        Thing::new(standing(x, z, radius), Box::new(Mirror { share }))
+    let mut things: Vec<Thing> = vec![Thing::new(floor, tiles)];
+    things.extend(MIRRORS.map(|(x, z, radius, share)| -> Thing {
+        Thing::new(standing(x, z, radius), Mirror { share })
     }));
-    things.extend(
-        MARBLES.map(|(x, z, radius, colour)| -> Thing<dyn Material> {
-            let marble = glossy(colour, SHINE, 120.0);
-            Thing::new(standing(x, z, radius), Box::new(marble))
-        }),
-    );
+    things.extend(MARBLES.map(|(x, z, radius, colour)| -> Thing {
+        let marble = glossy(colour, SHINE, 120.0);
+        Thing::new(standing(x, z, radius), marble)
+    }));
     things
 }
 

@@ -3,11 +3,11 @@
 use crate::accel::{Meshed, list::List};
 use crate::image::rgb::Rgb;
 use crate::light::{Light, extent::Choose, sphere_light::SphereLight};
-use crate::material::{brdf::Brdf, lambert::Lambert, modified_phong::ModifiedPhong};
+use crate::material::{lambert::Lambert, modified_phong::ModifiedPhong};
 use crate::math::dir3::Dir3;
 use crate::scene::world::{Scene, Thing};
 use crate::shape::mesh::Mesh;
-use crate::shape::{Shape, plane::Plane, sphere::Sphere};
+use crate::shape::{plane::Plane, sphere::Sphere};
 use glam::{Vec2, Vec3, vec2, vec3};
 
 /// Where the camera stands, in metres.
@@ -32,8 +32,8 @@ const POWER: Rgb = Rgb::new(1.0, 0.92, 0.78);
 
 /// Lamps from small to large, in a row; below them plates from smooth to rough, each tilted so that the eye sees the lamps
 /// in it (after Veach and Guibas 1995).
-pub fn plates() -> Scene<dyn Brdf> {
-    let mut things: Vec<Thing<dyn Brdf>> = PLATES.map(|(at, exponent)| plate(at, exponent)).into();
+pub fn plates() -> Scene {
+    let mut things: Vec<Thing> = PLATES.map(|(at, exponent)| plate(at, exponent)).into();
     let room = Lambert {
         albedo: Rgb::new(0.66, 0.68, 0.72),
     };
@@ -41,10 +41,7 @@ pub fn plates() -> Scene<dyn Brdf> {
         (vec3(0.0, -4.3, 0.0), Dir3::Y),
         (vec3(0.0, 0.0, -2.5), Dir3::Z),
     ];
-    things.extend(walls.map(|(point, normal)| Thing {
-        shape: Box::new(Plane::through(point, normal)) as Box<dyn Shape>,
-        material: Box::new(room) as Box<dyn Brdf>,
-    }));
+    things.extend(walls.map(|(point, normal)| Thing::new(Plane::through(point, normal), room)));
     let lights = RADII.iter().zip([-3.75, -1.25, 1.25, 3.75]).map(|(&r, x)| {
         Box::new(SphereLight {
             sphere: Sphere::new(vec3(x, 0.0, 0.0), r),
@@ -56,7 +53,7 @@ pub fn plates() -> Scene<dyn Brdf> {
 }
 
 /// A plate around x = 0, whose normal is half way between the eye and the lamps.
-fn plate(at: Vec2, exponent: f32) -> Thing<dyn Brdf> {
+fn plate(at: Vec2, exponent: f32) -> Thing {
     let middle = vec3(0.0, at.x, at.y);
     let toward = |p: Vec3| (p - middle).normalize_or_zero();
     let normal = Dir3::new_or(toward(EYE) + toward(Vec3::ZERO), Dir3::Y);
@@ -65,12 +62,10 @@ fn plate(at: Vec2, exponent: f32) -> Thing<dyn Brdf> {
     let positions = corners.map(|corner| middle + corner).into();
     let mesh = Mesh::new(positions, vec![[0, 1, 2], [0, 2, 3]], None, None)
         .unwrap_or_else(|error| unreachable!("a plate is finite: {error}"));
-    Thing {
-        shape: Box::new(Meshed::new(mesh, List::new)),
-        material: Box::new(ModifiedPhong {
-            diffuse: Rgb::new(0.06, 0.08, 0.1),
-            specular: Rgb::gray(0.6),
-            exponent,
-        }),
-    }
+    let polish = ModifiedPhong {
+        diffuse: Rgb::new(0.06, 0.08, 0.1),
+        specular: Rgb::gray(0.6),
+        exponent,
+    };
+    Thing::new(Meshed::new(mesh, List::new), polish)
 }

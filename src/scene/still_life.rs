@@ -2,10 +2,11 @@
 
 use crate::image::rgb::Rgb;
 use crate::light::Light;
-use crate::material::{brdf::Brdf, lambert::Lambert, modified_phong::ModifiedPhong};
+use crate::material::{Material, lambert::Lambert, modified_phong::ModifiedPhong};
 use crate::scene::world::{Scene, Thing};
 use crate::shape::{Shape, cuboid::Cuboid, sphere::Sphere};
 use glam::{Vec3, vec3};
+use std::sync::Arc;
 
 /// Where a camera sees them all, in metres.
 pub const EYE: Vec3 = vec3(0.8, 1.6, 8.8);
@@ -13,21 +14,21 @@ pub const EYE: Vec3 = vec3(0.8, 1.6, 8.8);
 pub const AT: Vec3 = vec3(0.0, 0.66, 0.0);
 
 /// The balls and the plinth under one light.
-pub fn still_life(light: Box<dyn Light>) -> Scene<dyn Brdf> {
+pub fn still_life(light: Box<dyn Light>) -> Scene {
     let matt = |r, g, b| {
-        Box::new(Lambert {
+        Arc::new(Lambert {
             albedo: Rgb::new(r, g, b),
         })
     };
     let glossy = |diffuse, specular, exponent| {
-        Box::new(ModifiedPhong {
+        Arc::new(ModifiedPhong {
             diffuse,
             specular,
             exponent,
         })
     };
-    let ball = |x: f32, z: f32, r: f32| Box::new(Sphere::new(vec3(x, r, z), r));
-    let thing = |shape: Box<dyn Shape>, material: Box<dyn Brdf>| Thing { shape, material };
+    let ball = |x: f32, z: f32, r: f32| Arc::new(Sphere::new(vec3(x, r, z), r));
+    let thing = |shape: Arc<dyn Shape>, material: Arc<dyn Material>| Thing { shape, material };
     let plinth = Cuboid::between(vec3(-2.4, -0.3, -1.6), vec3(2.4, 0.0, 1.6));
     let bronze = glossy(
         Rgb::new(0.06, 0.035, 0.015),
@@ -37,7 +38,7 @@ pub fn still_life(light: Box<dyn Light>) -> Scene<dyn Brdf> {
     let glaze = glossy(Rgb::new(0.02, 0.22, 0.30), Rgb::gray(0.28), 60.0);
     Scene::new(
         vec![
-            thing(Box::new(plinth), matt(0.72, 0.70, 0.66)),
+            thing(Arc::new(plinth), matt(0.72, 0.70, 0.66)),
             thing(ball(-0.15, -0.35, 1.0), bronze),
             thing(ball(-1.60, 0.55, 0.6), matt(0.80, 0.78, 0.74)),
             thing(ball(1.45, 0.45, 0.7), glaze),

@@ -4,40 +4,46 @@ use crate::accel::Accel;
 use crate::accel::bvh::{Bvh, build::Method};
 use crate::image::rgb::Rgb;
 use crate::light::Light;
+use crate::material::Material;
 use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use crate::shape::{Hit, Shape, Surface};
 use std::fmt;
+use std::sync::Arc;
 
-/// Things and lights; M is what the things are made of: `dyn Material` for Whitted's way of tracing.
-pub struct Scene<M: ?Sized> {
-    things: Bvh<Thing<M>>,
-    /// What shines.
+/// Things and lights, which every integrator renders.
+pub struct Scene {
+    things: Bvh<Thing>,
+    /// What shines. An environment is a light at infinity.
     pub lights: Vec<Box<dyn Light>>,
-    /// i_a: light from everywhere, in W·m⁻²·sr⁻¹: what the lights do not account for.
+    /// i_a: light from everywhere, in W·m⁻²·sr⁻¹: what an integrator that follows no light from surface to surface takes for it.
     pub ambient: Rgb,
-    /// What a ray that meets nothing sees.
-    pub backdrop: fn(&Ray) -> Rgb,
+    /// What a ray that meets nothing sees, beside lights at infinity.
+    pub backdrop: Backdrop,
 }
 
-/// A shape and what it is made of.
-pub struct Thing<M: ?Sized> {
+/// The radiance that comes along a ray that meets nothing.
+pub type Backdrop = Box<dyn Fn(&Ray) -> Rgb + Send + Sync>;
+
+/// A shape and what it is made of. Things may share both.
+#[derive(Clone)]
+pub struct Thing {
     /// The shape.
-    pub shape: Box<dyn Shape>,
+    pub shape: Arc<dyn Shape>,
     /// The material.
-    pub material: Box<M>,
+    pub material: Arc<dyn Material>,
 }
 
 /// What a ray sees first.
-pub struct Seen<'a, M: ?Sized> {
+pub struct Seen<'a> {
     /// How far away it is, in metres.
     pub t: f32,
     /// The surface.
     pub surface: Surface,
     /// What it is made of.
-    pub material: &'a M,
+    pub material: &'a dyn Material,
 }
 
-impl<M: ?Sized + Send + Sync> fmt::Debug for Scene<M> {
+impl fmt::Debug for Scene {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         f.debug_struct("Scene")
             .field("lights", &self.lights.len())
@@ -46,7 +52,7 @@ impl<M: ?Sized + Send + Sync> fmt::Debug for Scene<M> {
     }
 }
 
-impl<M: ?Sized> fmt::Debug for Thing<M> {
+impl fmt::Debug for Thing {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         f.debug_struct("Thing")
             .field("bounds", &self.shape.bounds())
@@ -54,7 +60,7 @@ impl<M: ?Sized> fmt::Debug for Thing<M> {
     }
 }
 
-impl<M: ?Sized> fmt::Debug for Seen<'_, M> {
+impl fmt::Debug for Seen<'_> {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         f.debug_struct("Seen")
             .field("t", &self.t)
@@ -63,31 +69,35 @@ impl<M: ?Sized> fmt::Debug for Seen<'_, M> {
     }
 }
 
-impl<M: ?Sized + Send + Sync> Scene<M> {
+impl Scene {
     /// A scene of things and lights, without ambient light, before a black backdrop.
     ///
     /// Things are few, so that the tree over them may be built by the method that takes longest and gives the best one.
-    pub fn new(things: Vec<Thing<M>>, lights: Vec<Box<dyn Light>>) -> Self {
+    pub fn new(things: Vec<Thing>, lights: Vec<Box<dyn Light>>) -> Self {
         Self {
             things: Bvh::build(things, Method::BottomUp),
             lights,
             ambient: Rgb::BLACK,
-            backdrop: |_| Rgb::BLACK,
+            backdrop: Box::new(|_| Rgb::BLACK),
         }
     }
 
     /// The scene in ambient light, before a backdrop.
     #[must_use]
-    pub fn surrounded_by(self, ambient: Rgb, backdrop: fn(&Ray) -> Rgb) -> Self {
+    pub fn surrounded_by(
+        self,
+        ambient: Rgb,
+        backdrop: impl Fn(&Ray) -> Rgb + Send + Sync + 'static,
+    ) -> Self {
         Self {
             ambient,
-            backdrop,
+            backdrop: Box::new(backdrop),
             ..self
         }
     }
 
     /// The first surface along a ray.
-    pub fn closest(&self, ray: &Ray) -> Option<Seen<'_, M>> {
+    pub fn closest(&self, ray: &Ray) -> Option<Seen<'_>> {
         let (thing, hit) = self.things.closest(ray, Interval::AHEAD)?;
         Some(Seen {
             t: hit.t,
@@ -100,19 +110,26 @@ impl<M: ?Sized + Send + Sync> Scene<M> {
     pub fn blocks(&self, ray: &Ray, within: Interval) -> bool {
         self.things.any(ray, within)
     }
+
+    /// The radiance that comes along a ray that meets nothing: the backdrop's, and that of lights at infinity.
+    pub fn behind_everything(&self, ray: &Ray) -> Rgb {
+        let far = self.lights.iter().filter_map(|light| light.seen(ray));
+        let far = far.filter(|(t, _)| *t == f32::INFINITY);
+        (self.backdrop)(ray) + far.map(|(_, radiance)| radiance).sum::<Rgb>()
+    }
 }
 
-impl<M: ?Sized> Thing<M> {
+impl Thing {
     /// A shape of a material.
-    pub fn new(shape: impl Shape + 'static, material: Box<M>) -> Self {
+    pub fn new(shape: impl Shape + 'static, material: impl Material + 'static) -> Self {
         Self {
-            shape: Box::new(shape),
-            material,
+            shape: Arc::new(shape),
+            material: Arc::new(material),
         }
     }
 }
 
-impl<M: ?Sized + Send + Sync> Shape for Thing<M> {
+impl Shape for Thing {
     fn bounds(&self) -> Aabb {
         self.shape.bounds()
     }

@@ -1,5 +1,6 @@
 //! A triangle mesh: shared vertices, their attributes, and triangles that name three of them.
 
+use crate::math::domain::{LARGEST, SMALLEST};
 use crate::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray};
 use crate::shape::attributes::{interpolate_normal, interpolate_texture, vertex_normals};
 use crate::shape::{Hit, Shape, Surface, triangle::Triangle, triangle_watertight};
@@ -36,6 +37,17 @@ pub enum MeshError {
         /// Which vertex, from 0.
         vertex: usize,
     },
+    /// A coordinate is outside the domain.
+    #[error(
+        "vertex {vertex} is more than {LARGEST:e} m from 0 along an axis: make the mesh smaller"
+    )]
+    TooFar {
+        /// Which vertex, from 0.
+        vertex: usize,
+    },
+    /// All triangles together are outside the domain.
+    #[error("the mesh is less than {SMALLEST:e} m long along every axis: make it larger")]
+    TooSmall,
     /// Attributes must be given for every vertex, or not at all.
     #[error("{attributes} {kind} were given for {vertices} vertices: one for each is needed")]
     Attributes {
@@ -55,7 +67,8 @@ impl Mesh {
     /// Without normals, they are averaged from the triangles ([`vertex_normals`]); without texture coordinates, they are 0.
     ///
     /// # Errors
-    /// If an index is out of range, a coordinate is not finite, or an attribute is missing for some vertices.
+    /// If an index is out of range, a coordinate is not finite, the mesh is outside the [domain](crate::math::domain), or an
+    /// attribute is missing for some vertices.
     pub fn new(
         positions: Vec<Vec3>,
         triangles: Vec<[u32; 3]>,
@@ -75,6 +88,15 @@ impl Mesh {
         if let Some(vertex) = positions.iter().position(|p| !p.is_finite()) {
             return Err(MeshError::NotFinite { vertex });
         }
+        let is_far = |p: &Vec3| p.abs().max_element() > LARGEST;
+        if let Some(vertex) = positions.iter().position(is_far) {
+            return Err(MeshError::TooFar { vertex });
+        }
+        let bounds = Aabb::of(positions.iter().copied());
+        let extent = bounds.size().max_element();
+        if 0.0 < extent && extent < SMALLEST {
+            return Err(MeshError::TooSmall);
+        }
         let normals = normals.unwrap_or_else(|| vertex_normals(&positions, &triangles));
         let textures = textures.unwrap_or_else(|| vec![Vec2::ZERO; vertices]);
         for (kind, attributes) in [
@@ -90,11 +112,11 @@ impl Mesh {
             }
         }
         Ok(Self {
-            bounds: Aabb::of(positions.iter().copied()),
             positions,
             normals,
             textures,
             triangles,
+            bounds,
         })
     }
 

@@ -3,21 +3,15 @@
 use crate::shape::mesh::Mesh;
 use crate::shape::word::Wrong;
 use crate::shape::{obj, stl};
-use std::fs;
-use std::io;
+use crate::store::{self, StoreError};
 use std::path::{Path, PathBuf};
 
 /// Why a file does not give a mesh; every kind names the file.
 #[derive(Debug, thiserror::Error)]
 pub enum LoadError {
-    /// The system refused.
-    #[error("{}: cannot read this file: {reason}", path.display())]
-    Io {
-        /// The file.
-        path: PathBuf,
-        /// The system's answer.
-        reason: io::Error,
-    },
+    /// The system refused, or it is no file.
+    #[error(transparent)]
+    Store(#[from] StoreError),
     /// The name does not end like a mesh's.
     #[error("{}: a mesh's name must end in .obj or .stl", path.display())]
     Format {
@@ -50,7 +44,7 @@ pub enum LoadError {
 
 /// Reads a mesh: Wavefront OBJ or STL, as the end of the file's name says.
 ///
-/// Takes time and memory in proportion to the file. Bytes that are not UTF-8 do no harm in names and comments;
+/// Takes time and memory in proportion to the file, which may have 1 GiB; the faces of an OBJ may take as much. Bytes that are not UTF-8 do no harm in names and comments;
 /// in a number they are refused like other letters.
 ///
 /// # Errors
@@ -65,10 +59,7 @@ pub fn load(path: &Path) -> Result<Mesh, LoadError> {
         "stl" => true,
         _ => return Err(LoadError::Format { path: path.into() }),
     };
-    let bytes = fs::read(path).map_err(|reason| LoadError::Io {
-        path: path.into(),
-        reason,
-    })?;
+    let bytes = store::read(path)?;
     let mesh = if is_stl && stl::is_binary(&bytes) {
         stl::parse_binary(&bytes).map_err(|wrong| LoadError::Binary {
             path: path.into(),

@@ -92,6 +92,6 @@ impl Surface {
 /// An `f32` operation is right to 2⁻²⁴ = 6.0e-8 of its result. The shapes here need fewer than ten in a row for a
 /// position, and a hit test on the way back adds about as many; most of their errors cancel. Measured over 2 million rays
 /// per shape at scales from 1e-6 to 1e6: with 2 of them up to 30 rays find the surface that they left, with 4 none.
-/// 32 leave a margin of 8 (`tests/laws/leave.rs` sees none fail with 32, and some with 1), and Embree, which rounds otherwise,
+/// 32 leave a margin of 8 (`tests/library/laws/leave.rs` sees none fail with 32, and some with 1), and Embree, which rounds otherwise,
 /// agrees about rays that start there (`tests/embree`): with 16 it found a plane again.
 pub const ROUNDING: f32 = 32.0 * (f32::EPSILON / 2.0);

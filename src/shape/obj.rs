@@ -4,9 +4,10 @@
 //! a missing one, and shifts the normals where only some corners have one. The tests compare the two on sound files.
 
 use crate::math::dir3::Dir3;
+use crate::memory::BUDGET;
 use crate::shape::attributes::vertex_normals;
-use crate::shape::mesh::Mesh;
-use crate::shape::word::{self, Reason, Word, Wrong};
+use crate::shape::mesh::{Mesh, MeshError};
+use crate::shape::word::{self, MOST_WORDS, Reason, Word, Wrong};
 use glam::{Vec2, Vec3, vec2, vec3};
 use std::collections::HashMap;
 
@@ -31,22 +32,23 @@ struct Obj {
 ///
 /// Read are `v` (a weight or colour after x, y, z is passed over), `vt`, `vn` and `f`, with indices that count from the
 /// first, 1, or back from the last, −1; what stands further down cannot be used yet. Other keywords are passed over.
-/// A face of more than three corners becomes a fan of triangles around its first one, which is right for convex faces.
+/// A face of more than three corners becomes a fan of triangles around its first one, which is right for convex faces; so a face
+/// `f 1 1 1 1 …` makes a triangle of two bytes of text.
 ///
 /// # Errors
-/// The first thing that is wrong, with its line and column.
+/// The first thing that is wrong, with its line and column, such as more faces than the [budget](crate::memory::BUDGET) allows;
+/// line 1 if the mesh as a whole is outside the [domain](crate::math::domain).
 pub fn parse(text: &str) -> Result<Mesh, Wrong> {
     let mut obj = Obj::default();
     for words in word::lines(text) {
         match words[0].text {
             "v" => {
-                let n = word::numbers(
+                obj.positions.push(word::place(
                     &words,
                     3..=7,
                     "a vertex (v)",
                     "3 numbers, or 4 to 7 with a weight or colour",
-                )?;
-                obj.positions.push(vec3(n[0], n[1], n[2]));
+                )?);
             }
             "vt" => {
                 let n = word::numbers(&words, 1..=3, "a texture point (vt)", "1 to 3 numbers")?;
@@ -60,12 +62,33 @@ pub fn parse(text: &str) -> Result<Mesh, Wrong> {
             "f" => obj.face(&words)?,
             _ => {}
         }
+        let needed = obj.bytes();
+        if needed > BUDGET {
+            return Err(words[0].wrong(Reason::TooLarge(needed)));
+        }
     }
-    Ok(obj.into_mesh())
+    obj.into_mesh().map_err(Wrong::as_mesh)
 }
 
 impl Obj {
+    /// Bytes of what was read; a triangle stands here, and twice as three indices while the mesh is made.
+    fn bytes(&self) -> u64 {
+        let triangle = size_of::<[Corner; 3]>() + 2 * size_of::<[u32; 3]>();
+        let bytes = self.triangles.len() * triangle
+            + size_of_val(&*self.positions)
+            + size_of_val(&*self.textures)
+            + size_of_val(&*self.normals);
+        bytes as u64
+    }
+
     fn face(&mut self, words: &[Word]) -> Result<(), Wrong> {
+        if words.len() > MOST_WORDS {
+            return Err(words[0].wrong(Reason::Count {
+                what: "a face (f)",
+                needs: "3 corners or more, and at most a million",
+                found: words.len(),
+            }));
+        }
         let corners = words[1..]
             .iter()
             .map(|word| self.corner(word))
@@ -106,7 +129,7 @@ impl Obj {
     /// One vertex for each different corner: a position with two normals, at a sharp edge, becomes two vertices.
     ///
     /// Missing normals are averaged before that, so a seam in the texture does not show in the shading.
-    fn into_mesh(self) -> Mesh {
+    fn into_mesh(self) -> Result<Mesh, MeshError> {
         let by_position: Vec<_> = self
             .triangles
             .iter()
@@ -132,6 +155,5 @@ impl Obj {
             .map(|corners| corners.map(&mut vertex))
             .collect();
         Mesh::new(positions, triangles, Some(normals), Some(textures))
-            .unwrap_or_else(|error| unreachable!("every number and index was checked: {error}"))
     }
 }

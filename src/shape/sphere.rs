@@ -1,5 +1,6 @@
 //! The sphere.
 
+use crate::math::domain::LARGEST;
 use crate::math::{aabb::Aabb, dir3::Dir3, interval::Interval, quadratic, ray::Ray};
 use crate::shape::{Hit, ROUNDING, Shape, Surface};
 use glam::{Vec2, Vec3, vec2};
@@ -10,14 +11,43 @@ use std::f32::consts::{PI, TAU};
 pub struct Sphere {
     /// c, in metres.
     pub center: Vec3,
-    /// r > 0, in metres.
+    /// r ≥ 0, in metres.
     pub radius: f32,
+}
+
+/// Why numbers do not make a sphere.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum SphereError {
+    /// The centre is outside the domain, or no number.
+    #[error("a sphere's centre must be at most {LARGEST:e} m from 0 along each axis, and is {0}")]
+    Center(Vec3),
+    /// The radius is negative, outside the domain, or no number.
+    #[error("a sphere's radius must be from 0 to {LARGEST:e} m, and is {0}")]
+    Radius(f32),
 }
 
 impl Sphere {
     /// A sphere from its centre and radius.
+    ///
+    /// # Panics
+    /// If they are outside the [domain](crate::math::domain). Numbers that come from a file go to [`Sphere::checked`].
     pub fn new(center: Vec3, radius: f32) -> Self {
-        Self { center, radius }
+        Self::checked(center, radius).unwrap_or_else(|error| panic!("{error}"))
+    }
+
+    /// A sphere from its centre and radius.
+    ///
+    /// # Errors
+    /// If they are outside the [domain](crate::math::domain).
+    pub fn checked(center: Vec3, radius: f32) -> Result<Self, SphereError> {
+        let near = center.abs().cmple(Vec3::splat(LARGEST)).all();
+        if !near {
+            Err(SphereError::Center(center))
+        } else if !(0.0..=LARGEST).contains(&radius) {
+            Err(SphereError::Radius(radius))
+        } else {
+            Ok(Self { center, radius })
+        }
     }
 
     // ANCHOR: sphere_normal

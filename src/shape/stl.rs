@@ -3,7 +3,8 @@
 //! Corners at the same place become one vertex, whose normal is averaged; the normals in the file, one per triangle and
 //! often wrong, are passed over. An own reader, because a wrong number is to be reported with its line or byte.
 
-use crate::shape::mesh::Mesh;
+use crate::math::domain::LARGEST;
+use crate::shape::mesh::{Mesh, MeshError};
 use crate::shape::word::{self, Reason, Wrong};
 use glam::{Vec3, vec3};
 use std::collections::HashMap;
@@ -46,6 +47,19 @@ pub enum BinaryError {
         /// Which triangle, from 0.
         triangle: usize,
     },
+    /// A coordinate outside the domain.
+    #[error(
+        "byte {byte}: a corner of triangle {triangle} (the first is 0) is more than {LARGEST:e} m from 0 along an axis; make the mesh smaller"
+    )]
+    TooFar {
+        /// Where the corner begins, from 0.
+        byte: usize,
+        /// Which triangle, from 0.
+        triangle: usize,
+    },
+    /// The triangles do not make a mesh.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
 }
 
 /// Whether the bytes are of the binary kind: the size fits the number of triangles, or they do not begin with `solid`.
@@ -69,7 +83,7 @@ fn promised(bytes: &[u8]) -> Option<(u32, u64)> {
 /// The mesh of a binary STL file.
 ///
 /// # Errors
-/// If the size does not fit the header, or a corner is not finite.
+/// If the size does not fit the header, a corner is not finite, or the mesh is outside the [domain](crate::math::domain).
 pub fn parse_binary(bytes: &[u8]) -> Result<Mesh, BinaryError> {
     let found = bytes.len();
     let (triangles, needed) = promised(bytes).ok_or(BinaryError::Header { found })?;
@@ -89,14 +103,17 @@ pub fn parse_binary(bytes: &[u8]) -> Result<Mesh, BinaryError> {
                     .map_or(f32::NAN, |bytes| f32::from_le_bytes(*bytes))
             };
             let place = vec3(number(0), number(1), number(2));
+            let byte = HEADER + RECORD * triangle + 12 * (k + 1);
             if !place.is_finite() {
-                let byte = HEADER + RECORD * triangle + 12 * (k + 1);
                 return Err(BinaryError::NotFinite { byte, triangle });
+            }
+            if place.abs().max_element() > LARGEST {
+                return Err(BinaryError::TooFar { byte, triangle });
             }
             soup.add(place);
         }
     }
-    Ok(soup.into_mesh())
+    Ok(soup.into_mesh()?)
 }
 
 /// The mesh of an STL text.
@@ -130,8 +147,7 @@ pub fn parse(text: &str) -> Result<Mesh, Wrong> {
             found if !solid || found != keyword => return Err(first.expected(expected)),
             found => {
                 if found == "vertex" {
-                    let n = word::numbers(&words, 3..=3, "a vertex", "3 numbers")?;
-                    soup.add(vec3(n[0], n[1], n[2]));
+                    soup.add(word::place(&words, 3..=3, "a vertex", "3 numbers")?);
                 }
                 step = (step + 1) % GRAMMAR.len();
             }
@@ -143,7 +159,7 @@ pub fn parse(text: &str) -> Result<Mesh, Wrong> {
         } else {
             GRAMMAR[step].1
         }))),
-        _ => Ok(soup.into_mesh()),
+        _ => soup.into_mesh().map_err(Wrong::as_mesh),
     }
 }
 
@@ -170,10 +186,9 @@ impl Soup {
         self.corners.push(vertex);
     }
 
-    fn into_mesh(self) -> Mesh {
+    fn into_mesh(self) -> Result<Mesh, MeshError> {
         let triangles = self.corners.chunks_exact(3);
         let triangles = triangles.map(|c| [c[0], c[1], c[2]]).collect();
         Mesh::new(self.positions, triangles, None, None)
-            .unwrap_or_else(|error| unreachable!("every number was checked: {error}"))
     }
 }

@@ -1,6 +1,6 @@
 //! The triangle, hit by the method of Möller and Trumbore.
 
-use crate::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray};
+use crate::math::{aabb::Aabb, dir3::Dir3, domain::AREA_MIN, interval::Interval, ray::Ray};
 use crate::shape::{Hit, ROUNDING, Shape, Surface};
 use glam::{Vec3, vec2};
 
@@ -44,12 +44,13 @@ impl Triangle {
     /// at most ‖e₁‖₁·‖e₂‖₁, where ‖e‖₁ = |eₓ| + |e_y| + |e_z|.
     ///
     /// It is 0 for a triangle without area, and for a ray in its plane. But products that should cancel are rounded, and
-    /// what is left of them is a number like any other: divided by it, noise looks like a hit.
+    /// what is left of them is a number like any other: divided by it, noise looks like a hit. And a triangle so small that the
+    /// numerators have lost their digits is outside the [domain](crate::math::domain).
     pub fn solvable(&self, determinant: f32) -> bool {
         /// Five roundings of 2⁻²⁴ in a row, and the products' sizes add up to less than their bound where they should cancel.
         const ROUNDINGS: f32 = 4.0 * (f32::EPSILON / 2.0);
         let products = self.e1.abs().element_sum() * self.e2.abs().element_sum();
-        determinant.abs() > ROUNDINGS * products
+        determinant.abs() > (ROUNDINGS * products).max(AREA_MIN)
     }
     // ANCHOR_END: solvable
 }

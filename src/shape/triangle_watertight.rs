@@ -1,8 +1,12 @@
 //! A triangle of a closed mesh, hit so that no ray slips through between it and its neighbours.
 
-use crate::math::{interval::Interval, ray::Ray};
+use crate::math::{
+    domain::{AREA_MAX, AREA_MIN},
+    interval::Interval,
+    ray::Ray,
+};
 use crate::shape::Hit;
-use glam::{Vec3, Vec3A, Vec3Swizzles, vec2};
+use glam::{DVec3, Vec3, Vec3A, Vec3Swizzles, vec2};
 
 // ANCHOR: hit_watertight
 /// The same answer as [`Triangle::hit`](crate::shape::Shape::hit), but for rays within rounding errors of an edge:
@@ -14,19 +18,19 @@ use glam::{Vec3, Vec3A, Vec3Swizzles, vec2};
 /// and compute the same products for a shared edge, so they see 0 on the same side of it. A rounded difference of rounded
 /// products never has the wrong sign, but it may be 0: then double precision, in which the products are exact, decides.
 /// The vectors x, y and z hold these coordinates of a, b and c, so one operation does the same for all three.
+/// Double precision also takes over where areas are so small or so large that areas · z vanishes or overflows.
 #[inline]
 pub fn hit(corners: &[Vec3; 3], ray: &Ray, within: Interval) -> Option<Hit> {
     let [x, y, z] = Shear::along(ray).apply(corners, ray.origin);
-    let mut areas = x.zxy() * y.yzx() - y.zxy() * x.yzx(); // (u, v, w)
-    if areas.cmpeq(Vec3A::ZERO).any() {
-        let (x, y) = (x.as_dvec3(), y.as_dvec3());
-        areas = (x.zxy() * y.yzx() - y.zxy() * x.yzx()).as_vec3a();
-    }
+    let areas = x.zxy() * y.yzx() - y.zxy() * x.yzx(); // (u, v, w)
     if areas.cmplt(Vec3A::ZERO).any() && areas.cmpgt(Vec3A::ZERO).any() {
         return None;
     }
-    // 0 if the triangle is seen from its edge, or has no area; t is then infinite or NaN and does not count.
-    let inverse = 1.0 / (areas.x + areas.y + areas.z);
+    let sum = areas.x + areas.y + areas.z;
+    if areas.cmpeq(Vec3A::ZERO).any() || sum.abs() < AREA_MIN || sum.abs() > AREA_MAX {
+        return hit_in_double([x, y, z], within);
+    }
+    let inverse = 1.0 / sum;
     let t = areas.dot(z) * inverse;
     within.contains(t).then_some(Hit {
         t,
@@ -35,6 +39,31 @@ pub fn hit(corners: &[Vec3; 3], ray: &Ray, within: Interval) -> Option<Hit> {
     })
 }
 // ANCHOR_END: hit_watertight
+
+/// The same sums, with areas in double precision; and where areas are extreme, in a unit of length as large as the numbers.
+#[cold]
+fn hit_in_double(corners: [Vec3A; 3], within: Interval) -> Option<Hit> {
+    let [x, y, z] = corners.map(Vec3A::as_dvec3);
+    let areas = x.zxy() * y.yzx() - y.zxy() * x.yzx();
+    if areas.cmplt(DVec3::ZERO).any() && areas.cmpgt(DVec3::ZERO).any() {
+        return None;
+    }
+    let usual = f64::from(AREA_MIN)..f64::from(AREA_MAX);
+    let unit = if usual.contains(&areas.element_sum().abs()) {
+        1.0
+    } else {
+        x.abs().max(y.abs()).max(z.abs()).max_element()
+    };
+    let (areas, z) = ((areas / (unit * unit)).as_vec3a(), (z / unit).as_vec3a());
+    // 0 if the triangle is seen from its edge, or has no area; t is then infinite or NaN and does not count.
+    let inverse = 1.0 / (areas.x + areas.y + areas.z);
+    let t = areas.dot(z) * inverse * unit as f32;
+    within.contains(t).then_some(Hit {
+        t,
+        uv: vec2(areas.y * inverse, areas.z * inverse),
+        id: 0,
+    })
+}
 
 /// The shear that turns a ray from 0 into a ray along +z, with t as z.
 #[derive(Clone, Copy, Debug)]

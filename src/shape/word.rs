@@ -1,7 +1,15 @@
 //! Text as lines of words that know where they stand, for files that people write and break.
 
+use crate::math::domain::LARGEST;
+use crate::memory::{BUDGET, gigabytes};
+use crate::shape::mesh::MeshError;
+use glam::Vec3;
+
 /// What a corner of a face looks like.
 pub const INDICES: &str = "indices, as in 3, 3/1, 3//2 or 3/1/2";
+
+/// Most words of a line: what follows is not looked at, for words take many times the memory of their text.
+pub const MOST_WORDS: usize = 1 << 20;
 
 /// A word of a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,6 +43,12 @@ pub enum Reason {
     /// NaN, infinity, or a number beyond the 3.4e38 of an `f32`.
     #[error("expected a finite number, found `{0}`")]
     NotFinite(String),
+    /// A coordinate outside the domain.
+    #[error("expected a coordinate of at most {LARGEST:e} m, found `{0}`; make the mesh smaller")]
+    TooFar(String),
+    /// The whole text does not make a mesh.
+    #[error("{0}")]
+    Mesh(MeshError),
     /// Too few or too many numbers or words after a keyword.
     #[error("{what} needs {needs}, and here are {found}")]
     Count {
@@ -63,9 +77,23 @@ pub enum Reason {
         /// How many there are so far.
         given: usize,
     },
+    /// More faces and vertices than the budget of memory allows.
+    #[error("up to here the mesh takes {} of memory, and a mesh may take {}; make it coarser, or cut it up", gigabytes(*.0), gigabytes(BUDGET))]
+    TooLarge(u64),
     /// The text ends too early.
     #[error("the file ends, but {0} is missing")]
     End(&'static str),
+}
+
+impl Wrong {
+    /// The whole text is wrong: it does not make a mesh.
+    pub(crate) fn as_mesh(error: MeshError) -> Self {
+        Self {
+            line: 1,
+            column: 1,
+            reason: Reason::Mesh(error),
+        }
+    }
 }
 
 impl Word<'_> {
@@ -142,6 +170,9 @@ pub fn lines(text: &str) -> impl Iterator<Item = Vec<Word<'_>>> {
 fn push_words<'a>(line: &'a str, number: usize, words: &mut Vec<Word<'a>>) {
     let (mut column, mut rest) = (1, line);
     for text in line.split_whitespace() {
+        if words.len() > MOST_WORDS {
+            return;
+        }
         let before = rest.find(text).unwrap_or_default();
         column += rest[..before].chars().count();
         words.push(Word {
@@ -151,6 +182,27 @@ fn push_words<'a>(line: &'a str, number: usize, words: &mut Vec<Word<'a>>) {
         });
         column += text.chars().count();
         rest = &rest[before + text.len()..];
+    }
+}
+
+/// The place of a vertex: the first three of the numbers that follow a keyword.
+///
+/// # Errors
+/// Those of [`numbers`]; and if a coordinate is outside the [domain](crate::math::domain).
+pub fn place(
+    words: &[Word],
+    allowed: std::ops::RangeInclusive<usize>,
+    what: &'static str,
+    needs: &'static str,
+) -> Result<Vec3, Wrong> {
+    let n = numbers(words, allowed, what, needs)?;
+    let place = Vec3::from_slice(&n);
+    match (0..3).find(|&axis| place[axis].abs() > LARGEST) {
+        Some(axis) => {
+            let word = &words[1 + axis];
+            Err(word.wrong(Reason::TooFar(word.text.to_owned())))
+        }
+        None => Ok(place),
     }
 }
 

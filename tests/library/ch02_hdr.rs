@@ -1,5 +1,6 @@
 //! Chapter 2: exposure and tone curves; the other parts have files of their own.
 
+mod budget;
 mod comparison;
 mod damage;
 mod formats;

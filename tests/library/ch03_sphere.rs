@@ -178,7 +178,10 @@ fn a_ray_that_leaves_is_gone_and_one_that_enters_meets_the_far_side() {
 fn no_ray_and_no_sphere_makes_it_panic() {
     let numbers = [0.0, -1.0, 1e-30, 1e38, f32::INFINITY, f32::NAN];
     for (x, r) in numbers.into_iter().flat_map(|x| numbers.map(|r| (x, r))) {
-        let sphere = Sphere::new(vec3(x, 0.0, 0.0), r);
+        let sphere = Sphere {
+            center: vec3(x, 0.0, 0.0),
+            radius: r,
+        };
         for o in numbers {
             let ray = Ray::new(vec3(o, 0.0, 2.0), -Dir3::Z);
             if let Some(hit) = sphere.hit(&ray, Interval::AHEAD) {

@@ -190,3 +190,32 @@ fn what_is_not_needed_does_no_harm() {
         "a texture point may have one coordinate"
     );
 }
+
+#[test]
+fn a_face_of_more_than_a_million_corners_is_refused() {
+    let text = |corners: usize| {
+        format!(
+            "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3{}\n",
+            " 1".repeat(corners - 3)
+        )
+    };
+    let error = refusal("long.obj", text(2_000_000).as_bytes());
+    assert!(
+        error.contains("long.obj:4:1: a face (f) needs 3 corners or more, and at most a million"),
+        "{error}"
+    );
+    let mesh = load_bytes("fan.obj", text(100_000).as_bytes()).expect("this is not too long");
+    assert_eq!(mesh.triangles().len(), 100_000 - 2, "a fan");
+}
+
+/// 27 MB of text make thirteen million triangles, which take forty times as much.
+#[test]
+fn faces_that_take_more_memory_than_the_budget_are_refused() {
+    let face = format!("f{}\n", " 1".repeat(1_000_000));
+    let text = format!("v 0 0 0\n{}", face.repeat(13));
+    let error = refusal("bomb.obj", text.as_bytes());
+    assert!(
+        error.contains("bomb.obj:14:1: up to here the mesh takes 1.1 GB of memory"),
+        "{error}"
+    );
+}

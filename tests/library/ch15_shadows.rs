@@ -13,6 +13,7 @@ use raybook::render::shadow::{lit, shadow_ray};
 use raybook::scene::world::{Scene, Thing};
 use raybook::shape::{Shape, Surface, plane::Plane, sphere::Sphere};
 use rays::{random_direction, ray};
+use std::sync::Arc;
 
 const CLAY: Phong = Phong {
     ambient: Rgb::gray(0.5),
@@ -22,10 +23,11 @@ const CLAY: Phong = Phong {
 };
 
 /// A scene of these shapes, all of clay.
-fn scene(shapes: Vec<Box<dyn Shape>>) -> Scene<dyn Material> {
+fn scene(shapes: Vec<Box<dyn Shape>>) -> Scene {
+    let clay: Arc<dyn Material> = Arc::new(CLAY);
     let thing = |shape| Thing {
-        shape,
-        material: Box::new(CLAY) as Box<dyn Material>,
+        shape: Arc::from(shape),
+        material: clay.clone(),
     };
     Scene::new(shapes.into_iter().map(thing).collect(), Vec::new())
 }

@@ -2,6 +2,7 @@
 
 mod brdf;
 mod cornell;
+mod deltas;
 mod furnace;
 mod hemisphere;
 mod integrators;
@@ -12,7 +13,7 @@ mod view_factors;
 use glam::{Vec2, Vec3, vec2};
 use rand::RngExt;
 use raybook::image::rgb::Rgb;
-use raybook::material::brdf::Brdf;
+use raybook::material::Material;
 use raybook::math::{dir3::Dir3, pcg::Pcg};
 use raybook::render::{mis::Strategy, path::Path};
 use raybook::scene::world::Thing;
@@ -40,11 +41,8 @@ fn surface(normal: Dir3) -> Surface {
     }
 }
 
-fn thing(shape: impl Shape + 'static, brdf: impl Brdf + 'static) -> Thing<dyn Brdf> {
-    Thing {
-        shape: Box::new(shape),
-        material: Box::new(brdf),
-    }
+fn thing(shape: impl Shape + 'static, material: impl Material + 'static) -> Thing {
+    Thing::new(shape, material)
 }
 
 fn square(rng: &mut Pcg) -> Vec2 {
@@ -72,7 +70,7 @@ struct Glowing<B> {
     emission: Rgb,
 }
 
-impl<B: Brdf> Brdf for Glowing<B> {
+impl<B: Material> Material for Glowing<B> {
     fn eval(&self, at: &Surface, view: Dir3, toward: Dir3) -> Rgb {
         self.brdf.eval(at, view, toward)
     }

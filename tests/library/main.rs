@@ -1,6 +1,9 @@
 //! What must be true of the library.
 
 mod agreement;
+mod aim;
+mod aimed;
+mod bounded;
 mod ch01_rays;
 mod ch02_hdr;
 mod ch03_sphere;
@@ -20,8 +23,10 @@ mod ch15_shadows;
 mod ch17_rendering_equation;
 mod ch19_depth_of_field;
 mod ch24_wide_bvh;
+mod domain;
 mod embree_recorded;
 mod laws;
 mod noise;
 mod soundness;
+mod store;
 mod where_is_what;

@@ -103,13 +103,13 @@ impl<S: Shape> Accel<S> for Bvh<S> {
         if let Some((_, hit)) = closest {
             within = within.before(hit.t);
         }
-        let mut ready = RayPair::new(ray, within);
+        let Some(root) = self.root else {
+            return closest;
+        };
+        let mut ready = RayPair::new(ray, within, &root.bounds);
         let mut stack = [(0.0, Link::NONE); 1 + MAX_DEPTH as usize];
-        let mut height = 0;
-        if let Some(root) = self.root {
-            stack[0] = (f32::NEG_INFINITY, root.link);
-            height = 1;
-        }
+        stack[0] = (f32::NEG_INFINITY, root.link);
+        let mut height = 1;
         'search: while height > 0 {
             height -= 1;
             let (enters, mut link) = stack[height];
@@ -152,13 +152,12 @@ impl<S: Shape> Accel<S> for Bvh<S> {
 
     /// The same without distances: any hit is enough.
     fn any(&self, ray: &Ray, within: Interval) -> bool {
-        let ready = RayPair::new(ray, within);
-        let mut stack = [Link::NONE; 1 + MAX_DEPTH as usize];
-        let mut height = 0;
-        if let Some(root) = self.root {
-            stack[0] = root.link;
-            height = 1;
-        }
+        let Some(root) = self.root else {
+            return self.unbounded.any(ray, within);
+        };
+        let ready = RayPair::new(ray, within, &root.bounds);
+        let mut stack = [root.link; 1 + MAX_DEPTH as usize];
+        let mut height = 1;
         'search: while height > 0 {
             height -= 1;
             let mut link = stack[height];

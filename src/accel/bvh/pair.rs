@@ -61,14 +61,18 @@ impl Pair {
 
 /// A ray with what its tests of pairs share.
 ///
-/// The same test as that of [`RayBox`](crate::accel::ray_box::RayBox), and as careful; but of four planes at a time, the
-/// two near ones and the two far ones of an axis. The far ones are negated, so that one maximum takes the last of the
-/// near ones and the first of the far ones.
+/// The same test as that of [`RayBox`](crate::accel::ray_box::RayBox), but of four planes at a time, the two near ones and
+/// the two far ones of an axis. The far ones are negated, so that one maximum takes the last of the near ones and the first of
+/// the far ones.
+///
+/// No box is missed by rounding: the near planes are moved towards the ray and the far ones away from it, by
+///
+/// step = k·u·(largest |b| of the scene + |o|), u = 2⁻²⁴.
 #[derive(Clone, Copy, Debug)]
 pub struct RayPair {
     /// Per axis, whether the ray meets the greatest coordinates first.
     falls: [bool; 3],
-    /// The ray's origin, a rounding further on for the near planes and further back for the far ones.
+    /// The ray's origin, a step further on for the near planes and a step further back for the far ones.
     origin: [Vec4; 3],
     /// 1/d for the near planes, −1/d for the far ones.
     inverse: [Vec4; 3],
@@ -76,18 +80,20 @@ pub struct RayPair {
     within: Vec4,
 }
 
-/// Each of the two distances that are compared has three roundings of 2⁻²⁴ of the result (Ize 2013), and the triangle's own
-/// test sees its corners up to 5 roundings off: 11 in all; 16 leave some to spare.
-const SLACK: f32 = 16.0 * (f32::EPSILON / 2.0);
+/// k. A distance (b − o)·(1/d) has three roundings of u of the result (Ize 2013), so the plane seems moved by up to
+/// 3u·(|b| + |o|). The triangle's own test moves its corners by up to 8u·(|b| + |o|), and the distance that it finds is off by
+/// as much: a ray that starts that near behind a wall may still hit it, at a distance just above 0. 16 holds all.
+const ROUNDINGS: f32 = 16.0;
 
 impl RayPair {
-    /// Makes a ray ready.
+    /// Makes a ray ready for the boxes in a box.
     #[inline]
-    pub fn new(ray: &Ray, within: Interval) -> Self {
+    pub fn new(ray: &Ray, within: Interval, all: &Aabb) -> Self {
         let (o, d) = (ray.origin, *ray.direction);
         // A ray that runs in a plane is moved off it, to the box's side: 0·∞ does not happen there. Where it happens beside
         // the box, so near that the move matters, `max` drops the NaN, and the box is opened in vain.
-        let step = (o.abs() * f32::EPSILON + f32::MIN_POSITIVE).copysign(d);
+        let sizes = o.abs() + all.min.abs().max(all.max.abs());
+        let step = (ROUNDINGS * 0.5 * f32::EPSILON * sizes + f32::MIN_POSITIVE).copysign(d);
         let (near, far, inverse) = (o + step, o - step, d.recip());
         let both = |near: f32, far: f32| vec4(near, near, far, far);
         Self {
@@ -124,7 +130,7 @@ impl RayPair {
         };
         let enter = t(0).max(t(1)).max(t(2)).max(self.within);
         let leave = -enter.zwxy();
-        let meets = enter.cmple(leave + leave.abs() * SLACK).bitmask();
+        let meets = enter.cmple(leave).bitmask();
         [
             (meets & 1 != 0).then_some(enter.x),
             (meets & 2 != 0).then_some(enter.y),

@@ -1,7 +1,7 @@
 //! Which shapes are in which cell.
 
 use crate::accel::lattice::{Lattice, range};
-use crate::accel::{margin::margin, overlap::Separation};
+use crate::accel::{budget::Budget, margin::margin, overlap::Separation};
 use crate::math::aabb::Aabb;
 use crate::shape::{Shape, mesh::Facet};
 use glam::{UVec3, Vec3};
@@ -21,19 +21,17 @@ pub(crate) struct Parts<S> {
     pub references: Vec<u32>,
 }
 
-/// More references than this and than 16 per shape, or more cells, mean shapes or a wish that suit no grid.
-const MOST: usize = 1 << 26;
-
 /// Sorts shapes with finite bounds into cells: `resolution` is told the extents of the box of all shapes and their number,
 /// and `cells_of` which cells a shape is in.
 ///
 /// A counting sort: the first pass counts the shapes of each cell, the sums of the counts are where the lists begin, and the
 /// second pass writes each shape into its lists. So there are two arrays, and not a list of its own for each cell.
 ///
-/// Where shapes are so large that the lists would not fit into memory, the resolution is halved until they do.
+/// Where there is too much to sort for the budget, the resolution is halved until there is not.
 pub(crate) fn build<S: Shape>(
     shapes: Vec<S>,
     resolution: impl FnOnce(Vec3, usize) -> UVec3,
+    budget: Budget,
     cells_of: impl Fn(&Lattice, f32, &S) -> Vec<UVec3>,
 ) -> Parts<S> {
     let all = shapes.iter().map(Shape::bounds).reduce(|a, b| a.union(&b));
@@ -41,10 +39,16 @@ pub(crate) fn build<S: Shape>(
     let margin = margin(&bounds);
     let grown = bounds.grown(margin);
     // No cell is smaller than what it looks beyond its planes.
-    let most = (grown.size() / margin).as_uvec3();
+    let most = (bounds.size() / margin).as_uvec3();
     let mut lattice = Lattice::new(&grown, resolution(bounds.size(), shapes.len()).min(most));
     let lists = loop {
-        match lists(&shapes, &lattice, |shape| cells_of(&lattice, margin, shape)) {
+        let mut budget = budget;
+        let allowed = budget.allows(&lattice, margin, shapes.iter().map(Shape::bounds));
+        let cells_of = |shape: &S| cells_of(&lattice, margin, shape);
+        match allowed
+            .then(|| lists(&shapes, &lattice, budget, cells_of))
+            .flatten()
+        {
             Some(lists) => break lists,
             None => lattice = Lattice::new(&grown, lattice.resolution / 2),
         }
@@ -83,21 +87,17 @@ pub(crate) fn build<S: Shape>(
 fn lists<S>(
     shapes: &[S],
     lattice: &Lattice,
+    mut budget: Budget,
     cells_of: impl Fn(&S) -> Vec<UVec3>,
 ) -> Option<Vec<Vec<u32>>> {
-    let mut left = MOST.max(16 * shapes.len());
-    if lattice.cells() > MOST {
+    if !budget.take(lattice.cells()) {
         return None;
     }
+    let index = |cell| lattice.index(cell) as u32;
     let list = |shape| {
         let cells = cells_of(shape);
-        left = left.checked_sub(cells.len())?;
-        Some(
-            cells
-                .into_iter()
-                .map(|cell| lattice.index(cell) as u32)
-                .collect(),
-        )
+        let allowed = budget.take(cells.len());
+        allowed.then(|| cells.into_iter().map(index).collect())
     };
     shapes.iter().map(list).collect()
 }

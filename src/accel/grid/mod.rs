@@ -14,6 +14,7 @@ use crate::accel::grid::{
 use crate::accel::{
     Accel, Count,
     bounded::bounded,
+    budget::Budget,
     lattice::Lattice,
     list::List,
     margin::is_too_far,
@@ -38,7 +39,7 @@ impl<S: Shape> Grid<S> {
         Self::built(shapes, None, build::by_bounds)
     }
 
-    /// A grid of so many cells along each axis.
+    /// A grid of so many cells along each axis; of fewer where cells and references would take more than 256 MB.
     pub fn with_resolution(shapes: Vec<S>, resolution: UVec3) -> Self {
         Self::built(shapes, Some(resolution), build::by_bounds)
     }
@@ -66,10 +67,14 @@ impl<S: Shape> Grid<S> {
         cells_of: impl Fn(&Lattice, f32, &S) -> Vec<UVec3>,
     ) -> Self {
         let (shapes, unbounded) = bounded(shapes);
+        let budget = match resolution {
+            Some(_) => Budget::of_a_wish(shapes.len()),
+            None => Budget::of(shapes.len()),
+        };
         let resolution =
             |size, count| resolution.unwrap_or_else(|| grid_resolution(size, count, DENSITY));
         Self {
-            parts: build::build(shapes, resolution, cells_of),
+            parts: build::build(shapes, resolution, budget, cells_of),
             unbounded,
         }
     }

@@ -25,7 +25,8 @@ pub fn grid_resolution(extents: Vec3, shapes: usize, density: f32) -> UVec3 {
             .iter()
             .map(|&axis| 1.0 / root(extents[axis]))
             .product();
-        let along = extents * root(cells) * per_metre;
+        // No axis has more cells than there are in all; a product of tiny extents may say ∞.
+        let along = (extents * root(cells) * per_metre).min(Vec3::splat(cells.max(1.0)));
         let before = thick.len();
         thick.retain(|&axis| along[axis] >= 1.0);
         if thick.len() == before {

@@ -42,6 +42,9 @@ pub(crate) fn build(
     limits: Limits,
     reached: &impl Fn(u32, &[Aabb; 8]) -> u8,
 ) -> Tree {
+    /// 256 bytes. Only shapes that lie in threes, far from all others, would ever take more.
+    const NODES_PER_SHAPE: usize = 32;
+    let most = NODES_PER_SHAPE * count as usize + 4096;
     let mut tree = Tree {
         bounds,
         nodes: vec![Node::leaf(0, 0)],
@@ -57,7 +60,8 @@ pub(crate) fn build(
         );
         let copies = after as f32 / before as f32;
         let pays = limits.opening + 0.25 * (after as f32) < before as f32;
-        if !pays || copies > limits.copies || limits.depth == 0 {
+        let is_full = tree.nodes.len() + 8 > most;
+        if !pays || copies > limits.copies || limits.depth == 0 || is_full {
             tree.nodes[node] = Node::leaf(tree.named.len() as u32, before as u32);
             tree.named.extend(shapes);
             continue;

@@ -112,14 +112,21 @@ impl<S: Shape> Accel<S> for Octree<S> {
     }
 }
 
-/// The smallest cube around shapes: cut in halves, its cells remain cubes.
+/// Shapes thinner than this part of their length are a strip or a sheet.
+const THIN: f32 = 1.0 / 64.0;
+
+/// A smallest cube around shapes: cut in halves, its cells remain cubes.
+///
+/// The shapes are in its middle; but where they are thin along an axis, they begin at its lower face. In the middle, all of a
+/// long strip would lie on both sides of two planes, in four children of every cell, and no cut would ever pay.
 fn cube_around<S: Shape>(shapes: &[S]) -> Aabb {
     let all = shapes.iter().map(Shape::bounds).reduce(|a, b| a.union(&b));
     let bounds = all.unwrap_or(Aabb::of([Vec3::ZERO]));
-    let half = 0.5 * bounds.size().max_element();
+    let size = bounds.size();
+    let side = size.max_element();
+    let thin = size.cmplt(Vec3::splat(THIN * side));
+    let min = Vec3::select(thin, bounds.min, bounds.center() - 0.5 * side);
+    let max = Vec3::select(thin, bounds.min + side, bounds.center() + 0.5 * side);
     // The union: a centre is rounded.
-    bounds.union(&Aabb {
-        min: bounds.center() - half,
-        max: bounds.center() + half,
-    })
+    bounds.union(&Aabb { min, max })
 }

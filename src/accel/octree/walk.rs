@@ -6,9 +6,9 @@ use crate::accel::octree::tree::{Kind, Tree};
 use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use glam::Vec3;
 
-/// A distance (b − o)·(1/d) has three roundings, of 2⁻²⁴ each. Two of them are compared, and a shape's own test sees the
-/// ray a few roundings off too: a cell is left only when the ray is so much beyond it.
-const SLACK: f32 = 16.0 * (f32::EPSILON / 2.0);
+/// k: a plane is crossed k·u·(largest |b| of the tree + |o|) later than computed, u = 2⁻²⁴, and the next cell entered as much
+/// earlier. A distance (b − o)·(1/d) has three roundings of u, and a shape's own test sees the ray a few roundings off too.
+const ROUNDINGS: f32 = 16.0;
 
 /// For each axis, the children in the lower half, one bit each.
 const LOWER: [u8; 3] = [0b0101_0101, 0b0011_0011, 0b0000_1111];
@@ -17,7 +17,10 @@ const LOWER: [u8; 3] = [0b0101_0101, 0b0011_0011, 0b0000_1111];
 #[derive(Clone, Debug)]
 pub struct Walk<'a> {
     tree: &'a Tree,
-    origin: Vec3,
+    /// The ray's origin, moved on by its roundings: so a plane is met earlier.
+    ahead: Vec3,
+    /// The ray's origin, moved back by as much: so a plane is met later.
+    behind: Vec3,
     /// 1/d per axis; ±∞ where the ray does not move.
     inverse: Vec3,
     /// Bit i is set if the ray moves down along axis i. A child's number with these bits flipped counts as the ray goes:
@@ -55,9 +58,13 @@ struct Open {
 impl<'a> Walk<'a> {
     /// Starts a ray's walk.
     pub fn new(tree: &'a Tree, ray: &Ray, within: Interval) -> Self {
+        let sizes = ray.origin.abs() + tree.bounds.min.abs().max(tree.bounds.max.abs());
+        let step = ROUNDINGS * 0.5 * f32::EPSILON * sizes + f32::MIN_POSITIVE;
+        let step = step.copysign(*ray.direction);
         let mut walk = Self {
             tree,
-            origin: ray.origin,
+            ahead: ray.origin + step,
+            behind: ray.origin - step,
             inverse: ray.direction.recip(),
             // The sign bit, not d < 0: it makes −0.0 the mirror image of +0.0.
             mirror: ray.direction.is_negative_bitmask() as usize,
@@ -91,10 +98,10 @@ impl<'a> Walk<'a> {
                 Kind::Inner { children, occupied } => (children, occupied),
             };
             let center = visit.cell.center();
-            let crossed = (center - self.origin) * self.inverse;
+            let (earlier, later) = (self.earlier(center), self.later(center));
             let (mut enter, mut leave) = ([visit.enter; 8], [visit.leave; 8]);
             for axis in 0..3 {
-                let (t, later) = (crossed[axis], later(crossed[axis]));
+                let (t, later) = (earlier[axis], later[axis]);
                 for i in 0..8 {
                     // 0·∞: the ray runs in this plane. The comparisons are false for the NaN, and it is in both halves.
                     if i >> axis & 1 != 0 {
@@ -150,16 +157,26 @@ impl<'a> Walk<'a> {
         None
     }
 
+    /// Where the ray meets the three planes through a point, at the earliest.
+    #[inline]
+    fn earlier(&self, planes: Vec3) -> Vec3 {
+        (planes - self.ahead) * self.inverse
+    }
+
+    /// Where the ray meets the three planes through a point, at the latest.
+    #[inline]
+    fn later(&self, planes: Vec3) -> Vec3 {
+        (planes - self.behind) * self.inverse
+    }
+
     /// The root, if there are shapes in it and the ray meets its cell.
     fn enter_root(&self, within: Interval) -> Option<Visit> {
         let Aabb { min, max } = self.tree.bounds;
-        let low = (min - self.origin) * self.inverse;
-        let high = (max - self.origin) * self.inverse;
-        let (mut enter, mut leave) = (within.min, later(within.max));
+        let (mut enter, mut leave) = (within.min, within.max);
         for axis in 0..3 {
             let down = self.mirror >> axis & 1 != 0;
-            let (near, far) = if down { (high, low) } else { (low, high) };
-            let (near, far) = (near[axis], later(far[axis]));
+            let (near, far) = if down { (max, min) } else { (min, max) };
+            let (near, far) = (self.earlier(near)[axis], self.later(far)[axis]);
             // 0·∞: the ray runs in this face. The comparisons are false for the NaN, and the other face decides.
             enter = if near > enter { near } else { enter };
             leave = if far < leave { far } else { leave };
@@ -193,9 +210,4 @@ fn mirrored(mut bits: u8, mirror: usize) -> u8 {
         }
     }
     bits
-}
-
-/// The distance a little later, by [`SLACK`] of its size.
-fn later(t: f32) -> f32 {
-    t * (1.0 + SLACK.copysign(t))
 }

@@ -1,10 +1,14 @@
 //! Sorting shapes into coarse cells, and those of each coarse cell into its fine cells.
 
-use crate::accel::two_level_grid::{levels::Levels, refine::refine_cell};
-use crate::accel::{grid::resolution::grid_resolution, lattice::Lattice, order};
-use crate::math::aabb::Aabb;
+use crate::accel::two_level_grid::{
+    levels::Levels,
+    refine::{fine_cells, refine_cell},
+};
+use crate::accel::{budget::Budget, grid::resolution::grid_resolution, lattice::Lattice, order};
+use crate::math::{aabb::Aabb, domain::SMALLEST};
 use crate::shape::Shape;
 use glam::{UVec3, Vec3};
+use std::cell::Cell;
 
 /// The parts of a two-level grid.
 #[derive(Clone, Debug)]
@@ -38,32 +42,38 @@ impl Densities {
     };
 }
 
-/// More references or cells than this and than 32 per shape mean shapes that suit no grid.
-const MOST: usize = 1 << 24;
-
 /// Sorts shapes with finite bounds; `cells_of` tells which cells of a lattice a shape reaches, with a margin.
 ///
-/// Where shapes are so large that the lists would not fit into memory, there are fewer cells, at last a single one.
-pub fn build<S: Shape>(
+/// Where there is too much to sort for the budget, there are fewer cells, at last a single one.
+pub(crate) fn build<S: Shape>(
     mut shapes: Vec<S>,
     mut densities: Densities,
+    budget: Budget,
     cells_of: impl Fn(&Lattice, f32, &S) -> Vec<UVec3>,
 ) -> Parts<S> {
     let all = shapes.iter().map(Shape::bounds).reduce(|a, b| a.union(&b));
     let bounds = all.unwrap_or(Aabb::of([Vec3::ZERO]));
     let margin = margin(&bounds);
     let grown = bounds.grown(margin);
+    let boxes: Vec<_> = shapes.iter().map(Shape::bounds).collect();
     let cells_of =
         |shape: u32, lattice: &Lattice| cells_of(lattice, margin, &shapes[shape as usize]);
+    // No cell is smaller than what it looks beyond its planes.
+    let most = (bounds.size() / margin).as_uvec3();
     let (levels, starts, mut references) = loop {
         let resolution = grid_resolution(bounds.size(), shapes.len(), densities.coarse);
-        let top = Lattice::new(&grown, resolution);
-        let sorted = sort_in(top, shapes.len() as u32, densities.fine, &cells_of);
+        let top = Lattice::new(&grown, resolution.min(most));
+        let reach = Reach {
+            boxes: &boxes,
+            margin,
+            cells_of: &cells_of,
+        };
+        let sorted = sort_in(top, densities.fine, &reach, budget);
         if let Some(sorted) = sorted {
             break sorted;
         }
         densities.coarse /= 8.0;
-        densities.fine /= 2.0;
+        densities.fine /= 4.0;
     };
     order::by_first_use(&mut shapes, &mut references);
     Parts {
@@ -75,40 +85,73 @@ pub fn build<S: Shape>(
     }
 }
 
-/// The cells, where the lists of the fine ones begin, and the lists; `None` if they would be too long.
+/// Where shapes are.
+struct Reach<'a, F> {
+    boxes: &'a [Aabb],
+    margin: f32,
+    /// Which cells of a lattice a shape reaches.
+    cells_of: &'a F,
+}
+
+/// The cells, where the lists of the fine ones begin, and the lists; `None` if there is too much for the budget.
 fn sort_in(
     top: Lattice,
-    count: u32,
     density: f32,
-    cells_of: &impl Fn(u32, &Lattice) -> Vec<UVec3>,
+    reach: &Reach<'_, impl Fn(u32, &Lattice) -> Vec<UVec3>>,
+    mut budget: Budget,
 ) -> Option<(Levels, Vec<u32>, Vec<u32>)> {
-    let most = MOST.max(32 * count as usize);
+    let Reach {
+        boxes,
+        margin,
+        cells_of,
+    } = *reach;
+    let in_reach = |allowed: bool| allowed.then_some(());
+    in_reach(budget.allows(&top, margin, boxes.iter().copied()))?;
     let mut lists = vec![Vec::new(); top.cells()];
-    let mut entries = 0;
-    for shape in 0..count {
-        for cell in cells_of(shape, &top) {
+    let mut coarse = budget;
+    for shape in 0..boxes.len() as u32 {
+        let cells = cells_of(shape, &top);
+        in_reach(coarse.take(cells.len()))?;
+        for cell in cells {
             lists[top.index(cell)].push(shape);
-            entries += 1;
-        }
-        if entries > most {
-            return None;
         }
     }
+    // All that there is to try, before anything is tried.
+    for cell in top.all() {
+        let shapes = &lists[top.index(cell)];
+        let fine = fine_cells(&top.only(cell), shapes.len(), density);
+        let boxes = shapes.iter().map(|&shape| boxes[shape as usize]);
+        in_reach(budget.allows(&fine, margin, boxes))?;
+    }
+    in_reach(budget.take(top.cells()))?;
+    let left = Cell::new(budget.entries);
+    let take = |entries: usize| {
+        let enough = entries <= left.get();
+        left.set(if enough { left.get() - entries } else { 0 });
+        enough
+    };
+    // Once there are too many references, no more are made.
+    let cells_of = |shape: u32, fine: &Lattice| {
+        let cells = if left.get() > 0 {
+            cells_of(shape, fine)
+        } else {
+            Vec::new()
+        };
+        if take(cells.len()) { cells } else { Vec::new() }
+    };
     let (mut resolutions, mut starts, mut references) = (Vec::new(), Vec::new(), Vec::new());
     for cell in top.all() {
         let shapes = &lists[top.index(cell)];
         let refined = refine_cell(&top.only(cell), shapes, density, cells_of);
         resolutions.push(refined.resolution);
         let cells = refined.resolution.as_uvec3().element_product();
+        in_reach(take(cells as usize) && left.get() > 0)?;
         let mut entries = refined.entries.iter().peekable();
         for cell in 0..cells {
             starts.push(references.len() as u32);
             while let Some(&(_, shape)) = entries.next_if(|entry| entry.0 == cell) {
                 references.push(shape);
             }
-        }
-        if references.len() > most || starts.len() > most {
-            return None;
         }
     }
     starts.push(references.len() as u32);
@@ -118,5 +161,5 @@ fn sort_in(
 /// A quarter of the margin of the uniform grid, whose cells are larger: 2⁻¹⁵ of the extent.
 fn margin(bounds: &Aabb) -> f32 {
     let largest = bounds.min.abs().max(bounds.max.abs()).max_element();
-    bounds.size().max_element() / 32768.0 + 4.0 * f32::EPSILON * largest + f32::MIN_POSITIVE
+    bounds.size().max_element() / 32768.0 + 4.0 * f32::EPSILON * largest + SMALLEST / 32768.0
 }

@@ -45,6 +45,15 @@ impl Levels {
         (resolution != U8Vec3::ZERO).then(|| (first as usize, cut(self.top.only(coarse))))
     }
 
+    /// The whole grid with each coarse cell cut alike.
+    pub fn cut(&self, resolution: UVec3) -> Lattice {
+        Lattice {
+            min: self.top.min,
+            cell: self.top.cell / resolution.as_vec3(),
+            resolution: self.top.resolution * resolution,
+        }
+    }
+
     /// How many fine cells there are in all.
     pub fn cells(&self) -> usize {
         let cells = |cut: &Cut| cut.resolution.as_usizevec3().element_product();

@@ -8,7 +8,7 @@ pub(crate) mod walk;
 
 use crate::accel::grid::{build as grid, lists::Lists};
 use crate::accel::{
-    Accel, Count, bounded::bounded, list::List, margin::is_too_far, walk::break_if,
+    Accel, Count, bounded::bounded, budget::Budget, list::List, margin::is_too_far, walk::break_if,
 };
 use crate::math::{interval::Interval, ray::Ray};
 use crate::shape::{Hit, Shape, mesh::Facet};
@@ -29,8 +29,9 @@ impl<S: Shape> TwoLevelGrid<S> {
     /// A two-level grid of the usual densities; a shape is in each cell that its bounding box meets.
     pub fn new(shapes: Vec<S>) -> Self {
         let (shapes, unbounded) = bounded(shapes);
+        let budget = Budget::of(shapes.len());
         Self {
-            parts: build::build(shapes, Densities::USUAL, grid::by_bounds),
+            parts: build::build(shapes, Densities::USUAL, budget, grid::by_bounds),
             unbounded,
         }
     }
@@ -82,14 +83,20 @@ impl<S: Shape> TwoLevelGrid<S> {
 impl TwoLevelGrid<Facet> {
     /// A two-level grid of the usual densities; a facet is only in the cells that it itself meets.
     pub fn of_facets(facets: Vec<Facet>) -> Self {
-        Self::of_facets_with(facets, Densities::USUAL)
+        let budget = Budget::of(facets.len());
+        Self::built(facets, Densities::USUAL, budget)
     }
 
-    /// The same, with densities of one's own.
+    /// The same, with densities of one's own; with lower ones where cells and references would take more than 256 MB.
     pub fn of_facets_with(facets: Vec<Facet>, densities: Densities) -> Self {
+        let budget = Budget::of_a_wish(facets.len());
+        Self::built(facets, densities, budget)
+    }
+
+    fn built(facets: Vec<Facet>, densities: Densities, budget: Budget) -> Self {
         let (facets, unbounded) = bounded(facets);
         Self {
-            parts: build::build(facets, densities, grid::by_triangle),
+            parts: build::build(facets, densities, budget, grid::by_triangle),
             unbounded,
         }
     }

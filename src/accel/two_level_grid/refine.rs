@@ -27,9 +27,7 @@ pub fn refine_cell(
     if shapes.is_empty() {
         return Refined::default();
     }
-    let bounds = coarse.bounds();
-    let resolution = grid_resolution(bounds.size(), shapes.len(), density);
-    let fine = Lattice::new(&bounds, resolution.min(UVec3::splat(255)));
+    let fine = fine_cells(coarse, shapes.len(), density);
     let mut entries = Vec::with_capacity(2 * shapes.len());
     for &shape in shapes {
         let cells = cells_of(shape, &fine).into_iter();
@@ -42,3 +40,10 @@ pub fn refine_cell(
     }
 }
 // ANCHOR_END: refine_cell
+
+/// The fine cells of a coarse cell with so many shapes in it.
+pub(super) fn fine_cells(coarse: &Lattice, shapes: usize, density: f32) -> Lattice {
+    let bounds = coarse.bounds();
+    let resolution = grid_resolution(bounds.size(), shapes, density);
+    Lattice::new(&bounds, resolution.min(UVec3::splat(255)))
+}

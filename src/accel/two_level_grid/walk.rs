@@ -2,6 +2,7 @@
 
 use crate::accel::{two_level_grid::levels::Levels, walk::walk};
 use crate::math::{interval::Interval, ray::Ray};
+use glam::UVec3;
 use std::ops::ControlFlow;
 
 // ANCHOR: two_level_walk
@@ -9,8 +10,11 @@ use std::ops::ControlFlow;
 /// as `None`, and after it, unless it is empty, those of its fine cells that the ray passes through, by their places in the
 /// row of all.
 ///
-/// It is the grid's walk twice. The inner walk begins where the outer one has got to, and ends by itself where it leaves the
-/// coarse cell.
+/// It is the grid's walk twice. The inner walk begins and ends where the outer one enters and leaves the coarse cell, and goes
+/// through the whole grid, cut everywhere as finely as this coarse cell. For a ray that runs in a plane between two coarse
+/// cells, up to rounding, either may be its cell: the outer walk alone decides. Were the inner one to ask again whether the
+/// ray is in that cell, it would sometimes say no, and hits would be lost. So a fine cell beyond the plane stands for the
+/// nearest one of this coarse cell.
 pub fn walk_two_levels(
     levels: &Levels,
     ray: &Ray,
@@ -22,16 +26,15 @@ pub fn walk_two_levels(
         let Some((first, fine)) = levels.fine(coarse) else {
             return ControlFlow::Continue(());
         };
-        let mut so_far = ControlFlow::Continue(());
-        walk(
-            &fine,
-            ray,
-            Interval::new(inside.min, within.max),
-            |cell, inside| {
-                so_far = visit(Some(first + fine.index(cell)), inside);
-                so_far
-            },
-        );
+        let (begin, last) = (coarse * fine.resolution, fine.resolution - UVec3::ONE);
+        let (mut so_far, mut before) = (ControlFlow::Continue(()), None);
+        walk(&levels.cut(fine.resolution), ray, inside, |cell, inside| {
+            let place = first + fine.index(cell.max(begin).min(begin + last) - begin);
+            if before.replace(place) != Some(place) {
+                so_far = visit(Some(place), inside);
+            }
+            so_far
+        });
         so_far
     });
 }

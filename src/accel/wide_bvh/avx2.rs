@@ -8,6 +8,7 @@ use super::lanes::{Lanes, Struck, Work};
 use super::node::{CHILDREN, Leaf, Link, Node, TRIANGLES};
 use super::ray::WideRay;
 use super::tree::Tree;
+use crate::math::domain::{AREA_MAX, AREA_MIN};
 #[allow(
     clippy::wildcard_imports,
     reason = "the names of all vector instructions begin with _mm"
@@ -151,8 +152,15 @@ fn triangles(leaf: &Leaf, ray: &WideRay, max: f32) -> Option<Struck> {
             _mm256_cmp_ps::<_CMP_EQ_OQ>(w, zero),
         ),
     );
-    let unsure = _mm256_movemask_ps(_mm256_and_ps(inside, on_edge)) as u32;
-    let inverse = _mm256_div_ps(_mm256_set1_ps(1.0), _mm256_add_ps(_mm256_add_ps(u, v), w));
+    let whole = _mm256_add_ps(_mm256_add_ps(u, v), w);
+    let size = _mm256_andnot_ps(_mm256_set1_ps(-0.0), whole);
+    let extreme = _mm256_or_ps(
+        _mm256_cmp_ps::<_CMP_LT_OQ>(size, _mm256_set1_ps(AREA_MIN)),
+        _mm256_cmp_ps::<_CMP_GT_OQ>(size, _mm256_set1_ps(AREA_MAX)),
+    );
+    let doubtful = _mm256_and_ps(inside, _mm256_or_ps(on_edge, extreme));
+    let unsure = _mm256_movemask_ps(doubtful) as u32;
+    let inverse = _mm256_div_ps(_mm256_set1_ps(1.0), whole);
     let sum = _mm256_add_ps(
         _mm256_add_ps(_mm256_mul_ps(u, a[2]), _mm256_mul_ps(v, b[2])),
         _mm256_mul_ps(w, c[2]),

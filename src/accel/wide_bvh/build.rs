@@ -19,6 +19,12 @@ pub(crate) const COST: Cost = Cost {
     most: TRIANGLES as u32,
 };
 
+/// The most that nodes and leaves may take per facet; with the facet itself, 500 bytes.
+///
+/// Facets that are tiny, and far from each other, get a leaf each. Where nodes then are badly filled too, halves fill leaves
+/// better.
+const MOST_BYTES: usize = 500 - size_of::<Facet>();
+
 /// The tree of facets with finite boxes; leaves have at most `cost.most` of them, and [`TRIANGLES`].
 pub(crate) fn build(facets: Vec<Facet>, method: Method, cost: &Cost) -> Tree {
     let boxes = threads::list(facets.len(), |i| facets[i].bounds());
@@ -37,6 +43,10 @@ pub(crate) fn build(facets: Vec<Facet>, method: Method, cost: &Cost) -> Tree {
         .copied()
         .filter(|&i| old[i as usize].link.count > 0)
         .collect();
+    let bytes = families.len() * size_of::<Node>() + chosen.len() * size_of::<Leaf>();
+    if bytes > MOST_BYTES * facets.len() && method != Method::Median {
+        return build(facets, Method::Median, cost);
+    }
     for (place, &leaf) in chosen.iter().enumerate() {
         links[leaf as usize] = Link::leaf(place);
     }

@@ -4,6 +4,7 @@ use super::lanes::{Lanes, Struck, Work};
 use super::node::{CHILDREN, Leaf, Link, Node, TRIANGLES};
 use super::ray::WideRay;
 use super::tree::Tree;
+use crate::math::domain::{AREA_MAX, AREA_MIN};
 
 /// What every processor can do.
 ///
@@ -54,11 +55,13 @@ impl Lanes for Portable {
             if u.min(v).min(w) < 0.0 && u.max(v).max(w) > 0.0 {
                 continue;
             }
-            if u == 0.0 || v == 0.0 || w == 0.0 {
+            let sum = u + v + w;
+            let extreme = sum.abs() < AREA_MIN || sum.abs() > AREA_MAX;
+            if u == 0.0 || v == 0.0 || w == 0.0 || extreme {
                 struck.unsure |= 1 << lane;
                 continue;
             }
-            let inverse = 1.0 / (u + v + w);
+            let inverse = 1.0 / sum;
             let t = (u * a[2] + v * b[2] + w * c[2]) * inverse;
             if ray.min < t && t < max {
                 struck.mask |= 1 << lane;

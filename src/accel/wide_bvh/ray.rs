@@ -5,7 +5,7 @@ use crate::math::ray::Ray;
 use crate::shape::triangle_watertight::Shear;
 use glam::Vec3A;
 
-/// The least |d| along an axis, so that 1/d is finite; over the widest scene, 1e18 m, it moves a ray by a metre.
+/// The least |d| along an axis, so that 1/d is finite; over the widest scene, 4e9 m, it moves a ray by 4e-9 m.
 const LEAST: f32 = 1e-18;
 
 /// k: how many roundings a plane is moved away; see [`WideRay`].

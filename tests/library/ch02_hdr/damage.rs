@@ -7,7 +7,7 @@ use raybook::image::file::{self, FileError};
 use std::fs;
 
 /// A picture's file in this format.
-fn bytes_of(extension: &str) -> Vec<u8> {
+pub(super) fn bytes_of(extension: &str) -> Vec<u8> {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("picture").with_extension(extension);
     file::save(&path, &lights()).expect("it can be written");
@@ -15,7 +15,7 @@ fn bytes_of(extension: &str) -> Vec<u8> {
 }
 
 /// What reading these bytes as this format yields.
-fn read_as(extension: &str, bytes: &[u8]) -> Result<Image, FileError> {
+pub(super) fn read_as(extension: &str, bytes: &[u8]) -> Result<Image, FileError> {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("picture").with_extension(extension);
     fs::write(&path, bytes).expect("it can be written");

@@ -92,7 +92,7 @@ fn a_write_that_fails_leaves_nothing_behind() {
     fs::write(path.join("inside"), "").expect("it can be written");
     let error = file::save(&path, &lights()).expect_err("a folder with a file in it has this name");
     assert!(
-        matches!(error, FileError::Io { doing: "write", .. }),
+        matches!(&error, FileError::Store(error) if error.doing == "write this file"),
         "{error}"
     );
     assert!(

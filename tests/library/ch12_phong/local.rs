@@ -35,8 +35,7 @@ fn sun() -> Box<dyn Light> {
 
 /// What is seen of the ground at the origin from straight above.
 fn radiance(lights: Vec<Box<dyn Light>>, samples: u32, arrives: Option<Arrives>) -> Rgb {
-    let material: Box<dyn Material> = Box::new(PHONG);
-    let ground = Thing::new(Plane::through(Vec3::ZERO, Dir3::Y), material);
+    let ground = Thing::new(Plane::through(Vec3::ZERO, Dir3::Y), PHONG);
     let scene = Scene::new(vec![ground], lights).surrounded_by(Rgb::gray(0.2), |_| Rgb::BLACK);
     let seen = scene.closest(&ray(vec3(0.0, 9.0, 0.0), Vec3::NEG_Y));
     let seen = seen.expect("the ray meets the ground");
@@ -98,11 +97,11 @@ fn light_that_does_not_arrive_leaves_the_ambient_light() {
 
 #[test]
 fn a_scene_shows_the_nearest_thing_and_its_material() {
-    let ball = |z: f32, share: f32| -> Thing<dyn Material> {
+    let ball = |z: f32, share: f32| -> Thing {
         let ambient = Rgb::gray(share);
         Thing::new(
             Sphere::new(vec3(0.0, 0.0, z), 1.0),
-            Box::new(Phong { ambient, ..PHONG }),
+            Phong { ambient, ..PHONG },
         )
     };
     let scene = Scene::new(

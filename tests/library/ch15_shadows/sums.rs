@@ -11,6 +11,7 @@ use raybook::render::local::Local;
 use raybook::render::whitted::Whitted;
 use raybook::scene::world::{Scene, Thing};
 use raybook::shape::plane::Plane;
+use std::sync::Arc;
 
 #[test]
 fn a_shadow_takes_away_one_lights_part_and_no_more() {
@@ -38,9 +39,12 @@ fn a_shadow_takes_away_one_lights_part_and_no_more() {
 #[test]
 fn no_ray_is_sent_for_light_that_would_not_count() {
     let mirror = Mirror { share: Rgb::WHITE };
-    let things = |material: Box<dyn Material>| {
+    let things = |material: Arc<dyn Material>| {
         let floor = Plane::through(Vec3::ZERO, Dir3::Y);
-        vec![Thing::new(floor, material)]
+        vec![Thing {
+            shape: Arc::new(floor),
+            material,
+        }]
     };
     let lamp = |y: f32| -> Box<dyn Light> {
         Box::new(PointLight {
@@ -52,20 +56,20 @@ fn no_ray_is_sent_for_light_that_would_not_count() {
         samples: 1,
         arrives: Some(lit),
     };
-    let rays = |material: Box<dyn Material>, y: f32| {
+    let rays = |material: Arc<dyn Material>, y: f32| {
         let scene = Scene::new(things(material), vec![lamp(y)]);
         let down = ray(vec3(0.0, 1.0, 0.0), Vec3::NEG_Y);
         let whitted = Whitted { local, depth: 1 };
         whitted.follow(&scene, &down, &mut pcg::stream(0, 0)).rays
     };
-    assert_eq!(rays(Box::new(CLAY), 4.0), 2, "to the floor and to the lamp");
+    assert_eq!(rays(Arc::new(CLAY), 4.0), 2, "to the floor and to the lamp");
     assert_eq!(
-        rays(Box::new(CLAY), -4.0),
+        rays(Arc::new(CLAY), -4.0),
         1,
         "the lamp is behind the floor"
     );
     assert_eq!(
-        rays(Box::new(mirror), 4.0),
+        rays(Arc::new(mirror), 4.0),
         1,
         "a mirror makes nothing of it"
     );

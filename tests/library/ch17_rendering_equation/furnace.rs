@@ -24,7 +24,7 @@ fn white_things_disappear_in_a_white_furnace() {
         thing(Sphere::new(vec3(1.8, 0.8, 0.3), 0.8), white()),
     ];
     let mut scene = Scene::new(things, vec![]);
-    scene.backdrop = |_| Rgb::WHITE;
+    scene.backdrop = Box::new(|_| Rgb::WHITE);
     for strategy in [Strategy::Surface, Strategy::Both] {
         let path = Path { strategy, ..ALL };
         let mean = Mean::sampled(11, 400, |rng| {
@@ -48,7 +48,7 @@ fn a_glossy_plane_in_a_white_furnace_is_never_brighter_than_the_sky() {
         };
         let plane = thing(Plane::through(Vec3::ZERO, Dir3::Y), brdf);
         let mut scene = Scene::new(vec![plane], vec![]);
-        scene.backdrop = |_| Rgb::WHITE;
+        scene.backdrop = Box::new(|_| Rgb::WHITE);
         let seen = |down: f32| {
             let ray = Ray::new(vec3(0.0, 2.0, 0.0), direction(1.0, -down, 0.0));
             Mean::sampled(12, 2000, |rng| ALL.radiance(&scene, &ray, rng).g)

@@ -4,23 +4,11 @@ use crate::ch17_rendering_equation::{ALL, direction, square, thing};
 use glam::{Vec3, vec3};
 use raybook::image::rgb::Rgb;
 use raybook::light::{Light, directional::DirectionalLight, point::PointLight};
-use raybook::material::brdf::{Brdf, Reflecting};
-use raybook::material::{Material, lambert::Lambert, modified_phong::ModifiedPhong};
+use raybook::material::{lambert::Lambert, modified_phong::ModifiedPhong};
 use raybook::math::{dir3::Dir3, pcg, ray::Ray};
 use raybook::render::{local::Local, mis::Strategy, path::Path, shadow, whitted::Whitted};
-use raybook::scene::world::{Scene, Thing};
-use raybook::shape::{Shape, plane::Plane, sphere::Sphere};
-
-/// A ball on a floor, of any kind of material.
-fn things<M: ?Sized>(matt: impl Fn() -> Box<M>, glossy: impl Fn() -> Box<M>) -> Vec<Thing<M>> {
-    let ball = Sphere::new(vec3(0.0, 1.0, 0.0), 1.0);
-    let floor = Plane::through(Vec3::ZERO, Dir3::Y);
-    let thing = |shape: Box<dyn Shape>, material| Thing { shape, material };
-    vec![
-        thing(Box::new(ball), glossy()),
-        thing(Box::new(floor), matt()),
-    ]
-}
+use raybook::scene::world::Scene;
+use raybook::shape::{plane::Plane, sphere::Sphere};
 
 #[test]
 fn whitted_with_point_lights_is_a_path_over_one_surface() {
@@ -32,24 +20,20 @@ fn whitted_with_point_lights_is_a_path_over_one_surface() {
         specular: Rgb::gray(0.5),
         exponent: 30.0,
     };
-    let lights = || -> Vec<Box<dyn Light>> {
-        vec![
-            Box::new(PointLight {
-                position: vec3(3.0, 4.0, 2.0),
-                intensity: Rgb::new(30.0, 20.0, 10.0),
-            }),
-            Box::new(DirectionalLight {
-                toward: direction(-1.0, 1.0, 0.3),
-                irradiance: Rgb::gray(0.5),
-            }),
-        ]
-    };
-    let brdfs = things::<dyn Brdf>(|| Box::new(MATT), || Box::new(GLOSSY));
-    let materials = things::<dyn Material>(
-        || Box::new(Reflecting(MATT)),
-        || Box::new(Reflecting(GLOSSY)),
-    );
-    let (scene, for_whitted) = (Scene::new(brdfs, lights()), Scene::new(materials, lights()));
+    let lights: Vec<Box<dyn Light>> = vec![
+        Box::new(PointLight {
+            position: vec3(3.0, 4.0, 2.0),
+            intensity: Rgb::new(30.0, 20.0, 10.0),
+        }),
+        Box::new(DirectionalLight {
+            toward: direction(-1.0, 1.0, 0.3),
+            irradiance: Rgb::gray(0.5),
+        }),
+    ];
+    let ball = Sphere::new(vec3(0.0, 1.0, 0.0), 1.0);
+    let floor = Plane::through(Vec3::ZERO, Dir3::Y);
+    let things = vec![thing(ball, GLOSSY), thing(floor, MATT)];
+    let scene = Scene::new(things, lights);
     let local = Local {
         samples: 1,
         arrives: Some(shadow::lit),
@@ -69,7 +53,7 @@ fn whitted_with_point_lights_is_a_path_over_one_surface() {
                 direction(u.x - 0.6, 0.2 - 0.8 * u.y, -1.0),
             );
             let one = path.radiance(&scene, &ray, &mut rng);
-            let other = whitted.radiance(&for_whitted, &ray, &mut rng);
+            let other = whitted.radiance(&scene, &ray, &mut rng);
             assert_eq!(one, other, "{strategy:?}, {ray:?}");
             (lit, dark) = if one.g > 0.0 {
                 (lit + 1, dark)
@@ -84,7 +68,7 @@ fn whitted_with_point_lights_is_a_path_over_one_surface() {
 #[test]
 fn an_empty_scene_shows_its_backdrop() {
     let mut scene = Scene::new(vec![], vec![]);
-    scene.backdrop = |ray| Rgb::gray(ray.direction.y);
+    scene.backdrop = Box::new(|ray| Rgb::gray(ray.direction.y));
     let ray = Ray::new(Vec3::ZERO, Dir3::Y);
     let mut rng = pcg::stream(1, 1);
     assert_eq!(

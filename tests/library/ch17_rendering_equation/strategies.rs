@@ -3,7 +3,6 @@
 use crate::ch17_rendering_equation::{ALL, direction, square};
 use glam::{Vec3, vec2, vec3};
 use raybook::camera::pinhole::{PLANE_HEIGHT, Pinhole};
-use raybook::material::brdf::Brdf;
 use raybook::math::ray::Ray;
 use raybook::render::{mis::Strategy, path::Path};
 use raybook::scene::world::Scene;
@@ -16,13 +15,7 @@ const BOX: f32 = 0.3;
 const PLATES: f32 = 0.68;
 
 /// The mean radiance of a picture from some height down.
-fn part(
-    (scene, camera): &(Scene<dyn Brdf>, Pinhole),
-    top: f32,
-    path: Path,
-    seed: u64,
-    samples: u32,
-) -> Mean {
+fn part((scene, camera): &(Scene, Pinhole), top: f32, path: Path, seed: u64, samples: u32) -> Mean {
     Mean::sampled(seed, samples, |rng| {
         let u = square(rng);
         let place = vec2(0.1, top) + vec2(0.8, 0.95 - top) * u;
@@ -31,7 +24,7 @@ fn part(
     })
 }
 
-fn box_and_camera() -> (Scene<dyn Brdf>, Pinhole) {
+fn box_and_camera() -> (Scene, Pinhole) {
     let (eye, zoom) = (cornell::EYE, cornell::ZOOM * PLANE_HEIGHT);
     let camera = Pinhole::look_at(eye, eye + Vec3::Z, Vec3::Y, zoom, 1.0);
     (

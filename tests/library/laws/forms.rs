@@ -1,12 +1,14 @@
 //! Random shapes, as data: to be built, aimed at, moved, and measured in `f64`.
 
-use glam::{DVec3, Mat3, Vec3, vec3};
+use glam::{DMat3, DVec3, Mat3, Vec3, vec3};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use raybook::accel::{Meshed, list::List};
 use raybook::math::{dir3::Dir3, ray::Ray};
-use raybook::shape::mesh::Mesh;
+use raybook::shape::mesh::{Facet, Mesh};
+use raybook::shape::placed::Placed;
 use raybook::shape::{Shape, cuboid::Cuboid, plane::Plane, sphere::Sphere, triangle::Triangle};
+use std::sync::Arc;
 
 /// So many cases, always the same ones.
 pub(crate) fn config(cases: u32) -> ProptestConfig {
@@ -31,6 +33,8 @@ pub(crate) enum Form {
     Triangle([Vec3; 3]),
     /// The corners of a tetrahedron: a mesh of four triangles in a list.
     Mesh([Vec3; 4]),
+    /// The corners of a tetrahedron that was made elsewhere, smaller and turned, and is placed here.
+    Placed([Vec3; 4]),
 }
 
 /// p ↦ turn·(scale·p) + shift.
@@ -58,10 +62,20 @@ impl Form {
             Self::Plane(point, normal) => Box::new(Plane::through(point, normal)),
             Self::Cuboid(a, b) => Box::new(Cuboid::between(a, b)),
             Self::Triangle([p0, p1, p2]) => Box::new(Triangle::new(p0, p1, p2)),
-            Self::Mesh(corners) => {
-                let faces = vec![[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]];
-                let mesh = Mesh::new(corners.to_vec(), faces, None, None).expect("finite corners");
-                Box::new(Meshed::new(mesh, List::new))
+            Self::Mesh(corners) => Box::new(tetrahedron(corners)),
+            Self::Placed(corners) => {
+                let (scale, turn) = (
+                    2.5,
+                    DMat3::from_rotation_x(1.1) * DMat3::from_rotation_y(0.7),
+                );
+                let to = corners[0].as_dvec3();
+                let made = |p: Vec3| (turn.transpose() * (p.as_dvec3() - to) / scale).as_vec3();
+                Box::new(Placed {
+                    shape: Arc::new(tetrahedron(corners.map(made))),
+                    scale: scale as f32,
+                    turn: turn.as_mat3(),
+                    to: corners[0],
+                })
             }
         }
     }
@@ -75,6 +89,7 @@ impl Form {
             Self::Cuboid(a, b) => Self::Cuboid(point(a), point(b)),
             Self::Triangle(corners) => Self::Triangle(corners.map(point)),
             Self::Mesh(corners) => Self::Mesh(corners.map(point)),
+            Self::Placed(corners) => Self::Placed(corners.map(point)),
         }
     }
 
@@ -88,7 +103,7 @@ impl Form {
                 let b = 1.0 / 3.0 + 0.16 * (u - u.element_sum() / 3.0);
                 b.x * p0 + b.y * p1 + b.z * p2
             }
-            Self::Mesh([p0, p1, p2, p3]) => {
+            Self::Mesh([p0, p1, p2, p3]) | Self::Placed([p0, p1, p2, p3]) => {
                 let b = 0.25 + 0.08 * u;
                 b.x * p0 + b.y * p1 + b.z * p2 + (1.0 - b.element_sum()) * p3
             }
@@ -126,7 +141,7 @@ impl Form {
                 }
             }
             Self::Triangle([p0, p1, p2]) => to_triangle(p, &Triangle::new(p0, p1, p2)),
-            Self::Mesh([p0, p1, p2, p3]) => {
+            Self::Mesh([p0, p1, p2, p3]) | Self::Placed([p0, p1, p2, p3]) => {
                 [[p0, p1, p2], [p0, p2, p3], [p0, p3, p1], [p1, p3, p2]]
                     .map(|[a, b, c]| to_triangle(p, &Triangle::new(a, b, c)))
                     .into_iter()
@@ -134,6 +149,13 @@ impl Form {
             }
         }
     }
+}
+
+/// Four triangles in a list.
+fn tetrahedron(corners: [Vec3; 4]) -> Meshed<List<Facet>> {
+    let faces = vec![[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]];
+    let mesh = Mesh::new(corners.to_vec(), faces, None, None).expect("finite corners");
+    Meshed::new(mesh, List::new)
 }
 
 /// The distance from p to a triangle: to its plane over its inside, else to the nearest edge.
@@ -168,7 +190,7 @@ pub(crate) fn direction() -> impl Strategy<Value = Dir3> {
 /// A form of size 1, at most 10 from the origin; triangles and tetrahedra that are not too thin.
 pub(crate) fn form() -> impl Strategy<Value = Form> {
     let parts = (vector(), vector(), vector(), vector(), direction());
-    (0..5, vector(), parts).prop_filter_map("too thin", |(kind, center, (a, b, c, d, normal))| {
+    (0..6, vector(), parts).prop_filter_map("too thin", |(kind, center, (a, b, c, d, normal))| {
         let center = 10.0 * center;
         let twice_area = (b - a).cross(c - a);
         let six_volumes = twice_area.dot(d - a).abs();
@@ -178,6 +200,7 @@ pub(crate) fn form() -> impl Strategy<Value = Form> {
             2 if (b - a).abs().min_element() > 0.05 => Form::Cuboid(center + a, center + b),
             3 if twice_area.length() > 0.05 => Form::Triangle([a, b, c].map(|p| center + p)),
             4 if six_volumes > 0.05 => Form::Mesh([a, b, c, d].map(|p| center + p)),
+            5 if six_volumes > 0.05 => Form::Placed([a, b, c, d].map(|p| center + p)),
             _ => return None,
         })
     })

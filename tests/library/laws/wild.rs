@@ -44,7 +44,10 @@ pub(crate) fn direction() -> impl Strategy<Value = Dir3> {
 /// A shape of the given kind out of whatever numbers; `None` where its constructor refuses them.
 fn build(kind: usize, [a, b, c]: [Vec3; 3], normal: Dir3, x: f32) -> Option<Box<dyn Shape>> {
     Some(match kind {
-        0 => Box::new(Sphere::new(a, x)),
+        0 => Box::new(Sphere {
+            center: a,
+            radius: x,
+        }),
         1 => Box::new(Plane::through(a, normal)),
         2 => Box::new(Plane { normal, offset: x }),
         3 => Box::new(Cuboid {

@@ -36,7 +36,7 @@ pub enum Method {
     BottomUp,
 }
 
-/// Builds a tree over boxes: finite ones, with coordinates up to 1e18 (`accel/bounded.rs`).
+/// Builds a tree over boxes: finite ones, within the [domain](crate::math::domain).
 ///
 /// The same boxes give the same tree, whatever the number of threads.
 pub(crate) fn build(boxes: &[Aabb], method: Method, cost: &Cost) -> Flat {

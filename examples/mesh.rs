@@ -1,0 +1,36 @@
+//! A mesh from a file, or the teapot: `cargo run --release --example mesh -- my.obj`
+
+use raybook::prelude::*;
+use raybook::shape::{mesh_file, teapot};
+use std::error::Error;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let mesh = match std::env::args_os().nth(1) {
+        Some(file) => mesh_file::load(file.as_ref())?,
+        None => teapot::mesh(12),
+    };
+    let (middle, size) = (mesh.bounds().center(), mesh.bounds().size().length());
+    let white = Lambert {
+        albedo: Rgb::gray(0.75),
+    };
+    let scene = Scene::new(
+        vec![Thing::new(Meshed::new(mesh, WideBvh::new), white)],
+        vec![],
+    )
+    .surrounded_by(Rgb::BLACK, |ray| Rgb::gray(0.6 + 0.4 * ray.direction.y));
+
+    let film = Film::new(480, 360, 32);
+    let eye = middle + size * vec3(0.4, 0.35, 0.9);
+    let camera = Pinhole::look_at(eye, middle, Vec3::Y, 0.035, film.aspect())?;
+    let path = Path {
+        depth: 4,
+        sure: 3,
+        strategy: Strategy::Surface,
+    };
+    let picture = render_evenly(&film, |place, numbers| {
+        path.follow(&scene, &camera.ray_through(place), numbers)
+    });
+    file::save("mesh.png".as_ref(), &picture)?;
+    println!("wrote mesh.png");
+    Ok(())
+}

@@ -1,0 +1,53 @@
+//! Surfaces that are not the same everywhere.
+
+use crate::image::rgb::Rgb;
+use crate::light::LightSample;
+use crate::material::{Delta, Material};
+use crate::math::dir3::Dir3;
+use crate::shape::Surface;
+use glam::Vec2;
+
+// ANCHOR: texture
+/// A material for each place of a surface: what the place is made of answers for it.
+pub trait Texture: Send + Sync {
+    /// What it is made of.
+    type Material: Material;
+
+    /// The material at a place, by its texture coordinates or its position.
+    fn at(&self, surface: &Surface) -> Self::Material;
+}
+// ANCHOR_END: texture
+
+impl<T: Texture> Material for T {
+    fn eval(&self, at: &Surface, view: Dir3, toward: Dir3) -> Rgb {
+        self.at(at).eval(at, view, toward)
+    }
+
+    fn sample(&self, at: &Surface, view: Dir3, u: Vec2) -> Option<Dir3> {
+        self.at(at).sample(at, view, u)
+    }
+
+    fn pdf(&self, at: &Surface, view: Dir3, toward: Dir3) -> f32 {
+        self.at(at).pdf(at, view, toward)
+    }
+
+    fn emitted(&self, at: &Surface, view: Dir3) -> Rgb {
+        self.at(at).emitted(at, view)
+    }
+
+    fn ambient(&self, at: &Surface) -> Rgb {
+        self.at(at).ambient(at)
+    }
+
+    fn deltas(&self, at: &Surface, view: Dir3, tell: &mut dyn FnMut(Delta)) {
+        self.at(at).deltas(at, view, tell);
+    }
+
+    fn scatters(&self, at: &Surface) -> bool {
+        self.at(at).scatters(at)
+    }
+
+    fn lit(&self, at: &Surface, view: Dir3, light: &LightSample) -> Rgb {
+        self.at(at).lit(at, view, light)
+    }
+}

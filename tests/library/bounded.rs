@@ -1,0 +1,253 @@
+//! Whatever a mesh is, a structure over it takes at most 500 bytes a triangle, and time in proportion to N log N.
+
+use glam::{Vec3, vec3};
+use rand::RngExt;
+use raybook::accel::bvh::{Bvh, build::Method};
+use raybook::accel::{
+    Accel, grid::Grid, list::List, octree::Octree, two_level_grid::TwoLevelGrid, wide_bvh::WideBvh,
+};
+use raybook::math::{dir3::Dir3, interval::Interval, pcg, ray::Ray};
+use raybook::shape::mesh::Facet;
+use std::f32::consts::TAU;
+
+/// Triangles of each mesh.
+const N: u32 = 100_000;
+
+/// The most that a structure may take per triangle, with the triangles, in bytes.
+const BYTES: usize = 500;
+
+/// The triangles number i of n.
+fn mesh(n: u32, triangle: impl Fn(f32) -> [Vec3; 3]) -> Vec<Facet> {
+    let facet = |id: u32| Facet {
+        corners: triangle(id as f32 / n as f32),
+        id,
+    };
+    (0..n).map(facet).collect()
+}
+
+/// Meshes that structures dislike, each of n triangles.
+#[allow(clippy::too_many_lines, reason = "it is a list")]
+fn meshes(n: u32) -> Vec<(&'static str, Vec<Facet>)> {
+    let unit = [
+        vec3(0.1, 0.2, 0.3),
+        vec3(1.0, 0.3, 0.1),
+        vec3(0.2, 1.1, 0.9),
+    ];
+    let turned = |angle: f32| vec3(angle.cos(), 0.0, angle.sin());
+    let mut rng = pcg::stream(9, 9);
+    let mut any = || Vec3::from_array(std::array::from_fn(|_| rng.random::<f32>()));
+    let threes: Vec<Vec3> = (0..=n / 3).map(|_| any()).collect();
+    vec![
+        ("identical", mesh(n, |_| unit)),
+        (
+            "identical, in a face",
+            mesh(n, |_| unit.map(|p| p * vec3(1.0, 0.0, 1.0))),
+        ),
+        (
+            "concentric",
+            mesh(n, |x| unit.map(|p| (0.1 + x) * (p - 0.5))),
+        ),
+        (
+            "nested boxes",
+            mesh(n, |x| unit.map(|p| p * (1.0 + 1e-6 * x))),
+        ),
+        (
+            "diagonal",
+            mesh(n, |x| {
+                [
+                    Vec3::ZERO,
+                    Vec3::ONE,
+                    vec3(0.5 + 0.01 * x, 0.5, 0.5 - 0.01 * x),
+                ]
+            }),
+        ),
+        (
+            "slivers",
+            mesh(n, |x| {
+                let p = vec3(x, 0.0, (997.0 * x).fract());
+                [
+                    p,
+                    p + vec3(0.0, 1.0, 1e-6),
+                    vec3(1.0 - x, 1.0, (331.0 * x).fract()),
+                ]
+            }),
+        ),
+        (
+            "slivers across",
+            mesh(n, |x| {
+                let p = 0.5 + vec3((811.0 * x).sin(), (977.0 * x).cos(), (1009.0 * x).sin());
+                [p, Vec3::ONE - p, Vec3::ONE - p + 1e-5]
+            }),
+        ),
+        (
+            "fan",
+            mesh(n, |x| {
+                [
+                    Vec3::ZERO,
+                    turned(TAU * x),
+                    turned(TAU * (x + 1.0 / n as f32)),
+                ]
+            }),
+        ),
+        (
+            "cone",
+            mesh(n, |x| {
+                [Vec3::Y, turned(TAU * x), turned(TAU * (x + 1.0 / n as f32))]
+            }),
+        ),
+        (
+            "shrinking",
+            mesh(n, |x| unit.map(|p| p * (-x * n as f32 / 8.0).exp2())),
+        ),
+        (
+            "shrinking slowly",
+            mesh(n, |x| unit.map(|p| p * (-100.0 * x).exp2())),
+        ),
+        ("one far away", {
+            let mut all = mesh(n, |x| {
+                unit.map(|p| 0.01 * p + vec3(x, (37.0 * x).fract(), 0.0))
+            });
+            all[0].corners = unit.map(|p| 1e8 * (p + 1.0));
+            all
+        }),
+        ("denormal", mesh(n, |x| unit.map(|p| p * (1.0 + x) * 1e-41))),
+        (
+            "denormal, of one place",
+            mesh(n, |_| unit.map(|p| p * 1e-45)),
+        ),
+        ("denormal, and one that is not", {
+            let mut all = mesh(n, |x| unit.map(|p| p * (1.0 + x) * 1e-41));
+            all[0].corners = unit;
+            all
+        }),
+        (
+            "strip",
+            mesh(n, |x| {
+                [x, x + 2.0 / n as f32, x]
+                    .map(|x| vec3(1e3 * x, 0.1, 0.0))
+                    .map(|p| p + vec3(0.0, 0.0, (p.x * 77.0).fract() * 1e-2))
+            }),
+        ),
+        (
+            "strip of squares",
+            mesh(n, |x| {
+                let (x, w) = (1e5 * x, 1.0);
+                [vec3(x, 0.0, 0.0), vec3(x + w, 0.0, w), vec3(x, 0.0, w)]
+            }),
+        ),
+        (
+            "diagonal strip",
+            mesh(n, |x| {
+                [Vec3::splat(x), Vec3::splat(x + 1e-5), vec3(x + 1e-5, x, x)]
+            }),
+        ),
+        ("points", mesh(n, |x| [vec3(x, (71.0 * x).fract(), 0.3); 3])),
+        ("one point", mesh(n, |_| [Vec3::ONE; 3])),
+        (
+            "far from 0",
+            mesh(n, |x| unit.map(|p| 1e8 + 100.0 * (p + x))),
+        ),
+        ("threes", {
+            let facets = mesh(n, |_| unit);
+            let at = |facet: Facet| Facet {
+                corners: facet
+                    .corners
+                    .map(|p| 1e-6 * p + threes[facet.id as usize / 3]),
+                ..facet
+            };
+            facets.into_iter().map(at).collect()
+        }),
+        (
+            "large soup",
+            mesh(n, |x| {
+                let at = |k: f32| {
+                    vec3(
+                        (k * x).fract(),
+                        (1.7 * k * x).fract(),
+                        (2.3 * k * x).fract(),
+                    )
+                };
+                [at(1013.0), at(2011.0), at(4021.0)]
+            }),
+        ),
+    ]
+}
+
+/// Builds a structure over every mesh; asserts what it takes, and that some rays are answered as by the list.
+fn bounded<A: Accel<Facet>>(build: impl Fn(Vec<Facet>) -> A, bytes: impl Fn(&A) -> usize) {
+    for (name, facets) in meshes(N) {
+        let accel = build(facets.clone());
+        let per_triangle = bytes(&accel) / facets.len();
+        println!("{name:30} {per_triangle:4} bytes a triangle");
+        assert!(
+            per_triangle <= BYTES,
+            "{name}: {per_triangle} bytes a triangle, and {BYTES} are allowed"
+        );
+        let list = List::new(facets.clone());
+        for i in 0..4 {
+            let corners = facets[i * facets.len() / 4].corners;
+            let to = (corners[0] + corners[1] + corners[2]) / 3.0;
+            let from = to + vec3(0.3, 2.0, -0.4 + 0.1 * i as f32);
+            let ray = Ray::new(from, Dir3::new_or(to - from, Dir3::X));
+            let ask = |hit: Option<(&Facet, raybook::shape::Hit)>| hit.map(|(_, hit)| hit.t);
+            assert_eq!(
+                ask(accel.closest(&ray, Interval::AHEAD)),
+                ask(list.closest(&ray, Interval::AHEAD)),
+                "{name}: {ray:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn grid() {
+    bounded(Grid::of_facets, Grid::bytes);
+}
+
+#[test]
+fn grid_by_bounds() {
+    bounded(Grid::new, Grid::bytes);
+}
+
+#[test]
+fn two_level_grid() {
+    bounded(TwoLevelGrid::of_facets, TwoLevelGrid::bytes);
+}
+
+#[test]
+fn two_level_grid_by_bounds() {
+    bounded(TwoLevelGrid::new, TwoLevelGrid::bytes);
+}
+
+#[test]
+fn octree() {
+    bounded(Octree::of_facets, Octree::bytes);
+}
+
+#[test]
+fn octree_by_bounds() {
+    bounded(Octree::new, Octree::bytes);
+}
+
+#[test]
+fn bvh() {
+    for method in [
+        Method::Median,
+        Method::Middle,
+        Method::Sweep,
+        Method::Binned,
+        Method::Fine,
+        Method::BottomUp,
+    ] {
+        println!("{method:?}");
+        bounded(|facets| Bvh::build(facets, method), Bvh::bytes);
+    }
+}
+
+#[test]
+fn wide_bvh() {
+    for method in [Method::Fine, Method::Middle, Method::BottomUp] {
+        println!("{method:?}");
+        bounded(|facets| WideBvh::build(facets, method), WideBvh::bytes);
+    }
+}

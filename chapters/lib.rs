@@ -7,6 +7,12 @@
 //! | `shared/` | rooms, scenes and figures that a few chapters share |
 //! | `lab/` | the sampling lab: what can be measured of a sampling pattern, and figures that show it |
 
+#![warn(
+    clippy::allow_attributes_without_reason,
+    missing_debug_implementations,
+    unreachable_pub
+)]
+
 pub mod kit;
 pub mod lab;
 pub mod lesson;
@@ -30,3 +36,13 @@ macro_rules! lessons {
 }
 
 for_each_chapter!(lessons);
+
+/// The figures that show measured times, and so are never the same twice; all others follow from the seed, bit for bit.
+pub const MEASURED: [&str; 6] = [
+    "ch06_triangle/cost.png",
+    "ch08_grid/resolution.png",
+    "ch11_bvh/builders.png",
+    "ch11_bvh/speeds.png",
+    "ch17_rendering_equation/error.png",
+    "ch24_wide_bvh/gain.png",
+];

@@ -27,7 +27,7 @@ const FRONT: [Vec3; 5] = [
 ///
 /// # Errors
 /// If plotters cannot draw.
-pub fn draw() -> Figure {
+pub(super) fn draw() -> Figure {
     let (o, focal_length) = (vec3(0.0, 2.0, 0.0), 3.0);
     let camera = Pinhole {
         plane: vec2(3.36, 2.4),

@@ -22,7 +22,7 @@ const LEAST: f32 = 0.001;
 ///
 /// # Errors
 /// If plotters cannot draw.
-pub fn histogram(picture: &Image, marks: &[(f32, &str)]) -> Figure {
+pub(super) fn histogram(picture: &Image, marks: &[(f32, &str)]) -> Figure {
     let stops = picture.pixels().iter().map(|p| p.luminance().log2());
     let bars: Vec<_> = stops
         .filter(|s| s.is_finite())
@@ -64,7 +64,7 @@ pub fn histogram(picture: &Image, marks: &[(f32, &str)]) -> Figure {
 ///
 /// # Errors
 /// If plotters cannot draw.
-pub fn curves() -> Figure {
+pub(super) fn curves() -> Figure {
     type Curve = fn(Rgb) -> Rgb;
     let curves: [(&str, Curve, _); 3] = [
         ("clamped", tone::clamp, INK),

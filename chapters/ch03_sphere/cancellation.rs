@@ -25,7 +25,7 @@ const DISTANCES: [(f32, &str); 5] = [
 ///
 /// # Errors
 /// If a caption cannot be drawn.
-pub fn figure(film: Film) -> Figure {
+pub(super) fn figure(film: Film) -> Figure {
     let slanting = Dir3::new_or(vec3(-0.61, -0.34, -0.71), Dir3::Z);
     let rows: [(&str, Dir3, Normal); 3] = [
         ("schoolbook", -Dir3::Z, schoolbook),

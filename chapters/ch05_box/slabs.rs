@@ -23,7 +23,7 @@ const VIEW: Aabb = Aabb {
 ///
 /// # Errors
 /// If it cannot be drawn.
-pub fn diagram() -> Figure {
+pub(super) fn diagram() -> Figure {
     figure(1000, 600, |canvas| {
         let (hit, miss) = canvas.split_vertically(600);
         draw_row(&hit, "A hit", vec3(0.0, 0.3, 0.0), vec3(1.0, 0.58, 0.0))?;

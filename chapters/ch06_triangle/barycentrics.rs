@@ -23,7 +23,7 @@ fn at(b1: f32, b2: f32) -> Vec2 {
 ///
 /// # Errors
 /// What plotters reports.
-pub fn draw() -> Figure {
+pub(super) fn draw() -> Figure {
     figure(960, 570, |canvas| {
         fill(canvas)?;
         for i in 0..4 {

@@ -9,7 +9,7 @@ const ROUNDS: usize = 60;
 /// Nanoseconds per question for each contestant, in their order.
 ///
 /// They take turns, so that a machine that slows down slows all of them.
-pub fn nanoseconds<Q, A>(questions: &[Q], contestants: &[fn(&Q) -> A]) -> Vec<f64> {
+pub(super) fn nanoseconds<Q, A>(questions: &[Q], contestants: &[fn(&Q) -> A]) -> Vec<f64> {
     let mut best = vec![f64::INFINITY; contestants.len()];
     for _ in 0..ROUNDS {
         for (best, answer) in best.iter_mut().zip(contestants) {

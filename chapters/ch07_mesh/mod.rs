@@ -100,7 +100,7 @@ fn attributes(film: &Film, mesh: &Mesh) -> [Image; 4] {
     let room = Showroom::around(mesh, film.aspect());
     let shape = Meshed::new(mesh.clone(), List::new);
     let size = vec2(film.width as f32, film.height as f32);
-    let pixels = film.each_pixel(|x, y, rng| {
+    let pixels = film.each_pixel(&|x, y, rng| {
         let places = place_in_pixel(film.samples, rng);
         let mut sums = [Rgb::BLACK; 4];
         for i in 0..film.samples {

@@ -30,7 +30,7 @@ const ENOUGH: f64 = 0.01;
 
 /// What a ray costs, on average, in a grid of a given density, in cells per triangle.
 #[derive(Clone, Copy, Debug)]
-pub struct Cost {
+pub(super) struct Cost {
     /// λ.
     pub density: f32,
     /// Nanoseconds, the best of several rounds.
@@ -42,7 +42,7 @@ pub struct Cost {
 }
 
 /// The costs over the densities of a showroom's rays, measured now.
-pub fn measure(mesh: &Mesh) -> Vec<Cost> {
+pub(super) fn measure(mesh: &Mesh) -> Vec<Cost> {
     let room = Showroom::around(mesh, 1.6);
     // Evenly over the picture, but no neighbours in a row.
     let place = |i: usize| vec2(i as f32 * 0.618_034 % 1.0, i as f32 / RAYS as f32);
@@ -78,7 +78,7 @@ pub fn measure(mesh: &Mesh) -> Vec<Cost> {
 }
 
 /// Rays per second in the grid that takes the least time.
-pub fn rate(costs: &[Cost]) -> f32 {
+pub(super) fn rate(costs: &[Cost]) -> f32 {
     best(costs).map_or(0.0, |best| 1e9 / best.time)
 }
 
@@ -91,7 +91,7 @@ fn best(costs: &[Cost]) -> Option<&Cost> {
 ///
 /// # Errors
 /// If plotters cannot draw.
-pub fn plot(costs: &[Cost]) -> Figure {
+pub(super) fn plot(costs: &[Cost]) -> Figure {
     type Curve = (&'static str, RGBColor, fn(&Cost) -> f32);
     let curves: [Curve; 3] = [
         ("nanoseconds", INK, |cost| cost.time),

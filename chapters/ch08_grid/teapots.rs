@@ -6,7 +6,7 @@ use std::f32::consts::TAU;
 
 /// Teapots on a square of ground.
 #[derive(Clone, Debug)]
-pub struct Teapots {
+pub(super) struct Teapots {
     /// All of it: the teapots one after the other, then the ground.
     pub mesh: Mesh,
     /// Triangles per teapot.
@@ -20,7 +20,7 @@ const GOLDEN_ANGLE: f32 = 0.381_966 * TAU;
 
 /// So many teapots, each as fine as [`teapot::mesh`] of `fineness`, in the spirals of a sunflower: the k-th one is √k out
 /// and a golden angle further than the one before, so that all have equally much room (Vogel 1979).
-pub fn teapots(count: u32, fineness: usize) -> Teapots {
+pub(super) fn teapots(count: u32, fineness: usize) -> Teapots {
     let pot = teapot::mesh(fineness);
     let vertices = pot.positions().len() as u32;
     let (mut positions, mut triangles) = (Vec::new(), Vec::new());
@@ -54,7 +54,7 @@ pub fn teapots(count: u32, fineness: usize) -> Teapots {
 
 impl Teapots {
     /// Which teapot a triangle belongs to, from 0 in the middle to 1 at the rim; `None` for the ground.
-    pub fn teapot(&self, triangle: u32) -> Option<f32> {
+    pub(super) fn teapot(&self, triangle: u32) -> Option<f32> {
         let teapot = triangle / self.each.max(1);
         (teapot < self.count).then(|| teapot as f32 / self.count as f32)
     }

@@ -32,7 +32,7 @@ const VIEW: (f32, f32) = (9.5, 6.3);
 ///
 /// # Errors
 /// If it cannot be drawn.
-pub fn diagram() -> Figure {
+pub(super) fn diagram() -> Figure {
     let bounds = Aabb {
         min: Vec3::ZERO,
         max: CELLS.as_vec3(),

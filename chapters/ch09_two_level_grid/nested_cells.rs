@@ -13,7 +13,7 @@ use std::ops::ControlFlow;
 ///
 /// # Errors
 /// What plotters reports.
-pub fn diagram() -> Figure {
+pub(super) fn diagram() -> Figure {
     let (discs, size) = (discs(), vec3(SIDE, SIDE, 1e-4));
     let densities = Densities {
         coarse: 1.0 / 4.0,

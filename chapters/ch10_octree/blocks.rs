@@ -10,7 +10,7 @@ use raybook::shape::mesh::{Facet, Mesh};
 use raybook::shape::{Hit, Shape, Surface, cuboid::Cuboid};
 
 /// The cells that are not empty, as blocks: cells after `depth(place)` cuts, or leaves that come before.
-pub fn cells(octree: &Octree<Facet>, depth: impl Fn(Vec3) -> u32) -> Vec<Cuboid> {
+pub(super) fn cells(octree: &Octree<Facet>, depth: impl Fn(Vec3) -> u32) -> Vec<Cuboid> {
     let tree = octree::tree(octree);
     let is_shown = |place: &Place| {
         let depth = depth(place.cell.center());
@@ -24,7 +24,7 @@ pub fn cells(octree: &Octree<Facet>, depth: impl Fn(Vec3) -> u32) -> Vec<Cuboid>
 }
 
 /// The colour of a block where a ray hits it: clay, with darker edges.
-pub fn shade(block: &Cuboid, ray: &Ray, hit: &Hit) -> Rgb {
+pub(super) fn shade(block: &Cuboid, ray: &Ray, hit: &Hit) -> Rgb {
     let at = block.surface(ray, hit);
     let to_edge = (at.position - block.bounds.center()).abs() / block.bounds.size();
     let near_two_faces = to_edge.cmpgt(Vec3::splat(0.46)).bitmask().count_ones() > 1;
@@ -36,7 +36,7 @@ pub fn shade(block: &Cuboid, ray: &Ray, hit: &Hit) -> Rgb {
 }
 
 /// The mesh turning into blocks from left to right, after 7, 6, 5 and 4 cuts: the blocks, and the facets that are kept.
-pub fn dissolving(mesh: &Mesh, octree: &Octree<Facet>) -> (Vec<Cuboid>, Vec<Facet>) {
+pub(super) fn dissolving(mesh: &Mesh, octree: &Octree<Facet>) -> (Vec<Cuboid>, Vec<Facet>) {
     /// The first of 16 columns, and the number of cuts from there on.
     const COLUMNS: [(f32, u32); 4] = [(14.0, 4), (12.0, 5), (10.0, 6), (7.0, 7)];
     let root = octree::tree(octree).bounds;

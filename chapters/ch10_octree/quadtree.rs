@@ -13,7 +13,7 @@ use raybook::math::{aabb::Aabb, interval::Interval};
 ///
 /// # Errors
 /// What plotters reports.
-pub fn diagram() -> Figure {
+pub(super) fn diagram() -> Figure {
     let cube = Aabb {
         min: Vec3::ZERO,
         max: Vec3::splat(SIDE),

@@ -7,7 +7,7 @@ use raybook::shape::mesh::Facet;
 use std::time::Instant;
 
 /// The methods, by name.
-pub const METHODS: [(&str, Method); 5] = [
+pub(super) const METHODS: [(&str, Method); 5] = [
     ("median", Method::Median),
     ("middle", Method::Middle),
     ("heuristic, all cuts", Method::Sweep),
@@ -19,7 +19,7 @@ pub const METHODS: [(&str, Method); 5] = [
 ///
 /// # Errors
 /// What plotters reports.
-pub fn figure(facets: &[Facet]) -> Figure {
+pub(super) fn figure(facets: &[Facet]) -> Figure {
     let mut rows = Vec::new();
     for (name, method) in METHODS {
         let facets = facets.to_vec();

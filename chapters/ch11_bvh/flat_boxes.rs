@@ -16,10 +16,10 @@ use raybook::math::{aabb::Aabb, pcg};
 const HIGH: f32 = 1000.0;
 
 /// Colours of the levels of a tree, from the root down.
-pub const LEVELS: [RGBColor; 6] = [INK, BLUE, VERMILION, GREEN, PURPLE, ORANGE];
+pub(super) const LEVELS: [RGBColor; 6] = [INK, BLUE, VERMILION, GREEN, PURPLE, ORANGE];
 
 /// Triangles around places, each with the given size; always the same ones.
-pub fn triangles(places: &[(Vec2, f32)], seed: u64) -> Vec<[Vec2; 3]> {
+pub(super) fn triangles(places: &[(Vec2, f32)], seed: u64) -> Vec<[Vec2; 3]> {
     let mut rng = pcg::stream(seed, 0);
     let mut triangle = |&(at, size): &(Vec2, f32)| {
         let turn = rng.random::<f32>() * 2.1;
@@ -31,7 +31,7 @@ pub fn triangles(places: &[(Vec2, f32)], seed: u64) -> Vec<[Vec2; 3]> {
 }
 
 /// The box of a triangle.
-pub fn bounds(triangle: &[Vec2; 3]) -> Aabb {
+pub(super) fn bounds(triangle: &[Vec2; 3]) -> Aabb {
     Aabb::of(
         [-HIGH, HIGH]
             .into_iter()
@@ -40,13 +40,13 @@ pub fn bounds(triangle: &[Vec2; 3]) -> Aabb {
 }
 
 /// A tree over triangles with one in each leaf.
-pub fn tree(triangles: &[[Vec2; 3]], method: Method) -> Flat {
+pub(super) fn tree(triangles: &[[Vec2; 3]], method: Method) -> Flat {
     let boxes: Vec<_> = triangles.iter().map(bounds).collect();
     build(&boxes, method, &Cost { most: 1, ..COST })
 }
 
 /// Paper, and where on the canvas it lies.
-pub struct Paper<'a, 'b> {
+pub(super) struct Paper<'a, 'b> {
     /// What is drawn on.
     pub canvas: &'a Canvas<'b>,
     /// The pixel of the origin: x goes right from there, and y up.
@@ -65,7 +65,7 @@ impl Paper<'_, '_> {
     ///
     /// # Errors
     /// If plotters cannot draw; likewise below.
-    pub fn triangle(&self, corners: &[Vec2; 3]) -> Drawn {
+    pub(super) fn triangle(&self, corners: &[Vec2; 3]) -> Drawn {
         let corners = corners.map(|p| self.pixel(p)).to_vec();
         self.canvas.draw(&Polygon::new(corners, FAINT.filled()))?;
         Ok(())
@@ -75,7 +75,13 @@ impl Paper<'_, '_> {
     ///
     /// # Errors
     /// As for [`Paper::triangle`].
-    pub fn outline(&self, bounds: &Aabb, margin: f32, colour: RGBColor, width: u32) -> Drawn {
+    pub(super) fn outline(
+        &self,
+        bounds: &Aabb,
+        margin: f32,
+        colour: RGBColor,
+        width: u32,
+    ) -> Drawn {
         let corners = [
             bounds.min.truncate() - margin,
             bounds.max.truncate() + margin,
@@ -90,7 +96,7 @@ impl Paper<'_, '_> {
     ///
     /// # Errors
     /// As for [`Paper::triangle`].
-    pub fn text(&self, text: &str, at: Vec2, size: i32, colour: RGBColor) -> Drawn {
+    pub(super) fn text(&self, text: &str, at: Vec2, size: i32, colour: RGBColor) -> Drawn {
         write(
             self.canvas,
             text,
@@ -103,7 +109,7 @@ impl Paper<'_, '_> {
     ///
     /// # Errors
     /// As for [`Paper::triangle`].
-    pub fn boxes(&self, tree: &Flat, node: &Node, level: usize) -> Drawn {
+    pub(super) fn boxes(&self, tree: &Flat, node: &Node, level: usize) -> Drawn {
         let colour = LEVELS[level.min(LEVELS.len() - 1)];
         let air = 0.05 * height(tree, node) as f32;
         self.outline(&node.bounds, air, colour, 4)?;
@@ -118,7 +124,7 @@ impl Paper<'_, '_> {
 }
 
 /// The levels below a node.
-pub fn height(tree: &Flat, node: &Node) -> u32 {
+pub(super) fn height(tree: &Flat, node: &Node) -> u32 {
     if node.link.count > 0 {
         return 0;
     }
@@ -130,7 +136,7 @@ pub fn height(tree: &Flat, node: &Node) -> u32 {
 ///
 /// # Errors
 /// What plotters reports.
-pub fn two_organisations() -> Figure {
+pub(super) fn two_organisations() -> Figure {
     let mut rng = pcg::stream(22, 0);
     let mut near = |at: Vec2, spread: f32| {
         at + spread * vec2(rng.random::<f32>() - 0.5, rng.random::<f32>() - 0.5)

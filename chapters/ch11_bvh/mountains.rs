@@ -10,12 +10,12 @@ use raybook::shape::Surface;
 const METRES: f32 = 1.8;
 
 /// Where the evening sun stands.
-pub fn toward_sun() -> Dir3 {
+pub(super) fn toward_sun() -> Dir3 {
     Dir3::new_or(vec3(0.80, 0.42, 0.10), Dir3::Y)
 }
 
 /// The colour of a point of the mountains at a distance from the eye in metres, in the light of sun and sky, behind the air.
-pub fn shade(at: &Surface, distance: f32, in_sunlight: bool) -> Rgb {
+pub(super) fn shade(at: &Surface, distance: f32, in_sunlight: bool) -> Rgb {
     let toward = at.shading_normal.dot(*toward_sun()).max(0.0);
     let sunlight = Rgb::new(2.3, 1.75, 1.15) * if in_sunlight { toward } else { 0.0 };
     let skylight = Rgb::new(0.20, 0.29, 0.44) * (0.5 + 0.5 * at.shading_normal.y);

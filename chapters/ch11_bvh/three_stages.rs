@@ -28,7 +28,7 @@ const SCALE: f32 = 105.0;
 ///
 /// # Errors
 /// What plotters reports.
-pub fn draw() -> Figure {
+pub(super) fn draw() -> Figure {
     let triangles = triangles(&PLACES.map(|((x, y), size)| (vec2(x, y), size)), 5);
     let tree = tree(&triangles, Method::Sweep);
     figure(1120, 390, |canvas| {

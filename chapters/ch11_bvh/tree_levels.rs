@@ -15,7 +15,12 @@ use raybook::shape::{Shape, cuboid::Cuboid};
 ///
 /// # Errors
 /// If the labels cannot be drawn.
-pub fn figure<S: Shape>(film: &Film, room: &Showroom, tree: &Bvh<S>, levels: &[u32]) -> Figure {
+pub(super) fn figure<S: Shape>(
+    film: &Film,
+    room: &Showroom,
+    tree: &Bvh<S>,
+    levels: &[u32],
+) -> Figure {
     let tiles = levels.iter().map(|&depth| {
         let boxes = level(tree, depth);
         let label = format!("level {depth}: {} boxes", boxes.len());
@@ -50,7 +55,7 @@ fn colour(bounds: &Aabb) -> Rgb {
 }
 
 /// The boxes of all nodes that have so many branches above them, and of leaves that have fewer: together they hold all.
-pub fn level<S: Shape>(tree: &Bvh<S>, level: u32) -> Vec<Aabb> {
+pub(super) fn level<S: Shape>(tree: &Bvh<S>, level: u32) -> Vec<Aabb> {
     let (root, pairs) = bvh::nodes(tree);
     let mut boxes = Vec::new();
     if let Some(root) = root {

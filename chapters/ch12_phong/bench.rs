@@ -10,13 +10,13 @@ use raybook::shape::sphere::Sphere;
 use std::f32::consts::{FRAC_1_PI, PI};
 
 /// Red clay.
-pub const CLAY: Rgb = Rgb::new(0.80, 0.22, 0.05);
+pub(super) const CLAY: Rgb = Rgb::new(0.80, 0.22, 0.05);
 
 /// A scene and its name.
-pub type Trial = (String, Scene<dyn Material>);
+pub(super) type Trial = (String, Scene);
 
 /// A material of this colour, with a highlight on top.
-pub fn glossy(colour: Rgb, exponent: f32) -> Phong {
+pub(super) fn glossy(colour: Rgb, exponent: f32) -> Phong {
     Phong {
         ambient: colour,
         diffuse: colour * FRAC_1_PI,
@@ -26,7 +26,7 @@ pub fn glossy(colour: Rgb, exponent: f32) -> Phong {
 }
 
 /// A material of this colour without a highlight.
-pub fn matt(colour: Rgb) -> Phong {
+pub(super) fn matt(colour: Rgb) -> Phong {
     Phong {
         specular: Rgb::BLACK,
         ..glossy(colour, 1.0)
@@ -34,7 +34,7 @@ pub fn matt(colour: Rgb) -> Phong {
 }
 
 /// The terms of Phong's formula, one more in each scene, and then another light.
-pub fn terms() -> Vec<Trial> {
+pub(super) fn terms() -> Vec<Trial> {
     let (matt, glossy) = (matt(CLAY), glossy(CLAY, 16.0));
     let ambient = Phong {
         diffuse: Rgb::BLACK,
@@ -49,7 +49,7 @@ pub fn terms() -> Vec<Trial> {
 }
 
 /// Phong's highlight with growing exponents, then Blinn's with four times these.
-pub fn exponents() -> Vec<Trial> {
+pub(super) fn exponents() -> Vec<Trial> {
     const PHONG: [f32; 4] = [4.0, 16.0, 64.0, 256.0];
     let phong = PHONG.map(|a| (format!("Phong, α = {a}"), ball(glossy(CLAY, a), 1)));
     let blinn = PHONG.map(|a| 4.0 * a).map(|a| {
@@ -60,7 +60,7 @@ pub fn exponents() -> Vec<Trial> {
 }
 
 /// A ball of radius 1 before a grey wall, under a white light from the left and, if there are two, a blue one from the right.
-fn ball(material: impl Material + 'static, lights: usize) -> Scene<dyn Material> {
+fn ball(material: impl Material + 'static, lights: usize) -> Scene {
     let light = |toward: Vec3, irradiance| -> Box<dyn Light> {
         Box::new(DirectionalLight {
             toward: Dir3::new_or(toward, Dir3::Y),
@@ -71,7 +71,7 @@ fn ball(material: impl Material + 'static, lights: usize) -> Scene<dyn Material>
         light(vec3(-0.55, 0.65, 0.75), Rgb::gray(PI)),
         light(vec3(0.9, -0.25, 0.45), Rgb::new(0.2, 0.6, 1.0) * 2.0),
     ];
-    let ball = Thing::new(Sphere::new(Vec3::ZERO, 1.0), Box::new(material) as _);
+    let ball = Thing::new(Sphere::new(Vec3::ZERO, 1.0), material);
     Scene::new(vec![ball], both.into_iter().take(lights).collect())
         .surrounded_by(Rgb::gray(0.1), |ray| {
             Rgb::gray(0.42 + 0.9 * ray.direction.y)

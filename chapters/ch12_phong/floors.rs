@@ -14,7 +14,7 @@ use std::f32::consts::PI;
 const WARM: Rgb = Rgb::new(1.0, 0.93, 0.8);
 
 /// A lamp between balls on tiles.
-pub fn under_lamp() -> Scene<dyn Material> {
+pub(super) fn under_lamp() -> Scene {
     let position = vec3(0.0, 1.3, 0.3);
     let lamp = PointLight {
         position,
@@ -24,7 +24,7 @@ pub fn under_lamp() -> Scene<dyn Material> {
 }
 
 /// The same in the sun.
-pub fn under_sun() -> Scene<dyn Material> {
+pub(super) fn under_sun() -> Scene {
     let sun = DirectionalLight {
         toward: Dir3::new_or(vec3(-0.5, 1.0, 0.6), Dir3::Y),
         irradiance: WARM * PI,
@@ -33,18 +33,18 @@ pub fn under_sun() -> Scene<dyn Material> {
 }
 
 /// Balls on tiles under a light, and what else there is.
-fn on_tiles(light: Box<dyn Light>, mut things: Vec<Thing<dyn Material>>) -> Scene<dyn Material> {
+fn on_tiles(light: Box<dyn Light>, mut things: Vec<Thing>) -> Scene {
     let tiles = Checkered(matt(Rgb::gray(0.75)), matt(Rgb::new(0.10, 0.32, 0.42)));
-    things.push(floor(Box::new(tiles)));
+    things.push(floor(tiles));
     for (x, z) in [(-1.9, 0.0), (1.2, -1.6), (1.5, 1.4)] {
         let ball = Sphere::new(vec3(x, 0.5, z), 0.5);
-        things.push(Thing::new(ball, Box::new(glossy(CLAY, 64.0))));
+        things.push(Thing::new(ball, glossy(CLAY, 64.0)));
     }
     Scene::new(things, vec![light]).surrounded_by(Rgb::gray(0.05), dusk)
 }
 
 /// A dark, shining floor before three low lamps, of the material that `model` makes of these numbers.
-pub fn wet(exponent: f32, model: impl FnOnce(Phong) -> Box<dyn Material>) -> Scene<dyn Material> {
+pub(super) fn wet<M: Material + 'static>(exponent: f32, model: impl FnOnce(Phong) -> M) -> Scene {
     let asphalt = Phong {
         specular: Rgb::gray(1.6),
         ..glossy(Rgb::new(0.16, 0.18, 0.21), exponent)
@@ -67,17 +67,17 @@ pub fn wet(exponent: f32, model: impl FnOnce(Phong) -> Box<dyn Material>) -> Sce
     Scene::new(things, lights.into()).surrounded_by(Rgb::gray(0.12), dusk)
 }
 
-fn floor(material: Box<dyn Material>) -> Thing<dyn Material> {
+fn floor(material: impl Material + 'static) -> Thing {
     Thing::new(Plane::through(Vec3::ZERO, Dir3::Y), material)
 }
 
 /// A point light has no extent and cannot be seen: a ball around it that sends out ambient light alone.
-fn bulb(position: Vec3, colour: Rgb) -> Thing<dyn Material> {
+fn bulb(position: Vec3, colour: Rgb) -> Thing {
     let material = Phong {
         ambient: colour * 20.0,
         ..matt(Rgb::BLACK)
     };
-    Thing::new(Sphere::new(position, 0.12), Box::new(material))
+    Thing::new(Sphere::new(position, 0.12), material)
 }
 
 /// A pale sky after sunset.

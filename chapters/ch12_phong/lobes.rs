@@ -54,7 +54,7 @@ const LOBES: [(&str, Lobe, RGBColor, u32); 3] = [
 ///
 /// # Errors
 /// What plotters reports.
-pub fn draw() -> Figure {
+pub(super) fn draw() -> Figure {
     figure(960, 480, |canvas| {
         let (left, right) = canvas.split_horizontally(960);
         in_plane(&left)?;

@@ -14,7 +14,7 @@ use crate::kit::stage::{Drawn, Stage};
 use glam::{Vec3, vec3};
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::Image;
-use raybook::material::{Material, blinn_phong::BlinnPhong};
+use raybook::material::blinn_phong::BlinnPhong;
 use raybook::render::film::Film;
 use raybook::render::followed::Followed;
 use raybook::render::local::{ALWAYS, Local};
@@ -48,8 +48,8 @@ pub fn draw(stage: &Stage) -> Drawn {
     let (from, to) = (vec3(0.0, 1.6, 5.5), vec3(0.0, 0.4, 0.0));
     let camera = Pinhole::look_at(from, to, Vec3::Y, 0.03, film.aspect())?;
     let tile = |scene| photograph(&film, &camera, &scene);
-    let phong = floors::wet(64.0, |phong| Box::new(phong));
-    let blinn = floors::wet(256.0, |phong| Box::new(BlinnPhong(phong)));
+    let phong = floors::wet(64.0, |phong| phong);
+    let blinn = floors::wet(256.0, BlinnPhong);
     let tiles = [
         ("a point light", tile(floors::under_lamp())),
         ("a directional light", tile(floors::under_sun())),
@@ -62,7 +62,7 @@ pub fn draw(stage: &Stage) -> Drawn {
 }
 
 /// What a camera sees by the lights alone, as if nothing were ever in their way.
-fn photograph(film: &Film, camera: &Pinhole, scene: &Scene<dyn Material>) -> Image {
+fn photograph(film: &Film, camera: &Pinhole, scene: &Scene) -> Image {
     let local = Local {
         samples: 1,
         arrives: ALWAYS,

@@ -2,7 +2,6 @@
 
 use glam::{Vec3, vec3};
 use raybook::image::rgb::Rgb;
-use raybook::material::Material;
 use raybook::material::mirror::Mirror;
 use raybook::math::dir3::Dir3;
 use raybook::math::ray::Ray;
@@ -21,7 +20,7 @@ const GLOWS: [(Vec3, Rgb); 4] = [
 ];
 
 /// Balls of radius 1 at the corners of a regular tetrahedron, one behind the other three; no lights but the backdrop.
-pub fn scene() -> Scene<dyn Material> {
+pub fn scene() -> Scene {
     let share = Rgb::gray(0.93);
     let (r, behind) = (2.0 / 3.0_f32.sqrt(), -(8.0 / 3.0_f32).sqrt());
     let corner = |turns: f32| {
@@ -34,9 +33,7 @@ pub fn scene() -> Scene<dyn Material> {
         corner(0.25 + 2.0 / 3.0),
         vec3(0.0, 0.0, behind),
     ];
-    let ball = |centre| -> Thing<dyn Material> {
-        Thing::new(Sphere::new(centre, 1.0), Box::new(Mirror { share }))
-    };
+    let ball = |centre| -> Thing { Thing::new(Sphere::new(centre, 1.0), Mirror { share }) };
     Scene::new(centres.map(ball).into(), Vec::new()).surrounded_by(Rgb::BLACK, glows)
 }
 

@@ -13,7 +13,6 @@ use crate::shared::{ray_tree, ray_tree_figure};
 use glam::{Vec2, Vec3, vec2};
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::Image;
-use raybook::material::Material;
 use raybook::render::film::Film;
 use raybook::render::local::{ALWAYS, Local};
 use raybook::render::refine::refine;
@@ -84,7 +83,7 @@ fn whitted(depth: u32) -> Whitted {
     Whitted { local, depth }
 }
 
-fn photograph(film: &Film, camera: &Pinhole, scene: &Scene<dyn Material>, depth: u32) -> Image {
+fn photograph(film: &Film, camera: &Pinhole, scene: &Scene, depth: u32) -> Image {
     refine(film, |place, rng| {
         whitted(depth).follow(scene, &camera.ray_through(place), rng)
     })

@@ -29,7 +29,7 @@ const CURVES: [Curve; 3] = [
 ///
 /// # Errors
 /// If plotters cannot draw.
-pub fn plot() -> Figure {
+pub(super) fn plot() -> Figure {
     figure(1000, 470, |canvas| {
         let (into, out) = canvas.split_horizontally(1000);
         panel(&into, "from air into glass", 1.0, GLASS)?;

@@ -3,7 +3,6 @@
 use glam::{Vec3, vec3};
 use raybook::image::rgb::Rgb;
 use raybook::light::directional::DirectionalLight;
-use raybook::material::Material;
 use raybook::material::checkered::Checkered;
 use raybook::material::glass::{Glass, Medium};
 use raybook::material::phong::Phong;
@@ -11,7 +10,6 @@ use raybook::math::basis::Basis;
 use raybook::math::dir3::Dir3;
 use raybook::math::ray::Ray;
 use raybook::scene::world::{Scene, Thing};
-use raybook::shape::Shape;
 use raybook::shape::cuboid::Cuboid;
 use raybook::shape::plane::Plane;
 use raybook::shape::sphere::Sphere;
@@ -26,16 +24,8 @@ pub const DEPTH: u32 = 12;
 /// Between things that only seem to touch, in metres.
 const GAP: f32 = 1e-3;
 
-/// A thing of some material.
-fn thing(shape: impl Shape + 'static, material: impl Material + 'static) -> Thing<dyn Material> {
-    Thing {
-        shape: Box::new(shape),
-        material: Box::new(material),
-    }
-}
-
 /// Things on a floor of squares of a metre, under the sun, in a studio with a window.
-fn on_floor(mut things: Vec<Thing<dyn Material>>) -> Scene<dyn Material> {
+fn on_floor(mut things: Vec<Thing>) -> Scene {
     let tile = |r, g, b| Phong {
         ambient: Rgb::new(r, g, b),
         diffuse: Rgb::new(r, g, b) / PI,
@@ -44,26 +34,26 @@ fn on_floor(mut things: Vec<Thing<dyn Material>>) -> Scene<dyn Material> {
     };
     let floor = Plane::through(Vec3::ZERO, Dir3::Y);
     let tiles = Checkered(tile(0.86, 0.80, 0.70), tile(0.05, 0.17, 0.23));
-    things.push(thing(floor, tiles));
+    things.push(Thing::new(floor, tiles));
     let sun = DirectionalLight {
         toward: Dir3::new_or(vec3(-0.5, 1.0, 0.4), Dir3::Y),
         irradiance: Rgb::new(2.0, 1.85, 1.6),
     };
     let mut scene = Scene::new(things, vec![Box::new(sun)]);
     scene.ambient = Rgb::new(0.30, 0.34, 0.40);
-    scene.backdrop = studio;
+    scene.backdrop = Box::new(studio);
     scene
 }
 
 /// A ball inside another ball, which it displaces: both surfaces know both media.
-fn ball_in_ball(center: Vec3, radii: [f32; 2], media: [Medium; 2]) -> [Thing<dyn Material>; 2] {
+fn ball_in_ball(center: Vec3, radii: [f32; 2], media: [Medium; 2]) -> [Thing; 2] {
     let inner = Glass {
         outside: media[0],
         inside: media[1],
     };
     [
-        thing(Sphere::new(center, radii[0]), Glass::of(media[0])),
-        thing(Sphere::new(center, radii[1]), inner),
+        Thing::new(Sphere::new(center, radii[0]), Glass::of(media[0])),
+        Thing::new(Sphere::new(center, radii[1]), inner),
     ]
 }
 
@@ -76,26 +66,26 @@ fn coloured(r: f32, g: f32, b: f32) -> Medium {
 }
 
 /// A ball that lies on the floor.
-fn ball(x: f32, z: f32, radius: f32, medium: Medium) -> Thing<dyn Material> {
+fn ball(x: f32, z: f32, radius: f32, medium: Medium) -> Thing {
     let center = vec3(x, radius + GAP, z);
-    thing(Sphere::new(center, radius), Glass::of(medium))
+    Thing::new(Sphere::new(center, radius), Glass::of(medium))
 }
 
 /// A ball of glass in a tank of water; what the ball takes to be around it is said.
-fn tank(x: f32, z: f32, around_ball: Medium) -> [Thing<dyn Material>; 2] {
+fn tank(x: f32, z: f32, around_ball: Medium) -> [Thing; 2] {
     let water = Cuboid::between(vec3(x - 1.1, GAP, z - 1.0), vec3(x + 1.1, 1.9, z + 1.0));
     let in_water = Glass {
         outside: around_ball,
         inside: Medium::GLASS,
     };
     [
-        thing(water, Glass::of(Medium::WATER)),
-        thing(Sphere::new(vec3(x, 0.75, z), 0.7), in_water),
+        Thing::new(water, Glass::of(Medium::WATER)),
+        Thing::new(Sphere::new(vec3(x, 0.75, z), 0.7), in_water),
     ]
 }
 
 /// A ball of glass, one with a large bubble, one in a tank of water, and coloured ones.
-pub fn still_life() -> Scene<dyn Material> {
+pub fn still_life() -> Scene {
     let bubble = [Medium::GLASS, Medium::AIR];
     let mut things = vec![
         ball(-0.35, -0.4, 1.25, Medium::GLASS),
@@ -110,7 +100,7 @@ pub fn still_life() -> Scene<dyn Material> {
 }
 
 /// The same ball in four surroundings, each by its name.
-pub fn nested() -> [(&'static str, Scene<dyn Material>); 4] {
+pub fn nested() -> [(&'static str, Scene); 4] {
     let center = vec3(0.0, 1.0 + GAP, 0.0);
     let bubble = ball_in_ball(center, [1.0, 0.7], [Medium::GLASS, Medium::AIR]);
     [
@@ -126,7 +116,7 @@ pub fn nested() -> [(&'static str, Scene<dyn Material>); 4] {
 }
 
 /// Balls of the same green glass, each twice as large as the one before.
-pub fn sizes() -> Scene<dyn Material> {
+pub fn sizes() -> Scene {
     let green = coloured(1.6, 0.25, 0.9);
     let balls = [(-2.6, 0.2), (-1.75, 0.4), (-0.25, 0.8), (2.55, 1.6)];
     on_floor(balls.map(|(x, r)| ball(x, -r, r, green)).into())

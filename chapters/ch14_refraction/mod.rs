@@ -13,7 +13,6 @@ use crate::kit::stage::{Drawn, Stage};
 use glam::{Vec3, vec3};
 use raybook::camera::pinhole::{LookAtError, Pinhole};
 use raybook::image::Image;
-use raybook::material::Material;
 use raybook::render::film::Film;
 use raybook::render::local::{ALWAYS, Local};
 use raybook::render::refine::refine;
@@ -74,7 +73,7 @@ pub fn draw(stage: &Stage) -> Drawn {
 /// A picture by Whitted's ray tracing, without shadows.
 fn photograph(
     film: &Film,
-    scene: &Scene<dyn Material>,
+    scene: &Scene,
     (from, to, focal_length): View,
     depth: u32,
 ) -> Result<Image, LookAtError> {

@@ -30,7 +30,7 @@ const WIDEST: f32 = 26.0;
 ///
 /// # Errors
 /// If plotters cannot draw.
-pub fn diagram() -> Figure {
+pub(super) fn diagram() -> Figure {
     let (width, height) = (2 * PANEL[0] as u32, PANEL[1] as u32);
     figure(width, height, |canvas| {
         let panels = canvas.split_evenly((2, 4));

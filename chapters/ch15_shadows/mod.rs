@@ -12,7 +12,6 @@ use crate::shared::{ray_tree, ray_tree_figure};
 use glam::{Vec2, Vec3, vec2, vec3};
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::Image;
-use raybook::material::Material;
 use raybook::render::film::Film;
 use raybook::render::local::{Arrives, Local};
 use raybook::render::refine::refine;
@@ -85,12 +84,7 @@ fn whitted(arrives: Arrives) -> Whitted {
     Whitted { local, depth: 8 }
 }
 
-fn photograph(
-    film: &Film,
-    camera: &Pinhole,
-    scene: &Scene<dyn Material>,
-    arrives: Arrives,
-) -> Image {
+fn photograph(film: &Film, camera: &Pinhole, scene: &Scene, arrives: Arrives) -> Image {
     let whitted = whitted(arrives);
     refine(film, |place, rng| {
         whitted.follow(scene, &camera.ray_through(place), rng)

@@ -6,7 +6,7 @@ use raybook::render::local::Arrives;
 use raybook::render::shadow;
 
 /// The right shadow ray, and three wrong ones.
-pub const WAYS: [(&str, Arrives); 4] = [
+pub(super) const WAYS: [(&str, Arrives); 4] = [
     ("right", shadow::lit),
     ("starts on the surface: acne", |scene, at, light| {
         // The computed point lies a little above or below the surface.

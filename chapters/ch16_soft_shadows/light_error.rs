@@ -26,6 +26,7 @@ const REPEATS: u32 = 300;
 const POWERS: std::ops::RangeInclusive<u32> = 0..=10;
 
 /// A light, and a ball that may be in its way.
+#[derive(Debug)]
 pub struct Setting {
     light: RectLight,
     ball: Sphere,

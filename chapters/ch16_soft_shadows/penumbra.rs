@@ -45,10 +45,7 @@ impl Shadow {
         let light = RectLight::new(corner, across, along, Rgb::WHITE);
         let half = vec3(0.5 * self.board.x, 0.0, LONG);
         let board = Cuboid::between(self.board.y * Vec3::Y - half, self.board.y * Vec3::Y + half);
-        let thing = Thing {
-            shape: Box::new(board) as _,
-            material: Box::new(()),
-        };
+        let thing = Thing::new(board, ());
         let floor = Surface {
             position: x * Vec3::X,
             error: 0.0,

@@ -7,10 +7,8 @@ use raybook::light::extent::Choose;
 use raybook::light::point::PointLight;
 use raybook::light::rect_light::RectLight;
 use raybook::light::sphere_light::SphereLight;
-use raybook::material::Material;
 use raybook::material::phong::Phong;
 use raybook::math::dir3::Dir3;
-use raybook::math::ray::Ray;
 use raybook::scene::world::{Scene, Thing};
 use raybook::shape::Shape;
 use raybook::shape::cuboid::Cuboid;
@@ -59,7 +57,7 @@ pub fn sphere(radius: f32) -> Box<dyn Light> {
 }
 
 /// The things, under a light.
-pub fn under(light: Box<dyn Light>) -> Scene<dyn Material> {
+pub fn under(light: Box<dyn Light>) -> Scene {
     let terracotta = Rgb::new(0.62, 0.22, 0.12);
     let teal = Rgb::new(0.06, 0.32, 0.36);
     let ochre = Rgb::new(0.72, 0.46, 0.12);
@@ -86,19 +84,17 @@ pub fn under(light: Box<dyn Light>) -> Scene<dyn Material> {
     things.push(thing(board, teal));
     let mut scene = Scene::new(things, vec![light]);
     scene.ambient = Rgb::new(0.24, 0.27, 0.32);
-    scene.backdrop = |_: &Ray| Rgb::new(0.55, 0.60, 0.66);
+    scene.backdrop = Box::new(|_| Rgb::new(0.55, 0.60, 0.66));
     scene
 }
 
 /// A matte thing of so much reflectance.
-fn thing(shape: impl Shape + 'static, reflectance: Rgb) -> Thing<dyn Material> {
-    Thing {
-        shape: Box::new(shape),
-        material: Box::new(Phong {
-            ambient: reflectance,
-            diffuse: reflectance / PI,
-            specular: Rgb::BLACK,
-            exponent: 1.0,
-        }),
-    }
+fn thing(shape: impl Shape + 'static, reflectance: Rgb) -> Thing {
+    let matte = Phong {
+        ambient: reflectance,
+        diffuse: reflectance / PI,
+        specular: Rgb::BLACK,
+        exponent: 1.0,
+    };
+    Thing::new(shape, matte)
 }

@@ -40,7 +40,7 @@ type Warp = fn(Dir3, Vec2) -> Dir3;
 ///
 /// # Errors
 /// If plotters cannot draw.
-pub fn draw() -> Figure {
+pub(super) fn draw() -> Figure {
     figure(960, 560, |canvas| {
         let halves = canvas.split_evenly((1, 2));
         for ((name, warp, note), half) in DOMES.into_iter().zip(&halves) {

@@ -1,7 +1,7 @@
 //! The light that a surface sends to the eye came from all sides, also from other surfaces. An integral over the hemisphere
 //! says how much of it there is, and path tracing estimates it by the mean over random paths, chosen with care.
 //!
-//! New: sample/mod.rs sample/hemisphere.rs material/brdf.rs material/lambert.rs material/modified_phong.rs
+//! New: sample/mod.rs sample/hemisphere.rs material/lambert.rs material/modified_phong.rs
 //! New: render/mis.rs render/path.rs render/reflection.rs scene/cornell.rs scene/plates.rs
 
 mod domes;
@@ -11,7 +11,7 @@ mod strategies;
 use crate::kit::chapter;
 use crate::kit::sheet::sheet;
 use crate::kit::stage::{Drawn, Stage};
-use raybook::image::Image;
+use raybook::image::{Image, rgb::Rgb};
 use raybook::render::film::Film;
 use raybook::render::mis::Strategy;
 use raybook::render::path::Path;
@@ -55,6 +55,15 @@ pub fn draw(stage: &Stage) -> Drawn {
     let caption = "Local and global illumination: without the light from other surfaces, ceiling and shadows are black.";
     stage.figure("inter_reflections", caption, &sheet(2, &tiles)?)?;
 
+    let caption = "A mirror and glass in the box. The bright spot below the glass ball is a caustic: light of the lamp that the glass has gathered. \
+        No ray to the lamp finds it, only the paths that happen to go through the glass; what very few paths find is left out.";
+    let film = stage.film_of(240, 16, 1.0);
+    stage.figure(
+        "caustic",
+        caption,
+        &without_outliers(&film, &View::with_balls()?),
+    )?;
+
     let caption = "600 directions of the hemisphere, and their shadows on the surface. What arrives counts by its cosine, so directions near the horizon are hardly worth their time.";
     stage.figure("hemisphere", caption, &domes::draw()?)?;
 
@@ -82,4 +91,22 @@ fn photograph(film: &Film, view: &View, path: Path) -> Image {
 /// The chapter's binary.
 pub fn main() -> ExitCode {
     chapter::run("ch17_rendering_equation", draw)
+}
+
+/// The mean of the middle half of eight pictures, pixel by pixel: a few paths that bring very much count in none of them
+/// (after Jung, Meyer and DeCoro, "Robust path tracing", 2015). It is a little too dark where such paths are many.
+fn without_outliers(film: &Film, view: &View) -> Image {
+    const PICTURES: u64 = 8;
+    let pictures: Vec<_> = (0..PICTURES)
+        .map(|i| {
+            let seed = film.seed + i;
+            photograph(&Film { seed, ..*film }, view, ALL)
+        })
+        .collect();
+    Image::from_fn(film.width, film.height, |x, y| {
+        let mut seen: Vec<_> = pictures.iter().map(|picture| picture.at(x, y)).collect();
+        seen.sort_by(|a, b| a.luminance().total_cmp(&b.luminance()));
+        let middle = &seen[seen.len() / 4..seen.len() * 3 / 4];
+        middle.iter().copied().sum::<Rgb>() / middle.len() as f32
+    })
 }

@@ -21,7 +21,7 @@ type Measured = [f64; 3];
 ///
 /// # Errors
 /// If plotters cannot draw, or there is no camera.
-pub fn plot(film: &Film) -> Figure {
+pub(super) fn plot(film: &Film) -> Figure {
     let views = [
         ("the Cornell box", View::cornell_box()?, 6, 1.0),
         ("the plates", View::plates(1.5)?, 1, 1.5),

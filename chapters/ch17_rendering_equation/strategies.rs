@@ -6,7 +6,6 @@ use glam::Vec3;
 use raybook::camera::pinhole::{LookAtError, PLANE_HEIGHT, Pinhole};
 use raybook::image::Image;
 use raybook::image::rgb::Rgb;
-use raybook::material::brdf::Brdf;
 use raybook::render::film::Film;
 use raybook::render::mis::Strategy;
 use raybook::render::path::Path;
@@ -16,16 +15,16 @@ use std::error::Error;
 use std::f64::consts::FRAC_1_SQRT_2;
 
 /// The strategies, and what they are called.
-pub const STRATEGIES: [(Strategy, &str); 3] = [
+pub(super) const STRATEGIES: [(Strategy, &str); 3] = [
     (Strategy::Surface, "by the surface"),
     (Strategy::Light, "by the light"),
     (Strategy::Both, "both, weighted"),
 ];
 
 /// A scene, a camera, and how its radiance is displayed.
-pub struct View {
+pub(super) struct View {
     /// The scene.
-    pub scene: Scene<dyn Brdf>,
+    pub scene: Scene,
     /// The camera.
     pub camera: Pinhole,
     /// What makes a display's light of the radiance.
@@ -39,7 +38,7 @@ impl View {
     ///
     /// # Errors
     /// If there is no such camera.
-    pub fn cornell_box() -> Result<Self, LookAtError> {
+    pub(super) fn cornell_box() -> Result<Self, LookAtError> {
         /// How much of the lamp's colour is taken off, and how much brighter the whole becomes.
         const ADAPTED: f32 = 0.75;
         const BRIGHTER: f32 = 3.4;
@@ -52,11 +51,22 @@ impl View {
         })
     }
 
+    /// The box with a mirror ball and a glass one, from the same place.
+    ///
+    /// # Errors
+    /// If there is no such camera.
+    pub(super) fn with_balls() -> Result<Self, LookAtError> {
+        Ok(Self {
+            scene: cornell::with_balls(),
+            ..Self::cornell_box()?
+        })
+    }
+
     /// The plates under their lamps.
     ///
     /// # Errors
     /// If there is no such camera.
-    pub fn plates(aspect: f32) -> Result<Self, LookAtError> {
+    pub(super) fn plates(aspect: f32) -> Result<Self, LookAtError> {
         Ok(Self {
             scene: plates::plates(),
             camera: Pinhole::look_at(plates::EYE, plates::AT, Vec3::Y, 0.042, aspect)?,
@@ -73,7 +83,7 @@ impl View {
 
     /// The mean of two pictures with different seeds, and how much one of the two scatters: half of the mean square difference
     /// between them is the mean square error of either. Relative to the mean, of what a display shows, which ends at 1.
-    pub fn scatter(&self, film: &Film, path: Path) -> (Image, f64) {
+    pub(super) fn scatter(&self, film: &Film, path: Path) -> (Image, f64) {
         let other = Film {
             seed: !film.seed,
             ..*film
@@ -97,7 +107,7 @@ impl View {
 ///
 /// # Errors
 /// If a caption cannot be drawn.
-pub fn figure(film: &Film) -> Result<Image, Box<dyn Error>> {
+pub(super) fn figure(film: &Film) -> Result<Image, Box<dyn Error>> {
     let view = View::plates(film.aspect())?;
     let half = Film {
         samples: film.samples.div_ceil(2),

@@ -10,7 +10,7 @@ use std::error::Error;
 
 /// The layouts by name, as on a command line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-pub enum Layouts {
+pub(super) enum Layouts {
     /// Latitude and longitude
     Latlong,
     /// Six faces of a cube, unfolded to a cross
@@ -21,7 +21,7 @@ pub enum Layouts {
 
 impl Layouts {
     /// A map in this layout as a latitude–longitude map.
-    pub fn unfold(self, map: &Image) -> Image {
+    pub(super) fn unfold(self, map: &Image) -> Image {
         let (width, height) = (2 * map.height(), map.height());
         match self {
             Self::Latlong => map.clone(),
@@ -35,7 +35,7 @@ impl Layouts {
 ///
 /// # Errors
 /// If a caption cannot be drawn.
-pub fn layouts(map: &Image) -> Result<Image, Box<dyn Error>> {
+pub(super) fn layouts(map: &Image) -> Result<Image, Box<dyn Error>> {
     const HEIGHT: usize = 300;
     let shown = |image: Image, width: usize| {
         let (left, top) = ((width - image.width()) / 2, (HEIGHT - image.height()) / 2);
@@ -72,7 +72,7 @@ pub fn layouts(map: &Image) -> Result<Image, Box<dyn Error>> {
 }
 
 /// Four pictures of one size in one, two by two, with a line between them.
-pub fn quarters(four: &[Image; 4]) -> Image {
+pub(super) fn quarters(four: &[Image; 4]) -> Image {
     let (width, height) = (four[0].width(), four[0].height());
     let line = (width / 160).max(1);
     Image::from_fn(2 * width + line, 2 * height + line, |x, y| {

@@ -10,6 +10,7 @@ use raybook::math::ray::Ray;
 use std::f32::consts::PI;
 
 /// An environment whose directions are chosen without looking: each is as likely as any other.
+#[derive(Debug)]
 pub struct Everywhere(pub Environment);
 
 impl Light for Everywhere {

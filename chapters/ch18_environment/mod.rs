@@ -6,6 +6,7 @@
 
 mod environments;
 pub mod everywhere;
+mod metals;
 pub mod skies;
 
 use crate::kit::chapter;
@@ -15,7 +16,7 @@ use environments::{Layouts, layouts, quarters};
 use everywhere::Everywhere;
 use glam::Vec3;
 use raybook::camera::pinhole::{LookAtError, Pinhole};
-use raybook::image::{Image, file};
+use raybook::image::{Image, file, tone};
 use raybook::light::Light;
 use raybook::light::environment::Environment;
 use raybook::render::film::Film;
@@ -58,6 +59,11 @@ pub fn draw(stage: &Stage) -> Drawn {
 
     let caption = "The clear day in three layouts: latitude and longitude, a cube unfolded to a cross, and the angular map.";
     stage.figure("layouts", caption, &layouts(day)?)?;
+
+    let film = stage.film_of(480, 48, 4.0 / 3.0);
+    let metals = metals::draw(&film, Box::new(Environment::new(studio.clone())))?;
+    let caption = "Gold, copper, silver and aluminium, each smooth and, below, with facets that scatter: α = 0.15 and 0.45.";
+    stage.figure("metals", caption, &metals.map(tone::aces))?;
 
     let samples = tile.samples.div_ceil(2);
     let few = Film { samples, ..tile };

@@ -57,7 +57,7 @@ pub fn clear_day(d: Dir3) -> Rgb {
     let up = d.y.max(0.0);
     let blue = Rgb::new(0.64, 0.69, 0.75).lerp(Rgb::new(0.08, 0.20, 0.50), up.powf(0.45));
     let glow = Rgb::new(1.0, 0.93, 0.8) * (0.4 * to_sun.max(0.0).powf(60.0));
-    let clouds = cloud(d) * noise::rise(0.02, 0.25, d.y);
+    let clouds = clouds_above(0.02, 0.25, d);
     ground(
         d,
         (blue + glow).lerp(Rgb::gray(0.9), clouds),
@@ -73,7 +73,7 @@ pub fn sunset(d: Dir3) -> Rgb {
     let sky = Rgb::new(0.95, 0.50, 0.22).lerp(Rgb::new(0.10, 0.10, 0.28), (1.4 * up).min(1.0));
     let glow = Rgb::new(6.0, 2.6, 0.7) * (0.35 * to_sun.powf(24.0) + 5.0 * to_sun.powf(900.0));
     let away = 0.35 + 0.65 * (0.5 + 0.5 * d.dot(*sun));
-    let clouds = cloud(d) * noise::rise(0.02, 0.2, d.y);
+    let clouds = clouds_above(0.02, 0.2, d);
     let lit = sky.lerp(Rgb::new(0.80, 0.32, 0.24), 0.7 * clouds);
     ground(d, (lit * away + glow) * 1.8, Rgb::new(0.20, 0.14, 0.12))
 }
@@ -104,6 +104,13 @@ pub fn studio(d: Dir3) -> Rgb {
 /// What is below the horizon, and above it.
 fn ground(d: Dir3, sky: Rgb, ground: Rgb) -> Rgb {
     sky.lerp(ground, noise::rise(0.005, -0.005, d.y))
+}
+
+/// How much cloud there is in a direction: none below one height, all above another.
+fn clouds_above(none: f32, all: f32, d: Dir3) -> f32 {
+    let share = noise::rise(none, all, d.y);
+    // The noise takes longer than all the rest, and half of the directions have no use for it.
+    if share > 0.0 { cloud(d) * share } else { 0.0 }
 }
 
 /// How much cloud there is in a direction, 0 to 1: noise on a ceiling 1 above the eye.

@@ -13,7 +13,7 @@ const FOCAL_LENGTH: f32 = 0.05;
 const FOCUS: f32 = 2.0;
 
 /// A pixel of a sensor of 36 mm with 960 pixels side by side, in metres.
-pub const PIXEL: f32 = 0.036 / 960.0;
+pub(super) const PIXEL: f32 = 0.036 / 960.0;
 
 /// The f-numbers and their colours, the widest aperture last: its range is the narrowest, and lies on top.
 const STOPS: [(f32, RGBColor); 4] = [(11.0, ORANGE), (5.6, GREEN), (2.8, BLUE), (1.4, VERMILION)];
@@ -30,7 +30,7 @@ const MOST: f32 = 3.0;
 ///
 /// # Errors
 /// If plotters cannot draw.
-pub fn plot() -> Figure {
+pub(super) fn plot() -> Figure {
     let distances = Axis::log2(NEAREST..FARTHEST).named("distance of the point, in metres");
     let widths = Axis::log(LEAST..MOST).named("its disc on the sensor, in mm");
     let mut chart = Chart::new(distances, widths).legend(Corner::LowerRight);

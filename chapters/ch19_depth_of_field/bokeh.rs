@@ -28,7 +28,7 @@ const LENS: (f32, f32, f32) = (0.085, 1.8, 0.9);
 ///
 /// # Errors
 /// If the tiles' names cannot be drawn.
-pub fn draw(tile: &Film) -> Result<Image, Box<dyn Error>> {
+pub(super) fn draw(tile: &Film) -> Result<Image, Box<dyn Error>> {
     let film = &Film {
         samples: SAMPLES * tile.samples,
         ..*tile

@@ -9,7 +9,6 @@ use raybook::camera::aperture::Aperture;
 use raybook::camera::pinhole::Pinhole;
 use raybook::camera::thin_lens::ThinLens;
 use raybook::image::Image;
-use raybook::material::Material;
 use raybook::render::film::Film;
 use raybook::render::through_lens::through_lens;
 use raybook::render::whitted::Whitted;
@@ -23,11 +22,7 @@ const PART: f32 = 0.5;
 ///
 /// # Errors
 /// If the tiles' names cannot be drawn.
-pub fn draw(
-    tile: &Film,
-    scene: &Scene<dyn Material>,
-    whitted: &Whitted,
-) -> Result<Image, Box<dyn Error>> {
+pub(super) fn draw(tile: &Film, scene: &Scene, whitted: &Whitted) -> Result<Image, Box<dyn Error>> {
     let mut body = Pinhole::look_at(EYE, DETAIL, Vec3::Y, FOCAL_LENGTH, tile.aspect())?;
     body.plane *= PART;
     let camera = ThinLens::new(&body, 1.4, 1.0, Aperture::Round)?;

@@ -4,21 +4,20 @@ use glam::{Mat3, Vec3, vec3};
 use raybook::accel::Meshed;
 use raybook::accel::wide_bvh::WideBvh;
 use raybook::image::rgb::Rgb;
-use raybook::light::LightSample;
 use raybook::light::point::PointLight;
 use raybook::light::rect_light::RectLight;
 use raybook::material::mirror::Mirror;
 use raybook::material::phong::Phong;
 use raybook::material::polished::Polished;
-use raybook::material::{Material, See};
-use raybook::math::dir3::Dir3;
+use raybook::material::texture::Texture;
 use raybook::math::ray::Ray;
 use raybook::scene::noise::{hash, rise};
 use raybook::scene::world::{Scene, Thing};
 use raybook::shape::cuboid::Cuboid;
-use raybook::shape::placed::placed;
-use raybook::shape::{Surface, teapot};
+use raybook::shape::placed::Placed;
+use raybook::shape::{Shape, Surface, teapot};
 use std::f32::consts::PI;
+use std::sync::Arc;
 
 /// Where the table is seen from, in metres.
 pub const EYE: Vec3 = vec3(0.0, 0.30, 0.0);
@@ -63,15 +62,18 @@ const GLAZES: [Rgb; 5] = [
 const HEIGHT: f32 = 0.15;
 
 /// The table, the teapots and a soft light from the left.
-pub fn tea_table() -> Scene<dyn Material> {
+pub fn tea_table() -> Scene {
     let cloth = Cuboid::between(vec3(-1.7, -0.05, -4.0), vec3(1.1, 0.0, 0.5));
-    let mut things = vec![Thing::<dyn Material>::new(cloth, Box::new(Gingham))];
-    let pot = teapot::mesh(10);
+    let mut things = vec![Thing::new(cloth, Gingham)];
+    let pot: Arc<dyn Shape> = Arc::new(Meshed::new(teapot::mesh(10), WideBvh::new));
     for (i, (foot, glaze)) in POTS.into_iter().zip(GLAZES).enumerate() {
-        let turned = Mat3::from_rotation_y(-0.35 - 0.5 * i as f32);
-        let mesh = placed(&pot, HEIGHT / 3.15, turned, foot);
-        let shape = Meshed::new(mesh, WideBvh::new);
-        things.push(Thing::new(shape, Box::new(glazed(glaze))));
+        let shape = Placed {
+            shape: pot.clone(),
+            scale: HEIGHT / 3.15,
+            turn: Mat3::from_rotation_y(-0.35 - 0.5 * i as f32),
+            to: foot,
+        };
+        things.push(Thing::new(shape, glazed(glaze)));
     }
     // It faces the table from the left, above the camera.
     let (corner, up, across) = (
@@ -139,8 +141,10 @@ fn glazed(colour: Rgb) -> Polished<Phong> {
 /// Stripes across stripes: a tablecloth.
 struct Gingham;
 
-impl Gingham {
-    fn at(at: &Surface) -> Phong {
+impl Texture for Gingham {
+    type Material = Phong;
+
+    fn at(&self, at: &Surface) -> Phong {
         /// Width of a stripe, in metres.
         const STRIPE: f32 = 0.045;
         let dyed = |v: f32| f32::from((v / STRIPE).rem_euclid(2.0) < 1.0);
@@ -152,20 +156,6 @@ impl Gingham {
             specular: Rgb::BLACK,
             exponent: 1.0,
         }
-    }
-}
-
-impl Material for Gingham {
-    fn lit(&self, at: &Surface, view: Dir3, light: &LightSample) -> Rgb {
-        Self::at(at).lit(at, view, light)
-    }
-
-    fn ambient(&self, at: &Surface) -> Rgb {
-        Self::at(at).ambient(at)
-    }
-
-    fn beyond(&self, _at: &Surface, _view: Dir3, _see: &mut See) -> Rgb {
-        Rgb::BLACK
     }
 }
 

@@ -12,13 +12,18 @@ use raybook::render::film::Film;
 use std::error::Error;
 
 /// The ray of each place of a film; none where no light falls.
-pub type Rays<'a> = &'a (dyn Fn(Vec2) -> Option<Ray> + Sync);
+pub(super) type Rays<'a> = &'a (dyn Fn(Vec2) -> Option<Ray> + Sync);
 
 /// A pin-hole camera that sees so many degrees across.
 ///
 /// # Errors
 /// As [`Pinhole::look_at`].
-pub fn wide(from: Vec3, toward: Vec3, degrees: f32, aspect: f32) -> Result<Pinhole, LookAtError> {
+pub(super) fn wide(
+    from: Vec3,
+    toward: Vec3,
+    degrees: f32,
+    aspect: f32,
+) -> Result<Pinhole, LookAtError> {
     let camera = Pinhole::look_at(from, from + toward, Vec3::Y, 0.05, aspect)?;
     let focal_length = 0.5 * camera.plane.x / (0.5 * degrees.to_radians()).tan();
     Ok(Pinhole {
@@ -31,7 +36,7 @@ pub fn wide(from: Vec3, toward: Vec3, degrees: f32, aspect: f32) -> Result<Pinho
 ///
 /// # Errors
 /// If a caption cannot be drawn.
-pub fn pinholes(
+pub(super) fn pinholes(
     film: &Film,
     from: Vec3,
     photograph: impl Fn(&Film, Rays) -> Image,
@@ -49,7 +54,7 @@ pub fn pinholes(
 ///
 /// # Errors
 /// If a caption cannot be drawn.
-pub fn fisheyes(
+pub(super) fn fisheyes(
     film: &Film,
     from: Vec3,
     photograph: impl Fn(&Film, Rays) -> Image,

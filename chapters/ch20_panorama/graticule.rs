@@ -7,7 +7,7 @@ use raybook::image::{Image, tone};
 use raybook::math::dir3::Dir3;
 
 /// From one line to the next, in degrees.
-pub const STEP: f32 = 30.0;
+pub(super) const STEP: f32 = 30.0;
 
 /// Half the width of a line, and the radius of a disc with its rim, in degrees.
 const LINE: f32 = 0.25;
@@ -18,39 +18,77 @@ const POINTS: usize = 4;
 
 /// The picture with the lines and discs of the world (such discs stand for N. A. Tissot's indicatrix, 1859); `toward` tells which
 /// direction a place of the picture shows, and where there is none, the picture becomes white.
-pub fn over(picture: &Image, toward: impl Fn(Vec2) -> Option<Dir3>) -> Image {
+pub(super) fn over(picture: &Image, toward: impl Fn(Vec2) -> Option<Dir3>) -> Image {
     let size = vec2(picture.width() as f32, picture.height() as f32);
     Image::from_fn(picture.width(), picture.height(), |x, y| {
         let light = tone::clamp(picture.at(x, y));
+        let corner = vec2(x as f32, y as f32);
+        let middle = toward((corner + 0.5) / size);
+        let ends =
+            [Vec2::ZERO, Vec2::X, Vec2::Y, Vec2::ONE].map(|end| toward((corner + end) / size));
+        // Where no line or rim comes near the pixel, all its points are alike.
+        if let (Some(middle), [Some(a), Some(b), Some(c), Some(d)]) = (middle, ends) {
+            let reach = [a, b, c, d]
+                .map(|end| angle(middle, end))
+                .into_iter()
+                .fold(0.0, f32::max);
+            let mark = Mark::at(middle);
+            if mark.clear > 2.0 * reach {
+                return mark.on(light);
+            }
+        }
         let points = (0..POINTS).flat_map(|j| (0..POINTS).map(move |i| vec2(i as f32, j as f32)));
         let marked = points.map(|p| {
-            let place = vec2(x as f32, y as f32) + (p + 0.5) / POINTS as f32;
-            toward(place / size).map_or(Rgb::WHITE, |d| marked(light, d))
+            let place = (corner + (p + 0.5) / POINTS as f32) / size;
+            toward(place).map_or(Rgb::WHITE, |d| Mark::at(d).on(light))
         });
         marked.sum::<Rgb>() / (POINTS * POINTS) as f32
     })
 }
 
-/// What is drawn in a direction on this light.
-fn marked(light: Rgb, d: Dir3) -> Rgb {
-    let latitude = d.y.clamp(-1.0, 1.0).asin().to_degrees();
-    let longitude = d.x.atan2(-d.z).to_degrees();
-    let from_disc = angle(d, nearest_disc(latitude, longitude));
-    if from_disc < DISC {
-        let rim = from_disc > DISC - 2.0 * LINE;
-        return if rim {
-            linear(INK)
+/// What is drawn in a direction.
+struct Mark {
+    what: What,
+    /// How far it is, in degrees, to where something else is drawn; less, if in doubt.
+    clear: f32,
+}
+
+enum What {
+    Nothing,
+    Line,
+    Disc,
+    Rim,
+}
+
+impl Mark {
+    fn at(d: Dir3) -> Self {
+        let latitude = d.y.clamp(-1.0, 1.0).asin().to_degrees();
+        let longitude = d.x.atan2(-d.z).to_degrees();
+        let from_disc = angle(d, nearest_disc(latitude, longitude));
+        let to_rim = DISC - 2.0 * LINE - from_disc;
+        let to_line = |v: f32| (v - STEP * (v / STEP).round()).abs();
+        // A degree of longitude is a shorter way near a pole.
+        let off = to_line(latitude).min(to_line(longitude) * latitude.to_radians().cos());
+        let (what, clear) = if to_rim > 0.0 {
+            (What::Disc, to_rim)
+        } else if from_disc < DISC {
+            (What::Rim, 0.0)
+        } else if off < LINE {
+            (What::Line, 0.0)
         } else {
-            light.lerp(Rgb::WHITE, 0.4)
+            (What::Nothing, (off - LINE).min(from_disc - DISC))
         };
+        Self { what, clear }
     }
-    let to_line = |v: f32| (v - STEP * (v / STEP).round()).abs();
-    // A degree of longitude is a shorter way near a pole.
-    let off = to_line(latitude).min(to_line(longitude) * latitude.to_radians().cos());
-    if off < LINE {
-        light.lerp(Rgb::WHITE, 0.7)
-    } else {
-        light
+
+    /// The mark on this light.
+    fn on(&self, light: Rgb) -> Rgb {
+        match self.what {
+            What::Nothing => light,
+            What::Line => light.lerp(Rgb::WHITE, 0.7),
+            What::Disc => light.lerp(Rgb::WHITE, 0.4),
+            What::Rim => linear(INK),
+        }
     }
 }
 

@@ -23,7 +23,6 @@ use raybook::camera::pose::Pose;
 use raybook::image::Image;
 use raybook::image::rgb::Rgb;
 use raybook::light::environment::Environment;
-use raybook::material::Material;
 use raybook::render::film::Film;
 use raybook::render::local::Local;
 use raybook::render::refine::refine;
@@ -78,7 +77,7 @@ pub fn draw(stage: &Stage) -> Drawn {
 }
 
 /// What of a scene is seen along the rays of a camera; where it has none, the film stays black.
-fn photograph(scene: &Scene<dyn Material>, film: &Film, rays: Rays) -> Image {
+fn photograph(scene: &Scene, film: &Film, rays: Rays) -> Image {
     let local = Local {
         samples: 1,
         arrives: Some(shadow::lit),

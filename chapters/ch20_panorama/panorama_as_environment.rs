@@ -25,7 +25,7 @@ const LOOKS: [(&str, Vec3); 3] = [
 ///
 /// # Errors
 /// If a caption cannot be drawn.
-pub fn looks(
+pub(super) fn looks(
     film: &Film,
     from: Vec3,
     environment: &Environment,
@@ -57,7 +57,7 @@ fn difference(a: &Image, b: &Image) -> Image {
 ///
 /// # Errors
 /// If a caption cannot be drawn.
-pub fn lit(film: &Film, panorama: &Environment) -> Result<Image, Box<dyn Error>> {
+pub(super) fn lit(film: &Film, panorama: &Environment) -> Result<Image, Box<dyn Error>> {
     let clamped = Environment::new(panorama.map().map(tone::clamp));
     let tile = |light: Environment, samples| {
         let film = Film { samples, ..*film };

@@ -34,7 +34,7 @@ const TEXT: i32 = 30;
 ///
 /// # Errors
 /// What plotters reports.
-pub fn labelled(panorama: &Image) -> Result<Image, Box<dyn Error>> {
+pub(super) fn labelled(panorama: &Image) -> Result<Image, Box<dyn Error>> {
     let map = graticule::over(&fitted(panorama), |place| Some(latlong::direction(place)));
     on_canvas(&map, LABELS, |canvas, pixel| {
         for i in -3..=3 {
@@ -78,7 +78,7 @@ pub fn labelled(panorama: &Image) -> Result<Image, Box<dyn Error>> {
 ///
 /// # Errors
 /// What plotters reports.
-pub fn with_lines(
+pub(super) fn with_lines(
     panorama: &Image,
     eye: Vec3,
     lines: &[(&str, [Vec3; 2])],

@@ -5,18 +5,18 @@ use glam::{Mat3, Vec3, vec3};
 use raybook::accel::Meshed;
 use raybook::accel::wide_bvh::WideBvh;
 use raybook::image::rgb::Rgb;
-use raybook::material::Material;
 use raybook::material::glass::{Glass, Medium};
 use raybook::material::mirror::Mirror;
 use raybook::material::phong::Phong;
 use raybook::math::dir3::Dir3;
 use raybook::scene::world::{Scene, Thing};
 use raybook::shape::cuboid::Cuboid;
-use raybook::shape::placed::placed;
+use raybook::shape::placed::Placed;
 use raybook::shape::plane::Plane;
 use raybook::shape::sphere::Sphere;
 use raybook::shape::{Shape, teapot};
 use std::f32::consts::{FRAC_1_PI, FRAC_PI_2};
+use std::sync::Arc;
 
 /// Where one sees all of it: in the middle, at a person's height.
 pub const EYE: Vec3 = vec3(0.0, 1.6, 0.0);
@@ -54,7 +54,7 @@ const BLUE: Rgb = Rgb::new(0.07, 0.22, 0.50);
 const GRASS: Rgb = Rgb::new(0.20, 0.30, 0.10);
 
 /// The pavilion in the sun.
-pub fn scene() -> Scene<dyn Material> {
+pub fn scene() -> Scene {
     let mut things = vec![matt(Plane::through(vec3(0.0, -0.2, 0.0), Dir3::Y), GRASS)];
     floor(&mut things);
     frame(&mut things);
@@ -64,7 +64,7 @@ pub fn scene() -> Scene<dyn Material> {
 }
 
 /// Tiles on a step, and four coloured ones below the viewer.
-fn floor(things: &mut Vec<Thing<dyn Material>>) {
+fn floor(things: &mut Vec<Thing>) {
     let half = f32::from(FLOOR);
     things.push(matt(
         block(Vec3::ZERO, half + 0.4, (-0.2, -0.1)),
@@ -86,7 +86,7 @@ fn floor(things: &mut Vec<Thing<dyn Material>>) {
 }
 
 /// Twelve posts, the beams that they carry, and slats over them through which the sun shines.
-fn frame(things: &mut Vec<Thing<dyn Material>>) {
+fn frame(things: &mut Vec<Thing>) {
     let third = HALF / 3.0;
     let places = [-HALF, -third, third, HALF];
     for (x, z) in places.into_iter().flat_map(|x| places.map(|z| (x, z))) {
@@ -112,7 +112,7 @@ fn frame(things: &mut Vec<Thing<dyn Material>>) {
 }
 
 /// What stands around: mirror and glass ahead, a teapot at the right, balls behind, a bench at the left, a gilded ball above.
-fn on_show(things: &mut Vec<Thing<dyn Material>>) {
+fn on_show(things: &mut Vec<Thing>) {
     let mirror = |r, g, b| Mirror {
         share: Rgb::new(r, g, b),
     };
@@ -121,17 +121,11 @@ fn on_show(things: &mut Vec<Thing<dyn Material>>) {
         matt(block(vec3(x, 0.0, z), half, (0.0, height)), CREAM)
     };
     things.extend([
-        Thing::new(
-            ball(-1.1, 0.8, -2.3, 0.8),
-            material(mirror(0.93, 0.93, 0.92)),
-        ),
+        Thing::new(ball(-1.1, 0.8, -2.3, 0.8), mirror(0.93, 0.93, 0.92)),
         stand(1.2, -2.2, 0.32, 1.0),
-        Thing::new(
-            ball(1.2, 1.451, -2.2, 0.45),
-            material(Glass::of(Medium::GLASS)),
-        ),
+        Thing::new(ball(1.2, 1.451, -2.2, 0.45), Glass::of(Medium::GLASS)),
         stand(2.5, 0.1, 0.4, 0.95),
-        Thing::new(pot(vec3(2.5, 0.95, 0.1)), material(glossy(BLUE))),
+        Thing::new(pot(vec3(2.5, 0.95, 0.1)), glossy(BLUE)),
         glossy_ball(ball(0.7, 0.6, 2.5, 0.6), VERMILION),
         glossy_ball(ball(-0.55, 0.42, 2.1, 0.42), OCHRE),
         glossy_ball(ball(0.05, 0.26, 1.55, 0.26), CREAM),
@@ -143,20 +137,20 @@ fn on_show(things: &mut Vec<Thing<dyn Material>>) {
         stand(-2.75, 1.0, 0.2, 0.4),
         glossy_ball(ball(-2.75, 0.73, -0.6, 0.25), TEAL),
         glossy_ball(ball(-2.75, 0.66, 0.1, 0.18), VERMILION),
-        Thing::new(
-            ball(0.5, 2.75, -0.5, 0.2),
-            material(mirror(0.95, 0.72, 0.32)),
-        ),
+        Thing::new(ball(0.5, 2.75, -0.5, 0.2), mirror(0.95, 0.72, 0.32)),
     ]);
 }
 
 /// The teapot, half a metre wide and a little more, its spout to the viewer's right.
-fn pot(place: Vec3) -> Meshed<WideBvh> {
+fn pot(to: Vec3) -> Placed {
     let mesh = teapot::mesh(8);
     let scale = 0.95 / mesh.bounds().size().x;
-    let turn = Mat3::from_rotation_y(-FRAC_PI_2);
-    let mesh = placed(&mesh, scale, turn, place);
-    Meshed::new(mesh, WideBvh::new)
+    Placed {
+        shape: Arc::new(Meshed::new(mesh, WideBvh::new)),
+        scale,
+        turn: Mat3::from_rotation_y(-FRAC_PI_2),
+        to,
+    }
 }
 
 /// A box on a square, from one height to another.
@@ -165,23 +159,19 @@ fn block(middle: Vec3, half: f32, (low, high): (f32, f32)) -> Cuboid {
     Cuboid::between(corner(-half, low), corner(half, high))
 }
 
-fn material(material: impl Material + 'static) -> Box<dyn Material> {
-    Box::new(material)
-}
-
-fn matt(shape: impl Shape + 'static, colour: Rgb) -> Thing<dyn Material> {
+fn matt(shape: impl Shape + 'static, colour: Rgb) -> Thing {
     let specular = Rgb::BLACK;
     Thing::new(
         shape,
-        material(Phong {
+        Phong {
             specular,
             ..glossy(colour)
-        }),
+        },
     )
 }
 
-fn glossy_ball(ball: Sphere, colour: Rgb) -> Thing<dyn Material> {
-    Thing::new(ball, material(glossy(colour)))
+fn glossy_ball(ball: Sphere, colour: Rgb) -> Thing {
+    Thing::new(ball, glossy(colour))
 }
 
 fn glossy(colour: Rgb) -> Phong {

@@ -31,7 +31,7 @@ const FINE: u32 = 6;
 ///
 /// # Errors
 /// If plotters cannot draw.
-pub fn draw() -> Figure {
+pub(super) fn draw() -> Figure {
     figure(SIZE[0], SIZE[1], |canvas| {
         for i in 0..15 {
             let b = APART * (f64::from(i) + 0.5);

@@ -21,7 +21,7 @@ const RADII: [f32; 4] = [10.0, 3.0, 2.0, 1.5];
 ///
 /// # Errors
 /// If a caption cannot be drawn.
-pub fn draw(film: &Film) -> Result<Image, Box<dyn Error>> {
+pub(super) fn draw(film: &Film) -> Result<Image, Box<dyn Error>> {
     let tiles = RADII.map(|r| {
         let edge = shadow_half_angle(f64::from(r));
         let name = format!("r = {r}: {:.1}°", edge.to_degrees());

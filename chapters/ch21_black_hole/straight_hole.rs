@@ -19,7 +19,7 @@ use std::error::Error;
 ///
 /// # Errors
 /// If a caption cannot be drawn.
-pub fn compare(
+pub(super) fn compare(
     film: &Film,
     camera: &Pinhole,
     hole: &BlackHole,

@@ -65,7 +65,7 @@ pub fn draw(stage: &Stage) -> Drawn {
         n: 64,
         columns: 4,
     };
-    let caption = "Sixty-four points in a pixel, placed in twelve ways. Random points crowd and leave gaps; all the others try not to, \
+    let caption = "Sixty-four points in a pixel, placed in different ways. Random points crowd and leave gaps; all the others try not to, \
         and differ in what else they give up.";
     stage.figure("patterns", caption, &all.image()?)?;
 

@@ -19,7 +19,7 @@ use raybook::shape::{Hit, Shape, Surface, teapot};
 use std::f32::consts::TAU;
 
 /// A teapot, and so many pieces of paper on and around it.
-pub struct Confetti {
+pub(super) struct Confetti {
     /// All of it, in metres; the floor is at y = 0.
     pub mesh: Mesh,
     /// Facets with a lower number belong to the teapot.
@@ -28,7 +28,7 @@ pub struct Confetti {
 
 impl Confetti {
     /// A heap of n pieces, and a few still in the air.
-    pub fn new(n: u32) -> Self {
+    pub(super) fn new(n: u32) -> Self {
         let teapot = teapot::mesh(24);
         let bounds = teapot.bounds();
         let size = bounds.size().max_element();
@@ -66,7 +66,12 @@ impl Confetti {
     }
 
     /// What a ray sees: paper, porcelain or floor, in the light of sky and sun; and how many rays that takes.
-    pub fn follow(&self, ray: &Ray, accel: &impl Accel<Facet>, rng: &mut impl Rng) -> Followed {
+    pub(super) fn follow(
+        &self,
+        ray: &Ray,
+        accel: &impl Accel<Facet>,
+        rng: &mut impl Rng,
+    ) -> Followed {
         /// Rays towards the sky.
         const TOWARD_SKY: u8 = 6;
         let floor = Plane::through(Vec3::ZERO, Dir3::Y);
@@ -134,7 +139,7 @@ fn up(normal: Dir3, rng: &mut impl Rng) -> Dir3 {
 }
 
 /// Looks at the heap from above its front.
-pub fn camera(aspect: f32) -> Pinhole {
+pub(super) fn camera(aspect: f32) -> Pinhole {
     let (from, to) = (vec3(0.5, 0.62, 1.35), vec3(0.02, 0.2, 0.0));
     Pinhole::look_at(from, to, Vec3::Y, 0.045, aspect)
         .unwrap_or_else(|error| unreachable!("the direction is fixed: {error}"))

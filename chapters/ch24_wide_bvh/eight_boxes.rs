@@ -31,7 +31,7 @@ const ORIGIN: Vec2 = vec2(110.0, 880.0);
 ///
 /// # Errors
 /// If plotters cannot draw.
-pub fn draw() -> Figure {
+pub(super) fn draw() -> Figure {
     let ray = Ray::new(
         vec3(0.2, 0.5, 0.0),
         Dir3::new_or(vec3(9.0, 3.2, 0.0), Dir3::X),

@@ -18,7 +18,7 @@ const TURN: usize = 5000;
 const ROUNDS: usize = 5;
 
 /// Rays that go their own ways: from a point of a ball around the mesh to another.
-pub fn rays(mesh: &Mesh, n: usize) -> Vec<Ray> {
+pub(super) fn rays(mesh: &Mesh, n: usize) -> Vec<Ray> {
     use glam::Vec3;
     use rand::RngExt;
     use raybook::math::dir3::Dir3;
@@ -41,7 +41,11 @@ pub fn rays(mesh: &Mesh, n: usize) -> Vec<Ray> {
 ///
 /// # Errors
 /// What plotters reports.
-pub fn steps(rays: &[Ray], two: &Bvh<Facet>, eight: &WideBvh) -> Result<Image, Box<dyn Error>> {
+pub(super) fn steps(
+    rays: &[Ray],
+    two: &Bvh<Facet>,
+    eight: &WideBvh,
+) -> Result<Image, Box<dyn Error>> {
     let mut counts = [Tests::default(); 2];
     for ray in rays {
         two.closest_counted(ray, Interval::AHEAD, &mut counts[0]);
@@ -70,7 +74,7 @@ type Contestant<'a> = (&'a str, &'a dyn Fn(&[Ray]));
 ///
 /// # Errors
 /// What plotters reports.
-pub fn gain(
+pub(super) fn gain(
     rays: &[Ray],
     two: &Bvh<Facet>,
     eight: &WideBvh,

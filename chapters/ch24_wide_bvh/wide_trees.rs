@@ -25,7 +25,7 @@ const STEP: [i32; 2] = [82, 130];
 ///
 /// # Errors
 /// If plotters cannot draw.
-pub fn draw() -> Figure {
+pub(super) fn draw() -> Figure {
     let boxes: Vec<_> = soup(LEAVES, 6).facets().iter().map(Shape::bounds).collect();
     let nodes = binary(&build(&boxes, Method::Sweep, &Cost { most: 1, ..COST }));
     let families = collapse(&nodes);

@@ -11,7 +11,11 @@ use std::error::Error;
 ///
 /// # Errors
 /// If plotters cannot draw.
-pub fn words(width: usize, height: usize, question: &Trace) -> Result<Image, Box<dyn Error>> {
+pub(super) fn words(
+    width: usize,
+    height: usize,
+    question: &Trace,
+) -> Result<Image, Box<dyn Error>> {
     let Trace { depth, ray, scene } = question;
     let mut lines = vec![
         (

@@ -50,13 +50,14 @@ const MISREAD: [Misread; 4] = [
 ];
 
 /// Takes a picture of a scene with so many surfaces in a row, as the scene of this stage is seen.
-pub type Photograph<'a> = dyn Fn(&Staged, &Description, u32) -> Result<Image, LookAtError> + 'a;
+pub(super) type Photograph<'a> =
+    dyn Fn(&Staged, &Description, u32) -> Result<Image, LookAtError> + 'a;
 
 /// A row for each mistake: the right picture, the wrong one with its error, and the difference.
 ///
 /// # Errors
 /// If a picture cannot be taken or a caption drawn.
-pub fn sheet(photograph: &Photograph) -> Result<Image, Box<dyn Error>> {
+pub(super) fn sheet(photograph: &Photograph) -> Result<Image, Box<dyn Error>> {
     let mut tiles = Vec::new();
     for misread in &MISREAD {
         let staged = &FOUR[misread.scene];

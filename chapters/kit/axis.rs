@@ -3,6 +3,7 @@
 use plotters::coord::combinators::{IntoLogRange, LogCoord};
 use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
 use plotters::coord::types::RangedCoordf64;
+use std::fmt;
 use std::ops::Range;
 
 /// Labels of an axis, at most, unless a chart asks for another number.
@@ -15,6 +16,15 @@ pub struct Axis {
     pub(super) labels: usize,
     pub(super) format: Box<dyn Fn(f64) -> String>,
     pub(super) is_drawn: bool,
+}
+
+impl fmt::Debug for Axis {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.debug_struct("Axis")
+            .field("name", &self.name)
+            .field("labels", &self.labels)
+            .finish_non_exhaustive()
+    }
 }
 
 impl Axis {

@@ -1,7 +1,10 @@
 //! The `main` of every chapter binary.
 
+use crate::kit::options::Options;
+use crate::kit::say::{complain, lost, say};
 use crate::kit::stage::{Drawn, Stage, progress_bar};
-use crate::kit::{options::Options, say::say};
+use crate::kit::terminal::colourless;
+use crate::kit::untrusted::Untrusted;
 use crate::lesson::{self, Lesson};
 use clap::{Args, CommandFactory, FromArgMatches, Parser};
 use raybook_workbook::answer::unwritten;
@@ -11,14 +14,14 @@ use std::process::ExitCode;
 use std::sync::Mutex;
 
 /// No options beyond the shared ones.
-#[derive(Args)]
+#[derive(Args, Debug)]
 pub struct NoOptions {}
 
 #[derive(Parser)]
 struct Command<E: Args> {
     #[command(flatten)]
     options: Options,
-    /// Draw the pictures in the terminal too
+    /// Draw the pictures in the terminal too, if standard output is one that has colours
     #[arg(long)]
     show: bool,
     #[command(flatten)]
@@ -39,7 +42,8 @@ pub fn run_with<E: Args>(chapter: &'static str, draw: impl FnOnce(&Stage, E) -> 
         .about(about)
         .get_matches();
     let command = Command::<E>::from_arg_matches(&matches).unwrap_or_else(|e| e.exit());
-    let stage = Stage::new(chapter, command.options, command.show, progress_bar());
+    let show = command.show && can_show();
+    let stage = Stage::new(chapter, command.options, show, progress_bar());
     match draw(&stage, command.extra) {
         Ok(()) => {
             for output in stage.into_outputs() {
@@ -53,13 +57,24 @@ pub fn run_with<E: Args>(chapter: &'static str, draw: impl FnOnce(&Stage, E) -> 
                     }
                 ));
             }
-            ExitCode::SUCCESS
+            said_all(ExitCode::SUCCESS)
         }
         Err(error) => {
             report(&*error);
             ExitCode::from(2)
         }
     }
+}
+
+/// Whether there is a terminal that shows pictures; says why if not.
+fn can_show() -> bool {
+    let why = colourless();
+    if let Some(why) = why {
+        complain(format_args!(
+            "note: --show shows nothing, because {why}; the pictures are written into files all the same"
+        ));
+    }
+    why.is_none()
 }
 
 /// In a student's workbook, a function that is not written yet ends the program with a sentence.
@@ -77,19 +92,42 @@ fn end_at_what_is_unwritten() {
         let place = info.location().map_or_else(String::new, |place| {
             format!(" in {}:{}", place.file(), place.line())
         });
-        eprintln!(
+        let name = Untrusted::from(name);
+        complain(format_args!(
             "error: this chapter's pictures need {name}, which is not written yet: write it{place}; `raybook exercise {name}` says what it is asked"
-        );
+        ));
         std::process::exit(MISSING);
     }));
 }
 
-/// Prints an error and what caused it.
+/// Prints an error and what caused it. There may be text from outside in them: their lines are lines, and all else is shown.
 pub fn report(error: &dyn Error) {
-    eprintln!("error: {error}");
+    complain(format_args!("error: {}", lines(error)));
     let mut cause = error.source();
     while let Some(error) = cause {
-        eprintln!("  because: {error}");
+        complain(format_args!("  because: {}", lines(error)));
         cause = error.source();
     }
+}
+
+/// The exit code of work that is done: 2, with the reason, if not all that was said arrived.
+pub fn said_all(done: ExitCode) -> ExitCode {
+    match lost() {
+        None => done,
+        Some(error) => {
+            complain(format_args!(
+                "error: standard output cannot be written: {error}"
+            ));
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn lines(error: &dyn Error) -> String {
+    let text = error.to_string();
+    let lines: Vec<_> = text
+        .lines()
+        .map(|line| Untrusted::from(line).to_string())
+        .collect();
+    lines.join("\n")
 }

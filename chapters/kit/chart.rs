@@ -12,6 +12,7 @@ use plotters::prelude::{
 };
 use plotters::style::text_anchor::Pos;
 use plotters::style::{ShapeStyle, SizeDesc};
+use std::fmt;
 
 pub use plotters::prelude::SeriesLabelPosition as Corner;
 
@@ -50,6 +51,16 @@ enum Form {
     Bar([(f64, f64); 2]),
     Area(Vec<(f64, f64)>),
     Label((f64, f64), String, Box<Style>),
+}
+
+impl fmt::Debug for Chart {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.debug_struct("Chart")
+            .field("title", &self.title)
+            .field("x", &self.x)
+            .field("y", &self.y)
+            .finish_non_exhaustive()
+    }
 }
 
 impl Chart {

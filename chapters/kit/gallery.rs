@@ -4,12 +4,12 @@ use crate::kit::html::{figure, page};
 use crate::kit::stage::Output;
 use crate::lesson::Lesson;
 use maud::{Markup, html};
-use raybook::image::file;
-use std::io;
+use raybook::store::{self, StoreError};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 /// A chapter that was drawn.
+#[derive(Debug)]
 pub struct Drawing {
     /// The chapter.
     pub lesson: &'static Lesson,
@@ -28,7 +28,7 @@ pub fn page_in(folder: &Path) -> PathBuf {
 ///
 /// # Errors
 /// If the file cannot be written.
-pub fn write(folder: &Path, drawings: &[Drawing]) -> io::Result<()> {
+pub fn write(folder: &Path, drawings: &[Drawing]) -> Result<(), StoreError> {
     let body = html! {
         h1 { "raybook" }
         p { "A ray-tracing course that you can run. Every picture here was drawn on this machine; click one to see it whole." }
@@ -36,7 +36,7 @@ pub fn write(folder: &Path, drawings: &[Drawing]) -> io::Result<()> {
         @for drawing in drawings { (section(folder, drawing)) }
     };
     let page = page("raybook: the pictures", &body);
-    file::write_whole(&page_in(folder), page.as_bytes())
+    store::write(&page_in(folder), page.as_bytes())
 }
 
 fn section(folder: &Path, drawing: &Drawing) -> Markup {

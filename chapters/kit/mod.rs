@@ -15,3 +15,4 @@ pub mod sheet;
 pub mod sketch;
 pub mod stage;
 pub mod terminal;
+pub mod untrusted;

@@ -1,19 +1,24 @@
 //! The options that every chapter and the tour share.
 
 use clap::Args;
+use raybook::image::rgb::Rgb;
+use raybook::memory::{BUDGET, gigabytes};
 use std::path::PathBuf;
 use std::thread;
+
+/// Widest picture, in pixels: also if it is square it can be read again, which takes at most [`BUDGET`].
+pub const WIDEST: u32 = 8192;
 
 /// The options that every chapter and the tour share.
 #[derive(Args, Clone, Debug)]
 pub struct Options {
-    /// Width of the pictures in pixels [default: 960, or what the chapter can draw in a few seconds]
-    #[arg(long, value_parser = clap::value_parser!(u32).range(8..=16384))]
+    /// Width of the pictures in pixels, 8 to 8192; a square one of 8192 takes 0.8 GB of memory, and about as much again while it is written [default: 960, or what the chapter can draw in a few seconds]
+    #[arg(long, value_parser = width)]
     pub width: Option<u32>,
     /// Samples per pixel [default: 16, or what the chapter can draw in a few seconds]
     #[arg(long, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub samples: Option<u32>,
-    /// What every random number follows from
+    /// What every random number follows from: the same seed draws the same pictures, but for the few that show measured times
     #[arg(long, default_value_t = 1)]
     pub seed: u64,
     /// How many threads draw; the pictures do not depend on it [default: one per core]
@@ -29,5 +34,26 @@ impl Options {
     pub fn threads(&self) -> usize {
         let cores = || thread::available_parallelism().map_or(1, std::num::NonZeroUsize::get);
         self.threads.map_or_else(cores, |threads| threads as usize)
+    }
+}
+
+/// A width of pictures.
+fn width(text: &str) -> Result<u32, String> {
+    let width: u64 = text
+        .parse()
+        .map_err(|_| format!("a number of pixels, from 8 to {WIDEST}"))?;
+    let memory = |width: u64| {
+        let pixels = width.saturating_mul(width);
+        gigabytes(pixels.saturating_mul(size_of::<Rgb>() as u64))
+    };
+    match u32::try_from(width) {
+        Ok(width @ 8..=WIDEST) => Ok(width),
+        Ok(0..8) => Err("a picture is at least 8 pixels wide".to_owned()),
+        _ => Err(format!(
+            "a square picture so wide takes {} of memory, and a picture may take {}: at most {WIDEST} pixels, {}",
+            memory(width),
+            gigabytes(BUDGET),
+            memory(WIDEST.into()),
+        )),
     }
 }

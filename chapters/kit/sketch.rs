@@ -6,6 +6,7 @@ use glam::{Vec2, Vec3, vec2};
 use plotters::prelude::{Circle, Color, PathElement, Polygon, RGBColor, WHITE};
 use raybook::camera::pinhole::Pinhole;
 use std::f32::consts::TAU;
+use std::fmt;
 
 /// A canvas, and the camera that looks at what is drawn on it.
 ///
@@ -15,6 +16,14 @@ pub struct Sketch<'a, 'b> {
     pub canvas: &'a Canvas<'b>,
     /// Who looks.
     pub viewer: Pinhole,
+}
+
+impl fmt::Debug for Sketch<'_, '_> {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.debug_struct("Sketch")
+            .field("viewer", &self.viewer)
+            .finish_non_exhaustive()
+    }
 }
 
 impl Sketch<'_, '_> {

@@ -6,6 +6,7 @@ use raybook::image::{Image, file};
 use raybook::render::film::{Done, Film};
 use std::cell::RefCell;
 use std::error::Error;
+use std::fmt;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -34,6 +35,15 @@ pub struct Stage {
     bar: ProgressBar,
     rate: Arc<Rate>,
     outputs: RefCell<Vec<Output>>,
+}
+
+impl fmt::Debug for Stage {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.debug_struct("Stage")
+            .field("options", &self.options)
+            .field("folder", &self.folder)
+            .finish_non_exhaustive()
+    }
 }
 
 impl Stage {

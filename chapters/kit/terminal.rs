@@ -2,7 +2,36 @@
 
 use console::Term;
 use raybook::image::{Image, rgb::Rgb, tone};
-use std::io::{self, Write};
+use std::env;
+use std::ffi::OsStr;
+use std::io::{self, IsTerminal, Write};
+
+/// Why standard output cannot show colours; nothing if it can.
+pub fn colourless() -> Option<&'static str> {
+    let variable = |name| env::var_os(name);
+    why_colourless(
+        io::stdout().is_terminal(),
+        variable("NO_COLOR").as_deref(),
+        variable("TERM").as_deref(),
+    )
+}
+
+/// As [`colourless`], for an output that is a terminal or not, and the variables `NO_COLOR` and `TERM`.
+pub fn why_colourless(
+    is_terminal: bool,
+    no_color: Option<&OsStr>,
+    term: Option<&OsStr>,
+) -> Option<&'static str> {
+    if !is_terminal {
+        Some("standard output is not a terminal")
+    } else if no_color.is_some_and(|value| !value.is_empty()) {
+        Some("NO_COLOR is set")
+    } else if term.is_some_and(|kind| kind == "dumb") {
+        Some("the terminal has no colours (TERM is dumb)")
+    } else {
+        None
+    }
+}
 
 /// Prints the picture as wide as the terminal, or in its own width if that is smaller.
 ///

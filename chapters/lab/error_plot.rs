@@ -15,6 +15,7 @@ use std::fmt::Write;
 const GUIDES: [(f64, &str); 4] = [(-0.5, "−½"), (-0.75, "−¾"), (-1.0, "−1"), (-1.5, "−3/2")];
 
 /// The curve of one pattern.
+#[derive(Debug)]
 pub struct Curve {
     /// Its name, as a word.
     pub key: String,
@@ -27,6 +28,7 @@ pub struct Curve {
 }
 
 /// The curves of several patterns for the same function.
+#[derive(Debug)]
 pub struct ErrorPlot {
     /// What is measured.
     pub title: String,

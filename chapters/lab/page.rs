@@ -7,10 +7,12 @@ use crate::lab::table;
 use crate::lab::table::Row;
 use maud::{Markup, html};
 use raybook::image::{Image, file};
+use raybook::store;
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
 /// A page that grows section by section, and the folder of its files.
+#[derive(Debug)]
 pub struct Page {
     folder: PathBuf,
     remarks: Vec<String>,
@@ -94,7 +96,7 @@ impl Page {
         };
         let page = page("raybook: the sampling lab", &body);
         let path = self.folder.join("index.html");
-        file::write_whole(&path, page.as_bytes())?;
+        store::write(&path, page.as_bytes())?;
         Ok(path)
     }
 
@@ -106,6 +108,6 @@ impl Page {
 
     fn write(&self, name: &str, extension: &str, bytes: &[u8]) -> Drawn {
         let path = self.folder.join(name).with_extension(extension);
-        Ok(file::write_whole(&path, bytes)?)
+        Ok(store::write(&path, bytes)?)
     }
 }

@@ -22,6 +22,7 @@ const TITLE: i32 = 64;
 const FINEST: usize = 64;
 
 /// Patterns with so many points each.
+#[derive(Debug)]
 pub struct PointSets<'a> {
     /// The patterns.
     pub subjects: &'a [Subject],

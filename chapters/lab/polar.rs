@@ -24,6 +24,7 @@ const RADIUS: f64 = 500.0;
 const LEGEND: [i32; 4] = [1370, 1450, 1900, 2060];
 
 /// A curve for each pattern.
+#[derive(Debug)]
 pub struct Polar {
     /// How many points a pixel.
     n: usize,
@@ -31,6 +32,7 @@ pub struct Polar {
 }
 
 /// A pattern's errors.
+#[derive(Debug)]
 struct Curve {
     key: String,
     title: String,

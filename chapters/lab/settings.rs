@@ -4,6 +4,7 @@ use crate::lab::subject::Subject;
 use std::path::PathBuf;
 
 /// What is to be measured, and where the page goes.
+#[derive(Debug)]
 pub struct Settings {
     /// What is compared.
     pub subjects: Vec<Subject>,

@@ -20,6 +20,7 @@ const TOP: i32 = 90;
 const LEFT: i32 = 40;
 
 /// The spectrum of a pattern.
+#[derive(Debug)]
 pub struct SpectrumPlot {
     /// The pattern's name, as people write it, and of how many points.
     pub title: String,

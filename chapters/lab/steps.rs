@@ -4,6 +4,7 @@ use crate::kit::say::say;
 use indicatif::{ProgressBar, ProgressStyle};
 
 /// What is done, as a bar, or as lines where there is no terminal.
+#[derive(Debug)]
 pub struct Steps {
     bar: ProgressBar,
 }

@@ -9,6 +9,7 @@ use std::collections::HashMap;
 pub type Realisations = HashMap<usize, Vec<Vec<Vec2>>>;
 
 /// A way to place points.
+#[derive(Debug)]
 pub struct Subject {
     /// The pattern that it is, or is meant to be.
     pub pattern: Pattern,

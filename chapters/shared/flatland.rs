@@ -9,6 +9,7 @@ use plotters::prelude::{Circle, Color, PathElement, Polygon, RGBColor, Rectangle
 use rand::RngExt;
 use raybook::math::pcg;
 use raybook::math::{aabb::Aabb, dir3::Dir3, ray::Ray};
+use std::fmt;
 
 /// The scene is the square from 0 to this, in metres, at z = 0.
 pub const SIDE: f32 = 16.0;
@@ -50,6 +51,12 @@ pub fn ray() -> Ray {
 
 /// The plane, to draw on.
 pub struct Plane<'a, 'b>(&'a Canvas<'b>);
+
+impl fmt::Debug for Plane<'_, '_> {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.debug_struct("Plane").finish_non_exhaustive()
+    }
+}
 
 /// Pixels of the canvas to a metre.
 const ZOOM: f32 = 54.0 * SCALE as f32;

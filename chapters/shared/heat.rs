@@ -14,6 +14,7 @@ use raybook::shape::mesh::Facet;
 const MOST: f32 = 1000.0;
 
 /// What one ray through the middle of each pixel costs.
+#[derive(Debug)]
 pub struct Heat {
     /// Boxes as red, shapes as green.
     counts: Image,

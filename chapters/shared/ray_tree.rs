@@ -3,7 +3,7 @@
 use glam::{Vec2, Vec3};
 use raybook::image::rgb::Rgb;
 use raybook::light::LightSample;
-use raybook::material::{Material, Sight};
+use raybook::material::{Sight, beyond};
 use raybook::math::ray::Ray;
 use raybook::render::whitted::Whitted;
 use raybook::scene::world::{Scene, Seen};
@@ -58,16 +58,11 @@ pub struct Branch {
 /// The tree of a ray from the camera, as [`Whitted::radiance`] follows it; of lights with an extent, the middle is asked.
 ///
 /// A material asks for what is beyond it by a closure: here the closure keeps what it was asked.
-pub fn grow(whitted: &Whitted, scene: &Scene<dyn Material>, ray: &Ray) -> Branch {
+pub fn grow(whitted: &Whitted, scene: &Scene, ray: &Ray) -> Branch {
     follow(whitted, scene, ray, (Kind::Camera, whitted.depth))
 }
 
-fn follow(
-    whitted: &Whitted,
-    scene: &Scene<dyn Material>,
-    ray: &Ray,
-    (kind, left): (Kind, u32),
-) -> Branch {
+fn follow(whitted: &Whitted, scene: &Scene, ray: &Ray, (kind, left): (Kind, u32)) -> Branch {
     let branch = |distance, end, sees, asks| Branch {
         kind,
         from: ray.origin,
@@ -81,7 +76,7 @@ fn follow(
         return branch(f32::INFINITY, End::Limit, Rgb::BLACK, Vec::new());
     }
     let Some(seen) = scene.closest(ray) else {
-        let backdrop = (scene.backdrop)(ray);
+        let backdrop = scene.behind_everything(ray);
         return branch(f32::INFINITY, End::Backdrop, backdrop, Vec::new());
     };
     let view = -ray.direction;
@@ -114,13 +109,13 @@ fn follow(
         asks.push(branch);
         sight
     };
-    let beyond = seen.material.beyond(&seen.surface, view, &mut see);
+    let beyond = beyond(seen.material, &seen.surface, view, &mut see);
     let ambient = seen.material.ambient(&seen.surface) * scene.ambient;
     branch(seen.t, End::Surface, ambient + lit + beyond, asks)
 }
 
 /// The ray to a light, and what the surface makes of it if it arrives.
-fn toward_light(seen: &Seen<dyn Material>, light: &LightSample, lit: Option<Rgb>) -> Branch {
+fn toward_light(seen: &Seen, light: &LightSample, lit: Option<Rgb>) -> Branch {
     Branch {
         kind: Kind::Light,
         from: seen.surface.position,

@@ -11,6 +11,7 @@ use raybook::shape::{Hit, Shape, Surface, mesh::Mesh, plane::Plane};
 const FILL: f32 = 0.83;
 
 /// A mesh's surroundings.
+#[derive(Debug)]
 pub struct Showroom {
     camera: Pinhole,
     bounds: Aabb,

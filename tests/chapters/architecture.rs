@@ -1,6 +1,6 @@
 //! The rules about the house: floors, packages and claims.
 
-use raybook_chapters::LESSONS;
+use raybook_chapters::{LESSONS, MEASURED};
 use raybook_common::project;
 use raybook_common::source::{file_of, read, rust_files, top_module, used_paths};
 use std::collections::{BTreeMap, BTreeSet};
@@ -59,8 +59,13 @@ fn a_file_of_the_library_is_new_in_one_chapter_at_the_most() {
     }
 }
 
-/// What a chapter may draw with before it is taught: the fastest structure, where the chapter is about something else.
-const TOOLS: [&str; 1] = ["accel/wide_bvh/mod.rs"];
+/// What a chapter may use before it is taught: the fastest structure, where the chapter is about something else; and what the one
+/// interface of materials speaks of, the medium that light comes through and directions that are chosen by chance.
+const TOOLS: [&str; 3] = [
+    "accel/wide_bvh/mod.rs",
+    "material/glass.rs",
+    "sample/hemisphere.rs",
+];
 
 #[test]
 fn no_chapter_uses_a_file_that_a_later_one_claims() {
@@ -142,6 +147,27 @@ fn the_library_has_a_ray_tracers_dependencies_and_no_others() {
     );
 }
 
+/// `Cargo.lock` holds a few packages at the last version before these came in (CONTRIBUTING tells which).
+#[test]
+fn the_first_build_compiles_no_package_that_is_heavy_and_idle() {
+    let lock = read("Cargo.lock");
+    for (idle, what) in [
+        (
+            "moxcms",
+            "colour profiles, a fifth of what all packages took",
+        ),
+        (
+            "pulp",
+            "vectors for halves of floats, which EXR does without",
+        ),
+        ("zerocopy", "macros for the same"),
+        ("miniz_oxide\"\nversion = \"0.9", "a second inflater"),
+    ] {
+        let name = format!("name = \"{idle}");
+        assert!(!lock.contains(&name), "{idle} is back: {what}");
+    }
+}
+
 /// The names in a manifest's tables of dependencies; those of the tests do not count.
 fn dependencies(manifest: &str) -> impl Iterator<Item = &str> {
     let mut inside = false;
@@ -189,4 +215,88 @@ fn uses_are_taken_apart() {
         ["a", "a::b::C", "a::b::d::E", "a::F", "g::h"],
         "each path on its own"
     );
+}
+
+#[test]
+fn where_the_same_pictures_are_promised_those_that_show_times_are_named() {
+    let measured: BTreeSet<_> = MEASURED.into();
+    for (file, promise) in [
+        (
+            "README.md",
+            "The same seed draws the same\npictures, bit for bit,",
+        ),
+        (
+            "book/src/introduction.md",
+            "The same program draws the same picture, bit for bit,",
+        ),
+    ] {
+        let text = read(file);
+        let (_, promised) = text
+            .split_once(promise)
+            .unwrap_or_else(|| panic!("{file} promises"));
+        let (sentence, _) = promised.split_once("\n\n").unwrap_or((promised, ""));
+        let code = sentence.split('`').skip(1).step_by(2);
+        let named: BTreeSet<_> = code.filter(|name| name.starts_with("ch")).collect();
+        assert_eq!(
+            named, measured,
+            "{file} names the figures of measured times"
+        );
+    }
+}
+
+/// Where files may be touched. All others ask the store, which knows what a file is, and writes it whole or not at all.
+const OPENERS: [(&str, &str, &str); 6] = [
+    (
+        "grader/src",
+        "commands/hidden.rs",
+        "a key may come through a pipe",
+    ),
+    (
+        "grader/src",
+        "sandbox/",
+        "it encloses programs, and tries to get out",
+    ),
+    ("src", "store.rs", "it is the store"),
+    ("grader/src", "lock.rs", "it opens a folder, to lock it"),
+    ("grader/src", "contain.rs", "it reads /proc"),
+    ("grader/src", "progress.rs", "it renames what is damaged"),
+];
+
+/// What touches files.
+const TOUCHES: [&str; 9] = [
+    "File::open",
+    "File::create",
+    "File::options",
+    "OpenOptions",
+    "fs::write(",
+    "fs::read(",
+    "fs::read_to_string(",
+    "fs::rename(",
+    "fs::copy(",
+];
+
+#[test]
+fn files_are_touched_in_one_place() {
+    let mut touched = BTreeSet::new();
+    for folder in ["src", "workbook/src", "chapters", "grader/src"] {
+        for (file, text) in rust_files(folder) {
+            for touch in TOUCHES.iter().filter(|touch| text.contains(**touch)) {
+                // A name that ends so is another function.
+                let is_own =
+                    |part: &str| !part.ends_with(|c: char| c.is_alphanumeric() || c == '_');
+                if !text.match_indices(touch).any(|(at, _)| is_own(&text[..at])) {
+                    continue;
+                }
+                let place = OPENERS
+                    .iter()
+                    .find(|(of, name, _)| *of == folder && file.starts_with(name));
+                assert!(
+                    place.is_some(),
+                    "{folder}/{file} calls {touch}: files are read and written by src/store.rs"
+                );
+                touched.insert(place);
+            }
+        }
+    }
+    assert_eq!(touched.len(), OPENERS.len(), "each still touches files");
 }

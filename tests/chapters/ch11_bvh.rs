@@ -8,7 +8,7 @@ mod search;
 use raybook::accel::bvh::build::Method;
 
 /// All builders.
-pub const METHODS: [Method; 6] = [
+pub(crate) const METHODS: [Method; 6] = [
     Method::Median,
     Method::Middle,
     Method::Sweep,

@@ -7,7 +7,7 @@ mod tree;
 use glam::{Vec3, vec3};
 use raybook::image::rgb::Rgb;
 use raybook::material::{
-    Material, Sight,
+    Material, Sight, beyond,
     mirror::{Mirror, reflect},
     phong::Phong,
     polished::Polished,
@@ -28,12 +28,12 @@ fn whitted(depth: u32) -> Whitted {
 }
 
 /// What a ray sees of a scene.
-fn see(scene: &Scene<dyn Material>, ray: &Ray, depth: u32) -> Rgb {
+fn see(scene: &Scene, ray: &Ray, depth: u32) -> Rgb {
     whitted(depth).radiance(scene, ray, &mut pcg::stream(0, 0))
 }
 
 /// A mirror in the xz plane with this share, before a backdrop whose brightness is 1 + the height of the direction.
-fn floor_mirror(material: Box<dyn Material>) -> Scene<dyn Material> {
+fn floor_mirror(material: impl Material + 'static) -> Scene {
     let floor = Thing::new(Plane::through(Vec3::ZERO, Dir3::Y), material);
     Scene::new(vec![floor], Vec::new())
         .surrounded_by(Rgb::gray(0.5), |ray| Rgb::gray(1.0 + ray.direction.y))
@@ -68,9 +68,9 @@ fn reflection_turns_round_what_is_square_to_the_mirror_and_keeps_the_rest() {
 
 #[test]
 fn a_mirror_shows_what_is_above_it_below_it() {
-    let scene = floor_mirror(Box::new(Mirror {
+    let scene = floor_mirror(Mirror {
         share: Rgb::new(1.0, 0.5, 0.0),
-    }));
+    });
     for down in [
         vec3(0.0, -1.0, 0.0),
         vec3(3.0, -4.0, 0.0),
@@ -92,7 +92,7 @@ fn a_mirror_shows_what_is_above_it_below_it() {
 
 #[test]
 fn both_sides_of_a_mirror_reflect() {
-    let scene = floor_mirror(Box::new(Mirror { share: Rgb::WHITE }));
+    let scene = floor_mirror(Mirror { share: Rgb::WHITE });
     let seen = see(&scene, &ray(vec3(0.0, -2.0, 0.0), vec3(3.0, 4.0, 0.0)), 2);
     assert!(
         (seen.r - 0.2).abs() < 1e-6,
@@ -113,11 +113,7 @@ fn polish_reflects_its_share_and_lets_the_rest_through() {
         let mirror = Mirror {
             share: Rgb::gray(share),
         };
-        let seen = see(
-            &floor_mirror(Box::new(Polished { mirror, below })),
-            &down,
-            2,
-        );
+        let seen = see(&floor_mirror(Polished { mirror, below }), &down, 2);
         assert!(
             (seen.r - expected).abs() < 1e-6,
             "{share} of the sky: {expected}, not {seen:?}"
@@ -141,7 +137,7 @@ fn an_interpolated_normal_never_sends_a_ray_below_the_surface() {
             texture: glam::Vec2::ZERO,
         };
         let side = |d: Dir3| normal.dot(*d) < 0.0;
-        mirror.beyond(&at, view, &mut |onward, _| {
+        beyond(&mirror, &at, view, &mut |onward, _| {
             assert_eq!(
                 side(onward.direction),
                 side(view),

@@ -12,7 +12,6 @@ use rand::RngExt;
 use raybook::camera::{panorama::Panorama, pose::Pose};
 use raybook::image::Image;
 use raybook::image::rgb::Rgb;
-use raybook::material::Material;
 use raybook::math::pcg;
 use raybook::math::{dir3::Dir3, pcg::Pcg, ray::Ray};
 use raybook::render::{film::Film, local::Local, shadow, whitted::Whitted};
@@ -29,7 +28,7 @@ fn direction(rng: &mut Pcg) -> Dir3 {
 }
 
 /// What a ray sees of the pavilion; its only light is the sun's, so that nothing is random.
-fn seen(scene: &Scene<dyn Material>, ray: &Ray) -> Rgb {
+fn seen(scene: &Scene, ray: &Ray) -> Rgb {
     let local = Local {
         samples: 1,
         arrives: Some(shadow::lit),
@@ -50,7 +49,7 @@ fn film(width: usize, height: usize) -> Film<'static> {
 }
 
 /// A panorama of the scene from a point, with one ray for each pixel.
-fn panorama(scene: &Scene<dyn Material>, from: Vec3, width: usize) -> Image {
+fn panorama(scene: &Scene, from: Vec3, width: usize) -> Image {
     let pose = Pose::level(from);
     let camera = Panorama { pose };
     film(width, width / 2).render(|place, _| seen(scene, &camera.ray_through(place)))

@@ -19,7 +19,9 @@ pub fn run() -> io::Result<()> {
     // The message of a panic is the answer; the place is for the student.
     panic::set_hook(Box::new(|info| {
         if let (None, Some(place)) = (unwritten(info.payload()), info.location()) {
-            println!(
+            // A panic here would be one within a panic, which ends the program.
+            let _ = writeln!(
+                io::stdout(),
                 "panicked at {}:{}:{}",
                 place.file(),
                 place.line(),
@@ -29,7 +31,8 @@ pub fn run() -> io::Result<()> {
     }));
     for line in io::stdin().lock().lines() {
         let answer = answer(&line?);
-        writeln!(io::stdout(), "= {answer}")?;
+        // What the function printed may have left the line open, and an answer begins one.
+        writeln!(io::stdout(), "\n= {answer}")?;
         io::stdout().flush()?;
     }
     Ok(())

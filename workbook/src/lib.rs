@@ -1,5 +1,11 @@
 //! What travels with a student: the curriculum, the exercises, and the program that answers them.
 
+#![warn(
+    clippy::allow_attributes_without_reason,
+    missing_debug_implementations,
+    unreachable_pub
+)]
+
 pub mod anchor;
 pub mod answer;
 pub mod curriculum;

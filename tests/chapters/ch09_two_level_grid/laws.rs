@@ -77,8 +77,9 @@ proptest! {
         let facets = soup(n, 9).facets();
         let direction = Dir3::new_or(Vec3::from(direction), Dir3::X);
         let ray = Ray::new(Vec3::from(aim) - distance * *direction, direction);
-        let expected = List::new(facets.clone()).closest(&ray, Interval::AHEAD).map(|(_, hit)| hit);
-        let found = TwoLevelGrid::of_facets(facets).closest(&ray, Interval::AHEAD).map(|(_, hit)| hit);
+        // Of several facets at the same distance, and from afar many are, each may be the answer.
+        let expected = List::new(facets.clone()).closest(&ray, Interval::AHEAD).map(|(_, hit)| hit.t);
+        let found = TwoLevelGrid::of_facets(facets).closest(&ray, Interval::AHEAD).map(|(_, hit)| hit.t);
         prop_assert_eq!(found, expected);
     }
 }

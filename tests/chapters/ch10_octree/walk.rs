@@ -93,7 +93,10 @@ fn a_hit_ends_the_walk() {
 fn shapes_of_any_kind_and_without_bounds_are_found() {
     let balls = vec![
         Sphere::new(Vec3::ZERO, 1.0),
-        Sphere::new(vec3(f32::NAN, 0.0, 0.0), 1.0),
+        Sphere {
+            center: vec3(f32::NAN, 0.0, 0.0),
+            radius: 1.0,
+        },
     ];
     let octree = Octree::new(balls.clone());
     assert_eq!(octree.validate(), Ok(()));

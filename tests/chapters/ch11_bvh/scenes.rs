@@ -30,7 +30,7 @@ fn corners() -> impl Strategy<Value = [Vec3; 3]> {
 }
 
 /// Facets, some of them twice.
-pub fn facets() -> impl Strategy<Value = Vec<Facet>> {
+pub(super) fn facets() -> impl Strategy<Value = Vec<Facet>> {
     (prop::collection::vec(corners(), 0..60), 0..10_usize).prop_map(|(mut all, twice)| {
         let again: Vec<_> = all.iter().copied().take(twice).collect();
         all.extend(again);
@@ -40,7 +40,7 @@ pub fn facets() -> impl Strategy<Value = Vec<Facet>> {
 }
 
 /// A ray from inside, outside or a corner, in any direction or along an axis with −0.0; and an interval.
-pub fn asked() -> impl Strategy<Value = (Ray, Interval)> {
+pub(super) fn asked() -> impl Strategy<Value = (Ray, Interval)> {
     let axis = prop_oneof![
         Just(vec3(1.0, 0.0, -0.0)),
         Just(vec3(-0.0, -1.0, 0.0)),
@@ -59,7 +59,7 @@ pub fn asked() -> impl Strategy<Value = (Ray, Interval)> {
 }
 
 /// The scene at another scale.
-pub fn scaled(facets: &[Facet], scale: f32) -> Vec<Facet> {
+pub(super) fn scaled(facets: &[Facet], scale: f32) -> Vec<Facet> {
     let grow = |facet: &Facet| Facet {
         corners: facet.corners.map(|p| p * scale),
         ..*facet

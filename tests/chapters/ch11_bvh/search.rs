@@ -4,7 +4,7 @@ use crate::ch11_bvh::METHODS;
 use glam::{Vec3, vec3};
 use raybook::accel::{Accel, Tests, bvh::Bvh, list::List};
 use raybook::inside::bvh::{self, Node, RayPair};
-use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
+use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray};
 use raybook::shape::mesh::Facet;
 use raybook::shape::{Hit, Shape};
 use raybook_chapters::shared::{law::Reach, law::mean_tests};
@@ -73,12 +73,13 @@ fn planted(
     let (root, pairs) = bvh::nodes(tree);
     let mut within = Interval::AHEAD;
     let mut open: Vec<Node> = root.copied().into_iter().collect();
+    let all = root.map_or(Aabb::EMPTY, |root| root.bounds);
     let (mut found, mut tests) = (None::<Hit>, 0);
     while let Some(node) = open.pop() {
         let link = node.link;
         if link.count == 0 {
             let pair = &pairs[link.first as usize];
-            let mut met: Vec<_> = RayPair::new(ray, within)
+            let mut met: Vec<_> = RayPair::new(ray, within, &all)
                 .enters(pair)
                 .into_iter()
                 .zip(pair.nodes())

@@ -4,10 +4,10 @@ use crate::ch13_reflection::rays::ray;
 use crate::ch13_reflection::see;
 use glam::{Vec3, vec3};
 use raybook::image::rgb::Rgb;
-use raybook::material::{Material, mirror::Mirror, phong::Phong};
+use raybook::material::{Delta, Material, mirror::Mirror, phong::Phong};
 use raybook::math::dir3::Dir3;
 use raybook::scene::world::{Scene, Thing};
-use raybook::shape::{plane::Plane, sphere::Sphere};
+use raybook::shape::{Surface, plane::Plane, sphere::Sphere};
 use raybook_chapters::ch13_reflection::kissing_balls;
 
 const SHARE: f32 = 0.5;
@@ -15,10 +15,9 @@ const SHARE: f32 = 0.5;
 /// Two mirrors that face each other, at x = 0 and x = 1, in ambient light of 1; nothing else can be seen between them.
 ///
 /// Each also sends on a tenth of the ambient light.
-fn corridor() -> Scene<dyn Material> {
-    let mirror = |x: f32, normal| -> Thing<dyn Material> {
-        Thing::new(Plane::through(x * Vec3::X, normal), Box::new(Dusty))
-    };
+fn corridor() -> Scene {
+    let mirror =
+        |x: f32, normal| -> Thing { Thing::new(Plane::through(x * Vec3::X, normal), Dusty) };
     let mirrors = vec![mirror(0.0, Dir3::X), mirror(1.0, -Dir3::X)];
     Scene::new(mirrors, Vec::new()).surrounded_by(Rgb::WHITE, |_| Rgb::gray(f32::NAN))
 }
@@ -27,22 +26,13 @@ fn corridor() -> Scene<dyn Material> {
 struct Dusty;
 
 impl Material for Dusty {
-    fn lit(&self, _: &raybook::shape::Surface, _: Dir3, _: &raybook::light::LightSample) -> Rgb {
-        Rgb::BLACK
-    }
-
-    fn ambient(&self, _: &raybook::shape::Surface) -> Rgb {
+    fn ambient(&self, _: &Surface) -> Rgb {
         Rgb::gray(0.1)
     }
 
-    fn beyond(
-        &self,
-        at: &raybook::shape::Surface,
-        view: Dir3,
-        see: &mut raybook::material::See,
-    ) -> Rgb {
+    fn deltas(&self, at: &Surface, view: Dir3, tell: &mut dyn FnMut(Delta)) {
         let share = Rgb::gray(SHARE);
-        Mirror { share }.beyond(at, view, see)
+        Mirror { share }.deltas(at, view, tell);
     }
 }
 
@@ -105,10 +95,7 @@ fn a_ray_that_meets_no_mirror_needs_one_surface() {
         specular: Rgb::BLACK,
         exponent: 1.0,
     };
-    let ball = Thing::new(
-        Sphere::new(-5.0 * Vec3::Z, 1.0),
-        Box::new(matt) as Box<dyn Material>,
-    );
+    let ball = Thing::new(Sphere::new(-5.0 * Vec3::Z, 1.0), matt);
     let scene = Scene::new(vec![ball], vec![]).surrounded_by(Rgb::WHITE, |_| Rgb::gray(7.0));
     for depth in [1, 2, 9] {
         let ball = see(&scene, &ray(Vec3::ZERO, Vec3::NEG_Z), depth);

@@ -18,30 +18,24 @@ fn whitted(depth: u32) -> Whitted {
     Whitted { local, depth }
 }
 
-pub fn thing(
-    shape: impl Shape + 'static,
-    material: impl Material + 'static,
-) -> Thing<dyn Material> {
-    Thing {
-        shape: Box::new(shape),
-        material: Box::new(material),
-    }
+pub(super) fn thing(shape: impl Shape + 'static, material: impl Material + 'static) -> Thing {
+    Thing::new(shape, material)
 }
 
 /// Things before a backdrop.
-pub fn scene(things: Vec<Thing<dyn Material>>, backdrop: fn(&Ray) -> Rgb) -> Scene<dyn Material> {
+pub(super) fn scene(things: Vec<Thing>, backdrop: fn(&Ray) -> Rgb) -> Scene {
     let mut scene = Scene::new(things, vec![]);
-    scene.backdrop = backdrop;
+    scene.backdrop = Box::new(backdrop);
     scene
 }
 
-pub fn look(scene: &Scene<dyn Material>, origin: Vec3, toward: Vec3, depth: u32) -> Rgb {
+pub(super) fn look(scene: &Scene, origin: Vec3, toward: Vec3, depth: u32) -> Rgb {
     let ray = Ray::new(origin, Dir3::new(toward).expect("a direction"));
     whitted(depth).radiance(scene, &ray, &mut pcg::stream(14, 0))
 }
 
 /// A sphere around the origin.
-fn ball(radius: f32, outside: Medium, inside: Medium) -> Thing<dyn Material> {
+fn ball(radius: f32, outside: Medium, inside: Medium) -> Thing {
     let glass = Glass { outside, inside };
     thing(Sphere::new(Vec3::ZERO, radius), glass)
 }
@@ -52,7 +46,7 @@ fn to_the_rim() -> impl Iterator<Item = f32> {
 }
 
 /// Makes the things of a scene.
-type Build = Box<dyn Fn() -> Vec<Thing<dyn Material>>>;
+type Build = Box<dyn Fn() -> Vec<Thing>>;
 
 #[test]
 fn clear_glass_in_a_white_room_is_white_up_to_its_rim() {
@@ -118,7 +112,7 @@ fn a_ball_of_what_is_around_it_is_invisible() {
 }
 
 /// Where a ray goes behind a body, as the backdrop tells: only what is ahead shines, so that no mirrored ray counts.
-fn direction_behind(things: Vec<Thing<dyn Material>>, off: f32) -> f32 {
+fn direction_behind(things: Vec<Thing>, off: f32) -> f32 {
     let slope = scene(things, |ray| {
         let ahead = f32::from(u8::from(ray.direction.z < -0.9));
         Rgb::new(ahead * (0.5 + ray.direction.x), ahead, 0.0)

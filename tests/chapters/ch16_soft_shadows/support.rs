@@ -10,25 +10,25 @@ use raybook::math::dir3::Dir3;
 use raybook::shape::sphere::Sphere;
 use std::f32::consts::TAU;
 
-pub const BOTH: [Choose; 2] = [Choose::ByArea, Choose::BySolidAngle];
+pub(super) const BOTH: [Choose; 2] = [Choose::ByArea, Choose::BySolidAngle];
 
 /// The middle of each cell of an n × n lattice of the unit square.
-pub fn lattice(n: u32) -> impl Iterator<Item = Vec2> {
+pub(super) fn lattice(n: u32) -> impl Iterator<Item = Vec2> {
     (0..n * n).map(move |i| (vec2((i % n) as f32, (i / n) as f32) + 0.5) / n as f32)
 }
 
 /// A direction, uniform over the sphere.
-pub fn on_sphere(u: Vec2) -> Dir3 {
+pub(super) fn on_sphere(u: Vec2) -> Dir3 {
     let z = 1.0 - 2.0 * u.x;
     let (sine, phi) = ((1.0 - z * z).max(0.0).sqrt(), TAU * u.y);
     Dir3::new(vec3(sine * phi.cos(), sine * phi.sin(), z)).expect("it has length 1")
 }
 
-pub fn rect(corner: Vec3, a: Vec3, b: Vec3, choose: Choose) -> RectLight {
+pub(super) fn rect(corner: Vec3, a: Vec3, b: Vec3, choose: Choose) -> RectLight {
     RectLight::new(corner, a, b, Rgb::WHITE).choosing(choose)
 }
 
-pub fn sphere(center: Vec3, radius: f32, choose: Choose) -> SphereLight {
+pub(super) fn sphere(center: Vec3, radius: f32, choose: Choose) -> SphereLight {
     SphereLight {
         sphere: Sphere::new(center, radius),
         radiance: Rgb::WHITE,
@@ -37,7 +37,7 @@ pub fn sphere(center: Vec3, radius: f32, choose: Choose) -> SphereLight {
 }
 
 /// n² directions and the solid angle that each stands for.
-pub type Directions = Box<dyn Fn(u32) -> Vec<(Dir3, f64)>>;
+pub(super) type Directions = Box<dyn Fn(u32) -> Vec<(Dir3, f64)>>;
 
 /// All directions, evenly.
 fn everywhere(n: u32) -> Vec<(Dir3, f64)> {
@@ -66,7 +66,7 @@ fn dense_at_the_rim(light: SphereLight) -> Directions {
 }
 
 /// Lights of both kinds around the origin, from which they are seen, each chosen both ways; and directions to ask about.
-pub fn lights() -> Vec<(String, Box<dyn Light>, Directions)> {
+pub(super) fn lights() -> Vec<(String, Box<dyn Light>, Directions)> {
     let mut lights: Vec<(String, Box<dyn Light>, Directions)> = Vec::new();
     for choose in BOTH {
         let mut add = |name: &str, light: Box<dyn Light>| {

@@ -5,7 +5,7 @@ use rand::RngExt;
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::{Image, rgb::Rgb};
 use raybook::light::{Light, environment::Environment};
-use raybook::material::{brdf::Brdf, lambert::Lambert};
+use raybook::material::lambert::Lambert;
 use raybook::math::{dir3::Dir3, pcg, ray::Ray};
 use raybook::render::{film::Film, mis::Strategy, path::Path, refine::refine};
 use raybook::scene::still_life::{AT, EYE, still_life};
@@ -25,19 +25,16 @@ fn path(strategy: Strategy) -> Path {
     }
 }
 
-fn balls(albedo: f32, light: impl Light + 'static) -> Scene<dyn Brdf> {
-    let ball = |x: f32, r: f32| -> Thing<dyn Brdf> {
+fn balls(albedo: f32, light: impl Light + 'static) -> Scene {
+    let ball = |x: f32, r: f32| -> Thing {
         let albedo = Rgb::gray(albedo);
-        Thing::new(
-            Sphere::new(vec3(x, 0.0, 0.0), r),
-            Box::new(Lambert { albedo }),
-        )
+        Thing::new(Sphere::new(vec3(x, 0.0, 0.0), r), Lambert { albedo })
     };
     Scene::new(vec![ball(-1.0, 1.0), ball(0.9, 0.8)], vec![Box::new(light)])
 }
 
 /// The mean radiance that a narrow bundle of rays sees of both balls.
-fn seen(scene: &Scene<dyn Brdf>, path: Path, samples: u32) -> Mean {
+fn seen(scene: &Scene, path: Path, samples: u32) -> Mean {
     Mean::sampled(191, samples, |rng| {
         let (x, y): (f32, f32) = (rng.random(), rng.random());
         let toward = vec3(1.6 * x - 0.8, 0.6 * y - 0.3, -4.0);

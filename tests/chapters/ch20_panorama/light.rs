@@ -6,7 +6,7 @@ use raybook::camera::fisheye::{Fisheye, Projection};
 use raybook::camera::pose::Pose;
 use raybook::image::rgb::Rgb;
 use raybook::light::environment::Environment;
-use raybook::material::{brdf::Brdf, lambert::Lambert};
+use raybook::material::lambert::Lambert;
 use raybook::math::{basis::Basis, dir3::Dir3, ray::Ray};
 use raybook::render::{mis::Strategy, path::Path};
 use raybook::scene::world::{Scene, Thing};
@@ -46,8 +46,7 @@ fn irradiance(normal: Dir3) -> f64 {
 fn a_matt_ball_in_the_panoramas_light_is_as_bright_as_at_that_place() {
     let environment = Environment::new(panorama(&pavilion::scene(), EYE, 1024));
     let albedo = Rgb::gray(ALBEDO);
-    let ball: Thing<dyn Brdf> =
-        Thing::new(Sphere::new(Vec3::ZERO, 1.0), Box::new(Lambert { albedo }));
+    let ball: Thing = Thing::new(Sphere::new(Vec3::ZERO, 1.0), Lambert { albedo });
     let scene = Scene::new(vec![ball], vec![Box::new(environment)]);
     let path = Path {
         depth: 3,

@@ -6,7 +6,6 @@ use raybook::camera::pinhole::Pinhole;
 use raybook::camera::{panorama::Panorama, pose::Pose};
 use raybook::image::{Image, rgb::Rgb};
 use raybook::light::environment::Environment;
-use raybook::material::brdf::Brdf;
 use raybook::math::pcg;
 use raybook::render::{mis::Strategy, path::Path};
 use raybook::scene::world::Scene;
@@ -125,7 +124,7 @@ fn a_panorama_of_an_environment_is_that_environment() {
             film.render(|place, _| environment.radiance(camera.ray_through(place).direction));
         assert!(again.same_bits(&map), "every texel, bit for bit");
         // And as a light in a scene, by the whole path tracer.
-        let empty: Scene<dyn Brdf> = Scene::new(Vec::new(), vec![Box::new(environment)]);
+        let empty: Scene = Scene::new(Vec::new(), vec![Box::new(environment)]);
         let path = Path {
             depth: 3,
             sure: 3,

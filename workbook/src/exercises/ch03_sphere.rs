@@ -37,7 +37,7 @@ exercises! { ($) ch03_sphere
         /// The distance along the ray, in metres; none for a miss.
         t: Option<f32>,
     ) {
-        Sphere::new(center, radius).hit(&ray, within).map(|hit| hit.t)
+        Sphere { center, radius }.hit(&ray, within).map(|hit| hit.t)
     }
 
     /// Return the unit vector that points out of the sphere at its point p.
@@ -52,6 +52,6 @@ exercises! { ($) ch03_sphere
         /// The normal at p, of length 1, outwards.
         normal: Vec3,
     ) {
-        *Sphere::new(center, radius).normal_at(p)
+        *Sphere { center, radius }.normal_at(p)
     }
 }

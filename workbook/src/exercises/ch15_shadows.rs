@@ -5,7 +5,6 @@ use crate::record::row;
 use glam::{Vec2, Vec3};
 use raybook::image::rgb::Rgb;
 use raybook::light::LightSample;
-use raybook::material::{Material, mirror::Mirror};
 use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
 use raybook::render::shadow;
 use raybook::scene::world::{Scene, Thing};
@@ -58,11 +57,11 @@ exercises! { ($) ch15_shadows
         /// 1 if the light reaches the point, else 0.
         lit: u32,
     ) {
-        let share = Rgb::BLACK;
-        let things = spheres.iter().map(|ball| -> Thing<dyn Material> {
-            let sphere = Sphere::new(ball.center, ball.radius);
-            Thing::new(sphere, Box::new(Mirror { share }))
-        });
+        let ball = |ball: &Ball| Sphere {
+            center: ball.center,
+            radius: ball.radius,
+        };
+        let things = spheres.iter().map(|one| Thing::new(ball(one), ()));
         let scene = Scene::new(things.collect(), Vec::new());
         let at = surface(position, error, normal);
         u32::from(shadow::lit(&scene, &at, &light(toward, distance)))

@@ -57,7 +57,7 @@ exercises! { ($) ch16_soft_shadows
         answer: Vec<Chosen>,
     ) {
         let light = SphereLight {
-            sphere: Sphere::new(center, radius),
+            sphere: Sphere { center, radius },
             radiance: Rgb::gray(radiance),
             choose: Choose::BySolidAngle,
         };
@@ -142,11 +142,12 @@ impl VisibleFraction {
     }
 
     /// The balls.
-    pub fn scene(&self) -> Scene<()> {
-        let things = self.balls.iter().map(|ball| Thing {
-            shape: Box::new(Sphere::new(ball.center, ball.radius)) as _,
-            material: Box::new(()),
-        });
+    pub fn scene(&self) -> Scene {
+        let ball = |ball: &Ball| Sphere {
+            center: ball.center,
+            radius: ball.radius,
+        };
+        let things = self.balls.iter().map(|one| Thing::new(ball(one), ()));
         Scene::new(things.collect(), vec![])
     }
 }

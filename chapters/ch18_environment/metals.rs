@@ -1,0 +1,50 @@
+//! Metals, from smooth to rough, under one sky.
+
+use glam::{Vec3, vec3};
+use raybook::camera::pinhole::{LookAtError, Pinhole};
+use raybook::image::Image;
+use raybook::light::Light;
+use raybook::material::conductor::{Conductor, Metal};
+use raybook::material::ggx::Ggx;
+use raybook::render::film::Film;
+use raybook::render::mis::Strategy;
+use raybook::render::path::Path;
+use raybook::render::refine::render_evenly;
+use raybook::scene::world::{Scene, Thing};
+use raybook::shape::sphere::Sphere;
+
+/// The columns, from left to right.
+const METALS: [Metal; 4] = [Metal::GOLD, Metal::COPPER, Metal::SILVER, Metal::ALUMINIUM];
+/// α of the rows, from top to bottom; above the first is a row of smooth ones.
+const ROUGH: [f32; 2] = [0.15, 0.45];
+
+/// Balls of four metals in three rows: smooth, rough, rougher.
+///
+/// # Errors
+/// If there is no such camera.
+pub(super) fn draw(film: &Film, sky: Box<dyn Light>) -> Result<Image, LookAtError> {
+    /// Between the middles of two balls of radius 1, in metres.
+    const STEP: f32 = 3.1;
+    let ball = |column: usize, row: usize| {
+        let (x, y) = (column as f32 - 1.5, 1.0 - row as f32);
+        Sphere::new(STEP * vec3(x, y, 0.0), 1.0)
+    };
+    let mut things = Vec::new();
+    for (column, metal) in METALS.into_iter().enumerate() {
+        things.push(Thing::new(ball(column, 0), Conductor(metal)));
+        for (row, alpha) in (1..).zip(ROUGH) {
+            things.push(Thing::new(ball(column, row), Ggx { metal, alpha }));
+        }
+    }
+    let scene = Scene::new(things, vec![sky]);
+    let eye = vec3(0.0, 0.0, 21.0);
+    let camera = Pinhole::look_at(eye, Vec3::ZERO, Vec3::Y, 0.050, film.aspect())?;
+    let path = Path {
+        depth: 3,
+        sure: 3,
+        strategy: Strategy::Both,
+    };
+    Ok(render_evenly(film, |place, numbers| {
+        path.follow(&scene, &camera.ray_through(place), numbers)
+    }))
+}

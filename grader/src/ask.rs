@@ -1,7 +1,14 @@
 //! Asking an answer program: any program, which may crash, hang, flood or lie.
+//!
+//! An answer carries no number: it belongs to the question that is open when it comes. So that this is certain, questions are
+//! asked one after the other, each when the one before is answered. A program that holds its answers back is asked all at once,
+//! and gives as many answers as there are questions, or it is asked again in smaller parts, down to one question for a process,
+//! to which all that it says belongs.
 
+use crate::budget::{Budget, Over};
 use crate::contain;
-use crate::converse::{Conversation, End, Limits, Process, Program, converse};
+use crate::converse::{BREATH, Conversation, End, Limits, Prints, Process, Program, Waits};
+use raybook_chapters::kit::untrusted::Untrusted;
 use std::io;
 use std::process::ExitStatus;
 use std::time::Duration;
@@ -12,20 +19,20 @@ pub struct Reply {
     /// The answer, or why there is none.
     pub said: Said,
     /// What else the program printed before it.
-    pub printed: String,
+    pub printed: Prints,
 }
 
 /// An answer, or why there is none.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Said {
     /// An answer, as its words.
-    Answer(String),
+    Answer(Untrusted),
     /// This function is not written yet.
-    Todo(String),
+    Todo(Untrusted),
     /// The student's function panicked, with this message; the program went on.
-    Panicked(String),
+    Panicked(Untrusted),
     /// The program could not read the question.
-    Refused(String),
+    Refused(Untrusted),
     /// The program ended without an answer.
     Ended(String),
     /// No answer came in this time.
@@ -36,6 +43,8 @@ pub enum Said {
     TooMany(usize),
     /// It was not asked: there was no answer to so many questions before it.
     NotAsked(usize),
+    /// It was not asked or not waited for: a total limit is used up.
+    Over(Over),
 }
 
 impl Said {
@@ -43,7 +52,7 @@ impl Said {
     pub fn why_none(&self) -> Option<String> {
         Some(match self {
             Self::Answer(_) => return None,
-            Self::Todo(name) if name.is_empty() => "it is not written yet".to_owned(),
+            Self::Todo(name) if name.unescaped().is_empty() => "it is not written yet".to_owned(),
             Self::Todo(name) => format!("{name} is not written yet"),
             Self::Panicked(message) => format!("your function panicked: {message}"),
             Self::Refused(why) => format!("your program could not read the question: {why}"),
@@ -59,24 +68,25 @@ impl Said {
             Self::NotAsked(questions) => {
                 format!("not asked, since there was no answer to {questions} questions in a row")
             }
+            Self::Over(over) => over.why(),
         })
     }
 
-    /// Whether the program had to be started again after it.
-    fn cost_a_process(&self) -> bool {
-        !matches!(
+    /// Whether it is a line that the program wrote.
+    pub(crate) fn is_line(&self) -> bool {
+        matches!(
             self,
             Self::Answer(_) | Self::Todo(_) | Self::Panicked(_) | Self::Refused(_)
         )
     }
 }
 
-/// So many times a program may end early; from then on it is asked one question at a time, which blames the right one at once.
-const PATIENCE: usize = 3;
-
 /// After so many questions in a row without an answer the rest is not asked: seconds instead of minutes, for a program that
 /// does not know the exercise, or hangs.
 const SILENT: usize = 5;
+
+/// Parts in which a list of questions is asked again, if it was not answered as it should be.
+const PARTS: usize = 8;
 
 /// How a program gives its answers.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -92,10 +102,11 @@ enum Manner {
 /// Asks a program whatever is to be asked, in one process if the program allows it.
 ///
 /// A program that answers each question as it comes is kept for the next questions; a new one is started only after it
-/// crashed, or broke a limit. A program that holds its answers back is started for each list of questions.
+/// crashed, kept silent, or broke a limit. A program that holds its answers back is started for each list of questions.
 pub struct Asker<'a> {
     program: &'a Program,
     limits: Limits,
+    budget: Budget,
     manner: Manner,
     /// How long to wait for an answer until the program is told that there are no more questions.
     patience: Duration,
@@ -108,100 +119,118 @@ impl<'a> Asker<'a> {
         Self {
             program,
             limits,
+            budget: Budget::new(&limits),
             manner: Manner::Unknown,
             patience: limits.time / 2,
             process: None,
         }
     }
 
-    /// The same, for a program whose answers cannot be told apart otherwise: with a process for each list of questions.
-    pub fn apart(program: &'a Program, limits: Limits) -> Self {
+    /// The same, but with a process for each list of questions, which are all asked at once: nothing is waited for.
+    pub fn at_once(program: &'a Program, limits: Limits) -> Self {
         Self {
             manner: Manner::AtTheEnd,
             ..Self::new(program, limits)
         }
     }
 
+    /// What is asked from now on is of another exercise, which has its own total limits.
+    pub fn next_exercise(&mut self) {
+        self.budget.next_exercise();
+    }
+
+    /// What is asked from now on goes to a new process.
+    pub(crate) fn begin_anew(&mut self) {
+        self.process = None;
+    }
+
     /// Asks all the questions, whatever happens, and returns a reply to each.
     ///
-    /// All are sent at once, so a program that does not flush its output is answered for too. When it ends early, the
-    /// question it had reached is to blame; of a program that may have held answers back, it is asked again alone. The
-    /// others go to a new process. After five questions in a row without an answer the rest is not asked.
+    /// One question is open at a time. Where it has no answer, it is asked again in a process of its own, and the others go to
+    /// a new process. After five questions in a row without an answer the rest is not asked, nor when a total limit is used up.
     ///
     /// # Errors
     /// If the program cannot be started.
     pub fn ask(&mut self, questions: &[String]) -> io::Result<Vec<Reply>> {
         let mut replies = Vec::new();
-        let mut misfortunes = 0;
-        // Whether the process has been asked another list of questions.
-        let mut used = self.process.is_some();
-        while replies.len() < questions.len() {
-            if ends_silent(&replies) {
-                replies.resize_with(questions.len(), || Reply {
-                    said: Said::NotAsked(SILENT),
-                    printed: String::new(),
-                });
-                break;
+        // The first reply of this list that came from the process that is being asked.
+        let mut since = 0;
+        while let Some(rest) = self.still_to_ask(questions, &mut replies) {
+            let fresh = self.process.is_none();
+            if fresh {
+                since = replies.len();
             }
-            let rest = &questions[replies.len()..];
-            if misfortunes >= PATIENCE {
-                replies.push(self.ask_alone(&rest[..1])?);
+            if self.manner == Manner::AtTheEnd {
+                self.ask_apart(rest, &mut replies)?;
                 continue;
             }
-            // The first question of all shows the program's manner.
-            let together = if self.manner == Manner::Unknown {
-                1
-            } else {
-                rest.len()
-            };
+            let (asked, last) = (&rest[..1], rest.len() == 1);
             let Conversation {
                 answers,
                 end,
                 leftover,
-            } = self.converse(&rest[..together])?;
-            let missing = answers.len() < together;
-            let quiet = end.as_ref().is_some_and(End::is_quiet);
-            if answers.len() > together || (missing && together > 1 && quiet) {
-                misfortunes = PATIENCE; // which one has two answers, or none? ask them one by one
-                continue;
-            }
-            if missing && std::mem::take(&mut used) && answers.is_empty() {
-                continue; // it may have died of a question before these, so these go to a new process
-            }
-            replies.extend(answers.into_iter().map(Reply::of));
-            let Some(end) = end.filter(|_| missing) else {
-                continue;
-            };
-            if together == 1 || self.manner == Manner::Prompt {
-                replies.push(Reply {
-                    said: silence(end),
-                    printed: leftover,
-                });
-            } else {
-                misfortunes += 1;
-                let reached = replies.len();
-                replies.push(self.ask_alone(&questions[reached..=reached])?);
+            } = self.converse(asked, last)?;
+            match end {
+                Some(End::TooMany) if fresh => replies.push(Reply::too_many(answers)),
+                // Which of its questions has two answers?
+                Some(End::TooMany) => {
+                    let reached = replies.len() + 1;
+                    replies.truncate(since);
+                    self.ask_apart(&questions[replies.len()..reached], &mut replies)?;
+                }
+                _ if !answers.is_empty() => replies.extend(answers.into_iter().map(Reply::of)),
+                Some(end @ (End::TimedOut(_) | End::Flooded(_) | End::Over(_))) => {
+                    replies.push(Reply::none(silence(end), leftover));
+                }
+                Some(end) if fresh => replies.push(Reply::none(silence(end), leftover)),
+                // It may have died of an earlier question, or of too many.
+                _ => self.ask_apart(asked, &mut replies)?,
             }
         }
         Ok(replies)
     }
 
-    /// Sends all the questions at once, and returns what the program says until it has answered them, or ended.
-    ///
-    /// # Errors
-    /// If the program cannot be started.
-    pub fn converse(&mut self, questions: &[String]) -> io::Result<Conversation> {
+    /// The questions without a reply; `None` where there are none, or no more are to be asked: then each has that as its reply.
+    fn still_to_ask<'q>(
+        &self,
+        questions: &'q [String],
+        replies: &mut Vec<Reply>,
+    ) -> Option<&'q [String]> {
+        let why = self.stops(replies);
+        if let Some(said) = why {
+            replies.resize_with(questions.len(), || {
+                Reply::none(said.clone(), Prints::default())
+            });
+        }
+        questions
+            .get(replies.len()..)
+            .filter(|rest| !rest.is_empty())
+    }
+
+    /// Why no more is asked, if so.
+    fn stops(&self, replies: &[Reply]) -> Option<Said> {
+        let over = self.budget.over(Duration::ZERO, 0).map(Said::Over);
+        over.or_else(|| ends_silent(replies).then_some(Said::NotAsked(SILENT)))
+    }
+
+    /// Sends questions to the process that runs, or a new one, and returns what it says until it has answered them, or ended.
+    fn converse(&mut self, questions: &[String], last: bool) -> io::Result<Conversation> {
         let mut process = match self.process.take() {
             Some(process) => process,
             None => Process::start(self.program)?,
         };
-        let patience = (self.manner != Manner::AtTheEnd).then_some(self.patience);
-        let heard = process.converse(questions, self.limits, patience);
+        let waits = Waits {
+            patience: Some(self.patience),
+            // A second answer comes at once, or it is seen at the end of the list.
+            breath: if last { BREATH } else { Duration::ZERO },
+        };
+        let heard = process.converse(questions, &self.limits, waits, &mut self.budget);
         match &heard.end {
             None => {
                 self.manner = Manner::Prompt;
                 self.process = Some(process);
             }
+            Some(End::TooMany) => {}
             Some(_) if self.manner == Manner::Unknown && !heard.answers.is_empty() => {
                 self.manner = Manner::AtTheEnd;
             }
@@ -213,37 +242,67 @@ impl<'a> Asker<'a> {
         Ok(heard)
     }
 
-    /// Asks one question in a process of its own.
-    fn ask_alone(&mut self, question: &[String]) -> io::Result<Reply> {
-        self.process = None;
-        let mut heard = converse(self.program, question, self.limits)?;
-        Ok(match (heard.answers.len(), heard.end) {
-            (0, end) => Reply {
-                said: end.map_or_else(|| Said::Ended(String::new()), silence),
-                printed: heard.leftover,
-            },
-            (1, _) => Reply::of(heard.answers.swap_remove(0)),
-            (answers, _) => Reply {
-                said: Said::TooMany(answers),
-                printed: heard.answers.swap_remove(0).1,
-            },
-        })
-    }
-
-    /// Asks no more: whether the program gave more answers than it was asked questions, so that none can be relied on.
-    pub fn finish(mut self) -> bool {
-        let process = self.process.take();
-        process.is_some_and(|process| process.says_more(self.limits))
+    /// Asks questions in a process of their own, which is told at once that these are all, so that every answer is one to them.
+    /// If there are not as many answers as questions, they are asked again in parts. The replies stop where no more is asked.
+    ///
+    /// # Errors
+    /// If the program cannot be started.
+    pub(crate) fn ask_apart(
+        &mut self,
+        questions: &[String],
+        replies: &mut Vec<Reply>,
+    ) -> io::Result<()> {
+        let waits = Waits {
+            patience: None,
+            breath: Duration::ZERO,
+        };
+        let mut process = Process::start(self.program)?;
+        let heard = process.converse(questions, &self.limits, waits, &mut self.budget);
+        let Conversation {
+            answers,
+            end,
+            leftover,
+        } = heard;
+        if end == Some(End::TooMany) && questions.len() == 1 {
+            replies.push(Reply::too_many(answers));
+        } else if end != Some(End::TooMany) && answers.len() == questions.len() {
+            replies.extend(answers.into_iter().map(Reply::of));
+        } else if let [_] = questions {
+            let said = end.map_or_else(|| Said::Ended(String::new()), silence);
+            replies.push(Reply::none(said, leftover));
+        } else {
+            for part in questions.chunks(questions.len().div_ceil(PARTS)) {
+                if self.stops(replies).is_none() {
+                    self.ask_apart(part, replies)?;
+                }
+            }
+        }
+        Ok(())
     }
 }
 
 impl Reply {
     /// An answer line without its `= `, and what was printed before it.
-    fn of((answer, printed): (String, String)) -> Self {
+    fn of((answer, printed): (Untrusted, Prints)) -> Self {
         Self {
-            said: understand(&answer),
+            said: understand(answer),
             printed,
         }
+    }
+
+    /// No answer.
+    fn none(said: Said, printed: Prints) -> Self {
+        Self { said, printed }
+    }
+
+    /// More answers than one.
+    fn too_many(answers: Vec<(Untrusted, Prints)>) -> Self {
+        let said = Said::TooMany(answers.len());
+        let first = answers.into_iter().next();
+        Self::none(
+            said,
+            first.map_or_else(Prints::default, |(_, printed)| printed),
+        )
     }
 }
 
@@ -258,32 +317,30 @@ pub fn ask(program: &Program, questions: &[String], limits: Limits) -> io::Resul
 /// Whether the last replies, as many as are borne, are no answers.
 fn ends_silent(replies: &[Reply]) -> bool {
     let last = replies.len().checked_sub(SILENT);
-    last.is_some_and(|first| {
-        replies[first..]
-            .iter()
-            .all(|reply| reply.said.cost_a_process())
-    })
+    last.is_some_and(|first| replies[first..].iter().all(|reply| !reply.said.is_line()))
 }
 
 /// An answer line without its `= `.
-pub fn understand(answer: &str) -> Said {
-    let (first, rest) = answer.split_once(' ').unwrap_or((answer, ""));
-    let rest = rest.trim().to_owned();
+fn understand(answer: Untrusted) -> Said {
+    let text = answer.unescaped();
+    let (first, rest) = text.split_once(' ').unwrap_or((text, ""));
+    let rest = || rest.trim().into();
     match first {
-        "todo" => Said::Todo(rest),
-        "panic" => Said::Panicked(rest),
-        "error" => Said::Refused(rest),
-        _ => Said::Answer(answer.to_owned()),
+        "todo" => Said::Todo(rest()),
+        "panic" => Said::Panicked(rest()),
+        "error" => Said::Refused(rest()),
+        _ => Said::Answer(answer),
     }
 }
 
 /// Why a program that ended like this gave no answer.
-pub fn silence(end: End) -> Said {
+fn silence(end: End) -> Said {
     match end {
         End::Exited(status) => Said::Ended(status.map_or_else(String::new, describe)),
         End::TimedOut(limit) => Said::TimedOut(limit),
         End::Flooded(bytes) => Said::Flooded(bytes),
         End::TooMany => Said::TooMany(2),
+        End::Over(over) => Said::Over(over),
     }
 }
 

@@ -4,8 +4,11 @@ use crate::ask::{Asker, Reply, Said};
 use crate::converse::{Limits, Program};
 use crate::diagnose::{Diagnosis, diagnose};
 use crate::examine::{Case, Examiner};
-use crate::picture::ask_pixels;
+use crate::pairing::put_right;
+use crate::picture::{Pixels, ask_pixels, some_are_right};
+use crate::prints::short;
 use crate::triple::Triple;
+use raybook_chapters::kit::untrusted::Untrusted;
 use std::io;
 
 /// What became of one exercise.
@@ -17,7 +20,7 @@ pub struct Report {
     pub cases: Vec<Outcome>,
     /// The mistake that explains the wrong answers.
     pub diagnosis: Option<Diagnosis>,
-    /// The pictures of the answers, where the exercise is one of pixels and they were asked for.
+    /// The pictures of the answers, where the exercise is one of pixels and all of these were asked. They count like cases.
     pub pictures: Vec<Triple>,
     /// Why not all of their pixels have an answer, if the program did not go on to the end.
     pub stopped: Option<String>,
@@ -34,6 +37,13 @@ pub struct Outcome {
     pub reply: Reply,
 }
 
+impl Outcome {
+    /// Whether the program ended without an answer.
+    pub fn ended(&self) -> bool {
+        matches!(self.reply.said, Said::Ended(_))
+    }
+}
+
 /// The verdict on a reply.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Verdict {
@@ -48,13 +58,13 @@ pub enum Verdict {
 /// What became of an exercise as a whole.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum State {
-    /// Every case is right.
+    /// Every case is right, and every picture is passed.
     Right,
     /// Its function still says `todo!`.
     NotStarted,
     /// It calls this function, which still says `todo!`.
     WaitsFor(String),
-    /// Some case is wrong.
+    /// Some case is wrong, or some picture is not passed.
     Wrong,
 }
 
@@ -76,9 +86,12 @@ impl Report {
                 _ => None,
             });
         match todo {
+            None if self.first_failed().is_some() => State::Wrong,
             None => State::Right,
-            Some(name) if name == self.exercise || name.is_empty() => State::NotStarted,
-            Some(name) => State::WaitsFor(name.clone()),
+            Some(name) if name.unescaped() == self.exercise || name.unescaped().is_empty() => {
+                State::NotStarted
+            }
+            Some(name) => State::WaitsFor(name.to_string()),
         }
     }
 
@@ -97,6 +110,11 @@ impl Report {
             .count()
     }
 
+    /// The first picture that is not passed.
+    pub fn first_failed(&self) -> Option<&Triple> {
+        self.pictures.iter().find(|picture| !picture.score.passed())
+    }
+
     /// The first wrong case, and why it is wrong.
     pub fn first_wrong(&self) -> Option<(&Outcome, &str)> {
         self.cases
@@ -108,7 +126,8 @@ impl Report {
     }
 }
 
-/// Asks the program all the cases of an exercise, and judges its replies.
+/// Asks the program all the cases of an exercise, and judges its replies. Where answers are wrong because they stand beside
+/// other questions than their own, they are put right first.
 ///
 /// # Errors
 /// If the program cannot be started.
@@ -117,15 +136,31 @@ pub fn check(
     examiner: &dyn Examiner,
     cases: Vec<Case>,
 ) -> io::Result<Report> {
+    asker.next_exercise();
     let question = |case: &Case| format!("{} {}", examiner.name(), case.question);
     let questions: Vec<_> = cases.iter().map(question).collect();
-    Ok(assess(examiner, cases, asker.ask(&questions)?))
+    let replies = asker.ask(&questions)?;
+    let report = assess(examiner, cases, replies.clone());
+    let doubtful = |(i, outcome): (usize, &Outcome)| {
+        (outcome.verdict != Verdict::Right && outcome.reply.said.is_line()).then_some(i)
+    };
+    let doubtful: Vec<_> = report
+        .cases
+        .iter()
+        .enumerate()
+        .filter_map(doubtful)
+        .collect();
+    let right = put_right(asker, &questions, &replies, &doubtful)?;
+    let Some(replies) = right.filter(|_| report.state() == State::Wrong) else {
+        return Ok(report);
+    };
+    let cases = report.cases.into_iter().map(|outcome| outcome.case);
+    Ok(assess(examiner, cases.collect(), replies))
 }
 
-/// Checks several exercises, and draws their pictures if these are wanted; `done` is called after each.
+/// Checks several exercises, their cases and their pictures; `done` is called after each.
 ///
-/// The program is asked everything in one process. Only if it gave an answer that nobody asked for, nobody knows which, it is
-/// asked again, with a process for each exercise.
+/// The program is asked everything in one process, if it allows that.
 ///
 /// # Errors
 /// If the program cannot be started.
@@ -133,35 +168,35 @@ pub fn check_all(
     program: &Program,
     exercises: &[(&dyn Examiner, Vec<Case>)],
     limits: Limits,
-    pictures: bool,
+    pixels: Pixels,
     done: &dyn Fn(),
 ) -> io::Result<Vec<Report>> {
     let mut asker = Asker::new(program, limits);
     let mut reports = Vec::new();
     for (examiner, cases) in exercises {
-        reports.push(check_and_draw(&mut asker, *examiner, cases, pictures)?);
+        reports.push(check_and_draw(&mut asker, *examiner, cases, pixels)?);
         done();
-    }
-    if asker.finish() {
-        for (report, (examiner, cases)) in reports.iter_mut().zip(exercises) {
-            let mut asker = Asker::apart(program, limits);
-            *report = check_and_draw(&mut asker, *examiner, cases, pictures)?;
-        }
     }
     Ok(reports)
 }
 
-/// Checks an exercise, and draws its pictures if they are wanted and the program answers its cases.
+/// Checks an exercise, and draws its pictures: if they are wanted, and the program answers its cases; else if the cases are
+/// right, and some pixels are not.
 fn check_and_draw(
     asker: &mut Asker<'_>,
     examiner: &dyn Examiner,
     cases: &[Case],
-    pictures: bool,
+    pixels: Pixels,
 ) -> io::Result<Report> {
     let mut report = check(asker, examiner, cases.to_vec())?;
-    if pictures && report.answers() {
+    let all = match pixels {
+        Pixels::None => false,
+        Pixels::Some => report.state() == State::Right && !some_are_right(asker, examiner, cases)?,
+        Pixels::All => report.answers(),
+    };
+    if all {
         (report.pictures, report.stopped) = ask_pixels(asker, examiner)?;
-    } else if pictures && !examiner.pictures().is_empty() {
+    } else if pixels == Pixels::All && !examiner.pictures().is_empty() {
         let why = "not every case has an answer. Let your program answer something, all zeros say, to what you have not written";
         report.stopped = Some(why.to_owned());
     }
@@ -194,7 +229,7 @@ fn diagnose_outcomes(examiner: &dyn Examiner, outcomes: &[Outcome]) -> Option<Di
         .map(|outcome| outcome.case.clone())
         .collect();
     let answer = |outcome: &Outcome| match &outcome.reply.said {
-        Said::Answer(answer) => Some(answer.clone()),
+        Said::Answer(answer) => Some(answer.unescaped().to_owned()),
         _ => None,
     };
     let answers: Vec<_> = outcomes
@@ -206,10 +241,13 @@ fn diagnose_outcomes(examiner: &dyn Examiner, outcomes: &[Outcome]) -> Option<Di
 
 fn judge(examiner: &dyn Examiner, case: &Case, said: &Said) -> Verdict {
     Verdict::Wrong(match said {
-        Said::Answer(answer) => match examiner.judge(&case.question, &case.answers, answer) {
-            Ok(()) => return Verdict::Right,
-            Err(why) => why,
-        },
+        Said::Answer(answer) => {
+            match examiner.judge(&case.question, &case.answers, answer.unescaped()) {
+                Ok(()) => return Verdict::Right,
+                // It may quote the answer's words.
+                Err(why) => short(&Untrusted::from(why)),
+            }
+        }
         Said::Todo(_) => return Verdict::NotStarted,
         other => other.why_none().unwrap_or_default(),
     })

@@ -1,5 +1,6 @@
 //! Holding a student's process and its children together, so that none is left behind. The system's own code is here.
 
+use crate::sandbox::Sandbox;
 use std::io;
 use std::process::{Child, Command, ExitStatus};
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -22,10 +23,11 @@ static HELD: Mutex<Vec<(u32, String)>> = Mutex::new(Vec::new());
 
 /// Starts a command so that all of it can be ended: it becomes the head of a process group, and it and its children carry
 /// a mark. On Linux it also ends when the grader does, even by a signal that cannot be caught.
+/// A command that was made ready for a sandbox is held by that.
 ///
 /// # Errors
 /// If it cannot be started.
-pub fn start(command: &mut Command) -> io::Result<Held> {
+pub fn start(command: &mut Command, sandbox: Option<&Sandbox>) -> io::Result<Held> {
     static NUMBER: AtomicU64 = AtomicU64::new(0);
     let mark = format!(
         "{}-{}",
@@ -33,13 +35,15 @@ pub fn start(command: &mut Command) -> io::Result<Held> {
         NUMBER.fetch_add(1, Ordering::Relaxed)
     );
     command.env(MARK, &mark);
-    #[cfg(unix)]
-    std::os::unix::process::CommandExt::process_group(command, 0);
-    #[cfg(target_os = "linux")]
-    die_with_the_grader(command);
+    if sandbox.is_none() {
+        hold(command);
+    }
     // Locked until it is on the list: nothing can be started while `end_all` goes through it.
     let mut held = held();
-    let child = command.spawn()?;
+    let child = match sandbox {
+        Some(sandbox) => sandbox.spawn(command)?,
+        None => command.spawn()?,
+    };
     held.push((child.id(), mark.clone()));
     Ok(Held { child, mark })
 }
@@ -111,6 +115,16 @@ pub fn signal_name(status: ExitStatus) -> String {
         return format!("signal {signal}{meaning}");
     }
     status.to_string()
+}
+
+/// Its own process group; on Linux it ends with the grader.
+fn hold(command: &mut Command) {
+    #[cfg(unix)]
+    std::os::unix::process::CommandExt::process_group(command, 0);
+    #[cfg(target_os = "linux")]
+    die_with_the_grader(command);
+    #[cfg(not(unix))]
+    let _ = command;
 }
 
 #[cfg(target_os = "linux")]

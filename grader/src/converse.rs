@@ -1,11 +1,16 @@
 //! A process of an answer program: questions in, answers and prints out, within limits.
 
+use crate::budget::{Budget, Over, Total};
 use crate::contain::{self, Held};
+use crate::listen::{Event, listen};
+use crate::sandbox::Sandbox;
+use raybook_chapters::kit::untrusted::Untrusted;
+use std::collections::VecDeque;
 use std::ffi::OsString;
-use std::io::{self, BufRead, BufReader, PipeReader, Read, Write};
+use std::io::{self, Write};
 use std::path::PathBuf;
 use std::process::{Command, ExitStatus, Stdio};
-use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel, sync_channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -18,41 +23,74 @@ pub struct Program {
     pub arguments: Vec<OsString>,
     /// The folder it runs in; the present one if empty.
     pub folder: PathBuf,
+    /// The sandbox of a stranger's program; one's own runs with all of one's rights.
+    pub sandbox: Option<Sandbox>,
 }
 
-/// What a program may use for one answer.
+/// What a program may use: for one answer, for all of an exercise, and for all of a check.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
     /// Time until the next answer.
     pub time: Duration,
     /// Bytes printed until the next answer.
     pub output: usize,
+    /// What the cases and the pictures of an exercise take together.
+    pub exercise: Total,
+    /// What everything takes together.
+    pub check: Total,
 }
 
-impl Default for Limits {
-    /// Two seconds, a thousand times what an answer takes in any language; and a megabyte, more than anyone reads.
-    fn default() -> Self {
+impl Limits {
+    /// With `time` for an answer; for an exercise 150 times as much, for a check 900 times: 5 minutes and half an hour of
+    /// two seconds each. A megabyte for an answer, more than anyone reads; 64 for an exercise and 256 for a check, of which the
+    /// answers are kept.
+    pub const fn of(time: Duration) -> Self {
         Self {
-            time: Duration::from_secs(2),
+            time,
             output: 1 << 20,
+            exercise: Total {
+                time: time.saturating_mul(150),
+                bytes: 1 << 26,
+            },
+            check: Total {
+                time: time.saturating_mul(900),
+                bytes: 1 << 28,
+            },
         }
     }
 }
 
+impl Default for Limits {
+    /// Two seconds, a thousand times what an answer takes in any language.
+    fn default() -> Self {
+        Self::of(Duration::from_secs(2))
+    }
+}
+
+/// What a program printed that is no answer.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Prints {
+    /// On standard output.
+    pub stdout: Untrusted,
+    /// On standard error, while the question was open: before its answer, or after the answer before. Where several questions
+    /// are open, because the program holds its answers back, it may stand with any of them.
+    pub stderr: Untrusted,
+}
+
 /// What a process said to some questions.
 #[derive(Clone, Debug)]
-pub struct Conversation {
+pub(crate) struct Conversation {
     /// Each answer line without its `= `, and what was printed before it.
-    pub answers: Vec<(String, String)>,
+    pub(crate) answers: Vec<(Untrusted, Prints)>,
     /// How it ended; `None` if everything is answered, and more can be asked.
-    pub end: Option<End>,
+    pub(crate) end: Option<End>,
     /// What was printed after the last answer.
-    pub leftover: String,
+    pub(crate) leftover: Prints,
 }
 
 /// How a process ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum End {
+pub(crate) enum End {
     /// By itself; with its exit code or signal, where the system tells.
     Exited(Option<ExitStatus>),
     /// Stopped, because no answer came in this time.
@@ -61,33 +99,46 @@ pub enum End {
     Flooded(usize),
     /// Stopped, because it gave more answers than it was asked questions.
     TooMany,
+    /// Stopped, because a total limit is used up.
+    Over(Over),
 }
 
 impl End {
     /// Whether the program ended by itself and as if everything was done.
-    pub fn is_quiet(&self) -> bool {
+    pub(crate) fn is_quiet(&self) -> bool {
         matches!(self, Self::Exited(Some(status)) if status.success())
     }
 }
 
-/// A line longer than this is cut. The longest answers that are asked for are 4096 points, 100 kB.
-const LONGEST_LINE: u64 = 1 << 18;
-
-/// So many lines wait at the most until they are read.
-const WAITING: usize = 64;
-
-/// So much of what was printed for a question is kept.
+/// Bytes that are kept of what was printed for a question, of each output.
 const KEPT: usize = 1 << 12;
 
 /// A program that gives a second answer to a question mostly does so within this time.
-const BREATH: Duration = Duration::from_millis(1);
+pub(crate) const BREATH: Duration = Duration::from_millis(1);
+
+/// What a program has written to standard error arrives within this time from the end of its standard output.
+const LAST_WORDS: Duration = Duration::from_millis(50);
+
+/// What a program that has answered everything does until its output ends is waited for this part of the limit.
+const AFTERWARDS: u32 = 8;
+
+/// How long to wait, besides the limits.
+#[derive(Clone, Copy)]
+pub(crate) struct Waits {
+    /// Until the program is told that there are no more questions; without it, that is so at once.
+    pub(crate) patience: Option<Duration>,
+    /// For more answers than were asked for.
+    pub(crate) breath: Duration,
+}
 
 /// A running answer program. Nothing of it is left when it is dropped.
-pub struct Process {
+pub(crate) struct Process {
     held: Option<Held>,
     /// To the thread that writes the questions; none when no more will be asked.
     questions: Option<Sender<String>>,
-    lines: Receiver<(String, bool)>,
+    events: Receiver<Vec<Event>>,
+    /// What has come and is not heard yet.
+    come: VecDeque<Event>,
 }
 
 impl Process {
@@ -95,22 +146,23 @@ impl Process {
     ///
     /// # Errors
     /// If it cannot be started.
-    pub fn start(program: &Program) -> io::Result<Self> {
-        let (output, input) = io::pipe()?;
+    pub(crate) fn start(program: &Program) -> io::Result<Self> {
         let mut command = Command::new(&program.file);
-        // Prints to both outputs come in the order in which they were made.
         command
             .args(&program.arguments)
             .env("PYTHONUNBUFFERED", "1") // else Python holds its answers back until the questions end
             .stdin(Stdio::piped())
-            .stdout(input.try_clone()?)
-            .stderr(input);
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped());
         if !program.folder.as_os_str().is_empty() {
             command.current_dir(&program.folder);
         }
+        let sandbox = program.sandbox.as_ref();
+        if let Some(sandbox) = sandbox {
+            sandbox.enclose(&mut command)?;
+        }
         let mut held =
-            contain::start(&mut command).map_err(|error| cannot_start(program, &error))?;
-        drop(command); // it holds the pipe's other end
+            contain::start(&mut command, sandbox).map_err(|error| cannot_start(program, &error))?;
         let (questions, to_write) = channel::<String>();
         if let Some(mut stdin) = held.child.stdin.take() {
             // A program that ends early does not read it all, and that is its business.
@@ -120,22 +172,26 @@ impl Process {
                     .try_for_each(|text| stdin.write_all(text.as_bytes()))
             });
         }
+        let outputs = held.child.stdout.take().zip(held.child.stderr.take());
+        let (stdout, stderr) = outputs.ok_or(io::ErrorKind::BrokenPipe)?;
         Ok(Self {
             held: Some(held),
             questions: Some(questions),
-            lines: read_lines(output),
+            events: listen(stdout, stderr),
+            come: VecDeque::new(),
         })
     }
 
     /// Sends the questions, all at once, and listens until they are answered, or the program ends or breaks a limit.
     ///
-    /// If no answer comes for the time of `patience`, the program is told that there are no more questions: then one that
-    /// holds its answers back gives them, and one that ignored a question ends. Without `patience` it is told so at once.
-    pub fn converse(
+    /// If no answer comes for the time of `waits.patience`, the program is told that there are no more questions: then one that
+    /// holds its answers back gives them, and one that ignored a question ends. Without it, it is told so at once.
+    pub(crate) fn converse(
         &mut self,
         questions: &[String],
-        limits: Limits,
-        patience: Option<Duration>,
+        limits: &Limits,
+        waits: Waits,
+        budget: &mut Budget,
     ) -> Conversation {
         let text: String = questions
             .iter()
@@ -145,12 +201,14 @@ impl Process {
             // The writer has gone where the program has ended, which is heard below.
             let _ = writer.send(text);
         }
-        let mut conversation = self.listen(questions.len(), limits, patience);
+        let mut conversation = self.listen(questions.len(), limits, waits, budget);
         if let Some(end) = &mut conversation.end
             && let Some(held) = self.held.take()
         {
             self.questions = None;
+            let start = Instant::now();
             let status = held.end(matches!(end, End::Exited(_)), limits.time);
+            budget.spend(start.elapsed(), 0);
             if let End::Exited(how) = end {
                 *how = status;
             }
@@ -158,64 +216,92 @@ impl Process {
         conversation
     }
 
-    /// Says that there are no more questions, and waits for the end: whether there came an answer that nobody asked for.
-    pub fn says_more(mut self, limits: Limits) -> bool {
-        let heard = self.converse(&[], limits, None);
-        !heard.answers.is_empty()
+    /// The next event, if one comes until then.
+    fn next_until(&mut self, deadline: Instant) -> Result<Event, RecvTimeoutError> {
+        loop {
+            if let Some(event) = self.come.pop_front() {
+                return Ok(event);
+            }
+            let wait = deadline.saturating_duration_since(Instant::now());
+            self.come.extend(self.events.recv_timeout(wait)?);
+        }
     }
 
     fn listen(
         &mut self,
         wanted: usize,
-        limits: Limits,
-        patience: Option<Duration>,
+        limits: &Limits,
+        waits: Waits,
+        budget: &mut Budget,
     ) -> Conversation {
-        let (mut answers, mut printed, mut bytes) = (Vec::new(), String::new(), 0);
-        let mut heard = Instant::now();
+        let (mut answers, mut printed) = (Vec::new(), Printed::default());
+        let (mut bytes, mut bytes_in_all) = (0, 0);
+        let start = Instant::now();
+        let (mut heard, mut closed) = (start, None);
         let end = loop {
-            let hurry = patience.filter(|_| self.questions.is_some());
+            let hurry = waits.patience.filter(|_| self.questions.is_some());
             if hurry.is_none() {
                 self.questions = None;
             }
             let complete = answers.len() == wanted;
-            let wait = match hurry {
-                Some(_) if complete => BREATH,
-                Some(patience) => patience.min(limits.time),
-                None => limits.time,
+            let wait = match (closed, hurry) {
+                (Some(_), _) => LAST_WORDS,
+                (None, Some(_)) if complete => waits.breath,
+                (None, Some(patience)) => patience.min(limits.time),
+                (None, None) if complete => limits.time / AFTERWARDS,
+                (None, None) => limits.time,
             };
-            let deadline = heard + wait;
-            match self
-                .lines
-                .recv_timeout(deadline.saturating_duration_since(Instant::now()))
-            {
-                Ok((line, true)) if line.starts_with("= ") => {
-                    answers.push((line[2..].trim().to_owned(), std::mem::take(&mut printed)));
+            let deadline = (closed.unwrap_or(heard) + wait).min(start + budget.time_left());
+            match self.next_until(deadline) {
+                Ok(Event::Answer(answer)) => {
+                    bytes_in_all += answer.len() + 3;
+                    let answer = Untrusted::from(answer);
+                    answers.push((answer, std::mem::take(&mut printed).told()));
                     if answers.len() > wanted {
                         break Some(End::TooMany);
                     }
                     bytes = 0;
                     heard = Instant::now();
                 }
-                Ok((line, whole)) => {
-                    bytes += line.len() + 1;
-                    if printed.len() < KEPT {
-                        printed.push_str(&line);
-                        printed.push_str(if whole { "\n" } else { "" });
-                    }
-                    if bytes > limits.output {
-                        break Some(End::Flooded(bytes));
-                    }
+                Ok(Event::Print(text, whole)) => {
+                    bytes += text.len() + 1;
+                    bytes_in_all += text.len() + 1;
+                    printed.print(&text, whole);
+                }
+                Ok(Event::Error(text)) => {
+                    bytes += text.len();
+                    bytes_in_all += text.len();
+                    printed.complain(&text);
+                }
+                Ok(Event::End) => closed = Some(Instant::now()),
+                Err(RecvTimeoutError::Disconnected) => break Some(End::Exited(None)),
+                Err(RecvTimeoutError::Timeout) if closed.is_some() => {
+                    break Some(End::Exited(None));
                 }
                 Err(RecvTimeoutError::Timeout) if hurry.is_some() && complete => break None,
-                Err(RecvTimeoutError::Timeout) if hurry.is_some() => self.questions = None,
-                Err(RecvTimeoutError::Timeout) => break Some(End::TimedOut(limits.time)),
-                Err(RecvTimeoutError::Disconnected) => break Some(End::Exited(None)),
+                Err(RecvTimeoutError::Timeout) => {
+                    // Of two reasons the total limit is the one that stays.
+                    if let Some(over) = budget.over(start.elapsed(), bytes_in_all) {
+                        break Some(End::Over(over));
+                    }
+                    if hurry.is_none() {
+                        break Some(End::TimedOut(limits.time));
+                    }
+                    self.questions = None;
+                }
+            }
+            if bytes > limits.output {
+                break Some(End::Flooded(bytes));
+            }
+            if let Some(over) = budget.over(start.elapsed(), bytes_in_all) {
+                break Some(End::Over(over));
             }
         };
+        budget.spend(start.elapsed(), bytes_in_all);
         Conversation {
             answers,
             end,
-            leftover: printed,
+            leftover: printed.told(),
         }
     }
 }
@@ -228,23 +314,46 @@ impl Drop for Process {
     }
 }
 
-/// Starts the program, sends it all the questions, and listens until it ends or breaks a limit; nothing of it is left.
-///
-/// # Errors
-/// If the program cannot be started.
-pub fn converse(
-    program: &Program,
-    questions: &[String],
-    limits: Limits,
-) -> io::Result<Conversation> {
-    Ok(Process::start(program)?.converse(questions, limits, None))
+/// What is kept of the prints before an answer.
+#[derive(Default)]
+struct Printed {
+    stdout: String,
+    stderr: Vec<u8>,
+}
+
+impl Printed {
+    /// A line, or a part of one. Empty lines are not kept: an answer program may end what the student left open.
+    fn print(&mut self, text: &str, whole: bool) {
+        let room = KEPT.saturating_sub(self.stdout.len());
+        let fits = text.char_indices().map(|(i, c)| i + c.len_utf8());
+        let end = fits.take_while(|&end| end <= room).last().unwrap_or(0);
+        self.stdout.push_str(&text[..end]);
+        let open = !self.stdout.is_empty() && !self.stdout.ends_with('\n');
+        if whole && open {
+            self.stdout.push('\n');
+        }
+    }
+
+    fn complain(&mut self, text: &[u8]) {
+        let room = KEPT.saturating_sub(self.stderr.len());
+        self.stderr.extend(&text[..room.min(text.len())]);
+    }
+
+    fn told(self) -> Prints {
+        Prints {
+            stdout: self.stdout.into(),
+            stderr: String::from_utf8_lossy(&self.stderr).into_owned().into(),
+        }
+    }
 }
 
 /// Why a program does not start, and what to do about it.
 fn cannot_start(program: &Program, error: &io::Error) -> io::Error {
-    let file = program.file.display();
+    let file = Untrusted::from(program.file.as_path());
     let advice = match error.kind() {
-        io::ErrorKind::PermissionDenied => format!("; is it executable? chmod +x {file}"),
+        io::ErrorKind::PermissionDenied => {
+            format!("; is it executable? chmod +x {}", file.shell())
+        }
         io::ErrorKind::NotFound if program.file.exists() => {
             "; the file is there: is the program that its first line names after `#!`?".to_owned()
         }
@@ -254,26 +363,4 @@ fn cannot_start(program: &Program, error: &io::Error) -> io::Error {
         error.kind(),
         format!("{file}: cannot be run: {error}{advice}"),
     )
-}
-
-/// Lines of output as they come, with whether each was whole.
-fn read_lines(output: PipeReader) -> Receiver<(String, bool)> {
-    let (sender, receiver) = sync_channel(WAITING);
-    thread::spawn(move || {
-        let mut reader = BufReader::new(output);
-        loop {
-            let mut bytes = Vec::new();
-            let read = (&mut reader)
-                .take(LONGEST_LINE)
-                .read_until(b'\n', &mut bytes);
-            let whole = bytes.last() == Some(&b'\n');
-            let line = String::from_utf8_lossy(&bytes)
-                .trim_end_matches(['\n', '\r'])
-                .to_owned();
-            if !matches!(read, Ok(n) if n > 0) || sender.send((line, whole)).is_err() {
-                return;
-            }
-        }
-    });
-    receiver
 }

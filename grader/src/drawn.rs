@@ -3,14 +3,16 @@
 
 use crate::converse::Program;
 use crate::library;
+use crate::lock::Lock;
 use crate::manifest;
+use crate::progress::KEPT;
 use crate::starter::{self, StarterError, StarterFile, copies, stub};
 use crate::student::{StudentError, build_binary};
-use raybook::image::file;
+use raybook::store::{self, StoreError};
 use raybook_workbook::curriculum::Chapter;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::{env, fs, io};
+use std::{env, fs};
 
 /// Where the chapters' package is in the workbook: beside what else is not the student's.
 const FOLDER: &str = ".raybook/chapters";
@@ -21,6 +23,9 @@ pub enum DrawError {
     /// The chapters cannot be laid into the workbook.
     #[error(transparent)]
     Lay(#[from] StarterError),
+    /// One of their files cannot be written or removed there.
+    #[error(transparent)]
+    Store(#[from] StoreError),
     /// They cannot be compiled.
     #[error(transparent)]
     Build(#[from] StudentError),
@@ -63,13 +68,14 @@ pub fn files() -> Result<Vec<StarterFile>, StarterError> {
 
 /// Makes the package in the workbook that of this command. What is the same already is not written, so that it is not compiled
 /// again; what an older command left there is removed.
-fn lay(workbook: &Path) -> Result<(), StarterError> {
+fn lay(workbook: &Path) -> Result<(), DrawError> {
+    let _lock = Lock::on(&workbook.join(KEPT))?;
     let mut wanted = Vec::new();
     let mut changed = false;
     for (path, bytes) in files()? {
         let path = workbook.join(path);
-        if fs::read(&path).ok().as_ref() != Some(&bytes) {
-            write(&path, &bytes)?;
+        if store::read(&path).ok().as_ref() != Some(&bytes) {
+            store::write(&path, &bytes)?;
             changed = true;
         }
         wanted.push(path);
@@ -77,34 +83,23 @@ fn lay(workbook: &Path) -> Result<(), StarterError> {
     let lock = workbook.join(FOLDER).join("Cargo.lock");
     if changed {
         // Cargo strikes out of it what is not used.
-        write(&lock, starter::LOCK.as_bytes())?;
+        store::write(&lock, starter::LOCK.as_bytes())?;
     }
     wanted.push(lock);
     for path in files_below(&workbook.join(FOLDER)) {
         if !wanted.contains(&path) {
-            fs::remove_file(&path).map_err(|source| StarterError::Write { path, source })?;
+            fs::remove_file(&path).map_err(StoreError::of(&path, "remove this file"))?;
         }
     }
     Ok(())
 }
 
-fn write(path: &Path, bytes: &[u8]) -> Result<(), StarterError> {
-    let failed = |source: io::Error| StarterError::Write {
-        path: path.to_owned(),
-        source,
-    };
-    file::write_whole(path, bytes).map_err(failed)
-}
-
-/// All files in a folder and in those below it; none where it cannot be read.
+/// All files in a folder and in those below it, but not in those that a link leads to; none where it cannot be read.
 fn files_below(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
-    let below = entries.map(|entry| entry.path()).map(|path| {
-        if path.is_dir() {
-            files_below(&path)
-        } else {
-            vec![path]
-        }
+    let below = entries.map(|entry| match entry.file_type() {
+        Ok(kind) if kind.is_dir() => files_below(&entry.path()),
+        _ => vec![entry.path()],
     });
     below.flatten().collect()
 }

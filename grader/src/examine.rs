@@ -1,5 +1,7 @@
 //! Making cases, judging answers and recognising mistakes, with everything as lines.
 
+use crate::diagnose::misread::Limits;
+use crate::finite::finite;
 use crate::golden::{self, GoldenError, Named};
 use crate::triple::PictureSize;
 use crate::{Graded, Mistake, Picture, Verdict, stable};
@@ -75,6 +77,12 @@ pub trait Examiner: Sync {
     /// See [`Graded::ALIKE`].
     fn alike(&self) -> f32;
 
+    /// See [`Graded::traits`].
+    fn traits(&self, question: &[f64], answer: &[f64]) -> Vec<f64>;
+
+    /// See [`Graded::POSITIVE`], [`Graded::FIXED`] and [`Graded::SLOW`].
+    fn limits(&self) -> Limits;
+
     /// Picture number i that answers make.
     fn picture(&self, i: usize) -> Option<PictureSize>;
 
@@ -145,6 +153,18 @@ impl<E: Graded> Examiner for Examination<E> {
 
     fn alike(&self) -> f32 {
         E::ALIKE
+    }
+
+    fn traits(&self, question: &[f64], answer: &[f64]) -> Vec<f64> {
+        E::traits(&from_numbers(question), &from_numbers(answer))
+    }
+
+    fn limits(&self) -> Limits {
+        Limits {
+            positive: E::POSITIVE,
+            fixed: E::FIXED,
+            slow: E::SLOW,
+        }
     }
 
     fn picture(&self, i: usize) -> Option<PictureSize> {
@@ -274,7 +294,9 @@ impl dyn Examiner + '_ {
         let got = read(got)?;
         let mut verdict = Err("there is no right answer to compare with".to_owned());
         for golden in answers.iter().rev() {
-            verdict = self.compare(&question, &read(golden)?, &got);
+            let golden = read(golden)?;
+            let compared = self.compare(&question, &golden, &got);
+            verdict = compared.and_then(|()| finite(&self.asked().answer, &golden, &got));
             if verdict.is_ok() {
                 break;
             }

@@ -5,7 +5,9 @@ use crate::check::{Outcome, Report, State, Verdict};
 use crate::diagnose::Diagnosis;
 use crate::dress::Dress;
 use crate::examine::Examiner;
-use crate::{pictured, prints};
+use crate::pictured;
+use crate::prints::{self, short};
+use raybook_chapters::kit::untrusted::Untrusted;
 use std::path::Path;
 
 /// One line on an exercise: its state, its name, and how many cases are right.
@@ -15,7 +17,12 @@ pub fn line(report: &Report, dress: Dress) -> String {
         State::NotStarted => String::new(),
         State::WaitsFor(name) => format!("for {name}"),
         State::Right | State::Wrong => {
-            format!("{} of {} cases right", report.right(), report.cases.len())
+            let but = pictured::but(report);
+            format!(
+                "{} of {} cases right{but}",
+                report.right(),
+                report.cases.len()
+            )
         }
     };
     format!("{} {:<20} {counts}", dress.state(&state), report.exercise)
@@ -23,7 +30,7 @@ pub fn line(report: &Report, dress: Dress) -> String {
         .to_owned()
 }
 
-/// The first wrong case of an exercise, and what explains it; empty if nothing is wrong.
+/// The first wrong case of an exercise, and what explains it, or the pictures that are wrong; empty if nothing is wrong.
 ///
 /// `picture` is the file in which the pictures were written, `again` the command that asks a case again, but for its number.
 pub fn explain(
@@ -34,7 +41,7 @@ pub fn explain(
     dress: Dress,
 ) -> String {
     let Some((outcome, _)) = report.first_wrong() else {
-        return String::new();
+        return pictured::alone(report, picture, dress);
     };
     let mut lines = case(report, examiner, outcome, dress);
     if report.cases.len() > 1 {
@@ -70,7 +77,9 @@ pub fn case(
 ) -> Vec<String> {
     let title = format!(
         "{}, case {}: {}",
-        report.exercise, outcome.case.number, outcome.case.name
+        report.exercise,
+        outcome.case.number,
+        Untrusted::from(outcome.case.name.as_str())
     );
     let mut lines = vec![dress.paint("1", &title)];
     lines.push(match &outcome.verdict {
@@ -109,7 +118,9 @@ fn asked(examiner: &dyn Examiner, outcome: &Outcome) -> Vec<String> {
     };
     add("asked", examiner.question_parts(&outcome.case.question));
     if let Said::Answer(answer) = &outcome.reply.said {
-        add("yours", examiner.answer_parts(answer));
+        let parts = examiner.answer_parts(answer.unescaped());
+        let shown = |(name, value): (String, String)| (name, short(&value.into()));
+        add("yours", parts.into_iter().map(shown).collect());
     }
     for (i, answer) in outcome.case.answers.iter().enumerate() {
         add(
@@ -127,20 +138,42 @@ fn asked(examiner: &dyn Examiner, outcome: &Outcome) -> Vec<String> {
         .collect()
 }
 
-fn diagnosed(diagnosis: &Diagnosis, dress: Dress) -> [String; 2] {
+/// What explains the wrong answers: as a fact if all answers speak for it, else as what it looks like.
+fn diagnosed(diagnosis: &Diagnosis, dress: Dress) -> Vec<String> {
+    let mut lines = vec![explained(diagnosis, dress, false)];
+    lines.push(format!("  Hint: {}", diagnosis.hint));
+    for also in &diagnosis.also {
+        lines.push(explained(also, dress, true));
+        lines.push(format!("  Hint: {}", also.hint));
+    }
+    lines
+}
+
+fn explained(diagnosis: &Diagnosis, dress: Dress, also: bool) -> String {
     let Diagnosis {
         name,
-        hint,
+        part,
+        certain,
         explained,
         wrong,
+        ..
     } = diagnosis;
-    [
+    let name = dress.paint("1", name);
+    let (and, your) = match (also, part) {
+        (false, None) => (String::new(), "Your"),
+        (false, Some(part)) => (format!("In {part}: "), "your"),
+        (true, None) => ("And ".to_owned(), "your"),
+        (true, Some(part)) => (format!("And in {part}: "), "your"),
+    };
+    if *certain {
         format!(
-            "  Your answers are those of a function that {}: this explains {explained} of the {wrong} wrong ones.",
-            dress.paint("1", name)
-        ),
-        format!("  Hint: {hint}"),
-    ]
+            "  {and}{your} answers are those of a function that {name}: this explains {explained} of the {wrong} wrong ones."
+        )
+    } else {
+        format!(
+            "  {and}{explained} of the {wrong} wrong answers look as if your function {name}; not all answers speak for that."
+        )
+    }
 }
 
 /// Where no mistake explains the answers: which kinds of cases are right, and which are wrong.
@@ -158,7 +191,7 @@ fn kinds(report: &Report) -> Vec<String> {
             .filter(|outcome| !outcome.case.name.starts_with("random "));
         let of_kind = outcomes.filter(|outcome| (outcome.verdict == Verdict::Right) == right);
         of_kind
-            .map(|outcome| outcome.case.name.as_str())
+            .map(|outcome| Untrusted::from(outcome.case.name.as_str()).to_string())
             .collect::<Vec<_>>()
             .join("; ")
     };

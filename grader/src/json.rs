@@ -5,17 +5,24 @@
 //!     "exercise": "ray_at", "state": "right" | "wrong" | "not started" | "waits", "waits_for": null | "name",
 //!     "right": 40, "asked": 40, "picture": null | "file",
 //!     "pictures": [ { "name": "…", "alt": "…", "right": 3450, "of": 3452, "undecided": 4, "error": 0.01, "passed": true } ],
-//!     "diagnosis": null | { "name": "…", "hint": "…", "explained": 37, "wrong": 40 },
+//!     "diagnosis": null | { "name": "…", "hint": "…", "explained": 37, "wrong": 40,
+//!         "certain": true, "part": null | "…", "also": [ …as this… ] },
 //!     "cases": [ { "number": 1, "name": "…", "verdict": "right" | "wrong" | "not started", "why": null | "…",
-//!         "question": "…", "answers": ["…"], "got": null | "…", "printed": "…" } ] } ] }
+//!         "question": "…", "answers": ["…"], "got": null | "…", "printed": "…", "stderr": "…" } ] } ] }
 //! ```
+//!
+//! The state is right if all cases are right and all pictures are passed. `pictures` is empty where none is wanted and the pixels that
+//! are asked all the same are right.
 //!
 //! Fields may be added within a version; none is removed or changes its meaning.
 
 use crate::ask::Said;
 use crate::check::{Outcome, Report, State, Verdict};
+use crate::diagnose::Diagnosis;
 use crate::triple::Triple;
+use raybook_chapters::kit::untrusted::is_hidden;
 use serde_json::{Value, json};
+use std::fmt::Write;
 use std::path::PathBuf;
 
 /// The version of the format.
@@ -34,6 +41,23 @@ pub fn results(reports: &[(Report, Option<PathBuf>)]) -> Value {
     json!({ "version": VERSION, "right": right, "of": reports.len(), "exercises": exercises })
 }
 
+/// The text of a value. What a terminal would not show as a character is written as its number, which JSON alone asks only of
+/// the first 32.
+pub fn text(value: &Value) -> String {
+    let text = format!("{value:#}");
+    let mut visible = String::with_capacity(text.len());
+    for c in text.chars() {
+        if c != '\n' && is_hidden(c) {
+            for unit in c.encode_utf16(&mut [0; 2]) {
+                let _ = write!(visible, "\\u{unit:04x}");
+            }
+        } else {
+            visible.push(c);
+        }
+    }
+    visible
+}
+
 /// The state in one word or two, and what it waits for.
 pub fn state_name(state: &State) -> (&'static str, Option<&str>) {
     match state {
@@ -48,15 +72,20 @@ fn exercise(report: &Report, picture: Option<&PathBuf>) -> Value {
     let state = report.state();
     let (state, waits_for) = state_name(&state);
     let cases: Vec<_> = report.cases.iter().map(case).collect();
-    let diagnosis = report.diagnosis.as_ref().map(
-        |d| json!({ "name": d.name, "hint": d.hint, "explained": d.explained, "wrong": d.wrong }),
-    );
+    let diagnosis = report.diagnosis.as_ref().map(diagnosed);
     json!({
         "exercise": report.exercise, "state": state, "waits_for": waits_for,
         "right": report.right(), "asked": report.cases.len(),
         "picture": picture.map(|path| path.display().to_string()),
         "pictures": report.pictures.iter().map(score).collect::<Vec<_>>(),
         "diagnosis": diagnosis, "cases": cases,
+    })
+}
+
+fn diagnosed(d: &Diagnosis) -> Value {
+    json!({
+        "name": d.name, "hint": d.hint, "explained": d.explained, "wrong": d.wrong, "certain": d.certain, "part": d.part,
+        "also": d.also.iter().map(diagnosed).collect::<Vec<_>>(),
     })
 }
 
@@ -75,11 +104,12 @@ fn case(outcome: &Outcome) -> Value {
         Verdict::Wrong(why) => ("wrong", Some(why)),
     };
     let got = match &outcome.reply.said {
-        Said::Answer(answer) => Some(answer),
+        Said::Answer(answer) => Some(answer.unescaped()),
         _ => None,
     };
     json!({
         "number": outcome.case.number, "name": outcome.case.name, "verdict": verdict, "why": why,
-        "question": outcome.case.question, "answers": outcome.case.answers, "got": got, "printed": outcome.reply.printed,
+        "question": outcome.case.question, "answers": outcome.case.answers, "got": got,
+        "printed": outcome.reply.printed.stdout.unescaped(), "stderr": outcome.reply.printed.stderr.unescaped(),
     })
 }

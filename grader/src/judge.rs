@@ -37,7 +37,7 @@ pub fn number_within(name: &str, unit: &str, golden: f32, got: f32, tolerance: f
     };
     // An infinite answer has no neighbours: the tolerance would be infinite too.
     let close = golden.is_finite() && (golden - got).abs() <= tolerance;
-    if golden == got || close || (golden.is_nan() && got.is_nan()) {
+    if golden == got || close {
         Ok(())
     } else if got.is_nan() {
         Err(format!(
@@ -145,6 +145,34 @@ pub fn nearest(golden: Option<&MeshHitAnswer>, got: Option<&MeshHitAnswer>) -> V
             ))
         }
     })
+}
+
+/// Points that are spread, however few, by chance or by a map of such points: no more than a tenth of them used again, and not
+/// all on a line along an axis.
+///
+/// That of nine points two are within 1e-5 of each other along both axes has a probability of 36 · (2e-5)² = 1.4e-8, and of more
+/// points more would have to be; that four are on such a line one of (2e-4)³ = 8e-12.
+///
+/// # Errors
+/// If they are.
+pub fn scattered(what: &str, points: &[Vec2]) -> Verdict {
+    let same = |p: &Vec2, other: &Vec2| (*p - *other).abs().max_element() < 1e-5;
+    let used = |(i, p): &(usize, &Vec2)| points[..*i].iter().any(|other| same(p, other));
+    let again = points.iter().enumerate().filter(used).count();
+    if 10 * again > points.len() {
+        return Err(format!(
+            "of the {} {what}, {again} are the same as others: each is to be chosen by itself",
+            points.len()
+        ));
+    }
+    let [first, _, _, _, ..] = points else {
+        return Ok(());
+    };
+    let off = points.iter().map(|p| (*p - *first).abs());
+    if off.fold(Vec2::ZERO, Vec2::max).min_element() < 1e-4 {
+        return Err(format!("the {what} are all on one line along an axis"));
+    }
+    Ok(())
 }
 
 fn finite(name: &str, v: Vec3) -> Verdict {

@@ -1,6 +1,7 @@
 //! What the course knows and the student does not: cases, judges, mistakes. It never travels with the starter.
 
 pub mod ask;
+pub mod budget;
 pub mod cases;
 pub mod check;
 pub mod contain;
@@ -11,12 +12,16 @@ pub mod drawn;
 pub mod dress;
 pub mod examine;
 pub mod feedback;
+pub mod finite;
 pub mod golden;
 pub mod hidden;
 pub mod json;
 pub mod judge;
 pub mod library;
+mod listen;
+pub mod lock;
 pub mod manifest;
+pub mod pairing;
 pub mod passage;
 pub mod patterns;
 pub mod picture;
@@ -25,12 +30,14 @@ pub mod prints;
 pub mod progress;
 pub mod reader;
 pub mod sample;
+pub mod sandbox;
 pub mod score;
 pub mod search;
 pub mod seen;
 pub mod stable;
 pub mod starter;
 pub mod student;
+pub mod traits;
 pub mod triple;
 
 use raybook::image::rgb::Rgb;
@@ -63,6 +70,22 @@ pub trait Graded: Exercise + Clone + Sync + 'static {
 
     /// An answer this close to a mistake's, relatively, is that mistake: more where answers scatter.
     const ALIKE: f32 = 1e-3;
+
+    /// What of an answer tells mistakes apart where many answers are right: costs, counts, shares of a distribution, each of about
+    /// the size of 1, and as many for every question. With none, the answer's own numbers do.
+    fn traits(_question: &Self, _answer: &Self::Answer) -> Vec<f64> {
+        Vec::new()
+    }
+
+    /// Fields of the question that a diagnosis may misread only as numbers of about the same size, above 0: with others there would
+    /// be no answer, or no end of it.
+    const POSITIVE: &'static [&'static str] = &[];
+
+    /// Fields of the question that a diagnosis does not misread: they belong to others.
+    const FIXED: &'static [&'static str] = &[];
+
+    /// Whether answers take long to find: then a diagnosis does not try misread questions.
+    const SLOW: bool = false;
 
     /// The right answer to a question that was misread: what many a mistake comes down to.
     fn misread(question: &Self, how: impl FnOnce(&mut Self)) -> Self::Answer {

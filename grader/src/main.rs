@@ -3,13 +3,13 @@
 mod commands;
 
 use clap::{Parser, Subcommand};
-use raybook_chapters::kit::chapter::report;
+use raybook_chapters::kit::chapter::{report, said_all};
 use raybook_grader::contain;
 use std::process::ExitCode;
 
 /// A ray-tracing course that you can run. Without a command: the map of the course.
 ///
-/// Exit codes: 0 all right, 1 some answers are wrong or missing, 2 wrong usage or input.
+/// Exit codes: 0 all right, 1 some answers are wrong or missing, 2 wrong usage or input, or a file that cannot be read or written.
 #[derive(Parser)]
 #[command(version)]
 struct Command {
@@ -35,6 +35,8 @@ enum Task {
     Solve(commands::solve::Solve),
     /// Compare sampling patterns: points, errors, spectra, pictures, on a page
     Samplers(commands::samplers::Samplers),
+    /// Attack the sandbox of strangers' programs, and tell what stopped each attack
+    Doctor,
     /// Write the golden answers (for course authors)
     Bless(commands::bless::Bless),
 }
@@ -46,10 +48,7 @@ fn main() -> ExitCode {
         return ExitCode::from(2);
     }
     let done = match task {
-        None => {
-            commands::map::print();
-            Ok(true)
-        }
+        None => commands::map::print(),
         Some(Task::Tour(task)) => task.run(),
         Some(Task::New(task)) => task.run(),
         Some(Task::Check(task)) => task.run(),
@@ -58,11 +57,12 @@ fn main() -> ExitCode {
         Some(Task::Exercise(task)) => task.run(),
         Some(Task::Solve(task)) => task.run(),
         Some(Task::Samplers(task)) => task.run(),
+        Some(Task::Doctor) => commands::doctor::run(),
         Some(Task::Bless(task)) => task.run(),
     };
     match done {
-        Ok(true) => ExitCode::SUCCESS,
-        Ok(false) => ExitCode::from(1),
+        Ok(true) => said_all(ExitCode::SUCCESS),
+        Ok(false) => said_all(ExitCode::from(1)),
         Err(error) => {
             report(&*error);
             ExitCode::from(2)

@@ -1,14 +1,30 @@
 //! Pictures made of answers: a question per pixel.
 
-use crate::ask::{Asker, Said, silence, understand};
-use crate::converse::Conversation;
-use crate::examine::Examiner;
+use crate::ask::{Asker, Reply, Said};
+use crate::examine::{Case, Examiner};
 use crate::triple::{PictureSize, Triple, triple};
+use rand::RngExt;
+use raybook::math::pcg;
 use std::io;
 
-/// Asks the program a question per pixel of all the exercise's pictures, in one conversation.
+/// Which pixels of an exercise's pictures are asked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pixels {
+    /// None: a single case is asked.
+    None,
+    /// One in `STRETCH`, where no picture is wanted, and all of them only if one of these is wrong.
+    Some,
+    /// All, for a picture that is looked at.
+    All,
+}
+
+/// Of so many pixels in reading order one is asked, where no picture is wanted: 144 of each scene of `trace`. With 5 % of a
+/// picture's rays wrong, all of 144 are right once in 1600 times.
+const STRETCH: usize = 24;
+
+/// Asks the program a question per pixel of all the exercise's pictures.
 ///
-/// A program that breaks on the way gets no more questions, and why is returned beside the pictures.
+/// A program that keeps silent, or uses up a total limit, gets no more questions, and why is returned beside the pictures.
 ///
 /// # Errors
 /// If the program cannot be started.
@@ -16,7 +32,54 @@ pub fn ask_pixels(
     asker: &mut Asker<'_>,
     examiner: &dyn Examiner,
 ) -> io::Result<(Vec<Triple>, Option<String>)> {
-    let questions = pixel_questions(examiner);
+    let (answers, stopped) = ask(asker, examiner, &pixel_questions(examiner))?;
+    Ok((triples(examiner, &answers), stopped))
+}
+
+/// Asks the program some pixels of all the exercise's pictures, and returns whether all are right. Which they are follows from
+/// the cases: who cannot foresee these cannot foresee the pixels.
+///
+/// # Errors
+/// If the program cannot be started.
+pub fn some_are_right(
+    asker: &mut Asker<'_>,
+    examiner: &dyn Examiner,
+    cases: &[Case],
+) -> io::Result<bool> {
+    let questions = some_questions(examiner, cases);
+    let (answers, _) = ask(asker, examiner, &questions)?;
+    let is_right = |question: &String, got: &Option<String>| {
+        let golden = examiner.answer_line(question).ok()?;
+        examiner.judge(question, &[golden], got.as_ref()?).ok()
+    };
+    let mut asked = questions.iter().zip(&answers);
+    Ok(asked.all(|(question, got)| is_right(question, got).is_some()))
+}
+
+/// The questions of some pixels: one of each stretch of `STRETCH`.
+pub fn some_questions(examiner: &dyn Examiner, cases: &[Case]) -> Vec<String> {
+    let bytes = cases.iter().flat_map(|case| case.question.bytes());
+    let seed = bytes.fold(0_u64, |seed, byte| {
+        seed.wrapping_mul(257).wrapping_add(u64::from(byte))
+    });
+    let mut rng = pcg::stream(seed, 0);
+    let mut questions = Vec::new();
+    for (picture, PictureSize { width, height, .. }) in examiner.pictures().into_iter().enumerate()
+    {
+        for first in (0..width * height).step_by(STRETCH) {
+            let i = (first + rng.random_range(0..STRETCH as u32)).min(width * height - 1);
+            questions.push(examiner.pixel_question(picture, i % width, i / width));
+        }
+    }
+    questions
+}
+
+/// The program's answers to questions of pixels, `None` where there is none, and why it broke off, if it did.
+fn ask(
+    asker: &mut Asker<'_>,
+    examiner: &dyn Examiner,
+    questions: &[String],
+) -> io::Result<(Vec<Option<String>>, Option<String>)> {
     if questions.is_empty() {
         return Ok((Vec::new(), None));
     }
@@ -24,18 +87,29 @@ pub fn ask_pixels(
         .iter()
         .map(|question| format!("{} {question}", examiner.name()))
         .collect();
-    let Conversation { answers, end, .. } = asker.converse(&asked)?;
-    let all = answers.len() >= questions.len();
-    let stopped = end.filter(|_| !all).and_then(|end| silence(end).why_none());
-    let mut answers: Vec<_> = answers
+    let replies = asker.ask(&asked)?;
+    let stopped = stopped(&replies);
+    let answers: Vec<_> = replies
         .into_iter()
-        .map(|(answer, _)| match understand(&answer) {
-            Said::Answer(answer) => Some(answer),
+        .map(|reply| match reply.said {
+            Said::Answer(answer) => Some(answer.unescaped().to_owned()),
             _ => None,
         })
         .collect();
-    answers.resize(questions.len(), None);
-    Ok((triples(examiner, &answers), stopped))
+    Ok((answers, stopped))
+}
+
+/// Why not all was asked, if so: what was wrong before, and that.
+fn stopped(replies: &[Reply]) -> Option<String> {
+    let left = |reply: &Reply| matches!(reply.said, Said::NotAsked(_) | Said::Over(_));
+    let first = replies.iter().position(left)?;
+    let why = replies[first].said.why_none()?;
+    let before = replies[..first].last();
+    let before = before.and_then(|reply| reply.said.why_none());
+    Some(before.map_or_else(
+        || why.clone(),
+        |before| format!("{before}; the others were {why}"),
+    ))
 }
 
 /// The questions of the pixels in reading order, one picture after the other; none if the exercise has no picture.

@@ -1,8 +1,11 @@
 //! What a check says of pictures, in words.
 
 use crate::check::Report;
+use crate::dress::Dress;
+use crate::prints::short;
 use crate::score;
 use crate::triple::Triple;
+use raybook_chapters::kit::untrusted::Untrusted;
 use std::path::Path;
 
 /// The pictures of an exercise whose cases are right: their file, and how good they are.
@@ -14,7 +17,7 @@ pub fn right(report: &Report, path: &Path) -> Vec<String> {
     } else {
         String::new()
     };
-    let mut lines = vec![format!("    your picture: {}{but}", path.display())];
+    let mut lines = vec![format!("    your picture: {}{but}", Untrusted::from(path))];
     lines.extend(stopped(report));
     if several {
         lines.extend(scores(&report.pictures));
@@ -22,27 +25,79 @@ pub fn right(report: &Report, path: &Path) -> Vec<String> {
     lines
 }
 
+/// What is said after the number of right cases, if it is not the cases that are wrong.
+pub fn but(report: &Report) -> &'static str {
+    let cases_are_right = report.right() == report.cases.len();
+    match (
+        cases_are_right,
+        report.first_failed(),
+        report.pictures.len(),
+    ) {
+        (false, ..) | (_, None, _) => "",
+        (.., 1) => ", the picture is not",
+        _ => ", the pictures are not",
+    }
+}
+
+/// What is wrong with the pictures of an exercise whose cases are right; empty if nothing is.
+pub fn alone(report: &Report, path: Option<&Path>, dress: Dress) -> String {
+    let Some(failed) = report.first_failed() else {
+        return String::new();
+    };
+    let score = &failed.score;
+    let what = if score.wrong() > 0 {
+        format!("{} of {} of its pixels are right", score.right, score.of)
+    } else {
+        format!("its error is {:.4}", score.error)
+    };
+    let which = match report.pictures.len() {
+        1 => String::new(),
+        _ => format!(" {:?}", failed.name),
+    };
+    let title = format!(
+        "{}: the cases are right, the picture{which} is not: {what}",
+        report.exercise
+    );
+    let mut lines = vec![dress.paint("1", &title)];
+    if let Some(path) = path {
+        lines.extend(wrong(report, path));
+    } else {
+        lines.extend(found(report));
+        lines.push("  `--pictures FOLDER` draws yours beside the right one.".to_owned());
+    }
+    lines.push(String::new());
+    lines.join("\n")
+}
+
 /// Where the pictures are, how good each is, and the ray of the first wrong pixel.
 pub fn wrong(report: &Report, path: &Path) -> Vec<String> {
-    let pictures = &report.pictures;
-    let failed = |picture: &&Triple| !picture.score.passed();
-    let bad = |picture: &&Triple| picture.score.wrong() > 0;
-    let first = pictures.iter().find(failed);
-    let Some(picture) = first.or_else(|| pictures.iter().find(bad)) else {
-        let (pictures, them) = match pictures.len() {
+    let found = found(report);
+    if found.is_empty() {
+        let (pictures, them) = match report.pictures.len() {
             1 => ("picture", "it"),
             _ => ("pictures", "them"),
         };
         return vec![format!(
             "  Every pixel of your {pictures} is right: these cases are not in {them}. {}",
-            path.display()
+            Untrusted::from(path)
         )];
-    };
+    }
     let mut lines = vec![
-        format!("  Picture: {}", path.display()),
+        format!("  Picture: {}", Untrusted::from(path)),
         "  It shows yours, the right one, and the difference: orange where yours is too bright, blue where it is too dark.".to_owned(),
     ];
-    lines.extend(stopped(report));
+    lines.extend(found);
+    lines
+}
+
+/// How good each picture is, and the ray of the first wrong pixel; nothing if every pixel is right.
+fn found(report: &Report) -> Vec<String> {
+    let pictures = &report.pictures;
+    let bad = |picture: &&Triple| picture.score.wrong() > 0;
+    let Some(picture) = report.first_failed().or_else(|| pictures.iter().find(bad)) else {
+        return Vec::new();
+    };
+    let mut lines: Vec<_> = stopped(report).into_iter().collect();
     let mut of_which = String::new();
     if pictures.len() > 1 {
         lines.extend(scores(pictures));
@@ -50,7 +105,7 @@ pub fn wrong(report: &Report, path: &Path) -> Vec<String> {
     }
     if let Some(bad) = &picture.first_bad {
         let (wrong, pixels) = (picture.score.wrong(), picture.score.of);
-        let got = bad.got.as_deref().unwrap_or("nothing");
+        let got = bad.got.as_ref().map_or_else(|| "nothing".to_owned(), short);
         lines.extend([
             format!("  {wrong} of {pixels} pixels{of_which} are wrong; the first, in column {} of row {} from the top left, asks", bad.x, bad.y),
             format!("      {} {}", report.exercise, bad.question),

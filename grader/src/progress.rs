@@ -2,10 +2,12 @@
 
 use crate::check::Report;
 use crate::json;
-use raybook::image::file;
+use crate::lock::Lock;
+use raybook::store::{self, StoreError};
 use serde_json::{Map, Value, json};
+use std::fs;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
-use std::{fs, io};
 
 /// For each exercise that was checked, how it stood then.
 #[derive(Clone, Debug, Default)]
@@ -14,16 +16,48 @@ pub struct Progress {
     exercises: Map<String, Value>,
 }
 
+/// Why the progress is not known.
+#[derive(Debug, thiserror::Error)]
+pub enum ProgressError {
+    /// Its file cannot be read.
+    #[error(transparent)]
+    Store(#[from] StoreError),
+    /// Its file holds something else.
+    #[error("{}: this file is damaged, {reason}; the next `raybook check` keeps it aside and begins a new one", path.display())]
+    Damaged {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        reason: String,
+    },
+}
+
 impl Progress {
-    /// The progress kept in a student's folder; empty if there is none, or if it cannot be read (it is only a memory).
-    pub fn load(folder: &Path) -> Self {
-        let text = fs::read_to_string(path(folder)).unwrap_or_default();
-        let mut kept: Value = serde_json::from_str(&text).unwrap_or_default();
-        let exercises = match kept.get_mut("exercises").map(Value::take) {
-            Some(Value::Object(exercises)) => exercises,
-            _ => Map::new(),
+    /// The progress kept in a student's folder; empty if nothing has been checked there.
+    ///
+    /// # Errors
+    /// If the file cannot be read, or is damaged.
+    pub fn load(folder: &Path) -> Result<Self, ProgressError> {
+        let path = path(folder);
+        let bytes = match store::read(&path) {
+            Err(error) if error.reason.kind() == ErrorKind::NotFound => return Ok(Self::default()),
+            read => read?,
         };
-        Self { exercises }
+        let exercises = match serde_json::from_slice(&bytes) {
+            Ok(Value::Object(mut kept)) => kept.remove("exercises"),
+            Ok(_) => None,
+            Err(error) => {
+                let reason = error.to_string();
+                return Err(ProgressError::Damaged { path, reason });
+            }
+        };
+        match exercises {
+            Some(Value::Object(exercises)) => Ok(Self { exercises }),
+            _ => Err(ProgressError::Damaged {
+                path,
+                reason: "there are no `exercises` in it".to_owned(),
+            }),
+        }
     }
 
     /// Whether an exercise was right when it was last checked.
@@ -33,28 +67,31 @@ impl Progress {
             .is_some_and(|standing| standing["state"] == "right")
     }
 
-    /// Adds these reports to the progress kept in a student's folder.
+    /// Adds these reports to the progress kept in a student's folder, whatever other checks do there at the same time. A damaged
+    /// file is kept aside, and its new name is returned.
     ///
     /// # Errors
-    /// If the file cannot be written.
+    /// If the file cannot be read, kept aside or written.
     pub fn remember<'a>(
         folder: &Path,
         reports: impl Iterator<Item = &'a Report>,
-    ) -> io::Result<()> {
-        let mut progress = Self::load(folder);
-        progress
-            .exercises
-            .extend(reports.map(|report| (report.exercise.to_owned(), standing(report))));
-        progress.save(folder)
-    }
-
-    /// Keeps the progress in a student's folder.
-    ///
-    /// # Errors
-    /// If the file cannot be written.
-    pub fn save(&self, folder: &Path) -> io::Result<()> {
-        let text = format!("{:#}", json!({ "exercises": self.exercises }));
-        file::write_whole(&path(folder), format!("{text}\n").as_bytes())
+    ) -> Result<Option<PathBuf>, StoreError> {
+        let path = path(folder);
+        let _lock = Lock::on(&folder.join(KEPT))?;
+        let (mut progress, aside) = match Self::load(folder) {
+            Ok(progress) => (progress, None),
+            Err(ProgressError::Store(error)) => return Err(error),
+            Err(ProgressError::Damaged { .. }) => {
+                let aside = unused(&path.with_extension("json.damaged"));
+                fs::rename(&path, &aside).map_err(StoreError::of(&path, "keep this file aside"))?;
+                (Self::default(), Some(aside))
+            }
+        };
+        let standings = reports.map(|report| (report.exercise.to_owned(), standing(report)));
+        progress.exercises.extend(standings);
+        let text = format!("{:#}\n", json!({ "exercises": progress.exercises }));
+        store::write(&path, text.as_bytes())?;
+        Ok(aside)
     }
 }
 
@@ -64,6 +101,22 @@ fn standing(report: &Report) -> Value {
     json!({ "state": state, "right": report.right(), "asked": report.cases.len() })
 }
 
+/// The folder in a workbook for what is not the student's.
+pub const KEPT: &str = ".raybook";
+
 fn path(folder: &Path) -> PathBuf {
-    folder.join(".raybook").join("progress.json")
+    folder.join(KEPT).join("progress.json")
+}
+
+/// The path, or with `.2`, `.3`, … after it the first at which there is nothing yet.
+pub fn unused(path: &Path) -> PathBuf {
+    let mut free = path.to_owned();
+    let mut number = 1;
+    while free.symlink_metadata().is_ok() {
+        number += 1;
+        let mut name = path.as_os_str().to_owned();
+        name.push(format!(".{number}"));
+        free = PathBuf::from(name);
+    }
+    free
 }

@@ -3,10 +3,9 @@
 use crate::library::{self, MANIFEST};
 use crate::{cases, manifest};
 use include_dir::File;
-use raybook::image::file;
+use raybook::store::{self, StoreError};
 use raybook_workbook::anchor::{self, AnchorError, Anchored};
 use raybook_workbook::curriculum::{CHAPTERS, Chapter};
-use std::io;
 use std::path::{Path, PathBuf};
 
 /// The versions of all packages, those of the course among them: cargo leaves out what is not used.
@@ -37,39 +36,20 @@ pub type StarterFile = (PathBuf, Vec<u8>);
 /// Why a folder cannot be made.
 #[derive(Debug, thiserror::Error)]
 pub enum StarterError {
-    /// There is something already.
-    #[error("{}: this folder is not empty; choose a new name", .0.display())]
-    Exists(PathBuf),
-    /// The system refused.
-    #[error("{}: cannot write this file: {source}", path.display())]
-    Write {
-        /// The file.
-        path: PathBuf,
-        /// The system's answer.
-        source: io::Error,
-    },
+    /// There is something already, or the system refused.
+    #[error(transparent)]
+    Store(#[from] StoreError),
     /// The library itself is wrong; a test sees to it that it is not.
     #[error("{0}: {1}")]
     Anchor(String, AnchorError),
 }
 
-/// Makes a student's folder.
+/// Makes a student's folder, whole or not at all; the marker is its last file.
 ///
 /// # Errors
 /// If there is something already, or a file cannot be written.
 pub fn create(folder: &Path) -> Result<(), StarterError> {
-    if folder
-        .read_dir()
-        .is_ok_and(|mut entries| entries.next().is_some())
-        || folder.is_file()
-    {
-        return Err(StarterError::Exists(folder.to_owned()));
-    }
-    for (path, bytes) in files(&stub)? {
-        let path = folder.join(path);
-        file::write_whole(&path, &bytes).map_err(|source| StarterError::Write { path, source })?;
-    }
-    Ok(())
+    Ok(store::new_folder(folder, &files(&stub)?)?)
 }
 
 /// The student's version of an anchored function: its task, its signature, and `todo!`; `None` if it is no exercise.
@@ -109,11 +89,11 @@ pub fn files(
             include_str!("starter/answer.rs.txt"),
         ),
         ("README.md", readme.as_str()),
+        (".gitignore", "/target\n/out\n/.raybook\n"),
         (
             MARKER,
             "# This folder is a raybook workbook: `raybook check` grades it.\nlanguage = \"rust\"\n",
         ),
-        (".gitignore", "/target\n/out\n/.raybook\n"),
     ] {
         files.push((PathBuf::from(path), text.as_bytes().to_vec()));
     }

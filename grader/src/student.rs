@@ -2,6 +2,7 @@
 
 use crate::converse::Program;
 use crate::starter::MARKER;
+use raybook_chapters::kit::untrusted::Untrusted;
 use serde_json::Value;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -11,7 +12,7 @@ use std::process::{Command, Stdio};
 #[derive(Debug, thiserror::Error)]
 pub enum StudentError {
     /// Not a student's folder.
-    #[error("{}: this is not a workbook: neither here nor above is there a {MARKER}; `raybook new my-rays` makes one", .0.display())]
+    #[error("{}: this is not a workbook: neither here nor above is there a {MARKER}; `raybook new my-rays` makes one", Untrusted::from(.0.as_path()))]
     NoWorkbook(PathBuf),
     /// Cargo is not there.
     #[error(
@@ -22,7 +23,7 @@ pub enum StudentError {
     #[error("your program does not compile; the compiler's message is above")]
     DoesNotCompile,
     /// Cargo built something else.
-    #[error("{}: cargo built no program `{program}` here; is everything in workbook/ still there?", folder.display())]
+    #[error("{}: cargo built no program `{program}` here; is everything in workbook/ still there?", Untrusted::from(folder.as_path()))]
     NoProgram {
         /// Where it was to be built.
         folder: PathBuf,
@@ -93,5 +94,6 @@ pub fn build_binary(
         file,
         arguments: Vec::new(),
         folder: folder.to_owned(),
+        sandbox: None,
     })
 }

@@ -4,6 +4,7 @@ use crate::examine::Examiner;
 use crate::score::Score;
 use raybook::image::{Image, rgb::Rgb, rms::rms};
 use raybook_chapters::kit::palette;
+use raybook_chapters::kit::untrusted::Untrusted;
 use rayon::prelude::{IntoParallelIterator, ParallelIterator};
 
 /// A picture's size and text.
@@ -50,7 +51,7 @@ pub struct BadPixel {
     /// The golden answer.
     pub golden: String,
     /// The student's answer, or `None` without one.
-    pub got: Option<String>,
+    pub got: Option<Untrusted>,
 }
 
 /// Where there is no answer.
@@ -122,7 +123,7 @@ pub fn triple(
         y: i / width,
         question: pixels[i].question.clone(),
         golden: pixels[i].golden.clone(),
-        got: answers[i].clone(),
+        got: answers[i].clone().map(Untrusted::from),
     });
     let count = |verdict| {
         pixels

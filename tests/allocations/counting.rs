@@ -31,7 +31,7 @@ unsafe impl GlobalAlloc for Counting {
 }
 
 /// How often this thread allocates while it works.
-pub fn allocations<T>(work: impl FnOnce() -> T) -> (u64, T) {
+pub(crate) fn allocations<T>(work: impl FnOnce() -> T) -> (u64, T) {
     let before = COUNT.get();
     let done = work();
     (COUNT.get() - before, done)

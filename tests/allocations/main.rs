@@ -6,7 +6,6 @@ use counting::allocations;
 use glam::{Vec3, vec3};
 use raybook::image::rgb::Rgb;
 use raybook::light::environment::Environment;
-use raybook::material::{Material, brdf::Brdf};
 use raybook::math::{pcg, pcg::Pcg, ray::Ray};
 use raybook::render::local::{ALWAYS, Arrives, Local};
 use raybook::render::{mis::Strategy, path::Path, shadow, whitted::Whitted};
@@ -27,18 +26,14 @@ const RAYS: u32 = 3000;
 type Integrator = Box<dyn Fn(&Ray, &mut Pcg) -> Rgb>;
 
 /// Whitted's ray tracing of a scene, with so many samples of each light.
-fn whitted(
-    scene: Scene<dyn Material>,
-    depth: u32,
-    (samples, arrives): (u32, Option<Arrives>),
-) -> Integrator {
+fn whitted(scene: Scene, depth: u32, (samples, arrives): (u32, Option<Arrives>)) -> Integrator {
     let local = Local { samples, arrives };
     let whitted = Whitted { local, depth };
     Box::new(move |ray, rng| whitted.radiance(&scene, ray, rng))
 }
 
 /// Path tracing of a scene, over many surfaces, by one strategy.
-fn path(scene: Scene<dyn Brdf>, strategy: Strategy) -> Integrator {
+fn path(scene: Scene, strategy: Strategy) -> Integrator {
     let path = Path {
         depth: 8,
         sure: 3,

@@ -37,6 +37,7 @@ mod wrong;
 use raybook_grader::cases;
 use raybook_grader::examine::{Case, Examiner, visible_rng};
 use raybook_grader::hidden::Key;
+use raybook_grader::picture::{pixel_questions, triples};
 use rayon::prelude::*;
 use std::sync::LazyLock;
 use student::{Alternative, STYLES, line};
@@ -97,6 +98,30 @@ fn unfair_verdicts(examiner: &dyn Examiner, cases: &[Case]) -> Vec<String> {
         }
     }
     unfair
+}
+
+#[test]
+fn pictures_by_another_method_are_passed() {
+    // The four scenes of `trace` have a test of their own.
+    let pictured = |other: &&Alternative| other.exercise != "trace";
+    let others: Vec<_> = alternatives().filter(pictured).collect();
+    let drawn = others.into_par_iter().map(|other| {
+        let examiner = cases::find(other.exercise).expect("it is an exercise");
+        let answer = |question: &String| Some(line(&other.answer_to(question), STYLES[0].1));
+        let answers: Vec<_> = pixel_questions(examiner).iter().map(answer).collect();
+        for picture in triples(examiner, &answers) {
+            assert!(
+                picture.score.passed(),
+                "{}, {}: {:?}, {:?}",
+                other.exercise,
+                other.method,
+                picture.score,
+                picture.first_bad
+            );
+        }
+        usize::from(!answers.is_empty())
+    });
+    assert!(drawn.sum::<usize>() >= 30, "pictures by other methods");
 }
 
 fn alternatives() -> impl Iterator<Item = &'static Alternative> {

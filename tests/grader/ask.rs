@@ -4,6 +4,7 @@
 
 mod answers;
 mod failures;
+mod ill_mannered;
 mod one_process;
 
 use raybook_grader::ask::{Reply, Said, ask};
@@ -11,8 +12,8 @@ use raybook_grader::converse::{Limits, Program};
 use std::time::Duration;
 
 const LIMITS: Limits = Limits {
-    time: Duration::from_millis(400),
     output: 1 << 16,
+    ..Limits::of(Duration::from_millis(400))
 };
 
 /// What a script says and prints to so many questions "1", "2", …
@@ -21,6 +22,7 @@ fn replies(script: &str, questions: usize) -> Vec<Reply> {
         file: "/bin/sh".into(),
         arguments: vec!["-c".into(), script.into()],
         folder: std::path::PathBuf::new(),
+        sandbox: None,
     };
     let questions: Vec<_> = (1..=questions).map(|i| i.to_string()).collect();
     let replies = ask(&program, &questions, LIMITS).expect("the shell can be started");

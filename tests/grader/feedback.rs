@@ -6,6 +6,7 @@ mod states;
 use raybook_grader::ask::{Reply, Said};
 use raybook_grader::cases;
 use raybook_grader::check::{Report, assess};
+use raybook_grader::converse::Prints;
 use raybook_grader::dress::Dress;
 use raybook_grader::examine::{Examiner, visible_rng};
 use raybook_grader::feedback;
@@ -22,7 +23,7 @@ fn report(exercise: &str, reply: impl Fn(&dyn Examiner, &str) -> Said) -> Report
     let cases = examiner.cases(&mut visible_rng(exercise)).cases;
     let replies = cases.iter().map(|case| Reply {
         said: reply(examiner, &case.question),
-        printed: String::new(),
+        printed: Prints::default(),
     });
     let replies = replies.collect();
     assess(examiner, cases, replies)
@@ -46,5 +47,6 @@ fn told(report: &Report) -> String {
 }
 
 fn right(examiner: &dyn Examiner, question: &str) -> Said {
-    Said::Answer(examiner.answer_line(question).expect("it is a question"))
+    let answer = examiner.answer_line(question).expect("it is a question");
+    Said::Answer(answer.into())
 }

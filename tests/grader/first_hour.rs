@@ -108,13 +108,15 @@ fn the_first_hour() {
         "progress is kept: {said}"
     );
 
+    let key = home.path().join("key");
+    fs::write(&key, "secret\n").expect("a file");
     let (code, said) = raybook(
         &rays,
         &[
             "check",
             "ray_at",
-            "--key",
-            "secret",
+            "--key-file",
+            key.to_str().expect("its path is text"),
             "--student",
             "7",
             "--json",

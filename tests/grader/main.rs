@@ -1,21 +1,29 @@
 //! What must be true of the workbook, the grader and the command.
 
+mod altered;
 mod alternatives;
 mod ask;
 mod bless;
 mod ch25_capstone;
 mod common;
+mod diagnosis;
+mod evidence;
 mod exercise;
 mod feedback;
 mod first_hour;
 mod golden_answers;
 mod grade;
+mod hostile;
 mod interrupt;
+mod licences;
+mod output;
 mod own_patterns;
 mod readers;
 mod rows;
 mod samplers;
 mod silly;
 mod starter;
+mod store;
 mod tour;
+mod untrusted;
 mod usage;

@@ -36,10 +36,8 @@ fn got(name: &str, awk: &str, wanted: &Wanted) -> Got {
         file: "awk".into(),
         arguments: vec![awk.into()],
         folder: std::path::PathBuf::new(),
+        sandbox: None,
     };
-    let limits = Limits {
-        time: Duration::from_secs(5),
-        ..Limits::default()
-    };
+    let limits = Limits::of(Duration::from_secs(5));
     ask(&program, own(name), wanted, limits).expect("awk can be started")
 }

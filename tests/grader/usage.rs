@@ -8,7 +8,9 @@ use std::fs;
 fn wrong_usage_is_explained() {
     let home = tempfile::tempdir().expect("a temporary folder");
     fs::create_dir(home.path().join("full")).expect("a folder");
-    fs::write(home.path().join("full/file"), "").expect("a file");
+    for (file, text) in [("full/file", ""), ("blank", ""), ("line", " \n")] {
+        fs::write(home.path().join(file), text).expect("a file");
+    }
     for (arguments, part) in [
         (&["new", "full"][..], "not empty"),
         (&["check"], "raybook new"),
@@ -16,7 +18,25 @@ fn wrong_usage_is_explained() {
         (&["check", "--case", "0"], "--case"),
         (&["check", "--case", "1"], "one exercise"),
         (&["check", "--time-limit", "0"], "seconds"),
-        (&["check", "--key", "secret"], "--student"),
+        (&["check", "--key-file", "blank"], "--student"),
+        (&["check", "--key-file", "none", "--student", "7"], "none: "),
+        (
+            &["check", "--key-file", "blank", "--student", "7"],
+            "it is empty",
+        ),
+        (
+            &["check", "--key-file", "line", "--student", "7"],
+            "it is empty",
+        ),
+        (
+            &["check", "--key-file", "-", "--student", "7"],
+            "it is empty",
+        ),
+        (
+            &["check", "--key-file", "blank", "--student", ""],
+            "it is empty",
+        ),
+        (&["check", "--key", "secret"], "--key-file"),
         (
             &["check", "--program", "no/such/program"],
             "no/such/program",
@@ -59,7 +79,7 @@ fn any_program_can_be_asked() {
             "only t = 0 is right: {said}"
         );
         assert!(
-            said.contains("ignores t") || said.contains("Wrong are"),
+            said.contains("takes 0 for t"),
             "and it says what is wrong: {said}"
         );
         assert!(

@@ -1,13 +1,15 @@
 //! `raybook bless`: completes the golden files: answers for the named cases, and the random cases.
 
 use super::{Done, Target};
-use raybook::image::file;
+use raybook::store::{self, StoreError};
 use raybook_chapters::kit::say::say;
+use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_grader::examine::{Cases, Examiner};
 use raybook_grader::golden;
+use raybook_grader::lock::Lock;
 use std::error::Error;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
-use std::{fs, io};
 
 /// Completes the golden files: the named cases in them get the reference's answers, and the random cases are appended.
 #[derive(clap::Args)]
@@ -30,16 +32,17 @@ impl Bless {
         if !folder.is_dir() {
             return Err(format!(
                 "{}: there is no such folder; bless is for the project's own folder, or name a folder of golden files by --golden",
-                folder.display()
+                Untrusted::from(folder.as_path())
             )
             .into());
         }
+        let _lock = (!self.check).then(|| Lock::on(&folder)).transpose()?;
         let (mut complete, mut wrong) = (true, Vec::new());
         for examiner in examiners {
             let path = folder.join(golden::path(examiner.name()));
             match self.bless(examiner, &path) {
                 Ok(was_complete) => complete &= was_complete,
-                Err(error) => wrong.push(format!("{}: {error}", path.display())),
+                Err(error) => wrong.push(format!("{}: {error}", Untrusted::from(path.as_path()))),
             }
         }
         if wrong.is_empty() {
@@ -51,14 +54,14 @@ impl Bless {
 
     /// Completes a file; whether it was complete.
     fn bless(&self, examiner: &'static dyn Examiner, path: &Path) -> Result<bool, Box<dyn Error>> {
-        let kept = fs::read_to_string(path).map_err(|error| missing(&error))?;
+        let kept = store::read_text(path).map_err(|error| refused(&error))?;
         let (text, cases) = golden::page(&*examiner.with_golden(kept.clone()))?;
         if text != kept && !self.check {
-            file::write_whole(path, text.as_bytes())?;
+            store::write(path, text.as_bytes()).map_err(|error| refused(&error))?;
         }
         say(format!(
             "{}: {}",
-            path.display(),
+            Untrusted::from(path),
             self.told(&kept, &text, &cases)
         ));
         Ok(text == kept)
@@ -79,13 +82,13 @@ impl Bless {
     }
 }
 
-/// Why a file cannot be read, and what to do where there is none.
-fn missing(error: &io::Error) -> String {
-    match error.kind() {
-        io::ErrorKind::NotFound => {
+/// Why a file cannot be read or written, and what to do where there is none. Its name is said elsewhere.
+fn refused(error: &StoreError) -> String {
+    match error.reason.kind() {
+        ErrorKind::NotFound => {
             "there is no such file; write named cases into it, each on a line: `name | question`"
                 .to_owned()
         }
-        _ => error.to_string(),
+        _ => format!("cannot {}: {}", error.doing, error.reason),
     }
 }

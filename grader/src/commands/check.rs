@@ -1,20 +1,24 @@
 //! `raybook check`: what is right, what is not, and the next step.
 
-use super::asking::{Asking, program_at};
+use super::asking::Asking;
 use super::golden::Golden;
+use super::hidden::Hidden;
 use super::keep::keep_pictures;
-use super::tell::Telling;
+use super::tell::{Pictured, Telling};
+use super::unwritten::Unwritten;
 use super::{Done, Target};
 use indicatif::ProgressBar;
-use raybook_chapters::kit::say::say;
-use raybook_grader::check::{State, check_all};
+use raybook_chapters::kit::say::{complain, say};
+use raybook_chapters::kit::terminal::colourless;
+use raybook_chapters::kit::untrusted::Untrusted;
+use raybook_grader::check::{Outcome, State, check_all};
 use raybook_grader::dress::Dress;
 use raybook_grader::examine::{Case, Examiner, visible_rng};
 use raybook_grader::hidden::Key;
 use raybook_grader::json;
+use raybook_grader::picture::Pixels;
 use raybook_grader::progress::Progress;
 use rayon::prelude::*;
-use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 
 /// Checks a workbook, or any answer program.
@@ -29,16 +33,9 @@ pub struct Check {
     case: Option<u32>,
     #[command(flatten)]
     asking: Asking,
-    /// Ask the hidden cases that belong to this course key and --student
-    #[arg(long, requires = "student")]
-    key: Option<String>,
-    /// Whose hidden cases
-    #[arg(long, requires = "key")]
-    student: Option<String>,
-    /// The term of the hidden cases
-    #[arg(long, default_value = "", requires = "key")]
-    term: String,
-    /// Write the pictures that the answers make into this folder; without it, those of the workbook in which you are are kept in its .raybook
+    #[command(flatten)]
+    hidden: Hidden,
+    /// Write the pictures that the answers make into this folder; without it, those of the workbook in which you are are kept in its .raybook. Elsewhere a few pixels are asked, and all if one of these is wrong: pictures count like cases
     #[arg(long, value_name = "FOLDER")]
     pictures: Option<PathBuf>,
     /// Print JSON (its fields are described in `raybook_grader::json`)
@@ -49,6 +46,11 @@ pub struct Check {
     plain: bool,
 }
 
+/// What a program may miss that ends without an answer.
+const IN_THE_SANDBOX: &str = "
+It ran in a sandbox: it reads its own folder and the system's files, writes nothing, and starts no process (in a shell script,
+`exec` your program). --trust runs it with all your rights.";
+
 impl Check {
     /// Checks, and tells; true if everything that was asked for is right.
     pub fn run(&self) -> Done {
@@ -57,29 +59,43 @@ impl Check {
         if self.case.is_some() && examiners.len() != 1 {
             return Err("--case needs one exercise: raybook check sphere_hit --case 3".into());
         }
-        let (program, folder) = program_at(self.asking.program.as_deref().unwrap_or(&from))?;
+        let key = self.hidden.key()?;
+        let unreadable = self.hidden.file().chain(self.golden.folder());
+        let unreadable = unreadable.map(Path::to_owned).collect();
+        let (program, folder) = self.asking.program(&from, unreadable)?;
         let gallery = self.gallery(folder.as_deref());
         let bar = ProgressBar::new(examiners.len() as u64);
         let exercises = examiners
             .par_iter()
-            .map(|examiner| Ok((*examiner, self.cases(*examiner)?)));
+            .map(|examiner| Ok((*examiner, self.cases(*examiner, key.as_ref())?)));
         let exercises = exercises.collect::<Result<Vec<_>, String>>()?;
         let limits = self.asking.limits();
-        let reports = check_all(&program, &exercises, limits, gallery.is_some(), &|| {
-            bar.inc(1);
-        })?;
+        let pixels = match (self.case, &gallery) {
+            (Some(_), _) => Pixels::None,
+            (None, None) => Pixels::Some,
+            (None, Some(_)) => Pixels::All,
+        };
+        let reports = check_all(&program, &exercises, limits, pixels, &|| bar.inc(1))?;
         bar.finish_and_clear();
+        // What cannot be written must not keep the verdict back.
+        let mut unwritten = Unwritten::default();
         let mut pictured = Vec::new();
         for report in reports {
-            let picture = keep_pictures(&report, gallery.as_deref())?;
-            pictured.push((report, picture));
+            let picture = unwritten.or_none(keep_pictures(&report, gallery.as_deref()));
+            pictured.push((report, picture.flatten()));
         }
         let reports = pictured;
-        if let (Some(folder), None, None) = (&folder, self.case, &self.key) {
-            Progress::remember(folder, reports.iter().map(|(report, _)| report))?;
+        if let (Some(folder), None, None) = (&folder, self.case, &key) {
+            let reports = reports.iter().map(|(report, _)| report);
+            if let Some(Some(aside)) = unwritten.or_none(Progress::remember(folder, reports)) {
+                complain(format!(
+                    "note: the progress kept in this workbook was damaged; it is now in {}, and a new one begins",
+                    Untrusted::from(aside.as_path())
+                ));
+            }
         }
         if self.json {
-            say(format!("{:#}", json::results(&reports)));
+            say(json::text(&json::results(&reports)));
         } else {
             let whole = self.case.is_none();
             Telling {
@@ -87,24 +103,22 @@ impl Check {
                 again: &|exercise| self.again(exercise),
                 dress: self.dress(),
             }
-            .tell(&reports, whole)?;
+            .tell(&reports, whole, &mut unwritten);
+            let ended = |(report, _): &Pictured| report.cases.iter().any(Outcome::ended);
+            if program.sandbox.is_some() && reports.iter().any(ended) {
+                say(IN_THE_SANDBOX);
+            }
         }
+        unwritten.said()?;
         Ok(reports
             .iter()
             .all(|(report, _)| report.state() == State::Right))
     }
 
     /// The cases that are asked of an exercise.
-    fn cases(&self, examiner: &dyn Examiner) -> Result<Vec<Case>, String> {
-        let mut rng = match (&self.key, &self.student) {
-            (Some(course), Some(student)) => Key {
-                course: course.clone(),
-                term: self.term.clone(),
-                student: student.clone(),
-            }
-            .rng(examiner.name()),
-            _ => visible_rng(examiner.name()),
-        };
+    fn cases(&self, examiner: &dyn Examiner, key: Option<&Key>) -> Result<Vec<Case>, String> {
+        let name = examiner.name();
+        let mut rng = key.map_or_else(|| visible_rng(name), |key| key.rng(name));
         let mut cases = examiner.cases(&mut rng).cases;
         if let Some(number) = self.case {
             let count = cases.len();
@@ -129,21 +143,17 @@ impl Check {
     /// The command that asks a case of an exercise again, but for its number: what was typed, with this exercise only.
     fn again(&self, exercise: &str) -> String {
         let mut words = vec!["raybook check".to_owned(), exercise.to_owned()];
-        words.extend(self.target.folder().map(|folder| format!("{folder:?}")));
-        if let Some(student) = &self.student {
-            words.push(format!(
-                "--key … --term {:?} --student {student:?}",
-                self.term
-            ));
-        }
-        words.join(" ") + &self.asking.again()
+        words.extend(
+            self.target
+                .folder()
+                .map(|folder| Untrusted::from(folder).shell()),
+        );
+        words.join(" ") + &self.hidden.again() + &self.asking.again()
     }
 
     fn dress(&self) -> Dress {
-        let colour = std::io::stdout().is_terminal()
-            && std::env::var_os("NO_COLOR").is_none_or(|v| v.is_empty());
         Dress {
-            colour: colour && !self.plain,
+            colour: colourless().is_none() && !self.plain,
             symbols: !self.plain,
         }
     }

@@ -4,6 +4,7 @@ use super::golden::Golden;
 use super::{Done, Target};
 use raybook_chapters::kit::say::say;
 use raybook_grader::describe::{describe, schema};
+use raybook_grader::json;
 use raybook_grader::reader::{cpp, python};
 use serde_json::json;
 
@@ -56,10 +57,7 @@ impl Exercise {
             });
         } else if self.json {
             let exercises: Vec<_> = examiners.into_iter().map(schema).collect();
-            say(format!(
-                "{:#}",
-                json!({ "version": 1, "exercises": exercises })
-            ));
+            say(json::text(&json!({ "version": 1, "exercises": exercises })));
         } else {
             let texts: Vec<_> = examiners.into_iter().map(describe).collect();
             say(texts.join("\n"));

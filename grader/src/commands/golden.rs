@@ -1,11 +1,12 @@
 //! `--golden`: the golden files of a folder, which a lecturer edits without compiling.
 
 use super::Examiners;
+use raybook::store;
+use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_grader::golden::path;
 use std::error::Error;
-use std::fs;
 use std::io::ErrorKind;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Where the named cases come from.
 #[derive(clap::Args)]
@@ -16,6 +17,11 @@ pub struct Golden {
 }
 
 impl Golden {
+    /// The folder, which no stranger's program may read.
+    pub fn folder(&self) -> Option<&Path> {
+        self.golden.as_deref()
+    }
+
     /// The exercises, each with the golden file of the folder, if it has one.
     ///
     /// # Errors
@@ -27,18 +33,18 @@ impl Golden {
         let mut replaced = 0;
         let mut replace = |examiner: &mut &'static dyn raybook_grader::examine::Examiner| {
             let file = folder.join(path(examiner.name()));
-            match fs::read_to_string(&file) {
+            match store::read_text(&file) {
                 Ok(text) => {
                     let read = examiner.with_golden(text);
                     read.named()
-                        .map_err(|error| format!("{}: {error}", file.display()))?;
+                        .map_err(|error| format!("{}: {error}", Untrusted::from(file.as_path())))?;
                     // Once for each exercise: the command ends soon.
                     *examiner = Box::leak(read);
                     replaced += 1;
                     Ok(())
                 }
-                Err(error) if error.kind() == ErrorKind::NotFound => Ok(()),
-                Err(error) => Err(format!("{}: {error}", file.display())),
+                Err(error) if error.reason.kind() == ErrorKind::NotFound => Ok(()),
+                Err(error) => Err(error.to_string()),
             }
         };
         let mut examiners = examiners;
@@ -49,7 +55,7 @@ impl Golden {
                 .map_or_else(String::new, |e| path(e.name()));
             return Err(format!(
                 "{}: there is no golden file here, such as {first}",
-                folder.display()
+                Untrusted::from(folder.as_path())
             )
             .into());
         }

@@ -1,8 +1,9 @@
 //! `raybook hint`: a nudge that does not give the answer away.
 
-use super::asking::{Asking, program_at};
+use super::asking::Asking;
 use super::{Done, Target};
 use raybook_chapters::kit::say::say;
+use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_grader::ask::Asker;
 use raybook_grader::check::{State, check};
 use raybook_grader::examine::visible_rng;
@@ -21,7 +22,7 @@ impl Hint {
     /// Asks the program, and hints at the first exercise that is not right.
     pub fn run(&self) -> Done {
         let (from, examiners) = self.target.resolve()?;
-        let (program, workbook) = program_at(self.asking.program.as_deref().unwrap_or(&from))?;
+        let (program, workbook) = self.asking.program(&from, Vec::new())?;
         let mut asker = Asker::new(&program, self.asking.limits());
         for examiner in examiners {
             let report = check(
@@ -47,6 +48,7 @@ impl Hint {
                 (State::Wrong, None, first) => {
                     let (case, why) =
                         first.map_or(("", ""), |(outcome, why)| (outcome.case.name.as_str(), why));
+                    let case = Untrusted::from(case);
                     say(format!("{name}: think of the case \"{case}\": {why}."));
                 }
             }

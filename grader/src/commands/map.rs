@@ -1,5 +1,6 @@
 //! `raybook` alone: the map of the course, in a workbook with the student's progress, and the next step.
 
+use super::Done;
 use raybook_chapters::kit::say::say;
 use raybook_chapters::lesson::{self, Lesson};
 use raybook_grader::progress::Progress;
@@ -8,10 +9,15 @@ use raybook_workbook::curriculum::{CHAPTERS, Chapter};
 use std::path::Path;
 
 /// Prints the map.
-pub fn print() {
-    let progress = student::workbook(Path::new("."))
+pub fn print() -> Done {
+    let kept = student::workbook(Path::new("."))
         .ok()
         .map(|folder| Progress::load(&folder));
+    let (progress, unknown) = match kept {
+        Some(Err(error)) => (Some(Progress::default()), Some(error)),
+        Some(Ok(progress)) => (Some(progress), None),
+        None => (None, None),
+    };
     say("raybook: a ray-tracing course that you can run\n");
     for chapter in CHAPTERS {
         let done = progress
@@ -41,6 +47,7 @@ pub fn print() {
         ));
         say("      write your own ray tracer      cargo run --release -- new ../my-rays");
     }
+    unknown.map_or(Ok(true), |error| Err(error.into()))
 }
 
 /// How many of a chapter's exercises are right: "[2 of 3] ".

@@ -3,9 +3,11 @@
 pub mod asking;
 pub mod bless;
 pub mod check;
+pub mod doctor;
 pub mod draw;
 pub mod exercise;
 pub mod golden;
+pub mod hidden;
 pub mod hint;
 pub mod keep;
 pub mod map;
@@ -14,6 +16,7 @@ pub mod samplers;
 pub mod solve;
 pub mod tell;
 pub mod tour;
+pub mod unwritten;
 
 use raybook_grader::cases;
 use raybook_grader::examine::Examiner;
@@ -80,6 +83,14 @@ fn exercises_of(word: &str) -> Vec<&'static str> {
     });
     let of_this_name = || cases::find(word).map(<dyn Examiner>::name);
     of_chapter.unwrap_or_else(|| of_this_name().into_iter().collect())
+}
+
+/// A word of which something must depend.
+fn not_empty(text: &str) -> Result<String, String> {
+    if text.trim().is_empty() {
+        return Err("it is empty, so that anybody could foresee the hidden cases".to_owned());
+    }
+    Ok(text.to_owned())
 }
 
 /// A time limit in seconds.

@@ -2,6 +2,7 @@
 
 use super::Done;
 use raybook_chapters::kit::say::say;
+use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_grader::{cases, starter};
 use std::path::PathBuf;
 
@@ -16,15 +17,16 @@ impl New {
     /// Makes it, and says what to do next.
     pub fn run(&self) -> Done {
         starter::create(&self.folder)?;
+        let folder = Untrusted::from(self.folder.as_path());
         say(format!(
             "made {}, with {} exercises:\n",
-            self.folder.display(),
+            folder,
             cases::all().len()
         ));
         say(starter::course_map().trim_end());
         say(format!(
             "\nNext:  cd {}\n       raybook check        (the first time, this compiles for a minute)",
-            self.folder.display()
+            folder.shell()
         ));
         Ok(true)
     }

@@ -1,9 +1,10 @@
 //! `raybook samplers`: the sampling lab.
 
 use super::Done;
-use super::asking::{Asking, program_at};
+use super::asking::Asking;
 use raybook::sample::pattern::{PATTERNS, Pattern, find};
 use raybook_chapters::kit::say::say;
+use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_chapters::lab::run;
 use raybook_chapters::lab::settings::Settings;
 use raybook_chapters::lab::steps::Steps;
@@ -14,7 +15,7 @@ use raybook_grader::patterns::ask::ask;
 use raybook_grader::patterns::got::{Got, Wanted};
 use raybook_grader::patterns::{OWN_PATTERNS, OwnPattern};
 use std::error::Error;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 /// The patterns that are compared if none are named: as many as there are colours.
@@ -64,8 +65,8 @@ impl Samplers {
             folder: self.out.clone(),
         };
         let mut right = true;
-        if let Some(named) = &self.asking.program {
-            let (program, _) = program_at(named)?;
+        if self.asking.program.is_some() {
+            let (program, _) = self.asking.program(Path::new("."), Vec::new())?;
             right = self.ask(&program, &mut settings)?;
         }
         let page = run::run(&settings)?;
@@ -73,7 +74,7 @@ impl Samplers {
         say(format!(
             "the sampling lab in {:.1} s; look at {}",
             start.elapsed().as_secs_f32(),
-            page.display()
+            Untrusted::from(page.as_path())
         ));
         Ok(right)
     }

@@ -1,12 +1,14 @@
 //! `raybook solve`: the reference for a chapter that a student missed.
 
 use super::{Done, Target};
-use raybook::image::file;
+use raybook::store;
 use raybook_chapters::kit::say::say;
+use raybook_chapters::kit::untrusted::Untrusted;
+use raybook_grader::lock::Lock;
+use raybook_grader::progress::{KEPT, unused};
 use raybook_grader::{library, student};
 use std::collections::BTreeSet;
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::io::ErrorKind;
 
 /// Copies in the reference; what was there is kept.
 #[derive(clap::Args)]
@@ -28,38 +30,31 @@ impl Solve {
             .iter()
             .filter_map(|examiner| library::place(examiner.name()))
             .collect();
+        let _lock = Lock::on(&folder.join(KEPT))?;
         for place in places {
             let reference = library::reference_file(&place)
                 .ok_or_else(|| format!("{place} has no reference"))?;
             let path = folder.join(&place);
-            match fs::read(&path) {
+            match store::read(&path) {
                 Ok(yours) if yours == reference.as_bytes() => {
                     say(format!("{place} is the reference already"));
                     continue;
                 }
                 Ok(yours) => {
-                    let kept = unused(&folder.join(".raybook/yours").join(&place));
-                    file::write_whole(&kept, &yours)?;
+                    let kept = unused(&folder.join(KEPT).join("yours").join(&place));
+                    store::write(&kept, &yours)?;
                     say(format!(
                         "{place} is now the reference; yours is kept in {}",
-                        kept.display()
+                        Untrusted::from(kept.as_path())
                     ));
+                }
+                Err(error) if error.reason.kind() != ErrorKind::NotFound => {
+                    return Err(error.into());
                 }
                 Err(_) => say(format!("{place} is now the reference")),
             }
-            file::write_whole(&path, reference.as_bytes())?;
+            store::write(&path, reference.as_bytes())?;
         }
         Ok(true)
     }
-}
-
-/// The path, or with `.2`, `.3`, … after it the first at which there is nothing yet.
-fn unused(path: &Path) -> PathBuf {
-    let mut free = path.to_owned();
-    let mut number = 1;
-    while free.exists() {
-        number += 1;
-        free = PathBuf::from(format!("{}.{number}", path.display()));
-    }
-    free
 }

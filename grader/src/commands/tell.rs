@@ -1,13 +1,15 @@
 //! What `raybook check` prints: a line per exercise, the first that is wrong in full, and the next step.
 
-use raybook::image::file;
+use super::unwritten::Unwritten;
+use raybook::store::{self, StoreError};
 use raybook_chapters::kit::say::say;
+use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_grader::check::{Report, State};
 use raybook_grader::dress::Dress;
 use raybook_grader::examine::Examiner;
+use raybook_grader::progress::KEPT;
 use raybook_grader::{cases, feedback, library, pictured};
 use raybook_workbook::curriculum::{CHAPTERS, Chapter};
-use std::io;
 use std::path::{Path, PathBuf};
 
 /// A report, and the file of its pictures.
@@ -24,13 +26,11 @@ pub struct Telling<'a> {
 }
 
 impl Telling<'_> {
-    /// Prints the reports: `whole` ones, or of a single case each.
-    ///
-    /// # Errors
-    /// If a chapter's reference cannot be written into the student's folder.
-    pub fn tell(&self, reports: &[Pictured], whole: bool) -> io::Result<()> {
+    /// Prints the reports: `whole` ones, or of a single case each; and writes the reference of each chapter that is right into
+    /// the student's folder.
+    pub fn tell(&self, reports: &[Pictured], whole: bool, unwritten: &mut Unwritten) {
         for chapter in CHAPTERS {
-            self.tell_chapter(chapter, reports)?;
+            self.tell_chapter(chapter, reports, unwritten);
         }
         let wrong = reports
             .iter()
@@ -62,10 +62,9 @@ impl Telling<'_> {
                 self.next_step(reports)
             ));
         }
-        Ok(())
     }
 
-    fn tell_chapter(&self, chapter: &Chapter, reports: &[Pictured]) -> io::Result<()> {
+    fn tell_chapter(&self, chapter: &Chapter, reports: &[Pictured], unwritten: &mut Unwritten) {
         let find = |name| {
             reports
                 .iter()
@@ -78,7 +77,7 @@ impl Telling<'_> {
             .filter_map(|exercise| find(exercise.name))
             .collect();
         if of_chapter.is_empty() {
-            return Ok(());
+            return;
         }
         say(format!("{} {}", chapter.number(), chapter.title));
         for report in &of_chapter {
@@ -95,14 +94,14 @@ impl Telling<'_> {
         let all_right = of_chapter
             .iter()
             .all(|report| report.state() == State::Right);
-        if let (true, true, Some(folder)) = (all_asked, all_right, self.folder) {
-            let path = keep_reference(folder, chapter)?;
+        if let (true, true, Some(folder)) = (all_asked, all_right, self.folder)
+            && let Some(path) = unwritten.or_none(keep_reference(folder, chapter))
+        {
             say(format!(
                 "  reference solution: compare yours with {}",
-                path.display()
+                Untrusted::from(path.as_path())
             ));
         }
-        Ok(())
     }
 
     fn next_step(&self, reports: &[Pictured]) -> String {
@@ -139,15 +138,15 @@ impl Telling<'_> {
 }
 
 /// Writes a chapter's reference functions beside the student's, once these are right.
-fn keep_reference(folder: &Path, chapter: &Chapter) -> io::Result<PathBuf> {
+fn keep_reference(folder: &Path, chapter: &Chapter) -> Result<PathBuf, StoreError> {
     let texts: Vec<_> = chapter
         .exercises()
         .iter()
         .filter_map(|exercise| library::reference(exercise.name))
         .collect();
     let path = folder
-        .join(".raybook")
+        .join(KEPT)
         .join(format!("{}_reference.rs", chapter.name));
-    file::write_whole(&path, texts.join("\n").as_bytes())?;
+    store::write(&path, texts.join("\n").as_bytes())?;
     Ok(path)
 }

@@ -7,6 +7,7 @@ use raybook_chapters::LESSONS;
 use raybook_chapters::kit::options::Options;
 use raybook_chapters::kit::say::say;
 use raybook_chapters::kit::stage::{Stage, progress_bar};
+use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_chapters::kit::{gallery, gallery::Drawing};
 use raybook_chapters::lesson::Lesson;
 use raybook_workbook::curriculum::CHAPTERS;
@@ -30,7 +31,7 @@ impl Tour {
         let page = gallery::page_in(&self.options.out);
         say(format!(
             "The pictures come into {}: open it, and reload it as chapters finish.",
-            page.display()
+            Untrusted::from(page.as_path())
         ));
         let bars = MultiProgress::new();
         let mut drawings = Vec::new();
@@ -64,7 +65,7 @@ impl Tour {
             "{} chapters in {:.1} s; look at {}",
             drawings.len(),
             start.elapsed().as_secs_f32(),
-            page.display()
+            Untrusted::from(page.as_path())
         ));
         Ok(true)
     }

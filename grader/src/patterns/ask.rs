@@ -1,10 +1,12 @@
 //! Asking an answer program for one of its patterns, again and again.
 
-use crate::ask::{silence, understand};
-use crate::converse::{Limits, Program, converse};
+use crate::ask::{Asker, Reply, Said};
+use crate::converse::{Limits, Program};
 use crate::patterns::OwnPattern;
 use crate::patterns::got::{FEWEST, Got, Wanted};
+use crate::prints::short;
 use glam::Vec2;
+use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_chapters::lab::subject::Realisations;
 use raybook_workbook::row;
 use std::io;
@@ -25,6 +27,7 @@ pub fn ask(
     limits: Limits,
 ) -> io::Result<Got> {
     let start = Instant::now();
+    let mut asker = Asker::at_once(program, limits);
     let (mut points, mut wrong) = (Realisations::new(), None);
     let mut sets = sets(pattern, wanted);
     let mut batch = sets.iter().filter(|set| set.needed).count();
@@ -32,7 +35,7 @@ pub fn ask(
     while batch > 0 {
         let rest = sets.split_off(batch);
         asked += sets.iter().map(|set| set.n).sum::<usize>();
-        let (answered, failure) = converse_about(program, pattern, &sets, limits)?;
+        let (answered, failure) = converse_about(&mut asker, pattern, &sets)?;
         let done = answered.len();
         for (set, answer) in sets.iter().zip(answered) {
             points.entry(set.n).or_default().push(answer);
@@ -104,29 +107,21 @@ fn sets(pattern: &OwnPattern, wanted: &Wanted) -> Vec<Set> {
 
 /// Asks for some sets: the points of those before the first failure, and the failure.
 fn converse_about(
-    program: &Program,
+    asker: &mut Asker<'_>,
     pattern: &OwnPattern,
     sets: &[Set],
-    limits: Limits,
 ) -> io::Result<(Vec<Vec<Vec2>>, Option<String>)> {
     let questions: Vec<_> = sets.iter().flat_map(|set| set.questions.clone()).collect();
-    let heard = converse(program, &questions, limits)?;
-    if heard.answers.len() > questions.len() {
-        let why = "your program gave more answers than there were questions";
-        return Ok((Vec::new(), Some(why.to_owned())));
-    }
-    let mut answers = heard.answers.iter().map(|(answer, _)| answer);
+    let replies = asker.ask(&questions)?;
+    let mut replies = replies.iter();
     let mut done = Vec::new();
     for set in sets {
         let mut of_set = Vec::new();
         for _ in &set.questions {
-            let Some(answer) = answers.next() else {
-                let why = heard.end.and_then(|end| silence(end).why_none());
-                return Ok((done, why));
-            };
-            match read(answer) {
-                Ok(points) => of_set.push(points),
-                Err(why) => return Ok((done, Some(why))),
+            match replies.next().map(read) {
+                Some(Ok(points)) => of_set.push(points),
+                Some(Err(why)) => return Ok((done, Some(why))),
+                None => return Ok((done, None)),
             }
         }
         let mut of_set = of_set.into_iter();
@@ -147,13 +142,14 @@ fn converse_about(
 }
 
 /// The points of an answer.
-fn read(answer: &str) -> Result<Vec<Vec2>, String> {
+fn read(reply: &Reply) -> Result<Vec<Vec2>, String> {
     /// What is printed with six digits may have been rounded up to 1.
     const ROUNDING: f32 = 1e-6;
-    if let Some(why) = understand(answer).why_none() {
-        return Err(why);
-    }
-    let points: Vec<Vec2> = row::read(answer, "point").map_err(|e| e.to_string())?;
+    let Said::Answer(answer) = &reply.said else {
+        return Err(reply.said.why_none().unwrap_or_default());
+    };
+    let points: Vec<Vec2> = row::read(answer.unescaped(), "point")
+        .map_err(|error| short(&Untrusted::from(error.to_string())))?;
     let inside = |p: &Vec2| {
         let (least, most) = (Vec2::splat(-ROUNDING), Vec2::splat(1.0 + ROUNDING));
         p.cmpge(least).all() && p.cmple(most).all()

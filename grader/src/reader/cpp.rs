@@ -100,12 +100,14 @@ struct NotWritten {{}};
 }}
 
 int main() {{
-    std::cout << std::setprecision(std::numeric_limits<double>::max_digits10);
+    // What else is written to std::cout goes to standard error, so that it does not mix with the answers.
+    std::ostream answers(std::cout.rdbuf(std::cerr.rdbuf()));
+    answers << std::setprecision(std::numeric_limits<double>::max_digits10);
     for (std::string line; std::getline(std::cin, line);) {{
         Words words{{std::istringstream(line)}};
         const std::string name = words.word();
         std::ostringstream said;
-        said.copyfmt(std::cout);
+        said.copyfmt(answers);
         try {{
             if (name != "{name}") {{
                 throw NotWritten{{}};
@@ -116,7 +118,7 @@ int main() {{
         }} catch (const NotWritten&) {{
             said.str(" todo " + name);
         }}
-        std::cout << "=" << said.str() << std::endl;
+        answers << "=" << said.str() << std::endl;
     }}
 }}
 "#,

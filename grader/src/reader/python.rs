@@ -76,16 +76,18 @@ def {name}(q: {question}) -> {answer}:
 
 
 def main():
+    # What else is printed goes to standard error, so that it does not mix with the answers.
+    answers, sys.stdout = sys.stdout, sys.stderr
     for line in sys.stdin:
         name, _, rest = line.strip().partition(" ")
         if name != "{name}":
-            print("= todo", name, flush=True)
+            print("= todo", name, file=answers, flush=True)
             continue
         question = {read}
         try:
-            print("=", words_of({name}(question)), flush=True)
+            print("=", words_of({name}(question)), file=answers, flush=True)
         except NotImplementedError:
-            print("= todo {name}", flush=True)
+            print("= todo {name}", file=answers, flush=True)
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 
 use crate::ask::{answer, replies, said};
 use raybook_grader::ask::Said;
+use raybook_grader::converse::Prints;
 
 #[test]
 fn an_honest_program_is_heard() {
@@ -17,9 +18,13 @@ fn an_honest_program_is_heard() {
 fn prints_come_with_the_question_they_belong_to() {
     let script = "while read q; do echo \"out $q\"; echo \"err $q\" >&2; echo \"= $q\"; done";
     let replies = replies(script, 2);
+    let printed = Prints {
+        stdout: "out 2\n".into(),
+        stderr: "err 2\n".into(),
+    };
     assert_eq!(
-        replies[1].printed, "out 2\nerr 2\n",
-        "both outputs, in order, of the second question only"
+        replies[1].printed, printed,
+        "both outputs, of the second question only"
     );
 }
 

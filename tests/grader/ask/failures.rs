@@ -153,6 +153,7 @@ fn a_program_that_is_not_there_is_an_error() {
         file: "/no/such/program".into(),
         arguments: Vec::new(),
         folder: std::path::PathBuf::new(),
+        sandbox: None,
     };
     assert!(
         ask(&program, &["1".into()], LIMITS).is_err(),

@@ -14,10 +14,7 @@ use std::path::PathBuf;
 use std::process::Command;
 use std::time::Duration;
 
-const LIMITS: Limits = Limits {
-    time: Duration::from_secs(60),
-    output: 1 << 20,
-};
+const LIMITS: Limits = Limits::of(Duration::from_secs(60));
 
 /// The program; `None` where there is no Python.
 fn program() -> Option<Program> {
@@ -31,6 +28,7 @@ fn program() -> Option<Program> {
         file,
         arguments: vec![project("tests/capstone/trace.py").into()],
         folder: PathBuf::new(),
+        sandbox: None,
     })
 }
 

@@ -6,7 +6,6 @@ use raybook::camera::pinhole::Pinhole;
 use raybook::image::rgb::Rgb;
 use raybook::light::Light;
 use raybook::light::point::PointLight;
-use raybook::material::Material;
 use raybook::material::glass::{Glass, Medium};
 use raybook::math::{dir3::Dir3, pcg, ray::Ray};
 use raybook::render::shadow::lit;
@@ -23,14 +22,14 @@ fn view(staged: &Staged, x: f32, y: f32) -> Ray {
 }
 
 /// The same scene for Whitted's ray tracer of chapter 13, before black.
-fn for_whitted(scene: &Description) -> Scene<dyn Material> {
+fn for_whitted(scene: &Description) -> Scene {
     let things = scene.objects.iter().map(|object| {
-        let material: Box<dyn Material> = match &object.matter {
-            Matter::Phong(phong) => Box::new(*phong),
-            Matter::Mirror(mirror) => Box::new(*mirror),
-            Matter::Glass(clear) => Box::new(Glass::of(Medium::clear(clear.index))),
-        };
-        Thing::new(object.form.clone(), material)
+        let form = object.form.clone();
+        match &object.matter {
+            Matter::Phong(phong) => Thing::new(form, *phong),
+            Matter::Mirror(mirror) => Thing::new(form, *mirror),
+            Matter::Glass(clear) => Thing::new(form, Glass::of(Medium::clear(clear.index))),
+        }
     });
     let lamps = scene
         .lamps

@@ -71,5 +71,6 @@ pub fn build(keep: &Path, rewrite: &dyn Fn(&Anchored<'_>) -> Option<String>) -> 
         file: kept,
         arguments: Vec::new(),
         folder: PathBuf::new(),
+        sandbox: None,
     }
 }

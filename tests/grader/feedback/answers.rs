@@ -14,9 +14,9 @@ fn a_known_mistake() {
         examiner.mistaken(0, question).expect("it answers")
     };
     let mut report = report("sphere_hit", |examiner, question| {
-        Said::Answer(far_root(examiner, question))
+        Said::Answer(far_root(examiner, question).into())
     });
-    report.cases[0].reply.printed = "discriminant 1\ndbg: t = 4\n".into();
+    report.cases[0].reply.printed.stdout = "discriminant 1\ndbg: t = 4\n".into();
     let examiner = cases::find("sphere_hit").expect("the exercise exists");
     let pixels: Vec<_> = pixel_questions(examiner)
         .iter()
@@ -35,7 +35,7 @@ fn several_pictures() {
         .position(|(name, _)| *name == "forgets the colour of mirrors");
     let colourless = colourless.expect("the mistake exists");
     let answer = |question: &str| examiner.mistaken(colourless, question).expect("it answers");
-    let mut report = report("trace", |_, question| Said::Answer(answer(question)));
+    let mut report = report("trace", |_, question| Said::Answer(answer(question).into()));
     let pixels: Vec<_> = pixel_questions(examiner)
         .iter()
         .map(|question| Some(answer(question)))
@@ -54,8 +54,9 @@ fn several_pictures() {
 #[test]
 fn an_unknown_mistake() {
     let off = |examiner: &dyn Examiner, question: &str| match right(examiner, question) {
-        Said::Answer(t) if t != "none" => {
-            Said::Answer((t.parse::<f32>().expect("a number") + 0.25).to_string())
+        Said::Answer(t) if t.unescaped() != "none" => {
+            let t: f32 = t.unescaped().parse().expect("a number");
+            Said::Answer((t + 0.25).to_string().into())
         }
         said => said,
     };

@@ -33,7 +33,7 @@ fn no_answer() {
     ] {
         let mut report = report("ray_at", |_, _| said.clone());
         if name == "ended" {
-            report.cases[0].reply.printed = "t is 0point = 1 2 3\nhere= 1 2 3\n".into();
+            report.cases[0].reply.printed.stdout = "t is 0point = 1 2 3\nhere= 1 2 3\n".into();
         }
         snapshot(&format!("feedback_{name}"), &told(&report));
     }

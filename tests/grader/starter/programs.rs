@@ -12,10 +12,7 @@ use rayon::prelude::*;
 use std::path::PathBuf;
 use std::time::Duration;
 
-const LIMITS: Limits = Limits {
-    time: Duration::from_secs(10),
-    output: 1 << 20,
-};
+const LIMITS: Limits = Limits::of(Duration::from_secs(10));
 
 #[test]
 fn the_untouched_starter_compiles_and_everything_is_todo() {
@@ -66,6 +63,7 @@ fn only_this_turns_todo(program: &Program, stubbed: &str, i: usize, asked: &[Ask
             program.file.clone().into(),
         ],
         folder: PathBuf::new(),
+        sandbox: None,
     };
     let mut todo = 0;
     for (examiner, cases) in asked {
@@ -76,12 +74,16 @@ fn only_this_turns_todo(program: &Program, stubbed: &str, i: usize, asked: &[Ask
             let whose = format!("{} {} without {stubbed}", examiner.name(), case.name);
             match said {
                 Said::Todo(waits_for) => {
-                    assert_eq!(waits_for, stubbed, "{whose}: it waits for what is stubbed");
+                    assert_eq!(
+                        waits_for.unescaped(),
+                        stubbed,
+                        "{whose}: it waits for what is stubbed"
+                    );
                     todo += usize::from(own);
                 }
                 Said::Answer(answer) => {
                     assert!(!own, "{whose}: what is stubbed cannot answer");
-                    let verdict = examiner.judge(&case.question, &case.answers, &answer);
+                    let verdict = examiner.judge(&case.question, &case.answers, answer.unescaped());
                     assert_eq!(verdict, Ok(()), "{whose}");
                 }
                 said => panic!("{whose}: {said:?}"),

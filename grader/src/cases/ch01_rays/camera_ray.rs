@@ -87,6 +87,11 @@ impl Graded for CameraRay {
             hint: "Along which of the camera's directions does film.x run?",
             answer: |q| Self::misread(q, |q| std::mem::swap(&mut q.right, &mut q.up)),
         },
+        Mistake {
+            name: "exchanges the plane's width and height",
+            hint: "Make the picture twice as wide: does the view get wider or higher?",
+            answer: |q| Self::misread(q, |q| q.plane = vec2(q.plane.y, q.plane.x)),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -5,6 +5,15 @@ use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercises::ch02_hdr::EncodeSrgb;
 
+/// sRGB's curve, with its threshold, its exponent, and what is taken off at the end.
+fn curve(v: f32, threshold: f32, exponent: f32, off: f32) -> f32 {
+    if v <= threshold {
+        12.92 * v
+    } else {
+        1.055 * v.powf(exponent) - off
+    }
+}
+
 impl Graded for EncodeSrgb {
     fn random(rng: &mut Pcg) -> EncodeSrgb {
         let v = sample::number(rng, 0.0, 1.0);
@@ -35,25 +44,12 @@ impl Graded for EncodeSrgb {
         Mistake {
             name: "takes 2.4 for the exponent, not its inverse",
             hint: "Does the curve rise above v or sag below it?",
-            answer: |q| {
-                let v = q.v.clamp(0.0, 1.0);
-                if v <= 0.003_130_8 {
-                    12.92 * v
-                } else {
-                    1.055 * v.powf(2.4) - 0.055
-                }
-            },
+            answer: |q| curve(q.v.clamp(0.0, 1.0), 0.003_130_8, 2.4, 0.055),
         },
         Mistake {
             name: "does not clamp",
             hint: "A display has no code value above 1 or below 0.",
-            answer: |q| {
-                if q.v <= 0.003_130_8 {
-                    12.92 * q.v
-                } else {
-                    1.055 * q.v.powf(1.0 / 2.4) - 0.055
-                }
-            },
+            answer: |q| curve(q.v, 0.003_130_8, 1.0 / 2.4, 0.055),
         },
         Mistake {
             name: "leaves v as it is",
@@ -63,14 +59,17 @@ impl Graded for EncodeSrgb {
         Mistake {
             name: "forgets the 0.055 at the end",
             hint: "Try v = 1: is the code value 1?",
-            answer: |q| {
-                let v = q.v.clamp(0.0, 1.0);
-                if v <= 0.003_130_8 {
-                    12.92 * v
-                } else {
-                    1.055 * v.powf(1.0 / 2.4)
-                }
-            },
+            answer: |q| curve(q.v.clamp(0.0, 1.0), 0.003_130_8, 1.0 / 2.4, 0.0),
+        },
+        Mistake {
+            name: "takes the threshold of the inverse curve",
+            hint: "Two numbers stand in the standard, one for encoding and one for decoding: is yours a linear value or a code value?",
+            answer: |q| curve(q.v.clamp(0.0, 1.0), 0.040_45, 1.0 / 2.4, 0.055),
+        },
+        Mistake {
+            name: "takes 1/2.2 for the exponent of the curve",
+            hint: "Try v = 0.5: is the exponent the one in the formula?",
+            answer: |q| curve(q.v.clamp(0.0, 1.0), 0.003_130_8, 1.0 / 2.2, 0.055),
         },
     ];
 

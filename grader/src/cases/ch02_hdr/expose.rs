@@ -50,5 +50,15 @@ impl Graded for Expose {
             hint: "Two stops more: how many times the light?",
             answer: |q| q.radiance * if q.stops > 0.0 { 2.0 } else { 0.5 },
         },
+        Mistake {
+            name: "takes 10 for the base",
+            hint: "By what factor does one stop change the light?",
+            answer: |q| q.radiance * 10_f32.powf(q.stops),
+        },
+        Mistake {
+            name: "squares the number of stops",
+            hint: "Two stops more: how many times the light? And two stops less?",
+            answer: |q| q.radiance * (q.stops * q.stops).exp2(),
+        },
     ];
 }

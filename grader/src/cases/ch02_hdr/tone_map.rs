@@ -48,6 +48,19 @@ impl Graded for ToneMap {
             hint: "Two bright colours, one twice as bright: can they still be told apart?",
             answer: |q| q.radiance.map(|v| v.clamp(0.0, 1.0)),
         },
+        Mistake {
+            name: "takes the weights of Rec. 601 for the luminance",
+            hint: "0.299, 0.587 and 0.114 are those of old television; whose primaries has sRGB?",
+            answer: |q| {
+                q.radiance
+                    / (1.0 + (0.299 * q.radiance.r + 0.587 * q.radiance.g + 0.114 * q.radiance.b))
+            },
+        },
+        Mistake {
+            name: "takes the largest channel for the luminance",
+            hint: "Does blue count as much as green?",
+            answer: |q| q.radiance / (1.0 + q.radiance.channels().into_iter().fold(0.0, f32::max)),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

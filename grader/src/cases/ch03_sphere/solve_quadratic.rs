@@ -94,6 +94,39 @@ impl Graded for SolveQuadratic {
                 })
             },
         },
+        Mistake {
+            name: "divides by 2 instead of 2a",
+            hint: "Put one of your roots back into the equation for an a other than 1.",
+            answer: |q| {
+                roots(q, |q, root| vec2(0.5 * (-q.b - root), 0.5 * (-q.b + root))).map(sorted)
+            },
+        },
+        Mistake {
+            name: "takes b² + 4ac under the root",
+            hint: "Which sign stands before 4ac? Check one of your roots.",
+            answer: |q| {
+                let inside = q.b * q.b + 4.0 * q.a * q.c;
+                (q.a != 0.0 && inside >= 0.0).then(|| {
+                    sorted(vec2(
+                        (-q.b - inside.sqrt()) / (2.0 * q.a),
+                        (-q.b + inside.sqrt()) / (2.0 * q.a),
+                    ))
+                })
+            },
+        },
+        Mistake {
+            name: "forgets the root of the discriminant",
+            hint: "Check the units: what is added to b?",
+            answer: |q| {
+                let inside = q.b * q.b - 4.0 * q.a * q.c;
+                (q.a != 0.0 && inside >= 0.0).then(|| {
+                    sorted(vec2(
+                        (-q.b - inside) / (2.0 * q.a),
+                        (-q.b + inside) / (2.0 * q.a),
+                    ))
+                })
+            },
+        },
     ];
 }
 

@@ -89,6 +89,24 @@ impl Graded for SphereHit {
                     .find(|t| q.within.contains(*t))
             },
         },
+        Mistake {
+            name: "forgets to divide by 2",
+            hint: "Put your t into o + t·d: is that point on the sphere?",
+            answer: |q| {
+                both(q)
+                    .map(|t| 2.0 * t)
+                    .and_then(|t| [t.x, t.y].into_iter().find(|t| q.within.contains(*t)))
+            },
+        },
+        Mistake {
+            name: "returns the point nearest to the centre",
+            hint: "There the ray is deep inside: how far before is the surface?",
+            answer: |q| {
+                both(q)
+                    .map(|t| 0.5 * (t.x + t.y))
+                    .filter(|t| q.within.contains(*t))
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

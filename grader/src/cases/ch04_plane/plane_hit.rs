@@ -71,6 +71,14 @@ impl Graded for PlaneHit {
             hint: "How close to 0 is too close? A plane reaches to the horizon.",
             answer: |q| PlaneHit::answer(q).filter(|_| q.normal.dot(*q.ray.direction).abs() > 0.02),
         },
+        Mistake {
+            name: "forgets to divide by n·d",
+            hint: "Turn the ray while the plane stays: must t change?",
+            answer: |q| {
+                let t = q.offset - q.normal.dot(q.ray.origin);
+                (q.normal.dot(*q.ray.direction) != 0.0 && q.within.contains(t)).then_some(t)
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

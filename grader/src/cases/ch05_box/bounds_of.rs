@@ -79,6 +79,40 @@ impl Graded for BoundsOf {
                 }
             },
         },
+        Mistake {
+            name: "returns the centre and half of the size",
+            hint: "Which two points are asked for?",
+            answer: |q| {
+                let Corners { min, max } = BoundsOf::answer(q);
+                Corners {
+                    min: 0.5 * (min + max),
+                    max: 0.5 * (max - min),
+                }
+            },
+        },
+        Mistake {
+            name: "returns the size for the greatest corner",
+            hint: "Is the second point a corner, or the way from the first one?",
+            answer: |q| {
+                let Corners { min, max } = BoundsOf::answer(q);
+                Corners {
+                    min,
+                    max: max - min,
+                }
+            },
+        },
+        Mistake {
+            name: "forgets the first point",
+            hint: "Bound a single point: what is its box?",
+            answer: |q| {
+                bounds(
+                    q.points
+                        .iter()
+                        .copied()
+                        .skip(usize::from(q.points.len() > 1)),
+                )
+            },
+        },
     ];
 }
 

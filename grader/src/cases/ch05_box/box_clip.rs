@@ -98,6 +98,11 @@ impl Graded for BoxClip {
                 Self::misread(q, |q| (q.min, q.max) = (-half, half))
             },
         },
+        Mistake {
+            name: "forgets the z axis",
+            hint: "How many pairs of planes has a box?",
+            answer: |q| Self::misread(q, |q| (q.min.z, q.max.z) = (-1e9, 1e9)),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -67,6 +67,16 @@ impl Graded for MeshHit {
                 Self::misread(q, |q| q.triangles.truncate(rest))
             },
         },
+        Mistake {
+            name: "counts ids from 1",
+            hint: "What is the number of the first triangle?",
+            answer: |q| {
+                MeshHit::answer(q).map(|hit| MeshHitAnswer {
+                    id: hit.id + 1,
+                    ..hit
+                })
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -49,6 +49,8 @@ impl Graded for VertexNormals {
         })
     }
 
+    const FIXED: &'static [&'static str] = &["positions"];
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "gives every triangle the same weight",

@@ -44,6 +44,7 @@ impl Graded for GridWalk {
     }
 
     fn judge(q: &GridWalk, golden: &Vec<Visit>, got: &Vec<Visit>) -> Verdict {
+        got.iter().try_for_each(|visit| is_there(q, visit))?;
         let (right, yours) = (passed(q, golden), passed(q, got));
         for (i, golden) in right.iter().enumerate() {
             let cell = golden.cell();
@@ -75,6 +76,8 @@ impl Graded for GridWalk {
             None => Ok(()),
         }
     }
+
+    const POSITIVE: &'static [&'static str] = &["cell"];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
@@ -153,6 +156,11 @@ impl Graded for GridWalk {
                 visits.into_iter().step_by(2).collect()
             },
         },
+        Mistake {
+            name: "takes cells for cubes",
+            hint: "A cell may be longer than it is wide: which of its extents do you use along each axis?",
+            answer: |q| Self::misread(q, |q| (q.cell.y, q.cell.z) = (q.cell.x, q.cell.x)),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {
@@ -181,6 +189,27 @@ impl Graded for GridWalk {
             }
         },
     }];
+}
+
+/// Whether the ray leaves a visited cell where it says, even a cell that the ray only touches.
+fn is_there(q: &GridWalk, visit: &Visit) -> Verdict {
+    let (cell, lattice) = (visit.cell(), q.lattice());
+    if cell.cmpge(lattice.resolution).any() {
+        return Err(format!(
+            "cell {cell} is not in the lattice, whose last cell is {}",
+            lattice.resolution - 1
+        ));
+    }
+    let off = judge::RELATIVE * (visit.leave.abs().max(1.0) + q.cell.max_element());
+    let at = q.ray.at(visit.leave);
+    if lattice.bounds_of(cell, cell).grown(off).contains(at) {
+        Ok(())
+    } else {
+        Err(format!(
+            "at t = {} the ray is at {at}, which is not in cell {cell}",
+            visit.leave
+        ))
+    }
 }
 
 /// The visits without those of cells that the ray only touches, as in an edge or a corner: in which order these come,

@@ -65,6 +65,8 @@ impl Graded for VoxelsOfTriangle {
         }
     }
 
+    const POSITIVE: &'static [&'static str] = &["cell"];
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "takes all cells of the bounding box",

@@ -88,6 +88,8 @@ impl Graded for RefineCell {
         }
     }
 
+    const POSITIVE: &'static [&'static str] = &["density"];
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "ignores the density",

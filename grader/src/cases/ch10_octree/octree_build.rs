@@ -1,6 +1,6 @@
 //! `octree_build`: random questions, judge and mistakes.
 
-use crate::{Graded, Mistake, Verdict, sample};
+use crate::{Graded, Mistake, Verdict, sample, traits};
 use glam::Vec3;
 use rand::RngExt;
 use raybook::accel::octree::build::Limits;
@@ -101,6 +101,25 @@ impl Graded for OctreeBuild {
         }
         Ok(())
     }
+
+    fn traits(q: &OctreeBuild, got: &TreeRow) -> Vec<f64> {
+        let n = q.shapes.len().max(1) as f64;
+        let ends = got.nodes.iter().filter(|node| node.inner == 0);
+        let all = ends.clone().count().max(1) as f64;
+        let empty = ends.clone().filter(|node| node.count == 0).count();
+        let most = ends.map(|node| node.count).max().unwrap_or(0);
+        let held = |i: &u32| got.names.contains(i);
+        vec![
+            traits::log(got.nodes.len() as f64),
+            traits::log(0.1 + got.names.len() as f64 / n),
+            empty as f64 / all,
+            f64::from(most) / n,
+            (0..q.shapes.len() as u32).filter(held).count() as f64 / n,
+            f64::from(leaves(q, got).is_ok()),
+        ]
+    }
+
+    const SLOW: bool = true;
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
@@ -238,6 +257,12 @@ fn leaves(q: &OctreeBuild, tree: &TreeRow) -> Result<Vec<LeafOf>, String> {
         };
         if std::mem::replace(&mut seen[node], true) {
             return Err(format!("node {node} is the child of two nodes"));
+        }
+        if row.inner > 1 || (row.inner == 1 && row.count > 0) {
+            return Err(format!(
+                "node {node} is {} {} {}: a node with children is 1, its first child and 0, and a leaf begins with 0",
+                row.inner, row.first, row.count
+            ));
         }
         let first = row.first as usize;
         if row.inner == 0 {

@@ -81,6 +81,11 @@ impl Graded for OctreeChild {
             hint: "A quad-tree has four children; how many has an octree?",
             answer: |q| OctreeChild::answer(q) & 3,
         },
+        Mistake {
+            name: "counts the children from 1",
+            hint: "Which is the smallest number of a child?",
+            answer: |q| OctreeChild::answer(q) + 1,
+        },
     ];
 }
 

@@ -2,7 +2,7 @@
 
 use super::sah_cost::node_area;
 use super::{around, center, cube, heaps, no_dearer, tree};
-use crate::{Graded, Mistake, Verdict};
+use crate::{Graded, Mistake, Verdict, traits};
 use raybook::accel::bvh::build::Method;
 use raybook::math::{aabb::Aabb, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
@@ -52,6 +52,40 @@ impl Graded for BvhBuild {
             DEARER,
         )
     }
+
+    fn traits(q: &BvhBuild, got: &BvhBuildAnswer) -> Vec<f64> {
+        let root = got
+            .nodes
+            .first()
+            .map_or(1.0, node_area)
+            .max(f32::MIN_POSITIVE);
+        let n = q.boxes.len().max(1) as f64;
+        let share = |node: &NodeRow| f64::from((node_area(node) / root).min(10.0));
+        let sum = |f: &dyn Fn(&NodeRow) -> f64| got.nodes.iter().map(f).sum::<f64>();
+        let leaves = sum(&|node| f64::from(node.count > 0)).max(1.0);
+        vec![
+            traits::log(sum(&|node| if node.count == 0 { share(node) } else { 0.0 }) + 0.1),
+            traits::log(sum(&|node| share(node) * f64::from(node.count)) + 0.1),
+            got.nodes.len() as f64 / (2.0 * n),
+            got.nodes
+                .iter()
+                .map(|node| f64::from(node.count))
+                .fold(0.0, f64::max)
+                / n,
+            sum(&|node| f64::from(node.count)) / leaves / f64::from(q.most.max(1)),
+            got.order.len() as f64 / n,
+            traits::distinct(got.order.iter().map(|i| f64::from(*i))),
+            traits::distinct(
+                got.nodes
+                    .iter()
+                    .filter(|node| node.count > 0)
+                    .map(|node| f64::from(node.first)),
+            ),
+            f64::from(tree_cost(q, got).is_ok()),
+        ]
+    }
+
+    const SLOW: bool = true;
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
@@ -132,6 +166,11 @@ fn one_leaf(q: &BvhBuild) -> BvhBuildAnswer {
     }
 }
 
+/// Whether a box holds another, which may stand out by `slack` on each side, in metres; a NaN is outside.
+fn holds(whole: &Aabb, part: &Aabb, slack: f32) -> bool {
+    (part.min + slack).cmpge(whole.min).all() && (part.max - slack).cmple(whole.max).all()
+}
+
 /// The cost of a tree, if it is one.
 fn tree_cost(q: &BvhBuild, tree: &BvhBuildAnswer) -> Result<f32, String> {
     let mut met = vec![false; q.boxes.len()];
@@ -161,7 +200,13 @@ fn tree_cost(q: &BvhBuild, tree: &BvhBuildAnswer) -> Result<f32, String> {
                     .nodes
                     .get(child)
                     .ok_or_else(|| format!("node {i} has the child {child}, which is not there"))?;
-                below.push((format!("node {child}"), row.min, row.max));
+                below.push((
+                    format!("node {child}"),
+                    Aabb {
+                        min: row.min,
+                        max: row.max,
+                    },
+                ));
                 open.push(child);
             }
         } else if count > q.most as usize {
@@ -180,15 +225,26 @@ fn tree_cost(q: &BvhBuild, tree: &BvhBuildAnswer) -> Result<f32, String> {
             if std::mem::replace(&mut met[shape], true) {
                 return Err(format!("box {shape} is in the tree twice"));
             }
-            below.push((format!("box {shape}"), row.min, row.max));
+            below.push((format!("box {shape}"), Aabb::from(row)));
         }
-        let slack = 1e-4 * (node.max - node.min).abs().max_element().max(1e-3);
-        for (name, min, max) in below {
-            if !((min + slack).cmpge(node.min).all() && (max - slack).cmple(node.max).all()) {
-                return Err(format!(
-                    "{name} sticks out of node {i}, which should hold it"
-                ));
-            }
+        let boxes = below.iter().map(|(_, bounds)| bounds);
+        let whole = boxes.fold(Aabb::EMPTY, |whole, bounds| whole.union(bounds));
+        let slack = 1e-4 * whole.size().abs().max_element().max(1e-3);
+        let bounds = Aabb {
+            min: node.min,
+            max: node.max,
+        };
+        if let Some((name, _)) = below.iter().find(|(_, held)| !holds(&bounds, held, slack)) {
+            return Err(format!(
+                "{name} sticks out of node {i}, which should hold it"
+            ));
+        }
+        // A box that is too large makes its children look cheap.
+        if !holds(&whole, &bounds, slack) {
+            return Err(format!(
+                "the box of node {i} is larger than what it holds, which is from {} to {}",
+                whole.min, whole.max
+            ));
         }
         sum += node_area(node) * if count == 0 { 1.0 } else { count as f32 };
     }

@@ -1,7 +1,7 @@
 //! `sah_split`: random questions, judge and mistakes.
 
 use super::{area, around, center, heaps, no_dearer};
-use crate::{Graded, Mistake, Verdict, judge};
+use crate::{Graded, Mistake, Verdict, judge, traits};
 use glam::Vec3;
 use raybook::math::{aabb::Aabb, pcg::Pcg};
 use raybook_workbook::exercises::ch11_bvh::SahSplit;
@@ -73,6 +73,18 @@ impl Graded for SahSplit {
     fn judge(q: &SahSplit, golden: &Vec<u32>, got: &Vec<u32>) -> Verdict {
         let (best, cost) = (split_cost(q, golden)?, split_cost(q, got)?);
         no_dearer("this split", cost, best, judge::RELATIVE)
+    }
+
+    fn traits(q: &SahSplit, got: &Vec<u32>) -> Vec<f64> {
+        let n = q.boxes.len().max(1) as f64;
+        let left = got.len() as f64 / n;
+        let cost = split_cost(q, got);
+        let known = f64::from(cost.is_ok());
+        vec![
+            left.min(1.0 - left),
+            cost.map_or(0.0, |cost| traits::log(cost.into())),
+            known,
+        ]
     }
 
     const MISTAKES: &'static [Mistake<Self>] = &[

@@ -90,6 +90,21 @@ impl Graded for BlinnPhongExercise {
                 }
             },
         },
+        Mistake {
+            name: "takes N·V",
+            hint: "Walk around the lamp at the same height: should the highlight follow you?",
+            answer: |q| with_highlight(&q.at, power(q.at.normal.dot(*q.at.view), &q.at)),
+        },
+        Mistake {
+            name: "exchanges k_d and k_s",
+            hint: "Which of the two colours has the matte part, and which the highlight?",
+            answer: |q| Self::misread(q, |q| std::mem::swap(&mut q.at.diffuse, &mut q.at.specular)),
+        },
+        Mistake {
+            name: "forgets the exponent",
+            hint: "Raise α: the highlight should become smaller.",
+            answer: |q| Self::misread(q, |q| q.at.exponent = 1.0),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -115,5 +115,10 @@ impl Graded for PointLightExercise {
                 PointLightExercise::answer(q).or(Some(there))
             },
         },
+        Mistake {
+            name: "lets the light fall off with the cube of the distance",
+            hint: "How does a sphere's area grow with its radius? Is a vector that you divide by normalised already?",
+            answer: |q| falling_off(q, |r| 1.0 / (r * r * r)),
+        },
     ];
 }

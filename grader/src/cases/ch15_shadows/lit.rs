@@ -131,5 +131,15 @@ impl Graded for Lit {
                 })
             },
         },
+        Mistake {
+            name: "says that every light arrives",
+            hint: "Which of your tests can ever answer that something is in the way?",
+            answer: |_| 1,
+        },
+        Mistake {
+            name: "says that no light arrives",
+            hint: "Which of your tests is always true?",
+            answer: |_| 0,
+        },
     ];
 }

@@ -4,6 +4,7 @@
 //! concentric disc has a mean that is 0.016 off and a variance that is 0.010 off; other right ways are closer. A disc inside a
 //! square has a variance that is 0.021 off.
 
+use crate::traits::{log, of_square};
 use crate::{Verdict, judge};
 use glam::DVec2;
 use raybook_workbook::exercises::ch16_soft_shadows::Chosen;
@@ -13,6 +14,35 @@ pub(super) const N: u32 = 8;
 
 /// A density may be off by this share: naive formulas lose a few digits.
 pub(super) const DENSITY: f32 = 5e-3;
+
+/// How many traits an answer has.
+pub(super) const TRAITS: usize = 27;
+
+/// By what mistakes differ: where the samples are in the unit square, their densities by the right ones, and their radiance.
+pub(super) fn traits(
+    radiance: f32,
+    got: &[Chosen],
+    places: &[DVec2],
+    right: impl Fn(&Chosen) -> f32,
+) -> Vec<f64> {
+    let n = got.len().max(1) as f64;
+    let mean = |f: &dyn Fn(&Chosen) -> f32| got.iter().map(|c| log(f(c).into())).sum::<f64>() / n;
+    let density = |c: &Chosen| log((c.pdf / right(c)).into());
+    let average = mean(&|c| c.pdf / right(c));
+    let scatter = got
+        .iter()
+        .map(|c| (density(c) - average).powi(2))
+        .sum::<f64>()
+        / n;
+    let mut all = of_square(places);
+    all.extend([
+        average,
+        scatter.sqrt(),
+        mean(&|c| c.arriving * c.pdf / radiance),
+    ]);
+    all.extend([mean(&|c| c.toward.length()), got.len() as f64 / 64.0]);
+    all
+}
 
 /// Whether places in the unit square are spread evenly, as their means, their variances and their counts tell.
 pub(super) fn evenly(what: &str, places: &[DVec2]) -> Verdict {

@@ -1,6 +1,6 @@
 //! `sample_rect`: random questions, judge and mistakes.
 
-use super::chosen::{DENSITY, N, each, evenly};
+use super::chosen::{self, DENSITY, N, each, evenly};
 use super::lattice;
 use crate::{Graded, Mistake, Verdict, judge, sample};
 use glam::{Vec2, vec2};
@@ -56,6 +56,22 @@ impl Graded for SampleRect {
             let places: Vec<_> = got.iter().map(|c| place(c).as_dvec2()).collect();
             evenly("the points", &places)
         })
+    }
+
+    fn traits(q: &SampleRect, got: &Self::Answer) -> Vec<f64> {
+        let Some(got) = got else {
+            return vec![0.0; chosen::TRAITS];
+        };
+        let place = |chosen: &Chosen| {
+            let p = q.at + chosen.distance * chosen.toward - q.corner;
+            vec2(p.dot(q.a), p.dot(q.b)) / vec2(q.a.length_squared(), q.b.length_squared())
+        };
+        let right = |chosen: &Chosen| {
+            let cosine = -chosen.toward.dot(q.a.cross(q.b).normalize_or_zero());
+            chosen.distance.powi(2) / (area(q) * cosine)
+        };
+        let places = got.iter().map(|chosen| place(chosen).as_dvec2());
+        chosen::traits(q.radiance, got, &places.collect::<Vec<_>>(), right)
     }
 
     const MISTAKES: &'static [Mistake<Self>] = &[

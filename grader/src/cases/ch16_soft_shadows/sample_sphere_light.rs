@@ -1,14 +1,36 @@
 //! `sample_sphere_light`: random questions, judge and mistakes.
 
-use super::chosen::{DENSITY, N, each, evenly};
+use super::chosen::{self, DENSITY, N, each, evenly};
 use super::cone::{cap, cone};
 use crate::{Graded, Mistake, Verdict, judge, sample};
-use glam::dvec2;
+use glam::{Vec3, dvec2};
 use rand::RngExt;
 use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch16_soft_shadows::{Chosen, SampleSphereLight};
 use std::f32::consts::{PI, TAU};
+
+/// The distance at which a direction meets the light, and by how much it may be off.
+///
+/// r² less the square of the distance by which the ray passes the centre is the square of half the ray's way through the light. A
+/// direction of six digits is off by 1e-6, and what it makes of a distance d of d² decides near the rim; one beside the light by a
+/// last digit is taken for one that touches it.
+fn distance(q: &SampleSphereLight, chosen: &Chosen) -> (f64, f64) {
+    let [at, center] = [q.at, q.center].map(Vec3::as_dvec3);
+    let to_center = center - at;
+    let toward = chosen.toward.as_dvec3().normalize_or_zero();
+    let (radius, middle) = (f64::from(q.radius), to_center.dot(toward));
+    let squared = radius * radius - (to_center - middle * toward).length_squared();
+    let unsure = (1e-5 * to_center.length_squared()).max(-squared);
+    let half = squared.max(0.0).sqrt();
+    let right = if to_center.length() <= radius {
+        middle + half
+    } else {
+        middle - half
+    };
+    let at_rim = (squared.max(0.0) + unsure).sqrt() - half;
+    (right, f64::from(judge::RELATIVE) * right.abs() + at_rim)
+}
 
 impl Graded for SampleSphereLight {
     fn random(rng: &mut Pcg) -> SampleSphereLight {
@@ -28,7 +50,6 @@ impl Graded for SampleSphereLight {
     }
 
     fn judge(q: &SampleSphereLight, _: &Self::Answer, got: &Self::Answer) -> Verdict {
-        let (d, inside) = (q.at.distance(q.center), q.at.distance(q.center) <= q.radius);
         let cap = f64::from(cap(q));
         let axis = Dir3::new_or(q.center - q.at, Dir3::Y);
         // 1 − cos θ by the chord, which keeps its digits in a narrow cone.
@@ -38,18 +59,9 @@ impl Graded for SampleSphereLight {
             if height(chosen) > cap * 1.01 + 1e-6 {
                 return Err("its direction misses the light".to_owned());
             }
-            let point = q.at + chosen.distance * chosen.toward;
-            let off = (point.distance(q.center) - q.radius).abs();
-            let middle = (q.center - q.at).dot(chosen.toward);
-            // Next to the rim the near side and the far side are close to each other.
-            let margin = 0.02 * q.radius + judge::RELATIVE * d;
-            let seen = if inside {
-                chosen.distance >= middle - margin
-            } else {
-                chosen.distance <= middle + margin
-            };
+            let (right, tolerance) = distance(q, chosen);
             // As `<=`, so that a NaN is off.
-            let on_it = off <= margin && seen;
+            let on_it = (f64::from(chosen.distance) - right).abs() <= tolerance;
             if !on_it {
                 return Err(format!(
                     "at a distance of {:.4} m, there is no point of the light that is seen",
@@ -66,6 +78,25 @@ impl Graded for SampleSphereLight {
         };
         let places: Vec<_> = got.iter().map(place).collect();
         evenly("the directions", &places)
+    }
+
+    fn traits(q: &SampleSphereLight, got: &Self::Answer) -> Vec<f64> {
+        let cap = cap(q);
+        let axis = Dir3::new_or(q.center - q.at, Dir3::Y);
+        let basis = Basis::around(axis);
+        let place = |c: &Chosen| {
+            let height = 0.5 * c.toward.distance_squared(*axis);
+            let phi = c.toward.dot(*basis.y).atan2(c.toward.dot(*basis.x));
+            dvec2(f64::from(height / cap), f64::from(phi / TAU + 0.5))
+        };
+        let places: Vec<_> = got.iter().map(place).collect();
+        let mut traits = chosen::traits(q.radiance, got, &places, |_| 1.0 / (TAU * cap));
+        let off = got
+            .iter()
+            .map(|c| f64::from(c.distance) - distance(q, c).0)
+            .sum::<f64>();
+        traits.push(off / f64::from(q.radius) / got.len().max(1) as f64);
+        traits
     }
 
     const MISTAKES: &'static [Mistake<Self>] = &[

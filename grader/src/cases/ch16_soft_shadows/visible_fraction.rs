@@ -1,7 +1,7 @@
 //! `visible_fraction`: random questions, judge and mistakes.
 
 use super::lattice;
-use crate::{Graded, Mistake, Verdict, judge, sample};
+use crate::{Graded, Mistake, Verdict, judge, sample, traits};
 use glam::{Vec2, Vec3, vec3};
 use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 use raybook::shape::{Shape, sphere::Sphere};
@@ -64,10 +64,40 @@ impl Graded for VisibleFraction {
         for (i, (&f, &got)) in exact.iter().zip(got).enumerate() {
             let n = q.samples as f32;
             let bound = (2.0 * f * (1.0 - f) * L / n).sqrt() + 2.0 * L / (3.0 * n) + LATTICE;
-            judge::number_within(&format!("the fraction of point {i}"), "", f, got, bound)?;
+            let name = format!("the fraction of point {i}");
+            judge::number_within(&name, "", f, got, bound)?;
+            if !(-1e-4..=1.0 + 1e-4).contains(&got) {
+                return Err(format!("{name} is {got}, and a fraction is from 0 to 1"));
+            }
         }
         Ok(())
     }
+
+    fn traits(q: &VisibleFraction, got: &Vec<f32>) -> Vec<f64> {
+        let exact = seen(q, 12, |u| u, 1.0);
+        let pairs = || {
+            exact
+                .iter()
+                .zip(got)
+                .map(|(a, b)| (f64::from(*a), f64::from(*b)))
+        };
+        let n = exact.len().max(1) as f64;
+        let mean = |f: &dyn Fn(f64, f64) -> f64| pairs().map(|(a, b)| f(a, b)).sum::<f64>() / n;
+        vec![
+            mean(&|a, b| b - a),
+            mean(&|a, b| (b - a).abs()),
+            mean(&|a, b| a * b),
+            mean(&|_, b| b),
+            mean(&|_, b| b * b),
+            mean(&|_, b| f64::from(b == 0.0)),
+            mean(&|_, b| f64::from(b == 1.0)),
+            mean(&|a, b| if a == 0.0 { b } else { 0.0 }),
+            traits::distinct(pairs().map(|(_, b)| b)),
+            traits::log(1.0 + mean(&|_, b| b.abs())),
+        ]
+    }
+
+    const SLOW: bool = true;
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

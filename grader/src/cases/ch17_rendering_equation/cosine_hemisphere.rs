@@ -1,7 +1,7 @@
 //! `cosine_hemisphere`: judged by what its directions have in common.
 
 use super::at_height;
-use crate::{Graded, Mistake, Verdict, judge, sample};
+use crate::{Graded, Mistake, Verdict, judge, sample, traits};
 use glam::{Vec2, Vec3, vec3};
 use rand::RngExt;
 use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
@@ -86,6 +86,10 @@ impl Graded for CosineHemisphere {
             }
         }
         Ok(())
+    }
+
+    fn traits(q: &CosineHemisphere, got: &Vec<Vec3>) -> Vec<f64> {
+        traits::of_directions(got, *q.normal)
     }
 
     const MISTAKES: &'static [Mistake<Self>] = &[

@@ -1,7 +1,7 @@
 //! `reflected_radiance`: an estimate, held against the integral.
 
 use super::{at_height, colour};
-use crate::{Graded, Mistake, Verdict, judge, sample};
+use crate::{Graded, Mistake, Verdict, judge, sample, traits};
 use raybook::image::rgb::Rgb;
 use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
 use raybook::sample::hemisphere;
@@ -83,6 +83,12 @@ impl Graded for ReflectedRadiance {
         }
         Ok(())
     }
+
+    fn traits(_q: &ReflectedRadiance, got: &Rgb) -> Vec<f64> {
+        got.channels().map(|v| traits::log(v.into())).to_vec()
+    }
+
+    const SLOW: bool = true;
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

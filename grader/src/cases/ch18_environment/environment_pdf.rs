@@ -62,6 +62,8 @@ impl Graded for EnvironmentPdf {
         judge::number_within("the density", "per steradian", *golden, *got, tolerance)
     }
 
+    const FIXED: &'static [&'static str] = &["width", "height", "texels"];
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "returns the probability of the texel",

@@ -2,7 +2,7 @@
 
 use super::OfMap;
 use super::{cell, distributed::distributed, toward};
-use crate::{Graded, Mistake, Verdict, judge, sample};
+use crate::{Graded, Mistake, Verdict, judge, sample, traits};
 use glam::{Vec2, Vec3, vec2};
 use rand::RngExt;
 use raybook::light::environment::latlong;
@@ -84,6 +84,53 @@ impl Graded for SampleEnvironment {
         }
         distributed(q, got)
     }
+
+    fn traits(q: &SampleEnvironment, got: &Vec<Vec3>) -> Vec<f64> {
+        let (width, height) = (q.width as usize, q.height as usize);
+        let places: Vec<_> = got
+            .iter()
+            .map(|d| latlong::place(toward(d.x, d.y, d.z)))
+            .collect();
+        let n = places.len().max(1) as f64;
+        // Where the directions are in their texels, and how much light there is in these by the mean.
+        let in_texel = |p: &Vec2| {
+            let place = p.as_dvec2() * vec2(width as f32, height as f32).as_dvec2();
+            place - place.floor()
+        };
+        let mut traits = traits::of_square(&places.iter().map(in_texel).collect::<Vec<_>>());
+        let share = |p: &Vec2| q.share(cell(p.x, q.width), cell(p.y, q.height));
+        let texel = |p: &Vec2| q.texel(cell(p.x, q.width), cell(p.y, q.height));
+        let texels = (width * height) as f64;
+        let mean = q.texels.iter().map(|v| f64::from(*v)).sum::<f64>() / texels;
+        traits.push(
+            places
+                .iter()
+                .map(|p| (texels * share(p)).min(100.0))
+                .sum::<f64>()
+                / n,
+        );
+        traits.push(
+            places
+                .iter()
+                .map(|p| (texel(p) / mean).min(100.0))
+                .sum::<f64>()
+                / n,
+        );
+        traits.push(
+            places
+                .iter()
+                .map(|p| (std::f64::consts::PI * f64::from(p.y)).sin())
+                .sum::<f64>()
+                / n,
+        );
+        traits.push(places.iter().filter(|p| texel(p) == 0.0).count() as f64 / n);
+        traits.extend(traits::shares(got.iter().map(|d| d.y.into()), -1.0, 1.0));
+        traits.extend(traits::shares(places.iter().map(|p| p.x.into()), 0.0, 1.0));
+        traits.push(got.iter().map(|d| f64::from(d.length())).sum::<f64>() / n);
+        traits
+    }
+
+    const FIXED: &'static [&'static str] = &["width", "height", "texels"];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

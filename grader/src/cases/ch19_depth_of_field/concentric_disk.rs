@@ -1,6 +1,6 @@
 //! `concentric_disk`: judged by how its points fill the disc.
 
-use crate::{Graded, Mistake, Verdict, judge, sample};
+use crate::{Graded, Mistake, Verdict, judge, sample, traits};
 use glam::{Vec2, vec2};
 use rand::RngExt;
 use raybook::math::pcg::Pcg;
@@ -8,7 +8,7 @@ use raybook::sample::disk::concentric_disk;
 use raybook_workbook::exercises::ch19_depth_of_field::ConcentricDisk;
 use std::f32::consts::{FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_4, TAU};
 
-/// From so many points on, they tell how evenly the disc is filled.
+/// Points that tell how evenly the disc is filled; fewer tell it less well.
 const ENOUGH: usize = 200;
 
 /// What is asked of a question here.
@@ -43,7 +43,7 @@ impl Graded for ConcentricDisk {
     ///
     /// The bounds are errors of the lattice, not of chance. Measured for 300 questions and eight right methods (the
     /// concentric map, turned and mirrored, and r = √u with either number first, from either end): at most 0.028. The nearest
-    /// mistake, which bends the sides into arcs, is 0.084 off in a share.
+    /// mistake, which bends the sides into arcs, is 0.084 off in a share. Fewer points than ENOUGH may be off by more.
     fn judge(q: &ConcentricDisk, _golden: &Vec<Vec2>, got: &Vec<Vec2>) -> Verdict {
         const BOUND: f32 = 0.05;
         let n = q.n as usize;
@@ -64,11 +64,15 @@ impl Graded for ConcentricDisk {
                 ));
             }
         }
-        if n < ENOUGH {
-            return Ok(()); // too few to say more
+        if n < 2 {
+            return Ok(()); // any place of the disc may be meant
         }
+        judge::scattered("points", got)?;
+        let bound = BOUND * (ENOUGH as f32 / n as f32).sqrt().max(1.0);
         let mean = |f: fn(Vec2) -> f32| got.iter().map(|p| f(*p)).sum::<f32>() / n as f32;
-        for (what, found, exact) in [
+        // Of a few points, the squares and the angles tell nothing.
+        let all = if n < ENOUGH { 2 } else { 7 };
+        let means = [
             ("x", mean(|p| p.x), 0.0),
             ("y", mean(|p| p.y), 0.0),
             ("x²", mean(|p| p.x * p.x), 0.25),
@@ -76,8 +80,9 @@ impl Graded for ConcentricDisk {
             ("xy", mean(|p| p.x * p.y), 0.0),
             ("cos 4φ", mean(|p| (4.0 * p.to_angle()).cos()), 0.0),
             ("sin 4φ", mean(|p| (4.0 * p.to_angle()).sin()), 0.0),
-        ] {
-            if (found - exact).abs() > BOUND {
+        ];
+        for (what, found, exact) in means.into_iter().take(all) {
+            if (found - exact).abs() > bound {
                 return Err(format!(
                     "the points are not evenly spread: the mean of {what} is {found:.3}, and should be {exact} (φ is the angle)"
                 ));
@@ -88,7 +93,7 @@ impl Graded for ConcentricDisk {
         shares.sort_by(f32::total_cmp);
         for (i, share) in shares.iter().enumerate() {
             let (below, up_to) = (i as f32 / n as f32, (i + 1) as f32 / n as f32);
-            if below - share > BOUND || share - up_to > BOUND {
+            if below - share > bound || share - up_to > bound {
                 return Err(format!(
                     "the points are not evenly spread: {:.0} % of them are within {:.2} of the middle, and {:.0} % should be",
                     100.0 * below,
@@ -98,6 +103,10 @@ impl Graded for ConcentricDisk {
             }
         }
         Ok(())
+    }
+
+    fn traits(_q: &ConcentricDisk, got: &Vec<Vec2>) -> Vec<f64> {
+        traits::of_disc(got)
     }
 
     const MISTAKES: &'static [Mistake<Self>] = &[

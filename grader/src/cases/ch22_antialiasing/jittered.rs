@@ -1,7 +1,7 @@
 //! `jittered`: random questions, judge and mistakes.
 
 use super::points;
-use crate::{Graded, Mistake, Verdict};
+use crate::{Graded, Mistake, Verdict, judge, traits};
 use glam::{Vec2, vec2};
 use rand::RngExt;
 use raybook::math::pcg::{self, Pcg};
@@ -20,6 +20,63 @@ fn cells(q: &Jittered, place: impl Fn(Vec2, Vec2, Vec2) -> Vec2) -> Vec<Vec2> {
     cells.map(place).collect()
 }
 
+/// A point that is printed with six digits is moved by 5e-7, which is 1e-5 of a cell, perhaps over the edge.
+const EDGE: f32 = 2e-5;
+
+/// Whether each cell has one point; one on an edge, in units of cells, may belong to either side.
+fn one_each(q: &Jittered, scaled: &[Vec2]) -> Verdict {
+    let last = vec2(q.columns as f32, q.rows as f32) - 1.0;
+    let number = |p: Vec2| {
+        let cell = p.floor().clamp(Vec2::ZERO, last);
+        (cell.y * (last.x + 1.0) + cell.x) as usize
+    };
+    let corners = [
+        vec2(0.0, 0.0),
+        vec2(-1.0, -1.0),
+        vec2(1.0, -1.0),
+        vec2(-1.0, 1.0),
+        vec2(1.0, 1.0),
+    ];
+    let may_be_in: Vec<_> = scaled
+        .iter()
+        .map(|p| corners.map(|corner| number(*p + EDGE * corner)))
+        .collect();
+    let mut owners = vec![None; scaled.len()];
+    for i in 0..scaled.len() {
+        if !finds_cell(i, &may_be_in, &mut owners, &mut Vec::new()) {
+            let crowded = may_be_in[i][0];
+            let points = may_be_in.iter().filter(|cells| cells[0] == crowded).count();
+            let columns = q.columns as usize;
+            return Err(format!(
+                "the cell in column {} and row {} has {points} points; each cell has one",
+                crowded % columns,
+                crowded / columns
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// Finds a free cell for a point, if need be by moving others from theirs (augmenting paths; Kuhn 1955).
+fn finds_cell(
+    point: usize,
+    may_be_in: &[[usize; 5]],
+    owners: &mut [Option<usize>],
+    tried: &mut Vec<usize>,
+) -> bool {
+    may_be_in[point].into_iter().any(|cell| {
+        let free = owners[cell].is_none_or(|owner| {
+            let is_new = !tried.contains(&cell);
+            tried.push(cell);
+            is_new && finds_cell(owner, may_be_in, owners, tried)
+        });
+        if free {
+            owners[cell] = Some(point);
+        }
+        free
+    })
+}
+
 impl Graded for Jittered {
     fn random(rng: &mut Pcg) -> Jittered {
         Jittered {
@@ -32,29 +89,11 @@ impl Graded for Jittered {
     fn judge(q: &Jittered, _golden: &Vec<Vec2>, got: &Vec<Vec2>) -> Verdict {
         points::in_square((q.columns * q.rows) as usize, got)?;
         let count = vec2(q.columns as f32, q.rows as f32);
-        let mut cells = vec![0_u32; got.len()];
-        let mut places = Vec::new();
-        for p in got {
-            let scaled = count * *p;
-            let cell = scaled.floor().min(count - 1.0);
-            cells[(cell.y * count.x + cell.x) as usize] += 1;
-            places.push(scaled - cell);
-        }
-        // A point that is printed with six digits is moved by 5e-7, which is 1e-5 of a cell, perhaps over the edge.
-        let on_edge = |p: &&Vec2| (**p - 0.5).abs().max_element() > 0.5 - 2e-5;
-        let moved = places.iter().filter(on_edge).count();
-        let wrong: Vec<_> = (0..).zip(&cells).filter(|(_, c)| **c != 1).collect();
-        if wrong.len() > 2 * moved {
-            let (i, points) = wrong[0];
-            return Err(format!(
-                "the cell in column {} and row {} has {points} points; each cell has one",
-                i % q.columns,
-                i / q.columns
-            ));
-        }
-        if got.len() < 60 {
-            return Ok(()); // too few to tell
-        }
+        let scaled: Vec<_> = got.iter().map(|p| count * *p).collect();
+        one_each(q, &scaled)?;
+        let in_cell = |p: &Vec2| *p - p.floor().min(count - 1.0);
+        let places: Vec<_> = scaled.iter().map(in_cell).collect();
+        judge::scattered("places in the cells", &places)?;
         points::uniform(
             "the place from left to right in a cell",
             places.iter().map(|p| p.x),
@@ -65,6 +104,20 @@ impl Graded for Jittered {
         )?;
         points::independent("the places along x and y in a cell", places.iter().copied())
     }
+
+    fn traits(q: &Jittered, got: &Vec<Vec2>) -> Vec<f64> {
+        let count = vec2(q.columns as f32, q.rows as f32);
+        let in_cell = |p: &Vec2| (count * *p - (count * *p).floor()).as_dvec2();
+        let places: Vec<_> = got.iter().map(in_cell).collect();
+        let whole: Vec<_> = got.iter().map(|p| p.as_dvec2()).collect();
+        let cell = |p: &Vec2| ((count * *p).floor().dot(vec2(1.0, 1e3))).into();
+        let mut traits = [traits::of_square(&places), traits::of_square(&whole)].concat();
+        traits.push(traits::distinct(got.iter().map(cell)));
+        traits.push(got.len() as f64 / f64::from(q.columns * q.rows).max(1.0));
+        traits
+    }
+
+    const FIXED: &'static [&'static str] = &["seed"];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

@@ -1,7 +1,7 @@
 //! `poisson_disk`: random questions, judge and mistakes.
 
 use super::points;
-use crate::{Graded, Mistake, Verdict};
+use crate::{Graded, Mistake, Verdict, traits};
 use glam::{Vec2, vec2};
 use rand::RngExt;
 use raybook::math::pcg::{self, Pcg};
@@ -86,6 +86,24 @@ impl Graded for PoissonDisk {
         }
         Ok(())
     }
+
+    fn traits(q: &PoissonDisk, got: &Vec<Vec2>) -> Vec<f64> {
+        let points: Vec<_> = got.iter().map(|p| p.as_dvec2()).collect();
+        let least = |(i, p): (usize, &Vec2)| {
+            let others = got.iter().enumerate().filter(|(j, _)| *j != i);
+            f64::from(others.map(|(_, o)| p.distance(*o)).fold(2.0, f32::min) / q.distance)
+        };
+        let near: Vec<_> = got.iter().enumerate().map(least).collect();
+        let mut traits = traits::shares(near.iter().copied(), 0.0, 2.0);
+        traits.push(traits::log(
+            f64::from(q.distance * q.distance) * got.len() as f64,
+        ));
+        traits.push(near.iter().copied().fold(2.0, f64::min));
+        traits.extend(traits::of_square(&points));
+        traits
+    }
+
+    const SLOW: bool = true;
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

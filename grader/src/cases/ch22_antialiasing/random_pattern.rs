@@ -1,7 +1,7 @@
 //! `random_pattern`: random questions, judge and mistakes.
 
 use super::points;
-use crate::{Graded, Mistake, Verdict};
+use crate::{Graded, Mistake, Verdict, judge, traits};
 use glam::{Vec2, vec2};
 use rand::RngExt;
 use raybook::math::pcg::{self, Pcg};
@@ -25,15 +25,25 @@ impl Graded for RandomPattern {
 
     fn judge(q: &RandomPattern, _golden: &Vec<Vec2>, got: &Vec<Vec2>) -> Verdict {
         points::in_square(q.n as usize, got)?;
-        if got.len() < 100 {
-            return Ok(()); // too few to tell
-        }
+        judge::scattered("points", got)?;
         points::uniform("x", got.iter().map(|p| p.x))?;
         points::uniform("y", got.iter().map(|p| p.y))?;
         points::independent("x and y", got.iter().copied())?;
+        if got.len() < 100 {
+            return Ok(()); // too few to tell more
+        }
         distinct(got)?;
         crowds(got)
     }
+
+    fn traits(q: &RandomPattern, got: &Vec<Vec2>) -> Vec<f64> {
+        let points: Vec<_> = got.iter().map(|p| p.as_dvec2()).collect();
+        let mut traits = traits::of_square(&points);
+        traits.push(got.len() as f64 / f64::from(q.n.max(1)));
+        traits
+    }
+
+    const FIXED: &'static [&'static str] = &["seed"];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
@@ -94,6 +104,11 @@ impl Graded for RandomPattern {
             name: "takes one of sixteen places along each axis",
             hint: "How many different values do your coordinates have? Whole numbers divided by 16 are not all numbers.",
             answer: |q| each(q, |u| (16.0 * u).floor() / 16.0),
+        },
+        Mistake {
+            name: "squares its numbers",
+            hint: "Which share of your x is below a half?",
+            answer: |q| each(q, |u| u * u),
         },
     ];
 }

@@ -65,6 +65,8 @@ impl Graded for RotatedGrid {
         })
     }
 
+    const POSITIVE: &'static [&'static str] = &["spacing"];
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "does not rotate",

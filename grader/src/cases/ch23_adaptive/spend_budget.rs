@@ -82,6 +82,27 @@ impl Graded for SpendBudget {
         Ok(())
     }
 
+    fn traits(q: &SpendBudget, got: &Vec<u32>) -> Vec<f64> {
+        let sum = got.iter().map(|n| f64::from(*n)).sum::<f64>();
+        let budget = f64::from(q.budget.max(1));
+        let shares = got.iter().map(|n| f64::from(*n) / budget);
+        let pairs = || {
+            shares
+                .clone()
+                .zip(q.deviations.iter().map(|s| f64::from(*s)))
+        };
+        let loudest = f64::from(q.deviations.iter().copied().fold(0.0, f32::max)).max(1e-9);
+        vec![
+            sum / budget,
+            f64::from(got.iter().copied().min().unwrap_or(0)) / f64::from(q.least.max(1)) * 0.1,
+            shares.clone().fold(0.0, f64::max),
+            pairs().map(|(n, s)| n * s / loudest).sum(),
+            shares.clone().map(|n| n * n).sum(),
+        ]
+    }
+
+    const FIXED: &'static [&'static str] = &["budget", "least", "deviations"];
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "gives all pixels the same",

@@ -1,7 +1,7 @@
 //! `collapse`: random questions, judge and mistakes.
 
 use super::{MOST, half_area, is_branch, pair};
-use crate::{Graded, Mistake, Verdict, sample};
+use crate::{Graded, Mistake, Verdict, sample, traits};
 use rand::RngExt;
 use raybook::accel::bvh::build::Method;
 use raybook::inside::bvh::{COST, Cost, build};
@@ -121,6 +121,27 @@ impl Graded for Collapse {
             ));
         }
         Ok(())
+    }
+
+    fn traits(q: &Collapse, got: &Vec<FamilyRow>) -> Vec<f64> {
+        let children = || got.iter().flat_map(|family| &family.children);
+        let n = children().count().max(1) as f64;
+        let exists = |i: &&u32| (**i as usize) < q.nodes.len();
+        let branches = children()
+            .filter(exists)
+            .filter(|i| is_branch(q, **i))
+            .count();
+        let area = |i: &u32| f64::from(half_area(q, *i) / half_area(q, 0).max(f32::MIN_POSITIVE));
+        let sizes = got.iter().map(|family| family.children.len());
+        vec![
+            n / got.len().max(1) as f64 / 8.0,
+            sizes.max().unwrap_or(0) as f64 / 8.0,
+            branches as f64 / n,
+            children().filter(exists).map(area).sum::<f64>().min(100.0),
+            got.len() as f64 / q.nodes.len().max(1) as f64,
+            n / q.nodes.len().max(1) as f64,
+            traits::distinct(children().map(|i| f64::from(*i))),
+        ]
     }
 
     const MISTAKES: &'static [Mistake<Self>] = &[

@@ -1,0 +1,271 @@
+//! Explanations that every exercise gets for nothing: what a mistake makes of the right answer, with the number that fits.
+
+mod known;
+mod numbers;
+mod orders;
+
+use super::evidence::{Evidence, Scope};
+use super::function::FUNCTIONS;
+use super::layout::{Leaf, each, layout};
+use super::number::named;
+use super::scalars::scalars;
+use raybook_workbook::kind::Kind;
+
+/// What each item's answer would be, if it can be said.
+pub type Answers = Vec<Option<Vec<f64>>>;
+
+/// A mistake, and what it answers.
+pub struct Explanation {
+    /// What a function with this mistake does, as a verb.
+    pub name: String,
+    /// A question that leads on.
+    pub hint: String,
+    /// How common it is: small numbers come first.
+    pub rank: u32,
+    /// How many numbers were fitted to the answers.
+    pub fitted: u32,
+    /// Its answers.
+    pub answers: Answers,
+}
+
+/// A value of a wrong answer, and of what it is compared with.
+struct Pair {
+    item: usize,
+    base: Vec<f64>,
+    got: Vec<f64>,
+}
+
+/// What is made of a value: of which item, and its numbers.
+type Make<'a> = dyn Fn(usize, &mut [f64]) + 'a;
+
+/// Makes explanations of a part.
+struct Maker<'a, 'e> {
+    evidence: &'a Evidence<'e>,
+    base: &'a Answers,
+    part: usize,
+    /// How the part is called in sentences.
+    of: String,
+    pairs: Vec<Pair>,
+    all: Vec<Explanation>,
+}
+
+/// The explanations by functions, fitted numbers and other orders of the same components; `thoroughly` with what depends on the
+/// question too.
+pub fn explanations(evidence: &Evidence<'_>, base: &Answers, thoroughly: bool) -> Vec<Explanation> {
+    let parts = match evidence.scope {
+        Scope::Whole => 0..evidence.parts.len(),
+        Scope::Part(part) => part..part + 1,
+        Scope::Shape => 0..0,
+    };
+    let single = evidence.parts.len() == 1;
+    let mut all = Vec::new();
+    for part in parts {
+        let name = &evidence.parts[part].name;
+        let mut maker = Maker {
+            evidence,
+            base,
+            part,
+            of: if single {
+                "the answer".to_owned()
+            } else {
+                name.clone()
+            },
+            pairs: pairs(evidence, base, part),
+            all: Vec::new(),
+        };
+        if maker.pairs.is_empty() {
+            continue;
+        }
+        maker.functions();
+        maker.factor();
+        maker.offset();
+        maker.orders();
+        maker.lengths();
+        if thoroughly {
+            maker.power();
+            maker.affine();
+            maker.cut();
+            maker.digits();
+            maker.components();
+            let known = scalars(evidence, base, part);
+            maker.scaled(&known);
+            maker.shifted(&known);
+            maker.echoed(&known);
+        }
+        all.append(&mut maker.all);
+    }
+    all
+}
+
+/// The explanations by functions and other orders of the same components, whatever the answers are.
+pub fn functions(evidence: &Evidence<'_>, base: &Answers) -> Vec<Explanation> {
+    let mut all = Vec::new();
+    for (part, of) in evidence.parts.iter().enumerate() {
+        let mut maker = Maker {
+            evidence,
+            base,
+            part,
+            of: of.name.clone(),
+            pairs: Vec::new(),
+            all: Vec::new(),
+        };
+        maker.functions();
+        maker.orders();
+        all.append(&mut maker.all);
+    }
+    all
+}
+
+/// The values of a part in the wrong answers, beside those of the base.
+fn pairs(evidence: &Evidence<'_>, base: &Answers, part: usize) -> Vec<Pair> {
+    let kind = evidence.examiner.asked().answer.kind;
+    let mut pairs = Vec::new();
+    for (i, item) in evidence.items.iter().enumerate().take(evidence.wrong) {
+        let Some(base) = &base[i] else { continue };
+        let (ours, theirs) = (layout(kind, base), layout(kind, &item.got));
+        if ours.leaves != theirs.leaves {
+            continue;
+        }
+        let of = |leaf: &Leaf| Pair {
+            item: i,
+            base: base[leaf.range()].to_vec(),
+            got: item.got[leaf.range()].to_vec(),
+        };
+        // A long list tells no more than its beginning.
+        pairs.extend(ours.of_part(part).take(40).map(of));
+    }
+    pairs
+}
+
+/// The number that most of these are, up to rounding.
+fn common(numbers: &[f64]) -> Option<f64> {
+    let mut sorted: Vec<_> = numbers.iter().copied().filter(|v| v.is_finite()).collect();
+    sorted.sort_by(f64::total_cmp);
+    let middle = *sorted.get(sorted.len() / 2)?;
+    let close = |v: &&f64| (**v - middle).abs() <= 3e-3 * middle.abs().max(1e-6);
+    let many = sorted.iter().filter(close).count();
+    (5 * many >= 3 * numbers.len()).then_some(middle)
+}
+
+impl Maker<'_, '_> {
+    fn is_whole(&self) -> bool {
+        matches!(self.evidence.parts[self.part].kind, Kind::Whole)
+    }
+
+    /// Whether it is a vector in space or on a plane, and not a colour or an interval.
+    fn is_vector(&self) -> bool {
+        match self.evidence.parts[self.part].kind {
+            Kind::Direction => true,
+            Kind::Numbers(parts) => parts.name.starts_with("Vec"),
+            _ => false,
+        }
+    }
+
+    fn axes(&self) -> &'static [&'static str] {
+        match self.evidence.parts[self.part].kind {
+            Kind::Numbers(parts) => parts.parts,
+            Kind::Direction => &["x", "y", "z"],
+            _ => &[""],
+        }
+    }
+
+    fn add(&mut self, rank: u32, fitted: u32, name: String, hint: &str, make: &Make<'_>) {
+        let kind = self.evidence.examiner.asked().answer.kind;
+        let of = |(item, base): (usize, &Option<Vec<f64>>)| {
+            let base = base.as_ref()?;
+            let mut made = base.clone();
+            for leaf in layout(kind, base).of_part(self.part) {
+                make(item, &mut made[leaf.range()]);
+            }
+            if self.is_whole() {
+                for leaf in layout(kind, base).of_part(self.part) {
+                    made[leaf.range()].iter_mut().for_each(|v| *v = v.max(0.0));
+                }
+            }
+            Some(made)
+        };
+        let answers = self.base.iter().enumerate().map(of).collect();
+        let (hint, name) = (hint.to_owned(), name);
+        self.all.push(Explanation {
+            name,
+            hint,
+            rank,
+            fitted,
+            answers,
+        });
+    }
+
+    /// Whether a function of the base gives most of the first wrong values: only then all are tried.
+    fn promises(&self, make: &Make<'_>) -> bool {
+        let tried = self.pairs.iter().take(5);
+        let (mut right, mut all) = (0, 0);
+        for pair in tried {
+            let mut made = pair.base.clone();
+            make(pair.item, &mut made);
+            let near = |(a, b): (&f64, &f64)| {
+                a == b
+                    || (a - b).abs() <= 1e-5 + 5e-3 * a.abs().max(b.abs())
+                    || a.is_nan() && b.is_nan()
+            };
+            right += usize::from(made.iter().zip(&pair.got).all(near));
+            all += 1;
+        }
+        2 * right >= all
+    }
+
+    fn try_one(&mut self, rank: u32, fitted: u32, name: String, hint: &str, make: &Make<'_>) {
+        if self.promises(make) {
+            self.add(rank, fitted, name, hint, make);
+        }
+    }
+
+    fn functions(&mut self) {
+        for function in FUNCTIONS {
+            if self.is_whole()
+                && !["returns 0", "returns 1"].contains(&function.name)
+                && function.rank != 10
+            {
+                continue;
+            }
+            let name = function.name.replace("the answer", &self.of);
+            let make = |_: usize, v: &mut [f64]| each(v, |v| *v = (function.of)(*v));
+            self.try_one(function.rank, 0, name, function.hint, &make);
+        }
+    }
+}
+
+fn sum(of: &str, factor: f64, name: &str) -> String {
+    let times = if (factor.abs() - 1.0).abs() < 2e-3 {
+        String::new()
+    } else {
+        format!("{} times ", named(factor.abs()))
+    };
+    let sign = if factor < 0.0 { "minus" } else { "plus" };
+    format!("returns {of} {sign} {times}{name}")
+}
+
+/// The number that all of these are, up to rounding.
+fn agree(numbers: &[f64]) -> Option<f64> {
+    let first = *numbers.first()?;
+    let close = |v: &f64| (v - first).abs() <= 3e-3 * first.abs();
+    (first.is_finite() && first != 0.0 && numbers.len() > 2 && numbers.iter().all(close))
+        .then_some(first)
+}
+
+/// The line through points: its slope, and where it begins. Most points must be on it, and they must not all be in one place.
+fn line(points: &[(f64, f64)]) -> Option<(f64, f64)> {
+    let n = points.len() as f64;
+    let (x, y) = points
+        .iter()
+        .fold((0.0, 0.0), |sum, p| (sum.0 + p.0 / n, sum.1 + p.1 / n));
+    let (xx, xy) = points.iter().fold((0.0, 0.0), |sum, p| {
+        (sum.0 + (p.0 - x).powi(2), sum.1 + (p.0 - x) * (p.1 - y))
+    });
+    if points.len() < 3 || xx < 1e-9 {
+        return None;
+    }
+    let slope = xy / xx;
+    let shift = y - slope * x;
+    let on = |p: &&(f64, f64)| (slope * p.0 + shift - p.1).abs() <= 5e-3 * p.1.abs().max(0.1);
+    (5 * points.iter().filter(on).count() >= 4 * points.len()).then_some((slope, shift))
+}

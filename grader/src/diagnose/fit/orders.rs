@@ -1,0 +1,260 @@
+//! The same components in another order, with other signs, with another length, or one of them alone changed.
+
+use super::{Maker, Pair, line};
+use crate::diagnose::function::FUNCTIONS;
+use crate::diagnose::layout::{each, layout};
+use crate::diagnose::number::named;
+
+impl Maker<'_, '_> {
+    /// The same components in another order, or with other signs.
+    #[allow(clippy::too_many_lines)] // a list of ways
+    pub(super) fn orders(&mut self) {
+        let axes = self.axes();
+        let n = axes.len();
+        let orders: &[&[usize]] = match n {
+            2 => &[&[0, 1], &[1, 0]],
+            3 => &[
+                &[0, 1, 2],
+                &[1, 0, 2],
+                &[2, 1, 0],
+                &[0, 2, 1],
+                &[1, 2, 0],
+                &[2, 0, 1],
+                &[0, 0, 0],
+                &[1, 1, 1],
+                &[2, 2, 2],
+            ],
+            _ => return,
+        };
+        let signs = if self.is_vector() { 1 << n } else { 1 };
+        for order in orders {
+            for bits in 0..signs {
+                if order.iter().enumerate().all(|(i, from)| i == *from) && bits == 0 {
+                    continue;
+                }
+                let sign = |k: usize| if bits >> k & 1 == 1 { -1.0 } else { 1.0 };
+                let make = |_: usize, v: &mut [f64]| {
+                    let old = v.to_vec();
+                    for (k, from) in order.iter().enumerate() {
+                        v[k] = sign(k) * old[*from];
+                    }
+                };
+                let moved: Vec<_> = (0..n).filter(|k| order[*k] != *k).collect();
+                let turned: Vec<_> = (0..n).filter(|k| sign(*k) < 0.0).collect();
+                let components = |which: &[usize]| {
+                    let all: Vec<_> = which.iter().map(|k| axes[*k]).collect();
+                    all.join(" and ")
+                };
+                let name = match (moved.len(), turned.len()) {
+                    (0, t) if t == n => format!(
+                        "returns {} with the opposite sign, the other way round",
+                        self.of
+                    ),
+                    (0, _) => format!(
+                        "has the sign of {} of {} wrong",
+                        components(&turned),
+                        self.of
+                    ),
+                    (2, 0) => format!("exchanges {} of {}", components(&moved), self.of),
+                    _ => {
+                        let words: Vec<_> = (0..n)
+                            .map(|k| {
+                                format!(
+                                    "{}{}",
+                                    if sign(k) < 0.0 { "−" } else { "" },
+                                    axes[order[k]]
+                                )
+                            })
+                            .collect();
+                        format!(
+                            "returns ({}) for ({}) of {}",
+                            words.join(", "),
+                            axes.join(", "),
+                            self.of
+                        )
+                    }
+                };
+                let rank = 10 + (moved.len() + turned.len()) as u32;
+                self.try_one(rank, 0, name, "Take a case that lies along one axis only: along which axis, and to which side, does your answer point?", &make);
+            }
+        }
+        if n == 2 {
+            for (k, axis) in axes.iter().enumerate() {
+                for also in [false, true] {
+                    let make = |_: usize, v: &mut [f64]| {
+                        if also {
+                            v.swap(0, 1);
+                        }
+                        v[k] = 1.0 - v[k];
+                    };
+                    let swapped = if also { " and exchanges both" } else { "" };
+                    let name = format!(
+                        "counts {axis} of {} from the other end: 1 − {axis}{swapped}",
+                        self.of
+                    );
+                    self.try_one(
+                        11,
+                        0,
+                        name,
+                        "Where is (0, 0), and in which direction do both numbers grow?",
+                        &make,
+                    );
+                }
+            }
+            let make = |_: usize, v: &mut [f64]| each(v, |v| *v = 1.0 - *v);
+            self.try_one(
+                12,
+                0,
+                format!("counts both numbers of {} from the other end", self.of),
+                "Where is (0, 0), and in which direction do both numbers grow?",
+                &make,
+            );
+        }
+    }
+
+    /// The right direction with a wrong length, or the right line with a wrong sign.
+    pub(super) fn lengths(&mut self) {
+        if !self.is_vector() {
+            return;
+        }
+        let length = |v: &[f64]| v.iter().map(|v| v * v).sum::<f64>().sqrt();
+        let normalised = |_: usize, v: &mut [f64]| {
+            let l = length(v);
+            if l > 0.0 {
+                each(v, |v| *v /= l);
+            }
+        };
+        self.try_one(
+            10,
+            0,
+            format!("normalises {}", self.of),
+            "Does the length of the answer matter?",
+            &normalised,
+        );
+        let parallel = |pair: &Pair| {
+            let (a, b) = (length(&pair.base), length(&pair.got));
+            let dot: f64 = pair.base.iter().zip(&pair.got).map(|(a, b)| a * b).sum();
+            (a > 0.0 && b > 1e-6 && (dot.abs() - a * b).abs() <= 2e-6 * a * b)
+                .then_some((dot.signum(), b / a))
+        };
+        let found: Vec<_> = self.pairs.iter().filter_map(parallel).collect();
+        if 5 * found.len() < 4 * self.pairs.len() || found.len() < 2 {
+            return;
+        }
+        let got: Vec<Vec<f64>> = self
+            .evidence
+            .items
+            .iter()
+            .map(|item| item.got.clone())
+            .collect();
+        let kind = self.evidence.examiner.asked().answer.kind;
+        // One value per item is known by its item.
+        let part = self.part;
+        let value = |i: usize| {
+            layout(kind, &got[i])
+                .of_part(part)
+                .next()
+                .map(|leaf| got[i][leaf.range()].to_vec())
+        };
+        let unit = self
+            .pairs
+            .iter()
+            .all(|pair| (length(&pair.base) - 1.0).abs() < 1e-4);
+        let varied = found.iter().any(|(_, l)| (l - found[0].1).abs() > 1e-3);
+        if unit && varied && found.iter().all(|(sign, _)| *sign > 0.0) {
+            let make = |i: usize, v: &mut [f64]| {
+                if let Some(value) = value(i) {
+                    let l = length(&value);
+                    each(v, |v| *v *= l);
+                }
+            };
+            self.add(
+                13,
+                0,
+                format!(
+                    "forgets to normalise {}: the direction is right, its length is not 1",
+                    self.of
+                ),
+                "How long is a direction?",
+                &make,
+            );
+        }
+        if !varied && found.iter().any(|(sign, _)| *sign > 0.0)
+            || found.iter().all(|(sign, _)| *sign < 0.0)
+        {
+            let make = |i: usize, v: &mut [f64]| {
+                if let Some(value) = value(i) {
+                    let dot: f64 = v.iter().zip(&value).map(|(a, b)| a * b).sum();
+                    let sign = if dot < 0.0 { -1.0 } else { 1.0 };
+                    each(v, |v| *v *= sign);
+                }
+            };
+            self.add(
+                19,
+                1,
+                format!(
+                    "returns {} along the right line, but sometimes to the wrong side",
+                    self.of
+                ),
+                "What decides to which of the two sides your answer points?",
+                &make,
+            );
+        }
+    }
+
+    /// One component alone is changed.
+    pub(super) fn components(&mut self) {
+        let axes = self.axes();
+        if axes.len() < 2 {
+            return;
+        }
+        for (k, axis) in axes.iter().enumerate() {
+            let name = format!("{axis} of {}", self.of);
+            for function in FUNCTIONS {
+                let make = |_: usize, v: &mut [f64]| v[k] = (function.of)(v[k]);
+                let words = function.name.replace("the answer", &name);
+                let words = if words == function.name {
+                    format!("{words} for {name}")
+                } else {
+                    words
+                };
+                self.try_one(function.rank + 4, 0, words, function.hint, &make);
+            }
+            let points: Vec<_> = self
+                .pairs
+                .iter()
+                .map(|pair| (pair.base[k], pair.got[k]))
+                .collect();
+            if let Some((slope, shift)) = line(&points) {
+                let (slope, shift) = (
+                    if (slope - 1.0).abs() < 1e-3 {
+                        1.0
+                    } else {
+                        slope
+                    },
+                    if shift.abs() < 1e-4 { 0.0 } else { shift },
+                );
+                if (slope, shift) == (1.0, 0.0) {
+                    continue;
+                }
+                let words = match (slope, shift) {
+                    (1.0, _) => format!("adds {} to {name}", named(shift)),
+                    (_, 0.0) => format!("returns {} times {name}", named(slope)),
+                    _ => format!(
+                        "returns {} times {name} plus {}",
+                        named(slope),
+                        named(shift)
+                    ),
+                };
+                let make = move |_: usize, v: &mut [f64]| v[k] = slope * v[k] + shift;
+                self.try_one(
+                    17,
+                    1,
+                    words,
+                    "Only one component is wrong: in what does its formula differ from the others?",
+                    &make,
+                );
+            }
+        }
+    }
+}

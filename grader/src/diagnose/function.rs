@@ -1,0 +1,73 @@
+//! Functions of a right answer that a mistake makes of it, without a number to fit.
+
+use raybook::image::tone::{decode_srgb, encode_srgb};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+/// A function of each number.
+pub struct Function {
+    /// What a function with this mistake does, as a verb.
+    pub name: &'static str,
+    /// A question that leads on.
+    pub hint: &'static str,
+    /// How common it is.
+    pub rank: u32,
+    /// The wrong number, made of the right one.
+    pub of: fn(f64) -> f64,
+}
+
+macro_rules! functions {
+    ($($rank:literal $name:literal, $hint:literal: $of:expr;)+) => {
+        /// All of them.
+        pub const FUNCTIONS: &[Function] = &[$(Function { name: $name, hint: $hint, rank: $rank, of: $of }),+];
+    };
+}
+
+functions! {
+    9 "has the sign of the answer wrong", "Which sign should your answer have, and which has it?": |v| -v;
+    10 "returns degrees instead of radians", "In which unit is the angle that is asked for?": f64::to_degrees;
+    10 "converts the answer from degrees to radians although it is in radians already", "In which unit is the angle that you have calculated?": f64::to_radians;
+    10 "returns the square of the answer: a missing root, or a square too many", "Check the unit of your answer: is a square root missing, or is something squared twice?": |v| v * v;
+    10 "returns the square root of the answer: a root too many, or a missing square", "Check the unit of your answer: is there a root too many?": |v| v.max(0.0).sqrt();
+    10 "returns the reciprocal, 1 over the answer", "Which way round is your fraction?": |v| 1.0 / v;
+    11 "returns the negative reciprocal, −1 over the answer", "Which way round is your fraction, and which sign has it?": |v| -1.0 / v;
+    10 "returns 1 minus the answer: the other way round", "Do you answer the opposite of what is asked?": |v| 1.0 - v;
+    11 "returns the size of the answer without its sign", "May the answer be negative? What does its sign mean?": f64::abs;
+    11 "clamps the answer to the range from 0 to 1", "Is there an upper limit to what is asked for?": |v| v.clamp(0.0, 1.0);
+    11 "never returns less than 0", "May the answer be negative?": |v| v.max(0.0);
+    11 "never returns more than 1", "Is there an upper limit to what is asked for?": |v| v.min(1.0);
+    11 "never returns less than 1", "Is there a lower limit to what is asked for?": |v| v.max(1.0);
+    12 "rounds the answer down to a whole number", "Look for a division of integers, or for a type of whole numbers.": f64::floor;
+    12 "rounds the answer up to a whole number", "Is the answer a whole number?": f64::ceil;
+    12 "rounds the answer to a whole number", "Is the answer a whole number?": f64::round;
+    12 "cuts off what is behind the decimal point", "Look for a conversion to a whole number.": f64::trunc;
+    12 "returns only what is behind the decimal point", "May the answer be larger than 1?": |v| v - v.floor();
+    12 "encodes the answer for a display (sRGB)", "Is the answer meant for a display, or for calculations with light?": |v| encode_srgb(v as f32).into();
+    12 "decodes the answer as if it were an sRGB value", "Is the answer meant for a display, or for calculations with light?": |v| decode_srgb(v as f32).into();
+    12 "raises the answer to the power of 1/2.2, as for a display", "Is the answer meant for a display, or for calculations with light?": |v| v.max(0.0).powf(1.0 / 2.2);
+    12 "raises the answer to the power of 2.2", "Is the answer meant for a display, or for calculations with light?": |v| v.max(0.0).powf(2.2);
+    13 "returns the cosine of the answer: a missing arc cosine", "Are you asked for the angle or for its cosine?": f64::cos;
+    13 "returns the sine of the answer: a missing arc sine", "Are you asked for the angle or for its sine?": f64::sin;
+    13 "returns the tangent of the answer: a missing arc tangent", "Are you asked for the angle or for its tangent?": f64::tan;
+    13 "returns the arc cosine of the answer", "Are you asked for the cosine or for the angle?": f64::acos;
+    13 "returns the arc sine of the answer", "Are you asked for the sine or for the angle?": f64::asin;
+    13 "returns sin where cos is due (or the other way round): √(1 − answer²)", "Which of sine and cosine is 1 at the angle 0?": |v| (1.0 - v * v).max(0.0).sqrt();
+    13 "measures the angle from the other axis: π/2 minus the answer", "From where is the angle measured: from the axis, or from the horizon?": |v| FRAC_PI_2 - v;
+    13 "returns the supplement of the angle: π minus the answer", "Which of the two angles between two lines is asked for?": |v| PI - v;
+    13 "returns 2π minus the answer", "In which sense is the angle measured?": |v| TAU - v;
+    14 "is half a turn off: the answer plus π", "Where is the angle 0?": |v| v + PI;
+    14 "is half a turn off: the answer minus π", "Where is the angle 0?": |v| v - PI;
+    14 "is half of the width off", "Where does the range from 0 to 1 begin?": |v| (v + 0.5) - (v + 0.5).floor();
+    14 "returns the answer in the range from −1 to 1 instead of 0 to 1", "In which range is the answer?": |v| 2.0 * v - 1.0;
+    14 "returns the answer in the range from 0 to 1 instead of −1 to 1", "In which range is the answer?": |v| 0.5 * v + 0.5;
+    15 "cubes the answer", "Check the unit of your answer.": |v| v * v * v;
+    15 "returns 1 over the square of the answer", "Check the unit of your answer.": |v| 1.0 / (v * v);
+    15 "returns the exponential of the answer", "Is there an exponential too many, or a logarithm missing?": f64::exp;
+    15 "returns 2 to the power of the answer", "Is there a power too many, or a logarithm missing?": f64::exp2;
+    15 "returns the natural logarithm of the answer", "Is there a logarithm too many?": f64::ln;
+    15 "returns the logarithm to base 2 of the answer", "Is there a logarithm too many?": f64::log2;
+    15 "returns 1 + the reciprocal of the answer", "Write down the formula again.": |v| 1.0 + 1.0 / v;
+    15 "maps the answer to v/(1 + v)", "Is tone mapping asked for here?": |v| v / (1.0 + v);
+    16 "returns 0", "Does your function return what it calculates?": |_| 0.0;
+    16 "returns 1", "Does your function return what it calculates?": |_| 1.0;
+    16 "returns a sign only", "Does your function return what it calculates?": f64::signum;
+}

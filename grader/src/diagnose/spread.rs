@@ -1,0 +1,124 @@
+//! Answers of which many are right: a mistake shows in their traits, costs or shares of a distribution, over all cases together.
+
+use super::evidence::Evidence;
+use super::fit::{self, Answers};
+use super::misread::Misreading;
+use super::{Diagnosis, golden, misread, special};
+
+/// What is not explained by a mistake may be this share of what it explains …
+const REST: f64 = 0.35;
+
+/// … or this many standard errors of it.
+const ERRORS: f64 = 3.0;
+
+/// Traits this close are the same.
+const CLOSE: f64 = 2e-3;
+
+/// How far the traits of answers are from the student's: the mean difference of each, and its standard error.
+struct Distance {
+    mean: Vec<f64>,
+    error: Vec<f64>,
+}
+
+impl Distance {
+    fn norm(&self) -> f64 {
+        self.mean.iter().map(|v| v * v).sum::<f64>().sqrt()
+    }
+
+    /// Whether nothing is left of a distance but chance.
+    fn explains(&self, whole: &Self) -> bool {
+        let errors = self
+            .error
+            .iter()
+            .map(|e| (ERRORS * e + CLOSE).powi(2))
+            .sum::<f64>()
+            .sqrt();
+        self.norm() <= REST * whole.norm() && self.norm() <= (REST * 0.5 * whole.norm()).max(errors)
+    }
+}
+
+/// The mistake whose answers have the same traits as the student's; none if the exercise has none, or no mistake stands out.
+pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Diagnosis> {
+    let examiner = evidence.examiner;
+    let traits = |i: usize, answer: &[f64]| examiner.traits(&evidence.items[i].question, answer);
+    let got: Vec<_> = evidence
+        .items
+        .iter()
+        .enumerate()
+        .map(|(i, item)| traits(i, &item.got))
+        .collect();
+    if got.iter().all(Vec::is_empty) {
+        return None;
+    }
+    let distance = |answers: &dyn Fn(usize) -> Option<Vec<f64>>| {
+        let mut off: Vec<Vec<f64>> = Vec::new();
+        for (i, got) in got.iter().enumerate() {
+            let Some(answer) = answers(i) else { continue };
+            let theirs = traits(i, &answer);
+            if theirs.len() == got.len() && !got.is_empty() {
+                off.push(theirs.iter().zip(got).map(|(a, b)| a - b).collect());
+            }
+        }
+        let n = off.len() as f64;
+        let len = off.first()?.len();
+        if off.iter().any(|off| off.len() != len) || 3 * off.len() < evidence.items.len() {
+            return None;
+        }
+        let mean: Vec<f64> = (0..len)
+            .map(|k| off.iter().map(|off| off[k]).sum::<f64>() / n)
+            .collect();
+        let variance = |k: usize| {
+            off.iter()
+                .map(|off| (off[k] - mean[k]).powi(2))
+                .sum::<f64>()
+                / (n - 1.0).max(1.0)
+        };
+        let error = (0..len).map(|k| (variance(k) / n).sqrt()).collect();
+        Some(Distance { mean, error })
+    };
+    let right = golden(evidence);
+    let whole = distance(&|i| right[i].clone())?;
+    let mut found: Vec<(f64, u32, String, String)> = Vec::new();
+    let mut consider =
+        |rank, name: &str, hint: &str, answers: &dyn Fn(usize) -> Option<Vec<f64>>| {
+            if let Some(rest) = distance(answers).filter(|rest| rest.explains(&whole)) {
+                found.push((rest.norm(), rank, name.to_owned(), hint.to_owned()));
+            }
+        };
+    for (i, (name, hint)) in examiner.mistakes().into_iter().enumerate() {
+        consider(0, name, hint, &|k| {
+            examiner.mistake_answers(i, &evidence.items[k].question)
+        });
+    }
+    let mut made = special::explanations(evidence, &right);
+    made.extend(fit::functions(evidence, &right));
+    for one in made {
+        let answers: Answers = one.answers;
+        consider(one.rank, &one.name, &one.hint, &|k| answers[k].clone());
+    }
+    for reading in readings {
+        consider(reading.rank, &reading.name, &reading.hint, &|k| {
+            misread(evidence, reading, k)
+        });
+    }
+    let nearest = found.iter().map(|one| one.0).fold(f64::INFINITY, f64::min);
+    // What is as near as the nearest, but for chance: the commonest first.
+    let errors = whole.error.iter().map(|e| e * e).sum::<f64>().sqrt();
+    let near = |one: &&(f64, u32, String, String)| one.0 <= 1.3 * nearest + 0.5 * errors + 1e-6;
+    let mut near: Vec<_> = found.iter().filter(near).collect();
+    near.sort_by(|a, b| a.1.cmp(&b.1).then(a.0.total_cmp(&b.0)));
+    let (rest, rank, name, hint) = near.first()?;
+    let rivals = found
+        .iter()
+        .filter(|other| other.2 != *name && other.0 < 2.0 * rest + 2.0 * errors)
+        .count();
+    Some(Diagnosis {
+        name: name.clone(),
+        hint: hint.clone(),
+        part: None,
+        certain: *rank == 0 && rivals == 0 && *rest < 0.2 * whole.norm(),
+        explained: evidence.wrong,
+        wrong: evidence.wrong,
+        also: Vec::new(),
+    })
+}

@@ -1,0 +1,157 @@
+//! Building a stranger's workbook: the compiler, and what the workbook makes it run, in the sandbox.
+
+use super::{Sandbox, watch};
+use crate::contain;
+use crate::converse::Program;
+use crate::student::StudentError;
+use raybook_chapters::kit::say::complain;
+use raybook_chapters::kit::untrusted::Untrusted;
+use std::env;
+use std::ffi::OsString;
+use std::io::{self, Read};
+use std::os::unix::fs::MetadataExt;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::channel;
+use std::thread;
+use std::time::Duration;
+
+/// A build that takes longer is ended.
+const LONGEST: Duration = Duration::from_secs(600);
+
+/// What a compiler uses: gigabytes of memory, a file for each crate, and threads for each processor.
+const MEMORY: u64 = 4 << 30;
+const FILES: u64 = 4096;
+const THREADS: usize = 4096;
+
+/// Processes at one time: cargo starts one compiler for each processor, and each of these a few.
+const PROCESSES: usize = 512;
+
+/// Bytes of the compiler's messages that are told.
+const TOLD: usize = 1 << 16;
+
+/// The compiler's folders that are read; not those of the user's credentials.
+const OF_CARGO: &[&str] = &["bin", "registry", "git", "config.toml"];
+const OF_RUSTUP: &[&str] = &["toolchains", "settings.toml", "tmp"];
+
+/// The program of a workbook, which is built in a folder of its own: nobody else's `target`.
+const TARGET: &str = "target";
+/// Cargo takes out of it what the workbook does not use. A link would open another file for writing.
+const LOCK: &str = "Cargo.lock";
+const ANSWER: &str = "answer";
+
+/// What to do when a package is missing: strangers' workbooks download nothing.
+const OFFLINE: &str = "A stranger's workbook is built without the network. Check a workbook of your own once \
+    (raybook new, raybook check): that downloads the packages that workbooks use.";
+
+impl Sandbox {
+    /// Builds the answer program of a stranger's workbook. Nothing outside of its `target` can be written, and nothing of the build goes
+    /// on afterwards. What the compiler has to say goes to standard error.
+    ///
+    /// # Errors
+    /// If cargo is missing, the program does not compile, or the workbook is not what it seems.
+    pub fn build(&self, workbook: &Path) -> Result<Program, StudentError> {
+        let none = || StudentError::NoProgram {
+            folder: workbook.to_owned(),
+            program: ANSWER.to_owned(),
+        };
+        let target = workbook.join(TARGET);
+        // A link would open what it leads to for writing.
+        match target.symlink_metadata() {
+            Ok(kind) if kind.is_dir() => {}
+            Ok(_) => return Err(none()),
+            Err(_) => std::fs::create_dir(&target).map_err(StudentError::NoCargo)?,
+        }
+        let lock = workbook.join(LOCK);
+        let may_change = lock
+            .symlink_metadata()
+            .is_ok_and(|file| file.is_file() && file.nlink() == 1);
+        let written = [&target, &lock];
+        let written = &written[..=usize::from(may_change)];
+        let home = |variable, folder| {
+            let at_home = || Some(env::home_dir()?.join(folder));
+            env::var_os(variable).map(PathBuf::from).or_else(at_home)
+        };
+        let cargo_home = home("CARGO_HOME", ".cargo").unwrap_or_default();
+        let rustup_home = home("RUSTUP_HOME", ".rustup").unwrap_or_default();
+        let of = |home: &Path, parts: &[&str]| -> Vec<_> {
+            parts.iter().map(|part| home.join(part)).collect()
+        };
+        let mut readable = of(&cargo_home, OF_CARGO);
+        readable.extend(of(&rustup_home, OF_RUSTUP));
+        readable.push(workbook.to_owned());
+        let mut command = Command::new("cargo");
+        command
+            .args(["build", "--offline", "--bin", ANSWER])
+            .current_dir(workbook)
+            .env("CARGO_HOME", &cargo_home)
+            .env("RUSTUP_HOME", &rustup_home)
+            .env("CARGO_TARGET_DIR", &target)
+            .env("TMPDIR", &target)
+            .stdin(Stdio::null())
+            .stdout(Stdio::null())
+            .stderr(Stdio::piped());
+        let mut compiler = self.clone();
+        compiler.allowance.memory = MEMORY;
+        compiler.allowance.files = FILES;
+        compiler.allowance.threads = THREADS;
+        compiler.allowance.processor_time = LONGEST;
+        let mut path = cargo_home.join("bin").into_os_string();
+        path.push(":");
+        path.push(env::var_os("PATH").unwrap_or_else(|| OsString::from("/usr/bin:/bin")));
+        compiler
+            .enclose_compiler(&mut command, &path, readable, written)
+            .map_err(StudentError::NoCargo)?;
+        let (built, said) = compiler.finish(command).map_err(StudentError::NoCargo)?;
+        for line in said.lines() {
+            complain(Untrusted::from(line));
+        }
+        if !built {
+            if said.contains("--offline was specified") {
+                complain(OFFLINE);
+            }
+            return Err(StudentError::DoesNotCompile);
+        }
+        let file = target.join("debug").join(ANSWER);
+        if !file.symlink_metadata().is_ok_and(|kind| kind.is_file()) {
+            return Err(none());
+        }
+        Ok(Program {
+            file,
+            arguments: Vec::new(),
+            folder: workbook.to_owned(),
+            sandbox: Some(self.clone()),
+        })
+    }
+
+    /// Runs a compiler to its end, and ends all that it left: whether it succeeded, and what it said.
+    fn finish(&self, mut command: Command) -> io::Result<(bool, String)> {
+        let mut held = contain::start(&mut command, Some(self))?;
+        let (sender, receiver) = channel();
+        if let Some(stderr) = held.child.stderr.take() {
+            thread::spawn(move || sender.send(listen(stderr)));
+        }
+        let session = held.child.id();
+        let ended = AtomicBool::new(false);
+        let status = thread::scope(|scope| {
+            scope.spawn(|| watch::processes(session, PROCESSES, &ended));
+            let status = held.end(true, LONGEST);
+            ended.store(true, Ordering::Relaxed);
+            status
+        });
+        // Whoever held the other end has been ended.
+        let said = receiver.recv().unwrap_or_default();
+        Ok((status.is_some_and(|status| status.success()), said))
+    }
+}
+
+/// The text of an output: the first of it, however long it is.
+fn listen(mut output: impl Read) -> String {
+    let (mut kept, mut bytes) = (Vec::new(), [0; 1 << 12]);
+    while let Ok(n @ 1..) = output.read(&mut bytes) {
+        let room = TOLD.saturating_sub(kept.len());
+        kept.extend(&bytes[..n.min(room)]);
+    }
+    String::from_utf8_lossy(&kept).into_owned()
+}

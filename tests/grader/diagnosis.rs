@@ -1,0 +1,135 @@
+//! How often a mistake is called by its right name: mistakes written apart from the lists, most of which know nothing of them.
+
+mod mistakes;
+
+use mistakes::{MISTAKES, Slip};
+use raybook_grader::cases;
+use raybook_grader::diagnose::misread::misreadings;
+use raybook_grader::diagnose::{Diagnosis, diagnose};
+use raybook_grader::examine::{Case, Examiner, visible_rng};
+use raybook_workbook::row;
+use rayon::prelude::*;
+
+/// What became of a mistake.
+enum Fate {
+    /// No case is wrong.
+    Passed,
+    /// By a right name, and certain or not.
+    Named,
+    /// By no name.
+    Unnamed,
+    /// By a wrong name, if not as a certainty.
+    Guessed(Diagnosis),
+    /// By a wrong name, as a certainty.
+    Accused(Diagnosis),
+}
+
+#[test]
+fn mistakes_that_are_on_no_list_are_called_by_their_names() {
+    let fates: Vec<_> = MISTAKES.par_iter().map(|slip| (slip, fate(slip))).collect();
+    let mut report = Vec::new();
+    let (mut named, mut caught) = (0, 0);
+    for (slip, fate) in &fates {
+        caught += 1;
+        let said = match fate {
+            Fate::Passed => {
+                report.push(format!("{}: \"{}\" passes", slip.exercise, slip.what));
+                continue;
+            }
+            Fate::Named => {
+                named += 1;
+                continue;
+            }
+            Fate::Unnamed => "nothing".to_owned(),
+            Fate::Guessed(diagnosis) => format!("perhaps {}", told(diagnosis)),
+            Fate::Accused(diagnosis) => format!("CERTAINLY {}", told(diagnosis)),
+        };
+        report.push(format!("{}: \"{}\": {said}", slip.exercise, slip.what));
+    }
+    let report = report.join("\n");
+    println!("{named} of {caught} are named\n{report}");
+    assert!(
+        !report.contains("CERTAINLY") && !report.contains(" passes"),
+        "a wrong name is no certainty, and each is caught:\n{report}"
+    );
+    assert!(
+        10 * named >= 9 * caught,
+        "{named} of {caught} are named:\n{report}"
+    );
+}
+
+#[test]
+fn every_question_can_be_misread() {
+    let misread = |examiner: &dyn Examiner| {
+        let asked = examiner.asked();
+        let cases = examiner.cases(&mut visible_rng(asked.name)).cases;
+        let mut changed = 0;
+        for reading in misreadings(asked.question, examiner.limits()) {
+            for case in &cases {
+                let question = asked.read_question(&case.question).expect("a question");
+                let Some(read) = reading.read(asked.question, &question) else {
+                    continue;
+                };
+                let answer = std::panic::catch_unwind(|| (asked.call)(&read));
+                assert!(
+                    answer.is_ok_and(|answer| answer.len() < 50_000),
+                    "{}: who {}",
+                    asked.name,
+                    reading.name
+                );
+                changed += 1;
+            }
+        }
+        changed
+    };
+    let changed: usize = cases::all().into_par_iter().map(misread).sum();
+    assert!(changed > 100_000, "{changed} questions were misread");
+}
+
+/// All names.
+fn told(diagnosis: &Diagnosis) -> String {
+    let also = diagnosis.also.iter().map(told);
+    let part = diagnosis.part.as_ref().map(|part| format!("[{part}] "));
+    let own = format!("{}{}", part.unwrap_or_default(), diagnosis.name);
+    std::iter::once(own)
+        .chain(also)
+        .collect::<Vec<_>>()
+        .join("; and ")
+}
+
+fn fate(slip: &Slip) -> Fate {
+    let examiner = cases::find(slip.exercise).expect("the exercise exists");
+    let cases = examiner.cases(&mut visible_rng(slip.exercise)).cases;
+    let answers: Vec<_> = cases
+        .iter()
+        .map(|case| answer(examiner, slip, case))
+        .collect();
+    if answers.iter().all(|(_, right)| *right) {
+        return Fate::Passed;
+    }
+    let Some(diagnosis) = diagnose(examiner, &cases, &answers) else {
+        return Fate::Unnamed;
+    };
+    let told = told(&diagnosis);
+    if slip
+        .names
+        .iter()
+        .any(|name| name.split('&').all(|word| told.contains(word)))
+    {
+        Fate::Named
+    } else if diagnosis.certain {
+        Fate::Accused(diagnosis)
+    } else {
+        Fate::Guessed(diagnosis)
+    }
+}
+
+/// The answer of a function with this mistake, and whether it is right.
+fn answer(examiner: &dyn Examiner, slip: &Slip, case: &Case) -> (Option<String>, bool) {
+    let asked = examiner.asked();
+    let question = asked.read_question(&case.question).expect("a question");
+    let numbers = (slip.answer)(&question, &asked.call);
+    let line = row::format(asked.answer.kind, &numbers);
+    let right = examiner.judge(&case.question, &case.answers, &line).is_ok();
+    (Some(line), right)
+}

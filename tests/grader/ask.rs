@@ -13,7 +13,7 @@ use std::time::Duration;
 
 const LIMITS: Limits = Limits {
     output: 1 << 16,
-    ..Limits::of(Duration::from_millis(400))
+    ..Limits::of(Duration::from_secs(1)) // more than a shell takes to start on a busy machine
 };
 
 /// What a script says and prints to so many questions "1", "2", …

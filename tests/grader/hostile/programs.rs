@@ -60,7 +60,7 @@ for number in (0, 1, 2): attempt(lambda: open('/proc/%d/fd/%d' % (GRADER, number
 attempt(lambda: os.open('/proc/%d/mem' % GRADER, os.O_RDWR))
 import ctypes
 libc = ctypes.CDLL(None, use_errno=True)
-attempt(lambda: libc.ptrace(16, GRADER, 0, 0))"),
+attempt(lambda: libc.ptrace(16, GRADER, 0, 0) == 0 or None)"),
     ("types_into_the_terminal", "
 import fcntl
 for number in (0, 1, 2):

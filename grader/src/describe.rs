@@ -2,6 +2,7 @@
 
 use crate::examine::{Case, Examiner, visible_rng};
 use crate::library;
+use crate::limits::limits;
 use crate::seen::Seen;
 use raybook_workbook::kind::{Field, Kind, Record};
 use serde_json::{Value, json};
@@ -62,14 +63,18 @@ pub fn describe(examiner: &dyn Examiner) -> String {
     of_field(&asked.answer, &described.answered, 0, &mut rows);
     lines.extend(table("answered", &rows));
     lines.push(String::new());
+    lines.push("  Limits, found out from the visible cases and the judge:".to_owned());
+    let limits = limits(examiner, &described.cases);
+    lines.extend(limits.iter().map(|limit| format!("  - {limit}")));
+    lines.push(String::new());
     if described.asked.has_infinity() {
         lines.push("  Numbers may be `inf` or `-inf`: in C++ read a word and call `std::stod`; `std::cin >> x` does not read them.".to_owned());
     }
     if let Some(case) = described.cases.first() {
         lines.extend([
             format!("  For example ({}):", case.name),
-            format!("    {name} {}", case.question),
-            format!("    = {}", case.answers[0]),
+            format!("    {name} {}", cut(&case.question)),
+            format!("    = {}", cut(&case.answers[0])),
         ]);
     }
     lines.extend([
@@ -91,7 +96,7 @@ pub fn describe(examiner: &dyn Examiner) -> String {
 /// A field has `name`, `meaning` and the keys of its kind: `kind` is `number`, `whole`, `numbers` (with `parts`), `direction`,
 /// `optional` and `list` (with `of`), `record` (with its name, `record`, and its `fields`) or `choice` (with `choices`, each of a
 /// `word` and its kind). Of the visible cases, `least` and `most` are the smallest and the largest finite number of it, or the
-/// shortest and the longest length of a list; `infinite`, `minus_infinite` and `none` say that those occur.
+/// shortest and the longest length of a list; `infinite`, `minus_infinite` and `none` say that those occur. `limits` are sentences.
 pub fn schema(examiner: &dyn Examiner) -> Value {
     let described = Described::new(examiner);
     let asked = examiner.asked();
@@ -106,6 +111,7 @@ pub fn schema(examiner: &dyn Examiner) -> Value {
         "answer": named(&asked.answer, &described.answered),
         "example": example,
         "cases": described.cases.len(),
+        "limits": limits(examiner, &described.cases),
     })
 }
 
@@ -241,6 +247,18 @@ fn occurring(kind: &Kind, seen: &Seen) -> String {
         .filter(|said| !said.is_empty())
         .collect();
     all.join(", ")
+}
+
+/// The words of a row that people look at.
+const LOOKED_AT: usize = 24;
+
+/// A row, and of a long one only its first words.
+fn cut(row: &str) -> String {
+    let words: Vec<_> = row.split_whitespace().collect();
+    match words.len().checked_sub(LOOKED_AT) {
+        Some(more @ 1..) => format!("{} … ({more} more words)", words[..LOOKED_AT].join(" ")),
+        _ => row.to_owned(),
+    }
 }
 
 /// A number with three digits that count.

@@ -8,7 +8,6 @@
 mod evidence;
 mod fit;
 mod function;
-mod layout;
 pub mod misread;
 mod number;
 mod scalars;

@@ -4,6 +4,9 @@ use crate::common::command::raybook;
 use raybook_common::project;
 use raybook_grader::cases;
 use raybook_grader::describe::{describe, schema};
+use raybook_grader::examine::visible_rng;
+use raybook_grader::leeway::{Leeway, leeways};
+use raybook_grader::limits::limits;
 use serde_json::Value;
 
 #[test]
@@ -62,6 +65,80 @@ fn the_ranges_are_those_of_the_cases() {
     assert_eq!(mesh_hit["answer"]["none"], true, "a ray may miss");
     let within = &mesh_hit["question"]["fields"][1];
     assert_eq!(within["infinite"], true, "an interval may be endless");
+}
+
+#[test]
+fn limits_are_those_of_the_cases_and_the_judge() {
+    for examiner in cases::all() {
+        let cases = examiner.cases(&mut visible_rng(examiner.name())).cases;
+        let said = limits(examiner, &cases);
+        let compared = ["may be off by", "typically be off by", "compared exactly"];
+        let of_comparing = |line: &String| compared.iter().any(|words| line.contains(words));
+        assert!(
+            said.iter().any(of_comparing),
+            "{} says how exactly it compares: {said:#?}",
+            examiner.name()
+        );
+    }
+    let said = |name: &str| {
+        let (_, said) = raybook(&project(""), &["exercise", name]);
+        said
+    };
+    for (exercise, line) in [
+        ("sphere_hit", "Of length 1 in every question: `direction`."),
+        ("sphere_hit", "May be infinite in a question: `within`."),
+        (
+            "sphere_hit",
+            "The right answer is or holds `none` in 12 of 45 cases, such as \"the sphere is behind\".",
+        ),
+        ("bounds_of", "May be empty in a question: `points`."),
+        ("voxels_of_triangle", "The order of `cells` does not count."),
+        ("grid_walk", "The order of `visits` counts."),
+        ("grid_walk", "`x`: compared exactly."),
+        (
+            "mesh_hit",
+            "More than one answer is right in: \"two at the same distance\".",
+        ),
+    ] {
+        let said = said(exercise);
+        assert!(said.contains(line), "{exercise}: {line}\n{said}");
+    }
+}
+
+/// A tolerance that is known: `judge::number` takes what is within one part in 2000.
+#[test]
+fn the_leeway_is_the_judges() {
+    let found = cases::find("plane_hit").expect("an exercise");
+    let question = found.asked().read_question("0 2 0 0 -1 0 0 inf 0 1 0 0");
+    let question = question.expect("a question");
+    let golden = (found.asked().call)(&question);
+    let [Leeway::Within(error)] = leeways(found, &question, &golden, 0)[..] else {
+        panic!("one number, and it is compared");
+    };
+    let judged = |error: f64| {
+        let mut got = golden.clone();
+        *got.last_mut().expect("t") += error;
+        found.compare(&question, &golden, &got).is_ok()
+    };
+    assert!(judged(error) && judged(-error), "{error} is right");
+    assert!(
+        !(judged(2.0 * error) && judged(-2.0 * error)),
+        "and twice as much is wrong"
+    );
+}
+
+#[test]
+fn without_a_name_the_exercises_are_listed() {
+    let (code, said) = raybook(&project(""), &["exercise"]);
+    assert_eq!(code, 0, "{said}");
+    assert!(said.lines().count() < 100, "a line each: {said}");
+    for examiner in cases::all() {
+        assert!(
+            said.contains(examiner.name()),
+            "{}: {said}",
+            examiner.name()
+        );
+    }
 }
 
 #[test]

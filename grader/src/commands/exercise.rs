@@ -1,4 +1,4 @@
-//! `raybook exercise`: what an exercise asks, field by field.
+//! `raybook exercise`: all exercises, a line each; of one, what it asks, field by field.
 
 use super::golden::Golden;
 use super::{Done, Target};
@@ -6,6 +6,7 @@ use raybook_chapters::kit::say::say;
 use raybook_grader::describe::{describe, schema};
 use raybook_grader::json;
 use raybook_grader::reader::{cpp, python};
+use raybook_workbook::curriculum::CHAPTERS;
 use serde_json::json;
 
 /// Describes exercises.
@@ -33,7 +34,7 @@ enum Language {
 }
 
 impl Exercise {
-    /// Describes them; without a name, all.
+    /// Describes them; without a name, lists all.
     pub fn run(&self) -> Done {
         let (_, examiners) = self.target.resolve()?;
         let examiners = self.golden.replace(examiners)?;
@@ -58,10 +59,33 @@ impl Exercise {
         } else if self.json {
             let exercises: Vec<_> = examiners.into_iter().map(schema).collect();
             say(json::text(&json!({ "version": 1, "exercises": exercises })));
+        } else if self.target.what.is_empty() {
+            say(list());
         } else {
             let texts: Vec<_> = examiners.into_iter().map(describe).collect();
             say(texts.join("\n"));
         }
         Ok(true)
     }
+}
+
+/// All exercises by chapter: the name and the task's first words.
+fn list() -> String {
+    let mut lines = Vec::new();
+    for chapter in CHAPTERS {
+        lines.push(format!("{:2} {}", chapter.number(), chapter.title));
+        for asked in chapter.exercises() {
+            let task = asked.task.split([';', ':', ',']).next().unwrap_or_default();
+            lines.push(format!(
+                "      {:<20} {}",
+                asked.name,
+                task.trim_end_matches('.')
+            ));
+        }
+    }
+    lines.extend([
+        String::new(),
+        "What one asks, field by field: raybook exercise sphere_hit".to_owned(),
+    ]);
+    lines.join("\n")
 }

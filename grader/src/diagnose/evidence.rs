@@ -1,8 +1,8 @@
 //! All cases of an exercise as numbers, and how well an explanation agrees with them: it must give the wrong answers, and must not
 //! contradict the right ones.
 
-use super::layout::{Layout, Part, layout, parts};
 use crate::examine::{Case, Examiner};
+use crate::layout::{Layout, Part, layout, parts};
 use raybook_workbook::kind::Kind;
 use std::cmp::Ordering;
 

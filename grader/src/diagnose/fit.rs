@@ -6,9 +6,9 @@ mod orders;
 
 use super::evidence::{Evidence, Scope};
 use super::function::FUNCTIONS;
-use super::layout::{Leaf, each, layout};
 use super::number::named;
 use super::scalars::scalars;
+use crate::layout::{Leaf, each, layout};
 use raybook_workbook::kind::Kind;
 
 /// What each item's answer would be, if it can be said.

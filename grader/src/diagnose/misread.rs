@@ -3,7 +3,7 @@
 
 mod ways;
 
-use super::layout::{Layout, Part, layout, parts};
+use crate::layout::{Layout, Part, layout, parts};
 use raybook_workbook::kind::Kind;
 use ways::{of_list, of_pair, of_part};
 

@@ -2,7 +2,7 @@
 
 use super::evidence::Evidence;
 use super::fit::Answers;
-use super::layout::{Layout, Part, layout, parts};
+use crate::layout::{Layout, Part, layout, parts};
 use raybook_workbook::kind::Kind;
 
 /// A quantity by name, for each item.

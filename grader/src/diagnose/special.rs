@@ -2,8 +2,8 @@
 
 use super::evidence::{Evidence, Scope};
 use super::fit::{Answers, Explanation};
-use super::layout::layout;
 use super::number::short;
+use crate::layout::layout;
 use raybook_workbook::kind::Kind;
 
 /// The explanations that look at an answer as a whole, or at its shape.

@@ -29,6 +29,24 @@ pub const ALTERNATIVES: &[Alternative] = &[
         },
     },
     Alternative {
+        exercise: "shadow_ray",
+        method: "aimed anew at the lamp, from where the ray starts",
+        answer: |q| {
+            let at = Point::read(q);
+            let origin = at.leave();
+            if at.distance.is_infinite() {
+                return way(origin, at.toward, 0.0, at.distance);
+            }
+            let to_lamp = at.position + at.distance * at.toward - origin;
+            way(
+                origin,
+                to_lamp.normalize(),
+                0.0,
+                to_lamp.length() - 0.1 * at.error,
+            )
+        },
+    },
+    Alternative {
         exercise: "lit",
         method: "how near the way comes to each centre, in f64",
         answer: |q| {

@@ -6,8 +6,8 @@ use glam::Vec3;
 use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray, slab};
 
 exercises! { ($) ch05_box
-    /// Return the part of the interval on which the ray is inside the box, as an Interval, or None if it never is; a
-    /// ray in a face touches the box.
+    /// Return the part of the interval on which the ray is inside the box; there is no answer if it never is. A ray
+    /// that runs in a face touches the box.
     BoxClip: box_clip(
         /// The ray.
         ray: Ray,
@@ -24,7 +24,8 @@ exercises! { ($) ch05_box
         slab::clip(&Aabb { min, max }, &ray, within)
     }
 
-    /// Return the smallest box that holds all the points: its least and its greatest corner.
+    /// Return the smallest axis-aligned box that holds all the points, by its least and its greatest corner. Of no
+    /// points this is the empty box: its least corner is at +∞ and its greatest at −∞ along each axis.
     BoundsOf: bounds_of(
         /// The points, in metres.
         points: Vec<Vec3>,

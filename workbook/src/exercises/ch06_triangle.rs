@@ -7,8 +7,8 @@ use raybook::math::{interval::Interval, ray::Ray};
 use raybook::shape::{Shape, triangle::Triangle};
 
 exercises! { ($) ch06_triangle
-    /// Return where the ray meets the triangle with min < t < max, from either side, as `Hit { t, uv: (b1, b2), id: 0
-    /// }`, or None; the point is p0 + b1·e1 + b2·e2.
+    /// Return where the ray meets the triangle with min < t < max, from either side: the distance t and the weights b1
+    /// and b2. The point of the hit is p0 + b1·e1 + b2·e2, where e1 and e2 are the edges from p0 to the other corners.
     TriangleHit: triangle_hit(
         /// The ray.
         ray: Ray,
@@ -33,8 +33,8 @@ exercises! { ($) ch06_triangle
             })
     }
 
-    /// Return the unit normal of the side from which p0, p1, p2 run counter-clockwise, or None for a triangle without
-    /// area.
+    /// Return the unit normal of the side from which p0, p1, p2 run counter-clockwise. A triangle without area has no
+    /// answer.
     TriangleNormal: triangle_normal(
         /// The first corner, in metres.
         p0: Vec3,

@@ -9,7 +9,7 @@ use raybook::shape::{attributes, mesh::Facet};
 
 exercises! { ($) ch07_mesh
     /// Return the unit normal inside a triangle, from the normals at its corners and the weights b1 and b2 of the
-    /// second and third corner.
+    /// second and the third corner.
     InterpolateNormal: interpolate_normal(
         /// The normal at the first corner.
         n0: Dir3,
@@ -62,7 +62,8 @@ exercises! { ($) ch07_mesh
             .collect()
     }
 
-    /// Return the nearest shape of the list that the ray hits with min < t < max, and that hit, or None.
+    /// Return the nearest triangle of the list that the ray hits with min < t < max: its distance and its number. Of
+    /// two at the same distance either is right.
     MeshHit: mesh_hit(
         /// The ray.
         ray: Ray,

@@ -8,9 +8,9 @@ use raybook::math::{interval::Interval, ray::Ray};
 use std::ops::ControlFlow;
 
 exercises! { ($) ch08_grid
-    /// Return how many cells a grid has along each axis: density times shapes in all, each about a cube, and so
-    /// e·∛(cells/volume) along an axis of extent e, rounded; an axis that would get less than one cell has 1 and is
-    /// left out of the volume, so that the others share all the cells.
+    /// Return how many cells a grid has along each axis. There are density times shapes cells in all, each about a
+    /// cube: e·∛(cells/volume) cells along an axis of extent e, rounded. An axis that would get less than one cell has
+    /// 1 and is left out of the volume, so that the others share all the cells.
     GridResolution: grid_resolution(
         /// The extents of the box, in metres.
         extents: Vec3,
@@ -53,8 +53,8 @@ exercises! { ($) ch08_grid
         cells.into_iter().map(Cell::from).collect()
     }
 
-    /// Visit the cells that the ray passes through within the interval, in order, each with the distances at which the
-    /// ray enters and leaves it, until `visit` breaks off.
+    /// List the cells that the ray passes through within the interval, in order, each with the distances at which the
+    /// ray enters and leaves it.
     GridWalk: grid_walk(
         /// The least corner of the lattice, in metres.
         min: Vec3,

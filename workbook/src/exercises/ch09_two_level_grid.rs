@@ -10,9 +10,9 @@ use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use std::ops::ControlFlow;
 
 exercises! { ($) ch09_two_level_grid
-    /// Cut a coarse cell with the resolution that grid_resolution gives for its extents, the number of shapes in it and
-    /// the density, at most 255 along an axis and 0 × 0 × 0 without shapes, and return it with all pairs of a fine cell
-    /// and a shape that reaches it, sorted.
+    /// Cut a coarse cell into fine ones. Its resolution is what grid_resolution gives for the cell's extents, the
+    /// number of its shapes and the density, but at most 255 along an axis, and 0 × 0 × 0 if the cell has no shapes.
+    /// Return the resolution, and all pairs of a fine cell and a shape that reaches it, in any order.
     RefineCell: refine_cell(
         /// The coarse cell's least corner, in metres.
         min: Vec3,
@@ -49,8 +49,8 @@ exercises! { ($) ch09_two_level_grid
         }
     }
 
-    /// Visit the coarse cells on the ray's way, each as None, and after each one that is not empty its fine cells on
-    /// the ray's way, as Some of their places in the row of all fine cells, in order, until `visit` breaks off.
+    /// List what the ray passes through, in order: each coarse cell as `none`, and after a coarse cell that is not
+    /// empty each of its fine cells on the ray's way, as its place in the row of all fine cells.
     TwoLevelWalk: two_level_walk(
         /// The ray.
         ray: Ray,

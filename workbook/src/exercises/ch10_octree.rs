@@ -9,8 +9,8 @@ use raybook::inside::octree::{Tree, Walk, build, child_at};
 use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray};
 
 exercises! { ($) ch10_octree
-    /// Return the number of the child in which a point of a cell lies, 4·z + 2·y + x, where x is 1 in the upper half
-    /// along x, from the middle plane on, and 0 in the lower half, and so on.
+    /// Return the number of the child in which a point of a cell lies: 4·z + 2·y + x, where x is 1 in the upper half
+    /// along x and 0 in the lower half, and y and z likewise. The middle plane belongs to the upper half.
     OctreeChild: octree_child(
         /// The cell's least corner, in metres.
         min: Vec3,
@@ -25,8 +25,9 @@ exercises! { ($) ch10_octree
         child_at(&Aabb::new(min, max), p) as u32
     }
 
-    /// Build the octree of shapes: cut a cell in eight if that lowers the expected cost, opening + ¼ Σ nᵢ < n, as long
-    /// as the depth and the copies that the limits allow last; a shape is named in every leaf that it reaches.
+    /// Build the octree of the shapes. Cut a cell in eight if that lowers the expected cost: if opening + ¼ Σ nᵢ < n,
+    /// where n is the number of shapes in the cell and nᵢ in its children. Stop where the limits allow no more depth or
+    /// no more copies. A shape is listed in every leaf that it reaches.
     OctreeBuild: octree_build(
         /// The root's least corner, in metres.
         min: Vec3,
@@ -56,8 +57,8 @@ exercises! { ($) ch10_octree
         TreeRow::from(tree)
     }
 
-    /// Return the next leaf that is not empty and that the ray enters before `limit`, front to back, or None; `count`
-    /// the nodes that the ray enters.
+    /// List the leaves that are not empty and that the ray enters within the interval, front to back. In Rust: return the
+    /// next one before `limit` each time, and count the nodes that the ray enters.
     OctreeWalk: octree_walk(
         /// The ray.
         ray: Ray,

@@ -33,9 +33,10 @@ exercises! { ($) ch11_bvh
         sah_cost(tree.root.as_ref(), &tree.pairs, &cost)
     }
 
-    /// Reorder the boxes so that the best split is a cut in the list, and return how many are on the left, and the
-    /// cost: area times number, left plus right, the least of all cuts between neighbouring centres along an axis. The
-    /// answer is the numbers of the left ones.
+    /// Find the best cut of the boxes in two by the surface-area heuristic. Sort them by their centres along an axis
+    /// and cut between neighbours; the cost of a cut is the area of the box around each side times the number of its
+    /// boxes, left plus right. Of all cuts along all three axes return the cheapest: the numbers of the boxes on the
+    /// left.
     SahSplit: sah_split(
         /// The shapes' boxes; their numbers count from 0.
         boxes: Vec<BoxRow>,
@@ -48,8 +49,8 @@ exercises! { ($) ch11_bvh
         items.iter().take(left).map(|item| item.index).collect()
     }
 
-    /// Build a hierarchy over the boxes from the top down, with a cost by the surface-area heuristic that is as small
-    /// as you can make it if a branch and a shape cost 1 each.
+    /// Build a bounding volume hierarchy over the boxes from the top down. Its cost by the surface-area heuristic shall
+    /// be as small as you can make it, if opening a branch and testing a shape cost 1 each.
     BvhBuild: bvh_build(
         /// The maximum number of shapes in a leaf.
         most: u32,
@@ -71,8 +72,8 @@ exercises! { ($) ch11_bvh
         }
     }
 
-    /// Return the nearest shape of the tree that the ray hits with min < t < max, and that hit, or None; count every
-    /// box and every shape that you test, and test as few as you can.
+    /// Return the nearest triangle of the tree that the ray hits with min < t < max: its distance and its number. Count
+    /// every box and every triangle that you test, and test as few as you can.
     BvhClosest: bvh_closest(
         /// The ray.
         ray: Ray,

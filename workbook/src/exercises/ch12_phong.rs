@@ -9,8 +9,9 @@ use raybook::material::{blinn_phong::BlinnPhong, phong::Phong};
 use raybook::math::dir3::Dir3;
 
 exercises! { ($) ch12_phong
-    /// Return what Phong's model sends to the viewer of one light: diffuse k_d (L·N) i plus specular k_s (R·V)^α i,
-    /// without ambient; cosines below 0 count as 0, and a light that is not above the surface gives nothing at all.
+    /// Return the radiance that Phong's model sends to the viewer from one light: diffuse k_d (L·N) i plus specular k_s
+    /// (R·V)^α i, without an ambient part. A negative cosine counts as 0. A light that is not above the surface gives
+    /// nothing at all.
     PhongExercise: phong(
         /// The surface, its viewer, and the light.
         at: Highlight,
@@ -21,8 +22,8 @@ exercises! { ($) ch12_phong
         at.phong().reflect(at.normal, at.view, &at.light())
     }
 
-    /// Return the same with Blinn's highlight: k_d (L·N) i plus k_s (N·H)^α i, where H is the direction half way
-    /// between L and V; a light that is not above the surface gives nothing at all.
+    /// Return the same as `phong` with Blinn's highlight: k_d (L·N) i plus k_s (N·H)^α i, where H is the unit vector
+    /// half way between L and V. A light that is not above the surface gives nothing at all.
     BlinnPhongExercise: blinn_phong(
         /// The surface, its viewer, and the light.
         at: Highlight,
@@ -33,8 +34,9 @@ exercises! { ($) ch12_phong
         BlinnPhong(at.phong()).reflect(at.normal, at.view, &at.light())
     }
 
-    /// Return the light that comes from a point light of intensity I to a point: the direction towards the light, its
-    /// distance, and what arrives on a surface that faces it; None at the light itself.
+    /// Return the light that a point light of intensity I sends to a point: the direction towards the light, its
+    /// distance, and the radiance that arrives on a surface that faces it, I/d². At the light itself there is no
+    /// answer.
     PointLightExercise: point_light(
         /// The light's position, in metres.
         position: Vec3,

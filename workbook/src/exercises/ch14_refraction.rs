@@ -9,7 +9,7 @@ use raybook::math::dir3::Dir3;
 
 exercises! { ($) ch14_refraction
     /// Return the unit direction in which a ray goes on behind a surface, from its direction, the outward normal, and
-    /// the indices of refraction outside and inside; or None if it is totally reflected.
+    /// the indices of refraction outside and inside. There is no answer if the ray is totally reflected.
     Refract: refract(
         /// Where the ray goes; it may come from either side.
         direction: Dir3,
@@ -26,8 +26,8 @@ exercises! { ($) ch14_refraction
         refract::refract(direction, normal, outside, inside).map(|t| *t)
     }
 
-    /// Return the shares Rs, Rp and R of s-polarised, p-polarised and unpolarised light that a surface reflects, from
-    /// the cosine of the angle at which the light arrives through n1, and the index n2 behind the surface.
+    /// Return the fractions Rs, Rp and R of s-polarised, p-polarised and unpolarised light that a surface reflects,
+    /// from the cosine of the angle at which the light arrives through n1, and the index n2 behind the surface.
     Fresnel: fresnel(
         /// cos θ₁: of the angle between the light and the normal, on the side from which the light comes.
         cos1: f32,

@@ -11,8 +11,9 @@ use raybook::scene::world::{Scene, Thing};
 use raybook::shape::{Surface, sphere::Sphere};
 
 exercises! { ($) ch15_shadows
-    /// Return the ray from a surface to a light, and the interval of it on which a hit is in the way: it must not find
-    /// the surface again that it leaves, which `error` bounds, and must end just before the light.
+    /// Return the ray from a surface to a light, and the interval on it in which a hit is in the way. The ray must not
+    /// find the surface that it leaves: along each axis the point may be wrong by up to `error`. The interval ends just
+    /// before the light. Aiming from the moved origin, or in the direction that is given, is equally right.
     ShadowRay: shadow_ray(
         /// The point of the surface, in metres.
         position: Vec3,
@@ -38,8 +39,7 @@ exercises! { ($) ch15_shadows
         }
     }
 
-    /// Return whether a light reaches a surface: true (a 1 in the answer) if nothing is in the way, false (a 0) if
-    /// anything is.
+    /// Return whether a light reaches a surface: 1 if nothing is in the way, 0 if anything is.
     Lit: lit(
         /// The point of the surface, in metres.
         position: Vec3,

@@ -14,9 +14,9 @@ use raybook::scene::world::{Scene, Thing};
 use raybook::shape::{Surface, sphere::Sphere};
 
 exercises! { ($) ch16_soft_shadows
-    /// For each of the n·n numbers u = ((i + ½)/n, (j + ½)/n), return the direction and the distance to a point of the
-    /// rectangular light, uniform over its area, the density of the direction per steradian, and radiance/density; or
-    /// None if the light turns its back.
+    /// For each of the n·n pairs u = ((i + ½)/n, (j + ½)/n), return a sample of the rectangular light, uniform over its
+    /// area: the direction and the distance to it, the probability density of the direction per steradian, and
+    /// radiance/density. There is no answer if the light turns its back to the point.
     SampleRect: sample_rect(
         /// The point that is lit, in metres.
         at: Vec3,
@@ -38,9 +38,9 @@ exercises! { ($) ch16_soft_shadows
         choose(&light.choosing(Choose::ByArea), at, n)
     }
 
-    /// For each of the n·n numbers u = ((i + ½)/n, (j + ½)/n), return a direction uniform over the solid angle in which
-    /// the spherical light is seen, the distance to the light, the density of the direction per steradian, and
-    /// radiance/density; the point may be inside.
+    /// For each of the n·n pairs u = ((i + ½)/n, (j + ½)/n), return a sample of the spherical light, uniform over the
+    /// solid angle in which it is seen: the direction and the distance to the light, the probability density of the
+    /// direction per steradian, and radiance/density. The point may be inside the light.
     SampleSphereLight: sample_sphere_light(
         /// The point that is lit, in metres.
         at: Vec3,
@@ -64,8 +64,8 @@ exercises! { ($) ch16_soft_shadows
         choose(&light, at, n).unwrap_or_default()
     }
 
-    /// For each point, estimate by so many random samples which fraction of the light's area is seen from there; none
-    /// of it is, if the light turns its back.
+    /// For each point, estimate by the given number of random samples which fraction of the light's area is seen from
+    /// there. Nothing of it is seen if the light turns its back.
     VisibleFraction: visible_fraction(
         /// A corner of the light, in metres.
         corner: Vec3,

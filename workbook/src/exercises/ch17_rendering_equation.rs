@@ -10,9 +10,9 @@ use raybook::sample::hemisphere;
 use raybook::shape::Surface;
 
 exercises! { ($) ch17_rendering_equation
-    /// Return a direction of the hemisphere around the normal for a point u of the unit square, such that evenly spread
-    /// points become directions with the density cos θ/π per steradian; the answer is the list of the n directions for
-    /// u = ((i + ½)/n, the fraction of 0.618034 · (i + ½)) with i from 0 to n − 1.
+    /// Return directions of the hemisphere around the normal with the probability density cos θ/π per steradian. Each
+    /// belongs to a point of the unit square, u = ((i + ½)/n, the fractional part of 0.618034 · (i + ½)) with i from 0
+    /// to n − 1.
     CosineHemisphere: cosine_hemisphere(
         /// The normal.
         normal: Dir3,
@@ -27,9 +27,9 @@ exercises! { ($) ch17_rendering_equation
             .collect()
     }
 
-    /// Return the BRDF of the modified Phong model, in 1/sr: diffuse/π + specular · (n + 2)/2π · cosⁿ of the angle
-    /// between the viewer and the mirror direction of the light; no highlight beyond 90°, and nothing at all if the
-    /// light or the viewer is not above the surface.
+    /// Return the BRDF of the modified Phong model, in 1/sr: diffuse/π + specular · (n + 2)/2π · cosⁿ α, where α is the
+    /// angle between the viewer and the mirror direction of the light. There is no highlight where α is above 90°. The
+    /// BRDF is 0 if the light or the viewer is not above the surface.
     BrdfPhong: brdf_phong(
         /// The normal.
         normal: Dir3,
@@ -55,10 +55,9 @@ exercises! { ($) ch17_rendering_equation
         brdf.value(normal, view, toward)
     }
 
-    /// Return an estimate of the radiance that a surface reflects towards the viewer, by the mean of f · incoming · cos
-    /// θ/p over so many random directions of density p above the surface; here the surface is that of brdf_phong, and
-    /// the light comes from a sky of radiance · (1 + cos γ)/2 at an angle γ to its zenith, however the surface is
-    /// turned.
+    /// Estimate the radiance that a surface reflects towards the viewer: the average of f · incoming · cos θ/p over the
+    /// given number of random directions of density p above the surface. The surface is that of brdf_phong. The light
+    /// comes from a sky of radiance · (1 + cos γ)/2 at the angle γ from its zenith, however the surface is turned.
     ReflectedRadiance: reflected_radiance(
         /// The normal.
         normal: Dir3,

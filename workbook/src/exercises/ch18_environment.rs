@@ -9,9 +9,9 @@ use raybook::light::environment::{Environment, cube, latlong};
 use raybook::math::dir3::Dir3;
 
 exercises! { ($) ch18_environment
-    /// Return the face of a cube map that a direction points at (0 to 5: +x, -x, +y, -y, +z, -z) and the place on it,
-    /// (0, 0) at its top left and (1, 1) at its bottom right, as seen from inside: +y is up on the walls, -z is down on
-    /// the ceiling +y and up on the floor -y.
+    /// Return the face of a cube map that a direction points at (0 to 5: +x, -x, +y, -y, +z, -z) and the place on the
+    /// face, from (0, 0) at its top left to (1, 1) at its bottom right, as seen from inside. On the walls +y is up. On
+    /// the ceiling +y the direction -z is down, and on the floor -y it is up.
     DirectionToCube: direction_to_cube(
         /// The direction.
         direction: Dir3,
@@ -39,10 +39,10 @@ exercises! { ($) ch18_environment
         latlong::place(direction)
     }
 
-    /// Return a direction for u in the unit square, so that a texel of the latitude-longitude map is chosen in
-    /// proportion to its radiance times its solid angle, and its directions uniformly by solid angle; None for a black
-    /// map. The answer is the list of the directions for the 256 points u = ((i + ½)/256, the fraction of 0.618034 · (i
-    /// + ½)), with i from 0 to 255.
+    /// Choose directions by a latitude-longitude map: a texel in proportion to its radiance times its solid angle, and
+    /// a direction within the texel uniformly by solid angle. The answer is the list of the directions for the 256
+    /// points u = ((i + ½)/256, the fractional part of 0.618034 · (i + ½)), with i from 0 to 255. For a black map the
+    /// list is empty.
     SampleEnvironment: sample_environment(
         /// The number of texels in a row.
         width: u32,
@@ -59,8 +59,8 @@ exercises! { ($) ch18_environment
         chosen.map(|direction| *direction).collect()
     }
 
-    /// Return the density per steradian with which sample_environment chooses a direction: the probability of its texel
-    /// divided by the texel's solid angle; 0 for a black map.
+    /// Return the probability density per steradian with which sample_environment chooses a direction: the probability
+    /// of its texel divided by the texel's solid angle. It is 0 for a black map.
     EnvironmentPdf: environment_pdf(
         /// The direction.
         direction: Dir3,

@@ -11,9 +11,8 @@ use raybook::math::dir3::Dir3;
 use raybook::sample::disk;
 
 exercises! { ($) ch19_depth_of_field
-    /// Return the point of the unit disc that belongs to a point u of the unit square, so that equal areas of the
-    /// square become equal areas of the disc, as Shirley and Chiu's concentric map makes them; another map that does so
-    /// is right too. The answer is the list of the points for the n points u = (the fractional part of shift.x + (i +
+    /// Map points of the unit square to the unit disc, so that equal areas become equal areas, as Shirley and Chiu's
+    /// concentric map does; another such map is right too. The points are u = (the fractional part of shift.x + (i +
     /// ½)/n, the fractional part of shift.y + 0.618034 · (i + ½)), with i from 0 to n − 1.
     ConcentricDisk: concentric_disk(
         /// The number of points of the unit square.
@@ -27,11 +26,11 @@ exercises! { ($) ch19_depth_of_field
         q.points().map(disk::concentric_disk).collect()
     }
 
-    /// Return the ray that starts at the point `on_lens` of the aperture, whose diameter is focal_length/f_number, and
-    /// meets what the place `film` shows sharply: the point where the ray through the middle of the lens meets the
-    /// plane at the distance `focus` along `forward`. The film is f·s/(s − f) from the lens, f the focal length and s
-    /// the focus, which is larger than f; as in camera_ray, think of it in front of the lens, with film (0, 0) at its
-    /// top left and (1, 1) at its bottom right.
+    /// Return the ray that starts at the point `on_lens` of the aperture, whose diameter is focal_length/f_number. It
+    /// goes to the point that the place `film` shows sharply: where the ray from `film` through the middle of the lens
+    /// meets the plane at the distance `focus` along `forward`. The film is at the distance f·s/(s − f) from the lens,
+    /// with the focal length f and the focus s > f; as in camera_ray, think of it in front of the lens, with film (0,
+    /// 0) at its top left and (1, 1) at its bottom right.
     ThinLensRay: thin_lens_ray(
         /// The middle of the lens, in metres.
         lens_middle: Vec3,
@@ -73,9 +72,9 @@ exercises! { ($) ch19_depth_of_field
         )
     }
 
-    /// Return the diameter, in metres, of the disc on the film that a point of light at a distance from a thin lens
-    /// becomes, when the film is where the plane in focus is sharp and the aperture's diameter is
-    /// focal_length/f_number; a star's distance is infinite.
+    /// Return the diameter, in metres, of the disc on the film that a thin lens makes of a point of light at the given
+    /// distance. The film is where the plane in focus is sharp, and the aperture's diameter is focal_length/f_number. A
+    /// star's distance is infinite.
     CircleOfConfusion: circle_of_confusion(
         /// The focal length of the lens, in metres.
         focal_length: f32,

@@ -7,9 +7,9 @@ use raybook::camera::{panorama::Panorama, pose::Pose};
 use raybook::math::dir3::Dir3;
 
 exercises! { ($) ch20_panorama
-    /// Return the ray from `position` for the place `film` of a panorama, from film (0, 0) at its top left to (1, 1) at
-    /// its bottom right: across the picture the angle around `up` grows evenly, with `forward` in the middle, `right` a
-    /// quarter of the width to the right of it and -forward at both edges; down the picture the angle from `up` grows
+    /// Return the ray from `position` for the place `film` of a panorama, from (0, 0) at its top left to (1, 1) at its
+    /// bottom right. Across the picture the angle around `up` grows evenly: `forward` is in the middle, `right` a
+    /// quarter of the width to the right of it, -forward at both edges. Down the picture the angle from `up` grows
     /// evenly, from `up` at the top edge to -up at the bottom edge.
     PanoramaRay: panorama_ray(
         /// The position of the camera, in metres: all rays start here.

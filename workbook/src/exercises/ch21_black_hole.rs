@@ -8,8 +8,7 @@ use raybook::render::curved::{Photon, geodesic};
 
 exercises! { ($) ch21_black_hole
     /// Return the position and the velocity of a photon after a step along its ray around a black hole of radius 1 at
-    /// the origin, where dx/dt = v and dv/dt = -(3/2) h^2 x/|x|^5 with h = |x cross v|; the bend of the ray may be
-    /// wrong by 10 %.
+    /// the origin: dx/dt = v and dv/dt = -(3/2) h² x/|x|⁵ with h = |x × v|. The bend of the ray may be wrong by 10 %.
     GeodesicStep: geodesic_step(
         /// The photon's position, in radii of the hole, which is at the origin.
         position: Vec3,
@@ -32,8 +31,8 @@ exercises! { ($) ch21_black_hole
         }
     }
 
-    /// Return the angle in radians by which a black hole of radius 1 turns a ray that comes from far away with this
-    /// impact parameter, to 1 part in 1000; or None if the ray falls in.
+    /// Return the angle, in radians, by which a black hole of radius 1 turns a ray that comes from far away with this
+    /// impact parameter, to 1 part in 1000. There is no answer if the ray falls in.
     DeflectionAngle: deflection_angle(
         /// b: how far from the hole's middle the ray would pass if it were straight, in radii of the hole.
         impact_parameter: f32,

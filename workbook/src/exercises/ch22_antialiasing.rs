@@ -32,9 +32,8 @@ exercises! { ($) ch22_antialiasing
         points.into_iter().map(moved).collect()
     }
 
-    /// Return all points of a rotated grid in the unit square, in any order: (½, ½) + spacing · (i + offset.x, j +
-    /// offset.y) rotated by arctan ½ about the origin, in either sense, for all whole numbers i and j; leave out what
-    /// is not in [0, 1)².
+    /// Return all points of a rotated grid that lie in [0, 1)², in any order: (½, ½) + spacing · (i + offset.x, j +
+    /// offset.y) for all whole numbers i and j, rotated by arctan ½ about the origin, in either sense.
     RotatedGrid: rotated_grid(
         /// The distance from a point to its nearest neighbours, in sides of the square.
         spacing: f32,
@@ -79,8 +78,8 @@ exercises! { ($) ch22_antialiasing
     }
 
     /// Return random points of the unit square [0, 1)² of which no two are nearer to each other than the distance, so
-    /// many that hardly another one fits in between; any method and any generator will do, and here the square's edges
-    /// are just edges.
+    /// many that hardly another one fits in between. Any method and any generator will do. The square's edges are just
+    /// edges: nothing is repeated beyond them.
     PoissonDisk: poisson_disk(
         /// The least distance between two points, in sides of the square.
         distance: f32,
@@ -94,9 +93,9 @@ exercises! { ($) ch22_antialiasing
         poisson_disk::poisson_disk(distance, Space::Square, rng)
     }
 
-    /// Return the average of the samples' radiance, each counted by the filter's weight at its offset from the pixel's
-    /// centre: Σ w L/Σ w, or black if the weights sum up to 0; here the filter is a tent, w = (1 − |x|/radius) · (1 −
-    /// |y|/radius), and 0 where either factor would be below 0.
+    /// Return the average of the samples' radiance, each weighted by the filter at its offset from the pixel's centre:
+    /// Σ w L/Σ w, or black if the weights sum up to 0. The filter is a tent: w = (1 − |x|/radius) · (1 − |y|/radius),
+    /// and 0 where either factor would be negative.
     PixelAverage: pixel_average(
         /// The tent filter's radius, in pixels.
         radius: f32,

@@ -5,10 +5,10 @@ use raybook::image::rgb::Rgb;
 use raybook::render::{budget, needs_more::Enough};
 
 exercises! { ($) ch23_adaptive
-    /// Return whether a pixel's samples are not enough yet: true (a 1 in the answer) if there are fewer than two; or if
-    /// in any channel (max − min)/(max + min), or 0 where all are black, is above that channel's contrast; or if s/√n
+    /// Return whether a pixel needs more samples: 1 for yes, 0 for no. It does if there are fewer than two; or if the
+    /// contrast (max − min)/(max + min) of a channel, 0 where all are black, is above that channel's limit; or if s/√n
     /// is above the error, where s² = Σ (Y − mean)²/(n − 1) is the variance of the luminance Y = 0.2126 R + 0.7152 G +
-    /// 0.0722 B; else false (a 0).
+    /// 0.0722 B.
     NeedsMore: needs_more(
         /// The maximum contrast of each channel, without a unit; inf for no limit.
         contrast: Rgb,
@@ -23,9 +23,9 @@ exercises! { ($) ch23_adaptive
         u32::from(q.enough().needs_more(&q.samples))
     }
 
-    /// Return how many samples each pixel gets, all of the budget together and at least the least for each, such that
-    /// the sum over the pixels of σ²/n is as small as it can be, where σ is a pixel's deviation and n its number of
-    /// samples; a sum that is at most 3 % larger will do.
+    /// Return how many samples each pixel gets: the whole budget together, and at least the least for each. The sum of
+    /// σ²/n over the pixels is to be as small as it can be, where σ is a pixel's standard deviation and n its number of
+    /// samples. A sum that is at most 3 % larger will do.
     SpendBudget: spend_budget(
         /// σ: the standard deviation of each pixel's samples, in any unit.
         deviations: Vec<f32>,

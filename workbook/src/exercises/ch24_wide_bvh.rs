@@ -11,8 +11,9 @@ use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use raybook::shape::mesh::Facet;
 
 exercises! { ($) ch24_wide_bvh
-    /// Make a tree of up to eight children per branch out of a binary one: return each branch that stays with its new
-    /// children, opening the largest branch among them until there are eight.
+    /// Make a tree of up to eight children per branch out of a binary one: give a branch the children of its largest
+    /// branch in place of that branch, until it has eight children or no branch among them. Return each branch that
+    /// stays, with its new children.
     Collapse: collapse(
         /// The binary tree: the root, then pairs of children.
         nodes: Vec<NodeRow>,
@@ -28,8 +29,8 @@ exercises! { ($) ch24_wide_bvh
         families.collect()
     }
 
-    /// Return the nearest triangle of the tree that the ray hits with min < t < max, and that hit, or None; count every
-    /// node that you open and every triangle that you test, and be content with few.
+    /// Return the nearest triangle of the tree that the ray hits with min < t < max: its distance and its number. Count
+    /// every node that you open and every triangle that you test; few are enough.
     WideClosest: wide_closest(
         /// The ray.
         ray: Ray,

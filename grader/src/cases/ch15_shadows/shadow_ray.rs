@@ -1,6 +1,6 @@
 //! `shadow_ray`: random questions, judge and mistakes.
 
-use super::way::{ends_before, starts_off};
+use super::way::{aimed_anew, ends_before, starts_off};
 use crate::{Graded, Mistake, Verdict, judge, sample};
 use glam::Vec3;
 use rand::RngExt;
@@ -52,7 +52,8 @@ impl Graded for ShadowRay {
     }
 
     fn judge(q: &ShadowRay, golden: &Way, got: &Way) -> Verdict {
-        judge::direction("the ray", golden.direction, got.direction)?;
+        let given = judge::direction("the ray", golden.direction, got.direction);
+        given.or_else(|why| aimed_anew(q, got).ok_or(why))?;
         starts_off(q, got)?;
         ends_before(q, got)
     }

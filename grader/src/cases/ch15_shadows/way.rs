@@ -1,6 +1,6 @@
 //! The judge of `shadow_ray`: where the way to the light begins and where it ends.
 
-use crate::Verdict;
+use crate::{Verdict, judge};
 use glam::DVec3;
 use raybook_workbook::exercises::ch15_shadows::{ShadowRay, Way};
 
@@ -19,6 +19,13 @@ fn ends(q: &ShadowRay, got: &Way) -> [DVec3; 2] {
     let from = got.origin.as_dvec3() - q.position.as_dvec3();
     let at = |t: f32| from + f64::from(t) * got.direction.as_dvec3();
     [at(got.within.min), at(got.within.max)]
+}
+
+/// Whether the ray goes to the light from where it starts, which is as sound as the direction from the point.
+pub(super) fn aimed_anew(q: &ShadowRay, got: &Way) -> Option<()> {
+    let light = q.position.as_dvec3() + f64::from(q.distance) * q.toward.as_dvec3();
+    let toward = (light - got.origin.as_dvec3()).try_normalize()?;
+    judge::direction("the ray", toward.as_vec3(), got.direction).ok()
 }
 
 /// The start is on the light's side of all places where the surface may be, and not much farther.

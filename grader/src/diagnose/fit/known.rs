@@ -1,9 +1,9 @@
 //! A number that is a quantity of the question.
 
 use super::{Make, Maker, Pair, agree, sum};
-use crate::diagnose::layout::each;
 use crate::diagnose::number::{is_known, named};
 use crate::diagnose::scalars::{Scalars, vectors};
+use crate::layout::each;
 
 impl Maker<'_, '_> {
     /// A factor that is a quantity of the question, or a product of two.

@@ -1,8 +1,8 @@
 //! A number that fits: a factor, an offset, a power, a bound, digits.
 
 use super::{Maker, common, line};
-use crate::diagnose::layout::each;
 use crate::diagnose::number::{is_known, named, short};
+use crate::layout::each;
 
 impl Maker<'_, '_> {
     /// A constant factor.

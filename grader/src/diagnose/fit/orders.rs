@@ -2,8 +2,8 @@
 
 use super::{Maker, Pair, line};
 use crate::diagnose::function::FUNCTIONS;
-use crate::diagnose::layout::{each, layout};
 use crate::diagnose::number::named;
+use crate::layout::{each, layout};
 
 impl Maker<'_, '_> {
     /// The same components in another order, or with other signs.

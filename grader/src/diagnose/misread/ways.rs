@@ -1,7 +1,7 @@
 //! The ways: what can be misread of a number, an interval, a vector, of two fields, and of a list.
 
 use super::{Change, How, Misreading};
-use crate::diagnose::layout::{Part, each};
+use crate::layout::{Part, each};
 use raybook_workbook::kind::{Kind, VECTOR};
 use std::f64::consts::PI;
 

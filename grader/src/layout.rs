@@ -103,6 +103,29 @@ fn add_parts(
     }
 }
 
+/// The names of a kind's lists, in order.
+pub fn lists(kind: &Kind, name: &str) -> Vec<String> {
+    match kind {
+        Kind::Number | Kind::Whole | Kind::Numbers(_) | Kind::Direction => Vec::new(),
+        Kind::Optional(kind) => lists(kind, name),
+        Kind::List(kind) => {
+            let mut all = vec![name.to_owned()];
+            all.extend(lists(kind, name));
+            all
+        }
+        Kind::Record(record) => {
+            let fields = record.fields.iter();
+            fields
+                .flat_map(|field| lists(field.kind, field.name))
+                .collect()
+        }
+        Kind::Choice(choices) => {
+            let choices = choices.iter();
+            choices.flat_map(|(word, kind)| lists(kind, word)).collect()
+        }
+    }
+}
+
 /// How many parts and lists a kind has.
 fn count(kind: &Kind) -> (usize, usize) {
     let sum = |kinds: &mut dyn Iterator<Item = &'static Kind>| {

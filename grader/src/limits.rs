@@ -1,0 +1,227 @@
+//! What the text of an exercise leaves open, found out: what occurs in its questions, which answers are right where one would ask,
+//! and how exactly they are compared. Said of the cases themselves and by the judge itself, so it cannot be out of date.
+
+use crate::examine::{Case, Examiner};
+use crate::layout::{Layout, Part, layout, lists, parts};
+use crate::leeway::{LONG, Leeway, leeways};
+use raybook_workbook::kind::Kind;
+
+/// In so many cases it is measured how far an answer may be off.
+const MEASURED: usize = 16;
+
+/// A row of a case.
+struct Row<'a> {
+    case: &'a Case,
+    numbers: Vec<f64>,
+    layout: Layout,
+}
+
+impl Row<'_> {
+    /// The numbers of each value of a part.
+    fn values(&self, part: usize) -> impl Iterator<Item = &[f64]> {
+        let leaves = self.layout.of_part(part);
+        leaves.map(|leaf| &self.numbers[leaf.range()])
+    }
+}
+
+/// Sentences about an exercise, of which these are cases.
+pub fn limits(examiner: &dyn Examiner, cases: &[Case]) -> Vec<String> {
+    let asked = examiner.asked();
+    let rows = |kind: &'static Kind, read: &dyn Fn(&Case) -> Option<Vec<f64>>| -> Vec<Row<'_>> {
+        let row = |case| {
+            let numbers = read(case)?;
+            let layout = layout(kind, &numbers);
+            Some(Row {
+                case,
+                numbers,
+                layout,
+            })
+        };
+        cases.iter().filter_map(row).collect()
+    };
+    let questions = rows(asked.question, &|case| {
+        asked.read_question(&case.question).ok()
+    });
+    let answer = asked.answer.kind;
+    let answers = rows(answer, &|case| asked.read_answer(&case.answers[0]).ok());
+    let mut said = of_questions(asked.question, &questions);
+    said.extend(of_nothing(answer, asked.answer.name, &answers));
+    said.extend(of_several(cases));
+    said.extend(of_comparing(examiner, &questions, &answers));
+    said.extend(of_names(cases));
+    said
+}
+
+/// What occurs in questions: unit vectors, lists that are empty, infinities.
+fn of_questions(kind: &'static Kind, rows: &[Row<'_>]) -> Vec<String> {
+    let parts = parts(kind, "question");
+    let all = |i: usize| rows.iter().flat_map(move |row| row.values(i));
+    let chosen = |choose: &dyn Fn(usize, &Part) -> bool| -> Vec<String> {
+        let chosen = parts
+            .iter()
+            .enumerate()
+            .filter(|(i, part)| choose(*i, part));
+        chosen.map(|(_, part)| part.name.clone()).collect()
+    };
+    let is_unit = |v: &[f64]| (v.iter().map(|v| v * v).sum::<f64>().sqrt() - 1.0).abs() < 1e-4;
+    let units = chosen(&|i, part| is_vector(part.kind) && all(i).all(is_unit));
+    let infinite = chosen(&|i, _| all(i).flatten().any(|v| v.is_infinite()));
+    let names = lists(kind, "question");
+    let length_0 = |list: usize| {
+        let spans = rows.iter().flat_map(|row| &row.layout.lists);
+        let mut spans = spans.filter(|span| span.list == list);
+        spans.any(|span| span.elements.is_empty())
+    };
+    let (empty, filled): (Vec<_>, Vec<_>) = (0..names.len()).partition(|&list| length_0(list));
+    let named = |which: Vec<usize>| which.iter().map(|&i| names[i].clone()).collect::<Vec<_>>();
+    [
+        ("Of length 1 in every question", units),
+        ("May be infinite in a question", infinite),
+        ("May be empty in a question", named(empty)),
+        ("Never empty in a question", named(filled)),
+    ]
+    .into_iter()
+    .filter(|(_, names)| !names.is_empty())
+    .map(|(what, names)| format!("{what}: {}.", quoted(&names)))
+    .collect()
+}
+
+/// Where the right answer is `none`, an infinity or an empty list.
+fn of_nothing(kind: &'static Kind, name: &str, rows: &[Row<'_>]) -> Vec<String> {
+    let is_none = |row: &Row<'_>| matches!(kind, Kind::Optional(_)) && row.numbers[0] == 0.0;
+    let is_infinite = |row: &Row<'_>| row.numbers.iter().any(|v| v.is_infinite());
+    let names = lists(kind, name);
+    let mut said = vec![
+        occurrence(rows, "`none`", is_none),
+        occurrence(rows, "an infinity", is_infinite),
+    ];
+    for (i, name) in names.iter().enumerate() {
+        let is_empty = |row: &Row<'_>| {
+            let mut spans = row.layout.lists.iter().filter(|span| span.list == i);
+            spans.any(|span| span.elements.is_empty())
+        };
+        said.push(occurrence(
+            rows,
+            &format!("an empty list of `{name}`"),
+            is_empty,
+        ));
+    }
+    said.into_iter().flatten().collect()
+}
+
+/// In how many cases something is part of the right answer, and the first of them.
+fn occurrence(rows: &[Row<'_>], what: &str, is_so: impl Fn(&Row<'_>) -> bool) -> Option<String> {
+    let such: Vec<_> = rows.iter().filter(|row| is_so(row)).collect();
+    let first = such.first()?;
+    let (number, all, name) = (such.len(), rows.len(), &first.case.name);
+    Some(format!(
+        "The right answer is or holds {what} in {number} of {all} cases, such as \"{name}\"."
+    ))
+}
+
+/// Cases with more than one right answer.
+fn of_several(cases: &[Case]) -> Option<String> {
+    let several = cases.iter().filter(|case| case.answers.len() > 1);
+    let names: Vec<_> = several.map(|case| format!("\"{}\"", case.name)).collect();
+    (!names.is_empty()).then(|| format!("More than one answer is right in: {}.", names.join(", ")))
+}
+
+/// How answers are compared: whether order and length count, and how far numbers may be off.
+fn of_comparing(
+    examiner: &dyn Examiner,
+    questions: &[Row<'_>],
+    answers: &[Row<'_>],
+) -> Vec<String> {
+    let answer = &examiner.asked().answer;
+    let both = || questions.iter().zip(answers);
+    let mut said = Vec::new();
+    for (list, name) in lists(answer.kind, answer.name).iter().enumerate() {
+        let turned = both().filter_map(|(question, row)| {
+            let turned = row
+                .layout
+                .rearranged(&row.numbers, list, &|n| (0..n).rev().collect());
+            let differs = turned != row.numbers;
+            let compared = || examiner.compare(&question.numbers, &row.numbers, &turned);
+            differs.then(|| compared().is_ok())
+        });
+        let turned: Vec<_> = turned.collect();
+        if !turned.is_empty() {
+            let any = turned.iter().all(|&right| right);
+            let counts = if any { "does not count" } else { "counts" };
+            said.push(format!("The order of `{name}` {counts}."));
+        }
+    }
+    let step = answers.len().div_ceil(MEASURED);
+    for (i, part) in parts(answer.kind, answer.name).iter().enumerate() {
+        let measured = both().step_by(step.max(1));
+        let measured = measured
+            .flat_map(|(question, row)| leeways(examiner, &question.numbers, &row.numbers, i));
+        let measured: Vec<_> = measured.collect();
+        let together = answers
+            .iter()
+            .any(|row| row.layout.of_part(i).count() > LONG);
+        said.extend(of_leeways(&part.name, &measured, together));
+    }
+    said
+}
+
+/// How far the values of a part may be off, in a sentence.
+fn of_leeways(name: &str, measured: &[Leeway], together: bool) -> Option<String> {
+    let name = if together {
+        format!("All `{name}` together")
+    } else {
+        format!("`{name}`")
+    };
+    if measured.is_empty() {
+        return None;
+    }
+    if measured.iter().all(|leeway| *leeway == Leeway::Free) {
+        return Some(format!("{name}: not compared by value."));
+    }
+    let error = |leeway: &Leeway| match leeway {
+        Leeway::Exact => 0.0,
+        Leeway::Within(error) => *error,
+        Leeway::Free => f64::INFINITY,
+    };
+    let mut errors: Vec<_> = measured.iter().map(error).collect();
+    errors.sort_by(f64::total_cmp);
+    let (least, middle) = (errors[0], errors[errors.len() / 2]);
+    Some(match (least, middle) {
+        (_, 0.0) => format!("{name}: compared exactly."),
+        (0.0, middle) if middle.is_infinite() => format!("{name}: compared in some cases only."),
+        (0.0, middle) => {
+            format!("{name}: may typically be off by {middle:.0e}, in some cases by nothing.")
+        }
+        (least, middle) if middle < 4.0 * least => format!("{name}: may be off by {least:.0e}."),
+        (least, middle) if middle.is_infinite() => {
+            format!("{name}: may be off by at least {least:.0e}.")
+        }
+        (least, middle) => {
+            format!("{name}: may be off by {least:.0e} at the least, typically by {middle:.0e}.")
+        }
+    })
+}
+
+/// The names of the cases that are not random.
+fn of_names(cases: &[Case]) -> Option<String> {
+    let named = cases
+        .iter()
+        .filter(|case| !case.name.starts_with("random "));
+    let names: Vec<_> = named.map(|case| case.name.as_str()).collect();
+    let others = cases.len() - names.len();
+    (!names.is_empty()).then(|| {
+        format!(
+            "Asked by name: {}; and {others} random cases.",
+            names.join("; ")
+        )
+    })
+}
+
+fn is_vector(kind: &Kind) -> bool {
+    matches!(kind, Kind::Direction) || matches!(kind, Kind::Numbers(parts) if parts.name == "Vec3")
+}
+
+fn quoted(names: &[String]) -> String {
+    let quoted: Vec<_> = names.iter().map(|name| format!("`{name}`")).collect();
+    quoted.join(", ")
+}

@@ -11,7 +11,7 @@ use crate::converse::{BREATH, Conversation, End, Limits, Prints, Process, Progra
 use raybook_chapters::kit::untrusted::Untrusted;
 use std::io;
 use std::process::ExitStatus;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// What came back for one question.
 #[derive(Clone, Debug, PartialEq)]
@@ -85,6 +85,9 @@ impl Said {
 /// does not know the exercise, or hangs.
 const SILENT: usize = 5;
 
+/// A program that nobody has heard yet may take so many times the limit for its start.
+const START: u32 = 2;
+
 /// Parts in which a list of questions is asked again, if it was not answered as it should be.
 const PARTS: usize = 8;
 
@@ -110,6 +113,8 @@ pub struct Asker<'a> {
     manner: Manner,
     /// How long to wait for an answer until the program is told that there are no more questions.
     patience: Duration,
+    /// Time for the program's start: at first more than is needed, and then as much as it was seen to need.
+    start: Duration,
     process: Option<Process>,
 }
 
@@ -122,6 +127,7 @@ impl<'a> Asker<'a> {
             budget: Budget::new(&limits),
             manner: Manner::Unknown,
             patience: limits.time / 2,
+            start: START * limits.time,
             process: None,
         }
     }
@@ -221,10 +227,15 @@ impl<'a> Asker<'a> {
         };
         let waits = Waits {
             patience: Some(self.patience),
+            start: self.start,
             // A second answer comes at once, or it is seen at the end of the list.
             breath: if last { BREATH } else { Duration::ZERO },
         };
+        let (starts, start) = (!process.has_answered, Instant::now());
         let heard = process.converse(questions, &self.limits, waits, &mut self.budget);
+        if starts && process.has_answered {
+            self.start = self.start.min(2 * start.elapsed());
+        }
         match &heard.end {
             None => {
                 self.manner = Manner::Prompt;
@@ -254,6 +265,7 @@ impl<'a> Asker<'a> {
     ) -> io::Result<()> {
         let waits = Waits {
             patience: None,
+            start: self.start,
             breath: Duration::ZERO,
         };
         let mut process = Process::start(self.program)?;

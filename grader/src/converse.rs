@@ -1,6 +1,7 @@
 //! A process of an answer program: questions in, answers and prints out, within limits.
 
 use crate::budget::{Budget, Over, Total};
+use crate::clock::Clock;
 use crate::contain::{self, Held};
 use crate::listen::{Event, listen};
 use crate::sandbox::Sandbox;
@@ -30,7 +31,7 @@ pub struct Program {
 /// What a program may use: for one answer, for all of an exercise, and for all of a check.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
-    /// Time until the next answer.
+    /// Processor time until the next answer, where the system tells it; else time on the wall.
     pub time: Duration,
     /// Bytes printed until the next answer.
     pub output: usize,
@@ -125,8 +126,10 @@ const AFTERWARDS: u32 = 8;
 /// How long to wait, besides the limits.
 #[derive(Clone, Copy)]
 pub(crate) struct Waits {
-    /// Until the program is told that there are no more questions; without it, that is so at once.
+    /// Until a program that is not at work is told that there are no more questions; without it, that is so at once.
     pub(crate) patience: Option<Duration>,
+    /// For the program's start, beside the time for the first answer.
+    pub(crate) start: Duration,
     /// For more answers than were asked for.
     pub(crate) breath: Duration,
 }
@@ -139,6 +142,10 @@ pub(crate) struct Process {
     events: Receiver<Vec<Event>>,
     /// What has come and is not heard yet.
     come: VecDeque<Event>,
+    /// Since the last answer, or the start.
+    clock: Clock,
+    /// Whether it has answered anything yet.
+    pub(crate) has_answered: bool,
 }
 
 impl Process {
@@ -175,17 +182,20 @@ impl Process {
         let outputs = held.child.stdout.take().zip(held.child.stderr.take());
         let (stdout, stderr) = outputs.ok_or(io::ErrorKind::BrokenPipe)?;
         Ok(Self {
+            clock: Clock::new(Some(held.child.id())),
             held: Some(held),
             questions: Some(questions),
             events: listen(stdout, stderr),
             come: VecDeque::new(),
+            has_answered: false,
         })
     }
 
     /// Sends the questions, all at once, and listens until they are answered, or the program ends or breaks a limit.
     ///
-    /// If no answer comes for the time of `waits.patience`, the program is told that there are no more questions: then one that
-    /// holds its answers back gives them, and one that ignored a question ends. Without it, it is told so at once.
+    /// If no answer comes for the time of `waits.patience` and the program is not at work, it is told that there are no more
+    /// questions: then one that holds its answers back gives them, and one that ignored a question ends. Without it, it is told so
+    /// at once.
     pub(crate) fn converse(
         &mut self,
         questions: &[String],
@@ -238,20 +248,29 @@ impl Process {
         let (mut bytes, mut bytes_in_all) = (0, 0);
         let start = Instant::now();
         let (mut heard, mut closed) = (start, None);
+        let mut patience = waits.patience;
+        self.clock.restart();
         let end = loop {
-            let hurry = waits.patience.filter(|_| self.questions.is_some());
-            if hurry.is_none() {
+            if patience.is_none() {
                 self.questions = None;
             }
+            let hurry = self.questions.is_some();
             let complete = answers.len() == wanted;
-            let wait = match (closed, hurry) {
-                (Some(_), _) => LAST_WORDS,
-                (None, Some(_)) if complete => waits.breath,
-                (None, Some(patience)) => patience.min(limits.time),
-                (None, None) if complete => limits.time / AFTERWARDS,
-                (None, None) => limits.time,
+            let limit = limits.time;
+            let starting = if self.has_answered {
+                Duration::ZERO
+            } else {
+                waits.start
             };
-            let deadline = (closed.unwrap_or(heard) + wait).min(start + budget.time_left());
+            let last_look = closed.unwrap_or(heard);
+            let deadline = match (closed, patience) {
+                (Some(_), _) => last_look + LAST_WORDS,
+                (None, Some(_)) if complete => last_look + waits.breath,
+                (None, Some(patience)) => self.clock.next_look(limit).min(last_look + patience),
+                (None, None) if complete => last_look + limit / AFTERWARDS,
+                (None, None) => self.clock.next_look(limit),
+            };
+            let deadline = deadline.min(start + budget.time_left());
             match self.next_until(deadline) {
                 Ok(Event::Answer(answer)) => {
                     bytes_in_all += answer.len() + 3;
@@ -262,6 +281,8 @@ impl Process {
                     }
                     bytes = 0;
                     heard = Instant::now();
+                    self.has_answered = true;
+                    self.clock.restart();
                 }
                 Ok(Event::Print(text, whole)) => {
                     bytes += text.len() + 1;
@@ -278,16 +299,20 @@ impl Process {
                 Err(RecvTimeoutError::Timeout) if closed.is_some() => {
                     break Some(End::Exited(None));
                 }
-                Err(RecvTimeoutError::Timeout) if hurry.is_some() && complete => break None,
+                Err(RecvTimeoutError::Timeout) if hurry && complete => break None,
                 Err(RecvTimeoutError::Timeout) => {
                     // Of two reasons the total limit is the one that stays.
                     if let Some(over) = budget.over(start.elapsed(), bytes_in_all) {
                         break Some(End::Over(over));
                     }
-                    if hurry.is_none() {
-                        break Some(End::TimedOut(limits.time));
+                    let looked = Instant::now();
+                    if complete || self.clock.is_over(limit, starting) {
+                        break Some(End::TimedOut(limit));
                     }
-                    self.questions = None;
+                    if patience.is_some_and(|patience| looked >= heard + patience) {
+                        patience = patience.filter(|_| self.clock.is_at_work());
+                        heard = looked;
+                    }
                 }
             }
             if bytes > limits.output {

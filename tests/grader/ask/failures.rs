@@ -45,6 +45,43 @@ fn a_hang_is_stopped_and_the_others_are_asked() {
 }
 
 #[test]
+fn a_slow_start_is_borne_and_an_endless_one_is_not() {
+    // About a second of the shell's work before it reads anything.
+    let work = "i=0; while [ $i -lt 1000000 ]; do i=$((i + 1)); done";
+    let heard = said(&format!("{work}; while read q; do echo \"= $q\"; done"), 3);
+    assert_eq!(
+        heard,
+        [answer("1"), answer("2"), answer("3")],
+        "it gets going"
+    );
+    let heard = said("while :; do :; done", 1);
+    assert_eq!(heard, [Said::TimedOut(LIMITS.time)], "it never does");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn who_works_and_who_sleeps_is_known() {
+    use raybook_grader::clock::usage;
+    use std::os::unix::process::CommandExt;
+    for (script, works) in [("while :; do :; done", true), ("sleep 600; :", false)] {
+        let mut command = std::process::Command::new("/bin/sh");
+        let child = command.args(["-c", script]).process_group(0).spawn();
+        let mut child = child.expect("the shell can be started");
+        // Until it has got going: at once on an idle machine.
+        let seen = (0..1000).any(|_| {
+            std::thread::sleep(std::time::Duration::from_millis(10));
+            let usage = usage(child.id()).expect("it is there");
+            usage.at_work == works && (usage.time.as_millis() > 100) == works
+        });
+        let group = rustix::process::Pid::from_child(&child);
+        rustix::process::kill_process_group(group, rustix::process::Signal::KILL).expect("there");
+        child.wait().expect("it ends");
+        assert!(seen, "{script}");
+        assert_eq!(usage(child.id()), None, "nobody is left");
+    }
+}
+
+#[test]
 fn a_crash_before_the_output_is_flushed_is_blamed_on_the_right_question() {
     // As a C++ program without flush: all answers are held back until the end, which a crash never reaches.
     let script = "held=''; while read q; do if [ $q = 3 ]; then exit 1; fi; held=\"$held= $q\n\"; done; printf '%s' \"$held\"";

@@ -1,0 +1,150 @@
+//! Time for an answer is processor time, where the system tells it: a program is not blamed for a busy machine.
+//!
+//! Time on the wall is what is waited for. When it is over, a program that is still at work, and has not had the processor for
+//! that long, goes on; one that sleeps, or waits for something, does not.
+
+use std::time::{Duration, Instant};
+
+/// However busy the machine is, so many times the limit is waited at the most.
+const AT_MOST: u32 = 10;
+
+/// It is looked at what a program has used after this part of its time: most answers come before, and cost no look.
+const LOOK: u32 = 4;
+
+/// What the processes of a group have used and whether any of them is at work: running, waiting for the processor or for a disk.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Usage {
+    /// Processor time since they were started.
+    pub time: Duration,
+    /// Whether one of their threads would go on if it could.
+    pub at_work: bool,
+}
+
+/// Measures the time for an answer.
+pub(crate) struct Clock {
+    group: Option<u32>,
+    /// When it began, and how long it goes on, on the wall.
+    since: Instant,
+    wall: Duration,
+    /// What was used when a part of the time was over.
+    noted: Option<Duration>,
+}
+
+impl Clock {
+    /// For the processes of a group; of none if there is none.
+    pub(crate) fn new(group: Option<u32>) -> Self {
+        Self {
+            group,
+            since: Instant::now(),
+            wall: Duration::ZERO,
+            noted: None,
+        }
+    }
+
+    /// Begins anew.
+    pub(crate) fn restart(&mut self) {
+        *self = Self::new(self.group);
+    }
+
+    /// When to look again whether the time is over.
+    pub(crate) fn next_look(&self, limit: Duration) -> Instant {
+        self.since
+            + match self.noted {
+                None => limit / LOOK,
+                Some(_) => self.wall.max(limit),
+            }
+    }
+
+    /// Whether a program is at work; not known is no.
+    pub(crate) fn is_at_work(&self) -> bool {
+        self.usage().is_some_and(|usage| usage.at_work)
+    }
+
+    /// Whether the time is over: the limit, and for a program that is still at its start so much more.
+    pub(crate) fn is_over(&mut self, limit: Duration, start: Duration) -> bool {
+        if Instant::now() < self.next_look(limit) {
+            return false;
+        }
+        let (elapsed, total) = (self.since.elapsed(), limit + start);
+        let usage = self.usage();
+        let Some(before) = self.noted else {
+            self.noted = Some(usage.map_or(Duration::ZERO, |usage| usage.time));
+            return false;
+        };
+        // Where nothing is known, what passes on the wall is taken for work.
+        let (used, at_work) = usage.map_or((elapsed, true), |usage| {
+            // So is what was used before the first look.
+            let since = usage.time.saturating_sub(before);
+            (limit / LOOK + since, usage.at_work)
+        });
+        self.wall = elapsed + total.saturating_sub(used).clamp(limit / 16, limit);
+        !at_work || used >= total || elapsed >= AT_MOST * total
+    }
+
+    fn usage(&self) -> Option<Usage> {
+        usage(self.group?)
+    }
+}
+
+/// What the processes of a group use; `None` where the system does not tell, or there is none.
+#[cfg(target_os = "linux")]
+pub fn usage(group: u32) -> Option<Usage> {
+    let ticks = rustix::param::clock_ticks_per_second();
+    let processes = std::fs::read_dir("/proc").ok()?.flatten();
+    let stats = processes.filter_map(|process| {
+        let stat = Stat::read(&process.path().join("stat"))?;
+        (stat.group == group).then(|| (process.path(), stat))
+    });
+    let mut usage = None;
+    for (process, stat) in stats {
+        let threads = std::fs::read_dir(process.join("task"))
+            .into_iter()
+            .flatten();
+        let threads = threads
+            .flatten()
+            .filter_map(|thread| Stat::read(&thread.path().join("stat")));
+        let at_work = threads
+            .into_iter()
+            .any(|thread| matches!(thread.state, b'R' | b'D'));
+        let time = Duration::from_millis(1000 * stat.ticks / ticks.max(1));
+        let all = usage.get_or_insert(Usage {
+            time: Duration::ZERO,
+            at_work: false,
+        });
+        all.time += time;
+        all.at_work |= at_work;
+    }
+    usage
+}
+
+/// The same elsewhere: nothing is known.
+#[cfg(not(target_os = "linux"))]
+pub fn usage(_group: u32) -> Option<Usage> {
+    None
+}
+
+/// What Linux tells of a process or a thread (proc(5), `/proc/pid/stat`).
+#[cfg(target_os = "linux")]
+struct Stat {
+    state: u8,
+    group: u32,
+    /// Processor time, in ticks: its own and that of its children that have ended, for itself and for the system.
+    ticks: u64,
+}
+
+#[cfg(target_os = "linux")]
+impl Stat {
+    fn read(file: &std::path::Path) -> Option<Self> {
+        let text = std::fs::read(file).ok()?;
+        // The name before may hold anything, but no other bracket follows it.
+        let end = text.iter().rposition(|&byte| byte == b')')?;
+        let rest = String::from_utf8_lossy(&text[end + 1..]);
+        let words: Vec<_> = rest.split_ascii_whitespace().collect();
+        let ticks = words.get(11..15)?.iter();
+        Some(Self {
+            state: *words.first()?.as_bytes().first()?,
+            group: words.get(2)?.parse().ok()?,
+            ticks: ticks.filter_map(|word| word.parse::<u64>().ok()).sum(),
+        })
+    }
+}

@@ -55,7 +55,7 @@ pub(super) fn expand(page: &str, name: &str, alt: &str, pictures: &Path) -> Resu
 fn caption(folder: &Path, name: &str) -> Result<String, String> {
     let path = folder.join(FIGURES);
     let Ok(text) = store::read_text(&path) else {
-        return Ok("This picture and its caption come with `book/build`.".to_owned());
+        return Ok("This picture and its caption come with the full build.".to_owned());
     };
     let captions: Value =
         serde_json::from_str(&text).map_err(|e| format!("{}: {e}", path.display()))?;

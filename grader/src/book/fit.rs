@@ -38,7 +38,10 @@ fn broken(line: &str) -> Option<(&str, String)> {
         |mark| format!("{indent}{mark}"),
     );
     let place = last_space(line, next.len())?;
-    Some((line[..place].trim_end(), format!("{next}{}", line[place..].trim_start())))
+    Some((
+        line[..place].trim_end(),
+        format!("{next}{}", line[place..].trim_start()),
+    ))
 }
 
 /// The last space before the margin and after `from`, outside of strings.

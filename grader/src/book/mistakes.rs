@@ -23,7 +23,7 @@ pub(super) fn expand(examiner: &dyn Examiner, pictures: &Path) -> Result<String,
     let name = examiner.name();
     let cases = examiner.cases(&mut visible_rng(name)).cases;
     let right = picture(examiner, |question| examiner.answer_line(question).ok());
-    let mut cards = Vec::new();
+    let (mut cards, mut unseen) = (Vec::new(), Vec::new());
     if let Some(right) = &right {
         let alt = examiner.pictures()[0].alt;
         let file = save(pictures, &format!("{name}_right"), right)?;
@@ -40,7 +40,7 @@ pub(super) fn expand(examiner: &dyn Examiner, pictures: &Path) -> Result<String,
         };
         let alt = format!("What is drawn by a function that {mistake}");
         let shown = first_shown(examiner, i, &cases);
-        cards.push(html! {
+        let card = html! {
             figure {
                 @if let Some(image) = image { img src=(image) alt=(alt) loading="lazy"; }
                 figcaption {
@@ -49,8 +49,14 @@ pub(super) fn expand(examiner: &dyn Examiner, pictures: &Path) -> Result<String,
                     details { summary { "Hint" } (hint) }
                 }
             }
-        });
+        };
+        if seen.is_some() {
+            cards.push(card);
+        } else {
+            unseen.push(card); // the pictures stand together, and first
+        }
     }
+    cards.extend(unseen);
     let gallery = html! { div class="gallery" { @for card in cards { (card) } } };
     Ok(gallery.into_string())
 }

@@ -88,8 +88,14 @@ mod tests {
     fn chapters_are_linked_but_for_this_one_and_those_in_code_and_links() {
         for (line, expected) in [
             ("as in chapter 3.", "as in [chapter 3](ch03_sphere.md)."),
-            ("Chapter 17, chapter 4", "[Chapter 17](ch17_rendering_equation.md), chapter 4"),
-            ("`chapter 3` and [chapter 3](x.md)", "`chapter 3` and [chapter 3](x.md)"),
+            (
+                "Chapter 17, chapter 4",
+                "[Chapter 17](ch17_rendering_equation.md), chapter 4",
+            ),
+            (
+                "`chapter 3` and [chapter 3](x.md)",
+                "`chapter 3` and [chapter 3](x.md)",
+            ),
             ("chapter 99, chapter one", "chapter 99, chapter one"),
             ("## chapter 3", "## chapter 3"),
         ] {

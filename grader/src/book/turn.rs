@@ -18,7 +18,10 @@ pub(super) fn expand(examiner: &dyn Examiner) -> Result<String, String> {
     let (asked, name) = (examiner.asked(), examiner.name());
     let function = library::function(name)
         .ok_or_else(|| format!("the library has no function between anchors `{name}`"))?;
-    let rust = format!("{} {{\n    todo!(\"{name}\")\n}}\n", dedented(function.signature));
+    let rust = format!(
+        "{} {{\n    todo!(\"{name}\")\n}}\n",
+        dedented(function.signature)
+    );
     let languages = [
         ("Rust", "rust,noplayground", rust),
         ("C++", "cpp", cpp::signature(asked)),
@@ -28,8 +31,8 @@ pub(super) fn expand(examiner: &dyn Examiner) -> Result<String, String> {
     let named = examiner.named().map_err(|error| error.to_string())?.len();
     let limit = Limits::default().time.as_secs_f32();
     let place = library::place(name).unwrap_or_default();
-    let title = html! { h3 id={ "turn-" (name) } { code { (name) } } p { (asked.task) } };
-    let mut text = format!("{}\n\n", title.into_string());
+    let title = html! { h3 id={ "turn-" (name) } { code { (name) } } };
+    let mut text = format!("{}\n\n{}\n\n", title.into_string(), asked.task);
     text.push_str(&tabs(name, &languages));
     text.push_str(&parameters(asked));
     text.push_str(&format!(

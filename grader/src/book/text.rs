@@ -42,7 +42,9 @@ fn link_part(page: &str, part: &str, text: &mut String) {
         let to = chapter.map(|chapter| format!("{}.md", chapter.name));
         match to {
             Some(to) if !in_a_link && to != page && rest[start..].starts_with(['c', 'C']) => {
-                text.push_str(&format!("{}[{}]({to})", &rest[..start], &rest[start..end]));
+                let (before, chapter) = (&rest[..start], &rest[start..end]);
+                text.push_str(before);
+                text.extend(["[", chapter, "](", &to, ")"]);
             }
             _ => text.push_str(&rest[..end]),
         }

@@ -9,6 +9,7 @@ use crate::reader::{cpp, python};
 use maud::html;
 use raybook_workbook::exercise::Asked;
 use raybook_workbook::kind::{Field, Kind};
+use std::fmt::Write;
 
 /// The task, the signature in tabs, the table of parameters, the commands and the limits.
 ///
@@ -35,14 +36,15 @@ pub(super) fn expand(examiner: &dyn Examiner) -> Result<String, String> {
     let mut text = format!("{}\n\n{}\n\n", title.into_string(), asked.task);
     text.push_str(&tabs(name, &languages));
     text.push_str(&parameters(asked));
-    text.push_str(&format!(
+    let _ = write!(
+        text,
         "\n\nIn Rust, write it in `{place}` of your workbook. In C++ or Python, begin with the program that \
          `raybook exercise {name} --reader cpp` (or `python`) prints: only the function is missing.\n\n\
          ```sh\nraybook check {name}                        # your workbook, in Rust\n\
          raybook check {name} --program ./answer     # a program in any language\n\
          raybook hint {name}\n```\n\n\
          Limits: {named} named and {RANDOM_CASES} random cases; {limit} s for each answer.\n"
-    ));
+    );
     Ok(text)
 }
 
@@ -60,9 +62,10 @@ fn tabs(name: &str, languages: &[(&str, &str, String)]) -> String {
     }
     for (language, highlight, listing) in languages {
         let listing = fit(listing);
-        text.push_str(&format!(
+        let _ = write!(
+            text,
             "\n<div class=\"tab\" title=\"{language}\">\n\n```{highlight}\n{listing}```\n\n</div>\n"
-        ));
+        );
     }
     text.push_str("</div>\n\n");
     text

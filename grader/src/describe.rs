@@ -201,7 +201,7 @@ fn of_parts(kind: &Kind, seen: &Seen, depth: usize, rows: &mut Vec<Row>) {
 }
 
 /// A kind in words.
-fn words(kind: &Kind) -> String {
+pub fn words(kind: &Kind) -> String {
     match kind {
         Kind::Number => "number".to_owned(),
         Kind::Whole => "whole number".to_owned(),

@@ -1,6 +1,7 @@
 //! What the course knows and the student does not: cases, judges, mistakes. It never travels with the starter.
 
 pub mod ask;
+pub mod book;
 pub mod budget;
 pub mod cases;
 pub mod check;

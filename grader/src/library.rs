@@ -1,7 +1,7 @@
 //! The course's own text, which the command carries with it: starters and references are taken from it.
 
 use include_dir::{Dir, File, include_dir};
-use raybook_workbook::anchor;
+use raybook_workbook::anchor::{self, Anchored};
 
 static SOURCE: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../src");
 static WORKBOOK: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../workbook");
@@ -58,6 +58,14 @@ pub fn reference(exercise: &str) -> Option<&'static str> {
             .into_iter()
             .find(|(name, _)| *name == exercise)
             .map(|(_, text)| text)
+    })
+}
+
+/// The reference's function of an exercise, taken apart.
+pub fn function(exercise: &str) -> Option<Anchored<'static>> {
+    source().into_iter().find_map(|file| {
+        let functions = anchor::functions(file.contents_utf8()?).ok()?;
+        functions.into_iter().find(|f| f.name == exercise)
     })
 }
 

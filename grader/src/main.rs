@@ -39,6 +39,9 @@ enum Task {
     Doctor,
     /// Write the golden answers (for course authors)
     Bless(commands::bless::Bless),
+    /// Expand the directives of the course book (mdBook calls this)
+    #[command(hide = true)]
+    Book(commands::book::Book),
 }
 
 fn main() -> ExitCode {
@@ -59,6 +62,7 @@ fn main() -> ExitCode {
         Some(Task::Samplers(task)) => task.run(),
         Some(Task::Doctor) => commands::doctor::run(),
         Some(Task::Bless(task)) => task.run(),
+        Some(Task::Book(task)) => task.run(),
     };
     match done {
         Ok(true) => said_all(ExitCode::SUCCESS),

@@ -2,6 +2,7 @@
 
 pub mod asking;
 pub mod bless;
+pub mod book;
 pub mod check;
 pub mod doctor;
 pub mod draw;

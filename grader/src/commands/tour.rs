@@ -10,6 +10,7 @@ use raybook_chapters::kit::stage::{Stage, progress_bar};
 use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_chapters::kit::{gallery, gallery::Drawing};
 use raybook_chapters::lesson::Lesson;
+use raybook_grader::book::write_captions;
 use raybook_workbook::curriculum::CHAPTERS;
 use std::time::Instant;
 
@@ -54,6 +55,7 @@ impl Tour {
                     gallery::rays(&outputs)
                 ));
             }
+            write_captions(&self.options.out.join(lesson.name), &outputs)?;
             drawings.push(Drawing {
                 lesson,
                 outputs,

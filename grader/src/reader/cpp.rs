@@ -94,7 +94,7 @@ pub fn program(asked: &Asked) -> String {
 struct NotWritten {{}};
 
 // Returns: {meaning}
-{answer} {name}(const {question}& q) {{
+{head} {{
     (void)q;
     throw NotWritten{{}}; // write it here
 }}
@@ -123,40 +123,69 @@ int main() {{
 }}
 "#,
         meaning = asked.answer.meaning,
-        answer = type_of(asked.answer.kind),
+        head = head(asked),
         question = type_of(asked.question),
     );
+    text
+}
+
+/// What the student writes: the structs, and the function.
+pub fn signature(asked: &Asked) -> String {
+    let mut all = Vec::new();
+    types(asked.question, &mut all);
+    types(asked.answer.kind, &mut all);
+    let structs: Vec<_> = all.into_iter().map(declaration).collect();
+    format!("{}\n{};\n", structs.join("\n"), head(asked))
+}
+
+/// The function up to its body.
+fn head(asked: &Asked) -> String {
+    format!(
+        "{} {}(const {}& q)",
+        type_of(asked.answer.kind),
+        asked.name,
+        type_of(asked.question)
+    )
+}
+
+/// The struct of a type.
+fn declaration(found: Type) -> String {
+    let mut text = format!("struct {} {{\n", found.name());
+    match found {
+        Type::Numbers(_, parts) => {
+            for part in parts {
+                let _ = writeln!(text, "    double {} = 0;", safe(part));
+            }
+        }
+        Type::Record(record) => {
+            for field in record.fields {
+                let (kind, name) = (type_of(field.kind), safe(field.name));
+                let _ = writeln!(text, "    {kind} {name}{{}}; // {}", field.meaning);
+            }
+        }
+    }
+    text.push_str("};\n");
     text
 }
 
 /// The struct of a type, and how it is read and written.
 fn class(found: Type) -> String {
     let name = found.name();
-    let mut text = format!("\nstruct {name} {{\n");
-    let mut members = Vec::new();
-    match found {
+    let members: Vec<_> = match found {
         Type::Numbers(_, parts) => {
-            for part in parts {
-                let _ = writeln!(text, "    double {} = 0;", safe(part));
-                members.push((safe(part), Kind::Number));
-            }
+            let parts = parts.iter();
+            parts.map(|part| (safe(part), Kind::Number)).collect()
         }
         Type::Record(record) => {
-            for field in record.fields {
-                let kind = type_of(field.kind);
-                let _ = writeln!(
-                    text,
-                    "    {kind} {}{{}}; // {}",
-                    safe(field.name),
-                    field.meaning
-                );
-                members.push((safe(field.name), *field.kind));
-            }
+            let fields = record.fields.iter();
+            fields
+                .map(|field| (safe(field.name), *field.kind))
+                .collect()
         }
-    }
-    let _ = write!(
-        text,
-        "}};\n\ninline void read(Words& words, {name}& value) {{\n"
+    };
+    let mut text = format!(
+        "\n{}\ninline void read(Words& words, {name}& value) {{\n",
+        declaration(found)
     );
     for (member, kind) in &members {
         text.push_str(&read(kind, &format!("value.{member}")));

@@ -62,12 +62,11 @@ pub fn program(asked: &Asked) -> String {
     for found in all {
         text.push_str(&class(found));
     }
-    let question = type_of(asked.question);
     let _ = write!(
         text,
         r#"
 
-def {name}(q: {question}) -> {answer}:
+{head}:
     """{task}
 
     Returns {meaning}
@@ -93,7 +92,7 @@ def main():
 if __name__ == "__main__":
     main()
 "#,
-        answer = type_of(asked.answer.kind),
+        head = head(asked),
         task = asked.task,
         meaning = asked.answer.meaning,
         read = read(asked.question, "Words(rest)"),
@@ -101,37 +100,59 @@ if __name__ == "__main__":
     text
 }
 
-/// The class of a type, and how it is read.
-fn class(found: Type) -> String {
-    let mut text = format!("\n\n@dataclass\nclass {}:\n", found.name());
-    let mut reads = Vec::new();
+/// What the student writes: the classes, and the function.
+pub fn signature(asked: &Asked) -> String {
+    let mut all = Vec::new();
+    types(asked.question, &mut all);
+    types(asked.answer.kind, &mut all);
+    let classes: Vec<_> = all.into_iter().map(declaration).collect();
+    format!("{}\n\n{}: ...\n", classes.join("\n\n"), head(asked))
+}
+
+/// The function up to its body.
+fn head(asked: &Asked) -> String {
+    format!(
+        "def {}(q: {}) -> {}",
+        asked.name,
+        type_of(asked.question),
+        type_of(asked.answer.kind)
+    )
+}
+
+/// The fields of a type.
+fn declaration(found: Type) -> String {
+    let mut text = format!("@dataclass\nclass {}:\n", found.name());
     match found {
         Type::Numbers(_, parts) => {
             for part in parts {
                 let _ = writeln!(text, "    {}: float", safe(part));
-                reads.push(read(&Kind::Number, "words"));
             }
         }
         Type::Record(record) => {
             for field in record.fields {
-                let kind = type_of(field.kind);
-                let _ = writeln!(
-                    text,
-                    "    {}: {kind}  # {}",
-                    safe(field.name),
-                    field.meaning
-                );
-                reads.push(read(field.kind, "words"));
+                let (name, kind) = (safe(field.name), type_of(field.kind));
+                let _ = writeln!(text, "    {name}: {kind}  # {}", field.meaning);
             }
         }
     }
-    let _ = write!(
-        text,
-        "\n    @staticmethod\n    def read(words: Words) -> {name}:\n        return {name}({reads})\n",
+    text
+}
+
+/// The class of a type, and how it is read.
+fn class(found: Type) -> String {
+    let reads: Vec<_> = match found {
+        Type::Numbers(_, parts) => parts.iter().map(|_| read(&Kind::Number, "words")).collect(),
+        Type::Record(record) => {
+            let fields = record.fields.iter();
+            fields.map(|field| read(field.kind, "words")).collect()
+        }
+    };
+    format!(
+        "\n\n{class}\n    @staticmethod\n    def read(words: Words) -> {name}:\n        return {name}({reads})\n",
+        class = declaration(found),
         name = found.name(),
         reads = reads.join(", ")
-    );
-    text
+    )
 }
 
 fn type_of(kind: &Kind) -> String {

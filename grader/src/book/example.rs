@@ -1,0 +1,72 @@
+//! `{{example sphere_hit}}`: what goes in and what comes out of one named case, as a table.
+
+use crate::examine::{Case, Examiner, visible_rng};
+use maud::html;
+use raybook_workbook::kind::{Field, Kind};
+
+/// The table of the named case `name`, or of the first case where no name is given.
+///
+/// # Errors
+/// If there is no such case.
+pub(super) fn expand(examiner: &dyn Examiner, name: &str) -> Result<String, String> {
+    let cases = examiner.cases(&mut visible_rng(examiner.name())).cases;
+    let case = find(&cases, name).ok_or_else(|| {
+        format!(
+            "{} has no case `{name}`; see its file in golden/",
+            examiner.name()
+        )
+    })?;
+    let mut meanings = Vec::new();
+    meanings_of(examiner.asked().question, &mut meanings);
+    let meaning = |name: &str| {
+        let found = meanings.iter().find(|field| field.name == name);
+        found.map_or("", |field| field.meaning)
+    };
+    let answer = examiner.asked().answer.meaning;
+    let asked = examiner.question_parts(&case.question);
+    let answered = examiner.answer_parts(&case.answers[0]);
+    let table = html! {
+        table class="example" {
+            caption { "The case “" (case.name) "” of " code { (examiner.name()) } }
+            thead { tr { th { "in" } th { "value" } th { "meaning" } } }
+            tbody { @for (name, value) in &asked { tr { td { code { (name) } } td { (short(value)) } td { (meaning(name)) } } } }
+            thead { tr { th { "out" } th { "value" } th { "meaning" } } }
+            tbody { @for (i, (name, value)) in answered.iter().enumerate() { tr {
+                td { code { (name) } } td { b { (short(value)) } } td { @if i == 0 { (answer) } }
+            } } }
+        }
+    };
+    Ok(table.into_string())
+}
+
+fn find<'a>(cases: &'a [Case], name: &str) -> Option<&'a Case> {
+    match name {
+        "" => cases.first(),
+        name => cases.iter().find(|case| case.name == name),
+    }
+}
+
+/// The first words of a value that is too long for a table.
+pub(super) fn short(value: &str) -> String {
+    const LONGEST: usize = 60;
+    if value.chars().count() <= LONGEST {
+        return value.to_owned();
+    }
+    let mut start: String = value.chars().take(LONGEST).collect();
+    start.truncate(start.trim_end().rfind(' ').unwrap_or(start.len()));
+    format!("{} …", start.trim_end())
+}
+
+/// Every field of a question with its meaning, those inside of records too.
+fn meanings_of<'a>(kind: &'a Kind, fields: &mut Vec<&'a Field>) {
+    match kind {
+        Kind::Optional(kind) | Kind::List(kind) => meanings_of(kind, fields),
+        Kind::Record(record) => {
+            for field in record.fields {
+                fields.push(field);
+                meanings_of(field.kind, fields);
+            }
+        }
+        _ => {}
+    }
+}

@@ -1,0 +1,108 @@
+//! `{{mistakes sphere_hit}}`: what it looks like when a function is wrong, by the grader's own mistakes.
+
+use super::example::short;
+use crate::examine::{Case, Examiner, visible_rng};
+use maud::{Markup, html};
+use raybook::image::{Image, file};
+use raybook_chapters::kit::palette;
+use rayon::prelude::{IntoParallelIterator, ParallelIterator};
+use std::path::Path;
+
+/// The answer of a mistake to the first case that shows it.
+struct Shown<'a> {
+    case: &'a Case,
+    got: String,
+    why: String,
+}
+
+/// The gallery of an exercise's mistakes; their pictures are written into the folder `mistakes` of `pictures`.
+///
+/// # Errors
+/// If a picture cannot be written.
+pub(super) fn expand(examiner: &dyn Examiner, pictures: &Path) -> Result<String, String> {
+    let name = examiner.name();
+    let cases = examiner.cases(&mut visible_rng(name)).cases;
+    let right = picture(examiner, |question| examiner.answer_line(question).ok());
+    let (mut cards, mut unseen) = (Vec::new(), Vec::new());
+    if let Some(right) = &right {
+        let alt = examiner.pictures()[0].alt;
+        let file = save(pictures, &format!("{name}_right"), right)?;
+        cards.push(html! {
+            figure class="right" { img src=(file) alt=(alt) loading="lazy"; figcaption { b { "Right." } } }
+        });
+    }
+    for (i, (mistake, hint)) in examiner.mistakes().into_iter().enumerate() {
+        let wrong = picture(examiner, |question| examiner.mistaken(i, question));
+        let seen = wrong.filter(|wrong| right.as_ref() != Some(wrong));
+        let image = match &seen {
+            Some(wrong) => Some(save(pictures, &format!("{name}_{}", i + 1), wrong)?),
+            None => None,
+        };
+        let alt = format!("What is drawn by a function that {mistake}");
+        let shown = first_shown(examiner, i, &cases);
+        let card = html! {
+            figure {
+                @if let Some(image) = image { img src=(image) alt=(alt) loading="lazy"; }
+                figcaption {
+                    b { "… it " (mistake) "." }
+                    @if let Some(shown) = shown { " " (told(&shown)) }
+                    details { summary { "Hint" } (hint) }
+                }
+            }
+        };
+        if seen.is_some() {
+            cards.push(card);
+        } else {
+            unseen.push(card); // the pictures stand together, and first
+        }
+    }
+    cards.extend(unseen);
+    let gallery = html! { div class="gallery" { @for card in cards { (card) } } };
+    Ok(gallery.into_string())
+}
+
+/// The case, the wrong answer beside the right one where both are short, and what the grader says.
+fn told(shown: &Shown<'_>) -> Markup {
+    let right = &shown.case.answers[0];
+    let (got, right) = (short(&shown.got), short(right));
+    html! {
+        "Case “" (shown.case.name) "”: " code { (got) } " instead of " code { (right) } ". "
+        q { (shown.why) }
+    }
+}
+
+/// The first case whose answer is wrong.
+fn first_shown<'a>(examiner: &dyn Examiner, i: usize, cases: &'a [Case]) -> Option<Shown<'a>> {
+    cases.iter().find_map(|case| {
+        let got = examiner.mistaken(i, &case.question)?;
+        let why = examiner.judge(&case.question, &case.answers, &got).err()?;
+        Some(Shown { case, got, why })
+    })
+}
+
+/// The exercise's first picture by these answers, if it has one.
+fn picture(
+    examiner: &dyn Examiner,
+    answer: impl Fn(&str) -> Option<String> + Sync,
+) -> Option<Image> {
+    let size = *examiner.pictures().first()?;
+    let colour = |i: u32| {
+        let question = examiner.pixel_question(0, i % size.width, i / size.width);
+        let answer = answer(&question)?;
+        examiner.pixel_colour(0, &question, &answer)
+    };
+    let pixels = (0..size.width * size.height).into_par_iter();
+    let pixels: Vec<_> = pixels.map(colour).collect();
+    Some(Image::from_fn(
+        size.width as usize,
+        size.height as usize,
+        |x, y| pixels[y * size.width as usize + x].unwrap_or(palette::linear(palette::INK)),
+    ))
+}
+
+/// Writes a picture, and returns its address in the book.
+fn save(pictures: &Path, name: &str, picture: &Image) -> Result<String, String> {
+    let path = format!("mistakes/{name}.png");
+    file::save(&pictures.join(&path), picture).map_err(|error| error.to_string())?;
+    Ok(format!("pictures/{path}"))
+}

@@ -1,0 +1,93 @@
+//! The course book's pages, when they are built: each directive becomes what it names, so that no page can drift from the course.
+//!
+//! A directive stands alone on its line:
+//!
+//! | directive | what it becomes |
+//! |---|---|
+//! | `{{figure roots \| alternative text}}` | a figure of this chapter, with the caption that the run which drew it gave it |
+//! | `{{example sphere_hit}}`, `{{example sphere_hit \| head on}}` | an exercise's first named case, or the one of this name |
+//! | `{{turn sphere_hit}}` | the task, the signature in four languages, parameters, command, limits |
+//! | `{{reference sphere_hit}}`, `{{reference src/render/path.rs:path}}` | the reference, folded |
+//! | `{{listing src/shape/mod.rs:shape}}` | an anchor of the library, open |
+//! | `{{mistakes sphere_hit}}` | the exercise's mistakes: name, message, answer, picture |
+//!
+//! Besides, `chapter 7` in a text becomes a link, and a lesson is told how long it takes to read.
+
+mod directive;
+mod example;
+mod figure;
+mod fit;
+mod listing;
+mod mistakes;
+mod text;
+mod turn;
+
+use crate::cases;
+use crate::examine::Examiner;
+use directive::Directive;
+use std::path::Path;
+
+pub use figure::{FIGURES, write_captions};
+pub use fit::WIDEST;
+
+/// What is wrong with a page, and where.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("book/src/{page}:{line}: {what}")]
+pub struct BookError {
+    /// The page's file.
+    pub page: String,
+    /// The line, from 1.
+    pub line: usize,
+    /// What is wrong, and what to do.
+    pub what: String,
+}
+
+/// The text of a page with its directives expanded. `pictures` is the folder of the book's pictures: the captions are read from
+/// there, and the mistakes' pictures are written into it.
+///
+/// # Errors
+/// If a directive is wrong, or a picture cannot be written.
+pub fn expand(page: &str, source: &str, pictures: &Path) -> Result<String, BookError> {
+    let mut expanded = String::with_capacity(2 * source.len());
+    let mut fenced = false;
+    for (line, number) in source.lines().zip(1..) {
+        let at = |what| BookError {
+            page: page.to_owned(),
+            line: number,
+            what,
+        };
+        fenced ^= line.starts_with("```");
+        match directive::read(line).map_err(at)? {
+            Some(directive) => {
+                expanded.push_str(&become_text(page, &directive, pictures).map_err(at)?);
+            }
+            None if fenced => expanded.push_str(line),
+            None => expanded.push_str(&text::linked(page, line)),
+        }
+        expanded.push('\n');
+    }
+    Ok(text::with_reading_time(&expanded, source))
+}
+
+/// What a directive becomes.
+fn become_text(page: &str, directive: &Directive<'_>, pictures: &Path) -> Result<String, String> {
+    let Directive { word, name, rest } = *directive;
+    match word {
+        "figure" => figure::expand(page, name, rest, pictures),
+        "example" => example::expand(exercise(name)?, rest),
+        "turn" => turn::expand(exercise(name)?),
+        "reference" => listing::reference(name),
+        "listing" => listing::open(name),
+        "mistakes" => mistakes::expand(exercise(name)?, pictures),
+        _ => Err(format!(
+            "there is no directive `{word}`; there are figure, example, turn, reference, listing and mistakes"
+        )),
+    }
+}
+
+/// The exercise of this name.
+fn exercise(name: &str) -> Result<&'static dyn Examiner, String> {
+    cases::find(name).ok_or_else(|| {
+        format!("there is no exercise `{name}`; `raybook exercise` lists all that there are")
+    })
+}

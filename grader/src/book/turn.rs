@@ -1,0 +1,119 @@
+//! `{{turn sphere_hit}}`: what a student needs to write a function, in four languages.
+
+use super::fit::fit;
+use crate::converse::Limits;
+use crate::describe::words;
+use crate::examine::{Examiner, RANDOM_CASES};
+use crate::library;
+use crate::reader::{cpp, python};
+use maud::html;
+use raybook_workbook::exercise::Asked;
+use raybook_workbook::kind::{Field, Kind};
+use std::fmt::Write;
+
+/// The task, the signature in tabs, the table of parameters, the commands and the limits.
+///
+/// # Errors
+/// If the library has no function of this name.
+pub(super) fn expand(examiner: &dyn Examiner) -> Result<String, String> {
+    let (asked, name) = (examiner.asked(), examiner.name());
+    let function = library::function(name)
+        .ok_or_else(|| format!("the library has no function between anchors `{name}`"))?;
+    let rust = format!(
+        "{} {{\n    todo!(\"{name}\")\n}}\n",
+        dedented(function.signature)
+    );
+    let languages = [
+        ("Rust", "rust,noplayground", rust),
+        ("C++", "cpp", cpp::signature(asked)),
+        ("Python", "python", python::signature(asked)),
+        ("Pseudocode", "text", pseudocode(asked)),
+    ];
+    let named = examiner.named().map_err(|error| error.to_string())?.len();
+    let limit = Limits::default().time.as_secs_f32();
+    let place = library::place(name).unwrap_or_default();
+    let title = html! { h3 id={ "turn-" (name) } { code { (name) } } };
+    let mut text = format!("{}\n\n{}\n\n", title.into_string(), asked.task);
+    text.push_str(&tabs(name, &languages));
+    text.push_str(&parameters(asked));
+    let _ = write!(
+        text,
+        "\n\nIn Rust, write it in `{place}` of your workbook. In C++ or Python, begin with the program that \
+         `raybook exercise {name} --reader cpp` (or `python`) prints: only the function is missing.\n\n\
+         ```sh\nraybook check {name}                        # your workbook, in Rust\n\
+         raybook check {name} --program ./answer     # a program in any language\n\
+         raybook hint {name}\n```\n\n\
+         Limits: {named} named and {RANDOM_CASES} random cases; {limit} s for each answer.\n"
+    );
+    Ok(text)
+}
+
+/// The languages side by side. The tabs are radio buttons and style, so that they work without a script; in print all are shown.
+fn tabs(name: &str, languages: &[(&str, &str, String)]) -> String {
+    let mut text = "<div class=\"tabs\">\n".to_owned();
+    for (i, (language, _, _)) in languages.iter().enumerate() {
+        let id = format!("tab-{name}-{i}");
+        let group = format!("tabs-{name}");
+        let tab = html! {
+            input type="radio" name=(group) id=(id) checked[i == 0];
+            label for=(id) { (language) }
+        };
+        text.push_str(&tab.into_string());
+    }
+    for (language, highlight, listing) in languages {
+        let listing = fit(listing);
+        let _ = write!(
+            text,
+            "\n<div class=\"tab\" title=\"{language}\">\n\n```{highlight}\n{listing}```\n\n</div>\n"
+        );
+    }
+    text.push_str("</div>\n\n");
+    text
+}
+
+/// The function as mathematics would have it.
+fn pseudocode(asked: &Asked) -> String {
+    let fields = fields(asked);
+    let parameters: Vec<_> = fields
+        .iter()
+        .map(|field| format!("    {}: {}", field.name, words(field.kind)))
+        .collect();
+    format!(
+        "function {}(\n{}\n) returns {}: {}\n",
+        asked.name,
+        parameters.join(",\n"),
+        asked.answer.name,
+        words(asked.answer.kind)
+    )
+}
+
+/// A row for each parameter, and one for the answer.
+fn parameters(asked: &Asked) -> String {
+    let row = |field: &Field| {
+        html! { tr { td { code { (field.name) } } td { (words(field.kind)) } td { (field.meaning) } } }
+    };
+    let table = html! {
+        table class="parameters" {
+            thead { tr { th { "parameter" } th { "kind" } th { "meaning and unit" } } }
+            tbody { @for field in fields(asked) { (row(field)) } }
+            thead { tr { th { "returns" } th { "kind" } th { "meaning and unit" } } }
+            tbody { (row(&asked.answer)) }
+        }
+    };
+    table.into_string()
+}
+
+fn fields(asked: &Asked) -> &'static [Field] {
+    match asked.question {
+        Kind::Record(record) => record.fields,
+        _ => &[],
+    }
+}
+
+/// A signature that begins at the left margin.
+fn dedented(signature: &str) -> String {
+    let indent = signature.len() - signature.trim_start().len();
+    let lines = signature.lines();
+    let lines: Vec<_> = lines.map(|line| line.get(indent..).unwrap_or("")).collect();
+    lines.join("\n")
+}

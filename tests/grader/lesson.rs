@@ -1,0 +1,254 @@
+//! The lessons of the course book: each has the same parts in the same order, and every directive in it can be expanded.
+
+use raybook_common::project;
+use raybook_grader::book::{BookError, WIDEST, expand};
+use raybook_workbook::curriculum::{CHAPTERS, Chapter};
+use std::fs;
+use std::path::Path;
+
+/// The headings of a lesson.
+const FRAME: [&str; 11] = [
+    "The question",
+    "The idea",
+    "The derivation",
+    "With numbers",
+    "Your turn",
+    "The reference",
+    "What it looks like when …",
+    "In practice",
+    "Predict before you run",
+    "What your tracer now draws",
+    "Further reading",
+];
+
+/// The chapters whose pages are essays still. Whoever turns one into a lesson takes its line away.
+const ESSAYS: &[&str] = &[
+    "ch01_rays",
+    "ch02_hdr",
+    "ch04_plane",
+    "ch05_box",
+    "ch06_triangle",
+    "ch07_mesh",
+    "ch08_grid",
+    "ch09_two_level_grid",
+    "ch10_octree",
+    "ch11_bvh",
+    "ch12_phong",
+    "ch13_reflection",
+    "ch14_refraction",
+    "ch15_shadows",
+    "ch16_soft_shadows",
+    "ch18_environment",
+    "ch19_depth_of_field",
+    "ch20_panorama",
+    "ch21_black_hole",
+    "ch22_antialiasing",
+    "ch23_adaptive",
+    "ch24_wide_bvh",
+    "ch25_capstone",
+];
+
+#[test]
+fn every_lesson_has_the_parts_of_a_lesson() {
+    for chapter in CHAPTERS {
+        let found = wrong_parts(chapter, &text(chapter));
+        let is_essay = ESSAYS.contains(&chapter.name);
+        assert!(
+            !(is_essay && found.is_empty()),
+            "{} is a lesson now: take it off the list of essays",
+            chapter.name
+        );
+        assert!(
+            is_essay || found.is_empty(),
+            "book/src/{}.md:\n  {}",
+            chapter.name,
+            found.join("\n  ")
+        );
+    }
+}
+
+#[test]
+fn a_lesson_that_lacks_a_part_is_noticed() {
+    let chapter = &CHAPTERS[2];
+    let whole = text(chapter);
+    assert!(wrong_parts(chapter, &whole).is_empty(), "it is whole");
+    for part in [
+        "## With numbers",
+        "{{turn sphere_normal}}",
+        "{{reference sphere_hit}}",
+        "{{mistakes solve_quadratic}}",
+        "{{example ",
+        "{{figure picture",
+        "$$",
+        "<details><summary>Answer</summary>",
+        "raybook draw ch03",
+        "doi.org",
+    ] {
+        let without = whole.replace(part, "");
+        assert_ne!(without, whole, "{part} is in it");
+        assert!(
+            !wrong_parts(chapter, &without).is_empty(),
+            "without {part} it is not whole"
+        );
+    }
+}
+
+#[test]
+fn every_directive_can_be_expanded_and_every_listing_fits() {
+    let pictures = tempfile::tempdir().expect("a folder");
+    let mut listings = 0;
+    for page in pages() {
+        let source = fs::read_to_string(project("book/src").join(&page)).expect("a page is text");
+        let expanded = expand(&page, &source, pictures.path());
+        let expanded = expanded.unwrap_or_else(|error| panic!("{error}"));
+        assert!(!expanded.contains("{{turn "), "{page} is expanded");
+        if !is_lesson(&source) {
+            continue;
+        }
+        let mut fenced = false;
+        for line in expanded.lines() {
+            fenced ^= line.starts_with("```");
+            listings += usize::from(fenced && line.starts_with("```"));
+            assert!(
+                !fenced || line.chars().count() <= WIDEST,
+                "{page}: a listing's line is longer than {WIDEST} characters: {line}"
+            );
+        }
+    }
+    assert!(listings >= 20, "the listings were seen: {listings}");
+}
+
+#[test]
+fn what_a_page_becomes_is_the_courses_own() {
+    let pictures = tempfile::tempdir().expect("a folder");
+    let expanded = |line: &str| {
+        let text = expand("ch03_sphere.md", line, pictures.path());
+        text.unwrap_or_else(|error| panic!("{error}"))
+    };
+    let example = expanded("{{example sphere_hit | from inside, off the centre}}");
+    assert!(
+        example.contains("<b>0.5</b>"),
+        "the golden answer: {example}"
+    );
+    let turn = expanded("{{turn sphere_hit}}");
+    for part in [
+        "fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {",
+        "std::optional<double> sphere_hit(const SphereHit& q);",
+        "def sphere_hit(q: SphereHit) -> float | None: ...",
+        "function sphere_hit(",
+        "raybook check sphere_hit",
+    ] {
+        assert!(turn.contains(part), "{part} is in {turn}");
+    }
+    let mistakes = expanded("{{mistakes sphere_hit}}");
+    assert!(
+        mistakes.contains("takes the far root") && mistakes.contains("t is 2.0000 m too large"),
+        "name and message: {mistakes}"
+    );
+    let picture = pictures.path().join("mistakes/sphere_hit_1.png");
+    assert!(picture.is_file(), "the mistake's picture is drawn");
+}
+
+#[test]
+fn a_wrong_directive_is_an_error_with_its_line() {
+    for (line, said) in [
+        ("{{turn sphere_hitt}}", "no exercise `sphere_hitt`"),
+        ("{{example sphere_hit | at noon}}", "no case `at noon`"),
+        ("{{sing sphere_hit}}", "no directive `sing`"),
+        ("{{turn}}", "a word and a name"),
+        ("a {{turn sphere_hit}}", "alone on its line"),
+        ("{{turn sphere_hit", "alone on its line"),
+        ("{{figure roots}}", "cannot see it"),
+        ("{{listing src/none.rs:a}}", "no file src/none.rs"),
+        ("{{listing src/shape/mod.rs:none}}", "no `// ANCHOR: none`"),
+        ("{{reference nothing}}", "no exercise"),
+    ] {
+        let error = expand(
+            "ch03_sphere.md",
+            &format!("one\ntwo\n{line}"),
+            Path::new("nowhere"),
+        );
+        let BookError { page, line, what } = error.expect_err("it is wrong");
+        assert_eq!((page.as_str(), line), ("ch03_sphere.md", 3));
+        assert!(what.contains(said), "{what} says {said}");
+    }
+}
+
+/// What is wrong with a lesson's parts.
+fn wrong_parts(chapter: &Chapter, text: &str) -> Vec<String> {
+    let headings: Vec<_> = text.lines().filter_map(|l| l.strip_prefix("## ")).collect();
+    let mut wrong = Vec::new();
+    if headings != FRAME {
+        wrong.push(format!(
+            "its headings must be {FRAME:?}, and are {headings:?}"
+        ));
+    }
+    let part = |heading: &str| {
+        let mut parts = text.split("\n## ");
+        let part = parts.find(|part| part.starts_with(heading));
+        part.unwrap_or("").to_owned()
+    };
+    let start = text.split("\n## ").next().unwrap_or("");
+    let run = format!("cargo run --release --bin {}", chapter.name);
+    let draw = format!("raybook draw {}", &chapter.name[..4]);
+    let mut needed = vec![
+        (start.to_owned(), "{{figure picture | ".to_owned()),
+        (start.to_owned(), run),
+        (part("The idea"), "<fig".to_owned()),
+        (part("The derivation"), "$$".to_owned()),
+        (part("With numbers"), "{{example ".to_owned()),
+        (part("What your tracer"), draw),
+        (part("Further reading"), "https://doi.org/".to_owned()),
+    ];
+    for exercise in chapter.exercises() {
+        for (heading, word) in [
+            ("Your turn", "turn"),
+            ("The reference", "reference"),
+            ("What it looks", "mistakes"),
+        ] {
+            needed.push((part(heading), format!("{{{{{word} {}}}}}", exercise.name)));
+        }
+    }
+    for (part, what) in needed {
+        if !part.contains(&what) {
+            let heading = part.lines().next().unwrap_or("the part that is missing");
+            wrong.push(format!("`{heading}` lacks {what}"));
+        }
+    }
+    let asked = part("Predict");
+    let is_question = |line: &&str| line.starts_with(|c: char| c.is_ascii_digit());
+    let questions = asked.lines().filter(is_question).count();
+    let answers = asked.matches("<details><summary>Answer</summary>").count();
+    if questions < 2 || answers != questions {
+        wrong.push(format!(
+            "{questions} questions have {answers} folded answers"
+        ));
+    }
+    if text.contains("{{#include") {
+        wrong.push(
+            "an {{#include}} may show a solution: use {{reference}} or {{listing}}".to_owned(),
+        );
+    }
+    wrong
+}
+
+fn is_lesson(text: &str) -> bool {
+    text.contains("\n## Your turn\n")
+}
+
+/// The text of a chapter's page.
+fn text(chapter: &Chapter) -> String {
+    let path = project("book/src").join(format!("{}.md", chapter.name));
+    fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// The files of the book's pages.
+fn pages() -> Vec<String> {
+    let entries = fs::read_dir(project("book/src")).expect("book/src is there");
+    let names = entries
+        .flatten()
+        .map(|entry| entry.file_name().to_string_lossy().into_owned());
+    let pages: Vec<_> = names.filter(|name| name.ends_with(".md")).collect();
+    assert!(pages.len() > CHAPTERS.len(), "all pages are seen");
+    pages
+}

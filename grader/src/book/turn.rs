@@ -3,8 +3,9 @@
 use super::fit::fit;
 use crate::converse::Limits;
 use crate::describe::words;
-use crate::examine::{Examiner, RANDOM_CASES};
+use crate::examine::{Examiner, visible_rng};
 use crate::library;
+use crate::limits::limits;
 use crate::reader::{cpp, python};
 use maud::html;
 use raybook_workbook::exercise::Asked;
@@ -29,7 +30,8 @@ pub(super) fn expand(examiner: &dyn Examiner) -> Result<String, String> {
         ("Python", "python", python::signature(asked)),
         ("Pseudocode", "text", pseudocode(asked)),
     ];
-    let named = examiner.named().map_err(|error| error.to_string())?.len();
+    examiner.named().map_err(|error| error.to_string())?;
+    let cases = examiner.cases(&mut visible_rng(name)).cases;
     let limit = Limits::default().time.as_secs_f32();
     let place = library::place(name).unwrap_or_default();
     let title = html! { h3 id={ "turn-" (name) } { code { (name) } } };
@@ -43,7 +45,14 @@ pub(super) fn expand(examiner: &dyn Examiner) -> Result<String, String> {
          ```sh\nraybook check {name}                        # your workbook, in Rust\n\
          raybook check {name} --program ./answer     # a program in any language\n\
          raybook hint {name}\n```\n\n\
-         Limits: {named} named and {RANDOM_CASES} random cases; {limit} s for each answer.\n"
+         <details class=\"limits\"><summary>Limits</summary>\n\n"
+    );
+    for sentence in limits(examiner, &cases) {
+        let _ = writeln!(text, "- {sentence}");
+    }
+    let _ = write!(
+        text,
+        "- {limit} s of processor time for each answer.\n\n</details>\n"
     );
     Ok(text)
 }

@@ -77,7 +77,6 @@ fn who_works_and_who_sleeps_is_known() {
         rustix::process::kill_process_group(group, rustix::process::Signal::KILL).expect("there");
         child.wait().expect("it ends");
         assert!(seen, "{script}");
-        assert_eq!(usage(child.id()), None, "nobody is left");
     }
 }
 

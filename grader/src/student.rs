@@ -1,7 +1,9 @@
 //! A student's folder, and the answer program that is built from it.
 
 use crate::converse::Program;
-use crate::starter::MARKER;
+use crate::language::Language;
+use crate::recipe::{Commands, Recipe, RecipeError};
+use crate::starter::{self, MARKER};
 use raybook_chapters::kit::untrusted::Untrusted;
 use serde_json::Value;
 use std::io;
@@ -14,6 +16,17 @@ pub enum StudentError {
     /// Not a student's folder.
     #[error("{}: this is not a workbook: neither here nor above is there a {MARKER}; `raybook new my-rays` makes one", Untrusted::from(.0.as_path()))]
     NoWorkbook(PathBuf),
+    /// Its `raybook.toml` is wrong.
+    #[error(transparent)]
+    Recipe(#[from] RecipeError),
+    /// The command that builds it is not there.
+    #[error("cannot run `{}`, which builds your program: {reason}; is it installed?", Untrusted::from(command.as_str()))]
+    NoBuilder {
+        /// The command.
+        command: String,
+        /// What the system says.
+        reason: io::Error,
+    },
     /// Cargo is not there.
     #[error(
         "cannot run cargo, which builds your program: {0}; is Rust installed (https://rustup.rs)?"
@@ -46,12 +59,63 @@ pub fn workbook(from: &Path) -> Result<PathBuf, StudentError> {
         .ok_or(StudentError::NoWorkbook(absolute))
 }
 
-/// Builds the answer program. What the compiler has to say goes to standard error.
+/// Builds the answer program, by the folder's `raybook.toml`. What the compiler has to say goes to standard error.
 ///
 /// # Errors
-/// If cargo is missing, or the program does not compile.
+/// If `raybook.toml` is wrong, the compiler is missing, or the program does not compile.
 pub fn build(folder: &Path) -> Result<Program, StudentError> {
-    build_binary(&mut Command::new("cargo"), folder, "answer", &[])
+    match Recipe::read(folder)? {
+        Recipe::Rust => build_binary(&mut Command::new("cargo"), folder, "answer", &[]),
+        Recipe::Commands(commands) => {
+            if let Some(words) = &commands.build {
+                build_by(words, folder)?;
+            }
+            Ok(program(&commands, folder))
+        }
+    }
+}
+
+/// The program that answers, by the commands of a folder: a program with a slash in its name is the folder's.
+pub fn program(commands: &Commands, folder: &Path) -> Program {
+    let mut words = commands.run.iter();
+    let first = words.next().map(String::as_str).unwrap_or_default();
+    Program {
+        file: if first.contains('/') {
+            folder.join(first)
+        } else {
+            first.into()
+        },
+        arguments: words.map(Into::into).collect(),
+        folder: folder.to_owned(),
+        sandbox: None,
+    }
+}
+
+/// The file in which an exercise is written in this workbook, if its language has a starter.
+pub fn place(folder: &Path, exercise: &str) -> Option<String> {
+    let recipe = Recipe::read(folder).ok()?;
+    starter::place(Language::find(recipe.language())?, exercise)
+}
+
+/// Runs the command that builds a folder's program.
+fn build_by(words: &[String], folder: &Path) -> Result<(), StudentError> {
+    let [first, rest @ ..] = words else {
+        return Ok(());
+    };
+    let status = Command::new(first)
+        .args(rest)
+        .current_dir(folder)
+        .stdin(Stdio::null())
+        .stdout(io::stderr()) // standard output may be JSON
+        .status();
+    match status {
+        Err(reason) => Err(StudentError::NoBuilder {
+            command: words.join(" "),
+            reason,
+        }),
+        Ok(status) if status.success() => Ok(()),
+        Ok(_) => Err(StudentError::DoesNotCompile),
+    }
 }
 
 /// Builds one of the folder's programs with this cargo and these further options.

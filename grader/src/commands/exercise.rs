@@ -5,6 +5,7 @@ use super::{Done, Target};
 use raybook_chapters::kit::say::say;
 use raybook_grader::describe::{describe, schema};
 use raybook_grader::json;
+use raybook_grader::language::Language;
 use raybook_grader::reader::{cpp, python};
 use serde_json::json;
 
@@ -21,15 +22,6 @@ pub struct Exercise {
     /// Print a program in this language that reads the questions of one exercise and writes its answers
     #[arg(long, value_name = "LANGUAGE")]
     reader: Option<Language>,
-}
-
-/// A language of programs that can be printed.
-#[derive(Clone, Copy, clap::ValueEnum)]
-enum Language {
-    /// Python 3
-    Python,
-    /// C++17
-    Cpp,
 }
 
 impl Exercise {
@@ -54,6 +46,9 @@ impl Exercise {
             say(match language {
                 Language::Python => python::program(asked),
                 Language::Cpp => cpp::program(asked),
+                Language::Rust => {
+                    return Err("in Rust a workbook reads the questions: raybook new my-rays".into());
+                }
             });
         } else if self.json {
             let exercises: Vec<_> = examiners.into_iter().map(schema).collect();

@@ -7,7 +7,7 @@ use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_grader::ask::Asker;
 use raybook_grader::check::{State, check};
 use raybook_grader::examine::visible_rng;
-use raybook_grader::library;
+use raybook_grader::student;
 
 /// Hints at what is wrong.
 #[derive(clap::Args)]
@@ -35,7 +35,7 @@ impl Hint {
                 (State::Right, ..) => continue,
                 (State::NotStarted, ..) => {
                     say(format!("{name}: {}", examiner.task()));
-                    if let (Some(_), Some(file)) = (workbook, library::place(name)) {
+                    if let Some(file) = workbook.and_then(|folder| student::place(&folder, name)) {
                         say(format!("Write it in {file}."));
                     }
                 }

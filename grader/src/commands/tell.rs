@@ -8,7 +8,7 @@ use raybook_grader::check::{Report, State};
 use raybook_grader::dress::Dress;
 use raybook_grader::examine::Examiner;
 use raybook_grader::progress::KEPT;
-use raybook_grader::{cases, feedback, library, pictured};
+use raybook_grader::{cases, feedback, library, pictured, student};
 use raybook_workbook::curriculum::{CHAPTERS, Chapter};
 use std::path::{Path, PathBuf};
 
@@ -109,7 +109,7 @@ impl Telling<'_> {
             |state: fn(&State) -> bool| reports.iter().map(|(r, _)| r).find(|r| state(&r.state()));
         // Where the function is, in a workbook.
         let place = |report: &Report| {
-            let place = self.folder.and(library::place(report.exercise));
+            let place = self.folder.and_then(|folder| student::place(folder, report.exercise));
             place.map_or_else(String::new, |file| format!(" in {file}"))
         };
         if let Some(report) = first(|state| *state == State::Wrong) {

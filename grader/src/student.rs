@@ -3,6 +3,7 @@
 use crate::converse::Program;
 use crate::language::Language;
 use crate::recipe::{Commands, Recipe, RecipeError};
+use crate::sandbox::Sandbox;
 use crate::starter::{self, MARKER};
 use raybook_chapters::kit::untrusted::Untrusted;
 use serde_json::Value;
@@ -71,6 +72,25 @@ pub fn build(folder: &Path) -> Result<Program, StudentError> {
                 build_by(words, folder)?;
             }
             Ok(program(&commands, folder))
+        }
+    }
+}
+
+/// Builds a stranger's answer program in a sandbox, in which it also runs.
+///
+/// # Errors
+/// As [`build`].
+pub fn build_in(sandbox: &Sandbox, folder: &Path) -> Result<Program, StudentError> {
+    match Recipe::read(folder)? {
+        Recipe::Rust => sandbox.build(folder),
+        Recipe::Commands(commands) => {
+            if let Some(words) = &commands.build {
+                sandbox.build_by(folder, words)?;
+            }
+            Ok(Program {
+                sandbox: Some(sandbox.clone()),
+                ..program(&commands, folder)
+            })
         }
     }
 }

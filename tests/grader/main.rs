@@ -15,6 +15,7 @@ mod golden_answers;
 mod grade;
 mod hostile;
 mod interrupt;
+mod languages;
 mod licences;
 mod output;
 mod own_patterns;

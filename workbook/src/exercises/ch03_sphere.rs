@@ -6,8 +6,8 @@ use raybook::math::{interval::Interval, quadratic, ray::Ray};
 use raybook::shape::{Shape, sphere::Sphere};
 
 exercises! { ($) ch03_sphere
-    /// Return both real roots of a·t² + b·t + c = 0, the smaller first, or None where there is none or a is 0; lose no
-    /// digits where b² is much larger than 4ac.
+    /// Return both real roots of a·t² + b·t + c = 0, the smaller first, or none where there is no real root or a is 0;
+    /// lose no digits where b² is much larger than 4ac.
     SolveQuadratic: solve_quadratic(
         /// The factor of t².
         a: f32,
@@ -22,8 +22,10 @@ exercises! { ($) ch03_sphere
         quadratic::solve(a, b, c).map(Vec2::from)
     }
 
-    /// Return the smallest distance t in the interval (min < t < max) at which the ray meets the sphere, as `Hit { t,
-    /// uv: Vec2::ZERO, id: 0 }`, or None; lose no digits where the sphere is small and far away.
+    /// Return the smallest distance t in the interval (min < t < max) at which the ray meets the sphere, or none; lose
+    /// no digits where the sphere is small and far away.
+    ///
+    /// In Rust: the distance as `Some(Hit { t, uv: Vec2::ZERO, id: 0 })`.
     SphereHit: sphere_hit(
         /// The ray.
         ray: Ray,

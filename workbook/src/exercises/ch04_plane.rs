@@ -5,8 +5,9 @@ use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
 use raybook::shape::{Shape, plane::Plane};
 
 exercises! { ($) ch04_plane
-    /// Return the distance t in the interval (min < t < max) at which the ray meets the plane n·p = offset, as `Hit {
-    /// t, uv: Vec2::ZERO, id: 0 }`, or None.
+    /// Return the distance t in the interval (min < t < max) at which the ray meets the plane n·p = offset, or none.
+    ///
+    /// In Rust: the distance as `Some(Hit { t, uv: Vec2::ZERO, id: 0 })`.
     PlaneHit: plane_hit(
         /// The ray.
         ray: Ray,

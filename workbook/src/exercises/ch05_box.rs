@@ -6,8 +6,8 @@ use glam::Vec3;
 use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray, slab};
 
 exercises! { ($) ch05_box
-    /// Return the part of the interval on which the ray is inside the box, as an Interval, or None if it never is; a
-    /// ray in a face touches the box.
+    /// Return the part of the interval on which the ray is inside the box, from where it enters to where it leaves, or
+    /// none if it never is; a ray in a face touches the box.
     BoxClip: box_clip(
         /// The ray.
         ray: Ray,

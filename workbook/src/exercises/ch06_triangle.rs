@@ -7,8 +7,10 @@ use raybook::math::{interval::Interval, ray::Ray};
 use raybook::shape::{Shape, triangle::Triangle};
 
 exercises! { ($) ch06_triangle
-    /// Return where the ray meets the triangle with min < t < max, from either side, as `Hit { t, uv: (b1, b2), id: 0
-    /// }`, or None; the point is p0 + b1·e1 + b2·e2.
+    /// Return where the ray meets the triangle with min < t < max, from either side: the distance t and the weights b1
+    /// and b2, or none; the point is p0 + b1·(p1 − p0) + b2·(p2 − p0).
+    ///
+    /// In Rust: `Some(Hit { t, uv: vec2(b1, b2), id: 0 })`; the triangle holds e1 = p1 − p0 and e2 = p2 − p0.
     TriangleHit: triangle_hit(
         /// The ray.
         ray: Ray,
@@ -33,7 +35,7 @@ exercises! { ($) ch06_triangle
             })
     }
 
-    /// Return the unit normal of the side from which p0, p1, p2 run counter-clockwise, or None for a triangle without
+    /// Return the unit normal of the side from which p0, p1, p2 run counter-clockwise, or none for a triangle without
     /// area.
     TriangleNormal: triangle_normal(
         /// The first corner, in metres.

@@ -62,7 +62,10 @@ exercises! { ($) ch07_mesh
             .collect()
     }
 
-    /// Return the nearest shape of the list that the ray hits with min < t < max, and that hit, or None.
+    /// Return the nearest shape of the list that the ray hits with min < t < max, and the distance of that hit, or
+    /// none.
+    ///
+    /// In Rust: the shape and its `Hit`.
     MeshHit: mesh_hit(
         /// The ray.
         ray: Ray,

@@ -49,8 +49,11 @@ exercises! { ($) ch09_two_level_grid
         }
     }
 
-    /// Visit the coarse cells on the ray's way, each as None, and after each one that is not empty its fine cells on
-    /// the ray's way, as Some of their places in the row of all fine cells, in order, until `visit` breaks off.
+    /// Visit the fine cells on the ray's way in order, coarse cell by coarse cell, each by its place in the row of all
+    /// fine cells: those of the first coarse cell, then those of the next, along x first, then y, then z, in each.
+    ///
+    /// In Rust: call `visit` for each coarse cell with None, and after one that is not empty for each of its fine cells
+    /// with Some of its place, until it breaks off.
     TwoLevelWalk: two_level_walk(
         /// The ray.
         ray: Ray,

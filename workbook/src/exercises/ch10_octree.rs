@@ -56,8 +56,10 @@ exercises! { ($) ch10_octree
         TreeRow::from(tree)
     }
 
-    /// Return the next leaf that is not empty and that the ray enters before `limit`, front to back, or None; `count`
-    /// the nodes that the ray enters.
+    /// Find the leaves that are not empty and that the ray passes through within the interval, front to back.
+    ///
+    /// In Rust: each call returns the next of them that the ray enters before `limit`, or None; `count` the nodes that
+    /// the ray enters.
     OctreeWalk: octree_walk(
         /// The ray.
         ray: Ray,

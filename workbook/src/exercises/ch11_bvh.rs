@@ -33,9 +33,11 @@ exercises! { ($) ch11_bvh
         sah_cost(tree.root.as_ref(), &tree.pairs, &cost)
     }
 
-    /// Reorder the boxes so that the best split is a cut in the list, and return how many are on the left, and the
-    /// cost: area times number, left plus right, the least of all cuts between neighbouring centres along an axis. The
-    /// answer is the numbers of the left ones.
+    /// Split the boxes in two: sort them by their centres along an axis and cut the list between two neighbours. Of all
+    /// cuts along all three axes, return the left side of the one with the least cost: area times number, left plus right.
+    ///
+    /// In Rust: reorder the boxes so that the best split is a cut in the list, and return how many are on the left, and
+    /// the cost.
     SahSplit: sah_split(
         /// The shapes' boxes; their numbers count from 0.
         boxes: Vec<BoxRow>,
@@ -71,8 +73,8 @@ exercises! { ($) ch11_bvh
         }
     }
 
-    /// Return the nearest shape of the tree that the ray hits with min < t < max, and that hit, or None; count every
-    /// box and every shape that you test, and test as few as you can.
+    /// Return the nearest shape of the tree that the ray hits with min < t < max, and the distance of that hit, or
+    /// none; count every box and every shape that you test, and test as few as you can.
     BvhClosest: bvh_closest(
         /// The ray.
         ray: Ray,

@@ -34,7 +34,7 @@ exercises! { ($) ch12_phong
     }
 
     /// Return the light that comes from a point light of intensity I to a point: the direction towards the light, its
-    /// distance, and what arrives on a surface that faces it; None at the light itself.
+    /// distance, and what arrives on a surface that faces it; none at the light itself.
     PointLightExercise: point_light(
         /// The light's position, in metres.
         position: Vec3,

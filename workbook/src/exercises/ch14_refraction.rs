@@ -9,7 +9,7 @@ use raybook::math::dir3::Dir3;
 
 exercises! { ($) ch14_refraction
     /// Return the unit direction in which a ray goes on behind a surface, from its direction, the outward normal, and
-    /// the indices of refraction outside and inside; or None if it is totally reflected.
+    /// the indices of refraction outside and inside; or none if it is totally reflected.
     Refract: refract(
         /// Where the ray goes; it may come from either side.
         direction: Dir3,

@@ -16,7 +16,9 @@ use raybook::shape::{Surface, sphere::Sphere};
 exercises! { ($) ch16_soft_shadows
     /// For each of the n·n numbers u = ((i + ½)/n, (j + ½)/n), return the direction and the distance to a point of the
     /// rectangular light, uniform over its area, the density of the direction per steradian, and radiance/density; or
-    /// None if the light turns its back.
+    /// none if the light turns its back.
+    ///
+    /// In Rust: the sample of one u, which is given.
     SampleRect: sample_rect(
         /// The point that is lit, in metres.
         at: Vec3,

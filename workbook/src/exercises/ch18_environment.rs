@@ -40,9 +40,9 @@ exercises! { ($) ch18_environment
     }
 
     /// Return a direction for u in the unit square, so that a texel of the latitude-longitude map is chosen in
-    /// proportion to its radiance times its solid angle, and its directions uniformly by solid angle; None for a black
-    /// map. The answer is the list of the directions for the 256 points u = ((i + ½)/256, the fraction of 0.618034 · (i
-    /// + ½)), with i from 0 to 255.
+    /// proportion to its radiance times its solid angle, and its directions uniformly by solid angle; no direction for
+    /// a black map. The answer is the list of the directions for the 256 points u = ((i + ½)/256, the fraction of
+    /// 0.618034 · (i + ½)), with i from 0 to 255.
     SampleEnvironment: sample_environment(
         /// The number of texels in a row.
         width: u32,

@@ -33,7 +33,7 @@ exercises! { ($) ch21_black_hole
     }
 
     /// Return the angle in radians by which a black hole of radius 1 turns a ray that comes from far away with this
-    /// impact parameter, to 1 part in 1000; or None if the ray falls in.
+    /// impact parameter, to 1 part in 1000; or none if the ray falls in.
     DeflectionAngle: deflection_angle(
         /// b: how far from the hole's middle the ray would pass if it were straight, in radii of the hole.
         impact_parameter: f32,

@@ -5,10 +5,11 @@ use raybook::image::rgb::Rgb;
 use raybook::render::{budget, needs_more::Enough};
 
 exercises! { ($) ch23_adaptive
-    /// Return whether a pixel's samples are not enough yet: true (a 1 in the answer) if there are fewer than two; or if
-    /// in any channel (max − min)/(max + min), or 0 where all are black, is above that channel's contrast; or if s/√n
-    /// is above the error, where s² = Σ (Y − mean)²/(n − 1) is the variance of the luminance Y = 0.2126 R + 0.7152 G +
-    /// 0.0722 B; else false (a 0).
+    /// Return whether a pixel's samples are not enough yet: 1 if there are fewer than two; or if in any channel (max −
+    /// min)/(max + min), or 0 where all are black, is above that channel's contrast; or if s/√n is above the error,
+    /// where s² = Σ (Y − mean)²/(n − 1) is the variance of the luminance Y = 0.2126 R + 0.7152 G + 0.0722 B; else 0.
+    ///
+    /// In Rust: true or false.
     NeedsMore: needs_more(
         /// The maximum contrast of each channel, without a unit; inf for no limit.
         contrast: Rgb,

@@ -28,8 +28,8 @@ exercises! { ($) ch24_wide_bvh
         families.collect()
     }
 
-    /// Return the nearest triangle of the tree that the ray hits with min < t < max, and that hit, or None; count every
-    /// node that you open and every triangle that you test, and be content with few.
+    /// Return the nearest triangle of the tree that the ray hits with min < t < max, and the distance of that hit, or
+    /// none; count every node that you open and every triangle that you test, and be content with few.
     WideClosest: wide_closest(
         /// The ray.
         ray: Ray,

@@ -7,6 +7,7 @@ use raybook_grader::describe::{describe, schema};
 use raybook_grader::json;
 use raybook_grader::language::Language;
 use raybook_grader::reader::{cpp, python};
+use raybook_grader::starter;
 use serde_json::json;
 
 /// Describes exercises.
@@ -25,18 +26,12 @@ pub struct Exercise {
 }
 
 impl Exercise {
-    /// Describes them; without a name, all.
+    /// Describes them; without a name, lists all.
     pub fn run(&self) -> Done {
         let (_, examiners) = self.target.resolve()?;
         let examiners = self.golden.replace(examiners)?;
         if let Some(language) = self.reader {
-            // `phong` is a chapter and an exercise of it.
-            let named = examiners.iter().copied();
-            let named: Vec<_> = named
-                .filter(|examiner| self.target.what.iter().any(|word| word == examiner.name()))
-                .collect();
-            let one = if named.is_empty() { examiners } else { named };
-            let [examiner] = one[..] else {
+            let [examiner] = examiners[..] else {
                 return Err(
                     "--reader needs one exercise: raybook exercise sphere_hit --reader python"
                         .into(),
@@ -53,6 +48,9 @@ impl Exercise {
         } else if self.json {
             let exercises: Vec<_> = examiners.into_iter().map(schema).collect();
             say(json::text(&json!({ "version": 1, "exercises": exercises })));
+        } else if self.target.what.is_empty() {
+            say(starter::course_map());
+            say("`raybook exercise sphere_hit` says what one of them asks, and `raybook exercise ch03` what those of a chapter ask.");
         } else {
             let texts: Vec<_> = examiners.into_iter().map(describe).collect();
             say(texts.join("\n"));

@@ -123,20 +123,32 @@ fn asked(examiner: &dyn Examiner, outcome: &Outcome) -> Vec<String> {
         let parts = parts.map(|(i, (name, words))| (name, abbreviated(&words, from(i))));
         parts.collect()
     };
-    add("asked", cut(examiner.question_parts(&outcome.case.question), &|_| 0));
+    add(
+        "asked",
+        cut(examiner.question_parts(&outcome.case.question), &|_| 0),
+    );
     let yours = match &outcome.reply.said {
         Said::Answer(answer) => examiner.answer_parts(answer.unescaped()),
         _ => Vec::new(),
     };
     let right: Vec<_> = outcome.case.answers.iter().collect();
-    let first = right.first().map(|answer| examiner.answer_parts(answer)).unwrap_or_default();
+    let first = right
+        .first()
+        .map(|answer| examiner.answer_parts(answer))
+        .unwrap_or_default();
     // Of a long list, what is shown begins where the answers part.
     let parting = |i: usize| match (yours.get(i), first.get(i)) {
         (Some((_, a)), Some((_, b))) => first_difference(a, b),
         _ => 0,
     };
     let shown = |(name, value): (String, String)| (name, short(&value.into()));
-    add("yours", cut(yours.clone(), &parting).into_iter().map(shown).collect());
+    add(
+        "yours",
+        cut(yours.clone(), &parting)
+            .into_iter()
+            .map(shown)
+            .collect(),
+    );
     for (i, answer) in right.into_iter().enumerate() {
         add(
             if i == 0 { "right" } else { "or" },
@@ -201,7 +213,10 @@ fn unread_infinity(report: &Report) -> Option<String> {
     let both = report.cases.iter().filter(infinite).filter(wrong).count();
     let is_pattern = both > 1
         && both < report.cases.len()
-        && report.cases.iter().all(|outcome| infinite(&outcome) == wrong(&outcome));
+        && report
+            .cases
+            .iter()
+            .all(|outcome| infinite(&outcome) == wrong(&outcome));
     is_pattern.then(|| {
         "  Wrong are exactly the cases with `inf` in their question: is it read as a number? In C++ `std::cin >> x` does not; read a word and call `std::strtod`.".to_owned()
     })

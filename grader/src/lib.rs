@@ -1,6 +1,7 @@
 //! What the course knows and the student does not: cases, judges, mistakes. It never travels with the starter.
 
 pub mod ask;
+pub mod asked_picture;
 pub mod budget;
 pub mod cases;
 pub mod check;
@@ -42,6 +43,7 @@ pub mod starter;
 pub mod student;
 pub mod traits;
 pub mod triple;
+pub mod watched;
 
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;

@@ -45,7 +45,10 @@ pub fn abbreviated(words: &str, from: usize) -> String {
         .chunks(size)
         .map(|element| element.join(" "))
         .collect();
-    let (before, after) = (if first > 0 { "… " } else { "" }, if first + shown < count { " …" } else { "" });
+    let (before, after) = (
+        if first > 0 { "… " } else { "" },
+        if first + shown < count { " …" } else { "" },
+    );
     format!(
         "{before}{}{after}   ({count} in all, these from {first} on)",
         text.join("  ")

@@ -1,5 +1,6 @@
 //! A student's folder, and the answer program that is built from it.
 
+use crate::contain;
 use crate::converse::Program;
 use crate::language::Language;
 use crate::recipe::{Commands, Recipe, RecipeError};
@@ -10,6 +11,7 @@ use serde_json::Value;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::time::Duration;
 
 /// Why there is no answer program.
 #[derive(Debug, thiserror::Error)]
@@ -117,24 +119,27 @@ pub fn place(folder: &Path, exercise: &str) -> Option<String> {
     starter::place(Language::find(recipe.language())?, exercise)
 }
 
-/// Runs the command that builds a folder's program.
+/// A build that takes longer is ended.
+const LONGEST: Duration = Duration::from_secs(600);
+
+/// Runs the command that builds a folder's program. Nothing of it goes on when it, or this command, ends.
 fn build_by(words: &[String], folder: &Path) -> Result<(), StudentError> {
     let [first, rest @ ..] = words else {
         return Ok(());
     };
-    let status = Command::new(first)
+    let mut command = Command::new(first);
+    command
         .args(rest)
         .current_dir(folder)
         .stdin(Stdio::null())
-        .stdout(io::stderr()) // standard output may be JSON
-        .status();
-    match status {
-        Err(reason) => Err(StudentError::NoBuilder {
-            command: words.join(" "),
-            reason,
-        }),
-        Ok(status) if status.success() => Ok(()),
-        Ok(_) => Err(StudentError::DoesNotCompile),
+        .stdout(io::stderr()); // standard output may be JSON
+    let held = contain::start(&mut command, None).map_err(|reason| StudentError::NoBuilder {
+        command: words.join(" "),
+        reason,
+    })?;
+    match held.end(true, LONGEST) {
+        Some(status) if status.success() => Ok(()),
+        _ => Err(StudentError::DoesNotCompile),
     }
 }
 

@@ -5,6 +5,7 @@
 mod any;
 mod solutions;
 mod starters;
+mod watched;
 
 use raybook_grader::language::Language;
 use raybook_grader::starter;

@@ -42,7 +42,9 @@ impl Exercise {
                 Language::Python => python::program(asked),
                 Language::Cpp => cpp::program(asked),
                 Language::Rust => {
-                    return Err("in Rust a workbook reads the questions: raybook new my-rays".into());
+                    return Err(
+                        "in Rust a workbook reads the questions: raybook new my-rays".into(),
+                    );
                 }
             });
         } else if self.json {
@@ -50,7 +52,9 @@ impl Exercise {
             say(json::text(&json!({ "version": 1, "exercises": exercises })));
         } else if self.target.what.is_empty() {
             say(starter::course_map());
-            say("`raybook exercise sphere_hit` says what one of them asks, and `raybook exercise ch03` what those of a chapter ask.");
+            say(
+                "`raybook exercise sphere_hit` says what one of them asks, and `raybook exercise ch03` what those of a chapter ask.",
+            );
         } else {
             let texts: Vec<_> = examiners.into_iter().map(describe).collect();
             say(texts.join("\n"));

@@ -6,8 +6,8 @@ use raybook_chapters::kit::say::say;
 use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_grader::ask::Asker;
 use raybook_grader::check::{State, check};
-use raybook_grader::examine::visible_rng;
 use raybook_grader::examine::Examiner;
+use raybook_grader::examine::visible_rng;
 use raybook_grader::prints::abbreviated;
 use raybook_grader::student;
 use raybook_workbook::curriculum::{CHAPTERS, Chapter};
@@ -72,7 +72,10 @@ fn first_step(examiner: &dyn Examiner) -> String {
         lines.push(format!("{name}: do its first case by hand, {}.", case.name));
         let shown = |lines: &mut Vec<String>, what: &str, parts: Vec<(String, String)>| {
             for (part, words) in parts {
-                lines.push(format!("    {what:<6} {part:<12} {}", abbreviated(&words, 0)));
+                lines.push(format!(
+                    "    {what:<6} {part:<12} {}",
+                    abbreviated(&words, 0)
+                ));
             }
         };
         shown(&mut lines, "given", examiner.question_parts(&case.question));

@@ -5,6 +5,7 @@ pub mod bless;
 pub mod check;
 pub mod doctor;
 pub mod draw;
+pub mod draw_asked;
 pub mod exercise;
 pub mod golden;
 pub mod hidden;
@@ -17,6 +18,7 @@ pub mod solve;
 pub mod tell;
 pub mod tour;
 pub mod unwritten;
+pub mod watch;
 
 use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_grader::cases;
@@ -60,7 +62,9 @@ impl Target {
             // `chapter phong` is the chapter, where `phong` is the exercise of this name.
             let (word, found) = match word.as_str() {
                 "chapter" => {
-                    let word = words.next().ok_or("which chapter? For example: chapter phong")?;
+                    let word = words
+                        .next()
+                        .ok_or("which chapter? For example: chapter phong")?;
                     (word, of_chapter(word).unwrap_or_default())
                 }
                 name => (word, exercises_of(name)),

@@ -114,7 +114,9 @@ impl Telling<'_> {
             |state: fn(&State) -> bool| reports.iter().map(|(r, _)| r).find(|r| state(&r.state()));
         // Where the function is, in a workbook.
         let place = |report: &Report| {
-            let place = self.folder.and_then(|folder| student::place(folder, report.exercise));
+            let place = self
+                .folder
+                .and_then(|folder| student::place(folder, report.exercise));
             place.map_or_else(String::new, |file| format!(" in {file}"))
         };
         if let Some(report) = first(|state| *state == State::Wrong) {
@@ -129,7 +131,10 @@ impl Telling<'_> {
             format!("Next: write what {} waits for.", report.exercise)
         } else {
             let next = self.folder.and_then(next_in_course);
-            format!("Everything that was asked for is right.{}", next.unwrap_or_default())
+            format!(
+                "Everything that was asked for is right.{}",
+                next.unwrap_or_default()
+            )
         }
     }
 

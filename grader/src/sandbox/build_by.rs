@@ -31,9 +31,9 @@ impl Sandbox {
             Ok(_) => return Err(cannot(io::Error::other("`build` here is no folder"))),
             Err(_) => std::fs::create_dir(&build).map_err(cannot)?,
         }
-        let (first, rest) = words.split_first().ok_or_else(|| {
-            cannot(io::Error::other("there is no command"))
-        })?;
+        let (first, rest) = words
+            .split_first()
+            .ok_or_else(|| cannot(io::Error::other("there is no command")))?;
         let mut command = Command::new(first);
         command
             .args(rest)

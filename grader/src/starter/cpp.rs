@@ -110,8 +110,9 @@ fn header(chapter: &Chapter) -> String {
 
 /// The table of all functions: how their arguments are read, and their answers written.
 fn exercises() -> String {
-    let mut text =
-        format!("// All exercises. {OURS}\n\n#include \"exercises.hpp\"\n\n#include \"words.hpp\"\n\n");
+    let mut text = format!(
+        "// All exercises. {OURS}\n\n#include \"exercises.hpp\"\n\n#include \"words.hpp\"\n\n"
+    );
     for chapter in CHAPTERS {
         let _ = writeln!(text, "#include \"{}.hpp\"", chapter.name);
     }

@@ -167,9 +167,7 @@ fn stubs(chapter: &Chapter) -> String {
 }
 
 fn stub(asked: &Asked) -> String {
-    let one = |field: &Field| {
-        format!("{}: {}", parameter(field.name), type_of(field.kind))
-    };
+    let one = |field: &Field| format!("{}: {}", parameter(field.name), type_of(field.kind));
     let given: Vec<_> = parameters(asked).iter().map(one).collect();
     let answer = type_of(asked.answer.kind);
     let mut signature = format!("def {}({}) -> {answer}:", asked.name, given.join(", "));

@@ -44,8 +44,14 @@ fn a_wrong_recipe_is_explained() {
         ("language = \"perl\"\n", "`run` is missing"),
         ("language = perl\n", "line 1, column 12"),
         ("language = \"perl\"\nrun = 3\n", "`run` should be text"),
-        ("language = \"perl\"\nrum = \"perl a.pl\"\n", "`rum` is none of"),
-        ("language = \"perl\"\nrun = \"perl 'a.pl\"\n", "`run` is no command"),
+        (
+            "language = \"perl\"\nrum = \"perl a.pl\"\n",
+            "`rum` is none of",
+        ),
+        (
+            "language = \"perl\"\nrun = \"perl 'a.pl\"\n",
+            "`run` is no command",
+        ),
         ("language = \"perl\"\nrun = \"\"\n", "`run` is no command"),
         (
             "language = \"c\"\nbuild = \"no-such-compiler a.c\"\nrun = \"./a\"\n",
@@ -58,7 +64,10 @@ fn a_wrong_recipe_is_explained() {
     ] {
         write(home.path(), "raybook.toml", text);
         let (code, said) = raybook(home.path(), &["check", "ray_at"]);
-        assert!(code == 2 && said.contains(part), "{text} says `{part}`: {code} {said}");
+        assert!(
+            code == 2 && said.contains(part),
+            "{text} says `{part}`: {code} {said}"
+        );
     }
 }
 
@@ -99,7 +108,9 @@ fn a_strangers_folder_is_built_and_asked_in_the_sandbox() {
         }
         let folder = new(home.path(), language.name(), language);
         let solution = place(language);
-        let solved = project("tests/solutions").join(language.name()).join(&solution);
+        let solved = project("tests/solutions")
+            .join(language.name())
+            .join(&solution);
         fs::copy(solved, folder.join(&solution)).expect("it can be copied");
         let name = language.name();
         let (code, said) = raybook(home.path(), &["check", "ray_at", "--program", name]);

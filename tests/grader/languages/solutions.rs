@@ -98,7 +98,10 @@ fn the_solutions_in_cpp_are_right() {
         succeeds(&mut make)
     };
     if there_is("clang++") {
-        assert_eq!(make(&["CXX=clang++", "CXXFLAGS=-Werror -fsyntax-only", "objects"]), "");
+        assert_eq!(
+            make(&["CXX=clang++", "CXXFLAGS=-Werror -fsyntax-only", "objects"]),
+            ""
+        );
         make(&["clean"]);
     }
     assert_eq!(make(&["CXXFLAGS=-O2 -Werror"]), "", "not a word");

@@ -73,7 +73,7 @@ impl Said {
     }
 
     /// Whether it is a line that the program wrote.
-    pub(crate) fn is_line(&self) -> bool {
+    pub fn is_line(&self) -> bool {
         matches!(
             self,
             Self::Answer(_) | Self::Todo(_) | Self::Panicked(_) | Self::Refused(_)

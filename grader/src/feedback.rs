@@ -6,7 +6,7 @@ use crate::diagnose::Diagnosis;
 use crate::dress::Dress;
 use crate::examine::Examiner;
 use crate::pictured;
-use crate::prints::{self, short};
+use crate::prints::{self, abbreviated, first_difference, short};
 use raybook_chapters::kit::untrusted::Untrusted;
 use std::path::Path;
 
@@ -50,6 +50,7 @@ pub fn explain(
             Some(diagnosis) => lines.extend(diagnosed(diagnosis, dress)),
             None => lines.extend(kinds(report)),
         }
+        lines.extend(unread_infinity(report));
     }
     if let Some(path) = picture {
         lines.push(String::new());
@@ -85,6 +86,7 @@ pub fn case(
     lines.push(match &outcome.verdict {
         Verdict::Right => "  Right.".to_owned(),
         Verdict::NotStarted => "  Not written yet.".to_owned(),
+        Verdict::Wrong(why) if why.ends_with('?') => format!("  {}", capitalised(why)),
         Verdict::Wrong(why) => format!("  {}.", capitalised(why)),
     });
     lines.extend(asked(examiner, outcome));
@@ -116,16 +118,41 @@ fn asked(examiner: &dyn Examiner, outcome: &Outcome) -> Vec<String> {
                 .map(|(kind, (name, value))| (kind, name, value)),
         );
     };
-    add("asked", examiner.question_parts(&outcome.case.question));
-    if let Said::Answer(answer) = &outcome.reply.said {
-        let parts = examiner.answer_parts(answer.unescaped());
-        let shown = |(name, value): (String, String)| (name, short(&value.into()));
-        add("yours", parts.into_iter().map(shown).collect());
-    }
-    for (i, answer) in outcome.case.answers.iter().enumerate() {
+    let cut = |parts: Vec<(String, String)>, from: &dyn Fn(usize) -> usize| {
+        let parts = parts.into_iter().enumerate();
+        let parts = parts.map(|(i, (name, words))| (name, abbreviated(&words, from(i))));
+        parts.collect()
+    };
+    add(
+        "asked",
+        cut(examiner.question_parts(&outcome.case.question), &|_| 0),
+    );
+    let yours = match &outcome.reply.said {
+        Said::Answer(answer) => examiner.answer_parts(answer.unescaped()),
+        _ => Vec::new(),
+    };
+    let right: Vec<_> = outcome.case.answers.iter().collect();
+    let first = right
+        .first()
+        .map(|answer| examiner.answer_parts(answer))
+        .unwrap_or_default();
+    // Of a long list, what is shown begins where the answers part.
+    let parting = |i: usize| match (yours.get(i), first.get(i)) {
+        (Some((_, a)), Some((_, b))) => first_difference(a, b),
+        _ => 0,
+    };
+    let shown = |(name, value): (String, String)| (name, short(&value.into()));
+    add(
+        "yours",
+        cut(yours.clone(), &parting)
+            .into_iter()
+            .map(shown)
+            .collect(),
+    );
+    for (i, answer) in right.into_iter().enumerate() {
         add(
             if i == 0 { "right" } else { "or" },
-            examiner.answer_parts(answer),
+            cut(examiner.answer_parts(answer), &parting),
         );
     }
     let widest = rows
@@ -174,6 +201,25 @@ fn explained(diagnosis: &Diagnosis, dress: Dress, also: bool) -> String {
             "  {and}{explained} of the {wrong} wrong answers look as if your function {name}; not all answers speak for that."
         )
     }
+}
+
+/// Where the wrong cases are those with `inf` in their question, and no others.
+fn unread_infinity(report: &Report) -> Option<String> {
+    let infinite = |outcome: &&Outcome| {
+        let mut words = outcome.case.question.split_whitespace();
+        words.any(|word| word.trim_start_matches('-') == "inf")
+    };
+    let wrong = |outcome: &&Outcome| matches!(outcome.verdict, Verdict::Wrong(_));
+    let both = report.cases.iter().filter(infinite).filter(wrong).count();
+    let is_pattern = both > 1
+        && both < report.cases.len()
+        && report
+            .cases
+            .iter()
+            .all(|outcome| infinite(&outcome) == wrong(&outcome));
+    is_pattern.then(|| {
+        "  Wrong are exactly the cases with `inf` in their question: is it read as a number? In C++ `std::cin >> x` does not; read a word and call `std::strtod`.".to_owned()
+    })
 }
 
 /// Where no mistake explains the answers: which kinds of cases are right, and which are wrong.

@@ -1,11 +1,13 @@
 //! What the course knows and the student does not: cases, judges, mistakes. It never travels with the starter.
 
 pub mod ask;
+pub mod asked_picture;
 pub mod book;
 pub mod budget;
 pub mod cases;
 pub mod check;
 pub mod clock;
+pub mod command_line;
 pub mod contain;
 pub mod converse;
 pub mod describe;
@@ -19,6 +21,7 @@ pub mod golden;
 pub mod hidden;
 pub mod json;
 pub mod judge;
+pub mod language;
 pub mod layout;
 pub mod leeway;
 pub mod library;
@@ -34,6 +37,7 @@ pub mod pictured;
 pub mod prints;
 pub mod progress;
 pub mod reader;
+pub mod recipe;
 pub mod sample;
 pub mod sandbox;
 pub mod score;
@@ -44,6 +48,7 @@ pub mod starter;
 pub mod student;
 pub mod traits;
 pub mod triple;
+pub mod watched;
 
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;

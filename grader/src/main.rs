@@ -25,6 +25,8 @@ enum Task {
     New(commands::new::New),
     /// Check a workbook: what is right, what is not, and the next step
     Check(commands::check::Check),
+    /// Check again whenever you save a file
+    Watch(commands::watch::Watch),
     /// Draw a chapter's pictures with the functions of your workbook
     Draw(commands::draw::Draw),
     /// Hint at what is wrong, without giving the answer away
@@ -55,6 +57,7 @@ fn main() -> ExitCode {
         Some(Task::Tour(task)) => task.run(),
         Some(Task::New(task)) => task.run(),
         Some(Task::Check(task)) => task.run(),
+        Some(Task::Watch(task)) => task.run(),
         Some(Task::Draw(task)) => task.run(),
         Some(Task::Hint(task)) => task.run(),
         Some(Task::Exercise(task)) => task.run(),

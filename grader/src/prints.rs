@@ -26,6 +26,65 @@ pub fn short(text: &Untrusted) -> String {
     }
 }
 
+/// The words of a long list, cut to some elements from this one on; what is short stays whole.
+pub fn abbreviated(words: &str, from: usize) -> String {
+    /// Letters that a person reads.
+    const WIDE: usize = 160;
+    /// Words that are shown of a longer list.
+    const SHOWN: usize = 12;
+    let all: Vec<_> = words.split_whitespace().collect();
+    if words.len() <= WIDE {
+        return words.to_owned();
+    }
+    let Some((count, size)) = elements(&all) else {
+        return short(&words.into());
+    };
+    let first = from.min(count - 1);
+    let shown = (SHOWN / size).max(1).min(count - first);
+    let text: Vec<_> = all[1..][first * size..][..shown * size]
+        .chunks(size)
+        .map(|element| element.join(" "))
+        .collect();
+    let (before, after) = (
+        if first > 0 { "… " } else { "" },
+        if first + shown < count { " …" } else { "" },
+    );
+    format!(
+        "{before}{}{after}   ({count} in all, these from {first} on)",
+        text.join("  ")
+    )
+}
+
+/// Where two lists begin to differ by more than the last digits; 0 if they do not, or are no lists.
+pub fn first_difference(a: &str, b: &str) -> usize {
+    let [a, b] = [a, b].map(|words| words.split_whitespace().collect::<Vec<_>>());
+    let (Some((count, size)), Some((_, other))) = (elements(&a), elements(&b)) else {
+        return 0;
+    };
+    let alike = |a: &str, b: &str| match (a.parse::<f64>(), b.parse::<f64>()) {
+        (Ok(a), Ok(b)) => a == b || (a - b).abs() <= 1e-3 * a.abs().max(b.abs()).max(1e-3),
+        _ => a == b,
+    };
+    let differ = |i: &usize| {
+        let [a, b] = [&a, &b].map(|words| words.get(1 + i * size..1 + (i + 1) * size));
+        match (a, b) {
+            (Some(a), Some(b)) => !a.iter().zip(b).all(|(a, b)| alike(a, b)),
+            _ => true,
+        }
+    };
+    if size != other {
+        return 0;
+    }
+    (0..count).find(differ).unwrap_or(0)
+}
+
+/// The length of a list, and the words of an element; none if the words are no list of elements of one size.
+fn elements(words: &[&str]) -> Option<(usize, usize)> {
+    let count: usize = words.first()?.parse().ok().filter(|&count| count > 0)?;
+    let rest = words.len() - 1;
+    (rest >= count && rest.is_multiple_of(count)).then_some((count, rest / count))
+}
+
 /// The first lines of an output, under a heading; none if nothing was printed there.
 fn told(heading: &str, output: &Untrusted) -> Vec<String> {
     /// More lines, or longer ones, nobody reads here.

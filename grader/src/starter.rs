@@ -1,5 +1,11 @@
-//! The student's folder: a copy of the library in which the exercises are still to be written.
+//! The student's folder. In Rust it is a copy of the library in which the exercises are still to be written; in other languages a
+//! file per chapter with a stub for each exercise.
 
+pub mod cpp;
+pub mod python;
+mod stub;
+
+use crate::language::Language;
 use crate::library::{self, MANIFEST};
 use crate::{cases, manifest};
 use include_dir::File;
@@ -48,8 +54,36 @@ pub enum StarterError {
 ///
 /// # Errors
 /// If there is something already, or a file cannot be written.
-pub fn create(folder: &Path) -> Result<(), StarterError> {
-    Ok(store::new_folder(folder, &files(&stub)?)?)
+pub fn create(folder: &Path, language: Language) -> Result<(), StarterError> {
+    let files = match language {
+        Language::Rust => files(&stub)?,
+        Language::Python => python::files(),
+        Language::Cpp => cpp::files(),
+    };
+    Ok(store::new_folder(folder, &files)?)
+}
+
+/// The file in which a student writes an exercise, in a language that has a starter.
+pub fn place(language: Language, exercise: &str) -> Option<String> {
+    let ending = match language {
+        Language::Rust => return library::place(exercise),
+        Language::Python => "py",
+        Language::Cpp => "cpp",
+    };
+    let holds = |chapter: &&Chapter| chapter.exercises().iter().any(|e| e.name == exercise);
+    let chapter = CHAPTERS.iter().find(holds)?;
+    Some(format!("{}.{ending}", chapter.name))
+}
+
+/// The text of a README, with the files of the chapters after it.
+fn readme(text: &str, file: impl Fn(&str) -> String) -> String {
+    let line = |chapter: &Chapter| {
+        let names: Vec<_> = chapter.exercises().iter().map(|e| e.name).collect();
+        let file = file(chapter.name);
+        format!("    {file:<28} {}\n", names.join(", "))
+    };
+    let lines: String = CHAPTERS.iter().map(line).collect();
+    format!("{text}\n## The course\n\n{lines}")
 }
 
 /// The student's version of an anchored function: its task, its signature, and `todo!`; `None` if it is no exercise.
@@ -57,12 +91,16 @@ pub fn stub(function: &Anchored<'_>) -> Option<String> {
     if let Some((_, answer)) = OTHER_WAYS.iter().find(|(name, _)| *name == function.name) {
         return Some(format!("{} {{\n    {answer}\n}}\n", function.signature));
     }
-    let task = cases::find(function.name)?.task();
+    let asked = cases::find(function.name)?.asked();
     let indent =
         &function.signature[..function.signature.len() - function.signature.trim_start().len()];
+    let in_rust = match asked.in_rust {
+        "" => String::new(),
+        text => format!("{indent}/// In Rust: {text}\n"),
+    };
     Some(format!(
-        "{indent}/// {task}\n{} {{\n{indent}    todo!(\"{}\")\n{indent}}}\n{indent}",
-        function.signature, function.name
+        "{indent}/// {}\n{in_rust}{} {{\n{indent}    todo!(\"{}\")\n{indent}}}\n{indent}",
+        asked.task, function.signature, function.name
     ))
 }
 

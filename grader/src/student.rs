@@ -1,12 +1,17 @@
 //! A student's folder, and the answer program that is built from it.
 
+use crate::contain;
 use crate::converse::Program;
-use crate::starter::MARKER;
+use crate::language::Language;
+use crate::recipe::{Commands, Recipe, RecipeError};
+use crate::sandbox::Sandbox;
+use crate::starter::{self, MARKER};
 use raybook_chapters::kit::untrusted::Untrusted;
 use serde_json::Value;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::time::Duration;
 
 /// Why there is no answer program.
 #[derive(Debug, thiserror::Error)]
@@ -14,6 +19,17 @@ pub enum StudentError {
     /// Not a student's folder.
     #[error("{}: this is not a workbook: neither here nor above is there a {MARKER}; `raybook new my-rays` makes one", Untrusted::from(.0.as_path()))]
     NoWorkbook(PathBuf),
+    /// Its `raybook.toml` is wrong.
+    #[error(transparent)]
+    Recipe(#[from] RecipeError),
+    /// The command that builds it is not there.
+    #[error("cannot run `{}`, which builds your program: {reason}; is it installed?", Untrusted::from(command.as_str()))]
+    NoBuilder {
+        /// The command.
+        command: String,
+        /// What the system says.
+        reason: io::Error,
+    },
     /// Cargo is not there.
     #[error(
         "cannot run cargo, which builds your program: {0}; is Rust installed (https://rustup.rs)?"
@@ -46,12 +62,85 @@ pub fn workbook(from: &Path) -> Result<PathBuf, StudentError> {
         .ok_or(StudentError::NoWorkbook(absolute))
 }
 
-/// Builds the answer program. What the compiler has to say goes to standard error.
+/// Builds the answer program, by the folder's `raybook.toml`. What the compiler has to say goes to standard error.
 ///
 /// # Errors
-/// If cargo is missing, or the program does not compile.
+/// If `raybook.toml` is wrong, the compiler is missing, or the program does not compile.
 pub fn build(folder: &Path) -> Result<Program, StudentError> {
-    build_binary(&mut Command::new("cargo"), folder, "answer", &[])
+    match Recipe::read(folder)? {
+        Recipe::Rust => build_binary(&mut Command::new("cargo"), folder, "answer", &[]),
+        Recipe::Commands(commands) => {
+            if let Some(words) = &commands.build {
+                build_by(words, folder)?;
+            }
+            Ok(program(&commands, folder))
+        }
+    }
+}
+
+/// Builds a stranger's answer program in a sandbox, in which it also runs.
+///
+/// # Errors
+/// As [`build`].
+pub fn build_in(sandbox: &Sandbox, folder: &Path) -> Result<Program, StudentError> {
+    match Recipe::read(folder)? {
+        Recipe::Rust => sandbox.build(folder),
+        Recipe::Commands(commands) => {
+            if let Some(words) = &commands.build {
+                sandbox.build_by(folder, words)?;
+            }
+            Ok(Program {
+                sandbox: Some(sandbox.clone()),
+                ..program(&commands, folder)
+            })
+        }
+    }
+}
+
+/// The program that answers, by the commands of a folder: a program with a slash in its name is the folder's.
+pub fn program(commands: &Commands, folder: &Path) -> Program {
+    let mut words = commands.run.iter();
+    let first = words.next().map(String::as_str).unwrap_or_default();
+    Program {
+        file: if first.contains('/') {
+            folder.join(first)
+        } else {
+            first.into()
+        },
+        arguments: words.map(Into::into).collect(),
+        folder: folder.to_owned(),
+        sandbox: None,
+    }
+}
+
+/// The file in which an exercise is written in this workbook, if its language has a starter.
+pub fn place(folder: &Path, exercise: &str) -> Option<String> {
+    let recipe = Recipe::read(folder).ok()?;
+    starter::place(Language::find(recipe.language())?, exercise)
+}
+
+/// A build that takes longer is ended.
+const LONGEST: Duration = Duration::from_secs(600);
+
+/// Runs the command that builds a folder's program. Nothing of it goes on when it, or this command, ends.
+fn build_by(words: &[String], folder: &Path) -> Result<(), StudentError> {
+    let [first, rest @ ..] = words else {
+        return Ok(());
+    };
+    let mut command = Command::new(first);
+    command
+        .args(rest)
+        .current_dir(folder)
+        .stdin(Stdio::null())
+        .stdout(io::stderr()); // standard output may be JSON
+    let held = contain::start(&mut command, None).map_err(|reason| StudentError::NoBuilder {
+        command: words.join(" "),
+        reason,
+    })?;
+    match held.end(true, LONGEST) {
+        Some(status) if status.success() => Ok(()),
+        _ => Err(StudentError::DoesNotCompile),
+    }
 }
 
 /// Builds one of the folder's programs with this cargo and these further options.

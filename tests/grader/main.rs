@@ -15,6 +15,7 @@ mod golden_answers;
 mod grade;
 mod hostile;
 mod interrupt;
+mod languages;
 mod lesson;
 mod licences;
 mod output;

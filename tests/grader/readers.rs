@@ -49,6 +49,7 @@ fn echo(examiner: &dyn Examiner) -> Asked {
     Asked {
         name: "echo",
         task: "Return what is asked.",
+        in_rust: "",
         question: Box::leak(Box::new(Kind::Record(record))),
         answer,
         call: <[f64]>::to_vec,

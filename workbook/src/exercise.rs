@@ -9,8 +9,10 @@ pub trait Exercise: Row {
     type Answer: Row;
     /// Its name: the grade key, and the anchor around the function in the library.
     const NAME: &'static str;
-    /// What to do, in a sentence or two; also the comment above the student's stub.
+    /// What to do, in a sentence or two of mathematics; also the comment above the student's stub.
     const TASK: &'static str;
+    /// What this means for the types of the library, for those who write it in Rust; empty if there is nothing to say.
+    const IN_RUST: &'static str;
     /// The answer: its name, its kind and its meaning.
     const ANSWER: Field;
 
@@ -25,6 +27,8 @@ pub struct Asked {
     pub name: &'static str,
     /// What to do.
     pub task: &'static str,
+    /// What this means in Rust; may be empty.
+    pub in_rust: &'static str,
     /// The kind of its questions.
     pub question: &'static Kind,
     /// Its answers.
@@ -39,6 +43,7 @@ impl Asked {
         Self {
             name: E::NAME,
             task: E::TASK,
+            in_rust: E::IN_RUST,
             question: E::KIND,
             answer: E::ANSWER,
             call: |question| row::to_numbers(&row::from_numbers::<E>(question).answer()),
@@ -81,11 +86,35 @@ impl Asked {
     }
 }
 
+/// What the comment of a declaration says of mathematics, and what of Rust.
+pub(crate) const fn task(comment: &'static str) -> (&'static str, &'static str) {
+    const IN_RUST: &[u8] = b"In Rust: ";
+    let bytes = comment.as_bytes();
+    let mut at = 0;
+    while at + IN_RUST.len() <= bytes.len() {
+        let mut same = 0;
+        while same < IN_RUST.len() && bytes[at + same] == IN_RUST[same] {
+            same += 1;
+        }
+        if same == IN_RUST.len() {
+            let (task, in_rust) = comment.split_at(at);
+            return (
+                task.trim_ascii(),
+                in_rust.split_at(IN_RUST.len()).1.trim_ascii(),
+            );
+        }
+        at += 1;
+    }
+    (comment.trim_ascii(), "")
+}
+
 /// Declares the exercises of a chapter, each once:
 ///
 /// ```text
 /// exercises! { ($) ch03_sphere
 ///     /// The task.
+///     ///
+///     /// In Rust: which types of the library say this. (May be left out.)
 ///     SphereHit: sphere_hit(
 ///         /// What the parameter means, and its unit.
 ///         ray: Ray,
@@ -135,7 +164,8 @@ macro_rules! exercises {
             impl crate::exercise::Exercise for $exercise {
                 type Answer = $type;
                 const NAME: &'static str = stringify!($name);
-                const TASK: &'static str = concat!($($task),+).trim_ascii();
+                const TASK: &'static str = crate::exercise::task(concat!($($task),+)).0;
+                const IN_RUST: &'static str = crate::exercise::task(concat!($($task),+)).1;
                 const ANSWER: crate::kind::Field = crate::kind::Field {
                     name: stringify!($answer),
                     kind: <$type as crate::row::Row>::KIND,

@@ -4,9 +4,10 @@ use super::fit::fit;
 use crate::converse::Limits;
 use crate::describe::words;
 use crate::examine::{Examiner, visible_rng};
+use crate::language::Language;
 use crate::library;
 use crate::limits::limits;
-use crate::reader::{cpp, python};
+use crate::starter::{cpp, place, python};
 use maud::html;
 use raybook_workbook::exercise::Asked;
 use raybook_workbook::kind::{Field, Kind};
@@ -20,29 +21,38 @@ pub(super) fn expand(examiner: &dyn Examiner) -> Result<String, String> {
     let (asked, name) = (examiner.asked(), examiner.name());
     let function = library::function(name)
         .ok_or_else(|| format!("the library has no function between anchors `{name}`"))?;
-    let rust = format!(
+    let in_rust = format!(
         "{} {{\n    todo!(\"{name}\")\n}}\n",
         dedented(function.signature)
     );
     let languages = [
-        ("Rust", "rust,noplayground", rust),
-        ("C++", "cpp", cpp::signature(asked)),
-        ("Python", "python", python::signature(asked)),
+        ("Rust", "rust,noplayground", in_rust),
+        (
+            "C++",
+            "cpp",
+            format!("{} {{\n    // write it here\n}}\n", cpp::signature(asked)),
+        ),
+        (
+            "Python",
+            "python",
+            format!("{}\n    ...  # write it here\n", python::signature(asked)),
+        ),
         ("Pseudocode", "text", pseudocode(asked)),
     ];
-    examiner.named().map_err(|error| error.to_string())?;
-    let cases = examiner.cases(&mut visible_rng(name)).cases;
+    let cases = examiner.try_cases(&mut visible_rng(name));
+    let cases = cases.map_err(|error| error.to_string())?.cases;
     let limit = Limits::default().time.as_secs_f32();
-    let place = library::place(name).unwrap_or_default();
+    let [rust, cpp, python] = [Language::Rust, Language::Cpp, Language::Python]
+        .map(|language| place(language, name).unwrap_or_default());
     let title = html! { h3 id={ "turn-" (name) } { code { (name) } } };
     let mut text = format!("{}\n\n{}\n\n", title.into_string(), asked.task);
     text.push_str(&tabs(name, &languages));
     text.push_str(&parameters(asked));
     let _ = write!(
         text,
-        "\n\nIn Rust, write it in `{place}` of your workbook. In C++ or Python, begin with the program that \
-         `raybook exercise {name} --reader cpp` (or `python`) prints: only the function is missing.\n\n\
-         ```sh\nraybook check {name}                        # your workbook, in Rust\n\
+        "\n\nWrite it in `{rust}` of a workbook in Rust, `{cpp}` in C++, `{python}` in Python \
+         (`raybook new my-rays --language cpp`).\n\n\
+         ```sh\nraybook check {name}                        # in your workbook\n\
          raybook check {name} --program ./answer     # a program in any language\n\
          raybook hint {name}\n```\n\n\
          <details class=\"limits\"><summary>Limits</summary>\n\n"

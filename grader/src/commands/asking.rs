@@ -2,6 +2,7 @@
 
 use raybook_chapters::kit::say::complain;
 use raybook_chapters::kit::untrusted::Untrusted;
+use raybook_grader::command_line;
 use raybook_grader::converse::{Limits, Program};
 use raybook_grader::sandbox::Sandbox;
 use raybook_grader::student;
@@ -12,8 +13,8 @@ use std::time::Duration;
 /// The options of every command that asks an answer program.
 #[derive(clap::Args)]
 pub struct Asking {
-    /// Ask this program: any that answers a line per line; or a workbook's folder, to build its program
-    #[arg(long, value_name = "FILE|FOLDER")]
+    /// Ask this program: any that answers a line per line, or a command ("python3 answer.py"); or a workbook's folder, to build its program
+    #[arg(long, value_name = "FILE|COMMAND|FOLDER")]
     pub program: Option<PathBuf>,
     /// How long to wait for one answer, in seconds; all of an exercise may take 150 times as long, and a check 900 times
     #[arg(long, default_value_t = 2.0, value_parser = super::seconds)]
@@ -69,16 +70,11 @@ impl Asking {
                 let workbook = student::workbook(path)?;
                 Ok((student::build(&workbook)?, Some(workbook)))
             }
-            (true, Some(sandbox)) => Ok((sandbox.build(&student::workbook(path)?)?, None)),
-            (false, sandbox) => {
-                let program = Program {
-                    file: std::path::absolute(path)?,
-                    arguments: Vec::new(),
-                    folder: PathBuf::new(),
-                    sandbox,
-                };
-                Ok((program, None))
+            (true, Some(sandbox)) => {
+                let workbook = student::workbook(path)?;
+                Ok((student::build_in(&sandbox, &workbook)?, None))
             }
+            (false, sandbox) => Ok((command_line::program(path, sandbox)?, None)),
         }
     }
 }

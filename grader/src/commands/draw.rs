@@ -1,18 +1,20 @@
 //! `raybook draw`: a chapter's pictures, drawn by the student's own functions.
 
-use super::Done;
+use super::{Done, draw_asked};
+use raybook_grader::recipe::Recipe;
 use raybook_grader::{drawn, student};
 use raybook_workbook::curriculum::CHAPTERS;
 use std::ffi::OsString;
 use std::path::Path;
 use std::process::Command;
 
-/// Draws a chapter's pictures with the workbook's functions; the first time, this compiles the chapters.
+/// Draws a chapter's pictures with the workbook's functions; in Rust the first time compiles the chapters. In other languages the
+/// program is asked for each pixel of what the chapter's exercises see.
 #[derive(clap::Args)]
 pub struct Draw {
     /// The chapter (3, ch03, sphere)
     chapter: String,
-    /// The chapter's own options: --width 320; `raybook draw ch03 --help` lists them
+    /// The chapter's own options, in Rust: --width 320; `raybook draw ch03 --help` lists them
     #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
     options: Vec<OsString>,
 }
@@ -34,6 +36,13 @@ impl Draw {
             )
         })?;
         let workbook = student::workbook(Path::new("."))?;
+        let recipe = Recipe::read(&workbook)?;
+        if recipe != Recipe::Rust {
+            if !self.options.is_empty() {
+                return Err("a chapter has options where its workbook is in Rust; here its functions are asked for their pictures, which have sizes of their own".into());
+            }
+            return draw_asked::run(&workbook, chapter);
+        }
         let program = drawn::program(&workbook, chapter)?;
         let status = Command::new(&program.file)
             .args(&self.options)

@@ -6,8 +6,11 @@ use raybook_chapters::kit::say::say;
 use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_grader::ask::Asker;
 use raybook_grader::check::{State, check};
+use raybook_grader::examine::Examiner;
 use raybook_grader::examine::visible_rng;
-use raybook_grader::library;
+use raybook_grader::prints::abbreviated;
+use raybook_grader::student;
+use raybook_workbook::curriculum::{CHAPTERS, Chapter};
 
 /// Hints at what is wrong.
 #[derive(clap::Args)]
@@ -34,8 +37,8 @@ impl Hint {
             match (report.state(), &report.diagnosis, report.first_wrong()) {
                 (State::Right, ..) => continue,
                 (State::NotStarted, ..) => {
-                    say(format!("{name}: {}", examiner.task()));
-                    if let (Some(_), Some(file)) = (workbook, library::place(name)) {
+                    say(first_step(examiner));
+                    if let Some(file) = workbook.and_then(|folder| student::place(&folder, name)) {
                         say(format!("Write it in {file}."));
                     }
                 }
@@ -57,4 +60,37 @@ impl Hint {
         say("Nothing to hint at: everything that was asked for is right.");
         Ok(true)
     }
+}
+
+/// What leads on where nothing is written yet: the easiest case to do by hand, what to think of, and where it is derived.
+fn first_step(examiner: &dyn Examiner) -> String {
+    let name = examiner.name();
+    let cases = examiner.cases(&mut visible_rng(name)).cases;
+    let mut lines = Vec::new();
+    // The first named case is the simplest that people thought of.
+    if let Some(case) = cases.first() {
+        lines.push(format!("{name}: do its first case by hand, {}.", case.name));
+        let shown = |lines: &mut Vec<String>, what: &str, parts: Vec<(String, String)>| {
+            for (part, words) in parts {
+                lines.push(format!(
+                    "    {what:<6} {part:<12} {}",
+                    abbreviated(&words, 0)
+                ));
+            }
+        };
+        shown(&mut lines, "given", examiner.question_parts(&case.question));
+        shown(&mut lines, "right", examiner.answer_parts(&case.answers[0]));
+    }
+    if let Some((_, hint)) = examiner.mistakes().first() {
+        lines.push(format!("  And think of this: {hint}"));
+    }
+    let holds = |chapter: &&Chapter| chapter.exercises().iter().any(|e| e.name == name);
+    if let Some(chapter) = CHAPTERS.iter().find(holds) {
+        lines.push(format!(
+            "  Chapter {} of the book, \"{}\", derives it.",
+            chapter.number(),
+            chapter.title
+        ));
+    }
+    lines.join("\n")
 }

@@ -6,6 +6,7 @@ pub mod book;
 pub mod check;
 pub mod doctor;
 pub mod draw;
+pub mod draw_asked;
 pub mod exercise;
 pub mod golden;
 pub mod hidden;
@@ -18,7 +19,9 @@ pub mod solve;
 pub mod tell;
 pub mod tour;
 pub mod unwritten;
+pub mod watch;
 
+use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_grader::cases;
 use raybook_grader::examine::Examiner;
 use raybook_workbook::curriculum::CHAPTERS;
@@ -34,7 +37,7 @@ pub type Examiners = Vec<&'static dyn Examiner>;
 /// Which folder, and what of it.
 #[derive(clap::Args)]
 pub struct Target {
-    /// A chapter (3, ch03, sphere) or an exercise (sphere_hit), and the student's folder if it is not the present one
+    /// An exercise (sphere_hit) or a chapter (3, ch03, sphere; `chapter phong`, for phong is an exercise too), and the student's folder if it is not the present one
     #[arg(value_name = "CHAPTER|EXERCISE|FOLDER")]
     pub what: Vec<String>,
 }
@@ -42,9 +45,9 @@ pub struct Target {
 impl Target {
     /// The folder, if one was named.
     pub fn folder(&self) -> Option<&str> {
-        self.what
-            .iter()
-            .map(String::as_str)
+        let words = self.what.iter().map(String::as_str);
+        words
+            .filter(|word| *word != "chapter")
             .find(|word| exercises_of(word).is_empty() && Path::new(word).is_dir())
     }
 
@@ -55,15 +58,24 @@ impl Target {
     pub fn resolve(&self) -> Result<(PathBuf, Examiners), Box<dyn Error>> {
         let mut folder = PathBuf::from(".");
         let mut names: Vec<&str> = Vec::new();
-        for word in &self.what {
-            let of_word = exercises_of(word);
-            if !of_word.is_empty() {
-                names.extend(of_word);
+        let mut words = self.what.iter();
+        while let Some(word) = words.next() {
+            // `chapter phong` is the chapter, where `phong` is the exercise of this name.
+            let (word, found) = match word.as_str() {
+                "chapter" => {
+                    let word = words
+                        .next()
+                        .ok_or("which chapter? For example: chapter phong")?;
+                    (word, of_chapter(word).unwrap_or_default())
+                }
+                name => (word, exercises_of(name)),
+            };
+            if !found.is_empty() {
+                names.extend(found);
             } else if PathBuf::from(word).is_dir() {
                 folder = PathBuf::from(word);
             } else {
-                let all: Vec<_> = cases::all().iter().map(|e| e.name()).collect();
-                return Err(format!("`{word}` is neither a chapter, nor an exercise, nor a folder; the exercises are {}", all.join(", ")).into());
+                return Err(unknown(word).into());
             }
         }
         let wanted =
@@ -72,18 +84,38 @@ impl Target {
     }
 }
 
-/// The exercises that a word means: of a chapter by number or name, or the one of this name.
+/// The exercises that a word means: the one of this name, or those of a chapter by number or name.
 fn exercises_of(word: &str) -> Vec<&'static str> {
-    let chapter = CHAPTERS.iter().find(|chapter| chapter.answers_to(word));
-    let of_chapter = chapter.map(|chapter| {
-        chapter
-            .exercises()
-            .iter()
-            .map(|exercise| exercise.name)
-            .collect()
-    });
-    let of_this_name = || cases::find(word).map(<dyn Examiner>::name);
-    of_chapter.unwrap_or_else(|| of_this_name().into_iter().collect())
+    match cases::find(word) {
+        Some(examiner) => vec![examiner.name()],
+        None => of_chapter(word).unwrap_or_default(),
+    }
+}
+
+/// The exercises of a chapter by number or name.
+fn of_chapter(word: &str) -> Option<Vec<&'static str>> {
+    let chapter = CHAPTERS.iter().find(|chapter| chapter.answers_to(word))?;
+    Some(chapter.exercises().iter().map(|e| e.name).collect())
+}
+
+/// What to say of a word that means nothing.
+fn unknown(word: &str) -> String {
+    /// Words that are less alike are no slip of the fingers.
+    const ALIKE: f64 = 0.85;
+    let shown = Untrusted::from(word);
+    let exercises = cases::all().into_iter().map(<dyn Examiner>::name);
+    let chapters = CHAPTERS.iter().map(|chapter| chapter.name);
+    let alike = |name: &'static str| (strsim::jaro_winkler(word, name), name);
+    let best = exercises.chain(chapters).map(alike);
+    let best = best.max_by(|a, b| a.0.total_cmp(&b.0));
+    match best.filter(|(how, _)| *how > ALIKE) {
+        Some((_, name)) => format!(
+            "`{shown}` is neither a chapter, nor an exercise, nor a folder; did you mean {name}?"
+        ),
+        None => format!(
+            "`{shown}` is neither a chapter, nor an exercise, nor a folder; `raybook exercise` lists them all"
+        ),
+    }
 }
 
 /// A word of which something must depend.

@@ -3,6 +3,7 @@
 use super::Done;
 use raybook_chapters::kit::say::say;
 use raybook_chapters::kit::untrusted::Untrusted;
+use raybook_grader::language::Language;
 use raybook_grader::{cases, starter};
 use std::path::PathBuf;
 
@@ -11,12 +12,15 @@ use std::path::PathBuf;
 pub struct New {
     /// The folder to make
     folder: PathBuf,
+    /// The language in which you write
+    #[arg(long, default_value = "rust")]
+    language: Language,
 }
 
 impl New {
     /// Makes it, and says what to do next.
     pub fn run(&self) -> Done {
-        starter::create(&self.folder)?;
+        starter::create(&self.folder, self.language)?;
         let folder = Untrusted::from(self.folder.as_path());
         say(format!(
             "made {}, with {} exercises:\n",
@@ -24,8 +28,13 @@ impl New {
             cases::all().len()
         ));
         say(starter::course_map().trim_end());
+        let compiles = match self.language {
+            Language::Rust => "        (the first time, this compiles for a minute)",
+            Language::Cpp => "        (the first time, this compiles for half a minute)",
+            Language::Python => "",
+        };
         say(format!(
-            "\nNext:  cd {}\n       raybook check        (the first time, this compiles for a minute)",
+            "\nNext:  cd {}\n       raybook check{compiles}",
             folder.shell()
         ));
         Ok(true)

@@ -6,6 +6,7 @@ use raybook_chapters::kit::say::say;
 use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_grader::lock::Lock;
 use raybook_grader::progress::{KEPT, unused};
+use raybook_grader::recipe::Recipe;
 use raybook_grader::{library, student};
 use std::collections::BTreeSet;
 use std::io::ErrorKind;
@@ -25,6 +26,14 @@ impl Solve {
         let folder = student::workbook(&from)?;
         if self.target.what.is_empty() {
             return Err("which chapter? For example: raybook solve ch03".into());
+        }
+        let recipe = Recipe::read(&folder)?;
+        if recipe != Recipe::Rust {
+            return Err(format!(
+                "this workbook is in {}, and the reference is in Rust; it is written into {KEPT} when your chapter is right",
+                Untrusted::from(recipe.language())
+            )
+            .into());
         }
         let places: BTreeSet<_> = examiners
             .iter()

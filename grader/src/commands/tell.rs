@@ -7,8 +7,8 @@ use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_grader::check::{Report, State};
 use raybook_grader::dress::Dress;
 use raybook_grader::examine::Examiner;
-use raybook_grader::progress::KEPT;
-use raybook_grader::{cases, feedback, library, pictured};
+use raybook_grader::progress::{KEPT, Progress};
+use raybook_grader::{cases, feedback, library, pictured, student};
 use raybook_workbook::curriculum::{CHAPTERS, Chapter};
 use std::path::{Path, PathBuf};
 
@@ -56,6 +56,11 @@ impl Telling<'_> {
                 .iter()
                 .filter(|(report, _)| report.state() == State::Right)
                 .count();
+            if let Some(name) = ignored(reports) {
+                say(format!(
+                    "\nYour program says nothing to `{name}`, nor to some others: let it answer `= todo` to what it does not know. Then nobody waits for it, and what is not written counts as not started."
+                ));
+            }
             say(format!(
                 "\n{right} of {} exercises are right.\n{}",
                 reports.len(),
@@ -109,7 +114,9 @@ impl Telling<'_> {
             |state: fn(&State) -> bool| reports.iter().map(|(r, _)| r).find(|r| state(&r.state()));
         // Where the function is, in a workbook.
         let place = |report: &Report| {
-            let place = self.folder.and(library::place(report.exercise));
+            let place = self
+                .folder
+                .and_then(|folder| student::place(folder, report.exercise));
             place.map_or_else(String::new, |file| format!(" in {file}"))
         };
         if let Some(report) = first(|state| *state == State::Wrong) {
@@ -123,7 +130,11 @@ impl Telling<'_> {
         } else if let Some(report) = first(|state| matches!(state, State::WaitsFor(_))) {
             format!("Next: write what {} waits for.", report.exercise)
         } else {
-            "Everything that was asked for is right.".to_owned()
+            let next = self.folder.and_then(next_in_course);
+            format!(
+                "Everything that was asked for is right.{}",
+                next.unwrap_or_default()
+            )
         }
     }
 
@@ -135,6 +146,28 @@ impl Telling<'_> {
             ));
         }
     }
+}
+
+/// An exercise to which a program says nothing at all, where it answers others.
+fn ignored(reports: &[Pictured]) -> Option<&'static str> {
+    let says_nothing = |report: &&Report| {
+        let mut replies = report.cases.iter().map(|outcome| &outcome.reply.said);
+        replies.all(|said| !said.is_line())
+    };
+    let reports = || reports.iter().map(|(report, _)| report);
+    let answers = reports().any(|report| report.cases.iter().any(|o| o.reply.said.is_line()));
+    let silent = reports().find(says_nothing).filter(|_| answers)?;
+    Some(silent.exercise)
+}
+
+/// The first exercise of the course that was not right yet, when it was last checked.
+fn next_in_course(folder: &Path) -> Option<String> {
+    let progress = Progress::load(folder).ok()?;
+    let mut all = CHAPTERS.iter().flat_map(Chapter::exercises);
+    let next = all.find(|exercise| !progress.is_right(exercise.name))?.name;
+    let place = student::place(folder, next);
+    let place = place.map_or_else(String::new, |file| format!(" in {file}"));
+    Some(format!("\nNext: write {next}{place}."))
 }
 
 /// Writes a chapter's reference functions beside the student's, once these are right.

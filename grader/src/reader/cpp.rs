@@ -1,24 +1,64 @@
 //! The program in C++17.
 
-use super::{Type, safe, types};
+use super::{Type, safe, types_of};
 use raybook_workbook::exercise::Asked;
 use raybook_workbook::kind::{Kind, VECTOR};
 use std::fmt::Write;
 
-const WORDS: &str = r#"// The words of a line, one after the other.
+/// Reading and writing words, after the headers that these take.
+pub(crate) const WORDS: &str = r#"// A line that is no question, and why.
+struct NoQuestion {
+    std::string why;
+};
+
+// The words of a line, one after the other.
 struct Words {
     std::istringstream rest;
 
     std::string word() {
         std::string word;
-        rest >> word;
+        if (!(rest >> word)) {
+            throw NoQuestion{"the line ends too early"};
+        }
         return word;
+    }
+
+    void end() {
+        std::string word;
+        if (rest >> word) {
+            throw NoQuestion{"`" + word + "` is one word too many"};
+        }
     }
 };
 
-inline void read(Words& words, double& value) { value = std::stod(words.word()); } // also inf and nan
+inline void read(Words& words, double& value) {
+    const std::string word = words.word();
+    char* end = nullptr;
+    value = std::strtod(word.c_str(), &end); // unlike >>, it reads inf and nan too
+    if (*end != '\0') {
+        throw NoQuestion{"`" + word + "` is no number"};
+    }
+}
 
-inline void read(Words& words, unsigned& value) { value = static_cast<unsigned>(std::stoul(words.word())); }
+inline void read(Words& words, unsigned& value) {
+    const std::string word = words.word();
+    char* end = nullptr;
+    value = static_cast<unsigned>(std::strtoul(word.c_str(), &end, 10));
+    if (*end != '\0') {
+        throw NoQuestion{"`" + word + "` is no whole number"};
+    }
+}
+
+// A vector of length 1, from one of any length.
+template <class Vector> void read_direction(Words& words, Vector& value) {
+    read(words, value.x);
+    read(words, value.y);
+    read(words, value.z);
+    const double length = std::sqrt(value.x * value.x + value.y * value.y + value.z * value.z);
+    value.x /= length;
+    value.y /= length;
+    value.z /= length;
+}
 
 template <class T> void read(Words& words, std::optional<T>& value);
 
@@ -69,23 +109,22 @@ template <class T> void write(std::ostream& out, const std::optional<T>& value) 
 
 /// The program that answers an exercise.
 pub fn program(asked: &Asked) -> String {
-    let mut all = Vec::new();
-    types(asked.question, &mut all);
-    types(asked.answer.kind, &mut all);
     let name = asked.name;
     let mut text = format!(
         "// {name}: {task}\n//\n// g++ -std=c++17 -O2 this_file.cpp -o answer && raybook check {name} --program ./answer\n\n",
         task = asked.task,
     );
     for header in [
-        "iomanip", "iostream", "limits", "optional", "sstream", "string", "variant", "vector",
+        "cmath", "cstdlib", "iomanip", "iostream", "limits", "optional", "sstream", "string",
+        "variant", "vector",
     ] {
         let _ = writeln!(text, "#include <{header}>");
     }
     text.push('\n');
     text.push_str(WORDS);
-    for found in all {
+    for found in types_of(asked) {
         text.push_str(&class(found));
+        text.push_str(&reading(found));
     }
     let _ = write!(
         text,
@@ -94,7 +133,7 @@ pub fn program(asked: &Asked) -> String {
 struct NotWritten {{}};
 
 // Returns: {meaning}
-{head} {{
+{answer} {name}(const {question}& q) {{
     (void)q;
     throw NotWritten{{}}; // write it here
 }}
@@ -105,10 +144,11 @@ int main() {{
     answers << std::setprecision(std::numeric_limits<double>::max_digits10);
     for (std::string line; std::getline(std::cin, line);) {{
         Words words{{std::istringstream(line)}};
-        const std::string name = words.word();
         std::ostringstream said;
         said.copyfmt(answers);
+        std::string name;
         try {{
+            name = words.word();
             if (name != "{name}") {{
                 throw NotWritten{{}};
             }}
@@ -117,40 +157,23 @@ int main() {{
             write(said, {name}(question));
         }} catch (const NotWritten&) {{
             said.str(" todo " + name);
+        }} catch (const NoQuestion& no) {{
+            said.str(" error " + no.why);
         }}
         answers << "=" << said.str() << std::endl;
     }}
 }}
 "#,
         meaning = asked.answer.meaning,
-        head = head(asked),
+        answer = type_of(asked.answer.kind),
         question = type_of(asked.question),
     );
     text
 }
 
-/// What the student writes: the structs, and the function.
-pub fn signature(asked: &Asked) -> String {
-    let mut all = Vec::new();
-    types(asked.question, &mut all);
-    types(asked.answer.kind, &mut all);
-    let structs: Vec<_> = all.into_iter().map(declaration).collect();
-    format!("{}\n{};\n", structs.join("\n"), head(asked))
-}
-
-/// The function up to its body.
-fn head(asked: &Asked) -> String {
-    format!(
-        "{} {}(const {}& q)",
-        type_of(asked.answer.kind),
-        asked.name,
-        type_of(asked.question)
-    )
-}
-
 /// The struct of a type.
-fn declaration(found: Type) -> String {
-    let mut text = format!("struct {} {{\n", found.name());
+pub(crate) fn class(found: Type) -> String {
+    let mut text = format!("\nstruct {} {{\n", found.name());
     match found {
         Type::Numbers(_, parts) => {
             for part in parts {
@@ -168,10 +191,10 @@ fn declaration(found: Type) -> String {
     text
 }
 
-/// The struct of a type, and how it is read and written.
-fn class(found: Type) -> String {
+/// How a type is read, and written.
+pub(crate) fn reading(found: Type) -> String {
     let name = found.name();
-    let members: Vec<_> = match found {
+    let members: Vec<(String, Kind)> = match found {
         Type::Numbers(_, parts) => {
             let parts = parts.iter();
             parts.map(|part| (safe(part), Kind::Number)).collect()
@@ -183,10 +206,7 @@ fn class(found: Type) -> String {
                 .collect()
         }
     };
-    let mut text = format!(
-        "\n{}\ninline void read(Words& words, {name}& value) {{\n",
-        declaration(found)
-    );
+    let mut text = format!("\ninline void read(Words& words, {name}& value) {{\n");
     for (member, kind) in &members {
         text.push_str(&read(kind, &format!("value.{member}")));
     }
@@ -201,7 +221,8 @@ fn class(found: Type) -> String {
     text
 }
 
-fn type_of(kind: &Kind) -> String {
+/// The type of a kind.
+pub(crate) fn type_of(kind: &Kind) -> String {
     match kind {
         Kind::Number => "double".to_owned(),
         Kind::Whole => "unsigned".to_owned(),
@@ -217,10 +238,12 @@ fn type_of(kind: &Kind) -> String {
     }
 }
 
-/// The statement that reads a member; a choice has a word of its own for each type.
-fn read(kind: &Kind, member: &str) -> String {
-    let Kind::Choice(choices) = kind else {
-        return format!("    read(words, {member});\n");
+/// The statement that reads a variable; a choice has a word of its own for each type.
+pub(crate) fn read(kind: &Kind, member: &str) -> String {
+    let choices = match kind {
+        Kind::Choice(choices) => choices,
+        Kind::Direction => return format!("    read_direction(words, {member});\n"),
+        _ => return format!("    read(words, {member});\n"),
     };
     let mut text = format!(
         "    {{\n        const std::string word = words.word();\n        {member} = {{}};\n"

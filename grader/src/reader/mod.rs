@@ -6,11 +6,12 @@
 pub mod cpp;
 pub mod python;
 
+use raybook_workbook::exercise::Asked;
 use raybook_workbook::kind::{Kind, Record};
 
 /// A kind that has a type of its own in a program.
 #[derive(Clone, Copy, PartialEq)]
-enum Type {
+pub(crate) enum Type {
     /// Numbers that belong together: name and parts.
     Numbers(&'static str, &'static [&'static str]),
     /// Fields that belong together.
@@ -18,7 +19,7 @@ enum Type {
 }
 
 impl Type {
-    fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Numbers(name, _) => name,
             Self::Record(record) => record.name,
@@ -26,8 +27,16 @@ impl Type {
     }
 }
 
+/// The types of an exercise's question and answer, each after those that it is made of; none twice.
+pub(crate) fn types_of(asked: &Asked) -> Vec<Type> {
+    let mut all = Vec::new();
+    types(asked.question, &mut all);
+    types(asked.answer.kind, &mut all);
+    all
+}
+
 /// The types of a kind, each after those that it is made of; none twice.
-fn types(kind: &Kind, types: &mut Vec<Type>) {
+pub(crate) fn types(kind: &Kind, types: &mut Vec<Type>) {
     let found = match kind {
         Kind::Number | Kind::Whole => return,
         Kind::Numbers(parts) => Type::Numbers(parts.name, parts.parts),
@@ -53,7 +62,7 @@ fn types(kind: &Kind, types: &mut Vec<Type>) {
 }
 
 /// A name that is no keyword of the languages.
-fn safe(name: &str) -> String {
+pub(crate) fn safe(name: &str) -> String {
     const KEYWORDS: [&str; 14] = [
         "and", "class", "default", "double", "float", "for", "from", "in", "int", "is", "not",
         "or", "register", "with",

@@ -1,17 +1,23 @@
 //! The program in Python, from version 3.9 on.
 
-use super::{Type, safe, types};
+use super::{Type, safe, types_of};
 use raybook_workbook::exercise::Asked;
 use raybook_workbook::kind::{Kind, VECTOR};
 use std::fmt::Write;
 
-const WORDS: &str = r#"class Words:
+/// Reading and writing words. What they are made of is imported before.
+pub(crate) const WORDS: &str = r#"T = TypeVar("T")
+
+
+class Words:
     """The words of a line, one after the other."""
 
-    def __init__(self, line: str):
+    def __init__(self, line: str) -> None:
         self.rest = line.split()
 
     def word(self) -> str:
+        if not self.rest:
+            raise ValueError("the line ends too early")
         return self.rest.pop(0)
 
     def number(self) -> float:
@@ -20,27 +26,41 @@ const WORDS: &str = r#"class Words:
     def whole(self) -> int:
         return int(self.word())
 
-    def optional(self, read):
-        if self.rest[0].lower() == "none":
+    def direction(self, vector: Callable[[float, float, float], T]) -> T:
+        """A vector of length 1, from one of any length."""
+        x, y, z = self.number(), self.number(), self.number()
+        length = math.sqrt(x * x + y * y + z * z)
+        if not 0 < length < math.inf:
+            raise ValueError(f"{x} {y} {z} is no direction")
+        return vector(x / length, y / length, z / length)
+
+    def optional(self, read: Callable[[], T]) -> Optional[T]:
+        if self.rest and self.rest[0].lower() == "none":
             self.word()
             return None
         return read()
 
-    def list(self, read) -> list:
+    def list(self, read: Callable[[], T]) -> List[T]:
         return [read() for _ in range(self.whole())]
 
-    def choice(self, reads) -> tuple:
+    def choice(self, reads: Dict[str, Callable[[], Any]]) -> Any:
         word = self.word()
-        return word, reads[word]()
+        if word not in reads:
+            raise ValueError(f"`{word}` is none of {', '.join(reads)}")
+        return reads[word]()
+
+    def end(self) -> None:
+        if self.rest:
+            raise ValueError(f"`{self.rest[0]}` is one word too many")
 
 
-def words_of(value) -> str:
+def words_of(value: Any) -> str:
     """A value as the words of an answer."""
     if value is None:
         return "none"
     if isinstance(value, bool):
         return str(int(value))
-    if isinstance(value, list):
+    if isinstance(value, list):  # begins with its length
         return " ".join([str(len(value)), *map(words_of, value)])
     if hasattr(value, "__dataclass_fields__"):
         return " ".join(words_of(getattr(value, name)) for name in value.__dataclass_fields__)
@@ -51,22 +71,20 @@ def words_of(value) -> str:
 
 /// The program that answers an exercise.
 pub fn program(asked: &Asked) -> String {
-    let mut all = Vec::new();
-    types(asked.question, &mut all);
-    types(asked.answer.kind, &mut all);
     let name = asked.name;
     let mut text = format!(
-        "\"\"\"{name}: {task}\n\nAsk it: raybook check {name} --program this_file.py\n\"\"\"\n\nfrom __future__ import annotations\n\nimport sys\nfrom dataclasses import dataclass\nfrom typing import Any\n\n\n{WORDS}",
+        "\"\"\"{name}: {task}\n\nAsk it: raybook check {name} --program this_file.py\n\"\"\"\n\nfrom __future__ import annotations\n\nimport math\nimport sys\nfrom dataclasses import dataclass\nfrom typing import Any, Callable, Dict, List, Optional, TypeVar, Union\n\n{WORDS}",
         task = asked.task,
     );
-    for found in all {
+    for found in types_of(asked) {
         text.push_str(&class(found));
     }
+    let question = type_of(asked.question);
     let _ = write!(
         text,
         r#"
 
-{head}:
+def {name}(q: {question}) -> {answer}:
     """{task}
 
     Returns {meaning}
@@ -92,7 +110,7 @@ def main():
 if __name__ == "__main__":
     main()
 "#,
-        head = head(asked),
+        answer = type_of(asked.answer.kind),
         task = asked.task,
         meaning = asked.answer.meaning,
         read = read(asked.question, "Words(rest)"),
@@ -100,62 +118,41 @@ if __name__ == "__main__":
     text
 }
 
-/// What the student writes: the classes, and the function.
-pub fn signature(asked: &Asked) -> String {
-    let mut all = Vec::new();
-    types(asked.question, &mut all);
-    types(asked.answer.kind, &mut all);
-    let classes: Vec<_> = all.into_iter().map(declaration).collect();
-    format!("{}\n\n{}: ...\n", classes.join("\n\n"), head(asked))
-}
-
-/// The function up to its body.
-fn head(asked: &Asked) -> String {
-    format!(
-        "def {}(q: {}) -> {}",
-        asked.name,
-        type_of(asked.question),
-        type_of(asked.answer.kind)
-    )
-}
-
-/// The fields of a type.
-fn declaration(found: Type) -> String {
-    let mut text = format!("@dataclass\nclass {}:\n", found.name());
+/// The class of a type, and how it is read.
+pub(crate) fn class(found: Type) -> String {
+    let mut text = format!("\n\n@dataclass\nclass {}:\n", found.name());
+    let mut reads = Vec::new();
     match found {
         Type::Numbers(_, parts) => {
             for part in parts {
                 let _ = writeln!(text, "    {}: float", safe(part));
+                reads.push(read(&Kind::Number, "words"));
             }
         }
         Type::Record(record) => {
             for field in record.fields {
-                let (name, kind) = (safe(field.name), type_of(field.kind));
-                let _ = writeln!(text, "    {name}: {kind}  # {}", field.meaning);
+                let kind = type_of(field.kind);
+                let _ = writeln!(
+                    text,
+                    "    {}: {kind}  # {}",
+                    safe(field.name),
+                    field.meaning
+                );
+                reads.push(read(field.kind, "words"));
             }
         }
     }
+    let _ = write!(
+        text,
+        "\n    @staticmethod\n    def read(words: Words) -> {name}:\n        return {name}({reads})\n",
+        name = found.name(),
+        reads = reads.join(", ")
+    );
     text
 }
 
-/// The class of a type, and how it is read.
-fn class(found: Type) -> String {
-    let reads: Vec<_> = match found {
-        Type::Numbers(_, parts) => parts.iter().map(|_| read(&Kind::Number, "words")).collect(),
-        Type::Record(record) => {
-            let fields = record.fields.iter();
-            fields.map(|field| read(field.kind, "words")).collect()
-        }
-    };
-    format!(
-        "\n\n{class}\n    @staticmethod\n    def read(words: Words) -> {name}:\n        return {name}({reads})\n",
-        class = declaration(found),
-        name = found.name(),
-        reads = reads.join(", ")
-    )
-}
-
-fn type_of(kind: &Kind) -> String {
+/// The type of a kind, as an annotation.
+pub(crate) fn type_of(kind: &Kind) -> String {
     match kind {
         Kind::Number => "float".to_owned(),
         Kind::Whole => "int".to_owned(),
@@ -164,16 +161,20 @@ fn type_of(kind: &Kind) -> String {
         Kind::Optional(kind) => format!("{} | None", type_of(kind)),
         Kind::List(kind) => format!("list[{}]", type_of(kind)),
         Kind::Record(record) => record.name.to_owned(),
-        Kind::Choice(_) => "tuple[str, Any]".to_owned(),
+        Kind::Choice(choices) => {
+            let choices: Vec<_> = choices.iter().map(|(_, kind)| type_of(kind)).collect();
+            choices.join(" | ")
+        }
     }
 }
 
-fn read(kind: &Kind, words: &str) -> String {
+/// The expression that reads a value of a kind from these words.
+pub(crate) fn read(kind: &Kind, words: &str) -> String {
     match kind {
         Kind::Number => format!("{words}.number()"),
         Kind::Whole => format!("{words}.whole()"),
         Kind::Numbers(parts) => format!("{}.read({words})", parts.name),
-        Kind::Direction => format!("{}.read({words})", VECTOR.name),
+        Kind::Direction => format!("{words}.direction({})", VECTOR.name),
         Kind::Optional(kind) => format!("{words}.optional(lambda: {})", read(kind, words)),
         Kind::List(kind) => format!("{words}.list(lambda: {})", read(kind, words)),
         Kind::Record(record) => format!("{}.read({words})", record.name),

@@ -92,11 +92,7 @@ impl Sandbox {
             .stdin(Stdio::null())
             .stdout(Stdio::null())
             .stderr(Stdio::piped());
-        let mut compiler = self.clone();
-        compiler.allowance.memory = MEMORY;
-        compiler.allowance.files = FILES;
-        compiler.allowance.threads = THREADS;
-        compiler.allowance.processor_time = LONGEST;
+        let compiler = self.as_compiler();
         let mut path = cargo_home.join("bin").into_os_string();
         path.push(":");
         path.push(env::var_os("PATH").unwrap_or_else(|| OsString::from("/usr/bin:/bin")));
@@ -125,8 +121,18 @@ impl Sandbox {
         })
     }
 
+    /// The same sandbox with what a compiler uses.
+    pub(super) fn as_compiler(&self) -> Self {
+        let mut compiler = self.clone();
+        compiler.allowance.memory = MEMORY;
+        compiler.allowance.files = FILES;
+        compiler.allowance.threads = THREADS;
+        compiler.allowance.processor_time = LONGEST;
+        compiler
+    }
+
     /// Runs a compiler to its end, and ends all that it left: whether it succeeded, and what it said.
-    fn finish(&self, mut command: Command) -> io::Result<(bool, String)> {
+    pub(super) fn finish(&self, mut command: Command) -> io::Result<(bool, String)> {
         let mut held = contain::start(&mut command, Some(self))?;
         let (sender, receiver) = channel();
         if let Some(stderr) = held.child.stderr.take() {

@@ -492,8 +492,6 @@ const REFUSED: &[i64] = &[
     libc::SYS_setgid,
     libc::SYS_setreuid,
     libc::SYS_setregid,
-    libc::SYS_setresuid,
-    libc::SYS_setresgid,
     libc::SYS_setgroups,
     libc::SYS_setfsuid,
     libc::SYS_setfsgid,
@@ -519,6 +517,9 @@ const REFUSED: &[i64] = &[
 
 /// What is refused to a program that runs, and what compilers need.
 const REFUSED_RUNNING: &[i64] = &[
+    // `make` sets its own user and group again before it starts a compiler. Without capabilities nobody can set others.
+    libc::SYS_setresuid,
+    libc::SYS_setresgid,
     libc::SYS_socketpair,
     libc::SYS_sendto,
     libc::SYS_sendmsg,

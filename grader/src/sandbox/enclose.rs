@@ -53,12 +53,20 @@ impl Sandbox {
     pub(crate) fn enclose(&self, command: &mut Command) -> io::Result<()> {
         let program = PathBuf::from(command.get_program());
         let folder = command.get_current_dir().map(Path::to_owned);
-        let own = paths::own(&program);
+        let of_program = paths::own(&program);
+        let of_script = self.script.as_deref().and_then(paths::own);
+        let own = of_script.or_else(|| of_program.clone());
         if folder.is_none() {
             let own = own.as_deref().filter(|own| own.is_dir());
             command.current_dir(own.unwrap_or(Path::new("/")));
         }
-        let python = is_script(&program).then(python::find).flatten();
+        let is_python = || {
+            let name = program.file_name().and_then(OsStr::to_str);
+            name.is_some_and(|name| name.starts_with("python"))
+        };
+        let python = (is_script(&program) || is_python())
+            .then(python::find)
+            .flatten();
         let mut path = OsString::new();
         if let Some(python) = python {
             path.push(&python.programs);
@@ -67,7 +75,7 @@ impl Sandbox {
         path.push(PATH);
         environment(command, &path);
         let of_python = python.into_iter().flat_map(|python| python.read.clone());
-        let readable = of_python.chain(own).chain(folder);
+        let readable = of_python.chain(of_program).chain(own).chain(folder);
         let rules = self.rules(readable, &[])?;
         self.shut_in(command, rules, Phase::Run, 0)
     }

@@ -36,6 +36,8 @@
 #[cfg(target_os = "linux")]
 mod build;
 #[cfg(target_os = "linux")]
+mod build_by;
+#[cfg(target_os = "linux")]
 mod calls;
 #[cfg(target_os = "linux")]
 mod enclose;
@@ -94,6 +96,12 @@ pub struct Sandbox {
         allow(dead_code, reason = "no sandbox is made")
     )]
     hidden: Vec<PathBuf>,
+    /// The file that the program interprets: its folder can be read as the program's own can.
+    #[cfg_attr(
+        not(target_os = "linux"),
+        allow(dead_code, reason = "no sandbox is made")
+    )]
+    script: Option<PathBuf>,
     /// What a program may use.
     pub allowance: Allowance,
 }
@@ -120,6 +128,7 @@ impl Sandbox {
                 .chain(own)
                 .map(|path| path.canonicalize().unwrap_or(path))
                 .collect(),
+            script: None,
             allowance: Allowance::default(),
         })
     }
@@ -140,6 +149,13 @@ impl Sandbox {
         self
     }
 
+    /// The same sandbox for an interpreter of this file.
+    #[must_use]
+    pub fn with_script(mut self, script: Option<PathBuf>) -> Self {
+        self.script = script;
+        self
+    }
+
     /// Starts a command that was made ready.
     #[cfg(target_os = "linux")]
     pub(crate) fn spawn(&self, command: &mut Command) -> io::Result<Child> {
@@ -156,6 +172,15 @@ impl Sandbox {
     /// Always.
     #[cfg(not(target_os = "linux"))]
     pub fn build(&self, _workbook: &Path) -> Result<Program, StudentError> {
+        Err(StudentError::NoCargo(io::Error::other("no sandbox here")))
+    }
+
+    /// There is no sandbox.
+    ///
+    /// # Errors
+    /// Always.
+    #[cfg(not(target_os = "linux"))]
+    pub fn build_by(&self, _workbook: &Path, _words: &[String]) -> Result<(), StudentError> {
         Err(StudentError::NoCargo(io::Error::other("no sandbox here")))
     }
 

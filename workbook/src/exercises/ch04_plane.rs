@@ -5,7 +5,10 @@ use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
 use raybook::shape::{Shape, plane::Plane};
 
 exercises! { ($) ch04_plane
-    /// Return the distance t at which the ray meets the plane n·p = offset. It counts only if min < t < max.
+    /// Return the distance t at which the ray meets the plane n·p = offset. It counts only if min < t < max; else there
+    /// is no answer.
+    ///
+    /// In Rust: the distance as `Some(Hit { t, uv: Vec2::ZERO, id: 0 })`.
     PlaneHit: plane_hit(
         /// The ray.
         ray: Ray,

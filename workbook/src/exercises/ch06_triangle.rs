@@ -8,7 +8,9 @@ use raybook::shape::{Shape, triangle::Triangle};
 
 exercises! { ($) ch06_triangle
     /// Return where the ray meets the triangle with min < t < max, from either side: the distance t and the weights b1
-    /// and b2. The point of the hit is p0 + b1·e1 + b2·e2, where e1 and e2 are the edges from p0 to the other corners.
+    /// and b2. The point of the hit is p0 + b1·(p1 − p0) + b2·(p2 − p0). There is no answer if the ray misses.
+    ///
+    /// In Rust: `Some(Hit { t, uv: vec2(b1, b2), id: 0 })`; the triangle holds e1 = p1 − p0 and e2 = p2 − p0.
     TriangleHit: triangle_hit(
         /// The ray.
         ray: Ray,

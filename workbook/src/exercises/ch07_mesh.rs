@@ -62,8 +62,10 @@ exercises! { ($) ch07_mesh
             .collect()
     }
 
-    /// Return the nearest triangle of the list that the ray hits with min < t < max: its distance and its number. Of
-    /// two at the same distance either is right.
+    /// Return the nearest shape of the list that the ray hits with min < t < max: its distance and its number. There is
+    /// no answer if it hits none; of two at the same distance either is right.
+    ///
+    /// In Rust: the shape and its `Hit`.
     MeshHit: mesh_hit(
         /// The ray.
         ray: Ray,

@@ -53,8 +53,10 @@ exercises! { ($) ch08_grid
         cells.into_iter().map(Cell::from).collect()
     }
 
-    /// List the cells that the ray passes through within the interval, in order, each with the distances at which the
-    /// ray enters and leaves it.
+    /// List the cells that the ray passes through within the interval, in order, each with the distance at which the
+    /// ray leaves it or the interval ends.
+    ///
+    /// In Rust: call `visit` with each cell and the interval in which the ray is in it, until it breaks off.
     GridWalk: grid_walk(
         /// The least corner of the lattice, in metres.
         min: Vec3,

@@ -49,8 +49,12 @@ exercises! { ($) ch09_two_level_grid
         }
     }
 
-    /// List what the ray passes through, in order: each coarse cell as `none`, and after a coarse cell that is not
-    /// empty each of its fine cells on the ray's way, as its place in the row of all fine cells.
+    /// List the fine cells on the ray's way in order, coarse cell by coarse cell. Each is named by its place in the row
+    /// of all fine cells: those of the first coarse cell, then those of the next; in each along x first, then y, then
+    /// z.
+    ///
+    /// In Rust: call `visit` for each coarse cell with None, and after one that is not empty for each of its fine cells
+    /// with Some of its place, until it breaks off.
     TwoLevelWalk: two_level_walk(
         /// The ray.
         ray: Ray,

@@ -57,8 +57,10 @@ exercises! { ($) ch10_octree
         TreeRow::from(tree)
     }
 
-    /// List the leaves that are not empty and that the ray enters within the interval, front to back. In Rust: return the
-    /// next one before `limit` each time, and count the nodes that the ray enters.
+    /// List the leaves that are not empty and that the ray passes through within the interval, front to back.
+    ///
+    /// In Rust: each call returns the next of them that the ray enters before `limit`, or None; `count` the nodes that
+    /// the ray enters.
     OctreeWalk: octree_walk(
         /// The ray.
         ray: Ray,

@@ -37,6 +37,9 @@ exercises! { ($) ch11_bvh
     /// and cut between neighbours; the cost of a cut is the area of the box around each side times the number of its
     /// boxes, left plus right. Of all cuts along all three axes return the cheapest: the numbers of the boxes on the
     /// left.
+    ///
+    /// In Rust: reorder the boxes so that the best split is a cut in the list, and return how many are on the left, and
+    /// the cost.
     SahSplit: sah_split(
         /// The shapes' boxes; their numbers count from 0.
         boxes: Vec<BoxRow>,
@@ -72,8 +75,8 @@ exercises! { ($) ch11_bvh
         }
     }
 
-    /// Return the nearest triangle of the tree that the ray hits with min < t < max: its distance and its number. Count
-    /// every box and every triangle that you test, and test as few as you can.
+    /// Return the nearest shape of the tree that the ray hits with min < t < max: its distance and its number. Count
+    /// every box and every shape that you test, and test as few as you can.
     BvhClosest: bvh_closest(
         /// The ray.
         ray: Ray,

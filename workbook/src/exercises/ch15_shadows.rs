@@ -40,6 +40,8 @@ exercises! { ($) ch15_shadows
     }
 
     /// Return whether a light reaches a surface: 1 if nothing is in the way, 0 if anything is.
+    ///
+    /// In Rust: true or false.
     Lit: lit(
         /// The point of the surface, in metres.
         position: Vec3,

@@ -17,6 +17,8 @@ exercises! { ($) ch16_soft_shadows
     /// For each of the n·n pairs u = ((i + ½)/n, (j + ½)/n), return a sample of the rectangular light, uniform over its
     /// area: the direction and the distance to it, the probability density of the direction per steradian, and
     /// radiance/density. There is no answer if the light turns its back to the point.
+    ///
+    /// In Rust: the sample of one u, which is given.
     SampleRect: sample_rect(
         /// The point that is lit, in metres.
         at: Vec3,

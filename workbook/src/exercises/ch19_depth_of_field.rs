@@ -17,7 +17,7 @@ exercises! { ($) ch19_depth_of_field
     ConcentricDisk: concentric_disk(
         /// The number of points of the unit square.
         n: u32,
-        /// By how much all of them are moved, around the square's edges; from 0 to 1.
+        /// By how much all of them are moved, around the square's edges; from −1 to 1.
         shift: Vec2,
     ) -> (
         /// The n points of the unit disc, in the order of the points u.

@@ -9,6 +9,8 @@ exercises! { ($) ch23_adaptive
     /// contrast (max − min)/(max + min) of a channel, 0 where all are black, is above that channel's limit; or if s/√n
     /// is above the error, where s² = Σ (Y − mean)²/(n − 1) is the variance of the luminance Y = 0.2126 R + 0.7152 G +
     /// 0.0722 B.
+    ///
+    /// In Rust: true or false.
     NeedsMore: needs_more(
         /// The maximum contrast of each channel, without a unit; inf for no limit.
         contrast: Rgb,

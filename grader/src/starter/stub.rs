@@ -1,0 +1,66 @@
+//! What the stubs of all languages say, taken from the declaration of an exercise.
+
+use raybook_workbook::exercise::Asked;
+use raybook_workbook::kind::{Field, Kind};
+
+/// The width of a comment, in letters.
+const WIDTH: usize = 100;
+
+/// The parameters of the function.
+pub fn parameters(asked: &Asked) -> &'static [Field] {
+    match asked.question {
+        Kind::Record(record) => record.fields,
+        _ => &[],
+    }
+}
+
+/// The comment of a stub: the task, a line for each parameter, and the answer. Each line begins with `prefix`.
+pub fn comment(asked: &Asked, prefix: &str, name: impl Fn(&str) -> String) -> String {
+    let mut text = wrapped(asked.task, prefix, prefix);
+    text.push_str(prefix.trim_end());
+    text.push('\n');
+    let hanging = format!("{prefix}    ");
+    for field in parameters(asked) {
+        let meaning = meaning(field);
+        text.push_str(&wrapped(
+            &format!("{}: {meaning}", name(field.name)),
+            prefix,
+            &hanging,
+        ));
+    }
+    let returns = format!("Returns {}: {}", asked.answer.name, asked.answer.meaning);
+    text.push_str(&wrapped(&returns, prefix, &hanging));
+    text
+}
+
+/// What a field means; a direction has length 1 when it arrives.
+pub fn meaning(field: &Field) -> String {
+    match field.kind {
+        Kind::Direction => {
+            let meaning = field.meaning.trim_end_matches('.');
+            format!("{meaning}; of length 1.")
+        }
+        _ => field.meaning.to_owned(),
+    }
+}
+
+/// A text in lines: the first begins with `first`, the others with `rest`.
+pub fn wrapped(text: &str, first: &str, rest: &str) -> String {
+    let mut lines = String::new();
+    let mut line = first.to_owned();
+    let mut is_empty = true;
+    for word in text.split_whitespace() {
+        if !is_empty && line.chars().count() + 1 + word.chars().count() > WIDTH {
+            lines.push_str(&line);
+            lines.push('\n');
+            rest.clone_into(&mut line);
+            is_empty = true;
+        }
+        if !is_empty {
+            line.push(' ');
+        }
+        line.push_str(word);
+        is_empty = false;
+    }
+    lines + &line + "\n"
+}

@@ -1,0 +1,43 @@
+//! Workbooks in languages other than Rust: the starters, complete solutions of all exercises, and any language by `raybook.toml`.
+
+#![cfg(unix)]
+
+mod any;
+mod solutions;
+mod starters;
+mod watched;
+
+use raybook_grader::language::Language;
+use raybook_grader::starter;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// Whether there is this program; else the test says so.
+fn there_is(program: &str) -> bool {
+    let output = Command::new(program).arg("--version").output();
+    let there = output.is_ok_and(|output| output.status.success());
+    if !there {
+        println!("there is no {program} here: what takes it is not tried");
+    }
+    there
+}
+
+/// A starter in a folder of this name.
+fn new(home: &Path, name: &str, language: Language) -> PathBuf {
+    let folder = home.join(name);
+    starter::create(&folder, language).expect("the folder can be made");
+    folder
+}
+
+/// What a program says on both outputs, if it succeeds.
+fn succeeds(command: &mut Command) -> String {
+    let Output {
+        status,
+        stdout,
+        stderr,
+    } = command.output().expect("the program runs");
+    let said = [stdout, stderr].map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
+    let said = said.concat();
+    assert!(status.success(), "{command:?}: {said}");
+    said
+}

@@ -1,0 +1,109 @@
+//! Complete solutions in Python and C++, by other methods than the library's where there are any: all are right.
+
+use super::{new, succeeds, there_is};
+use raybook_common::project;
+use raybook_grader::cases;
+use raybook_grader::check::{State, check_all};
+use raybook_grader::converse::Limits;
+use raybook_grader::examine::{Case, Examiner, visible_rng};
+use raybook_grader::hidden::Key;
+use raybook_grader::language::Language;
+use raybook_grader::picture::Pixels;
+use raybook_grader::student;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::time::Duration;
+
+/// A machine that is busy with other tests is slow.
+const LIMITS: Limits = Limits::of(Duration::from_secs(120));
+
+/// So many students' hidden cases are asked besides the visible ones.
+const KEYS: usize = 3;
+
+/// A starter into which the solutions of all chapters are laid.
+fn solved(home: &Path, language: Language) -> PathBuf {
+    let folder = new(home, language.name(), language);
+    let solutions = project("tests/solutions").join(language.name());
+    let files = fs::read_dir(solutions).expect("there are solutions");
+    let mut laid = 0;
+    for file in files {
+        let file = file.expect("the folder can be read").path();
+        let place = folder.join(file.file_name().expect("it is a file"));
+        assert!(place.is_file(), "{}: the starter has it", place.display());
+        fs::copy(file, place).expect("it can be copied");
+        laid += 1;
+    }
+    assert_eq!(laid, 25, "a file per chapter");
+    folder
+}
+
+fn cases_of(examiner: &dyn Examiner) -> Vec<Case> {
+    let name = examiner.name();
+    let mut cases = examiner.cases(&mut visible_rng(name)).cases;
+    for student in 0..KEYS {
+        let key = Key {
+            course: "a third course's secret".into(),
+            term: "autumn".into(),
+            student: format!("student {student}"),
+        };
+        cases.extend(examiner.cases(&mut key.rng(name)).cases);
+    }
+    cases
+}
+
+/// All exercises are right, on visible and on hidden cases.
+fn has_full_marks(folder: &Path) {
+    let program = student::build(folder).expect("it is built");
+    let all = cases::all();
+    let exercises: Vec<_> = all.into_iter().map(|e| (e, cases_of(e))).collect();
+    let reports = check_all(&program, &exercises, LIMITS, Pixels::Some, &|| ());
+    let mut right = 0;
+    for report in reports.expect("the program runs") {
+        assert_eq!(
+            report.state(),
+            State::Right,
+            "{}: {:?}",
+            report.exercise,
+            report.first_wrong()
+        );
+        right += 1;
+    }
+    assert_eq!(right, 64);
+}
+
+#[test]
+fn the_solutions_in_python_are_right() {
+    if !there_is("python3") {
+        return;
+    }
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let folder = solved(home.path(), Language::Python);
+    if there_is("mypy") {
+        succeeds(Command::new("mypy").arg(".").current_dir(&folder));
+    }
+    has_full_marks(&folder);
+}
+
+#[test]
+fn the_solutions_in_cpp_are_right() {
+    if !there_is("make") || !there_is("g++") {
+        return;
+    }
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let folder = solved(home.path(), Language::Cpp);
+    let make = |options: &[&str]| {
+        let mut make = Command::new("make");
+        make.args(["-s", "-j2"]).args(options).current_dir(&folder);
+        succeeds(&mut make)
+    };
+    if there_is("clang++") {
+        assert_eq!(
+            make(&["CXX=clang++", "CXXFLAGS=-Werror -fsyntax-only", "objects"]),
+            ""
+        );
+        make(&["clean"]);
+    }
+    assert_eq!(make(&["CXXFLAGS=-O2 -Werror"]), "", "not a word");
+    has_full_marks(&folder);
+}

@@ -1,0 +1,214 @@
+//! The starters in Python and C++: all is to be written, nothing is given away, nothing is complained of.
+
+use super::{new, succeeds, there_is};
+use crate::common::command::raybook_with;
+use raybook_common::project;
+use raybook_grader::ask::Asker;
+use raybook_grader::asked_picture::{Drawn, draw};
+use raybook_grader::cases;
+use raybook_grader::converse::Limits;
+use raybook_grader::language::Language;
+use raybook_grader::starter::{StarterFile, cpp, place, python};
+use raybook_grader::student;
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+use std::time::Duration;
+
+fn text(file: &StarterFile) -> String {
+    String::from_utf8(file.1.clone()).expect("it is text")
+}
+
+#[test]
+fn every_exercise_is_stubbed_in_its_chapter_and_nothing_is_given_away() {
+    for (language, files, todo) in [
+        (
+            Language::Python,
+            python::files(),
+            "raise NotImplementedError(\"NAME\")",
+        ),
+        (Language::Cpp, cpp::files(), "todo(\"NAME\", "),
+    ] {
+        for examiner in cases::all() {
+            let name = examiner.name();
+            let todo = todo.replace("NAME", name);
+            let stubbed = files.iter().filter(|file| text(file).contains(&todo));
+            let stubbed: Vec<_> = stubbed.map(|(path, _)| path.as_path()).collect();
+            let place = place(language, name).expect("it has a place");
+            assert_eq!(stubbed, [Path::new(&place)], "{name}");
+            let golden = examiner.cases(&mut raybook_grader::examine::visible_rng(name));
+            for file in &files {
+                let text = text(file);
+                // A question shorter than that is like any other text.
+                let given = golden.cases.iter().map(|case| case.question.as_str());
+                let mut given = given.filter(|question| question.len() > 40);
+                assert!(given.all(|case| !text.contains(case)), "{name}: a case");
+                for (mistake, hint) in examiner.mistakes() {
+                    assert!(!text.contains(hint), "{name}: the hint of who {mistake}");
+                }
+            }
+        }
+    }
+}
+
+/// The folder is checked with the system's programs only: no cargo.
+fn is_all_to_do(folder: &Path) {
+    let (code, said) = raybook_with(folder, &["check", "--plain"], &[("PATH", "/usr/bin:/bin")]);
+    assert_eq!(code, 1, "{said}");
+    let exercises = cases::all().len();
+    let not_started = said
+        .lines()
+        .filter(|line| line.starts_with("  not started "))
+        .count();
+    assert_eq!(not_started, exercises, "{said}");
+    assert!(
+        said.contains(&format!("0 of {exercises} exercises are right"))
+            && said.contains("Next: write ray_at in ch01_rays."),
+        "{said}"
+    );
+}
+
+#[test]
+fn a_new_folder_in_python_is_all_to_do() {
+    if !there_is("/usr/bin/python3") {
+        return;
+    }
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let folder = new(home.path(), "rays", Language::Python);
+    is_all_to_do(&folder);
+
+    // An error in a chapter is told, and leaves the other chapters be.
+    fs::write(folder.join("ch03_sphere.py"), "def sphere_hit(:\n").expect("it can be written");
+    let variables = [("PATH", "/usr/bin:/bin")];
+    let (_, said) = raybook_with(&folder, &["check", "3", "4", "--plain"], &variables);
+    assert!(
+        said.contains("SyntaxError") && said.contains("not started plane_hit"),
+        "{said}"
+    );
+}
+
+#[test]
+fn a_new_folder_in_python_has_sound_types() {
+    // A shell finds it where a user has it; the tests need it no further.
+    if !there_is("mypy") {
+        return;
+    }
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let folder = new(home.path(), "rays", Language::Python);
+    let said = succeeds(Command::new("mypy").arg(".").current_dir(&folder));
+    assert!(said.contains("no issues found in"), "{said}");
+}
+
+#[test]
+fn a_new_folder_in_cpp_is_all_to_do_and_compiles_without_a_warning() {
+    if !there_is("make") || !there_is("g++") {
+        return;
+    }
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let folder = new(home.path(), "rays", Language::Cpp);
+    let said = succeeds(
+        Command::new("make")
+            .args(["-s", "-j4", "CXXFLAGS=-Werror"])
+            .current_dir(&folder),
+    );
+    assert_eq!(said, "", "not a word");
+    is_all_to_do(&folder);
+
+    fs::write(folder.join("ch01_rays.cpp"), "int broken(\n").expect("it can be written");
+    let (code, said) = raybook_with(&folder, &["check"], &[("PATH", "/usr/bin:/bin")]);
+    assert!(
+        code == 2 && said.contains("ch01_rays.cpp:1:") && said.contains("does not compile"),
+        "the compiler is heard: {said}"
+    );
+}
+
+#[test]
+fn cmake_takes_the_folder_in_cpp() {
+    if !there_is("cmake") {
+        return;
+    }
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let folder = new(home.path(), "rays", Language::Cpp);
+    succeeds(
+        Command::new("cmake")
+            .args(["--preset", "default"])
+            .current_dir(&folder),
+    );
+    let commands = fs::read_to_string(folder.join("build/cmake/compile_commands.json"));
+    let commands = commands.expect("editors have their file");
+    assert_eq!(
+        commands.matches("\"file\"").count(),
+        27,
+        "25 chapters, the table and the loop"
+    );
+}
+
+#[test]
+fn a_chapter_is_drawn_by_asking_the_program() {
+    if !there_is("/usr/bin/python3") {
+        return;
+    }
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let folder = new(home.path(), "rays", Language::Python);
+    let draw =
+        |chapter: &str| raybook_with(&folder, &["draw", chapter], &[("PATH", "/usr/bin:/bin")]);
+    let (code, said) = draw("ch04");
+    assert!(
+        code == 1 && said.contains("write plane_hit first in ch04_plane.py"),
+        "{code} {said}"
+    );
+    let solution = project("tests/solutions/python/ch04_plane.py");
+    fs::copy(solution, folder.join("ch04_plane.py")).expect("it can be copied");
+    let (code, said) = draw("ch04");
+    let drawn = folder.join("out/ch04_plane/plane_hit.png");
+    assert!(code == 0 && drawn.is_file(), "{code} {said}");
+    let (code, said) = draw("ch10");
+    assert!(
+        code == 0 && said.contains("no picture of their answers"),
+        "{code} {said}"
+    );
+    let (code, said) = raybook_with(&folder, &["draw", "ch04", "--width", "9"], &[]);
+    assert!(
+        code == 2 && said.contains("sizes of their own"),
+        "{code} {said}"
+    );
+}
+
+/// The last pass is the picture that the check judges, and every pass before it has the pixels of its blocks.
+#[test]
+fn a_picture_gets_finer_pass_by_pass() {
+    if !there_is("python3") {
+        return;
+    }
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let folder = new(home.path(), "rays", Language::Python);
+    let solution = project("tests/solutions/python/ch04_plane.py");
+    fs::copy(solution, folder.join("ch04_plane.py")).expect("it can be copied");
+    let program = student::build(&folder).expect("nothing is to be built");
+    let mut asker = Asker::new(&program, Limits::of(Duration::from_secs(60)));
+    let examiner = cases::find("plane_hit").expect("an exercise");
+    let mut passes = Vec::new();
+    let drawn = draw(&mut asker, examiner, 0, &mut |stage| {
+        passes.push((stage.block, stage.yours.clone(), stage.golden.clone()));
+        Ok(())
+    });
+    assert_eq!(drawn.expect("the program runs"), Drawn::Whole);
+    let blocks: Vec<_> = passes.iter().map(|(block, ..)| *block).collect();
+    assert_eq!(blocks, [8, 4, 2, 1]);
+    let (_, whole, golden) = passes.last().expect("four passes");
+    let near = whole.pixels().iter().zip(golden.pixels());
+    let near = near.filter(|(a, b)| (a.luminance() - b.luminance()).abs() < 0.01);
+    assert!(
+        near.count() > whole.pixels().len() * 99 / 100,
+        "as the reference"
+    );
+    for (block, coarse, _) in &passes {
+        let block = *block as usize;
+        for y in 0..whole.height() {
+            for x in 0..whole.width() {
+                let asked = whole.at(x / block * block, y / block * block);
+                assert_eq!(coarse.at(x, y), asked, "({x}, {y}) of blocks of {block}");
+            }
+        }
+    }
+}

@@ -1,0 +1,116 @@
+//! `raybook watch`: saves, errors, files that go, bursts; and nothing is left.
+
+use super::{new, there_is};
+use raybook_common::project;
+use raybook_grader::language::Language;
+use std::fs;
+use std::io::Read;
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+use std::sync::{Arc, Mutex};
+use std::thread::{sleep, spawn};
+use std::time::{Duration, Instant};
+
+/// What a running watch has said, on both outputs.
+#[derive(Clone, Default)]
+struct Heard(Arc<Mutex<String>>);
+
+impl Heard {
+    fn listen(&self, mut output: impl Read + Send + 'static) {
+        let heard = self.clone();
+        spawn(move || {
+            let mut bytes = [0; 1 << 12];
+            while let Ok(n @ 1..) = output.read(&mut bytes) {
+                let text = String::from_utf8_lossy(&bytes[..n]).into_owned();
+                heard.0.lock().expect("nobody panics").push_str(&text);
+            }
+        });
+    }
+
+    /// Waits until something is said, forgets what was said before the end of it, and waits until the watch waits again.
+    fn wait_for(&self, part: &str) {
+        for part in [part, "Ctrl-C ends"] {
+            // A machine that is busy with other tests is slow.
+            let deadline = Instant::now() + Duration::from_secs(300);
+            loop {
+                let mut said = self.0.lock().expect("nobody panics");
+                if let Some(at) = said.find(part) {
+                    said.drain(..at + part.len());
+                    break;
+                }
+                assert!(Instant::now() < deadline, "`{part}` is said: {said}");
+                drop(said);
+                sleep(Duration::from_millis(20));
+            }
+        }
+    }
+}
+
+fn watch(folder: &Path) -> (Child, Heard) {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_raybook"))
+        .args(["watch", "--plain"])
+        .current_dir(folder)
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the command starts");
+    let heard = Heard::default();
+    heard.listen(child.stdout.take().expect("it is piped"));
+    heard.listen(child.stderr.take().expect("it is piped"));
+    (child, heard)
+}
+
+/// Whether a process has this folder as its own.
+#[cfg(target_os = "linux")]
+fn is_anybody_in(folder: &Path) -> bool {
+    let folder = folder.canonicalize().expect("it is there");
+    let entries = fs::read_dir("/proc").into_iter().flatten().flatten();
+    let mut folders = entries.filter_map(|entry| fs::read_link(entry.path().join("cwd")).ok());
+    folders.any(|of_process| of_process == folder)
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_watch_follows_saves_and_survives_errors() {
+    if !there_is("python3") {
+        return;
+    }
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let folder = new(home.path(), "rays", Language::Python);
+    let (mut child, heard) = watch(&folder);
+    heard.wait_for("not started camera_ray");
+
+    let file = folder.join("ch01_rays.py");
+    let solution = project("tests/solutions/python/ch01_rays.py");
+    let solution = fs::read_to_string(solution).expect("there is a solution");
+    fs::write(&file, &solution).expect("it can be written");
+    heard.wait_for("right       camera_ray");
+    fs::write(&file, "def ray_at(:\n").expect("it can be written");
+    heard.wait_for("SyntaxError");
+    fs::remove_file(&file).expect("it can be removed");
+    heard.wait_for("No module named 'ch01_rays'");
+    for i in 0..50 {
+        let text = format!("{solution}# save {i}\n");
+        fs::write(&file, text).expect("it can be written");
+    }
+    heard.wait_for("right       camera_ray");
+    // A wrong recipe is told, and mended while the watch goes on.
+    let recipe = folder.join("raybook.toml");
+    let right = fs::read_to_string(&recipe).expect("there is a recipe");
+    fs::write(&recipe, "run = 1\n").expect("it can be written");
+    heard.wait_for("`run` should be text");
+    fs::write(&recipe, right).expect("it can be written");
+    // Chapter 1 is right: the next is the current one.
+    heard.wait_for("not started expose");
+
+    let sent = Command::new("kill").arg(child.id().to_string()).status();
+    assert!(sent.is_ok_and(|sent| sent.success()), "a signal is sent");
+    let ended = child.wait().expect("it can be waited for");
+    assert_eq!(ended.code(), Some(130), "the signal ends the watch");
+    let deadline = Instant::now() + Duration::from_secs(60);
+    while is_anybody_in(&folder) {
+        assert!(Instant::now() < deadline, "no process is left");
+        sleep(Duration::from_millis(20));
+    }
+}

@@ -1,0 +1,73 @@
+"""Chapter 17: Rendering equation."""
+
+from __future__ import annotations
+
+import math
+import random
+
+from ch16_soft_shadows import axes
+from raybook.vec import Rgb, Vec3
+
+
+def lattice(n: int) -> list[tuple[float, float]]:
+    return [((i + 0.5) / n, 0.618034 * (i + 0.5) % 1) for i in range(n)]
+
+
+def by_cosine(normal: Vec3, u: float, v: float) -> Vec3:
+    """A point of the unit sphere added to the normal: its direction has the density cos θ/π."""
+    x, y = axes(normal)
+    z = 1 - 2 * u
+    r = math.sqrt(max(1 - z * z, 0.0))
+    sum_ = r * math.cos(math.tau * v) * x + r * math.sin(math.tau * v) * y + (z + 1) * normal
+    return sum_.unit()
+
+
+def cosine_hemisphere(normal: Vec3, n: int) -> list[Vec3]:
+    return [by_cosine(normal, u, v) for u, v in lattice(n)]
+
+
+def brdf_phong(
+    normal: Vec3, view: Vec3, toward: Vec3, diffuse: Rgb, specular: Rgb, exponent: float
+) -> Rgb:
+    light, seen = normal.dot(toward), normal.dot(view)
+    if light <= 0 or seen <= 0:
+        return Rgb(0.0, 0.0, 0.0)
+    # R·V without R.
+    cosine = 2 * light * seen - toward.dot(view)
+    shine = (exponent + 2) / math.tau * cosine**exponent if cosine > 0 else 0.0
+    return (1 / math.pi) * diffuse + shine * specular
+
+
+def reflected_radiance(
+    normal: Vec3,
+    view: Vec3,
+    diffuse: Rgb,
+    specular: Rgb,
+    exponent: float,
+    zenith: Vec3,
+    radiance: Rgb,
+    samples: int,
+) -> Rgb:
+    """Half of the directions by the cosine, half around the mirrored viewer, each weighted by both densities."""
+    rng = random.Random(samples)
+    mirrored = 2 * normal.dot(view) * normal - view
+    x, y = axes(mirrored)
+    total = Rgb(0.0, 0.0, 0.0)
+    for i in range(samples):
+        u, v = rng.random(), rng.random()
+        if i % 2 == 0:
+            toward = by_cosine(normal, u, v)
+        else:
+            z = u ** (1 / (exponent + 1))
+            r = math.sqrt(max(1 - z * z, 0.0))
+            phi = math.tau * v
+            toward = r * math.cos(phi) * x + r * math.sin(phi) * y + z * mirrored
+        cosine = normal.dot(toward)
+        if cosine <= 0:
+            continue
+        lobe = (exponent + 1) / math.tau * max(mirrored.dot(toward), 0.0) ** exponent
+        density = 0.5 * cosine / math.pi + 0.5 * lobe
+        sky = radiance * (0.5 + 0.5 * toward.dot(zenith))
+        f = brdf_phong(normal, view, toward, diffuse, specular, exponent)
+        total = total + f * sky * (cosine / density / samples)
+    return total

@@ -4,6 +4,7 @@ pub mod ask;
 pub mod budget;
 pub mod cases;
 pub mod check;
+pub mod class;
 pub mod contain;
 pub mod converse;
 pub mod describe;

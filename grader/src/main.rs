@@ -37,6 +37,9 @@ enum Task {
     Samplers(commands::samplers::Samplers),
     /// Attack the sandbox of strangers' programs, and tell what stopped each attack
     Doctor,
+    /// Write or read the file that says what a course grades
+    #[command(subcommand)]
+    Course(commands::course::CourseFile),
     /// Write the golden answers (for course authors)
     Bless(commands::bless::Bless),
 }
@@ -58,6 +61,7 @@ fn main() -> ExitCode {
         Some(Task::Solve(task)) => task.run(),
         Some(Task::Samplers(task)) => task.run(),
         Some(Task::Doctor) => commands::doctor::run(),
+        Some(Task::Course(task)) => task.run(),
         Some(Task::Bless(task)) => task.run(),
     };
     match done {

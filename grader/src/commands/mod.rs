@@ -3,6 +3,7 @@
 pub mod asking;
 pub mod bless;
 pub mod check;
+pub mod course;
 pub mod doctor;
 pub mod draw;
 pub mod exercise;

@@ -154,7 +154,11 @@ impl Allowed {
     }
 }
 
-fn text_of(table: &Table<'_>, name: &'static str, otherwise: &str) -> Result<String, SettingsError> {
+fn text_of(
+    table: &Table<'_>,
+    name: &'static str,
+    otherwise: &str,
+) -> Result<String, SettingsError> {
     let text = table.text(name)?;
     Ok(text.map_or(otherwise, |text| text.value).to_owned())
 }
@@ -222,8 +226,14 @@ fn chapters(source: Source<'_>, top: &Table<'_>, points: f64) -> Result<Vec<Plan
     let mut plans: Vec<Plan> = Vec::new();
     for Placed { value: table, at } in top.tables("chapter")? {
         let plan = plan(source, &table, &at, points)?;
-        if plans.iter().any(|other| other.chapter.name == plan.chapter.name) {
-            let what = format!("{} is graded twice; one [[chapter]] is enough", plan.chapter.name);
+        if plans
+            .iter()
+            .any(|other| other.chapter.name == plan.chapter.name)
+        {
+            let what = format!(
+                "{} is graded twice; one [[chapter]] is enough",
+                plan.chapter.name
+            );
             return Err(source.error(&at, what));
         }
         plans.push(plan);
@@ -262,7 +272,8 @@ fn plan(
     for (names, bonus) in counted {
         for (name, points) in names.into_iter().flatten() {
             let Some(known) = all().find(|known| *known == name.value) else {
-                let what = unknown_name(&format!("exercise in {}", chapter.name), name.value, all());
+                let what =
+                    unknown_name(&format!("exercise in {}", chapter.name), name.value, all());
                 return Err(source.error(&name.at, what));
             };
             if !seen.insert(known) {

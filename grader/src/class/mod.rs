@@ -1,6 +1,23 @@
 //! Grading a class: what the course counts, the hand-ins, a journal that loses nothing, grades, and the files that others read.
 
 pub mod course;
+pub mod files;
+pub mod hand_in;
+pub mod journal;
 pub mod language;
+pub mod record;
+pub mod run;
 pub mod settings;
+pub mod similar;
+pub mod stage;
+pub mod taken;
+pub mod tokens;
 pub mod when;
+
+use raybook_workbook::curriculum::{CHAPTERS, Chapter};
+
+/// The chapter of an exercise.
+pub fn chapter_of(exercise: &str) -> Option<&'static Chapter> {
+    let has = |chapter: &&Chapter| chapter.exercises().iter().any(|of| of.name == exercise);
+    CHAPTERS.iter().find(has)
+}

@@ -157,10 +157,7 @@ impl<'a> Table<'a> {
     ///
     /// # Errors
     /// If it is none.
-    pub fn words(
-        &self,
-        name: &'static str,
-    ) -> Result<Option<Vec<Placed<&'a str>>>, SettingsError> {
+    pub fn words(&self, name: &'static str) -> Result<Option<Vec<Placed<&'a str>>>, SettingsError> {
         let read = self.read(name, "a list of texts, such as [\"a\", \"b\"]", words)?;
         Ok(read.map(|placed| placed.value))
     }
@@ -234,11 +231,7 @@ impl<'a> Table<'a> {
                     at: value.span(),
                 })
             };
-            value
-                .as_array()?
-                .iter()
-                .map(of)
-                .collect::<Option<Vec<_>>>()
+            value.as_array()?.iter().map(of).collect::<Option<Vec<_>>>()
         })?;
         Ok(read.map_or_else(Vec::new, |placed| placed.value))
     }

@@ -1,10 +1,10 @@
 //! `raybook course`: the file that says what a course grades.
 
 use super::Done;
+use raybook::store;
 use raybook_chapters::kit::say::say;
 use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_grader::class::course::{Course, template};
-use raybook::store;
 use std::path::{Path, PathBuf};
 
 /// The file that says what a course grades.
@@ -39,7 +39,9 @@ impl CourseFile {
             Self::New { file } => {
                 if file.symlink_metadata().is_ok() {
                     let file = Untrusted::from(file.as_path());
-                    return Err(format!("{file}: this is there already; choose another name").into());
+                    return Err(
+                        format!("{file}: this is there already; choose another name").into(),
+                    );
                 }
                 store::write(file, template().as_bytes())?;
                 let file = Untrusted::from(file.as_path());
@@ -58,15 +60,35 @@ impl CourseFile {
 
 fn tell(course: &Course) {
     let term = Untrusted::from(course.term.as_str());
-    let of_term = if course.term.is_empty() { String::new() } else { format!(", {term}") };
-    say(format!("{}{of_term}", Untrusted::from(course.title.as_str())));
+    let of_term = if course.term.is_empty() {
+        String::new()
+    } else {
+        format!(", {term}")
+    };
+    say(format!(
+        "{}{of_term}",
+        Untrusted::from(course.title.as_str())
+    ));
     for plan in &course.chapters {
-        let due = plan.due.map_or_else(String::new, |due| format!(", due {due}"));
-        let weight = if plan.weight == 1.0 { String::new() } else { format!(", times {}", plan.weight) };
-        say(format!("{:2} {}{weight}{due}", plan.chapter.number(), plan.chapter.title));
+        let due = plan
+            .due
+            .map_or_else(String::new, |due| format!(", due {due}"));
+        let weight = if plan.weight == 1.0 {
+            String::new()
+        } else {
+            format!(", times {}", plan.weight)
+        };
+        say(format!(
+            "{:2} {}{weight}{due}",
+            plan.chapter.number(),
+            plan.chapter.title
+        ));
         for exercise in &plan.exercises {
             let bonus = if exercise.bonus { " (bonus)" } else { "" };
-            say(format!("   {:<22} {:>6}{bonus}", exercise.name, exercise.points));
+            say(format!(
+                "   {:<22} {:>6}{bonus}",
+                exercise.name, exercise.points
+            ));
         }
     }
     say(format!("{} points can be reached", course.reachable()));

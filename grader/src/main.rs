@@ -40,6 +40,10 @@ enum Task {
     /// Write or read the file that says what a course grades
     #[command(subcommand)]
     Course(commands::course::CourseFile),
+    /// Grade a class of hand-ins, contained and with hidden cases; what was interrupted goes on
+    Grade(commands::grade::Grade),
+    /// Grade by other rules what is graded; first say whose grade changes, and why
+    Regrade(commands::regrade::Regrade),
     /// Write the golden answers (for course authors)
     Bless(commands::bless::Bless),
 }
@@ -62,6 +66,8 @@ fn main() -> ExitCode {
         Some(Task::Samplers(task)) => task.run(),
         Some(Task::Doctor) => commands::doctor::run(),
         Some(Task::Course(task)) => task.run(),
+        Some(Task::Grade(task)) => task.run(),
+        Some(Task::Regrade(task)) => task.run(),
         Some(Task::Bless(task)) => task.run(),
     };
     match done {

@@ -74,6 +74,14 @@ impl Exam {
         self.editions.get(record.exercise.as_str()) == Some(&record.edition)
     }
 
+    /// For each exercise, the fingerprint of what its result depends on besides the hand-in.
+    pub fn editions(&self) -> BTreeMap<String, String> {
+        let editions = self.editions.iter();
+        editions
+            .map(|(name, edition)| ((*name).to_owned(), edition.clone()))
+            .collect()
+    }
+
     /// The fingerprint of what an exercise's result depends on besides the hand-in.
     pub fn edition(&self, exercise: &str) -> Option<&str> {
         self.editions.get(exercise).map(String::as_str)

@@ -71,7 +71,7 @@ impl Standing {
 }
 
 /// A student's words, or a compiler's, are cut where nobody reads on.
-const LONGEST_WHY: usize = 4000;
+const LONGEST_WHY: usize = 2000;
 
 impl Marked {
     /// A result without cases.
@@ -97,6 +97,10 @@ impl Marked {
                 .filter(|outcome| outcome.case.number <= named)
         };
         let first = visible().find_map(|outcome| match &outcome.verdict {
+            Verdict::Wrong(why) if outcome.ended() => {
+                let last_words = outcome.reply.printed.stderr.unescaped();
+                Some(format!("{}: {why}\n{last_words}", outcome.case.name))
+            }
             Verdict::Wrong(why) => Some(format!("{}: {why}", outcome.case.name)),
             _ => None,
         });

@@ -261,12 +261,12 @@ impl Worker<'_> {
         let program = match program {
             Ok(program) => program,
             Err(why) => {
-                for examiner in examiners {
+                for (i, examiner) in examiners.into_iter().enumerate() {
                     exercises.remove(examiner.name());
-                    if !self.told(
-                        examiner.name(),
-                        Marked::without_cases(Standing::NotBuilt, &why),
-                    ) {
+                    // The compiler's words are kept once.
+                    let why = if i == 0 { &why } else { "" };
+                    let result = Marked::without_cases(Standing::NotBuilt, why);
+                    if !self.told(examiner.name(), result) {
                         break;
                     }
                 }

@@ -75,7 +75,10 @@ impl Stage {
                         .join("answer");
                     let target = output.parent().unwrap_or(&folder);
                     fs::create_dir_all(target).map_err(told("be made", target))?;
-                    built(self.sandbox.compile_cpp(&folder, &sources, &output))?
+                    built(
+                        &folder,
+                        self.sandbox.compile_cpp(&folder, &sources, &output),
+                    )?
                 }
             };
             staged.push((program, exercises));
@@ -122,7 +125,7 @@ impl Stage {
         write(folder, own.into_iter()).map_err(told("be filled", folder))?;
         copy_packages(&self.warm_folder().join("target"), &folder.join("target"))
             .map_err(told("be filled", folder))?;
-        built(self.sandbox.build_told(folder))
+        built(folder, self.sandbox.build_told(folder))
     }
 
     fn warm_folder(&self) -> PathBuf {
@@ -208,12 +211,20 @@ fn programs(
     programs.into_iter().collect()
 }
 
-/// The program that was built, or what the compiler said; what is no fault of the hand-in is trouble.
+/// The program that was built, or what the compiler said of the hand-in; what is no fault of the hand-in is trouble.
 fn built(
+    folder: &Path,
     (built, said): (Result<Program, StudentError>, String),
 ) -> Result<Result<Program, String>, Trouble> {
     /// Words of a compiler that the system ended: it may not have been the hand-in's fault.
     const ENDED: [&str; 3] = ["signal: 9", "Killed signal", "No space left on device"];
+    let place = folder.display().to_string();
+    let lines = said
+        .lines()
+        .filter(|line| !line.starts_with("   Compiling"));
+    let said: String = lines
+        .flat_map(|line| [line.replace(&place, "hand-in"), "\n".to_owned()])
+        .collect();
     match built {
         Ok(program) => Ok(Ok(program)),
         Err(StudentError::NoCargo(error)) => Err(error.to_string()),

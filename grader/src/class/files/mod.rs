@@ -121,8 +121,7 @@ const MADE: &[&str] = &[
     "__MACOSX",
     "node_modules",
     "venv",
-    "build",
-    "out",
+    "CMakeFiles",
 ];
 
 /// Files that are no source, but say what the sources are.

@@ -44,6 +44,9 @@ enum Task {
     Grade(commands::grade::Grade),
     /// Grade by other rules what is graded; first say whose grade changes, and why
     Regrade(commands::regrade::Regrade),
+    /// Write what another machine needs to grade a class
+    #[command(subcommand)]
+    Pack(commands::pack::Pack),
     /// Write the golden answers (for course authors)
     Bless(commands::bless::Bless),
 }
@@ -68,6 +71,7 @@ fn main() -> ExitCode {
         Some(Task::Course(task)) => task.run(),
         Some(Task::Grade(task)) => task.run(),
         Some(Task::Regrade(task)) => task.run(),
+        Some(Task::Pack(task)) => task.run(),
         Some(Task::Bless(task)) => task.run(),
     };
     match done {

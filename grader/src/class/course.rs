@@ -119,6 +119,10 @@ impl Course {
             chapters: chapters(source, &top, points)?,
         };
         top.finish()?;
+        if course.chapters.is_empty() {
+            let what = "nothing is graded: a [[chapter]] with `chapter = \"ch01\"` grades the exercises of the first";
+            return Err(source.error(&(0..0), what));
+        }
         Ok(course)
     }
 
@@ -237,10 +241,6 @@ fn chapters(source: Source<'_>, top: &Table<'_>, points: f64) -> Result<Vec<Plan
             return Err(source.error(&at, what));
         }
         plans.push(plan);
-    }
-    if plans.is_empty() {
-        let what = "nothing is graded: a [[chapter]] with `chapter = \"ch01\"` grades the exercises of the first";
-        return Err(source.error(&(0..0), what));
     }
     Ok(plans)
 }

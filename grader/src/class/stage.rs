@@ -102,14 +102,16 @@ impl Stage {
         })
     }
 
-    /// The starter, in which the sources of the library are the hand-in's. Its manifests, its versions and its answer program are ours.
+    /// The starter, in which the sources of the library are the hand-in's. Its manifests, its tables and its answer program are ours.
     fn rust(&self, folder: &Path, files: &Files) -> Result<Result<Program, String>, Trouble> {
         self.warm_up()?;
         let is_library = |path: &&String| path.starts_with("src/") && !path.starts_with("src/bin/");
         let mut own: BTreeMap<&Path, &[u8]> = BTreeMap::new();
         let starter = starter::files(&starter::stub).map_err(|error| error.to_string())?;
+        let is_source =
+            |path: &Path| path.starts_with("src") && path.extension().is_some_and(|e| e == "rs");
         for (path, bytes) in &starter {
-            if !path.starts_with("src") {
+            if !is_source(path) {
                 own.insert(path, bytes);
             }
         }

@@ -14,6 +14,7 @@ pub mod hint;
 pub mod keep;
 pub mod map;
 pub mod new;
+pub mod pack;
 pub mod regrade;
 pub mod samplers;
 pub mod solve;

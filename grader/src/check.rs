@@ -171,13 +171,33 @@ pub fn check_all(
     pixels: Pixels,
     done: &dyn Fn(),
 ) -> io::Result<Vec<Report>> {
-    let mut asker = Asker::new(program, limits);
     let mut reports = Vec::new();
-    for (examiner, cases) in exercises {
-        reports.push(check_and_draw(&mut asker, *examiner, cases, pixels)?);
+    check_each(program, exercises, limits, pixels, &mut |report| {
+        reports.push(report);
         done();
-    }
+        true
+    })?;
     Ok(reports)
+}
+
+/// Checks several exercises as [`check_all`] does, and gives away each report when it is there. It goes on as long as it is told to.
+///
+/// # Errors
+/// If the program cannot be started.
+pub fn check_each(
+    program: &Program,
+    exercises: &[(&dyn Examiner, Vec<Case>)],
+    limits: Limits,
+    pixels: Pixels,
+    each: &mut dyn FnMut(Report) -> bool,
+) -> io::Result<()> {
+    let mut asker = Asker::new(program, limits);
+    for (examiner, cases) in exercises {
+        if !each(check_and_draw(&mut asker, *examiner, cases, pixels)?) {
+            break;
+        }
+    }
+    Ok(())
 }
 
 /// Checks an exercise, and draws its pictures: if they are wanted, and the program answers its cases; else if the cases are

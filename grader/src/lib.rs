@@ -6,6 +6,7 @@ pub mod book;
 pub mod budget;
 pub mod cases;
 pub mod check;
+pub mod class;
 pub mod clock;
 pub mod command_line;
 pub mod contain;

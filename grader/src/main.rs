@@ -39,6 +39,16 @@ enum Task {
     Samplers(commands::samplers::Samplers),
     /// Attack the sandbox of strangers' programs, and tell what stopped each attack
     Doctor,
+    /// Write or read the file that says what a course grades
+    #[command(subcommand)]
+    Course(commands::course::CourseFile),
+    /// Grade a class of hand-ins, contained and with hidden cases; what was interrupted goes on
+    Grade(commands::grade::Grade),
+    /// Grade by other rules what is graded; first say whose grade changes, and why
+    Regrade(commands::regrade::Regrade),
+    /// Write what another machine needs to grade a class
+    #[command(subcommand)]
+    Pack(commands::pack::Pack),
     /// Write the golden answers (for course authors)
     Bless(commands::bless::Bless),
     /// Expand the directives of the course book (mdBook calls this)
@@ -64,6 +74,10 @@ fn main() -> ExitCode {
         Some(Task::Solve(task)) => task.run(),
         Some(Task::Samplers(task)) => task.run(),
         Some(Task::Doctor) => commands::doctor::run(),
+        Some(Task::Course(task)) => task.run(),
+        Some(Task::Grade(task)) => task.run(),
+        Some(Task::Regrade(task)) => task.run(),
+        Some(Task::Pack(task)) => task.run(),
         Some(Task::Bless(task)) => task.run(),
         Some(Task::Book(task)) => task.run(),
     };

@@ -5,7 +5,7 @@
 mod build;
 mod honest;
 mod probes;
-mod programs;
+pub mod programs;
 
 use raybook_common::project;
 use std::collections::BTreeMap;
@@ -16,10 +16,10 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 /// A course key that is written nowhere else.
-const KEY: &str = "kf4-course-key-Zq81";
+pub const KEY: &str = "kf4-course-key-Zq81";
 
 /// An instructor's machine: a folder with a hand-in, and beside it what hand-ins must not touch.
-struct Desk {
+pub struct Desk {
     home: tempfile::TempDir,
 }
 
@@ -30,7 +30,7 @@ struct Checked {
 }
 
 impl Desk {
-    fn new() -> Self {
+    pub fn new() -> Self {
         let desk = Self {
             home: tempfile::tempdir().expect("a temporary folder"),
         };
@@ -52,7 +52,7 @@ impl Desk {
         desk
     }
 
-    fn path(&self, path: &str) -> PathBuf {
+    pub fn path(&self, path: &str) -> PathBuf {
         self.home.path().join(path)
     }
 
@@ -93,14 +93,14 @@ impl Desk {
     }
 
     /// Every file and folder: its content, rights, owner, and when it was changed.
-    fn files(&self) -> BTreeMap<PathBuf, String> {
+    pub fn files(&self) -> BTreeMap<PathBuf, String> {
         let mut files = BTreeMap::new();
         collect(self.home.path(), &mut files);
         files
     }
 
     /// The processes whose command line or present folder is of this desk.
-    fn processes(&self) -> Vec<String> {
+    pub fn processes(&self) -> Vec<String> {
         let entries = fs::read_dir("/proc").into_iter().flatten().flatten();
         let of_desk = |entry: &fs::DirEntry| {
             let folder = fs::read_link(entry.path().join("cwd")).ok()?;
@@ -137,7 +137,7 @@ fn collect(path: &Path, files: &mut BTreeMap<PathBuf, String>) {
 }
 
 /// Whether there is this program; else the test says so.
-fn there_is(program: &str) -> bool {
+pub fn there_is(program: &str) -> bool {
     let there = Command::new(program)
         .arg("--version")
         .output()

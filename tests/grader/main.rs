@@ -5,6 +5,7 @@ mod alternatives;
 mod ask;
 mod bless;
 mod ch25_capstone;
+mod class;
 mod common;
 mod diagnosis;
 mod evidence;

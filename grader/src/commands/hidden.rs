@@ -32,27 +32,8 @@ impl Hidden {
         let (Some(file), Some(student)) = (&self.key_file, &self.student) else {
             return Ok(None);
         };
-        let wrong = |why: &str| format!("--key-file {}: {why}", Untrusted::from(file.as_path()));
-        let mut course = String::new();
-        let read = if file == Path::new("-") {
-            io::stdin()
-                .take(LONGEST_KEY + 1)
-                .read_to_string(&mut course)
-        } else {
-            File::open(file).and_then(|file| file.take(LONGEST_KEY + 1).read_to_string(&mut course))
-        };
-        let bytes = read.map_err(|error| wrong(&error.to_string()))?;
-        if bytes as u64 > LONGEST_KEY {
-            return Err(wrong("it is longer than 64 kB: is it the right file?"));
-        }
-        let course = course.trim_end_matches(['\n', '\r']);
-        if course.trim().is_empty() {
-            return Err(wrong(
-                "it is empty, so that anybody could foresee the hidden cases",
-            ));
-        }
         Ok(Some(Key {
-            course: course.to_owned(),
+            course: read_key(file)?,
             term: self.term.clone(),
             student: student.clone(),
         }))
@@ -78,4 +59,31 @@ impl Hidden {
             Untrusted::from(student.as_str()).shell()
         )
     }
+}
+
+/// The course key in a file, or on standard input where that is `-`. What ends its line is no part of it.
+///
+/// # Errors
+/// If it cannot be read, or is empty.
+pub fn read_key(file: &Path) -> Result<String, String> {
+    let wrong = |why: &str| format!("--key-file {}: {why}", Untrusted::from(file));
+    let mut course = String::new();
+    let read = if file == Path::new("-") {
+        io::stdin()
+            .take(LONGEST_KEY + 1)
+            .read_to_string(&mut course)
+    } else {
+        File::open(file).and_then(|file| file.take(LONGEST_KEY + 1).read_to_string(&mut course))
+    };
+    let bytes = read.map_err(|error| wrong(&error.to_string()))?;
+    if bytes as u64 > LONGEST_KEY {
+        return Err(wrong("it is longer than 64 kB: is it the right file?"));
+    }
+    let course = course.trim_end_matches(['\n', '\r']);
+    if course.trim().is_empty() {
+        return Err(wrong(
+            "it is empty, so that anybody could foresee the hidden cases",
+        ));
+    }
+    Ok(course.to_owned())
 }

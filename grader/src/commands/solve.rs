@@ -1,15 +1,19 @@
 //! `raybook solve`: the reference for a chapter that a student missed.
 
-use super::{Done, Target};
+use super::{Done, Target, course};
 use raybook::store;
 use raybook_chapters::kit::say::say;
 use raybook_chapters::kit::untrusted::Untrusted;
+use raybook_grader::class::taken;
+use raybook_grader::examine::Examiner;
 use raybook_grader::lock::Lock;
 use raybook_grader::progress::{KEPT, unused};
 use raybook_grader::recipe::Recipe;
-use raybook_grader::{library, student};
+use raybook_grader::{cases, library, student};
 use std::collections::BTreeSet;
+use std::error::Error;
 use std::io::ErrorKind;
+use std::path::Path;
 
 /// Copies in the reference; what was there is kept.
 #[derive(clap::Args)]
@@ -39,6 +43,7 @@ impl Solve {
             .iter()
             .filter_map(|examiner| library::place(examiner.name()))
             .collect();
+        ask_the_course(&folder)?;
         let _lock = Lock::on(&folder.join(KEPT))?;
         for place in places {
             let reference = library::reference_file(&place)
@@ -62,8 +67,37 @@ impl Solve {
                 }
                 Err(_) => say(format!("{place} is now the reference")),
             }
+            record(&folder, &place)?;
             store::write(&path, reference.as_bytes())?;
         }
         Ok(true)
     }
+}
+
+/// Whether the course gives references out, where its file lies in the workbook.
+///
+/// # Errors
+/// If it does not.
+fn ask_the_course(workbook: &Path) -> Result<(), Box<dyn Error>> {
+    let file = workbook.join("course.toml");
+    if !file.is_file() || course::read(&file)?.solve.allowed {
+        return Ok(());
+    }
+    let file = Untrusted::from(file.as_path());
+    Err(format!("{file}: this course gives no references out; `raybook hint` gives a nudge").into())
+}
+
+/// Records that the references of a file are taken. The record is handed in with the workbook.
+fn record(workbook: &Path, place: &str) -> Result<(), Box<dyn Error>> {
+    let path = workbook.join(taken::FILE);
+    let text = match store::read_text(&path) {
+        Err(error) if error.reason.kind() == ErrorKind::NotFound => String::new(),
+        read => read?,
+    };
+    let names = cases::all().into_iter().map(<dyn Examiner>::name);
+    let names: Vec<_> = names
+        .filter(|name| library::place(name).as_deref() == Some(place))
+        .collect();
+    store::write(&path, taken::record(&text, &names).as_bytes())?;
+    Ok(())
 }

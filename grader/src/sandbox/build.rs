@@ -52,6 +52,24 @@ impl Sandbox {
     /// # Errors
     /// If cargo is missing, the program does not compile, or the workbook is not what it seems.
     pub fn build(&self, workbook: &Path) -> Result<Program, StudentError> {
+        let (built, said) = self.build_told(workbook);
+        for line in said.lines() {
+            complain(Untrusted::from(line));
+        }
+        if built.is_err() && said.contains("--offline was specified") {
+            complain(OFFLINE);
+        }
+        built
+    }
+
+    /// As [`Sandbox::build`], with what the compiler has to say beside the program.
+    pub fn build_told(&self, workbook: &Path) -> (Result<Program, StudentError>, String) {
+        let mut said = String::new();
+        let built = self.build_workbook(workbook, &mut said);
+        (built, said)
+    }
+
+    fn build_workbook(&self, workbook: &Path, said: &mut String) -> Result<Program, StudentError> {
         let none = || StudentError::NoProgram {
             folder: workbook.to_owned(),
             program: ANSWER.to_owned(),
@@ -92,21 +110,16 @@ impl Sandbox {
             .stdin(Stdio::null())
             .stdout(Stdio::null())
             .stderr(Stdio::piped());
-        let compiler = self.as_compiler();
+        let compiler = self.compiler();
         let mut path = cargo_home.join("bin").into_os_string();
         path.push(":");
         path.push(env::var_os("PATH").unwrap_or_else(|| OsString::from("/usr/bin:/bin")));
         compiler
             .enclose_compiler(&mut command, &path, readable, written)
             .map_err(StudentError::NoCargo)?;
-        let (built, said) = compiler.finish(command).map_err(StudentError::NoCargo)?;
-        for line in said.lines() {
-            complain(Untrusted::from(line));
-        }
+        let built;
+        (built, *said) = compiler.finish(command).map_err(StudentError::NoCargo)?;
         if !built {
-            if said.contains("--offline was specified") {
-                complain(OFFLINE);
-            }
             return Err(StudentError::DoesNotCompile);
         }
         let file = target.join("debug").join(ANSWER);
@@ -121,8 +134,8 @@ impl Sandbox {
         })
     }
 
-    /// The same sandbox with what a compiler uses.
-    pub(super) fn as_compiler(&self) -> Self {
+    /// The same sandbox with what a compiler may use.
+    pub(super) fn compiler(&self) -> Self {
         let mut compiler = self.clone();
         compiler.allowance.memory = MEMORY;
         compiler.allowance.files = FILES;

@@ -43,7 +43,7 @@ impl Sandbox {
             .stdout(Stdio::null())
             .stderr(Stdio::piped());
         let path = env::var_os("PATH").unwrap_or_else(|| OsString::from("/usr/bin:/bin"));
-        let compiler = self.as_compiler();
+        let compiler = self.compiler();
         compiler
             .enclose_compiler(&mut command, &path, [workbook.to_owned()], &[&build])
             .map_err(cannot)?;

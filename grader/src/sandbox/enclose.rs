@@ -60,11 +60,7 @@ impl Sandbox {
             let own = own.as_deref().filter(|own| own.is_dir());
             command.current_dir(own.unwrap_or(Path::new("/")));
         }
-        let is_python = || {
-            let name = program.file_name().and_then(OsStr::to_str);
-            name.is_some_and(|name| name.starts_with("python"))
-        };
-        let python = (is_script(&program) || is_python())
+        let python = (is_script(&program) || is_python(&program))
             .then(python::find)
             .flatten();
         let mut path = OsString::new();
@@ -191,6 +187,12 @@ pub fn explain(error: io::Error, program: &Path) -> io::Error {
 
 fn not_contained() -> io::Error {
     io::Error::other("a layer of the sandbox could not be put on; `raybook doctor` says which")
+}
+
+/// Whether a file may be Python itself.
+fn is_python(file: &Path) -> bool {
+    let name = file.file_name().unwrap_or_default();
+    name.as_encoded_bytes().starts_with(b"python")
 }
 
 /// Whether a file is run by an interpreter.

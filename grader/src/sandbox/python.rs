@@ -7,6 +7,8 @@ use std::sync::OnceLock;
 /// A Python outside of the system's folders.
 #[derive(Debug)]
 pub struct Python {
+    /// The program.
+    pub executable: PathBuf,
     /// The folder of the program.
     pub programs: PathBuf,
     /// What it reads.
@@ -44,6 +46,10 @@ fn ask() -> Option<Python> {
     let of_prefix =
         |prefix: PathBuf| ["bin", "lib", "lib64", "pyvenv.cfg"].map(|part| prefix.join(part));
     let mut read: Vec<_> = lines.flat_map(of_prefix).collect();
-    read.push(executable);
-    Some(Python { programs, read })
+    read.push(executable.clone());
+    Some(Python {
+        executable,
+        programs,
+        read,
+    })
 }

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use std::process::Command;
 
 /// What a program may know of the machine: the key's file, the grader's program, the course's folder, the instructor's home.
-const KNOWS: &str = "\
+pub const KNOWS: &str = "\
 #!/usr/bin/env python3
 import os, sys, time, signal
 KEY, RAYBOOK, COURSE, HOME = '@course/key', '@@raybook', '@course', '@home'
@@ -28,7 +28,7 @@ def read(path, size=1 << 20):
 ";
 
 /// The name of a program, and what it does after it knows all that. Where a list of answers comes out, its lines are read.
-const PYTHON: &[(&str, &str)] = &[
+pub const PYTHON: &[(&str, &str)] = &[
     ("reads_the_key", "for path in (KEY, HERE + '/../course/key', '/proc/self/root' + KEY, '/proc/%d/root%s' % (GRADER, KEY)): attempt(lambda: read(path))"),
     ("reads_the_graders_process", "for part in ('cmdline', 'environ', 'maps', 'fd/0', 'fd/1', 'task/%d/environ' % GRADER): attempt(lambda: read('/proc/%d/%s' % (GRADER, part)))"),
     ("reads_the_graders_memory", "
@@ -238,7 +238,7 @@ fn main() {
 
 impl Desk {
     /// A text with the paths of this desk.
-    fn filled(&self, text: &str) -> String {
+    pub fn filled(&self, text: &str) -> String {
         text.replace("@@raybook", env!("CARGO_BIN_EXE_raybook"))
             .replace("@course", &self.path("course").display().to_string())
             .replace("@home", &self.path("home").display().to_string())

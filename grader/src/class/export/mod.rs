@@ -1,0 +1,114 @@
+//! The files that others read: tables for people and learning platforms, reports for machines, and pages.
+
+mod gradescope;
+mod junit;
+mod page_of_class;
+mod page_of_student;
+mod table;
+
+use super::grades::{ExerciseGrade, Grade, points};
+use super::record::Standing;
+use super::roll::Class;
+use raybook::store::{self, StoreError};
+use serde_json::{Value, json};
+use std::path::Path;
+
+/// The folder of the students' own files.
+pub const STUDENTS: &str = "students";
+
+/// Writes all files of a class into the folder of results. Each appears whole or not at all.
+///
+/// # Errors
+/// If one cannot be written.
+pub fn write(folder: &Path, class: &Class<'_>) -> Result<(), StoreError> {
+    for grade in &class.grades {
+        let own = folder.join(STUDENTS).join(&grade.sheet.student);
+        let text = |value: &Value| format!("{value:#}\n");
+        store::write(
+            &own.join("grade.json"),
+            text(&of_student(class, grade)).as_bytes(),
+        )?;
+        store::write(
+            &own.join("results.json"),
+            text(&gradescope::results(grade)).as_bytes(),
+        )?;
+        store::write(
+            &own.join("index.html"),
+            page_of_student::page(class, grade).as_bytes(),
+        )?;
+    }
+    for (file, text) in [
+        ("grades.csv", table::grades(class)),
+        ("moodle.csv", table::moodle(class)),
+        ("canvas.csv", table::canvas(class)),
+        ("items.csv", table::items(class)),
+        ("similar.csv", table::similar(class)),
+        ("junit.xml", junit::report(class)),
+        ("index.html", page_of_class::page(class)),
+    ] {
+        store::write(&folder.join(file), text.as_bytes())?;
+    }
+    Ok(())
+}
+
+/// A student's grade for programs.
+fn of_student(class: &Class<'_>, grade: &Grade) -> Value {
+    let exercise = |exercise: &ExerciseGrade| {
+        let result = exercise.result.as_ref();
+        json!({
+            "exercise": exercise.counted.name, "points": exercise.points, "of": exercise.counted.points,
+            "bonus": exercise.counted.bonus, "taken": exercise.taken,
+            "standing": result.map(|result| result.standing.name()),
+            "right": result.map(|result| result.right[0]), "asked": result.map(|result| result.right[1]),
+            "mistake": result.and_then(|result| Some(result.mistake.as_ref()?[0].clone())),
+        })
+    };
+    let chapters = grade.chapters.iter().map(|chapter| {
+        json!({
+            "chapter": chapter.name, "points": chapter.points(), "of": chapter.of_points(), "weight": chapter.weight,
+            "days_late": chapter.days_late, "lost": chapter.lost,
+            "exercises": chapter.exercises.iter().map(exercise).collect::<Vec<_>>(),
+        })
+    });
+    json!({
+        "version": super::roll::VERSION, "raybook": env!("CARGO_PKG_VERSION"), "course": class.course.title,
+        "term": class.course.term, "student": grade.sheet.student, "when": class.when.to_string(), "key": class.key,
+        "hand_in": grade.sheet.print.as_ref().ok(), "refused": grade.sheet.print.as_ref().err(),
+        "complete": grade.is_complete(), "points": grade.points(), "of": grade.of_points(),
+        "chapters": chapters.collect::<Vec<_>>(),
+    })
+}
+
+/// What a student is told of an exercise, in a sentence or a few lines. Nothing in it tells of hidden cases.
+fn words(exercise: &ExerciseGrade) -> String {
+    let Some(result) = &exercise.result else {
+        return "not graded".to_owned();
+    };
+    let [right, asked] = result.right;
+    let mut words = match result.standing {
+        Standing::Right => "right".to_owned(),
+        Standing::Wrong => format!("{right} of {asked} cases are right"),
+        other => other.name().to_owned(),
+    };
+    if result.right_on_visible_only() {
+        words += "; right on the visible cases only";
+    } else if !result.why.is_empty() && result.standing != Standing::NotGraded {
+        words += &format!("\n{}", result.why);
+    }
+    if let Some([mistake, hint]) = &result.mistake {
+        words += &format!("\nIt seems that your function {mistake}. {hint}");
+    }
+    if exercise.taken {
+        words += "\nThis is the reference, which was taken.";
+    }
+    words
+}
+
+/// A student's points, or that they are not known yet.
+fn total(grade: &Grade) -> String {
+    if grade.is_complete() {
+        points(grade.points())
+    } else {
+        String::new()
+    }
+}

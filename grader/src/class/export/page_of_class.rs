@@ -1,0 +1,121 @@
+//! The page of a class, for its instructor: everybody's points, what the class gets wrong, and hand-ins that are nearly identical.
+
+use super::STUDENTS;
+use crate::class::grades::{Grade, points};
+use crate::class::items::Item;
+use crate::class::record::Standing;
+use crate::class::roll::Class;
+use maud::{Markup, html};
+use raybook_chapters::kit::html;
+use raybook_chapters::kit::untrusted::Untrusted;
+use std::fmt::Write;
+
+/// The page.
+pub fn page(class: &Class<'_>) -> String {
+    let title = Untrusted::from(class.course.title.as_str());
+    let complete = class
+        .grades
+        .iter()
+        .filter(|grade| grade.is_complete())
+        .count();
+    let body = html! {
+        h1 { (title) @if !class.course.term.is_empty() { ", " (Untrusted::from(class.course.term.as_str())) } }
+        p { (class.grades.len()) " hand-ins, " (complete) " graded in full; " (points(mean(&class.grades))) " of "
+            (points(class.course.reachable())) " points on average. Made " (class.when) " by raybook " (env!("CARGO_PKG_VERSION"))
+            " with the key " code { (class.key) } ". " a href="grades.csv" { "grades.csv" } ", " a href="items.csv" { "items.csv" } ", "
+            a href="similar.csv" { "similar.csv" } }
+        (items(class))
+        (similar(class))
+        (students(class))
+    };
+    html::page(&format!("{title}: the class"), &body)
+}
+
+fn mean(grades: &[Grade]) -> f64 {
+    let sum: f64 = grades.iter().map(Grade::points).sum();
+    sum / grades.len().max(1) as f64
+}
+
+fn items(class: &Class<'_>) -> Markup {
+    /// Of cases and mistakes, so many are shown; `items.csv` has all.
+    const SHOWN: usize = 3;
+    let most = |counts: &[(String, usize)]| {
+        html! { @for (name, count) in counts.iter().take(SHOWN) { (Untrusted::from(name.as_str())) ": " (count) br; } }
+    };
+    let row = |item: &Item| {
+        html! { tr {
+            td { code { (item.exercise) } }
+            @for standing in [Standing::Right, Standing::Wrong, Standing::NotStarted, Standing::NotBuilt, Standing::NotGraded] {
+                td { (item.count(standing)) }
+            }
+            td { (item.visible_only) }
+            td { (item.taken) }
+            td style="text-align:left" { (most(&item.mistakes)) }
+            td style="text-align:left" { (most(&item.cases)) }
+        } }
+    };
+    html! { section {
+        h2 { "What the class gets wrong" }
+        table {
+            tr { th { "exercise" } th { "right" } th { "wrong" } th { "not started" } th { "does not compile" } th { "not graded" }
+                th { "right on visible cases only" } th { "reference taken" } th { "most common mistakes" } th { "cases most often wrong" } }
+            @for item in &class.items { (row(item)) }
+        }
+    } }
+}
+
+fn similar(class: &Class<'_>) -> Markup {
+    html! { section {
+        h2 { "Nearly identical hand-ins" }
+        @if class.pairs.is_empty() { p { "None." } } @else {
+            p { "How much of the smaller hand-in is in the other, names, comments and the starter left out. It is a reason to look, and no proof." }
+            table {
+                tr { th { "student" } th { "student" } th { "alike" } }
+                @for pair in class.pairs { tr {
+                    @for student in &pair.students { td { (link(student)) } }
+                    td { (format!("{:.0} %", 100.0 * pair.share)) }
+                } }
+            }
+        }
+    } }
+}
+
+fn students(class: &Class<'_>) -> Markup {
+    let row = |grade: &Grade| {
+        html! { tr {
+            td { (link(&grade.sheet.student)) }
+            td { (points(grade.points())) }
+            @for chapter in &grade.chapters { td { (points(chapter.points())) } }
+            td style="text-align:left" {
+                @if let Err(why) = &grade.sheet.print { "refused: " (Untrusted::from(why.as_str())) }
+                @else if !grade.is_complete() { "not graded in full" }
+            }
+        } }
+    };
+    html! { section {
+        h2 { "Students" }
+        table {
+            tr { th { "student" } th { "points" }
+                @for plan in &class.course.chapters { th { (plan.chapter.title) } } th { "" } }
+            @for grade in &class.grades { (row(grade)) }
+        }
+    } }
+}
+
+/// A student's name, which leads to the student's page.
+fn link(student: &str) -> Markup {
+    html! { a href=(format!("{STUDENTS}/{}/index.html", encoded(student))) { (Untrusted::from(student)) } }
+}
+
+/// A name as a part of an address: all but letters and digits by its bytes.
+fn encoded(name: &str) -> String {
+    let mut text = String::new();
+    for byte in name.bytes() {
+        if byte.is_ascii_alphanumeric() || b"-_.".contains(&byte) {
+            text.push(char::from(byte));
+        } else {
+            let _ = write!(text, "%{byte:02X}");
+        }
+    }
+    text
+}

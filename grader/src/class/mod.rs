@@ -1,0 +1,30 @@
+//! Grading a class: what the course counts, the hand-ins, a journal that loses nothing, grades, and the files that others read.
+
+pub mod changes;
+pub mod course;
+pub mod export;
+pub mod files;
+pub mod grades;
+pub mod hand_in;
+pub mod items;
+pub mod journal;
+pub mod language;
+pub mod pack;
+pub mod record;
+pub mod roll;
+pub mod run;
+pub mod settings;
+pub mod similar;
+pub mod stage;
+pub mod taken;
+pub mod times;
+pub mod tokens;
+pub mod when;
+
+use raybook_workbook::curriculum::{CHAPTERS, Chapter};
+
+/// The chapter of an exercise.
+pub fn chapter_of(exercise: &str) -> Option<&'static Chapter> {
+    let has = |chapter: &&Chapter| chapter.exercises().iter().any(|of| of.name == exercise);
+    CHAPTERS.iter().find(has)
+}

@@ -1,0 +1,205 @@
+//! What is known about an exercise of a hand-in, as the journal holds it.
+
+use crate::check::{Outcome, Report, State, Verdict};
+use crate::examine::Examiner;
+use serde_json::{Map, Value, json};
+
+/// What became of an exercise of a hand-in.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Record {
+    /// The fingerprint of the hand-in.
+    pub hand_in: String,
+    /// The exercise.
+    pub exercise: String,
+    /// The fingerprint of everything else that the result depends on: version, key, term, limits and golden file.
+    pub edition: String,
+    /// The result.
+    pub result: Marked,
+}
+
+/// How an exercise stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Standing {
+    /// All is right.
+    Right,
+    /// Some case is wrong, or some picture is not passed.
+    Wrong,
+    /// It is not written, or calls what is not.
+    NotStarted,
+    /// The program does not compile.
+    NotBuilt,
+    /// The grader could not find out; it says nothing about the hand-in, and is tried again.
+    NotGraded,
+}
+
+/// A result.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Marked {
+    /// How the exercise stands.
+    pub standing: Standing,
+    /// Right cases, and cases.
+    pub right: [u64; 2],
+    /// Of these, right visible ones, and visible ones: the named cases of the golden file.
+    pub visible: [u64; 2],
+    /// The names of the wrong cases.
+    pub wrong: Vec<String>,
+    /// The mistake that explains them: what it does, and a hint.
+    pub mistake: Option<[String; 2]>,
+    /// Words to the student: the first wrong visible case, or why there is nothing to ask. It tells nothing of hidden cases.
+    pub why: String,
+}
+
+const STANDINGS: [(Standing, &str); 5] = [
+    (Standing::Right, "right"),
+    (Standing::Wrong, "wrong"),
+    (Standing::NotStarted, "not started"),
+    (Standing::NotBuilt, "does not compile"),
+    (Standing::NotGraded, "not graded"),
+];
+
+impl Standing {
+    /// In a word or two.
+    pub fn name(self) -> &'static str {
+        let found = STANDINGS.iter().find(|(standing, _)| *standing == self);
+        found.map_or("", |(_, name)| name)
+    }
+
+    fn of(name: &str) -> Option<Self> {
+        let found = STANDINGS.iter().find(|(_, of)| *of == name);
+        found.map(|(standing, _)| *standing)
+    }
+}
+
+/// A student's words, or a compiler's, are cut where nobody reads on.
+const LONGEST_WHY: usize = 2000;
+
+impl Marked {
+    /// A result without cases.
+    pub fn without_cases(standing: Standing, why: &str) -> Self {
+        Self {
+            standing,
+            right: [0, 0],
+            visible: [0, 0],
+            wrong: Vec::new(),
+            mistake: None,
+            why: why.chars().take(LONGEST_WHY).collect(),
+        }
+    }
+
+    /// The result of a report.
+    pub fn of(report: &Report, examiner: &dyn Examiner) -> Self {
+        let named = examiner.named().map_or(0, |named| named.len());
+        let is_right = |outcome: &&Outcome| outcome.verdict == Verdict::Right;
+        let visible = || {
+            report
+                .cases
+                .iter()
+                .filter(|outcome| outcome.case.number <= named)
+        };
+        let first = visible().find_map(|outcome| match &outcome.verdict {
+            Verdict::Wrong(why) if outcome.ended() => {
+                let last_words = outcome.reply.printed.stderr.unescaped();
+                Some(format!("{}: {why}\n{last_words}", outcome.case.name))
+            }
+            Verdict::Wrong(why) => Some(format!("{}: {why}", outcome.case.name)),
+            _ => None,
+        });
+        let state = report.state();
+        let why = match (&state, first, report.first_failed()) {
+            (State::WaitsFor(name), ..) => format!("it calls {name}, which is not written"),
+            (State::Wrong, Some(why), _) => why,
+            (State::Wrong, None, Some(_)) if report.right() == report.cases.len() => {
+                "the cases are right, and the picture that the answers make is not".to_owned()
+            }
+            (State::Wrong, None, _) => {
+                "right on the visible cases only: other questions of the same kind have wrong answers".to_owned()
+            }
+            _ => String::new(),
+        };
+        let wrong = report.cases.iter().filter(|outcome| !is_right(outcome));
+        Self {
+            standing: match state {
+                State::Right => Standing::Right,
+                State::Wrong => Standing::Wrong,
+                State::NotStarted | State::WaitsFor(_) => Standing::NotStarted,
+            },
+            right: [report.right(), report.cases.len()].map(|n| n as u64),
+            visible: [visible().filter(is_right).count(), visible().count()].map(|n| n as u64),
+            wrong: wrong.map(|outcome| outcome.case.name.clone()).collect(),
+            mistake: report
+                .diagnosis
+                .as_ref()
+                .map(|mistake| [mistake.name.to_string(), mistake.hint.to_string()]),
+            why: why.chars().take(LONGEST_WHY).collect(),
+        }
+    }
+
+    /// Whether all visible cases are right, and some hidden one is not.
+    pub fn right_on_visible_only(&self) -> bool {
+        let [right, visible] = self.visible;
+        self.standing == Standing::Wrong
+            && visible > 0
+            && right == visible
+            && self.right[0] < self.right[1]
+    }
+}
+
+impl Record {
+    /// As a line of the journal.
+    pub fn to_json(&self) -> Value {
+        let Marked {
+            standing,
+            right,
+            visible,
+            wrong,
+            mistake,
+            why,
+        } = &self.result;
+        let mut fields = Map::new();
+        let all = [
+            ("hand_in", json!(self.hand_in)),
+            ("exercise", json!(self.exercise)),
+            ("edition", json!(self.edition)),
+            ("standing", json!(standing.name())),
+            ("right", json!(right)),
+            ("visible", json!(visible)),
+            ("wrong", json!(wrong)),
+            ("mistake", json!(mistake)),
+            ("why", json!(why)),
+        ];
+        // What is empty takes no room.
+        let is_empty =
+            |value: &Value| *value == json!([]) || *value == json!("") || value.is_null();
+        fields.extend(
+            all.into_iter()
+                .filter(|(_, value)| !is_empty(value))
+                .map(|(name, value)| (name.to_owned(), value)),
+        );
+        Value::Object(fields)
+    }
+
+    /// From a line of the journal; `None` if it is something else.
+    pub fn from_json(value: &Value) -> Option<Self> {
+        let text = |name: &str| value[name].as_str().map(str::to_owned);
+        let two = |name: &str| Some([value[name][0].as_u64()?, value[name][1].as_u64()?]);
+        let words = |name: &str| -> Vec<String> {
+            let words = value[name].as_array().into_iter().flatten();
+            words
+                .filter_map(|word| word.as_str().map(str::to_owned))
+                .collect()
+        };
+        Some(Self {
+            hand_in: text("hand_in")?,
+            exercise: text("exercise")?,
+            edition: text("edition")?,
+            result: Marked {
+                standing: Standing::of(value["standing"].as_str()?)?,
+                right: two("right")?,
+                visible: two("visible")?,
+                wrong: words("wrong"),
+                mistake: words("mistake").try_into().ok(),
+                why: text("why").unwrap_or_default(),
+            },
+        })
+    }
+}

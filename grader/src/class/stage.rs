@@ -1,0 +1,290 @@
+//! A hand-in made ready to be asked: its sources in a folder of its own, built in the sandbox.
+
+use super::files::Files;
+use super::language::Language;
+use crate::converse::Program;
+use crate::examine::Examiner;
+use crate::sandbox::Sandbox;
+use crate::starter;
+use crate::student::StudentError;
+use std::collections::BTreeMap;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+
+/// A program of a hand-in, or why there is none, and the exercises that it is asked.
+pub type Staged = (Result<Program, String>, Vec<&'static dyn Examiner>);
+
+/// Something that says nothing about the hand-in.
+pub type Trouble = String;
+
+/// Runs a file of Python beside which others are imported: `-I` keeps everything else out, and their folder too.
+const PYTHON: &str = "import runpy, sys; sys.path.insert(0, sys.argv[1]); runpy.run_path(sys.argv[2], run_name='__main__')";
+
+/// Files of a hand-in that answer all exercises, in the order in which they are looked for.
+const MAIN: [&str; 4] = ["answer", "answers", "main", "program"];
+
+/// Settings of cargo that a workbook of a hand-in is built with: little time, and nothing that only a debugger needs.
+const CARGO: &str =
+    "[profile.dev]\nopt-level = 0\ndebug = false\nincremental = false\n\n[net]\noffline = true\n";
+
+/// Where hand-ins are made ready.
+pub struct Stage {
+    /// The folder of the whole run, which nobody else uses.
+    pub folder: PathBuf,
+    /// The sandbox that they are built and run in.
+    pub sandbox: Sandbox,
+    /// Whether the packages that workbooks use are compiled; one is tried at a time.
+    pub warm: Mutex<bool>,
+}
+
+impl Stage {
+    /// Makes a hand-in ready in a folder of this name.
+    ///
+    /// # Errors
+    /// If the system fails: nothing is known about the hand-in then.
+    pub fn make(
+        &self,
+        name: &str,
+        language: Language,
+        files: &Files,
+        exercises: &[&'static dyn Examiner],
+    ) -> Result<Vec<Staged>, Trouble> {
+        let folder = self.folder.join(name);
+        remove(&folder).map_err(told("be emptied", &folder))?;
+        if language == Language::Rust {
+            return Ok(vec![(self.rust(&folder, files)?, exercises.to_vec())]);
+        }
+        write(
+            &folder,
+            files
+                .iter()
+                .map(|(path, bytes)| (Path::new(path), &bytes[..])),
+        )
+        .map_err(told("be filled", &folder))?;
+        let mut staged = Vec::new();
+        for (sources, exercises) in programs(language, files, exercises) {
+            let program = match (language, sources.first()) {
+                (_, None) => Err(NOTHING.to_owned()),
+                (Language::Python, Some(file)) => Ok(self.python(&folder, file)?),
+                _ => {
+                    let output = folder
+                        .join("target")
+                        .join(staged.len().to_string())
+                        .join("answer");
+                    let target = output.parent().unwrap_or(&folder);
+                    fs::create_dir_all(target).map_err(told("be made", target))?;
+                    built(
+                        &folder,
+                        self.sandbox.compile_cpp(&folder, &sources, &output),
+                    )?
+                }
+            };
+            staged.push((program, exercises));
+        }
+        Ok(staged)
+    }
+
+    fn python(&self, folder: &Path, file: &str) -> Result<Program, Trouble> {
+        let python =
+            Sandbox::python().ok_or("there is no python3 here, which runs hand-ins in Python")?;
+        let path = folder.join(file);
+        Ok(Program {
+            file: python,
+            arguments: ["-I", "-S", "-B", "-c", PYTHON]
+                .into_iter()
+                .map(Into::into)
+                .chain([folder.into(), path.into()])
+                .collect(),
+            folder: folder.to_owned(),
+            sandbox: Some(self.sandbox.clone()),
+        })
+    }
+
+    /// The starter, in which the sources of the library are the hand-in's. Its manifests, its tables and its answer program are ours.
+    fn rust(&self, folder: &Path, files: &Files) -> Result<Result<Program, String>, Trouble> {
+        self.warm_up()?;
+        let is_library = |path: &&String| path.starts_with("src/") && !path.starts_with("src/bin/");
+        let mut own: BTreeMap<&Path, &[u8]> = BTreeMap::new();
+        let starter = starter::files(&starter::stub).map_err(|error| error.to_string())?;
+        let is_source =
+            |path: &Path| path.starts_with("src") && path.extension().is_some_and(|e| e == "rs");
+        for (path, bytes) in &starter {
+            if !is_source(path) {
+                own.insert(path, bytes);
+            }
+        }
+        own.insert(Path::new(".cargo/config.toml"), CARGO.as_bytes());
+        for path in files.keys().filter(is_library) {
+            own.insert(Path::new(path), &files[path]);
+        }
+        if !files.contains_key("src/lib.rs") {
+            return Ok(Err(
+                "there is no src/lib.rs in it: a hand-in in Rust is a whole workbook".to_owned(),
+            ));
+        }
+        write(folder, own.into_iter()).map_err(told("be filled", folder))?;
+        copy_packages(&self.warm_folder().join("target"), &folder.join("target"))
+            .map_err(told("be filled", folder))?;
+        built(folder, self.sandbox.build_told(folder))
+    }
+
+    fn warm_folder(&self) -> PathBuf {
+        self.folder.join("packages")
+    }
+
+    /// Compiles the packages that workbooks use, with a starter, once in a run.
+    fn warm_up(&self) -> Result<(), Trouble> {
+        let mut warm = self
+            .warm
+            .lock()
+            .unwrap_or_else(std::sync::PoisonError::into_inner);
+        if *warm {
+            return Ok(());
+        }
+        let folder = self.warm_folder();
+        let starter = starter::files(&starter::stub).map_err(|error| error.to_string())?;
+        let files = starter
+            .iter()
+            .map(|(path, bytes)| (path.as_path(), &bytes[..]));
+        let settings = (Path::new(".cargo/config.toml"), CARGO.as_bytes());
+        remove(&folder).map_err(told("be emptied", &folder))?;
+        write(&folder, files.chain([settings])).map_err(told("be filled", &folder))?;
+        let (built, said) = self.sandbox.build_told(&folder);
+        built.map_err(|error| {
+            format!("an empty workbook cannot be built here ({error}). Make one of your own once (raybook new, raybook check): that downloads the packages that workbooks use.\n{said}")
+        })?;
+        *warm = true;
+        Ok(())
+    }
+}
+
+/// What is said where no file answers an exercise.
+const NOTHING: &str = "no file of the hand-in answers this exercise";
+
+/// Which source files make which programs, and what these are asked: one program for everything, if a file is called like one or
+/// it is the only one; or else a program for each exercise or chapter, by the file of this name.
+fn programs(
+    language: Language,
+    files: &Files,
+    exercises: &[&'static dyn Examiner],
+) -> Vec<(Vec<String>, Vec<&'static dyn Examiner>)> {
+    let headers = ["h", "hh", "hpp"];
+    let is_source = |path: &&String| {
+        let ending = path.rsplit_once('.').map_or("", |(_, ending)| ending);
+        language.endings().contains(&ending) && !headers.contains(&ending)
+    };
+    let sources: Vec<&String> = files.keys().filter(is_source).collect();
+    let stem = |path: &String| {
+        let file = path
+            .rsplit_once('/')
+            .map_or(path.as_str(), |(_, file)| file);
+        file.rsplit_once('.')
+            .map_or(file, |(stem, _)| stem)
+            .to_owned()
+    };
+    let called = |name: &str| sources.iter().copied().find(|path| stem(path) == name);
+    let main = MAIN.iter().find_map(|name| called(name));
+    let only = sources.first().copied().filter(|_| sources.len() == 1);
+    let file_of = |examiner: &dyn Examiner| {
+        let chapter = super::chapter_of(examiner.name());
+        let of_chapter = chapter.and_then(|chapter| called(chapter.name));
+        called(examiner.name()).or(of_chapter)
+    };
+    let one_each = main.is_none()
+        && only.is_none()
+        && exercises
+            .iter()
+            .any(|examiner| file_of(*examiner).is_some());
+    if !one_each {
+        let sources: Vec<String> = match (language, main.or(only)) {
+            (Language::Python, Some(main)) => vec![main.clone()],
+            (Language::Python, None) => Vec::new(),
+            _ => sources.into_iter().cloned().collect(),
+        };
+        return vec![(sources, exercises.to_vec())];
+    }
+    let mut programs: BTreeMap<Vec<String>, Vec<&'static dyn Examiner>> = BTreeMap::new();
+    for examiner in exercises {
+        let sources = file_of(*examiner).into_iter().cloned().collect();
+        programs.entry(sources).or_default().push(*examiner);
+    }
+    programs.into_iter().collect()
+}
+
+/// The program that was built, or what the compiler said of the hand-in; what is no fault of the hand-in is trouble.
+fn built(
+    folder: &Path,
+    (built, said): (Result<Program, StudentError>, String),
+) -> Result<Result<Program, String>, Trouble> {
+    /// Words of a compiler that the system ended: it may not have been the hand-in's fault.
+    const ENDED: [&str; 3] = ["signal: 9", "Killed signal", "No space left on device"];
+    let place = folder.display().to_string();
+    let lines = said
+        .lines()
+        .filter(|line| !line.starts_with("   Compiling"));
+    let said: String = lines
+        .flat_map(|line| [line.replace(&place, "hand-in"), "\n".to_owned()])
+        .collect();
+    match built {
+        Ok(program) => Ok(Ok(program)),
+        Err(StudentError::NoCargo(error)) => Err(error.to_string()),
+        Err(_) if ENDED.iter().any(|words| said.contains(words)) => {
+            Err(format!("the compiler was ended: {said}"))
+        }
+        Err(StudentError::DoesNotCompile) => Ok(Err(said)),
+        Err(error) => Ok(Err(error.to_string())),
+    }
+}
+
+fn write<'a>(folder: &Path, files: impl Iterator<Item = (&'a Path, &'a [u8])>) -> io::Result<()> {
+    fs::create_dir_all(folder)?;
+    for (path, bytes) in files {
+        let path = folder.join(path);
+        fs::create_dir_all(path.parent().unwrap_or(folder))?;
+        fs::write(path, bytes)?;
+    }
+    Ok(())
+}
+
+/// Copies what was compiled, with its times, by which cargo knows what is new; but for the course's own packages, which are the
+/// hand-in's to write.
+fn copy_packages(from: &Path, to: &Path) -> io::Result<()> {
+    fs::create_dir_all(to)?;
+    for entry in fs::read_dir(from)? {
+        let entry = entry?;
+        let name = entry.file_name();
+        let is_own = name
+            .to_str()
+            .is_none_or(|name| name.contains("raybook") || name.contains("answer"));
+        if is_own {
+            continue;
+        }
+        let (from, to) = (entry.path(), to.join(&name));
+        if entry.file_type()?.is_dir() {
+            copy_packages(&from, &to)?;
+        } else {
+            fs::copy(&from, &to)?;
+            let changed = entry.metadata()?.modified()?;
+            fs::File::options()
+                .append(true)
+                .open(&to)?
+                .set_modified(changed)?;
+        }
+    }
+    Ok(())
+}
+
+/// Removes a folder, if it is there.
+pub fn remove(folder: &Path) -> io::Result<()> {
+    match fs::remove_dir_all(folder) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
+        removed => removed,
+    }
+}
+
+fn told(what: &str, folder: &Path) -> impl Fn(io::Error) -> Trouble {
+    let folder = super::files::shown(folder.as_os_str().as_encoded_bytes());
+    move |error| format!("{folder} cannot {what}: {error}")
+}

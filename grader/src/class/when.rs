@@ -1,0 +1,133 @@
+//! Instants: when a hand-in was due, and when it came.
+
+use std::fmt::{self, Display, Formatter};
+use std::str::FromStr;
+use std::time::{SystemTime, UNIX_EPOCH};
+use toml::value::{Datetime, Offset};
+
+/// An instant: seconds since the beginning of 1970 in UTC.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Instant(pub i64);
+
+const DAY: i64 = 86400;
+
+impl Instant {
+    /// The instant of a date and a time with an offset from UTC; `None` where one of the three is missing.
+    pub fn of(when: &Datetime) -> Option<Self> {
+        let (date, time, offset) = (when.date?, when.time?, when.offset?);
+        let east = match offset {
+            Offset::Z => 0,
+            Offset::Custom { minutes } => i64::from(minutes) * 60,
+        };
+        let days = days(
+            i64::from(date.year),
+            i64::from(date.month),
+            i64::from(date.day),
+        );
+        let [hour, minute, second] = [time.hour, time.minute, time.second].map(i64::from);
+        Some(Self(days * DAY + hour * 3600 + minute * 60 + second - east))
+    }
+
+    /// Now.
+    pub fn now() -> Self {
+        let since = SystemTime::now().duration_since(UNIX_EPOCH);
+        Self(since.map_or(0, |since| since.as_secs() as i64))
+    }
+}
+
+/// As RFC 3339 writes it: `2026-11-30T22:59:00Z`.
+impl FromStr for Instant {
+    type Err = &'static str;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let when = Datetime::from_str(text.trim()).ok();
+        when.and_then(|when| Self::of(&when)).ok_or(
+            "this must be a date and a time with an offset from UTC, such as 2026-11-30T23:59:00+01:00",
+        )
+    }
+}
+
+impl Display for Instant {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let (year, month, day) = date(self.0.div_euclid(DAY));
+        let rest = self.0.rem_euclid(DAY);
+        let (hour, minute, second) = (rest / 3600, rest / 60 % 60, rest % 60);
+        write!(
+            f,
+            "{year:04}-{month:02}-{day:02}T{hour:02}:{minute:02}:{second:02}Z"
+        )
+    }
+}
+
+/// Days from the beginning of 1970 to a date of the Gregorian calendar. The year is taken to begin in March, so that the day that
+/// comes and goes is its last (Hinnant, "chrono-Compatible Low-Level Date Algorithms").
+fn days(year: i64, month: i64, day: i64) -> i64 {
+    let year = if month <= 2 { year - 1 } else { year };
+    let era = year.div_euclid(400);
+    let year_of_era = year.rem_euclid(400);
+    let day_of_year = (153 * ((month + 9) % 12) + 2) / 5 + day - 1;
+    era * 146_097 + year_of_era * 365 + year_of_era / 4 - year_of_era / 100 + day_of_year - 719_468
+}
+
+/// The date of a day since the beginning of 1970: year, month, day.
+fn date(days: i64) -> (i64, i64, i64) {
+    let shifted = days + 719_468;
+    let era = shifted.div_euclid(146_097);
+    let day_of_era = shifted.rem_euclid(146_097);
+    let year_of_era =
+        (day_of_era - day_of_era / 1460 + day_of_era / 36_524 - day_of_era / 146_096) / 365;
+    let day_of_year = day_of_era - (365 * year_of_era + year_of_era / 4 - year_of_era / 100);
+    let from_march = (5 * day_of_year + 2) / 153;
+    let day = day_of_year - (153 * from_march + 2) / 5 + 1;
+    let month = (from_march + 2) % 12 + 1;
+    let year = era * 400 + year_of_era + i64::from(month <= 2);
+    (year, month, day)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Instant;
+
+    #[test]
+    fn instants_are_read_and_written() {
+        for (text, seconds, utc) in [
+            ("1970-01-01T00:00:00Z", 0, "1970-01-01T00:00:00Z"),
+            (
+                "2000-02-29T12:00:00+01:00",
+                951_822_000,
+                "2000-02-29T11:00:00Z",
+            ),
+            (
+                "2026-11-30T23:59:00-05:30",
+                1_796_103_540,
+                "2026-12-01T05:29:00Z",
+            ),
+            (
+                "2100-03-01 00:00:00Z",
+                4_107_542_400,
+                "2100-03-01T00:00:00Z",
+            ),
+        ] {
+            let instant: Instant = text.parse().expect(text);
+            assert_eq!(instant, Instant(seconds), "{text}");
+            assert_eq!(instant.to_string(), utc, "{text}");
+        }
+        for wrong in [
+            "2026-11-30",
+            "2026-11-30T23:59:00",
+            "23:59:00",
+            "soon",
+            "2026-02-30T00:00:00Z",
+        ] {
+            assert!(wrong.parse::<Instant>().is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn every_day_is_its_own_date() {
+        for day in -200_000..200_000 {
+            let (year, month, date) = super::date(day);
+            assert_eq!(super::days(year, month, date), day);
+        }
+    }
+}

@@ -1,0 +1,202 @@
+//! What others read, read by parsers that are not ours.
+
+use super::{Course, RIGHT, text, visible_only, wrong_sign};
+use csv::ReaderBuilder;
+use raybook_grader::class::when::Instant;
+use roxmltree::Document;
+use serde_json::Value;
+use std::collections::BTreeMap;
+
+/// A name that means something to a browser, a table, a page and a terminal.
+const NAME: &str = "=cmd|' <b>\"x\", & y?#\u{202e}%41";
+
+const COURSE: &str = "title = 'Rays <1> & \"2\", 3'\nterm = '<now>'\n[[chapter]]\nchapter = 'ch01'\nweight = 2\nexercises = { ray_at = 3 }\nbonus = ['camera_ray']\n";
+
+fn class() -> Course {
+    let course = Course::new(COURSE);
+    course.hand_in(&format!("{NAME}/answer.py"), RIGHT);
+    course.hand_in("wrong/answer.py", &wrong_sign());
+    course.hand_in("memory/answer.py", &visible_only());
+    course.hand_in("refused/none.txt", "");
+    let evil = "import sys\nfor line in sys.stdin: print('= panic <script>alert(1)</script> & \\x1b[2J \\x00 \\u202e', flush=True)\n";
+    course.hand_in("evil/answer.py", evil);
+    let (code, said) = course.grade(&[]);
+    assert_eq!(code, Some(0), "{said}");
+    course
+}
+
+/// The rows of a table by their first field, and its heading.
+fn table(course: &Course, file: &str) -> (Vec<String>, BTreeMap<String, Vec<String>>) {
+    let text = text(&course.path(&format!("results/{file}")));
+    let mut reader = ReaderBuilder::new()
+        .flexible(false)
+        .from_reader(text.as_bytes());
+    let fields = |record: &csv::StringRecord| record.iter().map(str::to_owned).collect::<Vec<_>>();
+    let head = fields(reader.headers().expect("a heading"));
+    let rows = reader
+        .records()
+        .map(|record| fields(&record.expect("as many fields as the heading has")));
+    (head, rows.map(|row| (row[0].clone(), row)).collect())
+}
+
+#[test]
+fn everything_that_is_exported_can_be_read() {
+    let course = class();
+    let shown = "'=cmd|' <b>\"x\", & y?#\\u{202e}%41";
+
+    // Tables.
+    let (head, rows) = table(&course, "grades.csv");
+    assert_eq!(head[..3], ["student", "points", "of"]);
+    assert_eq!(rows.len(), 5);
+    assert_eq!(
+        rows[shown][1..4],
+        ["6", "6", "yes"],
+        "what a spreadsheet would compute is a text"
+    );
+    let column = head
+        .iter()
+        .position(|name| name == "ray_at")
+        .expect("a column for each exercise");
+    assert_eq!(rows[shown][column], "3");
+    let (head, rows) = table(&course, "moodle.csv");
+    assert_eq!(head, ["username", "Rays <1> & \"2\", 3", "feedback"]);
+    assert_eq!(rows[shown][1], "6");
+    assert!(rows["refused"][2].contains("no source file"), "{rows:?}");
+    let (head, rows) = table(&course, "canvas.csv");
+    assert_eq!(
+        head[..5],
+        ["Student", "ID", "SIS User ID", "SIS Login ID", "Section"]
+    );
+    assert_eq!(rows["    Points Possible"][5], "6");
+    assert_eq!(rows[shown][5], "6");
+    let items = text(&course.path("results/items.csv"));
+    for line in [
+        "ray_at,standing,right on the visible cases only,1",
+        "ray_at,standing,right,1",
+        "ray_at,wrong case,random 1,",
+    ] {
+        assert!(items.contains(line), "{line}: {items}");
+    }
+    assert!(
+        items
+            .lines()
+            .any(|line| line.starts_with("ray_at,mistake,") && line.ends_with(",1")),
+        "{items}"
+    );
+
+    // JUnit.
+    let report = text(&course.path("results/junit.xml"));
+    let report = Document::parse(&report).expect("it is XML");
+    let suites: Vec<_> = report
+        .root_element()
+        .children()
+        .filter(|node| node.has_tag_name("testsuite"))
+        .collect();
+    assert_eq!(suites.len(), 5);
+    for suite in suites {
+        let cases: Vec<_> = suite
+            .children()
+            .filter(|node| node.has_tag_name("testcase"))
+            .collect();
+        let count = |tag: &str| {
+            cases
+                .iter()
+                .filter(|case| case.children().any(|node| node.has_tag_name(tag)))
+                .count()
+        };
+        for (attribute, counted) in [
+            ("tests", cases.len()),
+            ("failures", count("failure")),
+            ("errors", count("error")),
+            ("skipped", count("skipped")),
+        ] {
+            assert_eq!(
+                suite.attribute(attribute),
+                Some(counted.to_string().as_str()),
+                "{attribute} of {suite:?}"
+            );
+        }
+        assert!(cases.iter().all(|case| case.attribute("name").is_some()
+            && case.attribute("classname") == Some("ch01_rays")));
+    }
+
+    // Gradescope: the fields that its documentation names.
+    for student in [NAME, "wrong", "memory", "refused", "evil"] {
+        let results = course.json(&format!("results/students/{student}/results.json"));
+        assert!(results["score"].is_number(), "{results:#}");
+        for test in results["tests"].as_array().expect("tests") {
+            let fields = test.as_object().expect("a test");
+            for (name, value) in fields {
+                match name.as_str() {
+                    "score" | "max_score" => {
+                        assert!(value.as_f64().is_some_and(|score| score >= 0.0))
+                    }
+                    "status" => assert!(value == "passed" || value == "failed"),
+                    "visibility" => assert!(
+                        ["visible", "hidden", "after_due_date", "after_published"]
+                            .iter()
+                            .any(|word| value == word)
+                    ),
+                    "output_format" => assert!(value == "text"),
+                    "name" | "number" | "output" => assert!(value.is_string()),
+                    other => panic!("Gradescope knows no {other}"),
+                }
+            }
+        }
+    }
+    let gradescope = course.json(&format!("results/students/{NAME}/results.json"));
+    assert_eq!(
+        (
+            gradescope["score"].as_f64(),
+            gradescope["tests"][0]["max_score"].as_f64()
+        ),
+        (Some(6.0), Some(6.0))
+    );
+
+    // What a grade says of itself.
+    let grade = course.student(NAME);
+    assert_eq!(
+        (&grade["student"], &grade["term"]),
+        (&Value::from(NAME), &Value::from("<now>"))
+    );
+    assert_eq!(
+        grade["key"].as_str().map(str::len),
+        Some(16),
+        "the key's fingerprint"
+    );
+    assert!(
+        grade["when"]
+            .as_str()
+            .is_some_and(|when| when.parse::<Instant>().is_ok()),
+        "{grade:#}"
+    );
+    let size = text(&course.path("results/students/wrong/grade.json")).len();
+    assert!(size < 10_000, "{size} bytes");
+}
+
+#[test]
+fn no_text_of_a_stranger_means_anything_to_a_browser() {
+    let course = class();
+    for page in [
+        "index.html",
+        "students/evil/index.html",
+        &format!("students/{NAME}/index.html"),
+    ] {
+        let page = text(&course.path(&format!("results/{page}")));
+        for evil in ["<script", "\u{1b}", "\0", "\u{202e}", "<b>", "<now>"] {
+            assert!(!page.contains(evil), "{evil:?}: {page}");
+        }
+        assert!(
+            !page.contains("src=") && !page.contains("http"),
+            "a page needs no other file"
+        );
+    }
+    let evil = text(&course.path("results/students/evil/index.html"));
+    assert!(
+        evil.contains("&lt;script&gt;"),
+        "it is shown, though: {evil}"
+    );
+    let class = text(&course.path("results/index.html"));
+    let link = "students/%3Dcmd%7C%27%20%3Cb%3E%22x%22%2C%20%26%20y%3F%23%E2%80%AE%2541/index.html";
+    assert!(class.contains(link), "the link leads to the page: {class}");
+}

@@ -1,0 +1,301 @@
+//! A class from hand-ins to grades.
+
+use super::{Course, KEY, RIGHT, text, visible_only, wrong_sign};
+use rand::RngExt;
+use raybook::math::pcg;
+use raybook_grader::class::journal;
+use std::fs;
+
+const COURSE: &str = "term = 'now'\npartial = 0.5\n[[chapter]]\nchapter = 'ch01'\n";
+
+const CPP: &str = r#"
+#include "beside.hpp"
+#include <iostream>
+int main() {
+    std::string name, word;
+    while (std::cin >> name) {
+        if (name != "ray_at") { std::getline(std::cin, word); std::cout << "= todo " << name << std::endl; continue; }
+        double x[7];
+        for (double& number : x) { std::cin >> word; number = std::stod(word); }
+        std::cout << "= " << at(x, 0) << ' ' << at(x, 1) << ' ' << at(x, 2) << std::endl;
+    }
+}
+"#;
+const BESIDE: &str = "#include <string>\ndouble at(const double* x, int i);\n";
+const BESIDE_CPP: &str = "#include \"beside.hpp\"\ndouble at(const double* x, int i) { return x[i] + x[6] * x[i + 3]; }\n";
+
+/// A class of every kind of hand-in.
+fn class() -> Course {
+    let course = Course::new(COURSE);
+    course.hand_in("right/answer.py", RIGHT);
+    course.hand_in("equal/answer.py", RIGHT);
+    course.hand_in("module/main.py", "from beside import *\n");
+    course.hand_in("module/beside.py", RIGHT);
+    course.hand_in("lone.py", &format!("# alone\n{RIGHT}"));
+    course.hand_in("wrong/answer.py", &wrong_sign());
+    course.hand_in("memory/answer.py", &visible_only());
+    course.hand_in("syntax/answer.py", "def x(:\n");
+    course.hand_in("empty/notes.txt", "nothing");
+    course.hand_in("cpp/main.cpp", CPP);
+    course.hand_in("cpp/beside.hpp", BESIDE);
+    course.hand_in("cpp/beside.cpp", BESIDE_CPP);
+    course.hand_in(
+        "broken/main.cpp",
+        "int main() { return undeclared_name; }\n",
+    );
+    course.hand_in("peeks/main.cpp", &CPP.replace("beside.hpp", "/etc/passwd"));
+    course.hand_in("each/ray_at.py", RIGHT);
+    course.hand_in("each/camera_ray.py", "print('= todo')\n");
+    course
+}
+
+#[test]
+fn a_class_is_graded() {
+    let course = class();
+    let (code, said) = course.grade(&[]);
+    assert_eq!(code, Some(0), "{said}");
+    // A right one of two exercises, each a point.
+    for student in ["right", "equal", "module", "lone", "cpp", "each"] {
+        assert_eq!(
+            course.points(student),
+            1.0,
+            "{student}: {:#}",
+            course.student(student)
+        );
+        assert_eq!(course.standing(student, "ray_at"), "right", "{student}");
+        assert_eq!(
+            course.standing(student, "camera_ray"),
+            "not started",
+            "{student}"
+        );
+    }
+    for (student, standing) in [
+        ("wrong", "wrong"),
+        ("memory", "wrong"),
+        ("syntax", "wrong"),
+        ("broken", "does not compile"),
+        ("peeks", "does not compile"),
+        ("empty", "nothing"),
+    ] {
+        assert_eq!(course.standing(student, "ray_at"), standing, "{student}");
+        assert!(
+            course.points(student) < 0.5,
+            "{student} has a part at the most"
+        );
+    }
+    assert!(
+        course.points("memory") > 0.0,
+        "for the cases that are right"
+    );
+    let page =
+        |student: &str| text(&course.path(&format!("results/students/{student}/index.html")));
+    assert!(
+        page("memory").contains("right on the visible cases only"),
+        "{}",
+        page("memory")
+    );
+    assert!(
+        page("wrong").contains("It seems that your function"),
+        "the mistake is recognised"
+    );
+    assert!(
+        page("broken").contains("undeclared_name"),
+        "what the compiler said"
+    );
+    assert!(
+        !page("peeks").contains("root:"),
+        "and not what it must not read"
+    );
+    // What students see tells nothing of hidden cases.
+    for student in ["wrong", "memory"] {
+        for file in ["index.html", "grade.json", "results.json"] {
+            let told = text(&course.path(&format!("results/students/{student}/{file}")));
+            assert!(
+                !told.contains("random "),
+                "{student}: {file} tells of a hidden case"
+            );
+            assert!(!told.contains(KEY), "and never of the key");
+        }
+    }
+    let told = journal::read(&course.path("results")).expect("the journal");
+    assert_eq!(told.damaged, 0);
+    let hand_ins = 10; // of 12, two are equal and one is refused
+    assert_eq!(
+        told.records.len(),
+        2 * hand_ins,
+        "each exercise of each hand-in once"
+    );
+    assert!(
+        !course.path("results/stage").exists(),
+        "nothing of the hand-ins stays"
+    );
+
+    // Again: nothing is asked.
+    let (code, said) = course.grade(&[]);
+    assert!(code == Some(0) && said.contains(" 0 to grade"), "{said}");
+    let again = journal::read(&course.path("results")).expect("the journal");
+    assert_eq!(told, again);
+}
+
+#[test]
+fn grades_are_the_same_in_parts_merged_by_concatenation() {
+    let course = class();
+    let (code, said) = course.grade(&["--jobs", "1"]);
+    assert_eq!(code, Some(0), "{said}");
+    let mut merged = Vec::new();
+    for part in 1..=3 {
+        let (code, said) = course.grade(&[
+            "--shard",
+            &format!("{part}/3"),
+            "--out",
+            &format!("part{part}"),
+        ]);
+        assert_eq!(code, Some(0), "{said}");
+        assert!(
+            !course.path(&format!("part{part}/grades.csv")).exists(),
+            "a part writes its journal alone"
+        );
+        merged
+            .extend(fs::read(course.path(&format!("part{part}/run.jsonl"))).expect("its journal"));
+    }
+    fs::create_dir(course.path("merged")).expect("a folder");
+    fs::write(course.path("merged/run.jsonl"), merged).expect("it is merged");
+    let (code, said) = course.grade(&["--out", "merged"]);
+    assert!(
+        code == Some(0) && said.contains(" 0 to grade"),
+        "all is known: {said}"
+    );
+    assert_eq!(
+        text(&course.path("merged/grades.csv")),
+        text(&course.path("results/grades.csv"))
+    );
+    for wrong in ["0/3", "4/3", "1", "a/b"] {
+        let (code, _) = course.grade(&["--shard", wrong]);
+        assert_eq!(code, Some(2), "{wrong}");
+    }
+}
+
+#[test]
+fn other_hidden_cases_for_another_term_or_key() {
+    let course = Course::new(COURSE);
+    course.hand_in("right/answer.py", RIGHT);
+    let asked = |said: &str| said.contains(", 1 to grade");
+    assert!(asked(&course.grade(&[]).1), "at first");
+    assert!(!asked(&course.grade(&[]).1), "known");
+    fs::write(course.path("key"), "another key").expect("it is written");
+    assert!(asked(&course.grade(&[]).1), "another key");
+    fs::write(course.path("course.toml"), COURSE.replace("now", "later")).expect("it is written");
+    assert!(asked(&course.grade(&[]).1), "another term");
+    for (file, text, words) in [
+        ("key", "\n", "it is empty"),
+        ("course.toml", "x = 1", "no name `x`"),
+    ] {
+        fs::write(course.path(file), text).expect("it is written");
+        let (code, said) = course.grade(&[]);
+        assert!(code == Some(2) && said.contains(words), "{said}");
+        fs::write(course.path("key"), KEY).expect("it is written");
+    }
+}
+
+#[test]
+fn regrading_previews_who_changes_and_why() {
+    let course = Course::new(COURSE);
+    course.hand_in("right/answer.py", RIGHT);
+    course.hand_in("wrong/answer.py", &wrong_sign());
+    fs::write(course.path("times.csv"), "student,time\nright,2026-11-02T00:00:01Z\nwrong,2026-10-01T00:00:00Z\nnobody,2026-10-01T00:00:00Z\n").expect("times");
+    let (code, said) = course.grade(&["--times", "times.csv"]);
+    assert!(
+        code == Some(0) && said.contains("nobody, of whom there is no hand-in"),
+        "{said}"
+    );
+    let grades = || text(&course.path("results/grades.csv"));
+    let before = grades();
+
+    let other = "term = 'now'\npartial = 0\n[late]\nper_day = 0.25\n[[chapter]]\nchapter = 'ch01'\ndue = 2026-11-01T00:00:00Z\nexercises = { ray_at = 4, camera_ray = 1 }\n";
+    fs::write(course.path("other.toml"), other).expect("it is written");
+    let (code, said) = course.say(&["regrade", "results", "--course", "other.toml"]);
+    assert_eq!(code, Some(0), "{said}");
+    // Two days begun cost half of four points.
+    for words in [
+        "right: 1 of 2 → 2 of 5",
+        "ray_at: 1 → 4",
+        "days late of ch01_rays: nothing → 2",
+        "→ 0 of 5",
+        "2 students have other points",
+        "Nothing is written",
+    ] {
+        assert!(said.contains(words), "{words}: {said}");
+    }
+    assert_eq!(grades(), before, "a preview writes nothing");
+    let (code, said) = course.say(&["regrade", "results", "--course", "other.toml", "--write"]);
+    assert_eq!(code, Some(0), "{said}");
+    assert_eq!((course.points("right"), course.points("wrong")), (2.0, 0.0));
+    let (_, said) = course.say(&["regrade", "results", "--course", "other.toml"]);
+    assert!(said.contains("no grade changes"), "{said}");
+
+    // Grading does not change what was written, either.
+    let written = grades();
+    let (code, said) = course.grade(&["--times", "times.csv"]);
+    assert!(
+        code == Some(1)
+            && said.contains("right: 2 of 5 → 1 of 2")
+            && said.contains("nothing is written"),
+        "{said}"
+    );
+    assert_eq!(grades(), written);
+    let (code, said) = course.say(&["regrade", "nowhere", "--course", "other.toml"]);
+    assert!(code == Some(2) && said.contains("no such folder"), "{said}");
+    fs::write(course.path("times.csv"), "student,time\nright,soon\n").expect("times");
+    let (code, said) = course.grade(&["--times", "times.csv"]);
+    assert!(
+        code == Some(2) && said.contains("times.csv:2: this must be a date"),
+        "{said}"
+    );
+}
+
+#[test]
+fn nearly_identical_hand_ins_are_found() {
+    let course = Course::new(COURSE);
+    // Long enough to be compared, and not what everybody was given.
+    let own = |seed: u64| -> String {
+        let forms = [
+            "value = (value + %) * other - %",
+            "while value > %: value = value - other * %",
+            "if other < %: value += % + value",
+            "other = [% for _ in range(%)][0] - value",
+        ];
+        let mut rng = pcg::stream(seed, 0);
+        let mut body = String::new();
+        for _ in 0..60 {
+            let line = forms[rng.random_range(0..forms.len())];
+            let number = rng.random_range(1..100).to_string();
+            body += &format!("    {}\n", line.replace('%', &number));
+        }
+        format!("def own(value, other):\n{body}    return value\n{RIGHT}")
+    };
+    course.hand_in("ann/answer.py", &own(1));
+    let renamed = own(1)
+        .replace("value", "amount")
+        .replace("other", "rest")
+        .replace("def own", "# mine\ndef mine");
+    course.hand_in("ben/answer.py", &renamed);
+    course.hand_in("cem/answer.py", &own(3));
+    for i in 0..6 {
+        let reader = raybook_grader::reader::python::program(
+            raybook_grader::cases::find("ray_at")
+                .expect("it is there")
+                .asked(),
+        );
+        course.hand_in(&format!("given{i}/answer.py"), &format!("# {i}\n{reader}"));
+    }
+    let (code, said) = course.grade(&[]);
+    assert_eq!(code, Some(0), "{said}");
+    let similar = text(&course.path("results/similar.csv"));
+    let lines: Vec<_> = similar.lines().skip(1).collect();
+    assert_eq!(
+        lines.len(),
+        1,
+        "renaming hides nothing, and what is given is nobody's: {similar}"
+    );
+    assert!(lines[0].starts_with("ann,ben,"), "{similar}");
+}

@@ -6,6 +6,7 @@ mod ask;
 mod bless;
 mod ch25_capstone;
 mod common;
+mod confused;
 mod diagnosis;
 mod evidence;
 mod exercise;

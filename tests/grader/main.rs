@@ -7,6 +7,7 @@ mod bless;
 mod ch25_capstone;
 mod class;
 mod common;
+mod confused;
 mod diagnosis;
 mod evidence;
 mod exercise;

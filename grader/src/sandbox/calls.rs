@@ -13,6 +13,8 @@ pub struct Filters {
     pub listed: BpfProgram,
     /// What is refused by name.
     pub refused: BpfProgram,
+    /// What succeeds without being done, where a compiler is to run.
+    pub pretended: Option<BpfProgram>,
 }
 
 impl std::fmt::Debug for Filters {
@@ -65,6 +67,14 @@ pub fn filters(phase: Phase, landlock: i32) -> Result<Filters, seccompiler::Erro
             Phase::Run => compile(all(&[LISTED, OLD]), SeccompAction::Allow, UNKNOWN)?,
         },
         refused: compile(refusals(phase, landlock)?, REFUSED, SeccompAction::Allow)?,
+        pretended: match phase {
+            Phase::Build => Some(compile(
+                all(&[PRETENDED]),
+                SeccompAction::Errno(0),
+                SeccompAction::Allow,
+            )?),
+            Phase::Run => None,
+        },
     })
 }
 
@@ -515,9 +525,11 @@ const REFUSED: &[i64] = &[
     libc::SYS_vhangup,
 ];
 
+/// `make` sets its own user and group once more before it starts a compiler, and starts none if it cannot.
+const PRETENDED: &[i64] = &[libc::SYS_setresuid, libc::SYS_setresgid];
+
 /// What is refused to a program that runs, and what compilers need.
 const REFUSED_RUNNING: &[i64] = &[
-    // `make` sets its own user and group again before it starts a compiler. Without capabilities nobody can set others.
     libc::SYS_setresuid,
     libc::SYS_setresgid,
     libc::SYS_socketpair,

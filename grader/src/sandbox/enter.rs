@@ -90,7 +90,9 @@ impl Prepared {
                 .get()
                 .cast_unsigned(),
         );
-        for filter in [&self.filters.listed, &self.filters.refused] {
+        // The last one refuses further filters.
+        let filters = [&self.filters.listed, &self.filters.refused];
+        for filter in self.filters.pretended.iter().chain(filters) {
             if seccompiler::apply_filter(filter).is_err() {
                 return Err(not_contained());
             }

@@ -1,0 +1,196 @@
+//! What confused newcomers: words that mean two things, slips of the fingers, long lists, silence, and what comes next.
+
+use crate::common::command::raybook;
+use raybook_grader::prints::{abbreviated, first_difference};
+use std::fs;
+use std::path::Path;
+
+/// In a folder that is no workbook.
+fn say(arguments: &[&str]) -> (i32, String) {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    raybook(home.path(), arguments)
+}
+
+#[test]
+fn an_exercise_goes_before_a_chapter_of_its_name() {
+    let (code, said) = say(&["exercise", "phong"]);
+    assert!(
+        code == 0 && said.starts_with("phong\n") && !said.contains("\nblinn_phong\n"),
+        "{said}"
+    );
+    for chapter in [&["exercise", "chapter", "phong"][..], &["exercise", "ch12"]] {
+        let (code, said) = say(chapter);
+        assert!(
+            code == 0 && said.contains("\nblinn_phong\n"),
+            "{chapter:?}: {said}"
+        );
+    }
+    let (code, said) = say(&["exercise", "chapter"]);
+    assert!(code == 2 && said.contains("which chapter?"), "{said}");
+}
+
+#[test]
+fn a_slip_of_the_fingers_is_understood() {
+    for (slip, meant) in [
+        ("shpere_hit", "did you mean sphere_hit?"),
+        ("bvh_closet", "did you mean bvh_closest?"),
+        ("ch03_shere", "did you mean ch03_sphere?"),
+        ("nothing", "`raybook exercise` lists them all"),
+    ] {
+        let (code, said) = say(&["check", slip]);
+        assert!(code == 2 && said.contains(meant), "{slip}: {said}");
+    }
+}
+
+#[test]
+fn exercise_alone_lists_them() {
+    let (code, said) = say(&["exercise"]);
+    assert_eq!(code, 0, "{said}");
+    assert!(
+        said.contains("wide_closest") && said.lines().count() < 40,
+        "{said}"
+    );
+}
+
+#[test]
+fn a_long_list_is_cut_where_the_answers_part() {
+    assert_eq!(
+        abbreviated("3  1 2  3 4  5 6", 1),
+        "3  1 2  3 4  5 6",
+        "it is short"
+    );
+    let long = |wrong: Option<usize>| {
+        let number = |i| {
+            if Some(i) == wrong {
+                "9.5 7".to_owned()
+            } else {
+                format!("{i}.25 0.5")
+            }
+        };
+        let points: Vec<_> = (0..100).map(number).collect();
+        format!("100  {}", points.join("  "))
+    };
+    assert_eq!(first_difference(&long(Some(40)), &long(None)), 40);
+    assert_eq!(first_difference(&long(None), &long(None)), 0);
+    let shown = abbreviated(&long(Some(40)), 40);
+    assert_eq!(
+        shown,
+        "… 9.5 7  41.25 0.5  42.25 0.5  43.25 0.5  44.25 0.5  45.25 0.5 …   (100 in all, these from 40 on)"
+    );
+    // The last elements, and a list of another length, are shown too.
+    assert!(abbreviated(&long(None), 99).starts_with("… 99.25 0.5   (100 in all"));
+    assert_eq!(first_difference(&long(None), "99  1 2"), 0);
+    let words = "word ".repeat(200);
+    assert!(
+        abbreviated(&words, 0).len() <= words.len(),
+        "what is no list is no list"
+    );
+}
+
+#[cfg(unix)]
+fn program(folder: &Path, text: &str) {
+    crate::common::executable::script(&folder.join("answers"), text);
+}
+
+#[cfg(unix)]
+#[test]
+fn who_ignores_what_it_does_not_know_is_told_to_say_so() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let text = |other: &str| {
+        format!(
+            "#!/bin/sh\nwhile read -r name rest; do case $name in ray_at) echo '= 0 0 0';; *) {other};; esac; done\n"
+        )
+    };
+    let check = ["check", "ch01", "--program", "answers", "--plain"];
+    program(home.path(), &text(":"));
+    let (_, said) = raybook(home.path(), &check);
+    assert!(said.contains("says nothing to `camera_ray`"), "{said}");
+    program(home.path(), &text("echo \"= todo $name\""));
+    let (_, said) = raybook(home.path(), &check);
+    assert!(!said.contains("says nothing to"), "{said}");
+    assert!(said.contains("not started camera_ray"), "{said}");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_program_that_does_not_read_inf_is_told() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let awk = |inf: &str| {
+        format!(
+            "#!/bin/sh
+exec awk '{{
+    d = $5 * $10 + $6 * $11 + $7 * $12; max = {inf}
+    t = d == 0 ? -1 : ($13 - $2 * $10 - $3 * $11 - $4 * $12) / d
+    if (d != 0 && $8 < t && t < max) printf \"= %.9g\\n\", t; else print \"= none\"
+    fflush()
+}}'\n"
+        )
+    };
+    let check = ["check", "plane_hit", "--program", "answers", "--plain"];
+    program(home.path(), &awk("$9 == \"inf\" ? 1e30 : $9"));
+    let (code, said) = raybook(home.path(), &check);
+    assert_eq!(code, 0, "{said}");
+    // As C++ does: what is no number is 0, and ends the reading.
+    program(
+        home.path(),
+        &awk("$9 == \"inf\" ? -1 : $9")
+            .replace("print \"= none\"", "print (max < 0 ? \"= 0\" : \"= none\")"),
+    );
+    let (code, said) = raybook(home.path(), &check);
+    assert!(
+        code == 1 && said.contains("exactly the cases with `inf` in their question"),
+        "{said}"
+    );
+}
+
+#[cfg(unix)]
+#[test]
+fn the_first_hint_leads_on_and_the_next_exercise_is_named() {
+    use raybook_grader::language::Language;
+    use raybook_grader::starter;
+    if !Path::new("/usr/bin/python3").exists() {
+        println!("there is no python3 here: its workbook is not asked");
+        return;
+    }
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let folder = home.path().join("rays");
+    starter::create(&folder, Language::Python).expect("the folder can be made");
+    let (code, said) = raybook(&folder, &["hint", "sphere_hit"]);
+    assert_eq!(code, 0, "{said}");
+    for part in [
+        "do its first case by hand",
+        "head on",
+        "And think of this: ",
+        "Chapter 3",
+        "ch03_sphere.py",
+    ] {
+        assert!(said.contains(part), "`{part}`: {said}");
+    }
+    let task = raybook_grader::cases::find("sphere_hit")
+        .expect("an exercise")
+        .task();
+    assert!(!said.contains(task), "not the task again: {said}");
+
+    let solution = raybook_common::project("tests/solutions/python/ch01_rays.py");
+    fs::copy(solution, folder.join("ch01_rays.py")).expect("it can be copied");
+    let (code, said) = raybook(&folder, &["check", "ch01", "--plain"]);
+    assert_eq!(code, 0, "{said}");
+    assert!(
+        said.contains("Next: write expose in ch02_hdr.py."),
+        "{said}"
+    );
+}
+
+#[test]
+fn tasks_speak_of_mathematics() {
+    for examiner in raybook_grader::cases::all() {
+        let task = examiner.task();
+        for rust in ["None", "Some", "Hit {", "::", "`visit`", "&", "In Rust"] {
+            assert!(
+                !task.contains(rust),
+                "{}: `{rust}` is Rust: {task}",
+                examiner.name()
+            );
+        }
+    }
+}

@@ -71,7 +71,9 @@ impl Gradescope {
         let zip = gradescope::autograder(&raybook, &course, key.as_bytes())?;
         store::write(&self.zip, &zip)?;
         let shown = Untrusted::from(self.zip.as_path());
-        say(format!("wrote {shown}: upload it as the autograder of an assignment, on Ubuntu 24.04 or later"));
+        say(format!(
+            "wrote {shown}: upload it as the autograder of an assignment, on Ubuntu 24.04 or later"
+        ));
         Ok(true)
     }
 }

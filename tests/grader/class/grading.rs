@@ -265,7 +265,8 @@ fn nearly_identical_hand_ins_are_found() {
             body += "    value = other";
             for _ in 0..10 {
                 let sign = signs[rng.random_range(0..signs.len())];
-                body += &format!(" {sign} {}", ["value", "3.5"][rng.random_range(0..2)]);
+                let word = ["value", "3.5"][rng.random_range(0..2)];
+                body.extend([" ", sign, " ", word]);
             }
             body += "\n";
         }

@@ -16,8 +16,16 @@ pub fn autograder(raybook: &[u8], course: &[u8], key: &[u8]) -> io::Result<Vec<u
     let mut packed = Vec::new();
     let mut archive = ZipArchiveWriter::new(&mut packed);
     for (name, rights, bytes) in [
-        ("setup.sh", PROGRAM, &include_bytes!("gradescope/setup.sh")[..]),
-        ("run_autograder", PROGRAM, include_bytes!("gradescope/run_autograder")),
+        (
+            "setup.sh",
+            PROGRAM,
+            &include_bytes!("gradescope/setup.sh")[..],
+        ),
+        (
+            "run_autograder",
+            PROGRAM,
+            include_bytes!("gradescope/run_autograder"),
+        ),
         ("raybook", PROGRAM, raybook),
         ("course.toml", SECRET, course),
         ("course.key", SECRET, key),

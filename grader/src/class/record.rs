@@ -129,7 +129,7 @@ impl Marked {
             mistake: report
                 .diagnosis
                 .as_ref()
-                .map(|mistake| [mistake.name.to_string(), mistake.hint.to_string()]),
+                .map(|mistake| [mistake.name.clone(), mistake.hint.clone()]),
             why: why.chars().take(LONGEST_WHY).collect(),
         }
     }

@@ -67,10 +67,13 @@ pub struct Placed<T> {
     pub at: Range<usize>,
 }
 
+/// Names with a number each.
+pub type Numbered<'a> = Vec<(Placed<&'a str>, f64)>;
+
 /// A table of settings. Names are asked for one by one; [`Table::finish`] tells of those that nobody asked for.
 pub struct Table<'a> {
     source: Source<'a>,
-    table: &'a DeTable<'a>,
+    entries: &'a DeTable<'a>,
     asked: RefCell<Vec<&'static str>>,
 }
 
@@ -79,14 +82,14 @@ impl<'a> Table<'a> {
     pub fn new(source: Source<'a>, table: &'a DeTable<'a>) -> Self {
         Self {
             source,
-            table,
+            entries: table,
             asked: RefCell::default(),
         }
     }
 
     fn find(&self, name: &'static str) -> Option<&'a Spanned<DeValue<'a>>> {
         self.asked.borrow_mut().push(name);
-        let mut entries = self.table.iter();
+        let mut entries = self.entries.iter();
         entries.find_map(|(key, value)| (key.get_ref() == name).then_some(value))
     }
 
@@ -171,7 +174,7 @@ impl<'a> Table<'a> {
         name: &'static str,
         otherwise: f64,
         range: &RangeInclusive<f64>,
-    ) -> Result<Option<Vec<(Placed<&'a str>, f64)>>, SettingsError> {
+    ) -> Result<Option<Numbered<'a>>, SettingsError> {
         let Some(found) = self.find(name) else {
             return Ok(None);
         };
@@ -243,7 +246,7 @@ impl<'a> Table<'a> {
     pub fn finish(&self) -> Result<(), SettingsError> {
         let asked = self.asked.borrow();
         let unknown = self
-            .table
+            .entries
             .keys()
             .filter(|key| !asked.contains(&key.get_ref().as_ref()));
         let Some(key) = unknown.min_by_key(|key| key.span().start) else {
@@ -265,16 +268,14 @@ pub fn unknown_name<'a>(
     let alike = |known: &&str| strsim::normalized_damerau_levenshtein(known, name);
     let nearest = names.clone().max_by(|a, b| alike(a).total_cmp(&alike(b)));
     let name = Untrusted::from(name);
-    match nearest.filter(|nearest| alike(nearest) >= ALIKE) {
-        Some(nearest) => format!("there is no {what} `{name}` here; did you mean `{nearest}`?"),
-        None => {
-            let names: Vec<_> = names.collect();
-            format!(
-                "there is no {what} `{name}` here; there are {}",
-                names.join(", ")
-            )
-        }
+    if let Some(nearest) = nearest.filter(|nearest| alike(nearest) >= ALIKE) {
+        return format!("there is no {what} `{name}` here; did you mean `{nearest}`?");
     }
+    let names: Vec<_> = names.collect();
+    format!(
+        "there is no {what} `{name}` here; there are {}",
+        names.join(", ")
+    )
 }
 
 /// A number that is finite, whole or not.

@@ -277,6 +277,9 @@ fn copy_packages(from: &Path, to: &Path) -> io::Result<()> {
 }
 
 /// Removes a folder, if it is there.
+///
+/// # Errors
+/// If it cannot be removed.
 pub fn remove(folder: &Path) -> io::Result<()> {
     match fs::remove_dir_all(folder) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),

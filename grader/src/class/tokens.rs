@@ -54,11 +54,9 @@ fn next(rest: &str, first: char) -> (usize, Option<&'static str>) {
         (until("\n"), None)
     } else if rest.starts_with("/*") {
         (until("*/"), None)
-    } else if rest.starts_with("\"\"\"") {
-        (
-            rest[3..].find("\"\"\"").map_or(rest.len(), |at| at + 6),
-            None,
-        )
+    } else if let Some(inside) = rest.strip_prefix("\"\"\"") {
+        let end = inside.find("\"\"\"");
+        (end.map_or(rest.len(), |at| at + 6), None)
     } else if first == '"' {
         (quoted(rest, '"'), Some("text"))
     } else if first == '\'' {

@@ -1,9 +1,10 @@
 //! `raybook pack`: what another machine needs to grade.
 
 use super::Done;
+use raybook::store;
 use raybook_chapters::kit::say::say;
 use raybook_chapters::kit::untrusted::Untrusted;
-use raybook_grader::class::pack::Job;
+use raybook_grader::class::pack::{Job, gradescope};
 use std::path::{Path, PathBuf};
 
 /// Where to grade.
@@ -11,6 +12,22 @@ use std::path::{Path, PathBuf};
 pub enum Pack {
     /// Write scripts that grade a class as a job array of Slurm, on folders that all nodes see
     Slurm(Slurm),
+    /// Write the zip of an autograder for Gradescope
+    Gradescope(Gradescope),
+}
+
+/// An autograder for Gradescope. It holds the course key: give it to nobody else.
+#[derive(clap::Args)]
+pub struct Gradescope {
+    /// The zip to write
+    #[arg(default_value = "autograder.zip")]
+    zip: PathBuf,
+    /// What counts, and how much. Gradescope knows what is late, so leave due times out
+    #[arg(long, value_name = "FILE")]
+    course: PathBuf,
+    /// The file of the course key
+    #[arg(long, value_name = "FILE")]
+    key_file: PathBuf,
 }
 
 /// A job array of Slurm.
@@ -38,7 +55,32 @@ pub struct Slurm {
 impl Pack {
     /// Writes it, and says what to do with it.
     pub fn run(&self) -> Done {
-        let Self::Slurm(slurm) = self;
+        match self {
+            Self::Slurm(slurm) => slurm.run(),
+            Self::Gradescope(gradescope) => gradescope.run(),
+        }
+    }
+}
+
+impl Gradescope {
+    fn run(&self) -> Done {
+        super::course::read(&self.course)?;
+        let key = super::hidden::read_key(&self.key_file)?;
+        let raybook = store::read(&std::env::current_exe()?)?;
+        let course = store::read(&self.course)?;
+        let zip = gradescope::autograder(&raybook, &course, key.as_bytes())?;
+        store::write(&self.zip, &zip)?;
+        let shown = Untrusted::from(self.zip.as_path());
+        say(format!(
+            "wrote {shown}: upload it as the autograder of an assignment, on Ubuntu 24.04 or later"
+        ));
+        Ok(true)
+    }
+}
+
+impl Slurm {
+    fn run(&self) -> Done {
+        let slurm = self;
         super::course::read(&slurm.course)?;
         let there = |path: &Path| {
             let shown = Untrusted::from(path).to_string();

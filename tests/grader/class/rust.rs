@@ -31,7 +31,11 @@ fn workbooks_of_one_name_do_not_mix_and_what_else_is_handed_in_does_nothing() {
     let course = Course::new(COURSE);
     workbook(&course, "right", &with(&["ray_at"]));
     workbook(&course, "starter", &with(&[]));
-    workbook(&course, "reference", &with(&["ray_at", "sphere_hit"]));
+    workbook(
+        &course,
+        "reference",
+        &with(&["ray_at", "solve_quadratic", "sphere_hit"]),
+    );
     course.hand_in("reference/my-rays/references-taken.txt", "ray_at\n");
     workbook(&course, "peeks", &with(&["ray_at"]));
     let lib = text(&course.path("hand-ins/peeks/my-rays/src/lib.rs"));

@@ -22,8 +22,8 @@ exercises! { ($) ch03_sphere
         quadratic::solve(a, b, c).map(Vec2::from)
     }
 
-    /// Return the smallest distance t between min and max at which the ray meets the sphere; there is no answer if
-    /// there is none. Both ends are excluded: min < t < max. Lose no digits where the sphere is small and far away.
+    /// Return the smallest distance t between min and max at which the ray meets the sphere; a miss has no answer.
+    /// Both ends are excluded: min < t < max. Lose no digits where the sphere is small and far away.
     ///
     /// In Rust: the distance as `Some(Hit { t, uv: Vec2::ZERO, id: 0 })`.
     SphereHit: sphere_hit(

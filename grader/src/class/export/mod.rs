@@ -11,6 +11,7 @@ use super::record::Standing;
 use super::roll::Class;
 use raybook::store::{self, StoreError};
 use serde_json::{Value, json};
+use std::fmt::Write;
 use std::path::Path;
 
 /// The folder of the students' own files.
@@ -93,10 +94,11 @@ fn words(exercise: &ExerciseGrade) -> String {
     if result.right_on_visible_only() {
         words += "; right on the visible cases only";
     } else if !result.why.is_empty() && result.standing != Standing::NotGraded {
-        words += &format!("\n{}", result.why);
+        words += "\n";
+        words += &result.why;
     }
     if let Some([mistake, hint]) = &result.mistake {
-        words += &format!("\nIt seems that your function {mistake}. {hint}");
+        let _ = write!(words, "\nIt seems that your function {mistake}. {hint}");
     }
     if exercise.taken {
         words += "\nThis is the reference, which was taken.";

@@ -38,7 +38,7 @@ fn each(archive: &mut tar::Archive<impl Read>, basket: &mut Basket) -> io::Resul
             }
             EntryType::Symlink | EntryType::Link => basket.leave_out(&name, "a link"),
             EntryType::Char | EntryType::Block | EntryType::Fifo => {
-                basket.leave_out(&name, "a device or a pipe")
+                basket.leave_out(&name, "a device or a pipe");
             }
             _ => {}
         }

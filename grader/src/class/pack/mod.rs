@@ -1,6 +1,8 @@
 //! Grading elsewhere: the files that a cluster needs to grade a class with `raybook grade`. They are short scripts, to be read and
 //! changed.
 
+pub mod gradescope;
+
 use raybook::store::{self, StoreError};
 use raybook_chapters::kit::untrusted::Untrusted;
 use std::path::{Path, PathBuf};

@@ -50,9 +50,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         sure: 4,
         strategy: Strategy::Both,
     };
-    let picture = render_evenly(&film, |place, numbers| {
-        path.follow(&scene, &camera.ray_through(place), numbers)
-    });
+    let picture = film.render(&camera, &Sampler::Even, &path, &scene);
     file::save("environment.png".as_ref(), &picture.map(tone::aces))?;
     println!("wrote environment.png");
     Ok(())

@@ -81,9 +81,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         sure: 3,
         strategy: Strategy::Surface,
     };
-    let picture = render_evenly(&film, |place, numbers| {
-        path.follow(&scene, &camera.ray_through(place), numbers)
-    });
+    let picture = film.render(&camera, &Sampler::Even, &path, &scene);
     file::save("own_shape.png".as_ref(), &picture)?;
     println!("wrote own_shape.png");
     Ok(())

@@ -1,7 +1,7 @@
 //! Radiance has no upper limit, but a display has: how to expose, how to map what is too bright, and how to keep it all.
 //!
 //! New: image/tone.rs image/file.rs image/codec.rs image/compare.rs
-//! New: scene/mod.rs scene/noise.rs
+//! New: scene/mod.rs scene/noise.rs sample/even.rs render/refine.rs
 
 pub mod evening;
 mod stops;
@@ -25,7 +25,7 @@ const EXPOSURE: f32 = -2.0;
 pub fn draw(stage: &Stage) -> Drawn {
     let film = stage.film_of(960, 24, 16.0 / 9.0);
     let camera = Pinhole::look_at(window::EYE, window::MIDDLE, Vec3::Y, 0.024, film.aspect())?;
-    let radiance = film.render_edges(|place, _| window::radiance(&camera.ray(place, Vec2::ZERO)));
+    let radiance = film.refine(|place, _| window::radiance(&camera.ray(place, Vec2::ZERO)));
     let picture = radiance.map(|p| tone::expose(p, EXPOSURE));
     stage.picture(
         "picture",

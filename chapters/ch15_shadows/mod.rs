@@ -14,7 +14,7 @@ use raybook::camera::pinhole::Pinhole;
 use raybook::image::Image;
 use raybook::render::film::Film;
 use raybook::render::local::{Arrives, Local};
-use raybook::render::refine::refine;
+use raybook::render::sampler::Sampler;
 use raybook::render::shadow;
 use raybook::render::whitted::Whitted;
 use raybook::scene::marbles;
@@ -85,10 +85,7 @@ fn whitted(arrives: Arrives) -> Whitted {
 }
 
 fn photograph(film: &Film, camera: &Pinhole, scene: &Scene, arrives: Arrives) -> Image {
-    let whitted = whitted(arrives);
-    refine(film, |place, rng| {
-        whitted.follow(scene, &camera.ray_through(place), rng)
-    })
+    film.render(camera, &Sampler::Refined, &whitted(arrives), scene)
 }
 
 /// The chapter's binary.

@@ -9,7 +9,7 @@ use raybook::light::environment::Environment;
 use raybook::render::film::Film;
 use raybook::render::mis::Strategy;
 use raybook::render::path::Path;
-use raybook::render::refine::render_evenly;
+use raybook::render::sampler::Sampler;
 use raybook::scene::still_life::{AT, still_life};
 use std::error::Error;
 
@@ -36,7 +36,7 @@ pub(super) fn looks(
         let camera = wide(from, toward, 85.0, film.aspect())?;
         let real = photograph(film, &|place| Some(camera.ray_through(place)));
         let seen =
-            film.render(|place, _| environment.radiance(camera.ray_through(place).direction));
+            film.sample(|place, _| environment.radiance(camera.ray_through(place).direction));
         off.push(("difference", difference(&real, &seen)));
         rendered.push((name, real));
         cut.push(("cut out of the panorama", seen));
@@ -81,7 +81,5 @@ fn photograph(film: &Film, light: Environment) -> Result<Image, LookAtError> {
         sure: 2,
         strategy: Strategy::Both,
     };
-    Ok(render_evenly(film, |place, rng| {
-        path.follow(&scene, &camera.ray_through(place), rng)
-    }))
+    Ok(film.render(&camera, &Sampler::Even, &path, &scene))
 }

@@ -12,6 +12,7 @@ pub mod needs_more;
 pub mod path;
 pub mod refine;
 pub mod reflection;
+pub mod sampler;
 pub mod shadow;
 pub mod soft_shadow;
 pub mod supersample;

@@ -6,6 +6,8 @@ pub mod cuboid;
 pub mod mesh;
 #[cfg(feature = "files")]
 pub mod mesh_file;
+pub mod mesh_looks;
+pub mod normal_map;
 pub mod obj;
 pub mod placed;
 pub mod plane;

@@ -29,4 +29,5 @@ mod laws;
 mod noise;
 mod soundness;
 mod store;
+mod textures;
 mod where_is_what;

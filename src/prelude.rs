@@ -10,7 +10,9 @@ pub use crate::light::{point::PointLight, rect_light::RectLight, sphere_light::S
 pub use crate::material::conductor::{Conductor, Metal};
 pub use crate::material::glass::{Glass, Medium};
 pub use crate::material::image_texture::ImageTexture;
-pub use crate::material::{Material, ggx::Ggx, lambert::Lambert, mirror::Mirror, phong::Phong};
+pub use crate::material::{
+    Material, ggx::Ggx, lambert::Lambert, mirror::Mirror, phong::Phong, plastic::Plastic,
+};
 pub use crate::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray};
 pub use crate::render::sampler::{Integrator, Sampler};
 pub use crate::render::{film::Film, mis::Strategy, path::Path, whitted::Whitted};

@@ -13,6 +13,7 @@ pub mod mirror;
 pub mod modified_phong;
 pub mod mtl;
 pub mod phong;
+pub mod plastic;
 pub mod polished;
 pub mod refract;
 pub mod texture;

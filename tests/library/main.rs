@@ -27,6 +27,7 @@ mod domain;
 mod embree_recorded;
 mod laws;
 mod noise;
+mod plastic;
 mod soundness;
 mod store;
 mod textures;

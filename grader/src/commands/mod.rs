@@ -12,6 +12,7 @@ pub mod hint;
 pub mod keep;
 pub mod map;
 pub mod new;
+pub mod render;
 pub mod samplers;
 pub mod solve;
 pub mod tell;

@@ -72,9 +72,10 @@
 //! | scenes; scenes described by numbers; a picture for a backdrop | `scene/world.rs` `scene/description.rs` `scene/backdrop.rs` |
 //! | pin-hole, thin lens, fisheye, panorama | `camera/pinhole.rs` `camera/thin_lens.rs` `camera/fisheye.rs` `camera/panorama.rs` |
 //! | the film loop; from a scene to a picture, and its samplers; how many rays were followed | `render/film.rs` `render/sampler.rs` `render/followed.rs` |
-//! | local illumination, shadows, soft shadows | `render/local.rs` `render/shadow.rs` `render/soft_shadow.rs` |
+//! | local illumination, shadows, soft shadows; where light ends on a mesh | `render/local.rs` `render/shadow.rs` `render/soft_shadow.rs` `render/terminator.rs` |
 //! | Whitted's ray tracing | `render/whitted.rs` |
 //! | path tracing, multiple importance sampling | `render/path.rs` `render/mis.rs` |
+//! | light cut off sample by sample: fireflies, edges of lamps | `render/clamped.rs` |
 //! | supersampling, adaptive supersampling | `render/supersample.rs` `render/adaptive.rs` |
 //! | curved rays, the black hole | `render/curved/mod.rs` |
 

@@ -13,6 +13,7 @@ use crate::kit::stage::{Drawn, Stage};
 use glam::{Vec2, Vec3};
 use raybook::camera::{Camera, pinhole::Pinhole};
 use raybook::image::{Image, file, rgb::Rgb, tone};
+use raybook::render::film::Film;
 use std::process::ExitCode;
 
 /// The exposure at which the room and the view can both be guessed, in stops.
@@ -51,6 +52,32 @@ pub fn draw(stage: &Stage) -> Drawn {
         "One radiance, six exposures: each shows what the others clamp to white or lose in black.",
         &sheet(3, &tiles)?,
     )?;
+    let near = Film {
+        width: 90,
+        height: 60,
+        ..film
+    };
+    let close = Pinhole::look_at(window::EYE, window::MIDDLE, Vec3::Y, 0.07, near.aspect())?;
+    let seen = |place| window::radiance(&close.ray(place, Vec2::ZERO));
+    let shown = |radiance| tone::clamp(tone::expose(radiance, EXPOSURE));
+    let tiles = [
+        (
+            "clamped after the mean",
+            near.evenly(|place, _| seen(place)).map(shown),
+        ),
+        (
+            "clamped before the mean",
+            near.evenly(|place, _| shown(seen(place))),
+        ),
+    ];
+    let tiles = tiles.map(|(name, tile)| (name, tile.enlarged(5)));
+    stage.figure(
+        "edges",
+        "The window's bars before the bright sky, pixel by pixel. The mean of the light is right, and has stairs; \
+         the mean of what is shown is wrong, and smooth.",
+        &sheet(2, &tiles)?,
+    )?;
+
     let toned = |name, curve: fn(Rgb) -> Rgb| (name, exposed(EXPOSURE).map(curve));
     let tiles = [
         toned("clamped", tone::clamp),

@@ -3,6 +3,7 @@
 //!
 //! New: render/shadow.rs
 
+mod stairs;
 mod wrong_shadows;
 
 use crate::kit::chapter;
@@ -56,6 +57,10 @@ pub fn draw(stage: &Stage) -> Drawn {
     let caption = "One lamp below a roof, and three wrong shadow rays. Many points of a ball are computed to lie inside of \
         it, and are in its shadow. Rays that start too far off miss what stands close. Rays without an end are stopped behind the lamp.";
     stage.figure("wrong", caption, &sheet(2, &tiles)?)?;
+
+    let caption = "A teapot of 4 × 4 cells a patch, low in the sun. Left, its facets show where light ends, for each is in its own shadow as a whole. \
+        Right, a facet loses the light smoothly before.";
+    stage.figure("terminator", caption, &stairs::figure(&tile)?)?;
 
     let (width, height) = ray_tree_figure::PHOTOGRAPH;
     let film = Film {

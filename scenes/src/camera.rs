@@ -56,12 +56,18 @@ fn lens(fields: &Fields, view: &Pinhole, far: f32) -> Result<Box<dyn Camera>, Sc
         let message = "the lens is given twice; keep `lens_diameter_m` or `f_number`";
         return Err(fields.wrong("f_number", message));
     }
+    let focus = fields.number("focus_m", 1e-6..=LARGEST)?;
+    let blades = fields.whole("blades", 3..=64)?;
     let opening = f_number.map(|n| view.focal_length / n);
     let Some(diameter) = diameter.or(opening) else {
-        return Ok(Box::new(*view));
+        if focus.is_none() && blades.is_none() {
+            return Ok(Box::new(*view));
+        }
+        let lens = if focus.is_some() { "focus_m" } else { "blades" };
+        let message = "only a lens has this; give `lens_diameter_m` or `f_number` too";
+        return Err(fields.wrong(lens, message));
     };
-    let focus = fields.number("focus_m", 1e-6..=LARGEST)?;
-    let aperture = match fields.whole("blades", 3..=64)? {
+    let aperture = match blades {
         Some(count) => Aperture::Blades {
             count: count as u32,
             turn: 0.3,

@@ -4,6 +4,7 @@ use crate::fields::Fields;
 use crate::wrong::SceneError;
 use raybook::image::{Image, tone};
 use raybook::render::adaptive::Limits;
+use raybook::render::clamped::Clamped;
 use raybook::render::local::{ALWAYS, Local};
 use raybook::render::needs_more::Enough;
 use raybook::render::sampler::{Integrator, Sampler};
@@ -129,10 +130,17 @@ fn integrator(mut fields: Fields) -> Result<Box<dyn Integrator>, SceneError> {
     fields.named(format!("an integrator of the kind `{kind}`"));
     let integrator: Box<dyn Integrator> = if kind == "path" {
         let depth = fields.whole("depth", 1..=DEEPEST)?;
-        Box::new(Path {
+        let path = Path {
             depth: depth.unwrap_or(DEEPEST) as u32,
             ..Path::WHOLE
-        })
+        };
+        match fields.number("brightest_sample", 1e-6..=1e12)? {
+            Some(brightest) => Box::new(Clamped {
+                integrator: path,
+                brightest,
+            }),
+            None => Box::new(path),
+        }
     } else {
         // Glass makes two rays of one, so that a tree of rays may not be as deep as a path.
         let depth = fields.whole("depth", 1..=32)?.unwrap_or(8);

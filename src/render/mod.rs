@@ -2,6 +2,7 @@
 
 pub mod adaptive;
 pub mod budget;
+pub mod clamped;
 pub mod curved;
 pub mod film;
 pub mod followed;
@@ -16,6 +17,7 @@ pub mod sampler;
 pub mod shadow;
 pub mod soft_shadow;
 pub mod supersample;
+pub mod terminator;
 pub mod through_lens;
 pub mod trace;
 pub mod whitted;

@@ -111,7 +111,12 @@ const PACKAGES: [(&str, &[&str]); 5] = [
     ("scenes/Cargo.toml", &["raybook"]),
     (
         "grader/Cargo.toml",
-        &["raybook", "raybook-workbook", "raybook-chapters", "raybook-scenes"],
+        &[
+            "raybook",
+            "raybook-workbook",
+            "raybook-chapters",
+            "raybook-scenes",
+        ],
     ),
 ];
 

@@ -28,6 +28,7 @@ mod embree_recorded;
 mod laws;
 mod noise;
 mod plastic;
+mod published;
 mod soundness;
 mod store;
 mod textures;

@@ -48,6 +48,7 @@ impl Shape for Disc {
             normal: self.normal,
             shading_normal: self.normal,
             texture: Vec2::ZERO,
+            lift: Vec3::ZERO,
         }
     }
 }

@@ -49,7 +49,7 @@
 //! | sphere, plane, box | `shape/sphere.rs` `shape/plane.rs` `shape/cuboid.rs` |
 //! | triangle: Möller–Trumbore, plane first, determinants, watertight | `shape/triangle.rs` `shape/triangle_by_plane.rs` `shape/triangle_by_determinants.rs` `shape/triangle_watertight.rs` |
 //! | a shape seen elsewhere: instances | `shape/placed.rs` |
-//! | meshes, their normals and texture coordinates; OBJ and STL files | `shape/mesh.rs` `shape/attributes.rs` `shape/mesh_file.rs` |
+//! | meshes, their normals and texture coordinates, where light ends on them; OBJ and STL files | `shape/mesh.rs` `shape/attributes.rs` `shape/mesh_file.rs` |
 //! | flat and smooth meshes; normal maps | `shape/mesh_looks.rs` `shape/normal_map.rs` |
 //! | Bézier patches and the teapot | `shape/bezier.rs` `shape/teapot.rs` |
 //! | sampling patterns of a pixel | `sample/pattern/mod.rs` |
@@ -72,7 +72,7 @@
 //! | scenes; scenes described by numbers; a picture for a backdrop | `scene/world.rs` `scene/description.rs` `scene/backdrop.rs` |
 //! | pin-hole, thin lens, fisheye, panorama | `camera/pinhole.rs` `camera/thin_lens.rs` `camera/fisheye.rs` `camera/panorama.rs` |
 //! | the film loop; from a scene to a picture, and its samplers; how many rays were followed | `render/film.rs` `render/sampler.rs` `render/followed.rs` |
-//! | local illumination, shadows, soft shadows; where light ends on a mesh | `render/local.rs` `render/shadow.rs` `render/soft_shadow.rs` `render/terminator.rs` |
+//! | local illumination, shadows, soft shadows | `render/local.rs` `render/shadow.rs` `render/soft_shadow.rs` |
 //! | Whitted's ray tracing | `render/whitted.rs` |
 //! | path tracing, multiple importance sampling | `render/path.rs` `render/mis.rs` |
 //! | light cut off sample by sample: fireflies, edges of lamps | `render/clamped.rs` |

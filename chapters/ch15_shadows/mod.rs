@@ -59,7 +59,7 @@ pub fn draw(stage: &Stage) -> Drawn {
     stage.figure("wrong", caption, &sheet(2, &tiles)?)?;
 
     let caption = "A teapot of 4 × 4 cells a patch, low in the sun. Left, its facets show where light ends, for each is in its own shadow as a whole. \
-        Right, a facet loses the light smoothly before.";
+        Right, shadow rays start where the round surface would be.";
     stage.figure("terminator", caption, &stairs::figure(&tile)?)?;
 
     let (width, height) = ray_tree_figure::PHOTOGRAPH;

@@ -116,10 +116,13 @@ fn material(mut fields: Fields) -> Result<Arc<dyn Material>, SceneError> {
             let share = fields.share("share")?.unwrap_or(Rgb::gray(0.95));
             Arc::new(Mirror { share })
         }
-        "glass" => Arc::new(Glass::of(Medium {
-            index: index()?.unwrap_or(1.5),
-            absorption: fields.light("absorption_per_m")?.unwrap_or(Rgb::BLACK),
-        })),
+        "glass" => Arc::new(Glass {
+            outside: Medium::clear(fields.number("outside_index", 1.0..=4.0)?.unwrap_or(1.0)),
+            inside: Medium {
+                index: index()?.unwrap_or(1.5),
+                absorption: fields.light("absorption_per_m")?.unwrap_or(Rgb::BLACK),
+            },
+        }),
         _ => {
             let radiance = fields.light("radiance")?;
             let radiance = fields.need("radiance", radiance)?;

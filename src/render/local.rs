@@ -3,7 +3,7 @@
 use crate::image::rgb::Rgb;
 use crate::light::LightSample;
 use crate::math::dir3::Dir3;
-use crate::render::{followed::Followed, terminator::terminator};
+use crate::render::followed::Followed;
 use crate::scene::world::{Scene, Seen};
 use crate::shape::Surface;
 use glam::vec2;
@@ -43,8 +43,7 @@ impl Local {
                 let Some(sample) = light.sample(seen.surface.position, u) else {
                     continue;
                 };
-                let share = terminator(&seen.surface, view, sample.toward);
-                let lit = seen.material.lit(&seen.surface, view, &sample) * share;
+                let lit = seen.material.lit(&seen.surface, view, &sample);
                 // A mirror makes nothing of a lamp, nor does a surface that is turned away: then nobody need look.
                 if lit != Rgb::BLACK && arrives(&sample) {
                     of_light += lit;

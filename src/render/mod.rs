@@ -17,7 +17,6 @@ pub mod sampler;
 pub mod shadow;
 pub mod soft_shadow;
 pub mod supersample;
-pub mod terminator;
 pub mod through_lens;
 pub mod trace;
 pub mod whitted;

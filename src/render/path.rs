@@ -3,7 +3,7 @@
 use crate::image::rgb::Rgb;
 use crate::material::{Delta, glass::Medium};
 use crate::math::{dir3::Dir3, ray::Ray};
-use crate::render::{followed::Followed, mis::Strategy, shadow, terminator::terminator};
+use crate::render::{followed::Followed, mis::Strategy, shadow};
 use crate::scene::world::{Scene, Seen};
 use glam::vec2;
 use rand::{Rng, RngExt};
@@ -73,7 +73,10 @@ impl Path {
                 };
                 weight = survivor;
             }
-            (ray, pdf) = (seen.surface.leave(next.toward), next.pdf);
+            (ray, pdf) = match next.medium {
+                Some(_) => (seen.surface.leave(next.toward), next.pdf),
+                None => (seen.surface.leave_smooth(next.toward), next.pdf),
+            };
             medium = next.medium.unwrap_or(medium);
         }
     }
@@ -104,7 +107,6 @@ impl Path {
             };
             let surface = seen.material.pdf(&seen.surface, view, sample.toward) * to_scatter;
             let share = self.strategy.of_light(sample.pdf, surface);
-            let share = share * terminator(&seen.surface, view, sample.toward);
             let light = seen.material.lit(&seen.surface, view, &sample) * share;
             // The shadow ray costs more than all the rest: only for light that would count.
             if light == Rgb::BLACK {
@@ -215,8 +217,7 @@ impl Lobes {
         let toward = seen.material.sample(at, view, u)?;
         let pdf = seen.material.pdf(at, view, toward) * self.to_scatter();
         let cosine = at.facing(view).dot(*toward);
-        let share = cosine * terminator(at, view, toward);
-        let weight = seen.material.eval(at, view, toward) * (share / pdf);
+        let weight = seen.material.eval(at, view, toward) * (cosine / pdf);
         (pdf > 0.0 && weight != Rgb::BLACK).then_some(Next {
             toward,
             pdf,

@@ -14,6 +14,7 @@ fn flat() -> Surface {
         normal: Dir3::Y,
         shading_normal: Dir3::Y,
         texture: Vec2::ZERO,
+        lift: Vec3::ZERO,
     }
 }
 

@@ -133,20 +133,32 @@ fn ground(material: Lambert) -> Thing {
     Thing::new(Sphere::new(vec3(0.0, -100.5, -1.0), 100.0), material)
 }
 
+/// How far off a block may be where everything is computed as in the book: 2.2 of 255, and what 16 samples scatter.
+const SAME: f32 = 0.015;
+
+/// The same where there is glass: the book takes Schlick's approximation, which is off by up to 0.04 at its rim.
+const SCHLICK: f32 = 0.05;
+
 /// Draws a scene of the book under its sky, and compares the blocks.
 #[track_caller]
-fn as_in_the_book(name: &str, camera: &dyn Camera, things: Vec<Thing>) {
+fn as_in_the_book(name: &str, camera: &dyn Camera, things: Vec<Thing>, block: f32) {
     let scene = Scene::new(things, vec![]).surrounded_by(Rgb::BLACK, sky);
     let picture = Film::new(400, 225, 16).render(camera, &Sampler::Even, &Path::WHOLE, &scene);
-    let cut = |v: f32| v.min(0.998); // 0.999², in the square roots that the book writes
+    // The published byte 255 counts as 255.5/256; from 1.13 on bytes are square roots.
+    let white: f32 = 255.5 / 256.0;
+    let most = if name == "rtw 1.10" {
+        white
+    } else {
+        white * white
+    };
+    let cut = |v: f32| v.min(most);
     let (ours, theirs) = (blocks(&picture.map(|p| p.map(cut))), published(name));
     assert_eq!(ours.len(), theirs.len(), "{name}");
-    // What is measured differs by up to 0.2 % as a whole and 2.2 of 255 in a block; here 16 samples scatter.
     let off = apart(mean(&ours), mean(&theirs), true);
     assert!(off < 0.005, "{name}: the means differ by {off}");
     for (i, (a, b)) in ours.iter().zip(&theirs).enumerate() {
         let off = apart(*a, *b, false);
-        assert!(off < 0.015, "{name}, block {i}: {a:?}, not {b:?}");
+        assert!(off < block, "{name}, block {i}: {a:?}, not {b:?}");
     }
 }
 
@@ -158,14 +170,15 @@ fn later_images_of_ray_tracing_in_one_weekend_have_the_same_means() {
         "rtw 1.10",
         &first,
         vec![ball(0.0, -1.0, 0.5, grey()), ground(grey())],
+        SAME,
     );
     let metals = vec![
         ground(lambert(0.8, 0.8, 0.0)),
-        ball(0.0, -1.2, 0.5, lambert(0.7, 0.3, 0.3)),
+        ball(0.0, -1.0, 0.5, lambert(0.7, 0.3, 0.3)),
         ball(-1.0, -1.0, 0.5, metal(0.8, 0.8, 0.8)),
         ball(1.0, -1.0, 0.5, metal(0.8, 0.6, 0.2)),
     ];
-    as_in_the_book("rtw 1.13", &first, metals);
+    as_in_the_book("rtw 1.13", &first, metals, SAME);
     let glass = || {
         let bubble = Glass {
             outside: Medium::GLASS,
@@ -173,23 +186,28 @@ fn later_images_of_ray_tracing_in_one_weekend_have_the_same_means() {
         };
         vec![
             ground(lambert(0.8, 0.8, 0.0)),
-            ball(0.0, -1.2, 0.5, lambert(0.1, 0.2, 0.5)),
+            ball(0.0, -1.0, 0.5, lambert(0.1, 0.2, 0.5)),
             ball(-1.0, -1.0, 0.5, Glass::of(Medium::GLASS)),
             ball(-1.0, -1.0, 0.4, bubble),
             ball(1.0, -1.0, 0.5, metal(0.8, 0.6, 0.2)),
         ]
     };
-    as_in_the_book("rtw 1.18", &first, glass());
+    as_in_the_book("rtw 1.18", &first, glass(), SCHLICK);
     let r = std::f32::consts::FRAC_1_SQRT_2;
     let touching = vec![
         ball(-r, -1.0, r, lambert(0.0, 0.0, 1.0)),
         ball(r, -1.0, r, lambert(1.0, 0.0, 0.0)),
     ];
-    as_in_the_book("rtw 1.19", &looking(Vec3::ZERO, -Vec3::Z, 90.0), touching);
+    as_in_the_book(
+        "rtw 1.19",
+        &looking(Vec3::ZERO, -Vec3::Z, 90.0),
+        touching,
+        SAME,
+    );
     let far = looking(vec3(-2.0, 2.0, 1.0), -Vec3::Z, 20.0);
     let diameter = 2.0 * 3.4 * 5_f32.to_radians().tan();
     let lens = ThinLens::with_view(&far, diameter, 3.4, Aperture::Round).expect("a lens");
-    as_in_the_book("rtw 1.22", &lens, glass());
+    as_in_the_book("rtw 1.22", &lens, glass(), SCHLICK);
 }
 
 /// The camera of the Cornell box: a film of 25 mm at 35 mm.

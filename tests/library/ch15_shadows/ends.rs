@@ -1,122 +1,113 @@
 //! Where light ends on a mesh that pretends to be round.
 
-use glam::{Vec2, Vec3, vec3};
-use raybook::math::dir3::Dir3;
+use raybook::light::LightSample;
 use raybook::prelude::*;
-use raybook::render::local::Local;
-use raybook::render::{shadow, terminator::terminator};
-use raybook::shape::teapot;
-
-/// A facet that faces up, whose interpolated normal leans by so much towards +x.
-fn facet(lean: f32) -> Surface {
-    Surface {
-        position: Vec3::ZERO,
-        error: 0.0,
-        normal: Dir3::Y,
-        shading_normal: direction(lean, 1.0),
-        texture: Vec2::ZERO,
-    }
-}
+use raybook::render::shadow::lit;
+use raybook::shape::{attributes::lift, teapot};
 
 fn direction(x: f32, y: f32) -> Dir3 {
     Dir3::new(vec3(x, y, 0.0)).expect("not 0")
 }
 
 #[test]
-fn a_facet_loses_its_light_smoothly_before_it_turns_away() {
-    for lean in [0.05, 0.2, 0.5] {
-        let at = facet(lean);
-        let mut last = 0.0;
-        for i in 0..=200 {
-            // From the facet's horizon to straight up.
-            let angle = i as f32 / 200.0 * std::f32::consts::FRAC_PI_2;
-            let toward = direction(angle.cos(), angle.sin());
-            let share = terminator(&at, Dir3::Y, toward);
-            assert!((0.0..=1.0).contains(&share), "{share} at {angle}");
-            assert!(share >= last - 1e-6, "it grows with the height");
-            assert!(
-                share - last < 0.12,
-                "without a step: {last} and {share} at {angle}"
-            );
-            last = share;
-        }
-        let horizon = direction(1.0, 1e-3);
-        let kept = terminator(&at, Dir3::Y, horizon) * at.shading_normal.dot(*horizon);
+fn on_a_sphere_of_triangles_a_point_is_lifted_to_the_sphere() {
+    // Three points of the unit sphere, with its normals.
+    let normals = [
+        vec3(0.0, 0.3, 1.0),
+        vec3(0.25, -0.2, 1.0),
+        vec3(-0.25, -0.2, 1.0),
+    ];
+    let normals = normals.map(|n| Dir3::new(n).expect("not 0"));
+    let corners = normals.map(|n| *n);
+    for (b, most) in [
+        (vec2(0.33, 0.33), 0.02),
+        (vec2(0.5, 0.5), 0.02),
+        (vec2(0.1, 0.2), 0.02),
+    ] {
+        let p = (1.0 - b.x - b.y) * corners[0] + b.x * corners[1] + b.y * corners[2];
+        let lifted = p + lift(p, corners, normals, b);
+        let (below, above) = (1.0 - p.length(), lifted.length() - 1.0);
+        assert!(below > 0.005, "p is {below} below the sphere");
+        // It is on the planes that touch the sphere in the corners, or a little below: outside the sphere, and near it.
         assert!(
-            at.shading_normal.dot(*horizon) > 0.04,
-            "the interpolated normal sees light"
+            (-1e-6..most).contains(&above),
+            "and is lifted to {above} above it"
         );
-        assert!(kept < 0.005, "{kept} of it is kept where the shadow begins");
-        assert_eq!(last, 1.0, "all of the light from above is kept");
     }
+    for b in [Vec2::ZERO, Vec2::X, Vec2::Y] {
+        let p = corners[(b.x + 2.0 * b.y) as usize];
+        assert_eq!(lift(p, corners, normals, b), Vec3::ZERO, "a corner stays");
+    }
+    let hollow = normals.map(|n| -n);
+    let middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+    let third = Vec2::splat(1.0 / 3.0);
+    assert_eq!(
+        lift(middle, corners, hollow, third),
+        Vec3::ZERO,
+        "a hollow stays"
+    );
 }
 
 #[test]
-fn a_flat_facet_keeps_all_light_and_both_sides_are_alike() {
-    let (flat, leaning) = (facet(0.0), facet(0.3));
-    for toward in [direction(1.0, 0.01), direction(-2.0, 1.0), Dir3::Y] {
-        assert_eq!(terminator(&flat, Dir3::Y, toward), 1.0);
-        let above = terminator(&leaning, Dir3::Y, toward);
-        let below = terminator(&leaning, -Dir3::Y, -toward);
-        assert_eq!(above, below);
-    }
-    for wild in [f32::NAN, f32::MAX, 0.0] {
-        let at = Surface {
-            normal: Dir3::new_or(vec3(wild, 1.0, 0.0), Dir3::X),
-            ..leaning
-        };
-        assert!(terminator(&at, Dir3::Y, Dir3::X).is_finite());
-    }
-}
-
-/// Of the points of a coarse teapot at which the light ends, how bright the brightest is beside its shadow.
-#[test]
-fn the_stairs_on_a_coarse_teapot_are_gone() {
-    let sun = DirectionalLight {
-        toward: direction(-1.0, 0.45),
-        irradiance: Rgb::WHITE,
+fn a_ray_to_the_outside_starts_at_the_round_surface_and_all_others_at_the_facet() {
+    let at = Surface {
+        position: Vec3::ZERO,
+        error: 1e-6,
+        normal: Dir3::Y,
+        shading_normal: direction(0.3, 1.0),
+        texture: Vec2::ZERO,
+        lift: vec3(0.0, 0.01, 0.0),
     };
+    let start = |toward: Dir3| at.leave_smooth(toward).origin.y;
+    // The round surface sees what the facet does not.
+    for toward in [direction(1.0, 0.5), direction(1.0, -0.1)] {
+        assert!((start(toward) - 0.01).abs() < 1e-4, "{toward:?}");
+    }
+    for toward in [direction(1.0, -0.5), direction(-1.0, 0.1), -Dir3::Y] {
+        assert_eq!(at.leave_smooth(toward), at.leave(toward));
+    }
+    let flat = Surface {
+        lift: Vec3::ZERO,
+        ..at
+    };
+    assert_eq!(flat.leave_smooth(Dir3::X), flat.leave(Dir3::X));
+}
+
+#[test]
+fn on_a_coarse_teapot_light_ends_where_the_round_surface_turns_away() {
     let pot = Meshed::new(teapot::mesh(3), WideBvh::new);
-    let white = Lambert { albedo: Rgb::WHITE };
-    let scene = Scene::new(vec![Thing::new(pot, white)], vec![Box::new(sun)]);
-    let local = Local {
-        samples: 1,
-        arrives: Some(shadow::lit),
-    };
-    let mut numbers = raybook::math::pcg::stream(1, 0);
-    // Along the belly, from the side of the sun to the other one: the largest step from one point to the next.
-    let (mut before, mut after) = (0.0_f32, 0.0_f32);
-    let mut last: Option<[f32; 2]> = None;
-    let mut points = 0;
+    let scene = Scene::new(
+        vec![Thing::new(pot, Lambert { albedo: Rgb::WHITE })],
+        vec![],
+    );
+    let light = LightSample::unit(direction(-1.0, 0.0));
+    // Around the belly, from the side of the sun to the other one: what the light gives, by the facet and by the round surface.
+    let (mut seen_by_all, mut by_facet, mut by_round) = (0, 0, 0);
     for i in 0..4000 {
         let turn = i as f32 / 4000.0 * std::f32::consts::PI;
         let out = Dir3::new_or(vec3(-turn.cos(), 0.0, turn.sin()), Dir3::Z);
         let ray = Ray::new(vec3(0.0, 0.9, 0.0) + 6.0 * *out, -out);
-        let Some(seen) = scene.closest(&ray) else {
+        let seen = scene.closest(&ray).expect("the belly");
+        let cosine = seen.surface.shading_normal.dot(*light.toward);
+        // The handle is in the way of the light where it meets the belly, at the beginning.
+        if cosine <= 0.02 || turn < 0.6 {
             continue;
-        };
-        let sample = sun
-            .sample(seen.surface.position, Vec2::ZERO)
-            .expect("always");
-        let arrives = shadow::lit(&scene, &seen.surface, &sample);
-        let hard = if arrives {
-            seen.material.lit(&seen.surface, out, &sample).g
-        } else {
-            0.0
-        };
-        let soft = local.follow(&scene, &seen, out, &mut numbers).radiance.g;
-        if let Some([h, s]) = last {
-            before = before.max((hard - h).abs());
-            after = after.max((soft - s).abs());
         }
-        last = Some([hard, soft]);
-        points += 1;
+        let flat = Surface {
+            lift: Vec3::ZERO,
+            ..seen.surface
+        };
+        seen_by_all += 1;
+        by_facet += u32::from(lit(&scene, &flat, &light));
+        by_round += u32::from(lit(&scene, &seen.surface, &light));
     }
-    assert!(points > 3900, "{points} points are on the pot");
-    // A facet spans a twelfth of the turn; what the sun sends is 1/π at most.
-    assert!(before > 0.05, "there were stairs, of {before}");
+    assert!(seen_by_all > 1000, "{seen_by_all} points face the light");
     assert!(
-        after < before / 4.0,
-        "the largest step was {before} and is {after}"
+        by_facet < seen_by_all - 50,
+        "{by_facet} of {seen_by_all}: facets are in their own shadow"
+    );
+    assert!(
+        by_round > seen_by_all - 5,
+        "{by_round} of {seen_by_all}: the round surface is not"
     );
 }

@@ -79,7 +79,7 @@ fn every_error_says_where_what_and_what_to_do() {
         ),
         (
             "[integrator]\ndepth = 3\n",
-            "4:1: an integrator needs `kind`",
+            "4:1: the integrator needs `kind`",
         ),
         (
             "[sampler]\nkind = \"haltn\"\n",
@@ -91,7 +91,7 @@ fn every_error_says_where_what_and_what_to_do() {
         ),
         (
             "[[shapes]]\nkind = \"sphere\"\n",
-            "4:1: a shape of the kind `sphere` needs `radius_m`",
+            "4:1: a shape of the kind `sphere` needs `center_m`",
         ),
         (
             "[[shapes]]\nkind = \"sphere\"\ncenter_m = [0, 0, 0]\nradius_m = 0\nmaterial = { kind = \"matte\", colour = 1 }\n",

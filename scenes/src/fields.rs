@@ -1,7 +1,8 @@
 //! A table of a scene file: what is asked for is checked, and what nobody asked for is an error.
 
+use crate::values::{colour, described, number, three, whole};
 use crate::wrong::{SceneError, Source, did_you_mean, listed, shown};
-use glam::{Vec3, vec3};
+use glam::Vec3;
 use raybook::image::rgb::Rgb;
 use raybook::math::{dir3::Dir3, domain::LARGEST};
 use std::cell::RefCell;
@@ -170,7 +171,11 @@ impl<'a> Fields<'a> {
     /// # Errors
     /// If there is something else.
     pub fn yes(&self, key: &'static str) -> Result<Option<bool>, SceneError> {
-        self.get(key, "true or false", |value| value.as_bool())
+        let yes = |value: &DeValue| match value {
+            DeValue::Boolean(yes) => Some(*yes),
+            _ => None,
+        };
+        self.get(key, "true or false", yes)
     }
 
     /// A text.
@@ -249,14 +254,12 @@ impl<'a> Fields<'a> {
         what: &str,
     ) -> Result<Self, SceneError> {
         let start = value.span().start;
-        match value.get_ref().as_table() {
-            Some(table) => Ok(Self::new(self.source, what, start, table)),
-            None => {
-                let found = described(value.get_ref());
-                let message = format!("{} must be a table, and this is {found}", shown(key));
-                Err(self.source.wrong(start, message))
-            }
-        }
+        let Some(table) = value.get_ref().as_table() else {
+            let found = described(value.get_ref());
+            let message = format!("{} must be a table, and this is {found}", shown(key));
+            return Err(self.source.wrong(start, message));
+        };
+        Ok(Self::new(self.source, what, start, table))
     }
 
     /// The end: every field was asked for.
@@ -283,54 +286,4 @@ impl<'a> Fields<'a> {
         let message = format!("{} has no field {}{hint}", self.what, shown(name));
         Err(self.source.wrong(first.span().start, message))
     }
-}
-
-/// What a value is, for people.
-fn described(value: &DeValue) -> String {
-    match value {
-        DeValue::String(text) => {
-            let short: String = text.chars().take(40).collect();
-            format!("the text \"{}\"", short.escape_debug())
-        }
-        DeValue::Integer(number) => number.as_str().chars().take(40).collect(),
-        DeValue::Float(number) => number.as_str().chars().take(40).collect(),
-        DeValue::Boolean(yes) => yes.to_string(),
-        DeValue::Datetime(_) => "a date".to_owned(),
-        DeValue::Array(list) => {
-            let numbers: Option<Vec<_>> = list.iter().map(|v| number(v.get_ref())).collect();
-            match numbers {
-                Some(numbers) if list.len() <= 4 => format!("{numbers:?}"),
-                _ => format!("a list of {}", list.len()),
-            }
-        }
-        DeValue::Table(_) => "a table".to_owned(),
-    }
-}
-
-fn number(value: &DeValue) -> Option<f32> {
-    match value {
-        DeValue::Integer(_) => whole(value).map(|v| v as f32),
-        DeValue::Float(float) => float.as_str().replace('_', "").parse().ok(),
-        _ => None,
-    }
-}
-
-fn whole(value: &DeValue) -> Option<i64> {
-    let number = value.as_integer()?;
-    i64::from_str_radix(&number.as_str().replace('_', ""), number.radix()).ok()
-}
-
-/// Three finite numbers.
-fn three(value: &DeValue) -> Option<Vec3> {
-    let list = value.as_array()?;
-    let mut numbers = list.iter().map(|value| number(value.get_ref()));
-    let v = vec3(numbers.next()??, numbers.next()??, numbers.next()??);
-    (list.len() == 3 && v.is_finite()).then_some(v)
-}
-
-/// A colour, in each channel from 0 to `most`.
-pub(crate) fn colour(value: &DeValue, most: f32) -> Option<Rgb> {
-    let v = number(value).map(Vec3::splat).or_else(|| three(value))?;
-    let within = v.cmpge(Vec3::ZERO).all() && v.cmple(Vec3::splat(most)).all();
-    within.then(|| Rgb::new(v.x, v.y, v.z))
 }

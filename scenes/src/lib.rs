@@ -7,6 +7,7 @@ pub mod lights;
 pub mod materials;
 pub mod rendering;
 pub mod shapes;
+mod values;
 pub mod wrong;
 
 use fields::Fields;

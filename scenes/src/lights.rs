@@ -83,7 +83,7 @@ pub(crate) fn surroundings(fields: &Fields, scene: &mut Scene) -> Result<(), Sce
     }
     if let Some(backdrop) = fields.table("backdrop", "the backdrop")? {
         if backdrop.value("file").is_some() {
-            scene.backdrop = Box::new(panorama(MipMap::new(picture(&backdrop)?)));
+            scene.backdrop = Box::new(panorama(MipMap::new(&picture(&backdrop)?)));
         } else {
             let below = backdrop.light("below")?.unwrap_or(Rgb::BLACK);
             let horizon = backdrop.light("horizon")?.unwrap_or(Rgb::BLACK);

@@ -1,7 +1,8 @@
 //! Materials: each has a name, and shapes may share it.
 
-use crate::fields::{Fields, colour};
+use crate::fields::Fields;
 use crate::lights::picture;
+use crate::values::colour;
 use crate::wrong::{SceneError, did_you_mean, listed, shown};
 use raybook::image::{mip::MipMap, rgb::Rgb};
 use raybook::material::Material;
@@ -162,7 +163,7 @@ fn paint(fields: &Fields) -> Result<Paint, SceneError> {
         Paint::Squares { colours, side }
     } else {
         let repeat = fields.number("repeat", 1e-6..=1e6)?.unwrap_or(1.0);
-        let map = Arc::new(MipMap::new(picture(&fields)?));
+        let map = Arc::new(MipMap::new(&picture(&fields)?));
         Paint::Picture { map, repeat }
     };
     fields.finish()?;

@@ -105,7 +105,7 @@ fn look(fields: &Fields, mesh: Mesh) -> Result<Mesh, SceneError> {
     let path = fields.source().beside(name);
     let picture = raybook::image::file::load(&path)
         .map_err(|error| fields.wrong("normal_map", error.to_string()))?;
-    let map = NormalMap::new(picture.map(|pixel| pixel.map(tone::encode_srgb)));
+    let map = NormalMap::new(&picture.map(|pixel| pixel.map(tone::encode_srgb)));
     Ok(mesh.with_bumps(Arc::new(map)))
 }
 

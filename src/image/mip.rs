@@ -17,7 +17,7 @@ impl MipMap {
     ///
     /// # Panics
     /// If the picture has no pixel.
-    pub fn new(picture: Image) -> Self {
+    pub fn new(picture: &Image) -> Self {
         assert!(!picture.pixels().is_empty(), "a texture has pixels");
         let finite = |v: f32| if v.is_finite() { v } else { 0.0 };
         let mut levels = vec![picture.map(|pixel| pixel.map(finite))];

@@ -12,7 +12,7 @@ use std::sync::Arc;
 /// use raybook::prelude::*;
 ///
 /// let stripes = Image::from_fn(2, 1, |x, _| Rgb::gray([0.2, 0.8][x]));
-/// let paper = ImageTexture::new(MipMap::new(stripes), |albedo| Lambert { albedo });
+/// let paper = ImageTexture::new(MipMap::new(&stripes), |albedo| Lambert { albedo });
 /// let ball = Thing::new(Sphere::new(Vec3::ZERO, 1.0), paper);
 /// ```
 pub struct ImageTexture<M> {

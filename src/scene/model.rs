@@ -138,7 +138,7 @@ impl Pictures {
         if let Some(map) = self.colours.get(&path) {
             return Ok(map.clone());
         }
-        let map = Arc::new(MipMap::new(file::load(&path)?));
+        let map = Arc::new(MipMap::new(&file::load(&path)?));
         Ok(self.colours.entry(path).or_insert(map).clone())
     }
 
@@ -147,7 +147,7 @@ impl Pictures {
             return Ok(map.clone());
         }
         let picture = file::load(&path)?.map(|pixel| pixel.map(tone::encode_srgb));
-        let map = Arc::new(NormalMap::new(picture));
+        let map = Arc::new(NormalMap::new(&picture));
         Ok(self.normals.entry(path).or_insert(map).clone())
     }
 }

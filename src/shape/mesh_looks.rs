@@ -8,6 +8,7 @@ use std::collections::HashMap;
 
 impl Mesh {
     /// The mesh with its edges to be seen: each triangle has vertices of its own, with its own normal.
+    #[must_use]
     pub fn flat(&self) -> Self {
         let corners = self.triangles().iter().flatten().map(|&i| i as usize);
         let positions: Vec<_> = corners.clone().map(|i| self.positions()[i]).collect();
@@ -18,6 +19,7 @@ impl Mesh {
 
     /// The mesh as one round surface: wherever vertices are at the same place, they have the same normal, the mean of all
     /// triangles around the place.
+    #[must_use]
     pub fn smooth(&self) -> Self {
         let mut first = HashMap::new();
         let bits = |p: &Vec3| (*p + Vec3::ZERO).to_array().map(f32::to_bits); // −0 + 0 is 0

@@ -19,9 +19,9 @@ impl NormalMap {
     ///
     /// # Panics
     /// If the picture has no pixel.
-    pub fn new(picture: Image) -> Self {
+    pub fn new(picture: &Image) -> Self {
         Self {
-            map: MipMap::new(picture.map(|pixel| pixel.map(|v| 2.0 * v - 1.0))),
+            map: MipMap::new(&picture.map(|pixel| pixel.map(|v| 2.0 * v - 1.0))),
         }
     }
 

@@ -143,9 +143,9 @@ fn read(text: &str) -> Result<Obj, Wrong> {
 impl Obj {
     /// Bytes of what was read; a triangle stands here, and twice as three indices while the mesh is made.
     fn bytes(&self) -> u64 {
-        let triangle = size_of::<[Corner; 3]>() + 2 * size_of::<[u32; 3]>() + size_of::<u32>();
         /// A name, and its place among the others.
         const NAME: usize = 200;
+        let triangle = size_of::<[Corner; 3]>() + 2 * size_of::<[u32; 3]>() + size_of::<u32>();
         let bytes = self.triangles.len() * triangle
             + (self.materials.len() + self.libraries.len()) * NAME
             + size_of_val(&*self.positions)

@@ -1,6 +1,7 @@
 //! Plastic: nothing is gained, nothing is lost but what the ground absorbs, and both ways are one.
 
 use glam::{Vec3, vec3};
+use rand::RngExt;
 use raybook::material::plastic::Plastic;
 use raybook::math::pcg;
 use raybook::prelude::*;
@@ -61,12 +62,10 @@ fn light_finds_its_way_through_the_coat_as_a_walk_says() {
     let plastic = Plastic::new(Rgb::gray(albedo), index);
     let mut numbers = pcg::stream(5, 0);
     let f = Mean::sampled(22, 4000, |rng| {
-        use rand::RngExt;
         let u = vec2(rng.random(), rng.random());
         let toward = plastic.sample(&flat(), Dir3::Y, u).expect("above");
         plastic.eval(&flat(), Dir3::Y, toward).g * toward.y / plastic.pdf(&flat(), Dir3::Y, toward)
     });
-    use rand::RngExt;
     let walk = || {
         // It came straight down, through 96 % of the coat.
         if numbers.random::<f32>() < 0.04 {
@@ -83,9 +82,6 @@ fn light_finds_its_way_through_the_coat_as_a_walk_says() {
             }
         }
     };
-    let walks: Vec<f64> = std::iter::repeat_with(walk)
-        .take(40_000)
-        .map(f64::from)
-        .collect();
+    let walks: Vec<f64> = std::iter::repeat_with(walk).take(40_000).collect();
     f.assert_same(&Mean::of(&walks), "the share that leaves");
 }

@@ -8,14 +8,14 @@ use raybook::image::{Image, mip::MipMap, rgb::Rgb};
 
 /// Four by two pixels, each of its own value.
 fn numbered() -> MipMap {
-    MipMap::new(Image::from_fn(4, 2, |x, y| Rgb::gray((4 * y + x) as f32)))
+    MipMap::new(&Image::from_fn(4, 2, |x, y| Rgb::gray((4 * y + x) as f32)))
 }
 
 #[test]
 fn in_the_middle_of_a_pixel_is_its_colour_and_v_goes_up() {
     let map = numbered();
     for (x, y) in (0..2).flat_map(|y| (0..4).map(move |x| (x, y))) {
-        let place = vec2((x as f32 + 0.5) / 4.0, 1.0 - (y as f32 + 0.5) / 2.0);
+        let place = vec2((x as f32 + 0.5) / 4.0, 0.75 - y as f32 / 2.0);
         let value = (4 * y + x) as f32;
         for turns in [Vec2::ZERO, vec2(3.0, -2.0), vec2(-1.0, 5.0)] {
             let got = map.bilinear(0, place + turns).g;
@@ -48,7 +48,7 @@ fn every_level_has_the_same_mean_and_the_last_is_one_pixel() {
         let picture = Image::from_fn(width, height, |x, y| {
             Rgb::new((x * x % 7) as f32, (x + 3 * y) as f32, (y % 2) as f32)
         });
-        let map = MipMap::new(picture);
+        let map = MipMap::new(&picture);
         let mean = |level: &Image| {
             let sum: Rgb = level.pixels().iter().copied().sum();
             sum / level.pixels().len() as f32

@@ -30,13 +30,15 @@ fn seen(mesh: &Mesh) -> Surface {
 fn leaning(lean: Vec3) -> Arc<NormalMap> {
     let code = 0.5 * lean.normalize() + 0.5;
     let picture = Image::from_fn(4, 4, |_, _| Rgb::new(code.x, code.y, code.z));
-    Arc::new(NormalMap::new(picture))
+    Arc::new(NormalMap::new(&picture))
 }
+
+/// Where the texture coordinates go.
+type Turn = fn(Vec2) -> Vec2;
 
 #[test]
 fn a_normal_map_leans_along_u_and_v_wherever_these_go() {
     let lean = vec3(0.3, 0.1, 1.0);
-    type Turn = fn(Vec2) -> Vec2;
     let cases: [(Turn, Vec3); 4] = [
         (|p| p, vec3(0.3, 0.1, 1.0)),
         (|p| 3.0 * p, vec3(0.3, 0.1, 1.0)),
@@ -107,7 +109,7 @@ fn a_flat_teapot_has_its_triangles_normals_and_a_smooth_one_is_round_again() {
 fn a_textured_surface_sends_on_what_its_picture_says() {
     // Under a white sky, a matte plane is as bright as its albedo, texel by texel.
     let picture = Image::from_fn(2, 2, |x, y| Rgb::gray(0.2 + 0.2 * (2 * y + x) as f32));
-    let paper = ImageTexture::new(MipMap::new(picture.clone()), |albedo| Lambert { albedo });
+    let paper = ImageTexture::new(MipMap::new(&picture), |albedo| Lambert { albedo });
     let square = Meshed::new(square(|p| p), WideBvh::new);
     let scene = Scene::new(vec![Thing::new(square, paper)], vec![])
         .surrounded_by(Rgb::BLACK, |_| Rgb::WHITE);

@@ -151,8 +151,7 @@ fn what_is_wrong_is_said_with_file_line_and_column() {
     ] {
         let folder = folder(obj, mtl);
         let error = model::load(&folder.path().join("model.obj"))
-            .err()
-            .expect(message)
+            .expect_err(message)
             .to_string();
         let name = folder.path().display().to_string();
         assert_eq!(error.replace(&(name + "/"), ""), message);

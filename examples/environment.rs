@@ -45,14 +45,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         0.045,
         film.aspect(),
     )?;
-    let path = Path {
-        depth: 10,
-        sure: 4,
-        strategy: Strategy::Both,
-    };
-    let picture = render_evenly(&film, |place, numbers| {
-        path.follow(&scene, &camera.ray_through(place), numbers)
-    });
+    let picture = film.render(&camera, &Sampler::Even, &Path::WHOLE, &scene);
     file::save("environment.png".as_ref(), &picture.map(tone::aces))?;
     println!("wrote environment.png");
     Ok(())

@@ -30,17 +30,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         vec3(2.0, 2.2, 6.0),
         vec3(0.0, 0.9, 0.0),
         Vec3::Y,
-        0.035,
+        focal_length(38.0),
         film.aspect(),
     )?;
-    let path = Path {
-        depth: 8,
-        sure: 3,
-        strategy: Strategy::Both,
-    };
-    let picture = render_evenly(&film, |place, numbers| {
-        path.follow(&scene, &camera.ray_through(place), numbers)
-    });
+    let picture = film.render(&camera, &Sampler::Even, &Path::WHOLE, &scene);
     file::save("first_picture.png".as_ref(), &picture.map(tone::aces))?;
     println!("wrote first_picture.png");
     Ok(())

@@ -35,9 +35,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         };
         let scene = Scene::new(vec![Thing::new(turned, clay)], vec![])
             .surrounded_by(Rgb::BLACK, |ray| Rgb::gray(0.7 + 0.3 * ray.direction.y));
-        let picture = render_evenly(&film, |place, numbers| {
-            path.follow(&scene, &camera.ray_through(place), numbers)
-        });
+        let picture = film.render(&camera, &Sampler::Even, &path, &scene);
         let name = format!("frame_{frame:02}.png");
         file::save(name.as_ref(), &picture)?;
         println!("wrote {name}");

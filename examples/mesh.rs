@@ -27,9 +27,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         sure: 3,
         strategy: Strategy::Surface,
     };
-    let picture = render_evenly(&film, |place, numbers| {
-        path.follow(&scene, &camera.ray_through(place), numbers)
-    });
+    let picture = film.render(&camera, &Sampler::Even, &path, &scene);
     file::save("mesh.png".as_ref(), &picture)?;
     println!("wrote mesh.png");
     Ok(())

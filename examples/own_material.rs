@@ -70,9 +70,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         sure: 3,
         strategy: Strategy::Surface,
     };
-    let picture = render_evenly(&film, |place, numbers| {
-        path.follow(&scene, &camera.ray_through(place), numbers)
-    });
+    let picture = film.render(&camera, &Sampler::Even, &path, &scene);
     file::save("own_material.png".as_ref(), &picture)?;
     println!("wrote own_material.png");
     Ok(())

@@ -48,6 +48,7 @@ impl Shape for Disc {
             normal: self.normal,
             shading_normal: self.normal,
             texture: Vec2::ZERO,
+            lift: Vec3::ZERO,
         }
     }
 }
@@ -81,9 +82,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         sure: 3,
         strategy: Strategy::Surface,
     };
-    let picture = render_evenly(&film, |place, numbers| {
-        path.follow(&scene, &camera.ray_through(place), numbers)
-    });
+    let picture = film.render(&camera, &Sampler::Even, &path, &scene);
     file::save("own_shape.png".as_ref(), &picture)?;
     println!("wrote own_shape.png");
     Ok(())

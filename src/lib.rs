@@ -43,12 +43,14 @@
 //! | radiance, exposure, tone curves, sRGB | `image/rgb.rs` `image/tone.rs` |
 //! | EXR, HDR and PNG files | `image/file.rs` |
 //! | files that appear whole or not at all, and how large they may be | `store.rs` `memory.rs` |
+//! | pictures looked up between their pixels, and blurred: textures | `image/mip.rs` |
 //! | how much two pictures differ | `image/compare.rs` `image/rms.rs` |
 //! | what a shape must answer; leaving a surface without hitting it again | `shape/mod.rs` |
 //! | sphere, plane, box | `shape/sphere.rs` `shape/plane.rs` `shape/cuboid.rs` |
 //! | triangle: Möller–Trumbore, plane first, determinants, watertight | `shape/triangle.rs` `shape/triangle_by_plane.rs` `shape/triangle_by_determinants.rs` `shape/triangle_watertight.rs` |
 //! | a shape seen elsewhere: instances | `shape/placed.rs` |
-//! | meshes, their normals and texture coordinates; OBJ and STL files | `shape/mesh.rs` `shape/attributes.rs` `shape/mesh_file.rs` |
+//! | meshes, their normals and texture coordinates, where light ends on them; OBJ and STL files | `shape/mesh.rs` `shape/attributes.rs` `shape/mesh_file.rs` |
+//! | flat and smooth meshes; normal maps | `shape/mesh_looks.rs` `shape/normal_map.rs` |
 //! | Bézier patches and the teapot | `shape/bezier.rs` `shape/teapot.rs` |
 //! | sampling patterns of a pixel | `sample/pattern/mod.rs` |
 //! | filters | `sample/filter.rs` |
@@ -64,14 +66,16 @@
 //! | what a material must answer, and its lobes; Phong, Blinn, mirror, glass | `material/mod.rs` `material/phong.rs` `material/blinn_phong.rs` `material/mirror.rs` `material/glass.rs` |
 //! | Snell's law, Fresnel's equations | `material/refract.rs` `material/fresnel.rs` |
 //! | matte and glossy surfaces that keep the laws of nature: Lambert, modified Phong | `material/lambert.rs` `material/modified_phong.rs` |
-//! | metals, smooth and rough (GGX) | `material/conductor.rs` `material/ggx.rs` |
-//! | textures: another material at each place | `material/texture.rs` `material/checkered.rs` |
-//! | scenes; scenes described by numbers | `scene/world.rs` `scene/description.rs` |
+//! | metals, smooth and rough (GGX); plastic | `material/conductor.rs` `material/ggx.rs` `material/plastic.rs` |
+//! | textures: another material at each place; from a picture | `material/texture.rs` `material/checkered.rs` `material/image_texture.rs` |
+//! | a model from an OBJ file: its materials (MTL), their pictures | `material/mtl.rs` `scene/model.rs` |
+//! | scenes; scenes described by numbers; a picture for a backdrop | `scene/world.rs` `scene/description.rs` `scene/backdrop.rs` |
 //! | pin-hole, thin lens, fisheye, panorama | `camera/pinhole.rs` `camera/thin_lens.rs` `camera/fisheye.rs` `camera/panorama.rs` |
-//! | the film loop; how many rays were followed | `render/film.rs` `render/followed.rs` |
+//! | the film loop; from a scene to a picture, and its samplers; how many rays were followed | `render/film.rs` `render/sampler.rs` `render/followed.rs` |
 //! | local illumination, shadows, soft shadows | `render/local.rs` `render/shadow.rs` `render/soft_shadow.rs` |
 //! | Whitted's ray tracing | `render/whitted.rs` |
 //! | path tracing, multiple importance sampling | `render/path.rs` `render/mis.rs` |
+//! | light cut off sample by sample: fireflies, edges of lamps | `render/clamped.rs` |
 //! | supersampling, adaptive supersampling | `render/supersample.rs` `render/adaptive.rs` |
 //! | curved rays, the black hole | `render/curved/mod.rs` |
 

@@ -1,15 +1,24 @@
 //! What most programs that draw a picture use: `use raybook::prelude::*;`.
 
 pub use crate::accel::{Accel, Meshed, bvh::Bvh, list::List, wide_bvh::WideBvh};
-pub use crate::camera::pinhole::Pinhole;
-pub use crate::image::{Image, file, rgb::Rgb, tone};
+pub use crate::camera::aperture::Aperture;
+pub use crate::camera::pinhole::{Pinhole, focal_length};
+pub use crate::camera::{Camera, thin_lens::ThinLens};
+pub use crate::image::{Image, file, mip::MipMap, rgb::Rgb, tone};
 pub use crate::light::{Light, directional::DirectionalLight, environment::Environment};
-pub use crate::light::{point::PointLight, rect_light::RectLight, sphere_light::SphereLight};
+pub use crate::light::{
+    extent::Choose, point::PointLight, rect_light::RectLight, sphere_light::SphereLight,
+};
 pub use crate::material::conductor::{Conductor, Metal};
 pub use crate::material::glass::{Glass, Medium};
-pub use crate::material::{Material, ggx::Ggx, lambert::Lambert, mirror::Mirror, phong::Phong};
+pub use crate::material::image_texture::ImageTexture;
+pub use crate::material::{
+    Material, ggx::Ggx, lambert::Lambert, mirror::Mirror, phong::Phong, plastic::Plastic,
+};
 pub use crate::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray};
-pub use crate::render::{film::Film, mis::Strategy, path::Path, refine::render_evenly};
+pub use crate::render::clamped::Clamped;
+pub use crate::render::sampler::{Integrator, Sampler};
+pub use crate::render::{film::Film, mis::Strategy, path::Path, whitted::Whitted};
 pub use crate::scene::world::{Scene, Thing};
 pub use crate::shape::{Hit, Shape, Surface, cuboid::Cuboid, mesh::Mesh, placed::Placed};
 pub use crate::shape::{plane::Plane, sphere::Sphere, triangle::Triangle};

@@ -15,7 +15,7 @@ use raybook::camera::{
 };
 use raybook::image::{Image, rgb::Rgb};
 use raybook::math::dir3::Dir3;
-use raybook::render::film::Film;
+use raybook::render::film::{Film, SILENT};
 use std::process::ExitCode;
 
 /// Draws the chapter's pictures.
@@ -40,7 +40,7 @@ pub fn draw(stage: &Stage) -> Drawn {
     let tile = Film {
         width: 400,
         height: 225,
-        progress: &|_| (),
+        progress: SILENT,
         ..film
     };
     let views = [14.0_f32, 24.0, 50.0, 100.0].map(|millimetres| -> Result<_, LookAtError> {
@@ -64,7 +64,7 @@ pub fn draw(stage: &Stage) -> Drawn {
 /// What the rays of a camera at the origin see: nothing but directions.
 fn directions(film: &Film, toward: Vec3, focal_length: f32) -> Result<Image, LookAtError> {
     let camera = Pinhole::look_at(Vec3::ZERO, toward, Vec3::Y, focal_length, film.aspect())?;
-    Ok(film.render(|place, _| {
+    Ok(film.sample(|place, _| {
         let d = camera.ray(place, Vec2::ZERO).direction;
         let below_horizon = if d.y < 0.0 { 0.55 } else { 1.0 };
         // From [−1, 1] to [0, 1]; squared, because the eye finds half the light much brighter than half.

@@ -1,7 +1,7 @@
 //! Radiance has no upper limit, but a display has: how to expose, how to map what is too bright, and how to keep it all.
 //!
 //! New: image/tone.rs image/file.rs image/codec.rs image/compare.rs
-//! New: scene/mod.rs scene/noise.rs
+//! New: scene/mod.rs scene/noise.rs sample/even.rs render/refine.rs
 
 pub mod evening;
 mod stops;
@@ -13,6 +13,7 @@ use crate::kit::stage::{Drawn, Stage};
 use glam::{Vec2, Vec3};
 use raybook::camera::{Camera, pinhole::Pinhole};
 use raybook::image::{Image, file, rgb::Rgb, tone};
+use raybook::render::film::Film;
 use std::process::ExitCode;
 
 /// The exposure at which the room and the view can both be guessed, in stops.
@@ -25,7 +26,7 @@ const EXPOSURE: f32 = -2.0;
 pub fn draw(stage: &Stage) -> Drawn {
     let film = stage.film_of(960, 24, 16.0 / 9.0);
     let camera = Pinhole::look_at(window::EYE, window::MIDDLE, Vec3::Y, 0.024, film.aspect())?;
-    let radiance = film.render_edges(|place, _| window::radiance(&camera.ray(place, Vec2::ZERO)));
+    let radiance = film.refine(|place, _| window::radiance(&camera.ray(place, Vec2::ZERO)));
     let picture = radiance.map(|p| tone::expose(p, EXPOSURE));
     stage.picture(
         "picture",
@@ -51,6 +52,32 @@ pub fn draw(stage: &Stage) -> Drawn {
         "One radiance, six exposures: each shows what the others clamp to white or lose in black.",
         &sheet(3, &tiles)?,
     )?;
+    let near = Film {
+        width: 90,
+        height: 60,
+        ..film
+    };
+    let close = Pinhole::look_at(window::EYE, window::MIDDLE, Vec3::Y, 0.07, near.aspect())?;
+    let seen = |place| window::radiance(&close.ray(place, Vec2::ZERO));
+    let shown = |radiance| tone::clamp(tone::expose(radiance, EXPOSURE));
+    let tiles = [
+        (
+            "clamped after the mean",
+            near.evenly(|place, _| seen(place)).map(shown),
+        ),
+        (
+            "clamped before the mean",
+            near.evenly(|place, _| shown(seen(place))),
+        ),
+    ];
+    let tiles = tiles.map(|(name, tile)| (name, tile.enlarged(5)));
+    stage.figure(
+        "edges",
+        "The window's bars before the bright sky, pixel by pixel. The mean of the light is right, and has stairs; \
+         the mean of what is shown is wrong, and smooth.",
+        &sheet(2, &tiles)?,
+    )?;
+
     let toned = |name, curve: fn(Rgb) -> Rgb| (name, exposed(EXPOSURE).map(curve));
     let tiles = [
         toned("clamped", tone::clamp),

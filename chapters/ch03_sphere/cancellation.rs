@@ -37,7 +37,7 @@ pub(super) fn figure(film: Film) -> Figure {
     for (name, direction, normal) in rows {
         for (distance, far) in DISTANCES {
             captions.push(format!("{name}, {far}"));
-            tiles.push(film.render_edges(|place, _| {
+            tiles.push(film.refine(|place, _| {
                 let ray = ray(place, direction, distance);
                 normal(&ray).map_or(Rgb::gray(0.8), palette::direction)
             }));

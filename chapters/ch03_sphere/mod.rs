@@ -25,7 +25,7 @@ pub fn draw(stage: &Stage) -> Drawn {
     let (from, to) = (vec3(-2.5, 9.5, 11.5), vec3(0.0, 0.0, 0.3));
     let camera = Pinhole::look_at(from, to, Vec3::Y, 0.042, film.aspect())?;
     let flower: Vec<_> = (0..110).map(petal).collect();
-    let picture = film.render_edges(|place, _| {
+    let picture = film.refine(|place, _| {
         let normal = nearest(&flower, &camera.ray(place, Vec2::ZERO));
         normal.map_or(palette::backdrop(place.y), |n| palette::direction(*n))
     });
@@ -66,7 +66,7 @@ fn roots(film: Film) -> Figure {
     let outside = Pinhole::look_at(vec3(0.0, 1.6, 3.6), Vec3::ZERO, Vec3::Y, 0.035, 1.0)?;
     let inside = Pinhole::look_at(vec3(0.0, 0.4, 0.9), Vec3::ZERO, Vec3::Y, 0.012, 1.0)?;
     let tile = |camera: Pinhole, root: usize| {
-        film.render_edges(|place, _| {
+        film.refine(|place, _| {
             let ray = camera.ray(place, Vec2::ZERO);
             let beyond = |t| sphere.hit(&ray, Interval::new(t, f32::INFINITY));
             let hit = successors(beyond(0.0), |hit| beyond(hit.t)).nth(root);

@@ -35,7 +35,7 @@ pub fn draw(stage: &Stage) -> Drawn {
     let normal = |at: &Surface, t: f32| haze(palette::direction(*at.normal), t);
     let mut things: Vec<(&dyn Shape, Paint)> = vec![(&floor, &stone)];
     things.extend(balls.iter().map(|ball| (ball as _, &normal as _)));
-    let picture = film.render_edges(|place, _| see(&camera.ray(place, Vec2::ZERO), &things));
+    let picture = film.refine(|place, _| see(&camera.ray(place, Vec2::ZERO), &things));
     let caption = "Tiles of one metre, out to the horizon, where haze hides that they are smaller than a pixel. \
         Of a ray's hits, on the floor or a ball, the nearest is seen.";
     stage.picture("picture", caption, &picture)?;
@@ -65,7 +65,7 @@ fn planes(film: Film) -> Figure {
         let square_to = |&n: &Vec3| Plane::through(Vec3::ZERO, Dir3::new_or(n, Dir3::Y));
         let planes: Vec<_> = normals.iter().map(square_to).collect();
         let things: Vec<_> = planes.iter().map(|plane| (plane as _, paint)).collect();
-        film.render_edges(|place, _| see(&camera.ray(place, Vec2::ZERO), &things))
+        film.refine(|place, _| see(&camera.ray(place, Vec2::ZERO), &things))
     };
     let doubling = |_: &Surface, t: f32| palette::viridis(t.log2().floor() / 10.0);
     let normal = |at: &Surface, t: f32| {

@@ -62,7 +62,7 @@ fn column(x: i32, z: i32) -> Option<Cuboid> {
 
 /// What the rays of a camera see.
 fn view(film: &Film, camera: &Pinhole, see: impl Fn(&Ray) -> Option<Rgb> + Sync) -> Image {
-    film.render_edges(|place, _| {
+    film.refine(|place, _| {
         let seen = see(&camera.ray(place, Vec2::ZERO));
         seen.unwrap_or(palette::backdrop(place.y))
     })

@@ -65,7 +65,7 @@ fn photograph(film: &Film, look: Look) -> Result<Image, LookAtError> {
     let solids = platonic::still_life();
     let floor = Plane::through(Vec3::ZERO, Dir3::Y);
     let sun = Dir3::new_or(vec3(-0.5, 1.4, 0.7), Dir3::Y);
-    Ok(film.render_edges(|place, _| {
+    Ok(film.refine(|place, _| {
         let ray = camera.ray_through(place);
         if let Some((triangle, hit)) = nearest(&solids, &ray) {
             let at = triangle.surface(&ray, &hit);

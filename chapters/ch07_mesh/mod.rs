@@ -74,7 +74,7 @@ fn picture(film: &Film, mesh: &Mesh, look: Look) -> (Image, u64) {
     let room = Showroom::around(mesh, film.aspect());
     let shape = Meshed::new(mesh.clone(), List::new);
     let tests = AtomicU64::new(0);
-    let image = film.render_edges(|place, _| {
+    let image = film.refine(|place, _| {
         let ray = room.ray(place);
         let mut count = Tests::default();
         let hit = nearest(&shape, &ray, &mut count);

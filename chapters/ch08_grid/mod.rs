@@ -41,7 +41,7 @@ pub fn draw(stage: &Stage) -> Drawn {
             round: crowd.teapot(id).is_some(),
         }
     };
-    let picture = film.render_edges(|place, _| {
+    let picture = film.refine(|place, _| {
         let ray = camera.ray_through(place);
         match grid.closest(&ray, Interval::AHEAD) {
             Some((_, hit)) => {

@@ -33,7 +33,7 @@ pub fn draw(stage: &Stage) -> Drawn {
     let caption = format!(
         "A teapot in a stadium of {triangles} triangles, and its shadow. A uniform grid has cells as large as suit the seats, and one or two of them hold all of the teapot."
     );
-    let picture = film.render_edges(|place, _| {
+    let picture = film.refine(|place, _| {
         let ray = camera.ray_through(place);
         match fine.closest(&ray, Interval::AHEAD) {
             Some((_, hit)) => {

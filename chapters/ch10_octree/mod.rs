@@ -74,7 +74,7 @@ pub fn draw(stage: &Stage) -> Drawn {
 fn photograph(film: &Film, mesh: &Mesh, blocks: Vec<Cuboid>, kept: Vec<Facet>) -> Image {
     let room = Showroom::around(mesh, film.aspect());
     let (blocks, kept) = (Octree::new(blocks), Octree::of_facets(kept));
-    film.render_edges(|place, _| {
+    film.refine(|place, _| {
         let ray = room.ray(place);
         let facet = kept.closest(&ray, Interval::AHEAD);
         let before = facet.map_or(Interval::AHEAD, |(_, hit)| Interval::AHEAD.before(hit.t));

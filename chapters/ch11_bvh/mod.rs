@@ -38,7 +38,7 @@ pub fn draw(stage: &Stage) -> Drawn {
     let (eye, to) = (vec3(-3.9, 2.0, 4.3), vec3(0.3, 0.62, -0.7));
     let camera = Pinhole::look_at(eye, to, Vec3::Y, 0.044, film.aspect())?;
     let sun = mountains::toward_sun();
-    let picture = film.render_edges(|place, _| {
+    let picture = film.refine(|place, _| {
         let ray = camera.ray_through(place);
         let Some((_, hit)) = tree.closest(&ray, AHEAD) else {
             return sky(ray.direction);

@@ -38,7 +38,7 @@ pub(super) fn figure<S: Shape>(
 fn blocks(film: &Film, room: &Showroom, boxes: &[Aabb]) -> Image {
     let cuboid = |bounds: &Aabb| Cuboid::between(bounds.min, bounds.max);
     let tree = Bvh::new(boxes.iter().map(cuboid).collect());
-    film.render_edges(|place, _| {
+    film.refine(|place, _| {
         let ray = room.ray(place);
         let Some((cuboid, hit)) = tree.closest(&ray, Interval::AHEAD) else {
             return room.backdrop(place, &ray);

@@ -67,7 +67,7 @@ fn photograph(film: &Film, camera: &Pinhole, scene: &Scene) -> Image {
         samples: 1,
         arrives: ALWAYS,
     };
-    film.render_edges(|place, rng| {
+    film.refine(|place, rng| {
         let ray = camera.ray_through(place);
         let radiance = match scene.closest(&ray) {
             Some(seen) => local.follow(scene, &seen, -ray.direction, rng).radiance,

@@ -2,7 +2,6 @@
 //! and something must end it where mirrors face each other.
 //!
 //! New: material/mirror.rs material/polished.rs render/whitted.rs scene/marbles.rs
-//! New: sample/even.rs render/refine.rs
 
 pub mod kissing_balls;
 
@@ -15,7 +14,7 @@ use raybook::camera::pinhole::Pinhole;
 use raybook::image::Image;
 use raybook::render::film::Film;
 use raybook::render::local::{ALWAYS, Local};
-use raybook::render::refine::refine;
+use raybook::render::sampler::Sampler;
 use raybook::render::whitted::Whitted;
 use raybook::scene::marbles;
 use raybook::scene::world::Scene;
@@ -84,9 +83,7 @@ fn whitted(depth: u32) -> Whitted {
 }
 
 fn photograph(film: &Film, camera: &Pinhole, scene: &Scene, depth: u32) -> Image {
-    refine(film, |place, rng| {
-        whitted(depth).follow(scene, &camera.ray_through(place), rng)
-    })
+    film.render(camera, &Sampler::Refined, &whitted(depth), scene)
 }
 
 /// The chapter's binary.

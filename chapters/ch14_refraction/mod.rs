@@ -15,7 +15,7 @@ use raybook::camera::pinhole::{LookAtError, Pinhole};
 use raybook::image::Image;
 use raybook::render::film::Film;
 use raybook::render::local::{ALWAYS, Local};
-use raybook::render::refine::refine;
+use raybook::render::sampler::Sampler;
 use raybook::render::whitted::Whitted;
 use raybook::scene::world::Scene;
 use std::process::ExitCode;
@@ -83,9 +83,7 @@ fn photograph(
         arrives: ALWAYS,
     };
     let whitted = Whitted { local, depth };
-    Ok(refine(film, |place, rng| {
-        whitted.follow(scene, &camera.ray_through(place), rng)
-    }))
+    Ok(film.render(&camera, &Sampler::Refined, &whitted, scene))
 }
 
 /// The chapter's binary.

@@ -3,6 +3,7 @@
 //!
 //! New: render/shadow.rs
 
+mod stairs;
 mod wrong_shadows;
 
 use crate::kit::chapter;
@@ -14,7 +15,7 @@ use raybook::camera::pinhole::Pinhole;
 use raybook::image::Image;
 use raybook::render::film::Film;
 use raybook::render::local::{Arrives, Local};
-use raybook::render::refine::refine;
+use raybook::render::sampler::Sampler;
 use raybook::render::shadow;
 use raybook::render::whitted::Whitted;
 use raybook::scene::marbles;
@@ -57,6 +58,10 @@ pub fn draw(stage: &Stage) -> Drawn {
         it, and are in its shadow. Rays that start too far off miss what stands close. Rays without an end are stopped behind the lamp.";
     stage.figure("wrong", caption, &sheet(2, &tiles)?)?;
 
+    let caption = "A teapot of 4 × 4 cells a patch, low in the sun. Left, its facets show where light ends, for each is in its own shadow as a whole. \
+        Right, shadow rays start where the round surface would be.";
+    stage.figure("terminator", caption, &stairs::figure(&tile)?)?;
+
     let (width, height) = ray_tree_figure::PHOTOGRAPH;
     let film = Film {
         width,
@@ -85,10 +90,7 @@ fn whitted(arrives: Arrives) -> Whitted {
 }
 
 fn photograph(film: &Film, camera: &Pinhole, scene: &Scene, arrives: Arrives) -> Image {
-    let whitted = whitted(arrives);
-    refine(film, |place, rng| {
-        whitted.follow(scene, &camera.ray_through(place), rng)
-    })
+    film.render(camera, &Sampler::Refined, &whitted(arrives), scene)
 }
 
 /// The chapter's binary.

@@ -13,9 +13,10 @@ use crate::kit::stage::{Drawn, Stage};
 use glam::Vec3;
 use raybook::camera::pinhole::{LookAtError, Pinhole};
 use raybook::light::Light;
+use raybook::math::pcg::Pcg;
 use raybook::render::film::Film;
 use raybook::render::local::Local;
-use raybook::render::refine::refine;
+use raybook::render::sampler::Sampler;
 use raybook::render::shadow;
 use raybook::render::whitted::Whitted;
 use std::process::ExitCode;
@@ -41,9 +42,7 @@ pub fn draw(stage: &Stage) -> Drawn {
     let film = stage.film_of(960, 16, 16.0 / 9.0);
     let camera = camera(whole, &film)?;
     let scene = posts::under(posts::square(1.4));
-    let picture = refine(&film, |place, numbers| {
-        ONE_SAMPLE.follow(&scene, &camera.ray_through(place), numbers)
-    });
+    let picture = film.render(&camera, &Sampler::Refined, &ONE_SAMPLE, &scene);
     let caption = "Under a square light of 1.4 m, shadows are sharp near what throws them, and the softer the farther away they fall.";
     stage.picture("picture", caption, &picture)?;
 
@@ -56,8 +55,8 @@ pub fn draw(stage: &Stage) -> Drawn {
     let counts = [("1 sample", 1), ("4", 4), ("16", 16), ("64", 64)];
     let tiles = counts.map(|(name, samples)| {
         let whitted = with_samples(samples);
-        let see = |place, rng: &mut _| whitted.follow(&scene, &close.ray_through(place), rng);
-        (name, one_ray.render(see))
+        let see = |place, rng: &mut Pcg| whitted.follow(&scene, &close.ray_through(place), rng);
+        (name, one_ray.sample(see))
     });
     let caption = "One, 4, 16 and 64 samples of the light per pixel: with four times as many, half the noise. It is coarsest where part of the light is seen, and there is none where nothing is.";
     stage.figure("samples", caption, &sheet(4, &tiles)?)?;
@@ -70,9 +69,8 @@ pub fn draw(stage: &Stage) -> Drawn {
     ];
     let tiles = lights.map(|(name, light)| {
         let scene = posts::under(light);
-        let see =
-            |place, numbers: &mut _| ONE_SAMPLE.follow(&scene, &close.ray_through(place), numbers);
-        (name, refine(&tile, see))
+        let picture = tile.render(&close, &Sampler::Refined, &ONE_SAMPLE, &scene);
+        (name, picture)
     });
     let caption = "The same place under a point, a small and a large square, and a sphere: the larger the light, the wider the penumbra.";
     stage.figure("lights", caption, &sheet(4, &tiles)?)?;

@@ -52,6 +52,7 @@ impl Shadow {
             normal: Dir3::Y,
             shading_normal: Dir3::Y,
             texture: Vec2::ZERO,
+            lift: Vec3::ZERO,
         };
         let rng = &mut pcg::stream(16, u64::from(x.to_bits()));
         visible_fraction(

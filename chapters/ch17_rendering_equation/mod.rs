@@ -15,7 +15,6 @@ use raybook::image::{Image, rgb::Rgb};
 use raybook::render::film::Film;
 use raybook::render::mis::Strategy;
 use raybook::render::path::Path;
-use raybook::render::refine::render_evenly;
 use std::process::ExitCode;
 use strategies::View;
 
@@ -82,7 +81,7 @@ pub fn draw(stage: &Stage) -> Drawn {
 
 /// A picture by paths, ready to be displayed: each ray of the camera begins a path, and what it finds is exposed.
 fn photograph(film: &Film, view: &View, path: Path) -> Image {
-    render_evenly(film, |place, numbers| {
+    film.evenly(|place, numbers| {
         let ray = view.camera.ray_through(place);
         path.radiance(&view.scene, &ray, numbers) * view.exposure
     })

@@ -77,7 +77,7 @@ impl View {
     /// A picture by paths with all that chance does, ready to be displayed.
     fn roll(&self, film: &Film, path: Path) -> Image {
         let ray = |place| self.camera.ray_through(place);
-        let picture = film.render(|at, rng| path.follow(&self.scene, &ray(at), rng));
+        let picture = film.sample(|at, rng| path.follow(&self.scene, &ray(at), rng));
         picture.map(|v| v * self.exposure)
     }
 

@@ -9,7 +9,7 @@ use raybook::material::ggx::Ggx;
 use raybook::render::film::Film;
 use raybook::render::mis::Strategy;
 use raybook::render::path::Path;
-use raybook::render::refine::render_evenly;
+use raybook::render::sampler::Sampler;
 use raybook::scene::world::{Scene, Thing};
 use raybook::shape::sphere::Sphere;
 
@@ -44,7 +44,5 @@ pub(super) fn draw(film: &Film, sky: Box<dyn Light>) -> Result<Image, LookAtErro
         sure: 3,
         strategy: Strategy::Both,
     };
-    Ok(render_evenly(film, |place, numbers| {
-        path.follow(&scene, &camera.ray_through(place), numbers)
-    }))
+    Ok(film.render(&camera, &Sampler::Even, &path, &scene))
 }

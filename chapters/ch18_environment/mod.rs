@@ -22,7 +22,7 @@ use raybook::light::environment::Environment;
 use raybook::render::film::Film;
 use raybook::render::mis::Strategy;
 use raybook::render::path::Path;
-use raybook::render::refine::render_evenly;
+use raybook::render::sampler::Sampler;
 use raybook::scene::still_life::{AT, EYE, still_life};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -86,10 +86,7 @@ fn picture(film: &Film, light: Box<dyn Light>) -> Result<Image, LookAtError> {
         sure: 3,
         strategy: Strategy::Both,
     };
-    let ray = |place| camera.ray_through(place);
-    Ok(render_evenly(film, |at, rng| {
-        path.follow(&scene, &ray(at), rng)
-    }))
+    Ok(film.render(&camera, &Sampler::Even, &path, &scene))
 }
 
 /// The chapter's binary.

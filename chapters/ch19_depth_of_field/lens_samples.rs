@@ -28,7 +28,7 @@ pub(super) fn draw(tile: &Film, scene: &Scene, whitted: &Whitted) -> Result<Imag
     let camera = ThinLens::new(&body, 1.4, 1.0, Aperture::Round)?;
     let film = |samples| Film { samples, ..*tile };
     let by_chance = |samples| {
-        film(samples).render(|place, rng| {
+        film(samples).sample(|place, rng| {
             let ray = camera.ray(place, vec2(rng.random(), rng.random()));
             whitted.follow(scene, &ray, rng)
         })

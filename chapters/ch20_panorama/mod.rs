@@ -25,7 +25,6 @@ use raybook::image::rgb::Rgb;
 use raybook::light::environment::Environment;
 use raybook::render::film::Film;
 use raybook::render::local::Local;
-use raybook::render::refine::refine;
 use raybook::render::shadow;
 use raybook::render::whitted::Whitted;
 use raybook::scene::world::Scene;
@@ -83,7 +82,7 @@ fn photograph(scene: &Scene, film: &Film, rays: Rays) -> Image {
         arrives: Some(shadow::lit),
     };
     let whitted = Whitted { local, depth: 8 };
-    refine(film, |place, rng| {
+    film.refine(|place, rng| {
         rays(place).map_or(Rgb::BLACK.into(), |ray| whitted.follow(scene, &ray, rng))
     })
 }

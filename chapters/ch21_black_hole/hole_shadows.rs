@@ -10,7 +10,6 @@ use raybook::render::curved::black_hole::BlackHole;
 use raybook::render::curved::fan::Fan;
 use raybook::render::curved::observer::shadow_half_angle;
 use raybook::render::film::Film;
-use raybook::render::refine::refine;
 use std::error::Error;
 use std::f32::consts::{FRAC_PI_2, PI};
 
@@ -27,10 +26,7 @@ pub(super) fn draw(film: &Film) -> Result<Image, Box<dyn Error>> {
         let name = format!("r = {r}: {:.1}°", edge.to_degrees());
         let pixel = std::f64::consts::PI / film.width as f64;
         let fan = Fan::new(r * Vec3::Z, FRAC_PI_2.into(), 0.25 * pixel);
-        (
-            name,
-            refine(film, |place, _| seen(&fan, edge as f32, place)),
-        )
+        (name, film.refine(|place, _| seen(&fan, edge as f32, place)))
     });
     let tiles: Vec<_> = tiles
         .iter()

@@ -22,7 +22,6 @@ use raybook::math::dir3::Dir3;
 use raybook::render::curved::black_hole::BlackHole;
 use raybook::render::curved::fan::Fan;
 use raybook::render::film::Film;
-use raybook::render::refine::refine;
 use raybook::scene::accretion_disc::AccretionDisc;
 use starry_sky::starry_sky;
 use std::path::PathBuf;
@@ -61,9 +60,8 @@ fn draw_before(stage: &Stage, sky: &(dyn Fn(Dir3) -> Rgb + Sync)) -> Drawn {
         sky,
     };
     let fan = fan(&camera, &film);
-    let picture = refine(&film, |place, _| {
-        hole.radiance_by(&fan, camera.ray_through(place).direction) * EXPOSURE
-    });
+    let picture = film
+        .refine(|place, _| hole.radiance_by(&fan, camera.ray_through(place).direction) * EXPOSURE);
     let caption = "A black hole and a disc of hot gas. The arch above the shadow is the disc's far side, its light bent over the hole; \
         the left side comes towards us, and is bluer and brighter.";
     stage.picture("picture", caption, &picture)?;

@@ -10,7 +10,6 @@ use raybook::math::ray::Ray;
 use raybook::render::curved::black_hole::BlackHole;
 use raybook::render::curved::fan::Fan;
 use raybook::render::film::Film;
-use raybook::render::refine::refine;
 use raybook::shape::Shape;
 use raybook::shape::sphere::Sphere;
 use std::error::Error;
@@ -27,9 +26,7 @@ pub(super) fn compare(
     exposure: f32,
 ) -> Result<Image, Box<dyn Error>> {
     let tile = |radiance: &(dyn Fn(&Ray) -> Rgb + Sync)| {
-        refine(film, |place, _| {
-            radiance(&camera.ray_through(place)) * exposure
-        })
+        film.refine(|place, _| radiance(&camera.ray_through(place)) * exposure)
     };
     let tiles = [
         (

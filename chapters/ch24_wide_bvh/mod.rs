@@ -17,7 +17,6 @@ use crate::shared::{heat, showroom};
 use confetti::Confetti;
 use raybook::accel::bvh::Bvh;
 use raybook::accel::wide_bvh::WideBvh;
-use raybook::render::refine::refine;
 use std::process::ExitCode;
 use std::sync::atomic::AtomicU64;
 use std::sync::atomic::Ordering::Relaxed;
@@ -32,7 +31,7 @@ pub fn draw(stage: &Stage) -> Drawn {
     let tree = WideBvh::new(confetti.mesh.facets());
     let camera = confetti::camera(film.aspect());
     let rays = AtomicU64::new(0);
-    let picture = refine(&film, |place, numbers| {
+    let picture = film.refine(|place, numbers| {
         let seen = confetti.follow(&camera.ray_through(place), &tree, numbers);
         rays.fetch_add(seen.rays, Relaxed);
         seen

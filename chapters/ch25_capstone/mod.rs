@@ -13,7 +13,6 @@ use glam::{Vec2, Vec3};
 use raybook::camera::pinhole::{LookAtError, Pinhole};
 use raybook::image::Image;
 use raybook::render::film::Film;
-use raybook::render::refine::refine;
 use raybook::render::trace::trace;
 use raybook::scene::description::Description;
 use raybook::scene::four_scenes::{ASPECT, FOUR, Staged};
@@ -73,9 +72,7 @@ fn photograph(
     depth: u32,
 ) -> Result<Image, LookAtError> {
     let camera = camera(staged)?;
-    Ok(refine(film, |place, _| {
-        trace(scene, &camera.ray_through(place), depth)
-    }))
+    Ok(film.refine(|place, _| trace(scene, &camera.ray_through(place), depth)))
 }
 
 /// The chapter's binary.

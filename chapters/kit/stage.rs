@@ -3,10 +3,11 @@
 use crate::kit::{options::Options, rate::Rate, terminal};
 use indicatif::{ProgressBar, ProgressStyle};
 use raybook::image::{Image, file};
-use raybook::render::film::{Done, Film};
+use raybook::render::film::{Done, Film, Progress};
 use std::cell::RefCell;
 use std::error::Error;
 use std::fmt;
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -31,7 +32,7 @@ pub struct Stage {
     options: Options,
     folder: PathBuf,
     show: bool,
-    advance: Box<dyn Fn(Done) + Sync>,
+    advance: Box<Progress<'static>>,
     bar: ProgressBar,
     rate: Arc<Rate>,
     outputs: RefCell<Vec<Output>>,
@@ -56,6 +57,7 @@ impl Stage {
             move |done: Done| {
                 rate.tile(done.rays);
                 bar.inc(done.pixels as u64);
+                ControlFlow::Continue(())
             }
         });
         Self {

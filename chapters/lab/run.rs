@@ -14,7 +14,7 @@ use crate::lab::steps::Steps;
 use crate::lab::table::Row;
 use crate::lab::targets::TARGETS;
 use crate::lab::{integrands, sheets};
-use raybook::render::film::Film;
+use raybook::render::film::{Film, SILENT};
 use std::error::Error;
 use std::path::PathBuf;
 use std::thread;
@@ -149,7 +149,7 @@ impl Lab<'_> {
             samples: 1,
             seed: 1,
             threads: thread::available_parallelism().map_or(1, std::num::NonZeroUsize::get),
-            progress: &|_| {},
+            progress: SILENT,
         };
         let samples = &self.settings.samples;
         for (name, target) in TARGETS {

@@ -4,7 +4,7 @@ use glam::{Vec2, Vec3, vec2, vec3};
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::{rgb::Rgb, tone};
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray};
-use raybook::render::film::Film;
+use raybook::render::film::{Film, SILENT};
 use raybook::shape::{Hit, Shape, Surface, mesh::Mesh, plane::Plane};
 
 /// How much of the picture's height or width a mesh fills, whichever is scarcer.
@@ -70,7 +70,7 @@ pub fn small<'a>(film: &Film<'a>) -> Film<'a> {
     Film {
         width: film.width * 2 / 5,
         height: film.height * 2 / 5,
-        progress: &|_| {},
+        progress: SILENT,
         ..*film
     }
 }

@@ -25,7 +25,7 @@ pub fn figure(film: &Film, stadium: &Stadium, accel: &impl Accel<Facet>, boxes: 
     // The pictures are the same by any structure; what they cost is shown for the one in question.
     let tree = WideBvh::new(stadium.mesh.facets());
     let shown = |camera: &Pinhole| {
-        film.render_edges(|place, _| {
+        film.refine(|place, _| {
             let ray = camera.ray_through(place);
             tree.closest(&ray, Interval::AHEAD)
                 .map_or(sky(ray.direction), |(_, hit)| {

@@ -35,6 +35,8 @@ enum Task {
     Exercise(commands::exercise::Exercise),
     /// Copy in the reference for a chapter that you missed; your files are kept
     Solve(commands::solve::Solve),
+    /// Draw the picture of a scene file
+    Render(commands::render::Render),
     /// Compare sampling patterns: points, errors, spectra, pictures, on a page
     Samplers(commands::samplers::Samplers),
     /// Attack the sandbox of strangers' programs, and tell what stopped each attack
@@ -72,6 +74,7 @@ fn main() -> ExitCode {
         Some(Task::Hint(task)) => task.run(),
         Some(Task::Exercise(task)) => task.run(),
         Some(Task::Solve(task)) => task.run(),
+        Some(Task::Render(task)) => task.run(),
         Some(Task::Samplers(task)) => task.run(),
         Some(Task::Doctor) => commands::doctor::run(),
         Some(Task::Course(task)) => task.run(),

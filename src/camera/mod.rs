@@ -18,4 +18,9 @@ pub trait Camera: Send + Sync {
     /// `film` is in [0, 1]², from the picture's top left to its bottom right; `lens`, in [0, 1)², chooses a point of the
     /// lens where the camera has one.
     fn ray(&self, film: Vec2, lens: Vec2) -> Ray;
+
+    /// Whether the ray depends on the point of the lens.
+    fn has_lens(&self) -> bool {
+        false
+    }
 }

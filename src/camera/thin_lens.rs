@@ -56,6 +56,27 @@ impl ThinLens {
         })
     }
 
+    /// The camera that sees what a pin-hole camera sees, through a lens of this diameter, in metres.
+    ///
+    /// The film stays where it is, v behind the lens, and f = v s/(v + s) follows from the thin-lens equation.
+    ///
+    /// # Errors
+    /// As for [`Lens::new`].
+    pub fn with_view(
+        view: &Pinhole,
+        diameter: f32,
+        focus: f32,
+        aperture: Aperture,
+    ) -> Result<Self, LensError> {
+        let film = view.focal_length;
+        let focal_length = film * focus / (film + focus);
+        Ok(Self {
+            view: *view,
+            lens: Lens::new(focal_length, focal_length / diameter, focus)?,
+            aperture,
+        })
+    }
+
     // ANCHOR: thin_lens_ray
     /// The ray from a point of the lens to what a place on the film shows sharply; `film` as for [`Camera::ray`].
     ///
@@ -108,5 +129,9 @@ impl ThinLens {
 impl Camera for ThinLens {
     fn ray(&self, film: Vec2, lens: Vec2) -> Ray {
         self.ray_through(film, self.aperture.point(lens))
+    }
+
+    fn has_lens(&self) -> bool {
+        true
     }
 }

@@ -46,6 +46,14 @@ enum Format {
     Png,
 }
 
+/// Whether a picture can be written under this name: before the work for it, and not after.
+///
+/// # Errors
+/// If the name does not end like a picture's.
+pub fn expect_name(path: &Path) -> Result<(), FileError> {
+    format_of(path).map(|_| ())
+}
+
 /// Writes a picture in the format that its name ends in.
 ///
 /// `.exr` keeps each `f32` as it is, bit for bit; `.hdr` keeps 8 bits a channel with one exponent for the three, so that

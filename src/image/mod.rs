@@ -5,6 +5,7 @@ mod codec;
 pub mod compare;
 #[cfg(feature = "files")]
 pub mod file;
+pub mod mip;
 pub mod rgb;
 pub mod rms;
 pub mod tone;

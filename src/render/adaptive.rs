@@ -109,7 +109,7 @@ pub fn by_budget<S: Into<Followed>>(
     let count = |x: usize, y: usize| counts[y * film.width + x] as usize;
     // Every pixel was told to be done when it was begun.
     let again = Film {
-        progress: &|Done { rays, .. }| (film.progress)(Done { pixels: 0, rays }),
+        progress: &|done| (film.progress)(Done { pixels: 0, ..done }),
         ..*film
     };
     let picture = again.render_pixels(|x, y, rng| {

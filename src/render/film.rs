@@ -8,8 +8,7 @@ use crate::threads;
 use glam::{Vec2, vec2};
 use rand::RngExt;
 use std::fmt;
-use std::iter::once;
-use std::ops::Range;
+use std::ops::{ControlFlow, Range};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread::available_parallelism;
@@ -30,9 +29,15 @@ pub struct Film<'a> {
     pub seed: u64,
     /// How many threads work; the picture does not depend on it.
     pub threads: usize,
-    /// Told whenever some pixels are done, from any thread.
-    pub progress: &'a (dyn Fn(Done) + Sync),
+    /// Told whenever some pixels are done, from any thread; says whether to go on.
+    pub progress: &'a Progress<'a>,
 }
+
+/// Is told what is done, and says whether to go on. After a `Break` no tile is begun any more, and what is missing stays black.
+pub type Progress<'a> = dyn Fn(Done) -> ControlFlow<()> + Sync + 'a;
+
+/// Tells nobody how far it is, and goes on to the end.
+pub const SILENT: &Progress<'static> = &|_| ControlFlow::Continue(());
 
 impl fmt::Debug for Film<'_> {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
@@ -58,9 +63,6 @@ pub struct Done {
 /// What a pixel is, by column, row and its random numbers; and the rays that it took.
 pub type Pixel<'a, T> = dyn Fn(usize, usize, &mut Pcg) -> (T, u64) + Sync + 'a;
 
-/// Samples that every pixel of [`Film::render_edges`] gets.
-const FIRST: usize = 2;
-
 impl Film<'_> {
     /// A film that is drawn by all processors, from the seed 0, and tells nobody how far it is.
     pub fn new(width: usize, height: usize, samples: usize) -> Self {
@@ -70,7 +72,7 @@ impl Film<'_> {
             samples,
             seed: 0,
             threads: available_parallelism().map_or(1, usize::from),
-            progress: &|_| {},
+            progress: SILENT,
         }
     }
 
@@ -84,7 +86,7 @@ impl Film<'_> {
     ///
     /// `radiance` is given the place on the film, in [0, 1]² from the top left, and the pixel's random numbers. It returns an
     /// [`Rgb`], or a [`Followed`] that counts its rays.
-    pub fn render<S: Into<Followed>>(
+    pub fn sample<S: Into<Followed>>(
         &self,
         radiance: impl Fn(Vec2, &mut Pcg) -> S + Sync,
     ) -> Image {
@@ -100,59 +102,6 @@ impl Film<'_> {
         })
     }
     // ANCHOR_END: film_loop
-
-    // ANCHOR: render_edges
-    /// As [`Film::render`], but most pixels get 2 samples: only those in whose neighbourhood samples differ get all of them
-    /// (Whitted, "An improved illumination model for shaded display", 1980).
-    ///
-    /// The neighbourhood is a pixel and the eight around it, so that an edge that slips between a pixel's own samples is
-    /// found by its neighbours'. Use it where the radiance depends on the place alone: what chance decides can agree by
-    /// chance. A pixel that gets all samples is the same as in [`Film::render`].
-    pub fn render_edges<S: Into<Followed>>(
-        &self,
-        radiance: impl Fn(Vec2, &mut Pcg) -> S + Sync,
-    ) -> Image {
-        self.draw_edges(&|place, rng| radiance(place, rng).into())
-    }
-
-    fn draw_edges(&self, radiance: &(dyn Fn(Vec2, &mut Pcg) -> Followed + Sync)) -> Image {
-        let size = vec2(self.width as f32, self.height as f32);
-        let first = FIRST.min(self.samples);
-        let begun = self.each_pixel(&|x, y, rng| {
-            let corner = vec2(x as f32, y as f32);
-            let places = place_in_pixel(self.samples, rng);
-            let mut rays = 0;
-            let seen = Seen::of((0..first).map(|i| {
-                let one = radiance((corner + places(i)) / size, rng);
-                rays += one.rays;
-                one.radiance
-            }));
-            ((seen, places, rng.clone()), rays)
-        });
-        let again = Film {
-            progress: &|done| (self.progress)(Done { pixels: 0, ..done }),
-            ..*self
-        };
-        let near = |v: usize, end: usize| v.saturating_sub(1)..(v + 2).min(end);
-        again.render_pixels(|x, y, rng| {
-            let (seen, places, then) = &begun[y * self.width + x];
-            let around = near(y, self.height).flat_map(|y| {
-                let row = near(x, self.width);
-                row.map(move |x| y * self.width + x)
-            });
-            let around = around.map(|i| begun[i].0).reduce(Seen::with);
-            if first == self.samples || !around.is_some_and(|around| around.differs()) {
-                return Followed::from(seen.sum / first as f32);
-            }
-            rng.clone_from(then);
-            let corner = vec2(x as f32, y as f32);
-            let rest = (first..self.samples).map(|i| radiance((corner + places(i)) / size, rng));
-            // One after the other, as `render` adds them up: then the bits are the same.
-            let sum: Followed = once(Followed::from(seen.sum)).chain(rest).sum();
-            sum.mean_of(self.samples)
-        })
-    }
-    // ANCHOR_END: render_edges
 
     /// The picture whose pixel in column x and row y is `pixel(x, y, its random numbers)`.
     ///
@@ -176,9 +125,10 @@ impl Film<'_> {
     }
 
     /// Whatever `pixel` says of each pixel, row by row; the second thing it says is the rays that it took.
-    pub fn each_pixel<T: Send>(&self, pixel: &Pixel<T>) -> Vec<T> {
-        let nothing = (0..self.width * self.height).map(|_| None).collect();
-        let all = Mutex::new(nothing);
+    ///
+    /// Where [`Film::progress`] ended the work too early, it is the default.
+    pub fn each_pixel<T: Clone + Default + Send>(&self, pixel: &Pixel<T>) -> Vec<T> {
+        let all = Mutex::new(vec![T::default(); self.width * self.height]);
         self.each_tile(&|columns, rows| {
             let mut done = Vec::with_capacity(TILE * TILE);
             let mut part = Done::default();
@@ -191,12 +141,11 @@ impl Film<'_> {
             }
             let mut all: MutexGuard<Vec<_>> = all.lock().unwrap_or_else(PoisonError::into_inner);
             for (place, what) in done {
-                all[place] = Some(what);
+                all[place] = what;
             }
             part
         });
-        let all = all.into_inner().unwrap_or_else(PoisonError::into_inner);
-        all.into_iter().flatten().collect() // each pixel is in one tile: none is missing
+        all.into_inner().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Has every tile drawn, given by its columns and rows, by all threads.
@@ -212,58 +161,11 @@ impl Film<'_> {
                 let (left, top) = (tile % columns * TILE, tile / columns * TILE);
                 let (right, bottom) =
                     ((left + TILE).min(self.width), (top + TILE).min(self.height));
-                (self.progress)(draw(left..right, top..bottom));
+                if (self.progress)(draw(left..right, top..bottom)).is_break() {
+                    next.store(columns * rows, Ordering::Relaxed);
+                }
             }
         });
-    }
-}
-
-/// What some samples saw: their sum, and the least and the most of each channel.
-#[derive(Clone, Copy)]
-struct Seen {
-    sum: Rgb,
-    least: Rgb,
-    most: Rgb,
-}
-
-impl Seen {
-    fn of(samples: impl Iterator<Item = Rgb>) -> Self {
-        let nothing = Self {
-            sum: Rgb::BLACK,
-            least: Rgb::gray(f32::INFINITY),
-            most: Rgb::gray(f32::NEG_INFINITY),
-        };
-        let one = |sample| Self {
-            sum: sample,
-            least: sample,
-            most: sample,
-        };
-        samples.map(one).fold(nothing, Self::with)
-    }
-
-    /// These samples and others.
-    fn with(self, other: Self) -> Self {
-        let each = |of: fn(f32, f32) -> f32, a: Rgb, b: Rgb| {
-            Rgb::new(of(a.r, b.r), of(a.g, b.g), of(a.b, b.b))
-        };
-        Self {
-            sum: self.sum + other.sum,
-            least: each(f32::min, self.least, other.least),
-            most: each(f32::max, self.most, other.most),
-        }
-    }
-
-    /// Whether a channel of one sample is more than an eighth below that of another.
-    ///
-    /// An edge of less contrast, off by a quarter of a pixel, is off by 3 %, which nobody sees. Neither does anybody see
-    /// what is darker than 3 of the 255 steps of a display.
-    fn differs(&self) -> bool {
-        const CONTRAST: f32 = 0.125;
-        const DARK: f32 = 0.001;
-        let channels = self.least.channels().into_iter().zip(self.most.channels());
-        channels
-            .into_iter()
-            .any(|(least, most)| most - least > CONTRAST * most + DARK)
     }
 }
 

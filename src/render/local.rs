@@ -27,7 +27,7 @@ pub struct Local {
 impl Local {
     // ANCHOR: local
     /// I = k_a i_a + Σ over the lights: the mean, over a light's samples, of what the material makes of them.
-    pub fn follow(&self, scene: &Scene, seen: &Seen, view: Dir3, rng: &mut impl Rng) -> Followed {
+    pub fn follow(&self, scene: &Scene, seen: &Seen, view: Dir3, rng: &mut dyn Rng) -> Followed {
         let mut rays = 0;
         let mut arrives = |sample: &LightSample| {
             self.arrives.is_none_or(|arrives| {

@@ -2,6 +2,7 @@
 
 pub mod adaptive;
 pub mod budget;
+pub mod clamped;
 pub mod curved;
 pub mod film;
 pub mod followed;
@@ -12,6 +13,7 @@ pub mod needs_more;
 pub mod path;
 pub mod refine;
 pub mod reflection;
+pub mod sampler;
 pub mod shadow;
 pub mod soft_shadow;
 pub mod supersample;

@@ -23,6 +23,13 @@ pub struct Path {
 const LUCKIEST: f32 = 0.95;
 
 impl Path {
+    /// All the light there is, the directions chosen in both ways; from the fourth surface on, Russian roulette.
+    pub const WHOLE: Self = Self {
+        depth: u32::MAX,
+        sure: 3,
+        strategy: Strategy::Both,
+    };
+
     // ANCHOR: path
     /// An estimate of what a ray sees: L_o = L_e + ∫ f L_i cos θ dω, where L_i asks the same question of the next surface.
     ///
@@ -30,7 +37,7 @@ impl Path {
     /// event estimation) and by the ray that goes on; the strategy shares it out. L_i of the rest is followed by one ray. In a
     /// mirror or through glass no light can be looked for: only the ray that goes on finds it.
     /// The mean over all random numbers is exact, but for what `depth` cuts off.
-    pub fn follow(&self, scene: &Scene, ray: &Ray, rng: &mut impl Rng) -> Followed {
+    pub fn follow(&self, scene: &Scene, ray: &Ray, rng: &mut dyn Rng) -> Followed {
         let (mut ray, mut pdf) = (*ray, f32::INFINITY);
         let (mut sum, mut weight) = (Followed::default(), Rgb::WHITE);
         let (mut surfaces, mut medium) = (0, Medium::AIR);
@@ -66,14 +73,17 @@ impl Path {
                 };
                 weight = survivor;
             }
-            (ray, pdf) = (seen.surface.leave(next.toward), next.pdf);
+            (ray, pdf) = match next.medium {
+                Some(_) => (seen.surface.leave(next.toward), next.pdf),
+                None => (seen.surface.leave_smooth(next.toward), next.pdf),
+            };
             medium = next.medium.unwrap_or(medium);
         }
     }
     // ANCHOR_END: path
 
     /// The same, uncounted.
-    pub fn radiance(&self, scene: &Scene, ray: &Ray, rng: &mut impl Rng) -> Rgb {
+    pub fn radiance(&self, scene: &Scene, ray: &Ray, rng: &mut dyn Rng) -> Rgb {
         self.follow(scene, ray, rng).radiance
     }
 
@@ -87,7 +97,7 @@ impl Path {
         seen: &Seen,
         view: Dir3,
         to_scatter: f32,
-        rng: &mut impl Rng,
+        rng: &mut dyn Rng,
     ) -> Followed {
         let mut sum = Followed::default();
         for light in &scene.lights {
@@ -177,7 +187,7 @@ impl Lobes {
     }
 
     /// A direction of one of the lobes; `None` where it leads nowhere.
-    fn sample(&self, seen: &Seen, view: Dir3, rng: &mut impl Rng) -> Option<Next> {
+    fn sample(&self, seen: &Seen, view: Dir3, rng: &mut dyn Rng) -> Option<Next> {
         if self.deltas == 0.0 {
             return self.scatter(seen, view, rng);
         }
@@ -202,7 +212,7 @@ impl Lobes {
     }
 
     /// A direction that f chooses.
-    fn scatter(&self, seen: &Seen, view: Dir3, rng: &mut impl Rng) -> Option<Next> {
+    fn scatter(&self, seen: &Seen, view: Dir3, rng: &mut dyn Rng) -> Option<Next> {
         let (at, u) = (&seen.surface, vec2(rng.random(), rng.random()));
         let toward = seen.material.sample(at, view, u)?;
         let pdf = seen.material.pdf(at, view, toward) * self.to_scatter();
@@ -220,7 +230,7 @@ impl Lobes {
 // ANCHOR: roulette
 /// Ends a path with a probability 1 − q and divides what survives by q: right in the mean, and less work for little light
 /// (Arvo and Kirk, "Particle transport and image synthesis", 1990).
-fn roulette(weight: Rgb, rng: &mut impl Rng) -> Option<Rgb> {
+fn roulette(weight: Rgb, rng: &mut dyn Rng) -> Option<Rgb> {
     let [r, g, b] = weight.channels();
     let q = r.max(g).max(b).min(LUCKIEST);
     (rng.random::<f32>() < q).then(|| weight / q)

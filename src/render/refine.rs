@@ -8,8 +8,10 @@ use crate::sample::even::Even;
 use glam::{Vec2, vec2};
 use rand::RngExt;
 
-/// The first samples of every pixel.
-const FIRST: usize = 4;
+/// The first samples of every pixel: four, or half of all where these are few, but two at least, for one knows no deviation.
+fn first_of(all: usize) -> usize {
+    (all / 2).clamp(2, 4).min(all)
+}
 
 /// The standard deviation, in what a display shows, from which on a pixel gets all its samples.
 const RESTLESS: f32 = 0.2;
@@ -25,38 +27,43 @@ struct Begun {
     variance: f32,
 }
 
-/// The picture whose pixels are the mean of `radiance` over all samples that the film asks for, with numbers that are spread evenly.
-///
-/// `radiance` is given the place on the film, in [0, 1]² from the top left, and the sample's random numbers.
-pub fn render_evenly<S: Into<Followed>>(
-    film: &Film,
-    radiance: impl Fn(Vec2, &mut Even) -> S + Sync,
-) -> Image {
-    let radiance = |place, numbers: &mut Even| radiance(place, numbers).into();
+impl Film<'_> {
+    /// The picture whose pixels are the mean of `radiance` over all samples, by numbers that are spread evenly.
+    ///
+    /// `radiance` is given the place on the film, in [0, 1]² from the top left, and the sample's random numbers.
+    pub fn evenly<S: Into<Followed>>(
+        &self,
+        radiance: impl Fn(Vec2, &mut Even) -> S + Sync,
+    ) -> Image {
+        all(self, &|place, numbers| radiance(place, numbers).into())
+    }
+
+    /// As [`Film::evenly`], but a pixel gets all samples only where they differ most, and fewer, down to four, in proportion to
+    /// their standard deviation (Whitted 1980; Neyman 1934).
+    ///
+    /// The deviation is that of the pixel and its eight neighbours, for an edge may have slipped through between its own few.
+    /// What is so small and so rare that they all miss it is not found: where light comes by chance, as in path tracing and
+    /// through a lens, take [`Film::evenly`].
+    pub fn refine<S: Into<Followed>>(
+        &self,
+        radiance: impl Fn(Vec2, &mut Even) -> S + Sync,
+    ) -> Image {
+        refined(self, &|place, numbers| radiance(place, numbers).into())
+    }
+}
+
+fn all(film: &Film, radiance: &Radiance) -> Image {
     film.render_pixels(|x, y, rng| {
         let sample = Sample::of(film, x, y, rng);
-        let sum: Followed = (0..film.samples).map(|i| sample.seen(i, &radiance)).sum();
+        let sum: Followed = (0..film.samples).map(|i| sample.seen(i, radiance)).sum();
         sum.mean_of(film.samples)
     })
 }
 
 // ANCHOR: refine
-/// As [`render_evenly`], but a pixel gets as many samples as the film asks for where they differ most, and fewer, down to four,
-/// in proportion to their standard deviation (Neyman 1934).
-///
-/// The deviation is that of the pixel and its eight neighbours, for an edge may have slipped through between its own few.
-/// What is so small and so rare that they all miss it is not found: where light comes by chance, as in path tracing and through
-/// a lens, take [`render_evenly`].
-pub fn refine<S: Into<Followed>>(
-    film: &Film,
-    radiance: impl Fn(Vec2, &mut Even) -> S + Sync,
-) -> Image {
-    refined(film, &|place, numbers| radiance(place, numbers).into())
-}
-
 fn refined(film: &Film, radiance: &Radiance) -> Image {
     let all = film.samples;
-    let first = FIRST.min(all);
+    let first = first_of(all);
     let begun = film.each_pixel(&|x, y, rng| {
         let sample = Sample::of(film, x, y, rng);
         let seen: Vec<_> = (0..first).map(|i| sample.seen(i, radiance)).collect();

@@ -2,7 +2,7 @@
 
 use crate::image::Image;
 use crate::math::pcg::{self, Pcg};
-use crate::render::film::{Done, Film};
+use crate::render::film::{Done, Film, SILENT};
 use crate::render::followed::Followed;
 use crate::sample::filter::{Filter, Sample, pixel_average};
 use crate::sample::pattern::Pattern;
@@ -53,7 +53,7 @@ pub fn filtered<S: Into<Followed>>(
         width: film.width * n,
         progress: &|Done { pixels, rays }| {
             let pixels = pixels / n.max(1);
-            (film.progress)(Done { pixels, rays });
+            (film.progress)(Done { pixels, rays })
         },
         ..*film
     };
@@ -65,7 +65,7 @@ pub fn filtered<S: Into<Followed>>(
     let reach = (filter.radius + 0.5).ceil() as usize;
     let near = |v: usize, end: usize| v.saturating_sub(reach)..(v + reach + 1).min(end);
     let silent = Film {
-        progress: &|_| {},
+        progress: SILENT,
         ..*film
     };
     silent.render_pixels(|x, y, _| {

@@ -3,7 +3,7 @@
 use crate::camera::Camera;
 use crate::image::Image;
 use crate::math::ray::Ray;
-use crate::render::{film::Film, followed::Followed, refine::render_evenly};
+use crate::render::{film::Film, followed::Followed};
 use crate::sample::even::Even;
 
 // ANCHOR: through_lens
@@ -17,7 +17,7 @@ pub fn through_lens<S: Into<Followed>>(
     camera: &impl Camera,
     radiance: impl Fn(&Ray, &mut Even) -> S + Sync,
 ) -> Image {
-    render_evenly(film, |place, numbers| {
+    film.evenly(|place, numbers| {
         let ray = camera.ray(place, numbers.pair());
         radiance(&ray, numbers)
     })

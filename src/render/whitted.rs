@@ -25,7 +25,7 @@ impl Whitted {
     /// What a ray sees: L = local illumination + what the material sees beyond, which asks the same question again.
     ///
     /// Two facing mirrors would ask for ever. Each question has one surface less to go, and at 0 the answer is black.
-    pub fn follow(&self, scene: &Scene, ray: &Ray, rng: &mut impl Rng) -> Followed {
+    pub fn follow(&self, scene: &Scene, ray: &Ray, rng: &mut dyn Rng) -> Followed {
         let mut rays = 0;
         let sight = self.sight(scene, ray, self.depth, 1.0, rng, &mut rays);
         Followed {
@@ -40,7 +40,7 @@ impl Whitted {
         ray: &Ray,
         left: u32,
         share: f32,
-        rng: &mut impl Rng,
+        rng: &mut dyn Rng,
         rays: &mut u64,
     ) -> Sight {
         let nothing = |radiance| Sight {
@@ -67,7 +67,7 @@ impl Whitted {
     // ANCHOR_END: whitted
 
     /// The same, uncounted.
-    pub fn radiance(&self, scene: &Scene, ray: &Ray, rng: &mut impl Rng) -> Rgb {
+    pub fn radiance(&self, scene: &Scene, ray: &Ray, rng: &mut dyn Rng) -> Rgb {
         self.follow(scene, ray, rng).radiance
     }
 }

@@ -1,11 +1,14 @@
 //! Floor 4: stock scenes that chapters share.
 
 pub mod accretion_disc;
+pub mod backdrop;
 pub mod cornell;
 pub mod description;
 pub mod four_scenes;
 pub mod horizon;
 pub mod marbles;
+#[cfg(feature = "files")]
+pub mod model;
 pub mod noise;
 pub mod plates;
 pub mod soup;

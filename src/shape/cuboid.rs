@@ -67,6 +67,7 @@ impl Shape for Cuboid {
             normal,
             shading_normal: normal,
             texture: Vec2::new(across[(axis + 1) % 3], across[(axis + 2) % 3]),
+            lift: Vec3::ZERO,
         }
     }
 }

@@ -2,9 +2,11 @@
 
 use crate::math::domain::{LARGEST, SMALLEST};
 use crate::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray};
-use crate::shape::attributes::{interpolate_normal, interpolate_texture, vertex_normals};
+use crate::shape::attributes::{interpolate_normal, interpolate_texture, lift, vertex_normals};
+use crate::shape::normal_map::NormalMap;
 use crate::shape::{Hit, Shape, Surface, triangle::Triangle, triangle_watertight};
 use glam::{Vec2, Vec3};
+use std::sync::Arc;
 
 /// A surface of triangles.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,6 +16,7 @@ pub struct Mesh {
     textures: Vec<Vec2>,
     triangles: Vec<[u32; 3]>,
     bounds: Aabb,
+    bumps: Option<Arc<NormalMap>>,
 }
 
 /// Why numbers do not make a mesh.
@@ -117,7 +120,17 @@ impl Mesh {
             textures,
             triangles,
             bounds,
+            bumps: None,
         })
+    }
+
+    /// The mesh with the bumps of a normal map on it, by its texture coordinates.
+    #[must_use]
+    pub fn with_bumps(self, map: Arc<NormalMap>) -> Self {
+        Self {
+            bumps: Some(map),
+            ..self
+        }
     }
 
     /// The vertices, in metres.
@@ -166,10 +179,24 @@ impl Mesh {
             )
         };
         let corners = corners.map(|i| i as usize);
+        let (places, normals) = (
+            corners.map(|i| self.positions[i]),
+            corners.map(|i| self.normals[i]),
+        );
+        let textures = corners.map(|i| self.textures[i]);
+        let texture = interpolate_texture(textures, hit.uv);
+        let mut shading_normal = interpolate_normal(normals, hit.uv);
+        if let Some(bumps) = &self.bumps {
+            let ([p0, p1, p2], [t0, t1, t2]) = (places, textures);
+            let (edges, along) = ([p1 - p0, p2 - p0], [t1 - t0, t2 - t0]);
+            shading_normal = bumps.tilt(shading_normal, edges, along, texture);
+        }
+        let flat = triangle.surface(ray, hit);
         Surface {
-            shading_normal: interpolate_normal(corners.map(|i| self.normals[i]), hit.uv),
-            texture: interpolate_texture(corners.map(|i| self.textures[i]), hit.uv),
-            ..triangle.surface(ray, hit)
+            shading_normal,
+            texture,
+            lift: lift(flat.position, places, normals, hit.uv),
+            ..flat
         }
     }
 

@@ -1,8 +1,9 @@
 //! Meshes from files: which reader a file's name asks for, and what to say if it fails.
 
 use crate::shape::mesh::Mesh;
+use crate::shape::obj::{self, Part, Parts};
+use crate::shape::stl;
 use crate::shape::word::Wrong;
-use crate::shape::{obj, stl};
 use crate::store::{self, StoreError};
 use std::path::{Path, PathBuf};
 
@@ -50,6 +51,42 @@ pub enum LoadError {
 /// # Errors
 /// If the file cannot be read, is not what its name says, or has no face.
 pub fn load(path: &Path) -> Result<Mesh, LoadError> {
+    load_by(
+        path,
+        obj::parse,
+        |mesh| mesh,
+        |mesh| mesh.triangles().is_empty(),
+    )
+}
+
+/// As [`load`], with a mesh for each material of an OBJ; an STL knows none.
+///
+/// # Errors
+/// Those of [`load`].
+pub fn load_parts(path: &Path) -> Result<Parts, LoadError> {
+    let one = |mesh: Mesh| Parts {
+        libraries: Vec::new(),
+        parts: vec![Part {
+            material: String::new(),
+            mesh,
+        }],
+    };
+    let nothing = |parts: &Parts| {
+        parts
+            .parts
+            .iter()
+            .all(|part| part.mesh.triangles().is_empty())
+    };
+    load_by(path, obj::parse_parts, one, nothing)
+}
+
+/// Reads an OBJ by `parse_obj`; an STL gives a mesh, which becomes the same.
+fn load_by<T>(
+    path: &Path,
+    parse_obj: impl Fn(&str) -> Result<T, Wrong>,
+    of_mesh: impl Fn(Mesh) -> T,
+    is_empty: impl Fn(&T) -> bool,
+) -> Result<T, LoadError> {
     let extension = path
         .extension()
         .and_then(|e| e.to_str())
@@ -60,20 +97,26 @@ pub fn load(path: &Path) -> Result<Mesh, LoadError> {
         _ => return Err(LoadError::Format { path: path.into() }),
     };
     let bytes = store::read(path)?;
-    let mesh = if is_stl && stl::is_binary(&bytes) {
-        stl::parse_binary(&bytes).map_err(|wrong| LoadError::Binary {
+    let read = if is_stl && stl::is_binary(&bytes) {
+        let mesh = stl::parse_binary(&bytes).map_err(|wrong| LoadError::Binary {
             path: path.into(),
             wrong,
-        })
+        });
+        of_mesh(mesh?)
     } else {
-        let parse = if is_stl { stl::parse } else { obj::parse };
-        parse(&String::from_utf8_lossy(&bytes)).map_err(|wrong| LoadError::Text {
+        let text = String::from_utf8_lossy(&bytes);
+        let read = if is_stl {
+            stl::parse(&text).map(of_mesh)
+        } else {
+            parse_obj(&text)
+        };
+        read.map_err(|wrong| LoadError::Text {
             path: path.into(),
             wrong,
-        })
-    }?;
-    if mesh.triangles().is_empty() {
+        })?
+    };
+    if is_empty(&read) {
         return Err(LoadError::Empty { path: path.into() });
     }
-    Ok(mesh)
+    Ok(read)
 }

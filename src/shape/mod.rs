@@ -6,6 +6,8 @@ pub mod cuboid;
 pub mod mesh;
 #[cfg(feature = "files")]
 pub mod mesh_file;
+pub mod mesh_looks;
+pub mod normal_map;
 pub mod obj;
 pub mod placed;
 pub mod plane;
@@ -66,6 +68,8 @@ pub struct Surface {
     pub shading_normal: Dir3,
     /// Texture coordinates.
     pub texture: Vec2,
+    /// From the point to the round surface that a mesh pretends to be, in metres; 0 where a surface is what it seems.
+    pub lift: Vec3,
 }
 
 impl Surface {
@@ -84,6 +88,20 @@ impl Surface {
         Ray::new(self.position + side * *self.normal, direction)
     }
     // ANCHOR_END: leave
+
+    // ANCHOR: leave_smooth
+    /// A ray that leaves the surface that the shading pretends: to the outside it starts `lift` off.
+    ///
+    /// A facet that turns away from the light lies in its own shadow, as a whole, where the round surface would still see a little
+    /// light. From there the ray passes over the facet (Hanika, "Hacking the shadow terminator", 2021).
+    pub fn leave_smooth(&self, direction: Dir3) -> Ray {
+        if self.lift == Vec3::ZERO || self.shading_normal.dot(*direction) <= 0.0 {
+            return self.leave(direction);
+        }
+        let off = self.leave(self.normal).origin;
+        Ray::new(off + self.lift, direction)
+    }
+    // ANCHOR_END: leave_smooth
 }
 
 /// The bound on rounding errors that a shape states as [`Surface::error`]: so many times the largest number

@@ -19,6 +19,24 @@ struct Corner {
     normal: Option<u32>,
 }
 
+/// The faces of an OBJ text that are made of one material.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Part {
+    /// The material's name; empty where none was named.
+    pub material: String,
+    /// The faces.
+    pub mesh: Mesh,
+}
+
+/// An OBJ text, part by part.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Parts {
+    /// The files that hold the materials (`mtllib`), as they are named, relative to the OBJ file.
+    pub libraries: Vec<String>,
+    /// A part for each material that faces are made of, in the order in which they are named.
+    pub parts: Vec<Part>,
+}
+
 #[derive(Default)]
 struct Obj {
     positions: Vec<Vec3>,
@@ -26,6 +44,12 @@ struct Obj {
     /// `None` for a normal of length 0, which some programs write: it counts as missing.
     normals: Vec<Option<Dir3>>,
     triangles: Vec<[Corner; 3]>,
+    /// The place in `materials` of each triangle's material.
+    made_of: Vec<u32>,
+    materials: Vec<String>,
+    /// The place of the material of the faces that follow.
+    current: u32,
+    libraries: Vec<String>,
 }
 
 /// The mesh of all faces of an OBJ text.
@@ -39,7 +63,44 @@ struct Obj {
 /// The first thing that is wrong, with its line and column, such as more faces than the [budget](crate::memory::BUDGET) allows;
 /// line 1 if the mesh as a whole is outside the [domain](crate::math::domain).
 pub fn parse(text: &str) -> Result<Mesh, Wrong> {
-    let mut obj = Obj::default();
+    let obj = read(text)?;
+    let mesh = obj.to_mesh(&obj.averaged(), &obj.triangles);
+    mesh.map_err(Wrong::as_mesh)
+}
+
+/// The faces of an OBJ text, a mesh for each material (`usemtl`) that they are made of.
+///
+/// # Errors
+/// Those of [`parse`].
+pub fn parse_parts(text: &str) -> Result<Parts, Wrong> {
+    let mut obj = read(text)?;
+    let averaged = obj.averaged();
+    let mut of_materials = vec![Vec::new(); obj.materials.len()];
+    for (triangle, material) in obj.triangles.iter().zip(&obj.made_of) {
+        of_materials[*material as usize].push(*triangle);
+    }
+    let mut parts = Vec::new();
+    for (triangles, material) in of_materials.iter().zip(&obj.materials) {
+        if !triangles.is_empty() {
+            let mesh = obj.to_mesh(&averaged, triangles);
+            parts.push(Part {
+                material: material.clone(),
+                mesh: mesh.map_err(Wrong::as_mesh)?,
+            });
+        }
+    }
+    Ok(Parts {
+        libraries: std::mem::take(&mut obj.libraries),
+        parts,
+    })
+}
+
+fn read(text: &str) -> Result<Obj, Wrong> {
+    let mut obj = Obj {
+        materials: vec![String::new()],
+        ..Obj::default()
+    };
+    let mut places = HashMap::from([(String::new(), 0)]);
     for words in word::lines(text) {
         match words[0].text {
             "v" => {
@@ -60,6 +121,15 @@ pub fn parse(text: &str) -> Result<Mesh, Wrong> {
                 obj.normals.push(Dir3::new(vec3(n[0], n[1], n[2])));
             }
             "f" => obj.face(&words)?,
+            "usemtl" => {
+                let name = word::name(&words);
+                let next = obj.materials.len() as u32;
+                obj.current = *places.entry(name.clone()).or_insert(next);
+                if obj.current == next {
+                    obj.materials.push(name);
+                }
+            }
+            "mtllib" => obj.libraries.push(word::name(&words)),
             _ => {}
         }
         let needed = obj.bytes();
@@ -67,14 +137,17 @@ pub fn parse(text: &str) -> Result<Mesh, Wrong> {
             return Err(words[0].wrong(Reason::TooLarge(needed)));
         }
     }
-    obj.into_mesh().map_err(Wrong::as_mesh)
+    Ok(obj)
 }
 
 impl Obj {
     /// Bytes of what was read; a triangle stands here, and twice as three indices while the mesh is made.
     fn bytes(&self) -> u64 {
-        let triangle = size_of::<[Corner; 3]>() + 2 * size_of::<[u32; 3]>();
+        /// A name, and its place among the others.
+        const NAME: usize = 200;
+        let triangle = size_of::<[Corner; 3]>() + 2 * size_of::<[u32; 3]>() + size_of::<u32>();
         let bytes = self.triangles.len() * triangle
+            + (self.materials.len() + self.libraries.len()) * NAME
             + size_of_val(&*self.positions)
             + size_of_val(&*self.textures)
             + size_of_val(&*self.normals);
@@ -103,6 +176,7 @@ impl Obj {
         let fan = corners[1..].windows(2);
         self.triangles
             .extend(fan.map(|side| [corners[0], side[0], side[1]]));
+        self.made_of.resize(self.triangles.len(), self.current);
         Ok(())
     }
 
@@ -126,16 +200,18 @@ impl Obj {
         }
     }
 
-    /// One vertex for each different corner: a position with two normals, at a sharp edge, becomes two vertices.
-    ///
-    /// Missing normals are averaged before that, so a seam in the texture does not show in the shading.
-    fn into_mesh(self) -> Result<Mesh, MeshError> {
+    /// The mean normal of the faces around each position. A seam of the texture or between materials does not show in it.
+    fn averaged(&self) -> Vec<Dir3> {
         let by_position: Vec<_> = self
             .triangles
             .iter()
             .map(|corners| corners.map(|corner| corner.position))
             .collect();
-        let averaged = vertex_normals(&self.positions, &by_position);
+        vertex_normals(&self.positions, &by_position)
+    }
+
+    /// One vertex for each different corner: a position with two normals, at a sharp edge, becomes two vertices.
+    fn to_mesh(&self, averaged: &[Dir3], triangles: &[[Corner; 3]]) -> Result<Mesh, MeshError> {
         let (mut positions, mut normals, mut textures) = (Vec::new(), Vec::new(), Vec::new());
         let mut vertices = HashMap::new();
         let mut vertex = |corner: Corner| {
@@ -149,8 +225,7 @@ impl Obj {
                 positions.len() as u32 - 1
             })
         };
-        let triangles = self
-            .triangles
+        let triangles = triangles
             .iter()
             .map(|corners| corners.map(&mut vertex))
             .collect();

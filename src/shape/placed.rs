@@ -118,6 +118,7 @@ impl Shape for Placed {
             normal: self.turned(surface.normal),
             shading_normal: self.turned(surface.shading_normal),
             texture: surface.texture,
+            lift: self.scale * (self.turn * surface.lift),
         }
     }
 }

@@ -53,6 +53,7 @@ impl Shape for Plane {
             normal: self.normal,
             shading_normal: self.normal,
             texture: vec2(position.dot(*basis.x), position.dot(*basis.y)),
+            lift: Vec3::ZERO,
         }
     }
 }

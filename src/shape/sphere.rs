@@ -114,6 +114,7 @@ impl Shape for Sphere {
             normal,
             shading_normal: normal,
             texture: longitude_latitude(normal),
+            lift: Vec3::ZERO,
         }
     }
 }

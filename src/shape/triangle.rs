@@ -98,6 +98,7 @@ impl Shape for Triangle {
             normal,
             shading_normal: normal,
             texture: hit.uv,
+            lift: Vec3::ZERO,
         }
     }
 }

@@ -185,6 +185,12 @@ fn push_words<'a>(line: &'a str, number: usize, words: &mut Vec<Word<'a>>) {
     }
 }
 
+/// The name that follows a keyword: all that follows, for there may be spaces in it.
+pub fn name(words: &[Word]) -> String {
+    let words: Vec<_> = words[1..].iter().map(|word| word.text).collect();
+    words.join(" ")
+}
+
 /// The place of a vertex: the first three of the numbers that follow a keyword.
 ///
 /// # Errors

@@ -104,13 +104,19 @@ fn no_chapter_uses_a_file_that_a_later_one_claims() {
 }
 
 /// What the packages may depend on, lowest first. Whoever wants a ray tracer does not pay for plots or for grading.
-const PACKAGES: [(&str, &[&str]); 4] = [
+const PACKAGES: [(&str, &[&str]); 5] = [
     ("Cargo.toml", &[]),
     ("workbook/Cargo.toml", &["raybook"]),
     ("chapters/Cargo.toml", &["raybook", "raybook-workbook"]),
+    ("scenes/Cargo.toml", &["raybook"]),
     (
         "grader/Cargo.toml",
-        &["raybook", "raybook-workbook", "raybook-chapters"],
+        &[
+            "raybook",
+            "raybook-workbook",
+            "raybook-chapters",
+            "raybook-scenes",
+        ],
     ),
 ];
 

@@ -6,7 +6,7 @@ use raybook::camera::{Camera, pinhole::Pinhole};
 use raybook::image::Image;
 use raybook::image::compare::{Tolerance, compare};
 use raybook::math::{dir3::Dir3, pcg, ray::Ray};
-use raybook::render::film::Film;
+use raybook::render::film::{Film, SILENT};
 use raybook::scene::noise;
 use raybook_chapters::ch02_hdr::{evening, window};
 
@@ -17,11 +17,11 @@ fn look_out(width: usize, jiggle: f32) -> Image {
         samples: 4,
         seed: 1,
         threads: 2,
-        progress: &|_| (),
+        progress: SILENT,
     };
     let camera = Pinhole::look_at(window::EYE, window::MIDDLE, Vec3::Y, 0.024, film.aspect())
         .expect("it can");
-    film.render(|place, rng| {
+    film.sample(|place, rng| {
         let ray = camera.ray(place, Vec2::ZERO);
         let off = jiggle * (vec3(rng.random(), rng.random(), rng.random()) - 0.5);
         window::radiance(&Ray::new(

@@ -135,6 +135,7 @@ fn an_interpolated_normal_never_sends_a_ray_below_the_surface() {
             normal,
             shading_normal,
             texture: glam::Vec2::ZERO,
+            lift: glam::Vec3::ZERO,
         };
         let side = |d: Dir3| normal.dot(*d) < 0.0;
         beyond(&mirror, &at, view, &mut |onward, _| {

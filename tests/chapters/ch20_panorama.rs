@@ -14,7 +14,12 @@ use raybook::image::Image;
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg;
 use raybook::math::{dir3::Dir3, pcg::Pcg, ray::Ray};
-use raybook::render::{film::Film, local::Local, shadow, whitted::Whitted};
+use raybook::render::{
+    film::{Film, SILENT},
+    local::Local,
+    shadow,
+    whitted::Whitted,
+};
 use raybook::scene::world::Scene;
 
 /// A direction, uniform on the sphere: a point in the ball, as long as it takes to find one.
@@ -44,7 +49,7 @@ fn film(width: usize, height: usize) -> Film<'static> {
         samples: 1,
         seed: 1,
         threads: 2,
-        progress: &|_| {},
+        progress: SILENT,
     }
 }
 
@@ -52,5 +57,5 @@ fn film(width: usize, height: usize) -> Film<'static> {
 fn panorama(scene: &Scene, from: Vec3, width: usize) -> Image {
     let pose = Pose::level(from);
     let camera = Panorama { pose };
-    film(width, width / 2).render(|place, _| seen(scene, &camera.ray_through(place)))
+    film(width, width / 2).sample(|place, _| seen(scene, &camera.ray_through(place)))
 }

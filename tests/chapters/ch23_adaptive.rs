@@ -6,7 +6,7 @@ use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
 use raybook::render::adaptive::{Limits, adaptive, by_budget};
 use raybook::render::budget::spend_budget;
-use raybook::render::film::Film;
+use raybook::render::film::{Film, SILENT};
 use raybook::render::needs_more::Enough;
 use raybook::render::supersample::supersample;
 use raybook::sample::pattern::find;
@@ -21,7 +21,7 @@ fn film(samples: usize, threads: usize) -> Film<'static> {
         samples,
         seed: 5,
         threads,
-        progress: &|_| {},
+        progress: SILENT,
     }
 }
 

@@ -23,6 +23,7 @@ mod licences;
 mod output;
 mod own_patterns;
 mod readers;
+mod render;
 mod rows;
 mod samplers;
 mod silly;

@@ -45,6 +45,7 @@ fn ground(normal: Dir3) -> Surface {
         normal,
         shading_normal: normal,
         texture: glam::Vec2::ZERO,
+        lift: glam::Vec3::ZERO,
     }
 }
 

@@ -38,6 +38,7 @@ fn surface(normal: Dir3) -> Surface {
         normal,
         shading_normal: normal,
         texture: Vec2::ZERO,
+        lift: Vec3::ZERO,
     }
 }
 

@@ -5,7 +5,11 @@ use rand::RngExt;
 use raybook::camera::pinhole::{PLANE_HEIGHT, Pinhole};
 use raybook::image::{Image, rgb::Rgb};
 use raybook::math::pcg;
-use raybook::render::{film::Film, mis::Strategy, path::Path};
+use raybook::render::{
+    film::{Film, SILENT},
+    mis::Strategy,
+    path::Path,
+};
 use raybook::sample::pattern::jittered::jittered;
 use raybook::scene::cornell;
 use raybook_common::noisy::{BATCHES, Noisy};
@@ -36,7 +40,7 @@ fn render(path: Path, seed: u64) -> Image {
         samples: SAMPLES,
         seed,
         threads: 2,
-        progress: &|_| {},
+        progress: SILENT,
     };
     // Jittered samples, whose noise is nearly normal, as the bounds suppose: the film's own, which are spread more evenly, take
     // only a few values where an edge runs through a pixel.

@@ -18,6 +18,7 @@ pub mod map;
 pub mod new;
 pub mod pack;
 pub mod regrade;
+pub mod render;
 pub mod samplers;
 pub mod solve;
 pub mod tell;

@@ -6,7 +6,11 @@ use raybook::camera::pinhole::Pinhole;
 use raybook::image::{Image, rgb::Rgb};
 use raybook::light::{Light, extent::Choose, rect_light::RectLight, sphere_light::SphereLight};
 use raybook::render::local::{Arrives, Local};
-use raybook::render::{film::Film, shadow, whitted::Whitted};
+use raybook::render::{
+    film::{Film, SILENT},
+    shadow,
+    whitted::Whitted,
+};
 use raybook::shape::sphere::Sphere;
 use raybook_chapters::ch16_soft_shadows::posts;
 
@@ -43,9 +47,9 @@ fn render(light: Box<dyn Light>, arrives: Arrives, first_seed: u64) -> Noisy {
             samples: 4,
             seed,
             threads: 2,
-            progress: &|_| {},
+            progress: SILENT,
         };
-        film.render(|place, rng| whitted.radiance(&scene, &camera.ray_through(place), rng))
+        film.sample(|place, rng| whitted.radiance(&scene, &camera.ray_through(place), rng))
     };
     let batches: Vec<Image> = (first_seed..).take(BATCHES).map(batch).collect();
     Noisy::of(&batches.iter().collect::<Vec<_>>())

@@ -7,7 +7,11 @@ use raybook::image::{Image, rgb::Rgb};
 use raybook::light::{Light, environment::Environment};
 use raybook::material::lambert::Lambert;
 use raybook::math::{dir3::Dir3, pcg, ray::Ray};
-use raybook::render::{film::Film, mis::Strategy, path::Path, refine::refine};
+use raybook::render::{
+    film::{Film, SILENT},
+    mis::Strategy,
+    path::Path,
+};
 use raybook::scene::still_life::{AT, EYE, still_life};
 use raybook::scene::world::{Scene, Thing};
 use raybook::shape::sphere::Sphere;
@@ -112,7 +116,7 @@ fn even_random_numbers_change_the_noise_and_not_the_mean() {
         samples,
         seed,
         threads: 2,
-        progress: &|_| {},
+        progress: SILENT,
     };
     for samples in [1, 32] {
         let (mut by_chance, mut evenly) = (vec![], vec![]);
@@ -120,8 +124,8 @@ fn even_random_numbers_change_the_noise_and_not_the_mean() {
         let mut last: Option<[Image; 2]> = None;
         for seed in 0..16 {
             let film = film(seed, samples);
-            let chance = film.render(|at, rng| path.radiance(&scene, &ray(at), rng));
-            let even = refine(&film, |at, rng| path.radiance(&scene, &ray(at), rng));
+            let chance = film.sample(|at, rng| path.radiance(&scene, &ray(at), rng));
+            let even = film.refine(|at, rng| path.radiance(&scene, &ray(at), rng));
             let mean = |image: &Image| {
                 let sum: f64 = image.pixels().iter().map(|p| f64::from(p.g)).sum();
                 sum / image.pixels().len() as f64

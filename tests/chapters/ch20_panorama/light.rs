@@ -30,7 +30,7 @@ fn irradiance(normal: Dir3) -> f64 {
         up: y,
     };
     let camera = Fisheye::new(pose, Projection::Orthographic, 180.0, 1.0).expect("half a space");
-    let picture = film(600, 600).render(|place, _| {
+    let picture = film(600, 600).sample(|place, _| {
         let ray = camera.ray_through(place);
         // Beside the disc: a negative number, which no radiance is.
         ray.map_or(Rgb::gray(-1.0), |ray| seen(&scene, &ray))

@@ -55,9 +55,9 @@ fn difference(from: Vec3, width: usize) -> (f64, f64) {
         let camera = Pinhole::look_at(from, from + toward, Vec3::Y, 0.02, 1.5);
         let camera = camera.expect("it looks somewhere");
         let film = film(96, 64);
-        let real = film.render(|place, _| seen(&scene, &camera.ray_through(place)));
+        let real = film.sample(|place, _| seen(&scene, &camera.ray_through(place)));
         let around =
-            film.render(|place, _| environment.radiance(camera.ray_through(place).direction));
+            film.sample(|place, _| environment.radiance(camera.ray_through(place).direction));
         for (a, b) in real.pixels().iter().zip(around.pixels()) {
             let off = a.channels().into_iter().zip(b.channels());
             // The sun is 600: what is brighter than white is white in both.
@@ -121,7 +121,7 @@ fn a_panorama_of_an_environment_is_that_environment() {
         };
         let film = film(map.width(), map.height());
         let again =
-            film.render(|place, _| environment.radiance(camera.ray_through(place).direction));
+            film.sample(|place, _| environment.radiance(camera.ray_through(place).direction));
         assert!(again.same_bits(&map), "every texel, bit for bit");
         // And as a light in a scene, by the whole path tracer.
         let empty: Scene = Scene::new(Vec::new(), vec![Box::new(environment)]);
@@ -132,7 +132,7 @@ fn a_panorama_of_an_environment_is_that_environment() {
         };
         let rng = &|| pcg::stream(1, 0);
         let again =
-            film.render(|place, _| path.radiance(&empty, &camera.ray_through(place), &mut rng()));
+            film.sample(|place, _| path.radiance(&empty, &camera.ray_through(place), &mut rng()));
         assert!(again.same_bits(&map), "in a scene, bit for bit");
     }
 }
@@ -163,7 +163,7 @@ fn a_mirrored_or_shifted_panorama_would_be_noticed() {
         let environment = Environment::new(map);
         let film = film(width, height);
         let again =
-            film.render(|place, _| environment.radiance(camera.ray_through(place).direction));
+            film.sample(|place, _| environment.radiance(camera.ray_through(place).direction));
         let real = panorama(&scene, EYE, 256);
         let differ = again.pixels().iter().zip(real.pixels());
         let differ = differ.filter(|(a, b)| a != b).count();

@@ -3,7 +3,10 @@
 use super::pattern;
 use glam::{Vec2, vec2};
 use raybook::image::rgb::Rgb;
-use raybook::render::{film::Film, supersample};
+use raybook::render::{
+    film::{Film, SILENT},
+    supersample,
+};
 use raybook::sample::filter::{Filter, Sample, pixel_average};
 
 fn film(samples: usize) -> Film<'static> {
@@ -13,7 +16,7 @@ fn film(samples: usize) -> Film<'static> {
         samples,
         seed: 3,
         threads: 2,
-        progress: &|_| {},
+        progress: SILENT,
     }
 }
 

@@ -1,11 +1,14 @@
 //! The film loop: the same picture on any number of threads, and means without bias.
 
-use glam::{Vec2, vec2};
+use glam::vec2;
 use rand::RngExt;
-use raybook::image::rgb::Rgb;
-use raybook::math::pcg::Pcg;
-use raybook::render::film::{Done, Film};
+use raybook::prelude::*;
+use raybook::render::adaptive::Limits;
+use raybook::render::film::{Done, SILENT};
 use raybook::render::followed::Followed;
+use raybook::render::needs_more::Enough;
+use raybook::sample::pattern;
+use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 
 pub(crate) fn film(width: usize, height: usize, samples: usize, threads: usize) -> Film<'static> {
@@ -15,7 +18,7 @@ pub(crate) fn film(width: usize, height: usize, samples: usize, threads: usize) 
         samples,
         seed: 7,
         threads,
-        progress: &|_| (),
+        progress: SILENT,
     }
 }
 
@@ -27,7 +30,7 @@ fn the_picture_does_not_depend_on_the_number_of_threads() {
             seed,
             ..film(37, 29, 3, threads)
         }
-        .render(|place, rng| {
+        .sample(|place, rng| {
             let more: f32 = rng.random();
             let last: f32 = if more < 0.5 { rng.random() } else { 0.0 };
             Rgb::new(place.x, more, last)
@@ -46,7 +49,7 @@ fn the_picture_does_not_depend_on_the_number_of_threads() {
 #[test]
 fn every_pixel_gets_its_own_place_whatever_the_size() {
     for (width, height) in [(1, 1), (1, 40), (17, 16), (33, 15), (48, 32)] {
-        let picture = film(width, height, 1, 3).render(|place, _| Rgb::new(place.x, place.y, 1.0));
+        let picture = film(width, height, 1, 3).sample(|place, _| Rgb::new(place.x, place.y, 1.0));
         assert_eq!(
             (picture.width(), picture.height()),
             (width, height),
@@ -77,12 +80,13 @@ fn progress_adds_up_to_all_pixels_and_all_rays() {
         let progress = |Done { pixels, rays }: Done| {
             done.fetch_add(pixels, Ordering::Relaxed);
             followed.fetch_add(rays, Ordering::Relaxed);
+            ControlFlow::Continue(())
         };
         let film = Film {
             progress: &progress,
             ..film(width, height, 2, threads)
         };
-        film.render(|_, _| Followed {
+        film.sample(|_, _| Followed {
             radiance: Rgb::BLACK,
             rays: 3,
         });
@@ -102,7 +106,7 @@ fn the_mean_of_samples_is_the_mean_over_the_pixel() {
     // number of samples: the standard deviation of one sample is √(4/45) = 0.298, that of 10,000 pixels' mean 0.003 at
     // most; five of them are allowed.
     for samples in [2, 3, 5, 16] {
-        let picture = film(100, 100, samples, 2).render(|place, _| {
+        let picture = film(100, 100, samples, 2).sample(|place, _| {
             let in_pixel = (100.0 * place).fract();
             Rgb::new(
                 in_pixel.x.powi(2),
@@ -134,7 +138,7 @@ fn the_mean_of_samples_is_the_mean_over_the_pixel() {
 fn many_samples_still_fill_the_pixel_evenly() {
     // 2²⁰ samples: counted in f32, i·0.75 has lost all but 4 binary digits by then, and rows of the pixel stay empty.
     let samples = 1 << 20;
-    let mean = film(1, 1, samples, 1).render(|place, _| {
+    let mean = film(1, 1, samples, 1).sample(|place, _| {
         let fine = (1024.0 * place.x).fract();
         Rgb::new(fine, fine * fine, place.x * place.y)
     });
@@ -151,7 +155,7 @@ fn many_samples_still_fill_the_pixel_evenly() {
 #[test]
 fn an_edge_through_pixels_is_found_by_the_mean() {
     // A half plane through every pixel at x = 0.3: 64 of Sobol's points have a discrepancy below 4/64.
-    let picture = film(8, 8, 64, 1).render(|place, _| {
+    let picture = film(8, 8, 64, 1).sample(|place, _| {
         if (8.0 * place.x).fract() < 0.3 {
             Rgb::WHITE
         } else {
@@ -168,29 +172,70 @@ fn an_edge_through_pixels_is_found_by_the_mean() {
 }
 
 #[test]
-fn edges_are_rendered_with_all_samples_and_the_rest_with_few() {
-    // A disc of a quarter of the picture's area, with a soft shade inside.
-    let asked = AtomicUsize::new(0);
-    let disc = |place: Vec2, _: &mut Pcg| {
-        asked.fetch_add(1, Ordering::Relaxed);
-        let inside = place.distance(Vec2::splat(0.5)) < 0.28;
-        Rgb::gray(if inside { 0.5 + 0.1 * place.x } else { 1.0 })
-    };
-    let film = film(100, 100, 16, 2);
-    let all = film.render(disc);
-    assert_eq!(asked.swap(0, Ordering::Relaxed), 160_000);
-    let edges = film.render_edges(disc);
-    let (asked, pixels) = (asked.into_inner(), all.pixels().iter().zip(edges.pixels()));
-    // The rim is 2π·28 = 176 pixels long, and a band of three to four pixels is looked at more closely.
-    assert!((20_000..32_000).contains(&asked), "{asked} samples");
-    let (mut on_edge, mut same) = (0, 0);
-    for (a, b) in pixels {
-        let is_edge = a.r > 0.6 && a.r < 1.0;
-        on_edge += u32::from(is_edge);
-        same += u32::from(is_edge && a == b);
-        // Half a pixel is 0.0005 of the shade.
-        assert!((a.r - b.r).abs() < 0.001, "{a:?} and {b:?}");
+fn a_film_that_is_told_to_stop_begins_no_tile_any_more() {
+    for threads in [1, 3] {
+        let tiles = AtomicUsize::new(0);
+        let stop = |_| {
+            tiles.fetch_add(1, Ordering::Relaxed);
+            ControlFlow::Break(())
+        };
+        let film = Film {
+            progress: &stop,
+            ..film(160, 160, 1, threads)
+        };
+        let picture = film.sample(|_, _| Rgb::WHITE);
+        let tiles = tiles.into_inner();
+        assert!(
+            (1..=threads).contains(&tiles),
+            "{tiles} tiles on {threads} threads"
+        );
+        let drawn = picture.pixels().iter().filter(|p| **p == Rgb::WHITE);
+        assert_eq!(drawn.count(), tiles * 256, "what is drawn is kept");
     }
-    assert!(on_edge > 150, "{on_edge} pixels on the edge");
-    assert_eq!(on_edge, same, "pixels on the edge");
+}
+
+#[test]
+fn every_sampler_draws_the_same_picture_but_for_its_noise() {
+    let ball = Thing::new(
+        Sphere::new(Vec3::ZERO, 1.0),
+        Lambert {
+            albedo: Rgb::gray(0.5),
+        },
+    );
+    let scene = Scene::new(vec![ball], vec![]).surrounded_by(Rgb::BLACK, |_| Rgb::WHITE);
+    let camera = Pinhole::look_at(
+        vec3(0.0, 0.0, 5.0),
+        Vec3::ZERO,
+        Vec3::Y,
+        focal_length(40.0),
+        1.0,
+    )
+    .unwrap();
+    // What the lens sees from everywhere on it, with the same view.
+    let lens = ThinLens::with_view(&camera, 0.001, 4.0, Aperture::Round).unwrap();
+    // In a square view of 40° the ball is a disc of this radius, in sides of the square.
+    let radius = (0.2_f32.asin().tan() / 20_f32.to_radians().tan()) * 0.5;
+    let exact = 1.0 - 0.5 * std::f32::consts::PI * radius * radius;
+    let limits = Limits { first: 4, most: 64 };
+    let samplers = [
+        Sampler::Even,
+        Sampler::Refined,
+        Sampler::Pattern(pattern::find("jittered").unwrap()),
+        Sampler::Adaptive(limits, Enough::BY_CONTRAST),
+        Sampler::Budget { first: 4 },
+    ];
+    for sampler in samplers {
+        for camera in [&camera as &dyn Camera, &lens] {
+            let [one, three] = [1, 3].map(|threads| {
+                film(40, 40, 16, threads).render(camera, &sampler, &Path::WHOLE, &scene)
+            });
+            assert!(one.same_bits(&three), "{sampler:?} on three threads");
+            let mean = one.pixels().iter().map(|p| p.g).sum::<f32>() / 1600.0;
+            // Of 120 pixels on the rim each is off by up to 0.1 of its half: 0.5·0.1·√120/1600 = 0.0003.
+            assert!(
+                (mean - exact).abs() < 0.0015,
+                "{sampler:?}: {mean}, not {exact}"
+            );
+        }
+    }
 }

@@ -4,7 +4,7 @@ use glam::{Vec2, Vec3, vec3};
 use raybook::camera::{Camera, pinhole::Pinhole};
 use raybook::image::{Image, rgb::Rgb};
 use raybook::math::interval::Interval;
-use raybook::render::film::Film;
+use raybook::render::film::{Film, SILENT};
 use raybook::shape::{Shape, sphere::Sphere};
 
 /// A real picture: a shaded sphere before a sky that changes slowly.
@@ -15,7 +15,7 @@ pub(super) fn rendered() -> Image {
         samples: 4,
         seed: 1,
         threads: 1,
-        progress: &|_| (),
+        progress: SILENT,
     };
     let camera = Pinhole::look_at(
         vec3(0.5, 0.8, 4.0),
@@ -26,7 +26,7 @@ pub(super) fn rendered() -> Image {
     )
     .expect("it can");
     let sphere = Sphere::new(Vec3::ZERO, 1.0);
-    film.render(|place, _| {
+    film.sample(|place, _| {
         let ray = camera.ray(place, Vec2::ZERO);
         sphere.hit(&ray, Interval::AHEAD).map_or_else(
             || {

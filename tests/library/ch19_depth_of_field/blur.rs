@@ -7,7 +7,7 @@ use raybook::camera::thin_lens::ThinLens;
 use raybook::image::{Image, rgb::Rgb};
 use raybook::light::point::PointLight;
 use raybook::math::interval::Interval;
-use raybook::render::film::Film;
+use raybook::render::film::{Film, SILENT};
 use raybook::render::{glints::add_glints, through_lens::through_lens};
 use raybook::shape::{Shape, sphere::Sphere};
 
@@ -32,7 +32,7 @@ fn film(samples: usize) -> Film<'static> {
         samples,
         seed: 19,
         threads: 2,
-        progress: &|_| {},
+        progress: SILENT,
     }
 }
 

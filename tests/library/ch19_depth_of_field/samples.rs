@@ -8,7 +8,10 @@ use raybook::camera::aperture::Aperture;
 use raybook::camera::thin_lens::ThinLens;
 use raybook::image::{Image, rgb::Rgb};
 use raybook::math::ray::Ray;
-use raybook::render::{film::Film, through_lens::through_lens};
+use raybook::render::{
+    film::{Film, SILENT},
+    through_lens::through_lens,
+};
 use raybook_common::statistics::Mean;
 
 fn film(samples: usize, seed: u64, threads: usize) -> Film<'static> {
@@ -18,7 +21,7 @@ fn film(samples: usize, seed: u64, threads: usize) -> Film<'static> {
         samples,
         seed,
         threads,
-        progress: &|_| {},
+        progress: SILENT,
     }
 }
 
@@ -50,7 +53,7 @@ fn samples_spread_over_the_lens_have_less_noise_than_random_ones_and_the_same_me
     let camera = lens();
     let spread = |seed| through_lens(&film(64, seed, 2), &camera, stripes);
     let random = |seed| {
-        film(64, seed, 2).render(|place, rng| {
+        film(64, seed, 2).sample(|place, rng| {
             let ray = camera.ray(place, vec2(rng.random(), rng.random()));
             stripes(&ray, rng)
         })

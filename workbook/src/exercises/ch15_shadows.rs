@@ -78,6 +78,7 @@ fn surface(position: Vec3, error: f32, normal: Dir3) -> Surface {
         normal,
         shading_normal: normal,
         texture: Vec2::ZERO,
+        lift: Vec3::ZERO,
     }
 }
 

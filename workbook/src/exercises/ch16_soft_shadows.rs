@@ -162,5 +162,6 @@ fn surface(position: Vec3) -> Surface {
         normal: Dir3::Y,
         shading_normal: Dir3::Y,
         texture: Vec2::ZERO,
+        lift: Vec3::ZERO,
     }
 }

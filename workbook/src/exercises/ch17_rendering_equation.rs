@@ -85,6 +85,7 @@ exercises! { ($) ch17_rendering_equation
             normal: q.normal,
             shading_normal: q.normal,
             texture: Vec2::ZERO,
+            lift: Vec3::ZERO,
         };
         let rng = &mut pcg::stream(17, u64::from(q.samples));
         let sky = |toward| q.sky(toward);

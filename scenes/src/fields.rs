@@ -1,0 +1,289 @@
+//! A table of a scene file: what is asked for is checked, and what nobody asked for is an error.
+
+use crate::values::{colour, described, number, three, whole};
+use crate::wrong::{SceneError, Source, did_you_mean, listed, shown};
+use glam::Vec3;
+use raybook::image::rgb::Rgb;
+use raybook::math::{dir3::Dir3, domain::LARGEST};
+use std::cell::RefCell;
+use std::ops::RangeInclusive;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// The brightest light that may be asked for.
+const BRIGHTEST: f32 = 1e12;
+
+/// A table, and the names that it was asked for.
+#[derive(Debug)]
+pub struct Fields<'a> {
+    source: Source<'a>,
+    /// What it describes: "the camera", "a sphere".
+    what: String,
+    start: usize,
+    table: &'a DeTable<'a>,
+    asked: RefCell<Vec<&'static str>>,
+}
+
+impl<'a> Fields<'a> {
+    /// A table of the text that begins at a byte of it, and what it describes.
+    pub fn new(source: Source<'a>, what: &str, start: usize, table: &'a DeTable<'a>) -> Self {
+        Self {
+            source,
+            what: what.to_owned(),
+            start,
+            table,
+            asked: RefCell::default(),
+        }
+    }
+
+    /// The text.
+    pub fn source(&self) -> Source<'a> {
+        self.source
+    }
+
+    /// The same, describing something more special.
+    pub fn named(&mut self, what: impl Into<String>) {
+        self.what = what.into();
+    }
+
+    /// The value of a field.
+    pub fn value(&self, key: &'static str) -> Option<&'a Spanned<DeValue<'a>>> {
+        self.asked.borrow_mut().push(key);
+        let mut all = self.table.iter();
+        all.find(|(name, _)| name.get_ref() == key)
+            .map(|(_, value)| value)
+    }
+
+    /// The names of all fields, with their values, where names are free.
+    pub fn all(&self) -> impl Iterator<Item = (&'a str, &'a Spanned<DeValue<'a>>)> + use<'a> {
+        self.table
+            .iter()
+            .map(|(name, value)| (&**name.get_ref(), value))
+    }
+
+    /// What is wrong with a field.
+    pub fn wrong(&self, key: &str, message: impl Into<String>) -> SceneError {
+        let mut all = self.table.iter();
+        let value = all.find(|(name, _)| name.get_ref() == key);
+        let at = value.map_or(self.start, |(_, value)| value.span().start);
+        self.source.wrong(at, message)
+    }
+
+    /// What is there, or the error that it is missing.
+    ///
+    /// # Errors
+    /// If it is missing.
+    pub fn need<T>(&self, key: &str, found: Option<T>) -> Result<T, SceneError> {
+        found.ok_or_else(|| {
+            let message = format!("{} needs {}", self.what, shown(key));
+            self.source.wrong(self.start, message)
+        })
+    }
+
+    fn get<T>(
+        &self,
+        key: &'static str,
+        expected: &str,
+        read: impl Fn(&DeValue) -> Option<T>,
+    ) -> Result<Option<T>, SceneError> {
+        let Some(value) = self.value(key) else {
+            return Ok(None);
+        };
+        let read = read(value.get_ref()).ok_or_else(|| {
+            let found = described(value.get_ref());
+            let message = format!("{} must be {expected}, and this is {found}", shown(key));
+            self.source.wrong(value.span().start, message)
+        });
+        read.map(Some)
+    }
+
+    /// A number in a range.
+    ///
+    /// # Errors
+    /// If there is something else.
+    pub fn number(
+        &self,
+        key: &'static str,
+        within: RangeInclusive<f32>,
+    ) -> Result<Option<f32>, SceneError> {
+        let expected = format!("a number from {} to {}", within.start(), within.end());
+        self.get(key, &expected, |value| {
+            number(value).filter(|v| within.contains(v))
+        })
+    }
+
+    /// A whole number in a range.
+    ///
+    /// # Errors
+    /// If there is something else.
+    pub fn whole(
+        &self,
+        key: &'static str,
+        within: RangeInclusive<u64>,
+    ) -> Result<Option<u64>, SceneError> {
+        let expected = format!("a whole number from {} to {}", within.start(), within.end());
+        let read = |value: &DeValue| whole(value)?.try_into().ok().filter(|v| within.contains(v));
+        self.get(key, &expected, read)
+    }
+
+    /// A place or an edge: three coordinates in metres.
+    ///
+    /// # Errors
+    /// If there is something else, or it is outside the domain.
+    pub fn place(&self, key: &'static str) -> Result<Option<Vec3>, SceneError> {
+        let expected = format!("three numbers, [x, y, z], from -{LARGEST:e} to {LARGEST:e}");
+        let near = |v: &Vec3| v.abs().cmple(Vec3::splat(LARGEST)).all();
+        self.get(key, &expected, |value| three(value).filter(near))
+    }
+
+    /// A direction of any length.
+    ///
+    /// # Errors
+    /// If there is something else, or it is zero.
+    pub fn direction(&self, key: &'static str) -> Result<Option<Dir3>, SceneError> {
+        let expected = "three numbers, [x, y, z], that are not all 0";
+        self.get(key, expected, |value| Dir3::new(three(value)?))
+    }
+
+    /// A share of the light, in each channel from 0 to 1.
+    ///
+    /// # Errors
+    /// If there is something else.
+    pub fn share(&self, key: &'static str) -> Result<Option<Rgb>, SceneError> {
+        self.get(
+            key,
+            "a number from 0 to 1, or three, [red, green, blue]",
+            |value| colour(value, 1.0),
+        )
+    }
+
+    /// Light, in each channel from 0.
+    ///
+    /// # Errors
+    /// If there is something else.
+    pub fn light(&self, key: &'static str) -> Result<Option<Rgb>, SceneError> {
+        let expected = format!("a number from 0 to {BRIGHTEST:e}, or three, [red, green, blue]");
+        self.get(key, &expected, |value| colour(value, BRIGHTEST))
+    }
+
+    /// Yes or no.
+    ///
+    /// # Errors
+    /// If there is something else.
+    pub fn yes(&self, key: &'static str) -> Result<Option<bool>, SceneError> {
+        let yes = |value: &DeValue| match value {
+            DeValue::Boolean(yes) => Some(*yes),
+            _ => None,
+        };
+        self.get(key, "true or false", yes)
+    }
+
+    /// A text.
+    ///
+    /// # Errors
+    /// If there is something else.
+    pub fn text(&self, key: &'static str) -> Result<Option<&'a str>, SceneError> {
+        let Some(value) = self.value(key) else {
+            return Ok(None);
+        };
+        let text = value.get_ref().as_str();
+        text.map(Some).ok_or_else(|| {
+            let found = described(value.get_ref());
+            let message = format!(
+                "{} must be a text in quotes, and this is {found}",
+                shown(key)
+            );
+            self.source.wrong(value.span().start, message)
+        })
+    }
+
+    /// One of some words.
+    ///
+    /// # Errors
+    /// If there is something else.
+    pub fn choice(
+        &self,
+        key: &'static str,
+        words: &[&'static str],
+    ) -> Result<Option<&'static str>, SceneError> {
+        let Some(text) = self.text(key)? else {
+            return Ok(None);
+        };
+        let known = words.iter().find(|word| **word == text);
+        known.copied().map(Some).ok_or_else(|| {
+            let hint = did_you_mean(text, words.iter().copied());
+            let known = listed(words.iter().copied());
+            let message = format!("{} is none of {known}{hint}", shown(text));
+            self.wrong(key, message)
+        })
+    }
+
+    /// A table in this one.
+    ///
+    /// # Errors
+    /// If there is something else.
+    pub fn table(&self, key: &'static str, what: &str) -> Result<Option<Self>, SceneError> {
+        self.value(key)
+            .map(|value| self.of(value, key, what))
+            .transpose()
+    }
+
+    /// A list of tables in this one.
+    ///
+    /// # Errors
+    /// If there is something else.
+    pub fn tables(&self, key: &'static str, what: &str) -> Result<Vec<Self>, SceneError> {
+        let Some(value) = self.value(key) else {
+            return Ok(Vec::new());
+        };
+        let Some(list) = value.get_ref().as_array() else {
+            let message = format!("{what} begins with [[{key}]], in two brackets");
+            return Err(self.source.wrong(value.span().start, message));
+        };
+        list.iter().map(|value| self.of(value, key, what)).collect()
+    }
+
+    /// A value as a table.
+    ///
+    /// # Errors
+    /// If there is something else.
+    pub fn of(
+        &self,
+        value: &'a Spanned<DeValue<'a>>,
+        key: &str,
+        what: &str,
+    ) -> Result<Self, SceneError> {
+        let start = value.span().start;
+        let Some(table) = value.get_ref().as_table() else {
+            let found = described(value.get_ref());
+            let message = format!("{} must be a table, and this is {found}", shown(key));
+            return Err(self.source.wrong(start, message));
+        };
+        Ok(Self::new(self.source, what, start, table))
+    }
+
+    /// The end: every field was asked for.
+    ///
+    /// # Errors
+    /// The first one that was not.
+    pub fn finish(self) -> Result<(), SceneError> {
+        let asked = self.asked.borrow();
+        let unknown = |name: &&Spanned<_>| {
+            let name: &std::borrow::Cow<str> = name.get_ref();
+            !asked.contains(&&**name)
+        };
+        let names = self.table.iter().map(|(name, _)| name);
+        let Some(first) = names.filter(unknown).min_by_key(|name| name.span().start) else {
+            return Ok(());
+        };
+        let name = &**first.get_ref();
+        let hint = did_you_mean(name, asked.iter().copied());
+        let hint = if hint.is_empty() {
+            format!("; it has {}", listed(asked.iter().copied()))
+        } else {
+            hint
+        };
+        let message = format!("{} has no field {}{hint}", self.what, shown(name));
+        Err(self.source.wrong(first.span().start, message))
+    }
+}

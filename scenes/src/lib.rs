@@ -1,0 +1,109 @@
+//! Scene files: a scene, its camera and how it is rendered, as a text that people write. The book's page "Scene files" describes
+//! the format; `raybook render` draws them.
+
+pub mod camera;
+pub mod fields;
+pub mod lights;
+pub mod materials;
+pub mod rendering;
+pub mod shapes;
+mod values;
+pub mod wrong;
+
+use fields::Fields;
+use raybook::camera::Camera;
+use raybook::image::Image;
+use raybook::render::film::Film;
+use raybook::scene::world::Scene;
+use raybook::store::{self, StoreError};
+use rendering::{Picture, Rendering};
+use std::fmt;
+use std::io;
+use std::path::Path;
+use toml::de::DeTable;
+use wrong::{SceneError, Source};
+
+/// The longest scene file, in bytes; meshes and pictures have files of their own.
+pub const LONGEST: usize = 1 << 24;
+
+/// A scene, and everything that is needed to take its picture.
+pub struct Shot {
+    /// The scene.
+    pub scene: Scene,
+    /// The camera, for a picture of the size that the file asks for.
+    pub camera: Box<dyn Camera>,
+    /// Integrator and sampler.
+    pub rendering: Rendering,
+    /// The picture's size, samples and exposure.
+    pub picture: Picture,
+}
+
+impl fmt::Debug for Shot {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.debug_struct("Shot")
+            .field("scene", &self.scene)
+            .field("rendering", &self.rendering)
+            .field("picture", &self.picture)
+            .finish_non_exhaustive()
+    }
+}
+
+impl Shot {
+    /// The radiance of the picture on a film, which says the number of samples and who is told of the progress.
+    pub fn render(&self, film: &Film) -> Image {
+        let Rendering {
+            sampler,
+            integrator,
+        } = &self.rendering;
+        film.render(&*self.camera, sampler, &**integrator, &self.scene)
+    }
+}
+
+/// Reads a scene file, and the meshes and pictures that it names, which are beside it.
+///
+/// `width` is the width of the picture in pixels, if it is to be another one than the file says; its height follows.
+///
+/// # Errors
+/// If a file cannot be read, or is wrong; where and why.
+pub fn load(path: &Path, width: Option<usize>) -> Result<Shot, SceneError> {
+    let text = store::read_text(path)?;
+    if text.len() > LONGEST {
+        let reason = format!("it has more than {LONGEST} bytes; keep meshes in files of their own");
+        let failed = StoreError::of(path, "read this scene");
+        return Err(failed(io::Error::new(io::ErrorKind::FileTooLarge, reason)).into());
+    }
+    parse(path, &text, width)
+}
+
+/// The scene of a text; `path` is where it stands, to find other files and for errors.
+///
+/// # Errors
+/// Those of [`load`].
+pub fn parse(path: &Path, text: &str, width: Option<usize>) -> Result<Shot, SceneError> {
+    let source = Source { path, text };
+    let table = DeTable::parse(text).map_err(|error| {
+        let at = error.span().map_or(0, |span| span.start);
+        let message = error.message().trim_end().replace('\n', "; ");
+        source.wrong(at, format!("this is no TOML: {message}"))
+    })?;
+    let fields = Fields::new(source, "a scene", 0, table.get_ref());
+    let mut picture = rendering::picture(fields.table("picture", "the picture")?)?;
+    if let Some(width) = width {
+        picture = picture.of_width(width);
+    }
+    let camera = fields.table("camera", "the camera")?;
+    let camera = camera::camera(fields.need("camera", camera)?, picture.aspect())?;
+    let rendering = rendering::rendering(&fields)?;
+    let materials = materials::Materials::of(fields.table("materials", "the materials")?)?;
+    let things = shapes::things(fields.tables("shapes", "a shape")?, &materials)?;
+    let lights = lights::lights(fields.tables("lights", "a light")?)?;
+    let mut scene = Scene::new(things, lights);
+    lights::surroundings(&fields, &mut scene)?;
+    fields.finish()?;
+    Ok(Shot {
+        scene,
+        camera,
+        rendering,
+        picture,
+    })
+}

@@ -1,0 +1,211 @@
+//! Materials: each has a name, and shapes may share it.
+
+use crate::fields::Fields;
+use crate::lights::picture;
+use crate::values::colour;
+use crate::wrong::{SceneError, did_you_mean, listed, shown};
+use raybook::image::{mip::MipMap, rgb::Rgb};
+use raybook::material::Material;
+use raybook::material::conductor::{Conductor, Metal};
+use raybook::material::ggx::Ggx;
+use raybook::material::glass::{Glass, Medium};
+use raybook::material::glowing::Glowing;
+use raybook::material::lambert::Lambert;
+use raybook::material::mirror::Mirror;
+use raybook::material::phong::Phong;
+use raybook::material::plastic::Plastic;
+use raybook::material::texture::Texture;
+use raybook::shape::Surface;
+use std::collections::BTreeMap;
+use std::f32::consts::FRAC_1_PI;
+use std::sync::Arc;
+
+/// The materials of a scene by their names.
+#[derive(Default)]
+pub struct Materials {
+    named: BTreeMap<String, Arc<dyn Material>>,
+}
+
+impl std::fmt::Debug for Materials {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        f.debug_set().entries(self.named.keys()).finish()
+    }
+}
+
+impl Materials {
+    pub(crate) fn of(fields: Option<Fields>) -> Result<Self, SceneError> {
+        let mut named = BTreeMap::new();
+        if let Some(fields) = fields {
+            for (name, value) in fields.all() {
+                let what = format!("the material {}", shown(name));
+                named.insert(name.to_owned(), material(fields.of(value, name, &what)?)?);
+            }
+        }
+        Ok(Self { named })
+    }
+
+    /// The material that the field `material` of a shape names or describes.
+    pub(crate) fn get(&self, shape: &Fields) -> Result<Option<Arc<dyn Material>>, SceneError> {
+        let Some(value) = shape.value("material") else {
+            return Ok(None);
+        };
+        if value.get_ref().is_table() {
+            let fields = shape.of(value, "material", "this material")?;
+            return material(fields).map(Some);
+        }
+        let Some(name) = shape.text("material")? else {
+            return Ok(None);
+        };
+        self.named.get(name).cloned().map(Some).ok_or_else(|| {
+            let names = || self.named.keys().map(String::as_str);
+            let hint = did_you_mean(name, names());
+            let known = if self.named.is_empty() {
+                "none is described; write [materials.NAME]".to_owned()
+            } else {
+                format!("there are {}", listed(names()))
+            };
+            let message = format!("there is no material {}: {known}{hint}", shown(name));
+            shape.wrong("material", message)
+        })
+    }
+}
+
+const METALS: [(&str, Metal); 4] = [
+    ("gold", Metal::GOLD),
+    ("silver", Metal::SILVER),
+    ("copper", Metal::COPPER),
+    ("aluminium", Metal::ALUMINIUM),
+];
+
+fn material(mut fields: Fields) -> Result<Arc<dyn Material>, SceneError> {
+    let kinds = [
+        "matte", "plastic", "phong", "metal", "mirror", "glass", "glowing",
+    ];
+    let kind = fields.choice("kind", &kinds)?;
+    let kind = fields.need("kind", kind)?;
+    fields.named(format!("a material of the kind `{kind}`"));
+    let index = || fields.number("index", 1.0..=4.0);
+    let material: Arc<dyn Material> = match kind {
+        "matte" => paint(&fields)?.make(|albedo| Lambert { albedo }),
+        "plastic" => {
+            let plastic = Plastic::new(Rgb::BLACK, index()?.unwrap_or(1.5));
+            paint(&fields)?.make(move |albedo| plastic.of(albedo))
+        }
+        "phong" => {
+            let specular = fields.number("specular", 0.0..=1.0)?.unwrap_or(0.0);
+            let exponent = fields.number("exponent", 0.0..=1e6)?.unwrap_or(50.0);
+            paint(&fields)?.make(move |albedo| Phong {
+                ambient: albedo,
+                diffuse: albedo * FRAC_1_PI,
+                specular: Rgb::gray(specular),
+                exponent,
+            })
+        }
+        "metal" => {
+            let name = fields.choice("metal", &METALS.map(|(name, _)| name))?;
+            let name = fields.need("metal", name)?;
+            let metal = METALS.iter().find(|(known, _)| *known == name);
+            let metal = fields.need("metal", metal)?.1;
+            let alpha = fields.number("roughness", 0.0..=1.0)?.unwrap_or(0.0);
+            if alpha < Ggx::SMOOTHEST {
+                Arc::new(Conductor(metal))
+            } else {
+                Arc::new(Ggx { metal, alpha })
+            }
+        }
+        "mirror" => {
+            let share = fields.share("share")?.unwrap_or(Rgb::gray(0.95));
+            Arc::new(Mirror { share })
+        }
+        "glass" => Arc::new(Glass {
+            outside: Medium::clear(fields.number("outside_index", 1.0..=4.0)?.unwrap_or(1.0)),
+            inside: Medium {
+                index: index()?.unwrap_or(1.5),
+                absorption: fields.light("absorption_per_m")?.unwrap_or(Rgb::BLACK),
+            },
+        }),
+        _ => {
+            let radiance = fields.light("radiance")?;
+            let radiance = fields.need("radiance", radiance)?;
+            Arc::new(Glowing { radiance })
+        }
+    };
+    fields.finish()?;
+    Ok(material)
+}
+
+/// The colour of a surface, place by place.
+enum Paint {
+    Plain(Rgb),
+    Picture { map: Arc<MipMap>, repeat: f32 },
+    Squares { colours: [Rgb; 2], side: f32 },
+}
+
+/// A colour, a picture or squares of two colours, in the field `colour`.
+fn paint(fields: &Fields) -> Result<Paint, SceneError> {
+    let value = fields.value("colour");
+    let value = fields.need("colour", value)?;
+    if !value.get_ref().is_table() {
+        let plain = fields.share("colour")?;
+        return fields.need("colour", plain).map(Paint::Plain);
+    }
+    let fields = fields.of(value, "colour", "a `colour` that is a table")?;
+    let paint = if let Some(squares) = fields.value("squares") {
+        let list = squares.get_ref().as_array();
+        let colours = list.filter(|list| list.len() == 2).and_then(|list| {
+            let mut colours = list.iter().map(|value| colour(value.get_ref(), 1.0));
+            Some([colours.next()??, colours.next()??])
+        });
+        let message =
+            "`squares` must be two colours, [[red, green, blue], [red, green, blue]], from 0 to 1";
+        let colours = colours.ok_or_else(|| fields.wrong("squares", message))?;
+        let side = fields.number("side", 1e-6..=1e6)?.unwrap_or(1.0);
+        Paint::Squares { colours, side }
+    } else {
+        let repeat = fields.number("repeat", 1e-6..=1e6)?.unwrap_or(1.0);
+        let map = Arc::new(MipMap::new(&picture(&fields)?));
+        Paint::Picture { map, repeat }
+    };
+    fields.finish()?;
+    Ok(paint)
+}
+
+impl Paint {
+    fn make<M: Material + 'static>(
+        self,
+        make: impl Fn(Rgb) -> M + Send + Sync + 'static,
+    ) -> Arc<dyn Material> {
+        match self {
+            Self::Plain(colour) => Arc::new(make(colour)),
+            paint => Arc::new(Painted { paint, make }),
+        }
+    }
+
+    fn at(&self, surface: &Surface) -> Rgb {
+        match self {
+            Self::Plain(colour) => *colour,
+            Self::Picture { map, repeat } => {
+                let colour = map.bilinear(0, surface.texture * *repeat);
+                colour.map(|v| v.clamp(0.0, 1.0))
+            }
+            Self::Squares { colours, side } => {
+                let odd = (surface.texture / *side).floor().element_sum() % 2.0 != 0.0;
+                colours[usize::from(odd)]
+            }
+        }
+    }
+}
+
+/// A material that is made of the paint's colour, place by place.
+struct Painted<F> {
+    paint: Paint,
+    make: F,
+}
+
+impl<M: Material, F: Fn(Rgb) -> M + Send + Sync> Texture for Painted<F> {
+    type Material = M;
+
+    fn at(&self, surface: &Surface) -> M {
+        (self.make)(self.paint.at(surface))
+    }
+}

@@ -1,0 +1,185 @@
+//! The picture's size, its samples, and how light is followed.
+
+use crate::fields::Fields;
+use crate::wrong::SceneError;
+use raybook::image::{Image, tone};
+use raybook::render::adaptive::Limits;
+use raybook::render::clamped::Clamped;
+use raybook::render::local::{ALWAYS, Local};
+use raybook::render::needs_more::Enough;
+use raybook::render::sampler::{Integrator, Sampler};
+use raybook::render::{path::Path, shadow, whitted::Whitted};
+use raybook::sample::pattern::{self, PATTERNS};
+use std::fmt;
+
+/// The widest and highest picture, in pixels.
+pub const WIDEST: u64 = 8192;
+
+/// The size of a picture, and how it is shown.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Picture {
+    /// Columns.
+    pub width: usize,
+    /// Rows.
+    pub height: usize,
+    /// Samples per pixel.
+    pub samples: usize,
+    /// What every random number follows from.
+    pub seed: u64,
+    /// Stops by which the picture is brightened for the display.
+    pub exposure: f32,
+    /// Whether bright colours fade to white as on film; else they are cut off.
+    pub film_like: bool,
+}
+
+impl Picture {
+    /// Width over height.
+    pub fn aspect(&self) -> f32 {
+        self.width as f32 / self.height as f32
+    }
+
+    /// The same at another width; the height follows.
+    #[must_use]
+    pub fn of_width(self, width: usize) -> Self {
+        let height = (width as f32 / self.aspect()).round() as usize;
+        Self {
+            width,
+            height: height.clamp(1, WIDEST as usize),
+            ..self
+        }
+    }
+
+    /// Radiance as a display shows it.
+    pub fn developed(&self, radiance: &Image) -> Image {
+        let exposed = radiance.map(|pixel| tone::expose(pixel, self.exposure));
+        if self.film_like {
+            exposed.map(tone::aces)
+        } else {
+            exposed
+        }
+    }
+}
+
+pub(crate) fn picture(fields: Option<Fields>) -> Result<Picture, SceneError> {
+    let usual = Picture {
+        width: 640,
+        height: 480,
+        samples: 64,
+        seed: 1,
+        exposure: 0.0,
+        film_like: false,
+    };
+    let Some(fields) = fields else {
+        return Ok(usual);
+    };
+    let size = |v: Option<u64>, usual: usize| v.map_or(usual, |v| v as usize);
+    let tone = fields.choice("tone", &["clamp", "aces"])?;
+    let picture = Picture {
+        width: size(fields.whole("width", 1..=WIDEST)?, usual.width),
+        height: size(fields.whole("height", 1..=WIDEST)?, usual.height),
+        samples: size(fields.whole("samples", 1..=1_000_000)?, usual.samples),
+        seed: fields
+            .whole("seed", 0..=i64::MAX as u64)?
+            .unwrap_or(usual.seed),
+        exposure: fields
+            .number("exposure_stops", -30.0..=30.0)?
+            .unwrap_or(0.0),
+        film_like: tone == Some("aces"),
+    };
+    fields.finish()?;
+    Ok(picture)
+}
+
+/// How light is followed, and where the samples are.
+pub struct Rendering {
+    /// How light is followed.
+    pub integrator: Box<dyn Integrator>,
+    /// Where the samples are.
+    pub sampler: Sampler<'static>,
+}
+
+impl fmt::Debug for Rendering {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.debug_struct("Rendering")
+            .field("sampler", &self.sampler)
+            .finish_non_exhaustive()
+    }
+}
+
+pub(crate) fn rendering(scene: &Fields) -> Result<Rendering, SceneError> {
+    let integrator = scene.table("integrator", "the integrator")?;
+    let sampler = scene.table("sampler", "the sampler")?;
+    Ok(Rendering {
+        integrator: match integrator {
+            Some(fields) => self::integrator(fields)?,
+            None => Box::new(Path::WHOLE),
+        },
+        sampler: match sampler {
+            Some(fields) => self::sampler(fields)?,
+            None => Sampler::Even,
+        },
+    })
+}
+
+/// So many surfaces in a row are followed at most: a mirror before a mirror would go on for ever.
+const DEEPEST: u64 = 1000;
+
+fn integrator(mut fields: Fields) -> Result<Box<dyn Integrator>, SceneError> {
+    let kind = fields.choice("kind", &["path", "whitted"])?;
+    let kind = fields.need("kind", kind)?;
+    fields.named(format!("an integrator of the kind `{kind}`"));
+    let integrator: Box<dyn Integrator> = if kind == "path" {
+        let depth = fields.whole("depth", 1..=DEEPEST)?;
+        let path = Path {
+            depth: depth.unwrap_or(DEEPEST) as u32,
+            ..Path::WHOLE
+        };
+        match fields.number("brightest_sample", 1e-6..=1e12)? {
+            Some(brightest) => Box::new(Clamped {
+                integrator: path,
+                brightest,
+            }),
+            None => Box::new(path),
+        }
+    } else {
+        // Glass makes two rays of one, so that a tree of rays may not be as deep as a path.
+        let depth = fields.whole("depth", 1..=32)?.unwrap_or(8);
+        let shadows = fields.yes("shadows")?.unwrap_or(true);
+        let samples = fields.whole("light_samples", 1..=1024)?.unwrap_or(1);
+        Box::new(Whitted {
+            local: Local {
+                samples: samples as u32,
+                arrives: if shadows { Some(shadow::lit) } else { ALWAYS },
+            },
+            depth: depth as u32,
+        })
+    };
+    fields.finish()?;
+    Ok(integrator)
+}
+
+fn sampler(mut fields: Fields) -> Result<Sampler<'static>, SceneError> {
+    let mut kinds = vec!["even", "refined", "adaptive", "budget"];
+    kinds.extend(PATTERNS.iter().map(|pattern| pattern.name));
+    let kind = fields.choice("kind", &kinds)?;
+    let kind = fields.need("kind", kind)?;
+    fields.named(format!("a sampler of the kind `{kind}`"));
+    let sampler = match (kind, pattern::find(kind)) {
+        (_, Some(pattern)) => Sampler::Pattern(pattern),
+        ("refined", _) => Sampler::Refined,
+        ("adaptive", _) => {
+            let first = fields.whole("first", 2..=1024)?.unwrap_or(4) as usize;
+            let most = fields.whole("most", 2..=1_000_000)?.unwrap_or(256) as usize;
+            let error = fields.number("error", 0.0..=1e9)?;
+            let enough = error.map_or(Enough::BY_CONTRAST, Enough::by_variance);
+            Sampler::Adaptive(Limits { first, most }, enough)
+        }
+        ("budget", _) => {
+            let first = fields.whole("first", 2..=1024)?.unwrap_or(4) as usize;
+            Sampler::Budget { first }
+        }
+        _ => Sampler::Even,
+    };
+    fields.finish()?;
+    Ok(sampler)
+}

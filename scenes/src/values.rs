@@ -1,0 +1,57 @@
+//! What the values of a scene file mean: numbers, vectors, colours.
+
+use glam::{Vec3, vec3};
+use raybook::image::rgb::Rgb;
+use toml::de::DeValue;
+
+/// What a value is, for people.
+pub(crate) fn described(value: &DeValue) -> String {
+    match value {
+        DeValue::String(text) => {
+            let short: String = text.chars().take(40).collect();
+            format!("the text \"{}\"", short.escape_debug())
+        }
+        DeValue::Integer(number) => number.as_str().chars().take(40).collect(),
+        DeValue::Float(number) => number.as_str().chars().take(40).collect(),
+        DeValue::Boolean(yes) => yes.to_string(),
+        DeValue::Datetime(_) => "a date".to_owned(),
+        DeValue::Array(list) => {
+            let numbers: Option<Vec<_>> = list.iter().map(|v| number(v.get_ref())).collect();
+            match numbers {
+                Some(numbers) if list.len() <= 4 => format!("{numbers:?}"),
+                _ => format!("a list of {}", list.len()),
+            }
+        }
+        DeValue::Table(_) => "a table".to_owned(),
+    }
+}
+
+/// A number, whole or not.
+pub(crate) fn number(value: &DeValue) -> Option<f32> {
+    match value {
+        DeValue::Integer(_) => whole(value).map(|v| v as f32),
+        DeValue::Float(float) => float.as_str().replace('_', "").parse().ok(),
+        _ => None,
+    }
+}
+
+/// A whole number.
+pub(crate) fn whole(value: &DeValue) -> Option<i64> {
+    let number = value.as_integer()?;
+    i64::from_str_radix(&number.as_str().replace('_', ""), number.radix()).ok()
+}
+
+/// Three finite numbers.
+pub(crate) fn three(value: &DeValue) -> Option<Vec3> {
+    let list = value.as_array()?;
+    let mut numbers = list.iter().map(|value| number(value.get_ref()));
+    let v = vec3(numbers.next()??, numbers.next()??, numbers.next()??);
+    (list.len() == 3 && v.is_finite()).then_some(v)
+}
+
+/// A colour, in each channel from 0 to `most`.
+pub(crate) fn colour(value: &DeValue, most: f32) -> Option<Rgb> {
+    let v = number(value).map(Vec3::splat).or_else(|| three(value))?;
+    let within = v.cmpge(Vec3::ZERO).all() && v.cmple(Vec3::splat(most)).all();
+    within.then(|| Rgb::new(v.x, v.y, v.z))
+}

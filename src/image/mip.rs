@@ -1,0 +1,94 @@
+//! A picture to be looked up between its pixels, and less sharply where many of them would fall into one.
+
+use crate::image::{Image, rgb::Rgb};
+use glam::Vec2;
+
+/// A picture, the same at half its width and height, and so on down to one pixel (Williams, "Pyramidal parametrics", 1983).
+///
+/// Places are texture coordinates: (0, 0) is the lower left corner of the picture, (1, 1) the upper right one, and beyond
+/// them the picture is repeated.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MipMap {
+    levels: Vec<Image>,
+}
+
+impl MipMap {
+    /// A picture; a channel that is not finite counts as 0.
+    ///
+    /// # Panics
+    /// If the picture has no pixel.
+    pub fn new(picture: &Image) -> Self {
+        assert!(!picture.pixels().is_empty(), "a texture has pixels");
+        let finite = |v: f32| if v.is_finite() { v } else { 0.0 };
+        let mut levels = vec![picture.map(|pixel| pixel.map(finite))];
+        while let Some(last) = levels.last().filter(|last| last.pixels().len() > 1) {
+            levels.push(halved(last));
+        }
+        Self { levels }
+    }
+
+    /// The pictures, from the largest to a single pixel.
+    pub fn levels(&self) -> &[Image] {
+        &self.levels
+    }
+
+    // ANCHOR: bilinear
+    /// The colour at a place between the middles of four pixels: each counts as much as the place is near to it.
+    pub fn bilinear(&self, level: usize, place: Vec2) -> Rgb {
+        let picture = &self.levels[level.min(self.levels.len() - 1)];
+        let (width, height) = (picture.width(), picture.height());
+        // Half a pixel before the middle of the first one begins the last one: the picture is repeated.
+        let between = |v: f32, n: usize| {
+            let v = if v.is_finite() { v - v.floor() } else { 0.0 };
+            let at = v * n as f32 + n as f32 - 0.5;
+            let (first, rest) = (at as usize, at.fract());
+            (first % n, (first + 1) % n, rest)
+        };
+        let (left, right, x) = between(place.x, width);
+        let (top, bottom, y) = between(1.0 - place.y, height);
+        let row = |row: usize| picture.at(left, row).lerp(picture.at(right, row), x);
+        row(top).lerp(row(bottom), y)
+    }
+    // ANCHOR_END: bilinear
+
+    // ANCHOR: mip_map
+    /// The mean colour about a place, over a square of so large a width in texture coordinates: between the two levels whose
+    /// pixels are about as large. A width of 0 is the picture itself.
+    pub fn at(&self, place: Vec2, width: f32) -> Rgb {
+        let (first, last) = (&self.levels[0], self.levels.len() - 1);
+        let pixels = width * first.width().max(first.height()) as f32;
+        let level = pixels.max(1.0).log2().min(last as f32);
+        let (sharp, rest) = (level as usize, level.fract());
+        if rest == 0.0 {
+            return self.bilinear(sharp, place);
+        }
+        let (sharp, soft) = (self.bilinear(sharp, place), self.bilinear(sharp + 1, place));
+        sharp.lerp(soft, rest)
+    }
+    // ANCHOR_END: mip_map
+}
+
+/// The picture at half its width and height, rounded down: each pixel is the mean of what it covers.
+fn halved(picture: &Image) -> Image {
+    let (width, height) = (picture.width(), picture.height());
+    let (half_width, half_height) = ((width / 2).max(1), (height / 2).max(1));
+    Image::from_fn(half_width, half_height, |x, y| {
+        let mut sum = Rgb::BLACK;
+        for (row, high) in covered(y, height, half_height) {
+            for (column, wide) in covered(x, width, half_width) {
+                sum += picture.at(column, row) * (wide * high);
+            }
+        }
+        sum
+    })
+}
+
+/// Which of n pixels in a row pixel i of m covers, and how much of it each of them is.
+fn covered(i: usize, n: usize, m: usize) -> impl Iterator<Item = (usize, f32)> {
+    // In m-ths of a pixel all numbers are whole.
+    let (begin, end) = (i * n, (i + 1) * n);
+    (begin / m..end.div_ceil(m)).map(move |pixel| {
+        let part = end.min((pixel + 1) * m) - begin.max(pixel * m);
+        (pixel, part as f32 / n as f32)
+    })
+}

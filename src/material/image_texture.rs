@@ -1,0 +1,55 @@
+//! Image textures: the colour of each place is looked up in a picture.
+
+use crate::image::{mip::MipMap, rgb::Rgb};
+use crate::material::{Material, texture::Texture};
+use crate::shape::Surface;
+use std::fmt;
+use std::sync::Arc;
+
+/// A material made of the colour of a picture, by the surface's texture coordinates (Catmull 1974; Blinn and Newell 1976).
+///
+/// ```
+/// use raybook::prelude::*;
+///
+/// let stripes = Image::from_fn(2, 1, |x, _| Rgb::gray([0.2, 0.8][x]));
+/// let paper = ImageTexture::new(MipMap::new(&stripes), |albedo| Lambert { albedo });
+/// let ball = Thing::new(Sphere::new(Vec3::ZERO, 1.0), paper);
+/// ```
+pub struct ImageTexture<M> {
+    /// The picture. Materials may share it.
+    pub map: Arc<MipMap>,
+    /// The width, in texture coordinates, over which colours are averaged; 0 where a pixel's samples do that.
+    pub width: f32,
+    /// What a surface of this colour is made of.
+    pub make: Box<dyn Fn(Rgb) -> M + Send + Sync>,
+}
+
+impl<M> ImageTexture<M> {
+    /// The sharp picture, on a surface that is made of the colour.
+    pub fn new(
+        map: impl Into<Arc<MipMap>>,
+        make: impl Fn(Rgb) -> M + Send + Sync + 'static,
+    ) -> Self {
+        Self {
+            map: map.into(),
+            width: 0.0,
+            make: Box::new(make),
+        }
+    }
+}
+
+impl<M> fmt::Debug for ImageTexture<M> {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.debug_struct("ImageTexture")
+            .field("width", &self.width)
+            .finish_non_exhaustive()
+    }
+}
+
+impl<M: Material> Texture for ImageTexture<M> {
+    type Material = M;
+
+    fn at(&self, surface: &Surface) -> M {
+        (self.make)(self.map.at(surface.texture, self.width))
+    }
+}

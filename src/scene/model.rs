@@ -1,0 +1,153 @@
+//! Models: an OBJ file with its materials and their pictures, as things of a scene.
+
+use crate::accel::{Meshed, wide_bvh::WideBvh};
+use crate::image::file::{self, FileError};
+use crate::image::{mip::MipMap, rgb::Rgb, tone};
+use crate::material::mtl::{self, Mtl};
+use crate::material::{Material, lambert::Lambert};
+use crate::scene::world::Thing;
+use crate::shape::mesh::Mesh;
+use crate::shape::mesh_file::{self, LoadError};
+use crate::shape::normal_map::NormalMap;
+use crate::shape::word::Wrong;
+use crate::store::{self, StoreError};
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// Why a file does not give a model; every kind names the file.
+#[derive(Debug, thiserror::Error)]
+pub enum ModelError {
+    /// The mesh.
+    #[error(transparent)]
+    Mesh(#[from] LoadError),
+    /// A file of materials cannot be read.
+    #[error(transparent)]
+    Store(#[from] StoreError),
+    /// A line of a file of materials is wrong.
+    #[error("{}:{wrong}", path.display())]
+    Materials {
+        /// The file.
+        path: PathBuf,
+        /// The line, the column and the reason.
+        wrong: Wrong,
+    },
+    /// A picture cannot be read.
+    #[error(transparent)]
+    Picture(#[from] FileError),
+    /// Faces are made of something that no file describes.
+    #[error("{}: its faces use the material `{}`, which its files of materials (mtllib) do not describe; they describe {}", path.display(), name.escape_debug(), known(described))]
+    Unknown {
+        /// The OBJ file.
+        path: PathBuf,
+        /// The name that the faces use.
+        name: String,
+        /// The names that there are.
+        described: Vec<String>,
+    },
+}
+
+fn known(names: &[String]) -> String {
+    let names: Vec<_> = names
+        .iter()
+        .map(|name| name.escape_debug().to_string())
+        .collect();
+    if names.is_empty() {
+        return "none".to_owned();
+    }
+    names.join(", ")
+}
+
+/// Reads a model: a thing for each material of an OBJ file; an STL file, and faces without a material, are light grey.
+///
+/// The files of materials, and the pictures that they name, are looked for beside the file that names them. Pictures of colours
+/// are PNG, EXR or HDR; those of normals are PNG.
+///
+/// # Errors
+/// If a file cannot be read or is wrong, or a material is missing.
+pub fn load(path: &Path) -> Result<Vec<Thing>, ModelError> {
+    let parts = mesh_file::load_parts(path)?;
+    let mut materials = HashMap::new();
+    let mut pictures = Pictures::default();
+    for library in &parts.libraries {
+        let file = beside(path, library);
+        let text = store::read(&file)?;
+        let described = mtl::parse(&String::from_utf8_lossy(&text));
+        let described = described.map_err(|wrong| ModelError::Materials {
+            path: file.clone(),
+            wrong,
+        })?;
+        for mtl in described {
+            materials.insert(mtl.name.clone(), (mtl, file.clone()));
+        }
+    }
+    let things = parts.parts.into_iter().map(|part| {
+        if part.material.is_empty() || parts.libraries.is_empty() {
+            let grey = Lambert {
+                albedo: Rgb::gray(0.8),
+            };
+            return Ok(thing(part.mesh, Arc::new(grey)));
+        }
+        let Some((mtl, file)) = materials.get(&part.material) else {
+            let mut described: Vec<_> = materials.keys().cloned().collect();
+            described.sort_unstable();
+            return Err(ModelError::Unknown {
+                path: path.into(),
+                name: part.material,
+                described,
+            });
+        };
+        pictures.thing(part.mesh, mtl, file)
+    });
+    things.collect()
+}
+
+fn thing(mesh: Mesh, material: Arc<dyn Material>) -> Thing {
+    Thing {
+        shape: Arc::new(Meshed::new(mesh, WideBvh::new)),
+        material,
+    }
+}
+
+/// The file that another one names.
+fn beside(file: &Path, name: &str) -> PathBuf {
+    file.parent().unwrap_or(Path::new("")).join(name)
+}
+
+/// Every picture is read once, however many materials use it.
+#[derive(Default)]
+struct Pictures {
+    colours: HashMap<PathBuf, Arc<MipMap>>,
+    normals: HashMap<PathBuf, Arc<NormalMap>>,
+}
+
+impl Pictures {
+    fn thing(&mut self, mesh: Mesh, mtl: &Mtl, file: &Path) -> Result<Thing, ModelError> {
+        let colours = match &mtl.diffuse_map {
+            Some(name) => Some(self.colours(beside(file, name))?),
+            None => None,
+        };
+        let mesh = match &mtl.normal_map {
+            Some(name) => mesh.with_bumps(self.normals(beside(file, name))?),
+            None => mesh,
+        };
+        Ok(thing(mesh, mtl.material(colours)))
+    }
+
+    fn colours(&mut self, path: PathBuf) -> Result<Arc<MipMap>, ModelError> {
+        if let Some(map) = self.colours.get(&path) {
+            return Ok(map.clone());
+        }
+        let map = Arc::new(MipMap::new(&file::load(&path)?));
+        Ok(self.colours.entry(path).or_insert(map).clone())
+    }
+
+    fn normals(&mut self, path: PathBuf) -> Result<Arc<NormalMap>, ModelError> {
+        if let Some(map) = self.normals.get(&path) {
+            return Ok(map.clone());
+        }
+        let picture = file::load(&path)?.map(|pixel| pixel.map(tone::encode_srgb));
+        let map = Arc::new(NormalMap::new(&picture));
+        Ok(self.normals.entry(path).or_insert(map).clone())
+    }
+}

@@ -35,7 +35,6 @@ const ESSAYS: &[&str] = &[
     "ch12_phong",
     "ch13_reflection",
     "ch14_refraction",
-    "ch16_soft_shadows",
     "ch18_environment",
     "ch19_depth_of_field",
     "ch20_panorama",

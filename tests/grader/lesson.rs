@@ -23,8 +23,6 @@ const FRAME: [&str; 11] = [
 
 /// The chapters whose pages are essays still. Whoever turns one into a lesson takes its line away.
 const ESSAYS: &[&str] = &[
-    "ch04_plane",
-    "ch05_box",
     "ch06_triangle",
     "ch07_mesh",
     "ch08_grid",

@@ -35,7 +35,6 @@ const ESSAYS: &[&str] = &[
     "ch19_depth_of_field",
     "ch20_panorama",
     "ch21_black_hole",
-    "ch22_antialiasing",
     "ch23_adaptive",
     "ch24_wide_bvh",
     "ch25_capstone",

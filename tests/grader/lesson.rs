@@ -31,7 +31,6 @@ const ESSAYS: &[&str] = &[
     "ch11_bvh",
     "ch12_phong",
     "ch13_reflection",
-    "ch18_environment",
     "ch19_depth_of_field",
     "ch20_panorama",
     "ch21_black_hole",

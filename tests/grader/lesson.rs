@@ -23,13 +23,11 @@ const FRAME: [&str; 11] = [
 
 /// The chapters whose pages are essays still. Whoever turns one into a lesson takes its line away.
 const ESSAYS: &[&str] = &[
-    "ch06_triangle",
     "ch07_mesh",
     "ch08_grid",
     "ch09_two_level_grid",
     "ch10_octree",
     "ch11_bvh",
-    "ch12_phong",
     "ch13_reflection",
     "ch19_depth_of_field",
     "ch20_panorama",

@@ -166,12 +166,12 @@ fn the_first_hint_leads_on_and_the_next_exercise_is_named() {
     ] {
         assert!(said.contains(part), "`{part}`: {said}");
     }
-    let (_, said) = raybook(&folder, &["exercise", "sphere_hit"]);
-    assert!(said.contains("Write it in ch03_sphere.py."), "{said}");
     let task = raybook_grader::cases::find("sphere_hit")
         .expect("an exercise")
         .task();
     assert!(!said.contains(task), "not the task again: {said}");
+    let (_, said) = raybook(&folder, &["exercise", "sphere_hit"]);
+    assert!(said.contains("Write it in ch03_sphere.py."), "{said}");
 
     let solution = raybook_common::project("tests/solutions/python/ch01_rays.py");
     fs::copy(solution, folder.join("ch01_rays.py")).expect("it can be copied");

@@ -34,9 +34,10 @@ pub fn program(named: &Path, sandbox: Option<Sandbox>) -> io::Result<Program> {
         }
     }
     Ok(Program {
-        file: match first.contains('/') {
-            true => std::path::absolute(first)?,
-            false => first.into(),
+        file: if first.contains('/') {
+            std::path::absolute(first)?
+        } else {
+            first.into()
         },
         arguments,
         folder: PathBuf::new(),

@@ -30,13 +30,13 @@ impl Described {
     }
 }
 
-/// The description of an exercise for people.
-pub fn describe(examiner: &dyn Examiner) -> String {
+/// The description of an exercise for people who write it in this file, if that is known.
+pub fn describe(examiner: &dyn Examiner, place: Option<&str>) -> String {
     let described = Described::new(examiner);
     let asked = examiner.asked();
     let name = asked.name;
     let mut lines = vec![name.to_owned(), format!("  {}", asked.task)];
-    lines.extend(library::place(name).map(|file| format!("  Write it in {file}.")));
+    lines.extend(place.map(|file| format!("  Write it in {file}.")));
     lines.extend([
         String::new(),
         "  A question is the name and these words, on one line:".to_owned(),
@@ -68,7 +68,7 @@ pub fn describe(examiner: &dyn Examiner) -> String {
     lines.extend(limits.iter().map(|limit| format!("  - {limit}")));
     lines.push(String::new());
     if described.asked.has_infinity() {
-        lines.push("  Numbers may be `inf` or `-inf`: in C++ read a word and call `std::stod`; `std::cin >> x` does not read them.".to_owned());
+        lines.push("  Numbers may be `inf` or `-inf`: in C++ read a word and call `std::strtod`; `std::cin >> x` does not read them.".to_owned());
     }
     if let Some(case) = described.cases.first() {
         lines.extend([

@@ -28,18 +28,14 @@ impl Seen {
         for entry in entries.flatten() {
             let name = entry.file_name();
             let hidden = name.to_string_lossy().starts_with('.');
+            let made = MADE.iter().any(|made| name == *made);
             let path = inside.join(&name);
-            match entry.metadata() {
-                _ if hidden => {}
-                Ok(kind) if kind.is_dir() => {
-                    if deep > 0 && !MADE.iter().any(|made| name == *made) {
-                        self.look(folder, &path, deep - 1);
-                    }
-                }
-                Ok(file) if file.is_file() => {
-                    self.0.insert(path, (file.modified().ok(), file.len()));
-                }
-                _ => {}
+            let Ok(kind) = entry.metadata() else { continue };
+            if kind.is_dir() && !hidden && !made && deep > 0 {
+                self.look(folder, &path, deep - 1);
+            } else if kind.is_file() && !hidden {
+                let seen = (kind.modified().ok(), kind.len());
+                self.0.insert(path, seen);
             }
         }
     }

@@ -158,7 +158,7 @@ fn the_first_hint_leads_on_and_the_next_exercise_is_named() {
     let (code, said) = raybook(&folder, &["hint", "sphere_hit"]);
     assert_eq!(code, 0, "{said}");
     for part in [
-        "do its first case by hand",
+        "do one case by hand first",
         "head on",
         "And think of this: ",
         "Chapter 3",
@@ -170,6 +170,8 @@ fn the_first_hint_leads_on_and_the_next_exercise_is_named() {
         .expect("an exercise")
         .task();
     assert!(!said.contains(task), "not the task again: {said}");
+    let (_, said) = raybook(&folder, &["exercise", "sphere_hit"]);
+    assert!(said.contains("Write it in ch03_sphere.py."), "{said}");
 
     let solution = raybook_common::project("tests/solutions/python/ch01_rays.py");
     fs::copy(solution, folder.join("ch01_rays.py")).expect("it can be copied");

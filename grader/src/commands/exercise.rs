@@ -4,11 +4,13 @@ use super::golden::Golden;
 use super::{Done, Target};
 use raybook_chapters::kit::say::say;
 use raybook_grader::describe::{describe, schema};
+use raybook_grader::examine::Examiner;
 use raybook_grader::json;
 use raybook_grader::language::Language;
 use raybook_grader::reader::{cpp, python};
-use raybook_grader::starter;
+use raybook_grader::{library, starter, student};
 use serde_json::json;
+use std::path::Path;
 
 /// Describes exercises.
 #[derive(clap::Args)]
@@ -56,7 +58,16 @@ impl Exercise {
                 "`raybook exercise sphere_hit` says what one of them asks, and `raybook exercise ch03` what those of a chapter ask.",
             );
         } else {
-            let texts: Vec<_> = examiners.into_iter().map(describe).collect();
+            let workbook = student::workbook(Path::new(".")).ok();
+            let described = |examiner: &dyn Examiner| {
+                let name = examiner.name();
+                let place = match &workbook {
+                    Some(folder) => student::place(folder, name),
+                    None => library::place(name),
+                };
+                describe(examiner, place.as_deref())
+            };
+            let texts: Vec<_> = examiners.into_iter().map(described).collect();
             say(texts.join("\n"));
         }
         Ok(true)

@@ -67,9 +67,12 @@ fn first_step(examiner: &dyn Examiner) -> String {
     let name = examiner.name();
     let cases = examiner.cases(&mut visible_rng(name)).cases;
     let mut lines = Vec::new();
-    // The first named case is the simplest that people thought of.
-    if let Some(case) = cases.first() {
-        lines.push(format!("{name}: do its first case by hand, {}.", case.name));
+    // The first named case is the simplest that people thought of; one without anything to find teaches nothing.
+    let case = cases
+        .iter()
+        .find(|case| !["none", "0"].contains(&case.answers[0].as_str()));
+    if let Some(case) = case {
+        lines.push(format!("{name}: do one case by hand first, {}.", case.name));
         let shown = |lines: &mut Vec<String>, what: &str, parts: Vec<(String, String)>| {
             for (part, words) in parts {
                 lines.push(format!(

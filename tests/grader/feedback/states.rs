@@ -6,7 +6,7 @@ use raybook_grader::ask::Said;
 use raybook_grader::cases;
 use raybook_grader::check::State;
 use raybook_grader::dress::Dress;
-use raybook_grader::{describe, feedback, json};
+use raybook_grader::{describe, feedback, json, library};
 use std::time::Duration;
 
 #[test]
@@ -78,7 +78,10 @@ fn everything_right() {
 
 #[test]
 fn the_description_of_an_exercise() {
-    let describe = |name: &str| describe::describe(cases::find(name).expect("the exercise exists"));
+    let describe = |name: &str| {
+        let examiner = cases::find(name).expect("the exercise exists");
+        describe::describe(examiner, library::place(name).as_deref())
+    };
     snapshot(
         "feedback_describe",
         &[

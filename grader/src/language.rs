@@ -12,6 +12,9 @@ pub enum Language {
 }
 
 impl Language {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Python, Self::Cpp, Self::Rust];
+
     /// Its name on the command line and in `raybook.toml`.
     pub fn name(self) -> &'static str {
         match self {
@@ -23,8 +26,17 @@ impl Language {
 
     /// The language of this name; `None` for any other, which has no starter.
     pub fn find(name: &str) -> Option<Self> {
-        [Self::Cpp, Self::Python, Self::Rust]
+        Self::ALL
             .into_iter()
             .find(|language| language.name() == name)
+    }
+
+    /// The endings of its source files.
+    pub const fn endings(self) -> &'static [&'static str] {
+        match self {
+            Self::Python => &["py"],
+            Self::Cpp => &["cpp", "cc", "cxx", "h", "hh", "hpp"],
+            Self::Rust => &["rs"],
+        }
     }
 }

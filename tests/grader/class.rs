@@ -8,6 +8,7 @@ mod exports;
 mod grading;
 mod hostile;
 mod interrupted;
+mod packed;
 mod rust;
 
 use raybook_common::project;

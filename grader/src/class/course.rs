@@ -1,11 +1,11 @@
 //! The course file: what is graded, what it counts, until when, and what hand-ins may use.
 
-use super::language::Language;
 use super::settings::{Placed, SettingsError, Source, Table, unknown_name};
 use super::when::Instant;
 use crate::budget::Total;
 use crate::converse::Limits;
 use crate::examine::Examiner;
+use crate::language::Language;
 use crate::{cases, library};
 use raybook_workbook::curriculum::{CHAPTERS, Chapter};
 use std::collections::BTreeSet;
@@ -173,7 +173,7 @@ fn languages(source: Source<'_>, top: &Table<'_>) -> Result<Vec<Language>, Setti
     };
     let of = |word: Placed<&str>| {
         let names = Language::ALL.into_iter().map(Language::name);
-        Language::of(word.value).ok_or_else(|| {
+        Language::find(word.value).ok_or_else(|| {
             let what = unknown_name("language", word.value, names);
             source.error(&word.at, what)
         })

@@ -3,11 +3,11 @@
 use super::course::Course;
 use super::files::{self, Files, FilesError, packed};
 use super::journal::hex;
-use super::language::Language;
 use super::settings::{Source, Table};
 use super::similar::Prints;
 use super::tokens::tokens;
 use super::{similar, taken};
+use crate::language::Language;
 use sha2::{Digest, Sha256};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -166,7 +166,7 @@ fn language(files: &Files) -> Result<Language, String> {
         let word = Table::new(source, parsed.get_ref())
             .text("language")
             .ok()??;
-        Language::of(word.value)
+        Language::find(word.value)
     });
     if let Some(language) = named {
         return Ok(language);

@@ -8,7 +8,6 @@ pub mod grades;
 pub mod hand_in;
 pub mod items;
 pub mod journal;
-pub mod language;
 pub mod pack;
 pub mod record;
 pub mod roll;

@@ -6,10 +6,12 @@
 //! renaming changes nothing. What every student was given, the starter, and the references are taken out.
 
 use super::hand_in::HandIn;
-use super::language::Language;
 use super::tokens::{Token, tokens};
+use crate::language::Language;
 use crate::reader::{cpp, python};
+use crate::starter::StarterFile;
 use crate::{cases, library, starter};
+use raybook_workbook::exercise::Asked;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::OnceLock;
 
@@ -126,17 +128,8 @@ fn given(language: Language) -> &'static BTreeSet<u64> {
                     source.filter_map(|file| Some(library::without_anchors(file.contents_utf8()?)));
                 starter.chain(references).collect()
             }
-            Language::Python | Language::Cpp => {
-                let program = if language == Language::Python {
-                    python::program
-                } else {
-                    cpp::program
-                };
-                cases::all()
-                    .into_iter()
-                    .map(|examiner| program(examiner.asked()))
-                    .collect()
-            }
+            Language::Python => others(python::program, starter::python::files()),
+            Language::Cpp => others(cpp::program, starter::cpp::files()),
         };
         let numbers = |text: String| {
             let tokens = tokens(&text);
@@ -148,4 +141,14 @@ fn given(language: Language) -> &'static BTreeSet<u64> {
         };
         texts.into_iter().flat_map(numbers).collect()
     })
+}
+
+/// The texts of the readers and the starter of another language than the course's own.
+fn others(reader: fn(&Asked) -> String, starter: Vec<StarterFile>) -> Vec<String> {
+    let readers = cases::all().into_iter();
+    let readers = readers.map(|examiner| reader(examiner.asked()));
+    let starter = starter.into_iter();
+    readers
+        .chain(starter.map(|(_, bytes)| String::from_utf8_lossy(&bytes).into_owned()))
+        .collect()
 }

@@ -1,9 +1,9 @@
 //! A hand-in made ready to be asked: its sources in a folder of its own, built in the sandbox.
 
 use super::files::Files;
-use super::language::Language;
 use crate::converse::Program;
 use crate::examine::Examiner;
+use crate::language::Language;
 use crate::sandbox::Sandbox;
 use crate::starter;
 use crate::student::StudentError;

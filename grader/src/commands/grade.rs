@@ -1,9 +1,9 @@
 //! `raybook grade`: a class of hand-ins.
 
 use super::golden::Golden;
+use super::pace::Pace;
 use super::regrade::{publish, tell};
 use super::{Done, course, hidden};
-use indicatif::{ProgressBar, ProgressStyle};
 use raybook::store;
 use raybook_chapters::kit::say::{complain, say};
 use raybook_chapters::kit::untrusted::Untrusted;
@@ -21,11 +21,8 @@ use raybook_grader::sandbox::Sandbox;
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 use std::error::Error;
-use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::time::{Duration, Instant};
 
 /// Grades a class. What was graded before is not graded again: an interrupted run goes on where it was.
 #[derive(clap::Args)]
@@ -104,7 +101,7 @@ impl Grade {
         };
         remove(&stage.folder)?;
         let graded = Mutex::new(Vec::new());
-        let progress = Progress::of(hand_ins.len(), open.len());
+        let progress = Pace::of(hand_ins.len(), open.len());
         let jobs = self.jobs.map_or_else(
             || std::thread::available_parallelism().map_or(1, usize::from),
             usize::from,
@@ -263,70 +260,4 @@ fn shard(text: &str) -> Result<Shard, String> {
         .filter(|&(part, of): &(u64, u64)| 1 <= part && part <= of)
         .map(|(part, of)| Shard { part, of })
         .ok_or_else(|| "two numbers such as 2/8, the second part of eight".to_owned())
-}
-
-/// How far a run is, and how long it will take: a bar on a terminal, and elsewhere a line now and then.
-struct Progress {
-    bar: ProgressBar,
-    open: usize,
-    through: AtomicUsize,
-    start: Instant,
-    told: Mutex<Instant>,
-}
-
-/// How often a line is written where there is no terminal.
-const EVERY: Duration = Duration::from_secs(10);
-
-impl Progress {
-    fn of(hand_ins: usize, open: usize) -> Self {
-        complain(format!(
-            "{hand_ins} hand-ins, {open} to grade (equal ones once)"
-        ));
-        let bar = ProgressBar::new(open as u64);
-        if let Ok(style) = ProgressStyle::with_template(
-            "{wide_bar} {pos} of {len} hand-ins, {per_sec}, {eta} left",
-        ) {
-            bar.set_style(style);
-        }
-        let start = Instant::now();
-        Self {
-            bar,
-            open,
-            through: AtomicUsize::new(0),
-            start,
-            told: Mutex::new(start),
-        }
-    }
-
-    fn next(&self) {
-        self.bar.inc(1);
-        let through = self.through.fetch_add(1, Ordering::Relaxed) + 1;
-        let mut told = self
-            .told
-            .lock()
-            .unwrap_or_else(std::sync::PoisonError::into_inner);
-        if !std::io::stderr().is_terminal() && told.elapsed() >= EVERY && through < self.open {
-            *told = Instant::now();
-            let per_second = through as f64 / self.start.elapsed().as_secs_f64();
-            let left = (self.open - through) as f64 / per_second;
-            complain(format!(
-                "{through} of {} hand-ins, {:.0} a minute, {:.0} s left",
-                self.open,
-                60.0 * per_second,
-                left
-            ));
-        }
-    }
-
-    fn end(&self) {
-        self.bar.finish_and_clear();
-        let through = self.through.load(Ordering::Relaxed);
-        let seconds = self.start.elapsed().as_secs_f64();
-        if through > 0 {
-            complain(format!(
-                "{through} hand-ins in {seconds:.0} s, {:.0} a minute",
-                60.0 * through as f64 / seconds
-            ));
-        }
-    }
 }

@@ -16,6 +16,7 @@ pub mod hint;
 pub mod keep;
 pub mod map;
 pub mod new;
+pub mod pace;
 pub mod pack;
 pub mod regrade;
 pub mod render;

@@ -298,3 +298,27 @@ fn nearly_identical_hand_ins_are_found() {
     );
     assert!(lines[0].starts_with("ann,ben,"), "{similar}");
 }
+
+#[test]
+fn workbooks_in_other_languages_are_graded() {
+    let course = Course::new(COURSE);
+    for language in ["python", "cpp"] {
+        let (code, said) = course.say(&[
+            "new",
+            &format!("hand-ins/{language}"),
+            "--language",
+            language,
+        ]);
+        assert_eq!(code, Some(0), "{said}");
+    }
+    let (code, said) = course.grade(&[]);
+    assert_eq!(code, Some(0), "{said}");
+    for language in ["python", "cpp"] {
+        assert_eq!(
+            course.standing(language, "ray_at"),
+            "not started",
+            "{:#}",
+            course.student(language)
+        );
+    }
+}

@@ -199,7 +199,7 @@ impl Basket {
         };
         let made = |part: &&str| part.starts_with('.') || MADE.contains(part);
         let ending = file.rsplit_once('.').map(|(_, ending)| ending);
-        let languages = super::language::Language::ALL;
+        let languages = crate::language::Language::ALL;
         let is_source = languages
             .iter()
             .any(|language| ending.is_some_and(|ending| language.endings().contains(&ending)));

@@ -1,0 +1,77 @@
+//! The progress of grading a class, with an estimate of what is left.
+
+use indicatif::{ProgressBar, ProgressStyle};
+use raybook_chapters::kit::say::complain;
+use std::io::IsTerminal;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::{Duration, Instant};
+
+/// How far a run is, and how long it will take: a bar on a terminal, and elsewhere a line now and then.
+pub struct Pace {
+    bar: ProgressBar,
+    open: usize,
+    through: AtomicUsize,
+    start: Instant,
+    told: Mutex<Instant>,
+}
+
+/// How often a line is written where there is no terminal.
+const EVERY: Duration = Duration::from_secs(10);
+
+impl Pace {
+    /// Nothing is graded yet.
+    pub fn of(hand_ins: usize, open: usize) -> Self {
+        complain(format!(
+            "{hand_ins} hand-ins, {open} to grade (equal ones once)"
+        ));
+        let bar = ProgressBar::new(open as u64);
+        if let Ok(style) = ProgressStyle::with_template(
+            "{wide_bar} {pos} of {len} hand-ins, {per_sec}, {eta} left",
+        ) {
+            bar.set_style(style);
+        }
+        let start = Instant::now();
+        Self {
+            bar,
+            open,
+            through: AtomicUsize::new(0),
+            start,
+            told: Mutex::new(start),
+        }
+    }
+
+    /// Another hand-in is through.
+    pub fn next(&self) {
+        self.bar.inc(1);
+        let through = self.through.fetch_add(1, Ordering::Relaxed) + 1;
+        let mut told = self
+            .told
+            .lock()
+            .unwrap_or_else(std::sync::PoisonError::into_inner);
+        if !std::io::stderr().is_terminal() && told.elapsed() >= EVERY && through < self.open {
+            *told = Instant::now();
+            let per_second = through as f64 / self.start.elapsed().as_secs_f64();
+            let left = (self.open - through) as f64 / per_second;
+            complain(format!(
+                "{through} of {} hand-ins, {:.0} a minute, {:.0} s left",
+                self.open,
+                60.0 * per_second,
+                left
+            ));
+        }
+    }
+
+    /// The run is over.
+    pub fn end(&self) {
+        self.bar.finish_and_clear();
+        let through = self.through.load(Ordering::Relaxed);
+        let seconds = self.start.elapsed().as_secs_f64();
+        if through > 0 {
+            complain(format!(
+                "{through} hand-ins in {seconds:.0} s, {:.0} a minute",
+                60.0 * through as f64 / seconds
+            ));
+        }
+    }
+}

@@ -29,7 +29,6 @@ const ESSAYS: &[&str] = &[
     "ch10_octree",
     "ch11_bvh",
     "ch13_reflection",
-    "ch19_depth_of_field",
     "ch20_panorama",
     "ch21_black_hole",
     "ch23_adaptive",

@@ -31,7 +31,6 @@ const ESSAYS: &[&str] = &[
     "ch13_reflection",
     "ch20_panorama",
     "ch21_black_hole",
-    "ch23_adaptive",
     "ch24_wide_bvh",
     "ch25_capstone",
 ];

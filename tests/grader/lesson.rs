@@ -23,8 +23,6 @@ const FRAME: [&str; 11] = [
 
 /// The chapters whose pages are essays still. Whoever turns one into a lesson takes its line away.
 const ESSAYS: &[&str] = &[
-    "ch07_mesh",
-    "ch08_grid",
     "ch09_two_level_grid",
     "ch10_octree",
     "ch11_bvh",

@@ -27,7 +27,6 @@ const ESSAYS: &[&str] = &[
     "ch10_octree",
     "ch11_bvh",
     "ch13_reflection",
-    "ch20_panorama",
     "ch21_black_hole",
     "ch24_wide_bvh",
     "ch25_capstone",

@@ -25,9 +25,6 @@ const FRAME: [&str; 11] = [
 const ESSAYS: &[&str] = &[
     "ch09_two_level_grid",
     "ch10_octree",
-    "ch11_bvh",
-    "ch13_reflection",
-    "ch21_black_hole",
     "ch24_wide_bvh",
     "ch25_capstone",
 ];

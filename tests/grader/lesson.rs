@@ -23,9 +23,6 @@ const FRAME: [&str; 11] = [
 
 /// The chapters whose pages are essays still. Whoever turns one into a lesson takes its line away.
 const ESSAYS: &[&str] = &[
-    "ch09_two_level_grid",
-    "ch10_octree",
-    "ch24_wide_bvh",
     "ch25_capstone",
 ];
 

@@ -58,7 +58,7 @@ pub(super) fn steps(
         ("two: triangles", per_ray(counts[0].shapes)),
         ("eight: triangles", per_ray(counts[1].shapes)),
     ];
-    let note = "each pair, each node of eight, and four triangles at once are one step";
+    let note = "each pair, each node of eight, and up to eight triangles at once are one step";
     bars(
         "Steps of a ray, with two children and with eight",
         "a ray",

@@ -21,22 +21,12 @@ const FRAME: [&str; 11] = [
     "Further reading",
 ];
 
-/// The chapters whose pages are essays still. Whoever turns one into a lesson takes its line away.
-const ESSAYS: &[&str] = &[
-];
-
 #[test]
 fn every_lesson_has_the_parts_of_a_lesson() {
     for chapter in CHAPTERS {
         let found = wrong_parts(chapter, &text(chapter));
-        let is_essay = ESSAYS.contains(&chapter.name);
         assert!(
-            !(is_essay && found.is_empty()),
-            "{} is a lesson now: take it off the list of essays",
-            chapter.name
-        );
-        assert!(
-            is_essay || found.is_empty(),
+            found.is_empty(),
             "book/src/{}.md:\n  {}",
             chapter.name,
             found.join("\n  ")

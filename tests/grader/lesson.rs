@@ -100,8 +100,9 @@ fn what_a_page_becomes_is_the_courses_own() {
     let turn = expanded("{{turn sphere_hit}}");
     for part in [
         "fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {",
-        "std::optional<double> sphere_hit(const SphereHit& q);",
-        "def sphere_hit(q: SphereHit) -> float | None: ...",
+        "std::optional<double> sphere_hit(",
+        "def sphere_hit(",
+        "May be infinite in a question: `within`.",
         "function sphere_hit(",
         "raybook check sphere_hit",
     ] {
@@ -215,7 +216,8 @@ fn pages() -> Vec<String> {
     let names = entries
         .flatten()
         .map(|entry| entry.file_name().to_string_lossy().into_owned());
-    let pages: Vec<_> = names.filter(|name| name.ends_with(".md")).collect();
+    let is_page = |name: &String| Path::new(name).extension().is_some_and(|end| end == "md");
+    let pages: Vec<_> = names.filter(is_page).collect();
     assert!(pages.len() > CHAPTERS.len(), "all pages are seen");
     pages
 }

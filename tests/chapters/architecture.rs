@@ -108,7 +108,7 @@ const PACKAGES: [(&str, &[&str]); 5] = [
     ("Cargo.toml", &[]),
     ("workbook/Cargo.toml", &["raybook"]),
     ("chapters/Cargo.toml", &["raybook", "raybook-workbook"]),
-    ("scenes/Cargo.toml", &["raybook"]),
+    ("chapters/scenes/Cargo.toml", &["raybook"]),
     (
         "grader/Cargo.toml",
         &[

@@ -70,7 +70,7 @@ fn a_scene_file_draws_what_the_library_draws() {
 #[test]
 fn the_gallery_is_of_scenes_and_cornells_box_is_the_librarys() {
     let mut scenes = 0;
-    for entry in std::fs::read_dir(project("scenes/gallery")).expect("the gallery") {
+    for entry in std::fs::read_dir(project("chapters/scenes/gallery")).expect("the gallery") {
         let path = entry.expect("an entry").path();
         if path.extension().is_some_and(|e| e == "toml") {
             let shot = load(&path, Some(16)).unwrap_or_else(|error| panic!("{error}"));
@@ -87,7 +87,7 @@ fn the_gallery_is_of_scenes_and_cornells_box_is_the_librarys() {
         }
     }
     assert!(scenes >= 3, "{scenes} scenes");
-    let shot = load(&project("scenes/gallery/cornell.toml"), Some(24)).expect("a scene");
+    let shot = load(&project("chapters/scenes/gallery/cornell.toml"), Some(24)).expect("a scene");
     let (film, path) = (
         Film::new(24, 24, 256),
         Path {
@@ -133,7 +133,7 @@ fn shapes_are_scaled_then_turned_then_moved() {
 #[test]
 fn another_width_keeps_the_shape_of_the_picture() {
     let text = format!("{CAMERA}[picture]\nwidth = 300\nheight = 200\n");
-    let path = project("scenes/gallery").join("test.toml");
+    let path = project("chapters/scenes/gallery").join("test.toml");
     for (width, height) in [(3, 2), (1, 1), (8192, 5461)] {
         let shot = raybook_scenes::parse(&path, &text, Some(width)).expect("a scene");
         assert_eq!((shot.picture.width, shot.picture.height), (width, height));

@@ -9,7 +9,7 @@ use raybook_common::project;
 use std::fs;
 
 fn gallery() -> Vec<String> {
-    let files = fs::read_dir(project("scenes/gallery")).expect("the gallery");
+    let files = fs::read_dir(project("chapters/scenes/gallery")).expect("the gallery");
     let paths = files.map(|entry| entry.expect("an entry").path());
     let scenes = paths.filter(|path| path.extension().is_some_and(|e| e == "toml"));
     let mut texts: Vec<_> = scenes

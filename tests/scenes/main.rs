@@ -10,7 +10,7 @@ use std::path::Path;
 
 /// The scene of a text; meshes and pictures would be in the gallery.
 fn parse(text: &str) -> Result<Shot, SceneError> {
-    let path = raybook_common::project("scenes/gallery").join("test.toml");
+    let path = raybook_common::project("chapters/scenes/gallery").join("test.toml");
     raybook_scenes::parse(&path, text, None)
 }
 
@@ -19,7 +19,7 @@ fn error(text: &str) -> String {
     let error = parse(text)
         .err()
         .unwrap_or_else(|| panic!("this is a scene:\n{text}"));
-    let folder = raybook_common::project("scenes/gallery");
+    let folder = raybook_common::project("chapters/scenes/gallery");
     let error = error.to_string();
     error.replace(&format!("{}/", Path::new(&folder).display()), "")
 }

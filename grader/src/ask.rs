@@ -85,7 +85,7 @@ impl Said {
 /// does not know the exercise, or hangs.
 const SILENT: usize = 5;
 
-/// A program that nobody has heard yet may take so many times the limit for its start.
+/// The grace for the start of a program that has not answered anything yet, in time limits for one answer.
 const START: u32 = 2;
 
 /// Parts in which a list of questions is asked again, if it was not answered as it should be.

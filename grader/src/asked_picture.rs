@@ -18,9 +18,10 @@ const MISSING: Rgb = Rgb::new(0.8, 0.0, 0.8);
 pub struct Stage {
     /// What it is called, among an exercise's.
     pub name: &'static str,
-    /// Of the answers so far; a pixel that is not asked yet has the colour of its block, and one without an answer is magenta.
+    /// The picture of the answers that have come. A pixel that is not asked yet has the colour of its block; a pixel without an
+    /// answer is magenta.
     pub yours: Image,
-    /// Of the reference.
+    /// The picture of the reference.
     pub golden: Image,
     /// The side of a block, in pixels: 1 in the last pass.
     pub block: u32,

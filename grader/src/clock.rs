@@ -5,10 +5,11 @@
 
 use std::time::{Duration, Instant};
 
-/// However busy the machine is, so many times the limit is waited at the most.
+/// The maximum time on the wall for an answer, however busy the machine is, in time limits.
 const AT_MOST: u32 = 10;
 
-/// It is looked at what a program has used after this part of its time: most answers come before, and cost no look.
+/// The first look at what a program has used comes after the time limit divided by this: most answers come before it, and cost
+/// no look.
 const LOOK: u32 = 4;
 
 /// What the processes of a group have used and whether any of them is at work: running, waiting for the processor or for a disk.
@@ -60,7 +61,7 @@ impl Clock {
         self.usage().is_some_and(|usage| usage.at_work)
     }
 
-    /// Whether the time is over: the limit, and for a program that is still at its start so much more.
+    /// Whether the time is over: `limit`, plus `start` for a program that has not answered anything yet.
     pub(crate) fn is_over(&mut self, limit: Duration, start: Duration) -> bool {
         if Instant::now() < self.next_look(limit) {
             return false;

@@ -15,7 +15,7 @@ pub struct Staged {
     pub alt: &'static str,
     /// The scene.
     pub scene: fn() -> Description,
-    /// So many surfaces in a row are met.
+    /// The maximum number of surfaces along one path.
     pub depth: u32,
     /// Where the camera is, and what is in the middle of its picture.
     pub view: [Vec3; 2],

@@ -121,7 +121,7 @@ pub(crate) fn rendering(scene: &Fields) -> Result<Rendering, SceneError> {
     })
 }
 
-/// So many surfaces in a row are followed at most: a mirror before a mirror would go on for ever.
+/// The largest `depth` of a scene file, in surfaces along one path: between two mirrors a path would never end.
 const DEEPEST: u64 = 1000;
 
 fn integrator(mut fields: Fields) -> Result<Box<dyn Integrator>, SceneError> {

@@ -1,6 +1,6 @@
 //! Listings that fit a page: no line is longer than `WIDEST`, and nothing but white space changes.
 
-/// The most characters of a listing's line: so many fit a page of the book.
+/// The width of a page of the book: the maximum number of characters in a line of a listing.
 pub const WIDEST: usize = 85;
 
 /// The text, its common indent taken away, with every line that is too long broken at a space: comments go on as comments, code

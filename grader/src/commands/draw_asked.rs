@@ -66,7 +66,7 @@ fn one(program: &Program, examiner: &dyn Examiner, workbook: &Path, folder: &Pat
     Ok(true)
 }
 
-/// Writes what is drawn so far beside the reference.
+/// Writes the picture of the present `stage` beside the picture of the reference.
 fn keep(stage: &Stage, path: &Path) -> io::Result<()> {
     let yours = match stage.block {
         1 => "yours".to_owned(),

@@ -37,7 +37,7 @@ fn mean(grades: &[Grade]) -> f64 {
 }
 
 fn items(class: &Class<'_>) -> Markup {
-    /// Of cases and mistakes, so many are shown; `items.csv` has all.
+    /// The number of cases, and of mistakes, that are shown for an exercise; `items.csv` has all.
     const SHOWN: usize = 3;
     let most = |counts: &[(String, usize)]| {
         html! { @for (name, count) in counts.iter().take(SHOWN) { (Untrusted::from(name.as_str())) ": " (count) br; } }

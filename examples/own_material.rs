@@ -65,12 +65,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         0.035,
         film.aspect(),
     )?;
-    let path = Path {
-        depth: 6,
-        sure: 3,
-        strategy: Strategy::Surface,
-    };
-    let picture = film.render(&camera, &Sampler::Even, &path, &scene);
+    let picture = film.render(&camera, &Sampler::Even, &Path::WHOLE, &scene);
     file::save("own_material.png".as_ref(), &picture)?;
     println!("wrote own_material.png");
     Ok(())

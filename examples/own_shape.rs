@@ -77,12 +77,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         0.035,
         film.aspect(),
     )?;
-    let path = Path {
-        depth: 6,
-        sure: 3,
-        strategy: Strategy::Surface,
-    };
-    let picture = film.render(&camera, &Sampler::Even, &path, &scene);
+    let picture = film.render(&camera, &Sampler::Even, &Path::WHOLE, &scene);
     file::save("own_shape.png".as_ref(), &picture)?;
     println!("wrote own_shape.png");
     Ok(())

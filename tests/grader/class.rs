@@ -15,7 +15,7 @@ use raybook_common::project;
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Child, Command, Stdio};
 
 /// A course key that is written nowhere else.
 pub const KEY: &str = "class-key-9Xw3-Lq52";
@@ -58,6 +58,16 @@ pub struct Course {
     pub home: tempfile::TempDir,
 }
 
+/// Grades a class, in its folder.
+pub const GRADE: [&str; 6] = [
+    "grade",
+    "hand-ins",
+    "--course",
+    "course.toml",
+    "--key-file",
+    "key",
+];
+
 impl Course {
     /// With the key, and a course file of these lines.
     pub fn new(course: &str) -> Self {
@@ -97,20 +107,14 @@ impl Course {
 
     /// Grades the class.
     pub fn grade(&self, options: &[&str]) -> (Option<i32>, String) {
-        self.say(
-            &[
-                &[
-                    "grade",
-                    "hand-ins",
-                    "--course",
-                    "course.toml",
-                    "--key-file",
-                    "key",
-                ],
-                options,
-            ]
-            .concat(),
-        )
+        self.say(&[&GRADE, options].concat())
+    }
+
+    /// A grader of the class, which is running and says nothing.
+    pub fn start_grading(&self) -> Child {
+        let mut grader = self.command(&GRADE);
+        let grader = grader.stdout(Stdio::null()).stderr(Stdio::null());
+        grader.spawn().expect("it starts")
     }
 
     pub fn json(&self, path: &str) -> Value {

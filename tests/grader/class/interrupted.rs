@@ -1,6 +1,6 @@
 //! Graders that are killed, that meet a full disk, and that meet each other.
 
-use super::{Course, RIGHT, text, wrong_sign};
+use super::{Course, GRADE, RIGHT, text, wrong_sign};
 use rand::RngExt;
 use raybook::math::pcg;
 use raybook_grader::class::journal;
@@ -8,7 +8,7 @@ use raybook_grader::class::record::Record;
 use std::collections::BTreeMap;
 use std::fs;
 use std::os::unix::fs::PermissionsExt;
-use std::process::{Command, Stdio};
+use std::process::Command;
 use std::thread::sleep;
 use std::time::Duration;
 
@@ -51,19 +51,7 @@ fn killed_a_hundred_times_everything_is_graded_once_and_the_same() {
     fs::remove_dir_all(course.path("results")).expect("it is removed");
     while kills < KILLS {
         let before = counts_or_none(&course);
-        let mut grader = course.command(&[
-            "grade",
-            "hand-ins",
-            "--course",
-            "course.toml",
-            "--key-file",
-            "key",
-        ]);
-        let mut grader = grader
-            .stdout(Stdio::null())
-            .stderr(Stdio::null())
-            .spawn()
-            .expect("it starts");
+        let mut grader = course.start_grading();
         // Not by the clock, which is another on a busy machine: after so many more bytes of the journal, and a moment.
         let enough = length(&course) + rng.random_range(0..4000);
         let mut killed = true;
@@ -179,14 +167,7 @@ fn a_folder_that_cannot_be_written_is_named() {
 fn what_fails_beside_the_hand_in_is_no_zero_and_is_tried_again() {
     let course = class(2);
     // There is no Python for a while.
-    let mut grader = course.command(&[
-        "grade",
-        "hand-ins",
-        "--course",
-        "course.toml",
-        "--key-file",
-        "key",
-    ]);
+    let mut grader = course.command(&GRADE);
     let output = grader
         .env("PATH", "/nonexistent")
         .output()
@@ -223,19 +204,7 @@ fn what_fails_beside_the_hand_in_is_no_zero_and_is_tried_again() {
 #[test]
 fn two_graders_exclude_each_other() {
     let course = class(20);
-    let mut first = course.command(&[
-        "grade",
-        "hand-ins",
-        "--course",
-        "course.toml",
-        "--key-file",
-        "key",
-    ]);
-    let mut first = first
-        .stdout(Stdio::null())
-        .stderr(Stdio::null())
-        .spawn()
-        .expect("it starts");
+    let mut first = course.start_grading();
     let (code, said) = course.grade(&[]);
     first.wait().expect("it ends");
     // Who comes second waits, and not for ever.

@@ -230,9 +230,11 @@ pub fn assess(examiner: &dyn Examiner, cases: Vec<Case>, replies: Vec<Reply>) ->
         case,
         reply,
     });
+    let mut outcomes: Vec<_> = outcomes.collect();
+    judge_together(examiner, &mut outcomes);
     let mut report = Report {
         exercise: examiner.name(),
-        cases: outcomes.collect(),
+        cases: outcomes,
         diagnosis: None,
         pictures: Vec::new(),
         stopped: None,
@@ -257,6 +259,25 @@ fn diagnose_outcomes(examiner: &dyn Examiner, outcomes: &[Outcome]) -> Option<Di
         .map(|outcome| (answer(outcome), outcome.verdict == Verdict::Right))
         .collect();
     diagnose(examiner, &cases, &answers)
+}
+
+/// Answers that are right one by one may be wrong together: then each of them comes from the same fault.
+fn judge_together(examiner: &dyn Examiner, outcomes: &mut [Outcome]) {
+    let right = |outcome: &Outcome| outcome.verdict == Verdict::Right;
+    if !outcomes.iter().all(right) {
+        return;
+    }
+    let answers = outcomes
+        .iter()
+        .filter_map(|outcome| match &outcome.reply.said {
+            Said::Answer(answer) => Some((outcome.case.question.as_str(), answer.unescaped())),
+            _ => None,
+        });
+    if let Err(why) = examiner.judge_together(answers) {
+        for outcome in outcomes {
+            outcome.verdict = Verdict::Wrong(format!("in all answers together, {why}"));
+        }
+    }
 }
 
 fn judge(examiner: &dyn Examiner, case: &Case, said: &Said) -> Verdict {

@@ -65,6 +65,12 @@ pub trait Examiner: Sync {
     /// Why it is wrong.
     fn compare(&self, question: &[f64], golden: &[f64], got: &[f64]) -> Verdict;
 
+    /// See [`Graded::together`]; each question with its answer.
+    ///
+    /// # Errors
+    /// What is wrong with them.
+    fn compare_together(&self, answers: &[(Vec<f64>, Vec<f64>)]) -> Verdict;
+
     /// The name and the hint of mistake number i.
     fn mistake(&self, i: usize) -> Option<(&'static str, &'static str)>;
 
@@ -135,6 +141,14 @@ impl<E: Graded> Examiner for Examination<E> {
             &from_numbers(golden),
             &from_numbers(got),
         )
+    }
+
+    fn compare_together(&self, answers: &[(Vec<f64>, Vec<f64>)]) -> Verdict {
+        let rows = answers.iter();
+        let answers: Vec<_> = rows
+            .map(|(question, got)| (from_numbers(question), from_numbers(got)))
+            .collect();
+        E::together(&answers)
     }
 
     fn mistake(&self, i: usize) -> Option<(&'static str, &'static str)> {
@@ -302,6 +316,22 @@ impl dyn Examiner + '_ {
             }
         }
         verdict
+    }
+
+    /// Judges all answers together that are right one by one.
+    ///
+    /// # Errors
+    /// What is wrong with them.
+    pub fn judge_together<'a>(&self, answers: impl Iterator<Item = (&'a str, &'a str)>) -> Verdict {
+        let asked = self.asked();
+        let read = |(question, answer)| {
+            Some((
+                asked.read_question(question).ok()?,
+                asked.read_answer(answer).ok()?,
+            ))
+        };
+        let rows: Vec<_> = answers.filter_map(read).collect();
+        self.compare_together(&rows)
     }
 
     /// The mistakes' names and hints.

@@ -30,6 +30,7 @@ mod numbers;
 use raybook_common::polygon;
 mod sphere;
 mod student;
+mod together;
 mod trees;
 mod triangle;
 mod wrong;

@@ -1,5 +1,8 @@
 //! Numbers as programs of all languages print them: read alike, or refused with a word about what is wrong.
 
+use rand::RngExt;
+use rand::seq::IndexedMutRandom;
+use raybook::math::pcg;
 use raybook_grader::cases;
 use raybook_grader::examine::visible_rng;
 
@@ -178,6 +181,31 @@ fn no_word_makes_the_judge_panic_and_every_refusal_has_a_reason() {
         refused > 10_000,
         "only {refused} answers with an odd word are refused"
     );
+}
+
+/// A diagnosis compares answers with what a mistake would answer, and that with them: neither need be right, or fit the question.
+#[test]
+fn whatever_is_compared_no_judge_panics() {
+    for examiner in cases::all() {
+        let cases = examiner.cases(&mut visible_rng(examiner.name())).cases;
+        let others = || cases.iter().rev().map(|case| case.answers[0].clone());
+        for (case, mut rng) in cases.iter().zip((0..).map(|i| pcg::stream(9, i))).take(12) {
+            let golden = &case.answers[0];
+            let own: Vec<_> = golden.split_whitespace().collect();
+            let altered = (0..6).map(|_| {
+                let mut words = own.clone();
+                if let Some(word) = words.choose_mut(&mut rng) {
+                    *word = WORDS[rng.random_range(0..WORDS.len())];
+                }
+                words.join(" ")
+            });
+            let strange: Vec<_> = altered.chain(others().take(4)).collect();
+            for strange in strange {
+                let _ = examiner.judge(&case.question, std::slice::from_ref(&strange), golden);
+                let _ = examiner.judge(&case.question, std::slice::from_ref(golden), &strange);
+            }
+        }
+    }
 }
 
 /// The verdict on an answer to a named case.

@@ -61,6 +61,11 @@ impl Graded for ToneMap {
             hint: "Does blue count as much as green?",
             answer: |q| q.radiance / (1.0 + q.radiance.channels().into_iter().fold(0.0, f32::max)),
         },
+        Mistake {
+            name: "takes 1 − e^(−v) of each channel",
+            hint: "That is another curve, which photographers use too: which one was asked for?",
+            answer: |q| q.radiance.map(|v| 1.0 - (-v).exp()),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -104,15 +104,7 @@ impl Graded for SolveQuadratic {
         Mistake {
             name: "takes b² + 4ac under the root",
             hint: "Which sign stands before 4ac? Check one of your roots.",
-            answer: |q| {
-                let inside = q.b * q.b + 4.0 * q.a * q.c;
-                (q.a != 0.0 && inside >= 0.0).then(|| {
-                    sorted(vec2(
-                        (-q.b - inside.sqrt()) / (2.0 * q.a),
-                        (-q.b + inside.sqrt()) / (2.0 * q.a),
-                    ))
-                })
-            },
+            answer: |q| under(q, q.b * q.b + 4.0 * q.a * q.c),
         },
         Mistake {
             name: "forgets the root of the discriminant",
@@ -127,6 +119,16 @@ impl Graded for SolveQuadratic {
                 })
             },
         },
+        Mistake {
+            name: "takes b² − ac under the root",
+            hint: "Which number stands before ac in the discriminant? Check one of your roots.",
+            answer: |q| under(q, q.b * q.b - q.a * q.c),
+        },
+        Mistake {
+            name: "halves b under the root only",
+            hint: "Two formulas are mixed: in the one with b/2 everything is divided by a, and b is halved everywhere.",
+            answer: |q| under(q, 0.25 * q.b * q.b - q.a * q.c),
+        },
     ];
 }
 
@@ -134,6 +136,13 @@ impl Graded for SolveQuadratic {
 fn roots(q: &SolveQuadratic, formula: fn(&SolveQuadratic, f32) -> Vec2) -> Option<Vec2> {
     let discriminant = q.b * q.b - 4.0 * q.a * q.c;
     (q.a != 0.0 && discriminant >= 0.0).then(|| formula(q, discriminant.sqrt()))
+}
+
+/// The roots with another number under the root.
+fn under(q: &SolveQuadratic, inside: f32) -> Option<Vec2> {
+    let root = inside.sqrt();
+    let roots = vec2((-q.b - root) / (2.0 * q.a), (-q.b + root) / (2.0 * q.a));
+    (q.a != 0.0 && inside >= 0.0).then(|| sorted(roots))
 }
 
 fn sorted(t: Vec2) -> Vec2 {

@@ -107,6 +107,21 @@ impl Graded for SphereHit {
                     .filter(|t| q.within.contains(*t))
             },
         },
+        Mistake {
+            name: "asks only whether the near root is ahead",
+            hint: "The near root may lie before the interval although it is ahead: what about the far root then?",
+            answer: |q| pick(q, |near, far| Some(if near > 0.0 { near } else { far })),
+        },
+        Mistake {
+            name: "forgets the root of half the chord",
+            hint: "You have the square of half the chord: which unit has it, and what do you subtract it from?",
+            answer: |q| {
+                let (near, far) = both(q)?.into();
+                let (middle, half) = (0.5 * (near + far), 0.25 * (far - near).powi(2));
+                let roots = [middle - half, middle + half];
+                roots.into_iter().find(|t| q.within.contains(*t))
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -113,6 +113,17 @@ impl Graded for BoundsOf {
                 )
             },
         },
+        Mistake {
+            name: "returns zeros for no points",
+            hint: "Which box is contained in every other, so that adding a point to it gives the point?",
+            answer: |q| {
+                if q.points.is_empty() {
+                    bounds([Vec3::ZERO].into_iter())
+                } else {
+                    BoundsOf::answer(q)
+                }
+            },
+        },
     ];
 }
 

@@ -77,6 +77,14 @@ impl Graded for MeshHit {
                 })
             },
         },
+        Mistake {
+            name: "returns the number of the last triangle tested",
+            hint: "When a nearer hit is found, what do you keep beside its distance?",
+            answer: |q| {
+                let last = (q.triangles.len() as u32).saturating_sub(1);
+                MeshHit::answer(q).map(|hit| MeshHitAnswer { id: last, ..hit })
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

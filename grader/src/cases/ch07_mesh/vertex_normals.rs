@@ -112,6 +112,40 @@ impl Graded for VertexNormals {
                     .collect()
             },
         },
+        Mistake {
+            name: "returns 0 0 0 for a vertex without triangles",
+            hint: "A normal has length 1, always: what does the task say of a vertex that no triangle has?",
+            answer: |q| {
+                let sums = sums(q, Vec3::cross).into_iter();
+                sums.map(Vec3::normalize_or_zero).collect()
+            },
+        },
+        Mistake {
+            name: "divides by the number of triangles instead of normalising",
+            hint: "How long is the mean of two unit vectors that point in different directions?",
+            answer: |q| {
+                let counts = sums(q, |_, _| Vec3::ONE);
+                let means = sums(q, Vec3::cross).into_iter().zip(counts);
+                let mean = |(sum, count): (Vec3, Vec3)| {
+                    if count == Vec3::ZERO {
+                        Vec3::Y
+                    } else {
+                        sum / count
+                    }
+                };
+                means.map(mean).collect()
+            },
+        },
+        Mistake {
+            name: "adds every triangle to every vertex",
+            hint: "Which triangles have this vertex as a corner?",
+            answer: |q| {
+                let all: Vec3 = faces(q, Vec3::cross)
+                    .map(|(_, twice_area)| twice_area)
+                    .sum();
+                vec![all.normalize_or(Vec3::Y); q.positions.len()]
+            },
+        },
     ];
 }
 

@@ -87,6 +87,15 @@ impl Graded for GridResolution {
                 }
             },
         },
+        Mistake {
+            name: "multiplies by the density outside the root",
+            hint: "Eight times the density: how many times as many cells are there, and how many times as many along an axis?",
+            answer: |q| {
+                let one = Self::misread(q, |q| q.density = 1.0);
+                let along = Vec3::new(one.x as f32, one.y as f32, one.z as f32);
+                whole(along * q.density, f32::round)
+            },
+        },
     ];
 }
 

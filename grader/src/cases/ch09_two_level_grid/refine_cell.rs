@@ -7,6 +7,7 @@ use raybook::inside::grid::Lattice;
 use raybook::math::{aabb::Aabb, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch05_box::Corners;
+use raybook_workbook::exercises::ch08_grid::{Cell, GridResolution};
 use raybook_workbook::exercises::ch09_two_level_grid::{Entry, RefineCell, RefineCellAnswer};
 
 /// The reference's answer with other boxes.
@@ -77,7 +78,9 @@ impl Graded for RefineCell {
         }
         let missing = golden.entries.iter().find(|entry| {
             let cell = UVec3::new(entry.x, entry.y, entry.z);
-            let deep = depth(&fine, cell, &q.shapes[entry.shape as usize]) > TOLERANCE;
+            let shape = q.shapes.get(entry.shape as usize);
+            let shape = shape.filter(|_| cell.cmplt(right).all());
+            let deep = shape.is_some_and(|shape| depth(&fine, cell, shape) > TOLERANCE);
             deep && !got.entries.contains(entry)
         });
         match missing {
@@ -173,6 +176,23 @@ impl Graded for RefineCell {
                     nz: answer.nx,
                     entries: answer.entries.iter().map(entry).collect(),
                     ..answer
+                }
+            },
+        },
+        Mistake {
+            name: "cuts an axis into more than 255",
+            hint: "A resolution is kept in a byte: which is the largest number in it?",
+            answer: |q| {
+                let counted = GridResolution {
+                    extents: q.max - q.min,
+                    shapes: q.shapes.len() as u32,
+                    density: q.density,
+                };
+                let Cell { x, y, z } = GridResolution::answer(&counted);
+                if q.shapes.is_empty() {
+                    Self::answer(q)
+                } else {
+                    cut(q, UVec3::new(x, y, z))
                 }
             },
         },

@@ -138,6 +138,19 @@ impl Graded for OctreeWalk {
             hint: "In which leaf would the nearest hit be?",
             answer: |q| OctreeWalk::answer(q).into_iter().rev().collect(),
         },
+        Mistake {
+            name: "names empty leaves too",
+            hint: "What is there to be hit in a leaf without shapes?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    let empty = |node: &&mut NodeRow| node.inner == 0 && node.count == 0;
+                    q.nodes
+                        .iter_mut()
+                        .filter(empty)
+                        .for_each(|node| node.count = 1);
+                })
+            },
+        },
     ];
 }
 

@@ -92,6 +92,24 @@ impl Graded for SahCost {
             hint: "Lines through a box are counted by its surface, not by a length.",
             answer: |q| weighted(q, |n| (n.max - n.min).max_element(), node_price),
         },
+        Mistake {
+            name: "adds the price of a branch to leaves too",
+            hint: "A ray that enters a leaf opens no children: what does it pay for?",
+            answer: |q| {
+                weighted(q, node_area, |q, n| {
+                    node_price(q, n) + if n.count > 0 { q.branch } else { 0.0 }
+                })
+            },
+        },
+        Mistake {
+            name: "does not weigh the branches by their area",
+            hint: "Is every branch entered by every ray?",
+            answer: |q| {
+                let branches = q.nodes.iter().filter(|n| n.count == 0).count();
+                let root = q.nodes.first().map_or(1.0, node_area);
+                weighted(&free(q, true), node_area, node_price) + q.branch * branches as f32 / root
+            },
+        },
     ];
 }
 

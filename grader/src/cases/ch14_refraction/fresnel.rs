@@ -108,6 +108,14 @@ impl Graded for Fresnel {
                 FresnelAnswer { rs, rp, r: rs }
             },
         },
+        Mistake {
+            name: "multiplies Rs and Rp",
+            hint: "Unpolarised light is half of one kind and half of the other: what is the mean of both?",
+            answer: |q| {
+                let FresnelAnswer { rs, rp, .. } = Fresnel::answer(q);
+                FresnelAnswer { rs, rp, r: rs * rp }
+            },
+        },
     ];
 }
 

@@ -99,6 +99,14 @@ impl Graded for Refract {
             hint: "Where are the two indices in your formula?",
             answer: |q| Refract::answer(q).map(|_| *q.direction),
         },
+        Mistake {
+            name: "takes the incoming ray's cosine for the refracted ray's",
+            hint: "Two angles, two cosines: which of them belongs to the ray behind the surface?",
+            answer: |q| {
+                let n = facing(q);
+                Some(along(q)? + q.direction.dot(n) * n)
+            },
+        },
     ];
 }
 

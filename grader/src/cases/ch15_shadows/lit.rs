@@ -141,5 +141,16 @@ impl Graded for Lit {
             hint: "Which of your tests is always true?",
             answer: |_| 0,
         },
+        Mistake {
+            name: "says that a surface which faces away is dark",
+            hint: "Whether the surface faces the light is asked elsewhere, by the cosine: what is asked here?",
+            answer: |q| {
+                if q.normal.dot(*q.toward) <= 0.0 {
+                    0
+                } else {
+                    Lit::answer(q)
+                }
+            },
+        },
     ];
 }

@@ -127,5 +127,21 @@ impl Graded for ShadowRay {
                 ShadowRay::answer(&away)
             },
         },
+        Mistake {
+            name: "steps off along the ray instead of along the normal",
+            hint: "A ray that grazes the surface stays close to it for long: in which direction is it soonest clear of it?",
+            answer: |q| starting(q, q.position, q.error),
+        },
+        Mistake {
+            name: "starts a tenth of a metre off the surface",
+            hint: "What stands close to the surface throws no shadow any more: which number in the question says how far is far enough?",
+            answer: |q| {
+                starting(
+                    q,
+                    q.position + 0.1 * q.normal.dot(*q.toward).signum() * *q.normal,
+                    0.0,
+                )
+            },
+        },
     ];
 }

@@ -139,6 +139,16 @@ impl Graded for SampleRect {
                 })
             },
         },
+        Mistake {
+            name: "takes the middle of the light for every sample",
+            hint: "Where on the light do your samples lie?",
+            answer: |q| chosen_rect(q, |_| Vec2::splat(0.5)),
+        },
+        Mistake {
+            name: "squares a uniform number",
+            hint: "Is every part of the light chosen as often as every other?",
+            answer: |q| chosen_rect(q, |u| glam::vec2(u.x * u.x, u.y)),
+        },
     ];
 }
 

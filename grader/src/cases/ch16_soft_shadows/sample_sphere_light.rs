@@ -175,5 +175,15 @@ impl Graded for SampleSphereLight {
                 })
             },
         },
+        Mistake {
+            name: "fills half of the cone only",
+            hint: "How far from the axis do your directions go, and how far does the sphere?",
+            answer: |q| cone(q, |u, cap| (0.5 * u.x * cap, TAU * u.y, 1.0 / (TAU * cap))),
+        },
+        Mistake {
+            name: "uses one number for both angles",
+            hint: "Do your directions fill the cone, or a curve in it?",
+            answer: |q| cone(q, |u, cap| (u.x * cap, TAU * u.x, 1.0 / (TAU * cap))),
+        },
     ];
 }

@@ -1,7 +1,7 @@
 //! `visible_fraction`: random questions, judge and mistakes.
 
 use super::lattice;
-use crate::{Graded, Mistake, Verdict, judge, sample, traits};
+use crate::{Graded, Mistake, Verdict, judge, sample, together, traits};
 use glam::{Vec2, Vec3, vec3};
 use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 use raybook::shape::{Shape, sphere::Sphere};
@@ -71,6 +71,25 @@ impl Graded for VisibleFraction {
             }
         }
         Ok(())
+    }
+
+    fn together(answers: &[(VisibleFraction, Vec<f32>)]) -> Verdict {
+        /// What the lattice that stands for the exact value may be off in the mean of many points.
+        const LATTICE: f64 = 0.002;
+        let estimates = answers.iter().flat_map(|(q, got)| {
+            let n = f64::from(q.samples);
+            let pairs = exact(q).into_iter().zip(got);
+            pairs.map(move |(exact, got)| {
+                let exact = f64::from(exact);
+                together::Estimate {
+                    exact,
+                    got: (*got).into(),
+                    deviation: (exact * (1.0 - exact) / n).sqrt(),
+                    slack: LATTICE,
+                }
+            })
+        });
+        together::unbiased("the visible fraction", estimates)
     }
 
     fn traits(q: &VisibleFraction, got: &Vec<f32>) -> Vec<f64> {
@@ -155,6 +174,31 @@ impl Graded for VisibleFraction {
                     .zip(back)
                     .map(|(front, back)| front + back)
                     .collect()
+            },
+        },
+        Mistake {
+            name: "returns a count instead of a fraction",
+            hint: "From 0, all hidden, to 1, all seen: by what do you divide?",
+            answer: |q| exact(q).iter().map(|f| f * q.samples as f32).collect(),
+        },
+        Mistake {
+            name: "adds two uniform numbers for a place on the light",
+            hint: "Is the light's border chosen as often as its middle?",
+            answer: |q| {
+                seen(
+                    q,
+                    16,
+                    |u| {
+                        u.map(|u| {
+                            if u < 0.5 {
+                                (0.5 * u).sqrt()
+                            } else {
+                                1.0 - (0.5 * (1.0 - u)).sqrt()
+                            }
+                        })
+                    },
+                    1.0,
+                )
             },
         },
     ];

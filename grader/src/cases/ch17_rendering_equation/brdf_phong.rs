@@ -124,5 +124,10 @@ impl Graded for BrdfPhong {
                 q.diffuse * (1.0 / PI) + q.specular * (norm(q) * highlight)
             },
         },
+        Mistake {
+            name: "takes (n + 8)/8π for the factor",
+            hint: "That factor belongs to Blinn's half vector: which belongs to Phong's mirrored one?",
+            answer: |q| phong(q, cos_alpha(q), 1.0 / PI, (q.exponent + 8.0) / (8.0 * PI)),
+        },
     ];
 }

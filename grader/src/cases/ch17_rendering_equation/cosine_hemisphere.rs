@@ -138,5 +138,10 @@ impl Graded for CosineHemisphere {
             hint: "Draw your directions on the disc: do they fill it, or do they make a spiral?",
             answer: |q| around(q, |u| at_height((1.0 - u.x).sqrt(), TAU * u.x)),
         },
+        Mistake {
+            name: "is of the density of cos²θ",
+            hint: "Which power of u is the cosine, if the density shall be cos θ/π?",
+            answer: |q| around(q, |u| at_height((1.0 - u.x).cbrt(), TAU * u.y)),
+        },
     ];
 }

@@ -1,7 +1,7 @@
 //! `reflected_radiance`: an estimate, held against the integral.
 
 use super::{at_height, colour};
-use crate::{Graded, Mistake, Verdict, judge, sample, traits};
+use crate::{Graded, Mistake, Verdict, judge, sample, together, traits};
 use raybook::image::rgb::Rgb;
 use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
 use raybook::sample::hemisphere;
@@ -34,6 +34,27 @@ fn weighted(q: &ReflectedRadiance, weight: impl Fn(f32) -> f32) -> Rgb {
     sum
 }
 
+/// The integral, and the standard deviation of the estimate that scatters most among those that may well be written.
+fn exact_and_scatter(q: &ReflectedRadiance) -> ([f32; 3], [f32; 3]) {
+    let brdf = q.brdf();
+    let [exact, sphere, cosine] = integral(q.normal, |d| {
+        let cosine = d.dot(*q.normal);
+        let light = brdf.value(q.normal, q.view, d) * q.sky(d) * cosine;
+        let square = |pdf: f32| light * light / pdf;
+        [
+            light,
+            square(0.5 * hemisphere::UNIFORM),
+            square(hemisphere::cosine_pdf(cosine)),
+        ]
+    })
+    .map(Rgb::channels);
+    let scatter = [0, 1, 2].map(|i| {
+        let variance = (sphere[i].max(cosine[i]) - exact[i] * exact[i]).max(0.0);
+        (variance / q.samples as f32).sqrt()
+    });
+    (exact, scatter)
+}
+
 impl Graded for ReflectedRadiance {
     const ULPS: i32 = 0; // an integral has no edges at which a last digit decides
 
@@ -62,26 +83,34 @@ impl Graded for ReflectedRadiance {
     /// students with 42 cases of three channels, chance fails one with a probability of 500 · 126 · 6e-10 = 4e-5.
     fn judge(q: &ReflectedRadiance, _golden: &Rgb, got: &Rgb) -> Verdict {
         const DEVIATIONS: f32 = 6.2;
-        let brdf = q.brdf();
-        let [exact, sphere, cosine] = integral(q.normal, |d| {
-            let cosine = d.dot(*q.normal);
-            let light = brdf.value(q.normal, q.view, d) * q.sky(d) * cosine;
-            let square = |pdf: f32| light * light / pdf;
-            [
-                light,
-                square(0.5 * hemisphere::UNIFORM),
-                square(hemisphere::cosine_pdf(cosine)),
-            ]
-        })
-        .map(Rgb::channels);
+        let (exact, scatter) = exact_and_scatter(q);
         for (i, name) in ["red", "green", "blue"].into_iter().enumerate() {
-            let variance = (sphere[i].max(cosine[i]) - exact[i] * exact[i]).max(0.0);
-            let scatter = (variance / q.samples as f32).sqrt();
-            let tolerance = DEVIATIONS * scatter + 2.0 * judge::RELATIVE * exact[i];
+            let tolerance = DEVIATIONS * scatter[i] + 2.0 * judge::RELATIVE * exact[i];
             judge::number_within(name, "W·m⁻²·sr⁻¹", exact[i], got.channels()[i], tolerance)
                 .map_err(|why| format!("{why}: more than chance explains"))?;
         }
         Ok(())
+    }
+
+    fn together(answers: &[(ReflectedRadiance, Rgb)]) -> Verdict {
+        // All three channels come from the same directions, and so does what scatters in them.
+        let estimate = |(q, got): &(ReflectedRadiance, Rgb)| {
+            let (exact, scatter) = exact_and_scatter(q);
+            let mean = |of: &dyn Fn(usize) -> f32| f64::from((0..3).map(of).sum::<f32>() / 3.0);
+            together::Estimate {
+                exact: 1.0,
+                got: mean(&|i| got.channels()[i] / exact[i].max(1e-6)),
+                deviation: mean(&|i| scatter[i] / exact[i].max(1e-6)),
+                slack: f64::from(judge::RELATIVE),
+            }
+        };
+        let bright = |(q, _): &&(ReflectedRadiance, Rgb)| {
+            exact_and_scatter(q)
+                .0
+                .into_iter()
+                .all(|channel| channel > 1e-3)
+        };
+        together::unbiased("the light", answers.iter().filter(bright).map(estimate))
     }
 
     fn traits(_q: &ReflectedRadiance, got: &Rgb) -> Vec<f64> {

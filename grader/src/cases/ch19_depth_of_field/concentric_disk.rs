@@ -189,5 +189,15 @@ impl Graded for ConcentricDisk {
             hint: "The unit disc has the radius 1: which points are at its edge?",
             answer: |q| q.mapped(|u| 0.5 * concentric_disk(u)),
         },
+        Mistake {
+            name: "takes the cube root for the radius",
+            hint: "In a disc, how does the area within r grow: with r² or with r³?",
+            answer: |q| q.mapped(|u| u.x.cbrt() * Vec2::from_angle(TAU * u.y)),
+        },
+        Mistake {
+            name: "uses one number for radius and angle",
+            hint: "Do your points fill the disc, or a spiral in it?",
+            answer: |q| q.mapped(|u| u.x.sqrt() * Vec2::from_angle(TAU * u.x)),
+        },
     ];
 }

@@ -164,6 +164,11 @@ impl Graded for ThinLensRay {
             hint: "film (0, 0) is the top left: does your y grow upwards or downwards on the film?",
             answer: |q| Self::misread(q, |q| q.film = vec2(q.film.x, 1.0 - q.film.y)),
         },
+        Mistake {
+            name: "takes the f-number for the radius",
+            hint: "The aperture's diameter is the focal length over the f-number: in metres?",
+            answer: |q| Self::misread(q, |q| q.f_number = 0.5 * q.focal_length / q.f_number),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -106,6 +106,26 @@ impl Graded for PanoramaRay {
                 }
             },
         },
+        Mistake {
+            name: "wraps the film round a cylinder",
+            hint: "A row of the film is an angle, not a height: is the pole seen anywhere?",
+            answer: |q| {
+                ray(
+                    q,
+                    (along(q, TAU * (q.film.x - 0.5), 0.5 * PI).direction
+                        + (1.0 - 2.0 * q.film.y) * *q.up)
+                        .normalize(),
+                )
+            },
+        },
+        Mistake {
+            name: "goes from pole to pole twice",
+            hint: "Straight up is at the top and straight down at the bottom: how large is the angle between them?",
+            answer: |q| {
+                let latitude = PI - TAU * q.film.y;
+                along(q, TAU * (q.film.x - 0.5), 0.5 * PI - latitude)
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -1,7 +1,7 @@
 //! `jittered`: random questions, judge and mistakes.
 
 use super::points;
-use crate::{Graded, Mistake, Verdict, judge, traits};
+use crate::{Graded, Mistake, Verdict, judge, together, traits};
 use glam::{Vec2, vec2};
 use rand::RngExt;
 use raybook::math::pcg::{self, Pcg};
@@ -77,6 +77,21 @@ fn finds_cell(
     })
 }
 
+/// Where the points lie in their cells, from 0 to 1 along each axis.
+fn places(q: &Jittered, points: &[Vec2]) -> Vec<Vec2> {
+    let count = vec2(q.columns as f32, q.rows as f32);
+    let place = |p: &Vec2| count * *p - (count * *p).floor().min(count - 1.0);
+    points.iter().map(place).collect()
+}
+
+/// Whether places in cells are anywhere in them, as often as elsewhere.
+fn scattered(places: &[Vec2]) -> Verdict {
+    let [x, y] = [0, 1].map(|axis| places.iter().map(move |p| p[axis]));
+    points::uniform("the place from left to right in a cell", x)?;
+    points::uniform("the place from top to bottom in a cell", y)?;
+    points::independent("the places along x and y in a cell", places.iter().copied())
+}
+
 impl Graded for Jittered {
     fn random(rng: &mut Pcg) -> Jittered {
         Jittered {
@@ -91,18 +106,22 @@ impl Graded for Jittered {
         let count = vec2(q.columns as f32, q.rows as f32);
         let scaled: Vec<_> = got.iter().map(|p| count * *p).collect();
         one_each(q, &scaled)?;
-        let in_cell = |p: &Vec2| *p - p.floor().min(count - 1.0);
-        let places: Vec<_> = scaled.iter().map(in_cell).collect();
+        let places = places(q, got);
         judge::scattered("places in the cells", &places)?;
-        points::uniform(
-            "the place from left to right in a cell",
-            places.iter().map(|p| p.x),
-        )?;
-        points::uniform(
-            "the place from top to bottom in a cell",
-            places.iter().map(|p| p.y),
-        )?;
-        points::independent("the places along x and y in a cell", places.iter().copied())
+        scattered(&places)
+    }
+
+    fn together(answers: &[(Jittered, Vec<Vec2>)]) -> Verdict {
+        let same = |a: &Jittered, b: &Jittered| (a.columns, a.rows) == (b.columns, b.rows);
+        together::seeded(answers, same, |q| q.seed)?;
+        let lists: Vec<_> = answers.iter().map(|(q, got)| places(q, got)).collect();
+        scattered(&lists.concat())?;
+        let along = |axis: usize| {
+            let list = move |list: &Vec<Vec2>| list.iter().map(|p| p[axis].into()).collect();
+            lists.iter().map(list)
+        };
+        together::serial("the place from left to right in a cell", along(0))?;
+        together::serial("the place from top to bottom in a cell", along(1))
     }
 
     fn traits(q: &Jittered, got: &Vec<Vec2>) -> Vec<f64> {

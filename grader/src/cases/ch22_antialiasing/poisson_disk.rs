@@ -1,7 +1,7 @@
 //! `poisson_disk`: random questions, judge and mistakes.
 
 use super::points;
-use crate::{Graded, Mistake, Verdict, traits};
+use crate::{Graded, Mistake, Verdict, together, traits};
 use glam::{Vec2, vec2};
 use rand::RngExt;
 use raybook::math::pcg::{self, Pcg};
@@ -87,6 +87,40 @@ impl Graded for PoissonDisk {
         Ok(())
     }
 
+    /// Chance brings many points nearly as close as they may be: of darts thrown for the visible cases, the closest two are 1.0003 times
+    /// the distance apart, and of a thousand points none is 1.03 times it with a probability below 1e-20. And it brings as many
+    /// points near to the border as anywhere else, or more.
+    fn together(answers: &[(PoissonDisk, Vec<Vec2>)]) -> Verdict {
+        const NEAREST: f32 = 1.03;
+        let same = |a: &PoissonDisk, b: &PoissonDisk| a.distance == b.distance;
+        together::seeded(answers, same, |q| q.seed)?;
+        let many: Vec<_> = answers.iter().filter(|(_, got)| got.len() >= 20).collect();
+        let all: usize = many.iter().map(|(_, got)| got.len()).sum();
+        if all < 1000 {
+            return Ok(()); // too few to tell more
+        }
+        let nearest = many.iter().map(|(q, got)| nearest(got) / q.distance);
+        let nearest = nearest.fold(f32::INFINITY, f32::min);
+        if nearest > NEAREST {
+            return Err(format!(
+                "no two points are nearer to each other than {nearest:.2} times the distance: more would have room"
+            ));
+        }
+        let (mut near, mut expected) = (0, 0.0);
+        for (q, got) in many {
+            let margin = 0.25 * q.distance;
+            let inner = |p: &Vec2| p.min(1.0 - *p).min_element() > margin;
+            near += got.iter().filter(|p| !inner(p)).count();
+            expected += got.len() as f32 * (1.0 - (1.0 - 2.0 * margin).powi(2));
+        }
+        if (near as f32) < 0.25 * expected {
+            return Err(format!(
+                "{near} points are within a quarter of the distance of the square's border, where about {expected:.0} are expected: may your points lie there?"
+            ));
+        }
+        Ok(())
+    }
+
     fn traits(q: &PoissonDisk, got: &Vec<Vec2>) -> Vec<f64> {
         let points: Vec<_> = got.iter().map(|p| p.as_dvec2()).collect();
         let least = |(i, p): (usize, &Vec2)| {
@@ -162,6 +196,15 @@ impl Graded for PoissonDisk {
             },
         },
     ];
+}
+
+/// The distance of the two points that are closest to each other.
+fn nearest(points: &[Vec2]) -> f32 {
+    let pairs = points
+        .iter()
+        .enumerate()
+        .flat_map(|(i, p)| points[..i].iter().map(|other| p.distance(*other)));
+    pairs.fold(f32::INFINITY, f32::min)
 }
 
 /// The share of the square that is farther than d from all points.

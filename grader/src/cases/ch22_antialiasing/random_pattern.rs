@@ -1,7 +1,7 @@
 //! `random_pattern`: random questions, judge and mistakes.
 
 use super::points;
-use crate::{Graded, Mistake, Verdict, judge, traits};
+use crate::{Graded, Mistake, Verdict, judge, together, traits};
 use glam::{Vec2, vec2};
 use rand::RngExt;
 use raybook::math::pcg::{self, Pcg};
@@ -34,6 +34,17 @@ impl Graded for RandomPattern {
         }
         distinct(got)?;
         crowds(got)
+    }
+
+    fn together(answers: &[(RandomPattern, Vec<Vec2>)]) -> Verdict {
+        together::seeded(answers, |_, _| true, |q| q.seed)?;
+        let all = || answers.iter().flat_map(|(_, points)| points);
+        points::uniform("x", all().map(|p| p.x))?;
+        points::uniform("y", all().map(|p| p.y))?;
+        points::independent("x and y", all().copied())?;
+        let lists = || answers.iter().map(|(_, points)| points.iter());
+        together::serial("x", lists().map(|list| list.map(|p| p.x.into()).collect()))?;
+        together::serial("y", lists().map(|list| list.map(|p| p.y.into()).collect()))
     }
 
     fn traits(q: &RandomPattern, got: &Vec<Vec2>) -> Vec<f64> {
@@ -109,6 +120,11 @@ impl Graded for RandomPattern {
             name: "squares its numbers",
             hint: "Which share of your x is below a half?",
             answer: |q| each(q, |u| u * u),
+        },
+        Mistake {
+            name: "fills nine tenths of the square",
+            hint: "What is the largest of all your coordinates?",
+            answer: |q| each(q, |u| 0.9 * u),
         },
     ];
 }

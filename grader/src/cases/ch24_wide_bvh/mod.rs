@@ -14,8 +14,10 @@ fn pair(q: &Collapse, i: u32) -> [u32; 2] {
     [0, 1].map(|side| q.nodes[i as usize].first + side)
 }
 
+/// Half of the area of a node's box; 0 for one that is not there.
 fn half_area(q: &Collapse, i: u32) -> f32 {
-    let node = &q.nodes[i as usize];
-    let size = node.max - node.min;
-    size.x * size.y + size.y * size.z + size.z * size.x
+    q.nodes.get(i as usize).map_or(0.0, |node| {
+        let size = node.max - node.min;
+        size.x * size.y + size.y * size.z + size.z * size.x
+    })
 }

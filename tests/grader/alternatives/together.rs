@@ -1,0 +1,207 @@
+//! Answers that are right one by one, judged together: right programs stay right, small biases are found, and how small is in a table.
+
+use super::{Alternative, STYLES, alternatives, line};
+use rand::RngExt;
+use raybook::math::pcg;
+use raybook_common::snapshot;
+use raybook_grader::cases;
+use raybook_grader::examine::{Case, Examiner};
+use raybook_grader::hidden::Key;
+use rayon::prelude::*;
+use std::fmt::Write;
+
+/// The exercises whose answers are judged together.
+const EXERCISES: [&str; 5] = [
+    "visible_fraction",
+    "reflected_radiance",
+    "random_pattern",
+    "jittered",
+    "poisson_disk",
+];
+
+/// The hidden cases of a student.
+fn hidden(examiner: &dyn Examiner, student: usize) -> Vec<Case> {
+    let key = Key {
+        course: "a course's secret".into(),
+        term: "summer".into(),
+        student: format!("student {student}"),
+    };
+    examiner.cases(&mut key.rng(examiner.name())).cases
+}
+
+/// What is said of all answers of a program together.
+fn together(
+    examiner: &dyn Examiner,
+    cases: &[Case],
+    answer: impl Fn(&Case) -> String,
+) -> Result<(), String> {
+    let answers: Vec<_> = cases.iter().map(answer).collect();
+    let pairs = cases.iter().zip(&answers);
+    examiner.judge_together(pairs.map(|(case, got)| (case.question.as_str(), got.as_str())))
+}
+
+#[test]
+fn programs_that_are_right_by_another_method_are_right_together() {
+    for exercise in EXERCISES {
+        let examiner = cases::find(exercise).expect("an exercise");
+        let others: Vec<&Alternative> = alternatives()
+            .filter(|other| other.exercise == exercise)
+            .collect();
+        (0..10).into_par_iter().for_each(|student| {
+            let cases = hidden(examiner, student);
+            let golden = together(examiner, &cases, |case| case.answers[0].clone());
+            assert_eq!(golden, Ok(()), "{exercise}, the reference");
+            for other in &others {
+                let answer = |case: &Case| line(&other.answer_to(&case.question), STYLES[0].1);
+                let verdict = together(examiner, &cases, answer);
+                assert_eq!(verdict, Ok(()), "{exercise}, {}", other.method);
+            }
+        });
+    }
+}
+
+/// A fault of a size: what it makes of the golden answer's numbers, without their count, to a question's.
+struct Bias {
+    exercise: &'static str,
+    fault: &'static str,
+    change: fn(&[f64], Vec<f64>) -> Vec<f64>,
+}
+
+/// Numbers for a fault that makes points anew.
+fn uniform(stream: u64, n: usize) -> Vec<f64> {
+    let mut rng = pcg::stream(404, stream);
+    (0..n).map(|_| rng.random()).collect()
+}
+
+/// Places in cells, shrunk by a factor.
+fn shrunk(q: &[f64], points: Vec<f64>, factor: f64) -> Vec<f64> {
+    let mut axis = [q[0], q[1]].into_iter().cycle();
+    let shrink = |v: f64| {
+        let cells = axis.next().unwrap_or(1.0);
+        let cell = (v * cells).floor();
+        (cell + factor * (v * cells - cell)) / cells
+    };
+    points.into_iter().map(shrink).collect()
+}
+
+fn times(numbers: Vec<f64>, factor: f64) -> Vec<f64> {
+    numbers.into_iter().map(|v| v * factor).collect()
+}
+
+const BIASES: &[Bias] = &[
+    Bias {
+        exercise: "random_pattern",
+        fault: "fills 0.9 of the square's sides",
+        change: |_, points| times(points, 0.9),
+    },
+    Bias {
+        exercise: "random_pattern",
+        fault: "fills 0.95 of the square's sides",
+        change: |_, points| times(points, 0.95),
+    },
+    Bias {
+        exercise: "random_pattern",
+        fault: "fills 0.99 of the square's sides",
+        change: |_, points| times(points, 0.99),
+    },
+    Bias {
+        exercise: "random_pattern",
+        fault: "is of the power 1.1 along x",
+        change: |_, mut points| {
+            points.iter_mut().step_by(2).for_each(|x| *x = x.powf(1.1));
+            points
+        },
+    },
+    Bias {
+        exercise: "random_pattern",
+        fault: "ignores the seed",
+        change: |_, points| uniform(0, points.len()),
+    },
+    Bias {
+        exercise: "random_pattern",
+        fault: "mirrors every other point (antithetic pairs)",
+        change: |q, points| {
+            let mut made = uniform(q[1] as u64, points.len());
+            for two in made.chunks_exact_mut(4) {
+                (two[2], two[3]) = (1.0 - two[0], 1.0 - two[1]);
+            }
+            made
+        },
+    },
+    Bias {
+        exercise: "jittered",
+        fault: "jitters in 0.9 of a cell",
+        change: |q, points| shrunk(q, points, 0.9),
+    },
+    Bias {
+        exercise: "jittered",
+        fault: "jitters in 0.95 of a cell",
+        change: |q, points| shrunk(q, points, 0.95),
+    },
+    Bias {
+        exercise: "jittered",
+        fault: "jitters in 0.99 of a cell",
+        change: |q, points| shrunk(q, points, 0.99),
+    },
+    Bias {
+        exercise: "poisson_disk",
+        fault: "is 1.1 times as large as asked",
+        change: |_, points| times(points, 1.1),
+    },
+    Bias {
+        exercise: "poisson_disk",
+        fault: "is 1.05 times as large as asked",
+        change: |_, points| times(points, 1.05),
+    },
+    Bias {
+        exercise: "reflected_radiance",
+        fault: "is 1 % too bright",
+        change: |_, light| times(light, 1.01),
+    },
+    Bias {
+        exercise: "reflected_radiance",
+        fault: "is 2 % too bright",
+        change: |_, light| times(light, 1.02),
+    },
+    Bias {
+        exercise: "visible_fraction",
+        fault: "is 1 % too small",
+        change: |_, seen| times(seen, 0.99),
+    },
+    Bias {
+        exercise: "visible_fraction",
+        fault: "is 3 % too small",
+        change: |_, seen| times(seen, 0.97),
+    },
+];
+
+#[test]
+fn small_biases_are_found_as_often_as_the_table_says() {
+    const STUDENTS: usize = 20;
+    let mut table = format!("{:<20} {:<46} found\n", "exercise", "fault");
+    for Bias {
+        exercise,
+        fault,
+        change,
+    } in BIASES
+    {
+        let examiner = cases::find(exercise).expect("an exercise");
+        let found = (0..STUDENTS).into_par_iter().filter(|&student| {
+            let cases = hidden(examiner, student);
+            let wrong = |case: &Case| {
+                let asked = examiner.asked();
+                let question = asked.read_question(&case.question).expect("a question");
+                let golden = asked.read_answer(&case.answers[0]).expect("an answer");
+                // A list begins with its count.
+                let count = usize::from(*exercise != "reflected_radiance");
+                let changed = change(&question, golden[count..].to_vec());
+                let words = golden[..count].iter().chain(&changed);
+                words.map(f64::to_string).collect::<Vec<_>>().join(" ")
+            };
+            together(examiner, &cases, wrong).is_err()
+        });
+        let found = 100 * found.count() / STUDENTS;
+        writeln!(table, "{exercise:<20} {fault:<46} {found:>3} %").expect("text");
+    }
+    snapshot("judged_together", &table);
+}

@@ -126,7 +126,7 @@ pub mod bvh {
 /// }
 /// ```
 ///
-/// and rays made ready, shears, stacks and the proof that a processor has AVX2 have no name outside.
+/// and rays made ready, shears, stacks and the proofs that a processor has AVX2 or AVX-512 have no name outside.
 ///
 /// ```compile_fail,E0603
 /// use raybook::accel::wide_bvh::ray::WideRay;
@@ -142,6 +142,10 @@ pub mod bvh {
 ///
 /// ```compile_fail,E0603
 /// use raybook::accel::wide_bvh::avx2::Avx2;
+/// ```
+///
+/// ```compile_fail,E0603
+/// use raybook::accel::wide_bvh::avx512::Avx512;
 /// ```
 pub mod wide_bvh {
     pub use crate::accel::wide_bvh::collapse::{Family, binary, children, collapse, half_area};

@@ -1,6 +1,6 @@
 //! From facets to the tree.
 
-use super::collapse::binary;
+use super::collapse::{binary, half_area};
 use super::node::{Leaf, Link, Node, TRIANGLES};
 use super::optimal;
 use super::pages;
@@ -52,7 +52,13 @@ pub(crate) fn build(facets: Vec<Facet>, method: Method, cost: &Cost) -> Tree {
     }
     let mut nodes = pages::list(families.len());
     let member = |&i: &u32| (old[i as usize].bounds, links[i as usize]);
-    let node = |i: usize| Node::new(families[i].children.iter().map(member));
+    let node = |i: usize| {
+        // The largest first: any-hit searches open the first child that is met, and most rays are blocked there.
+        let area = |&i: &u32| half_area(&old[i as usize]);
+        let mut children = families[i].children.clone();
+        children.sort_by(|a, b| area(b).total_cmp(&area(a)));
+        Node::new(children.iter().map(member))
+    };
     threads::fill(&mut nodes, families.len(), node);
     let mut leaves = pages::list(chosen.len());
     let leaf = |i: usize| {

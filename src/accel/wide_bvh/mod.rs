@@ -2,14 +2,17 @@
 
 #![expect(
     clippy::inline_always,
-    reason = "a function called from AVX2 code is compiled with AVX2 only where it is inlined"
+    reason = "a function called from AVX2 or AVX-512 code is compiled with these only where it is inlined"
 )]
 
 #[cfg(target_arch = "x86_64")]
 mod avx2;
+#[cfg(target_arch = "x86_64")]
+mod avx512;
 mod batch;
 pub(crate) mod build;
 pub(crate) mod collapse;
+mod kernel;
 mod lanes;
 mod nearest;
 pub(crate) mod node;
@@ -27,9 +30,8 @@ use crate::accel::bvh::build::Method;
 use crate::accel::{Accel, Count, bounded::bounded, list::List};
 use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use crate::shape::{Hit, mesh::Facet};
-#[cfg(target_arch = "x86_64")]
-use avx2::Avx2;
 use batch::Batch;
+pub use kernel::Kernel;
 use lanes::{Lanes, Work};
 use nearest::Nearest;
 use node::{CHILDREN, Link, Node};
@@ -46,8 +48,7 @@ pub struct WideBvh {
     tree: Tree,
     /// Facets without a finite box, if there are any.
     beside: Option<Box<List<Facet>>>,
-    #[cfg(target_arch = "x86_64")]
-    avx2: Option<Avx2>,
+    kernel: Kernel,
 }
 
 impl WideBvh {
@@ -63,19 +64,14 @@ impl WideBvh {
         Self {
             beside: (facets.len() < all).then(|| Box::new(beside)),
             tree: build::build(facets, method, &build::COST),
-            #[cfg(target_arch = "x86_64")]
-            avx2: Avx2::detect(),
+            kernel: Kernel::all()[0],
         }
     }
 
-    /// The same tree, searched without this processor's special instructions.
+    /// The same tree, searched by other instructions than the best of this processor.
     #[must_use]
-    pub fn portable(self) -> Self {
-        Self {
-            #[cfg(target_arch = "x86_64")]
-            avx2: None,
-            ..self
-        }
+    pub fn with(self, kernel: Kernel) -> Self {
+        Self { kernel, ..self }
     }
 
     /// The nearest hit of each ray, as [`Accel::closest`] finds it.
@@ -107,18 +103,14 @@ impl WideBvh {
         self.tree.bytes()
     }
 
-    /// Does the work with the best instructions. They compare distances as integers, which is right from 0 on.
+    /// Does the work. Special instructions compare distances as integers, which is right from 0 on.
     #[inline(always)]
-    #[allow(
-        unused_variables,
-        reason = "without AVX2 the interval makes no difference"
-    )]
     fn run<W: Work>(&self, within: Interval, work: W) -> W::Answer {
-        #[cfg(target_arch = "x86_64")]
-        if let Some(avx2) = self.avx2.filter(|_| within.min >= 0.0) {
-            return avx2.run(work);
+        if within.min >= 0.0 {
+            self.kernel.run(work)
+        } else {
+            Portable.run(work)
         }
-        Portable.run(work)
     }
 
     /// What was found in the tree, or beside it.

@@ -1,6 +1,7 @@
 //! The tree alone: nodes, leaves, and the facets that the leaves hold.
 
 use super::node::{CHILDREN, Leaf, Link, Node, TRIANGLES};
+use super::pages;
 use super::portable::Portable;
 use super::search::Closest;
 use crate::accel::Count;
@@ -9,7 +10,7 @@ use crate::shape::{Hit, mesh::Facet};
 use glam::{Vec3, Vec3A};
 
 /// A tree of eight children per node and up to eight triangles per leaf.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Tree {
     /// The nodes, depth-first.
     pub(super) nodes: Vec<Node>,
@@ -21,6 +22,19 @@ pub struct Tree {
     pub(super) largest: Vec3A,
     /// The facets, in the order in which they came.
     pub(super) facets: Vec<Facet>,
+}
+
+impl Clone for Tree {
+    /// The lists are in large pages again.
+    fn clone(&self) -> Self {
+        Self {
+            nodes: pages::copy(&self.nodes),
+            leaves: pages::copy(&self.leaves),
+            root: self.root,
+            largest: self.largest,
+            facets: self.facets.clone(),
+        }
+    }
 }
 
 impl Tree {

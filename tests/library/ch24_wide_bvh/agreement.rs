@@ -4,7 +4,11 @@ use crate::ch24_wide_bvh::scenes::{facets, ray, scaled, scene, with_degenerate};
 use glam::{Vec3, vec3};
 use proptest::prelude::*;
 use raybook::accel::bvh::build::Method;
-use raybook::accel::{Accel, list::List, wide_bvh::WideBvh};
+use raybook::accel::{
+    Accel,
+    list::List,
+    wide_bvh::{Kernel, WideBvh},
+};
 use raybook::math::{dir3::Dir3, interval::Interval, pcg, ray::Ray};
 use raybook::scene::soup::soup;
 use raybook::shape::mesh::Facet;
@@ -38,16 +42,16 @@ proptest! {
         let list = List::new(facets.clone());
         let fast = WideBvh::build(facets, method);
         prop_assert_eq!(fast.validate(), Ok(()));
-        let portable = fast.clone().portable();
+        let kernels = Kernel::all().into_iter();
+        let trees: Vec<_> = kernels.map(|kernel| (kernel.name(), fast.clone().with(kernel))).collect();
         for one in rays {
             let (ray, within) = scaled(one, scale);
             let right = bits(list.closest(&ray, within));
-            prop_assert_eq!(bits(fast.closest(&ray, within)), right, "the fastest kernel");
-            prop_assert_eq!(bits(portable.closest(&ray, within)), right, "the portable kernel");
-            for tree in [&fast, &portable] {
-                prop_assert_eq!(tree.any(&ray, within), right.is_some());
+            for (name, tree) in &trees {
+                prop_assert_eq!(bits(tree.closest(&ray, within)), right, "{}", name);
+                prop_assert_eq!(tree.any(&ray, within), right.is_some(), "{}, any", name);
                 let many = tree.closest_many(&[ray; 3], within);
-                prop_assert!(many.into_iter().all(|one| bits(one) == right), "the batch");
+                prop_assert!(many.into_iter().all(|one| bits(one) == right), "{}, the batch", name);
             }
         }
     }
@@ -74,7 +78,7 @@ proptest! {
     ) {
         let tree = WideBvh::new(facets);
         let ray = Ray::new(o.into(), Dir3::new_or(d.into(), Dir3::X));
-        for tree in [tree.clone().portable(), tree] {
+        for tree in Kernel::all().into_iter().map(|kernel| tree.clone().with(kernel)) {
             let within = Interval::new(min, max);
             let _ = (tree.closest(&ray, within), tree.any(&ray, within), tree.closest_many(&[ray], within));
         }

@@ -156,7 +156,7 @@ pub mod wide_bvh {
     use crate::accel::bvh::build::{Method, cost::Cost};
     use crate::accel::wide_bvh::{self, WideBvh};
     use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
-    use crate::shape::mesh::Facet;
+    use crate::shape::{Hit, mesh::Facet};
 
     /// What a step of its search costs.
     pub const COST: Cost = wide_bvh::build::COST;
@@ -169,6 +169,15 @@ pub mod wide_bvh {
     /// The tree.
     pub fn tree(bvh: &WideBvh) -> &Tree {
         bvh.tree()
+    }
+
+    /// The nearest hit of each ray, with several of them in flight, also where the tree is so small that it does not pay.
+    pub fn in_turns<'a>(
+        bvh: &'a WideBvh,
+        rays: &[Ray],
+        within: Interval,
+    ) -> Vec<Option<(&'a Facet, Hit)>> {
+        bvh.in_turns(rays, within)
     }
 
     /// Which of eight boxes a ray meets within an interval, as bits, and where it enters them.

@@ -97,7 +97,7 @@ pub(super) fn gain(
         ("eight, this processor", &|rays| {
             each(rays, &|ray| eight.closest(ray, ahead).is_some());
         }),
-        ("eight rays in turn", &|rays| {
+        ("16 rays in turn", &|rays| {
             black_box(eight.closest_many(rays, ahead));
         }),
     ];

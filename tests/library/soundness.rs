@@ -13,7 +13,7 @@ use raybook::accel::{
     wide_bvh::{Kernel, WideBvh},
 };
 use raybook::inside::bvh;
-use raybook::inside::wide_bvh::{CHILDREN, COST, Link, TRIANGLES, Tree, build, meets};
+use raybook::inside::wide_bvh::{CHILDREN, COST, Link, TRIANGLES, Tree, build, in_turns, meets};
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray};
 use raybook::shape::mesh::Facet;
 
@@ -53,7 +53,7 @@ proptest! {
         let tree = WideBvh::new(facets.clone());
         let kernels = Kernel::all().into_iter();
         let trees: Vec<_> = kernels.map(|kernel| tree.clone().with(kernel)).collect();
-        let many = tree.closest_many(&rays, within);
+        let many = in_turns(&tree, &rays, within);
         prop_assert_eq!(many.len(), rays.len());
         for (ray, answer) in rays.iter().zip(many) {
             let found = trees.iter().map(|tree| tree.closest(ray, within));

@@ -4,7 +4,7 @@ use super::collapse::{binary, half_area};
 use super::node::{Leaf, Link, Node, TRIANGLES};
 use super::optimal;
 use super::pages;
-use super::tree::Tree;
+use super::tree::{Tree, largest};
 use crate::accel::bvh::build::{Method, build as build_binary, cost::Cost};
 use crate::shape::{Shape, mesh::Facet};
 use crate::threads;
@@ -71,9 +71,9 @@ pub(crate) fn build(facets: Vec<Facet>, method: Method, cost: &Cost) -> Tree {
     threads::fill(&mut leaves, chosen.len(), leaf);
     Tree {
         root: links.first().copied(),
-        largest: old.first().map_or(Vec3A::ZERO, |root| {
-            root.bounds.min.abs().max(root.bounds.max.abs()).into()
-        }),
+        largest: old
+            .first()
+            .map_or(Vec3A::ZERO, |root| largest(&root.bounds)),
         nodes,
         leaves,
         facets,

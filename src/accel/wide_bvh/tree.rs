@@ -24,6 +24,11 @@ pub struct Tree {
     pub(super) facets: Vec<Facet>,
 }
 
+/// The largest |coordinate| of a box along each axis.
+pub(super) fn largest(bounds: &Aabb) -> Vec3A {
+    bounds.min.abs().max(bounds.max.abs()).into()
+}
+
 impl Clone for Tree {
     /// The lists are in large pages again.
     fn clone(&self) -> Self {
@@ -108,6 +113,11 @@ impl Tree {
 
     /// Memory in use, in bytes.
     pub(super) fn bytes(&self) -> usize {
-        size_of_val(&*self.nodes) + size_of_val(&*self.leaves) + size_of_val(&*self.facets)
+        self.searched_bytes() + size_of_val(&*self.facets)
+    }
+
+    /// The memory that searches read, in bytes.
+    pub(super) fn searched_bytes(&self) -> usize {
+        size_of_val(&*self.nodes) + size_of_val(&*self.leaves)
     }
 }

@@ -81,5 +81,17 @@ fn structures(criterion: &mut Criterion) {
     bench(criterion, "WideBvh", 1, WideBvh::new);
 }
 
-criterion_group!(benches, structures);
+/// A tree over facets that have moved, beside a new one.
+fn refit(criterion: &mut Criterion) {
+    let facets = teapot::mesh(10).facets();
+    let mut tree = WideBvh::new(facets.clone());
+    let mut group = criterion.benchmark_group("build");
+    group.throughput(Throughput::Elements(facets.len() as u64));
+    group.bench_function("WideBvh, refitted", |bencher| {
+        bencher.iter(|| tree.refit(black_box(facets.clone())));
+    });
+    group.finish();
+}
+
+criterion_group!(benches, structures, refit);
 criterion_main!(benches);

@@ -126,7 +126,7 @@ pub mod bvh {
 /// }
 /// ```
 ///
-/// and rays made ready, shears, stacks and the proof that a processor has AVX2 have no name outside.
+/// and rays made ready, shears, stacks and the proofs that a processor has AVX2 or AVX-512 have no name outside.
 ///
 /// ```compile_fail,E0603
 /// use raybook::accel::wide_bvh::ray::WideRay;
@@ -143,6 +143,10 @@ pub mod bvh {
 /// ```compile_fail,E0603
 /// use raybook::accel::wide_bvh::avx2::Avx2;
 /// ```
+///
+/// ```compile_fail,E0603
+/// use raybook::accel::wide_bvh::avx512::Avx512;
+/// ```
 pub mod wide_bvh {
     pub use crate::accel::wide_bvh::collapse::{Family, binary, children, collapse, half_area};
     pub use crate::accel::wide_bvh::node::{CHILDREN, Leaf, Link, Node, TRIANGLES};
@@ -152,7 +156,7 @@ pub mod wide_bvh {
     use crate::accel::bvh::build::{Method, cost::Cost};
     use crate::accel::wide_bvh::{self, WideBvh};
     use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
-    use crate::shape::mesh::Facet;
+    use crate::shape::{Hit, mesh::Facet};
 
     /// What a step of its search costs.
     pub const COST: Cost = wide_bvh::build::COST;
@@ -165,6 +169,15 @@ pub mod wide_bvh {
     /// The tree.
     pub fn tree(bvh: &WideBvh) -> &Tree {
         bvh.tree()
+    }
+
+    /// The nearest hit of each ray, with several of them in flight, also where the tree is so small that it does not pay.
+    pub fn in_turns<'a>(
+        bvh: &'a WideBvh,
+        rays: &[Ray],
+        within: Interval,
+    ) -> Vec<Option<(&'a Facet, Hit)>> {
+        bvh.in_turns(rays, within)
     }
 
     /// Which of eight boxes a ray meets within an interval, as bits, and where it enters them.

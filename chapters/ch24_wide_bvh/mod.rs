@@ -1,10 +1,10 @@
 //! A processor does eight sums in the time of one. So a node gets eight children, whose boxes are tested at once, and a
 //! leaf eight triangles; the tree becomes a third as high, and its search more than twice as fast.
 //!
-//! New: accel/wide_bvh/mod.rs accel/wide_bvh/avx2.rs accel/wide_bvh/batch.rs accel/wide_bvh/build.rs
-//! New: accel/wide_bvh/collapse.rs accel/wide_bvh/lanes.rs accel/wide_bvh/nearest.rs accel/wide_bvh/node.rs
+//! New: accel/wide_bvh/mod.rs accel/wide_bvh/avx2.rs accel/wide_bvh/avx512.rs accel/wide_bvh/batch.rs accel/wide_bvh/build.rs
+//! New: accel/wide_bvh/collapse.rs accel/wide_bvh/kernel.rs accel/wide_bvh/lanes.rs accel/wide_bvh/nearest.rs accel/wide_bvh/node.rs
 //! New: accel/wide_bvh/optimal.rs accel/wide_bvh/pages.rs accel/wide_bvh/portable.rs accel/wide_bvh/ray.rs accel/wide_bvh/search.rs
-//! New: accel/wide_bvh/stack.rs accel/wide_bvh/tree.rs accel/wide_bvh/validate.rs accel/wide_bvh/walk.rs
+//! New: accel/wide_bvh/refit.rs accel/wide_bvh/stack.rs accel/wide_bvh/tree.rs accel/wide_bvh/validate.rs accel/wide_bvh/walk.rs
 
 mod confetti;
 mod eight_boxes;
@@ -57,7 +57,7 @@ pub fn draw(stage: &Stage) -> Drawn {
         "rays from anywhere to anywhere, {} triangles",
         mesh.triangles().len()
     );
-    let caption = "What each step gives in time, measured when this figure was drawn: the wide tree with plain arithmetic, with vector instructions, and with eight rays that take turns.";
+    let caption = "What each step gives in time, measured when this figure was drawn: the wide tree with plain arithmetic, with vector instructions, and with sixteen rays that take turns.";
     stage.figure(
         "gain",
         caption,

@@ -2,7 +2,7 @@
 
 use crate::kit::bars::bars;
 use raybook::accel::bvh::Bvh;
-use raybook::accel::wide_bvh::WideBvh;
+use raybook::accel::wide_bvh::{Kernel, WideBvh};
 use raybook::accel::{Accel, Tests};
 use raybook::image::Image;
 use raybook::math::interval::Interval;
@@ -80,7 +80,7 @@ pub(super) fn gain(
     eight: &WideBvh,
     note: &str,
 ) -> Result<Image, Box<dyn Error>> {
-    let portable = eight.clone().portable();
+    let portable = eight.clone().with(Kernel::PORTABLE);
     let each = |rays: &[Ray], hits: &dyn Fn(&Ray) -> bool| {
         for ray in rays {
             black_box(hits(black_box(ray)));
@@ -97,7 +97,7 @@ pub(super) fn gain(
         ("eight, this processor", &|rays| {
             each(rays, &|ray| eight.closest(ray, ahead).is_some());
         }),
-        ("eight rays in turn", &|rays| {
+        ("16 rays in turn", &|rays| {
             black_box(eight.closest_many(rays, ahead));
         }),
     ];

@@ -13,7 +13,8 @@ pub(super) fn bounded<S: Shape>(shapes: Vec<S>) -> (Vec<S>, List<S>) {
     (bounded, List::new(unbounded))
 }
 
-fn is_bounded(bounds: &Aabb) -> bool {
+/// Whether a box is within the domain.
+pub(super) fn is_bounded(bounds: &Aabb) -> bool {
     let Aabb { min, max } = *bounds;
     min.cmple(max).all() && min.min_element() >= -LARGEST && max.max_element() <= LARGEST
 }

@@ -11,6 +11,7 @@ use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed, TestRunner};
 use rand::RngExt;
 use raybook::accel::{Accel, wide_bvh::WideBvh};
+use raybook::inside::wide_bvh::in_turns;
 use raybook::math::{dir3::Dir3, interval::Interval, pcg, ray::Ray};
 use raybook::scene::soup;
 use rays::RayRecipe;
@@ -73,7 +74,7 @@ fn batches_are_answered_as_their_rays_are() {
         let wide = WideBvh::new(scene.shapes.clone());
         let ahead = |recipe: &RayRecipe| recipe.in_scene(&scene).0;
         let rays: Vec<_> = questions.iter().map(ahead).collect();
-        let batch = wide.closest_many(&rays, Interval::AHEAD);
+        let batch = in_turns(&wide, &rays, Interval::AHEAD);
         prop_assert_eq!(batch.len(), rays.len(), "one answer for each ray");
         for (ray, found) in rays.iter().zip(batch) {
             prop_assert_eq!(found, wide.closest(ray, Interval::AHEAD), "{:?}", ray);

@@ -9,7 +9,12 @@ use crate::aim::{Owner, Target};
 use glam::Vec3;
 use raybook::accel::bvh::{Bvh, build::Method};
 use raybook::accel::{
-    Accel, grid::Grid, list::List, octree::Octree, two_level_grid::TwoLevelGrid, wide_bvh::WideBvh,
+    Accel,
+    grid::Grid,
+    list::List,
+    octree::Octree,
+    two_level_grid::TwoLevelGrid,
+    wide_bvh::{Kernel, WideBvh},
 };
 use raybook::math::{aabb::Aabb, interval::Interval, pcg};
 use raybook::shape::{ROUNDING, mesh::Facet};
@@ -110,7 +115,11 @@ aimed! {
     bvh_fine: |facets| Bvh::build(facets, Method::Fine);
     bvh_bottom_up: |facets| Bvh::build(facets, Method::BottomUp);
     wide_bvh: WideBvh::new;
-    wide_bvh_portable: |facets| WideBvh::new(facets).portable();
+    wide_bvh_portable: |facets| WideBvh::new(facets).with(Kernel::PORTABLE);
+    wide_bvh_by_the_second_kernel: |facets| {
+        let kernels = Kernel::all();
+        WideBvh::new(facets).with(kernels[1.min(kernels.len() - 1)])
+    };
     wide_bvh_median: |facets| WideBvh::build(facets, Method::Median);
     wide_bvh_bottom_up: |facets| WideBvh::build(facets, Method::BottomUp);
 }

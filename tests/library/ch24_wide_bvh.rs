@@ -2,5 +2,6 @@
 
 mod agreement;
 mod edges;
+mod refit;
 mod scenes;
 mod tree;

@@ -4,7 +4,12 @@ use glam::{Vec3, vec3};
 use rand::RngExt;
 use raybook::accel::bvh::Bvh;
 use raybook::accel::{
-    Accel, grid::Grid, list::List, octree::Octree, two_level_grid::TwoLevelGrid, wide_bvh::WideBvh,
+    Accel,
+    grid::Grid,
+    list::List,
+    octree::Octree,
+    two_level_grid::TwoLevelGrid,
+    wide_bvh::{Kernel, WideBvh},
 };
 use raybook::math::domain::{LARGEST, SMALLEST};
 use raybook::math::pcg::{self, Pcg};
@@ -93,7 +98,7 @@ const HITS: [(&str, Hits); 9] = [
     ("Bvh", |corners, ray| by(corners, ray, Bvh::new)),
     ("WideBvh", |corners, ray| by(corners, ray, WideBvh::new)),
     ("WideBvh, portable", |corners, ray| {
-        by(corners, ray, |f| WideBvh::new(f).portable())
+        by(corners, ray, |f| WideBvh::new(f).with(Kernel::PORTABLE))
     }),
 ];
 
@@ -136,7 +141,7 @@ fn rays_from_outside_the_domain_hit_nothing_wrong() {
         ("WideBvh", ask(WideBvh::new(facets.clone()))),
         (
             "WideBvh, portable",
-            ask(WideBvh::new(facets.clone()).portable()),
+            ask(WideBvh::new(facets.clone()).with(Kernel::PORTABLE)),
         ),
     ];
     let list = ask(List::new(facets));

@@ -29,6 +29,7 @@ mod laws;
 mod noise;
 mod plastic;
 mod published;
+mod scaling;
 mod soundness;
 mod store;
 mod textures;

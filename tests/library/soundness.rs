@@ -7,9 +7,13 @@ use crate::laws::forms::config;
 use crate::laws::wild::{direction, interval, vector};
 use glam::{Vec3, vec3};
 use proptest::prelude::*;
-use raybook::accel::{Accel, Tests, bvh::build::Method, wide_bvh::WideBvh};
+use raybook::accel::{
+    Accel, Tests,
+    bvh::build::Method,
+    wide_bvh::{Kernel, WideBvh},
+};
 use raybook::inside::bvh;
-use raybook::inside::wide_bvh::{CHILDREN, COST, Link, TRIANGLES, Tree, build, meets};
+use raybook::inside::wide_bvh::{CHILDREN, COST, Link, TRIANGLES, Tree, build, in_turns, meets};
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray};
 use raybook::shape::mesh::Facet;
 
@@ -47,14 +51,16 @@ proptest! {
     #[test]
     fn absurd_facets_and_rays_have_answers(facets in facets(40), rays in rays(), within in interval()) {
         let tree = WideBvh::new(facets.clone());
-        let portable = tree.clone().portable();
-        let many = tree.closest_many(&rays, within);
+        let kernels = Kernel::all().into_iter();
+        let trees: Vec<_> = kernels.map(|kernel| tree.clone().with(kernel)).collect();
+        let many = in_turns(&tree, &rays, within);
         prop_assert_eq!(many.len(), rays.len());
         for (ray, answer) in rays.iter().zip(many) {
-            for hit in [answer, tree.closest(ray, within), portable.closest(ray, within)].into_iter().flatten() {
+            let found = trees.iter().map(|tree| tree.closest(ray, within));
+            for hit in found.chain([answer]).flatten() {
                 prop_assert!(facets.iter().any(|f| f.id == hit.0.id), "{hit:?} is of no facet");
             }
-            let _ = (tree.any(ray, within), portable.any(ray, within));
+            let _: Vec<bool> = trees.iter().map(|tree| tree.any(ray, within)).collect();
         }
     }
 

@@ -4,12 +4,14 @@
 //! `how.txt` and `ratios.png`. `README.md` beside this package says what is measured and how.
 
 mod construction;
+mod generated;
 mod meshes;
 mod plot;
 mod race;
 mod racer;
 mod racers;
 mod report;
+mod scaling;
 mod sets;
 
 use clap::Parser;
@@ -36,6 +38,9 @@ struct Options {
     /// Rounds; the median of them counts
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     rounds: Option<u16>,
+    /// Instead of the race, count a ray's steps in soups of 100 triangles to so many, and write scaling.csv
+    #[arg(long, value_name = "TRIANGLES", value_parser = clap::value_parser!(u32).range(1000..))]
+    scaling: Option<u32>,
     /// Where the files go
     #[arg(long, value_name = "FOLDER", default_value = "target/peers")]
     out: PathBuf,
@@ -52,6 +57,12 @@ fn main() -> ExitCode {
 }
 
 fn run(options: &Options) -> Result<(), Box<dyn Error>> {
+    if let Some(largest) = options.scaling {
+        let text = scaling::scaling(largest);
+        print!("{text}");
+        std::fs::create_dir_all(&options.out)?;
+        return Ok(std::fs::write(options.out.join("scaling.csv"), text)?);
+    }
     let (side, count, rounds, builds) = if options.quick {
         (256, 1 << 15, 3, 1)
     } else {
@@ -131,8 +142,10 @@ fn how(side: usize, count: usize, rounds: usize) -> Vec<String> {
     let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
     vec![
         format!(
-            "processor: {} ({cores} of them), with {}",
+            "processor: {}, family {}, model {} ({cores} of them), with {}",
             field("model name"),
+            field("cpu family"),
+            field("model\t"),
             has.join(", ")
         ),
         format!("compiled: {}", env!("HOW")),

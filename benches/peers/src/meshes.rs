@@ -1,5 +1,6 @@
 //! What the rays are shot at, and from where it is looked at.
 
+use crate::generated;
 use glam::{Vec3, vec3};
 use raybook::camera::pinhole::Pinhole;
 use raybook::scene::{soup, stadium, terrain};
@@ -17,7 +18,9 @@ pub(crate) struct Scene {
 }
 
 /// The names of all.
-pub(crate) const NAMES: [&str; 6] = ["teapot", "bunny", "dragon", "stadium", "terrain", "soup"];
+pub(crate) const NAMES: [&str; 8] = [
+    "teapot", "bunny", "dragon", "stadium", "terrain", "soup", "interior", "hair",
+];
 
 /// The mesh of a name.
 ///
@@ -33,12 +36,15 @@ pub(crate) fn scene(name: &str) -> Result<Scene, String> {
         "terrain" => terrain::terrain(707), // 999,698 triangles
         "stadium" => stadium::stadium(14).mesh, // about 100,000 triangles
         "soup" => soup::soup(1_000_000, 1),
+        "interior" => generated::interior(1).map_err(|error| error.to_string())?,
+        "hair" => generated::hair_ball(1).map_err(|error| error.to_string())?,
         _ => teapot::mesh(10),
     };
     let (center, radius) = ball(&mesh);
     let (from, to) = match name {
         "terrain" => (vec3(-4.9, 2.5, -4.9), vec3(0.0, 0.5, 0.0)), // from a corner, above the peaks
         "stadium" => (vec3(0.45, 0.35, 0.6), vec3(0.0, 0.15, 0.0)), // the teapot, and the seats behind it
+        "interior" => (vec3(0.6, 1.7, 5.0), vec3(12.0, 2.2, 6.5)),  // from one end to the other
         _ => (center + 2.2 * radius * vec3(0.4, 0.35, 0.85), center),
     };
     let camera =

@@ -25,13 +25,15 @@ const MOST: f64 = 3.0;
 const TICKS: [f64; 6] = [0.03, 0.1, 0.25, 0.5, 1.0, 2.0];
 
 /// A colour and a form for each mesh: either would do.
-const MARKS: [(RGBColor, Form); 6] = [
+const MARKS: [(RGBColor, Form); 8] = [
     (SKY, Form::Ring),
     (BLUE, Form::Disc),
     (VERMILION, Form::Square),
     (ORANGE, Form::Up),
     (GREEN, Form::Down),
     (PURPLE, Form::Diamond),
+    (INK, Form::Cross),
+    (VERMILION, Form::Ring),
 ];
 
 #[derive(Clone, Copy)]
@@ -42,6 +44,7 @@ enum Form {
     Up,
     Down,
     Diamond,
+    Cross,
 }
 
 /// Draws it and writes it as PNG.
@@ -160,6 +163,12 @@ fn mark(canvas: &Canvas, mesh: usize, (x, y): (i32, i32)) -> Drawn {
         Form::Square => canvas.draw(&polygon(&[(-9, -9), (9, -9), (9, 9), (-9, 9)]))?,
         Form::Up => canvas.draw(&polygon(&[(-11, 9), (0, -11), (11, 9)]))?,
         Form::Down => canvas.draw(&polygon(&[(-11, -9), (0, 11), (11, -9)]))?,
+        Form::Cross => {
+            for rise in [9, -9] {
+                let line = vec![(x - 9, y - rise), (x + 9, y + rise)];
+                canvas.draw(&PathElement::new(line, colour.stroke_width(5)))?;
+            }
+        }
         Form::Diamond => canvas.draw(&polygon(&[(-12, 0), (0, -12), (12, 0), (0, 12)]))?,
     }
     Ok(())

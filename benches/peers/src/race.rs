@@ -20,6 +20,8 @@ pub(crate) struct Lap {
     pub query: Query,
     /// Its rays per second, divided by those of Embree in the same round: the median of the rounds.
     pub ratio: f64,
+    /// The same of the rounds below which a tenth and nine tenths of them are.
+    pub spread: [f64; 2],
     /// Its rays per second, from the same median.
     pub speed: f64,
     /// The part of the rays on which it agrees with Embree.
@@ -132,6 +134,7 @@ impl Runner {
         Lap {
             racer: self.racer,
             query: self.query,
+            spread: [0.1, 0.9].map(|part| quantile(ratios.clone(), part)),
             ratio: median(ratios),
             speed: median(speeds),
             agree: self.same as f64 / self.asked as f64,
@@ -140,10 +143,16 @@ impl Runner {
 }
 
 /// The middle one of the numbers; of two middle ones, the mean.
-pub(crate) fn median(mut numbers: Vec<f64>) -> f64 {
+pub(crate) fn median(numbers: Vec<f64>) -> f64 {
+    quantile(numbers, 0.5)
+}
+
+/// The number below which this part of all is; between two of them, on the line from one to the other.
+fn quantile(mut numbers: Vec<f64>, part: f64) -> f64 {
     numbers.sort_by(f64::total_cmp);
-    let n = numbers.len();
-    0.5 * (numbers[(n - 1) / 2] + numbers[n / 2])
+    let at = part * (numbers.len() - 1) as f64;
+    let (low, high) = (numbers[at.floor() as usize], numbers[at.ceil() as usize]);
+    low + at.fract() * (high - low)
 }
 
 /// Seconds of processor time that this thread has had: what others do meanwhile does not count.

@@ -126,8 +126,12 @@ pub(crate) fn geometric_mean(numbers: impl Iterator<Item = f64>) -> f64 {
 /// # Errors
 /// If a file cannot be written.
 pub(crate) fn write(folder: &Path, rows: &[Row], how: &[String]) -> io::Result<()> {
-    let mut ratios =
-        String::from("mesh,set,query,structure,ratio,agree,build_s,bytes_per_triangle\n");
+    let mut ratios = how
+        .iter()
+        .fold(String::new(), |text, line| text + "# " + line + "\n");
+    ratios.push_str(
+        "mesh,set,query,structure,ratio,ratio_10,ratio_90,agree,build_s,bytes_per_triangle\n",
+    );
     let mut builds = vec!["mesh,structure,threads,build_s,bytes_per_triangle".to_owned()];
     for row in rows {
         let Row {
@@ -140,10 +144,10 @@ pub(crate) fn write(folder: &Path, rows: &[Row], how: &[String]) -> io::Result<(
             ..
         } = row;
         let query = lap.query.name();
-        let (ratio, agree, [alone, _]) = (lap.ratio, lap.agree, build);
+        let (ratio, [low, high], agree, [alone, _]) = (lap.ratio, lap.spread, lap.agree, build);
         let _ = writeln!(
             ratios,
-            "{mesh},{set},{query},{structure},{ratio:.4},{agree:.6},{alone:.4},{bytes:.1}"
+            "{mesh},{set},{query},{structure},{ratio:.4},{low:.4},{high:.4},{agree:.6},{alone:.4},{bytes:.1}"
         );
         for (threads, seconds) in (1..).zip(build) {
             let line = format!("{mesh},{structure},{threads},{seconds:.4},{bytes:.1}");

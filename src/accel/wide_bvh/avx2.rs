@@ -5,7 +5,7 @@
 )]
 
 use super::lanes::{Lanes, Struck, Work};
-use super::node::{CHILDREN, Leaf, Link, Node, TRIANGLES};
+use super::node::{CHILDREN, Leaf, Link, Node};
 use super::ray::WideRay;
 use super::tree::Tree;
 use crate::math::domain::{AREA_MAX, AREA_MIN};
@@ -52,17 +52,20 @@ impl Lanes for Avx2 {
 
     #[inline(always)]
     fn prefetch(self, tree: &Tree, link: Link) {
-        let node = tree.nodes.as_ptr().wrapping_add(link.index()).cast::<i8>();
-        let leaf = tree.leaves.as_ptr().wrapping_add(link.index()).cast::<i8>();
-        let at = std::hint::select_unpredictable(link.as_leaf().is_some(), leaf, node);
+        prefetch(tree, link);
+    }
+}
+
+/// Asks the memory for a child: for the six cache lines of a leaf, which are more than a node has.
+#[inline(always)]
+pub(super) fn prefetch(tree: &Tree, link: Link) {
+    let node = tree.nodes.as_ptr().wrapping_add(link.index()).cast::<i8>();
+    let leaf = tree.leaves.as_ptr().wrapping_add(link.index()).cast::<i8>();
+    let at = std::hint::select_unpredictable(link.as_leaf().is_some(), leaf, node);
+    for line in 0..6 {
         // SAFETY: a prefetch reads nothing that the program sees, and of an address without memory it does nothing: so any link
         // will do. The addresses are computed by `wrapping_add`, which may leave the lists. Every x86-64 processor has it.
-        unsafe {
-            _mm_prefetch::<_MM_HINT_T0>(at);
-            _mm_prefetch::<_MM_HINT_T0>(at.wrapping_add(64));
-            _mm_prefetch::<_MM_HINT_T0>(at.wrapping_add(128));
-            _mm_prefetch::<_MM_HINT_T0>(at.wrapping_add(192));
-        }
+        unsafe { _mm_prefetch::<_MM_HINT_T0>(at.wrapping_add(64 * line)) };
     }
 }
 
@@ -78,9 +81,10 @@ fn splats(v: glam::Vec3A) -> [__m256; 3] {
     ]
 }
 
+/// Where the ray enters and where it leaves each of eight boxes, as integers in the same order as the distances.
 #[target_feature(enable = "avx2,fma")]
 #[inline]
-fn boxes(node: &Node, ray: &WideRay, max: f32) -> (u32, [f32; CHILDREN]) {
+pub(super) fn slabs(node: &Node, ray: &WideRay, max: f32) -> [__m256i; 2] {
     let rows = node.rows.as_flattened().as_ptr();
     // SAFETY: `start` is a multiple of 8 below 48, so eight of the 48 numbers begin there, at a multiple of 32 bytes: a node
     // begins at one of 64 (`repr(C, align(64))`), and its rows are its first field. That holds for what `WideRay::near`
@@ -102,16 +106,38 @@ fn boxes(node: &Node, ray: &WideRay, max: f32) -> (u32, [f32; CHILDREN]) {
         _mm256_min_epi32(plane(nx ^ CHILDREN, ix, lx), plane(ny ^ CHILDREN, iy, ly)),
         _mm256_min_epi32(plane(nz ^ CHILDREN, iz, lz), splat(max)),
     );
-    let missed = _mm256_movemask_ps(_mm256_castsi256_ps(_mm256_cmpgt_epi32(enter, leave)));
-    let mut t = [0.0; CHILDREN];
-    // SAFETY: `t` has room for eight numbers, and this store takes any address.
-    unsafe { _mm256_storeu_si256(t.as_mut_ptr().cast(), enter) };
-    (missed as u32 ^ 255, t)
+    [enter, leave]
 }
 
 #[target_feature(enable = "avx2,fma")]
-#[inline(never)] // the loop over the nodes then has the registers for itself
-fn triangles(leaf: &Leaf, ray: &WideRay, max: f32) -> Option<Struck> {
+#[inline]
+fn boxes(node: &Node, ray: &WideRay, max: f32) -> (u32, [f32; CHILDREN]) {
+    let [enter, leave] = slabs(node, ray, max);
+    let missed = _mm256_movemask_ps(_mm256_castsi256_ps(_mm256_cmpgt_epi32(enter, leave)));
+    (missed as u32 ^ 255, array(_mm256_castsi256_ps(enter)))
+}
+
+/// Eight numbers in memory.
+#[target_feature(enable = "avx2,fma")]
+#[inline]
+pub(super) fn array(v: __m256) -> [f32; 8] {
+    let mut array = [0.0; 8];
+    // SAFETY: `array` has room for eight numbers, and this store takes any address.
+    unsafe { _mm256_storeu_ps(array.as_mut_ptr(), v) };
+    array
+}
+
+/// Eight triangles seen along the ray: their areas u, v and w, and the distances of their corners along the ray; see
+/// [`hit`](crate::shape::triangle_watertight::hit).
+pub(super) struct Seen {
+    pub(super) areas: [__m256; 3],
+    pub(super) z: [__m256; 3],
+}
+
+/// Moves eight triangles into the ray's frame.
+#[target_feature(enable = "avx2,fma")]
+#[inline]
+pub(super) fn seen(leaf: &Leaf, ray: &WideRay) -> Seen {
     let [ax, ay, az] = ray.shear.axes();
     let [sx, sy, sz] = ray.shear.slopes().map(|v| _mm256_set1_ps(v));
     let [ox, oy, oz] = ray.origin.map(|v| _mm256_set1_ps(v));
@@ -134,7 +160,36 @@ fn triangles(leaf: &Leaf, ray: &WideRay, max: f32) -> Option<Struck> {
     let cross = |p: [__m256; 3], q: [__m256; 3]| {
         _mm256_sub_ps(_mm256_mul_ps(p[0], q[1]), _mm256_mul_ps(p[1], q[0]))
     };
-    let (u, v, w) = (cross(c, b), cross(a, c), cross(b, a));
+    Seen {
+        areas: [cross(c, b), cross(a, c), cross(b, a)],
+        z: [a[2], b[2], c[2]],
+    }
+}
+
+impl Seen {
+    /// u + v + w.
+    #[target_feature(enable = "avx2,fma")]
+    #[inline]
+    pub(super) fn whole(&self) -> __m256 {
+        let [u, v, w] = self.areas;
+        _mm256_add_ps(_mm256_add_ps(u, v), w)
+    }
+
+    /// The distances of the hits, times the whole areas.
+    #[target_feature(enable = "avx2,fma")]
+    #[inline]
+    pub(super) fn depth(&self) -> __m256 {
+        let ([u, v, w], [a, b, c]) = (self.areas, self.z);
+        let two = _mm256_add_ps(_mm256_mul_ps(u, a), _mm256_mul_ps(v, b));
+        _mm256_add_ps(two, _mm256_mul_ps(w, c))
+    }
+}
+
+#[target_feature(enable = "avx2,fma")]
+#[inline(never)] // the loop over the nodes then has the registers for itself
+fn triangles(leaf: &Leaf, ray: &WideRay, max: f32) -> Option<Struck> {
+    let seen = seen(leaf, ray);
+    let [u, v, w] = seen.areas;
     let zero = _mm256_setzero_ps();
     let least = _mm256_min_ps(u, _mm256_min_ps(v, w));
     let most = _mm256_max_ps(u, _mm256_max_ps(v, w));
@@ -152,7 +207,7 @@ fn triangles(leaf: &Leaf, ray: &WideRay, max: f32) -> Option<Struck> {
             _mm256_cmp_ps::<_CMP_EQ_OQ>(w, zero),
         ),
     );
-    let whole = _mm256_add_ps(_mm256_add_ps(u, v), w);
+    let whole = seen.whole();
     let size = _mm256_andnot_ps(_mm256_set1_ps(-0.0), whole);
     let extreme = _mm256_or_ps(
         _mm256_cmp_ps::<_CMP_LT_OQ>(size, _mm256_set1_ps(AREA_MIN)),
@@ -161,11 +216,7 @@ fn triangles(leaf: &Leaf, ray: &WideRay, max: f32) -> Option<Struck> {
     let doubtful = _mm256_and_ps(inside, _mm256_or_ps(on_edge, extreme));
     let unsure = _mm256_movemask_ps(doubtful) as u32;
     let inverse = _mm256_div_ps(_mm256_set1_ps(1.0), whole);
-    let sum = _mm256_add_ps(
-        _mm256_add_ps(_mm256_mul_ps(u, a[2]), _mm256_mul_ps(v, b[2])),
-        _mm256_mul_ps(w, c[2]),
-    );
-    let t = _mm256_mul_ps(sum, inverse);
+    let t = _mm256_mul_ps(seen.depth(), inverse);
     let counts = _mm256_and_ps(
         _mm256_cmp_ps::<_CMP_LT_OQ>(_mm256_set1_ps(ray.min), t),
         _mm256_cmp_ps::<_CMP_LT_OQ>(t, _mm256_set1_ps(max)),
@@ -174,12 +225,6 @@ fn triangles(leaf: &Leaf, ray: &WideRay, max: f32) -> Option<Struck> {
     if mask | unsure == 0 {
         return None;
     }
-    let array = |v: __m256| {
-        let mut array = [0.0; TRIANGLES];
-        // SAFETY: `array` has room for eight numbers, and this store takes any address.
-        unsafe { _mm256_storeu_ps(array.as_mut_ptr(), v) };
-        array
-    };
     Some(Struck {
         mask,
         unsure,

@@ -3,13 +3,13 @@
 use super::lanes::{Lanes, Work};
 use super::nearest::{Nearest, Seeker};
 use super::node::{CHILDREN, Link};
-use super::stack::{PLACES, Places, Waiting};
+use super::stack::{PLACES, Places};
 use super::tree::Tree;
 use super::walk;
 use crate::math::{interval::Interval, ray::Ray};
 
 /// So many rays take turns.
-const IN_FLIGHT: usize = 8;
+const IN_FLIGHT: usize = 16;
 
 /// A search that can be left after each step, and be taken up again.
 struct Flight {
@@ -36,6 +36,16 @@ impl Flight {
         }
     }
 
+    /// Takes up another ray. The stack is empty, whatever its places hold.
+    #[inline(always)]
+    fn start(&mut self, tree: &Tree, root: Link, rays: &[Ray], ray: usize, within: Interval) {
+        self.ray = ray;
+        self.seeker = Seeker::new(&rays[ray], within.min, tree);
+        self.found = Nearest::nothing(within.max);
+        self.next = root;
+        self.height = 0;
+    }
+
     /// Tests one node or leaf, and asks the memory for the next; false at the end.
     #[inline(always)]
     fn step<L: Lanes>(&mut self, lanes: L, tree: &Tree) -> bool {
@@ -52,12 +62,10 @@ impl Flight {
                 lanes.prefetch(tree, self.next);
                 return true;
             }
-            let base = self.height;
-            while met != 0 {
-                let lane = walk::first(&mut met);
-                let child = Waiting::new(t[lane], node.links[lane]);
-                self.stack.insert(base, self.height, child);
-                self.height += 1;
+            if met != 0 {
+                let Self { stack, height, .. } = self;
+                self.next = walk::nearest(lanes, tree, node, met, &t, stack, height);
+                return true;
             }
         }
         while self.height > 0 {
@@ -107,7 +115,7 @@ impl Work for Batch<'_> {
                 }
                 answers[flight.ray] = flight.found;
                 if started < rays.len() {
-                    *flight = Flight::new(tree, root, rays, started, within);
+                    flight.start(tree, root, rays, started, within);
                     started += 1;
                     turn += 1;
                 } else {

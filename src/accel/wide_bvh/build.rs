@@ -1,10 +1,10 @@
 //! From facets to the tree.
 
-use super::collapse::binary;
+use super::collapse::{binary, half_area};
 use super::node::{Leaf, Link, Node, TRIANGLES};
 use super::optimal;
 use super::pages;
-use super::tree::Tree;
+use super::tree::{Tree, largest};
 use crate::accel::bvh::build::{Method, build as build_binary, cost::Cost};
 use crate::shape::{Shape, mesh::Facet};
 use crate::threads;
@@ -52,7 +52,13 @@ pub(crate) fn build(facets: Vec<Facet>, method: Method, cost: &Cost) -> Tree {
     }
     let mut nodes = pages::list(families.len());
     let member = |&i: &u32| (old[i as usize].bounds, links[i as usize]);
-    let node = |i: usize| Node::new(families[i].children.iter().map(member));
+    let node = |i: usize| {
+        // The largest first: any-hit searches open the first child that is met, and most rays are blocked there.
+        let area = |&i: &u32| half_area(&old[i as usize]);
+        let mut children = families[i].children.clone();
+        children.sort_by(|a, b| area(b).total_cmp(&area(a)));
+        Node::new(children.iter().map(member))
+    };
     threads::fill(&mut nodes, families.len(), node);
     let mut leaves = pages::list(chosen.len());
     let leaf = |i: usize| {
@@ -65,9 +71,9 @@ pub(crate) fn build(facets: Vec<Facet>, method: Method, cost: &Cost) -> Tree {
     threads::fill(&mut leaves, chosen.len(), leaf);
     Tree {
         root: links.first().copied(),
-        largest: old.first().map_or(Vec3A::ZERO, |root| {
-            root.bounds.min.abs().max(root.bounds.max.abs()).into()
-        }),
+        largest: old
+            .first()
+            .map_or(Vec3A::ZERO, |root| largest(&root.bounds)),
         nodes,
         leaves,
         facets,

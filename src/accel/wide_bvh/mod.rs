@@ -2,14 +2,17 @@
 
 #![expect(
     clippy::inline_always,
-    reason = "a function called from AVX2 code is compiled with AVX2 only where it is inlined"
+    reason = "a function called from AVX2 or AVX-512 code is compiled with these only where it is inlined"
 )]
 
 #[cfg(target_arch = "x86_64")]
 mod avx2;
+#[cfg(target_arch = "x86_64")]
+mod avx512;
 mod batch;
 pub(crate) mod build;
 pub(crate) mod collapse;
+mod kernel;
 mod lanes;
 mod nearest;
 pub(crate) mod node;
@@ -17,6 +20,7 @@ pub(crate) mod optimal;
 mod pages;
 mod portable;
 mod ray;
+mod refit;
 mod search;
 mod stack;
 pub(crate) mod tree;
@@ -24,12 +28,15 @@ mod validate;
 mod walk;
 
 use crate::accel::bvh::build::Method;
-use crate::accel::{Accel, Count, bounded::bounded, list::List};
+use crate::accel::{
+    Accel, Count,
+    bounded::{bounded, is_bounded},
+    list::List,
+};
 use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
-use crate::shape::{Hit, mesh::Facet};
-#[cfg(target_arch = "x86_64")]
-use avx2::Avx2;
+use crate::shape::{Hit, Shape, mesh::Facet};
 use batch::Batch;
+pub use kernel::Kernel;
 use lanes::{Lanes, Work};
 use nearest::Nearest;
 use node::{CHILDREN, Link, Node};
@@ -46,9 +53,11 @@ pub struct WideBvh {
     tree: Tree,
     /// Facets without a finite box, if there are any.
     beside: Option<Box<List<Facet>>>,
-    #[cfg(target_arch = "x86_64")]
-    avx2: Option<Avx2>,
+    kernel: Kernel,
 }
+
+/// The caches of a processor's core hold a tree of so many bytes.
+const AT_HAND: usize = 1 << 20;
 
 impl WideBvh {
     /// The tree that is best for its time, with the best instructions of this processor.
@@ -63,30 +72,63 @@ impl WideBvh {
         Self {
             beside: (facets.len() < all).then(|| Box::new(beside)),
             tree: build::build(facets, method, &build::COST),
-            #[cfg(target_arch = "x86_64")]
-            avx2: Avx2::detect(),
+            kernel: Kernel::all()[0],
         }
     }
 
-    /// The same tree, searched without this processor's special instructions.
+    /// The same tree, searched by other instructions than the best of this processor.
     #[must_use]
-    pub fn portable(self) -> Self {
-        Self {
-            #[cfg(target_arch = "x86_64")]
-            avx2: None,
-            ..self
-        }
+    pub fn with(self, kernel: Kernel) -> Self {
+        Self { kernel, ..self }
     }
 
     /// The nearest hit of each ray, as [`Accel::closest`] finds it.
     ///
     /// Faster than one ray after the other where rays go their own ways through a large mesh, for then they wait for memory.
+    /// A small tree is within the processor's caches, and its rays are followed one after the other.
     pub fn closest_many(&self, rays: &[Ray], within: Interval) -> Vec<Option<(&Facet, Hit)>> {
+        if self.tree.searched_bytes() > AT_HAND {
+            return self.in_turns(rays, within);
+        }
+        rays.iter().map(|ray| self.closest(ray, within)).collect()
+    }
+
+    /// The nearest hit of each ray, with several of them in flight.
+    pub(crate) fn in_turns(&self, rays: &[Ray], within: Interval) -> Vec<Option<(&Facet, Hit)>> {
         let tree = &self.tree;
         let found = self.run(within, Batch { tree, rays, within });
         let both = rays.iter().zip(found);
         both.map(|(ray, nearest)| self.answer(ray, within, nearest, &mut ()))
             .collect()
+    }
+
+    /// The same tree over facets that have moved: as many as before, and in the same order.
+    ///
+    /// It takes a small part of the time of a build, and the answers are those of a new tree, bit for bit. But neighbours stay
+    /// together even when they drift apart: a ray then takes more steps, and some day a new tree pays. Where the number of
+    /// facets differs, or one has no finite box, before or now, the tree is built anew.
+    ///
+    /// ```
+    /// use raybook::accel::{Accel, wide_bvh::WideBvh};
+    /// use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
+    /// use raybook::shape::teapot;
+    ///
+    /// let mut facets = teapot::mesh(4).facets();
+    /// let mut tree = WideBvh::new(facets.clone());
+    /// for facet in &mut facets {
+    ///     facet.corners = facet.corners.map(|p| p + 10.0);
+    /// }
+    /// tree.refit(facets);
+    /// let above = Ray::new(glam::vec3(10.0, 20.0, 10.0), -Dir3::Y);
+    /// assert!(tree.any(&above, Interval::AHEAD));
+    /// ```
+    pub fn refit(&mut self, facets: Vec<Facet>) {
+        let as_before = self.beside.is_none() && facets.len() == self.tree.facets.len();
+        if as_before && facets.iter().all(|facet| is_bounded(&facet.bounds())) {
+            refit::refit(&mut self.tree, facets);
+        } else {
+            *self = Self::new(facets).with(self.kernel);
+        }
     }
 
     /// Checks the invariants of `accel/wide_bvh/validate.rs`.
@@ -107,18 +149,14 @@ impl WideBvh {
         self.tree.bytes()
     }
 
-    /// Does the work with the best instructions. They compare distances as integers, which is right from 0 on.
+    /// Does the work. Special instructions compare distances as integers, which is right from 0 on.
     #[inline(always)]
-    #[allow(
-        unused_variables,
-        reason = "without AVX2 the interval makes no difference"
-    )]
     fn run<W: Work>(&self, within: Interval, work: W) -> W::Answer {
-        #[cfg(target_arch = "x86_64")]
-        if let Some(avx2) = self.avx2.filter(|_| within.min >= 0.0) {
-            return avx2.run(work);
+        if within.min >= 0.0 {
+            self.kernel.run(work)
+        } else {
+            Portable.run(work)
         }
-        Portable.run(work)
     }
 
     /// What was found in the tree, or beside it.

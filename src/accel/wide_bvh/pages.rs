@@ -23,6 +23,13 @@ pub(super) fn list<T>(n: usize) -> Vec<T> {
     list
 }
 
+/// A copy of a list, in large pages if it is long.
+pub(super) fn copy<T: Clone>(of: &[T]) -> Vec<T> {
+    let mut copy = list(of.len());
+    copy.extend_from_slice(of);
+    copy
+}
+
 #[cfg(all(feature = "mmap", target_os = "linux"))]
 fn advise(start: usize, bytes: usize) {
     const PAGE: usize = 4096;

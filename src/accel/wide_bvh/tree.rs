@@ -1,6 +1,7 @@
 //! The tree alone: nodes, leaves, and the facets that the leaves hold.
 
 use super::node::{CHILDREN, Leaf, Link, Node, TRIANGLES};
+use super::pages;
 use super::portable::Portable;
 use super::search::Closest;
 use crate::accel::Count;
@@ -9,7 +10,7 @@ use crate::shape::{Hit, mesh::Facet};
 use glam::{Vec3, Vec3A};
 
 /// A tree of eight children per node and up to eight triangles per leaf.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Tree {
     /// The nodes, depth-first.
     pub(super) nodes: Vec<Node>,
@@ -21,6 +22,24 @@ pub struct Tree {
     pub(super) largest: Vec3A,
     /// The facets, in the order in which they came.
     pub(super) facets: Vec<Facet>,
+}
+
+/// The largest |coordinate| of a box along each axis.
+pub(super) fn largest(bounds: &Aabb) -> Vec3A {
+    bounds.min.abs().max(bounds.max.abs()).into()
+}
+
+impl Clone for Tree {
+    /// The lists are in large pages again.
+    fn clone(&self) -> Self {
+        Self {
+            nodes: pages::copy(&self.nodes),
+            leaves: pages::copy(&self.leaves),
+            root: self.root,
+            largest: self.largest,
+            facets: self.facets.clone(),
+        }
+    }
 }
 
 impl Tree {
@@ -94,6 +113,11 @@ impl Tree {
 
     /// Memory in use, in bytes.
     pub(super) fn bytes(&self) -> usize {
-        size_of_val(&*self.nodes) + size_of_val(&*self.leaves) + size_of_val(&*self.facets)
+        self.searched_bytes() + size_of_val(&*self.facets)
+    }
+
+    /// The memory that searches read, in bytes.
+    pub(super) fn searched_bytes(&self) -> usize {
+        size_of_val(&*self.nodes) + size_of_val(&*self.leaves)
     }
 }

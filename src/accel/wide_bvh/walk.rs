@@ -2,7 +2,7 @@
 
 use super::lanes::Lanes;
 use super::nearest::{Nearest, Seeker};
-use super::node::{CHILDREN, Link};
+use super::node::{CHILDREN, Link, Node};
 use super::stack::{PLACES, Places, Waiting};
 use super::tree::Tree;
 use crate::accel::Count;
@@ -37,17 +37,7 @@ pub(super) fn closest<L: Lanes>(
             if height + CHILDREN > PLACES {
                 found = deeper(lanes, tree, link, *seeker, found, count);
             } else if met != 0 {
-                let child = |lane: usize| Waiting::new(t[lane], node.links[lane]);
-                let (mut near, base) = (child(first(&mut met)), height);
-                lanes.prefetch(tree, near.link());
-                while met != 0 {
-                    let other = child(first(&mut met));
-                    lanes.prefetch(tree, other.link());
-                    stack.insert(base, height, near.max(other));
-                    height += 1;
-                    near = near.min(other);
-                }
-                link = near.link();
+                link = nearest(lanes, tree, node, met, &t, &mut stack, &mut height);
                 continue;
             }
         }
@@ -65,6 +55,30 @@ pub(super) fn closest<L: Lanes>(
     }
 }
 // ANCHOR_END: wide_closest
+
+/// The nearest of the children that are met; the others are put aside, and all are asked of the memory.
+#[inline(always)]
+pub(super) fn nearest<L: Lanes>(
+    lanes: L,
+    tree: &Tree,
+    node: &Node,
+    mut met: u32,
+    t: &[f32; CHILDREN],
+    stack: &mut Places,
+    height: &mut usize,
+) -> Link {
+    let child = |lane: usize| Waiting::new(t[lane], node.links[lane]);
+    let (mut near, base) = (child(first(&mut met)), *height);
+    lanes.prefetch(tree, near.link());
+    while met != 0 {
+        let other = child(first(&mut met));
+        lanes.prefetch(tree, other.link());
+        stack.insert(base, *height, near.max(other));
+        *height += 1;
+        near = near.min(other);
+    }
+    near.link()
+}
 
 /// Takes the first lane out of those that are met.
 #[inline(always)]

@@ -2,8 +2,13 @@
 
 use crate::agreement::scenes::Thing;
 use raybook::accel::{
-    Accel, Count, Tests, bvh::Bvh, grid::Grid, list::List, octree::Octree,
-    two_level_grid::TwoLevelGrid, wide_bvh::WideBvh,
+    Accel, Count, Tests,
+    bvh::Bvh,
+    grid::Grid,
+    list::List,
+    octree::Octree,
+    two_level_grid::TwoLevelGrid,
+    wide_bvh::{Kernel, WideBvh},
 };
 use raybook::math::{interval::Interval, ray::Ray};
 use raybook::shape::{Hit, Shape, mesh::Facet};
@@ -75,7 +80,7 @@ pub(super) fn facets(shapes: &[Facet]) -> Vec<Named<Facet>> {
         named("WideBvh", WideBvh::new(shapes()), WideBvh::validate),
         named(
             "WideBvh, portable",
-            WideBvh::new(shapes()).portable(),
+            WideBvh::new(shapes()).with(Kernel::PORTABLE),
             WideBvh::validate,
         ),
     ]

@@ -4,7 +4,12 @@ use crate::ch24_wide_bvh::scenes::{facets, ray, scaled, scene, with_degenerate};
 use glam::{Vec3, vec3};
 use proptest::prelude::*;
 use raybook::accel::bvh::build::Method;
-use raybook::accel::{Accel, list::List, wide_bvh::WideBvh};
+use raybook::accel::{
+    Accel,
+    list::List,
+    wide_bvh::{Kernel, WideBvh},
+};
+use raybook::inside::wide_bvh::in_turns;
 use raybook::math::{dir3::Dir3, interval::Interval, pcg, ray::Ray};
 use raybook::scene::soup::soup;
 use raybook::shape::mesh::Facet;
@@ -38,16 +43,16 @@ proptest! {
         let list = List::new(facets.clone());
         let fast = WideBvh::build(facets, method);
         prop_assert_eq!(fast.validate(), Ok(()));
-        let portable = fast.clone().portable();
+        let kernels = Kernel::all().into_iter();
+        let trees: Vec<_> = kernels.map(|kernel| (kernel.name(), fast.clone().with(kernel))).collect();
         for one in rays {
             let (ray, within) = scaled(one, scale);
             let right = bits(list.closest(&ray, within));
-            prop_assert_eq!(bits(fast.closest(&ray, within)), right, "the fastest kernel");
-            prop_assert_eq!(bits(portable.closest(&ray, within)), right, "the portable kernel");
-            for tree in [&fast, &portable] {
-                prop_assert_eq!(tree.any(&ray, within), right.is_some());
-                let many = tree.closest_many(&[ray; 3], within);
-                prop_assert!(many.into_iter().all(|one| bits(one) == right), "the batch");
+            for (name, tree) in &trees {
+                prop_assert_eq!(bits(tree.closest(&ray, within)), right, "{}", name);
+                prop_assert_eq!(tree.any(&ray, within), right.is_some(), "{}, any", name);
+                let many = in_turns(tree, &[ray; 3], within);
+                prop_assert!(many.into_iter().all(|one| bits(one) == right), "{}, the batch", name);
             }
         }
     }
@@ -74,9 +79,9 @@ proptest! {
     ) {
         let tree = WideBvh::new(facets);
         let ray = Ray::new(o.into(), Dir3::new_or(d.into(), Dir3::X));
-        for tree in [tree.clone().portable(), tree] {
+        for tree in Kernel::all().into_iter().map(|kernel| tree.clone().with(kernel)) {
             let within = Interval::new(min, max);
-            let _ = (tree.closest(&ray, within), tree.any(&ray, within), tree.closest_many(&[ray], within));
+            let _ = (tree.closest(&ray, within), tree.any(&ray, within), in_turns(&tree, &[ray], within));
         }
     }
 }
@@ -87,7 +92,7 @@ fn a_batch_answers_each_ray_in_its_place() {
     let tree = WideBvh::new(mesh.facets());
     let mut rng = pcg::stream(4, 0);
     let rays: Vec<_> = (0..1000).map(|_| crossing(&mut rng)).collect();
-    let many = tree.closest_many(&rays, Interval::AHEAD);
+    let many = in_turns(&tree, &rays, Interval::AHEAD);
     assert_eq!(many.len(), rays.len(), "an answer for each ray");
     let hits = many.iter().flatten().count();
     assert!(hits > 300, "the test must see hits; it saw {hits}");
@@ -96,6 +101,14 @@ fn a_batch_answers_each_ray_in_its_place() {
             bits(one),
             bits(tree.closest(ray, Interval::AHEAD)),
             "{ray:?}"
+        );
+    }
+    let large = WideBvh::new(soup(60_000, 5).facets());
+    for tree in [tree, large] {
+        let many = tree.closest_many(&rays, Interval::AHEAD);
+        assert!(
+            many == in_turns(&tree, &rays, Interval::AHEAD),
+            "whatever the tree's size"
         );
     }
 }

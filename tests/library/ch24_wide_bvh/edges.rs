@@ -2,7 +2,10 @@
 
 use glam::Vec3;
 use rand::RngExt;
-use raybook::accel::{Accel, wide_bvh::WideBvh};
+use raybook::accel::{
+    Accel,
+    wide_bvh::{Kernel, WideBvh},
+};
 use raybook::math::{dir3::Dir3, interval::Interval, pcg, ray::Ray};
 use raybook::shape::mesh::{Facet, Mesh};
 
@@ -13,14 +16,15 @@ const RAYS: usize = 1_000_000;
 fn no_ray_from_inside_leaves_a_closed_mesh() {
     let mesh = ball(24);
     let tree = WideBvh::new(mesh.facets());
-    let portable = tree.clone().portable();
+    let kernels = Kernel::all().into_iter();
+    let trees: Vec<_> = kernels.map(|kernel| tree.clone().with(kernel)).collect();
     let mut rng = pcg::stream(1, 0);
     let mut leaks = 0;
     for i in 0..RAYS {
         let from = 0.4 * Vec3::from(std::array::from_fn(|_| rng.random::<f32>() - 0.5));
         let target = aim(&mesh, &mut rng);
         let ray = Ray::new(from, Dir3::new_or(target - from, Dir3::X));
-        let tree = if i % 8 == 0 { &portable } else { &tree };
+        let tree = &trees[i % trees.len()];
         leaks += usize::from(tree.closest(&ray, Interval::AHEAD).is_none());
         leaks += usize::from(!tree.any(&ray, Interval::AHEAD));
     }

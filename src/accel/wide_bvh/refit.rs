@@ -1,0 +1,47 @@
+//! The same tree over facets that have moved.
+
+use super::node::{Leaf, Link, NO_FACET, Node, TRIANGLES};
+use super::tree::{Tree, largest};
+use crate::math::aabb::Aabb;
+use crate::shape::{Shape, mesh::Facet};
+use crate::threads;
+
+/// Gives a tree the facets as they are now, as many as before and in the same order, and makes all boxes fit again.
+///
+/// Who is in which leaf stays as it is. Children come after their node in the list, so the nodes are done from the last to
+/// the first: then the boxes below each are known.
+pub(super) fn refit(tree: &mut Tree, facets: Vec<Facet>) {
+    let members = threads::list(tree.leaves.len(), |i| tree.leaves[i].facets);
+    let leaf = |i: usize| {
+        let end = members[i].iter().position(|&facet| facet == NO_FACET);
+        Leaf::new(&facets, &members[i][..end.unwrap_or(TRIANGLES)])
+    };
+    threads::fill(&mut tree.leaves, members.len(), leaf);
+    let around = |leaf: &Leaf| {
+        let boxes = leaf.facets().map(|facet| facets[facet as usize].bounds());
+        boxes.fold(Aabb::EMPTY, |all, bounds| all.union(&bounds))
+    };
+    let leaves = threads::list(members.len(), |i| around(&tree.leaves[i]));
+    let mut nodes = vec![Aabb::EMPTY; tree.nodes.len()];
+    for (i, node) in tree.nodes.iter_mut().enumerate().rev() {
+        let children: Vec<_> = node
+            .children()
+            .map(|(_, link)| (below(link, &nodes, &leaves), link))
+            .collect();
+        let boxes = children.iter().map(|(bounds, _)| bounds);
+        nodes[i] = boxes.fold(Aabb::EMPTY, |all, bounds| all.union(bounds));
+        *node = Node::new(children);
+    }
+    if let Some(root) = tree.root {
+        tree.largest = largest(&below(root, &nodes, &leaves));
+    }
+    tree.facets = facets;
+}
+
+/// The box of a child.
+fn below(link: Link, nodes: &[Aabb], leaves: &[Aabb]) -> Aabb {
+    match link.as_leaf() {
+        Some(leaf) => leaves[leaf],
+        None => nodes[link.index()],
+    }
+}

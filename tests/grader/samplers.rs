@@ -68,7 +68,7 @@ fn the_page_shows_figures_that_exist_as_png_svg_and_csv() {
     let errors = fs::read_to_string(out.path().join("error_disc_edge.csv")).expect("a curve");
     assert_eq!(
         errors.lines().next(),
-        Some("pattern,samples,rms_error,low_95,high_95"),
+        Some("pattern,samples,median_error,low_10,high_90,rms_error"),
         "its columns have names"
     );
     assert_eq!(

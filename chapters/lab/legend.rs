@@ -1,0 +1,57 @@
+//! A legend beside a figure: a sample of every pen, its name, and columns of numbers.
+
+use crate::kit::figure::{LEFT, RIGHT, text, write};
+use crate::kit::pen::Pen;
+use crate::kit::stage::Drawn;
+use plotters::coord::Shift;
+use plotters::prelude::{DrawingArea, DrawingBackend};
+
+/// Height of a line, and of its text, in pixels of the canvas.
+pub const LINE: i32 = 40;
+const TEXT: i32 = 27;
+
+/// Length of the sample of a pen.
+const SAMPLE: i32 = 90;
+
+/// A line of the legend: a pen, a name, and numbers.
+pub type Entry = (Pen, String, Vec<String>);
+
+/// Draws a legend with its top left at a place; the right ends of the columns of numbers are so far to the right of it.
+///
+/// # Errors
+/// What the backend reports.
+pub fn draw<B: DrawingBackend>(
+    canvas: &DrawingArea<B, Shift>,
+    (left, top): (i32, i32),
+    headings: &[&str],
+    columns: &[i32],
+    entries: &[Entry],
+) -> Drawn
+where
+    B::ErrorType: 'static,
+{
+    for (heading, column) in headings.iter().zip(columns) {
+        write(
+            canvas,
+            heading,
+            (left + column, top + LINE / 2),
+            text(TEXT).pos(RIGHT),
+        )?;
+    }
+    let first = if headings.is_empty() { 0 } else { 1 };
+    for (i, (pen, name, numbers)) in (first..).zip(entries) {
+        let y = top + i * LINE + LINE / 2;
+        pen.line(canvas, &[(left, y), (left + SAMPLE, y)])?;
+        pen.mark(canvas, (left + SAMPLE / 2, y))?;
+        write(canvas, name, (left + SAMPLE + 14, y), text(TEXT).pos(LEFT))?;
+        for (number, column) in numbers.iter().zip(columns) {
+            write(canvas, number, (left + column, y), text(TEXT).pos(RIGHT))?;
+        }
+    }
+    Ok(())
+}
+
+/// A number as people write it, with a minus sign instead of a hyphen.
+pub fn number(v: f64, digits: usize) -> String {
+    format!("{v:.digits$}").replace('-', "−")
+}

@@ -1,6 +1,6 @@
 //! A blue-noise reference: points computed once, with much effort, and kept in `blue_noise.txt`.
 
-use glam::{Vec2, vec2};
+use glam::{Vec2, Vec2Swizzles, vec2};
 use rand::RngExt;
 use raybook::math::pcg;
 use raybook::sample::pattern::Pattern;
@@ -15,15 +15,20 @@ pub const COUNT: usize = 4096;
 /// Points of the first pattern, which is relaxed; all others are added one by one.
 const FIRST: usize = 32;
 
-/// The reference as a pattern: the first n points of the set, of 4096 at most, all moved together by a random distance, over the edges too.
+/// The reference as a pattern: the first n points of the set, of 4096 at most, all mirrored, turned and moved together by chance, over the edges too.
 pub const BLUE_NOISE: Pattern = Pattern {
     name: "blue-noise",
     title: "blue noise (reference)",
     five: "the first five of the set",
     points: |n, rng| {
         let by = vec2(rng.random(), rng.random());
-        let moved = |p: &Vec2| (*p + by).map(|x| x.fract().min(1.0_f32.next_down()));
-        kept().iter().take(n).map(moved).collect()
+        let [mirrored, turned] = [rng.random_bool(0.5), rng.random_bool(0.5)];
+        let place = |p: &Vec2| {
+            let p = if mirrored { vec2(p.x, 1.0 - p.y) } else { *p };
+            let p = if turned { p.yx() } else { p };
+            (p + by).map(|x| x.fract().min(1.0_f32.next_down()))
+        };
+        kept().iter().take(n).map(place).collect()
     },
 };
 
@@ -46,7 +51,7 @@ fn place(cell: usize) -> Vec2 {
 ///
 /// Void and cluster (Ulichney, *The void-and-cluster method for dither array generation*, 1993). A Gaussian around every point says how crowded a
 /// place is. A few random points are relaxed first: the point in the tightest cluster goes to the largest void, until it is in the
-/// void that it left. Then every further point goes to the largest void. The Gaussian is as wide as half the distance between points, and so becomes
+/// void that it left. These are put in order by taking out the tightest again and again. Then every further point goes to the largest void. The Gaussian is as wide as half the distance between points, and so becomes
 /// narrower whenever their number has doubled.
 pub fn make(count: usize, seed: u64) -> Vec<usize> {
     let rng = &mut pcg::stream(seed, 0);
@@ -63,16 +68,26 @@ pub fn make(count: usize, seed: u64) -> Vec<usize> {
             break;
         }
     }
+    let mut crowd = Crowd::of(&in_order(crowd.cells), FIRST);
     while crowd.cells.len() < count {
         if crowd.cells.len().is_power_of_two() {
-            let cells = crowd.cells;
-            crowd = Crowd::new(2 * cells.len());
-            cells.into_iter().for_each(|cell| crowd.add(cell));
+            crowd = Crowd::of(&crowd.cells, 2 * crowd.cells.len());
         }
         crowd.add(crowd.void());
     }
     crowd.cells.truncate(count);
     crowd.cells
+}
+
+/// Points in such an order that the first of them are as even as they can: the tightest cluster's is last, and so on.
+fn in_order(mut cells: Vec<usize>) -> Vec<usize> {
+    let mut last_first = Vec::new();
+    while !cells.is_empty() {
+        let tightest = Crowd::of(&cells, cells.len()).tightest();
+        last_first.push(cells.remove(tightest));
+    }
+    last_first.reverse();
+    last_first
 }
 
 /// Points on a raster, and how crowded every cell is.
@@ -94,6 +109,15 @@ impl Crowd {
             density: vec![0.0; SIDE * SIDE],
             gauss: (0..=reach).map(at).collect(),
         }
+    }
+
+    /// These points, with Gaussians for about so many.
+    fn of(cells: &[usize], count: usize) -> Self {
+        let mut crowd = Self::new(count);
+        for cell in cells {
+            crowd.add(*cell);
+        }
+        crowd
     }
 
     fn add(&mut self, cell: usize) {

@@ -8,7 +8,7 @@ use crate::kit::pen::Pen;
 use crate::kit::stage::Drawn;
 use crate::lab::errors::{Error, slope};
 use crate::lab::legend;
-use crate::lab::legend::number;
+use crate::lab::legend::{number, power_of_ten};
 use crate::lab::plot::Plot;
 use plotters::coord::Shift;
 use plotters::prelude::{Color, DrawingArea, DrawingBackend, RGBColor};
@@ -20,6 +20,9 @@ const GUIDES: [(f64, &str); 4] = [(-0.5, "−½"), (-0.75, "−¾"), (-1.0, "−
 /// Width of the plot, and where the slopes end in the legend beside it, in pixels of the canvas.
 const PLOT: i32 = 770;
 const SLOPES: i32 = 530;
+
+/// The bands of more curves than these would hide each other.
+const SEPARATE: usize = 3;
 
 /// The curve of one pattern.
 #[derive(Debug)]
@@ -96,18 +99,30 @@ impl Plot for ErrorPlot {
         B::ErrorType: 'static,
     {
         let [left, right, bottom, top] = self.range();
-        let samples = Axis::log2(left..right).named("samples").labels(7);
-        let errors = Axis::log(bottom..top)
-            .named("error")
-            .format(|error| format!("{error:.0e}").replace('-', "−"));
+        // Beyond the last number of samples stands the middle 80 % of each curve.
+        let beyond = |i: usize| right * 1.35_f64.powi(i as i32 + 1);
+        let end = beyond(self.curves.len());
+        let powers = (0..=32).step_by(2).map(|power| 2_f64.powi(power));
+        let marks: Vec<_> = powers.filter(|n| (left..=right).contains(n)).collect();
+        let samples = Axis::log2(left..end).named("samples").marks(&marks);
+        let errors = Axis::log(bottom..top).named("error").format(power_of_ten);
         let mut chart = Chart::new(samples, errors).titled(&self.title).text(27);
         self.guides(&mut chart);
-        for curve in &self.curves {
+        for (i, curve) in self.curves.iter().enumerate() {
             let low = |e: &Error| (e.n as f64, e.low.max(bottom));
             let high = |e: &Error| (e.n as f64, e.high.max(bottom));
             let back = curve.errors.iter().rev().map(low);
-            let shade = rgb(curve.pen).mix(0.5 / (2.0 + self.curves.len() as f64));
-            chart.area(curve.errors.iter().map(high).chain(back), shade);
+            if self.curves.len() <= SEPARATE {
+                let band = curve.errors.iter().map(high).chain(back);
+                chart.area(band, rgb(curve.pen).mix(0.15));
+            }
+            if let Some(last) = curve.errors.last() {
+                let ends = [low(last).1, high(last).1].map(|error| (beyond(i), error));
+                chart.line(ends, rgb(curve.pen).stroke_width(6));
+                if last.median >= bottom {
+                    chart.curve([(beyond(i), last.median)], curve.pen);
+                }
+            }
         }
         for curve in &self.curves {
             let inside = curve.errors.iter().filter(|e| e.median >= bottom);

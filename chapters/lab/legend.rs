@@ -38,7 +38,7 @@ where
             text(TEXT).pos(RIGHT),
         )?;
     }
-    let first = if headings.is_empty() { 0 } else { 1 };
+    let first = i32::from(!headings.is_empty());
     for (i, (pen, name, numbers)) in (first..).zip(entries) {
         let y = top + i * LINE + LINE / 2;
         pen.line(canvas, &[(left, y), (left + SAMPLE, y)])?;
@@ -54,4 +54,25 @@ where
 /// A number as people write it, with a minus sign instead of a hyphen.
 pub fn number(v: f64, digits: usize) -> String {
     format!("{v:.digits$}").replace('-', "−")
+}
+
+/// A power of ten as people write it: 10⁻³.
+pub fn power_of_ten(v: f64) -> String {
+    let exponent = format!("{:.0}", v.log10());
+    let raised = exponent.chars().map(|c| match c.to_digit(10) {
+        Some(digit) => ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][digit as usize],
+        None => '⁻',
+    });
+    format!("10{}", raised.collect::<String>())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::power_of_ten;
+
+    #[test]
+    fn exponents_are_raised() {
+        assert_eq!(power_of_ten(1e-12), "10⁻¹²", "below one");
+        assert_eq!(power_of_ten(1000.0), "10³", "above");
+    }
 }

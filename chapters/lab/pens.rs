@@ -34,7 +34,7 @@ pub fn pen(i: usize) -> Pen {
         stroke: colour(i).stroke_width(5),
         dash: DASHES[i % DASHES.len()],
         mark: MARKS[i % MARKS.len()],
-        filled: (i / MARKS.len()) % 2 == 0,
+        filled: (i / MARKS.len()).is_multiple_of(2),
     }
 }
 

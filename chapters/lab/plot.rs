@@ -63,7 +63,12 @@ pub trait Plot {
             canvas.present()?;
         }
         let pictures: String = self.rasters().iter().map(Raster::svg).collect();
-        Ok(text.replace("</svg>", &format!("{pictures}</svg>")))
+        // It is shown as large as the figure is, not as its canvas.
+        let [on_canvas, shown] = [SCALE, 1]
+            .map(|scale| format!("width=\"{}\" height=\"{}\"", scale * width, scale * height));
+        Ok(text
+            .replacen(&on_canvas, &shown, 1)
+            .replace("</svg>", &format!("{pictures}</svg>")))
     }
 
     /// Draws all of it.

@@ -29,7 +29,7 @@ const RADIUS: f64 = 370.0;
 
 /// Where the legend is, and its columns of numbers.
 const LEGEND: (i32, i32) = (880, 90);
-const COLUMNS: [i32; 2] = [420, 520];
+const COLUMNS: [i32; 2] = [500, 610];
 
 /// A curve for each pattern.
 #[derive(Debug)]
@@ -168,7 +168,7 @@ impl Polar {
 impl Plot for Polar {
     fn size(&self) -> (u32, u32) {
         let below = LEGEND.1 + legend::LINE * (self.curves.len() as i32 + 2);
-        (720, (470_i32.max(below / 2)) as u32)
+        (770, (470_i32.max(below / 2)) as u32)
     }
 
     fn draw<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn

@@ -143,7 +143,7 @@ impl Portrait {
     /// The power of the points' projections: the spectrum along its axes.
     fn projected(&self) -> Chart {
         const MOST: f64 = 3.0;
-        let mut chart = self.over_frequency("power of the projections", [0.0, MOST]);
+        let mut chart = self.over_frequency("power on x ——, on y – – –", [0.0, MOST]);
         let along = |of: &dyn Fn(i32) -> f64| -> Vec<_> {
             let frequencies = 1..=self.spectrum.limit as i32;
             frequencies
@@ -160,19 +160,7 @@ impl Portrait {
                 FAINT.stroke_width(4),
             )
             .line(along(&|f| self.spectrum.at(f, 0)), BLUE.stroke_width(5))
-            .curve(along(&|f| self.spectrum.at(0, f)), dashed)
-            .label(
-                RIGHT,
-                (0.97 * self.spectrum.limit as f64, 2.8),
-                "— on x",
-                BLUE,
-            )
-            .label(
-                RIGHT,
-                (0.97 * self.spectrum.limit as f64, 2.5),
-                "- - on y",
-                VERMILION,
-            );
+            .curve(along(&|f| self.spectrum.at(0, f)), dashed);
         chart
     }
 

@@ -6,6 +6,7 @@ use crate::kit::palette::INK;
 use crate::kit::pen::Pen;
 use crate::kit::stage::Drawn;
 use crate::lab::legend;
+use crate::lab::legend::power_of_ten;
 use crate::lab::pens::pens;
 use crate::lab::plot::Plot;
 use crate::lab::prefixes::discrepancy;
@@ -60,7 +61,7 @@ impl Plot for PrefixPlot {
         let samples = Axis::log2(2.0..right).named("the first k points").labels(7);
         let values = Axis::log((0.7 * least)..(1.3 * most))
             .named("L₂ star discrepancy")
-            .format(|v| format!("{v:.0e}").replace('-', "−"));
+            .format(power_of_ten);
         let title = format!("The first k of {} points", self.n);
         let mut chart = Chart::new(samples, values).titled(&title).text(27);
         let chance = Pen::plain(INK.mix(0.4).stroke_width(12));

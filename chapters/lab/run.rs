@@ -105,7 +105,7 @@ impl Lab<'_> {
 
     fn errors(&mut self) -> Drawn {
         let text = html! {
-            p { "A curve is the median error of the mean over the samples: half of all draws are better. Its band is from the best tenth to the worst. Every draw is another function of the class, and another realisation of the pattern; all patterns see the same functions. "
+            p { "A curve is the median error of the mean over the samples: half of all draws are better. The bars on the right, at the largest number of samples, are from the best tenth of the draws to the worst tenth (of three curves or fewer, the bands are too). Every draw is another function of the class, and another realisation of the pattern; all patterns see the same functions. "
                 "The slope is fitted from 64 samples on, and ± is its 95 % confidence interval: −½ is chance, −¾ is what cells of their own for all samples do at edges, −1 for smooth functions; dashed lines have these slopes." }
         };
         self.page.section("Error against samples", text);

@@ -48,7 +48,7 @@ const TOP: i32 = 240;
 const RINGS: i32 = 660;
 
 /// The table: its top, its lines, and the right end of its first column of numbers.
-const TABLE: i32 = 1560;
+const TABLE: i32 = 1510;
 const LINE: i32 = 58;
 const NUMBERS: i32 = 1450;
 
@@ -147,10 +147,17 @@ impl Slide {
         }
     }
 
-    /// What a pattern is best at, by the table.
+    /// How often a pattern is the best in the table, and how often the worst.
     fn wins(&self, pattern: usize) -> String {
         let won = self.measures.iter().filter(|m| m.winner() == Some(pattern));
-        format!("best in {} of {}", won.count(), self.measures.len())
+        let worst = |m: &&Measure| m.numbers.iter().all(|v| *v <= m.numbers[pattern]);
+        let lost = self.measures.iter().filter(worst);
+        format!(
+            "best in {}, worst in {} of {}",
+            won.count(),
+            lost.count(),
+            self.measures.len()
+        )
     }
 
     fn table<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn
@@ -246,6 +253,11 @@ fn measures(
             medians(MANY, &smooth),
         ),
         line(
+            "coarse noise: mean power below the Nyquist frequency",
+            2,
+            spectra.iter().map(coarse).collect(),
+        ),
+        line(
             "highest alias: power of one frequency",
             1,
             spectra.iter().map(highest).collect(),
@@ -259,6 +271,16 @@ fn measures(
                 .collect(),
         ),
     ]
+}
+
+/// The mean power below √n/2, the Nyquist frequency of a regular grid.
+fn coarse(spectrum: &Spectrum) -> f64 {
+    let radial = spectrum.radial();
+    let below = &radial[..MANY.isqrt() / 2];
+    let (power, area) = below.iter().fold((0.0, 0.0), |(power, area), k| {
+        (power + k.frequency * k.value, area + k.frequency)
+    });
+    power / area
 }
 
 /// The highest power of a spectrum, but for frequency 0.

@@ -9,6 +9,7 @@ use crate::lab::pixels::correlation;
 use crate::lab::projection::{Onto, filled};
 use crate::lab::spectrum::Spectrum;
 use crate::lab::subject::Subject;
+use std::fmt::Write;
 use std::time::Instant;
 
 /// A column of numbers: its name in a file, its heading, what it means, and its digits.
@@ -152,7 +153,7 @@ pub fn csv(rows: &[Row]) -> String {
     for row in rows {
         let number = |v: &Option<f64>| v.map_or_else(String::new, |v| v.to_string());
         let numbers: Vec<_> = row.numbers.iter().map(number).collect();
-        csv.push_str(&format!("{},{}\n", row.key, numbers.join(",")));
+        let _ = writeln!(csv, "{},{}", row.key, numbers.join(","));
     }
     csv
 }

@@ -18,7 +18,7 @@ const FIRST: usize = 32;
 /// The reference as a pattern: the first n points of the set, of 4096 at most, all mirrored, turned and moved together by chance, over the edges too.
 pub const BLUE_NOISE: Pattern = Pattern {
     name: "blue-noise",
-    title: "blue noise (reference)",
+    title: "blue noise",
     five: "the first five of the set",
     points: |n, rng| {
         let by = vec2(rng.random(), rng.random());

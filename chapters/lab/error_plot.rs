@@ -18,8 +18,8 @@ use std::fmt::Write;
 const GUIDES: [(f64, &str); 4] = [(-0.5, "−½"), (-0.75, "−¾"), (-1.0, "−1"), (-1.5, "−3/2")];
 
 /// Width of the plot, and where the slopes end in the legend beside it, in pixels of the canvas.
-const PLOT: i32 = 770;
-const SLOPES: i32 = 530;
+const PLOT: i32 = 790;
+const SLOPES: i32 = 620;
 
 /// The bands of more curves than these would hide each other.
 const SEPARATE: usize = 3;
@@ -91,7 +91,7 @@ impl ErrorPlot {
 
 impl Plot for ErrorPlot {
     fn size(&self) -> (u32, u32) {
-        (660, 460)
+        (720, 490)
     }
 
     fn draw<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn
@@ -106,7 +106,7 @@ impl Plot for ErrorPlot {
         let marks: Vec<_> = powers.filter(|n| (left..=right).contains(n)).collect();
         let samples = Axis::log2(left..end).named("samples").marks(&marks);
         let errors = Axis::log(bottom..top).named("error").format(power_of_ten);
-        let mut chart = Chart::new(samples, errors).titled(&self.title).text(27);
+        let mut chart = Chart::new(samples, errors).titled(&self.title).text(30);
         self.guides(&mut chart);
         for (i, curve) in self.curves.iter().enumerate() {
             let low = |e: &Error| (e.n as f64, e.low.max(bottom));

@@ -7,8 +7,8 @@ use plotters::coord::Shift;
 use plotters::prelude::{DrawingArea, DrawingBackend};
 
 /// Height of a line, and of its text, in pixels of the canvas.
-pub const LINE: i32 = 40;
-const TEXT: i32 = 27;
+pub const LINE: i32 = 44;
+const TEXT: i32 = 30;
 
 /// Length of the sample of a pen.
 const SAMPLE: i32 = 90;

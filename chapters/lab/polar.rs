@@ -29,7 +29,7 @@ const RADIUS: f64 = 370.0;
 
 /// Where the legend is, and its columns of numbers.
 const LEGEND: (i32, i32) = (880, 90);
-const COLUMNS: [i32; 2] = [500, 610];
+const COLUMNS: [i32; 2] = [540, 660];
 
 /// A curve for each pattern.
 #[derive(Debug)]
@@ -140,7 +140,7 @@ impl Polar {
                 canvas,
                 &format!("{error:.digits$}"),
                 at,
-                text(26).pos(MIDDLE),
+                text(30).pos(MIDDLE),
             )?;
         }
         for spoke in 0..16 {
@@ -168,7 +168,7 @@ impl Polar {
 impl Plot for Polar {
     fn size(&self) -> (u32, u32) {
         let below = LEGEND.1 + legend::LINE * (self.curves.len() as i32 + 2);
-        (770, (470_i32.max(below / 2)) as u32)
+        (790, (470_i32.max(below / 2)) as u32)
     }
 
     fn draw<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn
@@ -190,7 +190,7 @@ impl Plot for Polar {
         self.labels(canvas)?;
         let samples = if self.n == 1 { "sample" } else { "samples" };
         let heading = format!("RMS error of the covered area, {} {samples}", self.n);
-        write(canvas, &heading, (LEGEND.0 - 40, 46), text(29).pos(LEFT))?;
+        write(canvas, &heading, (LEGEND.0 - 40, 46), text(32).pos(LEFT))?;
         let entry = |curve: &Curve| {
             let numbers = [curve.mean(), curve.worst()].map(|error| number(error, 4));
             (curve.pen, curve.title.clone(), numbers.to_vec())

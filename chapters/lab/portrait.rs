@@ -77,7 +77,7 @@ impl Portrait {
             .labels(6)
             .format(whole);
         let values = Axis::linear(low..high).labels(6).format(whole);
-        let mut chart = Chart::new(frequencies, values).titled(title).text(26);
+        let mut chart = Chart::new(frequencies, values).titled(title).text(30);
         let root = (self.n as f64).sqrt();
         chart.dashes([(root, low), (root, high)], FAINT.stroke_width(4));
         chart
@@ -132,7 +132,7 @@ impl Portrait {
         let values = Axis::linear(0.0..MOST).labels(6);
         let mut chart = Chart::new(distances, values)
             .titled("pair correlation")
-            .text(26);
+            .text(30);
         let cut = self.pairs.iter().map(|(r, g)| (*r, g.min(MOST)));
         chart
             .line([(0.0, 1.0), (right, 1.0)], FAINT.stroke_width(4))
@@ -177,7 +177,7 @@ impl Portrait {
         let shares = Axis::linear(0.0..1.0)
             .labels(6)
             .format(|share| format!("{:.0} %", 100.0 * share));
-        let mut chart = Chart::new(counts, shares).titled(&title).text(26);
+        let mut chart = Chart::new(counts, shares).titled(&title).text(30);
         for (onto, colour, left) in [(0, BLUE, -0.36), (1, VERMILION, 0.02)] {
             for (count, share) in self.intervals[onto].iter().enumerate() {
                 let left = count as f64 + left;
@@ -212,20 +212,20 @@ impl Portrait {
             ] {
                 canvas.draw(&PathElement::new(tick, INK.stroke_width(3)))?;
             }
-            write(canvas, &name, (x, below + 30), text(26).pos(CENTRE))?;
-            write(canvas, &name, (LEFT_OF_IT - 16, y), text(26).pos(RIGHT))?;
+            write(canvas, &name, (x, below + 30), text(30).pos(CENTRE))?;
+            write(canvas, &name, (LEFT_OF_IT - 16, y), text(30).pos(RIGHT))?;
         }
         let under = (LEFT_OF_IT + SIDE / 2, ABOVE_IT + SIDE + 68);
         write(
             canvas,
             "waves across the square",
             under,
-            text(26).pos(CENTRE),
+            text(30).pos(CENTRE),
         )?;
         let right = LEFT_OF_IT + SIDE + BAR.0 + BAR.1 + 10;
         for (power, name) in [(0.0, "0"), (0.5, "1"), (1.0, "≥ 2")] {
             let y = ABOVE_IT + (f64::from(SIDE) * (1.0 - power)) as i32;
-            write(canvas, name, (right, y), text(26).pos(LEFT))?;
+            write(canvas, name, (right, y), text(30).pos(LEFT))?;
         }
         Ok(())
     }

@@ -47,7 +47,7 @@ fn by_chance(k: f64) -> f64 {
 
 impl Plot for PrefixPlot {
     fn size(&self) -> (u32, u32) {
-        (660, 460)
+        (680, 490)
     }
 
     fn draw<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn
@@ -63,7 +63,7 @@ impl Plot for PrefixPlot {
             .named("L₂ star discrepancy")
             .format(power_of_ten);
         let title = format!("The first k of {} points", self.n);
-        let mut chart = Chart::new(samples, values).titled(&title).text(27);
+        let mut chart = Chart::new(samples, values).titled(&title).text(30);
         let chance = Pen::plain(INK.mix(0.4).stroke_width(12));
         chart.curve([2.0, right].map(|k| (k, by_chance(k))), chance);
         for (_, _, pen, by_count) in &self.curves {

@@ -42,18 +42,19 @@ const TIMES: i32 = 2;
 
 /// Columns for the patterns: the first one's left, their distance, and the sides of what is in them, in pixels of the canvas.
 const FIRST: i32 = 60;
-const STEP: i32 = 780;
+const STEP: i32 = 736;
 const SMALL: i32 = 330;
 const TOP: i32 = 240;
 const RINGS: i32 = 660;
 
 /// The table: its top, its lines, and the right end of its first column of numbers.
 const TABLE: i32 = 1510;
-const LINE: i32 = 58;
-const NUMBERS: i32 = 1450;
+const LINE: i32 = 54;
+const NUMBERS: i32 = 1400;
+const APART: i32 = 400;
 
 /// The polar plots: their left, and the tops.
-const POLAR: (i32, [i32; 2]) = (2390, [160, 1160]);
+const POLAR: (i32, [i32; 2]) = (2250, [160, 1160]);
 
 /// A measure that is better the smaller it is: its name, and a number for each pattern.
 #[derive(Clone, Debug)]
@@ -152,19 +153,14 @@ impl Slide {
         let won = self.measures.iter().filter(|m| m.winner() == Some(pattern));
         let worst = |m: &&Measure| m.numbers.iter().all(|v| *v <= m.numbers[pattern]);
         let lost = self.measures.iter().filter(worst);
-        format!(
-            "best in {}, worst in {} of {}",
-            won.count(),
-            lost.count(),
-            self.measures.len()
-        )
+        format!("{} / {}", won.count(), lost.count())
     }
 
     fn table<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn
     where
         B::ErrorType: 'static,
     {
-        let column = |i: usize| NUMBERS + 410 * i as i32;
+        let column = |i: usize| NUMBERS + APART * i as i32;
         let size = 38;
         for (i, subject) in self.subjects.iter().enumerate() {
             write(
@@ -192,6 +188,13 @@ impl Slide {
                 let v = number(*v, measure.digits);
                 write(canvas, &v, (column(i), y), text(size).pos(RIGHT))?;
             }
+        }
+        let last = TABLE + LINE * (self.measures.len() as i32 + 1);
+        let name = "how often the best / the worst";
+        write(canvas, name, (FIRST, last), text(size).pos(LEFT))?;
+        for i in 0..self.subjects.len() {
+            let at = (column(i), last);
+            write(canvas, &self.wins(i), at, text(size).pos(RIGHT))?;
         }
         write(canvas, &self.how, (FIRST, 2125), text(28).pos(LEFT))
     }
@@ -313,12 +316,6 @@ impl Plot for Slide {
                 &subject.title,
                 (left + 100, 180),
                 text(52).pos(LEFT),
-            )?;
-            write(
-                canvas,
-                &self.wins(i),
-                (left + 690, 180),
-                text(36).pos(RIGHT),
             )?;
             let frame = [(left, TOP), (left + SMALL, TOP + SMALL)];
             canvas.draw(&Rectangle::new(frame, FAINT.stroke_width(3)))?;

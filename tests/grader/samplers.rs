@@ -2,8 +2,11 @@
 
 #[cfg(unix)]
 use crate::common::executable;
+mod file;
 #[cfg(unix)] // the programs are scripts
 mod own;
+mod page;
+mod slide;
 
 use assert_cmd::Command;
 use std::fs;
@@ -29,7 +32,7 @@ fn the_page_shows_figures_that_exist_as_png_svg_and_csv() {
         "--samples",
         "1,5",
         "--realisations",
-        "3",
+        "12",
         "--width",
         "24",
     ];

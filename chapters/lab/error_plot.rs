@@ -18,8 +18,8 @@ use std::fmt::Write;
 const GUIDES: [(f64, &str); 4] = [(-0.5, "−½"), (-0.75, "−¾"), (-1.0, "−1"), (-1.5, "−3/2")];
 
 /// Width of the plot, and where the slopes end in the legend beside it, in pixels of the canvas.
-const PLOT: i32 = 790;
-const SLOPES: i32 = 620;
+const PLOT: i32 = 730;
+const SLOPES: i32 = 590;
 
 /// The bands of more curves than these would hide each other.
 const SEPARATE: usize = 3;
@@ -91,7 +91,7 @@ impl ErrorPlot {
 
 impl Plot for ErrorPlot {
     fn size(&self) -> (u32, u32) {
-        (720, 490)
+        (670, 490)
     }
 
     fn draw<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn

@@ -51,9 +51,14 @@ where
     Ok(())
 }
 
-/// A number as people write it, with a minus sign instead of a hyphen.
+/// A number as people write it: with a minus sign instead of a hyphen, and 0 without any.
 pub fn number(v: f64, digits: usize) -> String {
-    format!("{v:.digits$}").replace('-', "−")
+    let text = format!("{v:.digits$}");
+    match text.strip_prefix('-') {
+        Some(zero) if zero.chars().all(|c| c == '0' || c == '.') => zero.to_owned(),
+        Some(rest) => format!("−{rest}"),
+        None => text,
+    }
 }
 
 /// A power of ten as people write it: 10⁻³.
@@ -68,7 +73,13 @@ pub fn power_of_ten(v: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::power_of_ten;
+    use super::{number, power_of_ten};
+
+    #[test]
+    fn numbers_have_a_minus_sign_and_nothing_has_none() {
+        let written = [number(-0.501, 2), number(-0.001, 2), number(2.0, 0)];
+        assert_eq!(written, ["−0.50", "0.00", "2"], "as people write them");
+    }
 
     #[test]
     fn exponents_are_raised() {

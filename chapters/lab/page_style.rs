@@ -12,11 +12,11 @@ figcaption { max-width: 46em; margin-top: .4em } figcaption code { font-size: 13
 .pixels span { font-size: 15px }
 th { vertical-align: bottom } th button { font: inherit; font-weight: bold; border: 0; background: none; color: inherit; cursor: pointer; text-align: inherit; padding: .3em 0 }
 th button::after { content: ' ↕'; opacity: .5 } th[aria-sort=ascending] button::after { content: ' ↑'; opacity: 1 } th[aria-sort=descending] button::after { content: ' ↓'; opacity: 1 }
-th:last-child, td:last-child { text-align: left } dt { font-weight: bold } dd { margin: 0 0 .4em 1.5em }
+th:last-child, td:last-child { text-align: left; min-width: 15em } dt { font-weight: bold } dd { margin: 0 0 .4em 1.5em }
 .flip { margin-top: 1rem } .flip label { margin-right: 1em } .flip select, .flip button { font: inherit } .flip p { margin: .5em 0 }
 body.slides { max-width: none; margin: 0; padding: 0 } body.slides .screen { min-height: 100vh; box-sizing: border-box; padding: 2vh 3vw; border: 0; margin: 0 }
 body.slides figcaption, body.slides section > p { font-size: 22px; max-width: none } body.slides figcaption code { font-size: 17px }
-body.slides .scroll > a > img { height: 68vh; max-width: 94vw; object-fit: contain } body.slides .figures { justify-content: center }
+body.slides .scroll > a > img { height: 68vh; max-width: 94vw; object-fit: contain; margin: auto } body.slides .figures { justify-content: center }
 html:has(body.slides) { scroll-snap-type: y proximity } body.slides .screen { scroll-snap-align: start }
 body.slides table { font-size: 19px }";
 

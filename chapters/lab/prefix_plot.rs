@@ -47,7 +47,7 @@ fn by_chance(k: f64) -> f64 {
 
 impl Plot for PrefixPlot {
     fn size(&self) -> (u32, u32) {
-        (680, 490)
+        (670, 490)
     }
 
     fn draw<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn

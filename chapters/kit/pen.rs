@@ -148,7 +148,7 @@ fn dashes(through: &[(i32, i32)], lengths: &[f64]) -> Vec<Vec<(i32, i32)>> {
             left = lengths[turn % lengths.len()];
         }
         left -= length - done;
-        if turn % 2 == 0 {
+        if turn % 2 == 0 && piece.last() != Some(&ends[1]) {
             piece.push(ends[1]);
         }
     }

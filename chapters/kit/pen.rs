@@ -140,6 +140,7 @@ fn dashes(through: &[(i32, i32)], lengths: &[f64]) -> Vec<Vec<(i32, i32)>> {
             let at = round((from.0 + dx * done / length, from.1 + dy * done / length));
             if turn % 2 == 0 {
                 piece.push(at);
+                piece.dedup(); // a dash may end at a corner
                 pieces.push(std::mem::take(&mut piece));
             } else {
                 piece = vec![at];
@@ -148,7 +149,7 @@ fn dashes(through: &[(i32, i32)], lengths: &[f64]) -> Vec<Vec<(i32, i32)>> {
             left = lengths[turn % lengths.len()];
         }
         left -= length - done;
-        if turn % 2 == 0 && piece.last() != Some(&ends[1]) {
+        if turn % 2 == 0 {
             piece.push(ends[1]);
         }
     }

@@ -3,6 +3,7 @@
 use crate::kit::axis::{Axis, Scale};
 use crate::kit::figure::{Figure, Style, coloured, figure, text};
 use crate::kit::palette::{FAINT, INK};
+use crate::kit::pen::Pen;
 use crate::kit::stage::Drawn;
 use plotters::coord::{Shift, cartesian::Cartesian2d};
 use plotters::element::DashedPathElement;
@@ -48,6 +49,7 @@ enum Form {
     Line(Vec<(f64, f64)>),
     Dashes(Vec<(f64, f64)>),
     Dots(Vec<(f64, f64)>, i32),
+    Curve(Vec<(f64, f64)>, Pen),
     Bar([(f64, f64); 2]),
     Area(Vec<(f64, f64)>),
     Label((f64, f64), String, Box<Style>),
@@ -121,6 +123,15 @@ impl Chart {
         style: impl Into<ShapeStyle>,
     ) -> &mut Self {
         self.add(Form::Dashes(places(points)), style)
+    }
+
+    /// A line through points, with the pen's dashes and marks.
+    pub fn curve<T: Into<f64>>(
+        &mut self,
+        points: impl IntoIterator<Item = (T, T)>,
+        pen: Pen,
+    ) -> &mut Self {
+        self.add(Form::Curve(places(points), pen), pen.stroke)
     }
 
     /// A disc at each point, or a ring if the style is not filled.
@@ -211,6 +222,18 @@ impl Chart {
         let mut axes = builder.build_cartesian_2d(&self.x.scale, &self.y.scale)?;
         self.draw_grid(&mut axes)?;
         for thing in &self.things {
+            if let Form::Curve(points, pen) = &thing.form {
+                let (left, top) = canvas.get_base_pixel();
+                let pixel = |p: &(f64, f64)| {
+                    let (x, y) = axes.backend_coord(p);
+                    (x - left, y - top)
+                };
+                let through: Vec<_> = points.iter().map(pixel).collect();
+                pen.line(canvas, &through)?;
+                for at in through {
+                    pen.mark(canvas, at)?;
+                }
+            }
             thing.draw(&mut axes)?;
         }
         if let Some(corner) = &self.legend {
@@ -341,6 +364,7 @@ impl Thing {
             Form::Dots(points, radius) => {
                 axes.draw_series(points.iter().map(|&p| Circle::new(p, *radius, style)))?;
             }
+            Form::Curve(..) => {} // drawn in pixels
             Form::Bar(corners) => {
                 axes.draw_series([Rectangle::new(*corners, style)])?;
             }

@@ -30,6 +30,19 @@ pub const SCALE: u32 = 2;
 /// # Errors
 /// What `draw` or plotters reports.
 pub fn figure(width: u32, height: u32, draw: impl FnOnce(&Canvas) -> Drawn) -> Figure {
+    let canvas = canvas(width, height, draw)?;
+    let scale = SCALE as usize;
+    Ok(Image::from_fn(width as usize, height as usize, |x, y| {
+        let pixel = |i: usize| canvas.at(scale * x + i % scale, scale * y + i / scale);
+        (0..scale * scale).map(pixel).sum::<Rgb>() / (scale * scale) as f32
+    }))
+}
+
+/// As [`figure`], but with every pixel of its canvas: twice the resolution.
+///
+/// # Errors
+/// What `draw` or plotters reports.
+pub fn canvas(width: u32, height: u32, draw: impl FnOnce(&Canvas) -> Drawn) -> Figure {
     register_font();
     let (wide, high) = (SCALE * width, SCALE * height);
     let mut bytes = vec![0; (wide * high * 3) as usize];
@@ -50,13 +63,7 @@ pub fn figure(width: u32, height: u32, draw: impl FnOnce(&Canvas) -> Drawn) -> F
             linear[bytes[i + 2] as usize],
         )
     };
-    let scale = SCALE as usize;
-    Ok(Image::from_fn(width as usize, height as usize, |x, y| {
-        let sum: Rgb = (0..scale * scale)
-            .map(|i| pixel(scale * x + i % scale, scale * y + i / scale))
-            .sum();
-        sum / (scale * scale) as f32
-    }))
+    Ok(Image::from_fn(wide as usize, high as usize, pixel))
 }
 
 /// How text looks.

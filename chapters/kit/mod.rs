@@ -9,6 +9,7 @@ pub mod gallery;
 pub mod html;
 pub mod options;
 pub mod palette;
+pub mod pen;
 pub mod rate;
 pub mod say;
 pub mod sheet;

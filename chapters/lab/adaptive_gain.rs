@@ -2,9 +2,8 @@
 
 use crate::kit::palette::viridis;
 use crate::lab::error_plot::{Curve, ErrorPlot};
-use crate::lab::integrands::Error;
-use crate::lab::plot::colour;
-use plotters::prelude::Color;
+use crate::lab::errors::Error;
+use crate::lab::pens::pen;
 use raybook::image::Image;
 use raybook::render::adaptive::{Adaptive, Limits, adaptive, by_budget};
 use raybook::render::film::Film;
@@ -41,15 +40,8 @@ pub fn measure(
         ..*film
     };
     let exact = supersample(&exact, pattern, see);
-    let error = |mean: f64, picture: &Image| {
-        let rms = rms(picture, &exact);
-        Error {
-            n: mean.round() as usize,
-            rms,
-            low: rms,
-            high: rms,
-        }
-    };
+    let error =
+        |mean: f64, picture: &Image| Error::exactly(mean.round() as usize, rms(picture, &exact));
     let same = [4, 8, 16, 32].map(|samples| {
         let film = Film { samples, ..*film };
         error(samples as f64, &supersample(&film, pattern, see))
@@ -63,7 +55,7 @@ pub fn measure(
     let curve = |i, key: &str, title: &str, errors: &[Error]| Curve {
         key: key.to_owned(),
         title: title.to_owned(),
-        stroke: colour(i).stroke_width(5),
+        pen: pen(i),
         errors: errors.to_vec(),
     };
     ErrorPlot {

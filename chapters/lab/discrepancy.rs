@@ -1,7 +1,6 @@
 //! How evenly points fill the square, in numbers.
 
 use glam::Vec2;
-use raybook::inside::Space;
 
 /// The L₂ star discrepancy, squared: the mean, over all boxes from the origin, of (share of points in it − its area)².
 ///
@@ -58,14 +57,4 @@ pub fn star(points: &[Vec2]) -> f64 {
         }
     }
     worst
-}
-
-/// The distance of the two nearest points, over the edges too.
-pub fn least_distance(points: &[Vec2]) -> f64 {
-    let pairs = points.iter().enumerate().flat_map(|(i, p)| {
-        points[..i]
-            .iter()
-            .map(|q| Space::Torus.distance_squared(*p, *q))
-    });
-    pairs.fold(f64::INFINITY, f64::min).sqrt()
 }

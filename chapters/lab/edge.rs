@@ -1,13 +1,12 @@
 //! An edge through a pixel: how much of it is covered, and how far a pattern is off.
 
-use crate::lab::subject::Subject;
 use glam::{DVec2, Vec2};
 
 /// An edge's position is moved through the pixel in so many steps.
 const STEPS: u32 = 256;
 
 /// The half plane of points p with n·p < d, where n points at an angle, in radians, and d counts from the pixel's centre.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Edge {
     /// n.
     pub normal: DVec2,
@@ -52,24 +51,28 @@ impl Edge {
     }
 }
 
-/// The root of the mean squared error of the covered share, over all edges at this angle that pass through the pixel.
-pub fn rms(subject: &Subject, n: usize, angle: f64, realisations: u64) -> f64 {
+/// The root of the mean squared error of the covered share, over all edges at this angle that pass through the pixel and over
+/// realisations of a pattern.
+pub fn rms(realisations: &[Vec<Vec2>], angle: f64) -> f64 {
     let normal = DVec2::from_angle(angle);
     let reach = Edge::reach(normal);
-    let realisations = subject.realisations(n, realisations);
+    let offsets = (0..STEPS).map(|step| {
+        let offset = reach * (2.0 * (f64::from(step) + 0.5) / f64::from(STEPS) - 1.0);
+        (offset, Edge { normal, offset }.coverage())
+    });
+    let edges: Vec<_> = offsets.collect();
     let mut sum = 0.0;
-    for pixel in 0..realisations {
-        let points = subject.points(n, pixel);
-        let mut along: Vec<_> = points
-            .iter()
-            .map(|p| normal.dot(p.as_dvec2() - 0.5))
-            .collect();
-        along.sort_by(f64::total_cmp);
-        for step in 0..STEPS {
-            let offset = reach * (2.0 * (f64::from(step) + 0.5) / f64::from(STEPS) - 1.0);
-            let covered = along.partition_point(|&d| d < offset) as f64 / n as f64;
-            sum += (covered - Edge { normal, offset }.coverage()).powi(2);
+    for points in realisations {
+        let along = points.iter().map(|p| normal.dot(p.as_dvec2() - 0.5));
+        let mut along: Vec<_> = along.collect();
+        along.sort_unstable_by(f64::total_cmp);
+        let mut covered = 0;
+        for (offset, coverage) in &edges {
+            while covered < along.len() && along[covered] < *offset {
+                covered += 1;
+            }
+            sum += (covered as f64 / points.len() as f64 - coverage).powi(2);
         }
     }
-    (sum / (realisations * u64::from(STEPS)) as f64).sqrt()
+    (sum / (realisations.len() * edges.len()) as f64).sqrt()
 }

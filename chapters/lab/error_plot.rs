@@ -1,18 +1,28 @@
 //! Error against samples, both axes logarithmic.
 
 use crate::kit::axis::Axis;
-use crate::kit::chart::{Chart, Corner};
+use crate::kit::chart::Chart;
 use crate::kit::figure::CENTRE;
 use crate::kit::palette::{FAINT, INK};
+use crate::kit::pen::Pen;
 use crate::kit::stage::Drawn;
-use crate::lab::integrands::{Error, slope};
+use crate::lab::errors::{Error, slope};
+use crate::lab::legend;
+use crate::lab::legend::{number, power_of_ten};
 use crate::lab::plot::Plot;
 use plotters::coord::Shift;
-use plotters::prelude::{Color, DrawingArea, DrawingBackend, ShapeStyle};
+use plotters::prelude::{Color, DrawingArea, DrawingBackend, RGBColor};
 use std::fmt::Write;
 
 /// Slopes that are drawn as guides, with what they mean.
 const GUIDES: [(f64, &str); 4] = [(-0.5, "−½"), (-0.75, "−¾"), (-1.0, "−1"), (-1.5, "−3/2")];
+
+/// Width of the plot, and where the slopes end in the legend beside it, in pixels of the canvas.
+const PLOT: i32 = 730;
+const SLOPES: i32 = 590;
+
+/// The bands of more curves than these would hide each other.
+const SEPARATE: usize = 3;
 
 /// The curve of one pattern.
 #[derive(Debug)]
@@ -21,8 +31,8 @@ pub struct Curve {
     pub key: String,
     /// Its name, as people write it.
     pub title: String,
-    /// Its line.
-    pub stroke: ShapeStyle,
+    /// Its line and its marks.
+    pub pen: Pen,
     /// The errors, by number of samples.
     pub errors: Vec<Error>,
 }
@@ -44,19 +54,44 @@ impl ErrorPlot {
         let least = |of: fn(&Error) -> f64| all().map(of).fold(f64::INFINITY, f64::min);
         let [left, right] = [least(|e| e.n as f64), most(|e| e.n as f64)];
         let top = most(|e| e.high);
-        // A grid can be right without error: its curve then leaves the plot.
-        [
-            left,
-            right,
-            least(|e| e.rms).max(1e-6 * top) * 0.7,
-            1.5 * top,
-        ]
+        // Bands reach down to errors that are small by chance: they are cut off.
+        let bottom = least(|e| e.median).max(1e-6 * top);
+        [left, right, 0.5 * bottom, 1.5 * top]
+    }
+}
+
+impl ErrorPlot {
+    /// Slopes that have names, as dashes.
+    fn guides(&self, chart: &mut Chart) {
+        let [left, right, bottom, top] = self.range();
+        for (slope, name) in GUIDES {
+            let at = |n: f64| (n, 0.75 * top * (n / left).powf(slope));
+            let end = right.min(left * (0.75 * top / bottom).powf(-1.0 / slope));
+            let beside = at(left * (end / left).powf(0.93));
+            chart
+                .dashes([at(left), at(end)], FAINT.stroke_width(3))
+                .label(CENTRE, beside, name, INK);
+        }
+    }
+
+    /// The legend's lines: each curve's name, and its slope where there is one.
+    fn entries(&self) -> Vec<legend::Entry> {
+        let entry = |curve: &Curve| {
+            let fitted = slope(&curve.errors);
+            let slope = fitted.map(|s| format!("{} ± {:.2}", number(s.slope, 2), s.within));
+            (
+                curve.pen,
+                curve.title.clone(),
+                vec![slope.unwrap_or_default()],
+            )
+        };
+        self.curves.iter().map(entry).collect()
     }
 }
 
 impl Plot for ErrorPlot {
     fn size(&self) -> (u32, u32) {
-        (760, 640)
+        (670, 490)
     }
 
     fn draw<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn
@@ -64,50 +99,66 @@ impl Plot for ErrorPlot {
         B::ErrorType: 'static,
     {
         let [left, right, bottom, top] = self.range();
-        let samples = Axis::log2(left..right).named("samples");
-        let errors = Axis::log(bottom..top)
-            .named("RMS error")
-            .format(|error| format!("{error:.0e}"));
-        let mut chart = Chart::new(samples, errors)
-            .titled(&self.title)
-            .text(28)
-            .legend(Corner::LowerLeft);
-        for (slope, name) in GUIDES {
-            let at = |n: f64| (n, 0.75 * top * (n / left).powf(slope));
-            let end = right.min(left * (0.75 * top / bottom).powf(-1.0 / slope));
-            let beside = at(left * (end / left).powf(0.93));
-            chart
-                .line([at(left), at(end)], FAINT.stroke_width(3))
-                .label(CENTRE, beside, name, INK);
-        }
-        for curve in &self.curves {
-            let stroke = curve.stroke;
+        // Beyond the last number of samples stands the middle 80 % of each curve.
+        let beyond = |i: usize| right * 1.35_f64.powi(i as i32 + 1);
+        let end = beyond(self.curves.len());
+        let powers = (0..=32).step_by(2).map(|power| 2_f64.powi(power));
+        let marks: Vec<_> = powers.filter(|n| (left..=right).contains(n)).collect();
+        let samples = Axis::log2(left..end).named("samples").marks(&marks);
+        let errors = Axis::log(bottom..top).named("error").format(power_of_ten);
+        let mut chart = Chart::new(samples, errors).titled(&self.title).text(30);
+        self.guides(&mut chart);
+        for (i, curve) in self.curves.iter().enumerate() {
             let low = |e: &Error| (e.n as f64, e.low.max(bottom));
-            let up = curve
-                .errors
-                .iter()
-                .map(|e| (e.n as f64, e.high.max(bottom)));
-            let band = up.chain(curve.errors.iter().rev().map(low));
-            chart.area(band, stroke.color.mix(0.18));
-            let inside: Vec<_> = curve.errors.iter().filter(|e| e.rms >= bottom).collect();
-            let line = || inside.iter().map(|e| (e.n as f64, e.rms));
-            let measured: Vec<_> = inside.iter().map(|e| **e).collect();
-            let name = format!("{}: {:.2}", curve.title, slope(&measured)).replace(": -", ": −");
-            chart.line(line(), stroke).named(&name);
-            if stroke.color.3 == 1.0 {
-                chart.dots(line(), 6, stroke.filled());
+            let high = |e: &Error| (e.n as f64, e.high.max(bottom));
+            let back = curve.errors.iter().rev().map(low);
+            if self.curves.len() <= SEPARATE {
+                let band = curve.errors.iter().map(high).chain(back);
+                chart.area(band, rgb(curve.pen).mix(0.15));
+            }
+            if let Some(last) = curve.errors.last() {
+                let ends = [low(last).1, high(last).1].map(|error| (beyond(i), error));
+                chart.line(ends, rgb(curve.pen).stroke_width(6));
+                if last.median >= bottom {
+                    chart.curve([(beyond(i), last.median)], curve.pen);
+                }
             }
         }
-        chart.draw(canvas)
+        for curve in &self.curves {
+            let inside = curve.errors.iter().filter(|e| e.median >= bottom);
+            chart.curve(inside.map(|e| (e.n as f64, e.median)), curve.pen);
+        }
+        let (plot, beside) = canvas.split_horizontally(PLOT);
+        chart.draw(&plot)?;
+        legend::draw(
+            &beside,
+            (10, 50),
+            &["slope from 64 on"],
+            &[SLOPES],
+            &self.entries(),
+        )
     }
 
     fn csv(&self) -> String {
-        let mut csv = "pattern,samples,rms_error,low_95,high_95\n".to_owned();
+        let mut csv = "pattern,samples,median_error,low_10,high_90,rms_error\n".to_owned();
         for curve in &self.curves {
-            for Error { n, rms, low, high } in &curve.errors {
-                let _ = writeln!(csv, "{},{n},{rms},{low},{high}", curve.key);
+            for Error {
+                n,
+                median,
+                low,
+                high,
+                rms,
+            } in &curve.errors
+            {
+                let _ = writeln!(csv, "{},{n},{median},{low},{high},{rms}", curve.key);
             }
         }
         csv
     }
+}
+
+/// A pen's colour.
+fn rgb(pen: Pen) -> RGBColor {
+    let colour = pen.stroke.color;
+    RGBColor(colour.0, colour.1, colour.2)
 }

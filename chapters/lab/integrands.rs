@@ -1,119 +1,166 @@
-//! Functions over the unit square whose means are known, and the errors with which a pattern finds them.
+//! Functions over the unit square whose means are known: four classes, each with any number of members.
 
+use crate::lab::area;
 use crate::lab::edge::Edge;
-use crate::lab::subject::Subject;
 use glam::{DVec2, Vec2};
-use rayon::prelude::*;
-use std::f64::consts::PI;
+use rand::RngExt;
+use raybook::math::pcg::Pcg;
+use std::f64::consts::{PI, TAU};
 
-/// A function and its mean.
+/// A function over the unit square.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Form {
+    /// 1 inside a disc.
+    Disc {
+        /// Its centre.
+        centre: DVec2,
+        /// Its radius.
+        radius: f64,
+    },
+    /// 1 on one side of a straight edge.
+    Edge(Edge),
+    /// ½ + ½ cos(2π k·p + φ): smooth.
+    Wave {
+        /// k, waves along each axis.
+        waves: DVec2,
+        /// φ.
+        phase: f64,
+    },
+    /// 1 in the odd squares of a turned checkerboard.
+    Checker(Checker),
+}
+
+/// A checkerboard, turned and moved.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Checker {
+    /// The direction of its rows, of length 1.
+    pub along: DVec2,
+    /// A corner of an even square.
+    pub corner: DVec2,
+    /// The side of a square.
+    pub side: f64,
+}
+
+impl Checker {
+    /// The column and the row of the square in which a point is.
+    pub fn square(&self, p: DVec2) -> DVec2 {
+        let from = (p - self.corner) / self.side;
+        DVec2::new(from.dot(self.along), from.dot(self.along.perp())).floor()
+    }
+}
+
+/// A function and its mean over the unit square.
 #[derive(Clone, Copy, Debug)]
 pub struct Integrand {
-    /// What it is.
-    pub name: &'static str,
-    /// Its value at a point of the unit square.
-    pub value: fn(Vec2) -> f64,
-    /// Its mean over the square.
+    /// The function.
+    pub form: Form,
+    /// Its mean, exactly.
     pub mean: f64,
 }
 
-/// The slanted edge: at 20° to the vertical.
-const SLANTED: Edge = Edge {
-    normal: DVec2::new(0.939_692_620_785_908_4, 0.342_020_143_325_668_7),
-    offset: 0.1,
-};
-
-/// Squares along each side of the checker.
-const SQUARES: f64 = 2.5;
-
-/// A disc's edge, a slanted edge, something smooth, and a checker.
-pub fn all() -> [Integrand; 4] {
-    [
-        Integrand {
-            name: "disc edge",
-            value: |p| f64::from(u8::from(p.as_dvec2().length_squared() < 2.0 / PI)),
-            mean: 0.5,
-        },
-        Integrand {
-            name: "slanted edge",
-            value: |p| f64::from(u8::from(SLANTED.covers(p))),
-            mean: SLANTED.coverage(),
-        },
-        Integrand {
-            name: "smooth",
-            value: |p| (-p.as_dvec2().length_squared()).exp(),
-            mean: (0.5 * PI.sqrt() * ERF_1).powi(2),
-        },
-        Integrand {
-            name: "checker",
-            value: |p| {
-                let cell = (SQUARES * p.as_dvec2()).floor().element_sum();
-                cell.rem_euclid(2.0)
-            },
-            // Along an axis even squares have 3/5 of the side: odd sums have 2 · 3/5 · 2/5.
-            mean: 0.48,
-        },
-    ]
+/// A class of functions.
+#[derive(Clone, Copy, Debug)]
+pub struct Class {
+    /// What its members are.
+    pub name: &'static str,
+    /// What there is to say of them.
+    pub text: &'static str,
+    draw: fn(&mut Pcg) -> Form,
 }
 
-/// erf(1).
-const ERF_1: f64 = 0.842_700_792_949_714_9;
+/// Edges of discs, straight edges, something smooth, and checkerboards: at random places, of random sizes and at random angles.
+pub const CLASSES: [Class; 4] = [
+    Class {
+        name: "disc edge",
+        text: "Discs with a random centre in the square and a random radius between 0.2 and 0.6",
+        draw: |rng| Form::Disc {
+            centre: anywhere(rng),
+            radius: rng.random_range(0.2..0.6),
+        },
+    },
+    Class {
+        name: "straight edge",
+        text: "Straight edges at a random angle and at a random place in the square",
+        draw: |rng| {
+            let normal = DVec2::from_angle(rng.random_range(0.0..TAU));
+            let offset = Edge::reach(normal) * rng.random_range(-1.0..1.0);
+            Form::Edge(Edge { normal, offset })
+        },
+    },
+    Class {
+        name: "smooth",
+        text: "Waves in a random direction, half a wave to one and a half across the square, with a random phase",
+        draw: |rng| Form::Wave {
+            waves: DVec2::from_angle(rng.random_range(0.0..TAU)) * rng.random_range(0.5..1.5),
+            phase: rng.random_range(0.0..TAU),
+        },
+    },
+    Class {
+        name: "checker",
+        text: "Checkerboards at a random angle and place, with two to six squares along a side",
+        draw: |rng| {
+            Form::Checker(Checker {
+                along: DVec2::from_angle(rng.random_range(0.0..TAU)),
+                corner: anywhere(rng),
+                side: 1.0 / rng.random_range(2.0..6.0),
+            })
+        },
+    },
+];
 
-/// A measured error, and how far its true value may be from it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Error {
-    /// How many samples.
-    pub n: usize,
-    /// The root of the mean squared error.
-    pub rms: f64,
-    /// The lower end of its 95 % confidence interval.
-    pub low: f64,
-    /// The upper end.
-    pub high: f64,
+fn anywhere(rng: &mut Pcg) -> DVec2 {
+    DVec2::new(rng.random(), rng.random())
 }
 
-/// The errors of the means of several functions over the same n points, by so many realisations.
-pub fn errors(
-    subject: &Subject,
-    n: usize,
-    integrands: &[Integrand],
-    realisations: u64,
-) -> Vec<Error> {
-    let realisations = subject.realisations(n, realisations);
-    let squares: Vec<Vec<f64>> = (0..realisations)
-        .into_par_iter()
-        .map(|pixel| {
-            let points = subject.points(n, pixel);
-            let square = |integrand: &Integrand| {
-                let sum: f64 = points.iter().map(|p| (integrand.value)(*p)).sum();
-                (sum / n as f64 - integrand.mean).powi(2)
-            };
-            integrands.iter().map(square).collect()
-        })
-        .collect();
-    let of = |i: usize| {
-        let count = realisations as f64;
-        let mean = squares.iter().map(|s| s[i]).sum::<f64>() / count;
-        let off = squares.iter().map(|s| (s[i] - mean).powi(2)).sum::<f64>();
-        let spread = 1.96 * (off / (count - 1.0).max(1.0) / count).sqrt();
-        Error {
-            n,
-            rms: mean.sqrt(),
-            low: (mean - spread).max(mean / 16.0).sqrt(),
-            high: (mean + spread).sqrt(),
+impl Class {
+    /// So many members of the class, by chance.
+    pub fn members(&self, count: usize, rng: &mut Pcg) -> Vec<Integrand> {
+        (0..count).map(|_| (self.draw)(rng).into()).collect()
+    }
+}
+
+impl From<Form> for Integrand {
+    fn from(form: Form) -> Self {
+        let mean = match &form {
+            Form::Disc { centre, radius } => area::of_disc(*centre, *radius),
+            Form::Edge(edge) => edge.coverage(),
+            Form::Wave { waves, phase } => {
+                // The mean of cos(2πk·p + φ) over the square is cos(π(kx + ky) + φ) sinc kx sinc ky.
+                let mean = (PI * waves.element_sum() + phase).cos() * sinc(waves.x) * sinc(waves.y);
+                0.5 + 0.5 * mean
+            }
+            Form::Checker(checker) => area::of_checker(checker),
+        };
+        Self { form, mean }
+    }
+}
+
+/// sin(πx)/(πx).
+fn sinc(x: f64) -> f64 {
+    if x.abs() < 1e-9 {
+        1.0
+    } else {
+        (PI * x).sin() / (PI * x)
+    }
+}
+
+impl Integrand {
+    /// The function's value at a point of the unit square.
+    pub fn value(&self, p: Vec2) -> f64 {
+        let at = p.as_dvec2();
+        match &self.form {
+            Form::Disc { centre, radius } => {
+                f64::from(u8::from(at.distance_squared(*centre) < radius * radius))
+            }
+            Form::Edge(edge) => f64::from(u8::from(edge.covers(p))),
+            Form::Wave { waves, phase } => 0.5 + 0.5 * (TAU * waves.dot(at) + phase).cos(),
+            Form::Checker(checker) => checker.square(at).element_sum().rem_euclid(2.0),
         }
-    };
-    (0..integrands.len()).map(of).collect()
-}
+    }
 
-/// The slope of errors on logarithmic axes, by least squares.
-pub fn slope(errors: &[Error]) -> f64 {
-    let points = errors.iter().map(|e| ((e.n as f64).ln(), e.rms.ln()));
-    let points: Vec<_> = points.collect();
-    let count = points.len() as f64;
-    let (x, y) = points
-        .iter()
-        .fold((0.0, 0.0), |m, p| (m.0 + p.0 / count, m.1 + p.1 / count));
-    let products: f64 = points.iter().map(|p| (p.0 - x) * (p.1 - y)).sum();
-    products / points.iter().map(|p| (p.0 - x).powi(2)).sum::<f64>()
+    /// The error of the mean over some points.
+    pub fn error(&self, points: &[Vec2]) -> f64 {
+        let sum: f64 = points.iter().map(|p| self.value(*p)).sum();
+        sum / points.len().max(1) as f64 - self.mean
+    }
 }

@@ -1,83 +1,150 @@
 //! The lab's page: every figure with its files, and the table.
 
-use crate::kit::html::{figure, page};
+use crate::kit::html::page;
 use crate::kit::stage::Drawn;
+use crate::lab::page_style::{SCRIPT, STYLE};
 use crate::lab::plot::Plot;
+use crate::lab::settings::Settings;
 use crate::lab::table;
-use crate::lab::table::Row;
-use maud::{Markup, html};
+use crate::lab::table::{COLUMNS, Row};
+use maud::{Markup, PreEscaped, html};
 use raybook::image::{Image, file};
 use raybook::store;
 use std::error::Error;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// A page that grows section by section, and the folder of its files.
 #[derive(Debug)]
 pub struct Page {
     folder: PathBuf,
     remarks: Vec<String>,
-    sections: Vec<(&'static str, &'static str, Vec<Markup>)>,
+    command: String,
+    slides: bool,
+    sections: Vec<(&'static str, Markup, Vec<Markup>)>,
+}
+
+/// Pictures of one target: of each pattern its word and its name, and the numbers of samples.
+#[derive(Debug)]
+pub struct Tiles<'a> {
+    /// The name of the target as a word.
+    pub target: &'a str,
+    /// Words and names of the patterns.
+    pub patterns: &'a [(String, String)],
+    /// The numbers of samples.
+    pub samples: &'a [usize],
+    /// Width of a picture.
+    pub width: usize,
 }
 
 impl Page {
     /// A page in a folder, with remarks at its beginning.
-    pub fn new(folder: &Path, remarks: Vec<String>) -> Self {
+    pub fn new(settings: &Settings) -> Self {
         Self {
-            folder: folder.to_owned(),
-            remarks,
+            folder: settings.folder.clone(),
+            remarks: settings.remarks.clone(),
+            command: settings.command.clone(),
+            slides: settings.slides,
             sections: Vec::new(),
         }
     }
 
     /// Begins a section: its title, and what to see in it.
-    pub fn section(&mut self, title: &'static str, text: &'static str) {
+    pub fn section(&mut self, title: &'static str, text: Markup) {
         self.sections.push((title, text, Vec::new()));
     }
 
-    /// Writes a plot as PNG, SVG and CSV, and shows it.
+    /// Writes a plot as PNG, SVG and CSV, and shows it: what it shows, and how it was measured.
     ///
     /// # Errors
     /// If it cannot be drawn or written.
-    pub fn plot(&mut self, name: &str, alt: &str, plot: &impl Plot) -> Drawn {
+    pub fn plot(&mut self, name: &str, alt: &str, how: &str, plot: &impl Plot) -> Drawn {
         file::save(
             &self.folder.join(name).with_extension("png"),
-            &plot.image()?,
+            &plot.large_image()?,
         )?;
         self.write(name, "svg", plot.svg()?.as_bytes())?;
         self.write(name, "csv", plot.csv().as_bytes())?;
         let link = |extension: &str, name_of_it| html! { a href={ (name) "." (extension) } { (name_of_it) } };
-        let caption = html! { (alt) " " (link("png", "PNG")) " · " (link("svg", "SVG")) " · " (link("csv", "CSV")) };
-        self.add(figure(&format!("{name}.svg"), alt, &caption));
+        let (width, height) = plot.size();
+        let file = format!("{name}.svg");
+        self.add(html! { figure {
+            div class="scroll" { a href=(file) { img src=(file) alt=(alt) width=(width) height=(height) loading="lazy"; } }
+            figcaption { (alt) " " (self.how(how)) " " (link("png", "PNG")) " · " (link("svg", "SVG")) " · " (link("csv", "CSV")) }
+        } });
         Ok(())
     }
 
-    /// Writes a picture, and shows it.
+    /// How something was measured, and the command that does it again.
+    fn how(&self, how: &str) -> Markup {
+        html! { (how) ". " code { (self.command) } }
+    }
+
+    /// Writes one picture of pixels.
     ///
     /// # Errors
     /// If it cannot be written.
-    pub fn picture(&mut self, name: &str, alt: &str, picture: &Image) -> Drawn {
-        file::save(&self.folder.join(name).with_extension("png"), picture)?;
-        self.add(figure(&format!("{name}.png"), alt, &html! { (alt) }));
-        Ok(())
+    pub fn picture(&self, name: &str, picture: &Image) -> Drawn {
+        Ok(file::save(
+            &self.folder.join(format!("{name}.png")),
+            picture,
+        )?)
+    }
+
+    /// Shows pictures that were written, a column for each pattern and a row for each number of samples, without scaling them.
+    pub fn tiles(&mut self, alt: &str, how: &str, tiles: &Tiles) {
+        let columns = format!(
+            "grid-template-columns: repeat({}, max-content)",
+            tiles.patterns.len()
+        );
+        let width = tiles.width;
+        self.add(html! { figure {
+            div class="pixels" style=(columns) tabindex="0" role="group" aria-label=(alt) {
+                @for samples in tiles.samples { @for (key, title) in tiles.patterns { span {
+                    (title) ", " (samples)
+                    img src={ (tiles.target) "_" (key) "_" (samples) ".png" } alt={ (tiles.target) ", " (title) ", " (samples) " samples" } width=(width) height=(width) loading="lazy";
+                } } }
+            }
+            figcaption { (alt) " " (self.how(how)) }
+        } });
+    }
+
+    /// Shows two of the pictures in turns.
+    pub fn flip(&mut self, targets: &[(&str, &str)], tiles: &Tiles) {
+        let choose = |name: &str, options: Vec<(String, String)>| html! { label { (name) " " select { @for (value, text) in &options { option value=(value) { (text) } } } } };
+        let whats = targets
+            .iter()
+            .map(|(key, title)| ((*key).to_owned(), (*title).to_owned()));
+        let counts = tiles.samples.iter().map(|n| (n.to_string(), n.to_string()));
+        let width = tiles.width;
+        let first = tiles.patterns.first().map_or("", |p| p.0.as_str());
+        let samples = tiles.samples.first().map_or(1, |n| *n);
+        self.add(html! { div class="flip" {
+            h3 { "Flip between two patterns" }
+            p { (choose("picture", whats.collect())) (choose("samples", counts.collect())) (choose("A", tiles.patterns.to_vec())) (choose("B", tiles.patterns.to_vec())) }
+            p { button type="button" { "flip (key F)" } " " output aria-live="polite" {} }
+            img src={ (tiles.target) "_" (first) "_" (samples) ".png" } alt="" width=(width) height=(width);
+        } });
     }
 
     /// Shows the table, and writes it as CSV.
     ///
     /// # Errors
     /// If it cannot be written.
-    pub fn table(&mut self, name: &str, rows: &[Row]) -> Drawn {
+    pub fn table(&mut self, name: &str, how: &str, rows: &[Row]) -> Drawn {
         self.write(name, "csv", table::csv(rows).as_bytes())?;
-        self.add(html! {
-            table {
-                thead { tr { th { "pattern" } th { "star discrepancy" } th { "L₂ star discrepancy" }
-                    th { "least distance between two points, as a share of the largest that so many can have" } th { "ns a point" } th { "what it does with five points" } } }
+        let heading = |text: &str| html! { th scope="col" aria-sort="none" { button type="button" { (text) } } };
+        self.add(html! { div {
+            div class="scroll" { table {
+                thead { tr { (heading("pattern")) @for column in &COLUMNS { (heading(column.1)) } th scope="col" { "what it does with five points" } } }
                 tbody { @for row in rows { tr {
-                    td { (row.title) } td { (format!("{:.4}", row.star)) } td { (format!("{:.5}", row.l2_star)) }
-                    td { (format!("{:.2}", row.distance)) } td { (row.nanoseconds.map_or_else(|| "–".to_owned(), |ns| format!("{ns:.0}"))) } td { (row.five) }
+                    td { (row.title) }
+                    @for (text, v) in row.texts().zip(&row.numbers) { td data-value=(v.map_or_else(String::new, |v| v.to_string())) { (text) } }
+                    td { (row.five) }
                 } } }
-            }
-            p { a href={ (name) ".csv" } { "CSV" } }
-        });
+            } }
+            p { "A heading sorts by its column. " (self.how(how)) " " a href={ (name) ".csv" } { "CSV" } }
+            dl { @for (_, heading, meaning, _) in &COLUMNS { dt { (heading) } dd { (meaning) "." } } }
+        } });
         Ok(())
     }
 
@@ -87,14 +154,28 @@ impl Page {
     /// If it cannot be written.
     pub fn finish(self) -> Result<PathBuf, Box<dyn Error>> {
         let body = html! {
-            h1 { "The sampling lab" }
-            p { "Patterns that place samples in a pixel, and what can be measured of them. Everything here was drawn and measured on this machine." }
-            @if !self.remarks.is_empty() { ul { @for remark in &self.remarks { li { (remark) } } } }
-            @for (title, text, parts) in &self.sections {
-                section { h2 { (title) } p { (text) } div class="figures" { @for part in parts { (part) } } }
+            style { (PreEscaped(STYLE)) }
+            section class="screen" {
+                h1 { "The sampling lab" }
+                p { "Patterns that place samples in a pixel, and what can be measured of them. Everything here was drawn and measured on this machine, by " code { (self.command) } "." }
+                @if !self.remarks.is_empty() { ul { @for remark in &self.remarks { li { (remark) } } } }
             }
+            @for (title, text, parts) in &self.sections {
+                @if self.slides {
+                    section class="screen" { h2 { (title) } (text) }
+                    @for part in parts { section class="screen" { div class="figures" { (part) } } }
+                } @else {
+                    section class="screen" { h2 { (title) } (text) div class="figures" { @for part in parts { (part) } } }
+                }
+            }
+            script { (PreEscaped(SCRIPT)) }
         };
         let page = page("raybook: the sampling lab", &body);
+        let page = if self.slides {
+            page.replacen("<body>", "<body class=\"slides\">", 1)
+        } else {
+            page
+        };
         let path = self.folder.join("index.html");
         store::write(&path, page.as_bytes())?;
         Ok(path)
@@ -107,7 +188,7 @@ impl Page {
     }
 
     fn write(&self, name: &str, extension: &str, bytes: &[u8]) -> Drawn {
-        let path = self.folder.join(name).with_extension(extension);
+        let path = self.folder.join(format!("{name}.{extension}"));
         Ok(store::write(&path, bytes)?)
     }
 }

@@ -1,13 +1,10 @@
 //! A plot that can be drawn as pixels and as an SVG file, and its numbers as a table.
 
-use crate::kit::figure::{Figure, SCALE, figure};
+use crate::kit::figure::{Figure, SCALE, canvas, figure};
 use crate::kit::stage::Drawn;
-use crate::lab::subject::Subject;
+use crate::lab::raster::Raster;
 use plotters::coord::Shift;
-use plotters::prelude::{
-    BLACK, Color, DrawingArea, DrawingBackend, IntoDrawingArea, RGBColor, SVGBackend, ShapeStyle,
-    WHITE,
-};
+use plotters::prelude::{DrawingArea, DrawingBackend, IntoDrawingArea, SVGBackend, WHITE};
 use std::error::Error;
 
 /// Something to be looked at, in whatever form.
@@ -15,13 +12,18 @@ pub trait Plot {
     /// Width and height in pixels; the canvas has [`SCALE`] times as many.
     fn size(&self) -> (u32, u32);
 
-    /// Draws it.
+    /// Draws it, but for what is made of pixels.
     ///
     /// # Errors
     /// What the backend reports.
     fn draw<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn
     where
         B::ErrorType: 'static;
+
+    /// What is made of pixels; nothing is drawn over it.
+    fn rasters(&self) -> Vec<Raster> {
+        Vec::new()
+    }
 
     /// Its numbers: a line of names, and a line for each point.
     fn csv(&self) -> String;
@@ -32,10 +34,19 @@ pub trait Plot {
     /// What plotters reports.
     fn image(&self) -> Figure {
         let (width, height) = self.size();
-        figure(width, height, |canvas| self.draw(canvas))
+        figure(width, height, |canvas| self.draw_all(canvas))
     }
 
-    /// As the text of an SVG file.
+    /// As pixels, at twice the resolution.
+    ///
+    /// # Errors
+    /// What plotters reports.
+    fn large_image(&self) -> Figure {
+        let (width, height) = self.size();
+        canvas(width, height, |canvas| self.draw_all(canvas))
+    }
+
+    /// As the text of an SVG file, with pictures inside.
     ///
     /// # Errors
     /// What plotters reports.
@@ -51,36 +62,27 @@ pub trait Plot {
             self.draw(&canvas)?;
             canvas.present()?;
         }
-        Ok(text)
+        let pictures: String = self.rasters().iter().map(Raster::svg).collect();
+        // It is shown as large as the figure is, not as its canvas.
+        let [on_canvas, shown] = [SCALE, 1]
+            .map(|scale| format!("width=\"{}\" height=\"{}\"", scale * width, scale * height));
+        Ok(text
+            .replacen(&on_canvas, &shown, 1)
+            .replace("</svg>", &format!("{pictures}</svg>")))
     }
-}
 
-/// The colours of curves, in order: seven, and then the same ones darker.
-pub fn colour(i: usize) -> RGBColor {
-    use crate::kit::palette::{BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILION};
-    let RGBColor(r, g, b) = [VERMILION, BLUE, GREEN, ORANGE, PURPLE, SKY, BLACK][i % 7];
-    match i / 7 {
-        0 => RGBColor(r, g, b),
-        _ => RGBColor(r / 2, g / 2, b / 2),
-    }
-}
-
-/// How the curve of each subject is drawn.
-///
-/// A pattern has a colour, and somebody's own curve has its pattern's: the library's is then a broad pale line, on which the
-/// own one lies if it is right.
-pub fn strokes(subjects: &[Subject]) -> Vec<ShapeStyle> {
-    let mut names: Vec<_> = subjects.iter().map(|s| s.pattern.name).collect();
-    names.dedup();
-    let stroke = |subject: &Subject| {
-        let name = subject.pattern.name;
-        let colour = colour(names.iter().position(|n| *n == name).unwrap_or(0));
-        let beneath = |other: &Subject| other.is_own() && other.pattern.name == name;
-        if !subject.is_own() && subjects.iter().any(beneath) {
-            colour.mix(0.35).stroke_width(16)
-        } else {
-            colour.stroke_width(5)
+    /// Draws all of it.
+    ///
+    /// # Errors
+    /// What the backend reports.
+    fn draw_all<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn
+    where
+        B::ErrorType: 'static,
+    {
+        self.draw(canvas)?;
+        for raster in self.rasters() {
+            raster.draw(canvas)?;
         }
-    };
-    subjects.iter().map(stroke).collect()
+        Ok(())
+    }
 }

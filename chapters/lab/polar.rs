@@ -1,14 +1,18 @@
 //! The error of an edge, by the angle at which it passes through the pixel.
 
-use crate::kit::figure::{CENTRE as MIDDLE, LEFT, RIGHT, text, write};
-use crate::kit::palette::FAINT;
+use crate::kit::figure::{CENTRE as MIDDLE, LEFT, text, write};
+use crate::kit::palette::{FAINT, INK};
+use crate::kit::pen::Pen;
 use crate::kit::stage::Drawn;
 use crate::lab::edge;
-use crate::lab::plot::{Plot, strokes};
+use crate::lab::legend;
+use crate::lab::legend::number;
+use crate::lab::pens::pens;
+use crate::lab::plot::Plot;
 use crate::lab::subject::Subject;
+use glam::Vec2;
 use plotters::coord::Shift;
-use plotters::prelude::{Circle, Color, DrawingArea, DrawingBackend, PathElement, ShapeStyle};
-use plotters::style::text_anchor::Pos;
+use plotters::prelude::{Circle, Color, DrawingArea, DrawingBackend, PathElement};
 use rayon::prelude::*;
 use std::f64::consts::PI;
 use std::fmt::Write;
@@ -16,103 +20,183 @@ use std::fmt::Write;
 /// Angles of the half circle that are measured; the other half is the same.
 const ANGLES: usize = 180;
 
-/// The centre of the plot and its radius, in pixels of the canvas.
-const CENTRE: (i32, i32) = (560, 600);
-const RADIUS: f64 = 500.0;
+/// A mark at every so many angles.
+const MARKED: usize = 24;
 
-/// Where the legend's lines, names and two columns of numbers are, from left to right.
-const LEGEND: [i32; 4] = [1370, 1450, 1900, 2060];
+/// The centre of the plot and its radius, in pixels of the canvas.
+const CENTRE: (i32, i32) = (430, 490);
+const RADIUS: f64 = 370.0;
+
+/// Where the legend is, and its columns of numbers.
+const LEGEND: (i32, i32) = (880, 90);
+const COLUMNS: [i32; 2] = [540, 660];
 
 /// A curve for each pattern.
 #[derive(Debug)]
 pub struct Polar {
     /// How many points a pixel.
     n: usize,
-    curves: Vec<Curve>,
+    /// The curves.
+    pub curves: Vec<Curve>,
 }
 
 /// A pattern's errors.
 #[derive(Debug)]
-struct Curve {
+pub struct Curve {
     key: String,
     title: String,
-    stroke: ShapeStyle,
+    pen: Pen,
     /// The RMS error at each angle of the half circle.
     errors: Vec<f64>,
+}
+
+impl Curve {
+    /// The mean over all angles.
+    pub fn mean(&self) -> f64 {
+        self.errors.iter().sum::<f64>() / self.errors.len() as f64
+    }
+
+    /// The error at the worst angle.
+    pub fn worst(&self) -> f64 {
+        self.errors.iter().copied().fold(0.0, f64::max)
+    }
+
+    /// The error at edges that are nearly along an axis, at most 2° off it.
+    pub fn along_axes(&self) -> f64 {
+        let near = (0..ANGLES).filter(|i| (i % 90).min(90 - i % 90) <= 2);
+        let all: Vec<_> = near.map(|i| self.errors[i]).collect();
+        all.iter().sum::<f64>() / all.len() as f64
+    }
 }
 
 impl Polar {
     /// Measures the patterns, random ones by so many realisations.
     pub fn measure(subjects: &[Subject], n: usize, realisations: u64) -> Self {
-        let curve = |(subject, stroke): (&Subject, ShapeStyle)| {
+        let curve = |(subject, pen): (&Subject, Pen)| {
+            let count = subject.realisations(n, realisations);
+            let drawn = (0..count).into_par_iter().map(|k| subject.points(n, k));
+            let mut drawn: Vec<Vec<Vec2>> = drawn.collect();
+            drawn.dedup(); // of a grid all are the same
             let angle = |i: usize| PI * i as f64 / ANGLES as f64;
-            let errors = (0..ANGLES)
-                .into_par_iter()
-                .map(|i| edge::rms(subject, n, angle(i), realisations))
-                .collect();
+            let errors = (0..ANGLES).into_par_iter();
             Curve {
-                key: subject.key(),
-                title: subject.title(),
-                stroke,
-                errors,
+                key: subject.key.clone(),
+                title: subject.title.clone(),
+                pen,
+                errors: errors.map(|i| edge::rms(&drawn, angle(i))).collect(),
             }
         };
         Self {
             n,
-            curves: subjects.iter().zip(strokes(subjects)).map(curve).collect(),
+            curves: subjects.iter().zip(pens(subjects)).map(curve).collect(),
         }
     }
-}
 
-impl Plot for Polar {
-    fn size(&self) -> (u32, u32) {
-        (1060, 610)
+    /// The step from ring to ring, and how many there are.
+    fn rings(&self) -> (f64, f64) {
+        let largest = self.curves.iter().map(Curve::worst).fold(0.0, f64::max);
+        let steps = [0.002, 0.005, 0.01, 0.02, 0.05, 0.1];
+        let few = steps.into_iter().find(|step| largest / step <= 6.0);
+        let step = few.unwrap_or(0.1);
+        (step, (largest / step).ceil().max(1.0))
     }
 
-    fn draw<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn
+    /// Where an error at an angle is.
+    fn place(&self, error: f64, angle: f64) -> (i32, i32) {
+        let (step, rings) = self.rings();
+        let r = RADIUS * error / (rings * step);
+        let (x, y) = (r * angle.cos(), r * angle.sin());
+        (CENTRE.0 + x.round() as i32, CENTRE.1 - y.round() as i32)
+    }
+
+    fn grid<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn
     where
         B::ErrorType: 'static,
     {
-        let all = self.curves.iter().flat_map(|curve| &curve.errors);
-        let largest = all.fold(0.0_f64, |largest, e| largest.max(*e));
-        let step = if largest > 0.1 { 0.05 } else { 0.02 };
-        let rings = (largest / step).ceil().max(1.0);
-        let place = |error: f64, angle: f64| {
-            let r = RADIUS * error / (rings * step);
-            let (x, y) = (r * angle.cos(), r * angle.sin());
-            (CENTRE.0 + x.round() as i32, CENTRE.1 - y.round() as i32)
-        };
+        let (step, rings) = self.rings();
         for ring in 1..=rings as i32 {
             let r = (RADIUS * f64::from(ring) / rings) as i32;
             canvas.draw(&Circle::new(CENTRE, r, FAINT.stroke_width(2)))?;
         }
         for spoke in 0..8 {
             let angle = PI * f64::from(spoke) / 8.0;
-            let ends = [angle, angle + PI].map(|angle| place(rings * step, angle));
+            let ends = [angle, angle + PI].map(|angle| self.place(rings * step, angle));
             canvas.draw(&PathElement::new(ends.to_vec(), FAINT.stroke_width(2)))?;
         }
-        for curve in &self.curves {
-            let mut line: Vec<_> = (0..=2 * ANGLES)
-                .map(|k| place(curve.errors[k % ANGLES], PI * k as f64 / ANGLES as f64))
-                .collect();
-            line.dedup();
-            canvas.draw(&PathElement::new(line, curve.stroke))?;
-        }
+        Ok(())
+    }
+
+    /// The numbers on the rings, and small edges outside of them, as they pass through a pixel there.
+    fn labels<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn
+    where
+        B::ErrorType: 'static,
+    {
+        let (step, rings) = self.rings();
         for ring in 1..=rings as i32 {
             let error = f64::from(ring) * step;
-            let at = place(error, 0.62 * PI / 4.0);
-            write(canvas, &format!("{error:.2}"), at, text(30).pos(MIDDLE))?;
+            let at = self.place(error, 0.31 * PI);
+            let digits = if step < 0.01 { 3 } else { 2 };
+            write(
+                canvas,
+                &format!("{error:.digits$}"),
+                at,
+                text(30).pos(MIDDLE),
+            )?;
         }
-        for (label, angle) in [("vertical edge", 0.0), ("horizontal edge", 0.5 * PI)] {
-            let (x, y) = place(rings * step, angle);
-            let at = if angle == 0.0 {
-                (x + 130, y)
-            } else {
-                (x, y - 40)
-            };
-            write(canvas, label, at, text(32).pos(MIDDLE))?;
+        for spoke in 0..16 {
+            let angle = PI * f64::from(spoke) / 8.0;
+            let (sin, cos) = angle.sin_cos();
+            let middle = (RADIUS + 36.0) * cos;
+            let (x, y) = (
+                CENTRE.0 + middle as i32,
+                CENTRE.1 - ((RADIUS + 36.0) * sin) as i32,
+            );
+            let corners = [(-20, -20), (20, -20), (20, 20), (-20, 20), (-20, -20)];
+            let pixel: Vec<_> = corners.iter().map(|(dx, dy)| (x + dx, y + dy)).collect();
+            canvas.draw(&PathElement::new(pixel, FAINT.stroke_width(2)))?;
+            let reach = 20.0 / sin.abs().max(cos.abs());
+            let end = |t: f64| (x + (t * reach * sin) as i32, y + (t * reach * cos) as i32);
+            canvas.draw(&PathElement::new(
+                [end(-1.0), end(1.0)],
+                INK.stroke_width(5),
+            ))?;
         }
-        self.legend(canvas)
+        Ok(())
+    }
+}
+
+impl Plot for Polar {
+    fn size(&self) -> (u32, u32) {
+        let below = LEGEND.1 + legend::LINE * (self.curves.len() as i32 + 2);
+        (790, (470_i32.max(below / 2)) as u32)
+    }
+
+    fn draw<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn
+    where
+        B::ErrorType: 'static,
+    {
+        self.grid(canvas)?;
+        for (number, curve) in self.curves.iter().enumerate() {
+            let at = |k: usize| self.place(curve.errors[k % ANGLES], PI * k as f64 / ANGLES as f64);
+            let mut line: Vec<_> = (0..=2 * ANGLES).map(at).collect();
+            line.dedup();
+            curve.pen.line(canvas, &line)?;
+            // No two curves have their marks at the same angles.
+            let first = number * MARKED / self.curves.len();
+            for k in (first..2 * ANGLES).step_by(MARKED) {
+                curve.pen.mark(canvas, at(k))?;
+            }
+        }
+        self.labels(canvas)?;
+        let samples = if self.n == 1 { "sample" } else { "samples" };
+        let heading = format!("RMS error of the covered area, {} {samples}", self.n);
+        write(canvas, &heading, (LEGEND.0 - 40, 46), text(32).pos(LEFT))?;
+        let entry = |curve: &Curve| {
+            let numbers = [curve.mean(), curve.worst()].map(|error| number(error, 4));
+            (curve.pen, curve.title.clone(), numbers.to_vec())
+        };
+        let entries: Vec<_> = self.curves.iter().map(entry).collect();
+        legend::draw(canvas, LEGEND, &["mean", "worst"], &COLUMNS, &entries)
     }
 
     fn csv(&self) -> String {
@@ -124,33 +208,5 @@ impl Plot for Polar {
             }
         }
         csv
-    }
-}
-
-impl Polar {
-    /// What is measured, and each curve's line with its name, mean and worst.
-    fn legend<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn
-    where
-        B::ErrorType: 'static,
-    {
-        let say =
-            |words: &str, at: (i32, i32), end: Pos| write(canvas, words, at, text(32).pos(end));
-        let samples = if self.n == 1 { "sample" } else { "samples" };
-        let heading = format!("RMS error of the covered area, {} {samples}", self.n);
-        say(&heading, (LEGEND[0], 70), LEFT)?;
-        let [swatch, name, mean, worst] = LEGEND;
-        say("mean", (mean, 150), RIGHT)?;
-        say("worst", (worst, 150), RIGHT)?;
-        for (curve, i) in self.curves.iter().zip(0..) {
-            let y = 220 + 70 * i;
-            let line = vec![(swatch, y), (swatch + 60, y)];
-            canvas.draw(&PathElement::new(line, curve.stroke))?;
-            say(&curve.title, (name, y), LEFT)?;
-            let of_angles = curve.errors.iter().sum::<f64>() / ANGLES as f64;
-            let largest = curve.errors.iter().fold(0.0_f64, |most, e| most.max(*e));
-            say(&format!("{of_angles:.4}"), (mean, y), RIGHT)?;
-            say(&format!("{largest:.4}"), (worst, y), RIGHT)?;
-        }
-        Ok(())
     }
 }

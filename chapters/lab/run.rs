@@ -1,39 +1,56 @@
 //! The sampling lab from the first plot to the page.
 
-use crate::kit::sheet::sheet;
 use crate::kit::stage::Drawn;
 use crate::lab::error_plot::{Curve, ErrorPlot};
-use crate::lab::page::Page;
-use crate::lab::plot::strokes;
+use crate::lab::errors::{EACH, errors};
+use crate::lab::integrands::{CLASSES, Integrand};
+use crate::lab::page::{Page, Tiles};
+use crate::lab::pens::pens;
 use crate::lab::point_sets::PointSets;
 use crate::lab::polar::Polar;
-use crate::lab::settings::{FEW, Settings, counts};
-use crate::lab::spectrum::Spectrum;
-use crate::lab::spectrum_plot::SpectrumPlot;
+use crate::lab::portrait::Portrait;
+use crate::lab::prefix_plot::PrefixPlot;
+use crate::lab::settings::{FEW, Settings};
+use crate::lab::sheets;
 use crate::lab::steps::Steps;
 use crate::lab::table::Row;
 use crate::lab::targets::TARGETS;
-use crate::lab::{integrands, sheets};
+use maud::html;
+use raybook::math::pcg;
 use raybook::render::film::{Film, SILENT};
 use std::error::Error;
 use std::path::PathBuf;
 use std::thread;
+
+/// Realisations of what takes long and is known well by few: discrepancies.
+const FEW_TIMES: u64 = 20;
+
+/// Pairs of pixels whose errors are compared.
+const PAIRS: usize = 500;
+
+/// Points of all draws of one number of samples, at the most: of more samples there are fewer draws.
+const EFFORT: usize = 100 * 1024;
+
+/// Fewer draws than these say nothing of a median.
+const FEWEST: usize = 25;
 
 /// Measures and draws everything, and returns the page's path.
 ///
 /// # Errors
 /// If a figure cannot be drawn or written.
 pub fn run(settings: &Settings) -> Result<PathBuf, Box<dyn Error>> {
-    let steps = 3 * settings.subjects.len() + settings.samples.len() + TARGETS.len();
+    let steps = 4 * settings.subjects.len() + settings.samples.len() + 1;
     let mut lab = Lab {
         settings,
-        page: Page::new(&settings.folder, settings.remarks.clone()),
+        page: Page::new(settings),
         steps: Steps::new(steps as u64),
+        portraits: Vec::new(),
     };
     lab.point_sets()?;
     lab.errors()?;
     lab.errors_by_angle()?;
-    lab.spectra()?;
+    lab.portraits()?;
+    lab.prefixes()?;
     lab.pictures()?;
     lab.table()?;
     lab.steps.finish();
@@ -45,104 +62,150 @@ struct Lab<'a> {
     settings: &'a Settings,
     page: Page,
     steps: Steps,
+    portraits: Vec<Portrait>,
 }
 
 impl Lab<'_> {
-    fn point_sets(&mut self) -> Drawn {
-        self.page.section(
-            "Points",
-            "What each pattern looks like; thin lines are the cells that have a point each.",
-        );
-        let sets = |n| PointSets {
-            subjects: &self.settings.subjects,
-            n,
-            columns: 4,
+    /// Members of every class of functions, always the same for the same seed.
+    fn classes(&self, count: usize) -> Vec<Vec<Integrand>> {
+        let class = |(i, class): (u64, &crate::lab::integrands::Class)| {
+            class.members(count, &mut pcg::stream(self.settings.seed, i))
         };
+        (0..).zip(&CLASSES).map(class).collect()
+    }
+
+    /// "256 points, 100 realisations, seed 1": how something was measured.
+    fn how(&self, points: &str, realisations: u64) -> String {
+        let times = if realisations == 1 {
+            "realisation"
+        } else {
+            "realisations"
+        };
+        format!(
+            "{points}, {realisations} {times}, seed {}",
+            self.settings.seeds
+        )
+    }
+
+    fn point_sets(&mut self) -> Drawn {
+        let text = html! { p { "What each pattern looks like; thin lines are the cells that have a point each." } };
+        self.page.section("Points", text);
         for n in [FEW, self.settings.points] {
             let alt = format!("{n} points of each pattern.");
-            self.page.plot(&format!("points_{n}"), &alt, &sets(n))?;
+            let how = self.how(&format!("n = {n}"), 1);
+            let sets = PointSets {
+                subjects: &self.settings.subjects,
+                n,
+                columns: 4,
+            };
+            self.page.plot(&format!("points_{n}"), &alt, &how, &sets)?;
         }
         Ok(())
     }
 
     fn errors(&mut self) -> Drawn {
-        self.page.section(
-            "Error against samples",
-            "The root of the mean squared error of the mean, with bands that hold it with a probability of 95 %; the numbers are the curves' slopes, and grey lines have the slopes written on them. Over the unit square: a disc around a corner that covers half of it; an edge at a slant; a Gaussian; a checkerboard with two and a half squares along each side.",
-        );
-        let functions = integrands::all();
-        let mut plots = functions.map(|f| ErrorPlot {
-            title: f.name.to_owned(),
+        let text = html! {
+            p { "A curve is the median error of the mean over the samples: half of all draws are better. The bars on the right, at the largest number of samples, are from the best tenth of the draws to the worst tenth (of three curves or fewer, the bands are too). Every draw is another function of the class, and another realisation of the pattern; all patterns see the same functions. "
+                "The slope is fitted from 64 samples on, and ± is its 95 % confidence interval: −½ is chance, −¾ is what cells of their own for all samples do at edges, −1 for smooth functions; dashed lines have these slopes." }
+        };
+        self.page.section("Error against samples", text);
+        let wanted = self.settings.realisations as usize;
+        let classes = self.classes(EACH * wanted);
+        let mut plots = CLASSES.map(|class| ErrorPlot {
+            title: class.name.to_owned(),
             curves: Vec::new(),
         });
         let subjects = &self.settings.subjects;
-        for (subject, stroke) in subjects.iter().zip(strokes(subjects)) {
-            self.steps.begin(format!("error of {}", subject.title()));
-            let wanted = self.settings.realisations;
-            let by_count: Vec<_> = counts()
-                .filter(|&n| subject.realisations(n, wanted) > 0)
-                .map(|n| integrands::errors(subject, n, &functions, wanted))
+        for (subject, pen) in subjects.iter().zip(pens(subjects)) {
+            self.steps.begin(format!("error of {}", subject.title));
+            let counts = self.settings.counts.iter().copied();
+            let by_count: Vec<_> = counts
+                .filter(|&n| subject.realisations(n, 1) > 0)
+                .map(|n| errors(subject, n, &classes, wanted.min((EFFORT / n).max(FEWEST))))
                 .collect();
             for (i, plot) in plots.iter_mut().enumerate() {
                 plot.curves.push(Curve {
-                    key: subject.key(),
-                    title: subject.title(),
-                    stroke,
+                    key: subject.key.clone(),
+                    title: subject.title.clone(),
+                    pen,
                     errors: by_count.iter().map(|errors| errors[i]).collect(),
                 });
             }
             self.steps.done();
         }
-        for plot in plots {
+        let (least, most) = (self.settings.counts.first(), self.settings.counts.last());
+        let range = format!("n = {} to {}", least.unwrap_or(&1), most.unwrap_or(&1));
+        for (plot, class) in plots.iter().zip(CLASSES) {
             let name = format!("error_{}", plot.title.replace(' ', "_"));
-            let alt = format!("Error against samples: {}.", plot.title);
-            self.page.plot(&name, &alt, &plot)?;
+            let alt = format!("Error against samples. {}.", class.text);
+            let draws = format!("{range}, {} functions", EACH * wanted);
+            let how = self.how(&draws, wanted as u64) + ", fewer of many samples";
+            self.page.plot(&name, &alt, &how, plot)?;
         }
         Ok(())
     }
 
     fn errors_by_angle(&mut self) -> Drawn {
-        self.page.section(
-            "Error by the edge's angle",
-            "How far the covered area of a pixel is off, for all edges at an angle that pass through it. The regular grid is worst along the axes, where pictures have most of their edges; the rotated grid elsewhere.",
-        );
+        let text = html! {
+            p { "How to read it: turn a straight edge. Take the direction in which it faces; the small squares around the plot show a pixel with an edge at that angle. Push the edge through the pixel from one side to the other. At every position compare the share of samples that it covers with the share of area that it covers. "
+                "The root of the mean squared difference is the distance of the curve from the centre: far out is bad." }
+            p { "A circle means that the pattern does not care how the edge is turned. A regular grid is worst along the axes, where whole rows of samples are covered at once and where pictures have most of their edges: walls, windows, horizons. The rotated grid is not better on average. Its bad angles are elsewhere. Random patterns have no bad angle, but with few samples a larger error at every angle." }
+        };
+        self.page.section("Error by the edge's angle", text);
         for &n in &self.settings.samples {
             self.steps.begin(format!("edges at {n} a pixel"));
-            let polar = Polar::measure(&self.settings.subjects, n, self.settings.realisations);
+            let realisations = self.settings.realisations;
+            let polar = Polar::measure(&self.settings.subjects, n, realisations);
             let samples = if n == 1 { "sample" } else { "samples" };
-            let alt = format!("The error at edges by {n} {samples} a pixel.");
-            self.page.plot(&format!("edges_{n}"), &alt, &polar)?;
+            let alt = format!(
+                "The error at edges by {n} {samples} a pixel: 180 angles, 256 positions of the edge each."
+            );
+            let how = self.how(&format!("n = {n}"), realisations);
+            self.page.plot(&format!("edges_{n}"), &alt, &how, &polar)?;
             self.steps.done();
         }
         Ok(())
     }
 
-    fn spectra(&mut self) -> Drawn {
-        self.page.section(
-            "Power spectra",
-            "Frequency 0 is in the middle; random points have the power 1 (grey) everywhere. Dark is a frequency whose waves disappear in the mean, bright one whose waves turn up as others. Beside it the mean over all directions, and how much the directions differ: 0 dB is as much as the power itself, and less the more realisations there are; what sticks out above is a preferred direction.",
-        );
+    fn portraits(&mut self) -> Drawn {
+        let text = html! {
+            p { "The power spectrum says what becomes of a wave. Dark is a frequency whose waves disappear in the mean, as they should; bright is one whose waves come out as others. Random points have the power 1 (grey) everywhere; 0 is in the middle. Bands are 95 % confidence intervals by the jackknife. The dashed line is at √n, the frequency of a regular grid." }
+            p { "Anisotropy is how much the power varies with the direction: 0 dB is as much as the power itself, and the more realisations, the deeper lies what chance alone leaves; what sticks out is a preferred direction. The pair correlation compares how often two points are at a distance with random points: 0 is a distance that never occurs. "
+                "Projections are what an edge along an axis sees: the best pattern has one point in every one of n columns, and no power up to n." }
+        };
+        self.page
+            .section("Spectra, distances and projections", text);
         let n = self.settings.points;
         for subject in &self.settings.subjects {
-            self.steps.begin(format!("spectrum of {}", subject.title()));
-            let limit = (2.0 * (n as f64).sqrt()) as usize;
-            let plot = SpectrumPlot {
-                title: format!("{}, {n} points", subject.title()),
-                spectrum: Spectrum::of(subject, n, limit.clamp(4, 40), self.settings.realisations),
-            };
-            let alt = format!("The power spectrum of {}.", subject.title());
-            self.page
-                .plot(&format!("spectrum_{}", subject.key()), &alt, &plot)?;
+            self.steps.begin(format!("spectrum of {}", subject.title));
+            let realisations = self.settings.realisations;
+            let portrait = Portrait::measure(subject, n, realisations);
+            let alt = format!(
+                "Spectrum, pair correlation and projections: {}.",
+                subject.title
+            );
+            let how = self.how(&format!("n = {n}"), subject.realisations(n, realisations));
+            let name = format!("spectrum_{}", subject.key);
+            self.page.plot(&name, &alt, &how, &portrait)?;
+            self.portraits.push(portrait);
             self.steps.done();
         }
         Ok(())
+    }
+
+    fn prefixes(&mut self) -> Drawn {
+        let text = html! { p { "A renderer that stops early has only the first samples of a pattern. Below the grey line they are more even than chance; a grid or a jittered pattern in rows is far above it, because its first samples are all at the top." } };
+        self.page.section("The first samples", text);
+        let n = self.settings.points;
+        let plot = PrefixPlot::measure(&self.settings.subjects, n, FEW_TIMES);
+        let alt = format!("L₂ star discrepancy of the first k of {n} points.");
+        let how = self.how(&format!("n = {n}"), FEW_TIMES);
+        self.page.plot("prefixes", &alt, &how, &plot)
     }
 
     fn pictures(&mut self) -> Drawn {
-        self.page.section(
-            "Pictures",
-            "Pictures that alias: rings that become as fine as the pixels, a plane to the horizon, and edges at many angles.",
-        );
+        let text = html! { p { "Pictures that alias: rings that become as fine as the pixels, a plane to the horizon, and edges at many angles. One pixel of the screen is one pixel of the picture: scaling would alias once more." } };
+        self.page.section("Pictures", text);
         let film = Film {
             width: self.settings.width,
             height: self.settings.width,
@@ -151,29 +214,69 @@ impl Lab<'_> {
             threads: thread::available_parallelism().map_or(1, std::num::NonZeroUsize::get),
             progress: SILENT,
         };
-        let samples = &self.settings.samples;
-        for (name, target) in TARGETS {
-            self.steps.begin(format!("pictures of a {name}"));
-            let (columns, tiles) =
-                sheets::targets_of(&film, &self.settings.subjects, samples, target);
-            let alt = format!(
-                "The {name}, a column for each pattern and a row for each number of samples."
-            );
-            let whole = sheet(columns, &sheets::named(&tiles))?;
-            self.page.picture(&name.replace(' ', "_"), &alt, &whole)?;
+        let targets = TARGETS.map(|(name, target)| (name.replace(' ', "-"), name, target));
+        for subject in &self.settings.subjects {
+            self.steps.begin(format!("pictures of {}", subject.title));
+            for &samples in &self.settings.samples {
+                let film = Film { samples, ..film };
+                let views = sheets::views(&film, subject, &TARGETS.map(|target| target.1));
+                for ((key, ..), view) in targets.iter().zip(&views) {
+                    let name = format!("{key}_{}_{samples}", subject.key);
+                    self.page.picture(&name, view)?;
+                }
+            }
             self.steps.done();
         }
+        let named = |s: &crate::lab::subject::Subject| (s.key.clone(), s.title.clone());
+        let patterns: Vec<_> = self.settings.subjects.iter().map(named).collect();
+        let tiles = |target| Tiles {
+            target,
+            patterns: &patterns,
+            samples: &self.settings.samples,
+            width: self.settings.width,
+        };
+        for (key, name, _) in &targets {
+            let alt =
+                format!("The {name}: a column for each pattern, a row for each number of samples.");
+            let size = format!("{0} × {0} pixels", self.settings.width);
+            let how = format!(
+                "{size}, one of 256 realisations in each pixel, seed {}",
+                self.settings.seeds
+            );
+            self.page.tiles(&alt, &how, &tiles(key));
+        }
+        let choices: Vec<_> = targets
+            .iter()
+            .map(|(key, name, _)| (key.as_str(), *name))
+            .collect();
+        self.page.flip(&choices, &tiles(&targets[0].0));
         Ok(())
     }
 
     fn table(&mut self) -> Drawn {
-        self.page.section("Numbers", "Discrepancies are the smaller, the more evenly the points fill boxes from the corner. Times are of this machine, while this page was made.");
+        let text = html! { p { "What sums up a pattern in one number each." } };
+        self.page.section("Numbers", text);
+        let edges = &self.classes(PAIRS)[1];
+        let samples = self.settings.samples.last().map_or(1, |n| *n);
+        let n = self.settings.points;
         let mut rows = Vec::new();
-        for subject in &self.settings.subjects {
-            self.steps.begin(format!("numbers of {}", subject.title()));
-            rows.push(Row::measure(subject, self.settings.points, 20));
+        for (subject, portrait) in self.settings.subjects.iter().zip(&self.portraits) {
+            self.steps.begin(format!("numbers of {}", subject.title));
+            let pixels = (samples, &edges[..]);
+            rows.push(Row::measure(
+                subject,
+                n,
+                FEW_TIMES,
+                &portrait.spectrum,
+                pixels,
+            ));
             self.steps.done();
         }
-        self.page.table("numbers", &rows)
+        let how = self.how(&format!("n = {n}"), FEW_TIMES);
+        let how = format!(
+            "{how}; spectra by {} realisations, pixel to pixel by {PAIRS} pairs at {samples} samples",
+            self.settings.realisations
+        );
+        self.page.table("numbers", &how, &rows)
     }
 }

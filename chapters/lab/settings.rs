@@ -14,10 +14,20 @@ pub struct Settings {
     pub points: usize,
     /// Samples per pixel of the pictures and of the polar plots.
     pub samples: Vec<usize>,
+    /// The numbers of points for which the error is measured.
+    pub counts: Vec<usize>,
     /// How often each random pattern is drawn.
     pub realisations: u64,
     /// Width of each of the pictures in pixels.
     pub width: usize,
+    /// The seed of the functions whose means are taken.
+    pub seed: u64,
+    /// The seeds of the patterns, as text.
+    pub seeds: String,
+    /// The command that makes the page.
+    pub command: String,
+    /// Whether each figure has a screen of its own.
+    pub slides: bool,
     /// The folder for the page and its figures.
     pub folder: PathBuf,
 }
@@ -25,16 +35,21 @@ pub struct Settings {
 /// Points in the first of the point sets.
 pub const FEW: usize = 16;
 
-/// The numbers of points for which the error is measured.
-pub fn counts() -> impl Iterator<Item = usize> {
-    (1..=12).map(|power| 1 << power)
+/// The numbers of points for which the error is measured, up to a largest one.
+pub fn counts(most: usize) -> Vec<usize> {
+    let powers = (1..=12).map(|power| 1 << power);
+    powers.filter(|n| *n <= most).collect()
 }
+
+/// The most points for which the error is measured.
+pub const MOST: usize = 4096;
 
 impl Settings {
     /// The numbers of points without which there is no figure of a pattern, and those that only make its error curves longer.
-    pub fn sizes(points: usize, samples: &[usize]) -> [Vec<usize>; 2] {
-        let needed = [&[FEW, points], samples].concat();
-        let further = counts().filter(|n| !needed.contains(n)).collect();
+    pub fn sizes(&self) -> [Vec<usize>; 2] {
+        let needed = [&[FEW, self.points], &self.samples[..]].concat();
+        let further = self.counts.iter().copied();
+        let further = further.filter(|n| !needed.contains(n)).collect();
         [needed, further]
     }
 }

@@ -10,10 +10,12 @@ use glam::{Vec2, vec2};
 use plotters::prelude::{Color, PathElement};
 use raybook::image::Image;
 use raybook::image::rgb::Rgb;
+use raybook::math::pcg;
 use raybook::render::film::Film;
 use raybook::render::supersample;
 use raybook::sample::filter::Filter;
 use raybook::sample::pattern::Pattern;
+use rayon::prelude::*;
 use std::error::Error;
 
 /// Pictures of the same size as bands of one, from left to right, white lines between them.
@@ -31,17 +33,30 @@ pub fn bands(pictures: &[Image]) -> Image {
     })
 }
 
-/// A target as a film sees it through a pattern: in each pixel another realisation.
+/// Realisations of which each pixel has one, chosen by its number: so many that the eye finds none again.
+const POOL: u64 = 256;
+
+/// A target as a film sees it through a pattern: in each pixel one of many realisations.
 pub fn view(film: &Film, subject: &Subject, target: Target) -> Image {
+    views(film, subject, &[target]).remove(0)
+}
+
+/// Several targets, of which the same realisations see each.
+pub fn views(film: &Film, subject: &Subject, targets: &[Target]) -> Vec<Image> {
     let pixels = film.width as f32;
-    film.render_pixels(|x, y, _| {
-        let points = subject.points(film.samples, (y * film.width + x) as u64);
-        let corner = vec2(x as f32, y as f32);
-        let seen = points
-            .iter()
-            .map(|p| target((corner + *p) / pixels, pixels));
-        seen.sum::<Rgb>() / film.samples as f32
-    })
+    let draw = |k| subject.points(film.samples, k);
+    let drawn: Vec<_> = (0..POOL).into_par_iter().map(draw).collect();
+    let view = |target: &Target| {
+        film.render_pixels(|x, y, _| {
+            let number = pcg::mix((y * film.width + x) as u64) % POOL;
+            let corner = vec2(x as f32, y as f32);
+            let seen = drawn[number as usize]
+                .iter()
+                .map(|p| target((corner + *p) / pixels, pixels));
+            seen.sum::<Rgb>() / film.samples as f32
+        })
+    };
+    targets.iter().map(view).collect()
 }
 
 /// The zone plate by each pattern, a row for each number of samples: how many tiles are in a row, and the tiles.
@@ -50,21 +65,11 @@ pub fn zone_plates(
     subjects: &[Subject],
     samples: &[usize],
 ) -> (usize, Vec<(String, Image)>) {
-    targets_of(film, subjects, samples, targets::zone_plate)
-}
-
-/// A target by each pattern, a row for each number of samples.
-pub fn targets_of(
-    film: &Film,
-    subjects: &[Subject],
-    samples: &[usize],
-    target: Target,
-) -> (usize, Vec<(String, Image)>) {
     let tiles = samples.iter().flat_map(|&samples| {
         let film = Film { samples, ..*film };
         subjects.iter().map(move |subject| {
-            let name = format!("{}, {samples}", subject.title());
-            (name, view(&film, subject, target))
+            let name = format!("{}, {samples}", subject.title);
+            (name, view(&film, subject, targets::zone_plate))
         })
     });
     (subjects.len(), tiles.collect())

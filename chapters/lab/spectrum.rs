@@ -5,6 +5,9 @@ use glam::Vec2;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
+/// Groups of realisations, from whose differences the confidence follows.
+const BATCHES: u64 = 10;
+
 /// The mean power at all whole frequencies up to a limit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spectrum {
@@ -12,6 +15,19 @@ pub struct Spectrum {
     pub limit: usize,
     /// Row by row, from −limit to limit along both axes.
     power: Vec<f64>,
+    /// The same without each of the batches of realisations; none if there is only one.
+    without: Vec<Vec<f64>>,
+}
+
+/// A curve over the frequency, and how well it is known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Known {
+    /// Waves across the square.
+    pub frequency: f64,
+    /// What was measured.
+    pub value: f64,
+    /// Its true value is within so much of it with a probability of about 95 %.
+    pub within: f64,
 }
 
 impl Spectrum {
@@ -22,17 +38,42 @@ impl Spectrum {
     pub fn of(subject: &Subject, n: usize, limit: usize, realisations: u64) -> Self {
         let side = 2 * limit + 1;
         let realisations = subject.realisations(n, realisations);
-        let sum = (0..realisations)
-            .into_par_iter()
-            .map(|pixel| power(&subject.points(n, pixel), limit))
-            .collect::<Vec<_>>() // summed in order: the same on any number of threads
-            .into_iter()
-            .fold(vec![0.0; side * side], |mut sum, one| {
-                sum.iter_mut().zip(one).for_each(|(sum, one)| *sum += one);
-                sum
-            });
-        let power = sum.into_iter().map(|p| p / realisations as f64).collect();
-        Self { limit, power }
+        let count = BATCHES.min(realisations);
+        let batch = |i: u64| {
+            let numbers = (i * realisations / count)..((i + 1) * realisations / count);
+            let size = (numbers.end - numbers.start) as f64;
+            let mut sum = vec![0.0; side * side];
+            for number in numbers {
+                add_power(&mut sum, &subject.points(n, number), limit);
+            }
+            (size, sum)
+        };
+        // Summed in order: the same on any number of threads.
+        let batches: Vec<_> = (0..count).into_par_iter().map(batch).collect();
+        let mut total = vec![0.0; side * side];
+        for (_, sum) in &batches {
+            total
+                .iter_mut()
+                .zip(sum)
+                .for_each(|(total, sum)| *total += sum);
+        }
+        let all = realisations as f64;
+        let rest = |(size, sum): &(f64, Vec<f64>)| {
+            let rest = total.iter().zip(sum);
+            rest.map(|(total, sum)| (total - sum) / (all - size))
+                .collect()
+        };
+        let without = if count > 1 {
+            batches.iter().map(rest).collect()
+        } else {
+            Vec::new()
+        };
+        let power = total.into_iter().map(|sum| sum / all.max(1.0)).collect();
+        Self {
+            limit,
+            power,
+            without,
+        }
     }
 
     /// The power at a frequency, each of −limit … limit.
@@ -41,70 +82,82 @@ impl Spectrum {
         self.power[(y + limit) as usize * side + (x + limit) as usize]
     }
 
-    /// The frequencies in the ring from r − ½ to r + ½.
-    fn ring(&self, r: usize) -> impl Iterator<Item = f64> + '_ {
-        let limit = self.limit as i32;
-        let all = (-limit..=limit).flat_map(move |y| (-limit..=limit).map(move |x| (x, y)));
-        let near =
-            move |(x, y): &(i32, i32)| f64::from(*x).hypot(f64::from(*y)).round() as usize == r;
-        all.filter(near).map(|(x, y)| self.at(x, y))
-    }
-
-    /// The mean power in each ring around frequency 0, from 1 to the limit.
-    pub fn radial(&self) -> Vec<(f64, f64)> {
-        let mean = |r| {
-            let (sum, count) = self.ring(r).fold((0.0, 0), |(s, c), p| (s + p, c + 1));
-            sum / f64::from(count)
-        };
-        (1..=self.limit).map(|r| (r as f64, mean(r))).collect()
+    /// The mean power in each ring around frequency 0, from r − ½ to r + ½, for r from 1 to the limit.
+    pub fn radial(&self) -> Vec<Known> {
+        self.known(|[count, sum, _]| sum / count)
     }
 
     /// How much the power varies within each ring: its variance over its mean squared (Ulichney, *Digital halftoning*, 1987).
     ///
     /// 0 is the same in all directions; of m realisations even that leaves 1/m.
-    pub fn anisotropy(&self) -> Vec<(f64, f64)> {
-        let of = |(r, mean): (f64, f64)| {
-            let ring: Vec<_> = self.ring(r as usize).collect();
-            let squares: f64 = ring.iter().map(|p| (p - mean).powi(2)).sum();
-            (
-                r,
-                squares / (ring.len() as f64 - 1.0) / (mean * mean).max(1e-12),
-            )
+    pub fn anisotropy(&self) -> Vec<Known> {
+        self.known(|[count, sum, squares]| {
+            let mean = sum / count;
+            let variance = (squares - sum * mean) / (count - 1.0);
+            variance.max(0.0) / (mean * mean).max(1e-12)
+        })
+    }
+
+    /// A number for every ring, made of how many frequencies are in it, the sum of their powers, and the sum of their squares; and
+    /// how well it is known, by the jackknife (Tukey 1958): from the numbers that come out without each of the batches.
+    fn known(&self, of: impl Fn([f64; 3]) -> f64) -> Vec<Known> {
+        let values =
+            |power: &[f64]| -> Vec<f64> { rings(power, self.limit).into_iter().map(&of).collect() };
+        let without: Vec<_> = self.without.iter().map(|power| values(power)).collect();
+        let batches = without.len() as f64;
+        let within = |i: usize| {
+            let mean = without.iter().map(|values| values[i]).sum::<f64>() / batches;
+            let squares = without.iter().map(|values| (values[i] - mean).powi(2));
+            1.96 * (squares.sum::<f64>() * (batches - 1.0) / batches).sqrt()
         };
-        self.radial().into_iter().map(of).collect()
+        let known = |(i, value)| Known {
+            frequency: i as f64 + 1.0,
+            value,
+            within: if without.is_empty() { 0.0 } else { within(i) },
+        };
+        values(&self.power)
+            .into_iter()
+            .enumerate()
+            .map(known)
+            .collect()
     }
 }
 
-/// |Σ exp(−2πi f·p)|²/n of one realisation.
-fn power(points: &[Vec2], limit: usize) -> Vec<f64> {
+/// Of every ring from 1 to the limit how many frequencies are in it, the sum of their powers, and the sum of their squares.
+fn rings(power: &[f64], limit: usize) -> Vec<[f64; 3]> {
+    let side = 2 * limit + 1;
+    let mut rings = vec![[0.0; 3]; limit + 1];
+    for (i, p) in power.iter().enumerate() {
+        let [x, y] = [i % side, i / side].map(|at| at as f64 - limit as f64);
+        if let Some(ring) = rings.get_mut(x.hypot(y).round() as usize) {
+            *ring = [ring[0] + 1.0, ring[1] + p, ring[2] + p * p];
+        }
+    }
+    rings.split_off(1)
+}
+
+/// Adds |Σ exp(−2πi f·p)|²/n of one realisation.
+fn add_power(power: &mut [f64], points: &[Vec2], limit: usize) {
     let side = 2 * limit + 1;
     let mut sums = vec![[0.0, 0.0]; side * (limit + 1)];
     for p in points {
         let (x, y) = (waves(p.x.into(), limit), waves(p.y.into(), limit));
-        for fy in 0..=limit {
-            let [a, b] = y[fy + limit];
-            for fx in 0..side {
-                let [c, d] = x[fx];
-                let sum = &mut sums[fy * side + fx];
+        for (row, [a, b]) in sums.chunks_exact_mut(side).zip(&y[limit..]) {
+            for (sum, [c, d]) in row.iter_mut().zip(&x) {
                 sum[0] += a * c - b * d;
                 sum[1] += a * d + b * c;
             }
         }
     }
     let n = points.len().max(1) as f64;
-    let half = |fx: usize, fy: usize| {
-        let [re, im] = sums[fy * side + fx];
-        (re * re + im * im) / n
-    };
-    // The power at −f is that at f.
-    let at = |fx: usize, fy: usize| {
-        if fy >= limit {
-            half(fx, fy - limit)
-        } else {
-            half(side - 1 - fx, limit - fy)
+    for (i, [re, im]) in sums.into_iter().enumerate() {
+        let one = (re * re + im * im) / n;
+        let (fx, fy) = (i % side, i / side);
+        power[(fy + limit) * side + fx] += one;
+        if fy > 0 {
+            power[(limit - fy) * side + side - 1 - fx] += one; // the power at −f is that at f
         }
-    };
-    (0..side * side).map(|i| at(i % side, i / side)).collect()
+    }
 }
 
 /// exp(−2πi f x) for f from −limit to limit, as pairs.

@@ -1,10 +1,80 @@
 //! Numbers of patterns, side by side.
 
-use crate::lab::discrepancy::{l2_star_squared, least_distance, star};
+use crate::lab::discrepancy::{l2_star_squared, star};
+use crate::lab::distances::relative;
+use crate::lab::integrands::Integrand;
+use crate::lab::legend::number;
+use crate::lab::nyquist::{effective_nyquist, oscillation};
+use crate::lab::pixels::correlation;
+use crate::lab::projection::{Onto, filled};
+use crate::lab::spectrum::Spectrum;
 use crate::lab::subject::Subject;
-use raybook::sample::pattern::dart_throwing::largest_distance;
 use std::fmt::Write;
 use std::time::Instant;
+
+/// A column of numbers: its name in a file, its heading, what it means, and its digits.
+pub const COLUMNS: [(&str, &str, &str, usize); 10] = [
+    (
+        "star_discrepancy",
+        "star discrepancy",
+        "the largest difference between the share of points in a box from the corner and its area; small is even",
+        4,
+    ),
+    (
+        "l2_star_discrepancy",
+        "L₂ star discrepancy",
+        "the same, root mean square over all boxes; random points have √(5/(36n))",
+        5,
+    ),
+    (
+        "least_distance",
+        "least distance",
+        "between two points, as a share of the largest that so many can have (that of a hexagonal lattice)",
+        2,
+    ),
+    (
+        "mean_nearest_distance",
+        "mean distance",
+        "to the nearest neighbour, as the same share; random points have 0.47",
+        2,
+    ),
+    (
+        "effective_nyquist",
+        "effective Nyquist",
+        "frequency up to which waves are hardly disturbed; a regular grid has 1, random points have 0 (Heck and others 2013)",
+        2,
+    ),
+    (
+        "oscillation",
+        "oscillation Ω",
+        "ten times the root mean squared difference of the power from 1 beyond that: large is orderly aliases, small is noise",
+        1,
+    ),
+    (
+        "filled_columns",
+        "columns with a point",
+        "of n columns as narrow as a point's share; 1 is best for nearly vertical edges",
+        2,
+    ),
+    (
+        "filled_rows",
+        "rows with a point",
+        "the same of rows, for nearly horizontal edges",
+        2,
+    ),
+    (
+        "pixel_correlation",
+        "pixel to pixel",
+        "correlation of the errors of two neighbouring pixels at edges: 1 repeats itself (stairs), 0 is noise",
+        2,
+    ),
+    (
+        "nanoseconds_per_point",
+        "ns a point",
+        "measured on this machine while the page was made, and not the same twice",
+        0,
+    ),
+];
 
 /// What is measured of a pattern, each the mean over realisations.
 #[derive(Clone, Debug)]
@@ -15,59 +85,75 @@ pub struct Row {
     pub title: String,
     /// What it does with five points.
     pub five: &'static str,
-    /// The star discrepancy.
-    pub star: f64,
-    /// The root of the mean squared L₂ star discrepancy.
-    pub l2_star: f64,
-    /// The least distance, as a share of the largest possible one.
-    pub distance: f64,
-    /// Nanoseconds that a point takes, measured here and now; the fastest of the realisations. Not of points that were given.
-    pub nanoseconds: Option<f64>,
+    /// A number for each of the [`COLUMNS`], or none.
+    pub numbers: [Option<f64>; COLUMNS.len()],
 }
 
 impl Row {
-    /// Measures n points of a pattern.
-    pub fn measure(subject: &Subject, n: usize, realisations: u64) -> Self {
+    /// Measures n points of a pattern, whose spectrum is known; its pixels by so many samples each, at some edges.
+    pub fn measure(
+        subject: &Subject,
+        n: usize,
+        realisations: u64,
+        spectrum: &Spectrum,
+        (samples, edges): (usize, &[Integrand]),
+    ) -> Self {
         let realisations = subject.realisations(n, realisations);
         let mut fastest = f64::INFINITY;
-        let mut row = Self {
-            key: subject.key(),
-            title: subject.title(),
-            five: subject.pattern.five,
-            star: 0.0,
-            l2_star: 0.0,
-            distance: 0.0,
-            nanoseconds: None,
-        };
+        let mut means = [0.0; 6];
         for pixel in 0..realisations {
             let start = Instant::now();
             let points = subject.points(n, pixel);
-            let time = 1e9 * start.elapsed().as_secs_f64() / n as f64;
-            fastest = fastest.min(time);
-            row.star += star(&points) / realisations as f64;
-            row.l2_star += l2_star_squared(&points) / realisations as f64;
-            row.distance += least_distance(&points) / largest_distance(n) / realisations as f64;
+            fastest = fastest.min(1e9 * start.elapsed().as_secs_f64() / n as f64);
+            let [least, mean] = relative(&points);
+            let [x, y] = [Onto::X, Onto::Y].map(|onto| filled(&points, onto));
+            let one = [star(&points), l2_star_squared(&points), least, mean, x, y];
+            let share = 1.0 / realisations as f64;
+            means
+                .iter_mut()
+                .zip(one)
+                .for_each(|(sum, one)| *sum += share * one);
         }
-        row.l2_star = row.l2_star.sqrt();
-        row.nanoseconds = (!subject.is_own()).then_some(fastest);
-        row
+        let radial = spectrum.radial();
+        let radial: Vec<_> = radial.iter().map(|k| (k.frequency, k.value)).collect();
+        let [star, l2_star_squared, least, mean, x, y] = means.map(Some);
+        let time = (!subject.is_own()).then_some(fastest);
+        Self {
+            key: subject.key.clone(),
+            title: subject.title.clone(),
+            five: subject.pattern.five,
+            numbers: [
+                star,
+                l2_star_squared.map(f64::sqrt),
+                least,
+                mean,
+                Some(effective_nyquist(&radial, n)),
+                Some(oscillation(&radial)),
+                x,
+                y,
+                Some(correlation(subject, samples, edges)),
+                time,
+            ],
+        }
+    }
+
+    /// The numbers as people read them.
+    pub fn texts(&self) -> impl Iterator<Item = String> + '_ {
+        let text = |(v, (.., digits)): (&Option<f64>, &(&str, &str, &str, usize))| {
+            v.map_or_else(|| "–".to_owned(), |v| number(v, *digits))
+        };
+        self.numbers.iter().zip(&COLUMNS).map(text)
     }
 }
 
 /// The rows as a CSV file.
 pub fn csv(rows: &[Row]) -> String {
-    let mut csv = "pattern,star_discrepancy,l2_star_discrepancy,least_distance_of_largest_possible,nanoseconds_per_point\n".to_owned();
+    let names: Vec<_> = COLUMNS.iter().map(|column| column.0).collect();
+    let mut csv = format!("pattern,{}\n", names.join(","));
     for row in rows {
-        let _ = writeln!(
-            csv,
-            "{},{},{},{},{}",
-            row.key,
-            row.star,
-            row.l2_star,
-            row.distance,
-            row.nanoseconds
-                .map_or_else(String::new, |ns| ns.to_string())
-        );
+        let number = |v: &Option<f64>| v.map_or_else(String::new, |v| v.to_string());
+        let numbers: Vec<_> = row.numbers.iter().map(number).collect();
+        let _ = writeln!(csv, "{},{}", row.key, numbers.join(","));
     }
     csv
 }

@@ -1,12 +1,18 @@
 //! Chapter 22: sampling patterns, filters, and what can be measured of both.
 
+mod areas;
+mod blue_noise;
 mod discrepancy;
+mod distances;
 mod edges;
 mod errors;
 mod filters;
 mod nets;
 mod patterns;
+mod pixels;
 mod poisson;
+mod prefixes;
+mod projections;
 mod spectra;
 
 use glam::Vec2;

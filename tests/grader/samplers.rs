@@ -2,8 +2,11 @@
 
 #[cfg(unix)]
 use crate::common::executable;
+mod file;
 #[cfg(unix)] // the programs are scripts
 mod own;
+mod page;
+mod slide;
 
 use assert_cmd::Command;
 use std::fs;
@@ -29,7 +32,7 @@ fn the_page_shows_figures_that_exist_as_png_svg_and_csv() {
         "--samples",
         "1,5",
         "--realisations",
-        "3",
+        "12",
         "--width",
         "24",
     ];
@@ -68,7 +71,7 @@ fn the_page_shows_figures_that_exist_as_png_svg_and_csv() {
     let errors = fs::read_to_string(out.path().join("error_disc_edge.csv")).expect("a curve");
     assert_eq!(
         errors.lines().next(),
-        Some("pattern,samples,rms_error,low_95,high_95"),
+        Some("pattern,samples,median_error,low_10,high_90,rms_error"),
         "its columns have names"
     );
     assert_eq!(

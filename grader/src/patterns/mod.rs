@@ -1,6 +1,7 @@
 //! A student's own sampling patterns: the library's patterns that are exercises, and how n points are asked of an answer program.
 
 pub mod ask;
+pub mod file;
 pub mod got;
 
 use crate::patterns::got::Wanted;

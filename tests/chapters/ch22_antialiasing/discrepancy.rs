@@ -2,9 +2,7 @@
 
 use super::points;
 use glam::{Vec2, vec2};
-use raybook_chapters::lab::{
-    discrepancy::l2_star_squared, discrepancy::least_distance, discrepancy::star,
-};
+use raybook_chapters::lab::discrepancy::{l2_star_squared, star};
 
 /// The share of points in a box from the origin, less its area, for all boxes of a raster.
 fn local(points: &[Vec2], raster: u32) -> impl Iterator<Item = f64> + '_ {
@@ -64,10 +62,4 @@ fn the_mean_l2_star_discrepancy_is_what_theory_says() {
             "jittered, {n}: {got}, {exact}"
         );
     }
-}
-
-#[test]
-fn the_least_distance_is_measured_over_the_edges() {
-    let near = [vec2(0.02, 0.5), vec2(0.97, 0.5), vec2(0.5, 0.5)];
-    assert!((least_distance(&near) - 0.05).abs() < 1e-6, "not 0.47");
 }

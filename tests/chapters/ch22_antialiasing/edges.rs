@@ -2,8 +2,16 @@
 
 use super::{points, subject};
 use glam::DVec2;
-use raybook_chapters::lab::{edge::Edge, edge::rms};
+use raybook_chapters::lab::edge;
+use raybook_chapters::lab::edge::Edge;
+use raybook_chapters::lab::subject::Subject;
 use std::f64::consts::{FRAC_PI_2, PI};
+
+/// The error of n points at edges of an angle.
+fn rms(subject: &Subject, n: usize, angle: f64, realisations: u64) -> f64 {
+    let drawn: Vec<_> = (0..realisations).map(|k| subject.points(n, k)).collect();
+    edge::rms(&drawn, angle)
+}
 
 #[test]
 fn the_covered_area_is_that_of_a_fine_grid() {

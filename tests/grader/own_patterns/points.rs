@@ -6,7 +6,8 @@ use glam::Vec2;
 use raybook::math::pcg;
 use raybook::sample::pattern::find;
 use raybook_chapters::lab::discrepancy::l2_star_squared;
-use raybook_chapters::lab::{integrands::all, integrands::errors};
+use raybook_chapters::lab::errors::{EACH, errors};
+use raybook_chapters::lab::integrands::CLASSES;
 use raybook_chapters::lab::{subject::Realisations, subject::Subject};
 use raybook_workbook::curriculum::{CHAPTERS, Chapter};
 use raybook_workbook::row;
@@ -93,7 +94,8 @@ fn a_right_program_is_as_good_as_the_library() {
         let pattern = find(name).expect("it is in the library");
         let [own, librarys] = [Subject::own(pattern, got.points), Subject::of(pattern)];
         for n in [16, 200] {
-            let of = |subject| errors(subject, n, &all(), 100);
+            let functions = CLASSES.map(|class| class.members(100 * EACH, &mut pcg::stream(1, 1)));
+            let of = |subject| errors(subject, n, &functions, 100);
             for (mine, theirs) in of(&own).iter().zip(of(&librarys)) {
                 let apart = (mine.rms - theirs.rms).abs();
                 assert!(

@@ -91,8 +91,8 @@ fn a_programs_own_patterns_are_drawn_beside_the_librarys() {
             "{n}: {own}, the library's {librarys}"
         );
     }
-    let own = curve(out.path(), "error_slanted_edge.csv", "my-regular-grid");
-    let librarys = curve(out.path(), "error_slanted_edge.csv", "regular-grid");
+    let own = curve(out.path(), "error_straight_edge.csv", "my-regular-grid");
+    let librarys = curve(out.path(), "error_straight_edge.csv", "regular-grid");
     for ((n, own), (_, librarys)) in own.iter().zip(librarys) {
         assert!(
             (own - librarys).abs() < 1.5 / *n as f64,

@@ -1,0 +1,89 @@
+//! A legend beside a figure: a sample of every pen, its name, and columns of numbers.
+
+use crate::kit::figure::{LEFT, RIGHT, text, write};
+use crate::kit::pen::Pen;
+use crate::kit::stage::Drawn;
+use plotters::coord::Shift;
+use plotters::prelude::{DrawingArea, DrawingBackend};
+
+/// Height of a line, and of its text, in pixels of the canvas.
+pub const LINE: i32 = 44;
+const TEXT: i32 = 30;
+
+/// Length of the sample of a pen.
+const SAMPLE: i32 = 90;
+
+/// A line of the legend: a pen, a name, and numbers.
+pub type Entry = (Pen, String, Vec<String>);
+
+/// Draws a legend with its top left at a place; the right ends of the columns of numbers are so far to the right of it.
+///
+/// # Errors
+/// What the backend reports.
+pub fn draw<B: DrawingBackend>(
+    canvas: &DrawingArea<B, Shift>,
+    (left, top): (i32, i32),
+    headings: &[&str],
+    columns: &[i32],
+    entries: &[Entry],
+) -> Drawn
+where
+    B::ErrorType: 'static,
+{
+    for (heading, column) in headings.iter().zip(columns) {
+        write(
+            canvas,
+            heading,
+            (left + column, top + LINE / 2),
+            text(TEXT).pos(RIGHT),
+        )?;
+    }
+    let first = i32::from(!headings.is_empty());
+    for (i, (pen, name, numbers)) in (first..).zip(entries) {
+        let y = top + i * LINE + LINE / 2;
+        pen.line(canvas, &[(left, y), (left + SAMPLE, y)])?;
+        pen.mark(canvas, (left + SAMPLE / 2, y))?;
+        write(canvas, name, (left + SAMPLE + 14, y), text(TEXT).pos(LEFT))?;
+        for (number, column) in numbers.iter().zip(columns) {
+            write(canvas, number, (left + column, y), text(TEXT).pos(RIGHT))?;
+        }
+    }
+    Ok(())
+}
+
+/// A number as people write it: with a minus sign instead of a hyphen, and 0 without any.
+pub fn number(v: f64, digits: usize) -> String {
+    let text = format!("{v:.digits$}");
+    match text.strip_prefix('-') {
+        Some(zero) if zero.chars().all(|c| c == '0' || c == '.') => zero.to_owned(),
+        Some(rest) => format!("−{rest}"),
+        None => text,
+    }
+}
+
+/// A power of ten as people write it: 10⁻³.
+pub fn power_of_ten(v: f64) -> String {
+    let exponent = format!("{:.0}", v.log10());
+    let raised = exponent.chars().map(|c| match c.to_digit(10) {
+        Some(digit) => ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][digit as usize],
+        None => '⁻',
+    });
+    format!("10{}", raised.collect::<String>())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{number, power_of_ten};
+
+    #[test]
+    fn numbers_have_a_minus_sign_and_nothing_has_none() {
+        let written = [number(-0.501, 2), number(-0.001, 2), number(2.0, 0)];
+        assert_eq!(written, ["−0.50", "0.00", "2"], "as people write them");
+    }
+
+    #[test]
+    fn exponents_are_raised() {
+        assert_eq!(power_of_ten(1e-12), "10⁻¹²", "below one");
+        assert_eq!(power_of_ten(1000.0), "10³", "above");
+    }
+}

@@ -1,0 +1,88 @@
+//! Which pen draws which pattern: the same one on every page, whatever it is compared with.
+
+use crate::kit::palette::{BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILION};
+use crate::kit::pen::{Mark, Pen, pale};
+use crate::lab::subject::{Subject, known};
+use plotters::prelude::{BLACK, Color, RGBColor};
+
+/// Lines without gaps, dashed, dotted, and dashed and dotted.
+const DASHES: [&[f64]; 4] = [&[], &[26.0, 12.0], &[7.0, 9.0], &[26.0, 9.0, 7.0, 9.0]];
+
+/// Marks, each filled for one pattern and empty for another.
+const MARKS: [Mark; 7] = [
+    Mark::Disc,
+    Mark::Corners(4, 45),
+    Mark::Corners(3, 90),
+    Mark::Corners(4, 0),
+    Mark::Corners(3, 270),
+    Mark::Corners(6, 0),
+    Mark::Cross(45),
+];
+
+/// The colours of curves, in order: seven, and then the same ones darker.
+pub fn colour(i: usize) -> RGBColor {
+    let RGBColor(r, g, b) = [VERMILION, BLUE, GREEN, ORANGE, PURPLE, SKY, BLACK][i % 7];
+    match i / 7 {
+        0 => RGBColor(r, g, b),
+        _ => RGBColor(r / 2, g / 2, b / 2),
+    }
+}
+
+/// The pen of number i: its colour, its dash and its mark together are no other pen's.
+pub fn pen(i: usize) -> Pen {
+    Pen {
+        stroke: colour(i).stroke_width(5),
+        dash: DASHES[i % DASHES.len()],
+        mark: MARKS[i % MARKS.len()],
+        filled: (i / MARKS.len()).is_multiple_of(2),
+    }
+}
+
+/// The pens of some subjects, which are compared.
+///
+/// A pattern has its pen. Somebody's own curve has it too: the library's is then a broad pale line, on which the own one lies if
+/// it is right. Where a pattern comes with several seeds, the later ones are pale.
+pub fn pens(subjects: &[Subject]) -> Vec<Pen> {
+    let of = |(i, subject): (usize, &Subject)| {
+        let name = subject.pattern.name;
+        let number = known().position(|pattern| pattern.name == name);
+        let files = subjects[..i].iter().filter(|s| s.pattern.name == name);
+        let pen = pen(number.unwrap_or_else(|| known().count() + files.count()));
+        let own = |other: &Subject| other.is_own() && other.pattern.name == name;
+        let again = |other: &Subject| !other.is_own() && other.pattern.name == name;
+        let beneath = subjects.iter().any(own) || subjects[..i].iter().any(again);
+        if !subject.is_own() && beneath {
+            let colour = pen.stroke.color;
+            Pen::plain(pale(RGBColor(colour.0, colour.1, colour.2)))
+        } else {
+            pen
+        }
+    };
+    subjects.iter().enumerate().map(of).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{known, pen};
+    use raybook::image::rgb::Rgb;
+
+    #[test]
+    fn patterns_are_told_apart_without_colour() {
+        let looks = |i: usize| (pen(i).dash, pen(i).mark, pen(i).filled);
+        for i in 0..known().count() {
+            for j in 0..i {
+                assert_ne!(looks(i), looks(j), "pens {i} and {j}");
+            }
+        }
+    }
+
+    #[test]
+    fn every_pen_is_dark_enough_on_white() {
+        for i in 0..known().count() {
+            let colour = pen(i).stroke.color;
+            let linear = crate::kit::palette::linear(super::RGBColor(colour.0, colour.1, colour.2));
+            assert!(linear.luminance() < 0.5, "pen {i}: {linear:?}");
+        }
+        assert!(Rgb::WHITE.luminance() > 0.99, "white is light");
+    }
+}

@@ -1,0 +1,19 @@
+//! Pixel-to-pixel correlation: whether neighbouring pixels make the same error.
+
+use crate::lab::integrands::Integrand;
+use crate::lab::subject::Subject;
+
+/// ρ = Σ e·e' / Σ ½(e² + e'²), where e and e' are the errors of two neighbouring pixels that see the same function.
+///
+/// 1: all pixels have the same points, and the same error; along an edge it becomes a stair. 0: the errors have nothing to do
+/// with each other; they are noise, which the eye averages. Below 0: neighbours make opposite errors, as dithering wants it
+/// (Georgiev and Fajardo, *Blue-noise dithered sampling*, 2016). As the pixels of one picture are, realisations number 2k and 2k + 1 are neighbours.
+pub fn correlation(subject: &Subject, n: usize, functions: &[Integrand]) -> f64 {
+    let (mut both, mut each) = (0.0, 0.0);
+    for (k, function) in (0..).zip(functions) {
+        let [e, other] = [2 * k, 2 * k + 1].map(|pixel| function.error(&subject.points(n, pixel)));
+        both += e * other;
+        each += 0.5 * (e * e + other * other);
+    }
+    if each > 0.0 { both / each } else { 0.0 }
+}

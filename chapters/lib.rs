@@ -19,6 +19,8 @@ pub mod lab;
 pub mod lesson;
 pub mod shared;
 
+use clap::FromArgMatches;
+use kit::knobs;
 use lesson::Lesson;
 use raybook_workbook::for_each_chapter;
 
@@ -31,7 +33,8 @@ macro_rules! lessons {
         pub const LESSONS: &[Lesson] = &[$(Lesson {
             name: stringify!($name),
             source: include_str!(concat!(stringify!($name), "/mod.rs")),
-            draw: $name::draw,
+            add_knobs: knobs::add::<$name::Knobs>,
+            draw: |stage, matches| $name::draw(stage, &$name::Knobs::from_arg_matches(matches)?),
         }),+];
     };
 }

@@ -103,11 +103,13 @@ impl Knob {
     pub fn example(&self) -> Option<String> {
         match &self.kind {
             Kind::Number(range, _) => {
-                let (low, high) = (*range.start(), *range.end());
-                let middle = (0.5 * (low + high)).round();
-                let double = self.default.as_ref()?.parse::<f64>().ok()? * 2.0;
-                let fits = double != 0.0 && range.contains(&double);
-                Some(if fits { double } else { middle }.to_string())
+                let default: f64 = self.default.as_ref()?.parse().ok()?;
+                let upper = 0.25 * range.start() + 0.75 * range.end();
+                let fits = |value: &f64| *value != default && range.contains(value);
+                [2.0 * default, upper.round()]
+                    .iter()
+                    .find(|value| fits(value))
+                    .map(f64::to_string)
             }
             Kind::Choice(words) => words
                 .iter()

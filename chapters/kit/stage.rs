@@ -22,6 +22,8 @@ pub struct Output {
     pub png: PathBuf,
     /// The linear radiance, where the picture has any.
     pub exr: Option<PathBuf>,
+    /// Its width and height, in pixels.
+    pub size: (usize, usize),
     /// What it shows, in a sentence or two.
     pub caption: String,
     /// How many rays a second were followed for it, where a scene was.
@@ -188,6 +190,7 @@ impl Stage {
         self.outputs.borrow_mut().push(Output {
             png,
             exr,
+            size: (picture.width(), picture.height()),
             caption: caption.to_owned(),
             rays,
         });

@@ -99,23 +99,26 @@ pub fn draw(
         tiles.push((knob.label(value), picture));
     }
     let png = folder.join(format!("vary_{}.png", what.name));
-    if vary.animate {
-        let frames = tiles
-            .iter()
-            .map(|(label, tile)| sheet(1, &[(label, tile.clone())]));
-        store::write(&png, &animation(&frames.collect::<Result<Vec<_>, _>>()?)?)?;
+    let tiles = as_large(&tiles);
+    let tiles: Vec<_> = tiles
+        .iter()
+        .map(|(label, tile)| (label.as_str(), tile.clone()))
+        .collect();
+    let shown = if vary.animate {
+        let frames = tiles.chunks(1).map(|tile| sheet(1, tile));
+        let frames = frames.collect::<Result<Vec<_>, _>>()?;
+        store::write(&png, &animation(&frames)?)?;
+        frames.into_iter().next()
     } else {
-        let tiles = as_large(&tiles);
-        let tiles: Vec<_> = tiles
-            .iter()
-            .map(|(label, tile)| (label.as_str(), tile.clone()))
-            .collect();
-        file::save(&png, &sheet(columns, &tiles)?)?;
-    }
+        let strip = sheet(columns, &tiles)?;
+        file::save(&png, &strip)?;
+        Some(strip)
+    };
     let caption = format!("{} at several values.", knob.help);
     Ok(Output {
         png,
         exr: None,
+        size: shown.map_or((0, 0), |shown| (shown.width(), shown.height())),
         caption,
         rays: None,
     })

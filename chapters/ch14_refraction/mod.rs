@@ -61,7 +61,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     stage.figure("beams", caption, &refraction_fan::diagram()?)?;
     let caption = "How much is reflected. At Brewster's angle, light that swings parallel to the plane of incidence is not; \
         behind the critical angle, all light is.";
-    stage.figure("fresnel", caption, &fresnel_plot::plot()?)?;
+    stage.figure("fresnel", caption, &fresnel_plot::plot(knobs.index)?)?;
 
     let small = |columns, aspect| Film {
         samples: film.samples,

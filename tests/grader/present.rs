@@ -158,6 +158,13 @@ fn a_chapter_is_shown_and_a_knob_redraws_its_picture() {
         "files are for the command line"
     );
 
+    let (status, first) = server.get("screens/ch03_sphere?first=1");
+    let first = String::from_utf8(first).expect("it is text");
+    assert_eq!(status, 200, "{first}");
+    assert!(
+        !first.contains("roots") && first.contains("\"all\":false"),
+        "one at once: {first}"
+    );
     let (status, screens) = server.get("screens/ch03_sphere");
     let screens = String::from_utf8(screens).expect("it is text");
     assert_eq!(status, 200, "{screens}");

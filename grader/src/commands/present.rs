@@ -103,17 +103,20 @@ impl Site {
         match rest[..] {
             [""] => Answer::page(PAGE),
             ["course.json"] => Answer::json(&screens::course()),
-            ["screens", chapter] => self.of(chapter, |lesson| self.studio.screens(lesson)),
-            ["picture", chapter, name] => self.of(chapter, |lesson| {
+            ["screens", chapter] => of(chapter, |lesson| {
+                self.studio.screens(lesson, &request.query)
+            }),
+            ["picture", chapter, name] => of(chapter, |lesson| {
                 self.studio.picture(lesson, name, &request.query)
             }),
             _ => Answer::unknown(),
         }
     }
+}
 
-    fn of(&self, chapter: &str, answer: impl FnOnce(&'static Lesson) -> Answer) -> Answer {
-        lesson::find(chapter).map_or_else(Answer::unknown, answer)
-    }
+/// What is answered about a chapter, if there is one of this name.
+fn of(chapter: &str, answer: impl FnOnce(&'static Lesson) -> Answer) -> Answer {
+    lesson::find(chapter).map_or_else(Answer::unknown, answer)
 }
 
 /// 32 digits that nobody foresees: hashes under keys that the system chose at random.

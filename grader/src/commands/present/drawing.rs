@@ -9,6 +9,7 @@ use raybook_chapters::kit::options::Options;
 use raybook_chapters::kit::stage::{Output, Stage};
 use raybook_chapters::lesson::Lesson;
 use raybook_grader::book::write_captions;
+use serde_json::json;
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -38,6 +39,8 @@ const PAUSE: Duration = Duration::from_millis(50);
 /// What is drawn of a chapter, and how.
 #[derive(Clone, Copy)]
 enum What<'a> {
+    /// Its main picture, small: something to look at, at once.
+    First,
     /// All its pictures, small: what there is to show.
     Sketches,
     /// All its pictures, for good, as the tour does.
@@ -57,13 +60,18 @@ impl Studio {
         }
     }
 
-    /// The names and captions of a chapter's pictures: those that the tour drew, or else of sketches.
-    pub(super) fn screens(&self, lesson: &'static Lesson) -> Answer {
+    /// The names and captions of a chapter's pictures: those that the tour drew, or else of sketches; `first=1` asks for one sketch.
+    pub(super) fn screens(&self, lesson: &'static Lesson, query: &[(String, String)]) -> Answer {
         if let Some(screens) = screens::drawn(&self.options.out.join(lesson.name)) {
-            return Answer::json(&screens);
+            return Answer::json(&json!({ "screens": screens, "all": true }));
         }
-        match self.draw(lesson, What::Sketches) {
-            Ok(outputs) => Answer::json(&screens::of_outputs(&outputs)),
+        let first = query.iter().any(|(name, _)| name == "first");
+        let what = if first { What::First } else { What::Sketches };
+        match self.draw(lesson, what) {
+            Ok(outputs) => {
+                let screens = screens::of_outputs(&outputs);
+                Answer::json(&json!({ "screens": screens, "all": !first }))
+            }
             Err(answer) => answer,
         }
     }
@@ -94,7 +102,10 @@ impl Studio {
             };
         }
         match self.draw(lesson, What::Turned(&turned, name, quick)) {
-            Ok(_) => read(&self.scratch("turned").join(&png)),
+            Ok(outputs) => match outputs.last().filter(|output| output.png.ends_with(&png)) {
+                Some(output) => read(&output.png).captioned(&output.caption),
+                None => Answer::unknown(),
+            },
             Err(answer) => answer,
         }
     }
@@ -163,12 +174,14 @@ impl Studio {
 
     fn stage(&self, lesson: &'static Lesson, what: What) -> Stage {
         let mut options = self.options.clone();
-        if matches!(what, What::Sketches | What::Turned(.., true)) {
+        if matches!(what, What::First | What::Sketches | What::Turned(.., true)) {
             (options.width, options.samples) = (Some(QUICK.0), Some(QUICK.1));
         }
         let stage = Stage::new(lesson.name, options, false, ProgressBar::hidden());
+        let sketches = || self.scratch("sketches").join(lesson.name);
         match what {
-            What::Sketches => stage.in_folder(self.scratch("sketches").join(lesson.name)),
+            What::First => stage.in_folder(sketches()).until("picture"),
+            What::Sketches => stage.in_folder(sketches()),
             What::Pictures => stage,
             What::Turned(_, last, _) => stage
                 .in_folder(self.scratch("turned").join(lesson.name))

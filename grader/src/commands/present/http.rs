@@ -25,6 +25,8 @@ pub(super) struct Answer {
     status: &'static str,
     kind: &'static str,
     body: Vec<u8>,
+    /// A picture's caption, if it was drawn for this answer.
+    caption: Option<String>,
 }
 
 impl Answer {
@@ -37,10 +39,19 @@ impl Answer {
     }
 
     pub(super) fn png(body: Vec<u8>) -> Self {
+        let (status, kind, caption) = ("200 OK", "image/png", None);
         Self {
-            status: "200 OK",
-            kind: "image/png",
+            status,
+            kind,
             body,
+            caption,
+        }
+    }
+
+    pub(super) fn captioned(self, caption: &str) -> Self {
+        Self {
+            caption: Some(caption.to_owned()),
+            ..self
         }
     }
 
@@ -68,10 +79,12 @@ impl Answer {
     }
 
     fn of(status: &'static str, kind: &'static str, text: &str) -> Self {
+        let body = text.as_bytes().to_vec();
         Self {
             status,
             kind,
-            body: text.as_bytes().to_vec(),
+            body,
+            caption: None,
         }
     }
 }
@@ -91,10 +104,18 @@ pub(super) fn serve(mut stream: TcpStream, answer: impl FnOnce(&Request) -> Answ
         Some(request) => answer(&request),
         None => Answer::wrong("a request that begins with GET, and names its host"),
     };
-    let Answer { status, kind, body } = answer;
+    let Answer {
+        status,
+        kind,
+        body,
+        caption,
+    } = answer;
+    let caption = caption.map_or_else(String::new, |text| {
+        format!("Caption: {}\r\n", encode(&text))
+    });
     let head = format!(
         "HTTP/1.1 {status}\r\nContent-Type: {kind}\r\nContent-Length: {}\r\nContent-Security-Policy: {POLICY}\r\n\
-         X-Content-Type-Options: nosniff\r\nReferrer-Policy: no-referrer\r\nCache-Control: no-store\r\nConnection: close\r\n\r\n",
+         X-Content-Type-Options: nosniff\r\nReferrer-Policy: no-referrer\r\nCache-Control: no-store\r\nConnection: close\r\n{caption}\r\n",
         body.len()
     );
     let _ = stream
@@ -128,6 +149,15 @@ fn read(stream: &TcpStream) -> Option<Request> {
         path: path.to_owned(),
         query,
     })
+}
+
+/// Text of letters alone: every other byte as `%` and two digits.
+fn encode(text: &str) -> String {
+    let code = |byte: u8| match byte {
+        byte if byte.is_ascii_alphanumeric() => char::from(byte).to_string(),
+        byte => format!("%{byte:02X}"),
+    };
+    text.bytes().map(code).collect()
 }
 
 /// Text in which other characters than letters may stand as `%` and two digits.

@@ -68,11 +68,11 @@ fn drawn(chapter: &str) -> Result<Vec<Output>, Box<dyn Error>> {
 
 /// The command of a chapter: what all of them take, then its own knobs, and examples.
 pub fn command(lesson: &Lesson) -> Command {
-    let command = Command::new(lesson.name)
-        .about(lesson.teaches())
-        .next_help_heading("Pictures");
+    let command = Command::new(lesson.name).next_help_heading("Pictures");
     let command = Shared::augment_args(command).next_help_heading(lesson.chapter().title);
-    (lesson.add_knobs)(command).after_help(examples(lesson))
+    (lesson.add_knobs)(command)
+        .about(lesson.teaches())
+        .after_help(examples(lesson))
 }
 
 /// One knob turned, and one varied.

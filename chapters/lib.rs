@@ -3,7 +3,7 @@
 //! | folder | what is in it |
 //! |---|---|
 //! | `chNN_<name>/` | a chapter: `mod.rs` draws its pictures, `main.rs` is its binary |
-//! | `kit/` | what every chapter draws with: the stage, sheets, charts, colours, options |
+//! | `kit/` | what every chapter draws with: the stage, sheets, charts, colours, options, knobs |
 //! | `shared/` | rooms, scenes and figures that a few chapters share |
 //! | `scenes/` | a package of its own: scene files, and a gallery of them |
 //! | `lab/` | the sampling lab: what can be measured of a sampling pattern, and figures that show it |

@@ -1,6 +1,8 @@
 //! A chapter as it is drawn. What it says of itself stands once, at the top of its `mod.rs`.
 
-use crate::kit::stage::{Drawn, Stage};
+use crate::kit::knobs;
+use crate::kit::stage::{Drawn, Enough, Stage};
+use clap::{ArgMatches, Command, Error};
 use raybook_workbook::curriculum::{self, Chapter};
 
 /// A chapter as it is drawn.
@@ -10,8 +12,10 @@ pub struct Lesson {
     pub name: &'static str,
     /// The text of its `mod.rs`.
     pub source: &'static str,
-    /// Draws its pictures.
-    pub draw: fn(&Stage) -> Drawn,
+    /// Adds its knobs to a command.
+    pub(crate) add_knobs: fn(Command) -> Command,
+    /// Draws its pictures with its knobs as they are in a command's matches.
+    pub(crate) draw: fn(&Stage, &ArgMatches) -> Drawn,
 }
 
 /// The chapter whose binary has this name, as it is drawn.
@@ -26,6 +30,43 @@ impl Lesson {
     /// Never: both are made from one list.
     pub fn chapter(&self) -> &'static Chapter {
         curriculum::find(self.name).expect("lessons and curriculum are made from one list")
+    }
+
+    /// Draws its pictures with all knobs as they are if nobody turns them.
+    ///
+    /// # Errors
+    /// If a picture cannot be drawn or written.
+    pub fn draw(&self, stage: &Stage) -> Drawn {
+        self.draw_turned(stage, &self.turn(&[])?)
+    }
+
+    /// Draws its pictures with its knobs as [`Lesson::turn`] leaves them.
+    ///
+    /// # Errors
+    /// If a picture cannot be drawn or written.
+    pub fn draw_turned(&self, stage: &Stage, knobs: &ArgMatches) -> Drawn {
+        match (self.draw)(stage, knobs) {
+            Err(error) if error.is::<Enough>() => Ok(()),
+            drawn => drawn,
+        }
+    }
+
+    /// A command that has its knobs, and nothing else.
+    pub fn knobs(&self) -> Command {
+        let command = Command::new(self.name)
+            .no_binary_name(true)
+            .disable_help_flag(true);
+        (self.add_knobs)(command)
+    }
+
+    /// Its knobs after these arguments: `["--exponent=64"]`.
+    ///
+    /// # Errors
+    /// If there is no such knob, or its value is out of range.
+    pub fn turn(&self, arguments: &[String]) -> Result<ArgMatches, Error> {
+        let matches = self.knobs().try_get_matches_from(arguments)?;
+        knobs::check(&self.knobs(), &matches)?;
+        Ok(matches)
     }
 
     /// What it teaches: the paragraph at the top of its file, in one line.

@@ -3,7 +3,7 @@
 //! | folder | what is in it |
 //! |---|---|
 //! | `chNN_<name>/` | a chapter: `mod.rs` draws its pictures, `main.rs` is its binary |
-//! | `kit/` | what every chapter draws with: the stage, sheets, charts, colours, options |
+//! | `kit/` | what every chapter draws with: the stage, sheets, charts, colours, options, knobs |
 //! | `shared/` | rooms, scenes and figures that a few chapters share |
 //! | `scenes/` | a package of its own: scene files, and a gallery of them |
 //! | `lab/` | the sampling lab: what can be measured of a sampling pattern, and figures that show it |
@@ -19,6 +19,8 @@ pub mod lab;
 pub mod lesson;
 pub mod shared;
 
+use clap::FromArgMatches;
+use kit::knobs;
 use lesson::Lesson;
 use raybook_workbook::for_each_chapter;
 
@@ -31,7 +33,8 @@ macro_rules! lessons {
         pub const LESSONS: &[Lesson] = &[$(Lesson {
             name: stringify!($name),
             source: include_str!(concat!(stringify!($name), "/mod.rs")),
-            draw: $name::draw,
+            add_knobs: knobs::add::<$name::Knobs>,
+            draw: |stage, matches| $name::draw(stage, &$name::Knobs::from_arg_matches(matches)?),
         }),+];
     };
 }

@@ -8,6 +8,7 @@ mod camera_diagram;
 use crate::kit::chapter;
 use crate::kit::sheet::sheet;
 use crate::kit::stage::{Drawn, Stage};
+use clap::Args;
 use glam::{Vec2, Vec3, vec3};
 use raybook::camera::{
     Camera,
@@ -18,18 +19,29 @@ use raybook::math::dir3::Dir3;
 use raybook::render::film::{Film, SILENT};
 use std::process::ExitCode;
 
+/// What the pictures depend on.
+#[derive(Args, Clone, Debug)]
+pub struct Knobs {
+    /// Focal length: from the focal point to the image plane, which is 24 mm high
+    #[arg(long, value_name = "5..500 mm", default_value_t = 18.0)]
+    focal_length: f32,
+    /// Field of view from bottom to top, instead of a focal length
+    #[arg(long, value_name = "2..150 °", conflicts_with = "focal_length")]
+    field_of_view: Option<f32>,
+}
+
 /// Draws the chapter's pictures.
 ///
 /// # Errors
 /// If a picture cannot be drawn or written.
-pub fn draw(stage: &Stage) -> Drawn {
+pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let film = stage.film(16.0 / 9.0);
     stage.picture(
         "picture",
         "The direction of every pixel's ray as a colour, under lines of equal azimuth and elevation every 10°; \
          the horizon is the thickest. The lines are as far apart at the edges as in the middle, \
          but the flat image plane stretches what it sees there.",
-        &directions(&film, vec3(0.0, 0.3, 1.0), 0.018)?,
+        &directions(&film, vec3(0.0, 0.3, 1.0), knobs.focal_length())?,
     )?;
     stage.figure(
         "camera",
@@ -61,6 +73,14 @@ pub fn draw(stage: &Stage) -> Drawn {
     )
 }
 
+impl Knobs {
+    /// In metres. The image plane is 24 mm high, and half of it is seen under half of the angle.
+    fn focal_length(&self) -> f32 {
+        let seeing = |degrees: f32| 12.0 / (0.5 * degrees).to_radians().tan();
+        self.field_of_view.map_or(self.focal_length, seeing) / 1000.0
+    }
+}
+
 /// What the rays of a camera at the origin see: nothing but directions.
 fn directions(film: &Film, toward: Vec3, focal_length: f32) -> Result<Image, LookAtError> {
     let camera = Pinhole::look_at(Vec3::ZERO, toward, Vec3::Y, focal_length, film.aspect())?;
@@ -90,5 +110,5 @@ fn lines(d: Dir3) -> f32 {
 
 /// The chapter's binary.
 pub fn main() -> ExitCode {
-    chapter::run("ch01_rays", draw)
+    chapter::run("ch01_rays")
 }

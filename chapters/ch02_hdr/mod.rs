@@ -10,27 +10,53 @@ pub mod window;
 use crate::kit::chapter;
 use crate::kit::sheet::sheet;
 use crate::kit::stage::{Drawn, Stage};
+use clap::{Args, ValueEnum};
 use glam::{Vec2, Vec3};
 use raybook::camera::{Camera, pinhole::Pinhole};
 use raybook::image::{Image, file, rgb::Rgb, tone};
 use raybook::render::film::Film;
 use std::process::ExitCode;
 
-/// The exposure at which the room and the view can both be guessed, in stops.
-const EXPOSURE: f32 = -2.0;
+/// A tone curve.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Curve {
+    /// At white; the EXR keeps it
+    Clamp,
+    /// By Reinhard's curve
+    Reinhard,
+    /// By a film-like curve
+    Aces,
+}
+
+/// What the pictures depend on.
+#[derive(Args, Clone, Debug)]
+pub struct Knobs {
+    /// Exposure of the main picture: each stop more is twice as bright
+    #[arg(long, value_name = "-20..10 stops", default_value_t = -2.0)]
+    exposure: f32,
+    /// How what is brighter than white ends
+    #[arg(long, value_enum, default_value = "clamp")]
+    curve: Curve,
+}
 
 /// Draws the chapter's pictures.
 ///
 /// # Errors
 /// If a picture cannot be drawn or written.
-pub fn draw(stage: &Stage) -> Drawn {
+pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let film = stage.film_of(960, 24, 16.0 / 9.0);
     let camera = Pinhole::look_at(window::EYE, window::MIDDLE, Vec3::Y, 0.024, film.aspect())?;
     let radiance = film.refine(|place, _| window::radiance(&camera.ray(place, Vec2::ZERO)));
-    let picture = radiance.map(|p| tone::expose(p, EXPOSURE));
+    let exposure = knobs.exposure;
+    let picture = radiance.map(|p| tone::expose(p, exposure));
+    let picture = match knobs.curve {
+        Curve::Clamp => picture,
+        Curve::Reinhard => picture.map(tone::reinhard),
+        Curve::Aces => picture.map(tone::aces),
+    };
     stage.picture(
         "picture",
-        "An evening room, two stops under. The display clamps the sky at white; the EXR keeps it.",
+        &format!("An evening room at {exposure} stops. The display clamps the sky at white; the EXR keeps it."),
         &picture,
     )?;
     if !file::load(&stage.folder().join("picture.exr"))?.same_bits(&picture) {
@@ -59,7 +85,7 @@ pub fn draw(stage: &Stage) -> Drawn {
     };
     let close = Pinhole::look_at(window::EYE, window::MIDDLE, Vec3::Y, 0.07, near.aspect())?;
     let seen = |place| window::radiance(&close.ray(place, Vec2::ZERO));
-    let shown = |radiance| tone::clamp(tone::expose(radiance, EXPOSURE));
+    let shown = |radiance| tone::clamp(tone::expose(radiance, exposure));
     let tiles = [
         (
             "clamped after the mean",
@@ -78,7 +104,7 @@ pub fn draw(stage: &Stage) -> Drawn {
         &sheet(2, &tiles)?,
     )?;
 
-    let toned = |name, curve: fn(Rgb) -> Rgb| (name, exposed(EXPOSURE).map(curve));
+    let toned = |name, curve: fn(Rgb) -> Rgb| (name, exposed(exposure).map(curve));
     let tiles = [
         toned("clamped", tone::clamp),
         toned("Reinhard", tone::reinhard),
@@ -96,11 +122,12 @@ pub fn draw(stage: &Stage) -> Drawn {
         &stops::curves()?,
     )?;
     let marks = [
-        (-7.5, "far wall"),
-        (-4.5, "room"),
-        (1.2, "sky"),
-        (13.5, "sun"),
+        (-5.5, "far wall"),
+        (-2.5, "room"),
+        (3.2, "sky"),
+        (15.5, "sun"),
     ];
+    let marks = marks.map(|(stops, name)| (stops + exposure, name));
     stage.figure(
         "histogram",
         "How many pixels are how bright: over more than twenty stops, of which a PNG holds the band.",
@@ -122,5 +149,5 @@ fn halved(picture: &Image) -> Image {
 
 /// The chapter's binary.
 pub fn main() -> ExitCode {
-    chapter::run("ch02_hdr", draw)
+    chapter::run("ch02_hdr")
 }

@@ -8,9 +8,6 @@ use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
 use raybook::render::film::Film;
 use raybook::shape::{Shape, sphere::Sphere};
 
-/// The sphere's radius, in metres.
-const RADIUS: f32 = 0.1;
-
 /// How far away the rays start, in metres, and what the caption calls it.
 const DISTANCES: [(f32, &str); 5] = [
     (1e2, "100 m"),
@@ -25,7 +22,7 @@ const DISTANCES: [(f32, &str); 5] = [
 ///
 /// # Errors
 /// If a caption cannot be drawn.
-pub(super) fn figure(film: Film) -> Figure {
+pub(super) fn figure(film: Film, radius: f32) -> Figure {
     let slanting = Dir3::new_or(vec3(-0.61, -0.34, -0.71), Dir3::Z);
     let rows: [(&str, Dir3, Normal); 3] = [
         ("schoolbook", -Dir3::Z, schoolbook),
@@ -38,8 +35,8 @@ pub(super) fn figure(film: Film) -> Figure {
         for (distance, far) in DISTANCES {
             captions.push(format!("{name}, {far}"));
             tiles.push(film.refine(|place, _| {
-                let ray = ray(place, direction, distance);
-                normal(&ray).map_or(Rgb::gray(0.8), palette::direction)
+                let ray = ray(2.4 * radius * (place - 0.5), direction, distance);
+                normal(&ray, radius).map_or(Rgb::gray(0.8), palette::direction)
             }));
         }
     }
@@ -47,13 +44,13 @@ pub(super) fn figure(film: Film) -> Figure {
     sheet(DISTANCES.len(), &captions.zip(tiles).collect::<Vec<_>>())
 }
 
-/// The normal where a ray meets the sphere around the origin, by one method or another.
-type Normal = fn(&Ray) -> Option<Vec3>;
+/// The normal where a ray meets the sphere of a radius around the origin, by one method or another.
+type Normal = fn(&Ray, f32) -> Option<Vec3>;
 
 /// −b/2 − √(b² − 4c)/2 with b = 2 o·d and c = o·o − r², all in `f32`, and the normal at o + t·d.
-fn schoolbook(ray: &Ray) -> Option<Vec3> {
+fn schoolbook(ray: &Ray, radius: f32) -> Option<Vec3> {
     let b = 2.0 * ray.origin.dot(*ray.direction);
-    let c = ray.origin.length_squared() - RADIUS * RADIUS;
+    let c = ray.origin.length_squared() - radius * radius;
     let t = 0.5 * (-b - (b * b - 4.0 * c).sqrt());
     // The root of a negative number is NaN, and NaN is not ahead.
     let ahead = Interval::AHEAD.contains(t);
@@ -61,17 +58,16 @@ fn schoolbook(ray: &Ray) -> Option<Vec3> {
 }
 
 /// As the course does it.
-fn ours(ray: &Ray) -> Option<Vec3> {
-    let sphere = Sphere::new(Vec3::ZERO, RADIUS);
+fn ours(ray: &Ray, radius: f32) -> Option<Vec3> {
+    let sphere = Sphere::new(Vec3::ZERO, radius);
     let hit = sphere.hit(ray, Interval::AHEAD)?;
     Some(*sphere.surface(ray, &hit).normal)
 }
 
-/// A ray through a place on the film, which is a little larger than the sphere.
-fn ray(place: Vec2, direction: Dir3, distance: f32) -> Ray {
+/// A ray through a place on the film, in metres from its middle; the film is a little larger than the sphere.
+fn ray(film: Vec2, direction: Dir3, distance: f32) -> Ray {
     let right = Dir3::new_or(direction.cross(Vec3::Y), Dir3::X);
     let up = right.cross(*direction);
-    let film = 2.4 * RADIUS * (place - 0.5);
     let origin = film.x * *right - film.y * up - distance * *direction;
     Ray::new(origin, direction)
 }

@@ -7,6 +7,7 @@ mod cancellation;
 use crate::kit::stage::{Drawn, Stage};
 use crate::kit::{chapter, figure::Figure, palette, sheet::sheet};
 use crate::shared::outdoors::checker;
+use clap::Args;
 use glam::{Vec2, Vec3, vec2, vec3};
 use raybook::camera::{Camera, pinhole::Pinhole};
 use raybook::image::rgb::Rgb;
@@ -16,15 +17,30 @@ use raybook::shape::{Shape, Surface, sphere::Sphere};
 use std::iter::successors;
 use std::process::ExitCode;
 
+/// What the pictures depend on.
+#[derive(Args, Clone, Debug)]
+pub struct Knobs {
+    /// Radius of each sphere of the flower, as a share of its distance from the middle
+    #[arg(long, value_name = "0.02..0.8 ×", default_value_t = 0.27)]
+    radius: f32,
+    /// Distance of the eye from the flower, in multiples of 15 m
+    #[arg(long, value_name = "0.2..20 ×", default_value_t = 1.0)]
+    distance: f32,
+    /// Radius of the sphere in the telescope
+    #[arg(long, value_name = "0.001..100 m", default_value_t = 0.1)]
+    sphere: f32,
+}
+
 /// Draws the chapter's pictures.
 ///
 /// # Errors
 /// If a picture cannot be drawn or written.
-pub fn draw(stage: &Stage) -> Drawn {
+pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let film = stage.film(16.0 / 9.0);
     let (from, to) = (vec3(-2.5, 9.5, 11.5), vec3(0.0, 0.0, 0.3));
-    let camera = Pinhole::look_at(from, to, Vec3::Y, 0.042, film.aspect())?;
-    let flower: Vec<_> = (0..110).map(petal).collect();
+    let eye = from + (knobs.distance - 1.0) * (from - to);
+    let camera = Pinhole::look_at(eye, to, Vec3::Y, 0.042, film.aspect())?;
+    let flower: Vec<_> = (0..110).map(|i| petal(i, knobs.radius)).collect();
     let picture = film.refine(|place, _| {
         let normal = nearest(&flower, &camera.ray(place, Vec2::ZERO));
         normal.map_or(palette::backdrop(place.y), |n| palette::direction(*n))
@@ -36,16 +52,19 @@ pub fn draw(stage: &Stage) -> Drawn {
         From inside, the near root is behind the eye, and the far one is what it sees.";
     stage.figure("roots", caption, &roots(stage.tile(3, 1.0))?)?;
 
-    let caption = "A sphere of 10 cm through a telescope. Top: the schoolbook formula loses it within a kilometre. \
-        Middle: counted from the closest point, nothing is lost. Bottom: a slanting ray is itself rounded.";
-    let figure = cancellation::figure(stage.tile(5, 1.0))?;
-    stage.figure("cancellation", caption, &figure)
+    let caption = format!(
+        "A sphere with a radius of {} m through a telescope. Top: the schoolbook formula loses it within a kilometre. \
+        Middle: counted from the closest point, nothing is lost. Bottom: a slanting ray is itself rounded.",
+        knobs.sphere
+    );
+    let figure = cancellation::figure(stage.tile(5, 1.0), knobs.sphere)?;
+    stage.figure("cancellation", &caption, &figure)
 }
 
 /// The i-th sphere of a flower: each turns by the golden angle, and is smaller and farther in by the same factor.
-fn petal(i: i32) -> Sphere {
+fn petal(i: i32, radius: f32) -> Sphere {
     let (r, angle) = (4.0 * 1.038_f32.powi(-i), 2.399_963 * i as f32);
-    Sphere::new(r * vec3(angle.cos(), angle.sin(), 0.2), 0.27 * r)
+    Sphere::new(r * vec3(angle.cos(), angle.sin(), 0.2), radius * r)
 }
 
 /// The normal where the ray first meets a sphere: each hit shortens the interval for the spheres after it.
@@ -90,5 +109,5 @@ fn globe(at: &Surface) -> Rgb {
 
 /// The chapter's binary.
 pub fn main() -> ExitCode {
-    chapter::run("ch03_sphere", draw)
+    chapter::run("ch03_sphere")
 }

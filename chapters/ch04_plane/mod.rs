@@ -5,6 +5,7 @@
 use crate::kit::stage::{Drawn, Stage};
 use crate::kit::{chapter, figure::Figure, palette, sheet::sheet};
 use crate::shared::outdoors::{checker, haze, open_sky, sky};
+use clap::Args;
 use glam::{Vec2, Vec3, vec3};
 use raybook::camera::{Camera, pinhole::Pinhole};
 use raybook::image::rgb::Rgb;
@@ -16,17 +17,30 @@ use std::process::ExitCode;
 /// A colour that depends on the point of the surface and on how far away it is.
 type Paint<'a> = &'a (dyn Fn(&Surface, f32) -> Rgb + Sync);
 
+/// What the pictures depend on.
+#[derive(Args, Clone, Debug)]
+pub struct Knobs {
+    /// Angle of the floor's normal from straight up, to the right
+    #[arg(long, value_name = "-60..60 °", default_value_t = 0.0)]
+    tilt: f32,
+    /// Offset of the floor along its normal
+    #[arg(long, value_name = "-3..1.5 m", default_value_t = 0.0)]
+    offset: f32,
+}
+
 /// Draws the chapter's pictures.
 ///
 /// # Errors
 /// If a picture cannot be drawn or written.
-pub fn draw(stage: &Stage) -> Drawn {
+pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let film = stage.film(16.0 / 9.0);
     let (from, to) = (vec3(-1.5, 1.7, 6.2), vec3(-0.2, 1.15, 0.0));
     let camera = Pinhole::look_at(from, to, Vec3::Y, 0.03, film.aspect())?;
     let balls = [(-2.6, -0.8, 1.0), (0.3, 1.2, 0.5), (2.6, -3.2, 1.6)];
     let balls = balls.map(|(x, z, r)| Sphere::new(vec3(x, r, z), r));
-    let floor = Plane::through(Vec3::ZERO, Dir3::Y);
+    let (sine, cosine) = knobs.tilt.to_radians().sin_cos();
+    let up = Dir3::new_or(vec3(sine, cosine, 0.0), Dir3::Y);
+    let floor = Plane::through(knobs.offset * *up, up);
     let (light, dark) = (Rgb::new(0.85, 0.83, 0.78), Rgb::new(0.03, 0.2, 0.28));
     let stone = |at: &Surface, t: f32| {
         let colour = checker(at.texture, light, dark);
@@ -80,5 +94,5 @@ fn planes(film: Film) -> Figure {
 
 /// The chapter's binary.
 pub fn main() -> ExitCode {
-    chapter::run("ch04_plane", draw)
+    chapter::run("ch04_plane")
 }

@@ -6,7 +6,8 @@ mod slabs;
 
 use crate::kit::stage::{Drawn, Stage};
 use crate::kit::{chapter, figure::Figure, palette, sheet::sheet};
-use glam::{Vec2, Vec3, vec3};
+use clap::Args;
+use glam::{Mat3, Vec2, Vec3, vec3};
 use raybook::camera::{Camera, pinhole::Pinhole};
 use raybook::image::{Image, rgb::Rgb};
 use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray, slab};
@@ -14,22 +15,34 @@ use raybook::render::film::Film;
 use raybook::shape::{Shape, cuboid::Cuboid};
 use std::process::ExitCode;
 
+/// What the pictures depend on.
+#[derive(Args, Clone, Debug)]
+pub struct Knobs {
+    /// Width of each box; they stand 1 m from each other
+    #[arg(long, value_name = "0.05..1 m", default_value_t = 0.86)]
+    side: f32,
+    /// Angle by which the viewer walks around the boxes
+    #[arg(long, value_name = "-180..180 °", default_value_t = 0.0)]
+    turn: f32,
+}
+
 /// Draws the chapter's pictures.
 ///
 /// # Errors
 /// If a picture cannot be drawn or written.
-pub fn draw(stage: &Stage) -> Drawn {
-    let rows: Vec<_> = (-8..=8).map(Row::new).collect();
+pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
+    let rows: Vec<_> = (-8..=8).map(|z| Row::new(z, knobs.side)).collect();
     let (from, to) = (vec3(12.0, 13.0, 17.0), vec3(0.0, -1.75, 0.0));
+    let walk = Mat3::from_rotation_y(knobs.turn.to_radians());
     let film = stage.film(16.0 / 9.0);
-    let camera = Pinhole::look_at(from, to, Vec3::Y, 0.042, film.aspect())?;
+    let camera = Pinhole::look_at(walk * from, to, Vec3::Y, 0.042, film.aspect())?;
     let picture = view(&film, &camera, |ray| nearest(&rows, ray));
     let caption = "More than two hundred boxes. The colour is the height of the box; the brightness tells which face was hit.";
     stage.picture("picture", caption, &picture)?;
 
     let caption = "One box. Each ray is inside from t_near to t_far; yellow is farther. The way between is longest \
         where the ray crosses from face to opposite face, and nothing at the silhouette.";
-    stage.figure("inside", caption, &inside(&stage.tile(2, 1.5))?)?;
+    stage.figure("inside", caption, &inside(&stage.tile(2, 1.5), walk)?)?;
 
     let caption = "In the plane a box is two slabs. Each holds the ray between two distances t; \
         the ray hits the box if these intervals overlap.";
@@ -43,8 +56,8 @@ struct Row {
 }
 
 impl Row {
-    fn new(z: i32) -> Self {
-        let boxes: Vec<_> = (-8..=8).filter_map(|x| column(x, z)).collect();
+    fn new(z: i32, side: f32) -> Self {
+        let boxes: Vec<_> = (-8..=8).filter_map(|x| column(x, z, side)).collect();
         let corners = boxes.iter().flat_map(|b| [b.bounds.min, b.bounds.max]);
         let bounds = Aabb::of(corners);
         Self { boxes, bounds }
@@ -52,11 +65,11 @@ impl Row {
 }
 
 /// One of a round field of columns, with waves that die away; there is none beyond the rim.
-fn column(x: i32, z: i32) -> Option<Cuboid> {
+fn column(x: i32, z: i32, side: f32) -> Option<Cuboid> {
     let (x, z) = (x as f32, z as f32);
     let r = x.hypot(z);
     let top = 1.9 * (0.95 * r).cos() * (-0.13 * r).exp();
-    let half = vec3(0.43, 0.0, 0.43);
+    let half = vec3(0.5 * side, 0.0, 0.5 * side);
     (r < 8.3).then(|| Cuboid::between(vec3(x, -2.3, z) - half, vec3(x, top, z) + half))
 }
 
@@ -85,8 +98,8 @@ fn nearest(rows: &[Row], ray: &Ray) -> Option<Rgb> {
 }
 
 /// One box: the face that is hit, where the ray enters and leaves, and how long it is inside.
-fn inside(film: &Film) -> Figure {
-    let from = vec3(2.6, 2.2, 4.0);
+fn inside(film: &Film, walk: Mat3) -> Figure {
+    let from = walk * vec3(2.6, 2.2, 4.0);
     let camera = Pinhole::look_at(from, Vec3::ZERO, Vec3::Y, 0.037, film.aspect())?;
     let cuboid = Cuboid::between(vec3(-1.2, -0.8, -0.9), vec3(1.2, 0.8, 0.9));
     let faces = view(film, &camera, |ray| {
@@ -108,5 +121,5 @@ fn inside(film: &Film) -> Figure {
 
 /// The chapter's binary.
 pub fn main() -> ExitCode {
-    chapter::run("ch05_box", draw)
+    chapter::run("ch05_box")
 }

@@ -12,7 +12,8 @@ pub mod triangle_race;
 use crate::kit::chapter;
 use crate::kit::sheet::sheet;
 use crate::kit::stage::{Drawn, Stage};
-use glam::{Vec3, vec3};
+use clap::{Args, ValueEnum};
+use glam::{Mat3, Vec3, vec3};
 use looks::Look;
 use raybook::camera::pinhole::{LookAtError, Pinhole};
 use raybook::image::{Image, rgb::Rgb};
@@ -21,12 +22,46 @@ use raybook::render::film::Film;
 use raybook::shape::{Hit, Shape, Surface, plane::Plane, triangle::Triangle};
 use std::process::ExitCode;
 
+/// What a picture shows of a hit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Shown {
+    /// Barycentric coordinates as red, green and blue
+    Coordinates,
+    /// Lines of equal barycentric coordinates
+    Lines,
+    /// Distance along the ray
+    Distance,
+    /// Geometric normal
+    Normal,
+    /// Front side blue, back side orange
+    Side,
+}
+
+/// What the pictures depend on.
+#[derive(Args, Clone, Debug)]
+pub struct Knobs {
+    /// What the main picture shows of each hit
+    #[arg(long, value_enum, default_value = "coordinates")]
+    look: Shown,
+    /// Angle by which the viewer walks around the solids
+    #[arg(long, value_name = "-180..180 °", default_value_t = 0.0)]
+    turn: f32,
+}
+
 /// Draws the chapter's pictures.
 ///
 /// # Errors
 /// If a picture cannot be drawn or written.
-pub fn draw(stage: &Stage) -> Drawn {
-    let picture = photograph(&stage.film(16.0 / 9.0), coordinates)?;
+pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
+    let look = match knobs.look {
+        Shown::Coordinates => coordinates,
+        Shown::Lines => looks::barycentric_lines,
+        Shown::Distance => looks::distance,
+        Shown::Normal => looks::normal,
+        Shown::Side => looks::side,
+    };
+    let photograph = |film: &Film, look| photograph(film, look, knobs.turn);
+    let picture = photograph(&stage.film(16.0 / 9.0), look)?;
     let caption = "Where on its triangle each ray ends: b₀ as red, b₁ as green, b₂ as blue.";
     stage.picture("picture", caption, &picture)?;
 
@@ -59,9 +94,10 @@ fn coordinates(_ray: &Ray, hit: &Hit, _at: &Surface) -> Rgb {
 }
 
 /// A picture of three solids made of triangles.
-fn photograph(film: &Film, look: Look) -> Result<Image, LookAtError> {
+fn photograph(film: &Film, look: Look, turn: f32) -> Result<Image, LookAtError> {
     let (from, to) = (vec3(0.0, 2.7, 6.0), vec3(0.0, 0.86, 0.0));
-    let camera = Pinhole::look_at(from, to, Vec3::Y, 0.043, film.aspect())?;
+    let walk = Mat3::from_rotation_y(turn.to_radians());
+    let camera = Pinhole::look_at(walk * from, to, Vec3::Y, 0.043, film.aspect())?;
     let solids = platonic::still_life();
     let floor = Plane::through(Vec3::ZERO, Dir3::Y);
     let sun = Dir3::new_or(vec3(-0.5, 1.4, 0.7), Dir3::Y);
@@ -94,5 +130,5 @@ fn nearest<'a>(triangles: &'a [Triangle], ray: &Ray) -> Option<(&'a Triangle, Hi
 
 /// The chapter's binary.
 pub fn main() -> ExitCode {
-    chapter::run("ch06_triangle", draw)
+    chapter::run("ch06_triangle")
 }

@@ -5,50 +5,88 @@
 //! New: shape/triangle_watertight.rs shape/mesh_file.rs shape/word.rs shape/obj.rs shape/stl.rs
 
 use crate::kit::chapter;
+use crate::kit::say::complain;
 use crate::kit::sheet::sheet;
 use crate::kit::stage::{Drawn, Stage};
+use crate::shared::own_mesh::{self, MeshKnob};
 use crate::shared::showroom;
 use crate::shared::showroom::{Look, Showroom};
+use clap::Args;
 use glam::vec2;
 use raybook::accel::{Accel, Meshed, Tests, list::List};
 use raybook::image::{Image, rgb::Rgb};
 use raybook::math::{interval::Interval, ray::Ray, slab};
 use raybook::render::film::{Film, place_in_pixel};
 use raybook::shape::mesh::{Facet, Mesh};
-use raybook::shape::{Hit, Shape, mesh_file, teapot};
+use raybook::shape::{Hit, Shape, teapot};
 use std::error::Error;
-use std::path::PathBuf;
+use std::hint::black_box;
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-#[derive(clap::Args)]
-struct MeshOptions {
-    /// Draw this mesh (.obj or .stl) instead of the teapot
-    #[arg(long)]
-    mesh: Option<PathBuf>,
+/// What the pictures depend on.
+#[derive(Args, Clone, Debug)]
+pub struct Knobs {
+    #[command(flatten)]
+    own: MeshKnob,
+    /// Cells along the side of each of the teapot's 32 patches
+    #[arg(long, value_name = "1..24 cells", default_value_t = 5)]
+    cells: usize,
 }
 
 /// Draws the chapter's pictures.
 ///
 /// # Errors
 /// If a picture cannot be drawn or written.
-pub fn draw(stage: &Stage) -> Drawn {
-    let (film, finest) = draw_mesh(stage, &teapot::mesh(5))?;
+pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
+    if let Some(path) = &knobs.own.mesh {
+        let mesh = own_mesh::load(path)?;
+        warn_of_long_search(stage, &mesh);
+        return draw_mesh(stage, &mesh).map(|_| ());
+    }
+    let n = knobs.cells;
+    let (film, finest) = draw_mesh(stage, &teapot::mesh(n))?;
     let tile = |n| picture(&film, &teapot::mesh(n), showroom::SMOOTH).0;
     let tiles = [
         ("2 × 2 per patch", tile(2)),
         ("3 × 3", tile(3)),
-        ("5 × 5", finest),
+        (&format!("{n} × {n}"), finest),
     ];
-    let caption = "The teapot's 32 patches cut into 4, 9 and 25 quadrilaterals each. The interpolated normals look round from the start; the outline does not.";
-    stage.figure("tessellation", caption, &sheet(3, &tiles)?)
+    let caption = format!(
+        "The teapot's 32 patches cut into 4, 9 and {} quadrilaterals each. The interpolated normals look round from the start; the outline does not.",
+        n * n
+    );
+    stage.figure("tessellation", &caption, &sheet(3, &tiles)?)
+}
+
+/// Says how long the search for a mesh of one's own takes, and what is faster where it is long.
+fn warn_of_long_search(stage: &Stage, mesh: &Mesh) {
+    /// A teapot has some thousands of triangles; the scans that people have, some hundred thousand and more.
+    const MANY: usize = 100_000;
+    let film = film(stage, mesh);
+    if mesh.triangles().len() >= MANY {
+        complain(
+            "note: this chapter's search asks every triangle, for each ray; `ch11_bvh --mesh` draws the same mesh with a tree, in seconds",
+        );
+    }
+    let room = Showroom::around(mesh, film.aspect());
+    let shape = Meshed::new(mesh.clone(), List::new);
+    own_mesh::say_estimate(&film, |place| {
+        black_box(nearest(&shape, &room.ray(place), &mut Tests::default()));
+    });
+}
+
+/// A film on which a mesh takes a few seconds, whatever its number of triangles.
+fn film<'a>(stage: &'a Stage, mesh: &Mesh) -> Film<'a> {
+    let triangles = mesh.triangles().len();
+    let width = (4.9e8 / triangles as f32).sqrt().clamp(160.0, 640.0);
+    stage.film_of(width as u32, 4, 1.6)
 }
 
 /// Draws any mesh; the film of the small pictures, and the one with interpolated normals, are for more of them.
 fn draw_mesh<'a>(stage: &'a Stage, mesh: &Mesh) -> Result<(Film<'a>, Image), Box<dyn Error>> {
     let triangles = mesh.triangles().len();
-    let width = (4.9e8 / triangles as f32).sqrt().clamp(160.0, 640.0); // a few seconds' work
-    let film = stage.film_of(width as u32, 4, 1.6);
+    let film = film(stage, mesh);
     let (main, tests) = picture(&film, mesh, showroom::SMOOTH);
     let caption = format!(
         "A mesh of {triangles} triangles. Every ray that meets its box asks all of them: {} million tests.",
@@ -125,10 +163,5 @@ fn attributes(film: &Film, mesh: &Mesh) -> [Image; 4] {
 
 /// The chapter's binary.
 pub fn main() -> ExitCode {
-    chapter::run_with("ch07_mesh", |stage, options: MeshOptions| {
-        match options.mesh {
-            Some(path) => draw_mesh(stage, &mesh_file::load(&path)?).map(|_| ()),
-            None => draw(stage),
-        }
-    })
+    chapter::run("ch07_mesh")
 }

@@ -12,26 +12,47 @@ mod walk_figure;
 use crate::kit::stage::{Drawn, Stage};
 use crate::kit::{chapter, palette};
 use crate::shared::daylight::{Paint, shade};
+use crate::shared::own_mesh::{self, MeshKnob};
 use crate::shared::{growth, heat, outdoors::sky, showroom, stadium_figure};
+use clap::Args;
 use glam::{Vec3, vec3};
 use raybook::accel::{Accel, grid::Grid};
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::rgb::Rgb;
-use raybook::inside::grid::lattice;
+use raybook::inside::grid::{grid_resolution, lattice};
 use raybook::math::interval::Interval;
 use raybook::scene::stadium::stadium;
-use raybook::shape::teapot;
+use raybook::shape::{mesh::Mesh, teapot};
 use std::process::ExitCode;
 use teapots::teapots;
+
+/// What the pictures depend on.
+#[derive(Args, Clone, Debug)]
+pub struct Knobs {
+    #[command(flatten)]
+    own: MeshKnob,
+    /// Density λ of the grid: cells per triangle
+    #[arg(long, value_name = "0.001..300 cells", default_value_t = 5.0)]
+    density: f32,
+}
 
 /// Draws the chapter's pictures.
 ///
 /// # Errors
 /// If a picture cannot be drawn or written.
-pub fn draw(stage: &Stage) -> Drawn {
+pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
+    let grid_of = |mesh: &Mesh| {
+        let facets = mesh.facets();
+        let size = mesh.bounds().size();
+        let resolution = grid_resolution(size, facets.len(), knobs.density);
+        Grid::of_facets_with_resolution(facets, resolution)
+    };
+    if let Some(path) = &knobs.own.mesh {
+        return own_mesh::draw(stage, path, grid_of, "cells visited");
+    }
     let film = stage.film_of(640, 4, 1.6);
     let crowd = teapots(350, 4);
-    let grid = Grid::of_facets(crowd.mesh.facets());
+    let grid = grid_of(&crowd.mesh);
     let (from, to) = (vec3(8.0, 52.0, 92.0), vec3(0.0, 0.0, 10.0));
     let camera = Pinhole::look_at(from, to, Vec3::Y, 0.035, film.aspect())?;
     let paint = |id| {
@@ -80,7 +101,7 @@ pub fn draw(stage: &Stage) -> Drawn {
     stage.figure("law", caption, &growth::grid()?)?;
 
     let stadium = stadium(4);
-    let grid = Grid::of_facets(stadium.mesh.facets());
+    let grid = grid_of(&stadium.mesh);
     let caption = format!(
         "The teapot in the stadium. A cell is {:.1} m wide, so that the teapot and the camera are in the same one: every ray of the near view tests the whole teapot, even one that goes to the seats.",
         lattice(&grid).cell.x
@@ -91,5 +112,5 @@ pub fn draw(stage: &Stage) -> Drawn {
 
 /// The chapter's binary.
 pub fn main() -> ExitCode {
-    chapter::run("ch08_grid", draw)
+    chapter::run("ch08_grid")
 }

@@ -9,27 +9,45 @@ pub mod teapot_in_stadium;
 
 use crate::kit::chapter;
 use crate::kit::stage::{Drawn, Stage};
+use crate::shared::own_mesh::{self, MeshKnob};
 use crate::shared::{
     daylight::shade, outdoors::sky, showroom::small, speeds::rays_a_second, stadium_figure::paint,
 };
+use clap::Args;
 use raybook::accel::Accel;
 use raybook::accel::grid::Grid;
 use raybook::math::interval::Interval;
 use raybook::render::film::Film;
 use raybook::scene::stadium::stadium;
+use raybook::shape::mesh::Mesh;
 use std::process::ExitCode;
 use teapot_in_stadium::{camera, densities, maps, two_levels};
+
+/// What the pictures depend on.
+#[derive(Args, Clone, Debug)]
+pub struct Knobs {
+    #[command(flatten)]
+    own: MeshKnob,
+    /// Density λ of the coarse grid: coarse cells per triangle
+    #[arg(long, value_name = "0.001..10 cells", default_value_t = 1.0)]
+    density: f32,
+}
 
 /// Draws the chapter's pictures.
 ///
 /// # Errors
 /// If a picture cannot be drawn or written.
-pub fn draw(stage: &Stage) -> Drawn {
+pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
+    let density = knobs.density;
+    if let Some(path) = &knobs.own.mesh {
+        let levels = |mesh: &Mesh| two_levels(mesh, density);
+        return own_mesh::draw(stage, path, levels, "cells visited");
+    }
     let stadium = stadium(5);
     let triangles = stadium.mesh.triangles().len();
     let film = stage.film_of(640, 4, 1.6);
     let camera = camera(film.aspect())?;
-    let fine = two_levels(&stadium, 1.0);
+    let fine = two_levels(&stadium.mesh, density);
     let caption = format!(
         "A teapot in a stadium of {triangles} triangles, and its shadow. A uniform grid has cells as large as suit the seats, and one or two of them hold all of the teapot."
     );
@@ -57,14 +75,14 @@ pub fn draw(stage: &Stage) -> Drawn {
     };
     let ray = |place| camera.ray_through(place);
     let caption = format!(
-        "What each pixel's ray costs, with the same scale for all. λ is the number of coarse cells per triangle. In one thread, the uniform grid answers {} here, two levels with λ = 1 {}.",
+        "What each pixel's ray costs, with the same scale for all. λ is the number of coarse cells per triangle. In one thread, the uniform grid answers {} here, two levels with λ = {density} {}.",
         rays_a_second(&tiny, ray, &grid),
         rays_a_second(&tile, ray, &fine)
     );
     stage.figure(
         "heat",
         &caption,
-        &maps(&tile, &camera, &stadium, &grid, &fine)?,
+        &maps(&tile, &camera, &stadium, &grid, (density, &fine))?,
     )?;
 
     let caption = "The same view with more and more coarse cells: each holds a smaller part of the teapot, but a ray walks through more of them. Where triangles are spread evenly, λ = 1/8 is best.";
@@ -73,5 +91,5 @@ pub fn draw(stage: &Stage) -> Drawn {
 
 /// The chapter's binary.
 pub fn main() -> ExitCode {
-    chapter::run("ch09_two_level_grid", draw)
+    chapter::run("ch09_two_level_grid")
 }

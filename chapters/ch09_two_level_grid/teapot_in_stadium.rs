@@ -11,7 +11,7 @@ use raybook::accel::two_level_grid::{TwoLevelGrid, build::Densities};
 use raybook::camera::pinhole::{LookAtError, Pinhole};
 use raybook::render::film::Film;
 use raybook::scene::stadium::Stadium;
-use raybook::shape::mesh::Facet;
+use raybook::shape::mesh::{Facet, Mesh};
 
 /// A camera that looks down at the teapot, with the seats behind it.
 ///
@@ -22,7 +22,7 @@ pub fn camera(aspect: f32) -> Result<Pinhole, LookAtError> {
     Pinhole::look_at(eye, toward, Vec3::Y, 0.035, aspect)
 }
 
-/// The heat maps of a uniform grid and of two two-level grids, the second, `fine`, with λ = 1.
+/// The heat maps of a uniform grid and of two two-level grids, the second with its λ.
 ///
 /// # Errors
 /// If the labels cannot be drawn.
@@ -31,7 +31,7 @@ pub fn maps(
     camera: &Pinhole,
     stadium: &Stadium,
     grid: &Grid<Facet>,
-    fine: &TwoLevelGrid<Facet>,
+    (density, fine): (f32, &TwoLevelGrid<Facet>),
 ) -> Figure {
     let usual = TwoLevelGrid::of_facets(stadium.mesh.facets());
     let ray = |place| camera.ray_through(place);
@@ -42,18 +42,21 @@ pub fn maps(
     let rows = [
         row("grid", &heat(film, ray, grid)),
         row("two levels, λ = 1/8", &heat(film, ray, &usual)),
-        row("two levels, λ = 1", &heat(film, ray, fine)),
+        row(
+            &format!("two levels, λ = {density}"),
+            &heat(film, ray, fine),
+        ),
     ];
     with_scale(2, &rows.concat())
 }
 
-/// A two-level grid of the stadium with `coarse` coarse cells per triangle.
-pub fn two_levels(stadium: &Stadium, coarse: f32) -> TwoLevelGrid<Facet> {
+/// A two-level grid of a mesh with `coarse` coarse cells per triangle.
+pub fn two_levels(mesh: &Mesh, coarse: f32) -> TwoLevelGrid<Facet> {
     let densities = Densities {
         coarse,
         ..Densities::USUAL
     };
-    TwoLevelGrid::of_facets_with(stadium.mesh.facets(), densities)
+    TwoLevelGrid::of_facets_with(mesh.facets(), densities)
 }
 
 /// What a ray costs with more and more coarse cells.
@@ -63,7 +66,7 @@ pub fn two_levels(stadium: &Stadium, coarse: f32) -> TwoLevelGrid<Facet> {
 pub fn densities(film: &Film, camera: &Pinhole, stadium: &Stadium) -> Figure {
     let counts = [64, 32, 16, 8, 4, 2, 1].map(|triangles| {
         let coarse = 1.0 / triangles as f32;
-        let grid = two_levels(stadium, coarse);
+        let grid = two_levels(&stadium.mesh, coarse);
         let map = heat(film, |place| camera.ray_through(place), &grid);
         let mean = |sum: u64| sum as f64 / map.rays() as f64;
         (

@@ -13,8 +13,10 @@ use crate::kit::palette::{BLUE, FAINT, VERMILION};
 use crate::kit::stage::{Drawn, Stage};
 use crate::kit::{axis::Axis, sheet::sheet};
 use crate::shared::law::{Reach, fit, mean_tests};
+use crate::shared::own_mesh::{self, MeshKnob};
 use crate::shared::showroom::{SMOOTH, Showroom, small};
 use crate::shared::{heat::heat, speeds::rays_a_second};
+use clap::Args;
 use plotters::style::Color;
 use raybook::accel::Accel;
 use raybook::accel::octree::{Octree, build::Limits, reach::by_triangle};
@@ -25,19 +27,42 @@ use raybook::shape::mesh::{Facet, Mesh};
 use raybook::shape::{cuboid::Cuboid, teapot};
 use std::process::ExitCode;
 
+/// What the pictures depend on.
+#[derive(Args, Clone, Debug)]
+pub struct Knobs {
+    #[command(flatten)]
+    own: MeshKnob,
+    /// Depth of the tree of the blocks: how often a cell is cut
+    #[arg(long, value_name = "3..7 cuts", default_value_t = 7)]
+    depth: u32,
+    /// Cost of opening a node, in triangles tested: the higher, the larger the leaves
+    #[arg(long, value_name = "0..100 tests", default_value_t = 2.0)]
+    opening: f32,
+}
+
 /// Draws the chapter's pictures.
 ///
 /// # Errors
 /// If a picture cannot be drawn or written.
-pub fn draw(stage: &Stage) -> Drawn {
+pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
+    let octree_of = |mesh: &Mesh| {
+        let limits = Limits {
+            opening: knobs.opening,
+            ..Limits::USUAL
+        };
+        Octree::with(mesh.facets(), limits, by_triangle)
+    };
+    if let Some(path) = &knobs.own.mesh {
+        return own_mesh::draw(stage, path, octree_of, "nodes visited");
+    }
     let mesh = teapot::mesh(24);
-    let octree = Octree::of_facets(mesh.facets());
+    let octree = octree_of(&mesh);
     let film = stage.film_of(640, 4, 1.6);
     // Finer than pays, so that a level shows all its cells.
     let limits = Limits {
         opening: 0.0,
         copies: 500.0,
-        depth: 7,
+        depth: knobs.depth,
     };
     let fine = Octree::with(mesh.facets(), limits, by_triangle);
     let caption = "The teapot, and the cells that an octree makes of it: from left to right its triangles, then the cells after 7, 6, 5 and 4 cuts.";
@@ -118,5 +143,5 @@ fn draw_law(stage: &Stage) -> Drawn {
 
 /// The chapter's binary.
 pub fn main() -> ExitCode {
-    chapter::run("ch10_octree", draw)
+    chapter::run("ch10_octree")
 }

@@ -1,10 +1,38 @@
 //! The builders of trees compared: how long each takes, and what its tree costs.
 
 use crate::kit::{bars::bars, figure::Figure, sheet::sheet};
+use clap::ValueEnum;
 use raybook::accel::bvh::Bvh;
 use raybook::accel::bvh::build::Method;
 use raybook::shape::mesh::Facet;
 use std::time::Instant;
+
+/// A method by its name, as on a command line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Builder {
+    /// Half of the boxes on either side
+    Median,
+    /// Cut in the middle of space
+    Middle,
+    /// The surface-area heuristic at all cuts
+    Sweep,
+    /// The surface-area heuristic at the borders of bins
+    Binned,
+    /// Bottom-up: the two nearest first
+    BottomUp,
+}
+
+impl From<Builder> for Method {
+    fn from(builder: Builder) -> Self {
+        match builder {
+            Builder::Median => Self::Median,
+            Builder::Middle => Self::Middle,
+            Builder::Sweep => Self::Sweep,
+            Builder::Binned => Self::Binned,
+            Builder::BottomUp => Self::BottomUp,
+        }
+    }
+}
 
 /// The methods, by name.
 pub(super) const METHODS: [(&str, Method); 5] = [

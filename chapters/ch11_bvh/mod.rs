@@ -14,7 +14,10 @@ mod tree_levels;
 
 use crate::kit::chapter;
 use crate::kit::stage::{Drawn, Stage};
+use crate::shared::own_mesh::{self, MeshKnob};
 use crate::shared::{growth, heat, outdoors::sky, showroom, showroom::Showroom, speeds};
+use builders::Builder;
+use clap::Args;
 use glam::{Vec3, vec3};
 use raybook::accel::two_level_grid::TwoLevelGrid;
 use raybook::accel::{Accel, bvh::Bvh, grid::Grid, list::List, octree::Octree};
@@ -22,19 +25,34 @@ use raybook::camera::pinhole::Pinhole;
 use raybook::math::interval::Interval;
 use raybook::render::film::Film;
 use raybook::scene::terrain::terrain;
-use raybook::shape::{mesh::Mesh, teapot};
+use raybook::shape::mesh::{Facet, Mesh};
+use raybook::shape::teapot;
 use std::process::ExitCode;
 
 const AHEAD: Interval = Interval::AHEAD;
+
+/// What the pictures depend on.
+#[derive(Args, Clone, Debug)]
+pub struct Knobs {
+    #[command(flatten)]
+    own: MeshKnob,
+    /// How the trees are built
+    #[arg(long, value_enum, default_value = "binned")]
+    method: Builder,
+}
 
 /// Draws the chapter's pictures.
 ///
 /// # Errors
 /// If a picture cannot be drawn or written.
-pub fn draw(stage: &Stage) -> Drawn {
+pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
+    let build = |mesh: &Mesh| Bvh::build(mesh.facets(), knobs.method.into());
+    if let Some(path) = &knobs.own.mesh {
+        return own_mesh::draw(stage, path, build, "boxes tested");
+    }
     let film = stage.film_of(960, 4, 1.78);
     let mesh = terrain(400);
-    let tree = Bvh::new(mesh.facets());
+    let tree = build(&mesh);
     let (eye, to) = (vec3(-3.9, 2.0, 4.3), vec3(0.3, 0.62, -0.7));
     let camera = Pinhole::look_at(eye, to, Vec3::Y, 0.044, film.aspect())?;
     let sun = mountains::toward_sun();
@@ -62,17 +80,16 @@ pub fn draw(stage: &Stage) -> Drawn {
     stage.figure("builders", caption, &builders::figure(&teapot.facets())?)?;
     let caption = "The work for a ray in a soup of triangles: a list asks all of them, a tree a number that grows with the logarithm.";
     stage.figure("growth", caption, &growth::list_and_tree()?)?;
-    draw_teapot(&showroom::small(&film), stage, &teapot)
+    draw_teapot(&showroom::small(&film), stage, &teapot, &build(&teapot))
 }
 
-fn draw_teapot(film: &Film, stage: &Stage, mesh: &Mesh) -> Drawn {
+fn draw_teapot(film: &Film, stage: &Stage, mesh: &Mesh, tree: &Bvh<Facet>) -> Drawn {
     let room = Showroom::around(mesh, film.aspect());
-    let tree = Bvh::new(mesh.facets());
     let caption = "The boxes of some levels of the teapot's tree. The deeper they are, the closer they follow its shape.";
-    let figure = tree_levels::figure(film, &room, &tree, &[2, 5, 8, 11])?;
+    let figure = tree_levels::figure(film, &room, tree, &[2, 5, 8, 11])?;
     stage.figure("levels", caption, &figure)?;
     let caption = "What each ray costs. The work is where rays pass close by the surface: they meet many boxes before they hit anything.";
-    let heat = heat::heat(film, |place| room.ray(place), &tree);
+    let heat = heat::heat(film, |place| room.ray(place), tree);
     stage.figure("heat", caption, &heat.figure("boxes tested")?)?;
 
     let facets = || mesh.facets();
@@ -102,5 +119,5 @@ fn draw_teapot(film: &Film, stage: &Stage, mesh: &Mesh) -> Drawn {
 
 /// The chapter's binary.
 pub fn main() -> ExitCode {
-    chapter::run("ch11_bvh", draw)
+    chapter::run("ch11_bvh")
 }

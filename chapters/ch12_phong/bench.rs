@@ -1,6 +1,6 @@
 //! Small scenes that try a material: a ball before a wall.
 
-use glam::{Vec3, vec3};
+use glam::{Mat3, Vec3, vec3};
 use raybook::image::rgb::Rgb;
 use raybook::light::{Light, directional::DirectionalLight};
 use raybook::material::{Material, blinn_phong::BlinnPhong, phong::Phong};
@@ -34,36 +34,36 @@ pub(super) fn matt(colour: Rgb) -> Phong {
 }
 
 /// The terms of Phong's formula, one more in each scene, and then another light.
-pub(super) fn terms() -> Vec<Trial> {
-    let (matt, glossy) = (matt(CLAY), glossy(CLAY, 16.0));
+pub(super) fn terms(exponent: f32, turn: Mat3) -> Vec<Trial> {
+    let (matt, glossy) = (matt(CLAY), glossy(CLAY, exponent));
     let ambient = Phong {
         diffuse: Rgb::BLACK,
         ..matt
     };
     vec![
-        ("ambient".into(), ball(ambient, 1)),
-        ("+ diffuse".into(), ball(matt, 1)),
-        ("+ specular".into(), ball(glossy, 1)),
-        ("+ another light".into(), ball(glossy, 2)),
+        ("ambient".into(), ball(ambient, 1, turn)),
+        ("+ diffuse".into(), ball(matt, 1, turn)),
+        ("+ specular".into(), ball(glossy, 1, turn)),
+        ("+ another light".into(), ball(glossy, 2, turn)),
     ]
 }
 
-/// Phong's highlight with growing exponents, then Blinn's with four times these.
-pub(super) fn exponents() -> Vec<Trial> {
-    const PHONG: [f32; 4] = [4.0, 16.0, 64.0, 256.0];
-    let phong = PHONG.map(|a| (format!("Phong, α = {a}"), ball(glossy(CLAY, a), 1)));
-    let blinn = PHONG.map(|a| 4.0 * a).map(|a| {
+/// Phong's highlight with growing exponents, the second of them as said, then Blinn's with four times these.
+pub(super) fn exponents(exponent: f32, turn: Mat3) -> Vec<Trial> {
+    let series = [0.25, 1.0, 4.0, 16.0].map(|times| times * exponent);
+    let phong = series.map(|a| (format!("Phong, α = {a}"), ball(glossy(CLAY, a), 1, turn)));
+    let blinn = series.map(|a| 4.0 * a).map(|a| {
         let material = BlinnPhong(glossy(CLAY, a));
-        (format!("Blinn, α′ = {a}"), ball(material, 1))
+        (format!("Blinn, α′ = {a}"), ball(material, 1, turn))
     });
     phong.into_iter().chain(blinn).collect()
 }
 
 /// A ball of radius 1 before a grey wall, under a white light from the left and, if there are two, a blue one from the right.
-fn ball(material: impl Material + 'static, lights: usize) -> Scene {
+fn ball(material: impl Material + 'static, lights: usize, turn: Mat3) -> Scene {
     let light = |toward: Vec3, irradiance| -> Box<dyn Light> {
         Box::new(DirectionalLight {
-            toward: Dir3::new_or(toward, Dir3::Y),
+            toward: Dir3::new_or(turn * toward, Dir3::Y),
             irradiance,
         })
     };

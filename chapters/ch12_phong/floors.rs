@@ -13,9 +13,9 @@ use std::f32::consts::PI;
 /// The light of a lamp, before its strength.
 const WARM: Rgb = Rgb::new(1.0, 0.93, 0.8);
 
-/// A lamp between balls on tiles.
-pub(super) fn under_lamp() -> Scene {
-    let position = vec3(0.0, 1.3, 0.3);
+/// A lamp between balls on tiles, so high above them.
+pub(super) fn under_lamp(height: f32) -> Scene {
+    let position = vec3(0.0, height, 0.3);
     let lamp = PointLight {
         position,
         intensity: WARM * 6.0,

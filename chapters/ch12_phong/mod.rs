@@ -11,7 +11,8 @@ mod lobes;
 use crate::kit::chapter;
 use crate::kit::sheet::sheet;
 use crate::kit::stage::{Drawn, Stage};
-use glam::{Vec3, vec3};
+use clap::Args;
+use glam::{Mat3, Vec3, vec3};
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::Image;
 use raybook::material::blinn_phong::BlinnPhong;
@@ -21,14 +22,31 @@ use raybook::render::local::{ALWAYS, Local};
 use raybook::scene::world::Scene;
 use std::process::ExitCode;
 
+/// What the pictures depend on.
+#[derive(Args, Clone, Debug)]
+pub struct Knobs {
+    /// Exponent α of Phong's highlight; the rows have a quarter of it, it, and 4 and 16 times as much
+    #[arg(long, value_name = "1..1024", default_value_t = 16.0)]
+    exponent: f32,
+    /// Angle by which the lights turn around the balls, to the right
+    #[arg(long, value_name = "-180..180 °", default_value_t = 0.0)]
+    turn: f32,
+    /// Height of the point light over the tiles
+    #[arg(long, value_name = "0.2..5 m", default_value_t = 1.3)]
+    lamp: f32,
+}
+
 /// Draws the chapter's pictures.
 ///
 /// # Errors
 /// If a picture cannot be drawn or written.
-pub fn draw(stage: &Stage) -> Drawn {
+pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
+    let turn = Mat3::from_rotation_y(knobs.turn.to_radians());
     let film = stage.tile(4, 1.0);
     let camera = Pinhole::look_at(vec3(0.0, 0.0, 7.0), Vec3::ZERO, Vec3::Y, 0.072, 1.0)?;
-    let balls = bench::terms().into_iter().chain(bench::exponents());
+    let balls = bench::terms(knobs.exponent, turn)
+        .into_iter()
+        .chain(bench::exponents(knobs.exponent, turn));
     let balls: Vec<_> = balls
         .map(|(name, scene)| (name, photograph(&film, &camera, &scene)))
         .collect();
@@ -51,7 +69,7 @@ pub fn draw(stage: &Stage) -> Drawn {
     let phong = floors::wet(64.0, |phong| phong);
     let blinn = floors::wet(256.0, BlinnPhong);
     let tiles = [
-        ("a point light", tile(floors::under_lamp())),
+        ("a point light", tile(floors::under_lamp(knobs.lamp))),
         ("a directional light", tile(floors::under_sun())),
         ("Phong, α = 64", tile(phong)),
         ("Blinn, α′ = 256", tile(blinn)),
@@ -79,5 +97,5 @@ fn photograph(film: &Film, camera: &Pinhole, scene: &Scene) -> Image {
 
 /// The chapter's binary.
 pub fn main() -> ExitCode {
-    chapter::run("ch12_phong", draw)
+    chapter::run("ch12_phong")
 }

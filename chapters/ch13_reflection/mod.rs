@@ -9,6 +9,7 @@ use crate::kit::chapter;
 use crate::kit::sheet::sheet;
 use crate::kit::stage::{Drawn, Stage};
 use crate::shared::{ray_tree, ray_tree_figure};
+use clap::Args;
 use glam::{Vec2, Vec3, vec2};
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::Image;
@@ -23,18 +24,30 @@ use std::process::ExitCode;
 /// The pixel whose tree is drawn: its place on the film.
 const PIXEL: Vec2 = vec2(0.432, 0.76);
 
+/// What the pictures depend on.
+#[derive(Args, Clone, Debug)]
+pub struct Knobs {
+    /// Depth of reflection: how many surfaces are followed in a row
+    #[arg(long, value_name = "1..64 surfaces", default_value_t = 8)]
+    depth: u32,
+}
+
 /// Draws the chapter's pictures.
 ///
 /// # Errors
 /// If a picture cannot be drawn or written.
-pub fn draw(stage: &Stage) -> Drawn {
+pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let film = stage.film(16.0 / 9.0);
     let [from, to] = marbles::VIEW;
     let camera = Pinhole::look_at(from, to, Vec3::Y, 0.042, film.aspect())?;
     let scene = marbles::scene();
-    let caption = "Two mirrors, seven marbles, and a floor that reflects a little less than a quarter of what it receives. \
-        Up to eight surfaces are followed in a row. There are no shadows yet.";
-    stage.picture("picture", caption, &photograph(&film, &camera, &scene, 8))?;
+    let depth = knobs.depth;
+    let caption = format!(
+        "Two mirrors, seven marbles, and a floor that reflects a little less than a quarter of what it receives. \
+        Up to {depth} surfaces are followed in a row. There are no shadows yet."
+    );
+    let picture = photograph(&film, &camera, &scene, depth);
+    stage.picture("picture", &caption, &picture)?;
 
     let (width, height) = ray_tree_figure::PHOTOGRAPH;
     let film = Film {
@@ -45,8 +58,8 @@ pub fn draw(stage: &Stage) -> Drawn {
     };
     let [from, to] = marbles::FROM_ABOVE;
     let above = Pinhole::look_at(from, to, Vec3::Y, 0.038, film.aspect())?;
-    let view = photograph(&film, &above, &scene, 8);
-    let tree = ray_tree::grow(&whitted(5), &scene, &camera.ray_through(PIXEL));
+    let view = photograph(&film, &above, &scene, depth);
+    let tree = ray_tree::grow(&whitted(depth.min(5)), &scene, &camera.ray_through(PIXEL));
     let caption = "The rays that answer for one pixel of the picture above, seen from above, and the tree of their questions. \
         Each circle has the colour that its ray sees; the numbers are the surfaces.";
     stage.figure(
@@ -88,5 +101,5 @@ fn photograph(film: &Film, camera: &Pinhole, scene: &Scene, depth: u32) -> Image
 
 /// The chapter's binary.
 pub fn main() -> ExitCode {
-    chapter::run("ch13_reflection", draw)
+    chapter::run("ch13_reflection")
 }

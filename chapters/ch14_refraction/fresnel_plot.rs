@@ -8,9 +8,6 @@ use crate::kit::stage::Drawn;
 use plotters::prelude::{Color, RGBColor};
 use raybook::material::fresnel::{fresnel, schlick};
 
-/// The index of refraction of window glass.
-const GLASS: f32 = 1.5;
-
 /// Points per degree.
 const FINE: i32 = 8;
 
@@ -25,15 +22,15 @@ const CURVES: [Curve; 3] = [
     }),
 ];
 
-/// Rs, Rp, R and Schlick's approximation from air into glass, and from glass into air.
+/// Rs, Rp, R and Schlick's approximation from air into glass of an index of refraction, and out of it.
 ///
 /// # Errors
 /// If plotters cannot draw.
-pub(super) fn plot() -> Figure {
+pub(super) fn plot(glass: f32) -> Figure {
     figure(1000, 470, |canvas| {
         let (into, out) = canvas.split_horizontally(1000);
-        panel(&into, "from air into glass", 1.0, GLASS)?;
-        panel(&out, "from glass into air", GLASS, 1.0)
+        panel(&into, "from air into glass", 1.0, glass)?;
+        panel(&out, "from glass into air", glass, 1.0)
     })
 }
 

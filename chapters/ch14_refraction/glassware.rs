@@ -18,9 +18,6 @@ use std::f32::consts::PI;
 /// Where a camera sees the still life, where it looks, and its focal length.
 pub const VIEW: (Vec3, Vec3, f32) = (vec3(0.4, 4.3, 7.2), vec3(0.1, 0.62, 0.0), 0.043);
 
-/// How many surfaces a ray may meet: after so many, less than a hundredth of its light is left nearly everywhere.
-pub const DEPTH: u32 = 12;
-
 /// Between things that only seem to touch, in metres.
 const GAP: f32 = 1e-3;
 
@@ -57,11 +54,27 @@ fn ball_in_ball(center: Vec3, radii: [f32; 2], media: [Medium; 2]) -> [Thing; 2]
     ]
 }
 
-/// Of glass: σ for each colour, in 1/m.
-fn coloured(r: f32, g: f32, b: f32) -> Medium {
-    Medium {
-        absorption: Rgb::new(r, g, b),
-        ..Medium::GLASS
+/// What the things are made of.
+#[derive(Clone, Copy, Debug)]
+pub struct Stuff {
+    /// The glass's index of refraction.
+    pub index: f32,
+    /// The coloured glass absorbs so many times as much as here.
+    pub absorption: f32,
+}
+
+impl Stuff {
+    /// Clear glass.
+    fn clear(self) -> Medium {
+        Medium::clear(self.index)
+    }
+
+    /// Coloured glass: σ for each colour, in 1/m.
+    fn coloured(self, r: f32, g: f32, b: f32) -> Medium {
+        Medium {
+            absorption: Rgb::new(r, g, b) * self.absorption,
+            ..self.clear()
+        }
     }
 }
 
@@ -72,11 +85,11 @@ fn ball(x: f32, z: f32, radius: f32, medium: Medium) -> Thing {
 }
 
 /// A ball of glass in a tank of water; what the ball takes to be around it is said.
-fn tank(x: f32, z: f32, around_ball: Medium) -> [Thing; 2] {
+fn tank(x: f32, z: f32, around_ball: Medium, glass: Medium) -> [Thing; 2] {
     let water = Cuboid::between(vec3(x - 1.1, GAP, z - 1.0), vec3(x + 1.1, 1.9, z + 1.0));
     let in_water = Glass {
         outside: around_ball,
-        inside: Medium::GLASS,
+        inside: glass,
     };
     [
         Thing::new(water, Glass::of(Medium::WATER)),
@@ -85,39 +98,42 @@ fn tank(x: f32, z: f32, around_ball: Medium) -> [Thing; 2] {
 }
 
 /// A ball of glass, one with a large bubble, one in a tank of water, and coloured ones.
-pub fn still_life() -> Scene {
-    let bubble = [Medium::GLASS, Medium::AIR];
+pub fn still_life(stuff: Stuff) -> Scene {
+    let bubble = [stuff.clear(), Medium::AIR];
     let mut things = vec![
-        ball(-0.35, -0.4, 1.25, Medium::GLASS),
-        ball(-1.45, 1.75, 0.45, coloured(0.15, 0.9, 3.2)),
-        ball(0.95, 1.55, 0.45, coloured(3.0, 0.5, 0.4)),
-        ball(2.35, 1.2, 0.45, coloured(0.25, 2.2, 1.0)),
+        ball(-0.35, -0.4, 1.25, stuff.clear()),
+        ball(-1.45, 1.75, 0.45, stuff.coloured(0.15, 0.9, 3.2)),
+        ball(0.95, 1.55, 0.45, stuff.coloured(3.0, 0.5, 0.4)),
+        ball(2.35, 1.2, 0.45, stuff.coloured(0.25, 2.2, 1.0)),
     ];
     let hollow = vec3(-2.75, 0.95 + GAP, -0.9);
     things.extend(ball_in_ball(hollow, [0.95, 0.78], bubble));
-    things.extend(tank(2.4, -1.2, Medium::WATER));
+    things.extend(tank(2.4, -1.2, Medium::WATER, stuff.clear()));
     on_floor(things)
 }
 
 /// The same ball in four surroundings, each by its name.
-pub fn nested() -> [(&'static str, Scene); 4] {
+pub fn nested(stuff: Stuff) -> [(&'static str, Scene); 4] {
     let center = vec3(0.0, 1.0 + GAP, 0.0);
-    let bubble = ball_in_ball(center, [1.0, 0.7], [Medium::GLASS, Medium::AIR]);
+    let bubble = ball_in_ball(center, [1.0, 0.7], [stuff.clear(), Medium::AIR]);
     [
-        ("glass in air", vec![ball(0.0, 0.0, 1.0, Medium::GLASS)]),
+        ("glass in air", vec![ball(0.0, 0.0, 1.0, stuff.clear())]),
         ("air in glass", bubble.into()),
-        ("glass in water", tank(0.0, 0.0, Medium::WATER).into()),
+        (
+            "glass in water",
+            tank(0.0, 0.0, Medium::WATER, stuff.clear()).into(),
+        ),
         (
             "wrong: takes the water for air",
-            tank(0.0, 0.0, Medium::AIR).into(),
+            tank(0.0, 0.0, Medium::AIR, stuff.clear()).into(),
         ),
     ]
     .map(|(name, things)| (name, on_floor(things)))
 }
 
 /// Balls of the same green glass, each twice as large as the one before.
-pub fn sizes() -> Scene {
-    let green = coloured(1.6, 0.25, 0.9);
+pub fn sizes(stuff: Stuff) -> Scene {
+    let green = stuff.coloured(1.6, 0.25, 0.9);
     let balls = [(-2.6, 0.2), (-1.75, 0.4), (-0.25, 0.8), (2.55, 1.6)];
     on_floor(balls.map(|(x, r)| ball(x, -r, r, green)).into())
 }

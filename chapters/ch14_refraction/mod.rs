@@ -10,7 +10,9 @@ mod refraction_fan;
 use crate::kit::chapter;
 use crate::kit::sheet::sheet;
 use crate::kit::stage::{Drawn, Stage};
+use clap::Args;
 use glam::{Vec3, vec3};
+use glassware::Stuff;
 use raybook::camera::pinhole::{LookAtError, Pinhole};
 use raybook::image::Image;
 use raybook::render::film::Film;
@@ -23,14 +25,33 @@ use std::process::ExitCode;
 /// Where a camera stands, where it looks, and its focal length.
 type View = (Vec3, Vec3, f32);
 
+/// What the pictures depend on.
+#[derive(Args, Clone, Debug)]
+pub struct Knobs {
+    /// Index of refraction of the glass; water has 1.333, diamond 2.42
+    #[arg(long, value_name = "1..3", default_value_t = 1.5)]
+    index: f32,
+    /// Absorption of the coloured glass, in multiples of what it has in the pictures
+    #[arg(long, value_name = "0..20 ×", default_value_t = 1.0)]
+    absorption: f32,
+    /// Depth: how many surfaces are followed in a row
+    #[arg(long, value_name = "1..64 surfaces", default_value_t = 12)]
+    depth: u32,
+}
+
 /// Draws the chapter's pictures.
 ///
 /// # Errors
 /// If a picture cannot be drawn or written.
-pub fn draw(stage: &Stage) -> Drawn {
-    let scene = glassware::still_life();
+pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
+    let depth = knobs.depth;
+    let stuff = Stuff {
+        index: knobs.index,
+        absorption: knobs.absorption,
+    };
+    let scene = glassware::still_life(stuff);
     let film = stage.film_of(960, 9, 16.0 / 9.0);
-    let picture = photograph(&film, &scene, glassware::VIEW, glassware::DEPTH)?;
+    let picture = photograph(&film, &scene, glassware::VIEW, depth)?;
     let caption = "A ball of glass, one with a large bubble of air, one in a tank of water, and three of coloured glass: \
         they mirror the window and show the floor, all but the bubble upside down.";
     stage.picture("picture", caption, &picture)?;
@@ -40,7 +61,7 @@ pub fn draw(stage: &Stage) -> Drawn {
     stage.figure("beams", caption, &refraction_fan::diagram()?)?;
     let caption = "How much is reflected. At Brewster's angle, light that swings parallel to the plane of incidence is not; \
         behind the critical angle, all light is.";
-    stage.figure("fresnel", caption, &fresnel_plot::plot()?)?;
+    stage.figure("fresnel", caption, &fresnel_plot::plot(knobs.index)?)?;
 
     let small = |columns, aspect| Film {
         samples: film.samples,
@@ -49,14 +70,14 @@ pub fn draw(stage: &Stage) -> Drawn {
     let tile = small(4, 1.0);
     let close = (vec3(0.0, 3.0, 5.0), vec3(0.0, 0.9, 0.0), 0.043);
     let mut tiles = Vec::new();
-    for (name, scene) in glassware::nested() {
-        tiles.push((name, photograph(&tile, &scene, close, glassware::DEPTH)?));
+    for (name, scene) in glassware::nested(stuff) {
+        tiles.push((name, photograph(&tile, &scene, close, depth)?));
     }
     let caption = "A surface has a medium on either side. In water, a ball of glass is a weak lens; one that takes the water \
         for air is a strong one.";
     stage.figure("nested", caption, &sheet(4, &tiles)?)?;
 
-    let [(_, ball), ..] = glassware::nested();
+    let [(_, ball), ..] = glassware::nested(stuff);
     let mut tiles = Vec::new();
     for (name, depth) in [("1 surface", 1), ("2", 2), ("3", 3), ("5", 5)] {
         tiles.push((name, photograph(&tile, &ball, close, depth)?));
@@ -65,7 +86,7 @@ pub fn draw(stage: &Stage) -> Drawn {
     stage.figure("depth", caption, &sheet(4, &tiles)?)?;
 
     let view = (vec3(0.5, 5.6, 8.6), vec3(0.5, 1.15, -0.2), 0.041);
-    let sizes = photograph(&small(1, 2.4), &glassware::sizes(), view, glassware::DEPTH)?;
+    let sizes = photograph(&small(1, 2.4), &glassware::sizes(stuff), view, depth)?;
     let caption = "The same green glass in balls of 40 cm to 3.2 m: on a way twice as long, what is left of the light is squared.";
     stage.picture("absorption", caption, &sizes)
 }
@@ -88,5 +109,5 @@ fn photograph(
 
 /// The chapter's binary.
 pub fn main() -> ExitCode {
-    chapter::run("ch14_refraction", draw)
+    chapter::run("ch14_refraction")
 }

@@ -10,6 +10,7 @@ use crate::kit::chapter;
 use crate::kit::sheet::sheet;
 use crate::kit::stage::{Drawn, Stage};
 use crate::shared::{ray_tree, ray_tree_figure};
+use clap::Args;
 use glam::{Vec2, Vec3, vec2, vec3};
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::Image;
@@ -21,6 +22,7 @@ use raybook::render::whitted::Whitted;
 use raybook::scene::marbles;
 use raybook::scene::world::Scene;
 use std::process::ExitCode;
+use wrong_shadows::Offset;
 
 /// The pixel whose rays are drawn: its place on the film.
 const PIXEL: Vec2 = vec2(0.432, 0.76);
@@ -28,11 +30,22 @@ const PIXEL: Vec2 = vec2(0.432, 0.76);
 /// Where the second picture looks: at three of the marbles.
 const CLOSE_UP: Vec3 = vec3(1.3, 0.4, 1.3);
 
+/// What the pictures depend on.
+#[derive(Args, Clone, Debug)]
+pub struct Knobs {
+    /// How far off the surface the loose shadow rays start
+    #[arg(long, value_enum, default_value = "1m")]
+    offset: Offset,
+    /// Cells along the side of each patch of the coarse teapot
+    #[arg(long, value_name = "1..16 cells", default_value_t = 4)]
+    cells: usize,
+}
+
 /// Draws the chapter's pictures.
 ///
 /// # Errors
 /// If a picture cannot be drawn or written.
-pub fn draw(stage: &Stage) -> Drawn {
+pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let film = stage.film(16.0 / 9.0);
     let [from, to] = marbles::VIEW;
     let camera = Pinhole::look_at(from, to, Vec3::Y, 0.042, film.aspect())?;
@@ -52,15 +65,15 @@ pub fn draw(stage: &Stage) -> Drawn {
     };
     let near = Pinhole::look_at(from, CLOSE_UP, Vec3::Y, 0.08, film.aspect())?;
     let roofed = marbles::under_roof();
-    let tiles = wrong_shadows::WAYS
+    let tiles = wrong_shadows::ways(knobs.offset)
         .map(|(name, arrives)| (name, photograph(&film, &near, &roofed, arrives)));
     let caption = "One lamp below a roof, and three wrong shadow rays. Many points of a ball are computed to lie inside of \
         it, and are in its shadow. Rays that start too far off miss what stands close. Rays without an end are stopped behind the lamp.";
     stage.figure("wrong", caption, &sheet(2, &tiles)?)?;
 
-    let caption = "A teapot of 4 × 4 cells a patch, low in the sun. Left, its facets show where light ends, for each is in its own shadow as a whole. \
+    let caption = "A coarse teapot, low in the sun. Left, its facets show where light ends, for each is in its own shadow as a whole. \
         Right, shadow rays start where the round surface would be.";
-    stage.figure("terminator", caption, &stairs::figure(&tile)?)?;
+    stage.figure("terminator", caption, &stairs::figure(&tile, knobs.cells)?)?;
 
     let (width, height) = ray_tree_figure::PHOTOGRAPH;
     let film = Film {
@@ -95,5 +108,5 @@ fn photograph(film: &Film, camera: &Pinhole, scene: &Scene, arrives: Arrives) ->
 
 /// The chapter's binary.
 pub fn main() -> ExitCode {
-    chapter::run("ch15_shadows", draw)
+    chapter::run("ch15_shadows")
 }

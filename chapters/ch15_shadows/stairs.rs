@@ -14,11 +14,9 @@ use raybook::scene::world::{Scene, Thing};
 use raybook::shape::teapot;
 use std::f32::consts::FRAC_1_PI;
 
-/// So few cells along the side of each of the teapot's patches.
-const CELLS: usize = 4;
-
-/// A coarse teapot in the sun: shadow rays that start on its facets, and on the round surface that it pretends to be.
-pub(super) fn figure(film: &Film) -> Figure {
+/// A coarse teapot in the sun: shadow rays that start on its facets, and on the round surface that it pretends to be. Each of its
+/// patches has so few `cells` along its side.
+pub(super) fn figure(film: &Film, cells: usize) -> Figure {
     let clay = Phong {
         ambient: Rgb::gray(0.8),
         diffuse: Rgb::gray(0.8 * FRAC_1_PI),
@@ -29,7 +27,7 @@ pub(super) fn figure(film: &Film) -> Figure {
         toward: Dir3::new_or(vec3(-1.0, 0.45, 0.1), Dir3::Y),
         irradiance: Rgb::gray(3.2),
     };
-    let pot = Meshed::new(teapot::mesh(CELLS), WideBvh::new);
+    let pot = Meshed::new(teapot::mesh(cells), WideBvh::new);
     let scene = Scene::new(vec![Thing::new(pot, clay)], vec![Box::new(sun)])
         .surrounded_by(Rgb::gray(0.06), |_| Rgb::new(0.35, 0.4, 0.5));
     let eye = vec3(1.5, 3.6, 8.5);

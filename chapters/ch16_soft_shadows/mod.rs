@@ -10,6 +10,7 @@ pub mod posts;
 use crate::kit::chapter;
 use crate::kit::sheet::sheet;
 use crate::kit::stage::{Drawn, Stage};
+use clap::Args;
 use glam::Vec3;
 use raybook::camera::pinhole::{LookAtError, Pinhole};
 use raybook::light::Light;
@@ -21,10 +22,8 @@ use raybook::render::shadow;
 use raybook::render::whitted::Whitted;
 use std::process::ExitCode;
 
-/// A shadow ray for each sample of a pixel: the samples that smooth edges find the penumbrae too.
-const ONE_SAMPLE: Whitted = with_samples(1);
-
-/// The light from lights alone, by `samples` shadow rays to each light for each sample of a pixel.
+/// The light from lights alone, by `samples` shadow rays to each light for each sample of a pixel. One is enough: the samples that
+/// smooth edges find the penumbrae too.
 const fn with_samples(samples: u32) -> Whitted {
     let local = Local {
         samples,
@@ -33,18 +32,33 @@ const fn with_samples(samples: u32) -> Whitted {
     Whitted { local, depth: 1 }
 }
 
+/// What the pictures depend on.
+#[derive(Args, Clone, Debug)]
+pub struct Knobs {
+    /// Side of the square lamp; it sends as much light whatever its size
+    #[arg(long, value_name = "0.05..4 m", default_value_t = 1.4)]
+    lamp: f32,
+    /// Shadow rays to the lamp for each sample of a pixel
+    #[arg(long, value_name = "1..256 rays", default_value_t = 1)]
+    rays: u32,
+}
+
 /// Draws the chapter's pictures.
 ///
 /// # Errors
 /// If a picture cannot be drawn or written.
-pub fn draw(stage: &Stage) -> Drawn {
+pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let [whole, close] = posts::VIEWS;
     let film = stage.film_of(960, 16, 16.0 / 9.0);
     let camera = camera(whole, &film)?;
-    let scene = posts::under(posts::square(1.4));
-    let picture = film.render(&camera, &Sampler::Refined, &ONE_SAMPLE, &scene);
-    let caption = "Under a square light of 1.4 m, shadows are sharp near what throws them, and the softer the farther away they fall.";
-    stage.picture("picture", caption, &picture)?;
+    let scene = posts::under(posts::square(knobs.lamp));
+    let whitted = with_samples(knobs.rays);
+    let picture = film.render(&camera, &Sampler::Refined, &whitted, &scene);
+    let caption = format!(
+        "Under a square light of {} m, shadows are sharp near what throws them, and the softer the farther away they fall.",
+        knobs.lamp
+    );
+    stage.picture("picture", &caption, &picture)?;
 
     let tile = Film {
         samples: film.samples,
@@ -69,7 +83,7 @@ pub fn draw(stage: &Stage) -> Drawn {
     ];
     let tiles = lights.map(|(name, light)| {
         let scene = posts::under(light);
-        let picture = tile.render(&close, &Sampler::Refined, &ONE_SAMPLE, &scene);
+        let picture = tile.render(&close, &Sampler::Refined, &whitted, &scene);
         (name, picture)
     });
     let caption = "The same place under a point, a small and a large square, and a sphere: the larger the light, the wider the penumbra.";
@@ -91,5 +105,5 @@ fn camera(
 
 /// The chapter's binary.
 pub fn main() -> ExitCode {
-    chapter::run("ch16_soft_shadows", draw)
+    chapter::run("ch16_soft_shadows")
 }

@@ -11,6 +11,7 @@ mod strategies;
 use crate::kit::chapter;
 use crate::kit::sheet::sheet;
 use crate::kit::stage::{Drawn, Stage};
+use clap::{Args, ValueEnum};
 use raybook::image::{Image, rgb::Rgb};
 use raybook::render::film::Film;
 use raybook::render::mis::Strategy;
@@ -28,14 +29,45 @@ const ALL: Path = Path {
 /// Over one surface: straight from the lamp.
 const DIRECT: Path = Path { depth: 1, ..ALL };
 
+/// How the light straight from the lamp is found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum By {
+    /// Where the surface reflects much
+    Surface,
+    /// By a place on the lamp
+    Light,
+    /// By both, weighted
+    Both,
+}
+
+/// What the pictures depend on.
+#[derive(Args, Clone, Debug)]
+pub struct Knobs {
+    /// Depth: at most so many surfaces along a path; all of them, if not said
+    #[arg(long, value_name = "1..1000 surfaces")]
+    depth: Option<u32>,
+    /// How the light straight from the lamp is found
+    #[arg(long, value_enum, default_value = "both")]
+    strategy: By,
+}
+
 /// Draws the chapter's pictures.
 ///
 /// # Errors
 /// If a picture cannot be drawn or written.
-pub fn draw(stage: &Stage) -> Drawn {
+pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let film = stage.film_of(400, 64, 1.0);
     let cornell_box = View::cornell_box()?;
-    let picture = photograph(&film, &cornell_box, ALL);
+    let path = Path {
+        depth: knobs.depth.unwrap_or(ALL.depth),
+        strategy: match knobs.strategy {
+            By::Surface => Strategy::Surface,
+            By::Light => Strategy::Light,
+            By::Both => Strategy::Both,
+        },
+        ..ALL
+    };
+    let picture = photograph(&film, &cornell_box, path);
     let caption = "The Cornell box. Red and green light on the white blocks has come from the walls; \
         the ceiling gets no light from the lamp at all, only from the other surfaces.";
     stage.picture("picture", caption, &picture)?;
@@ -89,7 +121,7 @@ fn photograph(film: &Film, view: &View, path: Path) -> Image {
 
 /// The chapter's binary.
 pub fn main() -> ExitCode {
-    chapter::run("ch17_rendering_equation", draw)
+    chapter::run("ch17_rendering_equation")
 }
 
 /// The mean of the middle half of eight pictures, pixel by pixel: a few paths that bring very much count in none of them

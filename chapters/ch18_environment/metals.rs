@@ -15,14 +15,14 @@ use raybook::shape::sphere::Sphere;
 
 /// The columns, from left to right.
 const METALS: [Metal; 4] = [Metal::GOLD, Metal::COPPER, Metal::SILVER, Metal::ALUMINIUM];
-/// α of the rows, from top to bottom; above the first is a row of smooth ones.
-const ROUGH: [f32; 2] = [0.15, 0.45];
+/// α of the row in the middle; above it is a row of smooth ones.
+const ROUGH: f32 = 0.15;
 
-/// Balls of four metals in three rows: smooth, rough, rougher.
+/// Balls of four metals in three rows: smooth, rough, and with this α.
 ///
 /// # Errors
 /// If there is no such camera.
-pub(super) fn draw(film: &Film, sky: Box<dyn Light>) -> Result<Image, LookAtError> {
+pub(super) fn draw(film: &Film, sky: Box<dyn Light>, alpha: f32) -> Result<Image, LookAtError> {
     /// Between the middles of two balls of radius 1, in metres.
     const STEP: f32 = 3.1;
     let ball = |column: usize, row: usize| {
@@ -32,7 +32,7 @@ pub(super) fn draw(film: &Film, sky: Box<dyn Light>) -> Result<Image, LookAtErro
     let mut things = Vec::new();
     for (column, metal) in METALS.into_iter().enumerate() {
         things.push(Thing::new(ball(column, 0), Conductor(metal)));
-        for (row, alpha) in (1..).zip(ROUGH) {
+        for (row, alpha) in (1..).zip([ROUGH, alpha]) {
             things.push(Thing::new(ball(column, row), Ggx { metal, alpha }));
         }
     }

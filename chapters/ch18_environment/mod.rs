@@ -12,6 +12,8 @@ pub mod skies;
 use crate::kit::chapter;
 use crate::kit::sheet::sheet;
 use crate::kit::stage::{Drawn, Stage};
+use crate::kit::untrusted::Untrusted;
+use clap::Args;
 use environments::{Layouts, layouts, quarters};
 use everywhere::Everywhere;
 use glam::Vec3;
@@ -27,21 +29,35 @@ use raybook::scene::still_life::{AT, EYE, still_life};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-#[derive(clap::Args)]
-struct MapOptions {
+/// What the pictures depend on.
+#[derive(Args, Clone, Debug)]
+pub struct Knobs {
     /// Light the scene with this map (.exr, .hdr or .png) instead of the four skies
-    #[arg(long)]
+    #[arg(long, value_name = "FILE", visible_alias = "map")]
     environment: Option<PathBuf>,
     /// How the directions lie on it
     #[arg(long, value_enum, default_value = "latlong", requires = "environment")]
     layout: Layouts,
+    /// Roughness α of the metals in the lowest row
+    #[arg(long, value_name = "0.01..1", default_value_t = 0.45)]
+    roughness: f32,
 }
 
 /// Draws the chapter's pictures.
 ///
 /// # Errors
 /// If a picture cannot be drawn or written.
-pub fn draw(stage: &Stage) -> Drawn {
+pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
+    if let Some(file) = &knobs.environment {
+        let map = knobs.layout.unfold(&file::load(file)?);
+        let film = stage.film_of(960, 64, 1.6);
+        let caption = format!(
+            "Nothing shines here but {}.",
+            Untrusted::from(file.as_path())
+        );
+        let picture = picture(&film, Box::new(Environment::new(map)))?;
+        return stage.picture("picture", &caption, &picture);
+    }
     let tile = stage.tile(2, 1.6);
     let samples = 2 * tile.samples;
     let film = Film { samples, ..tile };
@@ -61,9 +77,13 @@ pub fn draw(stage: &Stage) -> Drawn {
     stage.figure("layouts", caption, &layouts(day)?)?;
 
     let film = stage.film_of(480, 48, 4.0 / 3.0);
-    let metals = metals::draw(&film, Box::new(Environment::new(studio.clone())))?;
-    let caption = "Gold, copper, silver and aluminium, each smooth and, below, with facets that scatter: α = 0.15 and 0.45.";
-    stage.figure("metals", caption, &metals.map(tone::aces))?;
+    let light = Box::new(Environment::new(studio.clone()));
+    let metals = metals::draw(&film, light, knobs.roughness)?;
+    let caption = format!(
+        "Gold, copper, silver and aluminium, each smooth and, below, with facets that scatter: α = 0.15 and {}.",
+        knobs.roughness
+    );
+    stage.figure("metals", &caption, &metals.map(tone::aces))?;
 
     let samples = tile.samples.div_ceil(2);
     let few = Film { samples, ..tile };
@@ -91,13 +111,5 @@ fn picture(film: &Film, light: Box<dyn Light>) -> Result<Image, LookAtError> {
 
 /// The chapter's binary.
 pub fn main() -> ExitCode {
-    chapter::run_with("ch18_environment", |stage, options: MapOptions| {
-        let Some(file) = options.environment else {
-            return draw(stage);
-        };
-        let light = Box::new(Environment::new(options.layout.unfold(&file::load(&file)?)));
-        let film = stage.film_of(960, 64, 1.6);
-        let caption = format!("Nothing shines here but {}.", file.display());
-        stage.picture("picture", &caption, &picture(&film, light)?)
-    })
+    chapter::run("ch18_environment")
 }

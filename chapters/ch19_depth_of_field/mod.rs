@@ -13,6 +13,7 @@ use crate::kit::chapter;
 use crate::kit::sheet::sheet;
 use crate::kit::stage::{Drawn, Stage};
 use crate::lab::sheets::named;
+use clap::Args;
 use glam::Vec3;
 use raybook::camera::aperture::Aperture;
 use raybook::camera::lens::LensError;
@@ -28,11 +29,25 @@ use raybook::render::whitted::Whitted;
 use std::process::ExitCode;
 use tea_table::{ALONG, EYE, FAR, FOCAL_LENGTH, NARROW_VIEW, POTS, VIEW, lamps, tea_table};
 
+/// What the pictures depend on.
+#[derive(Args, Clone, Debug)]
+pub struct Knobs {
+    /// F-number: the focal length of 50 mm over the width of the hole
+    #[arg(long, value_name = "0.7..128", default_value_t = 1.4)]
+    f_number: f32,
+    /// Distance in focus; the red teapot's, if not said
+    #[arg(long, value_name = "0.2..100 m")]
+    focus: Option<f32>,
+    /// Blades that leave the hole open
+    #[arg(long, value_name = "3..32 blades", default_value_t = 6)]
+    blades: u32,
+}
+
 /// Draws the chapter's pictures.
 ///
 /// # Errors
 /// If a picture cannot be drawn or written.
-pub fn draw(stage: &Stage) -> Drawn {
+pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let (scene, lamps) = (tea_table(), lamps());
     let arrives = Some(shadow::lit as _);
     let local = Local {
@@ -51,9 +66,13 @@ pub fn draw(stage: &Stage) -> Drawn {
 
     let film = stage.film_of(960, 32, 16.0 / 9.0);
     let body = Pinhole::look_at(EYE, VIEW, Vec3::Y, FOCAL_LENGTH, film.aspect())?;
-    let caption = "A lens of 50 mm at f/1.4, focused on the red teapot. What is nearer or farther is blurred, and every lamp becomes a hexagon: the hole that six blades leave open.";
-    let picture = photograph(&film, &focused(&body, POTS[1], 1.4)?);
-    stage.picture("picture", caption, &picture)?;
+    let (f_number, blades) = (knobs.f_number, knobs.blades);
+    let red = knobs.focus.unwrap_or(distance(&body, POTS[1]));
+    let caption = format!(
+        "A lens of 50 mm at f/{f_number}, focused at {red:.2} m. What is nearer or farther is blurred, and every lamp becomes the hole that {blades} blades leave open."
+    );
+    let picture = photograph(&film, &through(&body, red, f_number, blades)?);
+    stage.picture("picture", &caption, &picture)?;
 
     let caption = "With few random points of the lens there is noise where the picture is blurred, and hardly any where it is sharp. Points that are spread evenly over the lens have less of it.";
     let figure = lens_samples::draw(&stage.tile(3, 1.6), &scene, &whitted)?;
@@ -61,7 +80,7 @@ pub fn draw(stage: &Stage) -> Drawn {
 
     let (tile, mut tiles) = (stage.tile(2, 16.0 / 9.0), vec![]);
     for f_number in [f32::INFINITY, 8.0, 2.8, 1.4] {
-        let camera = focused(&body, POTS[1], f_number)?;
+        let camera = through(&body, red, f_number, blades)?;
         tiles.push((format!("f/{f_number}"), photograph(&tile, &camera)));
     }
     tiles[0].0 = String::from("a pin-hole: f/∞");
@@ -73,7 +92,7 @@ pub fn draw(stage: &Stage) -> Drawn {
     let tile = Film { samples, ..tile };
     let body = Pinhole::look_at(ALONG, NARROW_VIEW, Vec3::Y, FOCAL_LENGTH, tile.aspect())?;
     for at in POTS.into_iter().chain([FAR]) {
-        let camera = focused(&body, at, 1.4)?;
+        let camera = through(&body, distance(&body, at), f_number, blades)?;
         let name = format!("{:.1} m", camera.lens.focus);
         tiles.push((name, photograph(&tile, &camera)));
     }
@@ -86,14 +105,18 @@ pub fn draw(stage: &Stage) -> Drawn {
     stage.figure("blur", caption, &blur_plot::plot()?)
 }
 
-/// The camera with six blades before its lens, focused on the plane in which a point lies.
-fn focused(body: &Pinhole, at: Vec3, f_number: f32) -> Result<ThinLens, LensError> {
-    let focus = (at - body.focal_point).dot(*body.forward);
-    let (count, turn) = (6, 0.0);
+/// How far ahead of the camera the plane is in which a point lies.
+fn distance(body: &Pinhole, at: Vec3) -> f32 {
+    (at - body.focal_point).dot(*body.forward)
+}
+
+/// The camera with so many blades before its lens.
+fn through(body: &Pinhole, focus: f32, f_number: f32, count: u32) -> Result<ThinLens, LensError> {
+    let turn = 0.0;
     ThinLens::new(body, f_number, focus, Aperture::Blades { count, turn })
 }
 
 /// The chapter's binary.
 pub fn main() -> ExitCode {
-    chapter::run("ch19_depth_of_field", draw)
+    chapter::run("ch19_depth_of_field")
 }

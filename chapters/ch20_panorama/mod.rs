@@ -14,6 +14,7 @@ pub mod summer;
 use crate::kit::chapter;
 use crate::kit::stage::{Drawn, Stage};
 use all_around::{Rays, fisheyes, pinholes};
+use clap::Args;
 use panorama_as_environment::{lit, looks};
 use panorama_map::{labelled, with_lines};
 use pavilion::{BEAMS, EYE};
@@ -30,13 +31,19 @@ use raybook::render::whitted::Whitted;
 use raybook::scene::world::Scene;
 use std::process::ExitCode;
 
-#[derive(clap::Args)]
-struct PanoramaOptions {
+/// What the pictures depend on.
+#[derive(Args, Clone, Debug)]
+pub struct Knobs {
     /// Take the picture with a fisheye of this projection
     #[arg(long, value_enum)]
     projection: Option<projections::Named>,
-    /// The fisheye's view from rim to rim, in degrees
-    #[arg(long, default_value_t = 180.0, requires = "projection")]
+    /// Angle that the fisheye sees from rim to rim
+    #[arg(
+        long,
+        value_name = "1..360 °",
+        default_value_t = 180.0,
+        requires = "projection"
+    )]
     view: f32,
 }
 
@@ -44,8 +51,15 @@ struct PanoramaOptions {
 ///
 /// # Errors
 /// If a picture cannot be drawn or written.
-pub fn draw(stage: &Stage) -> Drawn {
+pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let (pose, scene) = (Pose::level(EYE), pavilion::scene());
+    if let Some(projections::Named(projection)) = knobs.projection {
+        let film = stage.film_of(720, 9, 1.0);
+        let camera = Fisheye::new(pose, projection, knobs.view, film.aspect())?;
+        let picture = photograph(&scene, &film, &|place| camera.ray_through(place));
+        let caption = format!("{} degrees by a fisheye.", knobs.view);
+        return stage.picture("picture", &caption, &picture);
+    }
     let camera = Panorama { pose };
     let take = |film: &Film, rays: Rays| photograph(&scene, film, rays);
     let film = stage.film_of(960, 9, 2.0);
@@ -89,16 +103,5 @@ fn photograph(scene: &Scene, film: &Film, rays: Rays) -> Image {
 
 /// The chapter's binary.
 pub fn main() -> ExitCode {
-    chapter::run_with("ch20_panorama", |stage, options: PanoramaOptions| {
-        let Some(projections::Named(projection)) = options.projection else {
-            return draw(stage);
-        };
-        let (pose, film) = (Pose::level(EYE), stage.film_of(720, 9, 1.0));
-        let camera = Fisheye::new(pose, projection, options.view, film.aspect())?;
-        let picture = photograph(&pavilion::scene(), &film, &|place| {
-            camera.ray_through(place)
-        });
-        let caption = format!("{} degrees by a fisheye.", options.view);
-        stage.picture("picture", &caption, &picture)
-    })
+    chapter::run("ch20_panorama")
 }

@@ -13,7 +13,8 @@ mod straight_hole;
 
 use crate::kit::chapter;
 use crate::kit::stage::{Drawn, Stage};
-use glam::{vec2, vec3};
+use clap::Args;
+use glam::{Mat3, vec2, vec3};
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::file;
 use raybook::image::rgb::Rgb;
@@ -27,10 +28,20 @@ use starry_sky::starry_sky;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-#[derive(clap::Args)]
-struct BackgroundOptions {
+/// What the pictures depend on.
+#[derive(Args, Clone, Debug)]
+pub struct Knobs {
+    /// Distance of the observer from the hole, in radii of its horizon
+    #[arg(long, value_name = "13..200 radii", default_value_t = 17.0)]
+    distance: f32,
+    /// Angle by which the view is spun around its middle
+    #[arg(long, value_name = "-180..180 °", default_value_t = 0.0)]
+    spin: f32,
+    /// Temperature of the disc where it is hottest
+    #[arg(long, value_name = "1000..40000 K", default_value_t = 5500.0)]
+    temperature: f32,
     /// Put the hole before this latitude–longitude map (.exr, .hdr or .png) instead of the stars
-    #[arg(long)]
+    #[arg(long, value_name = "FILE", visible_alias = "map")]
     environment: Option<PathBuf>,
 }
 
@@ -41,20 +52,25 @@ const EXPOSURE: f32 = 1.1;
 ///
 /// # Errors
 /// If a picture cannot be drawn or written.
-pub fn draw(stage: &Stage) -> Drawn {
-    draw_before(stage, &starry_sky)
+pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
+    let Some(path) = &knobs.environment else {
+        return draw_before(stage, knobs, &starry_sky);
+    };
+    let map = Environment::new(file::load(path)?);
+    draw_before(stage, knobs, &|toward| map.radiance(toward))
 }
 
 /// With this radiance by direction behind everything.
-fn draw_before(stage: &Stage, sky: &(dyn Fn(Dir3) -> Rgb + Sync)) -> Drawn {
+fn draw_before(stage: &Stage, knobs: &Knobs, sky: &(dyn Fn(Dir3) -> Rgb + Sync)) -> Drawn {
     let film = stage.film_of(960, 4, 1.78);
+    let spin = Mat3::from_rotation_z(knobs.spin.to_radians());
     let (eye, at, up) = (
-        vec3(0.0, 1.9, 17.0),
+        vec3(0.0, 1.9, 17.0) * (knobs.distance / 17.0),
         vec3(0.0, -0.2, 0.0),
-        vec3(0.18, 1.0, 0.0),
+        spin * vec3(0.18, 1.0, 0.0),
     );
     let camera = Pinhole::look_at(eye, at, up, 0.0225, film.aspect())?;
-    let disc = AccretionDisc::new(11.0, 5500.0);
+    let disc = AccretionDisc::new(11.0, knobs.temperature);
     let hole = BlackHole {
         disc: Some(&disc),
         sky,
@@ -103,11 +119,5 @@ fn fan(camera: &Pinhole, film: &Film) -> Fan {
 
 /// The chapter's binary.
 pub fn main() -> ExitCode {
-    chapter::run_with("ch21_black_hole", |stage, options: BackgroundOptions| {
-        let Some(path) = options.environment else {
-            return draw(stage);
-        };
-        let map = Environment::new(file::load(&path)?);
-        draw_before(stage, &|toward| map.radiance(toward))
-    })
+    chapter::run("ch21_black_hole")
 }

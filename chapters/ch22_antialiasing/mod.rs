@@ -16,14 +16,17 @@ use crate::lab::point_sets::PointSets;
 use crate::lab::polar::Polar;
 use crate::lab::sheets;
 use crate::lab::subject::Subject;
+use clap::builder::PossibleValuesParser;
+use clap::{Args, ValueEnum};
 use glam::Vec3;
 use raybook::camera::pinhole::Pinhole;
 use raybook::math::pcg::Pcg;
 use raybook::render::film::Film;
 use raybook::render::local::Local;
 use raybook::render::shadow;
-use raybook::render::supersample::supersample;
+use raybook::render::supersample::{filtered, supersample};
 use raybook::render::whitted::Whitted;
+use raybook::sample::filter::Filter;
 use raybook::sample::pattern::{PATTERNS, find};
 use raybook::scene::horizon;
 use std::process::ExitCode;
@@ -37,11 +40,43 @@ const DIRECT: Whitted = Whitted {
     depth: 1,
 };
 
+/// A reconstruction filter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum By {
+    /// A pixel's own samples alike
+    Box,
+    /// Less, the farther away
+    Tent,
+    /// A bell
+    Gaussian,
+    /// Mitchell's cubic, which goes below 0
+    Mitchell,
+}
+
+/// The names of the patterns.
+fn patterns() -> impl Iterator<Item = &'static str> {
+    PATTERNS.iter().map(|pattern| pattern.name)
+}
+
+/// What the pictures depend on.
+#[derive(Args, Clone, Debug)]
+pub struct Knobs {
+    /// Sampling pattern of the main picture
+    #[arg(long, default_value = "jittered", value_parser = PossibleValuesParser::new(patterns()))]
+    pattern: String,
+    /// Reconstruction filter of the main picture
+    #[arg(long, value_enum, default_value = "box")]
+    filter: By,
+    /// Points in each of the patterns side by side
+    #[arg(long, value_name = "1..4096 points", default_value_t = 64)]
+    count: usize,
+}
+
 /// Draws the chapter's pictures.
 ///
 /// # Errors
 /// If a picture cannot be drawn or written.
-pub fn draw(stage: &Stage) -> Drawn {
+pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let film = stage.film(16.0 / 9.0);
     let scene = horizon::scene();
     let [eye, at] = horizon::VIEW;
@@ -50,24 +85,34 @@ pub fn draw(stage: &Stage) -> Drawn {
     let grid = find("regular-grid").ok_or("there is a grid")?;
     let jittered = find("jittered").ok_or("there is a jittered pattern")?;
     let most = film.samples;
-    let ways = [(1, grid), (most.isqrt(), jittered), (most, jittered)];
+    let chosen = find(&knobs.pattern).ok_or("the knob has a pattern's name")?;
+    let ways = [(1, grid), (most.isqrt(), chosen), (most, chosen)];
     let views = ways.map(|(samples, pattern)| {
         let film = Film { samples, ..film };
-        supersample(&film, pattern, see)
+        let filter = match knobs.filter {
+            By::Box => return supersample(&film, pattern, see),
+            By::Tent => Filter::TENT,
+            By::Gaussian => Filter::GAUSSIAN,
+            By::Mitchell => Filter::MITCHELL,
+        };
+        filtered(&film, pattern, &filter, see)
     });
-    let caption = "One picture, from left to right with one ray through the middle of each pixel, and with 4 and 16 jittered ones. With one ray the far squares make a pattern that \
+    let caption = "One picture, from left to right with one ray through the middle of each pixel, and with 4 and 16 in a pattern. With one ray the far squares make a pattern that \
         is not there, and the edges are stairs; with sixteen the squares melt into grey, as they should.";
     stage.picture("picture", caption, &sheets::bands(&views))?;
 
     let subjects: Vec<_> = PATTERNS.iter().map(Subject::of).collect();
     let all = PointSets {
         subjects: &subjects,
-        n: 64,
+        n: knobs.count,
         columns: 4,
     };
-    let caption = "Sixty-four points in a pixel, placed in different ways. Random points crowd and leave gaps; all the others try not to, \
-        and differ in what else they give up.";
-    stage.figure("patterns", caption, &all.image()?)?;
+    let caption = format!(
+        "{} points in a pixel, placed in different ways. Random points crowd and leave gaps; all the others try not to, \
+        and differ in what else they give up.",
+        knobs.count
+    );
+    stage.figure("patterns", &caption, &all.image()?)?;
 
     let named = "regular-grid rotated-grid random jittered poisson-disk sobol-owen".split(' ');
     let named: Vec<_> = named.filter_map(find).map(Subject::of).collect();
@@ -91,5 +136,5 @@ pub fn draw(stage: &Stage) -> Drawn {
 
 /// The chapter's binary.
 pub fn main() -> ExitCode {
-    chapter::run("ch22_antialiasing", draw)
+    chapter::run("ch22_antialiasing")
 }

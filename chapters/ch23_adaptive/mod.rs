@@ -8,6 +8,7 @@ use crate::kit::sheet::sheet;
 use crate::kit::stage::{Drawn, Stage};
 use crate::lab::adaptive_gain::{map, measure, spent};
 use crate::lab::plot::Plot as _;
+use clap::Args;
 use glam::Vec3;
 use raybook::camera::pinhole::Pinhole;
 use raybook::math::pcg::Pcg;
@@ -30,21 +31,35 @@ const DIRECT: Whitted = Whitted {
     depth: 1,
 };
 
+/// What the pictures depend on.
+#[derive(Args, Clone, Debug)]
+pub struct Knobs {
+    /// Rays through each pixel before their differences are looked at
+    #[arg(long, value_name = "2..64 rays", default_value_t = 4)]
+    first: usize,
+    /// Threshold of the error of a pixel's mean: above it, more rays follow
+    #[arg(long, value_name = "0.0005..1", default_value_t = 0.01)]
+    threshold: f32,
+    /// Budget of rays per pixel, on average, where it is a budget that decides
+    #[arg(long, value_name = "2..256 rays", default_value_t = 12)]
+    budget: usize,
+}
+
 /// Draws the chapter's pictures.
 ///
 /// # Errors
 /// If a picture cannot be drawn or written.
-pub fn draw(stage: &Stage) -> Drawn {
+pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let film = stage.film(16.0 / 9.0);
     let scene = horizon::scene();
     let [eye, at] = horizon::VIEW;
     let camera = Pinhole::look_at(eye, at, Vec3::Y, horizon::FOCAL_LENGTH, film.aspect())?;
     let see = |place, rng: &mut Pcg| DIRECT.follow(&scene, &camera.ray_through(place), rng);
     let limits = Limits {
-        first: 4,
-        most: 4 * film.samples.max(2),
+        first: knobs.first,
+        most: (4 * film.samples.max(2)).max(knobs.first),
     };
-    let mean = film.samples.max(6);
+    let mean = film.samples.max(6).max(limits.first);
     let done = by_budget(&film, limits.first, mean, see);
     let caption = format!(
         "The scene of chapter 22 with {} in the mean: {} at first, and the others where those differ.",
@@ -53,6 +68,8 @@ pub fn draw(stage: &Stage) -> Drawn {
     );
     stage.picture("picture", &caption, &done.picture)?;
 
+    let budget = knobs.budget.max(limits.first);
+    let of_budget = format!("a budget of {budget}");
     let small = stage.tile(2, 16.0 / 9.0);
     let rules = [
         (
@@ -61,9 +78,12 @@ pub fn draw(stage: &Stage) -> Drawn {
         ),
         (
             "by variance",
-            adaptive(&small, limits, &Enough::by_variance(0.01), see),
+            adaptive(&small, limits, &Enough::by_variance(knobs.threshold), see),
         ),
-        ("a budget of 12", by_budget(&small, limits.first, 12, see)),
+        (
+            of_budget.as_str(),
+            by_budget(&small, limits.first, budget, see),
+        ),
     ];
     let mut tiles = vec![("the picture".to_owned(), rules[2].1.picture.clone())];
     for (name, done) in &rules {
@@ -90,5 +110,5 @@ pub fn draw(stage: &Stage) -> Drawn {
 
 /// The chapter's binary.
 pub fn main() -> ExitCode {
-    chapter::run("ch23_adaptive", draw)
+    chapter::run("ch23_adaptive")
 }

@@ -65,15 +65,15 @@ impl Confetti {
         }
     }
 
-    /// What a ray sees: paper, porcelain or floor, in the light of sky and sun; and how many rays that takes.
+    /// What a ray sees: paper, porcelain or floor, in the light of the sun and of so many rays towards the sky; and how many rays
+    /// that takes.
     pub(super) fn follow(
         &self,
         ray: &Ray,
         accel: &impl Accel<Facet>,
+        sky_rays: u16,
         rng: &mut impl Rng,
     ) -> Followed {
-        /// Rays towards the sky.
-        const TOWARD_SKY: u8 = 6;
         let floor = Plane::through(Vec3::ZERO, Dir3::Y);
         let (colour, at) = match accel.closest(ray, Interval::AHEAD) {
             Some((_, hit)) => (self.colour(&hit), self.mesh.surface(ray, &hit)),
@@ -91,10 +91,10 @@ impl Confetti {
         let normal = if inward { -at.normal } else { at.normal };
         let open = |toward: Dir3| !accel.any(&at.leave(toward), Interval::AHEAD);
         let mut light = Rgb::BLACK;
-        for _ in 0..TOWARD_SKY {
+        for _ in 0..sky_rays {
             let toward = up(normal, rng);
             if toward.y > 0.0 && open(toward) {
-                light += Rgb::new(0.52, 0.61, 0.74) / f32::from(TOWARD_SKY);
+                light += Rgb::new(0.52, 0.61, 0.74) / f32::from(sky_rays);
             }
         }
         let sun = Dir3::new_or(vec3(-0.55, 0.8, 0.45), Dir3::Y);
@@ -107,7 +107,7 @@ impl Confetti {
         let seen = outdoors::sky(Dir3::new_or(ray.direction.with_y(0.0), Dir3::Y));
         Followed {
             radiance: seen.lerp(colour * light, far),
-            rays: 2 + u64::from(TOWARD_SKY),
+            rays: 2 + u64::from(sky_rays),
         }
     }
 

@@ -13,33 +13,54 @@ mod wide_trees;
 
 use crate::kit::chapter;
 use crate::kit::stage::{Drawn, Stage};
+use crate::shared::own_mesh::{self, MeshKnob};
 use crate::shared::{heat, showroom};
+use clap::Args;
 use confetti::Confetti;
 use raybook::accel::bvh::Bvh;
 use raybook::accel::wide_bvh::WideBvh;
+use raybook::shape::mesh::Mesh;
 use std::process::ExitCode;
 use std::sync::atomic::AtomicU64;
 use std::sync::atomic::Ordering::Relaxed;
+
+/// What the pictures depend on.
+#[derive(Args, Clone, Debug)]
+pub struct Knobs {
+    #[command(flatten)]
+    own: MeshKnob,
+    /// Pieces of confetti, a triangle each
+    #[arg(long, value_name = "100..2000000 pieces", default_value_t = 120_000)]
+    pieces: u32,
+    /// Rays towards the sky from each point that is seen
+    #[arg(long, value_name = "1..256 rays", default_value_t = 6)]
+    sky_rays: u16,
+}
 
 /// Draws the chapter's pictures.
 ///
 /// # Errors
 /// If a picture cannot be drawn or written.
-pub fn draw(stage: &Stage) -> Drawn {
+pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
+    if let Some(path) = &knobs.own.mesh {
+        let wide = |mesh: &Mesh| WideBvh::new(mesh.facets());
+        return own_mesh::draw(stage, path, wide, "nodes visited");
+    }
     let film = stage.film_of(960, 4, 1.78);
-    let confetti = Confetti::new(120_000);
+    let confetti = Confetti::new(knobs.pieces);
     let tree = WideBvh::new(confetti.mesh.facets());
     let camera = confetti::camera(film.aspect());
     let rays = AtomicU64::new(0);
     let picture = film.refine(|place, numbers| {
-        let seen = confetti.follow(&camera.ray_through(place), &tree, numbers);
+        let seen = confetti.follow(&camera.ray_through(place), &tree, knobs.sky_rays, numbers);
         rays.fetch_add(seen.rays, Relaxed);
         seen
     });
     let caption = format!(
-        "A teapot in a heap of confetti, {} triangles. {:.1} million rays make this picture: each point looks for the sky in six directions, and for the sun.",
+        "A teapot in a heap of confetti, {} triangles. {:.1} million rays make this picture: each point looks for the sky in {} directions, and for the sun.",
         confetti.mesh.triangles().len(),
-        rays.into_inner() as f64 / 1e6
+        rays.into_inner() as f64 / 1e6,
+        knobs.sky_rays
     );
     stage.picture("picture", &caption, &picture)?;
 
@@ -70,5 +91,5 @@ pub fn draw(stage: &Stage) -> Drawn {
 
 /// The chapter's binary.
 pub fn main() -> ExitCode {
-    chapter::run("ch24_wide_bvh", draw)
+    chapter::run("ch24_wide_bvh")
 }

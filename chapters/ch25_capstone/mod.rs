@@ -9,6 +9,8 @@ mod misread;
 use crate::kit::chapter;
 use crate::kit::sheet::sheet;
 use crate::kit::stage::{Drawn, Stage};
+use clap::Args;
+use clap::builder::PossibleValuesParser;
 use glam::{Vec2, Vec3};
 use raybook::camera::pinhole::{LookAtError, Pinhole};
 use raybook::image::Image;
@@ -19,17 +21,33 @@ use raybook::scene::four_scenes::{ASPECT, FOUR, Staged};
 use raybook_workbook::exercises::ch25_capstone::Trace;
 use std::process::ExitCode;
 
+/// What the pictures depend on.
+#[derive(Args, Clone, Debug)]
+pub struct Knobs {
+    /// Depth: at most so many surfaces in a row; each scene's own, if not said
+    #[arg(long, value_name = "1..64 surfaces")]
+    depth: Option<u32>,
+    /// Scene that is described
+    #[arg(long, default_value = FOUR[0].name, value_parser = PossibleValuesParser::new(FOUR.iter().map(|staged| staged.name)))]
+    scene: String,
+}
+
 /// Draws the chapter's pictures.
 ///
 /// # Errors
 /// If a picture cannot be drawn or written.
-pub fn draw(stage: &Stage) -> Drawn {
+pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let tile = stage.tile(2, ASPECT);
     let samples = tile.samples.min(9);
     let film = Film { samples, ..tile };
     let mut tiles = Vec::new();
     for staged in &FOUR {
-        let picture = photograph(&film, staged, &(staged.scene)(), staged.depth)?;
+        let picture = photograph(
+            &film,
+            staged,
+            &(staged.scene)(),
+            knobs.depth.unwrap_or(staged.depth),
+        )?;
         tiles.push((staged.name, picture));
     }
     stage.picture(
@@ -37,16 +55,18 @@ pub fn draw(stage: &Stage) -> Drawn {
         "Four scenes that a whole ray tracer is tried on: one lamp on balls and a plane; three lamps and their shadows; mirrors in mirrors; glass, with a bubble in the ball on the right.",
         &sheet(2, &tiles)?,
     )?;
-    let (easiest, shown) = (&FOUR[0], tiles.swap_remove(0).1);
+    let chosen = FOUR.iter().position(|staged| staged.name == knobs.scene);
+    let chosen = chosen.ok_or("the knob has a scene's name")?;
+    let (chosen, shown) = (&FOUR[chosen], tiles.swap_remove(chosen).1);
     let question = Trace {
-        depth: easiest.depth,
-        ray: camera(easiest)?.ray_through(Vec2::splat(0.5)),
-        scene: (easiest.scene)(),
+        depth: chosen.depth,
+        ray: camera(chosen)?.ray_through(Vec2::splat(0.5)),
+        scene: (chosen.scene)(),
     };
     let words = described::words(shown.width(), shown.height(), &question)?;
     stage.figure(
         "description",
-        "The easiest scene, and the line that describes it with the ray through its middle.",
+        "A scene, and the line that describes it with the ray through its middle.",
         &sheet(2, &[("the picture", shown), ("the question", words)])?,
     )?;
     let small = stage.tile(3, ASPECT);
@@ -77,5 +97,5 @@ fn photograph(
 
 /// The chapter's binary.
 pub fn main() -> ExitCode {
-    chapter::run("ch25_capstone", draw)
+    chapter::run("ch25_capstone")
 }

@@ -1,61 +1,44 @@
 //! The `main` of every chapter binary.
 
+use crate::kit::knobs::{self, Kind, Knob};
 use crate::kit::options::Options;
 use crate::kit::say::{complain, lost, say};
-use crate::kit::stage::{Drawn, Stage, progress_bar};
+use crate::kit::stage::{Output, Stage, progress_bar};
 use crate::kit::terminal::colourless;
 use crate::kit::untrusted::Untrusted;
+use crate::kit::vary::{self, Vary};
 use crate::lesson::{self, Lesson};
-use clap::{Args, CommandFactory, FromArgMatches, Parser};
+use clap::{Args, Command, FromArgMatches};
 use raybook_workbook::answer::unwritten;
 use std::error::Error;
 use std::panic;
 use std::process::ExitCode;
 use std::sync::Mutex;
 
-/// No options beyond the shared ones.
-#[derive(Args, Debug)]
-pub struct NoOptions {}
-
-#[derive(Parser)]
-struct Command<E: Args> {
+/// The options of every chapter beside its knobs.
+#[derive(Args)]
+struct Shared {
     #[command(flatten)]
     options: Options,
     /// Draw the pictures in the terminal too, if standard output is one that has colours
     #[arg(long)]
     show: bool,
     #[command(flatten)]
-    extra: E,
+    vary: Vary,
 }
 
 /// The `main` of a chapter binary: parses the options, draws, and says what was written.
-pub fn run(chapter: &'static str, draw: fn(&Stage) -> Drawn) -> ExitCode {
-    run_with(chapter, |stage, _: NoOptions| draw(stage))
-}
-
-/// As [`run`], for a chapter with options of its own.
-pub fn run_with<E: Args>(chapter: &'static str, draw: impl FnOnce(&Stage, E) -> Drawn) -> ExitCode {
+pub fn run(chapter: &str) -> ExitCode {
     end_at_what_is_unwritten();
-    let about = lesson::find(chapter).map_or_else(String::new, Lesson::teaches);
-    let matches = Command::<E>::command()
-        .name(chapter)
-        .about(about)
-        .get_matches();
-    let command = Command::<E>::from_arg_matches(&matches).unwrap_or_else(|e| e.exit());
-    let show = command.show && can_show();
-    let stage = Stage::new(chapter, command.options, show, progress_bar());
-    match draw(&stage, command.extra) {
-        Ok(()) => {
-            for output in stage.into_outputs() {
-                say(format!(
-                    "wrote {}{}",
-                    output.png.display(),
-                    if output.exr.is_some() {
-                        " and .exr"
-                    } else {
-                        ""
-                    }
-                ));
+    match drawn(chapter) {
+        Ok(outputs) => {
+            for output in outputs {
+                let exr = if output.exr.is_some() {
+                    " and .exr"
+                } else {
+                    ""
+                };
+                say(format!("wrote {}{exr}", output.png.display()));
             }
             said_all(ExitCode::SUCCESS)
         }
@@ -64,6 +47,57 @@ pub fn run_with<E: Args>(chapter: &'static str, draw: impl FnOnce(&Stage, E) -> 
             ExitCode::from(2)
         }
     }
+}
+
+/// Draws what the command line asks for.
+fn drawn(chapter: &str) -> Result<Vec<Output>, Box<dyn Error>> {
+    let lesson = lesson::find(chapter).ok_or_else(|| format!("there is no chapter {chapter}"))?;
+    let matches = command(lesson).get_matches();
+    knobs::check(&lesson.knobs(), &matches).unwrap_or_else(|error| error.exit());
+    let shared = Shared::from_arg_matches(&matches)?;
+    let turned = knobs::turned(&lesson.knobs(), &matches);
+    let show = shared.show && can_show();
+    if let Some(what) = &shared.vary.vary {
+        let strip = vary::draw(lesson, &shared.options, &turned, what, &shared.vary)?;
+        return Ok(vec![strip]);
+    }
+    let stage = Stage::new(lesson.name, shared.options, show, progress_bar());
+    lesson.draw_turned(&stage, &matches)?;
+    Ok(stage.into_outputs())
+}
+
+/// The command of a chapter: what all of them take, then its own knobs, and examples.
+pub fn command(lesson: &Lesson) -> Command {
+    let command = Command::new(lesson.name).next_help_heading("Pictures");
+    let command = Shared::augment_args(command).next_help_heading(lesson.chapter().title);
+    (lesson.add_knobs)(command)
+        .about(lesson.teaches())
+        .after_help(examples(lesson))
+}
+
+/// One knob turned, and one varied.
+fn examples(lesson: &Lesson) -> String {
+    let knobs = knobs::of(&lesson.knobs());
+    let turned = |knob: &Knob| {
+        Some(format!(
+            "  {} --{} {}\n",
+            lesson.name,
+            knob.name,
+            knob.example()?
+        ))
+    };
+    let first = knobs.iter().find_map(turned).unwrap_or_default();
+    let number = knobs
+        .iter()
+        .find(|knob| matches!(knob.kind, Kind::Number(..)));
+    let varied = number.and_then(|knob| {
+        let (name, one, two) = (&knob.name, knob.default.as_ref()?, knob.example()?);
+        Some(format!(
+            "  {} --vary {name}={one},{two} --width 320\n",
+            lesson.name
+        ))
+    });
+    format!("Examples:\n{first}{}", varied.unwrap_or_default())
 }
 
 /// Whether there is a terminal that shows pictures; says why if not.

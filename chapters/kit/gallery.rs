@@ -1,11 +1,12 @@
 //! `index.html`: every chapter's pictures, what they show, what is new, and the command that draws them.
 
-use crate::kit::html::{figure, page};
+use crate::kit::html::page;
 use crate::kit::stage::Output;
 use crate::lesson::Lesson;
 use maud::{Markup, html};
 use raybook::store::{self, StoreError};
-use std::path::{Path, PathBuf};
+use std::env;
+use std::path::{Component, Path, PathBuf};
 use std::time::Duration;
 
 /// A chapter that was drawn.
@@ -54,19 +55,38 @@ fn section(folder: &Path, drawing: &Drawing) -> Markup {
                 "Run it: " code { "cargo run --release --bin " (chapter.name) }
                 " (" (format!("{:.1}", time.as_secs_f32())) " s here" (rays(outputs)) "). New in " code { "src/" } ": "
                 @for (i, file) in lesson.new_files().iter().enumerate() { @if i > 0 { ", " } code { (file) } }
-                "."
+                ". The " a href=(lesson_page(folder, chapter.name)) { "lesson" } " explains it, where " code { "book/build" } " has built the book."
             }
             div class="figures" { @for output in outputs { (picture(folder, output)) } }
         }
     }
 }
 
+/// A picture that is also a link to the picture alone, and what to see. Its size is told, so that a page whose pictures are still on
+/// their way is as long as later.
 fn picture(folder: &Path, output: &Output) -> Markup {
-    let caption = html! {
-        (output.caption)
-        @if let Some(exr) = &output.exr { " (" a href=(link(folder, exr)) { "EXR" } ")" }
-    };
-    figure(&link(folder, &output.png), &output.caption, &caption)
+    let (file, (width, height)) = (link(folder, &output.png), output.size);
+    html! { figure {
+        a href=(file) { img src=(file) alt=(output.caption) width=(width) height=(height) loading="lazy"; }
+        figcaption {
+            (output.caption)
+            @if let Some(exr) = &output.exr { " (" a href=(link(folder, exr)) { "EXR" } ")" }
+        }
+    } }
+}
+
+/// The chapter's page of the book, from the gallery's folder: the book is built in the folder in which the course's commands run.
+fn lesson_page(folder: &Path, chapter: &str) -> String {
+    let page = format!("book/book/{chapter}.html");
+    let is_down = |part: &Component| matches!(part, Component::Normal(_) | Component::CurDir);
+    if folder.components().all(|part| is_down(&part)) {
+        let down = folder
+            .components()
+            .filter(|part| matches!(part, Component::Normal(_)));
+        return "../".repeat(down.count()) + &page;
+    }
+    let here = env::current_dir().unwrap_or_default();
+    format!("file://{}", here.join(page).display())
 }
 
 /// ", 1.2 million rays a second": of the main picture, which is the first; nothing where no rays are counted.

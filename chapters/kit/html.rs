@@ -3,14 +3,15 @@
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 const STYLE: &str = "
-body { font: 17px/1.5 system-ui, sans-serif; max-width: 1240px; margin: 2rem auto; padding: 0 1rem; color: #222; background: #fff }
+body { font: 17px/1.5 system-ui, sans-serif; max-width: 1240px; margin: 2rem auto; padding: 0 1rem; color: #222; background: #fff; overflow-wrap: break-word }
 h1 { margin-bottom: 0 } section { margin-top: 3rem; border-top: 1px solid #ccc }
 .figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(480px, 100%), 1fr)); gap: 1.5rem }
 figure { margin: 0 } img { width: 100%; height: auto; background: #fff } figcaption { color: #444; font-size: 15px }
 table { border-collapse: collapse } th, td { padding: .2em .9em; border-bottom: 1px solid #ddd; text-align: right }
 th:first-child, td:first-child { text-align: left }
-code { background: #f0f0f0; padding: .1em .3em; border-radius: 3px }
-nav a { margin-right: 1em; white-space: nowrap }
+code { background: #f0f0f0; padding: .1em .3em; border-radius: 3px; overflow-wrap: anywhere }
+nav { display: flex; flex-wrap: wrap; gap: .1em 1.2em } nav a { padding: .25em 0 }
+:focus-visible { outline: 3px solid #e69f00; outline-offset: 3px }
 @media (prefers-color-scheme: dark) { body { color: #ddd; background: #1b1b1b } figcaption { color: #bbb } code { background: #333 } a { color: #8bf } }";
 
 /// A whole page.

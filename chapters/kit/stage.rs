@@ -10,6 +10,7 @@ use std::fmt;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// What drawing a chapter returns.
 pub type Drawn = Result<(), Box<dyn Error>>;
@@ -21,6 +22,8 @@ pub struct Output {
     pub png: PathBuf,
     /// The linear radiance, where the picture has any.
     pub exr: Option<PathBuf>,
+    /// Its width and height, in pixels.
+    pub size: (usize, usize),
     /// What it shows, in a sentence or two.
     pub caption: String,
     /// How many rays a second were followed for it, where a scene was.
@@ -36,7 +39,21 @@ pub struct Stage {
     bar: ProgressBar,
     rate: Arc<Rate>,
     outputs: RefCell<Vec<Output>>,
+    last: Option<String>,
+    stopped: Arc<AtomicBool>,
 }
+
+/// All that is wanted is drawn, or nothing is wanted any more: it ends a chapter early, and is no fault.
+#[derive(Debug)]
+pub struct Enough;
+
+impl fmt::Display for Enough {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("the rest is not wanted")
+    }
+}
+
+impl Error for Enough {}
 
 impl fmt::Debug for Stage {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
@@ -52,12 +69,17 @@ impl Stage {
     pub fn new(chapter: &str, options: Options, show: bool, bar: ProgressBar) -> Self {
         bar.set_prefix(chapter.to_owned());
         let rate = Arc::new(Rate::default());
+        let stopped = Arc::new(AtomicBool::new(false));
         let advance = Box::new({
-            let (bar, rate) = (bar.clone(), Arc::clone(&rate));
+            let (bar, rate, stopped) = (bar.clone(), Arc::clone(&rate), Arc::clone(&stopped));
             move |done: Done| {
                 rate.tile(done.rays);
                 bar.inc(done.pixels as u64);
-                ControlFlow::Continue(())
+                if stopped.load(Ordering::Relaxed) {
+                    ControlFlow::Break(())
+                } else {
+                    ControlFlow::Continue(())
+                }
             }
         });
         Self {
@@ -68,7 +90,27 @@ impl Stage {
             bar,
             rate,
             outputs: RefCell::default(),
+            last: None,
+            stopped,
         }
+    }
+
+    /// The same, with its pictures in this folder.
+    #[must_use]
+    pub fn in_folder(self, folder: PathBuf) -> Self {
+        Self { folder, ..self }
+    }
+
+    /// The same, where drawing ends after the picture of this name.
+    #[must_use]
+    pub fn until(self, name: &str) -> Self {
+        let last = Some(name.to_owned());
+        Self { last, ..self }
+    }
+
+    /// What stops the drawing, from another thread, as soon as it is true: the film within a tile, the chapter at its next picture.
+    pub fn stopper(&self) -> Arc<AtomicBool> {
+        Arc::clone(&self.stopped)
     }
 
     /// A film of the size and the samples that the options ask for; `aspect` is its width over its height.
@@ -109,6 +151,7 @@ impl Stage {
     /// # Errors
     /// If a file cannot be written.
     pub fn picture(&self, name: &str, caption: &str, radiance: &Image) -> Drawn {
+        self.go_on()?;
         let exr = self.folder.join(name).with_extension("exr");
         file::save(&exr, radiance)?;
         self.write(name, caption, radiance, Some(exr))
@@ -128,7 +171,16 @@ impl Stage {
         self.outputs.into_inner()
     }
 
+    /// A picture that was stopped is black in places: it is not written.
+    fn go_on(&self) -> Result<(), Enough> {
+        if self.stopped.load(Ordering::Relaxed) {
+            return Err(Enough);
+        }
+        Ok(())
+    }
+
     fn write(&self, name: &str, caption: &str, picture: &Image, exr: Option<PathBuf>) -> Drawn {
+        self.go_on()?;
         let rays = self.rate.take(self.options.threads());
         let png = self.folder.join(name).with_extension("png");
         file::save(&png, picture)?;
@@ -138,9 +190,13 @@ impl Stage {
         self.outputs.borrow_mut().push(Output {
             png,
             exr,
+            size: (picture.width(), picture.height()),
             caption: caption.to_owned(),
             rays,
         });
+        if self.last.as_deref() == Some(name) {
+            return Err(Enough.into());
+        }
         Ok(())
     }
 }

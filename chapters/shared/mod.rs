@@ -6,6 +6,7 @@ pub mod growth;
 pub mod heat;
 pub mod law;
 pub mod outdoors;
+pub mod own_mesh;
 pub mod ray_tree;
 pub mod ray_tree_figure;
 pub mod showroom;

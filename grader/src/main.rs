@@ -37,6 +37,8 @@ enum Task {
     Solve(commands::solve::Solve),
     /// Draw the picture of a scene file
     Render(commands::render::Render),
+    /// Show the course on a projector: a picture per screen, with knobs to turn
+    Present(commands::present::Present),
     /// Compare sampling patterns: points, errors, spectra, pictures, on a page
     Samplers(commands::samplers::Samplers),
     /// Attack the sandbox of strangers' programs, and tell what stopped each attack
@@ -75,6 +77,7 @@ fn main() -> ExitCode {
         Some(Task::Exercise(task)) => task.run(),
         Some(Task::Solve(task)) => task.run(),
         Some(Task::Render(task)) => task.run(),
+        Some(Task::Present(task)) => task.run(),
         Some(Task::Samplers(task)) => task.run(),
         Some(Task::Doctor) => commands::doctor::run(),
         Some(Task::Course(task)) => task.run(),

@@ -12,12 +12,18 @@ use raybook::render::{mis::Strategy, path::Path, shadow, whitted::Whitted};
 use raybook::scene::{cornell, plates, still_life};
 use raybook::scene::{marbles, world::Scene};
 use raybook_chapters::ch13_reflection::kissing_balls;
-use raybook_chapters::ch14_refraction::glassware;
+use raybook_chapters::ch14_refraction::glassware::{self, Stuff};
 use raybook_chapters::ch16_soft_shadows::posts;
 use raybook_chapters::ch18_environment::everywhere::Everywhere;
 use raybook_chapters::ch18_environment::skies;
 use raybook_common::rays::{random_direction, ray};
 use std::hint::black_box;
+
+/// What the glass of the chapter's pictures is made of.
+const STUFF: Stuff = Stuff {
+    index: 1.5,
+    absorption: 1.0,
+};
 
 /// So many rays are followed, each with all that it asks.
 const RAYS: u32 = 3000;
@@ -72,7 +78,7 @@ fn integrators() -> Vec<(&'static str, Vec3, Integrator)> {
         (
             "glass",
             above,
-            whitted(glassware::still_life(), glassware::DEPTH, bare),
+            whitted(glassware::still_life(STUFF), 12, bare),
         ),
         ("shadows", above, whitted(marbles::scene(), 8, shadows)),
         (

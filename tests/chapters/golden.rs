@@ -96,5 +96,7 @@ fn draw(lesson: &Lesson, out: &Path, threads: u32) {
         out: out.to_owned(),
     };
     let stage = Stage::new(lesson.name, options, false, progress_bar());
-    (lesson.draw)(&stage).unwrap_or_else(|error| panic!("{}: {error}", lesson.name));
+    lesson
+        .draw(&stage)
+        .unwrap_or_else(|error| panic!("{}: {error}", lesson.name));
 }

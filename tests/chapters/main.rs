@@ -19,4 +19,5 @@ mod ch22_antialiasing;
 mod ch23_adaptive;
 mod chapters;
 mod golden;
+mod knobs;
 mod terminal;

@@ -22,6 +22,7 @@ mod lesson;
 mod licences;
 mod output;
 mod own_patterns;
+mod present;
 mod readers;
 mod render;
 mod rows;

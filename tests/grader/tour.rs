@@ -75,6 +75,15 @@ fn the_tour_draws_the_chosen_chapters_and_a_gallery_whose_pictures_exist() {
         page.contains("shape/sphere.rs"),
         "the gallery tells what is new"
     );
+    assert!(
+        page.contains("book/book/ch03_sphere.html"),
+        "the gallery links to the lesson"
+    );
+    assert_eq!(
+        page.matches("<img").count(),
+        page.matches(" width=\"").count(),
+        "a picture's size is told before it is loaded"
+    );
     assert!(!page.contains("ch01_rays"), "only what was asked for");
 }
 

@@ -18,6 +18,7 @@ pub mod map;
 pub mod new;
 pub mod pace;
 pub mod pack;
+pub mod present;
 pub mod regrade;
 pub mod render;
 pub mod samplers;

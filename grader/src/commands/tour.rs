@@ -44,7 +44,9 @@ impl Tour {
                 false,
                 bars.add(progress_bar()),
             );
-            (lesson.draw)(&stage).map_err(|error| format!("{}: {error}", lesson.name))?;
+            lesson
+                .draw(&stage)
+                .map_err(|error| format!("{}: {error}", lesson.name))?;
             let (outputs, time) = (stage.into_outputs(), chapter_start.elapsed());
             if bars.is_hidden() {
                 say(format!(

@@ -33,7 +33,7 @@ fn the_teapot_in_the_stadium_costs_a_fraction_of_what_it_costs_in_a_grid() {
     let grid = Grid::of_facets(stadium.mesh.facets());
     let grid = cost(heat(&film, ray, &grid).tests());
     let [usual, fine] = [Densities::USUAL.coarse, 1.0].map(|coarse| {
-        let two_levels = valid(two_levels(&stadium, coarse));
+        let two_levels = valid(two_levels(&stadium.mesh, coarse));
         cost(heat(&film, ray, &two_levels).tests())
     });
     println!("grid {grid}, two levels {usual}, with more coarse cells {fine}");

@@ -5,8 +5,14 @@ use raybook::camera::pinhole::Pinhole;
 use raybook::math::pcg;
 use raybook::render::local::{ALWAYS, Local};
 use raybook::render::whitted::Whitted;
-use raybook_chapters::ch14_refraction::glassware;
+use raybook_chapters::ch14_refraction::glassware::{self, Stuff};
 use raybook_chapters::shared::{ray_tree::Branch, ray_tree::Kind, ray_tree::grow};
+
+/// What the glass of the chapter's pictures is made of.
+const STUFF: Stuff = Stuff {
+    index: 1.5,
+    absorption: 1.0,
+};
 
 /// How many rays a tree has, without those to the lights.
 fn rays(branch: &Branch) -> u64 {
@@ -16,17 +22,14 @@ fn rays(branch: &Branch) -> u64 {
 
 #[test]
 fn most_rays_of_the_whole_tree_count_for_nearly_nothing() {
-    let scene = glassware::still_life();
+    let scene = glassware::still_life(STUFF);
     let (from, to, focal_length) = glassware::VIEW;
     let camera = Pinhole::look_at(from, to, Vec3::Y, focal_length, 16.0 / 9.0).expect("a camera");
     let local = Local {
         samples: 1,
         arrives: ALWAYS,
     };
-    let whitted = Whitted {
-        local,
-        depth: glassware::DEPTH,
-    };
+    let whitted = Whitted { local, depth: 12 };
     let (mut whole, mut followed, mut worst) = (0, 0, 0.0_f32);
     for i in 0..48 * 27 {
         let place = vec2((i % 48) as f32 / 48.0, (i / 48) as f32 / 27.0);

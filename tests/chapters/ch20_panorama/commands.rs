@@ -84,9 +84,12 @@ fn views_that_cannot_be_are_refused() {
         ),
         (
             &["--projection", "equisolid", "--view", "0"],
-            "more than 0°",
+            "from 1 to 360°",
         ),
-        (&["--projection", "stereographic", "--view", "NaN"], "NaN°"),
+        (
+            &["--projection", "stereographic", "--view", "NaN"],
+            "--view NaN",
+        ),
         (&["--view", "90"], "--projection"),
     ];
     for (arguments, expected) in cases {

@@ -1,0 +1,168 @@
+//! Knobs: what a chapter's pictures depend on, as options of its command.
+//!
+//! A chapter declares its knobs once, as clap's [`Args`]. What a person or a page must know of them is read from clap's own
+//! description. The name of a number's value is its range and its unit: `value_name = "5..200 mm"`.
+
+use clap::error::ErrorKind;
+use clap::parser::ValueSource;
+use clap::{Arg, ArgMatches, Args, Command, Error};
+use std::ops::RangeInclusive;
+
+/// A knob, as its command describes it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Knob {
+    /// Its name: `focal-length`.
+    pub name: String,
+    /// What it is, in a sentence.
+    pub help: String,
+    /// Its value if nobody turns it; none if the chapter then does without.
+    pub default: Option<String>,
+    /// What values it takes.
+    pub kind: Kind,
+}
+
+/// What values a knob takes.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Kind {
+    /// A number within a range, and its unit.
+    Number(RangeInclusive<f64>, String),
+    /// One of a few words.
+    Choice(Vec<String>),
+    /// The name of a file.
+    File,
+}
+
+/// Adds the knobs of a chapter to a command.
+pub fn add<K: Args>(command: Command) -> Command {
+    let known: Vec<_> = command
+        .get_arguments()
+        .map(|arg| arg.get_id().clone())
+        .collect();
+    K::augment_args(command).mut_args(|arg| {
+        let is_own = !known.contains(arg.get_id());
+        // Then `--tilt -20` is a value, not another option.
+        let is_number = is_own && range(&arg).is_some();
+        if is_number {
+            arg.allow_negative_numbers(true)
+        } else {
+            arg
+        }
+    })
+}
+
+/// The knobs of a command that has no other options.
+pub fn of(command: &Command) -> Vec<Knob> {
+    let knob = |arg: &Arg| Knob {
+        name: name(arg),
+        help: arg.get_help().map(ToString::to_string).unwrap_or_default(),
+        default: default(arg),
+        kind: kind(arg),
+    };
+    command.get_arguments().map(knob).collect()
+}
+
+/// The arguments that turn a command's knobs as they were turned: `["--exponent=64"]`.
+pub fn turned(knobs: &Command, matches: &ArgMatches) -> Vec<String> {
+    let word = |arg: &Arg| {
+        let id = arg.get_id().as_str();
+        let by_hand = matches.value_source(id) == Some(ValueSource::CommandLine);
+        let value = by_hand.then(|| matches.get_raw(id)).flatten()?.next()?;
+        Some(format!("--{}={}", name(arg), value.to_string_lossy()))
+    };
+    knobs.get_arguments().filter_map(word).collect()
+}
+
+/// Checks that every number is within its range.
+///
+/// # Errors
+/// Names the knob, its range and its unit.
+pub fn check(knobs: &Command, matches: &ArgMatches) -> Result<(), Error> {
+    for arg in knobs.get_arguments() {
+        let Some((range, unit)) = range(arg) else {
+            continue;
+        };
+        let given = matches.get_raw(arg.get_id().as_str()).into_iter().flatten();
+        for word in given.map(|word| word.to_string_lossy()) {
+            let is_inside = word.parse().is_ok_and(|value: f64| range.contains(&value));
+            if !is_inside {
+                let (low, high) = range.into_inner();
+                let message = format!(
+                    "--{} {word}: a number from {low} to {high}{}\n",
+                    name(arg),
+                    of_unit(&unit)
+                );
+                return Err(Error::raw(ErrorKind::ValueValidation, message));
+            }
+        }
+    }
+    Ok(())
+}
+
+impl Knob {
+    /// Another value than the default, for an example; none if only the user knows one.
+    pub fn example(&self) -> Option<String> {
+        match &self.kind {
+            Kind::Number(range, _) => {
+                let default: f64 = self.default.as_ref()?.parse().ok()?;
+                let upper = 0.25 * range.start() + 0.75 * range.end();
+                let fits = |value: &f64| *value != default && range.contains(value);
+                [2.0 * default, upper.round()]
+                    .iter()
+                    .find(|value| fits(value))
+                    .map(f64::to_string)
+            }
+            Kind::Choice(words) => words
+                .iter()
+                .rfind(|word| Some(*word) != self.default.as_ref())
+                .cloned(),
+            Kind::File => None,
+        }
+    }
+
+    /// A value with its name and unit, for a label: `exponent 64`.
+    pub fn label(&self, value: &str) -> String {
+        let unit = match &self.kind {
+            Kind::Number(_, unit) => of_unit(unit),
+            _ => String::new(),
+        };
+        format!("{} {value}{unit}", self.name.replace('-', " "))
+    }
+}
+
+fn name(arg: &Arg) -> String {
+    arg.get_long().unwrap_or(arg.get_id().as_str()).to_owned()
+}
+
+fn default(arg: &Arg) -> Option<String> {
+    let value = arg.get_default_values().first()?;
+    Some(value.to_string_lossy().into_owned())
+}
+
+fn kind(arg: &Arg) -> Kind {
+    let words: Vec<_> = arg
+        .get_possible_values()
+        .iter()
+        .map(|value| value.get_name().to_owned())
+        .collect();
+    match range(arg) {
+        Some((range, unit)) => Kind::Number(range, unit),
+        None if words.is_empty() => Kind::File,
+        None => Kind::Choice(words),
+    }
+}
+
+/// The range and the unit that are a number's value name: `5..200 mm`.
+fn range(arg: &Arg) -> Option<(RangeInclusive<f64>, String)> {
+    let text = arg.get_value_names()?.first()?;
+    let (range, unit) = text.split_once(' ').unwrap_or((text, ""));
+    let (low, high) = range.split_once("..")?;
+    Some((low.parse().ok()?..=high.parse().ok()?, unit.to_owned()))
+}
+
+/// A unit after a number: a degree sign follows without a space.
+fn of_unit(unit: &str) -> String {
+    match unit {
+        "" | "°" => unit.to_owned(),
+        unit => format!(" {unit}"),
+    }
+}

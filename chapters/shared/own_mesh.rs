@@ -1,0 +1,105 @@
+//! A mesh of one's own in the showroom, found by the structure that a chapter is about.
+
+use crate::kit::say::complain;
+use crate::kit::stage::{Drawn, Stage};
+use crate::kit::untrusted::Untrusted;
+use crate::shared::heat::heat;
+use crate::shared::showroom::{SMOOTH, Showroom, small};
+use clap::Args;
+use glam::{Vec2, vec2};
+use raybook::accel::{Accel, Tests};
+use raybook::math::interval::Interval;
+use raybook::render::film::Film;
+use raybook::shape::mesh::{Facet, Mesh};
+use raybook::shape::mesh_file::{self, LoadError};
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+/// The knob of a chapter that can draw any mesh.
+#[derive(Args, Clone, Debug)]
+pub struct MeshKnob {
+    /// Draw this mesh (.obj or .stl) instead of the chapter's scenes
+    #[arg(long, value_name = "FILE")]
+    pub mesh: Option<PathBuf>,
+}
+
+/// Reads a mesh, and says how many triangles it has.
+///
+/// # Errors
+/// Those of [`mesh_file::load`].
+pub fn load(path: &Path) -> Result<Mesh, LoadError> {
+    let mesh = mesh_file::load(path)?;
+    let (name, triangles) = (Untrusted::from(path), mesh.triangles().len());
+    complain(format_args!("{name}: {triangles} triangles"));
+    Ok(mesh)
+}
+
+/// Draws a mesh by the structure that `build` makes of its facets, and what each ray costs; `boxes` is what the structure calls
+/// its boxes: "cells visited".
+///
+/// # Errors
+/// If the file is no mesh, or a picture cannot be drawn or written.
+pub fn draw<A: Accel<Facet>>(
+    stage: &Stage,
+    path: &Path,
+    build: impl FnOnce(&Mesh) -> A,
+    boxes: &str,
+) -> Drawn {
+    let mesh = load(path)?;
+    let start = Instant::now();
+    let accel = build(&mesh);
+    complain(format_args!(
+        "built in {}",
+        duration(start.elapsed().as_secs_f64())
+    ));
+    let film = stage.film_of(960, 4, 1.6);
+    let room = Showroom::around(&mesh, film.aspect());
+    let mut tests = Tests::default();
+    say_estimate(&film, |place| {
+        accel.closest_counted(&room.ray(place), Interval::AHEAD, &mut tests);
+    });
+    let picture = film.refine(|place, _| {
+        let ray = room.ray(place);
+        match accel.closest(&ray, Interval::AHEAD) {
+            Some((_, hit)) => SMOOTH(&ray, &hit, &mesh.surface(&ray, &hit)),
+            None => room.backdrop(place, &ray),
+        }
+    });
+    let each = |sum: u64| sum as f64 / f64::from(TRIED);
+    let caption = format!(
+        "A mesh of {} triangles. A ray costs {:.1} {boxes} and {:.1} triangles tested, on average.",
+        mesh.triangles().len(),
+        each(tests.boxes),
+        each(tests.shapes)
+    );
+    stage.picture("picture", &caption, &picture)?;
+    let map = heat(&small(&film), |place| room.ray(place), &accel);
+    let caption = "What each ray of the picture costs.";
+    stage.figure("heat", caption, &map.figure(boxes)?)
+}
+
+/// How many rays are tried before a picture is drawn.
+const TRIED: u16 = 64;
+
+/// Tries a few rays, evenly over the picture, and says how long all of them take at most.
+pub fn say_estimate(film: &Film, mut follow: impl FnMut(Vec2)) {
+    let start = Instant::now();
+    for i in 0..TRIED {
+        // Evenly over the picture, but no neighbours in a row.
+        let across = f32::from(i) * 0.618_034 % 1.0;
+        follow(vec2(across, f32::from(i) / f32::from(TRIED)));
+    }
+    let each = start.elapsed().as_secs_f64() / f64::from(TRIED);
+    let rays = (film.width * film.height * film.samples) as f64;
+    let time = duration(each * rays / film.threads as f64);
+    complain(format_args!("the picture takes {time} at most"));
+}
+
+/// A time, in the unit that people would say.
+fn duration(seconds: f64) -> String {
+    match seconds {
+        s if s < 1.0 => format!("{:.0} ms", 1e3 * s),
+        s if s < 120.0 => format!("{s:.0} s"),
+        s => format!("{:.0} min", s / 60.0),
+    }
+}

@@ -1,0 +1,222 @@
+//! Drawing what the page asks for. Who asks for another picture is not interested in the one before: that ends at once.
+
+use super::http::Answer;
+use super::screens;
+use indicatif::ProgressBar;
+use raybook::store;
+use raybook_chapters::kit::knobs::{self, Kind};
+use raybook_chapters::kit::options::Options;
+use raybook_chapters::kit::stage::{Output, Stage};
+use raybook_chapters::lesson::Lesson;
+use raybook_grader::book::write_captions;
+use serde_json::json;
+use std::error::Error;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::thread;
+use std::time::Duration;
+
+/// Where pictures are drawn, one at a time.
+pub(super) struct Studio {
+    options: Options,
+    /// What stops the drawing that goes on.
+    stopper: Mutex<Arc<AtomicBool>>,
+    /// Held by who draws.
+    easel: Mutex<()>,
+    /// How many drawings were asked for: the latest is the one that counts.
+    asked: AtomicU64,
+    /// The chapter whose pictures are being drawn for good, and why that ended too early, if it did.
+    going: Mutex<Option<(&'static str, Option<String>)>>,
+}
+
+/// Width and samples of the first, quick version of a picture.
+const QUICK: (u32, u32) = (240, 2);
+
+/// How often it is looked whether a picture of a chapter that is being drawn is there.
+const PAUSE: Duration = Duration::from_millis(50);
+
+/// What is drawn of a chapter, and how.
+#[derive(Clone, Copy)]
+enum What<'a> {
+    /// Its main picture, small: something to look at, at once.
+    First,
+    /// All its pictures, small: what there is to show.
+    Sketches,
+    /// All its pictures, for good, as the tour does.
+    Pictures,
+    /// One picture with knobs that were turned, small or not.
+    Turned(&'a [String], &'a str, bool),
+}
+
+impl Studio {
+    pub(super) fn new(options: Options) -> Self {
+        Self {
+            options,
+            stopper: Mutex::default(),
+            easel: Mutex::default(),
+            asked: AtomicU64::default(),
+            going: Mutex::default(),
+        }
+    }
+
+    /// The names and captions of a chapter's pictures: those that the tour drew, or else of sketches; `first=1` asks for one sketch.
+    pub(super) fn screens(&self, lesson: &'static Lesson, query: &[(String, String)]) -> Answer {
+        if let Some(screens) = screens::drawn(&self.options.out.join(lesson.name)) {
+            return Answer::json(&json!({ "screens": screens, "all": true }));
+        }
+        let first = query.iter().any(|(name, _)| name == "first");
+        let what = if first { What::First } else { What::Sketches };
+        match self.draw(lesson, what) {
+            Ok(outputs) => {
+                let screens = screens::of_outputs(&outputs);
+                Answer::json(&json!({ "screens": screens, "all": !first }))
+            }
+            Err(answer) => answer,
+        }
+    }
+
+    /// A picture of a chapter with its knobs as they are said; `quick=1` asks for a small one.
+    pub(super) fn picture(
+        self: &Arc<Self>,
+        lesson: &'static Lesson,
+        name: &str,
+        query: &[(String, String)],
+    ) -> Answer {
+        let is_name = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_';
+        if name.is_empty() || !name.chars().all(is_name) {
+            return Answer::unknown();
+        }
+        let quick = query.iter().any(|(name, _)| name == "quick");
+        let turned = match turned(lesson, query) {
+            Ok(turned) => turned,
+            Err(why) => return Answer::wrong(&why),
+        };
+        let png = Path::new(lesson.name).join(name).with_extension("png");
+        if turned.is_empty() {
+            let kept = self.options.out.join(&png);
+            return match store::read(&kept) {
+                Ok(bytes) => Answer::png(bytes),
+                Err(_) if quick => read(&self.scratch("sketches").join(&png)),
+                Err(_) => self.wait(lesson, &kept),
+            };
+        }
+        match self.draw(lesson, What::Turned(&turned, name, quick)) {
+            Ok(outputs) => match outputs.last().filter(|output| output.png.ends_with(&png)) {
+                Some(output) => read(&output.png).captioned(&output.caption),
+                None => Answer::unknown(),
+            },
+            Err(answer) => answer,
+        }
+    }
+
+    /// Has a chapter's pictures drawn for good, if nobody does so yet, until this one is there.
+    fn wait(self: &Arc<Self>, lesson: &'static Lesson, kept: &Path) -> Answer {
+        let mut going = lock(&self.going);
+        if !matches!(*going, Some((name, None)) if name == lesson.name) {
+            *going = Some((lesson.name, None));
+            let studio = Arc::clone(self);
+            thread::spawn(move || studio.draw_for_good(lesson));
+        }
+        drop(going);
+        loop {
+            if let Ok(bytes) = store::read(kept) {
+                return Answer::png(bytes);
+            }
+            match &*lock(&self.going) {
+                Some((name, None)) if *name == lesson.name => {}
+                Some((name, Some(why))) if *name == lesson.name => return Answer::wrong(why),
+                _ => return Answer::outdated(),
+            }
+            thread::sleep(PAUSE);
+        }
+    }
+
+    fn draw_for_good(&self, lesson: &'static Lesson) {
+        let drawn = self.draw(lesson, What::Pictures);
+        let folder = self.options.out.join(lesson.name);
+        let written = drawn.map(|outputs| write_captions(&folder, &outputs));
+        let why = match written {
+            Ok(Ok(())) => "there is no picture of this name".to_owned(),
+            Ok(Err(error)) => error.to_string(),
+            Err(answer) => answer.text(),
+        };
+        let mut going = lock(&self.going);
+        if going.as_ref().is_some_and(|(name, _)| *name == lesson.name) {
+            *going = Some((lesson.name, Some(why)));
+        }
+    }
+
+    /// Draws, after the drawing that goes on has been stopped.
+    fn draw(&self, lesson: &'static Lesson, what: What) -> Result<Vec<Output>, Answer> {
+        let wrong = |error: Box<dyn Error>| Answer::wrong(&error.to_string());
+        let turned = match what {
+            What::Turned(turned, ..) => turned,
+            _ => &[],
+        };
+        let knobs = lesson.turn(turned).map_err(|error| wrong(error.into()))?;
+        let ticket = 1 + self.asked.fetch_add(1, Ordering::SeqCst);
+        lock(&self.stopper).store(true, Ordering::SeqCst);
+        let _easel = lock(&self.easel);
+        let stage = self.stage(lesson, what);
+        let stopper = stage.stopper();
+        *lock(&self.stopper) = Arc::clone(&stopper);
+        // Asked after the stopper can be seen: who comes later stops this one.
+        if self.asked.load(Ordering::SeqCst) != ticket {
+            return Err(Answer::outdated());
+        }
+        lesson.draw_turned(&stage, &knobs).map_err(wrong)?;
+        if stopper.load(Ordering::SeqCst) {
+            return Err(Answer::outdated());
+        }
+        Ok(stage.into_outputs())
+    }
+
+    fn stage(&self, lesson: &'static Lesson, what: What) -> Stage {
+        let mut options = self.options.clone();
+        if matches!(what, What::First | What::Sketches | What::Turned(.., true)) {
+            (options.width, options.samples) = (Some(QUICK.0), Some(QUICK.1));
+        }
+        let stage = Stage::new(lesson.name, options, false, ProgressBar::hidden());
+        let sketches = || self.scratch("sketches").join(lesson.name);
+        match what {
+            What::First => stage.in_folder(sketches()).until("picture"),
+            What::Sketches => stage.in_folder(sketches()),
+            What::Pictures => stage,
+            What::Turned(_, last, _) => stage
+                .in_folder(self.scratch("turned").join(lesson.name))
+                .until(last),
+        }
+    }
+
+    /// A folder for what nobody needs again.
+    fn scratch(&self, name: &str) -> PathBuf {
+        self.options.out.join("present").join(name)
+    }
+}
+
+fn read(png: &Path) -> Answer {
+    store::read(png).map_or_else(|_| Answer::unknown(), Answer::png)
+}
+
+/// What a drawing that panicked has left behind is as good as any.
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// The arguments that turn the knobs of a query: those of the chapter that no file belongs to.
+fn turned(lesson: &Lesson, query: &[(String, String)]) -> Result<Vec<String>, String> {
+    let knobs = knobs::of(&lesson.knobs());
+    let argument = |(name, value): &(String, String)| {
+        let is_it = |knob: &&knobs::Knob| knob.name == *name && knob.kind != Kind::File;
+        match knobs.iter().find(is_it) {
+            Some(_) => Ok(format!("--{name}={value}")),
+            None => Err(format!("{} has no knob `{name}`", lesson.name)),
+        }
+    };
+    query
+        .iter()
+        .filter(|(name, _)| name != "quick")
+        .map(argument)
+        .collect()
+}

@@ -1,0 +1,79 @@
+//! What the page must know: the chapters with their knobs, and a chapter's pictures with their captions.
+
+use raybook::store;
+use raybook_chapters::LESSONS;
+use raybook_chapters::kit::knobs::{self, Kind, Knob};
+use raybook_chapters::kit::stage::Output;
+use raybook_chapters::lesson::Lesson;
+use raybook_grader::book::FIGURES;
+use serde_json::{Map, Value, json};
+use std::fs;
+use std::path::Path;
+use std::time::SystemTime;
+
+/// Every chapter: its name, number, title, what it teaches, and its knobs.
+pub(super) fn course() -> Value {
+    LESSONS.iter().map(chapter).collect()
+}
+
+fn chapter(lesson: &Lesson) -> Value {
+    let chapter = lesson.chapter();
+    // A page must not choose files to be read; who wants that has the chapter's command.
+    let knobs = knobs::of(&lesson.knobs())
+        .into_iter()
+        .filter(|knob| knob.kind != Kind::File);
+    json!({
+        "name": lesson.name,
+        "number": chapter.number(),
+        "title": chapter.title,
+        "teaches": lesson.teaches(),
+        "knobs": knobs.map(|knob| of_knob(&knob)).collect::<Value>(),
+    })
+}
+
+fn of_knob(knob: &Knob) -> Value {
+    let (kind, least, most, unit, words) = match &knob.kind {
+        Kind::Number(range, unit) => (
+            "number",
+            Some(*range.start()),
+            Some(*range.end()),
+            unit.as_str(),
+            &[][..],
+        ),
+        Kind::Choice(words) => ("choice", None, None, "", words.as_slice()),
+        Kind::File => ("file", None, None, "", &[][..]),
+    };
+    json!({
+        "name": knob.name, "help": knob.help, "default": knob.default, "kind": kind,
+        "least": least, "most": most, "unit": unit, "words": words,
+    })
+}
+
+/// The pictures of a chapter that the tour drew into this folder, in the order in which it drew them; none if it did not.
+pub(super) fn drawn(folder: &Path) -> Option<Value> {
+    let text = store::read_text(&folder.join(FIGURES)).ok()?;
+    let captions: Map<String, Value> = serde_json::from_str(&text).ok()?;
+    let time = |name: &str| {
+        let file = folder.join(name).with_extension("png");
+        fs::metadata(file).and_then(|file| file.modified())
+    };
+    let mut screens = Vec::new();
+    for (name, caption) in captions {
+        let time = time(&name).ok()?; // a picture is missing: all are drawn again
+        screens.push((name != "picture", time, name, caption));
+    }
+    screens.sort_by_key(|(after, time, ..): &(bool, SystemTime, String, Value)| (*after, *time));
+    let screens = screens
+        .into_iter()
+        .map(|(.., name, caption)| json!({ "name": name, "caption": caption }));
+    Some(screens.collect())
+}
+
+/// Pictures that were just drawn.
+pub(super) fn of_outputs(outputs: &[Output]) -> Value {
+    let screen = |output: &Output| {
+        let name = output.png.file_stem()?.to_str()?;
+        Some(json!({ "name": name, "caption": output.caption }))
+    };
+    outputs.iter().filter_map(screen).collect()
+}

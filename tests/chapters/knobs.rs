@@ -1,0 +1,298 @@
+//! Every chapter has knobs, each changes a picture, and nonsense is refused in a sentence.
+
+use assert_cmd::Command;
+use raybook::image::{Image, file, rgb::Rgb};
+use raybook_chapters::LESSONS;
+use raybook_chapters::kit::knobs::{self, Kind, Knob};
+use raybook_chapters::kit::options::Options;
+use raybook_chapters::kit::stage::{Stage, progress_bar};
+use raybook_chapters::lesson::{Lesson, find};
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+use tempfile::TempDir;
+
+/// Where a knob shows in another picture than the main one.
+const SHOWN: [(&str, &str, &str); 14] = [
+    ("ch03_sphere", "sphere", "cancellation"),
+    ("ch08_grid", "density", "heat"),
+    ("ch09_two_level_grid", "density", "heat"),
+    ("ch10_octree", "opening", "heat"),
+    ("ch11_bvh", "method", "levels"),
+    ("ch12_phong", "lamp", "floors"),
+    ("ch15_shadows", "offset", "wrong"),
+    ("ch15_shadows", "cells", "terminator"),
+    ("ch18_environment", "roughness", "metals"),
+    ("ch22_antialiasing", "count", "patterns"),
+    ("ch23_adaptive", "threshold", "spent"),
+    ("ch23_adaptive", "budget", "spent"),
+    ("ch25_capstone", "scene", "description"),
+    ("ch25_capstone", "depth", "picture"),
+];
+
+/// Values where those of the examples take long, change nothing, or are not alone.
+const TURNED: [(&str, &str, &[&str]); 7] = [
+    ("ch11_bvh", "method", &["--method=median"]),
+    ("ch17_rendering_equation", "depth", &["--depth=1"]),
+    (
+        "ch20_panorama",
+        "view",
+        &["--view=90", "--projection=equisolid"],
+    ),
+    ("ch24_wide_bvh", "pieces", &["--pieces=1000"]),
+    ("ch25_capstone", "depth", &["--depth=1"]),
+    ("ch15_shadows", "cells", &["--cells=2"]),
+    ("ch13_reflection", "depth", &["--depth=1"]),
+];
+
+#[test]
+fn every_knob_says_what_it_is_and_stands_within_its_range() {
+    for lesson in LESSONS {
+        let knobs = knobs::of(&lesson.knobs());
+        assert!(!knobs.is_empty(), "{} has knobs", lesson.name);
+        for knob in knobs {
+            assert!(
+                knob.help.len() > 10,
+                "{} --{} is explained",
+                lesson.name,
+                knob.name
+            );
+            let Kind::Number(range, _) = &knob.kind else {
+                continue;
+            };
+            let default = knob.default.as_ref().map(|text| text.parse::<f64>());
+            let inside = |value: Result<f64, _>| value.is_ok_and(|value| range.contains(&value));
+            assert!(default.is_none_or(inside), "{}: {knob:?}", lesson.name);
+        }
+    }
+}
+
+#[test]
+fn every_knob_changes_a_picture() {
+    let files = tempfile::tempdir().expect("a temporary folder");
+    let mesh = files.path().join("pyramid.obj");
+    let faces = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    fs::write(&mesh, faces).expect("it can be written");
+    let map = files.path().join("red.hdr");
+    file::save(&map, &Image::from_fn(8, 4, |_, _| Rgb::new(1.0, 0.1, 0.1)))
+        .expect("it can be written");
+    LESSONS.par_iter().for_each(|lesson| {
+        let mut usual = BTreeMap::new();
+        for knob in knobs::of(&lesson.knobs()) {
+            let picture = shown(lesson, &knob);
+            let arguments = match (&*knob.name, &knob.kind) {
+                ("mesh", _) => vec![format!("--mesh={}", mesh.display())],
+                ("environment", _) => vec![format!("--environment={}", map.display())],
+                ("layout", _) => vec![
+                    format!("--environment={}", map.display()),
+                    "--layout=cross".to_owned(),
+                ],
+                _ => turned(lesson, &knob),
+            };
+            let before = usual
+                .entry(picture)
+                .or_insert_with(|| draw(lesson, &[], picture));
+            let after = draw(lesson, &arguments, picture);
+            assert!(
+                *before != after,
+                "{} {arguments:?} does not change `{picture}`",
+                lesson.name
+            );
+        }
+    });
+}
+
+fn shown(lesson: &Lesson, knob: &Knob) -> &'static str {
+    let found = SHOWN
+        .iter()
+        .find(|(chapter, name, _)| (*chapter, *name) == (lesson.name, &*knob.name));
+    found.map_or("picture", |(_, _, picture)| picture)
+}
+
+fn turned(lesson: &Lesson, knob: &Knob) -> Vec<String> {
+    let found = TURNED
+        .iter()
+        .find(|(chapter, name, _)| (*chapter, *name) == (lesson.name, &*knob.name));
+    if let Some((_, _, arguments)) = found {
+        return arguments.iter().map(|&word| word.to_owned()).collect();
+    }
+    let middle = match &knob.kind {
+        Kind::Number(range, _) => (0.5 * (range.start() + range.end())).to_string(),
+        _ => String::new(),
+    };
+    vec![format!(
+        "--{}={}",
+        knob.name,
+        knob.example().unwrap_or(middle)
+    )]
+}
+
+/// A picture of a chapter, as bytes.
+fn draw(lesson: &Lesson, arguments: &[String], picture: &str) -> Vec<u8> {
+    let out = tempfile::tempdir().expect("a temporary folder");
+    let options = Options {
+        width: Some(32),
+        samples: Some(4),
+        seed: 1,
+        threads: Some(1),
+        out: out.path().to_owned(),
+    };
+    let stage = Stage::new(lesson.name, options, false, progress_bar()).until(picture);
+    let knobs = lesson
+        .turn(arguments)
+        .unwrap_or_else(|error| panic!("{}: {error}", lesson.name));
+    lesson
+        .draw_turned(&stage, &knobs)
+        .unwrap_or_else(|error| panic!("{} {arguments:?}: {error}", lesson.name));
+    let outputs = stage.into_outputs();
+    let last = outputs
+        .last()
+        .unwrap_or_else(|| panic!("{} draws", lesson.name));
+    assert!(
+        last.png.ends_with(Path::new(picture).with_extension("png")),
+        "{}: nothing after `{picture}` is drawn",
+        lesson.name
+    );
+    fs::read(&last.png).expect("it is written")
+}
+
+/// Runs a chapter small, and returns its exit code, what it said, and its folder.
+fn run(chapter: &str, arguments: &[&str]) -> (Option<i32>, String, TempDir) {
+    let out = tempfile::tempdir().expect("a temporary folder");
+    let output = Command::cargo_bin(chapter)
+        .expect("the chapter is built")
+        .args(["--width", "32", "--samples", "1", "--out"])
+        .arg(out.path())
+        .args(arguments)
+        .output()
+        .expect("it runs");
+    let said = [output.stdout, output.stderr].concat();
+    (
+        output.status.code(),
+        String::from_utf8_lossy(&said).into_owned(),
+        out,
+    )
+}
+
+#[test]
+fn nonsense_is_refused_in_a_sentence() {
+    for (chapter, arguments, expected) in [
+        (
+            "ch12_phong",
+            &["--exponent", "0.5"][..],
+            "--exponent 0.5: a number from 1 to 1024",
+        ),
+        (
+            "ch12_phong",
+            &["--exponent", "NaN"],
+            "--exponent NaN: a number from 1 to 1024",
+        ),
+        ("ch12_phong", &["--exponent", "many"], "--exponent"),
+        (
+            "ch04_plane",
+            &["--tilt", "-80"],
+            "--tilt -80: a number from -60 to 60°",
+        ),
+        (
+            "ch01_rays",
+            &["--focal-length", "20", "--field-of-view", "60"],
+            "cannot be used with",
+        ),
+        ("ch07_mesh", &["--mesh", "missing.obj"], "missing.obj"),
+        ("ch11_bvh", &["--mesh", "Cargo.toml"], "must end in .obj"),
+        ("ch18_environment", &["--map", "missing.hdr"], "missing.hdr"),
+        ("ch12_phong", &["--vary", "exponent"], "exponent=1,8,64"),
+        (
+            "ch12_phong",
+            &["--vary", "expnent=1,2"],
+            "has no such knob; it has exponent, turn, lamp",
+        ),
+        (
+            "ch12_phong",
+            &["--vary", "exponent=1,2000"],
+            "--exponent 2000: a number from 1 to 1024",
+        ),
+        (
+            "ch03_sphere",
+            &["--vary", "radius=0.1,0.2", "--picture", "roof"],
+            "there are picture, roots, cancellation",
+        ),
+        ("ch03_sphere", &["--animate"], "--vary"),
+    ] {
+        let (code, said, _) = run(chapter, arguments);
+        assert_eq!(code, Some(2), "{chapter} {arguments:?}: {said}");
+        assert!(said.contains(expected), "{chapter} {arguments:?}: {said}");
+        assert!(
+            !said.contains("panicked"),
+            "{chapter} {arguments:?}: {said}"
+        );
+    }
+}
+
+#[test]
+fn help_has_groups_units_and_an_example() {
+    let (_, said, _) = run("ch19_depth_of_field", &["--help"]);
+    for expected in [
+        "A lens gathers light",
+        "Pictures:",
+        "Depth of field:",
+        "--f-number <0.7..128>",
+        "--focus <0.2..100 m>",
+        "[default: 1.4]",
+        "ch19_depth_of_field --vary f-number=1.4,2.8",
+    ] {
+        assert!(said.contains(expected), "{expected}: {said}");
+    }
+}
+
+#[test]
+fn a_varied_knob_makes_a_labelled_strip_or_an_animation() {
+    let (code, said, out) = run(
+        "ch03_sphere",
+        &["--vary", "radius=0.1,0.3,0.5", "--distance", "2"],
+    );
+    assert_eq!(code, Some(0), "{said}");
+    let folder = out.path().join("ch03_sphere");
+    let strip = file::load(&folder.join("vary_radius.png")).expect("the strip is there");
+    assert!(
+        strip.width() > 3 * 32 && strip.height() > 18,
+        "three pictures side by side"
+    );
+    let picture =
+        |name: &str| fs::read(folder.join(name).join("picture.png")).expect("each is kept");
+    assert!(
+        picture("radius_0.1") != picture("radius_0.5"),
+        "they differ"
+    );
+
+    let (code, said, out) = run("ch03_sphere", &["--vary", "radius=0.1,0.3", "--animate"]);
+    assert_eq!(code, Some(0), "{said}");
+    let bytes = fs::read(out.path().join("ch03_sphere/vary_radius.png")).expect("it is there");
+    let frames = bytes.windows(4).filter(|chunk| chunk == b"fcTL").count();
+    assert_eq!(frames, 2, "a frame for each value");
+}
+
+#[test]
+fn what_is_not_wanted_is_not_drawn() {
+    let sphere = find("ch03_sphere").expect("there is this chapter");
+    let out = tempfile::tempdir().expect("a temporary folder");
+    let options = Options {
+        width: Some(32),
+        samples: Some(1),
+        seed: 1,
+        threads: Some(1),
+        out: out.path().to_owned(),
+    };
+    let stage = Stage::new(sphere.name, options, false, progress_bar());
+    stage
+        .stopper()
+        .store(true, std::sync::atomic::Ordering::Relaxed);
+    sphere
+        .draw(&stage)
+        .expect("that it was stopped is no fault");
+    assert!(
+        stage.into_outputs().is_empty(),
+        "nothing half drawn is written"
+    );
+}

@@ -1,0 +1,241 @@
+//! `raybook present`, asked as a browser asks it, and as another page might try.
+
+use raybook::image::file;
+use std::fs;
+use std::io::{BufRead, BufReader, Read, Write};
+use std::net::TcpStream;
+use std::process::{Child, Command, Stdio};
+use tempfile::TempDir;
+
+/// The server, which ends with the test.
+struct Server {
+    process: Child,
+    host: String,
+    token: String,
+    out: TempDir,
+}
+
+impl Drop for Server {
+    fn drop(&mut self) {
+        self.process.kill().expect("it can be ended");
+        self.process.wait().expect("it ends");
+    }
+}
+
+/// What was answered: the status, and the body.
+type Answered = (u16, Vec<u8>);
+
+impl Server {
+    fn start() -> Self {
+        let out = tempfile::tempdir().expect("a temporary folder");
+        let mut process = Command::new(env!("CARGO_BIN_EXE_raybook"))
+            .args(["present", "--no-open", "--width", "48", "--samples", "1"])
+            .args(["--threads", "1", "--chapter", "sphere", "--out"])
+            .arg(out.path())
+            .stdout(Stdio::piped())
+            .spawn()
+            .expect("it starts");
+        let mut line = String::new();
+        let stdout = process.stdout.take().expect("it is piped");
+        BufReader::new(stdout)
+            .read_line(&mut line)
+            .expect("it says its address");
+        let address = line
+            .trim()
+            .strip_prefix("Open http://")
+            .expect("an address");
+        let (host, rest) = address.split_once('/').expect("and a path");
+        let token = rest
+            .strip_suffix("/#ch03_sphere")
+            .expect("the chapter to begin with");
+        let (host, token) = (host.to_owned(), token.to_owned());
+        Self {
+            process,
+            host,
+            token,
+            out,
+        }
+    }
+
+    /// Sends text, and reads to the end.
+    fn send(&self, text: &str) -> Answered {
+        let mut stream = TcpStream::connect(&self.host).expect("it listens");
+        stream
+            .write_all(text.as_bytes())
+            .expect("it takes a request");
+        let mut bytes = Vec::new();
+        stream.read_to_end(&mut bytes).expect("it answers");
+        let end = bytes.windows(4).position(|four| four == b"\r\n\r\n");
+        let body = bytes.split_off(end.expect("there is a head") + 4);
+        let head = String::from_utf8(bytes).expect("it is text");
+        let status = head.split(' ').nth(1).and_then(|code| code.parse().ok());
+        (status.expect("a status"), body)
+    }
+
+    fn get_of(&self, host: &str, path: &str) -> Answered {
+        self.send(&format!("GET {path} HTTP/1.1\r\nHost: {host}\r\n\r\n"))
+    }
+
+    /// Asks for something below the token.
+    fn get(&self, path: &str) -> Answered {
+        self.get_of(&self.host, &format!("/{}/{path}", self.token))
+    }
+}
+
+/// Width and height of a PNG.
+fn size(png: &[u8]) -> (usize, usize) {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let path = folder.path().join("answer.png");
+    fs::write(&path, png).expect("it can be written");
+    let picture = file::load(&path).expect("it is a picture");
+    (picture.width(), picture.height())
+}
+
+#[test]
+fn a_page_of_another_host_or_without_the_token_gets_nothing() {
+    let server = Server::start();
+    assert_eq!(server.token.len(), 32, "a long word");
+    let page = format!("/{}/", server.token);
+    assert_eq!(server.get("").0, 200, "who knows the address sees the page");
+    for (host, path, status) in [
+        (server.host.as_str(), "/", 403),
+        (&server.host, "/course.json", 403),
+        (&server.host, "/00000000000000000000000000000000/", 403),
+        ("evil.example", &page, 403),
+        ("127.0.0.1", &page, 403),
+    ] {
+        let (answered, body) = server.get_of(host, path);
+        assert_eq!(answered, status, "{host}{path}");
+        assert!(!body.starts_with(b"<!doctype"), "{host}{path}: no page");
+    }
+    let host = &server.host;
+    for broken in [
+        "POST / HTTP/1.1\r\nHost: h\r\n\r\n".to_owned(),
+        format!("GET {page} HTTP/1.1\r\n\r\n"),
+        format!("GET {page} HTTP/1.1\r\nHost: {host}\r\nHost: evil.example\r\n\r\n"),
+        "\r\n\r\n".to_owned(),
+    ] {
+        assert_eq!(server.send(&broken).0, 400, "{broken}");
+    }
+}
+
+#[test]
+fn what_is_not_there_is_not_found_and_no_path_leaves_the_folder() {
+    let server = Server::start();
+    fs::write(server.out.path().join("secret.png"), "secret").expect("it can be written");
+    for path in [
+        "nothing",
+        "screens/ch99_nothing",
+        "screens/../../etc/passwd",
+        "picture/ch03_sphere",
+        "picture/ch03_sphere/",
+        "picture/ch03_sphere/../secret",
+        "picture/ch03_sphere/..%2Fsecret",
+        "picture/../secret/picture",
+        "picture/ch03_sphere/%2e%2e",
+        "../course.json",
+    ] {
+        let (status, body) = server.get(path);
+        assert_eq!(status, 404, "{path}: {}", String::from_utf8_lossy(&body));
+    }
+}
+
+#[test]
+fn a_chapter_is_shown_and_a_knob_redraws_its_picture() {
+    let server = Server::start();
+    let (_, course) = server.get("course.json");
+    let course = String::from_utf8(course).expect("it is text");
+    for expected in [
+        "ch25_capstone",
+        "\"focal-length\"",
+        "\"unit\":\"mm\"",
+        "\"most\":500",
+    ] {
+        assert!(course.contains(expected), "{expected}: {course}");
+    }
+    assert!(
+        !course.contains("\"mesh\""),
+        "files are for the command line"
+    );
+
+    let (status, first) = server.get("screens/ch03_sphere?first=1");
+    let first = String::from_utf8(first).expect("it is text");
+    assert_eq!(status, 200, "{first}");
+    assert!(
+        !first.contains("roots") && first.contains("\"all\":false"),
+        "one at once: {first}"
+    );
+    let (status, screens) = server.get("screens/ch03_sphere");
+    let screens = String::from_utf8(screens).expect("it is text");
+    assert_eq!(status, 200, "{screens}");
+    let place = |name: &str| {
+        screens
+            .find(name)
+            .unwrap_or_else(|| panic!("{name}: {screens}"))
+    };
+    assert!(place("\"picture\"") < place("\"roots\""), "in their order");
+    assert!(
+        place("\"roots\"") < place("\"cancellation\""),
+        "in their order"
+    );
+
+    let (status, sketch) = server.get("picture/ch03_sphere/picture?quick=1");
+    assert_eq!(
+        (status, size(&sketch)),
+        (200, (240, 135)),
+        "a sketch at first"
+    );
+    let (status, usual) = server.get("picture/ch03_sphere/picture");
+    assert_eq!(
+        (status, size(&usual)),
+        (200, (48, 27)),
+        "then as wide as wanted"
+    );
+    let kept = server.out.path().join("ch03_sphere/picture.png");
+    assert_eq!(
+        fs::read(kept).expect("it is the tour's"),
+        usual,
+        "it is kept"
+    );
+
+    let (status, turned) = server.get("picture/ch03_sphere/picture?radius=0.5&quick=1");
+    assert_eq!((status, size(&turned)), (200, (240, 135)), "quickly");
+    assert!(turned != sketch, "another radius, another picture");
+    let (status, turned) = server.get("picture/ch03_sphere/picture?radius=0.5");
+    assert_eq!((status, size(&turned)), (200, (48, 27)), "and well");
+    assert!(turned != usual, "another radius, another picture");
+
+    for (query, why) in [
+        ("radius=7", "a number from 0.02 to 0.8"),
+        ("radius=%22%3E", "invalid"),
+        ("speed=1", "has no knob `speed`"),
+    ] {
+        let (status, body) = server.get(&format!("picture/ch03_sphere/picture?{query}"));
+        let said = String::from_utf8_lossy(&body);
+        assert!(
+            status == 400 && said.contains(why),
+            "{query}: {status} {said}"
+        );
+    }
+    let (status, _) = server.get("picture/ch07_mesh/picture?mesh=/etc/passwd");
+    assert_eq!(status, 400, "a page chooses no files");
+}
+
+#[test]
+fn an_unknown_chapter_or_a_port_in_use_is_explained() {
+    let server = Server::start();
+    let port = server.host.split_once(':').expect("a port").1;
+    for (arguments, expected) in [
+        (["--chapter", "ch99"], "ch03_sphere"),
+        (["--port", port], "any port that is free"),
+    ] {
+        let output = Command::new(env!("CARGO_BIN_EXE_raybook"))
+            .args(["present", "--no-open"])
+            .args(arguments)
+            .output()
+            .expect("it runs");
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{said}");
+        assert!(said.contains(expected), "{said}");
+    }
+}

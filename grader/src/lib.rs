@@ -16,6 +16,7 @@ pub mod diagnose;
 pub mod drawn;
 pub mod dress;
 pub mod examine;
+pub mod explain;
 pub mod feedback;
 pub mod finite;
 pub mod golden;

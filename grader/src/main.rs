@@ -31,6 +31,8 @@ enum Task {
     Draw(commands::draw::Draw),
     /// Hint at what is wrong, without giving the answer away
     Hint(commands::hint::Hint),
+    /// Explain one case in full: both answers, every step to the right one, and a drawing
+    Explain(commands::explain::Explain),
     /// Say what an exercise asks and how it is answered
     Exercise(commands::exercise::Exercise),
     /// Copy in the reference for a chapter that you missed; your files are kept
@@ -72,6 +74,7 @@ fn main() -> ExitCode {
         Some(Task::Watch(task)) => task.run(),
         Some(Task::Draw(task)) => task.run(),
         Some(Task::Hint(task)) => task.run(),
+        Some(Task::Explain(task)) => task.run(),
         Some(Task::Exercise(task)) => task.run(),
         Some(Task::Solve(task)) => task.run(),
         Some(Task::Render(task)) => task.run(),

@@ -11,6 +11,7 @@ mod confused;
 mod diagnosis;
 mod evidence;
 mod exercise;
+mod explain;
 mod feedback;
 mod first_hour;
 mod golden_answers;

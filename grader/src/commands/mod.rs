@@ -9,6 +9,7 @@ pub mod doctor;
 pub mod draw;
 pub mod draw_asked;
 pub mod exercise;
+pub mod explain;
 pub mod golden;
 pub mod grade;
 pub mod hidden;

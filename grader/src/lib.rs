@@ -40,6 +40,7 @@ pub mod prints;
 pub mod progress;
 pub mod reader;
 pub mod recipe;
+pub mod report;
 pub mod sample;
 pub mod sandbox;
 pub mod score;

@@ -33,6 +33,8 @@ enum Task {
     Hint(commands::hint::Hint),
     /// Explain one case in full: both answers, every step to the right one, and a drawing
     Explain(commands::explain::Explain),
+    /// Write a page of your work: verdicts, what explains the wrong answers, pictures, costs
+    Report(commands::report::Report),
     /// Say what an exercise asks and how it is answered
     Exercise(commands::exercise::Exercise),
     /// Copy in the reference for a chapter that you missed; your files are kept
@@ -75,6 +77,7 @@ fn main() -> ExitCode {
         Some(Task::Draw(task)) => task.run(),
         Some(Task::Hint(task)) => task.run(),
         Some(Task::Explain(task)) => task.run(),
+        Some(Task::Report(task)) => task.run(),
         Some(Task::Exercise(task)) => task.run(),
         Some(Task::Solve(task)) => task.run(),
         Some(Task::Render(task)) => task.run(),

@@ -1,6 +1,6 @@
 //! `raybook explain`: the steps end in the golden answers, drawings can be looked at, and a wrong case is told in full.
 
-mod command;
+pub mod command;
 
 use raybook_grader::cases;
 use raybook_grader::examine::{Case, Examiner, visible_rng};

@@ -25,6 +25,7 @@ mod output;
 mod own_patterns;
 mod readers;
 mod render;
+mod report;
 mod rows;
 mod samplers;
 mod silly;

@@ -70,7 +70,15 @@ impl Explain {
                 colour: colourless().is_none() && !self.plain,
                 symbols: !self.plain,
             };
-            say(tell::lines(&account, picture.as_deref(), dress).join("\n"));
+            say(tell::lines(&account, dress).join("\n"));
+            match (&picture, &account.diagram) {
+                (Some(path), Some(diagram)) => {
+                    let file = Untrusted::from(path.as_path());
+                    say(format!("  Drawn: {file}\n         {}.", diagram.title));
+                }
+                (None, Some(_)) => say("  `--pictures FOLDER` draws it."),
+                _ => {}
+            }
         }
         unwritten.said()?;
         Ok(outcome.verdict == Verdict::Right)

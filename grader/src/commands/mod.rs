@@ -21,6 +21,7 @@ pub mod pace;
 pub mod pack;
 pub mod regrade;
 pub mod render;
+pub mod report;
 pub mod samplers;
 pub mod solve;
 pub mod tell;

@@ -7,14 +7,12 @@ use crate::check::Verdict;
 use crate::dress::Dress;
 use crate::feedback;
 use crate::prints::{abbreviated, printed, short};
-use raybook_chapters::kit::untrusted::Untrusted;
-use std::path::Path;
 
 /// More lines of one kind than these nobody reads in a terminal.
 const MOST: usize = 24;
 
-/// The lines. `picture` is the file of the drawing.
-pub fn lines(account: &Account<'_>, picture: Option<&Path>, dress: Dress) -> Vec<String> {
+/// The lines.
+pub fn lines(account: &Account<'_>, dress: Dress) -> Vec<String> {
     let outcome = account.outcome;
     let mut lines = feedback::heading(account.report, outcome, dress);
     let mut section = |title: &str, rows: Vec<String>| {
@@ -26,7 +24,11 @@ pub fn lines(account: &Account<'_>, picture: Option<&Path>, dress: Dress) -> Vec
     section("What is asked", named(&account.asked));
     section("Your answer", named(&account.yours));
     section("The right answer", named(&account.right));
-    section("Where they part", partings(&account.partings));
+    let part = match outcome.verdict {
+        Verdict::Right => "Where they differ, which is right too",
+        _ => "Where they part",
+    };
+    section(part, partings(&account.partings));
     section("The way to the right answer", steps(&account.steps));
     if matches!(outcome.verdict, Verdict::Wrong(_)) {
         section(
@@ -36,14 +38,6 @@ pub fn lines(account: &Account<'_>, picture: Option<&Path>, dress: Dress) -> Vec
     }
     lines.extend(printed(outcome));
     lines.push(String::new());
-    match (picture, &account.diagram) {
-        (Some(path), Some(diagram)) => {
-            lines.push(format!("  Drawn: {}", Untrusted::from(path)));
-            lines.push(format!("         {}.", diagram.title));
-        }
-        (None, Some(_)) => lines.push("  `--pictures FOLDER` draws it.".to_owned()),
-        _ => {}
-    }
     if let Some(chapter) = account.chapter {
         let (number, title, name) = (chapter.number(), chapter.title, chapter.name);
         lines.push(format!(

@@ -20,7 +20,7 @@ def sphere_hit(ray, within, center, radius):
 ";
 
 /// A program of one function, outside of any workbook; none where there is no Python.
-fn program() -> Option<(TempDir, PathBuf)> {
+pub fn program() -> Option<(TempDir, PathBuf)> {
     let python = Command::new("python3")
         .arg("--version")
         .stdout(Stdio::null())

@@ -5,6 +5,7 @@ mod commands;
 use clap::{Parser, Subcommand};
 use raybook_chapters::kit::chapter::{report, said_all};
 use raybook_grader::contain;
+use std::path::Path;
 use std::process::ExitCode;
 
 /// A ray-tracing course that you can run. Without a command: the map of the course.
@@ -69,7 +70,7 @@ fn main() -> ExitCode {
         return ExitCode::from(2);
     }
     let done = match task {
-        None => commands::map::print(),
+        None => commands::map::print(Path::new(".")),
         Some(Task::Tour(task)) => task.run(),
         Some(Task::New(task)) => task.run(),
         Some(Task::Check(task)) => task.run(),

@@ -7,15 +7,20 @@ use raybook_grader::examine::{Case, Examiner, visible_rng};
 use raybook_grader::explain::{EXPLAINERS, Explainer, Shown, Worked};
 use raybook_grader::layout::layout;
 use raybook_workbook::curriculum::CHAPTERS;
+use std::sync::LazyLock;
 
-/// Each exercise with steps, and its visible cases.
-fn explained() -> impl Iterator<Item = (&'static Explainer, &'static dyn Examiner, Vec<Case>)> {
-    EXPLAINERS.iter().map(|explainer| {
+/// An exercise with steps, and its visible cases.
+type Explained = (&'static Explainer, &'static dyn Examiner, Vec<Case>);
+
+/// All of them: the cases take a while to make.
+static EXPLAINED: LazyLock<Vec<Explained>> = LazyLock::new(|| {
+    let with_cases = |explainer: &'static Explainer| {
         let examiner = cases::find(explainer.exercise).expect("it is an exercise");
         let cases = examiner.cases(&mut visible_rng(examiner.name())).cases;
         (explainer, examiner, cases)
-    })
-}
+    };
+    EXPLAINERS.iter().map(with_cases).collect()
+});
 
 #[test]
 fn chapters_have_steps() {
@@ -37,7 +42,7 @@ fn chapters_have_steps() {
 #[test]
 fn steps_end_in_the_golden_answers() {
     let mut asked = 0;
-    for (explainer, examiner, cases) in explained() {
+    for (explainer, examiner, cases) in &*EXPLAINED {
         for case in cases {
             let question = examiner.asked().read_question(&case.question);
             let question = question.expect("it is a question");
@@ -64,7 +69,7 @@ fn steps_end_in_the_golden_answers() {
 /// What is told is what is calculated with: each number of an answer stands among its steps, or was given.
 #[test]
 fn the_answer_stands_among_the_steps() {
-    for (explainer, examiner, cases) in explained() {
+    for (explainer, examiner, cases) in &*EXPLAINED {
         for case in cases {
             let question = examiner.asked().read_question(&case.question);
             let question = question.expect("it is a question");
@@ -118,9 +123,9 @@ const DRAWN: [&str; 14] = [
 #[test]
 fn drawings_can_be_looked_at() {
     let mut drawn = Vec::new();
-    for (explainer, examiner, cases) in explained() {
+    for (explainer, examiner, cases) in &*EXPLAINED {
         let asked = examiner.asked();
-        for case in &cases {
+        for case in cases {
             let question = asked.read_question(&case.question).expect("a question");
             let right = asked.read_answer(&case.answers[0]).expect("an answer");
             let mistakes = (0..).map_while(|i| examiner.mistake_answers(i, &question));

@@ -14,6 +14,7 @@ use raybook_grader::picture::Pixels;
 use raybook_grader::progress::KEPT;
 use raybook_grader::report::{Checked, cost, page};
 use rayon::prelude::*;
+use std::error::Error;
 use std::path::PathBuf;
 
 /// Writes a page of your work that needs no other file: verdicts, what explains the wrong answers, pictures, and costs.
@@ -31,6 +32,13 @@ pub struct Report {
 impl Report {
     /// Checks everything that was named, and writes the page; true if all is right.
     pub fn run(&self) -> Done {
+        let (out, right) = self.write()?;
+        say(format!("Your report: {}", Untrusted::from(out.as_path())));
+        Ok(right)
+    }
+
+    /// Checks and writes; returns the page's file, and whether all is right.
+    pub fn write(&self) -> Result<(PathBuf, bool), Box<dyn Error>> {
         let (from, examiners) = self.target.resolve()?;
         let (program, workbook) = self.asking.program(&from, Vec::new())?;
         let of_workbook = || Some(workbook.as_ref()?.join("out").join("report.html"));
@@ -65,11 +73,12 @@ impl Report {
             Ok((report, png))
         };
         let all = reports.into_iter().map(with_picture);
-        let all = all.collect::<Result<Vec<Checked>, Box<dyn std::error::Error>>>()?;
+        let all = all.collect::<Result<Vec<Checked>, Box<dyn Error>>>()?;
         let whose = workbook.as_deref().or(self.asking.program.as_deref());
         let whose = whose.map_or_else(Untrusted::default, Untrusted::from);
         store::write(&out, page(&whose, &all, &costs).as_bytes())?;
-        say(format!("Your report: {}", Untrusted::from(out.as_path())));
-        Ok(all.iter().all(|(report, _)| report.state() == State::Right))
+        let mut reports = all.iter().map(|(report, _)| report);
+        let right = reports.all(|report| report.state() == State::Right);
+        Ok((out, right))
     }
 }

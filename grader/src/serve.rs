@@ -152,7 +152,7 @@ fn head(browser: &TcpStream) -> io::Result<Option<String>> {
 #[cfg(test)]
 mod tests {
     use super::serve;
-    use std::fs;
+    use raybook::store;
     use std::io::{Read, Write};
     use std::net::TcpStream;
 
@@ -182,13 +182,13 @@ mod tests {
             )
         };
         assert!(get(path, host).contains("not done yet"), "no page yet");
-        fs::write(&file, "<title>t</title>one").expect("it can be written");
+        store::write(&file, b"<title>t</title>one").expect("it can be written");
         let answer = get(path, host);
         assert!(
             answer.starts_with("HTTP/1.1 200") && answer.ends_with("</script>one"),
             "{answer}"
         );
-        fs::write(&file, "<title>t</title>two").expect("it can be written");
+        store::write(&file, b"<title>t</title>two").expect("it can be written");
         assert!(get(path, host).ends_with("two"), "it is read each time");
         for (path, host_line, status) in [
             ("", host, "404"),

@@ -94,7 +94,7 @@ impl Explained for SphereHit {
         );
         drawing.circle(section.at(center), radius, Ink::Shape);
         drawing.point(section.at(center), Ink::Shape);
-        drawing.label(section.at(center), dvec2(0.8, 0.0), "c", Ink::Shape);
+        drawing.label(section.at(center), dvec2(0.4, 1.3), "c", Ink::Shape);
         let far = (section.at(center).x + 1.5 * radius).max(2.0 * radius);
         rays::ray(&mut drawing, &section, &self.ray, self.within, far);
         rays::hits(

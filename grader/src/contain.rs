@@ -1,5 +1,6 @@
 //! Holding a student's process and its children together, so that none is left behind. The system's own code is here.
 
+use crate::keys;
 use crate::sandbox::Sandbox;
 use std::io;
 use std::process::{Child, Command, ExitStatus};
@@ -92,6 +93,7 @@ pub fn end_all_on_signals() -> Result<(), ctrlc::Error> {
             kill_group(*group);
             kill_marked(mark);
         }
+        keys::restore();
         std::process::exit(INTERRUPTED);
     })
 }

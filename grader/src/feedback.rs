@@ -46,11 +46,7 @@ pub fn explain(
     let mut lines = case(report, examiner, outcome, dress);
     if report.cases.len() > 1 {
         lines.push(String::new());
-        match &report.diagnosis {
-            Some(diagnosis) => lines.extend(diagnosed(diagnosis, dress)),
-            None => lines.extend(kinds(report)),
-        }
-        lines.extend(unread_infinity(report));
+        lines.extend(diagnosis(report, dress));
     }
     if let Some(path) = picture {
         lines.push(String::new());
@@ -76,22 +72,37 @@ pub fn case(
     outcome: &Outcome,
     dress: Dress,
 ) -> Vec<String> {
+    let mut lines = heading(report, outcome, dress);
+    lines.extend(asked(examiner, outcome));
+    lines.extend(prints::printed(outcome));
+    lines
+}
+
+/// What explains the wrong answers of an exercise: a mistake, or else which kinds of cases are wrong.
+pub fn diagnosis(report: &Report, dress: Dress) -> Vec<String> {
+    let mut lines = match &report.diagnosis {
+        Some(diagnosis) => diagnosed(diagnosis, dress),
+        None => kinds(report),
+    };
+    lines.extend(unread_infinity(report));
+    lines
+}
+
+/// Which case it is, and what is wrong with it.
+pub fn heading(report: &Report, outcome: &Outcome, dress: Dress) -> Vec<String> {
     let title = format!(
         "{}, case {}: {}",
         report.exercise,
         outcome.case.number,
         Untrusted::from(outcome.case.name.as_str())
     );
-    let mut lines = vec![dress.paint("1", &title)];
-    lines.push(match &outcome.verdict {
+    let verdict = match &outcome.verdict {
         Verdict::Right => "  Right.".to_owned(),
         Verdict::NotStarted => "  Not written yet.".to_owned(),
         Verdict::Wrong(why) if why.ends_with('?') => format!("  {}", capitalised(why)),
         Verdict::Wrong(why) => format!("  {}.", capitalised(why)),
-    });
-    lines.extend(asked(examiner, outcome));
-    lines.extend(prints::printed(outcome));
-    lines
+    };
+    vec![dress.paint("1", &title), verdict]
 }
 
 /// The sentence with a capital letter first, unless that is a name of its own: t, b1.

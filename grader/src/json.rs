@@ -82,7 +82,8 @@ fn exercise(report: &Report, picture: Option<&PathBuf>) -> Value {
     })
 }
 
-fn diagnosed(d: &Diagnosis) -> Value {
+/// A diagnosis.
+pub fn diagnosed(d: &Diagnosis) -> Value {
     json!({
         "name": d.name, "hint": d.hint, "explained": d.explained, "wrong": d.wrong, "certain": d.certain, "part": d.part,
         "also": d.also.iter().map(diagnosed).collect::<Vec<_>>(),
@@ -97,7 +98,8 @@ fn score(picture: &Triple) -> Value {
     })
 }
 
-fn case(outcome: &Outcome) -> Value {
+/// A case.
+pub fn case(outcome: &Outcome) -> Value {
     let (verdict, why) = match &outcome.verdict {
         Verdict::Right => ("right", None),
         Verdict::NotStarted => ("not started", None),

@@ -103,6 +103,23 @@ fn add_parts(
     }
 }
 
+/// Every field of a kind with its meaning, those inside of records too.
+pub fn meanings(kind: &Kind) -> Vec<(&'static str, &'static str)> {
+    match kind {
+        Kind::Optional(kind) | Kind::List(kind) => meanings(kind),
+        Kind::Record(record) => {
+            let fields = record.fields.iter();
+            let of_field = |field: &Field| {
+                let mut all = vec![(field.name, field.meaning)];
+                all.extend(meanings(field.kind));
+                all
+            };
+            fields.flat_map(of_field).collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
 /// The names of a kind's lists, in order.
 pub fn lists(kind: &Kind, name: &str) -> Vec<String> {
     match kind {

@@ -5,6 +5,7 @@ mod commands;
 use clap::{Parser, Subcommand};
 use raybook_chapters::kit::chapter::{report, said_all};
 use raybook_grader::contain;
+use std::path::Path;
 use std::process::ExitCode;
 
 /// A ray-tracing course that you can run. Without a command: the map of the course.
@@ -31,6 +32,10 @@ enum Task {
     Draw(commands::draw::Draw),
     /// Hint at what is wrong, without giving the answer away
     Hint(commands::hint::Hint),
+    /// Explain one case in full: both answers, every step to the right one, and a drawing
+    Explain(commands::explain::Explain),
+    /// Write a page of your work: verdicts, what explains the wrong answers, pictures, costs
+    Report(commands::report::Report),
     /// Say what an exercise asks and how it is answered
     Exercise(commands::exercise::Exercise),
     /// Copy in the reference for a chapter that you missed; your files are kept
@@ -67,13 +72,15 @@ fn main() -> ExitCode {
         return ExitCode::from(2);
     }
     let done = match task {
-        None => commands::map::print(),
+        None => commands::map::print(Path::new(".")),
         Some(Task::Tour(task)) => task.run(),
         Some(Task::New(task)) => task.run(),
         Some(Task::Check(task)) => task.run(),
         Some(Task::Watch(task)) => task.run(),
         Some(Task::Draw(task)) => task.run(),
         Some(Task::Hint(task)) => task.run(),
+        Some(Task::Explain(task)) => task.run(),
+        Some(Task::Report(task)) => task.run(),
         Some(Task::Exercise(task)) => task.run(),
         Some(Task::Solve(task)) => task.run(),
         Some(Task::Render(task)) => task.run(),

@@ -55,11 +55,13 @@ pub enum StarterError {
 /// # Errors
 /// If there is something already, or a file cannot be written.
 pub fn create(folder: &Path, language: Language) -> Result<(), StarterError> {
-    let files = match language {
+    let mut files = match language {
         Language::Rust => files(&stub)?,
         Language::Python => python::files(),
         Language::Cpp => cpp::files(),
     };
+    let tasks = include_bytes!("starter/tasks.json").to_vec();
+    files.insert(0, (PathBuf::from(".vscode/tasks.json"), tasks));
     Ok(store::new_folder(folder, &files)?)
 }
 

@@ -3,6 +3,7 @@
 #![cfg(unix)]
 
 mod any;
+mod keys;
 mod solutions;
 mod starters;
 mod watched;

@@ -1,8 +1,8 @@
 //! `{{example sphere_hit}}`: what goes in and what comes out of one named case, as a table.
 
 use crate::examine::{Case, Examiner, visible_rng};
+use crate::layout::meanings;
 use maud::html;
-use raybook_workbook::kind::{Field, Kind};
 
 /// The table of the named case `name`, or of the first case where no name is given.
 ///
@@ -16,11 +16,10 @@ pub(super) fn expand(examiner: &dyn Examiner, name: &str) -> Result<String, Stri
             examiner.name()
         )
     })?;
-    let mut meanings = Vec::new();
-    meanings_of(examiner.asked().question, &mut meanings);
+    let meanings = meanings(examiner.asked().question);
     let meaning = |name: &str| {
-        let found = meanings.iter().find(|field| field.name == name);
-        found.map_or("", |field| field.meaning)
+        let found = meanings.iter().find(|(field, _)| *field == name);
+        found.map_or("", |(_, meaning)| *meaning)
     };
     let answer = examiner.asked().answer.meaning;
     let asked = examiner.question_parts(&case.question);
@@ -55,18 +54,4 @@ pub(super) fn short(value: &str) -> String {
     let mut start: String = value.chars().take(LONGEST).collect();
     start.truncate(start.trim_end().rfind(' ').unwrap_or(start.len()));
     format!("{} …", start.trim_end())
-}
-
-/// Every field of a question with its meaning, those inside of records too.
-fn meanings_of<'a>(kind: &'a Kind, fields: &mut Vec<&'a Field>) {
-    match kind {
-        Kind::Optional(kind) | Kind::List(kind) => meanings_of(kind, fields),
-        Kind::Record(record) => {
-            for field in record.fields {
-                fields.push(field);
-                meanings_of(field.kind, fields);
-            }
-        }
-        _ => {}
-    }
 }

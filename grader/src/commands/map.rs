@@ -8,9 +8,9 @@ use raybook_grader::student;
 use raybook_workbook::curriculum::{CHAPTERS, Chapter};
 use std::path::Path;
 
-/// Prints the map.
-pub fn print() -> Done {
-    let kept = student::workbook(Path::new("."))
+/// Prints the map; with progress, if there is a workbook in this folder or above.
+pub fn print(from: &Path) -> Done {
+    let kept = student::workbook(from)
         .ok()
         .map(|folder| Progress::load(&folder));
     let (progress, unknown) = match kept {

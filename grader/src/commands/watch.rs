@@ -1,12 +1,17 @@
-//! `raybook watch`: checks again what a saved file changed.
+//! `raybook watch`: checks again what a saved file changed; keys ask for more.
 
 use super::check::Check;
-use super::{Done, Target};
-use clap::Parser;
+use super::explain::Explain;
+use super::hint::Hint;
+use super::report::Report;
+use super::{Done, Target, map};
+use clap::{Parser, Subcommand};
 use raybook_chapters::kit::chapter::report;
 use raybook_chapters::kit::say::say;
 use raybook_chapters::kit::untrusted::Untrusted;
-use raybook_grader::progress::Progress;
+use raybook_grader::keys::{self, Pressed};
+use raybook_grader::progress::{KEPT, Progress};
+use raybook_grader::serve::serve;
 use raybook_grader::student;
 use raybook_grader::watched::{Seen, changed};
 use raybook_workbook::curriculum::{CHAPTERS, Chapter};
@@ -18,7 +23,8 @@ use std::time::Duration;
 /// How often the files are looked at, and how long they must stay the same after a save.
 const PAUSE: Duration = Duration::from_millis(250);
 
-/// Watches the workbook: whenever you save a file, checks what it changed, until you press Ctrl-C.
+/// Watches the workbook: whenever you save a file, checks what it changed, until you press Ctrl-C. In a terminal, keys hint, explain, go
+/// on to the next chapter, list the course, and quit.
 #[derive(clap::Args)]
 pub struct Watch {
     #[command(flatten)]
@@ -26,24 +32,44 @@ pub struct Watch {
     /// No colours and no symbols in front of words
     #[arg(long)]
     plain: bool,
+    /// Show the same as a page too, which renews itself: on this machine only, at an address that is told
+    #[arg(long)]
+    page: bool,
 }
 
-/// The words of `raybook check`, as they are typed.
+/// The words of another command, as they are typed.
 #[derive(Parser)]
 struct Line {
-    #[command(flatten)]
-    check: Check,
+    #[command(subcommand)]
+    task: Task,
+}
+
+#[derive(Subcommand)]
+enum Task {
+    Check(Check),
+    Hint(Hint),
+    Explain(Explain),
+    Report(Report),
 }
 
 impl Watch {
-    /// Checks, and checks again, until the command is interrupted.
+    /// Checks, and checks again, until the command is interrupted or told to quit.
     pub fn run(&self) -> Done {
         let (from, _) = self.target.resolve()?;
         let folder = student::workbook(&from)?;
+        if self.page {
+            let address = serve(&page_in(&folder))?;
+            say(format!("The page: {address}"));
+        }
         let mut seen = Seen::of(&folder);
-        self.check(&folder, &[])?;
+        let mut names = self.names(&folder, &[]);
+        self.check(&folder, &names)?;
         loop {
-            sleep(PAUSE);
+            match keys::wait(PAUSE) {
+                Pressed::Key('q') | Pressed::Closed => return Ok(true),
+                Pressed::Key(key) => self.answer(key, &folder, &mut names)?,
+                Pressed::Nothing => {}
+            }
             let now = Seen::of(&folder);
             let files = changed(&seen, &now);
             if files.is_empty() {
@@ -57,25 +83,77 @@ impl Watch {
             }
             seen = later;
             say(format!("\n── {} changed ──", told(&files)));
-            self.check(&folder, &files)?;
+            names = self.names(&folder, &files);
+            self.check(&folder, &names)?;
         }
     }
 
-    /// Checks what these files changed. What is wrong with the program is told, and does not end the watch.
-    fn check(&self, folder: &Path, files: &[PathBuf]) -> Result<(), Box<dyn Error>> {
-        let names = self.names(folder, files);
-        let mut words = vec!["check".to_owned()];
-        words.extend(names);
-        words.extend(self.plain.then(|| "--plain".to_owned()));
+    /// Does what a key asks for: with the exercises that were checked last, or with the next.
+    fn answer(
+        &self,
+        key: char,
+        folder: &Path,
+        names: &mut Vec<String>,
+    ) -> Result<(), Box<dyn Error>> {
+        match key {
+            'h' => {
+                self.command("hint", names, folder)?;
+            }
+            'e' => {
+                self.command("explain", &[open(folder, names)], folder)?;
+            }
+            'n' => {
+                *names = next(folder, names);
+                return self.check(folder, names);
+            }
+            'l' => {
+                if let Err(error) = map::print(folder) {
+                    report(&*error);
+                }
+            }
+            _ => return Ok(()),
+        }
+        prompt();
+        Ok(())
+    }
+
+    /// Checks exercises or chapters by name.
+    fn check(&self, folder: &Path, names: &[String]) -> Result<(), Box<dyn Error>> {
+        if self.command("check", names, folder)? && self.page {
+            self.command("report", names, folder)?;
+        }
+        prompt();
+        Ok(())
+    }
+
+    /// Runs another command, and returns whether it came to its end. What is wrong with the program is told, and does not end the watch.
+    fn command(
+        &self,
+        command: &str,
+        names: &[String],
+        folder: &Path,
+    ) -> Result<bool, Box<dyn Error>> {
+        let mut words = vec!["watch".to_owned(), command.to_owned()];
+        words.extend_from_slice(names);
+        words.extend(
+            (self.plain && matches!(command, "check" | "explain")).then(|| "--plain".to_owned()),
+        );
         // Words of the command's own, but for the folder, which stands last as a path of its own.
         let line = words.into_iter().map(Into::into);
+        let out = (command == "report").then(|| ["--out".into(), page_in(folder).into()]);
+        let line = line.chain(out.into_iter().flatten());
         let line = line.chain([folder.as_os_str().to_owned()]);
         let line = Line::try_parse_from(line)?;
-        if let Err(error) = line.check.run() {
-            report(&*error);
+        let done = match line.task {
+            Task::Check(task) => task.run(),
+            Task::Hint(task) => task.run(),
+            Task::Explain(task) => task.run(),
+            Task::Report(task) => task.write().map(|(_, right)| right),
+        };
+        if let Err(error) = &done {
+            report(&**error);
         }
-        say("\nSave a file to check again; Ctrl-C ends.");
-        Ok(())
+        Ok(done.is_ok())
     }
 
     /// What to check: what was asked for; else the chapters of the files; else the first chapter that is not right yet.
@@ -107,6 +185,61 @@ impl Watch {
             .map(|chapter| chapter.name.to_owned())
             .collect()
     }
+}
+
+/// Where the page is that is shown.
+fn page_in(folder: &Path) -> PathBuf {
+    folder.join(KEPT).join("watch.html")
+}
+
+/// Says what can be done.
+fn prompt() {
+    let keys = if keys::are_there() {
+        ", or press h hint, e explain, n next, l list, q quit"
+    } else {
+        ""
+    };
+    say(format!("\nSave a file to check again{keys}; Ctrl-C ends."));
+}
+
+/// The exercises of chapters and exercises by name.
+fn exercises(names: &[String]) -> Vec<&'static str> {
+    let all = CHAPTERS.iter().flat_map(|chapter| {
+        let exercises = chapter.exercises().iter();
+        exercises.map(move |exercise| (chapter, exercise.name))
+    });
+    let named = |(chapter, exercise): &(&Chapter, &str)| {
+        let mut names = names.iter();
+        names.any(|name| name == exercise || chapter.answers_to(name))
+    };
+    all.filter(named).map(|(_, exercise)| exercise).collect()
+}
+
+/// The first of the named exercises that was not right when it was last checked; else the first.
+fn open(folder: &Path, names: &[String]) -> String {
+    let progress = Progress::load(folder).unwrap_or_default();
+    let exercises = exercises(names);
+    let open = exercises.iter().find(|name| !progress.is_right(name));
+    let open = open.or(exercises.first()).copied();
+    open.unwrap_or(CHAPTERS[0].exercises()[0].name).to_owned()
+}
+
+/// The next chapter behind the named ones that is not right yet, and after the last the first again.
+fn next(folder: &Path, names: &[String]) -> Vec<String> {
+    let progress = Progress::load(folder).unwrap_or_default();
+    let named = exercises(names);
+    let of_named = |chapter: &Chapter| {
+        let mut exercises = chapter.exercises().iter();
+        exercises.any(|exercise| named.contains(&exercise.name))
+    };
+    let is_open = |chapter: &&Chapter| {
+        let mut exercises = chapter.exercises().iter();
+        exercises.any(|exercise| !progress.is_right(exercise.name))
+    };
+    let behind = CHAPTERS.iter().rposition(of_named).map_or(0, |i| i + 1);
+    let (before, behind) = CHAPTERS.split_at(behind);
+    let next = behind.iter().chain(before).find(is_open);
+    next.map_or_else(|| names.to_vec(), |chapter| vec![chapter.name.to_owned()])
 }
 
 /// Some names of files.

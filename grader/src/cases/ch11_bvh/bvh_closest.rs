@@ -177,8 +177,8 @@ fn with_tree<T>(q: &BvhClosest, then: impl FnOnce(&Tree) -> T) -> T {
     })
 }
 
-/// The question about triangles in a tree of small leaves.
-fn question(triangles: &[[Vec3; 3]], ray: Ray, within: Interval) -> BvhClosest {
+/// The question of a ray through these triangles, in a tree of small leaves.
+pub fn question(triangles: &[[Vec3; 3]], ray: Ray, within: Interval) -> BvhClosest {
     let boxes: Vec<_> = triangles
         .iter()
         .map(|&corners| {

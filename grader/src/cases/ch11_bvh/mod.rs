@@ -11,6 +11,8 @@ use raybook_workbook::tree_rows::{BoxRow, to_rows};
 
 raybook_workbook::ch11_bvh!(graded);
 
+pub use bvh_closest::question;
+
 fn area(min: Vec3, max: Vec3) -> f32 {
     let size = max - min;
     2.0 * (size.x * size.y + size.y * size.z + size.z * size.x)

@@ -4,6 +4,8 @@ use raybook_workbook::exercises::ch24_wide_bvh::Collapse;
 
 raybook_workbook::ch24_wide_bvh!(graded);
 
+pub use wide_closest::question;
+
 const MOST: usize = 8;
 
 fn is_branch(q: &Collapse, i: u32) -> bool {

@@ -191,7 +191,7 @@ const SMALL_LEAVES: Cost = Cost {
 };
 
 /// A question about triangles in the tree that the reference builds, its root a node even if a leaf would do.
-fn question(triangles: Vec<[Vec3; 3]>, ray: Ray, within: Interval) -> WideClosest {
+pub fn question(triangles: Vec<[Vec3; 3]>, ray: Ray, within: Interval) -> WideClosest {
     let facets = triangles.iter().zip(0..);
     let facets: Vec<_> = facets.map(|(&corners, id)| Facet { corners, id }).collect();
     let all = facets

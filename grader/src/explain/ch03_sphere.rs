@@ -1,0 +1,153 @@
+//! Chapter 3: the quadratic equation, and the sphere in the plane of the ray and its centre.
+
+use super::Explained;
+use super::diagram::{Diagram, Ink};
+use super::rays::{self, UP};
+use super::section::Section;
+use super::way::Way;
+use glam::{DVec3, Vec2, Vec3, dvec2};
+use raybook::math::{interval::Interval, ray::Ray};
+use raybook_workbook::exercises::ch03_sphere::{SolveQuadratic, SphereHit, SphereNormal};
+
+/// The real roots of a·t² + b·t + c = 0 without cancellation, the smaller one first.
+pub fn roots(way: &mut Way, [a, b, c]: [f64; 3]) -> Option<[f64; 2]> {
+    let discriminant = way.number("B² − 4AC", "", b * b - 4.0 * a * c);
+    if discriminant < 0.0 {
+        way.remark("The discriminant is negative: no root is real.");
+        return None;
+    }
+    let q = way.number(
+        "q = −½(B + sign(B)·√(B² − 4AC))",
+        "",
+        -0.5 * (b + discriminant.sqrt().copysign(b)),
+    );
+    let [t0, t1] = if q == 0.0 { [0.0; 2] } else { [q / a, c / q] };
+    let t0 = way.number("q/A", "", t0);
+    let t1 = way.number("C/q", "", t1);
+    Some([t0.min(t1), t0.max(t1)])
+}
+
+impl Explained for SolveQuadratic {
+    fn work(&self, way: &mut Way) -> Option<Vec2> {
+        let [a, b, c] = [self.a, self.b, self.c].map(f64::from);
+        if a == 0.0 {
+            way.remark("A is 0: the equation is not quadratic.");
+            return None;
+        }
+        let [t0, t1] = roots(way, [a, b, c])?;
+        Some(
+            way.pair("both, the smaller one first", "", dvec2(t0, t1))
+                .as_vec2(),
+        )
+    }
+}
+
+/// The smallest distance that counts at which a ray meets a sphere.
+pub fn meets(
+    way: &mut Way,
+    ray: &Ray,
+    within: Interval,
+    center: DVec3,
+    radius: f64,
+) -> Option<f64> {
+    let (o, d) = rays::parts(ray);
+    // The point of the ray that is nearest to the centre: from there lengths are as short as they can be.
+    let closest = way.number(
+        "s = (c − o)·d/(d·d), where the ray is nearest to the centre",
+        "m",
+        (center - o).dot(d) / d.dot(d),
+    );
+    let m = way.vector("m = o + s·d − c", "m", o + closest * d - center);
+    let a = way.number("A = d·d", "", d.dot(d));
+    let b = way.number("B = 2 d·m", "m", 2.0 * d.dot(m));
+    let c = way.number("C = m·m − r²", "m²", m.length_squared() - radius * radius);
+    let found = roots(way, [a, b, c])?;
+    let near = way.number("t₀ = s + the smaller root", "m", closest + found[0]);
+    let far = way.number("t₁ = s + the larger root", "m", closest + found[1]);
+    let t = [near, far].into_iter().find(|t| rays::counts(within, *t));
+    match t {
+        Some(t) if t == near => way.remark("t₀ is in the interval: it is the nearest."),
+        Some(_) => way.remark("t₀ is outside of the interval, t₁ is in it."),
+        None => way.remark("Neither t₀ nor t₁ is in the interval."),
+    }
+    t
+}
+
+impl Explained for SphereHit {
+    fn work(&self, way: &mut Way) -> Option<f32> {
+        meets(
+            way,
+            &self.ray,
+            self.within,
+            self.center.as_dvec3(),
+            self.radius.into(),
+        )
+        .map(|t| t as f32)
+    }
+
+    fn draw(&self, right: &Option<f32>, yours: Option<&Option<f32>>) -> Option<Diagram> {
+        let (o, d) = rays::parts(&self.ray);
+        let (center, radius) = (self.center.as_dvec3(), f64::from(self.radius));
+        let section = Section::spanned(o, d, center - o);
+        let mut drawing = Diagram::new(
+            "The ray and the sphere, in the plane through the ray and the sphere's centre",
+        );
+        drawing.circle(section.at(center), radius, Ink::Shape);
+        drawing.point(section.at(center), Ink::Shape);
+        drawing.label(section.at(center), dvec2(0.4, 1.3), "c", Ink::Shape);
+        let far = (section.at(center).x + 1.5 * radius).max(2.0 * radius);
+        rays::ray(&mut drawing, &section, &self.ray, self.within, far);
+        rays::hits(
+            &mut drawing,
+            &section,
+            &self.ray,
+            far,
+            [*right, yours.copied().flatten()],
+        );
+        Some(drawing)
+    }
+}
+
+impl Explained for SphereNormal {
+    fn work(&self, way: &mut Way) -> Vec3 {
+        let out = way.vector("p − c", "m", self.p.as_dvec3() - self.center.as_dvec3());
+        let length = way.number("|p − c|", "m", out.length());
+        let normal = if length > 0.0 { out / length } else { DVec3::Y };
+        way.vector("(p − c)/|p − c|", "", normal).as_vec3()
+    }
+
+    fn draw(&self, right: &Vec3, yours: Option<&Vec3>) -> Option<Diagram> {
+        let (center, p, radius) = (
+            self.center.as_dvec3(),
+            self.p.as_dvec3(),
+            f64::from(self.radius),
+        );
+        let toward = yours.map_or(DVec3::Y, |n| n.as_dvec3());
+        let section = Section::spanned(center, p - center, toward);
+        let mut drawing = Diagram::new(
+            "The normal, in the plane of the sphere's centre, the point and your normal",
+        );
+        drawing.circle(dvec2(0.0, 0.0), radius, Ink::Shape);
+        drawing.point(dvec2(0.0, 0.0), Ink::Shape);
+        drawing.label(dvec2(0.0, 0.0), dvec2(-0.8, 0.0), "c", Ink::Shape);
+        let at = section.at(p);
+        drawing.point(at, Ink::Ray);
+        drawing.label(at, dvec2(-0.8, 0.0), "p", Ink::Ray);
+        for (n, ink, beside, name) in [
+            (Some(right), Ink::Right, UP, "right"),
+            (yours, Ink::Yours, -UP, "yours"),
+        ] {
+            let Some(n) = n else { continue };
+            // Of length 1 it is drawn as long as the radius.
+            let tip = at + radius * section.along(n.as_dvec3()).clamp_length_max(4.0);
+            drawing.arrow(at, tip, ink);
+            drawing.label(
+                tip,
+                beside,
+                format!("{name}, of length {:.3}", n.length()),
+                ink,
+            );
+        }
+        Some(drawing)
+    }
+}

@@ -1,0 +1,69 @@
+//! Chapter 4: the plane, seen from its side.
+
+use super::Explained;
+use super::diagram::{Diagram, Ink};
+use super::rays::{self, nonzero};
+use super::section::Section;
+use super::way::Way;
+use glam::dvec2;
+use raybook_workbook::exercises::ch04_plane::PlaneHit;
+
+impl Explained for PlaneHit {
+    fn work(&self, way: &mut Way) -> Option<f32> {
+        let (o, d) = rays::parts(&self.ray);
+        let n = self.normal.as_dvec3();
+        let numerator = way.number(
+            "offset − n·o: from the ray's start to the plane, along n",
+            "m",
+            f64::from(self.offset) - n.dot(o),
+        );
+        let denominator = way.number("n·d: how fast the ray gets there", "", n.dot(d));
+        if denominator == 0.0 {
+            way.remark("n·d is 0: the ray is parallel to the plane.");
+        }
+        let t = way.number("t = (offset − n·o)/(n·d)", "m", numerator / denominator);
+        if rays::counts(self.within, t) {
+            Some(t as f32)
+        } else {
+            way.remark("t is not between min and max.");
+            None
+        }
+    }
+
+    fn draw(&self, right: &Option<f32>, yours: Option<&Option<f32>>) -> Option<Diagram> {
+        let (o, d) = rays::parts(&self.ray);
+        let n = self.normal.as_dvec3();
+        let above = n.dot(o) - f64::from(self.offset);
+        let foot = o - above * n;
+        let mut section = Section::spanned(foot, d - d.dot(n) * n, n);
+        section.v = n;
+        let meets = -above / n.dot(d);
+        let far = 1.4
+            * nonzero(if meets.is_finite() && meets > 0.0 {
+                meets
+            } else {
+                above.abs()
+            });
+        let mut drawing =
+            Diagram::new("The plane from its side: the ray and the normal lie in the picture");
+        let end = section.along(far * d).x.abs().max(0.8 * far);
+        drawing.line(&[dvec2(-0.3 * end, 0.0), dvec2(1.1 * end, 0.0)], Ink::Shape);
+        drawing.label(
+            dvec2(1.1 * end, 0.0),
+            dvec2(-0.2, -1.0),
+            "the plane",
+            Ink::Shape,
+        );
+        drawing.arrow(dvec2(0.0, 0.0), dvec2(0.0, 0.25 * far), Ink::Shape);
+        drawing.label(dvec2(0.0, 0.25 * far), dvec2(-0.6, 0.0), "n", Ink::Shape);
+        rays::ray(&mut drawing, &section, &self.ray, self.within, far);
+        rays::hits(
+            &mut drawing,
+            &section,
+            &self.ray,
+            far,
+            [*right, yours.copied().flatten()],
+        );
+        Some(drawing)
+    }
+}

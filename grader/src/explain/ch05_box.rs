@@ -1,0 +1,152 @@
+//! Chapter 5: the box, as what remains of an interval after three slabs.
+
+use super::Explained;
+use super::diagram::{Diagram, Ink};
+use super::rays;
+use super::way::Way;
+use glam::{DVec3, dvec2};
+use raybook::math::interval::Interval;
+use raybook_workbook::exercises::ch05_box::{BoundsOf, BoxClip, Corners};
+
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// The distances at which a ray is between the two planes of a box across an axis; NaN where it runs in one of them.
+fn slab(q: &BoxClip, axis: usize) -> [f64; 2] {
+    let (o, d) = rays::parts(&q.ray);
+    let planes = [q.min[axis], q.max[axis]].map(|plane| (f64::from(plane) - o[axis]) / d[axis]);
+    // The sign bit, so that −0.0 is the mirror image of 0.0.
+    if d[axis].is_sign_negative() {
+        [planes[1], planes[0]]
+    } else {
+        planes
+    }
+}
+
+impl Explained for BoxClip {
+    fn work(&self, way: &mut Way) -> Option<Interval> {
+        let [mut min, mut max] = [self.within.min, self.within.max].map(f64::from);
+        for (axis, name) in AXES.iter().enumerate() {
+            let [near, far] = slab(self, axis);
+            way.pair(
+                format!("between the planes across {name}"),
+                "m",
+                dvec2(near, far),
+            );
+            // `max` and `min` drop the NaN of a ray that runs in a face.
+            (min, max) = (min.max(near), max.min(far));
+            way.pair(format!("what remains after {name}"), "m", dvec2(min, max));
+        }
+        if max - min >= 0.0 {
+            Some(Interval::new(min as f32, max as f32))
+        } else {
+            way.remark("The end is before the beginning: nothing remains.");
+            None
+        }
+    }
+
+    fn draw(&self, right: &Option<Interval>, yours: Option<&Option<Interval>>) -> Option<Diagram> {
+        let slabs = [0, 1, 2].map(|axis| slab(self, axis));
+        let of = |within: &Interval| [within.min, within.max].map(f64::from);
+        let within = of(&self.within);
+        let (right, yours) = (
+            right.as_ref().map(of),
+            yours.copied().flatten().as_ref().map(of),
+        );
+        let ends = slabs
+            .iter()
+            .chain([&within])
+            .chain(&right)
+            .chain(&yours)
+            .flatten();
+        let ends: Vec<_> = ends.copied().filter(|t| t.is_finite()).collect();
+        let least = ends.iter().copied().fold(0.0, f64::min);
+        let most = ends.iter().copied().fold(least + 1e-6, f64::max);
+        let beyond = 0.15 * (most - least);
+        let [start, end] = [least - beyond, most + beyond];
+        let mut drawing = Diagram::new(
+            "The distances t along the ray that are between each pair of planes, and what all of them share",
+        );
+        drawing.stretched = true;
+        let mut row = |y: f64, name: &str, stretch: Option<[f64; 2]>, ink: Ink| {
+            drawing.label(
+                dvec2(start, y),
+                dvec2(-0.4, 0.0),
+                name,
+                if ink == Ink::Interval { Ink::Ray } else { ink },
+            );
+            let Some([from, to]) = stretch else {
+                drawing.label(
+                    dvec2(0.5 * (start + end), y),
+                    dvec2(0.0, 0.0),
+                    "nothing",
+                    ink,
+                );
+                return;
+            };
+            // A face in which the ray runs bounds nothing.
+            let [from, to] = [
+                if from.is_nan() { start } else { from },
+                if to.is_nan() { end } else { to },
+            ]
+            .map(|t| t.clamp(start, end));
+            if from <= to {
+                drawing.line(&[dvec2(from, y), dvec2(to, y)], ink);
+            } else {
+                drawing.label(
+                    dvec2(0.5 * (start + end), y),
+                    dvec2(0.0, 0.0),
+                    "nothing",
+                    ink,
+                );
+            }
+        };
+        for (axis, name) in AXES.iter().enumerate() {
+            row(-(axis as f64), name, Some(slabs[axis]), Ink::Shape);
+        }
+        row(-3.0, "within", Some(within), Ink::Interval);
+        row(-4.0, "right", right, Ink::Right);
+        if yours.is_some() {
+            row(-5.0, "yours", yours, Ink::Yours);
+        }
+        drawing.arrow(dvec2(start, -6.0), dvec2(end, -6.0), Ink::Guide);
+        drawing.label(dvec2(end, -6.0), dvec2(0.5, 0.0), "t", Ink::Guide);
+        for t in [right, yours]
+            .into_iter()
+            .flatten()
+            .flatten()
+            .filter(|t| t.is_finite())
+        {
+            drawing.line(&[dvec2(t, 0.3), dvec2(t, -6.0)], Ink::Guide);
+            drawing.label(
+                dvec2(t, -6.0),
+                dvec2(0.0, -1.2),
+                format!("{}", t as f32),
+                Ink::Guide,
+            );
+        }
+        Some(drawing)
+    }
+}
+
+impl Explained for BoundsOf {
+    fn work(&self, way: &mut Way) -> Corners {
+        let points = || self.points.iter().map(|p| p.as_dvec3());
+        if self.points.is_empty() {
+            way.remark("There are no points: the least of none is +∞, the greatest −∞.");
+        }
+        let min = way.vector(
+            "the least x, y and z of all points",
+            "m",
+            points().fold(DVec3::INFINITY, DVec3::min),
+        );
+        let max = way.vector(
+            "the greatest x, y and z of all points",
+            "m",
+            points().fold(DVec3::NEG_INFINITY, DVec3::max),
+        );
+        Corners {
+            min: min.as_vec3(),
+            max: max.as_vec3(),
+        }
+    }
+}

@@ -1,0 +1,269 @@
+//! Chapter 8: the resolution of a grid, the cells of a triangle, and the walk from cell to cell.
+
+use super::Explained;
+use super::diagram::{Diagram, Ink};
+use super::rays;
+use super::way::Way;
+use glam::{DVec2, DVec3, IVec3, UVec3, Vec3, dvec2};
+use raybook_workbook::exercises::ch08_grid::{
+    Cell, GridResolution, GridWalk, Visit, VoxelsOfTriangle,
+};
+
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+impl Explained for GridResolution {
+    fn work(&self, way: &mut Way) -> Cell {
+        let extents = self.extents.as_dvec3();
+        let cells = way.number(
+            "cells = density · shapes",
+            "",
+            f64::from(self.density) * f64::from(self.shapes),
+        );
+        let mut thick: Vec<usize> = (0..3).filter(|&axis| extents[axis] > 0.0).collect();
+        let along = loop {
+            let names: Vec<_> = thick.iter().map(|&axis| AXES[axis]).collect();
+            let volume: f64 = thick.iter().map(|&axis| extents[axis]).product();
+            let names = names.join(" · ");
+            let volume = way.number(format!("the volume, of {names}"), "", volume);
+            let per_metre = way.number(
+                "cells per metre: the root of cells/volume",
+                "1/m",
+                (cells / volume).powf(1.0 / thick.len() as f64),
+            );
+            let mut along = DVec3::ONE;
+            for &axis in &thick {
+                along[axis] = (extents[axis] * per_metre).min(cells.max(1.0));
+            }
+            way.vector("extent · cells per metre", "", along);
+            let before = thick.len();
+            thick.retain(|&axis| along[axis] >= 1.0);
+            if thick.len() == before {
+                break along;
+            }
+            way.remark("An axis gets less than one cell: it has 1, and is left out of the volume.");
+        };
+        way.vector("rounded, and 1 at least", "", along.round().max(DVec3::ONE))
+            .as_uvec3()
+            .into()
+    }
+}
+
+impl Explained for VoxelsOfTriangle {
+    fn work(&self, way: &mut Way) -> Vec<Cell> {
+        let (min, size, margin) = (
+            self.min.as_dvec3(),
+            self.cell.as_dvec3(),
+            f64::from(self.margin),
+        );
+        let corners = [self.p0, self.p1, self.p2].map(Vec3::as_dvec3);
+        let most = UVec3::new(self.nx, self.ny, self.nz).as_ivec3() - 1;
+        let [least, greatest] = [
+            corners.into_iter().fold(DVec3::INFINITY, DVec3::min) - margin,
+            corners.into_iter().fold(DVec3::NEG_INFINITY, DVec3::max) + margin,
+        ];
+        let least = way.vector(
+            "the least corner of the triangle's box, less the margin",
+            "m",
+            least,
+        );
+        let greatest = way.vector("the greatest corner, plus the margin", "m", greatest);
+        // One more on each side: a face that two cells share belongs to both.
+        let cell = |p: DVec3, more: i32| {
+            (((p - min) / size).floor().as_ivec3() + more).clamp(IVec3::ZERO, most)
+        };
+        let (first, last) = (cell(least, -1), cell(greatest, 1));
+        way.vector("the first cell that it can be in", "", first.as_dvec3());
+        way.vector("the last cell that it can be in", "", last.as_dvec3());
+        way.remark("Of each of these the box, grown by the margin, cuts the triangle; what remains of it has corners, or the cell is not on the list.");
+        let mut found = Vec::new();
+        for z in first.z..=last.z {
+            for y in first.y..=last.y {
+                for x in first.x..=last.x {
+                    let cell = UVec3::new(x as u32, y as u32, z as u32);
+                    let low = min + cell.as_dvec3() * size;
+                    if !clipped(corners.to_vec(), low - margin, low + size + margin).is_empty() {
+                        found.push(Cell::from(cell));
+                    }
+                }
+            }
+        }
+        way.number("cells that the triangle meets", "", found.len() as f64);
+        found
+    }
+}
+
+/// What a box leaves of a polygon: one side after the other cuts it (Sutherland and Hodgman 1974).
+fn clipped(mut polygon: Vec<DVec3>, min: DVec3, max: DVec3) -> Vec<DVec3> {
+    for axis in 0..3 {
+        for (plane, sign) in [(min[axis], 1.0), (max[axis], -1.0)] {
+            let inside = |p: &DVec3| sign * (p[axis] - plane);
+            let mut kept = Vec::new();
+            for (i, p) in polygon.iter().enumerate() {
+                let next = &polygon[(i + 1) % polygon.len()];
+                let [here, there] = [inside(p), inside(next)];
+                if here >= 0.0 {
+                    kept.push(*p);
+                }
+                if here * there < 0.0 {
+                    kept.push(p.lerp(*next, here / (here - there)));
+                }
+            }
+            polygon = kept;
+        }
+    }
+    polygon
+}
+
+impl Explained for GridWalk {
+    fn work(&self, way: &mut Way) -> Vec<Visit> {
+        let (o, d) = rays::parts(&self.ray);
+        let (min, size) = (self.min.as_dvec3(), self.cell.as_dvec3());
+        let count = UVec3::new(self.nx, self.ny, self.nz);
+        let [mut enter, mut end] = [self.within.min, self.within.max].map(f64::from);
+        let backward = |axis: usize| d[axis].is_sign_negative();
+        for axis in 0..3 {
+            let planes = [0.0, f64::from(count[axis])]
+                .map(|i| (min[axis] + i * size[axis] - o[axis]) / d[axis]);
+            let [near, far] = if backward(axis) {
+                [planes[1], planes[0]]
+            } else {
+                planes
+            };
+            (enter, end) = (enter.max(near), end.min(far));
+        }
+        way.pair(
+            "the distances at which the ray enters and leaves the lattice",
+            "m",
+            dvec2(enter, end),
+        );
+        if end < enter {
+            way.remark("It leaves before it enters: the ray misses the lattice.");
+            return Vec::new();
+        }
+        let place = (o + enter * d - min) / size;
+        let mut cell = place
+            .floor()
+            .as_ivec3()
+            .clamp(IVec3::ZERO, count.as_ivec3() - 1)
+            .as_uvec3();
+        way.vector(
+            "apart: the distance between two planes, along each axis",
+            "m",
+            (size / d).abs(),
+        );
+        let plane_ahead = |axis: usize, cell: u32| {
+            let plane = f64::from(cell + u32::from(!backward(axis)));
+            let t = (min[axis] + plane * size[axis] - o[axis]) / d[axis];
+            if t.is_finite() { t } else { f64::INFINITY }
+        };
+        let mut visits = Vec::new();
+        let limit = f64::from(self.within.max);
+        loop {
+            let next = DVec3::from([0, 1, 2].map(|axis| plane_ahead(axis, cell[axis])));
+            let UVec3 { x, y, z } = cell;
+            way.vector(
+                format!("cell ({x}, {y}, {z}): the next planes ahead, at t ="),
+                "m",
+                next,
+            );
+            let leave = next.min_element().min(limit);
+            visits.push(Visit {
+                x,
+                y,
+                z,
+                leave: leave as f32,
+            });
+            let axis = next.min_position();
+            let last = if backward(axis) { 0 } else { count[axis] - 1 };
+            if leave >= limit || cell[axis] == last {
+                let why = if leave >= limit {
+                    "The interval ends here."
+                } else {
+                    "Behind the nearest of them the lattice ends."
+                };
+                way.remark(why);
+                return visits;
+            }
+            cell[axis] = if backward(axis) {
+                cell[axis] - 1
+            } else {
+                cell[axis] + 1
+            };
+        }
+    }
+
+    fn draw(&self, right: &Vec<Visit>, yours: Option<&Vec<Visit>>) -> Option<Diagram> {
+        let (o, d) = rays::parts(&self.ray);
+        // Seen along the axis along which the ray moves least.
+        let hidden = d.abs().min_position();
+        let [across, up] = [[1, 2], [0, 2], [0, 1]][hidden];
+        let flat = |p: DVec3| dvec2(p[across], p[up]);
+        let (min, size) = (flat(self.min.as_dvec3()), flat(self.cell.as_dvec3()));
+        let counts = [self.nx, self.ny, self.nz];
+        let count = dvec2(counts[across].into(), counts[up].into());
+        let max = min + count * size;
+        let mut drawing = Diagram::new(format!(
+            "The cells on the ray's way, seen along {}: {} to the right, {} upwards",
+            AXES[hidden], AXES[across], AXES[up]
+        ));
+        let square = |visit: &Visit, share: f64| {
+            let cell = [visit.x, visit.y, visit.z];
+            let middle = min + (dvec2(cell[across].into(), cell[up].into()) + 0.5) * size;
+            let half = 0.5 * share * size;
+            [
+                middle - half,
+                middle + dvec2(half.x, -half.y),
+                middle + half,
+                middle + dvec2(-half.x, half.y),
+            ]
+        };
+        for visit in right {
+            drawing.area(&square(visit, 0.94), Ink::Right);
+        }
+        // A list of a student's may hold anything.
+        let inside = |visit: &&Visit| visit.x < self.nx && visit.y < self.ny && visit.z < self.nz;
+        for visit in yours.into_iter().flatten().filter(inside) {
+            drawing.area(&square(visit, 0.7), Ink::Yours);
+        }
+        for i in 0..=counts[across] {
+            let x = min.x + f64::from(i) * size.x;
+            drawing.line(&[dvec2(x, min.y), dvec2(x, max.y)], Ink::Guide);
+        }
+        for i in 0..=counts[up] {
+            let y = min.y + f64::from(i) * size.y;
+            drawing.line(&[dvec2(min.x, y), dvec2(max.x, y)], Ink::Guide);
+        }
+        let end = right.last().map_or(0.0, |visit| f64::from(visit.leave));
+        let beyond = if end.is_finite() && end > 0.0 {
+            end
+        } else {
+            (max - min).length()
+        };
+        let way = |t: f64| flat(o + t * d);
+        let [from, to] =
+            [self.within.min, self.within.max].map(|t| f64::from(t).clamp(0.0, 1.12 * beyond));
+        if from < to {
+            drawing.line(&[way(from), way(to)], Ink::Interval);
+        }
+        drawing.arrow(way(0.0), way(1.12 * beyond), Ink::Ray);
+        let mut before = f64::from(self.within.min).max(0.0);
+        for (i, visit) in right.iter().enumerate() {
+            let leave = f64::from(visit.leave);
+            if leave.is_finite() && right.len() < 16 {
+                // The cell's number in the order of the walk, in the middle of the ray's way through it.
+                let entered: DVec2 = if i == 0 {
+                    middle_of(&square(visit, 1.0))
+                } else {
+                    way(0.5 * (before + leave))
+                };
+                drawing.label(entered, dvec2(0.0, 0.9), format!("{}", i + 1), Ink::Right);
+                before = leave;
+            }
+        }
+        Some(drawing)
+    }
+}
+
+fn middle_of(corners: &[DVec2; 4]) -> DVec2 {
+    0.5 * (corners[0] + corners[2])
+}

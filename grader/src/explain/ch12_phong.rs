@@ -1,0 +1,142 @@
+//! Chapter 12: highlights, in the plane of the normal and the light, and what a point light sends.
+
+use super::Explained;
+use super::diagram::{Diagram, Ink};
+use super::section::Section;
+use super::way::Way;
+use glam::{DVec3, dvec2};
+use raybook::image::rgb::Rgb;
+use raybook_workbook::exercises::ch12_phong::{
+    Arriving, BlinnPhongExercise, Highlight, PhongExercise, PointLightExercise,
+};
+
+/// A colour as a vector of its parts.
+fn parts(colour: Rgb) -> DVec3 {
+    DVec3::new(colour.r.into(), colour.g.into(), colour.b.into())
+}
+
+fn colour(v: DVec3) -> Rgb {
+    let v = v.as_vec3();
+    Rgb::new(v.x, v.y, v.z)
+}
+
+/// N, V and L.
+fn directions(at: &Highlight) -> [DVec3; 3] {
+    [at.normal, at.view, at.toward].map(|d| d.as_dvec3())
+}
+
+/// Diffuse and specular together, where `cosine` gives the highlight's.
+fn radiance(way: &mut Way, at: &Highlight, cosine: impl FnOnce(&mut Way, f64) -> f64) -> Rgb {
+    let [n, _, l] = directions(at);
+    let lambert = way.number("L·N", "", l.dot(n));
+    if lambert <= 0.0 {
+        way.remark("The light is not above the surface.");
+        return Rgb::BLACK;
+    }
+    let diffuse = way.vector("diffuse: k_d (L·N)", "1/sr", parts(at.diffuse) * lambert);
+    let highlight = cosine(way, lambert).max(0.0).powf(at.exponent.into());
+    let highlight = way.number("that, 0 at least, to the power α", "", highlight);
+    let specular = way.vector(
+        "specular: k_s times that",
+        "1/sr",
+        parts(at.specular) * highlight,
+    );
+    let sum = (diffuse + specular) * parts(at.arriving);
+    colour(way.vector("(diffuse + specular) · i", "W·m⁻²·sr⁻¹", sum))
+}
+
+impl Explained for PhongExercise {
+    fn work(&self, way: &mut Way) -> Rgb {
+        let [n, v, l] = directions(&self.at);
+        radiance(way, &self.at, |way, lambert| {
+            let r = way.vector("R = 2 (L·N) N − L", "", 2.0 * lambert * n - l);
+            way.number("R·V", "", r.dot(v))
+        })
+    }
+
+    fn draw(&self, _: &Rgb, _: Option<&Rgb>) -> Option<Diagram> {
+        let [n, _, l] = directions(&self.at);
+        Some(fan(
+            &self.at,
+            ("R", 2.0 * l.dot(n) * n - l),
+            "R, the light's mirror image",
+        ))
+    }
+}
+
+impl Explained for BlinnPhongExercise {
+    fn work(&self, way: &mut Way) -> Rgb {
+        let [n, v, l] = directions(&self.at);
+        radiance(way, &self.at, |way, _| {
+            let half = way.vector("H = (L + V)/|L + V|", "", (l + v).normalize_or_zero());
+            way.number("N·H", "", n.dot(half))
+        })
+    }
+
+    fn draw(&self, _: &Rgb, _: Option<&Rgb>) -> Option<Diagram> {
+        let [_, v, l] = directions(&self.at);
+        Some(fan(
+            &self.at,
+            ("H", (l + v).normalize_or_zero()),
+            "H, half way between L and V",
+        ))
+    }
+}
+
+/// The directions at a point of the surface, seen along the plane of the normal and the light.
+fn fan(at: &Highlight, (name, other): (&str, DVec3), what: &str) -> Diagram {
+    let [n, v, l] = directions(at);
+    let across = l - l.dot(n) * n;
+    let mut section = Section::spanned(
+        DVec3::ZERO,
+        if across.length() > 1e-6 {
+            across
+        } else {
+            v - v.dot(n) * n
+        },
+        n,
+    );
+    section.v = n;
+    let mut drawing = Diagram::new(format!(
+        "The directions at the surface, in the plane of N and L; V is seen against it; {what}"
+    ));
+    drawing.keyed = false;
+    drawing.line(&[dvec2(-1.1, 0.0), dvec2(1.1, 0.0)], Ink::Shape);
+    for (name, d, ink) in [
+        ("N", n, Ink::Shape),
+        ("L", l, Ink::Ray),
+        ("V", v, Ink::Guide),
+        (name, other, Ink::Right),
+    ] {
+        let tip = section.along(d);
+        drawing.arrow(dvec2(0.0, 0.0), tip, ink);
+        drawing.label(tip, tip.normalize_or_zero(), name, ink);
+    }
+    drawing
+}
+
+impl Explained for PointLightExercise {
+    fn work(&self, way: &mut Way) -> Option<Arriving> {
+        let r = way.vector(
+            "r = position − at",
+            "m",
+            self.position.as_dvec3() - self.at.as_dvec3(),
+        );
+        let distance = way.number("d = |r|", "m", r.length());
+        if distance == 0.0 {
+            way.remark("This is the light itself.");
+            return None;
+        }
+        let toward = way.vector("r/d", "", r / distance);
+        let arriving = way.vector(
+            "I/d²",
+            "W/m²",
+            parts(self.intensity) / (distance * distance),
+        );
+        Some(Arriving {
+            toward: toward.as_vec3(),
+            distance: distance as f32,
+            arriving: colour(arriving),
+        })
+    }
+}

@@ -1,0 +1,170 @@
+//! Chapter 16: samples of lights with an extent, and how much of a light is seen.
+
+use super::Explained;
+use super::ch03_sphere;
+use super::way::Way;
+use glam::{DVec2, DVec3, Vec3, dvec2};
+use raybook::math::{basis::Basis, dir3::Dir3, interval::Interval, ray::Ray};
+use raybook_workbook::exercises::ch16_soft_shadows::{
+    Chosen, SampleRect, SampleSphereLight, VisibleFraction,
+};
+use std::f64::consts::TAU;
+
+/// The middles of the cells of an n × n lattice of the unit square, with i running fastest.
+fn lattice(n: u32) -> impl Iterator<Item = DVec2> {
+    (0..n * n).map(move |k| (dvec2(f64::from(k % n), f64::from(k / n)) + 0.5) / f64::from(n))
+}
+
+fn chosen(toward: DVec3, distance: f64, radiance: f32, pdf: f64) -> Chosen {
+    Chosen {
+        toward: toward.as_vec3(),
+        distance: distance as f32,
+        pdf: pdf as f32,
+        arriving: (f64::from(radiance) / pdf) as f32,
+    }
+}
+
+impl Explained for SampleRect {
+    fn work(&self, way: &mut Way) -> Option<Vec<Chosen>> {
+        let [at, corner, a, b] = [self.at, self.corner, self.a, self.b].map(Vec3::as_dvec3);
+        let normal = way.vector(
+            "the light's normal, a × b of length 1",
+            "",
+            a.cross(b).normalize_or(DVec3::Y),
+        );
+        let area = way.number("its area", "m²", a.length() * b.length());
+        way.remark("The first sample; the others go the same way:");
+        let mut samples = Vec::new();
+        for u in lattice(self.n) {
+            // Only the first is written down.
+            let mut unread = Way::default();
+            let way = if samples.is_empty() {
+                &mut *way
+            } else {
+                &mut unread
+            };
+            way.pair("u", "", u);
+            let r = way.vector(
+                "r = corner + u.x·a + u.y·b − at",
+                "m",
+                corner + u.x * a + u.y * b - at,
+            );
+            let cosine = way.number(
+                "the cosine at the light, −r·normal/|r|",
+                "",
+                -r.dot(normal) / r.length(),
+            );
+            if cosine <= 0.0 {
+                way.remark("It is not positive: the light turns its back to the point.");
+                return None;
+            }
+            let pdf = way.number(
+                "the density per steradian, |r|²/(area · cosine)",
+                "1/sr",
+                r.length_squared() / (area * cosine),
+            );
+            way.number("radiance/density", "W/m²", f64::from(self.radiance) / pdf);
+            samples.push(chosen(r.normalize(), r.length(), self.radiance, pdf));
+        }
+        Some(samples)
+    }
+}
+
+impl Explained for SampleSphereLight {
+    fn work(&self, way: &mut Way) -> Vec<Chosen> {
+        let (c, r) = (
+            self.center.as_dvec3() - self.at.as_dvec3(),
+            f64::from(self.radius),
+        );
+        let d = way.number("d, the distance to the centre", "m", c.length());
+        let inside = d <= r;
+        let height = if inside {
+            way.remark("The point is inside of the light, which is seen in every direction.");
+            2.0
+        } else {
+            let squared = way.number("sin² of the cone's half angle, (r/d)²", "", (r / d).powi(2));
+            squared / (1.0 + (1.0 - squared).sqrt())
+        };
+        let height = way.number("h = 1 − the cosine of that angle", "", height);
+        let pdf = way.number(
+            "the density per steradian, 1/(2π h)",
+            "1/sr",
+            1.0 / (TAU * height),
+        );
+        way.remark("The first sample; the others go the same way:");
+        let around = Basis::around(Dir3::new_or(c.as_vec3(), Dir3::Y));
+        let [x_axis, y_axis, axis] = [around.x, around.y, around.z].map(|v| v.as_dvec3());
+        let mut samples = Vec::new();
+        for u in lattice(self.n) {
+            let mut unread = Way::default();
+            let way = if samples.is_empty() {
+                &mut *way
+            } else {
+                &mut unread
+            };
+            way.pair("u", "", u);
+            let x = u.x * height;
+            let cosine = way.number("cos θ = 1 − u.x·h", "", 1.0 - x);
+            let sine = (x * (2.0 - x)).max(0.0).sqrt();
+            let (sin_phi, cos_phi) = (TAU * u.y).sin_cos();
+            let toward = sine * cos_phi * x_axis + sine * sin_phi * y_axis + cosine * axis;
+            let toward = way.vector(
+                "the direction, θ from the axis and turned by 2π u.y around it",
+                "",
+                toward,
+            );
+            let half_chord = way.number(
+                "half the chord, √(r² − d² sin²θ)",
+                "m",
+                (r * r - d * d * sine * sine).max(0.0).sqrt(),
+            );
+            let distance = d * cosine + if inside { half_chord } else { -half_chord };
+            let distance = way.number("the distance, d cos θ ∓ half the chord", "m", distance);
+            samples.push(chosen(toward, distance, self.radiance, pdf));
+        }
+        samples
+    }
+}
+
+impl Explained for VisibleFraction {
+    fn work(&self, way: &mut Way) -> Vec<f32> {
+        /// Points of the light along each side: an even lattice is nearer to the truth than as many random points.
+        const SIDE: u32 = 32;
+        let [corner, a, b] = [self.corner, self.a, self.b].map(Vec3::as_dvec3);
+        let normal = a.cross(b);
+        way.remark(format!(
+            "In place of random samples, a lattice of {SIDE} × {SIDE} points of the light:"
+        ));
+        let mut fractions = Vec::new();
+        for (i, point) in self.points.iter().enumerate() {
+            let is_seen = |u: DVec2| {
+                let to = corner + u.x * a + u.y * b - point.as_dvec3();
+                let Some(direction) = Dir3::new(to.as_vec3()) else {
+                    return false;
+                };
+                let (ray, before) = (
+                    Ray::new(*point, direction),
+                    Interval::new(0.0, to.length() as f32),
+                );
+                let blocks = |center: DVec3, radius: f32| {
+                    ch03_sphere::meets(&mut Way::default(), &ray, before, center, radius.into())
+                        .is_some()
+                };
+                to.dot(normal) < 0.0
+                    && !self
+                        .balls
+                        .iter()
+                        .any(|ball| blocks(ball.center.as_dvec3(), ball.radius))
+            };
+            let seen = lattice(SIDE).filter(|u| is_seen(*u)).count();
+            let seen = way.number(
+                format!("point {i}: the number of points of the light that are seen"),
+                "",
+                seen as f64,
+            );
+            let fraction = seen / f64::from(SIDE * SIDE);
+            fractions.push(way.number(format!("point {i}: their fraction"), "", fraction) as f32);
+        }
+        fractions
+    }
+}

@@ -1,0 +1,150 @@
+//! One question in full: what is asked, both answers and where they part, every step to the right one, and a drawing.
+//!
+//! A file per chapter has the steps of its exercises and their drawings; `EXPLAINERS` lists them.
+
+pub mod account;
+mod ch01_rays;
+mod ch03_sphere;
+mod ch04_plane;
+mod ch05_box;
+mod ch06_triangle;
+mod ch07_mesh;
+mod ch08_grid;
+mod ch12_phong;
+mod ch13_reflection;
+mod ch14_refraction;
+mod ch15_shadows;
+mod ch16_soft_shadows;
+mod ch19_depth_of_field;
+pub mod diagram;
+pub mod parting;
+mod rays;
+mod section;
+pub mod tell;
+pub mod way;
+
+use diagram::Diagram;
+use raybook_workbook::exercise::Exercise;
+use raybook_workbook::exercises::{
+    ch01_rays::{CameraRay, RayAt},
+    ch03_sphere::{SolveQuadratic, SphereHit, SphereNormal},
+    ch04_plane::PlaneHit,
+    ch05_box::{BoundsOf, BoxClip},
+    ch06_triangle::{TriangleHit, TriangleNormal},
+    ch07_mesh::{InterpolateNormal, InterpolateTexture, MeshHit, VertexNormals},
+    ch08_grid::{GridResolution, GridWalk, VoxelsOfTriangle},
+    ch12_phong::{BlinnPhongExercise, PhongExercise, PointLightExercise},
+    ch13_reflection::Reflect,
+    ch14_refraction::{Fresnel, Refract},
+    ch15_shadows::{Lit, ShadowRay},
+    ch16_soft_shadows::{SampleRect, SampleSphereLight, VisibleFraction},
+    ch19_depth_of_field::{CircleOfConfusion, ConcentricDisk, ThinLensRay},
+};
+use raybook_workbook::row::{from_numbers, to_numbers};
+use way::{Step, Way};
+
+/// An exercise whose answers can be worked out on paper.
+trait Explained: Exercise {
+    /// Answers the question in double precision, from the question alone, and writes down each step.
+    fn work(&self, way: &mut Way) -> Self::Answer;
+
+    /// Draws the question with both answers, where a drawing says more than numbers.
+    fn draw(&self, _right: &Self::Answer, _yours: Option<&Self::Answer>) -> Option<Diagram> {
+        None
+    }
+}
+
+/// The steps to the answer of a question, and the answer as a row of numbers.
+#[derive(Clone, Debug)]
+pub struct Worked {
+    /// The steps, in order.
+    pub steps: Vec<Step>,
+    /// The answer.
+    pub answer: Vec<f64>,
+}
+
+/// What a drawing shows, as rows of numbers.
+#[derive(Clone, Copy, Debug)]
+pub struct Shown<'a> {
+    /// The question.
+    pub question: &'a [f64],
+    /// The right answer.
+    pub right: &'a [f64],
+    /// The student's answer, if there is one that can be read.
+    pub yours: Option<&'a [f64]>,
+}
+
+/// The steps and drawings of an exercise whose types are forgotten.
+#[derive(Debug)]
+pub struct Explainer {
+    /// The exercise's name.
+    pub exercise: &'static str,
+    /// The steps to the answer of a question.
+    pub work: fn(&[f64]) -> Worked,
+    /// The drawing, where one says more than numbers.
+    pub draw: fn(Shown<'_>) -> Option<Diagram>,
+}
+
+impl Explainer {
+    const fn of<E: Explained>() -> Self {
+        Self {
+            exercise: E::NAME,
+            work: |question| {
+                let mut way = Way::default();
+                let answer = to_numbers(&from_numbers::<E>(question).work(&mut way));
+                let steps = way.steps;
+                Worked { steps, answer }
+            },
+            draw: |Shown {
+                       question,
+                       right,
+                       yours,
+                   }| {
+                let yours = yours.map(from_numbers::<E::Answer>);
+                from_numbers::<E>(question).draw(&from_numbers(right), yours.as_ref())
+            },
+        }
+    }
+}
+
+/// Every exercise with steps, in the order of the course.
+pub static EXPLAINERS: &[Explainer] = &[
+    Explainer::of::<RayAt>(),
+    Explainer::of::<CameraRay>(),
+    Explainer::of::<SolveQuadratic>(),
+    Explainer::of::<SphereHit>(),
+    Explainer::of::<SphereNormal>(),
+    Explainer::of::<PlaneHit>(),
+    Explainer::of::<BoxClip>(),
+    Explainer::of::<BoundsOf>(),
+    Explainer::of::<TriangleHit>(),
+    Explainer::of::<TriangleNormal>(),
+    Explainer::of::<InterpolateNormal>(),
+    Explainer::of::<InterpolateTexture>(),
+    Explainer::of::<VertexNormals>(),
+    Explainer::of::<MeshHit>(),
+    Explainer::of::<GridResolution>(),
+    Explainer::of::<VoxelsOfTriangle>(),
+    Explainer::of::<GridWalk>(),
+    Explainer::of::<PhongExercise>(),
+    Explainer::of::<BlinnPhongExercise>(),
+    Explainer::of::<PointLightExercise>(),
+    Explainer::of::<Reflect>(),
+    Explainer::of::<Refract>(),
+    Explainer::of::<Fresnel>(),
+    Explainer::of::<ShadowRay>(),
+    Explainer::of::<Lit>(),
+    Explainer::of::<SampleRect>(),
+    Explainer::of::<SampleSphereLight>(),
+    Explainer::of::<VisibleFraction>(),
+    Explainer::of::<ConcentricDisk>(),
+    Explainer::of::<ThinLensRay>(),
+    Explainer::of::<CircleOfConfusion>(),
+];
+
+/// The steps and drawings of an exercise, if it has any.
+pub fn find(exercise: &str) -> Option<&'static Explainer> {
+    EXPLAINERS
+        .iter()
+        .find(|explainer| explainer.exercise == exercise)
+}

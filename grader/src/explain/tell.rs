@@ -1,0 +1,133 @@
+//! The account of a case in words, for a terminal.
+
+use super::account::{Account, Named};
+use super::parting::Parting;
+use super::way::Step;
+use crate::check::Verdict;
+use crate::dress::Dress;
+use crate::feedback;
+use crate::prints::{abbreviated, printed, short};
+
+/// More lines of one kind than these nobody reads in a terminal.
+const MOST: usize = 24;
+
+/// The lines.
+pub fn lines(account: &Account<'_>, dress: Dress) -> Vec<String> {
+    let outcome = account.outcome;
+    let mut lines = feedback::heading(account.report, outcome, dress);
+    let mut section = |title: &str, rows: Vec<String>| {
+        if !rows.is_empty() {
+            lines.extend([String::new(), format!("  {}", dress.paint("1", title))]);
+            lines.extend(rows);
+        }
+    };
+    section("What is asked", named(&account.asked));
+    section("Your answer", named(&account.yours));
+    section("The right answer", named(&account.right));
+    let part = match outcome.verdict {
+        Verdict::Right => "Where they differ, which is right too",
+        _ => "Where they part",
+    };
+    section(part, partings(&account.partings));
+    section("The way to the right answer", steps(&account.steps));
+    if matches!(outcome.verdict, Verdict::Wrong(_)) {
+        section(
+            "What explains it",
+            feedback::diagnosis(account.report, dress),
+        );
+    }
+    lines.extend(printed(outcome));
+    lines.push(String::new());
+    if let Some(chapter) = account.chapter {
+        let (number, title, name) = (chapter.number(), chapter.title, chapter.name);
+        lines.push(format!(
+            "  Chapter {number} of the book, \"{title}\" ({name}.html), derives it."
+        ));
+    }
+    lines
+}
+
+fn named(named: &[Named]) -> Vec<String> {
+    let rows = named.iter().map(
+        |Named {
+             name,
+             words,
+             meaning,
+         }| {
+            [
+                name.clone(),
+                abbreviated(&short(words), 0),
+                (*meaning).to_owned(),
+            ]
+        },
+    );
+    table(&rows.collect::<Vec<_>>())
+}
+
+fn partings(partings: &[Parting]) -> Vec<String> {
+    let row = |parting: &Parting| {
+        let off = match parting.off() {
+            Some(off) if off > 0.0 => format!("{} too large", number(off)),
+            Some(off) => format!("{} too small", number(-off)),
+            None => String::new(),
+        };
+        let both = format!(
+            "{}, and should be {}",
+            number(parting.yours),
+            number(parting.right)
+        );
+        [parting.field.clone(), both, off]
+    };
+    let mut lines = table(&partings.iter().take(MOST).map(row).collect::<Vec<_>>());
+    lines.extend(more(partings.len()));
+    lines
+}
+
+/// A number with seven digits.
+fn number(v: f64) -> String {
+    Step {
+        name: "".into(),
+        value: vec![v],
+        unit: "",
+    }
+    .words()
+}
+
+fn steps(steps: &[Step]) -> Vec<String> {
+    let row = |step: &Step| {
+        let value = format!("{} {}", step.words(), step.unit);
+        let value = if step.value.is_empty() {
+            "–"
+        } else {
+            value.trim_end()
+        };
+        [
+            value.to_owned(),
+            step.name.clone().into_owned(),
+            String::new(),
+        ]
+    };
+    let mut lines = table(&steps.iter().take(MOST).map(row).collect::<Vec<_>>());
+    lines.extend(more(steps.len()));
+    lines
+}
+
+fn more(all: usize) -> Option<String> {
+    (all > MOST).then(|| format!("    … and {} more (`--json` has all)", all - MOST))
+}
+
+/// Rows of three columns, each as wide as its widest word, if that is not very wide.
+fn table(rows: &[[String; 3]]) -> Vec<String> {
+    const WIDEST: usize = 44;
+    let width = |column: usize| {
+        let wide = rows.iter().map(|row| row[column].chars().count());
+        wide.filter(|wide| *wide <= WIDEST).max().unwrap_or(0)
+    };
+    let [first, second] = [width(0), width(1)];
+    let line = |[a, b, c]: &[String; 3]| {
+        format!("    {a:<first$}   {b:<second$}   {c}")
+            .trim_end()
+            .to_owned()
+    };
+    rows.iter().map(line).collect()
+}

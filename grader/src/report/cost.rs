@@ -1,0 +1,227 @@
+//! What a search costs: steps that the student's function counts, beside the reference's and linear search, as scenes grow.
+
+use crate::ask::{Asker, Said};
+use crate::cases::{ch11_bvh, ch24_wide_bvh};
+use crate::examine::Examiner;
+use crate::explain::diagram::{Diagram, Ink};
+use crate::sample;
+use glam::{DVec2, Vec3, dvec2};
+use raybook::math::{dir3::Dir3, interval::Interval, pcg, pcg::Pcg, ray::Ray};
+use raybook_workbook::row;
+use std::io;
+
+/// The numbers of triangles in the scenes.
+const SIZES: [u32; 6] = [8, 16, 32, 64, 128, 256];
+/// Rays through each scene.
+const RAYS: usize = 12;
+
+/// A search whose answer begins with two counts: of boxes or nodes, and of triangles.
+struct Counted {
+    exercise: &'static str,
+    question: fn(&[[Vec3; 3]], Ray, Interval) -> Vec<f64>,
+}
+
+const COUNTED: [Counted; 2] = [
+    Counted {
+        exercise: "bvh_closest",
+        question: |triangles, ray, within| {
+            row::to_numbers(&ch11_bvh::question(triangles, ray, within))
+        },
+    },
+    Counted {
+        exercise: "wide_closest",
+        question: |triangles, ray, within| {
+            row::to_numbers(&ch24_wide_bvh::question(triangles.to_vec(), ray, within))
+        },
+    },
+];
+
+/// The mean number of steps per ray for each of the sizes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cost {
+    /// The exercise that counts.
+    pub exercise: &'static str,
+    /// The student's steps.
+    pub yours: Vec<f64>,
+    /// The reference's.
+    pub reference: Vec<f64>,
+}
+
+/// Asks the program for the counts of an exercise as scenes grow; none if it does not count, or an answer is missing.
+///
+/// # Errors
+/// If the program cannot be started.
+pub fn measure(asker: &mut Asker<'_>, examiner: &dyn Examiner) -> io::Result<Option<Cost>> {
+    let Some(counted) = COUNTED
+        .iter()
+        .find(|counted| counted.exercise == examiner.name())
+    else {
+        return Ok(None);
+    };
+    let asked = examiner.asked();
+    let mut rng = pcg::stream(17, 0);
+    let questions: Vec<_> = SIZES
+        .iter()
+        .flat_map(|size| scene(counted, *size, &mut rng))
+        .collect();
+    let lines: Vec<_> = questions
+        .iter()
+        .map(|q| format!("{} {}", asked.name, row::format(asked.question, q)))
+        .collect();
+    asker.next_exercise();
+    let replies = asker.ask(&lines)?;
+    let read = |said: &Said| match said {
+        Said::Answer(answer) => asked
+            .read_answer(answer.unescaped())
+            .ok()
+            .map(|row| steps(&row)),
+        _ => None,
+    };
+    let yours: Option<Vec<_>> = replies.iter().map(|reply| read(&reply.said)).collect();
+    let reference: Vec<_> = questions
+        .iter()
+        .map(|question| steps(&(asked.call)(question)))
+        .collect();
+    Ok(yours.map(|yours| Cost {
+        exercise: counted.exercise,
+        yours: means(&yours),
+        reference: means(&reference),
+    }))
+}
+
+/// The boxes and triangles that an answer counts.
+fn steps(answer: &[f64]) -> f64 {
+    answer.iter().take(2).sum()
+}
+
+/// The mean of each scene's rays.
+fn means(steps: &[f64]) -> Vec<f64> {
+    steps
+        .chunks(RAYS)
+        .map(|rays| rays.iter().sum::<f64>() / RAYS as f64)
+        .collect()
+}
+
+/// The questions of a scene of this size: triangles strewn in a cube, the smaller the more there are, so that about as much
+/// of what a ray sees is covered.
+fn scene(counted: &Counted, size: u32, rng: &mut Pcg) -> Vec<Vec<f64>> {
+    let extent = 3.0 / (size as f32).sqrt();
+    let triangles: Vec<[Vec3; 3]> = (0..size)
+        .map(|_| {
+            let center = sample::point(rng, 2.0);
+            std::array::from_fn(|_| center + sample::point(rng, extent))
+        })
+        .collect();
+    let rays = (0..RAYS).map(|_| {
+        let origin = 5.0 * *sample::direction(rng);
+        let direction = Dir3::new_or(sample::point(rng, 1.5) - origin, Dir3::X);
+        (counted.question)(&triangles, Ray::new(origin, direction), Interval::AHEAD)
+    });
+    rays.collect()
+}
+
+/// The exponent a of steps that grow like N^a: the slope of the line through their logarithms, by least squares.
+fn exponent(steps: &[f64]) -> f64 {
+    let points: Vec<_> = points(steps);
+    let middle = points.iter().copied().sum::<DVec2>() / points.len() as f64;
+    let apart = points.iter().map(|p| *p - middle);
+    let [xy, xx] = apart.fold([0.0, 0.0], |[xy, xx], d| [xy + d.x * d.y, xx + d.x * d.x]);
+    xy / xx
+}
+
+/// Sizes and steps as powers of two.
+fn points(steps: &[f64]) -> Vec<DVec2> {
+    let sizes = SIZES.iter().map(|size| f64::from(*size));
+    sizes
+        .zip(steps)
+        .map(|(size, steps)| dvec2(size.log2(), steps.max(0.5).log2()))
+        .collect()
+}
+
+impl Cost {
+    /// What the curves say.
+    pub fn words(&self) -> String {
+        let last = |steps: &[f64]| steps.last().copied().unwrap_or(0.0);
+        format!(
+            "From {} to {} triangles your steps per ray grow like N^{:.2}, the reference's like N^{:.2}, and those of linear search like N. At {} triangles yours takes {:.0} steps, the reference {:.0}.",
+            SIZES[0],
+            SIZES[5],
+            exponent(&self.yours),
+            exponent(&self.reference),
+            SIZES[5],
+            last(&self.yours),
+            last(&self.reference),
+        )
+    }
+
+    /// The curves, with logarithmic axes.
+    pub fn plot(&self) -> Diagram {
+        let mut plot =
+            Diagram::new("Steps per ray over the number of triangles; both axes are logarithmic");
+        plot.stretched = true;
+        plot.keyed = false;
+        let linear: Vec<_> = SIZES.iter().map(|size| f64::from(*size)).collect();
+        let [left, right] = [f64::from(SIZES[0]).log2(), f64::from(SIZES[5]).log2()];
+        for power in 0..=8 {
+            let y = f64::from(power);
+            plot.line(&[dvec2(left, y), dvec2(right, y)], Ink::Guide);
+            plot.label(
+                dvec2(left, y),
+                dvec2(-0.5, 0.0),
+                format!("{}", 1 << power),
+                Ink::Guide,
+            );
+        }
+        for size in SIZES {
+            plot.label(
+                dvec2(f64::from(size).log2(), 0.0),
+                dvec2(0.0, -1.2),
+                format!("{size}"),
+                Ink::Guide,
+            );
+        }
+        for (steps, ink, name) in [
+            (&linear, Ink::Shape, "linear search"),
+            (&self.reference, Ink::Right, "reference"),
+            (&self.yours, Ink::Yours, "yours"),
+        ] {
+            let points = points(steps);
+            plot.line(&points, ink);
+            for p in &points {
+                plot.point(*p, ink);
+            }
+            if let Some(last) = points.last() {
+                plot.label(*last, dvec2(-0.4, 1.2), name, ink);
+            }
+        }
+        plot
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Cost, SIZES, exponent};
+
+    #[test]
+    fn the_exponent_is_that_of_a_power() {
+        for a in [0.0, 0.5, 1.0] {
+            let steps: Vec<_> = SIZES
+                .iter()
+                .map(|size| 7.0 * f64::from(*size).powf(a))
+                .collect();
+            assert!((exponent(&steps) - a).abs() < 1e-9, "N^{a}");
+        }
+        let [linear, half] =
+            [1.0, 0.5].map(|a| SIZES.iter().map(|n| f64::from(*n).powf(a)).collect());
+        let cost = Cost {
+            exercise: "bvh_closest",
+            yours: linear,
+            reference: half,
+        };
+        assert!(
+            cost.words()
+                .contains("grow like N^1.00, the reference's like N^0.50")
+        );
+        assert!(cost.plot().svg().contains("linear search"));
+    }
+}

@@ -1,0 +1,166 @@
+//! `raybook explain`: the steps end in the golden answers, drawings can be looked at, and a wrong case is told in full.
+
+pub mod command;
+
+use raybook_grader::cases;
+use raybook_grader::examine::{Case, Examiner, visible_rng};
+use raybook_grader::explain::{EXPLAINERS, Explainer, Shown, Worked};
+use raybook_grader::layout::layout;
+use raybook_workbook::curriculum::CHAPTERS;
+use std::sync::LazyLock;
+
+/// An exercise with steps, and its visible cases.
+type Explained = (&'static Explainer, &'static dyn Examiner, Vec<Case>);
+
+/// All of them: the cases take a while to make.
+static EXPLAINED: LazyLock<Vec<Explained>> = LazyLock::new(|| {
+    let with_cases = |explainer: &'static Explainer| {
+        let examiner = cases::find(explainer.exercise).expect("it is an exercise");
+        let cases = examiner.cases(&mut visible_rng(examiner.name())).cases;
+        (explainer, examiner, cases)
+    };
+    EXPLAINERS.iter().map(with_cases).collect()
+});
+
+#[test]
+fn chapters_have_steps() {
+    for chapter in CHAPTERS {
+        if [1, 3, 4, 5, 6, 7, 8, 12, 13, 14, 15, 16, 19].contains(&chapter.number()) {
+            for exercise in chapter.exercises() {
+                let name = exercise.name;
+                assert!(
+                    EXPLAINERS
+                        .iter()
+                        .any(|explainer| explainer.exercise == name),
+                    "{name} has steps"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn steps_end_in_the_golden_answers() {
+    let mut asked = 0;
+    for (explainer, examiner, cases) in &*EXPLAINED {
+        for case in cases {
+            let question = examiner.asked().read_question(&case.question);
+            let question = question.expect("it is a question");
+            let Worked { steps, answer } = (explainer.work)(&question);
+            assert!(!steps.is_empty(), "{}: there are steps", explainer.exercise);
+            let golden =
+                |line: &String| examiner.asked().read_answer(line).expect("it is an answer");
+            let verdicts = case.answers.iter();
+            let verdicts: Vec<_> = verdicts
+                .map(|line| examiner.compare(&question, &golden(line), &answer))
+                .collect();
+            assert!(
+                verdicts.contains(&Ok(())),
+                "{}, {}: {verdicts:?}, by {steps:#?}",
+                explainer.exercise,
+                case.name
+            );
+            asked += 1;
+        }
+    }
+    assert!(asked > 1000, "the test must see the cases; it saw {asked}");
+}
+
+/// What is told is what is calculated with: each number of an answer stands among its steps, or was given.
+#[test]
+fn the_answer_stands_among_the_steps() {
+    for (explainer, examiner, cases) in &*EXPLAINED {
+        for case in cases {
+            let question = examiner.asked().read_question(&case.question);
+            let question = question.expect("it is a question");
+            let Worked { steps, answer } = (explainer.work)(&question);
+            let layout = layout(examiner.asked().answer.kind, &answer);
+            if !layout.lists.is_empty() {
+                continue; // of a list the first element is told
+            }
+            let told: Vec<f64> = steps.iter().flat_map(|step| step.value.clone()).collect();
+            for leaf in &layout.leaves {
+                for v in &answer[leaf.range()] {
+                    let same =
+                        |told: &f64| told == v || (told - v).abs() <= 1e-6 * v.abs().max(1e-6);
+                    assert!(
+                        told.iter().any(same) || question.iter().any(same) || is_certain(*v),
+                        "{}, {}: {v} is told",
+                        explainer.exercise,
+                        case.name
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// What a remark says in words: nothing or all, a number of a list, or no end.
+fn is_certain(v: f64) -> bool {
+    v.is_infinite() || v.fract() == 0.0
+}
+
+/// The exercises with a drawing.
+const DRAWN: [&str; 14] = [
+    "ray_at",
+    "camera_ray",
+    "sphere_hit",
+    "sphere_normal",
+    "plane_hit",
+    "box_clip",
+    "triangle_hit",
+    "grid_walk",
+    "phong",
+    "blinn_phong",
+    "reflect",
+    "refract",
+    "shadow_ray",
+    "thin_lens_ray",
+];
+
+/// Of every case with the right answer, with each mistake's and with none: a file that a browser reads, with a title, and
+/// nothing outside of the picture.
+#[test]
+fn drawings_can_be_looked_at() {
+    let mut drawn = Vec::new();
+    for (explainer, examiner, cases) in &*EXPLAINED {
+        let asked = examiner.asked();
+        for case in cases {
+            let question = asked.read_question(&case.question).expect("a question");
+            let right = asked.read_answer(&case.answers[0]).expect("an answer");
+            let mistakes = (0..).map_while(|i| examiner.mistake_answers(i, &question));
+            let yours = mistakes.map(Some).chain([Some(right.clone()), None]);
+            for yours in yours {
+                let (question, right, yours) = (&question[..], &right[..], yours.as_deref());
+                let shown = Shown {
+                    question,
+                    right,
+                    yours,
+                };
+                let Some(diagram) = (explainer.draw)(shown) else {
+                    continue;
+                };
+                let svg = diagram.svg();
+                let what = format!("{}, {}: {svg}", explainer.exercise, case.name);
+                let page = roxmltree::Document::parse(&svg).expect("it is XML");
+                let root = page.root_element();
+                assert_eq!(root.attribute("role"), Some("img"), "{what}");
+                assert!(!svg.contains("NaN") && !svg.contains("=\"inf"), "{what}");
+                let width: f64 = root
+                    .attribute("width")
+                    .and_then(|w| w.parse().ok())
+                    .expect("a width");
+                for text in page.descendants().filter(|node| node.has_tag_name("text")) {
+                    let x: f64 = text
+                        .attribute("x")
+                        .and_then(|x| x.parse().ok())
+                        .expect("a place");
+                    assert!((0.0..=width).contains(&x), "{what}");
+                }
+                drawn.push(explainer.exercise);
+            }
+        }
+    }
+    drawn.dedup();
+    assert_eq!(drawn, DRAWN);
+}

@@ -1,0 +1,98 @@
+//! The keys of `raybook watch`, pressed by a person's double: Python, which has terminals of its own.
+
+use super::{new, there_is};
+use raybook_grader::language::Language;
+use std::process::Command;
+
+/// Presses each key when the watch waits, and says what it printed, how it ended and whether the terminal was left as it was.
+const PRESS: &str = r#"
+import fcntl, os, pty, signal, sys, termios
+if waited_for := os.fork():
+    sys.exit(os.waitstatus_to_exitcode(os.waitpid(waited_for, 0)[1]))
+# As a shell does it: a session with a terminal, and in it a group of its own that has the terminal.
+os.setsid()
+command, keys = sys.argv[1], sys.argv[2:]
+ours, theirs = pty.openpty()
+fcntl.ioctl(theirs, termios.TIOCSCTTY, 0)
+signal.signal(signal.SIGTTOU, signal.SIG_IGN)
+before = termios.tcgetattr(theirs)
+child = os.fork()
+if child == 0:
+    os.setpgid(0, 0)
+    os.tcsetpgrp(theirs, os.getpid())
+    signal.signal(signal.SIGTTOU, signal.SIG_DFL)
+    for fd in (0, 1, 2):
+        os.dup2(theirs, fd)
+    os.execv(command, [command, "watch", "--plain"])
+said = b""
+def wait(times):
+    global said
+    while said.count(b"Ctrl-C ends") < times:
+        said += os.read(ours, 4096)
+for times, key in enumerate(keys, 1):
+    wait(times)
+    if key == "Z":
+        os.write(ours, b"\x1a")
+        _, status = os.waitpid(child, os.WUNTRACED)
+        assert os.WIFSTOPPED(status), status
+        assert termios.tcgetattr(theirs) == before, "as it was, while it is stopped"
+        os.kill(child, signal.SIGCONT)
+        said += b"Ctrl-C ends"
+    else:
+        os.write(ours, b"\x03" if key == "C" else key.encode())
+_, status = os.waitpid(child, 0)
+os.set_blocking(ours, False)
+try:
+    said += os.read(ours, 65536)
+except OSError:
+    pass
+print(said.decode(errors="replace"))
+print("code", os.waitstatus_to_exitcode(status))
+print("as it was" if termios.tcgetattr(theirs) == before else "changed")
+"#;
+
+fn press(keys: &[&str]) -> Option<String> {
+    if !there_is("python3") {
+        return None;
+    }
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let folder = new(home.path(), "rays", Language::Python);
+    let output = Command::new("python3")
+        .args(["-c", PRESS, env!("CARGO_BIN_EXE_raybook")])
+        .args(keys)
+        .current_dir(folder)
+        .output()
+        .expect("python3 runs");
+    let said = String::from_utf8_lossy(&output.stdout).into_owned();
+    let error = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{said}{error}");
+    Some(said)
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn keys_hint_explain_go_on_list_and_quit() {
+    let Some(said) = press(&["h", "e", "n", "l", "Z", "q"]) else {
+        return;
+    };
+    for part in [
+        "do one case by hand first",
+        "The way to the right answer",
+        "2 High dynamic range",
+        "[0 of 2]",
+        "code 0",
+        "as it was",
+    ] {
+        assert!(said.contains(part), "`{part}` is in: {said}");
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn ctrl_c_leaves_the_terminal_as_it_was() {
+    let Some(said) = press(&["C"]) else { return };
+    assert!(
+        said.contains("code 130") && said.contains("as it was"),
+        "{said}"
+    );
+}

@@ -113,6 +113,11 @@ fn what_a_page_becomes_is_the_courses_own() {
         mistakes.contains("takes the far root") && mistakes.contains("t is 2.0000 m too large"),
         "name and message: {mistakes}"
     );
+    let head = expanded("# Sphere\n\n## Your turn\n");
+    assert!(
+        head.contains("minutes to read") && head.contains(r#"<a href="ch01_rays.html">Rays</a>"#),
+        "how long, and what comes before: {head}"
+    );
     let picture = pictures.path().join("mistakes/sphere_hit_1.png");
     assert!(picture.is_file(), "the mistake's picture is drawn");
 }
@@ -130,6 +135,7 @@ fn a_wrong_directive_is_an_error_with_its_line() {
         ("{{listing src/none.rs:a}}", "no file src/none.rs"),
         ("{{listing src/shape/mod.rs:none}}", "no `// ANCHOR: none`"),
         ("{{reference nothing}}", "no exercise"),
+        ("{{path 1 12}}", "chapter 12 (Phong) needs chapter 2"),
     ] {
         let error = expand(
             "ch03_sphere.md",

@@ -26,7 +26,7 @@ pub(super) fn glossy(colour: Rgb, exponent: f32) -> Phong {
 }
 
 /// A material of this colour without a highlight.
-pub(super) fn matt(colour: Rgb) -> Phong {
+pub(super) fn matte(colour: Rgb) -> Phong {
     Phong {
         specular: Rgb::BLACK,
         ..glossy(colour, 1.0)
@@ -35,14 +35,14 @@ pub(super) fn matt(colour: Rgb) -> Phong {
 
 /// The terms of Phong's formula, one more in each scene, and then another light.
 pub(super) fn terms(exponent: f32, turn: Mat3) -> Vec<Trial> {
-    let (matt, glossy) = (matt(CLAY), glossy(CLAY, exponent));
+    let (matte, glossy) = (matte(CLAY), glossy(CLAY, exponent));
     let ambient = Phong {
         diffuse: Rgb::BLACK,
-        ..matt
+        ..matte
     };
     vec![
         ("ambient".into(), ball(ambient, 1, turn)),
-        ("+ diffuse".into(), ball(matt, 1, turn)),
+        ("+ diffuse".into(), ball(matte, 1, turn)),
         ("+ specular".into(), ball(glossy, 1, turn)),
         ("+ another light".into(), ball(glossy, 2, turn)),
     ]

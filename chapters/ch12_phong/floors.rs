@@ -1,6 +1,6 @@
 //! Small scenes that try a light: a floor, and what stands on it.
 
-use super::bench::{CLAY, glossy, matt};
+use super::bench::{CLAY, glossy, matte};
 use glam::{Vec3, vec3};
 use raybook::image::rgb::Rgb;
 use raybook::light::{Light, directional::DirectionalLight, point::PointLight};
@@ -34,7 +34,7 @@ pub(super) fn under_sun() -> Scene {
 
 /// Balls on tiles under a light, and what else there is.
 fn on_tiles(light: Box<dyn Light>, mut things: Vec<Thing>) -> Scene {
-    let tiles = Checkered(matt(Rgb::gray(0.75)), matt(Rgb::new(0.10, 0.32, 0.42)));
+    let tiles = Checkered(matte(Rgb::gray(0.75)), matte(Rgb::new(0.10, 0.32, 0.42)));
     things.push(floor(tiles));
     for (x, z) in [(-1.9, 0.0), (1.2, -1.6), (1.5, 1.4)] {
         let ball = Sphere::new(vec3(x, 0.5, z), 0.5);
@@ -75,7 +75,7 @@ fn floor(material: impl Material + 'static) -> Thing {
 fn bulb(position: Vec3, colour: Rgb) -> Thing {
     let material = Phong {
         ambient: colour * 20.0,
-        ..matt(Rgb::BLACK)
+        ..matte(Rgb::BLACK)
     };
     Thing::new(Sphere::new(position, 0.12), material)
 }

@@ -55,7 +55,7 @@ const GRASS: Rgb = Rgb::new(0.20, 0.30, 0.10);
 
 /// The pavilion in the sun.
 pub fn scene() -> Scene {
-    let mut things = vec![matt(Plane::through(vec3(0.0, -0.2, 0.0), Dir3::Y), GRASS)];
+    let mut things = vec![matte(Plane::through(vec3(0.0, -0.2, 0.0), Dir3::Y), GRASS)];
     floor(&mut things);
     frame(&mut things);
     on_show(&mut things);
@@ -66,7 +66,7 @@ pub fn scene() -> Scene {
 /// Tiles on a step, and four coloured ones below the viewer.
 fn floor(things: &mut Vec<Thing>) {
     let half = f32::from(FLOOR);
-    things.push(matt(
+    things.push(matte(
         block(Vec3::ZERO, half + 0.4, (-0.2, -0.1)),
         CREAM * 0.8,
     ));
@@ -81,7 +81,7 @@ fn floor(things: &mut Vec<Thing>) {
             _ => TEAL,
         };
         let tile = Cuboid::between(vec3(x, -0.1, z), vec3(x + 1.0, 0.0, z + 1.0));
-        things.push(matt(tile, colour));
+        things.push(matte(tile, colour));
     }
 }
 
@@ -92,13 +92,13 @@ fn frame(things: &mut Vec<Thing>) {
     for (x, z) in places.into_iter().flat_map(|x| places.map(|z| (x, z))) {
         if x.abs().max(z.abs()) == HALF {
             let foot = vec3(x, 0.0, z);
-            things.push(matt(block(foot, 0.13, (0.0, BEAM.0)), CREAM));
-            things.push(matt(block(foot, 0.20, (0.0, 0.14)), CREAM));
-            things.push(matt(block(foot, 0.20, (BEAM.0 - 0.12, BEAM.0)), CREAM));
+            things.push(matte(block(foot, 0.13, (0.0, BEAM.0)), CREAM));
+            things.push(matte(block(foot, 0.20, (0.0, 0.14)), CREAM));
+            things.push(matte(block(foot, 0.20, (BEAM.0 - 0.12, BEAM.0)), CREAM));
         }
     }
     let (low, high) = BEAM;
-    let beam = |a: Vec3, b: Vec3| matt(Cuboid::between(a, b), WOOD);
+    let beam = |a: Vec3, b: Vec3| matte(Cuboid::between(a, b), WOOD);
     for side in [-HALF, HALF] {
         let (far, near) = (side - THICK, side + THICK);
         things.push(beam(vec3(-HALF, low, far), vec3(HALF, high, near)));
@@ -118,7 +118,7 @@ fn on_show(things: &mut Vec<Thing>) {
     };
     let ball = |x: f32, y: f32, z: f32, r: f32| Sphere::new(vec3(x, y, z), r);
     let stand = |x: f32, z: f32, half: f32, height: f32| {
-        matt(block(vec3(x, 0.0, z), half, (0.0, height)), CREAM)
+        matte(block(vec3(x, 0.0, z), half, (0.0, height)), CREAM)
     };
     things.extend([
         Thing::new(ball(-1.1, 0.8, -2.3, 0.8), mirror(0.93, 0.93, 0.92)),
@@ -129,7 +129,7 @@ fn on_show(things: &mut Vec<Thing>) {
         glossy_ball(ball(0.7, 0.6, 2.5, 0.6), VERMILION),
         glossy_ball(ball(-0.55, 0.42, 2.1, 0.42), OCHRE),
         glossy_ball(ball(0.05, 0.26, 1.55, 0.26), CREAM),
-        matt(
+        matte(
             Cuboid::between(vec3(-3.0, 0.40, -1.3), vec3(-2.5, 0.48, 1.3)),
             WOOD,
         ),
@@ -159,7 +159,7 @@ fn block(middle: Vec3, half: f32, (low, high): (f32, f32)) -> Cuboid {
     Cuboid::between(corner(-half, low), corner(half, high))
 }
 
-fn matt(shape: impl Shape + 'static, colour: Rgb) -> Thing {
+fn matte(shape: impl Shape + 'static, colour: Rgb) -> Thing {
     let specular = Rgb::BLACK;
     Thing::new(
         shape,

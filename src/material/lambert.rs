@@ -1,4 +1,4 @@
-//! The ideally matt surface.
+//! The ideally matte surface.
 
 use crate::image::rgb::Rgb;
 use crate::material::Material;

@@ -8,7 +8,7 @@ use crate::shape::Surface;
 use glam::{Vec2, vec2};
 use std::f32::consts::{FRAC_1_PI, TAU};
 
-/// A matt part and a glossy one (Lafortune and Willems, "Using the modified Phong reflectance model for physically based
+/// A matte part and a glossy one (Lafortune and Willems, "Using the modified Phong reflectance model for physically based
 /// rendering", 1994). It sends out no more than it gets if ρ_d + ρ_s ≤ 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ModifiedPhong {
@@ -33,19 +33,19 @@ impl ModifiedPhong {
             return Rgb::BLACK;
         }
         let mirrored = 2.0 * cosine * *normal - *toward;
-        let matt = self.diffuse * FRAC_1_PI;
+        let matte = self.diffuse * FRAC_1_PI;
         let cos_alpha = mirrored.dot(*view);
         if cos_alpha <= 0.0 {
-            return matt;
+            return matte;
         }
-        matt + self.specular * ((self.exponent + 2.0) / TAU * cos_alpha.powf(self.exponent))
+        matte + self.specular * ((self.exponent + 2.0) / TAU * cos_alpha.powf(self.exponent))
     }
     // ANCHOR_END: brdf_phong
 
     /// The probability with which a direction is chosen for the highlight: its share of the light.
     fn glossy(&self) -> f32 {
-        let [matt, glossy] = [self.diffuse, self.specular].map(Rgb::luminance);
-        glossy / (matt + glossy).max(f32::MIN_POSITIVE)
+        let [matte, glossy] = [self.diffuse, self.specular].map(Rgb::luminance);
+        glossy / (matte + glossy).max(f32::MIN_POSITIVE)
     }
 }
 

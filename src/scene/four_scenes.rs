@@ -81,7 +81,7 @@ fn spheres() -> Description {
         backdrop: DAY,
         lamps: vec![lamp(vec3(-5.0, 8.0, 6.0), Rgb::new(240.0, 222.0, 192.0))],
         objects: vec![
-            Object::plane(Dir3::Y, 0.0, matt(SAND)),
+            Object::plane(Dir3::Y, 0.0, matte(SAND)),
             Object::sphere(vec3(-1.7, 0.9, 0.1), 0.9, glossy(BLUE, 30.0)),
             Object::sphere(vec3(0.25, 1.2, -0.9), 1.2, glossy(OCHRE, 120.0)),
             Object::sphere(vec3(1.75, 0.65, 0.8), 0.65, glossy(RED, 60.0)),
@@ -91,8 +91,8 @@ fn spheres() -> Description {
 
 fn lamps() -> Description {
     let mut objects = vec![
-        Object::plane(Dir3::Y, 0.0, matt(SAND)),
-        Object::plane(Dir3::Z, -2.5, matt(CREAM)),
+        Object::plane(Dir3::Y, 0.0, matte(SAND)),
+        Object::plane(Dir3::Z, -2.5, matte(CREAM)),
         Object::sphere(vec3(1.6, 0.8, 0.3), 0.8, glossy(CREAM, 60.0)),
     ];
     objects.extend(pyramid(
@@ -116,7 +116,7 @@ fn lamps() -> Description {
 fn mirrors() -> Description {
     let gold = Matter::mirror(Rgb::new(0.95, 0.75, 0.4));
     let mut objects = vec![
-        Object::plane(Dir3::Y, 0.0, matt(SAND)),
+        Object::plane(Dir3::Y, 0.0, matte(SAND)),
         Object::sphere(
             vec3(-1.6, 1.1, -0.4),
             1.1,
@@ -143,8 +143,8 @@ fn mirrors() -> Description {
 fn glass() -> Description {
     let glass = Matter::glass(1.5);
     let mut objects = vec![
-        Object::plane(Dir3::Y, 0.0, matt(SAND)),
-        Object::plane(Dir3::Z, -4.0, matt(CREAM)),
+        Object::plane(Dir3::Y, 0.0, matte(SAND)),
+        Object::plane(Dir3::Z, -4.0, matte(CREAM)),
         Object::sphere(vec3(-0.4, 1.05, 0.6), 1.0, glass.clone()),
         Object::sphere(vec3(1.6, 0.75, 0.9), 0.7, glass.clone()),
         Object::sphere(vec3(1.6, 0.75, 0.9), 0.6, Matter::glass(0.667)),
@@ -187,7 +187,7 @@ fn lamp(position: Vec3, intensity: Rgb) -> PointLight {
     }
 }
 
-fn matt(colour: Rgb) -> Matter {
+fn matte(colour: Rgb) -> Matter {
     Matter::phong(colour, 0.0, 1.0)
 }
 

@@ -17,7 +17,7 @@ pub const FOCAL_LENGTH: f32 = 0.040;
 
 /// The plane and the balls in the sun.
 pub fn scene() -> Scene {
-    let squares = Checkered(matt(0.74, 0.72, 0.68), matt(0.10, 0.14, 0.22));
+    let squares = Checkered(matte(0.74, 0.72, 0.68), matte(0.10, 0.14, 0.22));
     let floor = Plane::through(Vec3::ZERO, Dir3::Y);
     let ball = |x: f32, z: f32, r: f32, material: Phong| {
         Thing::new(Sphere::new(vec3(x, r, z), r), material)
@@ -36,7 +36,7 @@ pub fn scene() -> Scene {
     Scene::new(things, lights).surrounded_by(Rgb::new(0.32, 0.36, 0.42), sky)
 }
 
-fn matt(r: f32, g: f32, b: f32) -> Phong {
+fn matte(r: f32, g: f32, b: f32) -> Phong {
     let colour = Rgb::new(r, g, b);
     Phong {
         ambient: colour,
@@ -50,7 +50,7 @@ fn glossy(r: f32, g: f32, b: f32) -> Phong {
     Phong {
         specular: Rgb::gray(0.25),
         exponent: 60.0,
-        ..matt(r, g, b)
+        ..matte(r, g, b)
     }
 }
 

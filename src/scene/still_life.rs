@@ -1,4 +1,4 @@
-//! Three balls on a plinth, which show what light does: one is matt, one is glossy, one is nearly a mirror.
+//! Three balls on a plinth, which show what light does: one is matte, one is glossy, one is nearly a mirror.
 
 use crate::image::rgb::Rgb;
 use crate::light::Light;
@@ -15,7 +15,7 @@ pub const AT: Vec3 = vec3(0.0, 0.66, 0.0);
 
 /// The balls and the plinth under one light.
 pub fn still_life(light: Box<dyn Light>) -> Scene {
-    let matt = |r, g, b| {
+    let matte = |r, g, b| {
         Arc::new(Lambert {
             albedo: Rgb::new(r, g, b),
         })
@@ -38,9 +38,9 @@ pub fn still_life(light: Box<dyn Light>) -> Scene {
     let glaze = glossy(Rgb::new(0.02, 0.22, 0.30), Rgb::gray(0.28), 60.0);
     Scene::new(
         vec![
-            thing(Arc::new(plinth), matt(0.72, 0.70, 0.66)),
+            thing(Arc::new(plinth), matte(0.72, 0.70, 0.66)),
             thing(ball(-0.15, -0.35, 1.0), bronze),
-            thing(ball(-1.60, 0.55, 0.6), matt(0.80, 0.78, 0.74)),
+            thing(ball(-1.60, 0.55, 0.6), matte(0.80, 0.78, 0.74)),
             thing(ball(1.45, 0.45, 0.7), glaze),
         ],
         vec![light],

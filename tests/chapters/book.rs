@@ -1,4 +1,10 @@
-//! The book's pages: Rust in them is never typed. What a lesson must have is tested with the grader, which expands the directives.
+//! The book's pages: Rust in them is never typed, and no link leads nowhere. What a lesson must have is tested with the grader, which
+//! expands the directives.
+
+mod bibliography;
+mod glossary;
+mod lecture;
+mod links;
 
 use raybook_common::project;
 use std::fs;
@@ -22,6 +28,12 @@ fn no_listing_is_typed_by_hand() {
         }
         assert!(!open, "book/src/{page}: a ``` is not closed");
     }
+}
+
+/// The text of a page.
+fn page(name: &str) -> String {
+    let path = project("book/src").join(name);
+    fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
 /// The pages, by name.

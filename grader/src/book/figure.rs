@@ -43,7 +43,7 @@ pub(super) fn expand(page: &str, name: &str, alt: &str, pictures: &Path) -> Resu
     let caption = caption(&pictures.join(chapter), name)?;
     let file = format!("pictures/{chapter}/{name}.png");
     let figure = html! {
-        figure {
+        figure id={ "figure-" (name) } {
             a href=(file) { img src=(file) alt=(alt) loading="lazy"; }
             figcaption { (caption) }
         }

@@ -10,8 +10,9 @@
 //! | `{{reference sphere_hit}}`, `{{reference src/render/path.rs:path}}` | the reference, folded |
 //! | `{{listing src/shape/mod.rs:shape}}` | an anchor of the library, open |
 //! | `{{mistakes sphere_hit}}` | the exercise's mistakes: name, message, answer, picture |
+//! | `{{path 1 2 3 12}}` | an order in which these lessons can be read, by what each of them needs |
 //!
-//! Besides, `chapter 7` in a text becomes a link, and a lesson is told how long it takes to read.
+//! Besides, `chapter 7` in a text becomes a link, and above a lesson stands how long it takes to read, and which lessons it needs.
 
 mod directive;
 mod example;
@@ -19,6 +20,7 @@ mod figure;
 mod fit;
 mod listing;
 mod mistakes;
+mod order;
 mod text;
 mod turn;
 
@@ -66,7 +68,7 @@ pub fn expand(page: &str, source: &str, pictures: &Path) -> Result<String, BookE
         }
         expanded.push('\n');
     }
-    Ok(text::with_reading_time(&expanded, source))
+    Ok(text::with_head(page, &expanded, source))
 }
 
 /// What a directive becomes.
@@ -79,8 +81,9 @@ fn become_text(page: &str, directive: &Directive<'_>, pictures: &Path) -> Result
         "reference" => listing::reference(name),
         "listing" => listing::open(name),
         "mistakes" => mistakes::expand(exercise(name)?, pictures),
+        "path" => order::expand(name),
         _ => Err(format!(
-            "there is no directive `{word}`; there are figure, example, turn, reference, listing and mistakes"
+            "there is no directive `{word}`; there are figure, example, turn, reference, listing, mistakes and path"
         )),
     }
 }

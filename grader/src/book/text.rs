@@ -1,5 +1,7 @@
-//! What is done to the text of a page: links to chapters, and how long it takes to read.
+//! What is done to the text of a page: links to chapters, how long it takes to read, and what it needs.
 
+use super::order;
+use maud::html;
 use raybook_workbook::curriculum::CHAPTERS;
 
 /// Words a minute, of a text with formulas in a language that is not the reader's own.
@@ -53,8 +55,8 @@ fn link_part(page: &str, part: &str, text: &mut String) {
     text.push_str(rest);
 }
 
-/// A lesson with its reading time below its title; other pages as they are.
-pub(super) fn with_reading_time(expanded: &str, source: &str) -> String {
+/// A lesson with its reading time and the lessons that it needs below its title; other pages as they are.
+pub(super) fn with_head(page: &str, expanded: &str, source: &str) -> String {
     if !source.contains(YOUR_TURN) {
         return expanded.to_owned();
     }
@@ -74,10 +76,17 @@ pub(super) fn with_reading_time(expanded: &str, source: &str) -> String {
         1 => "one exercise".to_owned(),
         n => format!("{n} exercises"),
     };
-    let time =
-        format!("<p class=\"time\">About {minutes} minutes to read, and {exercises} to write.</p>");
+    let head = html! {
+        p class="time" {
+            "About " (minutes) " minutes to read, and " (exercises) " to write."
+            @for (i, needed) in order::needs(page).into_iter().enumerate() {
+                @if i == 0 { " Read before it: " } @else { ", " }
+                (order::link(needed))
+            }
+        }
+    };
     match expanded.split_once('\n') {
-        Some((title, rest)) => format!("{title}\n\n{time}\n{rest}"),
+        Some((title, rest)) => format!("{title}\n\n{}\n{rest}", head.into_string()),
         None => expanded.to_owned(),
     }
 }

@@ -89,13 +89,13 @@ fn what_the_limit_takes_away_shrinks_with_the_share_of_every_mirror() {
 #[test]
 fn a_ray_that_meets_no_mirror_needs_one_surface() {
     let ambient = Rgb::new(0.1, 0.2, 0.3);
-    let matt = Phong {
+    let matte = Phong {
         ambient,
         diffuse: Rgb::BLACK,
         specular: Rgb::BLACK,
         exponent: 1.0,
     };
-    let ball = Thing::new(Sphere::new(-5.0 * Vec3::Z, 1.0), matt);
+    let ball = Thing::new(Sphere::new(-5.0 * Vec3::Z, 1.0), matte);
     let scene = Scene::new(vec![ball], vec![]).surrounded_by(Rgb::WHITE, |_| Rgb::gray(7.0));
     for depth in [1, 2, 9] {
         let ball = see(&scene, &ray(Vec3::ZERO, Vec3::NEG_Z), depth);

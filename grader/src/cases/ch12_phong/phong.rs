@@ -84,11 +84,11 @@ impl Graded for PhongExercise {
             hint: "Switch the light off: is your highlight gone?",
             answer: |q| {
                 let highlight = q.at.specular * power(mirrored(&q.at).dot(*q.at.view), &q.at);
-                let matt = with_highlight(&q.at, 0.0);
+                let matte = with_highlight(&q.at, 0.0);
                 if q.at.toward.dot(*q.at.normal) > 0.0 {
-                    matt + highlight
+                    matte + highlight
                 } else {
-                    matt
+                    matte
                 }
             },
         },

@@ -9,12 +9,12 @@ use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch17_rendering_equation::BrdfPhong;
 use std::f32::consts::{PI, TAU};
 
-/// The matt part plus the highlight times a factor, of which all mistakes are made.
-fn phong(q: &BrdfPhong, cos_alpha: f32, matt: f32, norm: f32) -> Rgb {
+/// The matte part plus the highlight times a factor, of which all mistakes are made.
+fn phong(q: &BrdfPhong, cos_alpha: f32, matte: f32, norm: f32) -> Rgb {
     if q.normal.dot(*q.toward) <= 0.0 || q.normal.dot(*q.view) <= 0.0 {
         return Rgb::BLACK;
     }
-    q.diffuse * matt + q.specular * (norm * cos_alpha.max(0.0).powf(q.exponent))
+    q.diffuse * matte + q.specular * (norm * cos_alpha.max(0.0).powf(q.exponent))
 }
 
 fn cos_alpha(q: &BrdfPhong) -> f32 {
@@ -89,7 +89,7 @@ impl Graded for BrdfPhong {
             answer: |q| phong(q, cos_alpha(q), 1.0 / PI, (q.exponent + 1.0) / TAU),
         },
         Mistake {
-            name: "forgets the π under the matt part",
+            name: "forgets the π under the matte part",
             hint: "How much does a surface with your BRDF send to all sides together, for each watt that arrives?",
             answer: |q| phong(q, cos_alpha(q), 1.0, norm(q)),
         },

@@ -1,0 +1,110 @@
+//! `{{path 1 2 3 12 15}}`: an order in which lessons can be read. The build stops at a lesson that comes before one that it needs.
+
+use maud::html;
+use raybook_workbook::curriculum::{CHAPTERS, Chapter};
+
+/// For each chapter, in the order of the course, the chapters whose functions or ideas its lesson uses.
+const NEEDS: [&[u32]; 25] = [
+    &[],                     // rays
+    &[1],                    // high dynamic range
+    &[1],                    // sphere
+    &[3],                    // plane
+    &[4],                    // box
+    &[4],                    // triangle
+    &[3, 6],                 // mesh
+    &[5, 7],                 // grid
+    &[8],                    // two-level grid
+    &[5, 7, 8],              // octree
+    &[5, 7],                 // bounding volume hierarchy
+    &[2, 3],                 // Phong
+    &[12],                   // reflection
+    &[13],                   // refraction
+    &[12],                   // shadows
+    &[15],                   // soft shadows
+    &[13, 14, 16],           // rendering equation
+    &[17],                   // environment
+    &[1, 16],                // depth of field
+    &[18],                   // panorama
+    &[18],                   // black hole
+    &[1, 2],                 // antialiasing
+    &[22],                   // adaptive supersampling
+    &[11],                   // wide BVH
+    &[4, 6, 12, 13, 14, 15], // capstone
+];
+
+/// The chapters that the lesson of this page needs; none for a page that is no lesson.
+pub(super) fn needs(page: &str) -> Vec<&'static Chapter> {
+    let index = CHAPTERS
+        .iter()
+        .position(|chapter| page.strip_suffix(".md") == Some(chapter.name));
+    let numbers = index.and_then(|index| NEEDS.get(index));
+    let numbers = numbers.copied().unwrap_or_default();
+    numbers.iter().filter_map(|&number| find(number)).collect()
+}
+
+/// A numbered list of the lessons with these numbers.
+///
+/// # Errors
+/// If a number is none of a chapter's, or a lesson comes twice or before one that it needs.
+pub(super) fn expand(numbers: &str) -> Result<String, String> {
+    let mut path: Vec<&Chapter> = Vec::new();
+    for word in numbers.split_whitespace() {
+        let chapter = word.parse().ok().and_then(find);
+        let chapter = chapter.ok_or_else(|| format!("`{word}` is the number of no chapter"))?;
+        let is_behind = |number: u32| path.iter().any(|before| before.number() == number);
+        if is_behind(chapter.number()) {
+            return Err(format!("chapter {word} is in the path already"));
+        }
+        for needed in needs(&format!("{}.md", chapter.name)) {
+            if !is_behind(needed.number()) {
+                return Err(format!(
+                    "chapter {word} ({}) needs chapter {} ({}), which does not come before it",
+                    chapter.title,
+                    needed.number(),
+                    needed.title
+                ));
+            }
+        }
+        path.push(chapter);
+    }
+    let list = html! {
+        ol class="path" { @for chapter in path { li value=(chapter.number()) { (link(chapter)) } } }
+    };
+    Ok(list.into_string())
+}
+
+/// A chapter's title, with a link to its lesson.
+pub(super) fn link(chapter: &Chapter) -> maud::Markup {
+    html! { a href={ (chapter.name) ".html" } { (chapter.title) } }
+}
+
+/// The chapter of this number.
+fn find(number: u32) -> Option<&'static Chapter> {
+    CHAPTERS.iter().find(|chapter| chapter.number() == number)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{CHAPTERS, NEEDS, expand};
+
+    #[test]
+    fn the_course_itself_is_a_path() {
+        assert_eq!(NEEDS.len(), CHAPTERS.len(), "a row for each chapter");
+        let all: Vec<_> = CHAPTERS.iter().map(|c| c.number().to_string()).collect();
+        let path = expand(&all.join(" ")).expect("no lesson needs a later one");
+        assert_eq!(path.matches("<li").count(), CHAPTERS.len());
+    }
+
+    #[test]
+    fn a_path_that_cannot_be_read_is_an_error() {
+        for (path, said) in [
+            ("1 3 12", "chapter 12 (Phong) needs chapter 2"),
+            ("1 2 1", "already"),
+            ("1 26", "`26` is the number of no chapter"),
+            ("1 two", "`two` is the number of no chapter"),
+        ] {
+            let error = expand(path).expect_err("it cannot be read");
+            assert!(error.contains(said), "{error}");
+        }
+    }
+}

@@ -49,16 +49,23 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let radiance = film.refine(|place, _| window::radiance(&camera.ray(place, Vec2::ZERO)));
     let exposure = knobs.exposure;
     let picture = radiance.map(|p| tone::expose(p, exposure));
-    let picture = match knobs.curve {
-        Curve::Clamp => picture,
-        Curve::Reinhard => picture.map(tone::reinhard),
-        Curve::Aces => picture.map(tone::aces),
+    let room = format!("An evening room at {exposure} stops.");
+    let (ends, toned) = match knobs.curve {
+        Curve::Clamp => (
+            "The display clamps the sky at white; the EXR keeps it.",
+            picture,
+        ),
+        Curve::Reinhard => (
+            "Reinhard's curve bends all light below white; the EXR has it bent.",
+            picture.map(tone::reinhard),
+        ),
+        Curve::Aces => (
+            "The ACES curve bends all light below white; the EXR has it bent.",
+            picture.map(tone::aces),
+        ),
     };
-    stage.picture(
-        "picture",
-        &format!("An evening room at {exposure} stops. The display clamps the sky at white; the EXR keeps it."),
-        &picture,
-    )?;
+    let picture = toned;
+    stage.picture("picture", &format!("{room} {ends}"), &picture)?;
     if !file::load(&stage.folder().join("picture.exr"))?.same_bits(&picture) {
         return Err("picture.exr does not hold the radiance that was written".into());
     }

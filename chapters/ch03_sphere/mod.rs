@@ -53,7 +53,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     stage.figure("roots", caption, &roots(stage.tile(3, 1.0))?)?;
 
     let caption = format!(
-        "A sphere with a radius of {} m through a telescope. Top: the schoolbook formula loses it within a kilometre. \
+        "A sphere with a radius of {} m through a telescope. Top: the schoolbook formula loses it as it moves away. \
         Middle: counted from the closest point, nothing is lost. Bottom: a slanting ray is itself rounded.",
         knobs.sphere
     );

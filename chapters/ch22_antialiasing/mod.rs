@@ -97,9 +97,13 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         };
         filtered(&film, pattern, &filter, see)
     });
-    let caption = "One picture, from left to right with one ray through the middle of each pixel, and with 4 and 16 in a pattern. With one ray the far squares make a pattern that \
-        is not there, and the edges are stairs; with sixteen the squares melt into grey, as they should.";
-    stage.picture("picture", caption, &sheets::bands(&views))?;
+    let caption = format!(
+        "One picture, from left to right with one ray through the middle of each pixel, and with {} and {most} rays placed by {}. With one ray the far squares make a pattern that \
+        is not there, and the edges are stairs; the more rays, the more the squares melt into grey, as they should.",
+        most.isqrt(),
+        chosen.title
+    );
+    stage.picture("picture", &caption, &sheets::bands(&views))?;
 
     let subjects: Vec<_> = PATTERNS.iter().map(Subject::of).collect();
     let all = PointSets {

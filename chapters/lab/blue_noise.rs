@@ -15,17 +15,17 @@ pub const COUNT: usize = 4096;
 /// Points of the first pattern, which is relaxed; all others are added one by one.
 const FIRST: usize = 32;
 
-/// The reference as a pattern: the first n points of the set, of 4096 at most, all mirrored, turned and moved together by chance, over the edges too.
+/// The reference as a pattern: the first n points of the set, of 4096 at most, all mirrored, transposed and moved together by chance, over the edges too.
 pub const BLUE_NOISE: Pattern = Pattern {
     name: "blue-noise",
     title: "blue noise",
     five: "the first five of the set",
     points: |n, rng| {
         let by = vec2(rng.random(), rng.random());
-        let [mirrored, turned] = [rng.random_bool(0.5), rng.random_bool(0.5)];
+        let [mirrored, transposed] = [rng.random_bool(0.5), rng.random_bool(0.5)];
         let place = |p: &Vec2| {
             let p = if mirrored { vec2(p.x, 1.0 - p.y) } else { *p };
-            let p = if turned { p.yx() } else { p };
+            let p = if transposed { p.yx() } else { p };
             (p + by).map(|x| x.fract().min(1.0_f32.next_down()))
         };
         kept().iter().take(n).map(place).collect()

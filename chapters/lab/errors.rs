@@ -100,7 +100,7 @@ pub fn slope(errors: &[Error]) -> Option<Slope> {
 }
 
 /// The 97.5 % quantile of Student's t distribution with so many degrees of freedom; None for 0.
-fn student_t(freedom: usize) -> Option<f64> {
+pub fn student_t(freedom: usize) -> Option<f64> {
     const QUANTILES: [f64; 10] = [
         12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228,
     ];

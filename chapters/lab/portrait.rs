@@ -79,7 +79,9 @@ impl Portrait {
         let values = Axis::linear(low..high).labels(6).format(whole);
         let mut chart = Chart::new(frequencies, values).titled(title).text(30);
         let root = (self.n as f64).sqrt();
-        chart.dashes([(root, low), (root, high)], FAINT.stroke_width(4));
+        if root < right {
+            chart.dashes([(root, low), (root, high)], FAINT.stroke_width(4));
+        }
         chart
     }
 
@@ -201,7 +203,9 @@ impl Portrait {
         )?;
         let limit = self.spectrum.limit as f64;
         let root = (self.n as f64).sqrt().round();
-        for f in [-root, 0.0, root] {
+        // Of many points, only the lower frequencies are looked at.
+        let shown = root.min(limit);
+        for f in [-shown, 0.0, shown] {
             let along = (f64::from(SIDE) * (0.5 + f / (2.0 * limit + 1.0))) as i32;
             let name = format!("{f:.0}").replace('-', "−");
             let (x, below) = (LEFT_OF_IT + along, ABOVE_IT + SIDE);

@@ -68,15 +68,32 @@ pub struct Measure {
 }
 
 impl Measure {
-    /// The number of the pattern that is best; none if another one is as good, to 3 %.
+    /// The number of the pattern that is best; none if another one is about as good.
     pub fn winner(&self) -> Option<usize> {
-        let by_size = |i: &usize, j: &usize| self.numbers[*i].total_cmp(&self.numbers[*j]);
+        let [first, next, ..] = self.in_order()[..] else {
+            return None;
+        };
+        (self.numbers[first] < ALIKE * self.numbers[next]).then_some(first)
+    }
+
+    /// The number of the pattern that is worst; none if another one is about as bad.
+    pub fn loser(&self) -> Option<usize> {
+        let [.., next, last] = self.in_order()[..] else {
+            return None;
+        };
+        (self.numbers[next] < ALIKE * self.numbers[last]).then_some(last)
+    }
+
+    /// The patterns from the best to the worst.
+    fn in_order(&self) -> Vec<usize> {
         let mut order: Vec<_> = (0..self.numbers.len()).collect();
-        order.sort_by(by_size);
-        let [best, next] = [order.first()?, order.get(1)?];
-        (self.numbers[*best] < 0.97 * self.numbers[*next]).then_some(*best)
+        order.sort_by(|i, j| self.numbers[*i].total_cmp(&self.numbers[*j]));
+        order
     }
 }
+
+/// A number that is at least this share of another is about as large.
+const ALIKE: f64 = 0.97;
 
 /// What is on the slide.
 #[derive(Debug)]
@@ -151,8 +168,7 @@ impl Slide {
     /// How often a pattern is the best in the table, and how often the worst.
     fn wins(&self, pattern: usize) -> String {
         let won = self.measures.iter().filter(|m| m.winner() == Some(pattern));
-        let worst = |m: &&Measure| m.numbers.iter().all(|v| *v <= m.numbers[pattern]);
-        let lost = self.measures.iter().filter(worst);
+        let lost = self.measures.iter().filter(|m| m.loser() == Some(pattern));
         format!("{} / {}", won.count(), lost.count())
     }
 

@@ -1,5 +1,6 @@
 //! The power spectrum: which waves a pattern takes for others.
 
+use crate::lab::errors::student_t;
 use crate::lab::subject::Subject;
 use glam::Vec2;
 use rayon::prelude::*;
@@ -105,10 +106,11 @@ impl Spectrum {
             |power: &[f64]| -> Vec<f64> { rings(power, self.limit).into_iter().map(&of).collect() };
         let without: Vec<_> = self.without.iter().map(|power| values(power)).collect();
         let batches = without.len() as f64;
+        let t = student_t(without.len().saturating_sub(1)).unwrap_or(0.0);
         let within = |i: usize| {
             let mean = without.iter().map(|values| values[i]).sum::<f64>() / batches;
             let squares = without.iter().map(|values| (values[i] - mean).powi(2));
-            1.96 * (squares.sum::<f64>() * (batches - 1.0) / batches).sqrt()
+            t * (squares.sum::<f64>() * (batches - 1.0) / batches).sqrt()
         };
         let known = |(i, value)| Known {
             frequency: i as f64 + 1.0,

@@ -66,7 +66,10 @@ impl Subject {
     /// Points from a file of this name.
     pub fn from_file(name: &str, given: Realisations) -> Self {
         Self {
-            key: name.replace(|c: char| !c.is_ascii_alphanumeric(), "-"),
+            key: format!(
+                "file-{}",
+                name.replace(|c: char| !c.is_ascii_alphanumeric(), "-")
+            ),
             title: name.to_owned(),
             pattern: FROM_A_FILE,
             seed: SEED,
@@ -86,6 +89,15 @@ impl Subject {
             other.title = format!("{}, seed {seed}", self.title);
         }
         other
+    }
+
+    /// The same under another name for its files.
+    #[must_use]
+    pub fn renamed(self) -> Self {
+        Self {
+            key: format!("{}-again", self.key),
+            ..self
+        }
     }
 
     /// Whether it is somebody's own.

@@ -7,7 +7,7 @@ use crate::shared::heat::heat;
 use crate::shared::showroom::{SMOOTH, Showroom, small};
 use clap::Args;
 use glam::{Vec2, vec2};
-use raybook::accel::{Accel, Tests};
+use raybook::accel::Accel;
 use raybook::math::interval::Interval;
 use raybook::render::film::Film;
 use raybook::shape::mesh::{Facet, Mesh};
@@ -54,9 +54,11 @@ pub fn draw<A: Accel<Facet>>(
     ));
     let film = stage.film_of(960, 4, 1.6);
     let room = Showroom::around(&mesh, film.aspect());
-    let mut tests = Tests::default();
     say_estimate(&film, |place| {
-        accel.closest_counted(&room.ray(place), Interval::AHEAD, &mut tests);
+        let ray = room.ray(place);
+        if let Some((_, hit)) = accel.closest(&ray, Interval::AHEAD) {
+            SMOOTH(&ray, &hit, &mesh.surface(&ray, &hit));
+        }
     });
     let picture = film.refine(|place, _| {
         let ray = room.ray(place);
@@ -65,23 +67,22 @@ pub fn draw<A: Accel<Facet>>(
             None => room.backdrop(place, &ray),
         }
     });
-    let each = |sum: u64| sum as f64 / f64::from(TRIED);
-    let caption = format!(
-        "A mesh of {} triangles. A ray costs {:.1} {boxes} and {:.1} triangles tested, on average.",
-        mesh.triangles().len(),
-        each(tests.boxes),
-        each(tests.shapes)
-    );
+    let caption = format!("A mesh of {} triangles.", mesh.triangles().len());
     stage.picture("picture", &caption, &picture)?;
     let map = heat(&small(&film), |place| room.ray(place), &accel);
-    let caption = "What each ray of the picture costs.";
-    stage.figure("heat", caption, &map.figure(boxes)?)
+    let each = |sum: u64| sum as f64 / map.rays().max(1) as f64;
+    let caption = format!(
+        "What each ray of the picture costs: {:.1} {boxes} and {:.1} triangles tested, on average.",
+        each(map.tests().boxes),
+        each(map.tests().shapes)
+    );
+    stage.figure("heat", &caption, &map.figure(boxes)?)
 }
 
 /// How many rays are tried before a picture is drawn.
 const TRIED: u16 = 64;
 
-/// Tries a few rays, evenly over the picture, and says how long all of them take at most.
+/// Tries a few rays, evenly over the picture, and says about how long all of them take.
 pub fn say_estimate(film: &Film, mut follow: impl FnMut(Vec2)) {
     let start = Instant::now();
     for i in 0..TRIED {
@@ -92,7 +93,7 @@ pub fn say_estimate(film: &Film, mut follow: impl FnMut(Vec2)) {
     let each = start.elapsed().as_secs_f64() / f64::from(TRIED);
     let rays = (film.width * film.height * film.samples) as f64;
     let time = duration(each * rays / film.threads as f64);
-    complain(format_args!("the picture takes {time} at most"));
+    complain(format_args!("the picture takes about {time}"));
 }
 
 /// A time, in the unit that people would say.

@@ -1,7 +1,8 @@
 //! What judges ask of all answers together: what chance hides in one of them shows in many.
 //!
-//! Each question here goes wrong by chance with a probability below 2e-8 at a right answer (see [`crate::cases`]' points); three
-//! to six of them are asked of a student who is right everywhere, so that a class of 500 meets one less than once in ten thousand times.
+//! Each question here goes wrong by chance with a probability below 2e-8 at a right answer, if the answers follow from different seeds; five
+//! of them are asked of a pattern, so that a class of 500 meets one less than once in ten thousand times. Estimates are not judged together: a
+//! question without a seed may be answered by the same random numbers each time, and then all of them are off to the same side.
 
 use crate::Verdict;
 
@@ -28,43 +29,6 @@ pub fn serial(what: &str, lists: impl Iterator<Item = Vec<f64>>) -> Verdict {
         ));
     }
     Ok(())
-}
-
-/// Estimates of numbers that are known: whether their mean is off. Each has its number, the standard deviation of an estimate, and what the
-/// known number may itself be off.
-///
-/// # Errors
-/// If the mean is more than chance explains.
-pub fn unbiased(what: &str, estimates: impl Iterator<Item = Estimate>) -> Verdict {
-    let (mut off, mut variance, mut slack, mut sum) = (0.0, 0.0, 0.0, 0.0);
-    for one in estimates {
-        off += one.got - one.exact;
-        variance += one.deviation * one.deviation;
-        slack += one.slack;
-        sum += one.exact;
-    }
-    if off.abs() > DEVIATIONS * variance.sqrt() + slack {
-        let percent = 100.0 * off / sum;
-        let side = if off > 0.0 { "large" } else { "small" };
-        return Err(format!(
-            "{what} is {:.1} % too {side} in the mean: no single answer shows it, all of them do",
-            percent.abs()
-        ));
-    }
-    Ok(())
-}
-
-/// An estimate of a number that is known.
-#[derive(Clone, Copy, Debug)]
-pub struct Estimate {
-    /// The number.
-    pub exact: f64,
-    /// Its estimate.
-    pub got: f64,
-    /// The standard deviation of a right estimate.
-    pub deviation: f64,
-    /// How far the number itself may be off.
-    pub slack: f64,
 }
 
 /// Whether answers to questions of which only the seed differs do differ. `same` says of two of them whether all else is the same.

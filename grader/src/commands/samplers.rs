@@ -99,7 +99,15 @@ impl Samplers {
             right = self.ask(&program, &mut settings)?;
         }
         for path in &self.file {
-            let subject = file::read(path, settings.sizes())?;
+            let mut subject = file::read(path, settings.sizes())?;
+            // Two files of one name in two folders have figures of their own.
+            while settings
+                .subjects
+                .iter()
+                .any(|other| other.key == subject.key)
+            {
+                subject = subject.renamed();
+            }
             settings.subjects.push(subject);
         }
         let page = run::run(&settings)?;

@@ -24,8 +24,8 @@ macro_rules! functions {
 
 functions! {
     9 "has the sign of the answer wrong", "Which sign should your answer have, and which has it?": |v| -v;
-    10 "returns degrees instead of radians", "In which unit is the angle that is asked for?": f64::to_degrees;
-    10 "converts the answer from degrees to radians although it is in radians already", "In which unit is the angle that you have calculated?": f64::to_radians;
+    11 "returns degrees instead of radians", "In which unit is the angle that is asked for?": f64::to_degrees;
+    11 "converts the answer from degrees to radians although it is in radians already", "In which unit is the angle that you have calculated?": f64::to_radians;
     10 "returns the square of the answer: a missing root, or a square too many", "Check the unit of your answer: is a square root missing, or is something squared twice?": |v| v * v;
     10 "returns the square root of the answer: a root too many, or a missing square", "Check the unit of your answer: is there a root too many?": |v| v.max(0.0).sqrt();
     10 "returns the reciprocal, 1 over the answer", "Which way round is your fraction?": |v| 1.0 / v;

@@ -61,7 +61,7 @@ pub fn hits(
 /// Upwards, beside a point.
 pub const UP: DVec2 = dvec2(0.2, 1.4);
 
-/// The distance between two steps of a ruler that divides a length into about eight.
+/// A length, or 1 where it is 0 or not finite: what is divided by it stays finite.
 pub fn nonzero(length: f64) -> f64 {
     if length.is_finite() && length > 0.0 {
         length

@@ -51,7 +51,7 @@ exercises! { ($) ch22_antialiasing
     RandomPattern: random_pattern(
         /// The number of points.
         n: u32,
-        /// What the random numbers follow from, if you like.
+        /// What the random numbers follow from: another seed, other points.
         seed: u32,
     ) -> (
         /// The points, in the unit square.
@@ -67,7 +67,7 @@ exercises! { ($) ch22_antialiasing
         columns: u32,
         /// The number of cells one under the other.
         rows: u32,
-        /// What the random numbers follow from, if you like.
+        /// What the random numbers follow from: another seed, other points.
         seed: u32,
     ) -> (
         /// The points, in the unit square, in any order.
@@ -83,7 +83,7 @@ exercises! { ($) ch22_antialiasing
     PoissonDisk: poisson_disk(
         /// The least distance between two points, in sides of the square.
         distance: f32,
-        /// What the random numbers follow from, if you like.
+        /// What the random numbers follow from: another seed, other points.
         seed: u32,
     ) -> (
         /// The points, in the unit square, in any order.

@@ -1,7 +1,7 @@
 //! `visible_fraction`: random questions, judge and mistakes.
 
 use super::lattice;
-use crate::{Graded, Mistake, Verdict, judge, sample, together, traits};
+use crate::{Graded, Mistake, Verdict, judge, sample, traits};
 use glam::{Vec2, Vec3, vec3};
 use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 use raybook::shape::{Shape, sphere::Sphere};
@@ -71,25 +71,6 @@ impl Graded for VisibleFraction {
             }
         }
         Ok(())
-    }
-
-    fn together(answers: &[(VisibleFraction, Vec<f32>)]) -> Verdict {
-        /// What the lattice that stands for the exact value may be off in the mean of many points.
-        const LATTICE: f64 = 0.002;
-        let estimates = answers.iter().flat_map(|(q, got)| {
-            let n = f64::from(q.samples);
-            let pairs = exact(q).into_iter().zip(got);
-            pairs.map(move |(exact, got)| {
-                let exact = f64::from(exact);
-                together::Estimate {
-                    exact,
-                    got: (*got).into(),
-                    deviation: (exact * (1.0 - exact) / n).sqrt(),
-                    slack: LATTICE,
-                }
-            })
-        });
-        together::unbiased("the visible fraction", estimates)
     }
 
     fn traits(q: &VisibleFraction, got: &Vec<f32>) -> Vec<f64> {

@@ -1,7 +1,7 @@
 //! `reflected_radiance`: an estimate, held against the integral.
 
 use super::{at_height, colour};
-use crate::{Graded, Mistake, Verdict, judge, sample, together, traits};
+use crate::{Graded, Mistake, Verdict, judge, sample, traits};
 use raybook::image::rgb::Rgb;
 use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
 use raybook::sample::hemisphere;
@@ -90,27 +90,6 @@ impl Graded for ReflectedRadiance {
                 .map_err(|why| format!("{why}: more than chance explains"))?;
         }
         Ok(())
-    }
-
-    fn together(answers: &[(ReflectedRadiance, Rgb)]) -> Verdict {
-        // All three channels come from the same directions, and so does what scatters in them.
-        let estimate = |(q, got): &(ReflectedRadiance, Rgb)| {
-            let (exact, scatter) = exact_and_scatter(q);
-            let mean = |of: &dyn Fn(usize) -> f32| f64::from((0..3).map(of).sum::<f32>() / 3.0);
-            together::Estimate {
-                exact: 1.0,
-                got: mean(&|i| got.channels()[i] / exact[i].max(1e-6)),
-                deviation: mean(&|i| scatter[i] / exact[i].max(1e-6)),
-                slack: f64::from(judge::RELATIVE),
-            }
-        };
-        let bright = |(q, _): &&(ReflectedRadiance, Rgb)| {
-            exact_and_scatter(q)
-                .0
-                .into_iter()
-                .all(|channel| channel > 1e-3)
-        };
-        together::unbiased("the light", answers.iter().filter(bright).map(estimate))
     }
 
     fn traits(_q: &ReflectedRadiance, got: &Rgb) -> Vec<f64> {

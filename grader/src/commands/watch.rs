@@ -6,22 +6,30 @@ use super::hint::Hint;
 use super::report::Report;
 use super::{Done, Target, map};
 use clap::{Parser, Subcommand};
+use raybook::store;
 use raybook_chapters::kit::chapter::report;
 use raybook_chapters::kit::say::say;
 use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_grader::keys::{self, Pressed};
 use raybook_grader::progress::{KEPT, Progress};
-use raybook_grader::serve::serve;
+use raybook_grader::serve::{Answer, Server};
 use raybook_grader::student;
 use raybook_grader::watched::{Seen, changed};
 use raybook_workbook::curriculum::{CHAPTERS, Chapter};
 use std::error::Error;
+use std::io;
 use std::path::{Path, PathBuf};
-use std::thread::sleep;
+use std::thread::{sleep, spawn};
 use std::time::Duration;
 
 /// How often the files are looked at, and how long they must stay the same after a save.
 const PAUSE: Duration = Duration::from_millis(250);
+
+/// What is shown before there is a page.
+const NOTHING_YET: &str = "<!DOCTYPE html><html lang=\"en\"><title>raybook</title><main><h1>raybook</h1><p>The first check is not done yet.</p></main></html>";
+
+/// Asks for the page again and again, and shows what has changed.
+const RENEW: &str = include_str!("watch/renew.js");
 
 /// Watches the workbook: whenever you save a file, checks what it changed, until you press Ctrl-C. In a terminal, keys hint, explain, go
 /// on to the next chapter, list the course, and quit.
@@ -58,8 +66,7 @@ impl Watch {
         let (from, _) = self.target.resolve()?;
         let folder = student::workbook(&from)?;
         if self.page {
-            let address = serve(&page_in(&folder))?;
-            say(format!("The page: {address}"));
+            say(format!("The page: {}", serve(page_in(&folder))?));
         }
         let mut seen = Seen::of(&folder);
         let mut names = self.names(&folder, &[]);
@@ -185,6 +192,22 @@ impl Watch {
             .map(|chapter| chapter.name.to_owned())
             .collect()
     }
+}
+
+/// Serves a page as it is in its file at any time, until the command ends; returns its address.
+fn serve(file: PathBuf) -> io::Result<String> {
+    let server = Server::new(0)?;
+    let address = server.address();
+    spawn(move || {
+        server.run(move |request| match request.path.as_str() {
+            "" => {
+                let page = store::read_text(&file);
+                Answer::page(page.as_deref().unwrap_or(NOTHING_YET), RENEW)
+            }
+            _ => Answer::unknown(),
+        });
+    });
+    Ok(address)
 }
 
 /// Where the page is that is shown.

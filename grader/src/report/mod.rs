@@ -1,14 +1,13 @@
 //! A student's work on one page that needs no other file: verdicts, what explains the wrong ones, pictures, and costs.
 
 pub mod cost;
-mod data;
 
 use crate::check::{Outcome, Report, State, Verdict};
 use crate::dress::Dress;
 use crate::examine::Examiner;
 use crate::explain::account::Account;
 use crate::explain::tell;
-use crate::{cases, feedback, json, pictured};
+use crate::{base64, cases, feedback, json, pictured};
 use cost::Cost;
 use maud::{Markup, html};
 use raybook_chapters::kit::html;
@@ -94,7 +93,7 @@ fn exercise(report: &Report, picture: Option<&[u8]>) -> Markup {
         }
         @if let (Some((outcome, _)), Some(examiner)) = (report.first_wrong(), cases::find(report.exercise)) { (wrong(report, outcome, examiner)) }
         @if let Some(png) = picture { figure {
-            img src=(data::uri("image/png", png)) alt=(alt(report));
+            img src=(base64::uri("image/png", png)) alt=(alt(report));
             figcaption { "Left yours, in the middle the right one, right the difference: orange where yours is too bright, blue where it is too dark." }
         } }
     } }
@@ -114,7 +113,7 @@ fn wrong(report: &Report, outcome: &Outcome, examiner: &dyn Examiner) -> Markup 
             pre style="overflow-x: auto" tabindex="0" { (tell::lines(&account, Dress::default()).join("\n")) }
         }
         @if let Some(diagram) = &account.diagram { figure style="max-width: 760px" {
-            img src=(data::uri("image/svg+xml", diagram.svg().as_bytes())) alt=(diagram.title);
+            img src=(base64::uri("image/svg+xml", diagram.svg().as_bytes())) alt=(diagram.title);
         } }
     }
 }
@@ -138,6 +137,6 @@ fn cost_of(cost: &Cost) -> Markup {
     html! { article {
         h3 { "What " code { (cost.exercise) } " costs" }
         p { (cost.words()) }
-        figure style="max-width: 760px" { img src=(data::uri("image/svg+xml", plot.svg().as_bytes())) alt={ (plot.title) ". " (cost.words()) }; }
+        figure style="max-width: 760px" { img src=(base64::uri("image/svg+xml", plot.svg().as_bytes())) alt={ (plot.title) ". " (cost.words()) }; }
     } }
 }

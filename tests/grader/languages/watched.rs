@@ -108,7 +108,7 @@ fn a_watch_follows_saves_and_survives_errors() {
     for part in [
         "href=\"#ch01_rays\"",
         "1 Rays: 2 of 2 right",
-        "2 High dynamic range: 0 of 2 right",
+        "2 High dynamic range: 0 of 3 right",
         "camera_ray</code>: right",
     ] {
         assert!(right.contains(part), "`{part}` is in {right}");

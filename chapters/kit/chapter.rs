@@ -11,6 +11,7 @@ use crate::lesson::{self, Lesson};
 use clap::{Args, Command, FromArgMatches};
 use raybook_workbook::answer::unwritten;
 use std::error::Error;
+use std::iter::successors;
 use std::panic;
 use std::process::ExitCode;
 use std::sync::Mutex;
@@ -136,12 +137,14 @@ fn end_at_what_is_unwritten() {
 
 /// Prints an error and what caused it. There may be text from outside in them: their lines are lines, and all else is shown.
 pub fn report(error: &dyn Error) {
-    complain(format_args!("error: {}", lines(error)));
-    let mut cause = error.source();
-    while let Some(error) = cause {
-        complain(format_args!("  because: {}", lines(error)));
-        cause = error.source();
-    }
+    complain(format_args!("error: {}", error_text(error)));
+}
+
+/// An error and what caused it, in lines that can be shown.
+pub fn error_text(error: &dyn Error) -> String {
+    let causes = successors(error.source(), |cause| (*cause).source());
+    let causes = causes.map(|cause| format!("\n  because: {}", lines(cause)));
+    lines(error) + &causes.collect::<String>()
 }
 
 /// The exit code of work that is done: 2, with the reason, if not all that was said arrived.

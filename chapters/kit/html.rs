@@ -11,6 +11,12 @@ table { border-collapse: collapse } th, td { padding: .2em .9em; border-bottom: 
 th:first-child, td:first-child { text-align: left }
 code { background: #f0f0f0; padding: .1em .3em; border-radius: 3px; overflow-wrap: anywhere }
 nav { display: flex; flex-wrap: wrap; gap: .1em 1.2em } nav a { padding: .25em 0 }
+nav ol { columns: 3 17em; margin: 0; padding: 0; list-style: none; width: 100% } nav li { break-inside: avoid; padding: .15em 0 }
+[role=alert] { border-left: 4px solid #d55e00; padding-left: 1rem } [role=alert] pre { white-space: pre-wrap } pre { overflow-x: auto }
+.pictures { border: 1px solid #ccc; margin: 1rem 0; min-width: 0 } .pictures label { margin-right: 1.2em; white-space: nowrap }
+.pictures div { display: flex; gap: .7rem; flex-wrap: wrap } .pictures figure { flex: 1 1 200px; max-width: 760px } .pictures img { image-rendering: pixelated }
+.pictures:has([value=yours]:checked) figure:not(.yours), .pictures:has([value=right]:checked) figure:not(.right),
+.pictures:has([value=difference]:checked) figure:not(.difference) { display: none }
 :focus-visible { outline: 3px solid #e69f00; outline-offset: 3px }
 @media (prefers-color-scheme: dark) { body { color: #ddd; background: #1b1b1b } figcaption { color: #bbb } code { background: #333 } a { color: #8bf } }";
 

@@ -30,14 +30,23 @@ pub fn line(report: &Report, dress: Dress) -> String {
         .to_owned()
 }
 
+/// What a student can type next.
+#[derive(Clone, Copy, Debug)]
+pub struct Commands<'a> {
+    /// Asks a case again, but for its number.
+    pub again: &'a str,
+    /// Explains the exercise, if it can be explained.
+    pub explain: Option<&'a str>,
+}
+
 /// The first wrong case of an exercise, and what explains it, or the pictures that are wrong; empty if nothing is wrong.
 ///
-/// `picture` is the file in which the pictures were written, `again` the command that asks a case again, but for its number.
+/// `picture` is the file in which the pictures were written.
 pub fn explain(
     report: &Report,
     examiner: &dyn Examiner,
     picture: Option<&Path>,
-    again: &str,
+    commands: Commands<'_>,
     dress: Dress,
 ) -> String {
     let Some((outcome, _)) = report.first_wrong() else {
@@ -57,11 +66,13 @@ pub fn explain(
     lines.extend([
         String::new(),
         format!(
-            "  Ask this case again: {again} --case {}",
-            outcome.case.number
+            "  Ask this case again: {} --case {}",
+            commands.again, outcome.case.number
         ),
-        String::new(),
     ]);
+    let explain = commands.explain;
+    lines.extend(explain.map(|command| format!("  See it step by step: {command}")));
+    lines.push(String::new());
     lines.join("\n")
 }
 

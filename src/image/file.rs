@@ -81,6 +81,24 @@ pub fn save(path: &Path, picture: &Image) -> Result<(), FileError> {
     Ok(store::write(path, &bytes)?)
 }
 
+/// The bytes of a PNG file, for a page that holds its pictures itself.
+///
+/// # Errors
+/// If the picture has no pixels.
+///
+/// ```
+/// use raybook::image::{Image, file, rgb::Rgb};
+///
+/// let picture = Image::from_fn(2, 1, |_, _| Rgb::WHITE);
+/// assert!(file::to_png(&picture).is_ok_and(|bytes| bytes.starts_with(b"\x89PNG")));
+/// ```
+pub fn to_png(picture: &Image) -> io::Result<Vec<u8>> {
+    if picture.pixels().is_empty() {
+        return Err(io::Error::other("a picture needs at least one pixel"));
+    }
+    codec::encode_png(picture).map_err(io::Error::other)
+}
+
 /// Reads a picture of linear radiance; a PNG's code values are decoded from sRGB.
 ///
 /// # Errors

@@ -8,7 +8,7 @@ use raybook_grader::check::{Report, State, assess};
 use raybook_grader::converse::Prints;
 use raybook_grader::dress::Dress;
 use raybook_grader::examine::{Case, Examiner, visible_rng};
-use raybook_grader::feedback;
+use raybook_grader::feedback::{self, Commands};
 use raybook_grader::picture::{pixel_questions, some_questions, triples};
 use rayon::prelude::*;
 use std::fs;
@@ -67,7 +67,11 @@ fn right_cases_and_wrong_pictures_are_wrong_in_every_exercise_with_a_picture() {
             colour: false,
             symbols: false,
         };
-        let said = feedback::explain(&wrong, examiner, None, "raybook check", dress);
+        let commands = Commands {
+            again: "raybook check",
+            explain: None,
+        };
+        let said = feedback::explain(&wrong, examiner, None, commands, dress);
         assert!(
             said.contains(": the cases are right, the picture"),
             "{name}: {said}"

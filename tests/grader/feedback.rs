@@ -9,7 +9,7 @@ use raybook_grader::check::{Report, assess};
 use raybook_grader::converse::Prints;
 use raybook_grader::dress::Dress;
 use raybook_grader::examine::{Examiner, visible_rng};
-use raybook_grader::feedback;
+use raybook_grader::feedback::{self, Commands};
 use std::path::Path;
 
 const DRESS: Dress = Dress {
@@ -33,16 +33,16 @@ fn report(exercise: &str, reply: impl Fn(&dyn Examiner, &str) -> Said) -> Report
 fn told(report: &Report) -> String {
     let examiner = cases::find(report.exercise).expect("the exercise exists");
     let picture = (!report.pictures.is_empty()).then_some(Path::new(".raybook/picture.png"));
+    let [again, explain] =
+        ["check", "explain"].map(|command| format!("raybook {command} {}", report.exercise));
+    let commands = Commands {
+        again: &again,
+        explain: Some(&explain),
+    };
     format!(
         "{}\n\n{}",
         feedback::line(report, DRESS),
-        feedback::explain(
-            report,
-            examiner,
-            picture,
-            &format!("raybook check {}", report.exercise),
-            DRESS
-        )
+        feedback::explain(report, examiner, picture, commands, DRESS)
     )
 }
 

@@ -110,13 +110,14 @@ fn a_page_of_another_host_or_without_the_token_gets_nothing() {
     }
     let host = &server.host;
     for broken in [
-        "POST / HTTP/1.1\r\nHost: h\r\n\r\n".to_owned(),
         format!("GET {page} HTTP/1.1\r\n\r\n"),
         format!("GET {page} HTTP/1.1\r\nHost: {host}\r\nHost: evil.example\r\n\r\n"),
         "\r\n\r\n".to_owned(),
     ] {
         assert_eq!(server.send(&broken).0, 400, "{broken}");
     }
+    let posted = format!("POST {page} HTTP/1.1\r\nHost: {host}\r\n\r\n");
+    assert_eq!(server.send(&posted).0, 405, "only GET is answered");
 }
 
 #[test]

@@ -32,6 +32,8 @@ fn the_report_of_a_workbook_is_one_page() {
         "pixels are wrong",
         "&lt;script&gt;alert(1)",
         "<main>",
+        "id=\"sphere_hit-0-difference\"",
+        "3 Sphere: 0 of ",
         "prefers-color-scheme: dark",
     ] {
         assert!(page.contains(part), "`{part}` is in {page:.2000}");

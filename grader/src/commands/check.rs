@@ -11,7 +11,7 @@ use indicatif::ProgressBar;
 use raybook_chapters::kit::say::{complain, say};
 use raybook_chapters::kit::terminal::colourless;
 use raybook_chapters::kit::untrusted::Untrusted;
-use raybook_grader::check::{Outcome, State, check_all};
+use raybook_grader::check::{Outcome, Report, State, check_all};
 use raybook_grader::dress::Dress;
 use raybook_grader::examine::{Case, Examiner, visible_rng};
 use raybook_grader::hidden::Key;
@@ -19,6 +19,7 @@ use raybook_grader::json;
 use raybook_grader::picture::Pixels;
 use raybook_grader::progress::Progress;
 use rayon::prelude::*;
+use std::error::Error;
 use std::path::{Path, PathBuf};
 
 /// Checks a workbook, or any answer program.
@@ -54,6 +55,13 @@ It ran in a sandbox: it reads its own folder and the system's files, writes noth
 impl Check {
     /// Checks, and tells; true if everything that was asked for is right.
     pub fn run(&self) -> Done {
+        let reports = self.reports()?;
+        let is_right = |report: &Report| report.state() == State::Right;
+        Ok(reports.iter().all(is_right))
+    }
+
+    /// Checks, and tells; returns what became of each exercise.
+    pub fn reports(&self) -> Result<Vec<Report>, Box<dyn Error>> {
         let (from, examiners) = self.target.resolve()?;
         let examiners = self.golden.replace(examiners)?;
         if self.case.is_some() && examiners.len() != 1 {
@@ -101,6 +109,7 @@ impl Check {
             Telling {
                 folder: folder.as_deref().filter(|_| whole),
                 again: &|exercise| self.again(exercise),
+                explain: &|exercise| self.explain(exercise),
                 dress: self.dress(),
             }
             .tell(&reports, whole, &mut unwritten);
@@ -110,9 +119,7 @@ impl Check {
             }
         }
         unwritten.said()?;
-        Ok(reports
-            .iter()
-            .all(|(report, _)| report.state() == State::Right))
+        Ok(reports.into_iter().map(|(report, _)| report).collect())
     }
 
     /// The cases that are asked of an exercise.
@@ -142,13 +149,24 @@ impl Check {
 
     /// The command that asks a case of an exercise again, but for its number: what was typed, with this exercise only.
     fn again(&self, exercise: &str) -> String {
-        let mut words = vec!["raybook check".to_owned(), exercise.to_owned()];
+        self.command("check", exercise) + &self.hidden.again() + &self.asking.again()
+    }
+
+    /// The command that explains an exercise; none for cases of a key or a folder, which it does not ask.
+    fn explain(&self, exercise: &str) -> Option<String> {
+        let asks_the_same = self.hidden.again().is_empty() && self.golden.folder().is_none();
+        asks_the_same.then(|| self.command("explain", exercise) + &self.asking.again())
+    }
+
+    /// A command on an exercise of the program that is checked.
+    fn command(&self, command: &str, exercise: &str) -> String {
+        let mut words = vec![format!("raybook {command}"), exercise.to_owned()];
         words.extend(
             self.target
                 .folder()
                 .map(|folder| Untrusted::from(folder).shell()),
         );
-        words.join(" ") + &self.hidden.again() + &self.asking.again()
+        words.join(" ")
     }
 
     fn dress(&self) -> Dress {

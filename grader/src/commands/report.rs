@@ -1,20 +1,18 @@
 //! `raybook report`: a student's work on one page.
 
 use super::asking::Asking;
-use super::keep::keep_pictures;
 use super::{Done, Target};
 use indicatif::ProgressBar;
 use raybook::store;
 use raybook_chapters::kit::say::say;
 use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_grader::ask::Asker;
-use raybook_grader::check::{State, check_all};
+use raybook_grader::check::{self, State, check_all};
 use raybook_grader::examine::{Examiner, visible_rng};
 use raybook_grader::picture::Pixels;
-use raybook_grader::progress::KEPT;
-use raybook_grader::report::{Checked, cost, page};
+use raybook_grader::progress::Progress;
+use raybook_grader::report::{Page, cost};
 use rayon::prelude::*;
-use std::error::Error;
 use std::path::PathBuf;
 
 /// Writes a page of your work that needs no other file: verdicts, what explains the wrong answers, pictures, and costs.
@@ -32,13 +30,6 @@ pub struct Report {
 impl Report {
     /// Checks everything that was named, and writes the page; true if all is right.
     pub fn run(&self) -> Done {
-        let (out, right) = self.write()?;
-        say(format!("Your report: {}", Untrusted::from(out.as_path())));
-        Ok(right)
-    }
-
-    /// Checks and writes; returns the page's file, and whether all is right.
-    pub fn write(&self) -> Result<(PathBuf, bool), Box<dyn Error>> {
         let (from, examiners) = self.target.resolve()?;
         let (program, workbook) = self.asking.program(&from, Vec::new())?;
         let of_workbook = || Some(workbook.as_ref()?.join("out").join("report.html"));
@@ -63,22 +54,20 @@ impl Report {
                 costs.extend(cost::measure(&mut asker, examiner)?);
             }
         }
-        let pictures = match &workbook {
-            Some(folder) => folder.join(KEPT),
-            None => out.with_extension("pictures"),
-        };
-        let with_picture = |report| {
-            let file = keep_pictures(&report, Some(&pictures))?;
-            let png = file.map(|file| store::read(&file)).transpose()?;
-            Ok((report, png))
-        };
-        let all = reports.into_iter().map(with_picture);
-        let all = all.collect::<Result<Vec<Checked>, Box<dyn Error>>>()?;
         let whose = workbook.as_deref().or(self.asking.program.as_deref());
-        let whose = whose.map_or_else(Untrusted::default, Untrusted::from);
-        store::write(&out, page(&whose, &all, &costs).as_bytes())?;
-        let mut reports = all.iter().map(|(report, _)| report);
-        let right = reports.all(|report| report.state() == State::Right);
-        Ok((out, right))
+        let progress = workbook
+            .as_deref()
+            .map(|folder| Progress::load(folder).unwrap_or_default());
+        let page = Page {
+            whose: whose.map_or_else(Untrusted::default, Untrusted::from),
+            reports: &reports,
+            costs: &costs,
+            progress: progress.as_ref(),
+            error: None,
+        };
+        store::write(&out, page.html().as_bytes())?;
+        say(format!("Your report: {}", Untrusted::from(out.as_path())));
+        let is_right = |report: &check::Report| report.state() == State::Right;
+        Ok(reports.iter().all(is_right))
     }
 }

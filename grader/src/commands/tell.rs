@@ -7,6 +7,7 @@ use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_grader::check::{Report, State};
 use raybook_grader::dress::Dress;
 use raybook_grader::examine::Examiner;
+use raybook_grader::feedback::Commands;
 use raybook_grader::progress::{KEPT, Progress};
 use raybook_grader::{cases, feedback, library, pictured, student};
 use raybook_workbook::curriculum::{CHAPTERS, Chapter};
@@ -21,6 +22,8 @@ pub struct Telling<'a> {
     pub folder: Option<&'a Path>,
     /// The command that asks a case of an exercise again, but for its number.
     pub again: &'a dyn Fn(&str) -> String,
+    /// The command that explains an exercise, if it asks the same cases.
+    pub explain: &'a dyn Fn(&str) -> Option<String>,
     /// Colours and symbols.
     pub dress: Dress,
 }
@@ -39,9 +42,14 @@ impl Telling<'_> {
             && let Some(examiner) = cases::find(report.exercise)
         {
             let again = (self.again)(report.exercise);
+            let explain = (self.explain)(report.exercise);
+            let commands = Commands {
+                again: &again,
+                explain: explain.as_deref(),
+            };
             say(format!(
                 "\n{}",
-                feedback::explain(report, examiner, picture.as_deref(), &again, self.dress)
+                feedback::explain(report, examiner, picture.as_deref(), commands, self.dress)
             ));
         } else if !whole {
             for (report, examiner) in reports

@@ -1,21 +1,23 @@
 //! `raybook watch`: checks again what a saved file changed; keys ask for more.
 
+mod page;
+
 use super::check::Check;
 use super::explain::Explain;
 use super::hint::Hint;
-use super::report::Report;
 use super::{Done, Target, map};
 use clap::{Parser, Subcommand};
-use raybook_chapters::kit::chapter::report;
+use page::Page;
+use raybook_chapters::kit::chapter::{error_text, report};
 use raybook_chapters::kit::say::say;
 use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_grader::keys::{self, Pressed};
-use raybook_grader::progress::{KEPT, Progress};
-use raybook_grader::serve::serve;
+use raybook_grader::progress::Progress;
 use raybook_grader::student;
 use raybook_grader::watched::{Seen, changed};
 use raybook_workbook::curriculum::{CHAPTERS, Chapter};
 use std::error::Error;
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::thread::sleep;
 use std::time::Duration;
@@ -49,7 +51,6 @@ enum Task {
     Check(Check),
     Hint(Hint),
     Explain(Explain),
-    Report(Report),
 }
 
 impl Watch {
@@ -57,17 +58,19 @@ impl Watch {
     pub fn run(&self) -> Done {
         let (from, _) = self.target.resolve()?;
         let folder = student::workbook(&from)?;
+        let mut page = None;
         if self.page {
-            let address = serve(&page_in(&folder))?;
+            let (served, address) = Page::serve(&folder)?;
             say(format!("The page: {address}"));
+            page = Some(served);
         }
         let mut seen = Seen::of(&folder);
         let mut names = self.names(&folder, &[]);
-        self.check(&folder, &names)?;
+        self.check(&folder, &names, page.as_mut())?;
         loop {
             match keys::wait(PAUSE) {
                 Pressed::Key('q') | Pressed::Closed => return Ok(true),
-                Pressed::Key(key) => self.answer(key, &folder, &mut names)?,
+                Pressed::Key(key) => self.answer(key, &folder, &mut names, page.as_mut())?,
                 Pressed::Nothing => {}
             }
             let now = Seen::of(&folder);
@@ -84,7 +87,7 @@ impl Watch {
             seen = later;
             say(format!("\n── {} changed ──", told(&files)));
             names = self.names(&folder, &files);
-            self.check(&folder, &names)?;
+            self.check(&folder, &names, page.as_mut())?;
         }
     }
 
@@ -94,6 +97,7 @@ impl Watch {
         key: char,
         folder: &Path,
         names: &mut Vec<String>,
+        page: Option<&mut Page>,
     ) -> Result<(), Box<dyn Error>> {
         match key {
             'h' => {
@@ -104,7 +108,7 @@ impl Watch {
             }
             'n' => {
                 *names = next(folder, names);
-                return self.check(folder, names);
+                return self.check(folder, names, page);
             }
             'l' => {
                 if let Err(error) = map::print(folder) {
@@ -117,43 +121,48 @@ impl Watch {
         Ok(())
     }
 
-    /// Checks exercises or chapters by name.
-    fn check(&self, folder: &Path, names: &[String]) -> Result<(), Box<dyn Error>> {
-        if self.command("check", names, folder)? && self.page {
-            self.command("report", names, folder)?;
+    /// Checks exercises or chapters by name, and shows on the page what became of them.
+    fn check(
+        &self,
+        folder: &Path,
+        names: &[String],
+        page: Option<&mut Page>,
+    ) -> Result<(), Box<dyn Error>> {
+        if let Task::Check(check) = self.task("check", names, folder)? {
+            let checked = check.reports();
+            if let Err(error) = &checked {
+                report(&**error);
+            }
+            if let Some(page) = page {
+                page.show(checked.map_err(|error| error_text(&*error)));
+            }
         }
         prompt();
         Ok(())
     }
 
-    /// Runs another command, and returns whether it came to its end. What is wrong with the program is told, and does not end the watch.
-    fn command(
-        &self,
-        command: &str,
-        names: &[String],
-        folder: &Path,
-    ) -> Result<bool, Box<dyn Error>> {
-        let mut words = vec!["watch".to_owned(), command.to_owned()];
-        words.extend_from_slice(names);
-        words.extend(
-            (self.plain && matches!(command, "check" | "explain")).then(|| "--plain".to_owned()),
-        );
-        // Words of the command's own, but for the folder, which stands last as a path of its own.
-        let line = words.into_iter().map(Into::into);
-        let out = (command == "report").then(|| ["--out".into(), page_in(folder).into()]);
-        let line = line.chain(out.into_iter().flatten());
-        let line = line.chain([folder.as_os_str().to_owned()]);
-        let line = Line::try_parse_from(line)?;
-        let done = match line.task {
+    /// Runs another command. What is wrong with the program is told, and does not end the watch.
+    fn command(&self, command: &str, names: &[String], folder: &Path) -> Result<(), clap::Error> {
+        let done = match self.task(command, names, folder)? {
             Task::Check(task) => task.run(),
             Task::Hint(task) => task.run(),
             Task::Explain(task) => task.run(),
-            Task::Report(task) => task.write().map(|(_, right)| right),
         };
-        if let Err(error) = &done {
-            report(&**error);
+        if let Err(error) = done {
+            report(&*error);
         }
-        Ok(done.is_ok())
+        Ok(())
+    }
+
+    /// Another command, as if it were typed.
+    fn task(&self, command: &str, names: &[String], folder: &Path) -> Result<Task, clap::Error> {
+        let mut words = vec!["watch".to_owned(), command.to_owned()];
+        words.extend_from_slice(names);
+        words.extend((self.plain && command != "hint").then(|| "--plain".to_owned()));
+        // Words of the command's own, but for the folder, which stands last as a path of its own.
+        let line = words.into_iter().map(OsString::from);
+        let line = line.chain([folder.as_os_str().to_owned()]);
+        Ok(Line::try_parse_from(line)?.task)
     }
 
     /// What to check: what was asked for; else the chapters of the files; else the first chapter that is not right yet.
@@ -185,11 +194,6 @@ impl Watch {
             .map(|chapter| chapter.name.to_owned())
             .collect()
     }
-}
-
-/// Where the page is that is shown.
-fn page_in(folder: &Path) -> PathBuf {
-    folder.join(KEPT).join("watch.html")
 }
 
 /// Says what can be done.

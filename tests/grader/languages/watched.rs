@@ -4,7 +4,8 @@ use super::{new, there_is};
 use raybook_common::project;
 use raybook_grader::language::Language;
 use std::fs;
-use std::io::Read;
+use std::io::{Read, Write};
+use std::net::TcpStream;
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::sync::{Arc, Mutex};
@@ -27,15 +28,16 @@ impl Heard {
         });
     }
 
-    /// Waits until something is said, forgets what was said before the end of it, and waits until the watch waits again.
-    fn wait_for(&self, part: &str) {
+    /// Waits until something is said, and then until the watch waits again; returns what was said until then, and forgets it.
+    fn wait_for(&self, part: &str) -> String {
+        let mut all = String::new();
         for part in [part, "Ctrl-C ends"] {
             // A machine that is busy with other tests is slow.
             let deadline = Instant::now() + Duration::from_secs(300);
             loop {
                 let mut said = self.0.lock().expect("nobody panics");
                 if let Some(at) = said.find(part) {
-                    said.drain(..at + part.len());
+                    all.extend(said.drain(..at + part.len()));
                     break;
                 }
                 assert!(Instant::now() < deadline, "`{part}` is said: {said}");
@@ -43,12 +45,24 @@ impl Heard {
                 sleep(Duration::from_millis(20));
             }
         }
+        all
     }
+}
+
+/// What the watch's page shows.
+fn page(address: &str) -> String {
+    let (host, path) = address["http://".len()..].split_once('/').expect("a path");
+    let mut server = TcpStream::connect(host).expect("it listens");
+    let request = format!("GET /{path} HTTP/1.1\r\nHost: {host}\r\n\r\n");
+    server.write_all(request.as_bytes()).expect("it reads");
+    let mut answer = String::new();
+    server.read_to_string(&mut answer).expect("it answers");
+    answer
 }
 
 fn watch(folder: &Path) -> (Child, Heard) {
     let mut child = Command::new(env!("CARGO_BIN_EXE_raybook"))
-        .args(["watch", "--plain"])
+        .args(["watch", "--plain", "--page"])
         .current_dir(folder)
         .stdin(Stdio::null())
         .stdout(Stdio::piped())
@@ -79,13 +93,27 @@ fn a_watch_follows_saves_and_survives_errors() {
     let home = tempfile::tempdir().expect("a temporary folder");
     let folder = new(home.path(), "rays", Language::Python);
     let (mut child, heard) = watch(&folder);
-    heard.wait_for("not started camera_ray");
+    let said = heard.wait_for("not started camera_ray");
+    let (_, address) = said.split_once("The page: ").expect("it is told");
+    let address = address.lines().next().expect("an address");
+    let first = page(address);
+    assert!(first.contains("camera_ray</code>: not started"), "{first}");
 
     let file = folder.join("ch01_rays.py");
     let solution = project("tests/solutions/python/ch01_rays.py");
     let solution = fs::read_to_string(solution).expect("there is a solution");
     fs::write(&file, &solution).expect("it can be written");
     heard.wait_for("right       camera_ray");
+    let right = page(address);
+    for part in [
+        "href=\"#ch01_rays\"",
+        "1 Rays: 2 of 2 right",
+        "2 High dynamic range: 0 of 3 right",
+        "camera_ray</code>: right",
+    ] {
+        assert!(right.contains(part), "`{part}` is in {right}");
+    }
+    assert!(!right.contains("role=\"alert\""), "{right}");
     fs::write(&file, "def ray_at(:\n").expect("it can be written");
     heard.wait_for("SyntaxError");
     fs::remove_file(&file).expect("it can be removed");
@@ -100,9 +128,20 @@ fn a_watch_follows_saves_and_survives_errors() {
     let right = fs::read_to_string(&recipe).expect("there is a recipe");
     fs::write(&recipe, "run = 1\n").expect("it can be written");
     heard.wait_for("`run` should be text");
+    let wrong = page(address);
+    for part in [
+        "role=\"alert\"",
+        "`run` should be text",
+        "camera_ray</code>: right",
+    ] {
+        assert!(wrong.contains(part), "`{part}` is in {wrong}");
+    }
     fs::write(&recipe, right).expect("it can be written");
     // Chapter 1 is right: the next is the current one.
     heard.wait_for("not started expose");
+    let mended = page(address);
+    assert!(mended.contains("id=\"ch02_hdr\""), "{mended}");
+    assert!(!mended.contains("role=\"alert\""), "{mended}");
 
     let sent = Command::new("kill").arg(child.id().to_string()).status();
     assert!(sent.is_ok_and(|sent| sent.success()), "a signal is sent");

@@ -1,6 +1,5 @@
 //! Drawing what the page asks for. Who asks for another picture is not interested in the one before: that ends at once.
 
-use super::http::Answer;
 use super::screens;
 use indicatif::ProgressBar;
 use raybook::store;
@@ -9,6 +8,7 @@ use raybook_chapters::kit::options::Options;
 use raybook_chapters::kit::stage::{Output, Stage};
 use raybook_chapters::lesson::Lesson;
 use raybook_grader::book::write_captions;
+use raybook_grader::serve::Answer;
 use serde_json::json;
 use std::error::Error;
 use std::path::{Path, PathBuf};

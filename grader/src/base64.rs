@@ -1,12 +1,12 @@
-//! A file inside of a page: its bytes in base 64 (RFC 4648).
+//! Bytes as text: base 64 (RFC 4648).
 
-/// The address of a file that stands in the address itself.
+/// The address of a file that stands in the address itself, for a page that needs no other file.
 pub fn uri(kind: &str, bytes: &[u8]) -> String {
     format!("data:{kind};base64,{}", base64(bytes))
 }
 
 /// Three bytes in four letters; what is missing at the end is filled up with `=`.
-fn base64(bytes: &[u8]) -> String {
+pub fn base64(bytes: &[u8]) -> String {
     const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
     for group in bytes.chunks(3) {

@@ -1,0 +1,154 @@
+// The page of `raybook present`: steps through the pictures, and turns the knobs.
+const at = id => document.getElementById(id);
+let course = [], chapter = 0, screen = 0, screens = [], complete = false, later = null, turned = {}, wanted = 0, timer = 0;
+
+async function ask(path) {
+  const answer = await fetch(path);
+  if (answer.status === 409) return null; // another picture is wanted by now
+  if (!answer.ok) throw new Error(await answer.text());
+  return answer;
+}
+
+function fail(error) { at("status").textContent = error.message.split("\n")[0]; }
+
+/** Shows a chapter, at its first picture, its last (-1), or the one of a name. */
+async function open(number, which = 0) {
+  chapter = Math.max(0, Math.min(course.length - 1, number));
+  turned = {}; screens = []; complete = false; later = null;
+  const turn = ++wanted, { name, number: n, title, teaches } = course[chapter];
+  at("chapters").value = chapter;
+  at("count").textContent = ""; at("caption").textContent = teaches; at("status").textContent = "drawing …";
+  at("picture").removeAttribute("src");
+  knobs();
+  try {
+    const answer = await ask("screens/" + name + (which === 0 ? "?first=1" : ""));
+    if (!answer || turn !== wanted) return;
+    ({ screens, all: complete } = await answer.json());
+    const found = screens.findIndex(one => one.name === which);
+    screen = found >= 0 ? found : which === -1 ? screens.length - 1 : 0;
+    document.title = n + " " + title;
+    show();
+  } catch (error) { fail(error); }
+}
+
+/** Asks for the rest of the chapter's pictures, of which the first is shown already. */
+async function rest(turn) {
+  if (complete) return;
+  const answer = await ask("screens/" + course[chapter].name);
+  if (!answer || turn !== wanted) return;
+  ({ screens, all: complete } = await answer.json());
+  at("count").textContent = screen + 1 + " / " + screens.length;
+  if (later) later();
+}
+
+/** Shows the picture: at first what is quick, then what is good. */
+async function show() {
+  const turn = ++wanted, { name, caption } = screens[screen], { name: of } = course[chapter];
+  history.replaceState(null, "", "#" + of + "/" + name);
+  at("count").textContent = screen + 1 + " / " + (complete ? screens.length : "…");
+  at("caption").textContent = caption;
+  at("picture").alt = caption;
+  const words = Object.entries(turned);
+  at("command").textContent = "cargo run --release --bin " + of + (words.length ? " --" : "") +
+    words.map(([knob, value]) => " --" + knob + " " + value).join("");
+  const query = new URLSearchParams(words).toString();
+  at("status").textContent = "drawing …";
+  try {
+    for (const quick of ["quick=1", ""]) {
+      if (!quick && !words.length) await rest(turn);
+      if (turn !== wanted) return;
+      const answer = await ask("picture/" + of + "/" + name + "?" + [query, quick].filter(Boolean).join("&"));
+      if (!answer || turn !== wanted) return;
+      const said = answer.headers.get("Caption"); // a knob may change what there is to say
+      if (said) at("caption").textContent = decodeURIComponent(said);
+      const picture = URL.createObjectURL(await answer.blob()), before = at("picture").src;
+      at("picture").src = picture;
+      at("picture").className = quick ? "quick" : "";
+      if (before.startsWith("blob:")) URL.revokeObjectURL(before);
+    }
+    at("status").textContent = "";
+    await rest(turn);
+  } catch (error) { if (turn === wanted) fail(error); }
+}
+
+function step(by) {
+  const next = screen + by;
+  if (!complete && next >= screens.length) { later = () => { later = null; step(by); }; return; }
+  if (next >= 0 && next < screens.length) { screen = next; show(); }
+  else if (next < 0 && chapter > 0) open(chapter - 1, -1);
+  else if (next >= screens.length && chapter + 1 < course.length) open(chapter + 1);
+}
+
+/** The chapter's knobs: what is turned is drawn as soon as the hand rests for a moment. */
+function knobs() {
+  const place = at("knobs");
+  place.replaceChildren();
+  for (const knob of course[chapter].knobs) {
+    const label = document.createElement("label"), name = document.createElement("b"), value = document.createElement("output");
+    const help = document.createElement("small"), input = document.createElement(knob.kind === "choice" ? "select" : "input");
+    name.textContent = knob.name.replaceAll("-", " ");
+    help.textContent = knob.help;
+    const unit = knob.unit ? (knob.unit === "°" ? "°" : " " + knob.unit) : "";
+    if (knob.kind === "choice") {
+      if (knob.default === null) input.append(new Option("as it is", ""));
+      for (const word of knob.words) input.append(new Option(word, word));
+      input.value = knob.default ?? "";
+    } else {
+      // Where the range goes over decades from above zero, so does the slider.
+      const decades = knob.least > 0 && knob.most / knob.least > 50, whole = Number.isInteger(knob.least) && Number.isInteger(Number(knob.default ?? .5)) && knob.most - knob.least > 2;
+      const onto = v => decades ? Math.log(v / knob.least) / Math.log(knob.most / knob.least) : (v - knob.least) / (knob.most - knob.least);
+      const from = s => {
+        const v = decades ? knob.least * (knob.most / knob.least) ** s : knob.least + s * (knob.most - knob.least);
+        const rounded = whole ? Math.round(v) : Number(v.toPrecision(3));
+        return Math.min(knob.most, Math.max(knob.least, rounded));
+      };
+      Object.assign(input, { type: "range", min: 0, max: 1, step: .002 });
+      input.value = knob.default === null ? 1 : onto(Number(knob.default));
+      input.read = () => from(Number(input.value));
+    }
+    const say = () => value.textContent = knob.kind === "choice" ? "" : (turned[knob.name] ?? knob.default ?? "as it is") + (turned[knob.name] ?? knob.default ? unit : "");
+    input.addEventListener("input", () => {
+      const read = String(input.read ? input.read() : input.value);
+      if (read === "" || read === knob.default) delete turned[knob.name]; else turned[knob.name] = read;
+      say();
+      clearTimeout(timer);
+      timer = setTimeout(() => screens.length && show(), 120);
+    });
+    // After the mouse, keys step again; who came by keyboard goes on by keyboard.
+    input.addEventListener(knob.kind === "choice" ? "change" : "pointerup", () => input.blur());
+    input.dataset.knob = knob.name;
+    say();
+    label.append(name, value, input, help);
+    place.append(label);
+  }
+}
+
+const keys = {
+  ArrowRight: () => step(1), " ": () => step(1), PageDown: () => step(1), ArrowLeft: () => step(-1), PageUp: () => step(-1),
+  ArrowDown: () => open(chapter + 1), ArrowUp: () => open(chapter - 1),
+  Home: () => { if (screens.length) { screen = 0; show(); } },
+  End: () => { if (screens.length) { screen = screens.length - 1; show(); } },
+  b: () => at("black").hidden = !at("black").hidden, ".": () => keys.b(),
+  f: () => document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen(),
+  k: () => at("knobs").hidden = !at("knobs").hidden,
+  r: () => { turned = {}; knobs(); if (screens.length) show(); },
+  "?": () => at("keys").open ? at("keys").close() : at("keys").showModal(),
+};
+addEventListener("keydown", event => {
+  const inside = event.target.closest("input, select, dialog, button");
+  if (event.ctrlKey || event.metaKey || event.altKey) return;
+  if (event.key === "Escape") { document.activeElement.blur(); return; }
+  if (inside && !["b", "f", "k", "?"].includes(event.key)) return;
+  const act = keys[event.key];
+  if (act) { event.preventDefault(); act(); }
+});
+at("black").addEventListener("click", keys.b);
+at("help").addEventListener("click", () => { at("help").blur(); keys["?"](); });
+at("chapters").addEventListener("change", event => { event.target.blur(); open(Number(event.target.value)); });
+
+ask("course.json").then(answer => answer.json()).then(all => {
+  course = all;
+  all.forEach(({ number, title }, i) => at("chapters").append(new Option(number + "  " + title, i)));
+  const [name, picture] = location.hash.slice(1).split("/");
+  open(Math.max(0, all.findIndex(one => one.name === name)), picture);
+}).catch(fail);

@@ -1,6 +1,6 @@
 //! `{{mistakes sphere_hit}}`: what it looks like when a function is wrong, by the grader's own mistakes.
 
-use super::example::short;
+use super::{example::short, kept};
 use crate::examine::{Case, Examiner, visible_rng};
 use maud::{Markup, html};
 use raybook::image::{Image, file};
@@ -15,11 +15,18 @@ struct Shown<'a> {
     why: String,
 }
 
-/// The gallery of an exercise's mistakes; their pictures are written into the folder `mistakes` of `pictures`.
+/// The gallery of an exercise's mistakes; their pictures are written into the folder `mistakes` of `pictures`. What this very program
+/// drew there before is not drawn again. The gallery's text is kept beside its pictures; mdBook does not copy a file `*.md` into the book.
 ///
 /// # Errors
 /// If a picture cannot be written.
 pub(super) fn expand(examiner: &dyn Examiner, pictures: &Path) -> Result<String, String> {
+    let file = pictures.join(format!("mistakes/{}.md", examiner.name()));
+    kept::or_make(&file, || drawn(examiner, pictures))
+}
+
+/// The gallery, drawn.
+fn drawn(examiner: &dyn Examiner, pictures: &Path) -> Result<String, String> {
     let name = examiner.name();
     let cases = examiner.cases(&mut visible_rng(name)).cases;
     let right = picture(examiner, |question| examiner.answer_line(question).ok());

@@ -18,6 +18,7 @@ mod directive;
 mod example;
 mod figure;
 mod fit;
+mod kept;
 mod listing;
 mod mistakes;
 mod order;

@@ -4,7 +4,7 @@ use super::Done;
 use raybook::store;
 use raybook_chapters::kit::say::say;
 use raybook_chapters::kit::untrusted::Untrusted;
-use raybook_grader::class::pack::{Job, gradescope};
+use raybook_grader::class::pack::{Job, github, gradescope};
 use std::path::{Path, PathBuf};
 
 /// Where to grade.
@@ -14,6 +14,8 @@ pub enum Pack {
     Slurm(Slurm),
     /// Write the zip of an autograder for Gradescope
     Gradescope(Gradescope),
+    /// Write a repository for GitHub, whose workflow grades a class in parts at the same time
+    Github(Github),
 }
 
 /// An autograder for Gradescope. It holds the course key: give it to nobody else.
@@ -28,6 +30,19 @@ pub struct Gradescope {
     /// The file of the course key
     #[arg(long, value_name = "FILE")]
     key_file: PathBuf,
+}
+
+/// A repository for GitHub, which must be private. The course key is not in it, but one of its secrets.
+#[derive(clap::Args)]
+pub struct Github {
+    /// The folder of the repository, a new one
+    folder: PathBuf,
+    /// What counts, and how much
+    #[arg(long, value_name = "FILE")]
+    course: PathBuf,
+    /// Into how many parts the class is cut, as many jobs of the workflow
+    #[arg(long, value_name = "N", default_value_t = 8, value_parser = clap::value_parser!(u32).range(1..=256))]
+    parts: u32,
 }
 
 /// A job array of Slurm.
@@ -58,6 +73,7 @@ impl Pack {
         match self {
             Self::Slurm(slurm) => slurm.run(),
             Self::Gradescope(gradescope) => gradescope.run(),
+            Self::Github(github) => github.run(),
         }
     }
 }
@@ -73,6 +89,20 @@ impl Gradescope {
         let shown = Untrusted::from(self.zip.as_path());
         say(format!(
             "wrote {shown}: upload it as the autograder of an assignment, on Ubuntu 24.04 or later"
+        ));
+        Ok(true)
+    }
+}
+
+impl Github {
+    fn run(&self) -> Done {
+        super::course::read(&self.course)?;
+        let raybook = store::read(&std::env::current_exe()?)?;
+        let course = store::read(&self.course)?;
+        github::repository(&self.folder, raybook, course, self.parts)?;
+        let shown = Untrusted::from(self.folder.as_path());
+        say(format!(
+            "wrote {shown}: put the hand-ins into hand-ins/, make a private repository of it whose secret COURSE_KEY is the course key, and run its workflow \"grade\""
         ));
         Ok(true)
     }

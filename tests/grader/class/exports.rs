@@ -20,6 +20,11 @@ fn class() -> Course {
     course.hand_in("refused/none.txt", "");
     let evil = "import sys\nfor line in sys.stdin: print('= panic <script>alert(1)</script> & \\x1b[2J \\x00 \\u202e', flush=True)\n";
     course.hand_in("evil/answer.py", evil);
+    course.hand_in(
+        "broken/main.cpp",
+        "int main() {\n    return 100 % none;\n}\n",
+    );
+    course.hand_in("ended/answer.py", "import sys\n\ndef x(:\n");
     let (code, said) = course.grade(&[]);
     assert_eq!(code, Some(0), "{said}");
     course
@@ -45,6 +50,8 @@ fn everything_that_is_exported_can_be_read() {
     tables(&course);
     junit(&course);
     gradescope(&course);
+    exercism(&course);
+    annotations(&course);
     grade(&course);
 }
 
@@ -53,7 +60,7 @@ fn tables(course: &Course) {
 
     let (head, rows) = table(course, "grades.csv");
     assert_eq!(head[..3], ["student", "points", "of"]);
-    assert_eq!(rows.len(), 5);
+    assert_eq!(rows.len(), 7);
     assert_eq!(
         rows[shown][1..4],
         ["6", "6", "yes"],
@@ -99,7 +106,7 @@ fn junit(course: &Course) {
         .children()
         .filter(|node| node.has_tag_name("testsuite"))
         .collect();
-    assert_eq!(suites.len(), 5);
+    assert_eq!(suites.len(), 7);
     for suite in suites {
         let cases: Vec<_> = suite
             .children()
@@ -161,6 +168,107 @@ fn gradescope(course: &Course) {
         ),
         (Some(6.0), Some(6.0))
     );
+}
+
+/// The fields of version 3 of Exercism's interface for test runners, and no others.
+fn exercism(course: &Course) {
+    let all = |student: &str| course.json(&format!("results/students/{student}/exercism.json"));
+    for (student, status, of_tests) in [
+        (NAME, "fail", ["pass", "fail"]),
+        ("wrong", "fail", ["fail", "fail"]),
+        ("refused", "error", ["error", "error"]),
+        ("broken", "error", ["error", "error"]),
+    ] {
+        let results = all(student);
+        assert_eq!(
+            (&results["version"], &results["status"]),
+            (&Value::from(3), &Value::from(status)),
+            "{results:#}"
+        );
+        assert_eq!(
+            results["message"].is_string(),
+            status == "error",
+            "there is a message where no test ran: {results:#}"
+        );
+        let tests = results["tests"].as_array().expect("tests");
+        let statuses: Vec<_> = tests.iter().map(|test| &test["status"]).collect();
+        assert_eq!(statuses, of_tests, "{student}");
+        for (name, value) in tests
+            .iter()
+            .flat_map(|test| test.as_object().expect("a test"))
+        {
+            match name.as_str() {
+                "name" | "status" | "message" | "test_code" => assert!(value.is_string()),
+                "task_id" => assert_eq!(value, 1, "the chapter"),
+                other => panic!("Exercism knows no {other}"),
+            }
+        }
+    }
+    let message = all("broken")["message"].to_string();
+    assert!(message.contains("main.cpp:2"), "{message}");
+    assert!(!message.contains("stage"), "no path of ours: {message}");
+}
+
+/// A command of a workflow: its level, its properties and its message, read as GitHub's runner does.
+fn command(line: &str) -> (String, BTreeMap<String, String>, String) {
+    let (head, message) = line
+        .strip_prefix("::")
+        .and_then(|line| line.split_once("::"))
+        .unwrap_or_else(|| panic!("a command: {line}"));
+    let (level, properties) = head.split_once(' ').expect("properties");
+    let data = |text: &str| text.replace("%0D", "\r").replace("%0A", "\n");
+    let property = |text: &str| data(text).replace("%3A", ":").replace("%2C", ",");
+    let properties = properties.split(',').map(|of| {
+        let (name, value) = of.split_once('=').expect("a name and a value");
+        (name.to_owned(), property(value).replace("%25", "%"))
+    });
+    (
+        level.to_owned(),
+        properties.collect(),
+        data(message).replace("%25", "%"),
+    )
+}
+
+fn annotations(course: &Course) {
+    let of = |student: &str| -> Vec<_> {
+        let text = text(&course.path(&format!("results/students/{student}/annotations.txt")));
+        assert!(!text.contains(['\u{1b}', '\0', '\u{202e}', '\r']), "{text}");
+        text.lines().map(command).collect()
+    };
+    let [(level, properties, message)] = &of(NAME)[..] else {
+        panic!("what is right has none: {:?}", of(NAME));
+    };
+    assert_eq!(
+        (level.as_str(), message.as_str()),
+        ("notice", "not started")
+    );
+    assert_eq!(
+        properties["title"],
+        "=cmd|' <b>\"x\", & y?#\\u{202e}%41: camera_ray"
+    );
+    for (student, file, line) in [("broken", "main.cpp", "2"), ("ended", "answer.py", "3")] {
+        let (level, properties, message) = &of(student)[0];
+        assert_eq!(level, "error", "{student}");
+        assert_eq!(
+            (properties["file"].as_str(), properties["line"].as_str()),
+            (file, line),
+            "{message}"
+        );
+        assert!(message.contains('\n'), "its lines are kept: {message}");
+    }
+    assert!(
+        of("broken")[0].2.contains("100 % none"),
+        "a percent sign is one: {:?}",
+        of("broken")
+    );
+    let [(level, properties, message)] = &of("refused")[..] else {
+        panic!("a hand-in is refused once");
+    };
+    assert_eq!(
+        (level.as_str(), properties["title"].as_str()),
+        ("error", "refused")
+    );
+    assert!(message.contains("no source file"), "{message}");
 }
 
 fn grade(course: &Course) {

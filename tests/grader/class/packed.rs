@@ -1,7 +1,10 @@
 //! What other machines are given: the scripts do what they say.
 
-use super::{Course, RIGHT, text};
+use super::{Course, RIGHT, text, wrong_sign};
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
 use std::fs;
+use std::os::unix::fs::PermissionsExt;
 use std::process::Command;
 
 const COURSE: &str = "[[chapter]]\nchapter = 'ch01'\nexercises = ['ray_at']\n";
@@ -123,4 +126,109 @@ fn scripts_for_slurm_are_sound_whatever_the_folders_are_called() {
         "key",
     ]);
     assert!(code == Some(2) && said.contains("not empty"), "{said}");
+}
+
+/// The scripts of a job of the workflow by their names, read by Python's reader of YAML, which is not ours; `None` where there is none.
+fn steps(course: &Course, job: &str) -> Option<BTreeMap<String, String>> {
+    let read =
+        "import json, sys, yaml\nprint(json.dumps(yaml.load(open(sys.argv[1]), yaml.BaseLoader)))";
+    let reader = Command::new("python3").args(["-c", "import yaml"]).output();
+    if !reader.is_ok_and(|output| output.status.success()) {
+        return None;
+    }
+    let workflow = succeeds(
+        Command::new("python3")
+            .args(["-c", read])
+            .arg(course.path("class/.github/workflows/grade.yml")),
+    );
+    let workflow: Value = serde_json::from_str(&workflow).expect("JSON");
+    assert_eq!(workflow["on"], "workflow_dispatch");
+    assert_eq!(workflow["permissions"], json!({ "contents": "read" }));
+    assert_eq!(
+        workflow["jobs"]["part"]["strategy"]["matrix"]["part"],
+        json!(["1", "2"])
+    );
+    let steps = workflow["jobs"][job]["steps"].as_array().expect("steps");
+    let mut scripts = BTreeMap::new();
+    for step in steps {
+        let script = step["run"].as_str().unwrap_or_default();
+        let with_key = step["env"]["COURSE_KEY"].is_string();
+        assert_eq!(
+            with_key,
+            step["name"] == "The course key",
+            "one step has the key: {step:#}"
+        );
+        assert!(
+            !script.contains("${{"),
+            "nothing is written into a script: {script}"
+        );
+        if let Some(name) = step["name"].as_str() {
+            scripts.insert(name.to_owned(), script.to_owned());
+        }
+    }
+    Some(scripts)
+}
+
+#[test]
+fn a_workflow_for_github_grades_in_parts() {
+    let course = Course::new(COURSE);
+    let (code, said) = course.say(&[
+        "pack",
+        "github",
+        "class",
+        "--course",
+        "course.toml",
+        "--parts",
+        "2",
+    ]);
+    assert_eq!(code, Some(0), "{said}");
+    let Some(part) = steps(&course, "part") else {
+        return;
+    };
+    let merge = steps(&course, "merge").expect("the other job");
+    let runner = course.path("runner");
+    fs::create_dir(&runner).expect("a folder");
+    for student in ["eve", "bob", "##[add-mask]x"] {
+        let path = course.path(&format!("class/hand-ins/{student}.py"));
+        fs::write(path, format!("# {student}\n{}", wrong_sign())).expect("a hand-in");
+    }
+    succeeds(
+        Command::new("chmod")
+            .arg("+x")
+            .arg(course.path("class/raybook")),
+    );
+    let run = |script: &str, variables: &[(&str, &str)]| {
+        let mut command = Command::new("bash");
+        command.args(["-e", "-c", script]);
+        command.env("RUNNER_TEMP", &runner);
+        command.envs(variables.iter().copied());
+        succeeds(command.current_dir(course.path("class")))
+    };
+    run(&part["The course key"], &[("COURSE_KEY", super::KEY)]);
+    let key = runner.join("course.key");
+    assert_eq!(text(&key).trim(), super::KEY);
+    let rights = fs::metadata(&key).expect("the key").permissions().mode();
+    assert_eq!(rights & 0o077, 0, "nobody else reads it");
+    for number in ["1", "2"] {
+        let said = run(&part["Grade a part"], &[("PART", number)]);
+        assert!(said.starts_with("::stop-commands::"), "{said}");
+        let journal = course.path(&format!("class/journals/journal-{number}"));
+        fs::create_dir_all(&journal).expect("a folder");
+        fs::rename(
+            course.path("class/part/run.jsonl"),
+            journal.join("run.jsonl"),
+        )
+        .expect("the part's journal");
+    }
+    let said = run(&merge["Merge"], &[]);
+    assert!(
+        said.contains(" 0 to grade"),
+        "the parts graded everything: {said}"
+    );
+    let said = run(&merge["Annotations"], &[]);
+    assert_eq!(said.lines().count(), 3, "{said}");
+    assert!(
+        said.lines().all(|line| line.starts_with("::error title=")),
+        "{said}"
+    );
 }

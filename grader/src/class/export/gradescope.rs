@@ -1,5 +1,6 @@
 //! `results.json`, as Gradescope reads it (<https://gradescope-autograders.readthedocs.io/en/latest/specs/>).
 
+use super::outcome::visible;
 use super::words;
 use crate::class::grades::{ChapterGrade, ExerciseGrade, Grade};
 use crate::class::record::Standing;
@@ -43,14 +44,9 @@ fn test(chapter: &ChapterGrade, exercise: &ExerciseGrade) -> Value {
     } else {
         chapter.weight * exercise.counted.points
     };
-    let lines = words(exercise);
-    let lines: Vec<_> = lines
-        .lines()
-        .map(|line| Untrusted::from(line).to_string())
-        .collect();
     json!({
         "name": exercise.counted.name, "number": chapter.name, "score": counts * exercise.points.unwrap_or(0.0), "max_score": most,
-        "status": if is_right { "passed" } else { "failed" }, "output": lines.join("\n"), "output_format": "text",
+        "status": if is_right { "passed" } else { "failed" }, "output": visible(&words(exercise)), "output_format": "text",
         "visibility": "visible",
     })
 }

@@ -1,8 +1,7 @@
 //! JUnit's XML, as continuous integration reads it: a suite for each student, a case for each exercise.
 
-use super::words;
+use super::outcome::{Outcome, outcome, why};
 use crate::class::grades::{ExerciseGrade, Grade};
-use crate::class::record::Standing;
 use crate::class::roll::Class;
 use maud::{Markup, PreEscaped, html};
 use raybook_chapters::kit::untrusted::Untrusted;
@@ -16,26 +15,6 @@ pub fn report(class: &Class<'_>) -> String {
         }
     };
     report.into_string() + "\n"
-}
-
-/// How an exercise counts in the suite.
-#[derive(PartialEq)]
-enum Outcome {
-    Passed,
-    Skipped,
-    Failed,
-    Error,
-}
-
-fn outcome(grade: &Grade, exercise: &ExerciseGrade) -> Outcome {
-    match exercise.result.as_ref().map(|result| result.standing) {
-        Some(Standing::Right) => Outcome::Passed,
-        Some(Standing::NotStarted) => Outcome::Skipped,
-        Some(Standing::Wrong | Standing::NotBuilt) => Outcome::Failed,
-        // A hand-in that is refused fails; what could not be graded is an error of the grader.
-        None if grade.sheet.print.is_err() => Outcome::Failed,
-        Some(Standing::NotGraded) | None => Outcome::Error,
-    }
 }
 
 fn suite(grade: &Grade) -> Markup {
@@ -56,14 +35,7 @@ fn suite(grade: &Grade) -> Markup {
 }
 
 fn told(grade: &Grade, exercise: &ExerciseGrade) -> Markup {
-    let why = grade
-        .sheet
-        .print
-        .as_ref()
-        .err()
-        .cloned()
-        .unwrap_or_else(|| words(exercise));
-    let why = Untrusted::from(why);
+    let why = Untrusted::from(why(grade, exercise));
     match outcome(grade, exercise) {
         Outcome::Passed => html! {},
         Outcome::Skipped => html! { skipped {} },

@@ -1,7 +1,10 @@
 //! The files that others read: tables for people and learning platforms, reports for machines, and pages.
 
+mod exercism;
+mod github;
 mod gradescope;
 mod junit;
+mod outcome;
 mod page_of_class;
 mod page_of_student;
 mod table;
@@ -17,6 +20,32 @@ use std::path::Path;
 /// The folder of the students' own files.
 pub const STUDENTS: &str = "students";
 
+/// The text of a file of a student.
+type OfStudent = fn(&Class<'_>, &Grade) -> String;
+
+/// The text of a file of the class.
+type OfClass = fn(&Class<'_>) -> String;
+
+/// The files of a student.
+const OF_STUDENT: [(&str, OfStudent); 5] = [
+    ("grade.json", |class, grade| json(&of_student(class, grade))),
+    ("results.json", |_, grade| json(&gradescope::results(grade))),
+    ("exercism.json", |_, grade| json(&exercism::results(grade))),
+    ("annotations.txt", |_, grade| github::annotations(grade)),
+    ("index.html", page_of_student::page),
+];
+
+/// The files of the class.
+const OF_CLASS: [(&str, OfClass); 7] = [
+    ("grades.csv", table::grades),
+    ("moodle.csv", table::moodle),
+    ("canvas.csv", table::canvas),
+    ("items.csv", table::items),
+    ("similar.csv", table::similar),
+    ("junit.xml", junit::report),
+    ("index.html", page_of_class::page),
+];
+
 /// Writes all files of a class into the folder of results. Each appears whole or not at all.
 ///
 /// # Errors
@@ -24,32 +53,18 @@ pub const STUDENTS: &str = "students";
 pub fn write(folder: &Path, class: &Class<'_>) -> Result<(), StoreError> {
     for grade in &class.grades {
         let own = folder.join(STUDENTS).join(&grade.sheet.student);
-        let text = |value: &Value| format!("{value:#}\n");
-        store::write(
-            &own.join("grade.json"),
-            text(&of_student(class, grade)).as_bytes(),
-        )?;
-        store::write(
-            &own.join("results.json"),
-            text(&gradescope::results(grade)).as_bytes(),
-        )?;
-        store::write(
-            &own.join("index.html"),
-            page_of_student::page(class, grade).as_bytes(),
-        )?;
+        for (file, text) in OF_STUDENT {
+            store::write(&own.join(file), text(class, grade).as_bytes())?;
+        }
     }
-    for (file, text) in [
-        ("grades.csv", table::grades(class)),
-        ("moodle.csv", table::moodle(class)),
-        ("canvas.csv", table::canvas(class)),
-        ("items.csv", table::items(class)),
-        ("similar.csv", table::similar(class)),
-        ("junit.xml", junit::report(class)),
-        ("index.html", page_of_class::page(class)),
-    ] {
-        store::write(&folder.join(file), text.as_bytes())?;
+    for (file, text) in OF_CLASS {
+        store::write(&folder.join(file), text(class).as_bytes())?;
     }
     Ok(())
+}
+
+fn json(value: &Value) -> String {
+    format!("{value:#}\n")
 }
 
 /// A student's grade for programs.

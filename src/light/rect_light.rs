@@ -13,8 +13,18 @@ pub struct RectLight {
     a: Vec3,
     b: Vec3,
     normal: Dir3,
+    sides: Option<Sides>,
     radiance: Rgb,
     choose: Choose,
+}
+
+/// What a rectangle's view is the same in from everywhere; one without area has none.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Sides {
+    /// Along a, along b, and to where the light does not shine.
+    axes: [DVec3; 3],
+    /// |a| and |b|, in metres.
+    lengths: [f64; 2],
 }
 
 /// The smallest solid angle, in steradians, by which points are chosen: below, the sum of four terms that gives it has
@@ -32,6 +42,7 @@ impl RectLight {
             a,
             b,
             normal: Dir3::new_or(a.cross(b), Dir3::Y),
+            sides: Sides::of(a.as_dvec3(), b.as_dvec3()),
             radiance,
             choose: Choose::ByArea,
         }
@@ -104,6 +115,16 @@ impl Light for RectLight {
     }
 }
 
+impl Sides {
+    fn of(a: DVec3, b: DVec3) -> Option<Self> {
+        let (along, across) = (a.try_normalize()?, b.try_normalize()?);
+        Some(Self {
+            axes: [along, across, -along.cross(across)],
+            lengths: [a.length(), b.length()],
+        })
+    }
+}
+
 /// A rectangle in the coordinates of a viewer, who is at the origin: x and y run along its sides, and its plane is z = h.
 ///
 /// Numbers are `f64`: a small rectangle's solid angle is a small difference of angles.
@@ -112,6 +133,10 @@ struct View {
     x: [f64; 2],
     y: [f64; 2],
     h: f64,
+    /// s(y) of both.
+    sines: [f64; 2],
+    /// The solid angle from the plumb line to the first side.
+    before: f64,
     /// Ω, in steradians.
     solid_angle: f64,
 }
@@ -119,31 +144,28 @@ struct View {
 impl View {
     /// `None` from behind, from within the plane, and if there is no rectangle.
     fn from(light: &RectLight, at: Vec3) -> Option<Self> {
-        let [a, b, corner] = [light.a, light.b, light.corner - at].map(Vec3::as_dvec3);
-        let (along, across) = (a.try_normalize()?, b.try_normalize()?);
-        let away = -along.cross(across);
-        let (x, y, h) = (corner.dot(along), corner.dot(across), corner.dot(away));
-        let mut view = Self {
-            axes: [along, across, away],
-            x: [x, x + a.length()],
-            y: [y, y + b.length()],
+        let Sides { axes, lengths } = light.sides?;
+        let corner = (light.corner - at).as_dvec3();
+        let (x, y, h) = (
+            corner.dot(axes[0]),
+            corner.dot(axes[1]),
+            corner.dot(axes[2]),
+        );
+        if h <= 0.0 || h.is_nan() {
+            return None;
+        }
+        let (x, y) = ([x, x + lengths[0]], [y, y + lengths[1]]);
+        let sines = [sine(y[0], h), sine(y[1], h)];
+        let before = strip(sine(x[0], h), sines);
+        Some(Self {
+            axes,
+            x,
+            y,
             h,
-            solid_angle: 0.0,
-        };
-        view.solid_angle = view.up_to(view.x[1]);
-        (h > 0.0).then_some(view)
-    }
-
-    // ANCHOR: rect_solid_angle
-    /// The solid angle of the part from the first side up to x.
-    ///
-    /// The rectangle from the foot of the plumb line to (x, y) has asin(s(x)·s(y)), where s(x) = x/√(x² + h²) is the sine of
-    /// the angle between the plumb line and the line to x. This one is the sum and difference of four.
-    fn up_to(&self, x: f64) -> f64 {
-        let [left, right, low, high] =
-            [self.x[0], x, self.y[0], self.y[1]].map(|v| v / v.hypot(self.h));
-        let strip = |s: f64| (s * high).asin() - (s * low).asin();
-        strip(right) - strip(left)
+            sines,
+            before,
+            solid_angle: strip(sine(x[1], h), sines) - before,
+        })
     }
 
     /// The vector to a point of the rectangle, uniform over the solid angle Ω (Ureña, Fajardo and King, "An area-preserving
@@ -153,17 +175,29 @@ impl View {
     /// has the solution s = sin φ/√(s₀² − 2 s₀ s₁ cos φ + s₁²), where s is the sine that belongs to x, and s₀ and s₁ those
     /// of the sides across. On the line at x, which is d = √(x² + h²) away, the sine of the angle is uniform.
     fn sample(&self, u: Vec2) -> DVec3 {
-        let sine = |v: f64, d: f64| v / v.hypot(d);
         let back = |s: f64, d: f64| d * s / (1.0 - s * s).max(0.0).sqrt();
-        let (u, [s0, s1]) = (u.as_dvec2(), self.y.map(|y| sine(y, self.h)));
-        let left = sine(self.x[0], self.h);
-        let phi = (left * s1).asin() - (left * s0).asin() + u.x * self.solid_angle;
+        let (u, [s0, s1]) = (u.as_dvec2(), self.sines);
+        let phi = self.before + u.x * self.solid_angle;
         let s = phi.sin() / (s0 * s0 - 2.0 * s0 * s1 * phi.cos() + s1 * s1).sqrt();
         let x = back(s, self.h).clamp(self.x[0], self.x[1]);
         let d = x.hypot(self.h);
-        let [low, high] = self.y.map(|y| sine(y, d));
+        let (low, high) = (sine(self.y[0], d), sine(self.y[1], d));
         let y = back(low + u.y * (high - low), d).clamp(self.y[0], self.y[1]);
         x * self.axes[0] + y * self.axes[1] + self.h * self.axes[2]
     }
-    // ANCHOR_END: rect_solid_angle
 }
+
+// ANCHOR: rect_solid_angle
+/// s(v) = v/√(v² + h²): the sine of the angle between the plumb line, h long, and the line to v.
+fn sine(v: f64, h: f64) -> f64 {
+    v / v.hypot(h)
+}
+
+/// The solid angle between the plumb line and x, by the sines of x and of the sides across.
+///
+/// The rectangle from the foot of the plumb line to (x, y) has asin(s(x)·s(y)), and this one is the difference of two. The part
+/// between two x is the difference of two such strips.
+fn strip(x: f64, [low, high]: [f64; 2]) -> f64 {
+    (x * high).asin() - (x * low).asin()
+}
+// ANCHOR_END: rect_solid_angle

@@ -84,7 +84,8 @@ impl Shear {
         let x_is_less = usize::from(x < y) | usize::from(x < z);
         let axes = AXES[x_is_less * (1 + usize::from(y < z))];
         let d = ray.direction.to_array();
-        let [dx, dy, dz] = axes.map(|axis| d[axis]);
+        // One by one: `axes.map` stays a call, and every ray through a mesh comes by here.
+        let (dx, dy, dz) = (d[axes[0]], d[axes[1]], d[axes[2]]);
         let inverse = 1.0 / dz;
         Self {
             axes,

@@ -20,9 +20,10 @@ mod terminal {
     use super::{Duration, Pressed};
     use rustix::event::{PollFd, PollFlags, Timespec, poll};
     use rustix::io::{Errno, read};
-    use rustix::process::{Signal, getpid, kill_process};
+    use rustix::process::{Signal, getpgrp, getpid, kill_process};
     use rustix::termios::{
-        LocalModes, OptionalActions, SpecialCodeIndex, Termios, isatty, tcgetattr, tcsetattr,
+        LocalModes, OptionalActions, SpecialCodeIndex, Termios, isatty, tcgetattr, tcgetpgrp,
+        tcsetattr,
     };
     use std::io::stdin;
     use std::sync::{Mutex, PoisonError};
@@ -35,9 +36,9 @@ mod terminal {
     const SUSPEND: char = '\u{1a}';
     const DISABLED: u8 = if cfg!(target_os = "linux") { 0 } else { 255 };
 
-    /// Whether somebody can press keys.
+    /// Whether somebody can press keys: not where the command runs in the background of a terminal, which then belongs to others.
     pub fn are_there() -> bool {
-        isatty(stdin())
+        isatty(stdin()) && tcgetpgrp(stdin()).is_ok_and(|group| group == getpgrp())
     }
 
     /// Waits so long for a key. Ctrl-Z suspends the command, with the terminal as it was before.
@@ -103,7 +104,7 @@ mod terminal {
         if let Some(before) = kept.take() {
             let _ = tcsetattr(stdin(), OptionalActions::Now, &before);
         }
-        // Who would change it again waits for ever.
+        // The lock is kept, so that no other thread can change the terminal again.
         std::mem::forget(kept);
     }
 }

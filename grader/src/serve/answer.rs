@@ -6,7 +6,7 @@ use sha2::{Digest, Sha256};
 use std::io::{self, Write};
 
 /// What is answered to a request.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Answer {
     status: &'static str,
     kind: &'static str,

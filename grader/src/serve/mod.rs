@@ -14,11 +14,14 @@ use std::hash::{BuildHasher, Hasher};
 use std::io;
 use std::net::{Ipv4Addr, TcpListener, TcpStream};
 use std::sync::Arc;
-use std::thread::{sleep, spawn};
+use std::thread::{Builder, sleep};
 use std::time::Duration;
 
 /// How long a silent browser is waited for.
 const PATIENCE: Duration = Duration::from_secs(10);
+/// Answers under way at most: a browser asks for a few.
+const MOST: usize = 64;
+
 /// How long to wait when no more connections can be open.
 const PAUSE: Duration = Duration::from_millis(100);
 
@@ -70,20 +73,28 @@ impl Server {
                 sleep(PAUSE);
                 continue;
             };
+            if Arc::strong_count(&answer) > MOST {
+                continue; // that many answers are under way: who asks again is answered
+            }
             let answer = Arc::clone(&answer);
-            spawn(move || -> io::Result<()> {
+            let told = Builder::new().spawn(move || -> io::Result<()> {
                 stream.set_read_timeout(Some(PATIENCE))?;
                 stream.set_write_timeout(Some(PATIENCE))?;
                 let answer = answer(&stream);
                 answer.write(&mut stream)
             });
+            if told.is_err() {
+                sleep(PAUSE); // no thread can be had
+            }
         }
     }
 }
 
 /// Why a request is refused; none if it comes under the right name and begins with the token.
 fn refusal(request: &Request, host: &str, token: &str) -> Option<Answer> {
-    if request.host != host {
+    // Of the port that pages have by default, browsers are silent.
+    let is_host = request.host == host || host.strip_suffix(":80") == Some(&request.host);
+    if !is_host {
         let why = "this page is on this machine only, and has another name";
         Some(Answer::refused(why))
     } else if request.parts().next() != Some(token) {

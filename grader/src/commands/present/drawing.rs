@@ -11,6 +11,7 @@ use raybook_grader::book::write_captions;
 use raybook_grader::serve::Answer;
 use serde_json::json;
 use std::error::Error;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -26,8 +27,17 @@ pub(super) struct Studio {
     easel: Mutex<()>,
     /// How many drawings were asked for: the latest is the one that counts.
     asked: AtomicU64,
-    /// The chapter whose pictures are being drawn for good, and why that ended too early, if it did.
-    going: Mutex<Option<(&'static str, Option<String>)>>,
+    /// What is being drawn for good, or was.
+    going: Mutex<Option<Going>>,
+}
+
+/// A chapter's pictures that are being drawn for good.
+struct Going {
+    chapter: &'static str,
+    /// Each time has a number of its own.
+    number: u64,
+    /// What who waits for another of its pictures is told, once it has ended.
+    ended: Option<Answer>,
 }
 
 /// Width and samples of the first, quick version of a picture.
@@ -67,13 +77,12 @@ impl Studio {
         }
         let first = query.iter().any(|(name, _)| name == "first");
         let what = if first { What::First } else { What::Sketches };
-        match self.draw(lesson, what) {
-            Ok(outputs) => {
-                let screens = screens::of_outputs(&outputs);
-                Answer::json(&json!({ "screens": screens, "all": !first }))
-            }
-            Err(answer) => answer,
-        }
+        let told = |outputs: &[Output]| {
+            let screens = screens::of_outputs(outputs);
+            Answer::json(&json!({ "screens": screens, "all": !first }))
+        };
+        self.draw(lesson, what, told)
+            .unwrap_or_else(|answer| answer)
     }
 
     /// A picture of a chapter with its knobs as they are said; `quick=1` asks for a small one.
@@ -101,54 +110,82 @@ impl Studio {
                 Err(_) => self.wait(lesson, &kept),
             };
         }
-        match self.draw(lesson, What::Turned(&turned, name, quick)) {
-            Ok(outputs) => match outputs.last().filter(|output| output.png.ends_with(&png)) {
-                Some(output) => read(&output.png).captioned(&output.caption),
-                None => Answer::unknown(),
-            },
-            Err(answer) => answer,
-        }
+        let told = |outputs: &[Output]| match outputs.last() {
+            Some(output) if output.png.ends_with(&png) => {
+                read(&output.png).captioned(&output.caption)
+            }
+            _ => Answer::unknown(),
+        };
+        self.draw(lesson, What::Turned(&turned, name, quick), told)
+            .unwrap_or_else(|answer| answer)
     }
 
     /// Has a chapter's pictures drawn for good, if nobody does so yet, until this one is there.
     fn wait(self: &Arc<Self>, lesson: &'static Lesson, kept: &Path) -> Answer {
-        let mut going = lock(&self.going);
-        if !matches!(*going, Some((name, None)) if name == lesson.name) {
-            *going = Some((lesson.name, None));
-            let studio = Arc::clone(self);
-            thread::spawn(move || studio.draw_for_good(lesson));
-        }
-        drop(going);
+        let number = self.start(lesson);
         loop {
             if let Ok(bytes) = store::read(kept) {
                 return Answer::png(bytes);
             }
             match &*lock(&self.going) {
-                Some((name, None)) if *name == lesson.name => {}
-                Some((name, Some(why))) if *name == lesson.name => return Answer::wrong(why),
+                Some(going) if going.number == number => {
+                    if let Some(ended) = &going.ended {
+                        return ended.clone();
+                    }
+                }
                 _ => return Answer::outdated(),
             }
             thread::sleep(PAUSE);
         }
     }
 
-    fn draw_for_good(&self, lesson: &'static Lesson) {
-        let drawn = self.draw(lesson, What::Pictures);
-        let folder = self.options.out.join(lesson.name);
-        let written = drawn.map(|outputs| write_captions(&folder, &outputs));
-        let why = match written {
-            Ok(Ok(())) => "there is no picture of this name".to_owned(),
-            Ok(Err(error)) => error.to_string(),
-            Err(answer) => answer.text(),
-        };
+    /// The number of the drawing of a chapter for good that goes on; it is begun if there is none.
+    fn start(self: &Arc<Self>, lesson: &'static Lesson) -> u64 {
         let mut going = lock(&self.going);
-        if going.as_ref().is_some_and(|(name, _)| *name == lesson.name) {
-            *going = Some((lesson.name, Some(why)));
+        let number = match &*going {
+            Some(one) if one.chapter == lesson.name && one.ended.is_none() => return one.number,
+            Some(one) => one.number + 1,
+            None => 0,
+        };
+        *going = Some(Going {
+            chapter: lesson.name,
+            number,
+            ended: None,
+        });
+        let studio = Arc::clone(self);
+        thread::spawn(move || {
+            let drawn = catch_unwind(AssertUnwindSafe(|| studio.draw_for_good(lesson)));
+            let ended = drawn.unwrap_or_else(|_| {
+                Answer::wrong("drawing this chapter failed: the terminal says why")
+            });
+            let mut going = lock(&studio.going);
+            if let Some(one) = going.as_mut().filter(|one| one.number == number) {
+                one.ended = Some(ended);
+            }
+        });
+        number
+    }
+
+    /// Draws a chapter's pictures for good, and returns what who waits for one that is not among them is told.
+    fn draw_for_good(&self, lesson: &'static Lesson) -> Answer {
+        let folder = self.options.out.join(lesson.name);
+        let written = self.draw(lesson, What::Pictures, |outputs| {
+            write_captions(&folder, outputs)
+        });
+        match written {
+            Ok(Ok(())) => Answer::wrong("there is no picture of this name"),
+            Ok(Err(error)) => Answer::wrong(&error.to_string()),
+            Err(answer) => answer,
         }
     }
 
-    /// Draws, after the drawing that goes on has been stopped.
-    fn draw(&self, lesson: &'static Lesson, what: What) -> Result<Vec<Output>, Answer> {
+    /// Draws, after the drawing that goes on has been stopped, and does something with the pictures before anything else is drawn.
+    fn draw<T>(
+        &self,
+        lesson: &'static Lesson,
+        what: What,
+        then: impl FnOnce(&[Output]) -> T,
+    ) -> Result<T, Answer> {
         let wrong = |error: Box<dyn Error>| Answer::wrong(&error.to_string());
         let turned = match what {
             What::Turned(turned, ..) => turned,
@@ -169,7 +206,7 @@ impl Studio {
         if stopper.load(Ordering::SeqCst) {
             return Err(Answer::outdated());
         }
-        Ok(stage.into_outputs())
+        Ok(then(&stage.into_outputs()))
     }
 
     fn stage(&self, lesson: &'static Lesson, what: What) -> Stage {

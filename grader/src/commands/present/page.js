@@ -2,9 +2,13 @@
 const at = id => document.getElementById(id);
 let course = [], chapter = 0, screen = 0, screens = [], complete = false, later = null, turned = {}, wanted = 0, timer = 0;
 
-async function ask(path) {
+/** Asks for something, again and again while it is wanted and another drawing is in the way. */
+async function ask(path, turn = wanted, patience = 300) {
   const answer = await fetch(path);
-  if (answer.status === 409) return null; // another picture is wanted by now
+  if (answer.status === 409) { // somebody wanted another picture: here, or in another window
+    await new Promise(later => setTimeout(later, patience * (1 + Math.random())));
+    return turn === wanted ? ask(path, turn, Math.min(2 * patience, 8000)) : null;
+  }
   if (!answer.ok) throw new Error(await answer.text());
   return answer;
 }

@@ -47,7 +47,7 @@ mod tests {
         let again = or_make(&file, || Err("it is made again".to_owned()));
         assert_eq!(again, made);
 
-        std::fs::write(&file, "another program\nold").expect("it can be written");
+        store::write(&file, b"another program\nold").expect("it can be written");
         let new = or_make(&file, || Ok("new".to_owned()));
         assert_eq!(new.as_deref(), Ok("new"));
     }

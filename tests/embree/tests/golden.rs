@@ -25,6 +25,10 @@ const TOO_MUCH_WORK: &[(&str, &str)] = &[
         "does not shorten the interval for the second child",
     ),
     ("bvh_closest", "opens the farther child first"),
+    (
+        "bvh_closest",
+        "does not ask again when a waiting node's turn comes",
+    ),
     ("wide_closest", "opens every child"),
     (
         "wide_closest",

@@ -66,10 +66,7 @@ impl Subject {
     /// Points from a file of this name.
     pub fn from_file(name: &str, given: Realisations) -> Self {
         Self {
-            key: format!(
-                "file-{}",
-                name.replace(|c: char| !c.is_ascii_alphanumeric(), "-")
-            ),
+            key: name.replace(|c: char| !c.is_ascii_alphanumeric(), "-"),
             title: name.to_owned(),
             pattern: FROM_A_FILE,
             seed: SEED,

@@ -100,7 +100,7 @@ impl Samplers {
         }
         for path in &self.file {
             let mut subject = file::read(path, settings.sizes())?;
-            // Two files of one name in two folders have figures of their own.
+            // A file may be called like a pattern, or like another file elsewhere.
             while settings
                 .subjects
                 .iter()

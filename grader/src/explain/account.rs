@@ -101,7 +101,7 @@ impl<'a> Account<'a> {
 
     /// The account as data. `picture` is the file of the drawing.
     ///
-    /// `case` is as in [`json`]; a step is `name`, `value` (numbers) and `unit`, and one without numbers is a remark; a parting is
+    /// `case` is as in [`mod@json`]; a step is `name`, `value` (numbers) and `unit`, and one without numbers is a remark; a parting is
     /// `field`, `yours` and `right`, each `null` where it is not finite.
     pub fn json(&self, picture: Option<&Path>) -> Value {
         let named = |named: &[Named]| {

@@ -115,6 +115,15 @@ pub struct Sandbox {
 )]
 pub struct Missing(pub &'static str);
 
+/// The place of a running program that another build has replaced since: Linux then says "(deleted)" behind it.
+#[cfg(target_os = "linux")]
+fn as_it_was(program: PathBuf) -> PathBuf {
+    let place = program
+        .to_str()
+        .and_then(|text| text.strip_suffix(" (deleted)"));
+    place.map(PathBuf::from).unwrap_or(program)
+}
+
 impl Sandbox {
     /// A sandbox in which these files and folders, and the grader's own program, cannot be read.
     ///
@@ -123,7 +132,7 @@ impl Sandbox {
     #[cfg(target_os = "linux")]
     pub fn new(hidden: impl IntoIterator<Item = PathBuf>) -> Result<Self, Missing> {
         layers::necessary()?;
-        let own = std::env::current_exe().ok();
+        let own = std::env::current_exe().ok().map(as_it_was);
         Ok(Self {
             hidden: hidden
                 .into_iter()
@@ -221,5 +230,20 @@ impl Sandbox {
     #[cfg(not(target_os = "linux"))]
     pub(crate) fn spawn(&self, _command: &mut Command) -> io::Result<Child> {
         Err(io::Error::other("no sandbox here"))
+    }
+}
+
+#[cfg(all(test, target_os = "linux"))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_program_that_was_replaced_is_hidden_where_it_was() {
+        for (said, place) in [
+            ("/bin/raybook", "/bin/raybook"),
+            ("/bin/raybook (deleted)", "/bin/raybook"),
+        ] {
+            assert_eq!(as_it_was(said.into()), Path::new(place));
+        }
     }
 }

@@ -59,7 +59,7 @@ fn ball_in_ball(center: Vec3, radii: [f32; 2], media: [Medium; 2]) -> [Thing; 2]
 pub struct Stuff {
     /// The glass's index of refraction.
     pub index: f32,
-    /// The coloured glass absorbs so many times as much as here.
+    /// Factor on the coloured glass's absorption; 1 is what the materials here have.
     pub absorption: f32,
 }
 

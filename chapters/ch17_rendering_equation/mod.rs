@@ -43,7 +43,7 @@ enum By {
 /// What the pictures depend on.
 #[derive(Args, Clone, Debug)]
 pub struct Knobs {
-    /// Depth: at most so many surfaces along a path; all of them, if not said
+    /// Maximum number of surfaces along a path; without it, all of them
     #[arg(long, value_name = "1..1000 surfaces")]
     depth: Option<u32>,
     /// How the light straight from the lamp is found

@@ -110,7 +110,7 @@ fn distance(body: &Pinhole, at: Vec3) -> f32 {
     (at - body.focal_point).dot(*body.forward)
 }
 
-/// The camera with so many blades before its lens.
+/// The camera with `count` blades before its lens.
 fn through(body: &Pinhole, focus: f32, f_number: f32, count: u32) -> Result<ThinLens, LensError> {
     let turn = 0.0;
     ThinLens::new(body, f_number, focus, Aperture::Blades { count, turn })

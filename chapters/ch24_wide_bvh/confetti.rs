@@ -65,7 +65,7 @@ impl Confetti {
         }
     }
 
-    /// What a ray sees: paper, porcelain or floor, in the light of the sun and of so many rays towards the sky; and how many rays
+    /// What a ray sees: paper, porcelain or floor, in the light of the sun and of `sky_rays` rays towards the sky; and how many rays
     /// that takes.
     pub(super) fn follow(
         &self,

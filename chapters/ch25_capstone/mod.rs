@@ -24,7 +24,7 @@ use std::process::ExitCode;
 /// What the pictures depend on.
 #[derive(Args, Clone, Debug)]
 pub struct Knobs {
-    /// Depth: at most so many surfaces in a row; each scene's own, if not said
+    /// Maximum number of surfaces in a row; without it, that of each scene
     #[arg(long, value_name = "1..64 surfaces")]
     depth: Option<u32>,
     /// Scene that is described

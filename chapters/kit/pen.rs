@@ -14,7 +14,7 @@ pub enum Mark {
     None,
     /// A disc.
     Disc,
-    /// A regular polygon: so many corners, the first of them at an angle in degrees, counted from the right upwards.
+    /// A regular polygon: its number of corners, and the angle of the first of them in degrees, from the right upwards.
     Corners(u8, i16),
     /// Two crossed lines, the first of them at an angle in degrees.
     Cross(i16),
@@ -124,7 +124,7 @@ impl From<ShapeStyle> for Pen {
     }
 }
 
-/// The pieces of a line of which so many pixels are on and off, in turns.
+/// The pieces of a dashed line; `lengths` are those of its dashes and gaps in turns, in pixels.
 fn dashes(through: &[(i32, i32)], lengths: &[f64]) -> Vec<Vec<(i32, i32)>> {
     let round = |(x, y): (f64, f64)| (x.round() as i32, y.round() as i32);
     let mut pieces = Vec::new();

@@ -35,10 +35,10 @@ pub struct Varied {
 /// Width of the whole strip, in pixels, if nobody says how wide a picture is.
 const STRIP: u32 = 1600;
 
-/// At most so many pictures are in a row.
+/// Maximum number of pictures in a row.
 const COLUMNS: usize = 4;
 
-/// At most so many values: an hour of drawing is a slip of the fingers.
+/// Maximum number of values: an hour of drawing is a slip of the fingers.
 const MOST: usize = 64;
 
 fn varied(text: &str) -> Result<Varied, String> {

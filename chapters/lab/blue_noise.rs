@@ -99,7 +99,7 @@ struct Crowd {
 }
 
 impl Crowd {
-    /// No points yet, of about so many.
+    /// No points yet, of about `count`.
     fn new(count: usize) -> Self {
         let sigma = 0.5 * SIDE as f32 / (count as f32).sqrt();
         let reach = ((4.0 * sigma) as usize).min(SIDE / 2 - 1);
@@ -111,7 +111,7 @@ impl Crowd {
         }
     }
 
-    /// These points, with Gaussians for about so many.
+    /// These points, with Gaussians for about `count` points.
     fn of(cells: &[usize], count: usize) -> Self {
         let mut crowd = Self::new(count);
         for cell in cells {
@@ -132,7 +132,7 @@ impl Crowd {
         cell
     }
 
-    /// Adds so many times the Gaussian around a cell, over the edges too.
+    /// Adds the Gaussian around a cell, multiplied by `times`, over the edges too.
     fn spread(&mut self, cell: usize, times: f32) {
         let reach = self.gauss.len() - 1;
         for dy in 0..=2 * reach {

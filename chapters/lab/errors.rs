@@ -74,7 +74,7 @@ pub fn errors(subject: &Subject, n: usize, classes: &[Vec<Integrand>], draws: us
 pub struct Slope {
     /// b in error ∝ nᵇ.
     pub slope: f64,
-    /// The true b is within so much of it with a probability of 95 %, if only chance bends the curve.
+    /// The true b differs from it by at most this with a probability of 95 %, if only chance bends the curve.
     pub within: f64,
 }
 
@@ -99,7 +99,7 @@ pub fn slope(errors: &[Error]) -> Option<Slope> {
     Some(Slope { slope, within })
 }
 
-/// The 97.5 % quantile of Student's t distribution with so many degrees of freedom; None for 0.
+/// The 97.5 % quantile of Student's t distribution with `freedom` degrees of freedom; None for 0.
 pub fn student_t(freedom: usize) -> Option<f64> {
     const QUANTILES: [f64; 10] = [
         12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228,

@@ -20,7 +20,7 @@ use std::fmt::Write;
 /// Angles of the half circle that are measured; the other half is the same.
 const ANGLES: usize = 180;
 
-/// A mark at every so many angles.
+/// Number of angles from one mark to the next.
 const MARKED: usize = 24;
 
 /// The centre of the plot and its radius, in pixels of the canvas.

@@ -27,7 +27,7 @@ pub struct Known {
     pub frequency: f64,
     /// What was measured.
     pub value: f64,
-    /// Its true value is within so much of it with a probability of about 95 %.
+    /// Its true value differs from it by at most this with a probability of about 95 %.
     pub within: f64,
 }
 

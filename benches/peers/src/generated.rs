@@ -123,7 +123,7 @@ fn bar(all: &mut Soup, from: Vec3, to: Vec3, width: f32) {
     }
 }
 
-/// An upright column of so many sides, without ends.
+/// An upright column with `sides` sides, without ends.
 fn column(all: &mut Soup, foot: Vec3, radius: f32, height: f32, sides: u32) {
     let ring: Vec<Vec3> = (0..sides)
         .map(|i| TAU * i as f32 / sides as f32)

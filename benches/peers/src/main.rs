@@ -38,7 +38,7 @@ struct Options {
     /// Rounds; the median of them counts
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     rounds: Option<u16>,
-    /// Instead of the race, count a ray's steps in soups of 100 triangles to so many, and write scaling.csv
+    /// Instead of the race, count a ray's steps in soups of 100 to TRIANGLES triangles, and write scaling.csv
     #[arg(long, value_name = "TRIANGLES", value_parser = clap::value_parser!(u32).range(1000..))]
     scaling: Option<u32>,
     /// Where the files go

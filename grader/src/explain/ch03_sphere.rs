@@ -96,11 +96,11 @@ impl Explained for SphereHit {
         drawing.point(section.at(center), Ink::Shape);
         drawing.label(section.at(center), dvec2(0.4, 1.3), "c", Ink::Shape);
         let far = (section.at(center).x + 1.5 * radius).max(2.0 * radius);
-        rays::ray(&mut drawing, &section, &self.ray, self.within, far);
         rays::hits(
             &mut drawing,
             &section,
             &self.ray,
+            self.within,
             far,
             [*right, yours.copied().flatten()],
         );

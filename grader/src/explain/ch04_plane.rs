@@ -56,11 +56,11 @@ impl Explained for PlaneHit {
         );
         drawing.arrow(dvec2(0.0, 0.0), dvec2(0.0, 0.25 * far), Ink::Shape);
         drawing.label(dvec2(0.0, 0.25 * far), dvec2(-0.6, 0.0), "n", Ink::Shape);
-        rays::ray(&mut drawing, &section, &self.ray, self.within, far);
         rays::hits(
             &mut drawing,
             &section,
             &self.ray,
+            self.within,
             far,
             [*right, yours.copied().flatten()],
         );

@@ -34,15 +34,7 @@ impl Explained for SampleRect {
         );
         let area = way.number("its area", "m²", a.length() * b.length());
         way.remark("The first sample; the others go the same way:");
-        let mut samples = Vec::new();
-        for u in lattice(self.n) {
-            // Only the first is written down.
-            let mut unread = Way::default();
-            let way = if samples.is_empty() {
-                &mut *way
-            } else {
-                &mut unread
-            };
+        let samples = way.of_first(lattice(self.n), |way, u| {
             way.pair("u", "", u);
             let r = way.vector(
                 "r = corner + u.x·a + u.y·b − at",
@@ -64,9 +56,9 @@ impl Explained for SampleRect {
                 r.length_squared() / (area * cosine),
             );
             way.number("radiance/density", "W/m²", f64::from(self.radiance) / pdf);
-            samples.push(chosen(r.normalize(), r.length(), self.radiance, pdf));
-        }
-        Some(samples)
+            Some(chosen(r.normalize(), r.length(), self.radiance, pdf))
+        });
+        samples.into_iter().collect()
     }
 }
 
@@ -94,14 +86,7 @@ impl Explained for SampleSphereLight {
         way.remark("The first sample; the others go the same way:");
         let around = Basis::around(Dir3::new_or(c.as_vec3(), Dir3::Y));
         let [x_axis, y_axis, axis] = [around.x, around.y, around.z].map(|v| v.as_dvec3());
-        let mut samples = Vec::new();
-        for u in lattice(self.n) {
-            let mut unread = Way::default();
-            let way = if samples.is_empty() {
-                &mut *way
-            } else {
-                &mut unread
-            };
+        way.of_first(lattice(self.n), |way, u| {
             way.pair("u", "", u);
             let x = u.x * height;
             let cosine = way.number("cos θ = 1 − u.x·h", "", 1.0 - x);
@@ -120,9 +105,8 @@ impl Explained for SampleSphereLight {
             );
             let distance = d * cosine + if inside { half_chord } else { -half_chord };
             let distance = way.number("the distance, d cos θ ∓ half the chord", "m", distance);
-            samples.push(chosen(toward, distance, self.radiance, pdf));
-        }
-        samples
+            chosen(toward, distance, self.radiance, pdf)
+        })
     }
 }
 

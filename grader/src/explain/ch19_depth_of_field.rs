@@ -14,14 +14,7 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 impl Explained for ConcentricDisk {
     fn work(&self, way: &mut Way) -> Vec<Vec2> {
         way.remark("The first point; the others go the same way:");
-        let mut points = Vec::new();
-        for u in self.points() {
-            let mut unread = Way::default();
-            let way = if points.is_empty() {
-                &mut *way
-            } else {
-                &mut unread
-            };
+        way.of_first(self.points(), |way, u| {
             let u = way.pair("u", "", u.as_dvec2());
             let ab = way.pair("(a, b) = 2u − 1", "", 2.0 * u - 1.0);
             let (r, phi) = match (ab.x, ab.y) {
@@ -35,12 +28,9 @@ impl Explained for ConcentricDisk {
                 "rad",
                 phi,
             );
-            points.push(
-                way.pair("r (cos φ, sin φ)", "", r * DVec2::from_angle(phi))
-                    .as_vec2(),
-            );
-        }
-        points
+            way.pair("r (cos φ, sin φ)", "", r * DVec2::from_angle(phi))
+                .as_vec2()
+        })
     }
 }
 

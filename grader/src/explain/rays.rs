@@ -28,15 +28,17 @@ pub fn ray(drawing: &mut Diagram, section: &Section, ray: &Ray, within: Interval
     drawing.label(at(0.0), dvec2(-1.0, 0.0), "o", Ink::Ray);
 }
 
-/// Draws where a ray of this length hits, rightly and by the student.
+/// Draws a ray as [`ray`] does, and where it hits, rightly and by the student.
 pub fn hits(
     drawing: &mut Diagram,
     section: &Section,
-    ray: &Ray,
+    through: &Ray,
+    within: Interval,
     far: f64,
     [right, yours]: [Option<f32>; 2],
 ) {
-    let (o, d) = parts(ray);
+    ray(drawing, section, through, within, far);
+    let (o, d) = parts(through);
     let answers = [
         (right, Ink::Right, UP, "right: t"),
         (yours, Ink::Yours, -UP, "yours: t"),

@@ -60,6 +60,18 @@ impl Way {
         self.add(sentence, "", Vec::new());
     }
 
+    /// Calculates for each of many alike, and writes down the steps of the first only.
+    pub fn of_first<T, R>(
+        &mut self,
+        all: impl IntoIterator<Item = T>,
+        mut calculate: impl FnMut(&mut Self, T) -> R,
+    ) -> Vec<R> {
+        let mut unread = Self::default();
+        let mut first = Some(self);
+        let each = |one| calculate(first.take().unwrap_or(&mut unread), one);
+        all.into_iter().map(each).collect()
+    }
+
     fn add(&mut self, name: impl Into<Cow<'static, str>>, unit: &'static str, value: Vec<f64>) {
         let name = name.into();
         self.steps.push(Step { name, value, unit });

@@ -1,5 +1,7 @@
 //! The frame of every page that is written: its head, its style, and its figures.
 
+use base64::Engine;
+use base64::prelude::BASE64_STANDARD;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 const STYLE: &str = "
@@ -43,4 +45,9 @@ pub fn figure(file: &str, alt: &str, caption: &Markup) -> Markup {
         a href=(file) { img src=(file) alt=(alt) loading="lazy"; }
         figcaption { (caption) }
     } }
+}
+
+/// The address of a file that stands in the address itself (RFC 2397), for a page that needs no other file.
+pub fn data_uri(kind: &str, bytes: &[u8]) -> String {
+    format!("data:{kind};base64,{}", BASE64_STANDARD.encode(bytes))
 }

@@ -27,7 +27,6 @@ pub mod raster;
 pub mod run;
 pub mod settings;
 pub mod sheets;
-
 pub mod slide;
 pub mod spectrum;
 pub mod steps;

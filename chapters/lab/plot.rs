@@ -49,7 +49,7 @@ pub trait Plot {
     /// As the text of an SVG file, with pictures inside.
     ///
     /// # Errors
-    /// What plotters reports.
+    /// What plotters reports, and if a picture has no pixels.
     fn svg(&self) -> Result<String, Box<dyn Error>> {
         let (width, height) = self.size();
         // The font is registered with the first figure.
@@ -62,7 +62,11 @@ pub trait Plot {
             self.draw(&canvas)?;
             canvas.present()?;
         }
-        let pictures: String = self.rasters().iter().map(Raster::svg).collect();
+        let pictures: String = self
+            .rasters()
+            .iter()
+            .map(Raster::svg)
+            .collect::<Result<_, _>>()?;
         // It is shown as large as the figure is, not as its canvas.
         let [on_canvas, shown] = [SCALE, 1]
             .map(|scale| format!("width=\"{}\" height=\"{}\"", scale * width, scale * height));

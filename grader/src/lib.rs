@@ -2,7 +2,6 @@
 
 pub mod ask;
 pub mod asked_picture;
-mod base64;
 pub mod book;
 pub mod budget;
 pub mod cases;

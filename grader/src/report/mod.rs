@@ -10,10 +10,10 @@ use crate::examine::Examiner;
 use crate::explain::account::Account;
 use crate::explain::tell;
 use crate::progress::Progress;
-use crate::{base64, cases, feedback, json, pictured};
+use crate::{cases, feedback, json, pictured};
 use cost::Cost;
 use maud::{Markup, html};
-use raybook_chapters::kit::html;
+use raybook_chapters::kit::html::{self, data_uri};
 use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_workbook::curriculum::{CHAPTERS, Chapter};
 
@@ -133,7 +133,7 @@ fn wrong(report: &Report, outcome: &Outcome, examiner: &dyn Examiner) -> Markup 
             pre tabindex="0" { (tell::lines(&account, Dress::default()).join("\n")) }
         }
         @if let Some(diagram) = &account.diagram { figure style="max-width: 760px" {
-            img src=(base64::uri("image/svg+xml", diagram.svg().as_bytes())) alt=(diagram.title);
+            img src=(data_uri("image/svg+xml", diagram.svg().as_bytes())) alt=(diagram.title);
         } }
     }
 }
@@ -143,6 +143,6 @@ fn cost_of(cost: &Cost) -> Markup {
     html! { article {
         h3 { "What " code { (cost.exercise) } " costs" }
         p { (cost.words()) }
-        figure style="max-width: 760px" { img src=(base64::uri("image/svg+xml", plot.svg().as_bytes())) alt={ (plot.title) ". " (cost.words()) }; }
+        figure style="max-width: 760px" { img src=(data_uri("image/svg+xml", plot.svg().as_bytes())) alt={ (plot.title) ". " (cost.words()) }; }
     } }
 }

@@ -1,9 +1,9 @@
 //! Three pictures of the same pixels: side by side, or one at a time in the same place, where a difference jumps to the eye.
 
-use crate::base64;
 use crate::triple::Triple;
 use maud::{Markup, html};
 use raybook::image::{Image, file};
+use raybook_chapters::kit::html::data_uri;
 
 /// The choice of what is seen. The style of the page hides the others, so no script is needed, and the arrow keys choose.
 const CHOICES: [(&str, &str); 4] = [
@@ -37,7 +37,7 @@ fn one(class: &str, picture: &Image, alt: &str, caption: &str) -> Markup {
     // A picture of an exercise has pixels; without, its text stands in its place.
     let png = file::to_png(picture).unwrap_or_default();
     html! { figure class=(class) {
-        img src=(base64::uri("image/png", &png)) alt=(alt);
+        img src=(data_uri("image/png", &png)) alt=(alt);
         figcaption { (caption) }
     } }
 }

@@ -1,6 +1,7 @@
 //! What a browser is answered: a status, what it may do with the answer, and the answer.
 
-use crate::base64::base64;
+use base64::Engine;
+use base64::prelude::BASE64_STANDARD;
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 use std::io::{self, Write};
@@ -25,7 +26,10 @@ impl Answer {
         let element = format!("</title><script type=\"module\">{script}</script>");
         let text = text.replacen("</title>", &element, 1);
         Self {
-            script: format!("'sha256-{}'", base64(&Sha256::digest(script))),
+            script: format!(
+                "'sha256-{}'",
+                BASE64_STANDARD.encode(Sha256::digest(script))
+            ),
             ..Self::of("200 OK", "text/html; charset=utf-8", text)
         }
     }

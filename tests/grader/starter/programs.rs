@@ -52,10 +52,10 @@ fn each_exercise_stubbed_alone_is_the_only_one_that_turns_todo() {
     });
 }
 
-/// Asks an exercise that is stubbed all its cases, and the others one in `SOME`: another one for each exercise, so that all
-/// of them are asked by someone.
+/// Asks an exercise that is stubbed all its cases, and the others one in `SOME`: each stub, of which there are as many, another
+/// one, so that every case is asked.
 fn only_this_turns_todo(program: &Program, stubbed: &str, i: usize, asked: &[Asked]) {
-    const SOME: usize = 16;
+    const SOME: usize = 64;
     let program = Program {
         file: PathBuf::from("env"),
         arguments: vec![

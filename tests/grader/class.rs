@@ -4,6 +4,7 @@
 
 mod archives;
 mod course_file;
+mod cpp;
 mod exports;
 mod grading;
 mod hostile;

@@ -9,6 +9,7 @@ pub mod hand_in;
 pub mod items;
 pub mod journal;
 pub mod pack;
+pub mod prebuilt;
 pub mod record;
 pub mod roll;
 pub mod run;

@@ -1,6 +1,7 @@
 //! A hand-in made ready to be asked: its sources in a folder of its own, built in the sandbox.
 
 use super::files::Files;
+use super::prebuilt::Prebuilt;
 use crate::converse::Program;
 use crate::examine::Examiner;
 use crate::language::Language;
@@ -37,6 +38,8 @@ pub struct Stage {
     pub sandbox: Sandbox,
     /// Whether the packages that workbooks use are compiled; one is tried at a time.
     pub warm: Mutex<bool>,
+    /// What is the same in all hand-ins in C++.
+    pub prebuilt: Prebuilt,
 }
 
 impl Stage {
@@ -64,7 +67,7 @@ impl Stage {
         )
         .map_err(told("be filled", &folder))?;
         let mut staged = Vec::new();
-        for (sources, exercises) in programs(language, files, exercises) {
+        for (mut sources, exercises) in programs(language, files, exercises) {
             let program = match (language, sources.first()) {
                 (_, None) => Err(NOTHING.to_owned()),
                 (Language::Python, Some(file)) => Ok(self.python(&folder, file)?),
@@ -75,10 +78,11 @@ impl Stage {
                         .join("answer");
                     let target = output.parent().unwrap_or(&folder);
                     fs::create_dir_all(target).map_err(told("be made", target))?;
-                    built(
-                        &folder,
-                        self.sandbox.compile_cpp(&folder, &sources, &output),
-                    )?
+                    let objects = self.prebuilt.objects(&self.sandbox, files, &mut sources)?;
+                    let compiled = self
+                        .sandbox
+                        .compile_cpp(&folder, &sources, &objects, &output);
+                    built(&folder, compiled)?
                 }
             };
             staged.push((program, exercises));

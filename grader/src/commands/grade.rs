@@ -12,6 +12,7 @@ use raybook_grader::class::course::Course;
 use raybook_grader::class::grades::{Known, Sheet};
 use raybook_grader::class::hand_in::{self, HandIn};
 use raybook_grader::class::journal::{self, Journal};
+use raybook_grader::class::prebuilt::Prebuilt;
 use raybook_grader::class::record::{Record, Standing};
 use raybook_grader::class::roll::{Class, Results, Roll};
 use raybook_grader::class::run::{Exam, Shard, open, run};
@@ -94,8 +95,10 @@ impl Grade {
         if let Some(shard) = self.shard {
             open.retain(|(_, content, _)| shard.holds(content));
         }
+        let folder = self.out.canonicalize()?.join(STAGE);
         let stage = Stage {
-            folder: self.out.canonicalize()?.join(STAGE),
+            prebuilt: Prebuilt::new(folder.join("starter-cpp")),
+            folder,
             sandbox,
             warm: Mutex::new(false),
         };

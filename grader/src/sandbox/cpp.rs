@@ -4,7 +4,8 @@ use super::Sandbox;
 use crate::converse::Program;
 use crate::student::StudentError;
 use std::ffi::OsStr;
-use std::path::Path;
+use std::io;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 /// Compilers, in the order in which they are looked for.
@@ -14,72 +15,92 @@ const COMPILERS: [&str; 2] = ["/usr/bin/g++", "/usr/bin/clang++"];
 const OPTIONS: [&str; 4] = ["-std=c++17", "-O1", "-pthread", "-I."];
 
 impl Sandbox {
-    /// Compiles these files of a folder to the program `output`, in a folder of its own; and what the compiler has to say.
+    /// Compiles these files of a folder, with objects that there are already, to the program `output`, in a folder of its own; and
+    /// what the compiler has to say.
     pub fn compile_cpp(
         &self,
         folder: &Path,
         files: &[String],
+        objects: &[PathBuf],
         output: &Path,
     ) -> (Result<Program, StudentError>, String) {
-        let mut said = String::new();
-        let built = self.compile(folder, files, output, &mut said);
-        (built, said)
-    }
-
-    fn compile(
-        &self,
-        folder: &Path,
-        files: &[String],
-        output: &Path,
-        said: &mut String,
-    ) -> Result<Program, StudentError> {
-        let missing = || {
-            StudentError::NoCargo(std::io::Error::other(
-                "there is neither g++ nor clang++, which compile C++",
-            ))
-        };
-        let compiler = COMPILERS
-            .iter()
-            .find(|compiler| Path::new(compiler).exists())
-            .ok_or_else(missing)?;
         let none = || StudentError::NoProgram {
             folder: folder.to_owned(),
             program: "of C++".to_owned(),
         };
-        let target = output.parent().ok_or_else(none)?.to_owned();
+        let Some(target) = output.parent() else {
+            return (Err(none()), String::new());
+        };
+        let linked = ["-o".as_ref(), output.as_os_str()].into_iter();
+        let words = linked.chain(objects.iter().map(|path| path.as_os_str()));
+        let readable = objects.iter().filter_map(|path| path.parent());
+        let (built, said) = self.compile(folder, files, words, readable, target);
+        let built = built.and_then(|()| {
+            if !output.symlink_metadata().is_ok_and(|kind| kind.is_file()) {
+                return Err(none());
+            }
+            Ok(Program {
+                file: output.to_owned(),
+                arguments: Vec::new(),
+                folder: folder.to_owned(),
+                sandbox: Some(self.clone()),
+            })
+        });
+        (built, said)
+    }
+
+    /// Compiles these files of a folder to objects of the same names at its top; and what the compiler has to say.
+    pub fn compile_objects(
+        &self,
+        folder: &Path,
+        files: &[String],
+    ) -> (Result<(), StudentError>, String) {
+        self.compile(
+            folder,
+            files,
+            ["-c".as_ref()].into_iter(),
+            [].into_iter(),
+            folder,
+        )
+    }
+
+    /// Runs a compiler with these words beside its options; it reads the folder and what is readable, and writes into its target.
+    fn compile<'a>(
+        &self,
+        folder: &'a Path,
+        files: &[String],
+        words: impl Iterator<Item = &'a OsStr>,
+        readable: impl Iterator<Item = &'a Path>,
+        target: &Path,
+    ) -> (Result<(), StudentError>, String) {
+        let missing = "there is neither g++ nor clang++, which compile C++";
+        let there = COMPILERS
+            .iter()
+            .find(|compiler| Path::new(compiler).exists());
+        let Some(compiler) = there else {
+            let error = io::Error::other(missing);
+            return (Err(StudentError::NoCargo(error)), String::new());
+        };
         let mut command = Command::new(compiler);
         command
             .args(OPTIONS)
-            .arg("-o")
-            .arg(output)
+            .args(words)
             .args(files.iter().map(|file| format!("./{file}"))) // a name may begin like an option
             .current_dir(folder)
-            .env("TMPDIR", &target)
+            .env("TMPDIR", target)
             .stdin(Stdio::null())
             .stdout(Stdio::null())
             .stderr(Stdio::piped());
         let sandbox = self.compiler();
-        sandbox
-            .enclose_compiler(
-                &mut command,
-                OsStr::new("/usr/bin:/bin"),
-                [folder.to_owned()],
-                &[&target],
-            )
-            .map_err(StudentError::NoCargo)?;
-        let built;
-        (built, *said) = sandbox.finish(command).map_err(StudentError::NoCargo)?;
-        if !built {
-            return Err(StudentError::DoesNotCompile);
+        let readable = readable.chain([folder]).map(Path::to_path_buf);
+        let path = OsStr::new("/usr/bin:/bin");
+        let ended = sandbox
+            .enclose_compiler(&mut command, path, readable, &[&target.to_owned()])
+            .and_then(|()| sandbox.finish(command));
+        match ended {
+            Ok((true, said)) => (Ok(()), said),
+            Ok((false, said)) => (Err(StudentError::DoesNotCompile), said),
+            Err(error) => (Err(StudentError::NoCargo(error)), String::new()),
         }
-        if !output.symlink_metadata().is_ok_and(|kind| kind.is_file()) {
-            return Err(none());
-        }
-        Ok(Program {
-            file: output.to_owned(),
-            arguments: Vec::new(),
-            folder: folder.to_owned(),
-            sandbox: Some(self.clone()),
-        })
     }
 }

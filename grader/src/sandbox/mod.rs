@@ -215,9 +215,20 @@ impl Sandbox {
         &self,
         folder: &Path,
         _files: &[String],
+        _objects: &[PathBuf],
         _output: &Path,
     ) -> (Result<Program, StudentError>, String) {
         (self.build(folder), String::new())
+    }
+
+    /// There is no sandbox.
+    #[cfg(not(target_os = "linux"))]
+    pub fn compile_objects(
+        &self,
+        folder: &Path,
+        _files: &[String],
+    ) -> (Result<(), StudentError>, String) {
+        (self.build(folder).map(|_| ()), String::new())
     }
 
     /// There is no sandbox.

@@ -1,0 +1,72 @@
+//! Workbooks in C++: what is as it was given out is compiled once for the class.
+
+use super::{Course, text};
+use crate::hostile::there_is;
+use raybook_common::project;
+use raybook_grader::starter::cpp;
+
+const COURSE: &str = "[[chapter]]\nchapter = 'ch01'\nexercises = ['ray_at']\n";
+
+/// Hands in the starter, with these files in the place of its own.
+fn workbook(course: &Course, student: &str, changed: &[(&str, &str)]) {
+    for (path, bytes) in cpp::files() {
+        let own = changed.iter().find(|(name, _)| path.as_os_str() == *name);
+        let given = String::from_utf8_lossy(&bytes);
+        let text = own.map_or(&*given, |(_, text)| text);
+        course.hand_in(&format!("{student}/my-rays/{}", path.display()), text);
+    }
+}
+
+#[test]
+fn what_was_given_out_is_linked_and_what_was_changed_is_compiled() {
+    if !there_is("g++") {
+        return;
+    }
+    let course = Course::new(COURSE);
+    let solved = text(&project("tests/solutions/cpp/ch01_rays.cpp"));
+    let wrong = solved.replace(
+        "ray_at(const Ray& ray, double t) {",
+        "ray_at(const Ray& ray, double t) { t = -t;",
+    );
+    assert_ne!(solved, wrong, "the sign is changed");
+    let answers = "int main() { for (;;) {} }\n";
+    let broken = "#error my own\n";
+    workbook(&course, "starter", &[]);
+    workbook(&course, "solved", &[("ch01_rays.cpp", &solved)]);
+    workbook(&course, "wrong", &[("ch01_rays.cpp", &wrong)]);
+    workbook(
+        &course,
+        "elsewhere",
+        &[("ch01_rays.cpp", &solved), ("ch02_hdr.cpp", broken)],
+    );
+    workbook(
+        &course,
+        "main",
+        &[("ch01_rays.cpp", &solved), ("raybook/answer.cpp", answers)],
+    );
+    workbook(
+        &course,
+        "header",
+        &[
+            ("ch01_rays.cpp", &solved),
+            ("raybook/ch25_capstone.hpp", broken),
+        ],
+    );
+    let (code, said) = course.grade(&[]);
+    assert_eq!(code, Some(0), "{said}");
+    for (student, standing) in [
+        ("starter", "not started"),
+        ("solved", "right"),
+        ("wrong", "wrong"),
+        ("elsewhere", "does not compile"),
+        ("main", "wrong"),
+        ("header", "does not compile"),
+    ] {
+        assert_eq!(
+            course.standing(student, "ray_at"),
+            standing,
+            "{student}: {:#}",
+            course.student(student)
+        );
+    }
+}

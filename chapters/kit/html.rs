@@ -13,10 +13,14 @@ code { background: #f0f0f0; padding: .1em .3em; border-radius: 3px; overflow-wra
 nav { display: flex; flex-wrap: wrap; gap: .1em 1.2em } nav a { padding: .25em 0 }
 nav ol { columns: 3 17em; margin: 0; padding: 0; list-style: none; width: 100% } nav li { break-inside: avoid; padding: .15em 0 }
 [role=alert] { border-left: 4px solid #d55e00; padding-left: 1rem } [role=alert] pre { white-space: pre-wrap } pre { overflow-x: auto }
-.pictures { border: 1px solid #ccc; margin: 1rem 0; min-width: 0 } .pictures label { margin-right: 1.2em; white-space: nowrap }
-.pictures div { display: flex; gap: .7rem; flex-wrap: wrap } .pictures figure { flex: 1 1 200px; max-width: 760px } .pictures img { image-rendering: pixelated }
+.pictures { border: 1px solid #ccc; margin: 1rem 0; min-width: 0; padding: .5rem 1rem } .pictures label { margin-right: 1.2em; white-space: nowrap }
+.row { display: flex; gap: .7rem; flex-wrap: wrap } .row figure { flex: 1 1 200px; max-width: 760px }
+.picture { display: block; position: relative } .picture img { image-rendering: pixelated; display: block } .slider, .picture img + img { display: none }
+.picture i { position: absolute; box-sizing: content-box; min-width: 5px; min-height: 5px; outline: 2px solid #fff; box-shadow: 0 0 0 4px #000; pointer-events: none }
 .pictures:has([value=yours]:checked) figure:not(.yours), .pictures:has([value=right]:checked) figure:not(.right),
-.pictures:has([value=difference]:checked) figure:not(.difference) { display: none }
+.pictures:has([value=difference]:checked) figure:not(.difference), .pictures:has([value=slider]:checked) figure:not(.slider) { display: none }
+.pictures:has([value=slider]:checked) .slider, .slider .picture img + img { display: block }
+.slider img + img { position: absolute; inset: 0; clip-path: inset(0 0 0 var(--cut, 50%)) } .slider input { width: 100% } .pictures input[type=number] { width: 4.5em }
 :focus-visible { outline: 3px solid #e69f00; outline-offset: 3px }
 @media (prefers-color-scheme: dark) { body { color: #ddd; background: #1b1b1b } figcaption { color: #bbb } code { background: #333 } a { color: #8bf } }";
 

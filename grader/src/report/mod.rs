@@ -130,12 +130,25 @@ fn wrong(report: &Report, outcome: &Outcome, examiner: &dyn Examiner) -> Markup 
         @for line in feedback::diagnosis(report, Dress::default()) { p { (line.trim()) } }
         details id={ (report.exercise) "-case" } {
             summary { "This case in full" }
-            pre tabindex="0" { (tell::lines(&account, Dress::default()).join("\n")) }
+            (in_full(&account))
         }
-        @if let Some(diagram) = &account.diagram { figure style="max-width: 760px" {
-            img src=(base64::uri("image/svg+xml", diagram.svg().as_bytes())) alt=(diagram.title);
-        } }
+        (drawing(&account))
     }
+}
+
+/// A case as `raybook explain` tells it, with its drawing.
+pub fn explained(account: &Account<'_>) -> Markup {
+    html! { (in_full(account)) (drawing(account)) }
+}
+
+fn in_full(account: &Account<'_>) -> Markup {
+    html! { pre tabindex="0" { (tell::lines(account, Dress::default()).join("\n")) } }
+}
+
+fn drawing(account: &Account<'_>) -> Markup {
+    html! { @if let Some(diagram) = &account.diagram { figure style="max-width: 760px" {
+        img src=(base64::uri("image/svg+xml", diagram.svg().as_bytes())) alt=(diagram.title);
+    } } }
 }
 
 fn cost_of(cost: &Cost) -> Markup {

@@ -1,6 +1,7 @@
 //! What a browser is answered: a status, what it may do with the answer, and the answer.
 
 use crate::base64::base64;
+use raybook_chapters::kit::address;
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 use std::io::{self, Write};
@@ -28,6 +29,11 @@ impl Answer {
             script: format!("'sha256-{}'", base64(&Sha256::digest(script))),
             ..Self::of("200 OK", "text/html; charset=utf-8", text)
         }
+    }
+
+    /// A part of a page, to be put in its place by the page's script.
+    pub fn part(html: String) -> Self {
+        Self::of("200 OK", "text/html; charset=utf-8", html)
     }
 
     /// A value as JSON.
@@ -98,9 +104,9 @@ impl Answer {
             script,
             caption,
         } = self;
-        let caption = caption
-            .as_deref()
-            .map_or_else(String::new, |text| format!("Caption: {}\r\n", encode(text)));
+        let caption = caption.as_deref().map_or_else(String::new, |text| {
+            format!("Caption: {}\r\n", address::encoded(text))
+        });
         let head = format!(
             "HTTP/1.1 {status}\r\nContent-Type: {kind}\r\nContent-Length: {}\r\nConnection: close\r\nCache-Control: no-store\r\n\
              Content-Security-Policy: default-src 'none'; img-src 'self' blob: data:; connect-src 'self'; style-src 'unsafe-inline'; \
@@ -111,13 +117,4 @@ impl Answer {
         stream.write_all(head.as_bytes())?;
         stream.write_all(body)
     }
-}
-
-/// Text of letters alone: every other byte as `%` and two digits.
-fn encode(text: &str) -> String {
-    let code = |byte: u8| match byte {
-        byte if byte.is_ascii_alphanumeric() => char::from(byte).to_string(),
-        byte => format!("%{byte:02X}"),
-    };
-    text.bytes().map(code).collect()
 }

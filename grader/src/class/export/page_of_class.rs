@@ -6,9 +6,8 @@ use crate::class::items::Item;
 use crate::class::record::Standing;
 use crate::class::roll::Class;
 use maud::{Markup, html};
-use raybook_chapters::kit::html;
 use raybook_chapters::kit::untrusted::Untrusted;
-use std::fmt::Write;
+use raybook_chapters::kit::{address, html};
 
 /// The page.
 pub fn page(class: &Class<'_>) -> String {
@@ -104,18 +103,5 @@ fn students(class: &Class<'_>) -> Markup {
 
 /// A student's name, which leads to the student's page.
 fn link(student: &str) -> Markup {
-    html! { a href=(format!("{STUDENTS}/{}/index.html", encoded(student))) { (Untrusted::from(student)) } }
-}
-
-/// A name as a part of an address: all but letters and digits by its bytes.
-fn encoded(name: &str) -> String {
-    let mut text = String::new();
-    for byte in name.bytes() {
-        if byte.is_ascii_alphanumeric() || b"-_.".contains(&byte) {
-            text.push(char::from(byte));
-        } else {
-            let _ = write!(text, "%{byte:02X}");
-        }
-    }
-    text
+    html! { a href=(format!("{STUDENTS}/{}/index.html", address::encoded(student))) { (Untrusted::from(student)) } }
 }

@@ -3,12 +3,13 @@
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 const STYLE: &str = "
+:root { color-scheme: light dark }
 body { font: 17px/1.5 system-ui, sans-serif; max-width: 1240px; margin: 2rem auto; padding: 0 1rem; color: #222; background: #fff; overflow-wrap: break-word }
 h1 { margin-bottom: 0 } section { margin-top: 3rem; border-top: 1px solid #ccc }
 .figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(480px, 100%), 1fr)); gap: 1.5rem }
 figure { margin: 0 } img { width: 100%; height: auto; background: #fff } figcaption { color: #444; font-size: 15px }
 table { border-collapse: collapse } th, td { padding: .2em .9em; border-bottom: 1px solid #ddd; text-align: right }
-th:first-child, td:first-child { text-align: left }
+th:first-child, td:first-child { text-align: left } .scroll { overflow-x: auto; max-width: 100% }
 code { background: #f0f0f0; padding: .1em .3em; border-radius: 3px; overflow-wrap: anywhere }
 nav { display: flex; flex-wrap: wrap; gap: .1em 1.2em } nav a { padding: .25em 0 }
 nav ol { columns: 3 17em; margin: 0; padding: 0; list-style: none; width: 100% } nav li { break-inside: avoid; padding: .15em 0 }
@@ -32,6 +33,7 @@ pub fn page(title: &str, body: &Markup) -> String {
             head {
                 meta charset="utf-8";
                 meta name="viewport" content="width=device-width, initial-scale=1";
+                link rel="icon" href="data:,"; // or a browser asks for one
                 title { (title) }
                 style { (PreEscaped(STYLE)) }
             }
@@ -39,6 +41,11 @@ pub fn page(title: &str, body: &Markup) -> String {
         }
     };
     page.into_string()
+}
+
+/// A table that is scrolled where it is wider than the window, by keys too.
+pub fn table(label: &str, rows: &Markup) -> Markup {
+    html! { div class="scroll" tabindex="0" role="region" aria-label=(label) { table { (rows) } } }
 }
 
 /// A picture that is also a link to the picture alone, and below it what to see.

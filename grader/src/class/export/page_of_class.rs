@@ -55,11 +55,11 @@ fn items(class: &Class<'_>) -> Markup {
     };
     html! { section {
         h2 { "What the class gets wrong" }
-        table {
+        (html::table("What the class gets wrong", &html! {
             tr { th { "exercise" } th { "right" } th { "wrong" } th { "not started" } th { "does not compile" } th { "not graded" }
                 th { "right on visible cases only" } th { "reference taken" } th { "most common mistakes" } th { "cases most often wrong" } }
             @for item in &class.items { (row(item)) }
-        }
+        }))
     } }
 }
 
@@ -68,13 +68,13 @@ fn similar(class: &Class<'_>) -> Markup {
         h2 { "Nearly identical hand-ins" }
         @if class.pairs.is_empty() { p { "None." } } @else {
             p { "How much of the smaller hand-in is in the other, names, comments and the starter left out. It is a reason to look, and no proof." }
-            table {
+            (html::table("Nearly identical hand-ins", &html! {
                 tr { th { "student" } th { "student" } th { "alike" } }
                 @for pair in class.pairs { tr {
                     @for student in &pair.students { td { (link(student)) } }
                     td { (format!("{:.0} %", 100.0 * pair.share)) }
                 } }
-            }
+            }))
         }
     } }
 }
@@ -93,11 +93,11 @@ fn students(class: &Class<'_>) -> Markup {
     };
     html! { section {
         h2 { "Students" }
-        table {
+        (html::table("Students", &html! {
             tr { th { "student" } th { "points" }
                 @for plan in &class.course.chapters { th { (plan.chapter.title) } } th { "" } }
             @for grade in &class.grades { (row(grade)) }
-        }
+        }))
     } }
 }
 

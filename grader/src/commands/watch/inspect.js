@@ -4,7 +4,7 @@ const MOVES = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowD
 // Two pictures in the same place: the right one is cut off at its left.
 const slider = (id, yours, right) => `
   <figure class="slider"><span class="picture">${yours}${right}</span>
-    <figcaption><label for="${id}-cut">yours, cut off by the right one at</label>
+    <figcaption><label for="${id}-cut">Yours, and right of the slider the right one</label>
       <input type="range" id="${id}-cut" min="0" max="100" value="50"></figcaption></figure>`;
 
 const inspector = (id, { width, height, x, y }) => `

@@ -1,5 +1,6 @@
 //! `index.html`: every chapter's pictures, what they show, what is new, and the command that draws them.
 
+use crate::kit::address;
 use crate::kit::html::page;
 use crate::kit::stage::Output;
 use crate::lesson::Lesson;
@@ -86,7 +87,7 @@ fn lesson_page(folder: &Path, chapter: &str) -> String {
         return "../".repeat(down.count()) + &page;
     }
     let here = env::current_dir().unwrap_or_default();
-    format!("file://{}", here.join(page).display())
+    address::of_file(&here.join(page))
 }
 
 /// ", 1.2 million rays a second": of the main picture, which is the first; nothing where no rays are counted.

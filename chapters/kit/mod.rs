@@ -1,5 +1,6 @@
 //! What every chapter draws with.
 
+pub mod address;
 pub mod axis;
 pub mod bars;
 pub mod chapter;

@@ -4,7 +4,7 @@
 pub const STYLE: &str = "
 body { max-width: 1420px }
 .figures { display: flex; flex-wrap: wrap; gap: 1.5rem }
-figure { max-width: 100% } .scroll { overflow-x: auto; max-width: 100% }
+.figures > * { max-width: 100% }
 .scroll > a > img, .scroll > img { width: auto; max-width: none; display: block }
 figcaption { max-width: 43em; margin-top: .4em } figcaption code { font-size: 13px }
 .pixels img, .flip img { width: auto; height: auto; max-width: none; image-rendering: pixelated; display: block }

@@ -1,6 +1,6 @@
 //! A picture inside of a figure.
 
-use crate::kit::html::data_uri;
+use crate::kit::address;
 use crate::kit::stage::Drawn;
 use plotters::coord::Shift;
 use plotters::prelude::{Color, DrawingArea, DrawingBackend, RGBColor, Rectangle};
@@ -47,7 +47,7 @@ impl Raster {
     /// If the picture has no pixels.
     pub fn svg(&self) -> io::Result<String> {
         let [(left, top), (width, height)] = [self.at, self.size];
-        let data = data_uri("image/png", &file::to_png(&self.picture)?);
+        let data = address::of_bytes("image/png", &file::to_png(&self.picture)?);
         Ok(format!(
             "<image x=\"{left}\" y=\"{top}\" width=\"{width}\" height=\"{height}\" preserveAspectRatio=\"none\" style=\"image-rendering:pixelated\" href=\"{data}\"/>\n"
         ))

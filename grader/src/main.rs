@@ -12,7 +12,7 @@ use std::process::ExitCode;
 ///
 /// Exit codes: 0 all right, 1 some answers are wrong or missing, 2 wrong usage or input, or a file that cannot be read or written.
 #[derive(Parser)]
-#[command(version)]
+#[command(name = "raybook", version)]
 struct Command {
     #[command(subcommand)]
     task: Option<Task>,

@@ -8,8 +8,8 @@ mod solutions;
 mod starters;
 mod watched;
 
+use crate::common::command::raybook_with;
 use raybook_grader::language::Language;
-use raybook_grader::starter;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
@@ -23,11 +23,15 @@ fn there_is(program: &str) -> bool {
     there
 }
 
-/// A starter in a folder of this name.
+/// The path of a student who has no Rust: the system's programs only.
+const WITHOUT_RUST: (&str, &str) = ("PATH", "/usr/bin:/bin");
+
+/// A folder of this name, as `raybook new` makes it where there is no Rust.
 fn new(home: &Path, name: &str, language: Language) -> PathBuf {
-    let folder = home.join(name);
-    starter::create(&folder, language).expect("the folder can be made");
-    folder
+    let words = ["new", name, "--language", language.name()];
+    let (code, said) = raybook_with(home, &words, &[WITHOUT_RUST]);
+    assert!(code == 0 && said.contains("raybook check"), "{said}");
+    home.join(name)
 }
 
 /// What a program says on both outputs, if it succeeds.

@@ -4,15 +4,14 @@ use super::asking::Asking;
 use super::golden::Golden;
 use super::hidden::Hidden;
 use super::keep::keep_pictures;
+use super::manner::Manner;
 use super::tell::{Pictured, Telling};
 use super::unwritten::Unwritten;
 use super::{Done, Target};
 use indicatif::ProgressBar;
 use raybook_chapters::kit::say::{complain, say};
-use raybook_chapters::kit::terminal::colourless;
 use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_grader::check::{Outcome, Report, State, check_all};
-use raybook_grader::dress::Dress;
 use raybook_grader::examine::{Case, Examiner, visible_rng};
 use raybook_grader::hidden::Key;
 use raybook_grader::json;
@@ -39,12 +38,8 @@ pub struct Check {
     /// Write the pictures that the answers make into this folder; without it, those of the workbook in which you are are kept in its .raybook. Elsewhere a few pixels are asked, and all if one of these is wrong: pictures count like cases
     #[arg(long, value_name = "FOLDER")]
     pictures: Option<PathBuf>,
-    /// Print JSON (its fields are described in `raybook_grader::json`)
-    #[arg(long)]
-    json: bool,
-    /// No colours and no symbols in front of words
-    #[arg(long)]
-    plain: bool,
+    #[command(flatten)]
+    manner: Manner,
 }
 
 /// What a program may miss that ends without an answer.
@@ -102,7 +97,7 @@ impl Check {
                 ));
             }
         }
-        if self.json {
+        if self.manner.json {
             say(json::text(&json::results(&reports)));
         } else {
             let whole = self.case.is_none();
@@ -110,7 +105,7 @@ impl Check {
                 folder: folder.as_deref().filter(|_| whole),
                 again: &|exercise| self.again(exercise),
                 explain: &|exercise| self.explain(exercise),
-                dress: self.dress(),
+                dress: self.manner.dress(),
             }
             .tell(&reports, whole, &mut unwritten);
             let ended = |(report, _): &Pictured| report.cases.iter().any(Outcome::ended);
@@ -167,12 +162,5 @@ impl Check {
                 .map(|folder| Untrusted::from(folder).shell()),
         );
         words.join(" ")
-    }
-
-    fn dress(&self) -> Dress {
-        Dress {
-            colour: colourless().is_none() && !self.plain,
-            symbols: !self.plain,
-        }
     }
 }

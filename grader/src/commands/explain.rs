@@ -1,18 +1,17 @@
 //! `raybook explain`: one question in full.
 
 use super::asking::Asking;
+use super::manner::Manner;
 use super::unwritten::Unwritten;
 use super::{Done, Target};
 use clap::ArgGroup;
 use raybook::store::{self, StoreError};
 use raybook_chapters::kit::say::say;
-use raybook_chapters::kit::terminal::colourless;
 use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_grader::ask::Asker;
-use raybook_grader::check::{Outcome, Report, Verdict, check};
-use raybook_grader::dress::Dress;
-use raybook_grader::examine::{Case, Examiner, visible_rng};
+use raybook_grader::check::Verdict;
 use raybook_grader::explain::account::Account;
+use raybook_grader::explain::asked::{Asked, Which, pixel};
 use raybook_grader::explain::tell;
 use raybook_grader::json;
 use raybook_grader::progress::KEPT;
@@ -35,12 +34,8 @@ pub struct Explain {
     /// Write the drawing into this folder; without it, that of a workbook is kept in its .raybook
     #[arg(long, value_name = "FOLDER")]
     pictures: Option<PathBuf>,
-    /// Print JSON (its fields are described in `raybook_grader::explain::account`)
-    #[arg(long)]
-    json: bool,
-    /// No colours and no symbols in front of words
-    #[arg(long)]
-    plain: bool,
+    #[command(flatten)]
+    manner: Manner,
 }
 
 impl Explain {
@@ -50,27 +45,26 @@ impl Explain {
         let [examiner] = examiners[..] else {
             return Err("explain needs one exercise: raybook explain sphere_hit".into());
         };
-        let (cases, chosen) = self.cases(examiner)?;
+        let which = match (self.case, self.pixel) {
+            (Some(number), _) => Which::Case(number as usize),
+            (None, Some(pixel)) => Which::Pixel(pixel),
+            (None, None) => Which::FirstWrong,
+        };
         let (program, workbook) = self.asking.program(&from, Vec::new())?;
         let mut asker = Asker::new(&program, self.asking.limits());
-        let report = check(&mut asker, examiner, cases)?;
-        let outcome = chosen.map_or_else(|| first_wrong(&report), |i| report.cases.get(i));
-        let outcome = outcome.ok_or_else(|| format!("{} has no cases", examiner.name()))?;
-        let account = Account::of(&report, examiner, outcome);
+        let asked = Asked::new(&mut asker, examiner, which)?;
+        let account = asked.account();
+        let account = account.ok_or_else(|| format!("{} has no cases", examiner.name()))?;
         // What cannot be written must not keep the explanation back.
         let mut unwritten = Unwritten::default();
         let of_workbook = workbook.map(|folder| folder.join(KEPT));
         let folder = self.pictures.clone().or(of_workbook);
         let picture = folder.and_then(|folder| unwritten.or_none(self.keep(&account, &folder)));
         let picture = picture.flatten();
-        if self.json {
+        if self.manner.json {
             say(json::text(&account.json(picture.as_deref())));
         } else {
-            let dress = Dress {
-                colour: colourless().is_none() && !self.plain,
-                symbols: !self.plain,
-            };
-            say(tell::lines(&account, dress).join("\n"));
+            say(tell::lines(&account, self.manner.dress()).join("\n"));
             match (&picture, &account.diagram) {
                 (Some(path), Some(diagram)) => {
                     let file = Untrusted::from(path.as_path());
@@ -81,47 +75,7 @@ impl Explain {
             }
         }
         unwritten.said()?;
-        Ok(outcome.verdict == Verdict::Right)
-    }
-
-    /// All cases of the exercise, with the pixel's if one is wanted, and which of them is to be explained; none if the first wrong one.
-    fn cases(&self, examiner: &dyn Examiner) -> Result<(Vec<Case>, Option<usize>), String> {
-        let name = examiner.name();
-        let mut cases = examiner.cases(&mut visible_rng(name)).cases;
-        if let Some(number) = self.case {
-            let (chosen, count) = (number as usize - 1, cases.len());
-            return if chosen < count {
-                Ok((cases, Some(chosen)))
-            } else {
-                Err(format!(
-                    "{name} has {count} cases, there is no case {number}"
-                ))
-            };
-        }
-        let Some([x, y]) = self.pixel else {
-            return Ok((cases, None));
-        };
-        let size = examiner.picture(0);
-        let size =
-            size.ok_or_else(|| format!("{name} has no picture; --case chooses one of its cases"))?;
-        let (width, height) = (size.width, size.height);
-        if x >= width || y >= height {
-            return Err(format!(
-                "the picture of {name} has {width} columns and {height} rows: there is no pixel {x},{y}"
-            ));
-        }
-        let question = examiner.pixel_question(0, x, y);
-        let answer = examiner
-            .answer_line(&question)
-            .map_err(|error| error.to_string())?;
-        let chosen = cases.len();
-        cases.push(Case {
-            number: chosen + 1,
-            name: format!("the pixel in column {x} of row {y} of the picture"),
-            question,
-            answers: vec![answer],
-        });
-        Ok((cases, Some(chosen)))
+        Ok(account.outcome.verdict == Verdict::Right)
     }
 
     /// Writes the drawing, if there is one; returns its file.
@@ -137,21 +91,4 @@ impl Explain {
         store::write(&path, diagram.svg().as_bytes())?;
         Ok(Some(path))
     }
-}
-
-/// The first wrong case, or else the first.
-fn first_wrong(report: &Report) -> Option<&Outcome> {
-    let wrong = report.first_wrong().map(|(outcome, _)| outcome);
-    wrong.or_else(|| report.cases.first())
-}
-
-/// A pixel's column and row.
-fn pixel(text: &str) -> Result<[u32; 2], String> {
-    let wrong = || {
-        let text = Untrusted::from(text);
-        format!("`{text}` is no pixel: its column and its row are wanted, for example 63,40")
-    };
-    let (x, y) = text.split_once(',').ok_or_else(wrong)?;
-    let number = |word: &str| word.trim().parse().map_err(|_| wrong());
-    Ok([number(x)?, number(y)?])
 }

@@ -3,6 +3,7 @@
 pub mod asking;
 pub mod bless;
 pub mod book;
+pub mod browser;
 pub mod check;
 pub mod course;
 pub mod doctor;
@@ -15,6 +16,7 @@ pub mod grade;
 pub mod hidden;
 pub mod hint;
 pub mod keep;
+pub mod manner;
 pub mod map;
 pub mod new;
 pub mod pace;

@@ -3,14 +3,13 @@
 mod drawing;
 mod screens;
 
-use super::Done;
+use super::{Done, browser};
 use drawing::Studio;
 use raybook_chapters::kit::options::Options;
 use raybook_chapters::kit::say::say;
 use raybook_chapters::lesson::{self, Lesson};
 use raybook_grader::serve::{Answer, Request, Server};
 use raybook_workbook::curriculum::CHAPTERS;
-use std::process::{Command, Stdio};
 use std::sync::Arc;
 
 /// The options of `raybook present`.
@@ -58,7 +57,7 @@ impl Present {
             "Open {address}\nKeys: ← → step, b black, f full screen, k knobs, ? all keys. Ctrl-C ends it."
         ));
         if !self.no_open {
-            open(&address);
+            browser::open(&address);
         }
         let studio = Arc::new(Studio::new(self.options.clone()));
         server.run(move |request| answer(&studio, request));
@@ -82,21 +81,4 @@ fn answer(studio: &Arc<Studio>, request: &Request) -> Answer {
 /// What is answered about a chapter, if there is one of this name.
 fn of(chapter: &str, answer: impl FnOnce(&'static Lesson) -> Answer) -> Answer {
     lesson::find(chapter).map_or_else(Answer::unknown, answer)
-}
-
-/// Asks the system to show an address; if it cannot, the address is printed.
-fn open(address: &str) {
-    let program = if cfg!(target_os = "macos") {
-        "open"
-    } else {
-        "xdg-open"
-    };
-    let mut command = Command::new(program);
-    command
-        .arg(address)
-        .stdin(Stdio::null())
-        .stdout(Stdio::null())
-        .stderr(Stdio::null());
-    // There may be no browser, or no screen: then the printed address is all.
-    let _ = command.spawn();
 }

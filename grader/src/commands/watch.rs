@@ -129,7 +129,9 @@ impl Watch {
         page: Option<&mut Page>,
     ) -> Result<(), Box<dyn Error>> {
         if let Task::Check(check) = self.task("check", names, folder)? {
+            let alone = page.as_ref().map(|page| page.alone());
             let checked = check.reports();
+            drop(alone);
             if let Err(error) = &checked {
                 report(&**error);
             }

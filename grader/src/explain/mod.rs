@@ -3,6 +3,7 @@
 //! A file per chapter has the steps of its exercises and their drawings; `EXPLAINERS` lists them.
 
 pub mod account;
+pub mod asked;
 mod ch01_rays;
 mod ch03_sphere;
 mod ch04_plane;

@@ -13,8 +13,8 @@ use crate::progress::Progress;
 use crate::{cases, feedback, json, pictured};
 use cost::Cost;
 use maud::{Markup, html};
-use raybook_chapters::kit::html::{self, data_uri};
 use raybook_chapters::kit::untrusted::Untrusted;
+use raybook_chapters::kit::{address, html};
 use raybook_workbook::curriculum::{CHAPTERS, Chapter};
 
 /// What stands on the page.
@@ -130,12 +130,25 @@ fn wrong(report: &Report, outcome: &Outcome, examiner: &dyn Examiner) -> Markup 
         @for line in feedback::diagnosis(report, Dress::default()) { p { (line.trim()) } }
         details id={ (report.exercise) "-case" } {
             summary { "This case in full" }
-            pre tabindex="0" { (tell::lines(&account, Dress::default()).join("\n")) }
+            (in_full(&account))
         }
-        @if let Some(diagram) = &account.diagram { figure style="max-width: 760px" {
-            img src=(data_uri("image/svg+xml", diagram.svg().as_bytes())) alt=(diagram.title);
-        } }
+        (drawing(&account))
     }
+}
+
+/// A case as `raybook explain` tells it, with its drawing.
+pub fn explained(account: &Account<'_>) -> Markup {
+    html! { (in_full(account)) (drawing(account)) }
+}
+
+fn in_full(account: &Account<'_>) -> Markup {
+    html! { pre tabindex="0" { (tell::lines(account, Dress::default()).join("\n")) } }
+}
+
+fn drawing(account: &Account<'_>) -> Markup {
+    html! { @if let Some(diagram) = &account.diagram { figure style="max-width: 760px" {
+        img src=(address::of_bytes("image/svg+xml", diagram.svg().as_bytes())) alt=(diagram.title);
+    } } }
 }
 
 fn cost_of(cost: &Cost) -> Markup {
@@ -143,6 +156,6 @@ fn cost_of(cost: &Cost) -> Markup {
     html! { article {
         h3 { "What " code { (cost.exercise) } " costs" }
         p { (cost.words()) }
-        figure style="max-width: 760px" { img src=(data_uri("image/svg+xml", plot.svg().as_bytes())) alt={ (plot.title) ". " (cost.words()) }; }
+        figure style="max-width: 760px" { img src=(address::of_bytes("image/svg+xml", plot.svg().as_bytes())) alt={ (plot.title) ". " (cost.words()) }; }
     } }
 }

@@ -3,7 +3,7 @@
 use crate::triple::Triple;
 use maud::{Markup, html};
 use raybook::image::{Image, file};
-use raybook_chapters::kit::html::data_uri;
+use raybook_chapters::kit::address;
 
 /// The choice of what is seen. The style of the page hides the others, so no script is needed, and the arrow keys choose.
 const CHOICES: [(&str, &str); 4] = [
@@ -20,12 +20,17 @@ pub fn of(exercise: &str, number: usize, picture: &Triple) -> Markup {
     let yours = format!("{}: yours, {wrong} of {of} pixels are wrong.", picture.alt);
     let right = format!("{}: the right one.", picture.alt);
     let difference = format!("{}: yours minus the right one.", picture.alt);
-    html! { fieldset class="pictures" {
+    // The page of a watch has a pixel looked at: first the one that is wrong, or else the middle.
+    let (width, height) = (picture.golden.width(), picture.golden.height());
+    let first = picture.first_bad.as_ref().map(|bad| (bad.x, bad.y));
+    let (x, y) = first.unwrap_or((width / 2, height / 2));
+    html! { fieldset class="pictures" id=(name) data-exercise=(exercise) data-explained[number == 0]
+            data-width=(width) data-height=(height) data-x=(x) data-y=(y) {
         legend { "The picture " code { (picture.name) } ": " (of - wrong) " of " (of) " pixels are right" }
         p { @for (value, label) in CHOICES { label {
-            input type="radio" id={ (name) "-" (value) } name=(name) value=(value) checked[value == "all"]; " " (label)
+            input type="radio" id={ (name) "-" (value) } name={ (name) "-shown" } value=(value) checked[value == "all"]; " " (label)
         } " " } }
-        div {
+        div class="row" {
             (one("yours", &picture.yours, &yours, "Yours"))
             (one("right", &picture.golden, &right, "The right one"))
             (one("difference", &picture.difference, &difference, "The difference: orange where yours is too bright, blue where it is too dark"))
@@ -37,7 +42,7 @@ fn one(class: &str, picture: &Image, alt: &str, caption: &str) -> Markup {
     // A picture of an exercise has pixels; without, its text stands in its place.
     let png = file::to_png(picture).unwrap_or_default();
     html! { figure class=(class) {
-        img src=(data_uri("image/png", &png)) alt=(alt);
+        span class="picture" { img src=(address::of_bytes("image/png", &png)) alt=(alt); }
         figcaption { (caption) }
     } }
 }

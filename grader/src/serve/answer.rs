@@ -2,6 +2,7 @@
 
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
+use raybook_chapters::kit::address;
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 use std::io::{self, Write};
@@ -32,6 +33,11 @@ impl Answer {
             ),
             ..Self::of("200 OK", "text/html; charset=utf-8", text)
         }
+    }
+
+    /// A part of a page, to be put in its place by the page's script.
+    pub fn part(html: String) -> Self {
+        Self::of("200 OK", "text/html; charset=utf-8", html)
     }
 
     /// A value as JSON.
@@ -102,9 +108,9 @@ impl Answer {
             script,
             caption,
         } = self;
-        let caption = caption
-            .as_deref()
-            .map_or_else(String::new, |text| format!("Caption: {}\r\n", encode(text)));
+        let caption = caption.as_deref().map_or_else(String::new, |text| {
+            format!("Caption: {}\r\n", address::encoded(text))
+        });
         let head = format!(
             "HTTP/1.1 {status}\r\nContent-Type: {kind}\r\nContent-Length: {}\r\nConnection: close\r\nCache-Control: no-store\r\n\
              Content-Security-Policy: default-src 'none'; img-src 'self' blob: data:; connect-src 'self'; style-src 'unsafe-inline'; \
@@ -115,13 +121,4 @@ impl Answer {
         stream.write_all(head.as_bytes())?;
         stream.write_all(body)
     }
-}
-
-/// Text of letters alone: every other byte as `%` and two digits.
-fn encode(text: &str) -> String {
-    let code = |byte: u8| match byte {
-        byte if byte.is_ascii_alphanumeric() => char::from(byte).to_string(),
-        byte => format!("%{byte:02X}"),
-    };
-    text.bytes().map(code).collect()
 }

@@ -5,6 +5,7 @@
 
 mod answer;
 mod request;
+mod until;
 
 pub use answer::Answer;
 pub use request::Request;
@@ -16,8 +17,9 @@ use std::net::{Ipv4Addr, TcpListener, TcpStream};
 use std::sync::Arc;
 use std::thread::{Builder, sleep};
 use std::time::Duration;
+use until::Until;
 
-/// How long a silent browser is waited for.
+/// How long a browser may take to send its request, and to take the answer.
 const PATIENCE: Duration = Duration::from_secs(10);
 /// Answers under way at most: a browser asks for a few.
 const MOST: usize = 64;
@@ -62,14 +64,16 @@ impl Server {
             host,
             token,
         } = self;
-        let answer = Arc::new(move |stream: &TcpStream| match Request::read(stream) {
-            Ok(request) => {
-                refusal(&request, &host, &token).unwrap_or_else(|| answer(&request.below(&token)))
-            }
-            Err(refused) => refused,
-        });
+        let answer =
+            Arc::new(
+                move |stream: &TcpStream| match Request::read(Until::new(stream, PATIENCE)) {
+                    Ok(request) => refusal(&request, &host, &token)
+                        .unwrap_or_else(|| answer(&request.below(&token))),
+                    Err(refused) => refused,
+                },
+            );
         for stream in listener.incoming() {
-            let Ok(mut stream) = stream else {
+            let Ok(stream) = stream else {
                 sleep(PAUSE);
                 continue;
             };
@@ -78,10 +82,7 @@ impl Server {
             }
             let answer = Arc::clone(&answer);
             let told = Builder::new().spawn(move || -> io::Result<()> {
-                stream.set_read_timeout(Some(PATIENCE))?;
-                stream.set_write_timeout(Some(PATIENCE))?;
-                let answer = answer(&stream);
-                answer.write(&mut stream)
+                answer(&stream).write(&mut Until::new(&stream, PATIENCE))
             });
             if told.is_err() {
                 sleep(PAUSE); // no thread can be had
@@ -223,9 +224,9 @@ mod tests {
             let answer = below(path);
             assert!(answer.starts_with("HTTP/1.1 404"), "{path}: {answer}");
         }
-        let answer = below("told?a=%C3%A4%20b&c=%&d");
+        let answer = below("told?a=%C3%A4%20b&c=%&d&e=1+2%2B3");
         assert!(
-            answer.ends_with("secret [(\"a\", \"ä b\"), (\"c\", \"%\")]"),
+            answer.ends_with("secret [(\"a\", \"ä b\"), (\"c\", \"%\"), (\"e\", \"1 2+3\")]"),
             "{answer}"
         );
     }

@@ -70,7 +70,7 @@ impl Request {
     }
 }
 
-/// Text in which other characters than letters may stand as `%` and two digits.
+/// A word of a query, in which a space stands as `+`, and other characters than letters may stand as `%` and two digits.
 fn decode(text: &str) -> String {
     let mut bytes = Vec::new();
     let mut rest = text.as_bytes();
@@ -79,6 +79,7 @@ fn decode(text: &str) -> String {
         let code = digits.and_then(|two| u8::from_str_radix(two, 16).ok());
         let (byte, taken) = match (first, code) {
             (b'%', Some(code)) => (code, 3),
+            (b'+', _) => (b' ', 1),
             _ => (*first, 1),
         };
         bytes.push(byte);

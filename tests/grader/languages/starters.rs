@@ -1,6 +1,6 @@
 //! The starters in Python and C++: all is to be written, nothing is given away, nothing is complained of.
 
-use super::{new, succeeds, there_is};
+use super::{WITHOUT_RUST, new, succeeds, there_is};
 use crate::common::command::raybook_with;
 use raybook_common::project;
 use raybook_grader::ask::Asker;
@@ -53,7 +53,7 @@ fn every_exercise_is_stubbed_in_its_chapter_and_nothing_is_given_away() {
 
 /// The folder is checked with the system's programs only: no cargo.
 fn is_all_to_do(folder: &Path) {
-    let (code, said) = raybook_with(folder, &["check", "--plain"], &[("PATH", "/usr/bin:/bin")]);
+    let (code, said) = raybook_with(folder, &["check", "--plain"], &[WITHOUT_RUST]);
     assert_eq!(code, 1, "{said}");
     let exercises = cases::all().len();
     let not_started = said
@@ -79,7 +79,7 @@ fn a_new_folder_in_python_is_all_to_do() {
 
     // An error in a chapter is told, and leaves the other chapters be.
     fs::write(folder.join("ch03_sphere.py"), "def sphere_hit(:\n").expect("it can be written");
-    let variables = [("PATH", "/usr/bin:/bin")];
+    let variables = [WITHOUT_RUST];
     let (_, said) = raybook_with(&folder, &["check", "3", "4", "--plain"], &variables);
     assert!(
         said.contains("SyntaxError") && said.contains("not started plane_hit"),
@@ -115,7 +115,7 @@ fn a_new_folder_in_cpp_is_all_to_do_and_compiles_without_a_warning() {
     is_all_to_do(&folder);
 
     fs::write(folder.join("ch01_rays.cpp"), "int broken(\n").expect("it can be written");
-    let (code, said) = raybook_with(&folder, &["check"], &[("PATH", "/usr/bin:/bin")]);
+    let (code, said) = raybook_with(&folder, &["check"], &[WITHOUT_RUST]);
     assert!(
         code == 2 && said.contains("ch01_rays.cpp:1:") && said.contains("does not compile"),
         "the compiler is heard: {said}"
@@ -150,8 +150,7 @@ fn a_chapter_is_drawn_by_asking_the_program() {
     }
     let home = tempfile::tempdir().expect("a temporary folder");
     let folder = new(home.path(), "rays", Language::Python);
-    let draw =
-        |chapter: &str| raybook_with(&folder, &["draw", chapter], &[("PATH", "/usr/bin:/bin")]);
+    let draw = |chapter: &str| raybook_with(&folder, &["draw", chapter], &[WITHOUT_RUST]);
     let (code, said) = draw("ch04");
     assert!(
         code == 1 && said.contains("write plane_hit first in ch04_plane.py"),

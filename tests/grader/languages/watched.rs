@@ -114,6 +114,20 @@ fn a_watch_follows_saves_and_survives_errors() {
         assert!(right.contains(part), "`{part}` is in {right}");
     }
     assert!(!right.contains("role=\"alert\""), "{right}");
+    // A pixel of a picture is explained in the page.
+    assert!(right.contains("data-exercise=\"camera_ray\" data-explained"));
+    for (asked, status, told) in [
+        ("camera_ray/6,4", 200, "the pixel in column 6 of row 4"),
+        ("camera_ray/9999,4", 400, "there is no pixel 9999,4"),
+        ("camera_ray/4", 400, "column and its row"),
+        ("ray_at/0,0", 400, "has no picture"),
+        ("nothing/0,0", 404, "no such thing"),
+    ] {
+        let answer = page(&format!("{address}explain/{asked}"));
+        let expected = format!("HTTP/1.1 {status}");
+        assert!(answer.starts_with(&expected), "{asked}: {answer}");
+        assert!(answer.contains(told), "{asked}: {answer}");
+    }
     fs::write(&file, "def ray_at(:\n").expect("it can be written");
     heard.wait_for("SyntaxError");
     fs::remove_file(&file).expect("it can be removed");

@@ -6,9 +6,8 @@ use crate::class::items::Item;
 use crate::class::record::Standing;
 use crate::class::roll::Class;
 use maud::{Markup, html};
-use raybook_chapters::kit::html;
 use raybook_chapters::kit::untrusted::Untrusted;
-use std::fmt::Write;
+use raybook_chapters::kit::{address, html};
 
 /// The page.
 pub fn page(class: &Class<'_>) -> String {
@@ -56,11 +55,11 @@ fn items(class: &Class<'_>) -> Markup {
     };
     html! { section {
         h2 { "What the class gets wrong" }
-        table {
+        (html::table("What the class gets wrong", &html! {
             tr { th { "exercise" } th { "right" } th { "wrong" } th { "not started" } th { "does not compile" } th { "not graded" }
                 th { "right on visible cases only" } th { "reference taken" } th { "most common mistakes" } th { "cases most often wrong" } }
             @for item in &class.items { (row(item)) }
-        }
+        }))
     } }
 }
 
@@ -69,13 +68,13 @@ fn similar(class: &Class<'_>) -> Markup {
         h2 { "Nearly identical hand-ins" }
         @if class.pairs.is_empty() { p { "None." } } @else {
             p { "How much of the smaller hand-in is in the other, names, comments and the starter left out. It is a reason to look, and no proof." }
-            table {
+            (html::table("Nearly identical hand-ins", &html! {
                 tr { th { "student" } th { "student" } th { "alike" } }
                 @for pair in class.pairs { tr {
                     @for student in &pair.students { td { (link(student)) } }
                     td { (format!("{:.0} %", 100.0 * pair.share)) }
                 } }
-            }
+            }))
         }
     } }
 }
@@ -94,28 +93,15 @@ fn students(class: &Class<'_>) -> Markup {
     };
     html! { section {
         h2 { "Students" }
-        table {
+        (html::table("Students", &html! {
             tr { th { "student" } th { "points" }
                 @for plan in &class.course.chapters { th { (plan.chapter.title) } } th { "" } }
             @for grade in &class.grades { (row(grade)) }
-        }
+        }))
     } }
 }
 
 /// A student's name, which leads to the student's page.
 fn link(student: &str) -> Markup {
-    html! { a href=(format!("{STUDENTS}/{}/index.html", encoded(student))) { (Untrusted::from(student)) } }
-}
-
-/// A name as a part of an address: all but letters and digits by its bytes.
-fn encoded(name: &str) -> String {
-    let mut text = String::new();
-    for byte in name.bytes() {
-        if byte.is_ascii_alphanumeric() || b"-_.".contains(&byte) {
-            text.push(char::from(byte));
-        } else {
-            let _ = write!(text, "%{byte:02X}");
-        }
-    }
-    text
+    html! { a href=(format!("{STUDENTS}/{}/index.html", address::encoded(student))) { (Untrusted::from(student)) } }
 }

@@ -33,7 +33,7 @@ fn chapter_section(chapter: &ChapterGrade) -> Markup {
         @if chapter.weight != 1.0 { p { "Its points count " (points(chapter.weight)) " times." } }
         @if chapter.lost > 0.0 { p { "Handed in " (chapter.days_late) @if chapter.days_late == 1 { " day" } @else { " days" } " late: "
             (points(100.0 * chapter.lost)) " % of the points are lost." } }
-        table {
+        (html::table(&format!("The exercises of {}", chapter.title), &html! {
             tr { th { "exercise" } th { "points" } th { "of" } th { "cases right" } th style="text-align:left" { "" } }
             @for exercise in &chapter.exercises { tr {
                 td { code { (exercise.counted.name) } @if exercise.counted.bonus { " (bonus)" } }
@@ -43,6 +43,6 @@ fn chapter_section(chapter: &ChapterGrade) -> Markup {
                     (result.right[0]) " of " (result.right[1]) } }
                 td style="text-align:left" { @for line in words(exercise).lines() { (Untrusted::from(line)) br; } }
             } }
-        }
+        }))
     } }
 }

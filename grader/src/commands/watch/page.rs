@@ -1,17 +1,24 @@
-//! The page of `raybook watch --page`: all that was checked since the watch began.
+//! The page of `raybook watch --page`: all that was checked since the watch began, and any pixel of its pictures explained.
 
+use raybook_chapters::kit::chapter::error_text;
 use raybook_chapters::kit::untrusted::Untrusted;
+use raybook_grader::ask::Asker;
+use raybook_grader::cases;
 use raybook_grader::check::Report;
+use raybook_grader::converse::Limits;
+use raybook_grader::explain::asked::{Asked, Which, pixel};
 use raybook_grader::progress::Progress;
 use raybook_grader::report;
 use raybook_grader::serve::{Answer, Server};
+use raybook_grader::student;
+use std::error::Error;
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread::spawn;
 
-/// Asks for the page again and again, and shows what has changed.
-const RENEW: &str = include_str!("renew.js");
+/// The page's script: it asks for the page again and again, shows what has changed, and makes its pictures answer to keys and clicks.
+const SCRIPT: &str = concat!(include_str!("inspect.js"), include_str!("renew.js"));
 
 /// What is shown before the first check is done.
 const NOTHING_YET: &str = "<!DOCTYPE html><html lang=\"en\"><title>raybook</title><main><h1>raybook</h1><p>The first check is not done yet.</p></main></html>";
@@ -22,6 +29,8 @@ pub struct Page {
     folder: PathBuf,
     reports: Vec<Report>,
     text: Arc<Mutex<String>>,
+    /// Held while the workbook's program is built and asked, for two builds of one folder disturb each other.
+    asking: Arc<Mutex<()>>,
 }
 
 impl Page {
@@ -31,21 +40,37 @@ impl Page {
         let address = server.address();
         let text = Arc::new(Mutex::new(NOTHING_YET.to_owned()));
         let shown = Arc::clone(&text);
+        let asking = Arc::new(Mutex::new(()));
+        let (alone, workbook) = (Arc::clone(&asking), folder.to_owned());
         spawn(move || {
-            server.run(move |request| match request.path.as_str() {
-                "" => {
-                    let text = shown.lock().unwrap_or_else(PoisonError::into_inner).clone();
-                    Answer::page(&text, RENEW)
+            server.run(move |request| {
+                let parts: Vec<_> = request.path.split('/').collect();
+                match parts[..] {
+                    [""] => {
+                        let text = shown.lock().unwrap_or_else(PoisonError::into_inner).clone();
+                        Answer::page(&text, SCRIPT)
+                    }
+                    ["explain", exercise, pixel] => {
+                        let _alone = alone.lock().unwrap_or_else(PoisonError::into_inner);
+                        explain(&workbook, exercise, pixel)
+                            .unwrap_or_else(|error| Answer::wrong(&error_text(&*error)))
+                    }
+                    _ => Answer::unknown(),
                 }
-                _ => Answer::unknown(),
             });
         });
         let page = Self {
             folder: folder.to_owned(),
             reports: Vec::new(),
             text,
+            asking,
         };
         Ok((page, address))
+    }
+
+    /// Nobody else builds or asks the workbook's program as long as this is held.
+    pub fn alone(&self) -> MutexGuard<'_, ()> {
+        self.asking.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Shows what was just checked, or why nothing could be, beside what was checked before.
@@ -68,4 +93,16 @@ impl Page {
         };
         *self.text.lock().unwrap_or_else(PoisonError::into_inner) = page.html();
     }
+}
+
+/// Asks the workbook's program for a pixel of an exercise's picture, and tells it in full.
+fn explain(folder: &Path, exercise: &str, at: &str) -> Result<Answer, Box<dyn Error>> {
+    let Some(examiner) = cases::find(exercise) else {
+        return Ok(Answer::unknown());
+    };
+    let program = student::build(folder)?;
+    let mut asker = Asker::new(&program, Limits::default());
+    let asked = Asked::new(&mut asker, examiner, Which::Pixel(pixel(at)?))?;
+    let account = asked.account().ok_or("there is no such case")?;
+    Ok(Answer::part(report::explained(&account).into_string()))
 }

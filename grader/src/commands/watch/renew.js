@@ -1,14 +1,22 @@
-// Asks for the page every second, and shows what has changed. What the reader has opened or chosen stays so.
+// Asks for the page every second, and shows what has changed. What the reader has opened, chosen or entered stays so.
 let shown = null;
 
 function show(text) {
-  const kept = [...document.querySelectorAll("details[open], input:checked")].map(one => one.id), focused = document.activeElement.id;
+  const opened = [...document.querySelectorAll("details[open]")].map(one => one.id), focused = document.activeElement.id;
+  const entered = [...document.querySelectorAll("input")].map(({ id, checked, value }) => [id, checked, value]);
   const page = new DOMParser().parseFromString(text, "text/html");
   document.title = page.title;
   document.head.querySelector("style")?.remove();
   document.head.append(...page.querySelectorAll("style"));
   document.body.replaceChildren(...page.body.childNodes);
-  for (const one of kept.map(id => document.getElementById(id)).filter(Boolean)) one[one.tagName === "DETAILS" ? "open" : "checked"] = true;
+  document.querySelectorAll(".pictures").forEach(liven);
+  for (const one of opened.map(id => document.getElementById(id)).filter(Boolean)) one.open = true;
+  for (const [id, checked, value] of entered) {
+    const one = document.getElementById(id);
+    if (!one) continue;
+    [one.checked, one.value] = [checked, value];
+    if (one.type !== "radio") one.dispatchEvent(new Event("input"));
+  }
   if (focused) document.getElementById(focused)?.focus({ preventScroll: true });
 }
 

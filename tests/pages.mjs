@@ -1,0 +1,91 @@
+// Looks at pages in Chromium. Called by `tests/pages`: the address of a watch, the file that is wrong in it, that file without the
+// mistake, a folder for pictures (or nothing), and more addresses or files.
+import puppeteer from "puppeteer-core";
+import { copyFileSync, mkdirSync, readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { pathToFileURL } from "node:url";
+
+const [watch, wrong, right, shots, ...others] = process.argv.slice(2);
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+const faults = [];
+const browser = await puppeteer.launch({ executablePath: "/usr/bin/chromium", args: ["--no-sandbox", "--disable-gpu"] });
+
+// A window on an address, whose console is listened to.
+async function open(address, width, scheme) {
+  const page = await browser.newPage(), where = `${address.split("/").slice(-2).join("/")} at ${width} pixels, ${scheme}`;
+  const fault = what => faults.push(`${where}: ${what}`);
+  page.on("console", said => ["error", "warn"].includes(said.type()) && fault(`console: ${said.text()}`));
+  page.on("pageerror", error => fault(`script: ${error.message}`));
+  page.on("requestfailed", request => fault(`not loaded: ${request.url()}`));
+  await page.setBypassCSP(true); // or axe could not be run in a page that runs its own script only
+  await page.setViewport({ width, height: 900 });
+  await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: scheme }]);
+  await page.goto(address, { waitUntil: "load", timeout: 120_000 });
+  return { page, fault };
+}
+
+// What is seriously wrong with a page as it is now.
+async function examine({ page, fault }, name) {
+  await page.evaluate(axe);
+  const { violations } = await page.evaluate(() => axe.run(document, { resultTypes: ["violations"] }));
+  for (const { id, impact, nodes } of violations.filter(one => ["serious", "critical"].includes(one.impact)))
+    fault(`${impact} ${id}: ${nodes.length} times, first ${nodes[0].html.slice(0, 160)} (${nodes[0].any.concat(nodes[0].all)[0]?.message ?? ""})`);
+  const [inside, window] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+  if (inside > window) fault(`the page is ${inside} pixels wide in a window of ${window}`);
+  if (shots) {
+    mkdirSync(shots, { recursive: true });
+    await page.screenshot({ path: `${shots}/${name}.png`, fullPage: inside <= window && name.startsWith("watch") });
+  }
+}
+
+const views = [1400, 420].flatMap(width => ["light", "dark"].map(scheme => [width, scheme]));
+for (const other of others) {
+  const address = other.startsWith("http") ? other : pathToFileURL(other.replace(/^.*\/\//, "/")).href;
+  for (const [width, scheme] of views) {
+    const view = await open(address, width, scheme);
+    if (address.startsWith("http")) await view.page.waitForSelector("img[src]", { timeout: 60_000 });
+    const name = decodeURIComponent(address).replace(/^.*\/(book|tour|class|samplers|drawing)\//, "$1-").replace(/^.*\//, "").replace(/[#.].*/, "");
+    await examine(view, `${address.startsWith("http") ? "present" : name}-${width}-${scheme}`);
+    await view.page.close();
+  }
+}
+
+// The page of a watch, by the keyboard alone.
+const check = (right, what) => right || faults.push(`watch: ${what}`);
+for (const [width, scheme] of views) {
+  const view = await open(watch, width, scheme), { page } = view;
+  await page.waitForSelector("#sphere_hit-0-row", { timeout: 120_000 });
+  const output = () => page.$eval("output", one => one.textContent), number = name => page.$eval(`#sphere_hit-0-${name}`, one => Number(one.value));
+  await page.waitForFunction(() => document.querySelector("output").textContent.includes("the right one"));
+  const [x, y] = [await number("x"), await number("y")];
+  check((await output()).startsWith("yours: "), `the first wrong pixel is looked at, and told: ${await output()}`);
+  await page.focus("#sphere_hit-0-row");
+  for (const key of ["ArrowRight", "ArrowRight", "ArrowDown", "ArrowLeft"]) await page.keyboard.press(key);
+  check(await number("x") === x + 1 && await number("y") === y + 1, "arrow keys move the pixel");
+  await page.focus("#sphere_hit-0-difference");
+  await page.keyboard.press("ArrowRight");
+  check(await page.$eval("#sphere_hit-0-slider", one => one.checked), "arrow keys choose the slider");
+  await page.focus("#sphere_hit-0-cut");
+  for (let i = 0; i < 5; i++) await page.keyboard.press("ArrowRight");
+  check(await page.$eval("#sphere_hit-0", one => one.style.getPropertyValue("--cut")) === "55%", "arrow keys move the slider");
+  await page.focus("#sphere_hit-0-explain");
+  await page.keyboard.press("Enter");
+  await page.waitForSelector("[aria-live] pre", { timeout: 60_000 });
+  const told = await page.$eval("[aria-live]", one => one.textContent);
+  check(told.includes(`the pixel in column ${x + 1} of row ${y + 1}`), `the pixel is explained: ${told.slice(0, 200)}`);
+  await examine(view, `watch-${width}-${scheme}`);
+  await page.close();
+}
+const { page } = await open(watch, 1400, "light");
+await page.waitForSelector("#sphere_hit-0-row", { timeout: 120_000 });
+await page.evaluate(() => { window.same = true; });
+await page.click("#sphere_hit-0-slider");
+copyFileSync(right, wrong);
+await page.waitForFunction(() => document.body.textContent.includes("sphere_hit: right"), { timeout: 120_000 });
+check(await page.evaluate(() => window.same), "the page is renewed without being loaded again");
+check(await page.$eval("#sphere_hit-0-slider", one => one.checked), "what was chosen stays");
+await browser.close();
+
+for (const fault of new Set(faults)) console.error(fault);
+console.log(`${others.length + 1} pages, ${views.length} views each: ${faults.length} faults`);
+process.exit(faults.length ? 1 : 0);

@@ -322,3 +322,42 @@ fn files_are_touched_in_one_place() {
     }
     assert_eq!(touched.len(), OPENERS.len(), "each still touches files");
 }
+
+/// Words in the place of a parameter's name, but for comparisons ("so many that").
+const NAMELESS: [&str; 9] = [
+    "/// So many ",
+    "/// So much ",
+    "/// So often ",
+    "/// By so much ",
+    "of so many ",
+    "with so many ",
+    "at most so ",
+    "by so many ",
+    "by so much ",
+];
+
+#[test]
+fn comments_call_a_number_by_its_name() {
+    for folder in [
+        "src",
+        "workbook/src",
+        "chapters",
+        "grader/src",
+        "tests",
+        "benches",
+    ] {
+        for (file, text) in rust_files(folder) {
+            let comments = (1..).zip(text.lines().map(str::trim_start));
+            for (line, comment) in comments.filter(|(_, line)| line.starts_with("//")) {
+                let nameless = NAMELESS.iter().find(|words| {
+                    let after = comment.split_once(**words).map(|(_, after)| after);
+                    after.is_some_and(|after| !after.starts_with("that "))
+                });
+                assert!(
+                    nameless.is_none(),
+                    "{folder}/{file}:{line}: `{comment}`: say the parameter's name, or what is counted"
+                );
+            }
+        }
+    }
+}

@@ -4,12 +4,11 @@
 //! byte the starter's, and whose headers are too, the object is the same for everybody.
 
 use super::files::Files;
-use super::stage::Trouble;
+use super::stage::{Trouble, write};
 use crate::sandbox::Sandbox;
 use crate::starter::StarterFile;
 use crate::starter::cpp;
 use std::collections::BTreeSet;
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
@@ -48,7 +47,11 @@ impl Prebuilt {
         }
         let mut compiled = self.compiled.lock().unwrap_or_else(PoisonError::into_inner);
         if compiled.is_empty() {
-            self.write()
+            let texts = self
+                .starter
+                .iter()
+                .map(|(path, bytes)| (path.as_path(), &bytes[..]));
+            write(&self.folder, texts)
                 .map_err(|error| format!("the starter in C++ cannot be written: {error}"))?;
         }
         let missing: Vec<_> = given
@@ -69,15 +72,6 @@ impl Prebuilt {
                 .map(|stem| self.folder.join(stem).with_extension("o"))
         };
         Ok(given.iter().filter_map(object).collect())
-    }
-
-    fn write(&self) -> std::io::Result<()> {
-        for (path, bytes) in &self.starter {
-            let path = self.folder.join(path);
-            fs::create_dir_all(path.parent().unwrap_or(&self.folder))?;
-            fs::write(path, bytes)?;
-        }
-        Ok(())
     }
 }
 

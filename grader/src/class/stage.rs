@@ -242,7 +242,14 @@ fn built(
     }
 }
 
-fn write<'a>(folder: &Path, files: impl Iterator<Item = (&'a Path, &'a [u8])>) -> io::Result<()> {
+/// Writes files into a folder, which is made.
+///
+/// # Errors
+/// If one cannot be written.
+pub(super) fn write<'a>(
+    folder: &Path,
+    files: impl Iterator<Item = (&'a Path, &'a [u8])>,
+) -> io::Result<()> {
     fs::create_dir_all(folder)?;
     for (path, bytes) in files {
         let path = folder.join(path);

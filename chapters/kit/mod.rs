@@ -10,6 +10,7 @@ pub mod html;
 pub mod knobs;
 pub mod options;
 pub mod palette;
+pub mod paper;
 pub mod pen;
 pub mod rate;
 pub mod say;

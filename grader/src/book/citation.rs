@@ -1,36 +1,47 @@
 //! Citations: `Kajiya 1986` and `Walter and others (2007)` in a text become links to the work in the bibliography.
 
-use super::Page;
+use super::{Page, text};
 
 /// The page of the works.
 pub(super) const BIBLIOGRAPHY: &str = "bibliography.md";
 
-/// A work of the bibliography: its line begins with its authors and its year, `- James T. Kajiya, 1986: …`.
+/// A work of the bibliography: its line begins with its authors, its year and its title, `- James T. Kajiya, 1986: "The rendering equation"`.
 struct Work {
     /// The authors' family names.
     authors: Vec<String>,
     year: String,
+    title: String,
 }
 
 impl Work {
     /// The work of a line of the bibliography.
     fn read(line: &str) -> Option<Self> {
-        let (authors, year) = line
-            .strip_prefix("- ")?
-            .split_once(':')?
-            .0
-            .rsplit_once(", ")?;
+        let (made, title) = line.strip_prefix("- ")?.split_once(": ")?;
+        let (authors, year) = made.rsplit_once(", ")?;
+        let title = title.split(['"', '*']).nth(1)?;
         let names = authors.split(", ").flat_map(|names| names.split(" and "));
         let families = names.filter_map(|name| name.split_whitespace().next_back());
         is_year(year).then(|| Self {
             authors: families.map(str::to_owned).collect(),
             year: year.to_owned(),
+            title: title.to_owned(),
         })
+    }
+
+    /// Where the names of its authors with which a text ends begin; none if it does not end with one.
+    fn names(&self, text: &str) -> Option<usize> {
+        let start = text.rfind([' ', '(']).map_or(0, |space| space + 1);
+        if !self.authors.iter().any(|author| *author == text[start..]) {
+            return None;
+        }
+        let before = &text[..start];
+        let before = before.strip_suffix(" and ").or(before.strip_suffix(", "));
+        before.and_then(|before| self.names(before)).or(Some(start))
     }
 
     /// Its place on the page of the bibliography.
     fn place(&self) -> String {
-        format!("{}-{}", self.authors.join("-"), self.year).to_lowercase()
+        text::place(&self.title)
     }
 }
 
@@ -74,11 +85,8 @@ impl Works {
                 .strip_suffix(" (")
                 .or(text[..at].strip_suffix(' '))?;
             let name = before.strip_suffix(" and others").unwrap_or(before);
-            let start = name.rfind([' ', '(']).map_or(0, |space| space + 1);
             let mut of_year = self.0.iter().filter(|work| work.year == year);
-            let is_author =
-                |work: &&Work| work.authors.iter().any(|author| *author == name[start..]);
-            let work = of_year.find(is_author)?;
+            let (start, work) = of_year.find_map(|work| Some((work.names(name)?, work)))?;
             let closed = text[before.len()..at].contains('(') && text[at + 4..].starts_with(')');
             Some((start, at + 4 + usize::from(closed), work))
         })
@@ -105,27 +113,27 @@ mod tests {
         for (text, linked) in [
             (
                 "emits (Kajiya 1986):",
-                "emits ([Kajiya 1986](bibliography.md#kajiya-1986)):",
+                "emits ([Kajiya 1986](bibliography.md#the-rendering-equation)):",
             ),
             (
                 "As Kajiya (1986) says",
-                "As [Kajiya (1986)](bibliography.md#kajiya-1986) says",
+                "As [Kajiya (1986)](bibliography.md#the-rendering-equation) says",
             ),
             (
-                "Veach and Guibas 1995",
-                "Veach and [Guibas 1995](bibliography.md#veach-guibas-1995)",
+                "(Kajiya 1986, Veach and Guibas 1995)",
+                "([Kajiya 1986](bibliography.md#the-rendering-equation), [Veach and Guibas 1995](bibliography.md#optimally))",
             ),
             (
                 "Kajiya and others 1986",
-                "[Kajiya and others 1986](bibliography.md#kajiya-1986)",
+                "[Kajiya and others 1986](bibliography.md#the-rendering-equation)",
             ),
             ("in 1986, Kajiya 1987", "in 1986, Kajiya 1987"),
         ] {
             assert_eq!(works.linked(text), linked);
         }
         assert_eq!(
-            with_place("- James T. Kajiya, 1986: x"),
-            "- <a id=\"kajiya-1986\"></a>James T. Kajiya, 1986: x"
+            with_place("- Archimedes, 1986: *On x*"),
+            "- <a id=\"on-x\"></a>Archimedes, 1986: *On x*"
         );
     }
 }

@@ -1,6 +1,6 @@
 //! `{{index glossary.md}}`: the index of the book, made from the terms of its glossary and the pages on which they occur.
 
-use super::Page;
+use super::{Page, text};
 use maud::{Markup, html};
 use raybook_workbook::curriculum;
 
@@ -33,7 +33,7 @@ pub(super) fn expand(glossary: &str, pages: &[Page]) -> Result<String, String> {
         ul class="index" {
             @for term in terms {
                 li {
-                    a href={ (html_file(glossary)) "#" (place(term.name)) } { (term.name) } " "
+                    a href={ (html_file(glossary)) "#" (text::place(term.name)) } { (term.name) } " "
                     (occurrences(&term, &texts))
                 }
             }
@@ -112,16 +112,6 @@ fn short(page: &Page) -> String {
 /// A page, and a place on it, as the built book names them.
 fn html_file(link: &str) -> String {
     link.replacen(".md", ".html", 1)
-}
-
-/// The place of a term on the glossary's page, as mdBook calls it.
-fn place(term: &str) -> String {
-    let letters = term.chars().filter_map(|c| match c {
-        c if c.is_alphanumeric() || c == '_' || c == '-' => Some(c.to_ascii_lowercase()),
-        c if c.is_whitespace() => Some('-'),
-        _ => None,
-    });
-    letters.collect()
 }
 
 #[cfg(test)]

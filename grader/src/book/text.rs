@@ -57,6 +57,16 @@ fn link_part(page: &str, part: &str, text: &mut String) {
     text.push_str(rest);
 }
 
+/// The place of a heading or a term on its page, as mdBook calls it.
+pub(super) fn place(heading: &str) -> String {
+    let letters = heading.chars().filter_map(|c| match c {
+        c if c.is_alphanumeric() || c == '_' || c == '-' => Some(c.to_ascii_lowercase()),
+        c if c.is_whitespace() => Some('-'),
+        _ => None,
+    });
+    letters.collect()
+}
+
 /// A lesson with its reading time and the lessons that it needs below its title; other pages as they are.
 pub(super) fn with_head(page: &str, expanded: &str, source: &str) -> String {
     if !source.contains(YOUR_TURN) {
@@ -65,7 +75,7 @@ pub(super) fn with_head(page: &str, expanded: &str, source: &str) -> String {
     let (mut fenced, mut words) = (false, 0);
     for line in source.lines() {
         fenced ^= line.starts_with("```");
-        if !fenced {
+        if !fenced && !line.starts_with('<') {
             words += line.split_whitespace().count();
         }
     }

@@ -26,7 +26,7 @@ use raybook_workbook::for_each_chapter;
 
 /// The chapters' modules and the table of them, from the list of chapters.
 macro_rules! lessons {
-    ($($name:ident $title:literal),+ $(,)?) => {
+    ($($name:ident $title:literal $needs:tt),+ $(,)?) => {
         $(#[doc = concat!("Chapter: ", $title, ".")] pub mod $name;)+
 
         /// Every chapter, as it is drawn, in order.

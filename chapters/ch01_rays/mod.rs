@@ -43,7 +43,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
          but the flat image plane stretches what it sees there.",
         &directions(&film, vec3(0.0, 0.3, 1.0), knobs.focal_length())?,
     )?;
-    stage.figure(
+    stage.diagram(
         "camera",
         "The camera of this chapter: every ray starts at the focal point and leaves through the centre of a pixel; \
          what it meets first gives the pixel its colour.",

@@ -123,7 +123,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
          but pales, the film-like curve keeps the contrast and fades to white.",
         &sheet(3, &tiles)?,
     )?;
-    stage.figure(
+    stage.diagram(
         "curves",
         "What each of the three makes of a grey: the byte over the radiance in stops.",
         &stops::curves()?,
@@ -135,7 +135,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         (15.5, "sun"),
     ];
     let marks = marks.map(|(stops, name)| (stops + exposure, name));
-    stage.figure(
+    stage.diagram(
         "histogram",
         "How many pixels are how bright: over more than twenty stops, of which a PNG holds the band.",
         &stops::histogram(&picture, &marks)?,

@@ -1,7 +1,7 @@
 //! A small sphere at growing distance, as rounding leaves it: an experiment for the telescope.
 
 use crate::kit::palette;
-use crate::kit::{figure::Figure, sheet::sheet};
+use crate::kit::sheet::{Sheet, sheet};
 use glam::{Vec2, Vec3, vec3};
 use raybook::image::rgb::Rgb;
 use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
@@ -22,7 +22,7 @@ const DISTANCES: [(f32, &str); 5] = [
 ///
 /// # Errors
 /// If a caption cannot be drawn.
-pub(super) fn figure(film: Film, radius: f32) -> Figure {
+pub(super) fn figure(film: Film, radius: f32) -> Sheet {
     let slanting = Dir3::new_or(vec3(-0.61, -0.34, -0.71), Dir3::Z);
     let rows: [(&str, Dir3, Normal); 3] = [
         ("schoolbook", -Dir3::Z, schoolbook),

@@ -5,7 +5,10 @@
 mod cancellation;
 
 use crate::kit::stage::{Drawn, Stage};
-use crate::kit::{chapter, figure::Figure, palette, sheet::sheet};
+use crate::kit::{
+    chapter, palette,
+    sheet::{Sheet, sheet},
+};
 use crate::shared::outdoors::checker;
 use clap::Args;
 use glam::{Vec2, Vec3, vec2, vec3};
@@ -80,7 +83,7 @@ fn nearest(spheres: &[Sphere], ray: &Ray) -> Option<Dir3> {
 }
 
 /// The near root, the far root, and the root that is left from inside.
-fn roots(film: Film) -> Figure {
+fn roots(film: Film) -> Sheet {
     let sphere = Sphere::new(Vec3::ZERO, 1.0);
     let outside = Pinhole::look_at(vec3(0.0, 1.6, 3.6), Vec3::ZERO, Vec3::Y, 0.035, 1.0)?;
     let inside = Pinhole::look_at(vec3(0.0, 0.4, 0.9), Vec3::ZERO, Vec3::Y, 0.012, 1.0)?;

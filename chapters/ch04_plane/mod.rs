@@ -3,7 +3,10 @@
 //! New: math/basis.rs shape/plane.rs
 
 use crate::kit::stage::{Drawn, Stage};
-use crate::kit::{chapter, figure::Figure, palette, sheet::sheet};
+use crate::kit::{
+    chapter, palette,
+    sheet::{Sheet, sheet},
+};
 use crate::shared::outdoors::{checker, haze, open_sky, sky};
 use clap::Args;
 use glam::{Vec2, Vec3, vec3};
@@ -72,7 +75,7 @@ fn see(ray: &Ray, things: &[(&dyn Shape, Paint)]) -> Rgb {
 }
 
 /// Planes through the world's origin, from 1.7 m above the floor.
-fn planes(film: Film) -> Figure {
+fn planes(film: Film) -> Sheet {
     let (from, to) = (vec3(4.0, 1.7, 6.0), vec3(0.0, 1.5, 0.0));
     let camera = Pinhole::look_at(from, to, Vec3::Y, 0.02, film.aspect())?;
     let tile = |normals: &[Vec3], paint: Paint| {

@@ -5,7 +5,10 @@
 mod slabs;
 
 use crate::kit::stage::{Drawn, Stage};
-use crate::kit::{chapter, figure::Figure, palette, sheet::sheet};
+use crate::kit::{
+    chapter, palette,
+    sheet::{Sheet, sheet},
+};
 use clap::Args;
 use glam::{Mat3, Vec2, Vec3, vec3};
 use raybook::camera::{Camera, pinhole::Pinhole};
@@ -46,7 +49,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
 
     let caption = "In the plane a box is two slabs. Each holds the ray between two distances t; \
         the ray hits the box if these intervals overlap.";
-    stage.figure("slabs", caption, &slabs::diagram()?)
+    stage.diagram("slabs", caption, &slabs::diagram()?)
 }
 
 /// Boxes side by side, and the box around all of them: a ray that misses it misses each.
@@ -98,7 +101,7 @@ fn nearest(rows: &[Row], ray: &Ray) -> Option<Rgb> {
 }
 
 /// One box: the face that is hit, where the ray enters and leaves, and how long it is inside.
-fn inside(film: &Film, walk: Mat3) -> Figure {
+fn inside(film: &Film, walk: Mat3) -> Sheet {
     let from = walk * vec3(2.6, 2.2, 4.0);
     let camera = Pinhole::look_at(from, Vec3::ZERO, Vec3::Y, 0.037, film.aspect())?;
     let cuboid = Cuboid::between(vec3(-1.2, -0.8, -0.9), vec3(1.2, 0.8, 0.9));

@@ -82,9 +82,9 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let caption = "What a hit tells of a triangle: how far, where, how it lies, and which side.";
     stage.figure("sheet", caption, &sheet(2, &tiles)?)?;
     let caption = "Barycentric coordinates: b₁ grows from the side p₀p₂ to p₁, b₂ from p₀p₁ to p₂.";
-    stage.figure("barycentrics", caption, &barycentrics::draw()?)?;
+    stage.diagram("barycentrics", caption, &barycentrics::draw()?)?;
     let caption = "Three ways to the same hits, timed on the same rays while this was drawn.";
-    stage.figure("cost", caption, &triangle_race::figure()?)
+    stage.diagram("cost", caption, &triangle_race::figure()?)
 }
 
 /// b₀, b₁ and b₂ as red, green and blue: each corner has one of them.

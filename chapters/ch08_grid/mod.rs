@@ -83,7 +83,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     stage.picture("picture", &caption, &picture)?;
 
     let caption = "The cells through which a ray passes, numbered in their order up to the first hit. It tests only the triangles of these cells, two of six, and each once; the blue cells hold the others.";
-    stage.figure("walk", caption, &walk_figure::diagram()?)?;
+    stage.diagram("walk", caption, &walk_figure::diagram()?)?;
 
     let small = showroom::small(&film);
     let heat = heat::heat(&small, |place| camera.ray_through(place), &grid);
@@ -95,10 +95,10 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         "The same rays in grids of more and more cells: fewer triangles are tested, more cells visited. The best of these grids answers {:.1} million rays per second and thread, here and now.",
         grid_costs::rate(&costs) / 1e6
     );
-    stage.figure("resolution", &caption, &grid_costs::plot(&costs)?)?;
+    stage.diagram("resolution", &caption, &grid_costs::plot(&costs)?)?;
 
     let caption = "A soup of N triangles, so thin that most rays leave it at the other end. Both counts run beside the cube root: a thousand times as many triangles cost ten times as much.";
-    stage.figure("law", caption, &growth::grid()?)?;
+    stage.diagram("law", caption, &growth::grid()?)?;
 
     let stadium = stadium(4);
     let grid = grid_of(&stadium.mesh);

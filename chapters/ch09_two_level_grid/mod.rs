@@ -64,7 +64,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     stage.picture("picture", &caption, &picture)?;
 
     let caption = "A two-level grid in the plane: thick lines part coarse cells, thin lines fine ones. Each coarse cell has as many fine ones as suit its discs, an empty one has none. The numbers are the ray's steps.";
-    stage.figure("walk", caption, &nested_cells::diagram()?)?;
+    stage.diagram("walk", caption, &nested_cells::diagram()?)?;
 
     let tile = small(&film);
     let grid = Grid::of_facets(stadium.mesh.facets());
@@ -86,7 +86,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     )?;
 
     let caption = "The same view with more and more coarse cells: each holds a smaller part of the teapot, but a ray walks through more of them. Where triangles are spread evenly, λ = 1/8 is best.";
-    stage.figure("densities", caption, &densities(&tiny, &camera, &stadium)?)
+    stage.diagram("densities", caption, &densities(&tiny, &camera, &stadium)?)
 }
 
 /// The chapter's binary.

@@ -2,7 +2,7 @@
 
 use crate::kit::chart::{Chart, Corner};
 use crate::kit::palette::{BLUE, VERMILION};
-use crate::kit::{axis::Axis, figure::Figure};
+use crate::kit::{axis::Axis, figure::Figure, sheet::Sheet};
 use crate::shared::heat::{Heat, heat, with_scale};
 use glam::{Vec3, vec3};
 use plotters::style::Color;
@@ -32,7 +32,7 @@ pub fn maps(
     stadium: &Stadium,
     grid: &Grid<Facet>,
     (density, fine): (f32, &TwoLevelGrid<Facet>),
-) -> Figure {
+) -> Sheet {
     let usual = TwoLevelGrid::of_facets(stadium.mesh.facets());
     let ray = |place| camera.ray_through(place);
     let row = |name: &str, heat: &Heat| {

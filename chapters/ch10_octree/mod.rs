@@ -79,7 +79,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     stage.figure("levels", caption, &sheet(2, &tiles)?)?;
 
     let caption = "A quad-tree, which is an octree in the plane: a ray visits the leaves in the order of their numbers, and passes by those that are empty.";
-    stage.figure("quadtree", caption, &quadtree::diagram()?)?;
+    stage.diagram("quadtree", caption, &quadtree::diagram()?)?;
 
     let room = Showroom::around(&mesh, film.aspect());
     let film = small(&film);
@@ -138,7 +138,7 @@ fn draw_law(stage: &Stage) -> Drawn {
         chart.dots(points, 9, colour.filled());
     }
     let caption = "A ray in a soup of N triangles that goes as far as from one triangle to the next: nodes grow with log N, the depth of the tree, and triangles tested do not grow.";
-    stage.figure("law", caption, &chart.figure(900, 560)?)
+    stage.diagram("law", caption, &chart.figure(900, 560)?)
 }
 
 /// The chapter's binary.

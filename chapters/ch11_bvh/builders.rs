@@ -1,6 +1,9 @@
 //! The builders of trees compared: how long each takes, and what its tree costs.
 
-use crate::kit::{bars::bars, figure::Figure, sheet::sheet};
+use crate::kit::{
+    bars::bars,
+    sheet::{Sheet, sheet},
+};
 use clap::ValueEnum;
 use raybook::accel::bvh::Bvh;
 use raybook::accel::bvh::build::Method;
@@ -47,7 +50,7 @@ pub(super) const METHODS: [(&str, Method); 5] = [
 ///
 /// # Errors
 /// What plotters reports.
-pub(super) fn figure(facets: &[Facet]) -> Figure {
+pub(super) fn figure(facets: &[Facet]) -> Sheet {
     let mut rows = Vec::new();
     for (name, method) in METHODS {
         let facets = facets.to_vec();
@@ -64,5 +67,5 @@ pub(super) fn figure(facets: &[Facet]) -> Figure {
     let times = bars("Time to build", "ms", &times, &note)?;
     let note = "branches opened and triangles tested by a random ray, as the heuristic sees it";
     let costs = bars("Cost of a search", "", &costs, note)?;
-    sheet(1, &[("", times), ("", costs)])
+    sheet(1, &[("", times.pixels), ("", costs.pixels)])
 }

@@ -72,14 +72,14 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     );
     stage.picture("picture", &caption, &picture)?;
     let caption = "The three stages: a box around each triangle, boxes around boxes, and the tree as an array without pointers.";
-    stage.figure("stages", caption, &three_stages::draw()?)?;
+    stage.diagram("stages", caption, &three_stages::draw()?)?;
     let caption = "Two trees over the same 22 triangles. In the left one, boxes are large, long and overlap; the cost says how much work that is.";
-    stage.figure("organisations", caption, &flat_boxes::two_organisations()?)?;
+    stage.diagram("organisations", caption, &flat_boxes::two_organisations()?)?;
     let caption = "Time to build a tree over the teapot, and what a search of it costs, for each of the builders.";
     let teapot = teapot::mesh(24);
     stage.figure("builders", caption, &builders::figure(&teapot.facets())?)?;
     let caption = "The work for a ray in a soup of triangles: a list asks all of them, a tree a number that grows with the logarithm.";
-    stage.figure("growth", caption, &growth::list_and_tree()?)?;
+    stage.diagram("growth", caption, &growth::list_and_tree()?)?;
     draw_teapot(&showroom::small(&film), stage, &teapot, &build(&teapot))
 }
 
@@ -114,7 +114,7 @@ fn draw_teapot(film: &Film, stage: &Stage, mesh: &Mesh, tree: &Bvh<Facet>) -> Dr
     )?;
     let caption =
         "How many rays of the camera each structure answers in a second, over the same teapot.";
-    stage.figure("speeds", caption, &figure)
+    stage.diagram("speeds", caption, &figure)
 }
 
 /// The chapter's binary.

@@ -49,7 +49,7 @@ pub(super) fn draw() -> Figure {
             boxes.outline(&bounds, 0.0, BLUE, 4)?;
             let center = bounds.center().truncate();
             disc(&boxes, center, 7, BLUE)?;
-            boxes.text(&letter(number), center + vec2(0.2, 0.14), 32, INK)?;
+            boxes.text(&letter(number), center + vec2(0.2, 0.14), 36, INK)?;
         }
         if let Some(root) = &tree.root {
             nested.boxes(&tree, root, 0)?;
@@ -86,7 +86,7 @@ const APART: Vec2 = vec2(1.0, 0.88);
 impl Diagram<'_, '_, '_> {
     fn draw(&self, root: &Node) -> Drawn {
         self.subtree(root, 0, 0, &mut 0)?;
-        let text = |text: &str, y| self.paper.text(text, vec2(3.5, y), 30, INK);
+        let text = |text: &str, y| self.paper.text(text, vec2(3.5, y), 34, INK);
         text(
             "nodes, depth-first, the children of a branch side by side",
             -0.62,
@@ -118,13 +118,13 @@ impl Diagram<'_, '_, '_> {
         };
         disc(self.paper, place, 27, colour)?;
         disc(self.paper, place, 22, WHITE)?;
-        self.paper.text(&number.to_string(), place, 30, colour)?;
+        self.paper.text(&number.to_string(), place, 34, colour)?;
         let shape = self.tree.order.get(node.link.first as usize);
         let shape = shape.filter(|_| height(self.tree, node) == 0);
         let name = shape
             .map(|&shape| letter(shape as usize))
             .unwrap_or_default();
-        self.paper.text(&name, place - vec2(0.0, 0.45), 32, INK)?;
+        self.paper.text(&name, place - vec2(0.0, 0.45), 36, INK)?;
         self.cell(number, &name, colour)?;
         Ok(place)
     }
@@ -154,7 +154,7 @@ impl Diagram<'_, '_, '_> {
             .draw(&Rectangle::new(corners, colour.stroke_width(3)))?;
         let middle = (corner + vec2(26.0, 20.0) - self.paper.origin) / self.paper.scale;
         let at = vec2(middle.x, -middle.y);
-        self.paper.text(&number.to_string(), at, 28, colour)?;
-        self.paper.text(name, at - vec2(0.0, 0.26), 28, INK)
+        self.paper.text(&number.to_string(), at, 34, colour)?;
+        self.paper.text(name, at - vec2(0.0, 0.26), 34, INK)
     }
 }

@@ -1,6 +1,9 @@
 //! The boxes of a tree, level by level.
 
-use crate::kit::{figure::Figure, palette::viridis, sheet::sheet};
+use crate::kit::{
+    palette::viridis,
+    sheet::{Sheet, sheet},
+};
 use crate::shared::showroom::Showroom;
 use glam::vec3;
 use raybook::accel::Accel;
@@ -20,7 +23,7 @@ pub(super) fn figure<S: Shape>(
     room: &Showroom,
     tree: &Bvh<S>,
     levels: &[u32],
-) -> Figure {
+) -> Sheet {
     let tiles = levels.iter().map(|&depth| {
         let boxes = level(tree, depth);
         let label = format!("level {depth}: {} boxes", boxes.len());

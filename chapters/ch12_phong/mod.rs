@@ -60,7 +60,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
 
     let caption = "How much of the light from the left a point sends where. In the plane of light and normal, Blinn's lobe with \
         four times the exponent is Phong's. Across that plane, under slanting light, it is much narrower.";
-    stage.figure("lobes", caption, &lobes::draw()?)?;
+    stage.diagram("lobes", caption, &lobes::draw()?)?;
 
     let film = stage.tile(2, 1.6);
     let (from, to) = (vec3(0.0, 1.6, 5.5), vec3(0.0, 0.4, 0.0));

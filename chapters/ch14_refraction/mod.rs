@@ -58,10 +58,10 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
 
     let caption = "Beams into glass and out of it, each as wide as it is strong: what is reflected in vermilion, what goes \
         through in blue. Out of glass at 55°, nothing goes through.";
-    stage.figure("beams", caption, &refraction_fan::diagram()?)?;
+    stage.diagram("beams", caption, &refraction_fan::diagram()?)?;
     let caption = "How much is reflected. At Brewster's angle, light that swings parallel to the plane of incidence is not; \
         behind the critical angle, all light is.";
-    stage.figure("fresnel", caption, &fresnel_plot::plot(knobs.index)?)?;
+    stage.diagram("fresnel", caption, &fresnel_plot::plot(knobs.index)?)?;
 
     let small = |columns, aspect| Film {
         samples: film.samples,

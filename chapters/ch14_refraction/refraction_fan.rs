@@ -93,5 +93,5 @@ fn beam(canvas: &Canvas, toward: Vec3, share: f32, colour: RGBColor) -> Drawn {
 
 fn label(canvas: &Canvas, words: &str, at: (f32, f32), colour: RGBColor, end: Pos) -> Drawn {
     let at = (at.0 as i32, at.1 as i32);
-    write(canvas, words, at, coloured(30, colour).pos(end))
+    write(canvas, words, at, coloured(34, colour).pos(end))
 }

@@ -1,7 +1,6 @@
 //! The line where light ends on a coarse mesh, before and after.
 
-use crate::kit::figure::Figure;
-use crate::kit::sheet::sheet;
+use crate::kit::sheet::{Sheet, sheet};
 use glam::{Vec3, vec3};
 use raybook::accel::{Meshed, wide_bvh::WideBvh};
 use raybook::camera::pinhole::Pinhole;
@@ -16,7 +15,7 @@ use std::f32::consts::FRAC_1_PI;
 
 /// A coarse teapot in the sun: shadow rays that start on its facets, and on the round surface that it pretends to be. Each of its
 /// patches has so few `cells` along its side.
-pub(super) fn figure(film: &Film, cells: usize) -> Figure {
+pub(super) fn figure(film: &Film, cells: usize) -> Sheet {
     let clay = Phong {
         ambient: Rgb::gray(0.8),
         diffuse: Rgb::gray(0.8 * FRAC_1_PI),

@@ -123,7 +123,7 @@ fn panel(canvas: &Canvas, title: &str, setting: &Setting, legend: bool) -> Drawn
     let errors = Axis::log(0.003..2.0)
         .named("error")
         .format(|error| format!("{} %", (100.0 * error) as f32));
-    let mut chart = Chart::new(samples, errors).titled(title).text(28);
+    let mut chart = Chart::new(samples, errors).titled(title).text(32);
     let (exact, mut rng) = (setting.exact(), pcg::stream(16, 1));
     let guide = POWERS
         .map(|p| f64::from(1_u32 << p))

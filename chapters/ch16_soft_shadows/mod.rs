@@ -90,9 +90,9 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     stage.figure("lights", caption, &sheet(4, &tiles)?)?;
 
     let caption = "Where the umbra and the penumbra end follows from similar triangles (orange); the fraction of the light that is seen is measured by 2000 samples at each place (blue).";
-    stage.figure("penumbra", caption, &penumbra::diagram()?)?;
+    stage.diagram("penumbra", caption, &penumbra::diagram()?)?;
     let caption = "The error of what arrives, against the number of samples: a straight line of slope −½. Samples by solid angle are better for a near light; about what is in the way they know no more.";
-    stage.figure("error", caption, &light_error::plot()?)
+    stage.diagram("error", caption, &light_error::plot()?)
 }
 
 /// The camera of a view.

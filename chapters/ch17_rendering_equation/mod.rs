@@ -96,7 +96,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     )?;
 
     let caption = "600 directions of the hemisphere, and their shadows on the surface. What arrives counts by its cosine, so directions near the horizon are hardly worth their time.";
-    stage.figure("hemisphere", caption, &domes::draw()?)?;
+    stage.diagram("hemisphere", caption, &domes::draw()?)?;
 
     let caption = "Four plates, smooth behind and rough in front, mirror four lamps, small at the left and large at the right. \
         The surface finds the large lamps and the light the small ones; weighted, each does what it can.";
@@ -108,7 +108,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     stage.figure("strategies", caption, &strategies::figure(&tile)?)?;
 
     let caption = "What the strategies cost, measured while this was drawn. Looking for the lamp itself pays in the box, and both together pay on the plates, also for the time that they take.";
-    stage.figure("error", caption, &path_error::plot(&tile)?)
+    stage.diagram("error", caption, &path_error::plot(&tile)?)
 }
 
 /// A picture by paths, ready to be displayed: each ray of the camera begins a path, and what it finds is exposed.

@@ -101,7 +101,7 @@ fn panel(canvas: &Canvas, title: &str, unit: &str, curves: &[Vec<Measured>], axi
         .format(|v| format!("{} %", (100.0 * v) as f32));
     let mut chart = Chart::new(costs, errors)
         .titled(title)
-        .text(28)
+        .text(32)
         .legend(Corner::LowerLeft);
     for ((curve, (_, name)), colour) in curves.iter().zip(STRATEGIES).zip([VERMILION, GREEN, BLUE])
     {

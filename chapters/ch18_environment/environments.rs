@@ -1,12 +1,15 @@
 //! Pictures of environment maps.
 
-use crate::kit::sheet::sheet;
+use crate::kit::palette::{INK, ORANGE, linear};
+use crate::kit::sheet::{Sheet, sheet};
+use glam::{Vec2, vec2};
 use raybook::image::rgb::Rgb;
 use raybook::image::{Image, tone};
 use raybook::light::environment::angular::Angular;
 use raybook::light::environment::convert::{LatLong, convert};
 use raybook::light::environment::cube::Cross;
-use std::error::Error;
+use raybook::light::environment::{Environment, latlong};
+use raybook::math::dir3::Dir3;
 
 /// The layouts by name, as on a command line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
@@ -35,7 +38,7 @@ impl Layouts {
 ///
 /// # Errors
 /// If a caption cannot be drawn.
-pub(super) fn layouts(map: &Image) -> Result<Image, Box<dyn Error>> {
+pub(super) fn layouts(map: &Image) -> Sheet {
     const HEIGHT: usize = 300;
     let shown = |image: Image, width: usize| {
         let (left, top) = ((width - image.width()) / 2, (HEIGHT - image.height()) / 2);
@@ -85,4 +88,52 @@ pub(super) fn quarters(four: &[Image; 4]) -> Image {
         let along = |v: usize, after: bool, n: usize| if after { v - n - line } else { v };
         quarter.at(along(x, right, width), along(y, below, height))
     })
+}
+
+/// A map twice, for a display, with equally many directions as dots: chosen uniformly, and by their light.
+///
+/// # Errors
+/// If a caption cannot be drawn.
+pub(super) fn chosen(map: &Image) -> Sheet {
+    /// How many directions are chosen each way.
+    const DIRECTIONS: u16 = 256;
+    let environment = Environment::new(map.clone());
+    let dotted = |choose: &dyn Fn(Vec2) -> Option<Dir3>| {
+        let mut shown = convert(map, &LatLong, &LatLong, 480, 240).map(tone::aces);
+        for i in 0..DIRECTIONS {
+            let i = f32::from(i) + 0.5;
+            let u = vec2(i / f32::from(DIRECTIONS), (0.618_034 * i).fract());
+            if let Some(direction) = choose(u) {
+                dot(&mut shown, latlong::place(direction));
+            }
+        }
+        shown
+    };
+    let uniform = |u: Vec2| Some(latlong::toward(u.y, f64::from(1.0 - 2.0 * u.x)));
+    let by_light = |u| environment.choose(u);
+    sheet(
+        2,
+        &[
+            ("uniform directions", dotted(&uniform)),
+            ("directions by their light", dotted(&by_light)),
+        ],
+    )
+}
+
+/// A dot with a dark rim at a place of a map.
+fn dot(map: &mut Image, place: Vec2) {
+    /// Radii of the dot and of its rim, in pixels.
+    const DOT: f32 = 2.2;
+    const RIM: f32 = 3.4;
+    let middle = place * vec2(map.width() as f32, map.height() as f32);
+    let [from, to] = [middle - RIM, middle + RIM].map(|corner| corner.max(Vec2::ZERO).as_uvec2());
+    for y in from.y as usize..=(to.y as usize).min(map.height() - 1) {
+        for x in from.x as usize..=(to.x as usize).min(map.width() - 1) {
+            let distance = middle.distance(vec2(x as f32 + 0.5, y as f32 + 0.5));
+            if distance < RIM {
+                let colour = if distance < DOT { ORANGE } else { INK };
+                map.set(x, y, linear(colour));
+            }
+        }
+    }
 }

@@ -102,7 +102,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let caption = "Lamps out of focus, seen through a round hole and through 5, 6 and 8 blades.";
     stage.figure("bokeh", caption, &bokeh::draw(&stage.tile(4, 1.0))?)?;
     let caption = "The circle of confusion of a 50 mm lens that is focused at 2 m. As long as it is smaller than a pixel, nobody sees it: the shaded ranges are the depth of field.";
-    stage.figure("blur", caption, &blur_plot::plot()?)
+    stage.diagram("blur", caption, &blur_plot::plot()?)
 }
 
 /// How far ahead of the camera the plane is in which a point lies.

@@ -152,7 +152,7 @@ fn on_canvas(
     let corner = vec2(space as f32, RIM as f32);
     let size = vec2(MAP.0 as f32, MAP.1 as f32);
     let pixel = |place| SCALE as f32 * (corner + place * size);
-    figure(width as u32, height as u32, |canvas| {
+    let figure = figure(width as u32, height as u32, |canvas| {
         let scale = SCALE as usize;
         for (x, y) in (0..scale * MAP.1).flat_map(|y| (0..scale * MAP.0).map(move |x| (x, y))) {
             let [r, g, b] = map.at(x / scale, y / scale).channels().map(tone::to_byte);
@@ -160,7 +160,8 @@ fn on_canvas(
             canvas.draw_pixel(place, &RGBColor(r, g, b))?;
         }
         draw(canvas, &pixel)
-    })
+    })?;
+    Ok(figure.pixels)
 }
 
 fn whole(pixel: Vec2) -> (i32, i32) {

@@ -82,7 +82,8 @@ fn ray(canvas: &Canvas, b: f64) -> Drawn {
     };
     // What is outside would be drawn along the edge.
     let inside = |p: &DVec3| p.x.abs() < MIDDLE.x / SCALE && p.y.abs() < MIDDLE.y / SCALE;
-    let points: Vec<_> = points.into_iter().filter(inside).map(pixel).collect();
+    let mut points: Vec<_> = points.into_iter().filter(inside).map(pixel).collect();
+    points.dedup_by_key(|&mut (x, y)| (x / 4, y / 4)); // closer ones say nothing new
     canvas.draw(&PathElement::new(points, colour.stroke_width(3)))?;
     Ok(())
 }

@@ -95,9 +95,9 @@ fn draw_before(stage: &Stage, knobs: &Knobs, sky: &(dyn Fn(Dir3) -> Rgb + Sync))
     stage.figure("straight_and_bent", &caption, &figure)?;
 
     let caption = "Rays from the left at many distances from the middle: the hole swallows those below 2.598 radii (orange). The next ones turn back or go around before they leave.";
-    stage.figure("rays", caption, &bent_rays::draw()?)?;
+    stage.diagram("rays", caption, &bent_rays::draw()?)?;
     let caption = "The angle by which a ray is turned. Far away it is 2/b; towards 2.598 it grows without limit. The dots are rays followed step by step.";
-    stage.figure("deflection", caption, &deflection_plot::draw()?)?;
+    stage.diagram("deflection", caption, &deflection_plot::draw()?)?;
     let caption = "Half of the sky, towards the hole, for observers who stand nearer and nearer. The dashed circles are the shadow's edge by the formula.";
     stage.figure("shadows", caption, &hole_shadows::draw(&tile(4, 1.0))?)
 }

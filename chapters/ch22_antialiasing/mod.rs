@@ -116,7 +116,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         and differ in what else they give up.",
         knobs.count
     );
-    stage.figure("patterns", &caption, &all.image()?)?;
+    stage.diagram("patterns", &caption, &all.figure()?)?;
 
     let named = "regular-grid rotated-grid random jittered poisson-disk sobol-owen".split(' ');
     let named: Vec<_> = named.filter_map(find).map(Subject::of).collect();
@@ -129,8 +129,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
 
     let caption = "How far four samples are off, on average, when an edge at that angle passes through the pixel. The rotated grid is not better than \
         the regular one in the mean, but its worst angles are away from the axes, where pictures have most of their edges.";
-    let figure = Polar::measure(&named[..5], 4, 100).image()?;
-    stage.figure("edges", caption, &figure)?;
+    let figure = Polar::measure(&named[..5], 4, 100).figure()?;
+    stage.diagram("edges", caption, &figure)?;
 
     let caption = "The same sixteen samples a pixel, averaged by four filters: the wider ones see the neighbours' samples too. Below the \
         filters themselves; Mitchell's goes below 0, which makes edges crisp.";

@@ -105,7 +105,11 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     };
     let caption = "The error of the whole picture against the rays per pixel. With a budget, the same error costs half the rays. By contrast alone, \
         pixels whose first four samples agree by chance stay wrong, however many the others get.";
-    stage.figure("error", caption, &measure(&film, sobol, 256, &see).image()?)
+    stage.diagram(
+        "error",
+        caption,
+        &measure(&film, sobol, 256, &see).figure()?,
+    )
 }
 
 /// The chapter's binary.

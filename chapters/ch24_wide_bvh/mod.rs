@@ -65,21 +65,21 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     stage.picture("picture", &caption, &picture)?;
 
     let caption = "How a binary tree becomes a wide one. The branches in blue stay; those in white give way to their children, the largest first.";
-    stage.figure("collapse", caption, &wide_trees::draw()?)?;
+    stage.diagram("collapse", caption, &wide_trees::draw()?)?;
     let caption = "Eight boxes and one ray. All lanes do the same sums at once; where the largest distance of entry is below the least of leaving, the box is met. The turn says in which order.";
-    stage.figure("boxes", caption, &eight_boxes::draw()?)?;
+    stage.diagram("boxes", caption, &eight_boxes::draw()?)?;
 
     let mesh = &confetti.mesh;
     let two = Bvh::new(mesh.facets());
     let rays = wide_gain::rays(mesh, 60_000);
     let caption = "The same triangles, the same rays. A wide tree has far fewer steps, and tests a few more triangles, eight at a time.";
-    stage.figure("steps", caption, &wide_gain::steps(&rays, &two, &tree)?)?;
+    stage.diagram("steps", caption, &wide_gain::steps(&rays, &two, &tree)?)?;
     let note = format!(
         "rays from anywhere to anywhere, {} triangles",
         mesh.triangles().len()
     );
     let caption = "What each step gives in time, measured when this figure was drawn: the wide tree with plain arithmetic, with vector instructions, and with sixteen rays that take turns.";
-    stage.figure(
+    stage.diagram(
         "gain",
         caption,
         &wide_gain::gain(&rays, &two, &tree, &note)?,

@@ -1,15 +1,14 @@
 //! What each step from two children to eight gives: in counts, and in time on this machine.
 
 use crate::kit::bars::bars;
+use crate::kit::figure::Figure;
 use raybook::accel::bvh::Bvh;
 use raybook::accel::wide_bvh::{Kernel, WideBvh};
 use raybook::accel::{Accel, Tests};
-use raybook::image::Image;
 use raybook::math::interval::Interval;
 use raybook::math::pcg;
 use raybook::math::ray::Ray;
 use raybook::shape::mesh::{Facet, Mesh};
-use std::error::Error;
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -41,11 +40,7 @@ pub(super) fn rays(mesh: &Mesh, n: usize) -> Vec<Ray> {
 ///
 /// # Errors
 /// What plotters reports.
-pub(super) fn steps(
-    rays: &[Ray],
-    two: &Bvh<Facet>,
-    eight: &WideBvh,
-) -> Result<Image, Box<dyn Error>> {
+pub(super) fn steps(rays: &[Ray], two: &Bvh<Facet>, eight: &WideBvh) -> Figure {
     let mut counts = [Tests::default(); 2];
     for ray in rays {
         two.closest_counted(ray, Interval::AHEAD, &mut counts[0]);
@@ -74,12 +69,7 @@ type Contestant<'a> = (&'a str, &'a dyn Fn(&[Ray]));
 ///
 /// # Errors
 /// What plotters reports.
-pub(super) fn gain(
-    rays: &[Ray],
-    two: &Bvh<Facet>,
-    eight: &WideBvh,
-    note: &str,
-) -> Result<Image, Box<dyn Error>> {
+pub(super) fn gain(rays: &[Ray], two: &Bvh<Facet>, eight: &WideBvh, note: &str) -> Figure {
     let portable = eight.clone().with(Kernel::PORTABLE);
     let each = |rays: &[Ray], hits: &dyn Fn(&Ray) -> bool| {
         for ray in rays {

@@ -44,7 +44,7 @@ pub(super) fn words(
     let step = (SCALE as usize * height) as i32 / (rows + 1);
     // The longest line is about 80 letters of half their height.
     let size = (step * 9 / 10).min((SCALE as usize * width) as i32 / 39);
-    figure(width as u32, height as u32, |canvas| {
+    let figure = figure(width as u32, height as u32, |canvas| {
         let mut y = step;
         for (title, words) in &lines {
             if !title.is_empty() {
@@ -55,5 +55,6 @@ pub(super) fn words(
             y += step;
         }
         Ok(())
-    })
+    })?;
+    Ok(figure.pixels)
 }

@@ -72,7 +72,7 @@ impl Chart {
             title: String::new(),
             x,
             y,
-            text: 30,
+            text: 34,
             legend: None,
             left: None,
             things: Vec::new(),
@@ -86,7 +86,7 @@ impl Chart {
         self
     }
 
-    /// With text of another size than 30 pixels.
+    /// With text of another size than 34 pixels.
     #[must_use]
     pub fn text(mut self, size: i32) -> Self {
         self.text = size;

@@ -1,10 +1,9 @@
 //! Diagrams and plots, drawn by plotters with the font that comes along.
 
-use crate::kit::{palette::INK, stage::Drawn};
+use crate::kit::{palette::INK, paper::Paper, stage::Drawn};
 use plotters::coord::Shift;
 use plotters::prelude::{
-    BitMapBackend, DrawingArea, DrawingBackend, IntoDrawingArea, IntoFont, RGBColor, Text,
-    TextStyle, WHITE,
+    DrawingArea, DrawingBackend, IntoDrawingArea, IntoFont, RGBColor, Text, TextStyle, WHITE,
 };
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use raybook::image::{Image, rgb::Rgb, tone};
@@ -12,10 +11,19 @@ use std::error::Error;
 use std::sync::Once;
 
 /// What a figure is drawn on.
-pub type Canvas<'a> = DrawingArea<BitMapBackend<'a>, Shift>;
+pub type Canvas<'a> = DrawingArea<Paper<'a>, Shift>;
+
+/// A drawing in both of its forms.
+#[derive(Clone, Debug)]
+pub struct Diagram {
+    /// As pixels.
+    pub pixels: Image,
+    /// As the text of an SVG file, in which single pixels are missing: where a picture is part of the figure, it is in `pixels` only.
+    pub svg: String,
+}
 
 /// A figure, or why it could not be drawn.
-pub type Figure = Result<Image, Box<dyn Error>>;
+pub type Figure = Result<Diagram, Box<dyn Error>>;
 
 /// The font family of every figure: `DejaVu` Sans, which knows Greek and mathematics.
 const FONT: &str = "sans-serif";
@@ -30,12 +38,13 @@ pub const SCALE: u32 = 2;
 /// # Errors
 /// What `draw` or plotters reports.
 pub fn figure(width: u32, height: u32, draw: impl FnOnce(&Canvas) -> Drawn) -> Figure {
-    let canvas = canvas(width, height, draw)?;
+    let Diagram { pixels, svg } = canvas(width, height, draw)?;
     let scale = SCALE as usize;
-    Ok(Image::from_fn(width as usize, height as usize, |x, y| {
-        let pixel = |i: usize| canvas.at(scale * x + i % scale, scale * y + i / scale);
+    let pixels = Image::from_fn(width as usize, height as usize, |x, y| {
+        let pixel = |i: usize| pixels.at(scale * x + i % scale, scale * y + i / scale);
         (0..scale * scale).map(pixel).sum::<Rgb>() / (scale * scale) as f32
-    }))
+    });
+    Ok(Diagram { pixels, svg })
 }
 
 /// As [`figure`], but with every pixel of its canvas: twice the resolution.
@@ -45,9 +54,9 @@ pub fn figure(width: u32, height: u32, draw: impl FnOnce(&Canvas) -> Drawn) -> F
 pub fn canvas(width: u32, height: u32, draw: impl FnOnce(&Canvas) -> Drawn) -> Figure {
     register_font();
     let (wide, high) = (SCALE * width, SCALE * height);
-    let mut bytes = vec![0; (wide * high * 3) as usize];
+    let (mut bytes, mut svg) = (vec![0; (wide * high * 3) as usize], String::new());
     {
-        let canvas = BitMapBackend::with_buffer(&mut bytes, (wide, high)).into_drawing_area();
+        let canvas = Paper::new(&mut bytes, &mut svg, (wide, high)).into_drawing_area();
         canvas.fill(&WHITE)?;
         draw(&canvas)?;
         canvas.present()?;
@@ -63,7 +72,14 @@ pub fn canvas(width: u32, height: u32, draw: impl FnOnce(&Canvas) -> Drawn) -> F
             linear[bytes[i + 2] as usize],
         )
     };
-    Ok(Image::from_fn(wide as usize, high as usize, pixel))
+    // The drawing is shown as large as the figure is, not as its canvas.
+    let [on_canvas, shown] =
+        [SCALE, 1].map(|s| format!("width=\"{}\" height=\"{}\"", s * width, s * height));
+    let svg = svg
+        .replacen(&on_canvas, &shown, 1)
+        .replace(" opacity=\"1\"", "");
+    let pixels = Image::from_fn(wide as usize, high as usize, pixel);
+    Ok(Diagram { pixels, svg })
 }
 
 /// How text looks.
@@ -127,4 +143,36 @@ fn register_font() {
             assert!(known.is_ok(), "the font that comes along is a font");
         }
     });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{CENTRE, figure, text, write};
+    use crate::kit::palette::BLUE;
+    use plotters::prelude::{Color, Rectangle};
+    use raybook::image::rgb::Rgb;
+
+    #[test]
+    fn what_is_drawn_is_in_the_pixels_and_in_the_vectors() {
+        let figure = figure(40, 20, |canvas| {
+            canvas.draw(&Rectangle::new([(0, 0), (40, 40)], BLUE.filled()))?;
+            canvas.draw_pixel((60, 20), &BLUE)?;
+            write(canvas, "a < b", (60, 20), text(20).pos(CENTRE))
+        });
+        let figure = figure.expect("it is drawn");
+        assert!(figure.pixels.at(5, 5) != Rgb::WHITE && figure.pixels.at(39, 1) == Rgb::WHITE);
+        for part in [
+            "<svg width=\"40\" height=\"20\" viewBox=\"0 0 80 40\"",
+            "fill=\"#0072B2\"",
+            "a &lt; b",
+            "</svg>",
+        ] {
+            assert!(figure.svg.contains(part), "{part} is in {}", figure.svg);
+        }
+        assert_eq!(
+            figure.svg.matches("#0072B2").count(),
+            1,
+            "a pixel is no vector"
+        );
+    }
 }

@@ -66,7 +66,8 @@ fn section(folder: &Path, drawing: &Drawing) -> Markup {
 /// A picture that is also a link to the picture alone, and what to see. Its size is told, so that a page whose pictures are still on
 /// their way is as long as later.
 fn picture(folder: &Path, output: &Output) -> Markup {
-    let (file, (width, height)) = (link(folder, &output.png), output.size);
+    let file = link(folder, output.svg.as_ref().unwrap_or(&output.png));
+    let (width, height) = output.size;
     html! { figure {
         a href=(file) { img src=(file) alt=(output.caption) width=(width) height=(height) loading="lazy"; }
         figcaption {

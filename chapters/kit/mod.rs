@@ -11,6 +11,7 @@ pub mod html;
 pub mod knobs;
 pub mod options;
 pub mod palette;
+pub mod paper;
 pub mod pen;
 pub mod rate;
 pub mod say;

@@ -1,7 +1,11 @@
 //! A contact sheet: pictures side by side, each with its caption.
 
-use crate::kit::figure::{CENTRE, Figure, figure, text, write};
+use crate::kit::figure::{CENTRE, figure, text, write};
 use raybook::image::{Image, rgb::Rgb};
+use std::error::Error;
+
+/// Pictures put together, or why they could not be.
+pub type Sheet = Result<Image, Box<dyn Error>>;
 
 /// White space around each tile, in pixels.
 const GAP: usize = 12;
@@ -13,7 +17,7 @@ const GAP: usize = 12;
 ///
 /// # Panics
 /// If there is no tile, or they differ in size.
-pub fn sheet(columns: usize, tiles: &[(&str, Image)]) -> Figure {
+pub fn sheet(columns: usize, tiles: &[(&str, Image)]) -> Sheet {
     let (width, height) = (tiles[0].1.width(), tiles[0].1.height());
     assert!(
         tiles
@@ -21,7 +25,8 @@ pub fn sheet(columns: usize, tiles: &[(&str, Image)]) -> Figure {
             .all(|(_, t)| (t.width(), t.height()) == (width, height)),
         "the tiles of a sheet have one size"
     );
-    let band = (width / 14).clamp(16, 40);
+    // The letters are as large in a sheet of five columns as in one of two.
+    let band = (columns * width / 36).clamp(16, 40);
     let (across, down) = (width + GAP, band + height + GAP);
     let rows = tiles.len().div_ceil(columns);
     let mut whole = Image::from_fn(columns * across + GAP, rows * down + GAP, |_, _| Rgb::WHITE);
@@ -34,13 +39,16 @@ pub fn sheet(columns: usize, tiles: &[(&str, Image)]) -> Figure {
 }
 
 /// A strip of white with a line of text in the middle.
-fn caption(words: &str, width: usize, height: usize) -> Figure {
-    figure(width as u32, height as u32, |canvas| {
+fn caption(words: &str, width: usize, height: usize) -> Sheet {
+    let strip = figure(width as u32, height as u32, |canvas| {
         let (wide, high) = canvas.dim_in_pixel();
         let middle = (wide as i32 / 2, high as i32 / 2);
-        let style = text(0.66 * f64::from(high)).pos(CENTRE);
-        write(canvas, words, middle, style)
-    })
+        let size = 0.66 * f64::from(high);
+        let (needed, _) = canvas.estimate_text_size(words, &text(size))?;
+        let fitting = size * (f64::from(wide) / f64::from(needed.max(1))).min(1.0);
+        write(canvas, words, middle, text(fitting).pos(CENTRE))
+    })?;
+    Ok(strip.pixels)
 }
 
 /// Copies a picture into a larger one, its top left at (left, top).

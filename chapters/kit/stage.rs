@@ -1,9 +1,10 @@
 //! The stage on which a chapter draws: its films, its progress, and where its pictures go.
 
-use crate::kit::{options::Options, rate::Rate, terminal};
+use crate::kit::{figure::Diagram, options::Options, rate::Rate, terminal};
 use indicatif::{ProgressBar, ProgressStyle};
 use raybook::image::{Image, file};
 use raybook::render::film::{Done, Film, Progress};
+use raybook::store;
 use std::cell::RefCell;
 use std::error::Error;
 use std::fmt;
@@ -22,6 +23,8 @@ pub struct Output {
     pub png: PathBuf,
     /// The linear radiance, where the picture has any.
     pub exr: Option<PathBuf>,
+    /// The drawing, where the picture is one.
+    pub svg: Option<PathBuf>,
     /// Its width and height, in pixels.
     pub size: (usize, usize),
     /// What it shows, in a sentence or two.
@@ -154,7 +157,7 @@ impl Stage {
         self.go_on()?;
         let exr = self.folder.join(name).with_extension("exr");
         file::save(&exr, radiance)?;
-        self.write(name, caption, radiance, Some(exr))
+        self.write(name, caption, radiance, (Some(exr), None))
     }
 
     /// Writes a figure, which is made for the display only: `name.png`.
@@ -162,7 +165,18 @@ impl Stage {
     /// # Errors
     /// If the file cannot be written.
     pub fn figure(&self, name: &str, caption: &str, figure: &Image) -> Drawn {
-        self.write(name, caption, figure, None)
+        self.write(name, caption, figure, (None, None))
+    }
+
+    /// Writes a drawing: `name.svg`, sharp at every size, and `name.png` for where pixels are needed.
+    ///
+    /// # Errors
+    /// If a file cannot be written.
+    pub fn diagram(&self, name: &str, caption: &str, diagram: &Diagram) -> Drawn {
+        self.go_on()?;
+        let svg = self.folder.join(name).with_extension("svg");
+        store::write(&svg, diagram.svg.as_bytes())?;
+        self.write(name, caption, &diagram.pixels, (None, Some(svg)))
     }
 
     /// What has been drawn.
@@ -179,7 +193,14 @@ impl Stage {
         Ok(())
     }
 
-    fn write(&self, name: &str, caption: &str, picture: &Image, exr: Option<PathBuf>) -> Drawn {
+    /// Writes the PNG, and keeps in mind what was drawn; `beside` are the EXR and the SVG that are written already.
+    fn write(
+        &self,
+        name: &str,
+        caption: &str,
+        picture: &Image,
+        beside: (Option<PathBuf>, Option<PathBuf>),
+    ) -> Drawn {
         self.go_on()?;
         let rays = self.rate.take(self.options.threads());
         let png = self.folder.join(name).with_extension("png");
@@ -189,7 +210,8 @@ impl Stage {
         }
         self.outputs.borrow_mut().push(Output {
             png,
-            exr,
+            exr: beside.0,
+            svg: beside.1,
             size: (picture.width(), picture.height()),
             caption: caption.to_owned(),
             rays,

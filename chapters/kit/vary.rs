@@ -118,6 +118,7 @@ pub fn draw(
     Ok(Output {
         png,
         exr: None,
+        svg: None,
         size: shown.map_or((0, 0), |shown| (shown.width(), shown.height())),
         caption,
         rays: None,

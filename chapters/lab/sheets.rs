@@ -112,7 +112,7 @@ pub fn filters(film: &Film, pattern: &Pattern) -> Result<Image, Box<dyn Error>> 
 
 /// The filter's weight along x, between the centres of the pixels two to the left and two to the right.
 fn profile(filter: &Filter, side: u32) -> Result<Image, Box<dyn Error>> {
-    figure(side, side, |canvas| {
+    let profile = figure(side, side, |canvas| {
         let side = (2 * side) as f32;
         let place = |x: f32, weight: f32| {
             let on_canvas = vec2(0.5 + 0.22 * x, 0.85 - 0.72 * weight) * side;
@@ -134,5 +134,6 @@ fn profile(filter: &Filter, side: u32) -> Result<Image, Box<dyn Error>> {
         let curve = PathElement::new(curve.collect::<Vec<_>>(), BLUE.stroke_width(3 * stroke));
         canvas.draw(&curve)?;
         Ok(())
-    })
+    })?;
+    Ok(profile.pixels)
 }

@@ -1,7 +1,8 @@
 //! Heat maps: what each pixel's ray costs, with one scale for all accelerators.
 
 use crate::kit::figure::{CENTRE, Figure, SCALE, figure, text, write};
-use crate::kit::{palette::viridis, sheet::sheet};
+use crate::kit::palette::viridis;
+use crate::kit::sheet::{Sheet, sheet};
 use glam::{Vec2, vec2};
 use plotters::prelude::{Color, RGBColor, Rectangle};
 use raybook::accel::{Accel, Tests};
@@ -62,7 +63,7 @@ impl Heat {
     ///
     /// # Errors
     /// If the labels cannot be drawn.
-    pub fn figure(&self, boxes: &str) -> Figure {
+    pub fn figure(&self, boxes: &str) -> Sheet {
         with_scale(2, &[self.of_boxes(boxes), self.of_triangles()])
     }
 
@@ -82,14 +83,14 @@ impl Heat {
 ///
 /// # Errors
 /// If the labels cannot be drawn.
-pub fn with_scale(columns: usize, maps: &[(String, Image)]) -> Figure {
+pub fn with_scale(columns: usize, maps: &[(String, Image)]) -> Sheet {
     let maps: Vec<_> = maps
         .iter()
         .map(|(label, map)| (label.as_str(), map.clone()))
         .collect();
     let maps = sheet(columns, &maps)?;
     let scale = scale(maps.width() as u32)?;
-    Ok(below(&maps, &scale))
+    Ok(below(&maps, &scale.pixels))
 }
 
 /// The colour of a count: light grey for 0, then viridis on a logarithmic scale from 1 to 1000.

@@ -1,7 +1,8 @@
 //! The figure of a tree of rays: in the scene, and as a tree.
 
-use crate::kit::figure::{Canvas, Figure, SCALE, figure};
+use crate::kit::figure::{Canvas, SCALE, figure};
 use crate::kit::palette::{BLUE, FAINT, INK, ORANGE, PURPLE, VERMILION};
+use crate::kit::sheet::Sheet;
 use crate::kit::sketch::{Sketch, label};
 use crate::kit::stage::Drawn;
 use crate::shared::ray_tree::{Branch, End, Kind};
@@ -27,9 +28,9 @@ const SHOWN: f32 = 1.6;
 ///
 /// # Errors
 /// What plotters reports.
-pub fn draw(tree: &Branch, photograph: &Image, viewer: Pinhole) -> Figure {
+pub fn draw(tree: &Branch, photograph: &Image, viewer: Pinhole) -> Sheet {
     let (width, height) = PHOTOGRAPH;
-    figure(width as u32 + TREE, height as u32, |canvas| {
+    let figure = figure(width as u32 + TREE, height as u32, |canvas| {
         let (left, right) = canvas.split_horizontally(SCALE * width as u32);
         background(&left, photograph)?;
         let sketch = Sketch {
@@ -45,7 +46,8 @@ pub fn draw(tree: &Branch, photograph: &Image, viewer: Pinhole) -> Figure {
             down: (2.0 * height as f32 - 200.0) / levels,
         };
         layout.branch(tree, (0.0, 0), None, &mut 0).map(|_| ())
-    })
+    })?;
+    Ok(figure.pixels) // there is a photograph in it
 }
 
 /// The colour of a kind of ray, and its name; a ray to a light is named at its end.

@@ -1,6 +1,6 @@
 //! The teapot in the stadium, and what its rays cost in an accelerator.
 
-use crate::kit::figure::Figure;
+use crate::kit::sheet::Sheet;
 use crate::shared::daylight::{Paint, shade};
 use crate::shared::heat::{heat, with_scale};
 use crate::shared::outdoors::sky;
@@ -18,7 +18,7 @@ use raybook::shape::mesh::Facet;
 ///
 /// # Errors
 /// If a label cannot be drawn.
-pub fn figure(film: &Film, stadium: &Stadium, accel: &impl Accel<Facet>, boxes: &str) -> Figure {
+pub fn figure(film: &Film, stadium: &Stadium, accel: &impl Accel<Facet>, boxes: &str) -> Sheet {
     let camera = |from, to| Pinhole::look_at(from, to, Vec3::Y, 0.035, film.aspect());
     let far = camera(vec3(-40.0, 15.0, 38.0), vec3(4.0, -2.0, -4.0))?;
     let near = camera(vec3(0.32, 0.36, 0.9), vec3(0.02, 0.17, 0.0))?;

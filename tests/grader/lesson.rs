@@ -1,7 +1,7 @@
 //! The lessons of the course book: each has the same parts in the same order, and every directive in it can be expanded.
 
 use raybook_common::project;
-use raybook_grader::book::{BookError, WIDEST, expand};
+use raybook_grader::book::{Book, BookError, Page, WIDEST};
 use raybook_grader::cases;
 use raybook_workbook::curriculum::{CHAPTERS, Chapter};
 use std::fs;
@@ -65,10 +65,17 @@ fn a_lesson_that_lacks_a_part_is_noticed() {
 fn every_directive_can_be_expanded_and_every_listing_fits() {
     let pictures = tempfile::tempdir().expect("a folder");
     let mut listings = 0;
-    for page in pages() {
-        let source = fs::read_to_string(project("book/src").join(&page)).expect("a page is text");
-        let source = without_galleries(&source);
-        let expanded = expand(&page, &source, pictures.path());
+    let read = |name: String| {
+        let text = fs::read_to_string(project("book/src").join(&name)).expect("a page is text");
+        Page { name, text }
+    };
+    let book = Book {
+        pictures: pictures.path().to_owned(),
+        pages: pages().into_iter().map(read).collect(),
+    };
+    for Page { name: page, text } in &book.pages {
+        let source = without_galleries(text);
+        let expanded = book.expand(page, &source);
         let expanded = expanded.unwrap_or_else(|error| panic!("{error}"));
         assert!(!expanded.contains("{{turn "), "{page} is expanded");
         let mut fenced = false;
@@ -88,7 +95,7 @@ fn every_directive_can_be_expanded_and_every_listing_fits() {
 fn what_a_page_becomes_is_the_courses_own() {
     let pictures = tempfile::tempdir().expect("a folder");
     let expanded = |line: &str| {
-        let text = expand("ch03_sphere.md", line, pictures.path());
+        let text = book(pictures.path()).expand("ch03_sphere.md", line);
         text.unwrap_or_else(|error| panic!("{error}"))
     };
     let example = expanded("{{example sphere_hit | from inside, off the centre}}");
@@ -135,15 +142,21 @@ fn a_wrong_directive_is_an_error_with_its_line() {
         ("{{listing src/shape/mod.rs:none}}", "no `// ANCHOR: none`"),
         ("{{reference nothing}}", "no exercise"),
         ("{{path 1 12}}", "chapter 12 (Phong) needs chapter 2"),
+        ("{{index words.md}}", "no page words.md"),
     ] {
-        let error = expand(
-            "ch03_sphere.md",
-            &format!("one\ntwo\n{line}"),
-            Path::new("nowhere"),
-        );
+        let error =
+            book(Path::new("nowhere")).expand("ch03_sphere.md", &format!("one\ntwo\n{line}"));
         let BookError { page, line, what } = error.expect_err("it is wrong");
         assert_eq!((page.as_str(), line), ("ch03_sphere.md", 3));
         assert!(what.contains(said), "{what} says {said}");
+    }
+}
+
+/// A book without pages, which has its pictures in this folder.
+fn book(pictures: &Path) -> Book {
+    Book {
+        pictures: pictures.to_owned(),
+        pages: Vec::new(),
     }
 }
 

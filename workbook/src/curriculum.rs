@@ -10,47 +10,49 @@ pub struct Chapter {
     pub name: &'static str,
     /// Its title: "Sphere".
     pub title: &'static str,
+    /// The numbers of the chapters whose functions or ideas its lesson uses.
+    pub needs: &'static [u32],
 }
 
-/// Calls a macro with the name and the title of every chapter, in the order of the course.
+/// Calls a macro with every chapter in the order of the course: its name, its title, and the numbers of the chapters that it needs.
 #[macro_export]
 macro_rules! for_each_chapter {
     ($then:ident) => {
         $then! {
-            ch01_rays "Rays",
-            ch02_hdr "High dynamic range",
-            ch03_sphere "Sphere",
-            ch04_plane "Plane",
-            ch05_box "Box",
-            ch06_triangle "Triangle",
-            ch07_mesh "Mesh",
-            ch08_grid "Grid",
-            ch09_two_level_grid "Two-level grid",
-            ch10_octree "Octree",
-            ch11_bvh "Bounding volume hierarchy",
-            ch12_phong "Phong",
-            ch13_reflection "Reflection",
-            ch14_refraction "Refraction",
-            ch15_shadows "Shadows",
-            ch16_soft_shadows "Soft shadows",
-            ch17_rendering_equation "Rendering equation",
-            ch18_environment "Environment",
-            ch19_depth_of_field "Depth of field",
-            ch20_panorama "Panorama",
-            ch21_black_hole "Black hole",
-            ch22_antialiasing "Antialiasing",
-            ch23_adaptive "Adaptive supersampling",
-            ch24_wide_bvh "Wide BVH",
-            ch25_capstone "Capstone",
+            ch01_rays "Rays" [],
+            ch02_hdr "High dynamic range" [1],
+            ch03_sphere "Sphere" [1],
+            ch04_plane "Plane" [3],
+            ch05_box "Box" [4],
+            ch06_triangle "Triangle" [4],
+            ch07_mesh "Mesh" [3, 6],
+            ch08_grid "Grid" [5, 7],
+            ch09_two_level_grid "Two-level grid" [8],
+            ch10_octree "Octree" [5, 7, 8],
+            ch11_bvh "Bounding volume hierarchy" [5, 7],
+            ch12_phong "Phong" [2, 3],
+            ch13_reflection "Reflection" [12],
+            ch14_refraction "Refraction" [13],
+            ch15_shadows "Shadows" [12],
+            ch16_soft_shadows "Soft shadows" [15],
+            ch17_rendering_equation "Rendering equation" [13, 14, 16],
+            ch18_environment "Environment" [17],
+            ch19_depth_of_field "Depth of field" [1, 16],
+            ch20_panorama "Panorama" [18],
+            ch21_black_hole "Black hole" [18],
+            ch22_antialiasing "Antialiasing" [1, 2],
+            ch23_adaptive "Adaptive supersampling" [22],
+            ch24_wide_bvh "Wide BVH" [11],
+            ch25_capstone "Capstone" [4, 6, 12, 13, 14, 15],
         }
     };
 }
 
 /// The rows, from the list.
 macro_rules! rows {
-    ($($name:ident $title:literal),+ $(,)?) => {
+    ($($name:ident $title:literal $needs:tt),+ $(,)?) => {
         /// All chapters, in order.
-        pub const CHAPTERS: &[Chapter] = &[$(Chapter { name: stringify!($name), title: $title }),+];
+        pub const CHAPTERS: &[Chapter] = &[$(Chapter { name: stringify!($name), title: $title, needs: &$needs }),+];
     };
 }
 

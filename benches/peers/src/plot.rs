@@ -96,7 +96,7 @@ pub(crate) fn write(path: &Path, rows: &[Row]) -> Drawn {
         }
         legend(canvas, &rows, (NAMES, height - 54))
     })?;
-    Ok(file::save(path, &image)?)
+    Ok(file::save(path, &image.pixels)?)
 }
 
 fn panel(canvas: &Canvas, left: i32, column: &str, structures: &[&Row], rows: &[&Row]) -> Drawn {

@@ -41,14 +41,39 @@ pub(super) fn expand(page: &str, name: &str, alt: &str, pictures: &Path) -> Resu
     let here = page.strip_suffix(".md").unwrap_or(page);
     let (chapter, name) = name.split_once('/').unwrap_or((here, name));
     let caption = caption(&pictures.join(chapter), name)?;
-    let file = format!("pictures/{chapter}/{name}.png");
+    let drawing = store::read_text(&pictures.join(chapter).join(format!("{name}.svg")));
+    let narrowest = drawing.as_deref().ok().and_then(narrowest);
+    let form = if narrowest.is_some() { "svg" } else { "png" };
+    let file = format!("pictures/{chapter}/{name}.{form}");
+    let class = narrowest.map(|_| "drawing");
+    let style = narrowest.map(|pixels| format!("--narrowest: {pixels}px"));
     let figure = html! {
-        figure id={ "figure-" (name) } {
+        figure id={ "figure-" (name) } class=[class] style=[style] {
             a href=(file) { img src=(file) alt=(alt) loading="lazy"; }
             figcaption { (caption) }
         }
     };
     Ok(figure.into_string())
+}
+
+/// The least width at which a drawing is shown, in pixels of the page, so that its smallest words can be read: on a narrower page, it is scrolled.
+fn narrowest(svg: &str) -> Option<u32> {
+    /// The size of letters that can be read, in pixels of the page.
+    const READABLE: f64 = 11.0;
+    let [_, _, width, _] = *numbers(svg, "viewBox=\"")?.as_slice() else {
+        return None;
+    };
+    let letters = svg.split("font-size=\"").skip(1);
+    let letters = letters.filter_map(|rest| rest.split('"').next()?.parse::<f64>().ok());
+    let smallest = letters.fold(f64::INFINITY, f64::min);
+    Some((READABLE * width / smallest).ceil() as u32)
+}
+
+/// The numbers of an attribute.
+fn numbers(svg: &str, attribute: &str) -> Option<Vec<f64>> {
+    let (_, rest) = svg.split_once(attribute)?;
+    let words = rest.split('"').next()?.split_whitespace();
+    words.map(|word| word.parse().ok()).collect()
 }
 
 /// The caption of a figure; while no pictures are drawn, a word in its place.
@@ -66,4 +91,35 @@ fn caption(folder: &Path, name: &str) -> Result<String, String> {
         )
     })?;
     Ok(caption.to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::expand;
+    use raybook::store;
+
+    #[test]
+    fn a_drawing_is_shown_as_vectors_and_never_too_small_to_read() {
+        let pictures = tempfile::tempdir().expect("a folder");
+        let folder = pictures.path().join("ch03_sphere");
+        let svg = r#"<svg viewBox="0 0 2000 1000"><text font-size="25">a</text><text font-size="40">b</text></svg>"#;
+        store::write(&folder.join("roots.svg"), svg.as_bytes()).expect("it can be written");
+        let figure = |name| {
+            let text = expand("ch03_sphere.md", name, "a drawing", pictures.path());
+            text.expect("it is a figure")
+        };
+        let drawing = figure("roots");
+        for part in [
+            "class=\"drawing\"",
+            "src=\"pictures/ch03_sphere/roots.svg\"",
+            "--narrowest: 880px", // where the letters of 25 are 11 pixels high
+        ] {
+            assert!(drawing.contains(part), "{part} is in {drawing}");
+        }
+        let picture = figure("picture");
+        assert!(
+            picture.contains("src=\"pictures/ch03_sphere/picture.png\"")
+                && !picture.contains("style")
+        );
+    }
 }

@@ -33,6 +33,13 @@ fn broken(line: &str) -> Option<(&str, String)> {
     let comment = ["/// ", "//! ", "// ", "# "]
         .into_iter()
         .find(|mark| body.starts_with(mark));
+    // A comment at the end of a line goes on the next line as a whole, or its end would be code.
+    if comment.is_none()
+        && let Some(place) = line.find(" // ")
+    {
+        let next = format!("{indent}        {}", line[place..].trim_start());
+        return Some((line[..place].trim_end(), next));
+    }
     let next = comment.map_or_else(
         || format!("{indent}        "),
         |mark| format!("{indent}{mark}"),
@@ -76,6 +83,16 @@ mod tests {
             assert!(fitted.lines().count() > 2, "it was too long");
             assert_eq!(fitted.matches("word").count(), 40, "no word is lost");
         }
+    }
+
+    #[test]
+    fn a_comment_at_the_end_of_a_line_stays_a_comment() {
+        let code = "within: within.min(1.0 - f32::EPSILON / 2.0),";
+        let comment = "// it may have been rounded up to the next whole number";
+        assert_eq!(
+            fit(&format!("    {code} {comment}\n")),
+            format!("{code}\n        {comment}\n")
+        );
     }
 
     #[test]

@@ -11,13 +11,17 @@
 //! | `{{listing src/shape/mod.rs:shape}}` | an anchor of the library, open |
 //! | `{{mistakes sphere_hit}}` | the exercise's mistakes: name, message, answer, picture |
 //! | `{{path 1 2 3 12}}` | an order in which these lessons can be read, by what each of them needs |
+//! | `{{index glossary.md}}` | the terms of the glossary, with the pages on which each occurs |
 //!
-//! Besides, `chapter 7` in a text becomes a link, and above a lesson stands how long it takes to read, and which lessons it needs.
+//! Besides, `chapter 7` and `Kajiya 1986` in a text become links, and above a lesson stands how long it takes to read, and which lessons
+//! it needs.
 
+mod citation;
 mod directive;
 mod example;
 mod figure;
 mod fit;
+mod index;
 mod kept;
 mod listing;
 mod mistakes;
@@ -27,8 +31,9 @@ mod turn;
 
 use crate::cases;
 use crate::examine::Examiner;
+use citation::Works;
 use directive::Directive;
-use std::path::Path;
+use std::path::PathBuf;
 
 pub use figure::{FIGURES, write_captions};
 pub use fit::WIDEST;
@@ -45,47 +50,71 @@ pub struct BookError {
     pub what: String,
 }
 
-/// The text of a page with its directives expanded. `pictures` is the folder of the book's pictures: the captions are read from
-/// there, and the mistakes' pictures are written into it.
-///
-/// # Errors
-/// If a directive is wrong, or a picture cannot be written.
-pub fn expand(page: &str, source: &str, pictures: &Path) -> Result<String, BookError> {
-    let mut expanded = String::with_capacity(2 * source.len());
-    let mut fenced = false;
-    for (line, number) in source.lines().zip(1..) {
-        let at = |what| BookError {
-            page: page.to_owned(),
-            line: number,
-            what,
-        };
-        fenced ^= line.starts_with("```");
-        match directive::read(line).map_err(at)? {
-            Some(directive) => {
-                expanded.push_str(&become_text(page, &directive, pictures).map_err(at)?);
-            }
-            None if fenced => expanded.push_str(line),
-            None => expanded.push_str(&text::linked(page, line)),
-        }
-        expanded.push('\n');
-    }
-    Ok(text::with_head(page, &expanded, source))
+/// A page of the book, as it is written.
+#[derive(Clone, Debug)]
+pub struct Page {
+    /// Its file in `book/src`.
+    pub name: String,
+    /// Its text.
+    pub text: String,
 }
 
-/// What a directive becomes.
-fn become_text(page: &str, directive: &Directive<'_>, pictures: &Path) -> Result<String, String> {
-    let Directive { word, name, rest } = *directive;
-    match word {
-        "figure" => figure::expand(page, name, rest, pictures),
-        "example" => example::expand(exercise(name)?, rest),
-        "turn" => turn::expand(exercise(name)?),
-        "reference" => listing::reference(name),
-        "listing" => listing::open(name),
-        "mistakes" => mistakes::expand(exercise(name)?, pictures),
-        "path" => order::expand(name),
-        _ => Err(format!(
-            "there is no directive `{word}`; there are figure, example, turn, reference, listing, mistakes and path"
-        )),
+/// The book whose pages are expanded.
+#[derive(Clone, Debug)]
+pub struct Book {
+    /// The folder of the book's pictures: the captions are read from there, and the mistakes' pictures are written into it.
+    pub pictures: PathBuf,
+    /// All pages, for the index and the citations.
+    pub pages: Vec<Page>,
+}
+
+impl Book {
+    /// The text of a page with its directives expanded.
+    ///
+    /// # Errors
+    /// If a directive is wrong, or a picture cannot be written.
+    pub fn expand(&self, page: &str, source: &str) -> Result<String, BookError> {
+        let works = Works::of(&self.pages);
+        let mut expanded = String::with_capacity(2 * source.len());
+        let mut fenced = false;
+        for (line, number) in source.lines().zip(1..) {
+            let at = |what| BookError {
+                page: page.to_owned(),
+                line: number,
+                what,
+            };
+            fenced ^= line.starts_with("```");
+            match directive::read(line).map_err(at)? {
+                Some(directive) => {
+                    expanded.push_str(&self.become_text(page, &directive).map_err(at)?);
+                }
+                None if fenced => expanded.push_str(line),
+                None if page == citation::BIBLIOGRAPHY => {
+                    expanded.push_str(&citation::with_place(line));
+                }
+                None => expanded.push_str(&text::linked(page, line, &works)),
+            }
+            expanded.push('\n');
+        }
+        Ok(text::with_head(page, &expanded, source))
+    }
+
+    /// What a directive becomes.
+    fn become_text(&self, page: &str, directive: &Directive<'_>) -> Result<String, String> {
+        let Directive { word, name, rest } = *directive;
+        match word {
+            "figure" => figure::expand(page, name, rest, &self.pictures),
+            "example" => example::expand(exercise(name)?, rest),
+            "turn" => turn::expand(exercise(name)?),
+            "reference" => listing::reference(name),
+            "listing" => listing::open(name),
+            "mistakes" => mistakes::expand(exercise(name)?, &self.pictures),
+            "path" => order::expand(name),
+            "index" => index::expand(name, &self.pages),
+            _ => Err(format!(
+                "there is no directive `{word}`; there are figure, example, turn, reference, listing, mistakes, path and index"
+            )),
+        }
     }
 }
 

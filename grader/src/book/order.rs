@@ -1,44 +1,12 @@
 //! `{{path 1 2 3 12 15}}`: an order in which lessons can be read. The build stops at a lesson that comes before one that it needs.
 
 use maud::html;
-use raybook_workbook::curriculum::{CHAPTERS, Chapter};
-
-/// For each chapter, in the order of the course, the chapters whose functions or ideas its lesson uses.
-const NEEDS: [&[u32]; 25] = [
-    &[],                     // rays
-    &[1],                    // high dynamic range
-    &[1],                    // sphere
-    &[3],                    // plane
-    &[4],                    // box
-    &[4],                    // triangle
-    &[3, 6],                 // mesh
-    &[5, 7],                 // grid
-    &[8],                    // two-level grid
-    &[5, 7, 8],              // octree
-    &[5, 7],                 // bounding volume hierarchy
-    &[2, 3],                 // Phong
-    &[12],                   // reflection
-    &[13],                   // refraction
-    &[12],                   // shadows
-    &[15],                   // soft shadows
-    &[13, 14, 16],           // rendering equation
-    &[17],                   // environment
-    &[1, 16],                // depth of field
-    &[18],                   // panorama
-    &[18],                   // black hole
-    &[1, 2],                 // antialiasing
-    &[22],                   // adaptive supersampling
-    &[11],                   // wide BVH
-    &[4, 6, 12, 13, 14, 15], // capstone
-];
+use raybook_workbook::curriculum::{self, CHAPTERS, Chapter};
 
 /// The chapters that the lesson of this page needs; none for a page that is no lesson.
 pub(super) fn needs(page: &str) -> Vec<&'static Chapter> {
-    let index = CHAPTERS
-        .iter()
-        .position(|chapter| page.strip_suffix(".md") == Some(chapter.name));
-    let numbers = index.and_then(|index| NEEDS.get(index));
-    let numbers = numbers.copied().unwrap_or_default();
+    let chapter = page.strip_suffix(".md").and_then(curriculum::find);
+    let numbers = chapter.map_or(&[][..], |chapter| chapter.needs);
     numbers.iter().filter_map(|&number| find(number)).collect()
 }
 
@@ -85,11 +53,10 @@ fn find(number: u32) -> Option<&'static Chapter> {
 
 #[cfg(test)]
 mod tests {
-    use super::{CHAPTERS, NEEDS, expand};
+    use super::{CHAPTERS, expand};
 
     #[test]
     fn the_course_itself_is_a_path() {
-        assert_eq!(NEEDS.len(), CHAPTERS.len(), "a row for each chapter");
         let all: Vec<_> = CHAPTERS.iter().map(|c| c.number().to_string()).collect();
         let path = expand(&all.join(" ")).expect("no lesson needs a later one");
         assert_eq!(path.matches("<li").count(), CHAPTERS.len());

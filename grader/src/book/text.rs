@@ -1,5 +1,6 @@
 //! What is done to the text of a page: links to chapters, how long it takes to read, and what it needs.
 
+use super::citation::Works;
 use super::order;
 use maud::html;
 use raybook_workbook::curriculum::CHAPTERS;
@@ -10,8 +11,9 @@ const WORDS_A_MINUTE: usize = 120;
 /// The heading by which a lesson is known.
 const YOUR_TURN: &str = "\n## Your turn\n";
 
-/// The line with a link for each chapter that it names by its number, but for those in code, in links, in headings and in HTML.
-pub(super) fn linked(page: &str, line: &str) -> String {
+/// The line with a link for each chapter that it names by its number, and for each work that it cites, but for those in code, in links,
+/// in headings and in HTML.
+pub(super) fn linked(page: &str, line: &str, works: &Works) -> String {
     if line.starts_with(['<', '#', '|']) {
         return line.to_owned();
     }
@@ -21,7 +23,7 @@ pub(super) fn linked(page: &str, line: &str) -> String {
             text.push('`');
         }
         if i % 2 == 0 {
-            link_part(page, part, &mut text);
+            link_part(page, &works.linked(part), &mut text);
         } else {
             text.push_str(part);
         }
@@ -55,6 +57,16 @@ fn link_part(page: &str, part: &str, text: &mut String) {
     text.push_str(rest);
 }
 
+/// The place of a heading or a term on its page, as mdBook calls it.
+pub(super) fn place(heading: &str) -> String {
+    let letters = heading.chars().filter_map(|c| match c {
+        c if c.is_alphanumeric() || c == '_' || c == '-' => Some(c.to_ascii_lowercase()),
+        c if c.is_whitespace() => Some('-'),
+        _ => None,
+    });
+    letters.collect()
+}
+
 /// A lesson with its reading time and the lessons that it needs below its title; other pages as they are.
 pub(super) fn with_head(page: &str, expanded: &str, source: &str) -> String {
     if !source.contains(YOUR_TURN) {
@@ -63,7 +75,7 @@ pub(super) fn with_head(page: &str, expanded: &str, source: &str) -> String {
     let (mut fenced, mut words) = (false, 0);
     for line in source.lines() {
         fenced ^= line.starts_with("```");
-        if !fenced {
+        if !fenced && !line.starts_with('<') {
             words += line.split_whitespace().count();
         }
     }
@@ -93,7 +105,7 @@ pub(super) fn with_head(page: &str, expanded: &str, source: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::linked;
+    use super::{Works, linked};
 
     #[test]
     fn chapters_are_linked_but_for_this_one_and_those_in_code_and_links() {
@@ -110,7 +122,7 @@ mod tests {
             ("chapter 99, chapter one", "chapter 99, chapter one"),
             ("## chapter 3", "## chapter 3"),
         ] {
-            assert_eq!(linked("ch04_plane.md", line), expected);
+            assert_eq!(linked("ch04_plane.md", line, &Works::of(&[])), expected);
         }
     }
 }

@@ -26,7 +26,7 @@ macro_rules! graded {
 
 /// The modules, and all their exercises in order.
 macro_rules! modules {
-    ($($chapter:ident $title:literal),+ $(,)?) => {
+    ($($chapter:ident $title:literal $needs:tt),+ $(,)?) => {
         $(pub mod $chapter;)+
 
         /// Every graded exercise of the course.

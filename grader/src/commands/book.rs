@@ -6,9 +6,9 @@
 use super::Done;
 use clap::Args;
 use raybook_chapters::kit::say::say;
-use raybook_grader::book::expand;
+use raybook_grader::book::{self, Page};
 use serde_json::Value;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Expands the directives of the course book (mdBook calls this).
 #[derive(Args)]
@@ -31,9 +31,16 @@ impl Book {
         let [context, mut book] = <[Value; 2]>::try_from(parts)
             .map_err(|parts| format!("expected a context and a book, got {} parts", parts.len()))?;
         let root = context["root"].as_str().unwrap_or(".");
-        let pictures = PathBuf::from(root).join("src/pictures");
+        let mut pages = Vec::new();
         for item in items(&mut book) {
-            expand_item(item, &pictures)?;
+            collect(item, &mut pages);
+        }
+        let whole = book::Book {
+            pictures: PathBuf::from(root).join("src/pictures"),
+            pages,
+        };
+        for item in items(&mut book) {
+            expand_item(item, &whole)?;
         }
         say(book);
         Ok(true)
@@ -49,17 +56,35 @@ fn items(of: &mut Value) -> impl Iterator<Item = &mut Value> {
     list.into_iter().flatten()
 }
 
-/// Expands a chapter and those below it.
-fn expand_item(item: &mut Value, pictures: &Path) -> Result<(), Box<dyn std::error::Error>> {
+/// A chapter's page; none for a line between chapters, or the title of a part.
+fn page(chapter: &Value) -> Option<Page> {
+    Some(Page {
+        name: chapter["source_path"].as_str()?.to_owned(),
+        text: chapter["content"].as_str()?.to_owned(),
+    })
+}
+
+/// Adds a chapter's page, and those below it.
+fn collect(item: &mut Value, pages: &mut Vec<Page>) {
     let Some(chapter) = item.get_mut("Chapter") else {
-        return Ok(()); // a line between chapters, or the title of a part
+        return;
     };
-    if let (Some(page), Some(text)) = (chapter["source_path"].as_str(), chapter["content"].as_str())
-    {
-        chapter["content"] = expand(page, text, pictures)?.into();
+    pages.extend(page(chapter));
+    for item in items(chapter) {
+        collect(item, pages);
+    }
+}
+
+/// Expands a chapter and those below it.
+fn expand_item(item: &mut Value, book: &book::Book) -> Result<(), book::BookError> {
+    let Some(chapter) = item.get_mut("Chapter") else {
+        return Ok(());
+    };
+    if let Some(Page { name, text }) = page(chapter) {
+        chapter["content"] = book.expand(&name, &text)?.into();
     }
     for item in items(chapter) {
-        expand_item(item, pictures)?;
+        expand_item(item, book)?;
     }
     Ok(())
 }

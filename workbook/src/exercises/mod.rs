@@ -5,7 +5,7 @@ use crate::for_each_chapter;
 
 /// The modules, and all their exercises in order.
 macro_rules! modules {
-    ($($chapter:ident $title:literal),+ $(,)?) => {
+    ($($chapter:ident $title:literal $needs:tt),+ $(,)?) => {
         $(pub mod $chapter;)+
 
         /// Every exercise of the course.

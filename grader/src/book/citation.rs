@@ -1,0 +1,139 @@
+//! Citations: `Kajiya 1986` and `Walter and others (2007)` in a text become links to the work in the bibliography.
+
+use super::{Page, text};
+
+/// The page of the works.
+pub(super) const BIBLIOGRAPHY: &str = "bibliography.md";
+
+/// A work of the bibliography: its line begins with its authors, its year and its title, `- James T. Kajiya, 1986: "The rendering equation"`.
+struct Work {
+    /// The authors' family names.
+    authors: Vec<String>,
+    year: String,
+    title: String,
+}
+
+impl Work {
+    /// The work of a line of the bibliography.
+    fn read(line: &str) -> Option<Self> {
+        let (made, title) = line.strip_prefix("- ")?.split_once(": ")?;
+        let (authors, year) = made.rsplit_once(", ")?;
+        let title = title.split(['"', '*']).nth(1)?;
+        let names = authors.split(", ").flat_map(|names| names.split(" and "));
+        let families = names.filter_map(|name| name.split_whitespace().next_back());
+        is_year(year).then(|| Self {
+            authors: families.map(str::to_owned).collect(),
+            year: year.to_owned(),
+            title: title.to_owned(),
+        })
+    }
+
+    /// Where the names of its authors with which a text ends begin; none if it does not end with one.
+    fn names(&self, text: &str) -> Option<usize> {
+        let start = text.rfind([' ', '(']).map_or(0, |space| space + 1);
+        if !self.authors.iter().any(|author| *author == text[start..]) {
+            return None;
+        }
+        let before = &text[..start];
+        let before = before.strip_suffix(" and ").or(before.strip_suffix(", "));
+        before.and_then(|before| self.names(before)).or(Some(start))
+    }
+
+    /// Its place on the page of the bibliography.
+    fn place(&self) -> String {
+        text::place(&self.title)
+    }
+}
+
+/// The line of the bibliography with a place to which citations lead; other lines as they are.
+pub(super) fn with_place(line: &str) -> String {
+    match (Work::read(line), line.strip_prefix("- ")) {
+        (Some(work), Some(rest)) => format!("- <a id=\"{}\"></a>{rest}", work.place()),
+        _ => line.to_owned(),
+    }
+}
+
+/// All works of the book that can be cited.
+pub(super) struct Works(Vec<Work>);
+
+impl Works {
+    /// The works of the book's bibliography.
+    pub(super) fn of(pages: &[Page]) -> Self {
+        let page = pages.iter().find(|page| page.name == BIBLIOGRAPHY);
+        let lines = page.into_iter().flat_map(|page| page.text.lines());
+        Self(lines.filter_map(Work::read).collect())
+    }
+
+    /// A part of a text, with a link for each citation.
+    pub(super) fn linked(&self, text: &str) -> String {
+        let (mut linked, mut rest) = (String::with_capacity(text.len()), text);
+        while let Some((start, end, work)) = self.first(rest) {
+            linked.push_str(&rest[..start]);
+            let cited = &rest[start..end];
+            linked.extend(["[", cited, "](", BIBLIOGRAPHY, "#", &work.place(), ")"]);
+            rest = &rest[end..];
+        }
+        linked + rest
+    }
+
+    /// The first citation of a text: from where to where, and what is cited.
+    fn first(&self, text: &str) -> Option<(usize, usize, &Work)> {
+        let digits = text.match_indices(|c: char| c.is_ascii_digit());
+        digits.into_iter().find_map(|(at, _)| {
+            let year = text.get(at..at + 4).filter(|year| is_year(year))?;
+            let before = text[..at]
+                .strip_suffix(" (")
+                .or(text[..at].strip_suffix(' '))?;
+            let name = before.strip_suffix(" and others").unwrap_or(before);
+            let mut of_year = self.0.iter().filter(|work| work.year == year);
+            let (start, work) = of_year.find_map(|work| Some((work.names(name)?, work)))?;
+            let closed = text[before.len()..at].contains('(') && text[at + 4..].starts_with(')');
+            Some((start, at + 4 + usize::from(closed), work))
+        })
+    }
+}
+
+/// Whether a word is the number of a year.
+fn is_year(word: &str) -> bool {
+    word.len() == 4 && word.bytes().all(|byte| byte.is_ascii_digit())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{BIBLIOGRAPHY, Page, Works, with_place};
+
+    #[test]
+    fn a_citation_leads_to_its_work() {
+        let text = "- James T. Kajiya, 1986: \"The rendering equation\".\n- Eric Veach and Leonidas J. Guibas, 1995: \"Optimally\".";
+        let pages = [Page {
+            name: BIBLIOGRAPHY.to_owned(),
+            text: text.to_owned(),
+        }];
+        let works = Works::of(&pages);
+        for (text, linked) in [
+            (
+                "emits (Kajiya 1986):",
+                "emits ([Kajiya 1986](bibliography.md#the-rendering-equation)):",
+            ),
+            (
+                "As Kajiya (1986) says",
+                "As [Kajiya (1986)](bibliography.md#the-rendering-equation) says",
+            ),
+            (
+                "(Kajiya 1986, Veach and Guibas 1995)",
+                "([Kajiya 1986](bibliography.md#the-rendering-equation), [Veach and Guibas 1995](bibliography.md#optimally))",
+            ),
+            (
+                "Kajiya and others 1986",
+                "[Kajiya and others 1986](bibliography.md#the-rendering-equation)",
+            ),
+            ("in 1986, Kajiya 1987", "in 1986, Kajiya 1987"),
+        ] {
+            assert_eq!(works.linked(text), linked);
+        }
+        assert_eq!(
+            with_place("- Archimedes, 1986: *On x*"),
+            "- <a id=\"on-x\"></a>Archimedes, 1986: *On x*"
+        );
+    }
+}

@@ -1,7 +1,10 @@
 //! The race of the three ways to hit a triangle.
 
 use super::race;
-use crate::kit::{bars::bars, figure::Figure};
+use crate::kit::{
+    bars::{Bars, bars},
+    figure::Figure,
+};
 use glam::vec3;
 use rand::RngExt;
 use raybook::math::{dir3::Dir3, interval::Interval, pcg, pcg::Pcg, ray::Ray};
@@ -69,12 +72,12 @@ pub fn figure() -> Figure {
         "{same} of {} answers agree, {hits} of them hits",
         questions.len()
     );
-    bars(
-        "Time to test a ray against a triangle, measured in this run",
-        "ns",
-        &rows,
-        &note,
-    )
+    bars(&[Bars {
+        title: "Time to test a ray against a triangle, measured in this run",
+        unit: "ns",
+        rows: &rows,
+        note: &note,
+    }])
 }
 
 /// Whether two answers are the same, but for rounding.

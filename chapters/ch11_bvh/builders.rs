@@ -1,9 +1,7 @@
 //! The builders of trees compared: how long each takes, and what its tree costs.
 
-use crate::kit::{
-    bars::bars,
-    sheet::{Sheet, sheet},
-};
+use crate::kit::bars::{Bars, bars};
+use crate::kit::figure::Figure;
 use clap::ValueEnum;
 use raybook::accel::bvh::Bvh;
 use raybook::accel::bvh::build::Method;
@@ -50,7 +48,7 @@ pub(super) const METHODS: [(&str, Method); 5] = [
 ///
 /// # Errors
 /// What plotters reports.
-pub(super) fn figure(facets: &[Facet]) -> Sheet {
+pub(super) fn figure(facets: &[Facet]) -> Figure {
     let mut rows = Vec::new();
     for (name, method) in METHODS {
         let facets = facets.to_vec();
@@ -64,8 +62,18 @@ pub(super) fn figure(facets: &[Facet]) -> Sheet {
         .map(|&(name, _, cost)| (name, f64::from(cost)))
         .collect();
     let note = format!("{} triangles, all threads", facets.len());
-    let times = bars("Time to build", "ms", &times, &note)?;
-    let note = "branches opened and triangles tested by a random ray, as the heuristic sees it";
-    let costs = bars("Cost of a search", "", &costs, note)?;
-    sheet(1, &[("", times.pixels), ("", costs.pixels)])
+    bars(&[
+        Bars {
+            title: "Time to build",
+            unit: "ms",
+            rows: &times,
+            note: &note,
+        },
+        Bars {
+            title: "Cost of a search",
+            unit: "",
+            rows: &costs,
+            note: "branches opened and triangles tested by a random ray, as the heuristic sees it",
+        },
+    ])
 }

@@ -13,6 +13,7 @@ mod three_stages;
 mod tree_levels;
 
 use crate::kit::chapter;
+use crate::kit::chart::grouped;
 use crate::kit::stage::{Drawn, Stage};
 use crate::shared::own_mesh::{self, MeshKnob};
 use crate::shared::{growth, heat, outdoors::sky, showroom, showroom::Showroom, speeds};
@@ -68,7 +69,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     });
     let caption = format!(
         "{} triangles in the evening sun. A ray looks at a few dozen of them, and so does the ray towards the sun from where it ends.",
-        mesh.triangles().len()
+        grouped(mesh.triangles().len() as f64)
     );
     stage.picture("picture", &caption, &picture)?;
     let caption = "The three stages: a box around each triangle, boxes around boxes, and the tree as an array without pointers.";
@@ -77,7 +78,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     stage.diagram("organisations", caption, &flat_boxes::two_organisations()?)?;
     let caption = "Time to build a tree over the teapot, and what a search of it costs, for each of the builders.";
     let teapot = teapot::mesh(24);
-    stage.figure("builders", caption, &builders::figure(&teapot.facets())?)?;
+    stage.diagram("builders", caption, &builders::figure(&teapot.facets())?)?;
     let caption = "The work for a ray in a soup of triangles: a list asks all of them, a tree a number that grows with the logarithm.";
     stage.diagram("growth", caption, &growth::list_and_tree()?)?;
     draw_teapot(&showroom::small(&film), stage, &teapot, &build(&teapot))

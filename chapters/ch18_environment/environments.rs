@@ -10,6 +10,7 @@ use raybook::light::environment::convert::{LatLong, convert};
 use raybook::light::environment::cube::Cross;
 use raybook::light::environment::{Environment, latlong};
 use raybook::math::dir3::Dir3;
+use std::error::Error;
 
 /// The layouts by name, as on a command line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
@@ -90,34 +91,44 @@ pub(super) fn quarters(four: &[Image; 4]) -> Image {
     })
 }
 
-/// A map twice, for a display, with equally many directions as dots: chosen uniformly, and by their light.
+/// How many directions are chosen each way.
+pub(super) const DIRECTIONS: u16 = 256;
+
+/// A map twice, for a display, with equally many directions as dots: chosen uniformly, and by their light. Beside it, how many of the
+/// latter see at least half of the greatest radiance.
 ///
 /// # Errors
 /// If a caption cannot be drawn.
-pub(super) fn chosen(map: &Image) -> Sheet {
-    /// How many directions are chosen each way.
-    const DIRECTIONS: u16 = 256;
+pub(super) fn chosen(map: &Image) -> Result<(Image, usize), Box<dyn Error>> {
     let environment = Environment::new(map.clone());
-    let dotted = |choose: &dyn Fn(Vec2) -> Option<Dir3>| {
-        let mut shown = convert(map, &LatLong, &LatLong, 480, 240).map(tone::aces);
-        for i in 0..DIRECTIONS {
-            let i = f32::from(i) + 0.5;
-            let u = vec2(i / f32::from(DIRECTIONS), (0.618_034 * i).fract());
-            if let Some(direction) = choose(u) {
-                dot(&mut shown, latlong::place(direction));
-            }
+    let brightest = map.pixels().iter().map(|p| p.luminance());
+    let brightest = brightest.fold(0.0, f32::max);
+    let by_light: Vec<_> = spread().filter_map(|u| environment.choose(u)).collect();
+    let uniform = spread().map(|u| latlong::toward(u.y, f64::from(1.0 - 2.0 * u.x)));
+    let bright =
+        |direction: &&Dir3| environment.radiance(**direction).luminance() > 0.5 * brightest;
+    let in_the_sun = by_light.iter().filter(bright).count();
+    let shown = convert(map, &LatLong, &LatLong, 480, 240).map(tone::aces);
+    let dotted = |directions: &[Dir3]| {
+        let mut dotted = shown.clone();
+        for &direction in directions {
+            dot(&mut dotted, latlong::place(direction));
         }
-        shown
+        dotted
     };
-    let uniform = |u: Vec2| Some(latlong::toward(u.y, f64::from(1.0 - 2.0 * u.x)));
-    let by_light = |u| environment.choose(u);
-    sheet(
-        2,
-        &[
-            ("uniform directions", dotted(&uniform)),
-            ("directions by their light", dotted(&by_light)),
-        ],
-    )
+    let tiles = [
+        ("uniform directions", dotted(&uniform.collect::<Vec<_>>())),
+        ("directions by their light", dotted(&by_light)),
+    ];
+    Ok((sheet(2, &tiles)?, in_the_sun))
+}
+
+/// Points that are spread evenly over the unit square.
+fn spread() -> impl Iterator<Item = Vec2> {
+    (0..DIRECTIONS).map(|i| {
+        let i = f32::from(i) + 0.5;
+        vec2(i / f32::from(DIRECTIONS), (0.618_034 * i).fract())
+    })
 }
 
 /// A dot with a dark rim at a place of a map.

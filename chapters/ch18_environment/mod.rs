@@ -14,7 +14,7 @@ use crate::kit::sheet::sheet;
 use crate::kit::stage::{Drawn, Stage};
 use crate::kit::untrusted::Untrusted;
 use clap::Args;
-use environments::{Layouts, chosen, layouts, quarters};
+use environments::{DIRECTIONS, Layouts, layouts, quarters};
 use everywhere::Everywhere;
 use glam::Vec3;
 use raybook::camera::pinhole::{LookAtError, Pinhole};
@@ -76,8 +76,11 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let caption = "The clear day in three layouts: latitude and longitude, a cube unfolded to a cross, and the angular map.";
     stage.figure("layouts", caption, &layouts(day)?)?;
 
-    let caption = "256 directions of the clear day, once chosen uniformly and once by their light. On the right, most of them lie in the sun: one dot, as the sun is so small.";
-    stage.figure("chosen", caption, &chosen(day)?)?;
+    let (chosen, in_the_sun) = environments::chosen(day)?;
+    let caption = format!(
+        "{DIRECTIONS} directions of the clear day, once chosen uniformly and once by their light. On the right, {in_the_sun} of them lie in the sun: one dot, as the sun is so small."
+    );
+    stage.figure("chosen", &caption, &chosen)?;
 
     let film = stage.film_of(480, 48, 4.0 / 3.0);
     let light = Box::new(Environment::new(studio.clone()));

@@ -1,6 +1,6 @@
 //! What each step from two children to eight gives: in counts, and in time on this machine.
 
-use crate::kit::bars::bars;
+use crate::kit::bars::{Bars, bars};
 use crate::kit::figure::Figure;
 use raybook::accel::bvh::Bvh;
 use raybook::accel::wide_bvh::{Kernel, WideBvh};
@@ -54,12 +54,12 @@ pub(super) fn steps(rays: &[Ray], two: &Bvh<Facet>, eight: &WideBvh) -> Figure {
         ("eight: triangles", per_ray(counts[1].shapes)),
     ];
     let note = "each pair, each node of eight, and up to eight triangles at once are one step";
-    bars(
-        "Steps of a ray, with two children and with eight",
-        "a ray",
-        &rows,
+    bars(&[Bars {
+        title: "Steps of a ray, with two children and with eight",
+        unit: "a ray",
+        rows: &rows,
         note,
-    )
+    }])
 }
 
 /// A name, and what follows all of some rays.
@@ -108,5 +108,10 @@ pub(super) fn gain(rays: &[Ray], two: &Bvh<Facet>, eight: &WideBvh, note: &str) 
     let rate = |seconds: f64| 1e-6 * rays.len() as f64 / seconds.max(1e-9);
     let names = contestants.iter().map(|(name, _)| *name);
     let rows: Vec<_> = names.zip(seconds.map(rate)).collect();
-    bars("Rays per second, one thread", "million", &rows, note)
+    bars(&[Bars {
+        title: "Rays per second, one thread",
+        unit: "million",
+        rows: &rows,
+        note,
+    }])
 }

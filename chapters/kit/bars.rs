@@ -1,7 +1,8 @@
 //! A bar chart: a few named numbers, to be compared by length.
 
-use crate::kit::figure::{CENTRE, Figure, LEFT, RIGHT, figure, text, write};
+use crate::kit::figure::{CENTRE, Canvas, Figure, LEFT, RIGHT, figure, text, write};
 use crate::kit::palette::{BLUE, FAINT};
+use crate::kit::stage::Drawn;
 use plotters::prelude::{Color, PathElement, Rectangle};
 
 /// Height of a bar, and the space it stands in, in pixels of the canvas.
@@ -15,37 +16,62 @@ const WIDTH: u32 = 1920;
 const HEAD: i32 = 150;
 const FOOT: i32 = 130;
 
-/// Bars from 0, one under the other, each with its name and its number in `unit`; under them a note.
+/// A bar chart: bars from 0, one under the other, each with its name and its number.
+#[derive(Clone, Copy, Debug)]
+pub struct Bars<'a> {
+    /// Above the bars.
+    pub title: &'a str,
+    /// Behind each number.
+    pub unit: &'a str,
+    /// The names and the numbers.
+    pub rows: &'a [(&'a str, f64)],
+    /// Below the bars.
+    pub note: &'a str,
+}
+
+/// Bar charts, one below the other.
 ///
 /// # Errors
 /// What plotters reports.
-pub fn bars(title: &str, unit: &str, rows: &[(&str, f64)], note: &str) -> Figure {
-    let bottom = HEAD + ROW * rows.len() as i32;
-    let longest = rows.iter().fold(0.0_f64, |longest, row| longest.max(row.1));
-    figure(WIDTH / 2, (bottom + FOOT) as u32 / 2, |canvas| {
-        write(
-            canvas,
-            title,
-            (WIDTH as i32 / 2, HEAD / 2),
-            text(46).pos(CENTRE),
-        )?;
-        for (row, (name, value)) in (0..).zip(rows) {
+pub fn bars(charts: &[Bars]) -> Figure {
+    let height: i32 = charts.iter().map(Bars::height).sum();
+    figure(WIDTH / 2, height as u32 / 2, |canvas| {
+        let mut below = canvas.clone();
+        for chart in charts {
+            let (own, rest) = below.split_vertically(chart.height());
+            chart.draw(&own)?;
+            below = rest;
+        }
+        Ok(())
+    })
+}
+
+impl Bars<'_> {
+    /// Its height, in pixels of the canvas.
+    fn height(&self) -> i32 {
+        HEAD + ROW * self.rows.len() as i32 + FOOT
+    }
+
+    fn draw(&self, canvas: &Canvas) -> Drawn {
+        let bottom = self.height() - FOOT;
+        let centred = |words: &str, y: i32, size: i32| {
+            let middle = (WIDTH as i32 / 2, y);
+            write(canvas, words, middle, text(size).pos(CENTRE))
+        };
+        let longest = self.rows.iter().map(|row| row.1);
+        let longest = longest.fold(f64::MIN_POSITIVE, f64::max);
+        centred(self.title, HEAD / 2, 46)?;
+        for (row, (name, value)) in (0..).zip(self.rows) {
             let middle = HEAD + ROW * row + ROW / 2;
-            let end =
-                BEGIN + (f64::from(END - BEGIN) * value / longest.max(f64::MIN_POSITIVE)) as i32;
+            let end = BEGIN + (f64::from(END - BEGIN) * value / longest) as i32;
             let corners = [(BEGIN, middle - BAR / 2), (end, middle + BAR / 2)];
             canvas.draw(&Rectangle::new(corners, BLUE.filled()))?;
             write(canvas, name, (BEGIN - 28, middle), text(40).pos(RIGHT))?;
-            let value = format!("{value:.1} {unit}");
+            let value = format!("{value:.1} {}", self.unit);
             write(canvas, &value, (end + 24, middle), text(40).pos(LEFT))?;
         }
         let axis = vec![(BEGIN, HEAD), (BEGIN, bottom)];
         canvas.draw(&PathElement::new(axis, FAINT.stroke_width(4)))?;
-        write(
-            canvas,
-            note,
-            (WIDTH as i32 / 2, bottom + FOOT / 2),
-            text(34).pos(CENTRE),
-        )
-    })
+        centred(self.note, bottom + FOOT / 2, 34)
+    }
 }

@@ -1,6 +1,9 @@
 //! Rays per second, of one structure in words or of several in bars.
 
-use crate::kit::{bars::bars, figure::Figure};
+use crate::kit::{
+    bars::{Bars, bars},
+    figure::Figure,
+};
 use glam::{Vec2, vec2};
 use raybook::accel::Accel;
 use raybook::math::{interval::Interval, ray::Ray};
@@ -62,5 +65,10 @@ pub fn rays_a_second(film: &Film, ray: impl Fn(Vec2) -> Ray, accel: &impl Accel<
 pub fn figure(rays: &[Ray], structures: &[Searcher], note: &str) -> Figure {
     let names = structures.iter().map(|(name, _)| *name);
     let rows: Vec<_> = names.zip(thousands(rays, structures)).collect();
-    bars("Rays per second, one thread", "thousand", &rows, note)
+    bars(&[Bars {
+        title: "Rays per second, one thread",
+        unit: "thousand",
+        rows: &rows,
+        note,
+    }])
 }

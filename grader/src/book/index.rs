@@ -24,9 +24,10 @@ pub(super) fn expand(glossary: &str, pages: &[Page]) -> Result<String, String> {
     if terms.is_empty() {
         return Err(format!("the book has no page {glossary} with terms"));
     }
+    // What comes after the glossary is looked up, not read.
     let texts: Vec<_> = pages
         .iter()
-        .filter(|page| page.name != glossary)
+        .take_while(|page| page.name != glossary)
         .map(|page| (page, words(&page.text)))
         .collect();
     let list = html! {
@@ -99,10 +100,11 @@ fn mentions(text: &str, term: &str) -> bool {
     text.contains(&term) || text.contains(&plural)
 }
 
-/// A lesson is called by its number, another page by its title.
+/// A lesson is called by its number, another page by its title, without what follows a colon.
 fn short(page: &Page) -> String {
     let chapter = page.name.strip_suffix(".md").and_then(curriculum::find);
     let title = page.text.lines().find_map(|line| line.strip_prefix("# "));
+    let title = title.and_then(|title| title.split(':').next());
     chapter.map_or_else(
         || title.unwrap_or(&page.name).to_owned(),
         |chapter| chapter.number().to_string(),
@@ -129,15 +131,16 @@ mod tests {
     fn a_term_leads_to_the_page_that_explains_it_and_to_all_that_mention_it() {
         let pages = [
             page(
-                "glossary.md",
-                "# Glossary\n\nshadow ray\n: A ray to a lamp. [Shadows](ch15_shadows.md#the-idea)\n",
-            ),
-            page(
                 "ch03_sphere.md",
                 "# Sphere\n\nNo shadow, no ray!\n\n```\nshadow ray\n```\n",
             ),
             page("ch15_shadows.md", "# Shadows\n\nA shadow ray.\n"),
-            page("why.md", "# Why\n\n**Shadow\nrays** are rays.\n"),
+            page("why.md", "# Why: rays\n\n**Shadow\nrays** are rays.\n"),
+            page(
+                "glossary.md",
+                "# Glossary\n\nshadow ray\n: A ray to a lamp. [Shadows](ch15_shadows.md#the-idea)\n",
+            ),
+            page("teach.md", "# Teach\n\nA shadow ray.\n"),
         ];
         let index = expand("glossary.md", &pages).expect("it has a term");
         for part in [
@@ -147,7 +150,12 @@ mod tests {
         ] {
             assert!(index.contains(part), "{part} is in {index}");
         }
-        assert!(!index.contains("ch03"), "a listing is no mention: {index}");
+        for absent in ["ch03", "teach"] {
+            assert!(
+                !index.contains(absent),
+                "neither a listing nor what comes after the glossary is mentioned: {index}"
+            );
+        }
         assert!(expand("words.md", &pages).is_err(), "no such page");
     }
 }

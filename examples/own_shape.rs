@@ -37,19 +37,8 @@ impl Shape for Disc {
 
     fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
         let position = ray.at(hit.t);
-        Surface {
-            position,
-            error: ROUNDING
-                * position
-                    .abs()
-                    .max(ray.origin.abs())
-                    .max(self.middle.abs())
-                    .max_element(),
-            normal: self.normal,
-            shading_normal: self.normal,
-            texture: Vec2::ZERO,
-            lift: Vec3::ZERO,
-        }
+        let largest = position.abs().max(ray.origin.abs()).max(self.middle.abs());
+        Surface::flat(position, ROUNDING * largest.max_element(), self.normal)
     }
 }
 

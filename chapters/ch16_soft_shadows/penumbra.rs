@@ -46,14 +46,7 @@ impl Shadow {
         let half = vec3(0.5 * self.board.x, 0.0, LONG);
         let board = Cuboid::between(self.board.y * Vec3::Y - half, self.board.y * Vec3::Y + half);
         let thing = Thing::new(board, ());
-        let floor = Surface {
-            position: x * Vec3::X,
-            error: 0.0,
-            normal: Dir3::Y,
-            shading_normal: Dir3::Y,
-            texture: Vec2::ZERO,
-            lift: Vec3::ZERO,
-        };
+        let floor = Surface::flat(x * Vec3::X, 0.0, Dir3::Y);
         let rng = &mut pcg::stream(16, u64::from(x.to_bits()));
         visible_fraction(
             &Scene::new(vec![thing], vec![]),

@@ -13,6 +13,7 @@ pub struct RectLight {
     a: Vec3,
     b: Vec3,
     normal: Dir3,
+    area: f32,
     sides: Option<Sides>,
     radiance: Rgb,
     choose: Choose,
@@ -42,6 +43,7 @@ impl RectLight {
             a,
             b,
             normal: Dir3::new_or(a.cross(b), Dir3::Y),
+            area: a.length() * b.length(),
             sides: Sides::of(a.as_dvec3(), b.as_dvec3()),
             radiance,
             choose: Choose::ByArea,
@@ -61,7 +63,7 @@ impl RectLight {
 
     /// |a|·|b|, in square metres.
     pub fn area(&self) -> f32 {
-        self.a.length() * self.b.length()
+        self.area
     }
 
     // ANCHOR: sample_rect
@@ -70,7 +72,7 @@ impl RectLight {
     /// `None` where p turns its back.
     fn sample_area(&self, at: Vec3, u: Vec2) -> Option<LightSample> {
         let r = self.corner + u.x * self.a + u.y * self.b - at;
-        let pdf = per_steradian(1.0 / self.area(), r, self.normal);
+        let pdf = per_steradian(1.0 / self.area, r, self.normal);
         shine(Dir3::new(r)?, r.length(), self.radiance, pdf)
     }
     // ANCHOR_END: sample_rect
@@ -98,7 +100,7 @@ impl Light for RectLight {
             return 0.0;
         };
         self.view(at).map_or_else(
-            || per_steradian(1.0 / self.area(), t * *toward, self.normal),
+            || per_steradian(1.0 / self.area, t * *toward, self.normal),
             |view| 1.0 / view.solid_angle as f32,
         )
     }

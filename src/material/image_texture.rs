@@ -18,7 +18,7 @@ use std::sync::Arc;
 pub struct ImageTexture<M> {
     /// The picture. Materials may share it.
     pub map: Arc<MipMap>,
-    /// The width, in texture coordinates, over which colours are averaged; 0 where a pixel's samples do that.
+    /// The least width, in texture coordinates, over which colours are averaged; 0 for as sharp as pixels can show.
     pub width: f32,
     /// What a surface of this colour is made of.
     pub make: Box<dyn Fn(Rgb) -> M + Send + Sync>,
@@ -50,6 +50,7 @@ impl<M: Material> Texture for ImageTexture<M> {
     type Material = M;
 
     fn at(&self, surface: &Surface) -> M {
-        (self.make)(self.map.at(surface.texture, self.width))
+        let width = self.width.max(surface.texture_width);
+        (self.make)(self.map.at(surface.texture, width))
     }
 }

@@ -1,7 +1,7 @@
 //! Light that is cut off sample by sample: no fireflies, and smooth edges of lamps.
 
 use crate::math::ray::Ray;
-use crate::render::{followed::Followed, sampler::Integrator};
+use crate::render::{cone::Cone, followed::Followed, sampler::Integrator};
 use crate::scene::world::Scene;
 use rand::Rng;
 
@@ -19,8 +19,8 @@ pub struct Clamped<I> {
 }
 
 impl<I: Integrator> Integrator for Clamped<I> {
-    fn follow(&self, scene: &Scene, ray: &Ray, numbers: &mut dyn Rng) -> Followed {
-        let followed = self.integrator.follow(scene, ray, numbers);
+    fn follow(&self, scene: &Scene, ray: &Ray, cone: Cone, numbers: &mut dyn Rng) -> Followed {
+        let followed = self.integrator.follow(scene, ray, cone, numbers);
         let brightest = followed.radiance.max_channel();
         if brightest <= self.brightest {
             return followed;

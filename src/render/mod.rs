@@ -3,6 +3,7 @@
 pub mod adaptive;
 pub mod budget;
 pub mod clamped;
+pub mod cone;
 pub mod curved;
 pub mod film;
 pub mod followed;

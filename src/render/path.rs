@@ -3,7 +3,7 @@
 use crate::image::rgb::Rgb;
 use crate::material::{Delta, glass::Medium};
 use crate::math::{dir3::Dir3, ray::Ray};
-use crate::render::{followed::Followed, mis::Strategy, shadow};
+use crate::render::{cone::Cone, followed::Followed, mis::Strategy, sampler::Integrator, shadow};
 use crate::scene::world::{Scene, Seen};
 use glam::vec2;
 use rand::{Rng, RngExt};
@@ -38,6 +38,10 @@ impl Path {
     /// mirror or through glass no light can be looked for: only the ray that goes on finds it.
     /// The mean over all random numbers is exact, but for what `depth` cuts off.
     pub fn follow(&self, scene: &Scene, ray: &Ray, rng: &mut dyn Rng) -> Followed {
+        self.follow_cone(scene, ray, Cone::THIN, rng)
+    }
+
+    fn follow_cone(&self, scene: &Scene, ray: &Ray, mut cone: Cone, rng: &mut dyn Rng) -> Followed {
         let (mut ray, mut pdf) = (*ray, f32::INFINITY);
         let (mut sum, mut weight) = (Followed::default(), Rgb::WHITE);
         let (mut surfaces, mut medium) = (0, Medium::AIR);
@@ -45,13 +49,15 @@ impl Path {
             sum.rays += 1;
             let seen = scene.closest(&ray);
             let found = self.found(scene, &ray, seen.as_ref().map(|seen| seen.t), pdf);
-            let (Some(seen), None) = (seen, found) else {
+            let (Some(mut seen), None) = (seen, found) else {
                 let (t, radiance) = found.unwrap_or((f32::INFINITY, Rgb::BLACK));
                 sum.radiance += weight * medium.transmittance(t) * radiance;
                 return sum;
             };
             weight = weight * medium.transmittance(seen.t);
             let view = -ray.direction;
+            cone = cone.after(seen.t);
+            cone.cover(&mut seen.surface, view);
             sum.radiance += weight * seen.material.emitted(&seen.surface, view);
             if surfaces == self.depth {
                 return sum;
@@ -138,6 +144,12 @@ impl Path {
             }
         }
         found.map(|radiance| (nearest, radiance))
+    }
+}
+
+impl Integrator for Path {
+    fn follow(&self, scene: &Scene, ray: &Ray, cone: Cone, numbers: &mut dyn Rng) -> Followed {
+        self.follow_cone(scene, ray, cone, numbers)
     }
 }
 

@@ -4,8 +4,8 @@ use crate::camera::Camera;
 use crate::image::Image;
 use crate::math::{pcg::Pcg, ray::Ray};
 use crate::render::adaptive::{Limits, adaptive, by_budget};
-use crate::render::{film::Film, followed::Followed, needs_more::Enough, supersample::supersample};
-use crate::render::{path::Path, whitted::Whitted};
+use crate::render::{cone::Cone, film::Film, followed::Followed};
+use crate::render::{needs_more::Enough, supersample::supersample};
 use crate::sample::pattern::Pattern;
 use crate::scene::world::Scene;
 use glam::{Vec2, vec2};
@@ -15,21 +15,11 @@ use rand::{Rng, RngExt};
 /// A way to find the radiance that comes along a ray through a scene.
 pub trait Integrator: Sync {
     /// An estimate of the radiance, whose mean over all random numbers counts, and the rays that were followed for it.
-    fn follow(&self, scene: &Scene, ray: &Ray, numbers: &mut dyn Rng) -> Followed;
+    ///
+    /// `cone` says how wide the ray is meant to be: textures are averaged over that.
+    fn follow(&self, scene: &Scene, ray: &Ray, cone: Cone, numbers: &mut dyn Rng) -> Followed;
 }
 // ANCHOR_END: integrator
-
-impl Integrator for Path {
-    fn follow(&self, scene: &Scene, ray: &Ray, numbers: &mut dyn Rng) -> Followed {
-        Path::follow(self, scene, ray, numbers)
-    }
-}
-
-impl Integrator for Whitted {
-    fn follow(&self, scene: &Scene, ray: &Ray, numbers: &mut dyn Rng) -> Followed {
-        Whitted::follow(self, scene, ray, numbers)
-    }
-}
 
 /// How many samples each pixel gets, and where they are. The numbers of a pixel follow from the film's seed and its place.
 #[derive(Clone, Copy, Debug, Default)]
@@ -72,6 +62,7 @@ impl Film<'_> {
         integrator: &dyn Integrator,
         scene: &Scene,
     ) -> Image {
+        let cone = Cone::of_sample(camera, self);
         // A pin-hole takes no number for its lens: of Sobol's points, the first ones are the most even.
         let see = |place: Vec2, numbers: &mut dyn Rng| {
             let lens = if camera.has_lens() {
@@ -79,7 +70,7 @@ impl Film<'_> {
             } else {
                 Vec2::splat(0.5)
             };
-            integrator.follow(scene, &camera.ray(place, lens), numbers)
+            integrator.follow(scene, &camera.ray(place, lens), cone, numbers)
         };
         let by_chance = |place: Vec2, numbers: &mut Pcg| see(place, numbers);
         match *sampler {

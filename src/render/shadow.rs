@@ -16,10 +16,11 @@ const BEFORE_LIGHT: f32 = 1e-4;
 /// The ray from a surface towards a light, and the stretch of it on which something is in the way.
 ///
 /// It starts off the surface (see [`Surface::leave_smooth`]), and ends before the light: what is behind the light, or carries
-/// it, throws no shadow. With e = `error`, the start is up to √3·e nearer to the light than the point.
+/// it, throws no shadow. With e = `error`, the start is up to √3·e nearer to the light than the point, or as far as `clear`.
 pub fn shadow_ray(at: &Surface, light: &LightSample) -> (Ray, Interval) {
     let ray = at.leave_smooth(light.toward);
-    let margin = 2.0 * at.error + at.lift.length() + BEFORE_LIGHT * light.distance;
+    let start = 2.0 * at.error + at.clear.length() + at.lift.length();
+    let margin = start + BEFORE_LIGHT * light.distance;
     // Of a light at ∞ everything ahead is before it; ∞ − ∞ would be NaN.
     let end = if light.distance.is_finite() {
         (light.distance - margin).max(0.0)

@@ -3,7 +3,7 @@
 use crate::image::rgb::Rgb;
 use crate::material::{See, Sight, beyond};
 use crate::math::ray::Ray;
-use crate::render::{followed::Followed, local::Local};
+use crate::render::{cone::Cone, followed::Followed, local::Local, sampler::Integrator};
 use crate::scene::world::Scene;
 use rand::Rng;
 
@@ -20,26 +20,30 @@ pub struct Whitted {
 /// (Hall and Greenberg, "A testbed for realistic image synthesis", 1983).
 const LEAST: f32 = 1.0 / 512.0;
 
+/// A ray of the tree, and those that follow from it.
+struct Twig {
+    /// So many surfaces are still followed in a row.
+    left: u32,
+    /// The share of the picture's light that it counts for.
+    share: f32,
+    /// How wide it is.
+    cone: Cone,
+}
+
 impl Whitted {
     // ANCHOR: whitted
     /// What a ray sees: L = local illumination + what the material sees beyond, which asks the same question again.
     ///
     /// Two facing mirrors would ask for ever. Each question has one surface less to go, and at 0 the answer is black.
     pub fn follow(&self, scene: &Scene, ray: &Ray, rng: &mut dyn Rng) -> Followed {
-        let mut rays = 0;
-        let sight = self.sight(scene, ray, self.depth, 1.0, rng, &mut rays);
-        Followed {
-            radiance: sight.radiance,
-            rays,
-        }
+        Integrator::follow(self, scene, ray, Cone::THIN, rng)
     }
 
     fn sight(
         &self,
         scene: &Scene,
         ray: &Ray,
-        left: u32,
-        share: f32,
+        Twig { left, share, cone }: Twig,
         rng: &mut dyn Rng,
         rays: &mut u64,
     ) -> Sight {
@@ -51,14 +55,21 @@ impl Whitted {
             return nothing(Rgb::BLACK);
         }
         *rays += 1;
-        let Some(seen) = scene.closest(ray) else {
+        let Some(mut seen) = scene.closest(ray) else {
             return nothing(scene.behind_everything(ray));
         };
-        let view = -ray.direction;
+        let (view, cone) = (-ray.direction, cone.after(seen.t));
+        cone.cover(&mut seen.surface, view);
         let local = self.local.follow(scene, &seen, view, rng);
         *rays += local.rays;
-        let see: &mut See =
-            &mut |ray, of_it| self.sight(scene, ray, left - 1, of_it * share, rng, rays);
+        let see: &mut See = &mut |ray, of_it| {
+            let twig = Twig {
+                left: left - 1,
+                share: of_it * share,
+                cone,
+            };
+            self.sight(scene, ray, twig, rng, rays)
+        };
         Sight {
             radiance: local.radiance + beyond(seen.material, &seen.surface, view, see),
             distance: seen.t,
@@ -66,8 +77,28 @@ impl Whitted {
     }
     // ANCHOR_END: whitted
 
+    /// The whole tree of rays, for a first ray as wide as this.
+    fn trunk(&self, cone: Cone) -> Twig {
+        Twig {
+            left: self.depth,
+            share: 1.0,
+            cone,
+        }
+    }
+
     /// The same, uncounted.
     pub fn radiance(&self, scene: &Scene, ray: &Ray, rng: &mut dyn Rng) -> Rgb {
         self.follow(scene, ray, rng).radiance
+    }
+}
+
+impl Integrator for Whitted {
+    fn follow(&self, scene: &Scene, ray: &Ray, cone: Cone, numbers: &mut dyn Rng) -> Followed {
+        let mut rays = 0;
+        let sight = self.sight(scene, ray, self.trunk(cone), numbers, &mut rays);
+        Followed {
+            radiance: sight.radiance,
+            rays,
+        }
     }
 }

@@ -101,7 +101,7 @@ impl Scene {
         let (thing, hit) = self.things.closest(ray, Interval::AHEAD)?;
         Some(Seen {
             t: hit.t,
-            surface: thing.shape.surface(ray, &hit),
+            surface: thing.shape.surface(ray, &hit).seen_along(ray, hit.t),
             material: &*thing.material,
         })
     }

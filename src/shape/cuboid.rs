@@ -60,14 +60,13 @@ impl Shape for Cuboid {
         let mut normal = Vec3::ZERO;
         normal[axis] = outward;
         let normal = Dir3::new_or(normal, Dir3::Y);
-        let across = (position - min) / (max - min).max(Vec3::splat(f32::MIN_POSITIVE));
+        let size = (max - min).max(Vec3::splat(f32::MIN_POSITIVE));
+        let across = (position - min) / size;
+        let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
         Surface {
-            position,
-            error: ROUNDING * position.abs().max_element(),
-            normal,
-            shading_normal: normal,
-            texture: Vec2::new(across[(axis + 1) % 3], across[(axis + 2) % 3]),
-            lift: Vec3::ZERO,
+            texture: Vec2::new(across[u], across[v]),
+            texture_per_metre: (size[u].sqrt() * size[v].sqrt()).recip(),
+            ..Surface::flat(position, ROUNDING * position.abs().max_element(), normal)
         }
     }
 }

@@ -192,9 +192,12 @@ impl Mesh {
             shading_normal = bumps.tilt(shading_normal, edges, along, texture);
         }
         let flat = triangle.surface(ray, hit);
+        // The unit triangle has the texture coordinates (0, 0), (1, 0) and (0, 1).
+        let share = (textures[1] - textures[0]).perp_dot(textures[2] - textures[0]);
         Surface {
             shading_normal,
             texture,
+            texture_per_metre: flat.texture_per_metre * share.abs().sqrt(),
             lift: lift(flat.position, places, normals, hit.uv),
             ..flat
         }

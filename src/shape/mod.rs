@@ -68,26 +68,79 @@ pub struct Surface {
     pub shading_normal: Dir3,
     /// Texture coordinates.
     pub texture: Vec2,
+    /// How much the texture coordinates change along the surface, per metre; 0 where they are the same everywhere.
+    pub texture_per_metre: f32,
+    /// The width over which a texture is averaged, in texture coordinates; 0 for the place alone.
+    pub texture_width: f32,
     /// From the point to the round surface that a mesh pretends to be, in metres; 0 where a surface is what it seems.
     pub lift: Vec3,
+    /// From the point to where rays start on the side from which it was seen ([`Surface::seen_along`]); 0 if nobody saw it.
+    pub clear: Vec3,
 }
 
 impl Surface {
+    /// A surface that is what it seems, with the same texture coordinates everywhere.
+    pub fn flat(position: Vec3, error: f32, normal: Dir3) -> Self {
+        Self {
+            position,
+            error,
+            normal,
+            shading_normal: normal,
+            texture: Vec2::ZERO,
+            texture_per_metre: 0.0,
+            texture_width: 0.0,
+            lift: Vec3::ZERO,
+            clear: Vec3::ZERO,
+        }
+    }
+
     // ANCHOR: leave
     /// A ray that leaves this point in a direction and does not find this surface again.
     ///
     /// This is the one rule against self-intersection: `position` is not exactly on the surface, but at most
     /// e = `error` away along each axis, that is e·(|nₓ| + |n_y| + |n_z|) along the normal n. The ray starts so far off,
     /// on the side to which it leaves (Pharr, Jakob and Humphreys, *Physically Based Rendering*, §3.9).
-    /// So it is certainly on that side, at any scale of the scene, and AHEAD needs no 0.001.
+    /// So it is certainly on that side, at any scale of the scene, and AHEAD needs no 0.001. To the side from which the
+    /// point was seen, `clear` is as far off, and better where two surfaces meet.
     #[inline]
     pub fn leave(&self, direction: Dir3) -> Ray {
-        let off = self.error * self.normal.abs().element_sum();
-        let inward = self.normal.dot(*direction) < 0.0;
-        let side = if inward { -off } else { off };
-        Ray::new(self.position + side * *self.normal, direction)
+        let side = self.normal.dot(*direction);
+        let away = if side * self.normal.dot(self.clear) > 0.0 {
+            self.clear
+        } else if side < 0.0 {
+            -self.off() * *self.normal
+        } else {
+            self.off() * *self.normal
+        };
+        Ray::new(self.position + away, direction)
     }
     // ANCHOR_END: leave
+
+    /// e·(|nₓ| + |n_y| + |n_z|): how far the true surface may be from `position`, along the normal.
+    fn off(&self) -> f32 {
+        self.error * self.normal.abs().element_sum()
+    }
+
+    // ANCHOR: seen_along
+    /// The same surface, with `clear` for the ray that found it at the distance t.
+    ///
+    /// Where two surfaces meet, a point of the one may be rounded to behind the other, and a start that is off along the normal
+    /// is behind it still: no light arrives, or light from behind does. But the way on which the point was seen is free.
+    /// So the start is back on this way, until it is off the surface four times as far as [`Surface::leave`] needs, for the other
+    /// surface may be seen at a more grazing angle, and as far as the way itself is rounded; but not more than a hundred times as
+    /// far, nor half of the way. What is missing is along the normal.
+    #[must_use]
+    #[inline]
+    pub fn seen_along(self, ray: &Ray, t: f32) -> Self {
+        let (off, cosine) = (self.off(), -self.normal.dot(*ray.direction));
+        let rounded = ROUNDING * (ray.origin.abs().max_element() + t);
+        let back = (4.0 * off / cosine.abs()).min(100.0 * off);
+        let back = back.max(rounded).min(0.5 * t);
+        let rest = (off - back * cosine.abs()).max(0.0).copysign(cosine);
+        let clear = rest * *self.normal - back * *ray.direction;
+        Self { clear, ..self }
+    }
+    // ANCHOR_END: seen_along
 
     // ANCHOR: leave_smooth
     /// A ray that leaves the surface that the shading pretends: to the outside it starts `lift` off.

@@ -117,8 +117,9 @@ impl Shape for Placed {
             error: 2.0 * self.scale * surface.error + ROUNDING * largest.max_element(),
             normal: self.turned(surface.normal),
             shading_normal: self.turned(surface.shading_normal),
-            texture: surface.texture,
+            texture_per_metre: surface.texture_per_metre / self.scale,
             lift: self.scale * (self.turn * surface.lift),
+            ..surface
         }
     }
 }

@@ -47,13 +47,11 @@ impl Shape for Plane {
         let near = ray.at(hit.t);
         let position = near + (self.offset - self.normal.dot(near)) * *self.normal;
         let basis = Basis::around(self.normal);
+        let error = ROUNDING * (position.abs().max_element() + self.offset.abs());
         Surface {
-            position,
-            error: ROUNDING * (position.abs().max_element() + self.offset.abs()),
-            normal: self.normal,
-            shading_normal: self.normal,
             texture: vec2(position.dot(*basis.x), position.dot(*basis.y)),
-            lift: Vec3::ZERO,
+            texture_per_metre: 1.0,
+            ..Surface::flat(position, error, self.normal)
         }
     }
 }

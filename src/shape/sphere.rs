@@ -108,13 +108,14 @@ impl Shape for Sphere {
             -half_chord
         };
         let normal = Dir3::new_or(p + s * *ray.direction, Dir3::Y);
+        let position = self.center + self.radius * *normal;
+        let error = ROUNDING * (self.center.abs().max_element() + self.radius);
+        // 1 is 2πr cos φ to the east, at the latitude φ, and πr to the north.
+        let cosine = (1.0 - normal.y * normal.y).max(f32::EPSILON).sqrt();
         Surface {
-            position: self.center + self.radius * *normal,
-            error: ROUNDING * (self.center.abs().max_element() + self.radius),
-            normal,
-            shading_normal: normal,
             texture: longitude_latitude(normal),
-            lift: Vec3::ZERO,
+            texture_per_metre: (2.0 * PI * PI * cosine).sqrt().recip() / self.radius,
+            ..Surface::flat(position, error, normal)
         }
     }
 }

@@ -88,17 +88,18 @@ impl Shape for Triangle {
 
     fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
         let normal = self.normal().unwrap_or(-ray.direction);
+        // |e₁ × e₂|, without a square of it that may vanish.
+        let twice_area = self.e1.cross(self.e2).dot(*normal).abs();
+        let (a, b) = (self.e1.length(), self.e2.length());
         // `hit` loses digits of the distance to the plane as e₁ and e₂ get parallel: 1/sin of the angle between them.
-        let sides = [self.e1, self.e2].map(|e| Dir3::new_or(e, normal));
-        let lost = 1.0 / sides[0].cross(*sides[1]).length();
-        let longest = self.e1.length().max(self.e2.length());
+        let lost = (a * b / twice_area).max(1.0);
+        let longest = a.max(b);
+        let position = self.p0 + hit.uv.x * self.e1 + hit.uv.y * self.e2;
+        let error = ROUNDING * (self.p0.abs().max_element() + lost * longest);
         Surface {
-            position: self.p0 + hit.uv.x * self.e1 + hit.uv.y * self.e2,
-            error: ROUNDING * (self.p0.abs().max_element() + lost * longest),
-            normal,
-            shading_normal: normal,
             texture: hit.uv,
-            lift: Vec3::ZERO,
+            texture_per_metre: twice_area.sqrt().recip(),
+            ..Surface::flat(position, error, normal)
         }
     }
 }

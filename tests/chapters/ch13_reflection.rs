@@ -130,12 +130,8 @@ fn an_interpolated_normal_never_sends_a_ray_below_the_surface() {
         let [normal, bend, view] = [(); 3].map(|()| random_direction(&mut rng));
         let shading_normal = Dir3::new_or(*normal + 0.7 * *bend, normal);
         let at = Surface {
-            position: Vec3::ZERO,
-            error: 1e-6,
-            normal,
             shading_normal,
-            texture: glam::Vec2::ZERO,
-            lift: glam::Vec3::ZERO,
+            ..Surface::flat(Vec3::ZERO, 1e-6, normal)
         };
         let side = |d: Dir3| normal.dot(*d) < 0.0;
         beyond(&mirror, &at, view, &mut |onward, _| {

@@ -24,6 +24,7 @@ mod licences;
 mod output;
 mod own_patterns;
 mod present;
+mod preview;
 mod readers;
 mod render;
 mod report;

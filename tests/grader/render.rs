@@ -5,12 +5,12 @@ use raybook::image::file;
 use std::fs;
 use std::path::Path;
 
-const SCENE: &str = "[picture]\nwidth = 20\nheight = 10\nsamples = 4\n
+pub(crate) const SCENE: &str = "[picture]\nwidth = 20\nheight = 10\nsamples = 4\n
 [camera]\nfrom_m = [0, 1, 4]\nto_m = [0, 1, 0]\n
 [[shapes]]\nkind = \"sphere\"\ncenter_m = [0, 1, 0]\nradius_m = 1\nmaterial = { kind = \"matte\", colour = 0.5 }\n
 [backdrop]\nhorizon = 1\nabove = 1\nbelow = 1\n";
 
-fn folder(scene: &str) -> tempfile::TempDir {
+pub(crate) fn folder(scene: &str) -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a temporary folder");
     fs::write(folder.path().join("scene.toml"), scene).expect("written");
     folder

@@ -39,14 +39,7 @@ fn from(direction: Vec3) -> LightSample {
 
 /// The ground, seen as its normal says.
 fn ground(normal: Dir3) -> Surface {
-    Surface {
-        position: Vec3::ZERO,
-        error: 0.0,
-        normal,
-        shading_normal: normal,
-        texture: glam::Vec2::ZERO,
-        lift: glam::Vec3::ZERO,
-    }
+    Surface::flat(Vec3::ZERO, 0.0, normal)
 }
 
 #[track_caller]

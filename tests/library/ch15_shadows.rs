@@ -1,6 +1,7 @@
 //! Chapter 15: shadow rays, from just off the surface to just before the light.
 
 use raybook_common::rays;
+mod creases;
 mod ends;
 mod scales;
 mod sums;

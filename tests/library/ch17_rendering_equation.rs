@@ -32,14 +32,7 @@ fn direction(x: f32, y: f32, z: f32) -> Dir3 {
 
 /// A surface at the origin.
 fn surface(normal: Dir3) -> Surface {
-    Surface {
-        position: Vec3::ZERO,
-        error: 0.0,
-        normal,
-        shading_normal: normal,
-        texture: Vec2::ZERO,
-        lift: Vec3::ZERO,
-    }
+    Surface::flat(Vec3::ZERO, 0.0, normal)
 }
 
 fn thing(shape: impl Shape + 'static, material: impl Material + 'static) -> Thing {

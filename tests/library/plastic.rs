@@ -9,14 +9,7 @@ use raybook_common::statistics::Mean;
 
 /// A point of the plane y = 0.
 fn flat() -> Surface {
-    Surface {
-        position: Vec3::ZERO,
-        error: 0.0,
-        normal: Dir3::Y,
-        shading_normal: Dir3::Y,
-        texture: Vec2::ZERO,
-        lift: Vec3::ZERO,
-    }
+    Surface::flat(Vec3::ZERO, 0.0, Dir3::Y)
 }
 
 fn slanted(x: f32, z: f32) -> Dir3 {

@@ -1,5 +1,6 @@
 //! Pictures on surfaces: how they are looked up, normal maps, and the materials of OBJ files.
 
+mod cones;
 mod looks;
 mod models;
 

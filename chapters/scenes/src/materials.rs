@@ -185,7 +185,8 @@ impl Paint {
         match self {
             Self::Plain(colour) => *colour,
             Self::Picture { map, repeat } => {
-                let colour = map.bilinear(0, surface.texture * *repeat);
+                let (place, width) = (surface.texture, surface.texture_width);
+                let colour = map.at(place * *repeat, width * *repeat);
                 colour.map(|v| v.clamp(0.0, 1.0))
             }
             Self::Squares { colours, side } => {

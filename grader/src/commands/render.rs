@@ -1,12 +1,16 @@
 //! `raybook render`: the picture of a scene file.
 
+mod preview;
+
 use super::Done;
-use raybook::image::file;
-use raybook::render::film::{self, Film};
+use raybook::image::Image;
+use raybook::image::file::{self, FileError};
+use raybook::render::film::{self, Film, Progress};
 use raybook_chapters::kit::options::WIDEST;
 use raybook_chapters::kit::say::say;
 use raybook_chapters::kit::stage::progress_bar;
 use raybook_chapters::kit::untrusted::Untrusted;
+use raybook_scenes::{Shot, wrong::SceneError};
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -32,48 +36,83 @@ pub struct Render {
     /// How many threads draw; the picture does not depend on it [default: one per core]
     #[arg(long, value_parser = clap::value_parser!(u32).range(1..=1024))]
     threads: Option<u32>,
+    /// Show the picture while it becomes better, and draw it again whenever the scene file is saved
+    #[arg(long, value_enum, num_args = 0..=1, require_equals = true, default_missing_value = "page")]
+    preview: Option<View>,
+    /// The port of the preview's page on this machine; 0 is any that is free
+    #[arg(long, default_value_t = 0, requires = "preview")]
+    port: u16,
+}
+
+/// Where a preview is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum View {
+    /// A page of this machine only, at an address that is told
+    Page,
+    /// The terminal, if it has 24-bit colours
+    Terminal,
 }
 
 impl Render {
     /// Reads the scene, draws it and writes the picture.
     pub fn run(&self) -> Done {
         file::expect_name(&self.out)?; // before the work, not after it
-        let begun = Instant::now();
-        let shot = raybook_scenes::load(&self.scene, self.width.map(|width| width as usize))?;
-        let picture = shot.picture;
+        if let Some(view) = self.preview {
+            return preview::run(self, view);
+        }
+        let shot = self.load()?;
         let (bar, rays) = (progress_bar(), AtomicU64::new(0));
         bar.set_prefix("render");
-        bar.set_length((picture.width * picture.height) as u64);
+        bar.set_length((shot.picture.width * shot.picture.height) as u64);
         let progress = |done: film::Done| {
             bar.inc(done.pixels as u64);
             rays.fetch_add(done.rays, Ordering::Relaxed);
             ControlFlow::Continue(())
         };
-        let usual = Film::new(picture.width, picture.height, picture.samples);
-        let film = Film {
-            samples: self.samples.map_or(usual.samples, |n| n as usize),
-            seed: self.seed.unwrap_or(picture.seed),
-            threads: self.threads.map_or(usual.threads, |n| n as usize),
-            progress: &progress,
-            ..usual
-        };
-        let radiance = shot.render(&film);
+        let begun = Instant::now();
+        let radiance = shot.render(&self.film(&shot, &progress));
         bar.finish_and_clear();
+        let written = self.write(&shot, &radiance, rays.into_inner())?;
+        say(format!("{written}, {:.1} s", begun.elapsed().as_secs_f32()));
+        Ok(true)
+    }
+
+    /// The scene.
+    fn load(&self) -> Result<Shot, SceneError> {
+        raybook_scenes::load(&self.scene, self.width.map(|width| width as usize))
+    }
+
+    /// Samples per pixel.
+    fn samples(&self, shot: &Shot) -> usize {
+        self.samples.map_or(shot.picture.samples, |n| n as usize)
+    }
+
+    /// What the picture is taken on.
+    fn film<'a>(&self, shot: &Shot, progress: &'a Progress<'a>) -> Film<'a> {
+        let usual = Film::new(shot.picture.width, shot.picture.height, self.samples(shot));
+        Film {
+            seed: self.seed.unwrap_or(shot.picture.seed),
+            threads: self.threads.map_or(usual.threads, |n| n as usize),
+            progress,
+            ..usual
+        }
+    }
+
+    /// Writes the picture, and returns a sentence about it.
+    fn write(&self, shot: &Shot, radiance: &Image, rays: u64) -> Result<String, FileError> {
         let is_png = self
             .out
             .extension()
             .is_some_and(|e| e.eq_ignore_ascii_case("png"));
-        let shown = is_png.then(|| picture.developed(&radiance));
-        file::save(&self.out, shown.as_ref().unwrap_or(&radiance))?;
-        say(format!(
-            "wrote {}: {} × {} pixels, {} samples, {:.1} million rays, {:.1} s",
+        let shown = is_png.then(|| shot.picture.developed(radiance));
+        file::save(&self.out, shown.as_ref().unwrap_or(radiance))?;
+        Ok(format!(
+            "wrote {}: {} × {} pixels, {} samples, {:.1} million rays",
             Untrusted::from(self.out.as_path()),
-            film.width,
-            film.height,
-            film.samples,
-            rays.into_inner() as f64 / 1e6,
-            begun.elapsed().as_secs_f32(),
-        ));
-        Ok(true)
+            radiance.width(),
+            radiance.height(),
+            self.samples(shot),
+            rays as f64 / 1e6,
+        ))
     }
 }

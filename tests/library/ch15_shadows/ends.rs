@@ -51,12 +51,9 @@ fn on_a_sphere_of_triangles_a_point_is_lifted_to_the_sphere() {
 #[test]
 fn a_ray_to_the_outside_starts_at_the_round_surface_and_all_others_at_the_facet() {
     let at = Surface {
-        position: Vec3::ZERO,
-        error: 1e-6,
-        normal: Dir3::Y,
         shading_normal: direction(0.3, 1.0),
-        texture: Vec2::ZERO,
         lift: vec3(0.0, 0.01, 0.0),
+        ..Surface::flat(Vec3::ZERO, 1e-6, Dir3::Y)
     };
     let start = |toward: Dir3| at.leave_smooth(toward).origin.y;
     // The round surface sees what the facet does not.

@@ -82,8 +82,8 @@ fn grazing(rng: &mut Pcg, normal: Dir3, both_sides: bool) -> Dir3 {
 }
 
 /// A surface that a ray hit: the shape is 1e-6 to 1e6 metres large and up to 1000 times its size from the origin,
-/// and the ray comes from up to 100 times its size away.
-fn some_hit(make: Make, rng: &mut Pcg) -> Option<(Box<dyn Shape>, Surface)> {
+/// and the ray comes from up to 100 times its size away. And the same surface, as that ray saw it.
+fn some_hit(make: Make, rng: &mut Pcg) -> Option<(Box<dyn Shape>, Surface, Surface)> {
     let size = magnitude(rng, -6.0, 6.0);
     let center = size * magnitude(rng, 0.0, 3.0) * vector(rng);
     let shape = make(size, center, rng);
@@ -97,7 +97,7 @@ fn some_hit(make: Make, rng: &mut Pcg) -> Option<(Box<dyn Shape>, Surface)> {
     let ray = Ray::new(origin, Dir3::new(target - origin)?);
     let hit = shape.hit(&ray, Interval::AHEAD)?;
     let at = shape.surface(&ray, &hit);
-    Some((shape, at))
+    Some((shape, at, at.seen_along(&ray, hit.t)))
 }
 
 /// How many of so many rays find the surface that they left, if `error` were `part` of what the shape states.
@@ -108,7 +108,7 @@ fn found_again(make: Make, both_sides: bool, part: f32, cases: usize) -> usize {
         .take(cases)
         .collect();
     assert_eq!(left.len(), cases, "enough rays hit in the first place");
-    let again = left.iter().filter(|(shape, at)| {
+    let again = left.iter().filter(|(shape, at, _)| {
         let out = grazing(&mut rng, at.normal, both_sides);
         let at = Surface {
             error: part * at.error,
@@ -139,6 +139,38 @@ fn with_a_thirty_second_of_the_error_rays_do_find_the_surface_again() {
         assert!(
             found > 0 || name == "cuboid",
             "{name}: the margin is larger than it is said to be"
+        );
+    }
+}
+
+#[test]
+fn nor_does_a_ray_that_leaves_to_where_the_point_was_seen_from() {
+    for (name, _, make) in SHAPES {
+        let mut rng = pcg::stream(6, 2);
+        let mut found = 0;
+        for _ in 0..40_000 {
+            let Some((shape, _, seen)) = some_hit(make, &mut rng) else {
+                continue;
+            };
+            let out = grazing(&mut rng, seen.normal, false);
+            let toward = if seen.normal.dot(seen.clear) < 0.0 {
+                Dir3::new_or(*out - 2.0 * out.dot(*seen.normal) * *seen.normal, out)
+            } else {
+                out
+            };
+            let ray = seen.leave(toward);
+            assert_eq!(
+                ray.origin,
+                seen.position + seen.clear,
+                "{name}: to the side of the viewer"
+            );
+            found += usize::from(
+                shape.blocks(&ray, Interval::AHEAD) && seen.normal.dot(seen.clear) > 0.0,
+            );
+        }
+        assert_eq!(
+            found, 0,
+            "{name}: {found} of 40000 rays found the surface they left"
         );
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::exercise::exercises;
 use crate::record::row;
-use glam::{Vec2, Vec3};
+use glam::Vec3;
 use raybook::image::rgb::Rgb;
 use raybook::light::LightSample;
 use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
@@ -29,7 +29,7 @@ exercises! { ($) ch15_shadows
         /// The ray to the light.
         answer: Way,
     ) {
-        let at = surface(position, error, normal);
+        let at = Surface::flat(position, error, normal);
         let (Ray { origin, direction }, within) =
             shadow::shadow_ray(&at, &light(toward, distance));
         Way {
@@ -65,20 +65,8 @@ exercises! { ($) ch15_shadows
         };
         let things = spheres.iter().map(|one| Thing::new(ball(one), ()));
         let scene = Scene::new(things.collect(), Vec::new());
-        let at = surface(position, error, normal);
+        let at = Surface::flat(position, error, normal);
         u32::from(shadow::lit(&scene, &at, &light(toward, distance)))
-    }
-}
-
-/// A surface, as far as a shadow needs to know it.
-fn surface(position: Vec3, error: f32, normal: Dir3) -> Surface {
-    Surface {
-        position,
-        error,
-        normal,
-        shading_normal: normal,
-        texture: Vec2::ZERO,
-        lift: Vec3::ZERO,
     }
 }
 

@@ -156,12 +156,5 @@ impl VisibleFraction {
 
 /// A point as the surface that it is on.
 fn surface(position: Vec3) -> Surface {
-    Surface {
-        position,
-        error: 0.0,
-        normal: Dir3::Y,
-        shading_normal: Dir3::Y,
-        texture: Vec2::ZERO,
-        lift: Vec3::ZERO,
-    }
+    Surface::flat(position, 0.0, Dir3::Y)
 }

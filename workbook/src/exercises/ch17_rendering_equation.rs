@@ -79,14 +79,7 @@ exercises! { ($) ch17_rendering_equation
         /// An estimate of the radiance to the viewer, in W·m⁻²·sr⁻¹.
         radiance: Rgb,
     ) |q| {
-        let at = Surface {
-            position: Vec3::ZERO,
-            error: 0.0,
-            normal: q.normal,
-            shading_normal: q.normal,
-            texture: Vec2::ZERO,
-            lift: Vec3::ZERO,
-        };
+        let at = Surface::flat(Vec3::ZERO, 0.0, q.normal);
         let rng = &mut pcg::stream(17, u64::from(q.samples));
         let sky = |toward| q.sky(toward);
         reflection::reflected_radiance(&q.brdf(), &at, q.view, &sky, q.samples, rng)

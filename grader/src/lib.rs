@@ -5,6 +5,7 @@ pub mod asked_picture;
 mod base64;
 pub mod book;
 pub mod budget;
+pub mod capstone;
 pub mod cases;
 pub mod check;
 pub mod class;

@@ -18,8 +18,8 @@ nav ol { columns: 3 17em; margin: 0; padding: 0; list-style: none; width: 100% }
 .row { display: flex; gap: .7rem; flex-wrap: wrap } .row figure { flex: 1 1 200px; max-width: 760px }
 .picture { display: block; position: relative } .picture img { image-rendering: pixelated; display: block } .slider, .picture img + img { display: none }
 .picture i { position: absolute; box-sizing: content-box; min-width: 5px; min-height: 5px; outline: 2px solid #fff; box-shadow: 0 0 0 4px #000; pointer-events: none }
-.pictures:has([value=yours]:checked) figure:not(.yours), .pictures:has([value=right]:checked) figure:not(.right),
-.pictures:has([value=difference]:checked) figure:not(.difference), .pictures:has([value=slider]:checked) figure:not(.slider) { display: none }
+.pictures:has([value=yours]:checked) .row figure:not(.yours), .pictures:has([value=right]:checked) .row figure:not(.right),
+.pictures:has([value=difference]:checked) .row figure:not(.difference), .pictures:has([value=slider]:checked) .row figure:not(.slider) { display: none }
 .pictures:has([value=slider]:checked) .slider, .slider .picture img + img { display: block }
 .slider img + img { position: absolute; inset: 0; clip-path: inset(0 0 0 var(--cut, 50%)) } .slider input { width: 100% } .pictures input[type=number] { width: 4.5em }
 :focus-visible { outline: 3px solid #e69f00; outline-offset: 3px }

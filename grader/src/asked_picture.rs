@@ -10,8 +10,30 @@ use std::io;
 /// The sides of the blocks of the passes, in pixels: each pass asks what the one before left out.
 const BLOCKS: [u32; 4] = [8, 4, 2, 1];
 
+/// The passes over a picture: the side of their blocks, and the pixels at the blocks' top left corners that no pass before has.
+pub fn passes(width: u32, height: u32) -> Vec<(u32, Vec<(u32, u32)>)> {
+    let pass = |block: u32| {
+        let is_corner = |(x, y): (u32, u32), block: u32| x % block == 0 && y % block == 0;
+        let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
+        let new = |pixel: &(u32, u32)| {
+            let mut before = BLOCKS.iter().filter(|before| **before > block);
+            is_corner(*pixel, block) && !before.any(|before| is_corner(*pixel, *before))
+        };
+        (block, pixels.filter(new).collect())
+    };
+    BLOCKS.map(pass).into()
+}
+
+/// A picture in which each block of this side has the colour of its top left pixel.
+pub fn spread(picture: &Image, block: u32) -> Image {
+    let block = block as usize;
+    Image::from_fn(picture.width(), picture.height(), |x, y| {
+        picture.at(x / block * block, y / block * block)
+    })
+}
+
 /// Where there is no answer.
-const MISSING: Rgb = Rgb::new(0.8, 0.0, 0.8);
+pub(crate) const MISSING: Rgb = Rgb::new(0.8, 0.0, 0.8);
 
 /// A picture as far as it is drawn.
 #[derive(Debug)]
@@ -50,7 +72,6 @@ pub fn draw(
         return Ok(Drawn::Whole);
     };
     let PictureSize { width, height, .. } = size;
-    let place = |x: u32, y: u32| (y * width + x) as usize;
     let question = |x: u32, y: u32| examiner.pixel_question(picture, x, y);
     let colour = |x, y, answer: &str| examiner.pixel_colour(picture, &question(x, y), answer);
     let golden = Image::from_fn(width as usize, height as usize, |x, y| {
@@ -58,33 +79,26 @@ pub fn draw(
         let answer = examiner.answer_line(&question(x, y)).unwrap_or_default();
         colour(x, y, &answer).unwrap_or(MISSING)
     });
-    let mut colours: Vec<Option<Rgb>> = vec![None; (width * height) as usize];
+    let mut yours = golden.map(|_| MISSING);
     let mut stage = Stage {
         name: size.name,
-        yours: golden.map(|_| MISSING),
+        yours: yours.clone(),
         golden,
         block: 0,
     };
-    for block in BLOCKS {
-        let rows = (0..height).step_by(block as usize);
-        let pixels = rows.flat_map(|y| (0..width).step_by(block as usize).map(move |x| (x, y)));
-        let pixels: Vec<_> = pixels
-            .filter(|&(x, y)| colours[place(x, y)].is_none())
-            .collect();
+    for (block, pixels) in passes(width, height) {
         let asked = pixels.iter().map(|&(x, y)| question(x, y));
         let asked: Vec<_> = asked.map(|q| format!("{} {q}", examiner.name())).collect();
-        for (&(x, y), reply) in pixels.iter().zip(asker.ask(&asked)?) {
-            colours[place(x, y)] = Some(match reply.said {
+        for ((x, y), reply) in pixels.into_iter().zip(asker.ask(&asked)?) {
+            let drawn = match reply.said {
                 Said::Todo(name) => return Ok(Drawn::NotWritten(name.unescaped().to_owned())),
                 Said::Answer(answer) => colour(x, y, answer.unescaped()).unwrap_or(MISSING),
                 _ => MISSING,
-            });
+            };
+            yours.set(x as usize, y as usize, drawn);
         }
         stage.block = block;
-        stage.yours = Image::from_fn(width as usize, height as usize, |x, y| {
-            let (x, y) = (x as u32 / block * block, y as u32 / block * block);
-            colours[place(x, y)].unwrap_or(MISSING)
-        });
+        stage.yours = spread(&yours, block);
         show(&stage)?;
     }
     Ok(Drawn::Whole)

@@ -4,6 +4,7 @@ pub mod ask;
 pub mod asked_picture;
 pub mod book;
 pub mod budget;
+pub mod capstone;
 pub mod cases;
 pub mod check;
 pub mod class;

@@ -30,6 +30,8 @@ enum Task {
     Watch(commands::watch::Watch),
     /// Draw a chapter's pictures with the functions of your workbook
     Draw(commands::draw::Draw),
+    /// Draw a scene with everything that you have written: the picture grows with your work
+    Picture(commands::picture::Picture),
     /// Hint at what is wrong, without giving the answer away
     Hint(commands::hint::Hint),
     /// Explain one case in full: both answers, every step to the right one, and a drawing
@@ -60,9 +62,11 @@ enum Task {
     Pack(commands::pack::Pack),
     /// Write the golden answers (for course authors)
     Bless(commands::bless::Bless),
+    /// Open the course book, or a chapter's page, in the browser
+    Book(commands::book::Book),
     /// Expand the directives of the course book (mdBook calls this)
     #[command(hide = true)]
-    Book(commands::book::Book),
+    Expand(commands::expand::Expand),
 }
 
 fn main() -> ExitCode {
@@ -78,6 +82,7 @@ fn main() -> ExitCode {
         Some(Task::Check(task)) => task.run(),
         Some(Task::Watch(task)) => task.run(),
         Some(Task::Draw(task)) => task.run(),
+        Some(Task::Picture(task)) => task.run(),
         Some(Task::Hint(task)) => task.run(),
         Some(Task::Explain(task)) => task.run(),
         Some(Task::Report(task)) => task.run(),
@@ -93,6 +98,7 @@ fn main() -> ExitCode {
         Some(Task::Pack(task)) => task.run(),
         Some(Task::Bless(task)) => task.run(),
         Some(Task::Book(task)) => task.run(),
+        Some(Task::Expand(task)) => task.run(),
     };
     match done {
         Ok(true) => said_all(ExitCode::SUCCESS),

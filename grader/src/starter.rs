@@ -2,9 +2,11 @@
 //! file per chapter with a stub for each exercise.
 
 pub mod cpp;
+pub mod lesson;
 pub mod python;
 mod stub;
 
+use crate::book::BookError;
 use crate::language::Language;
 use crate::library::{self, MANIFEST};
 use crate::{cases, manifest};
@@ -45,6 +47,9 @@ pub enum StarterError {
     /// There is something already, or the system refused.
     #[error(transparent)]
     Store(#[from] StoreError),
+    /// A page of the book is wrong; a test sees to it that none is.
+    #[error(transparent)]
+    Page(#[from] BookError),
     /// The library itself is wrong; a test sees to it that it is not.
     #[error("{0}: {1}")]
     Anchor(String, AnchorError),
@@ -60,6 +65,7 @@ pub fn create(folder: &Path, language: Language) -> Result<(), StarterError> {
         Language::Python => python::files(),
         Language::Cpp => cpp::files(),
     };
+    files.extend(lesson::files()?);
     let tasks = include_bytes!("starter/tasks.json").to_vec();
     files.insert(0, (PathBuf::from(".vscode/tasks.json"), tasks));
     Ok(store::new_folder(folder, &files)?)

@@ -4,6 +4,7 @@
 
 mod any;
 mod keys;
+mod picture;
 mod solutions;
 mod starters;
 mod watched;

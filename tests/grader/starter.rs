@@ -2,6 +2,7 @@
 
 mod chapters;
 mod contents;
+mod lessons;
 mod programs;
 
 use raybook_grader::cases;

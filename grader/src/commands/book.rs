@@ -1,90 +1,74 @@
-//! `raybook book`: the preprocessor of the course book, which mdBook starts when it builds it.
-//!
-//! mdBook asks `book supports html` first, and looks at the exit code. Then it writes a JSON list of a context and the book to
-//! standard input, and reads the book from standard output.
+//! `raybook book`: the course book, in the browser of this machine.
 
-use super::Done;
-use clap::Args;
+use super::{Done, browser, chapter};
+use raybook_chapters::kit::address;
 use raybook_chapters::kit::say::say;
-use raybook_grader::book::{self, Page};
-use serde_json::Value;
-use std::path::PathBuf;
+use raybook_chapters::kit::untrusted::Untrusted;
+use raybook_grader::student;
+use raybook_workbook::curriculum::Chapter;
+use std::env;
+use std::path::{Path, PathBuf};
 
-/// Expands the directives of the course book (mdBook calls this).
-#[derive(Args)]
+/// Opens the book, or the page of a chapter; nothing is fetched from elsewhere. Where there is no built book, it says where the
+/// workbook has the lesson as text.
+#[derive(clap::Args)]
 pub struct Book {
-    /// `supports`, and a renderer's name: whether the pages can be made for it
-    question: Vec<String>,
+    /// The chapter (3, ch03, sphere); without it, the first page
+    chapter: Option<String>,
+    /// The folder of a built book; without it, the book that `book/build` built in the course around you
+    #[arg(long, value_name = "FOLDER")]
+    folder: Option<PathBuf>,
+    /// Only print the address, and open no browser
+    #[arg(long)]
+    no_open: bool,
 }
 
 impl Book {
-    /// Reads the book, expands it, and writes it.
+    /// Opens it; false if there are only lessons as text.
     pub fn run(&self) -> Done {
-        if !self.question.is_empty() {
-            return Ok(self.question == ["supports", "html"]);
-        }
-        let input: Value = serde_json::from_reader(std::io::stdin().lock())
-            .map_err(|error| format!("expected mdBook's JSON on standard input: {error}"))?;
-        let Value::Array(parts) = input else {
-            return Err("expected a JSON list of a context and a book on standard input".into());
+        let chapter = self.chapter.as_deref().map(chapter).transpose()?;
+        let page = chapter.map_or("index", |chapter| chapter.name);
+        let here = env::current_dir()?;
+        let around = here.ancestors().map(|folder| folder.join("book/book"));
+        let folders: Vec<_> = match &self.folder {
+            Some(folder) => vec![here.join(folder)],
+            None => around.collect(),
         };
-        let [context, mut book] = <[Value; 2]>::try_from(parts)
-            .map_err(|parts| format!("expected a context and a book, got {} parts", parts.len()))?;
-        let root = context["root"].as_str().unwrap_or(".");
-        let mut pages = Vec::new();
-        for item in items(&mut book) {
-            collect(item, &mut pages);
+        let pages = folders
+            .iter()
+            .map(|folder| folder.join(page).with_extension("html"));
+        if let Some(page) = pages.into_iter().find(|page| page.is_file()) {
+            let address = address::of_file(&page);
+            say(format!("The book: {address}"));
+            if !self.no_open {
+                browser::open(&address);
+            }
+            return Ok(true);
         }
-        let whole = book::Book {
-            pictures: PathBuf::from(root).join("src/pictures"),
-            pages,
-        };
-        for item in items(&mut book) {
-            expand_item(item, &whole)?;
+        if let Some(folder) = &self.folder {
+            let folder = Untrusted::from(folder.as_path());
+            return Err(format!(
+                "{folder}: there is no {page}.html in it; expected the folder of a built book, into which `book/build` writes index.html"
+            )
+            .into());
         }
-        say(book);
-        Ok(true)
+        let lesson = lesson(&here, chapter).ok_or(
+            "there is no built book here: `book/build` in the course's repository builds it into book/book, and --folder names \
+             such a folder; a workbook has the lessons as text",
+        )?;
+        say(format!(
+            "There is no built book here; --folder names one. The lesson as text: {}",
+            Untrusted::from(lesson.as_path())
+        ));
+        Ok(false)
     }
 }
 
-/// The list of a book's or a chapter's parts; mdBook has called a book's `items` since 0.5, and `sections` before.
-fn items(of: &mut Value) -> impl Iterator<Item = &mut Value> {
-    let key = ["items", "sections", "sub_items"]
-        .into_iter()
-        .find(|key| of[*key].is_array());
-    let list = key.and_then(|key| of[key].as_array_mut());
-    list.into_iter().flatten()
-}
-
-/// A chapter's page; none for a line between chapters, or the title of a part.
-fn page(chapter: &Value) -> Option<Page> {
-    Some(Page {
-        name: chapter["source_path"].as_str()?.to_owned(),
-        text: chapter["content"].as_str()?.to_owned(),
-    })
-}
-
-/// Adds a chapter's page, and those below it.
-fn collect(item: &mut Value, pages: &mut Vec<Page>) {
-    let Some(chapter) = item.get_mut("Chapter") else {
-        return;
-    };
-    pages.extend(page(chapter));
-    for item in items(chapter) {
-        collect(item, pages);
-    }
-}
-
-/// Expands a chapter and those below it.
-fn expand_item(item: &mut Value, book: &book::Book) -> Result<(), book::BookError> {
-    let Some(chapter) = item.get_mut("Chapter") else {
-        return Ok(());
-    };
-    if let Some(Page { name, text }) = page(chapter) {
-        chapter["content"] = book.expand(&name, &text)?.into();
-    }
-    for item in items(chapter) {
-        expand_item(item, book)?;
-    }
-    Ok(())
+/// The lesson in the workbook around a folder; of all chapters, their folder.
+fn lesson(here: &Path, chapter: Option<&Chapter>) -> Option<PathBuf> {
+    let lessons = student::workbook(here).ok()?.join("lessons");
+    let path = chapter.map_or(lessons.clone(), |chapter| {
+        lessons.join(chapter.name).with_extension("md")
+    });
+    path.exists().then_some(path)
 }

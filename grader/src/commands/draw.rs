@@ -1,9 +1,8 @@
 //! `raybook draw`: a chapter's pictures, drawn by the student's own functions.
 
-use super::{Done, draw_asked};
+use super::{Done, chapter, draw_asked};
 use raybook_grader::recipe::Recipe;
 use raybook_grader::{drawn, student};
-use raybook_workbook::curriculum::CHAPTERS;
 use std::ffi::OsString;
 use std::path::Path;
 use std::process::Command;
@@ -24,17 +23,7 @@ impl Draw {
     pub fn run(&self) -> Done {
         /// The chapter's exit code where a function is not written.
         const UNWRITTEN: i32 = 1;
-        let chapter = CHAPTERS
-            .iter()
-            .find(|chapter| chapter.answers_to(&self.chapter));
-        let chapter = chapter.ok_or_else(|| {
-            let names: Vec<_> = CHAPTERS.iter().map(|chapter| chapter.name).collect();
-            format!(
-                "{}: no chapter is called so; there are {}",
-                self.chapter,
-                names.join(", ")
-            )
-        })?;
+        let chapter = chapter(&self.chapter)?;
         let workbook = student::workbook(Path::new("."))?;
         let recipe = Recipe::read(&workbook)?;
         if recipe != Recipe::Rust {

@@ -10,6 +10,7 @@ pub mod doctor;
 pub mod draw;
 pub mod draw_asked;
 pub mod exercise;
+pub mod expand;
 pub mod explain;
 pub mod golden;
 pub mod grade;
@@ -21,6 +22,7 @@ pub mod map;
 pub mod new;
 pub mod pace;
 pub mod pack;
+pub mod picture;
 pub mod present;
 pub mod regrade;
 pub mod render;
@@ -35,7 +37,7 @@ pub mod watch;
 use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_grader::cases;
 use raybook_grader::examine::Examiner;
-use raybook_workbook::curriculum::CHAPTERS;
+use raybook_workbook::curriculum::{CHAPTERS, Chapter};
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
@@ -107,6 +109,19 @@ fn exercises_of(word: &str) -> Vec<&'static str> {
 fn of_chapter(word: &str) -> Option<Vec<&'static str>> {
     let chapter = CHAPTERS.iter().find(|chapter| chapter.answers_to(word))?;
     Some(chapter.exercises().iter().map(|e| e.name).collect())
+}
+
+/// The chapter that a word means.
+fn chapter(word: &str) -> Result<&'static Chapter, String> {
+    let found = CHAPTERS.iter().find(|chapter| chapter.answers_to(word));
+    found.ok_or_else(|| {
+        let names: Vec<_> = CHAPTERS.iter().map(|chapter| chapter.name).collect();
+        let word = Untrusted::from(word);
+        format!(
+            "{word}: no chapter is called so; there are {}",
+            names.join(", ")
+        )
+    })
 }
 
 /// What to say of a word that means nothing.

@@ -3,13 +3,12 @@
 mod drawing;
 mod screens;
 
-use super::{Done, browser};
+use super::{Done, browser, chapter};
 use drawing::Studio;
 use raybook_chapters::kit::options::Options;
 use raybook_chapters::kit::say::say;
 use raybook_chapters::lesson::{self, Lesson};
 use raybook_grader::serve::{Answer, Request, Server};
-use raybook_workbook::curriculum::CHAPTERS;
 use std::sync::Arc;
 
 /// The options of `raybook present`.
@@ -35,17 +34,7 @@ const SCRIPT: &str = include_str!("present/page.js");
 impl Present {
     /// Serves the pages until the command is interrupted.
     pub fn run(&self) -> Done {
-        let first = CHAPTERS
-            .iter()
-            .find(|chapter| chapter.answers_to(&self.chapter));
-        let first = first.ok_or_else(|| {
-            let names: Vec<_> = CHAPTERS.iter().map(|chapter| chapter.name).collect();
-            format!(
-                "--chapter {}: no chapter is called so; there are {}",
-                self.chapter,
-                names.join(", ")
-            )
-        })?;
+        let first = chapter(&self.chapter).map_err(|error| format!("--chapter {error}"))?;
         let server = Server::new(self.port).map_err(|error| {
             format!(
                 "--port {}: {error}; without --port, any port that is free",

@@ -1,0 +1,89 @@
+//! A student's functions, called by asking the program that has them.
+
+use super::PARTS;
+use crate::ask::{Asker, Said};
+use crate::cases;
+use crate::converse::{Limits, Program};
+use crate::examine::visible_rng;
+use raybook_workbook::exercise::Exercise;
+use raybook_workbook::row;
+use std::io;
+
+/// The functions of a program.
+pub struct Functions<'a> {
+    asker: Asker<'a>,
+    written: Vec<&'static str>,
+    /// How many questions had no answer that can be read.
+    pub unanswered: usize,
+}
+
+impl<'a> Functions<'a> {
+    /// Those that are written: each is asked once, and answers.
+    ///
+    /// # Errors
+    /// If the program cannot be started.
+    pub fn of(program: &'a Program, limits: Limits) -> io::Result<Self> {
+        let mut asker = Asker::new(program, limits);
+        let mut written = Vec::new();
+        for examiner in PARTS.iter().filter_map(|part| cases::find(part.exercise)) {
+            let name = examiner.name();
+            let cases = examiner.cases(&mut visible_rng(name)).cases;
+            let question = cases
+                .first()
+                .map(|case| format!("{name} {}", case.question));
+            let replies = asker.ask(question.as_slice())?;
+            if replies
+                .iter()
+                .any(|reply| matches!(reply.said, Said::Answer(_)))
+            {
+                written.push(name);
+            }
+        }
+        Ok(Self {
+            asker,
+            written,
+            unanswered: 0,
+        })
+    }
+
+    /// Whether an exercise of this name is written.
+    pub fn are_there(&self, exercise: &str) -> bool {
+        self.written.contains(&exercise)
+    }
+
+    /// Whether an exercise is written.
+    pub fn has<E: Exercise>(&self) -> bool {
+        self.are_there(E::NAME)
+    }
+
+    /// The answers to questions of one exercise; none where no answer can be read.
+    pub fn ask<E: Exercise>(&mut self, questions: &[E]) -> io::Result<Vec<Option<E::Answer>>> {
+        let line = |question: &E| {
+            let numbers = row::to_numbers(question);
+            format!("{} {}", E::NAME, row::format(E::KIND, &numbers))
+        };
+        let lines: Vec<_> = questions.iter().map(line).collect();
+        self.asker.next_exercise();
+        let replies = self.asker.ask(&lines)?.into_iter();
+        let answers = replies.map(|reply| match reply.said {
+            Said::Answer(answer) => row::read(answer.unescaped(), E::ANSWER.name).ok(),
+            _ => None,
+        });
+        let answers: Vec<_> = answers.collect();
+        self.unanswered += answers.iter().filter(|answer| answer.is_none()).count();
+        Ok(answers)
+    }
+
+    /// The same; the course answers what is not written, or has no answer that can be read.
+    pub fn ask_or_answer<E: Exercise>(&mut self, questions: &[E]) -> io::Result<Vec<E::Answer>> {
+        let answers = if self.has::<E>() {
+            self.ask(questions)?
+        } else {
+            questions.iter().map(|_| None).collect()
+        };
+        let both = answers.into_iter().zip(questions);
+        Ok(both
+            .map(|(answer, question)| answer.unwrap_or_else(|| question.answer()))
+            .collect())
+    }
+}

@@ -1,0 +1,69 @@
+//! `raybook picture`: the picture that grows with the workbook.
+
+use super::Done;
+use indicatif::ProgressBar;
+use raybook::image::file;
+use raybook_chapters::kit::say::{complain, say};
+use raybook_chapters::kit::untrusted::Untrusted;
+use raybook_grader::capstone::{Functions, PARTS, draw};
+use raybook_grader::converse::Limits;
+use raybook_grader::student;
+use std::io;
+use std::path::PathBuf;
+
+/// Draws a scene with the functions that you have written, whatever the language: from chapter 3 on, each new one adds something.
+#[derive(clap::Args)]
+pub struct Picture {
+    /// The workbook's folder
+    #[arg(default_value = ".")]
+    folder: PathBuf,
+    /// The picture's width in pixels; its height is 9/16 of that
+    #[arg(long, default_value_t = 128, value_parser = clap::value_parser!(u32).range(16..=960))]
+    width: u32,
+}
+
+impl Picture {
+    /// Draws it into the workbook's `out/picture.png`; false if there is nothing to be seen yet.
+    pub fn run(&self) -> Done {
+        let workbook = student::workbook(&self.folder)?;
+        let program = student::build(&workbook)?;
+        let mut functions = Functions::of(&program, Limits::default())?;
+        if !functions.are_there("sphere_hit") {
+            let place = student::place(&workbook, "sphere_hit");
+            let place = place.map_or_else(String::new, |file| format!(" in {file}"));
+            say(format!(
+                "Nothing is to be seen yet: write sphere_hit first{place}."
+            ));
+            return Ok(false);
+        }
+        let path = workbook.join("out").join("picture.png");
+        let size = [self.width, self.width * 9 / 16];
+        // A small picture's pixels are enlarged, so that there is something to look at.
+        let times = (768 / self.width).max(1) as usize;
+        let bar = ProgressBar::new(4);
+        draw(&mut functions, size, &mut |picture, _| {
+            bar.inc(1);
+            file::save(&path, &picture.enlarged(times)).map_err(io::Error::other)
+        })?;
+        bar.finish_and_clear();
+        say(format!("Your picture: {}", Untrusted::from(path.as_path())));
+        for part in &PARTS {
+            let yours = functions.are_there(part.exercise);
+            let state = if yours { "written" } else { "not yet" };
+            say(format!("  {state}  {:<16} {}", part.exercise, part.adds));
+        }
+        if functions.unanswered > 0 {
+            complain(format!(
+                "note: {} questions had no answer that can be read; `raybook check` says why",
+                functions.unanswered
+            ));
+        }
+        let next = PARTS
+            .iter()
+            .find(|part| !functions.are_there(part.exercise));
+        if let Some(part) = next {
+            say(format!("Next: {} adds {}.", part.exercise, part.adds));
+        }
+        Ok(true)
+    }
+}

@@ -1,0 +1,206 @@
+//! The lessons as text: what a student's folder carries of the book, so that the derivations can be read beside the stubs.
+//!
+//! The text is the book's own, up to "Your turn", where the stubs go on. Directives are expanded as the book does; figures and drawings
+//! become their alternative texts, and formulas stay as they are typed.
+
+use super::StarterFile;
+use crate::book::{Book, BookError};
+use crate::cases;
+use crate::examine::visible_rng;
+use raybook_workbook::curriculum::{CHAPTERS, Chapter};
+use raybook_workbook::for_each_chapter;
+use std::path::PathBuf;
+
+macro_rules! pages {
+    ($($name:ident $title:literal $needs:tt),+ $(,)?) => {
+        /// The book's pages of the chapters, in their order.
+        const PAGES: &[&str] = &[$(
+            include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../book/src/", stringify!($name), ".md"))
+        ),+];
+    };
+}
+
+for_each_chapter!(pages);
+
+/// The names that formulas use, a line each: `\name:{what it stands for}`.
+const MACROS: &str = include_str!("../../../book/macros.txt");
+
+/// The heading where the stubs go on.
+const YOUR_TURN: &str = "## Your turn";
+
+/// The lessons of all chapters, in a folder of their own.
+///
+/// # Errors
+/// If a page is wrong; a test sees to it that none is.
+pub fn files() -> Result<Vec<StarterFile>, BookError> {
+    let file = |(chapter, page): (&Chapter, &&str)| {
+        let path = PathBuf::from("lessons").join(format!("{}.md", chapter.name));
+        Ok((path, text(chapter, page)?.into_bytes()))
+    };
+    CHAPTERS.iter().zip(PAGES).map(file).collect()
+}
+
+/// A page as text.
+fn text(chapter: &Chapter, page: &str) -> Result<String, BookError> {
+    let names: Vec<_> = chapter.exercises().iter().map(|e| e.name).collect();
+    let mut text = String::new();
+    let mut drawing: Option<String> = None;
+    let mut fenced = false;
+    for (line, number) in page
+        .lines()
+        .zip(1..)
+        .take_while(|(line, _)| *line != YOUR_TURN)
+    {
+        fenced ^= line.starts_with("```");
+        if let Some(drawn) = &mut drawing {
+            drawn.push_str(line);
+            if line == "</figure>" {
+                text.push_str(&told(drawn));
+                drawing = None;
+            }
+        } else if line == "<figure>" {
+            drawing = Some(String::new());
+        } else if let (Some(directive), false) = (directive(line), fenced) {
+            let wrong = |what| BookError {
+                page: format!("{}.md", chapter.name),
+                line: number,
+                what,
+            };
+            text.push_str(&directive.text(chapter, line).map_err(wrong)?);
+        } else {
+            text.push_str(&if fenced { line.to_owned() } else { plain(line) });
+        }
+        text.push('\n');
+    }
+    Ok(format!(
+        "{}\n\n---\n\nNow write {}. The book's page `{}.html` goes on with worked questions, mistakes and practice.\n",
+        text.trim_end(),
+        names.join(", "),
+        chapter.name
+    ))
+}
+
+/// A directive of the book: its word, its name, and what stands after the bar.
+struct Directive<'a> {
+    word: &'a str,
+    name: &'a str,
+    rest: &'a str,
+}
+
+fn directive(line: &str) -> Option<Directive<'_>> {
+    let inside = line.strip_prefix("{{")?.strip_suffix("}}")?;
+    let (what, rest) = inside.split_once('|').unwrap_or((inside, ""));
+    let (word, name) = what.trim().split_once(' ')?;
+    let rest = rest.trim();
+    Some(Directive { word, name, rest })
+}
+
+impl Directive<'_> {
+    /// What stands in the text for the directive of this line.
+    fn text(&self, chapter: &Chapter, line: &str) -> Result<String, String> {
+        match self.word {
+            "figure" => Ok(format!(
+                "> Picture `{}`: {} (`raybook tour --only ch{:02}` draws it.)",
+                self.name,
+                self.rest,
+                chapter.number()
+            )),
+            "example" => example(self.name, self.rest),
+            // A reference would be the answer to an exercise.
+            "listing" => {
+                let page = format!("{}.md", chapter.name);
+                // A listing needs no other page, and no picture.
+                let book = Book {
+                    pictures: PathBuf::new(),
+                    pages: Vec::new(),
+                };
+                let listing = book.expand(&page, line).map_err(|error| error.what)?;
+                Ok(listing.trim_end().to_owned())
+            }
+            _ => Ok(String::new()),
+        }
+    }
+}
+
+/// A named case of an exercise, or its first: what goes in and what comes out, a line each.
+fn example(exercise: &str, name: &str) -> Result<String, String> {
+    let unknown = || format!("{exercise} has no case `{name}`");
+    let examiner = cases::find(exercise).ok_or_else(unknown)?;
+    let cases = examiner.cases(&mut visible_rng(exercise)).cases;
+    let case = cases
+        .iter()
+        .find(|case| name.is_empty() || case.name == name);
+    let case = case.ok_or_else(unknown)?;
+    let answer = case.answers.first().map_or("", String::as_str);
+    let asked = examiner.question_parts(&case.question).into_iter();
+    let asked = asked.map(|(name, value)| format!("    {name:<14} {value}\n"));
+    let answered = examiner.answer_parts(answer).into_iter();
+    let answered = answered.map(|(name, value)| format!("    → {name:<12} {value}\n"));
+    let lines: String = asked.chain(answered).collect();
+    Ok(format!(
+        "The case \"{}\" of `{exercise}`:\n\n{}",
+        case.name,
+        lines.trim_end()
+    ))
+}
+
+/// What a drawing shows, in words: its alternative text, and its caption.
+fn told(drawing: &str) -> String {
+    let between = |start: &str, end: &str| {
+        let rest = drawing.split_once(start)?.1;
+        Some(rest.split_once(end)?.0)
+    };
+    let shown = between("aria-label=\"", "\"").unwrap_or_default();
+    let caption = between("<figcaption>", "</figcaption>").unwrap_or_default();
+    format!("> Drawing: {shown} {}", plain(caption))
+}
+
+/// A line without links to other pages than lessons, and with the names of formulas spelt out.
+fn plain(line: &str) -> String {
+    let mut text = String::new();
+    let mut rest = line;
+    while let Some((before, after)) = rest.split_once("](") {
+        let Some((target, behind)) = after.split_once(')') else {
+            break;
+        };
+        let is_lesson = target.starts_with("ch") && !target.contains('#');
+        match before.rfind('[').filter(|_| !is_lesson) {
+            Some(open) => text.extend([&before[..open], &before[open + 1..]]),
+            None => text.extend([before, "](", target, ")"]),
+        }
+        rest = behind;
+    }
+    text.push_str(rest);
+    let names = MACROS.lines().filter(|line| line.starts_with('\\'));
+    for (name, meaning) in names.filter_map(|line| line.split_once(':')) {
+        text = text.replace(name, meaning);
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::plain;
+
+    #[test]
+    fn links_to_lessons_stay_and_others_are_only_their_text() {
+        for (line, expected) in [
+            (
+                "an [**interval**](glossary.md#interval) of",
+                "an **interval** of",
+            ),
+            (
+                "see [the plane](ch04_plane.md).",
+                "see [the plane](ch04_plane.md).",
+            ),
+            ("$f(x)$ and [a](b.md), [c](d.md)", "$f(x)$ and a, c"),
+            ("[1, 2](", "[1, 2]("),
+            (
+                "$\\origin + t\\,\\direction$",
+                "${\\mathbf o} + t\\,{\\mathbf d}$",
+            ),
+        ] {
+            assert_eq!(plain(line), expected);
+        }
+    }
+}

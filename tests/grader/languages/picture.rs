@@ -1,0 +1,68 @@
+//! `raybook picture`: each function that is written adds something.
+
+use super::{WITHOUT_RUST, new, there_is};
+use crate::common::command::raybook_with;
+use raybook::image::file;
+use raybook_common::project;
+use raybook_grader::language::Language;
+use std::fs;
+
+#[test]
+fn the_picture_grows_with_the_workbook() {
+    if !there_is("python3") {
+        return;
+    }
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let folder = new(home.path(), "rays", Language::Python);
+    let draw = || raybook_with(&folder, &["picture", "--width", "32"], &[]);
+    let (code, said) = draw();
+    assert!(
+        code == 1 && said.contains("write sphere_hit first in ch03_sphere.py"),
+        "{code} {said}"
+    );
+    let mut before = None;
+    for (chapters, next) in [
+        (&["ch03_sphere"][..], "Next: camera_ray"),
+        (&["ch01_rays", "ch04_plane"], "Next: box_clip"),
+        (&["ch05_box", "ch06_triangle"], "Next: phong"),
+        (&["ch12_phong"], "Next: reflect"),
+        (&["ch13_reflection"], "Next: refract"),
+        (&["ch14_refraction", "ch15_shadows"], "written  shadow_ray"),
+    ] {
+        for chapter in chapters {
+            let name = format!("{chapter}.py");
+            let solution = project("tests/solutions/python").join(&name);
+            fs::copy(solution, folder.join(&name)).expect("it can be copied");
+        }
+        let (code, said) = draw();
+        assert!(code == 0 && said.contains(next), "{next}: {code} {said}");
+        assert!(!said.contains("had no answer"), "{said}");
+        let picture = file::load(&folder.join("out/picture.png")).expect("it is drawn");
+        assert_eq!([picture.width(), picture.height()], [768, 432]);
+        let grown = before.is_none_or(|before: raybook::image::Image| !before.same_bits(&picture));
+        assert!(grown, "{chapters:?} can be seen");
+        before = Some(picture);
+    }
+}
+
+/// A function that answers nonsense draws what it can, and is told.
+#[test]
+fn a_function_that_is_wrong_ends_nothing() {
+    if !there_is("python3") {
+        return;
+    }
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let folder = new(home.path(), "rays", Language::Python);
+    let answers = "import sys
+for line in sys.stdin:
+    name = line.split()[0]
+    known = {'sphere_hit': 'nan', 'sphere_normal': 'inf nan 0', 'plane_hit': 'no number'}
+    print('=', known.get(name, 'todo'), flush=True)
+";
+    fs::write(folder.join("answer.py"), answers).expect("it can be written");
+    let (code, said) = raybook_with(&folder, &["picture", "--width", "16"], &[WITHOUT_RUST]);
+    assert!(
+        code == 0 && said.contains("had no answer that can be read"),
+        "{code} {said}"
+    );
+}

@@ -1,0 +1,80 @@
+//! The lessons as text, which every starter carries, and the book.
+
+use crate::common::command::raybook;
+use raybook_grader::cases;
+use raybook_grader::starter::lesson;
+use std::fs;
+use std::path::Path;
+
+#[test]
+fn every_chapter_has_its_lesson_as_text() {
+    let files = lesson::files().expect("the pages are right");
+    assert_eq!(files.len(), 25);
+    let mut bytes = 0;
+    for (path, text) in &files {
+        let text = String::from_utf8(text.clone()).expect("it is text");
+        bytes += text.len();
+        for part in ["{{", "figure>", "<svg", "<path", "\\origin", ".md#"] {
+            assert!(!text.contains(part), "{}: {part}", path.display());
+        }
+        assert!(
+            text.starts_with("# ") && text.contains("## The derivation"),
+            "{}",
+            path.display()
+        );
+        for examiner in cases::all() {
+            for (mistake, hint) in examiner.mistakes() {
+                assert!(!text.contains(hint), "{}: who {mistake}", path.display());
+            }
+        }
+    }
+    assert!(bytes < 300_000, "{bytes} bytes: the starter is small");
+    let sphere = String::from_utf8_lossy(&files[2].1);
+    for part in [
+        "B^2 - 4AC",
+        "The case \"head on\" of `sphere_hit`",
+        "    origin         0 0 -3",
+        "    → t            2",
+        "> Drawing: A circle of centre c",
+        "Now write solve_quadratic, sphere_hit, sphere_normal.",
+    ] {
+        assert!(sphere.contains(part), "`{part}` is in {sphere}");
+    }
+}
+
+#[test]
+fn the_book_is_opened_where_it_is_built_and_else_the_lesson_is_named() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let (code, said) = raybook(home.path(), &["new", "rays", "--language", "python"]);
+    assert_eq!(code, 0, "{said}");
+    let folder = home.path().join("rays");
+    let book = |arguments: &[&str]| raybook(&folder, &[&["book", "--no-open"], arguments].concat());
+    for (arguments, code, part) in [
+        (&["sphere"][..], 1, "lessons/ch03_sphere.md"),
+        (&[], 1, "lessons"),
+        (&["nothing"], 2, "no chapter is called so"),
+        (
+            &["ch03", "--folder", ".."],
+            2,
+            "there is no ch03_sphere.html in it",
+        ),
+    ] {
+        let (ended, said) = book(arguments);
+        assert!(
+            ended == code && said.contains(part),
+            "{arguments:?}: {ended} {said}"
+        );
+    }
+    let built = home.path().join("book/book");
+    fs::create_dir_all(&built).expect("it can be made");
+    for page in ["index.html", "ch03_sphere.html"] {
+        fs::write(built.join(page), "").expect("it can be written");
+    }
+    let name = |page: &str| built.join(page).display().to_string();
+    for (arguments, page) in [(&["3"][..], "ch03_sphere.html"), (&[], "index.html")] {
+        let (code, said) = book(arguments);
+        let address = format!("The book: file://{}", name(page));
+        assert!(code == 0 && said.contains(&address), "{code} {said}");
+    }
+    assert!(Path::new(&folder.join("lessons/ch25_capstone.md")).is_file());
+}

@@ -92,15 +92,12 @@ struct Walk<'a> {
 impl Walk<'_> {
     /// Checks what is below a child with this box.
     fn child(&mut self, link: Link, bounds: &Aabb) -> Result<(), String> {
-        let (fits, below) = match link.as_leaf() {
-            Some(leaf) => {
-                let facets = self.leaf(leaf, bounds)?;
-                (facets.union(bounds) == facets, facets)
-            }
-            None => {
-                let below = self.node(link.index())?;
-                (below == *bounds, below)
-            }
+        let (fits, below) = if let Some(leaf) = link.as_leaf() {
+            let facets = self.leaf(leaf, bounds)?;
+            (facets.union(bounds) == facets, facets)
+        } else {
+            let below = self.node(link.index())?;
+            (below == *bounds, below)
         };
         if fits {
             Ok(())

@@ -37,7 +37,7 @@ impl Cut {
         facets: &[Facet],
         cost: &Cost,
     ) -> Option<Self> {
-        let cuts = (0..3).flat_map(|axis| Self::along(axis, items, &extent.bounds, facets, cost));
+        let cuts = (0..3).filter_map(|axis| Self::along(axis, items, &extent.bounds, facets, cost));
         cuts.min_by(|a, b| a.price.total_cmp(&b.price))
     }
 
@@ -67,10 +67,10 @@ impl Cut {
             slices[first].begin += 1;
             slices[last].end += 1;
             let mut rest = *item;
-            for i in first..last {
+            for (slice, i) in slices[first..last].iter_mut().zip(first + 1..) {
                 let facet = &facets[item.index as usize];
-                let [below, above] = parts(&rest, facet, axis, plane(i + 1));
-                slices[i].bounds = slices[i].bounds.union(&below);
+                let [below, above] = parts(&rest, facet, axis, plane(i));
+                slice.bounds = slice.bounds.union(&below);
                 rest.bounds = above;
             }
             slices[last].bounds = slices[last].bounds.union(&rest.bounds);
@@ -98,9 +98,7 @@ impl Cut {
         cuts.min_by(|a, b| a.price.total_cmp(&b.price))
     }
 
-    /// The items of either side; none if one of the sides would have none.
-    ///
-    /// An item that the plane meets is cut, and in both; or stays whole, on one side, where that is cheaper or nothing is spare.
+    /// The items of either side; none if one of the sides would have none. At most `spare` items are cut.
     pub(super) fn sides(
         mut self,
         items: &[Item],
@@ -109,44 +107,65 @@ impl Cut {
     ) -> Option<[Vec<Item>; 2]> {
         let mut sides = self.counts.map(Vec::with_capacity);
         for item in items {
-            let Bounds { min, max } = item.bounds;
-            if max[self.axis] <= self.at {
-                sides[0].push(*item);
-                continue;
-            }
-            if min[self.axis] >= self.at {
-                sides[1].push(*item);
-                continue;
-            }
-            let parts = parts(item, &facets[item.index as usize], self.axis, self.at);
-            let whole = [0, 1].map(|side| self.bounds[side].union(&item.bounds));
-            let price = |bounds: [&Bounds; 2], counts: [usize; 2]| {
-                let of = |side: usize| bounds[side].half_area() * counts[side] as f32;
-                of(0) + of(1)
-            };
-            let [below, above] = &self.bounds;
-            let [a, b] = self.counts;
-            let in_both = if spare > 0 {
-                price([below, above], [a, b])
-            } else {
-                f32::INFINITY
-            };
-            let in_below = price([&whole[0], above], [a, b.saturating_sub(1)]);
-            let in_above = price([below, &whole[1]], [a.saturating_sub(1), b]);
-            if parts[0].is_empty() || parts[1].is_empty() || in_below.min(in_above) <= in_both {
-                let side = usize::from(
-                    parts[0].is_empty() || (!parts[1].is_empty() && in_above < in_below),
-                );
-                self.bounds[side] = whole[side];
-                self.counts[1 - side] = self.counts[1 - side].saturating_sub(1);
-                sides[side].push(*item);
-            } else {
-                spare -= 1;
-                for (side, bounds) in sides.iter_mut().zip(parts) {
-                    side.push(Item { bounds, ..*item });
+            match self.place(item, &facets[item.index as usize], spare) {
+                Place::Beside(side) => sides[side].push(*item),
+                Place::Whole(side) => {
+                    self.take_whole(item, side);
+                    sides[side].push(*item);
+                }
+                Place::Both(parts) => {
+                    spare -= 1;
+                    for (side, bounds) in sides.iter_mut().zip(parts) {
+                        side.push(Item { bounds, ..*item });
+                    }
                 }
             }
         }
         sides.iter().all(|side| !side.is_empty()).then_some(sides)
     }
+
+    /// Where an item goes.
+    fn place(&self, item: &Item, facet: &Facet, spare: usize) -> Place {
+        if item.bounds.max[self.axis] <= self.at {
+            return Place::Beside(0);
+        }
+        if item.bounds.min[self.axis] >= self.at {
+            return Place::Beside(1);
+        }
+        let parts = parts(item, facet, self.axis, self.at);
+        match parts.map(|part| part.is_empty()) {
+            [false, false] => {}
+            [is_above, _] => return Place::Whole(usize::from(is_above)),
+        }
+        let whole = [0, 1].map(|side| {
+            let mut other = *self;
+            other.take_whole(item, side);
+            other.price_one_by_one()
+        });
+        let side = usize::from(whole[1] < whole[0]);
+        if spare == 0 || whole[side] <= self.price_one_by_one() {
+            Place::Whole(side)
+        } else {
+            Place::Both(parts)
+        }
+    }
+
+    /// An item that was to be on both sides is on one, and whole.
+    fn take_whole(&mut self, item: &Item, side: usize) {
+        self.bounds[side] = self.bounds[side].union(&item.bounds);
+        self.counts[1 - side] = self.counts[1 - side].saturating_sub(1);
+    }
+
+    /// The price of both sides if triangles were tested one by one: so one less is always cheaper.
+    fn price_one_by_one(&self) -> f32 {
+        let of = |side: usize| self.bounds[side].half_area() * self.counts[side] as f32;
+        of(0) + of(1)
+    }
+}
+
+/// Where an item goes: to the side on which all of it is; whole to one side, for then it is in one leaf only; or cut, to both.
+enum Place {
+    Beside(usize),
+    Whole(usize),
+    Both([Bounds; 2]),
 }

@@ -12,6 +12,7 @@ use crate::accel::bvh::build::tree::{Inside, MAX_DEPTH, Tree, halvings};
 use crate::shape::{Shape, mesh::Facet};
 use crate::threads;
 use cut::Cut;
+use glam::Vec3;
 
 /// Cuts are tried where the boxes of two halves share more than this part of the root's surface area: elsewhere they gain
 /// next to nothing, and would take most of the time.
@@ -35,7 +36,7 @@ pub(super) fn pays(facets: &[Facet]) -> bool {
         size.x * size.y + size.y * size.z + size.z * size.x
     };
     let of_triangle = |facet: &Facet| {
-        let [a, b, c] = facet.corners.map(|p| p.as_dvec3());
+        let [a, b, c] = facet.corners.map(Vec3::as_dvec3);
         0.5 * (b - a).cross(c - a).length()
     };
     sum(of_box) > EMPTY * sum(of_triangle)
@@ -115,7 +116,7 @@ impl Builder<'_> {
         let (mut at, price) = fine::best(&mut items, extent, self.cost);
         // Each side may then be as large as all.
         let room = spare > 0 && halvings(n) < levels;
-        if room && self.shared_area(&items, at) > self.overlap {
+        if room && shared_area(&items, at) > self.overlap {
             let cut = Cut::best(&items, extent, self.facets, self.cost);
             let better = |cut: &Cut| cut.price < price && (!may_stay || cut.price < stay);
             if let Some(sides) = cut
@@ -135,11 +136,11 @@ impl Builder<'_> {
         let right = items.split_off(at);
         Ok([items, right])
     }
+}
 
-    /// Half the surface area of what the boxes of two sides share.
-    fn shared_area(&self, items: &[Item], at: usize) -> f32 {
-        let (left, right) = items.split_at(at);
-        let [left, right] = [left, right].map(|side| Extent::of(side).bounds);
-        left.intersection(&right).half_area()
-    }
+/// Half the surface area of what the boxes of two sides share.
+fn shared_area(items: &[Item], at: usize) -> f32 {
+    let (left, right) = items.split_at(at);
+    let [left, right] = [left, right].map(|side| Extent::of(side).bounds);
+    left.intersection(&right).half_area()
 }

@@ -166,6 +166,11 @@ pub mod wide_bvh {
         wide_bvh::build::build(facets, method, cost)
     }
 
+    /// The tree with cuts through triangles, also where they do not pay.
+    pub fn cut(facets: Vec<Facet>) -> WideBvh {
+        WideBvh::cut(facets)
+    }
+
     /// The tree.
     pub fn tree(bvh: &WideBvh) -> &Tree {
         bvh.tree()

@@ -61,7 +61,7 @@
 //! | grid, two-level grid, the walk from cell to cell | `accel/grid/mod.rs` `accel/two_level_grid/mod.rs` `accel/walk.rs` |
 //! | octree | `accel/octree/mod.rs` |
 //! | bounding volume hierarchy, the surface-area heuristic | `accel/bvh/mod.rs` `accel/bvh/build/cost.rs` |
-//! | eight boxes at once, vector instructions | `accel/wide_bvh/mod.rs` `accel/wide_bvh/avx2.rs` `accel/wide_bvh/avx512.rs` |
+//! | eight boxes at once, vector instructions, long triangles in parts | `accel/wide_bvh/mod.rs` `accel/wide_bvh/avx2.rs` `accel/wide_bvh/avx512.rs` `accel/wide_bvh/spatial/mod.rs` |
 //! | what a light must answer; point, directional, rectangular and spherical lights | `light/mod.rs` `light/point.rs` `light/directional.rs` `light/rect_light.rs` `light/sphere_light.rs` |
 //! | light from everywhere: cube maps and sphere maps | `light/environment/mod.rs` |
 //! | what a material must answer, and its lobes; Phong, Blinn, mirror, glass | `material/mod.rs` `material/phong.rs` `material/blinn_phong.rs` `material/mirror.rs` `material/glass.rs` |

@@ -1,8 +1,5 @@
 //! No integrator allocates per ray: an allocator counts.
 
-mod counting;
-
-use counting::allocations;
 use glam::{Vec3, vec3};
 use raybook::image::rgb::Rgb;
 use raybook::light::environment::Environment;
@@ -16,8 +13,12 @@ use raybook_chapters::ch14_refraction::glassware::{self, Stuff};
 use raybook_chapters::ch16_soft_shadows::posts;
 use raybook_chapters::ch18_environment::everywhere::Everywhere;
 use raybook_chapters::ch18_environment::skies;
+use raybook_common::counting::{Counting, allocations};
 use raybook_common::rays::{random_direction, ray};
 use std::hint::black_box;
+
+#[global_allocator]
+static COUNTING: Counting = Counting;
 
 /// What the glass of the chapter's pictures is made of.
 const STUFF: Stuff = Stuff {

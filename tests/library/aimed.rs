@@ -120,6 +120,7 @@ aimed! {
         let kernels = Kernel::all();
         WideBvh::new(facets).with(kernels[1.min(kernels.len() - 1)])
     };
+    wide_bvh_cut: raybook::inside::wide_bvh::cut;
     wide_bvh_median: |facets| WideBvh::build(facets, Method::Median);
     wide_bvh_bottom_up: |facets| WideBvh::build(facets, Method::BottomUp);
 }

@@ -1,6 +1,7 @@
 //! Chapter 24: the wide tree.
 
 mod agreement;
+mod cuts;
 mod edges;
 mod refit;
 mod scenes;

@@ -34,3 +34,6 @@ mod soundness;
 mod store;
 mod textures;
 mod where_is_what;
+
+#[global_allocator]
+static COUNTING: raybook_common::counting::Counting = raybook_common::counting::Counting;

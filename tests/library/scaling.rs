@@ -9,12 +9,13 @@ use raybook::accel::{
 use raybook::math::{dir3::Dir3, interval::Interval, pcg, ray::Ray};
 use raybook::scene::soup::soup;
 use raybook::shape::mesh::Facet;
+use raybook_common::statistics::slope;
 
 /// Triangles of the soups: each ten times as many as the one before.
 const SIZES: [u32; 4] = [100, 1_000, 10_000, 100_000];
 
 /// The power of N to which boxes and shapes tested grow, fitted by least squares; `largest` ends the sizes.
-fn exponent<A: Accel<Facet>>(largest: u32, build: impl Fn(Vec<Facet>) -> A) -> f32 {
+fn exponent<A: Accel<Facet>>(largest: u32, build: impl Fn(Vec<Facet>) -> A) -> f64 {
     let steps = |n: u32| {
         let accel = build(soup(n, 1).facets());
         let mut rng = pcg::stream(9, 0);
@@ -25,23 +26,21 @@ fn exponent<A: Accel<Facet>>(largest: u32, build: impl Fn(Vec<Facet>) -> A) -> f
             let ray = Ray::new(from, Dir3::new_or(to - from, Dir3::X));
             accel.closest_counted(&ray, Interval::AHEAD, &mut tests);
         }
-        ((n as f32).ln(), ((tests.boxes + tests.shapes) as f32).ln())
+        (
+            f64::from(n).ln(),
+            ((tests.boxes + tests.shapes) as f64).ln(),
+        )
     };
     let points: Vec<_> = SIZES
         .into_iter()
         .filter(|&n| n <= largest)
         .map(steps)
         .collect();
-    let n = points.len() as f32;
-    let (x, y) = points
-        .iter()
-        .fold((0.0, 0.0), |(x, y), p| (x + p.0 / n, y + p.1 / n));
-    let along: f32 = points.iter().map(|p| (p.0 - x) * (p.1 - y)).sum();
-    along / points.iter().map(|p| (p.0 - x).powi(2)).sum::<f32>()
+    slope(&points).0
 }
 
 #[track_caller]
-fn grows(exponent: f32, least: f32, most: f32) {
+fn grows(exponent: f64, least: f64, most: f64) {
     assert!(
         (least..most).contains(&exponent),
         "steps grow as N^{exponent}, and not with an exponent from {least} to {most}"

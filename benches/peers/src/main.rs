@@ -97,7 +97,7 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
         drop(embree);
         let mut built = Vec::new();
         for entry in ENTRIES {
-            if is_wanted(entry.name) && triangles <= entry.at_most {
+            if is_wanted(entry.name) && triangles <= entry.at_most && (entry.is_here)() {
                 built.push((entry, construction::build(entry, &scene.mesh, builds)?));
             }
         }

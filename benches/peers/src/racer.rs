@@ -92,4 +92,6 @@ pub(crate) struct Entry {
     pub build: Build,
     /// More triangles than this, and it takes no part.
     pub at_most: usize,
+    /// Whether it is to be had on this machine.
+    pub is_here: fn() -> bool,
 }

@@ -9,6 +9,7 @@ use raybook::accel::{
 use raybook::math::{dir3::Dir3, interval::Interval, pcg, ray::Ray};
 use raybook::scene::soup;
 use raybook::shape::mesh::Facet;
+use raybook_common::statistics::slope;
 use std::fmt::Write;
 use std::time::Instant;
 
@@ -107,15 +108,4 @@ fn count<A: Accel<Facet>>(
         accel.closest_counted(&ray, Interval::AHEAD, &mut tests);
     }
     (tests, seconds, bytes(&accel))
-}
-
-/// The slope of the line through points by least squares, and its standard error.
-fn slope(points: &[(f64, f64)]) -> (f64, f64) {
-    let n = points.len() as f64;
-    let mean = |of: &dyn Fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / n;
-    let (x, y) = (mean(&|p| p.0), mean(&|p| p.1));
-    let spread = mean(&|p| (p.0 - x).powi(2));
-    let slope = mean(&|p| (p.0 - x) * (p.1 - y)) / spread;
-    let off = mean(&|p| (p.1 - y - slope * (p.0 - x)).powi(2));
-    (slope, (off / spread / (n - 2.0).max(1.0)).sqrt())
 }

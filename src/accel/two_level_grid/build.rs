@@ -146,6 +146,7 @@ fn sort_in(
         resolutions.push(refined.resolution);
         let cells = refined.resolution.as_uvec3().element_product();
         in_reach(take(cells as usize) && left.get() > 0)?;
+        references.reserve(refined.entries.len());
         let mut entries = refined.entries.iter().peekable();
         for cell in 0..cells {
             starts.push(references.len() as u32);

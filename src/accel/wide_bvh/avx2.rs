@@ -6,6 +6,7 @@
 
 use super::lanes::{Lanes, Struck, Work};
 use super::node::{CHILDREN, Leaf, Link, Node};
+use super::proof::proof;
 use super::ray::WideRay;
 use super::tree::Tree;
 use crate::math::domain::{AREA_MAX, AREA_MIN};
@@ -15,45 +16,9 @@ use crate::math::domain::{AREA_MAX, AREA_MIN};
 )]
 use std::arch::x86_64::*;
 
-/// The proof that this processor has AVX2 and FMA: only [`Avx2::detect`] makes one.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Avx2(());
-
-impl Avx2 {
-    /// The proof, if it can be given.
-    pub(super) fn detect() -> Option<Self> {
-        (is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma")).then_some(Self(()))
-    }
-
-    /// Does the work, compiled for this processor.
-    #[inline(always)]
-    pub(super) fn run<W: Work>(self, work: W) -> W::Answer {
-        #[target_feature(enable = "avx2,fma")]
-        fn compiled<W: Work>(lanes: Avx2, work: W) -> W::Answer {
-            work.with(lanes)
-        }
-        // SAFETY: this processor has AVX2 and FMA. `self` is the proof: only `detect` makes one, for the field is private.
-        unsafe { compiled(self, work) }
-    }
-}
-
-impl Lanes for Avx2 {
-    #[inline(always)]
-    fn boxes(self, node: &Node, ray: &WideRay, max: f32) -> (u32, [f32; CHILDREN]) {
-        // SAFETY: this processor has AVX2 and FMA; `self` is the proof, which only `detect` makes.
-        unsafe { boxes(node, ray, max) }
-    }
-
-    #[inline(always)]
-    fn triangles(self, leaf: &Leaf, ray: &WideRay, max: f32) -> Option<Struck> {
-        // SAFETY: this processor has AVX2 and FMA; `self` is the proof, which only `detect` makes.
-        unsafe { triangles(leaf, ray, max) }
-    }
-
-    #[inline(always)]
-    fn prefetch(self, tree: &Tree, link: Link) {
-        prefetch(tree, link);
-    }
+proof! {
+    /// The proof that this processor has AVX2 and FMA.
+    Avx2: "avx2", "fma"
 }
 
 /// Asks the memory for a child: for the six cache lines of a leaf, which are more than a node has.
@@ -166,7 +131,25 @@ pub(super) fn seen(leaf: &Leaf, ray: &WideRay) -> Seen {
     }
 }
 
+/// Eight triangles as they are hit, if they are: the distances, and two barycentrics.
+pub(super) struct Met {
+    pub(super) t: __m256,
+    b1: __m256,
+    b2: __m256,
+}
+
 impl Seen {
+    /// The least and the greatest of u, v and w.
+    #[target_feature(enable = "avx2,fma")]
+    #[inline]
+    pub(super) fn extremes(&self) -> [__m256; 2] {
+        let [u, v, w] = self.areas;
+        [
+            _mm256_min_ps(u, _mm256_min_ps(v, w)),
+            _mm256_max_ps(u, _mm256_max_ps(v, w)),
+        ]
+    }
+
     /// u + v + w.
     #[target_feature(enable = "avx2,fma")]
     #[inline]
@@ -175,14 +158,45 @@ impl Seen {
         _mm256_add_ps(_mm256_add_ps(u, v), w)
     }
 
-    /// The distances of the hits, times the whole areas.
+    /// Where the triangles are met.
     #[target_feature(enable = "avx2,fma")]
     #[inline]
-    pub(super) fn depth(&self) -> __m256 {
+    pub(super) fn met(&self, whole: __m256) -> Met {
         let ([u, v, w], [a, b, c]) = (self.areas, self.z);
         let two = _mm256_add_ps(_mm256_mul_ps(u, a), _mm256_mul_ps(v, b));
-        _mm256_add_ps(two, _mm256_mul_ps(w, c))
+        let depth = _mm256_add_ps(two, _mm256_mul_ps(w, c));
+        let inverse = _mm256_div_ps(_mm256_set1_ps(1.0), whole);
+        Met {
+            t: _mm256_mul_ps(depth, inverse),
+            b1: _mm256_mul_ps(v, inverse),
+            b2: _mm256_mul_ps(w, inverse),
+        }
     }
+}
+
+impl Met {
+    /// The triangles that count, if there are any.
+    #[target_feature(enable = "avx2,fma")]
+    #[inline]
+    pub(super) fn struck(&self, mask: u32, unsure: u32) -> Option<Struck> {
+        if mask | unsure == 0 {
+            return None;
+        }
+        Some(Struck {
+            mask,
+            unsure,
+            t: array(self.t),
+            b1: array(self.b1),
+            b2: array(self.b2),
+        })
+    }
+}
+
+/// |v|.
+#[target_feature(enable = "avx2,fma")]
+#[inline]
+pub(super) fn size(v: __m256) -> __m256 {
+    _mm256_andnot_ps(_mm256_set1_ps(-0.0), v)
 }
 
 #[target_feature(enable = "avx2,fma")]
@@ -191,8 +205,7 @@ fn triangles(leaf: &Leaf, ray: &WideRay, max: f32) -> Option<Struck> {
     let seen = seen(leaf, ray);
     let [u, v, w] = seen.areas;
     let zero = _mm256_setzero_ps();
-    let least = _mm256_min_ps(u, _mm256_min_ps(v, w));
-    let most = _mm256_max_ps(u, _mm256_max_ps(v, w));
+    let [least, most] = seen.extremes();
     let inside = _mm256_or_ps(
         _mm256_cmp_ps::<_CMP_GE_OQ>(least, zero),
         _mm256_cmp_ps::<_CMP_LE_OQ>(most, zero),
@@ -208,28 +221,18 @@ fn triangles(leaf: &Leaf, ray: &WideRay, max: f32) -> Option<Struck> {
         ),
     );
     let whole = seen.whole();
-    let size = _mm256_andnot_ps(_mm256_set1_ps(-0.0), whole);
+    let size = size(whole);
     let extreme = _mm256_or_ps(
         _mm256_cmp_ps::<_CMP_LT_OQ>(size, _mm256_set1_ps(AREA_MIN)),
         _mm256_cmp_ps::<_CMP_GT_OQ>(size, _mm256_set1_ps(AREA_MAX)),
     );
     let doubtful = _mm256_and_ps(inside, _mm256_or_ps(on_edge, extreme));
     let unsure = _mm256_movemask_ps(doubtful) as u32;
-    let inverse = _mm256_div_ps(_mm256_set1_ps(1.0), whole);
-    let t = _mm256_mul_ps(seen.depth(), inverse);
+    let met = seen.met(whole);
     let counts = _mm256_and_ps(
-        _mm256_cmp_ps::<_CMP_LT_OQ>(_mm256_set1_ps(ray.min), t),
-        _mm256_cmp_ps::<_CMP_LT_OQ>(t, _mm256_set1_ps(max)),
+        _mm256_cmp_ps::<_CMP_LT_OQ>(_mm256_set1_ps(ray.min), met.t),
+        _mm256_cmp_ps::<_CMP_LT_OQ>(met.t, _mm256_set1_ps(max)),
     );
     let mask = _mm256_movemask_ps(_mm256_and_ps(inside, counts)) as u32 & !unsure;
-    if mask | unsure == 0 {
-        return None;
-    }
-    Some(Struck {
-        mask,
-        unsure,
-        t: array(t),
-        b1: array(_mm256_mul_ps(v, inverse)),
-        b2: array(_mm256_mul_ps(w, inverse)),
-    })
+    met.struck(mask, unsure)
 }

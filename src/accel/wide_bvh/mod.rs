@@ -19,9 +19,12 @@ pub(crate) mod node;
 pub(crate) mod optimal;
 mod pages;
 mod portable;
+#[cfg(target_arch = "x86_64")]
+mod proof;
 mod ray;
 mod refit;
 mod search;
+mod spatial;
 mod stack;
 pub(crate) mod tree;
 mod validate;
@@ -60,18 +63,28 @@ pub struct WideBvh {
 const AT_HAND: usize = 1 << 20;
 
 impl WideBvh {
-    /// The tree that is best for its time, with the best instructions of this processor.
+    /// The tree that is best for its time, with the best instructions of this processor. Long thin triangles are cut into parts.
     pub fn new(facets: Vec<Facet>) -> Self {
-        Self::build(facets, Method::Fine)
+        Self::of(facets, build::best)
     }
 
-    /// A tree that is collapsed from a binary one made by a method of choice.
+    /// A tree that is collapsed from a binary one made by a method of choice. No triangle is in two leaves: it takes less
+    /// time and memory, and suits facets that will move ([`WideBvh::refit`]).
     pub fn build(facets: Vec<Facet>, method: Method) -> Self {
+        Self::of(facets, |facets| build::build(facets, method, &build::COST))
+    }
+
+    /// A tree with cuts through triangles, also where they do not pay.
+    pub(crate) fn cut(facets: Vec<Facet>) -> Self {
+        Self::of(facets, build::cut)
+    }
+
+    fn of(facets: Vec<Facet>, build: impl FnOnce(Vec<Facet>) -> Tree) -> Self {
         let all = facets.len();
         let (facets, beside) = bounded(facets);
         Self {
             beside: (facets.len() < all).then(|| Box::new(beside)),
-            tree: build::build(facets, method, &build::COST),
+            tree: build(facets),
             kernel: Kernel::all()[0],
         }
     }
@@ -105,8 +118,9 @@ impl WideBvh {
     /// The same tree over facets that have moved: as many as before, and in the same order.
     ///
     /// It takes a small part of the time of a build, and the answers are those of a new tree, bit for bit. But neighbours stay
-    /// together even when they drift apart: a ray then takes more steps, and some day a new tree pays. Where the number of
-    /// facets differs, or one has no finite box, before or now, the tree is built anew.
+    /// together even when they drift apart: a ray then takes more steps, and some day a new tree pays. Triangles that were cut are
+    /// whole again, in all of their leaves: long thin ones that will move are better built by [`WideBvh::build`]. Where the
+    /// number of facets differs, or one has no finite box, before or now, the tree is built anew.
     ///
     /// ```
     /// use raybook::accel::{Accel, wide_bvh::WideBvh};

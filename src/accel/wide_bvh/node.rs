@@ -54,6 +54,12 @@ impl Link {
     }
 }
 
+/// The rows of inverted boxes.
+const EMPTY: [[f32; CHILDREN]; 6] = {
+    let (least, greatest) = ([f32::INFINITY; CHILDREN], [f32::NEG_INFINITY; CHILDREN]);
+    [least, greatest, least, greatest, least, greatest]
+};
+
 /// Eight boxes, as rows of eight numbers: all least x, all greatest x, then y, then z; and the eight children in them.
 ///
 /// A place without a child has an inverted box, which no ray meets. 256 bytes: four cache lines, from the start of one.
@@ -70,11 +76,7 @@ impl Node {
     /// A node of at most eight children with their boxes.
     pub(super) fn new(children: impl IntoIterator<Item = (Aabb, Link)>) -> Self {
         let mut node = Self {
-            rows: [f32::INFINITY, f32::NEG_INFINITY]
-                .map(|v| [v; CHILDREN])
-                .repeat(3)
-                .try_into()
-                .unwrap_or_else(|_| unreachable!("three times two rows")),
+            rows: EMPTY,
             links: [Link::NONE; CHILDREN],
         };
         for (lane, (bounds, link)) in children.into_iter().enumerate() {

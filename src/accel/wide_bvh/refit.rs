@@ -24,13 +24,12 @@ pub(super) fn refit(tree: &mut Tree, facets: Vec<Facet>) {
     let leaves = threads::list(members.len(), |i| around(&tree.leaves[i]));
     let mut nodes = vec![Aabb::EMPTY; tree.nodes.len()];
     for (i, node) in tree.nodes.iter_mut().enumerate().rev() {
-        let children: Vec<_> = node
+        let links = node.children().map(|(_, link)| link);
+        let now = Node::new(links.map(|link| (below(link, &nodes, &leaves), link)));
+        nodes[i] = now
             .children()
-            .map(|(_, link)| (below(link, &nodes, &leaves), link))
-            .collect();
-        let boxes = children.iter().map(|(bounds, _)| bounds);
-        nodes[i] = boxes.fold(Aabb::EMPTY, |all, bounds| all.union(bounds));
-        *node = Node::new(children);
+            .fold(Aabb::EMPTY, |all, (bounds, _)| all.union(&bounds));
+        *node = now;
     }
     if let Some(root) = tree.root {
         tree.largest = largest(&below(root, &nodes, &leaves));

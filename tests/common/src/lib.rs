@@ -6,6 +6,7 @@
     reason = "parts of tests: a panic is a failure, and an error is the sentence that it says"
 )]
 
+pub mod counting;
 pub mod noisy;
 pub mod oracle;
 pub mod polygon;

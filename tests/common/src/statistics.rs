@@ -71,3 +71,14 @@ impl Mean {
         );
     }
 }
+
+/// The slope of the line through points (x, y) by least squares, and its standard error.
+pub fn slope(points: &[(f64, f64)]) -> (f64, f64) {
+    let n = points.len() as f64;
+    let mean = |of: &dyn Fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / n;
+    let (x, y) = (mean(&|p| p.0), mean(&|p| p.1));
+    let spread = mean(&|p| (p.0 - x).powi(2));
+    let slope = mean(&|p| (p.0 - x) * (p.1 - y)) / spread;
+    let off = mean(&|p| (p.1 - y - slope * (p.0 - x)).powi(2));
+    (slope, (off / spread / (n - 2.0).max(1.0)).sqrt())
+}

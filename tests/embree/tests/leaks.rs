@@ -7,6 +7,7 @@ use raybook::accel::{
     Accel, bvh::Bvh, grid::Grid, list::List, octree::Octree, two_level_grid::TwoLevelGrid,
     wide_bvh::WideBvh,
 };
+use raybook::inside;
 use raybook::math::{aabb::Aabb, interval::Interval, pcg, ray::Ray};
 use raybook::shape::mesh::Facet;
 use raybook::shape::{Hit, Shape, Surface, teapot, triangle::Triangle};
@@ -73,6 +74,7 @@ fn nothing_leaks(name: &'static str, closed: &Closed) {
     };
     counts.none("Grid", SPACE, &Grid::of_facets(facets()));
     counts.none("WideBvh", FASTEST, &WideBvh::new(facets()));
+    counts.none("WideBvh, cut", TREE, &inside::wide_bvh::cut(facets()));
     counts.none("Bvh", TREE, &Bvh::new(facets()));
     counts.none("TwoLevelGrid", SPACE, &TwoLevelGrid::of_facets(facets()));
     counts.none("Octree", SPACE, &Octree::of_facets(facets()));

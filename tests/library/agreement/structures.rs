@@ -79,6 +79,11 @@ pub(super) fn facets(shapes: &[Facet]) -> Vec<Named<Facet>> {
         named("Bvh", Bvh::new(shapes()), Bvh::validate),
         named("WideBvh", WideBvh::new(shapes()), WideBvh::validate),
         named(
+            "WideBvh, cut",
+            raybook::inside::wide_bvh::cut(shapes()),
+            WideBvh::validate,
+        ),
+        named(
             "WideBvh, portable",
             WideBvh::new(shapes()).with(Kernel::PORTABLE),
             WideBvh::validate,

@@ -4,6 +4,7 @@ use crate::ch24_wide_bvh::scenes::{facets, ray, scaled, scene};
 use glam::{Vec3, vec3};
 use proptest::prelude::*;
 use raybook::accel::{Accel, Tests, wide_bvh::WideBvh};
+use raybook::inside::wide_bvh;
 use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
 use raybook::scene::soup::soup;
 use raybook::shape::{mesh::Facet, teapot};
@@ -33,14 +34,15 @@ proptest! {
         by in -3.0_f32..3.0,
     ) {
         let now = moved(&facets, |p| twisted(p / scale, by) * scale);
-        let mut tree = WideBvh::new(facets);
-        tree.refit(now.clone());
-        prop_assert_eq!(tree.validate(), Ok(()));
-        let new = WideBvh::new(now);
-        for one in rays {
-            let (ray, within) = scaled(one, scale);
-            prop_assert_eq!(tree.closest(&ray, within), new.closest(&ray, within));
-            prop_assert_eq!(tree.any(&ray, within), new.any(&ray, within));
+        let new = WideBvh::new(now.clone());
+        for mut tree in [WideBvh::new(facets.clone()), wide_bvh::cut(facets)] {
+            tree.refit(now.clone());
+            prop_assert_eq!(tree.validate(), Ok(()));
+            for &one in &rays {
+                let (ray, within) = scaled(one, scale);
+                prop_assert_eq!(tree.closest(&ray, within), new.closest(&ray, within));
+                prop_assert_eq!(tree.any(&ray, within), new.any(&ray, within));
+            }
         }
     }
 }

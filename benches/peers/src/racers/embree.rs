@@ -3,7 +3,7 @@
 use crate::racer::{MISS, Question, Racer, Search};
 use embree3::{
     BufferUsage, BuildQuality, Config, Device, Error, Format, GeometryKind, IntersectContext, Ray,
-    RayHit, Scene,
+    RayHit, Scene, SceneFlags,
 };
 use glam::{Vec2, Vec3};
 use raybook::shape::{Hit, mesh::Mesh};
@@ -25,12 +25,24 @@ pub(crate) fn build(mesh: &Mesh, threads: usize) -> Result<Box<dyn Racer>, Strin
     Ok(Box::new(Embree::new(mesh, threads)?))
 }
 
+/// Builds it in its robust mode, whose triangle test is watertight.
+///
+/// # Errors
+/// If Embree fails.
+pub(crate) fn build_robust(mesh: &Mesh, threads: usize) -> Result<Box<dyn Racer>, String> {
+    Ok(Box::new(Embree::with(mesh, threads, SceneFlags::ROBUST)?))
+}
+
 impl Embree {
     /// A scene of high build quality (Embree's own default is medium), made by so many threads.
     ///
     /// # Errors
     /// If Embree fails.
     pub(crate) fn new(mesh: &Mesh, threads: usize) -> Result<Self, String> {
+        Self::with(mesh, threads, SceneFlags::NONE)
+    }
+
+    fn with(mesh: &Mesh, threads: usize, flags: SceneFlags) -> Result<Self, String> {
         let told = |error: Error| format!("Embree: {error}");
         let config = Config {
             threads: threads as u32,
@@ -45,6 +57,7 @@ impl Embree {
         });
         let mut scene = device.create_scene().map_err(told)?;
         scene.set_build_quality(BuildQuality::HIGH);
+        scene.set_flags(flags);
         let mut geometry = device
             .create_geometry(GeometryKind::TRIANGLE)
             .map_err(told)?;

@@ -2,6 +2,7 @@
 
 pub(crate) mod bvh_crate;
 pub(crate) mod embree;
+pub(crate) mod embree4;
 pub(crate) mod obvhs;
 pub(crate) mod ours;
 pub(crate) mod parry;
@@ -16,6 +17,15 @@ use raybook::accel::{
 /// All that take part; the first is what the others are compared with.
 pub(crate) const ENTRIES: &[Entry] = &[
     entry("Embree", false, embree::build),
+    entry("Embree robust", false, embree::build_robust),
+    Entry {
+        is_here: embree4::is_here,
+        ..entry("Embree 4", false, embree4::build)
+    },
+    Entry {
+        is_here: embree4::is_here,
+        ..entry("Embree 4 robust", false, embree4::build_robust)
+    },
     Entry {
         at_most: 10_000,
         ..entry("List", true, |mesh, _| {
@@ -51,6 +61,7 @@ const fn entry(name: &'static str, ours: bool, build: Build) -> Entry {
         ours,
         build,
         at_most: usize::MAX,
+        is_here: || true,
     }
 }
 

@@ -74,7 +74,7 @@ pub(super) struct Cut {
     /// The first slice on the right.
     before: usize,
     /// The cost of both sides.
-    cost: f32,
+    pub(super) cost: f32,
 }
 
 impl Cut {
@@ -90,7 +90,12 @@ impl Cut {
     pub(super) fn split(&self, items: &mut [Item], extent: &Extent, cost: &Cost) -> Option<usize> {
         let parent = extent.bounds.half_area();
         let better = cost.branch * parent + self.cost < cost.shapes(items.len()) * parent;
-        better.then(|| partition(items, |item| self.slices.of(item) < self.before))
+        better.then(|| self.apply(items))
+    }
+
+    /// Splits the items there.
+    pub(super) fn apply(&self, items: &mut [Item]) -> usize {
+        partition(items, |item| self.slices.of(item) < self.before)
     }
 
     /// The best cut along an axis.

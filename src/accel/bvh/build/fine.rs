@@ -18,3 +18,13 @@ pub(super) fn split(items: &mut [Item], extent: &Extent, cost: &Cost) -> Option<
         Cut::best::<32>(items, extent, cost).split(items, extent, cost)
     }
 }
+
+/// Reorders the items by the cut that [`split`] takes; returns how many are on the left, and the price of both sides.
+pub(crate) fn best(items: &mut [Item], extent: &Extent, cost: &Cost) -> (usize, f32) {
+    if items.len() <= FEW {
+        sweep::sah_split(items, cost)
+    } else {
+        let cut = Cut::best::<32>(items, extent, cost);
+        (cut.apply(items), cut.cost)
+    }
+}

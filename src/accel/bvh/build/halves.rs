@@ -19,7 +19,7 @@ pub(super) fn middle(items: &mut [Item], extent: &Extent, _cost: &Cost) -> Optio
 }
 
 /// Splits the items by the median of their centres along their widest axis; equal centres go to either side.
-pub(super) fn halve(items: &mut [Item], extent: &Extent) -> usize {
+pub(crate) fn halve(items: &mut [Item], extent: &Extent) -> usize {
     let (axis, half) = (extent.widest(), items.len() / 2);
     items.select_nth_unstable_by(half, |a, b| {
         a.center2_along(axis).total_cmp(&b.center2_along(axis))

@@ -28,6 +28,22 @@ impl Bounds {
         }
     }
 
+    /// What both boxes hold.
+    #[must_use]
+    pub fn intersection(&self, other: &Self) -> Self {
+        let (min, max) = (self.min.max(other.min), self.max.min(other.max));
+        if min.cmple(max).all() {
+            Self { min, max }
+        } else {
+            Self::EMPTY
+        }
+    }
+
+    /// Whether it holds no point.
+    pub fn is_empty(&self) -> bool {
+        !self.min.cmple(self.max).all()
+    }
+
     /// Half the surface area: xy + yz + zx, in square metres; 0 for an empty box.
     pub fn half_area(&self) -> f32 {
         let size = (self.max - self.min).max(Vec3A::ZERO);

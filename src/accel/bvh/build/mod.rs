@@ -7,9 +7,9 @@
 mod binned;
 mod bottom_up;
 pub(crate) mod cost;
-mod fine;
+pub(crate) mod fine;
 pub(crate) mod flat;
-mod halves;
+pub(crate) mod halves;
 pub(crate) mod item;
 pub(crate) mod sweep;
 mod top_down;

@@ -54,6 +54,16 @@ pub trait Material: Send + Sync {
         0.0
     }
 
+    /// A direction by [`Material::sample`], with what the other two say of it: all that a path wants to know, in one question.
+    fn scatter(&self, at: &Surface, view: Dir3, u: Vec2) -> Option<Scatter> {
+        let toward = self.sample(at, view, u)?;
+        Some(Scatter {
+            toward,
+            pdf: self.pdf(at, view, toward),
+            f: self.eval(at, view, toward),
+        })
+    }
+
     /// L_e: the radiance that the surface sends out by itself, in W·m⁻²·sr⁻¹.
     fn emitted(&self, _at: &Surface, _view: Dir3) -> Rgb {
         Rgb::BLACK
@@ -79,6 +89,17 @@ pub trait Material: Send + Sync {
     }
 }
 // ANCHOR_END: material
+
+/// A direction from which light may come, out of a range of them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scatter {
+    /// Where the light comes from.
+    pub toward: Dir3,
+    /// The density with which it was chosen, in 1/sr.
+    pub pdf: f32,
+    /// f, in 1/sr.
+    pub f: Rgb,
+}
 
 /// A lobe of one direction: the light of one ray, and nothing beside it.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,7 +2,7 @@
 
 use crate::image::rgb::Rgb;
 use crate::light::LightSample;
-use crate::material::{Delta, Material};
+use crate::material::{Delta, Material, Scatter};
 use crate::math::dir3::Dir3;
 use crate::shape::Surface;
 use glam::Vec2;
@@ -25,6 +25,10 @@ impl<T: Texture> Material for T {
 
     fn sample(&self, at: &Surface, view: Dir3, u: Vec2) -> Option<Dir3> {
         self.at(at).sample(at, view, u)
+    }
+
+    fn scatter(&self, at: &Surface, view: Dir3, u: Vec2) -> Option<Scatter> {
+        self.at(at).scatter(at, view, u)
     }
 
     fn pdf(&self, at: &Surface, view: Dir3, toward: Dir3) -> f32 {

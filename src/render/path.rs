@@ -1,7 +1,7 @@
 //! Path tracing: the rendering equation, by following one path of light at a time from the eye.
 
 use crate::image::rgb::Rgb;
-use crate::material::{Delta, glass::Medium};
+use crate::material::{Delta, Scatter, glass::Medium};
 use crate::math::{dir3::Dir3, ray::Ray};
 use crate::render::{cone::Cone, followed::Followed, mis::Strategy, sampler::Integrator, shadow};
 use crate::scene::world::{Scene, Seen};
@@ -111,9 +111,12 @@ impl Path {
             let Some(sample) = light.sample(seen.surface.position, u) else {
                 continue;
             };
+            let all = seen.material.lit(&seen.surface, view, &sample);
+            if all == Rgb::BLACK {
+                continue;
+            }
             let surface = seen.material.pdf(&seen.surface, view, sample.toward) * to_scatter;
-            let share = self.strategy.of_light(sample.pdf, surface);
-            let light = seen.material.lit(&seen.surface, view, &sample) * share;
+            let light = all * self.strategy.of_light(sample.pdf, surface);
             // The shadow ray costs more than all the rest: only for light that would count.
             if light == Rgb::BLACK {
                 continue;
@@ -226,10 +229,10 @@ impl Lobes {
     /// A direction that f chooses.
     fn scatter(&self, seen: &Seen, view: Dir3, rng: &mut dyn Rng) -> Option<Next> {
         let (at, u) = (&seen.surface, vec2(rng.random(), rng.random()));
-        let toward = seen.material.sample(at, view, u)?;
-        let pdf = seen.material.pdf(at, view, toward) * self.to_scatter();
+        let Scatter { toward, pdf, f } = seen.material.scatter(at, view, u)?;
+        let pdf = pdf * self.to_scatter();
         let cosine = at.facing(view).dot(*toward);
-        let weight = seen.material.eval(at, view, toward) * (cosine / pdf);
+        let weight = f * (cosine / pdf);
         (pdf > 0.0 && weight != Rgb::BLACK).then_some(Next {
             toward,
             pdf,

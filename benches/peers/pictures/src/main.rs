@@ -6,7 +6,7 @@ use clap::Parser;
 use raybook::prelude::*;
 use raybook::scene::cornell::{EYE, GREEN, LAMP, RED, WHITE};
 use raybook::store;
-use rpt::glm;
+use rpt::{SceneAdd, glm};
 use rustix::time::{ClockId, clock_gettime};
 use std::error::Error;
 use std::fmt::Write;

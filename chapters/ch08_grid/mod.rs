@@ -10,7 +10,7 @@ mod teapots;
 mod walk_figure;
 
 use crate::kit::stage::{Drawn, Stage};
-use crate::kit::{chapter, palette};
+use crate::kit::{chapter, chart::grouped, palette};
 use crate::shared::daylight::{Paint, shade};
 use crate::shared::own_mesh::{self, MeshKnob};
 use crate::shared::{growth, heat, outdoors::sky, showroom, stadium_figure};
@@ -75,7 +75,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let cells = lattice(&grid).resolution;
     let caption = format!(
         "{} triangles in a grid of {} × {} × {} cells. A list would ask each ray about all of them.",
-        crowd.mesh.triangles().len(),
+        grouped(crowd.mesh.triangles().len() as f64),
         cells.x,
         cells.y,
         cells.z

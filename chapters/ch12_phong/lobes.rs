@@ -148,7 +148,7 @@ fn across(canvas: &Canvas) -> Drawn {
     .titled(&format!(
         "turned out of that plane, {RIGHT}° from the normal"
     ))
-    .text(32)
+    .text(28)
     .legend(Corner::UpperLeft);
     let light = light(RIGHT);
     for (name, lobe, colour, width) in LOBES {

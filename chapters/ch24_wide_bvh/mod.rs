@@ -11,8 +11,8 @@ mod eight_boxes;
 mod wide_gain;
 mod wide_trees;
 
-use crate::kit::chapter;
 use crate::kit::stage::{Drawn, Stage};
+use crate::kit::{chapter, chart::grouped};
 use crate::shared::own_mesh::{self, MeshKnob};
 use crate::shared::{heat, showroom};
 use clap::Args;
@@ -58,7 +58,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     });
     let caption = format!(
         "A teapot in a heap of confetti, {} triangles. {:.1} million rays make this picture: each point looks for the sky in {} directions, and for the sun.",
-        confetti.mesh.triangles().len(),
+        grouped(confetti.mesh.triangles().len() as f64),
         rays.into_inner() as f64 / 1e6,
         knobs.sky_rays
     );

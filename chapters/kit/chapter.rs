@@ -34,12 +34,12 @@ pub fn run(chapter: &str) -> ExitCode {
     match drawn(chapter) {
         Ok(outputs) => {
             for output in outputs {
-                let exr = if output.exr.is_some() {
-                    " and .exr"
-                } else {
-                    ""
+                let beside = match (&output.exr, &output.svg) {
+                    (Some(_), _) => " and .exr",
+                    (_, Some(_)) => " and .svg",
+                    _ => "",
                 };
-                say(format!("wrote {}{exr}", output.png.display()));
+                say(format!("wrote {}{beside}", output.png.display()));
             }
             said_all(ExitCode::SUCCESS)
         }

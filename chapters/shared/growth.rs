@@ -45,10 +45,15 @@ pub fn grid() -> Figure {
     let curves = [
         Curve {
             is_guide: true,
-            ..Curve::of(&cube_root, "∛N", INK, (15_000.0, 1.7 * cube_root[4].1))
+            ..Curve::of(&cube_root, "∛N", INK, (150_000.0, 0.8 * cube_root[3].1))
         },
         Curve::of(&cells, "cells visited", BLUE, (200.0, 3.4 * cells[0].1)),
-        Curve::of(&tests, "triangles tested", VERMILION, (3000.0, tests[2].1)),
+        Curve::of(
+            &tests,
+            "triangles tested",
+            VERMILION,
+            (15_000.0, 0.6 * tests[2].1),
+        ),
     ];
     plot("per ray", &curves)
 }

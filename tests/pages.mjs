@@ -1,14 +1,14 @@
-// Looks at pages in Chromium. Called by `tests/pages`: the address of a watch, the file that is wrong in it, that file without the
+// Looks at pages in Chromium. Called by `tests/pages`: Chromium's file, the address of a watch, the file that is wrong in it, that file without the
 // mistake, a folder for pictures (or nothing), and more addresses or files.
 import puppeteer from "puppeteer-core";
 import { copyFileSync, mkdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { pathToFileURL } from "node:url";
 
-const [watch, wrong, right, shots, ...others] = process.argv.slice(2);
+const [chromium, watch, wrong, right, shots, ...others] = process.argv.slice(2);
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 const faults = [];
-const browser = await puppeteer.launch({ executablePath: "/usr/bin/chromium", args: ["--no-sandbox", "--disable-gpu"] });
+const browser = await puppeteer.launch({ executablePath: chromium, args: ["--no-sandbox", "--disable-gpu"] });
 
 // A window on an address, whose console is listened to.
 async function open(address, width, scheme) {

@@ -11,7 +11,13 @@ fn the_report_of_a_workbook_is_one_page() {
         return;
     };
     // The search of chapter 11 uses the box and the triangle.
-    for file in ["ch05_box.py", "ch06_triangle.py", "ch11_bvh.py"] {
+    for file in [
+        "ch05_box.py",
+        "ch06_triangle.py",
+        "ch08_grid.py",
+        "ch10_octree.py",
+        "ch11_bvh.py",
+    ] {
         let solution = project("tests/solutions/python").join(file);
         fs::copy(solution, folder.join(file)).expect("it can be copied");
     }
@@ -20,15 +26,28 @@ fn the_report_of_a_workbook_is_one_page() {
     let shouted = "    root = b * b\n    print('<script>alert(1)</script>')\n    root = root";
     fs::write(&file, text.replace("    root = b * b", shouted)).expect("it can be written");
 
-    let (code, said) = raybook(&folder, &["report", "sphere_hit", "reflect", "ch11"]);
+    let (code, said) = raybook(
+        &folder,
+        &[
+            "report",
+            "sphere_hit",
+            "reflect",
+            "grid_walk",
+            "octree_walk",
+            "ch11",
+        ],
+    );
     assert_eq!(code, 1, "{said}");
     let page = fs::read_to_string(folder.join("out/report.html")).expect("it is written");
     for part in [
-        "4 of 6 exercises are right",
+        "6 of 8 exercises are right",
         "takes the far root",
         "data:image/png;base64,",
         "data:image/svg+xml;base64,",
         "your steps per ray grow like N^0.",
+        "A step is a cell or a triangle.",
+        "A step is a leaf or a triangle.",
+        "A step is a box or a triangle.",
         "pixels are wrong",
         "&lt;script&gt;alert(1)",
         "<main>",

@@ -57,6 +57,9 @@ impl<'a> Functions<'a> {
     }
 
     /// The answers to questions of one exercise; none where no answer can be read.
+    ///
+    /// # Errors
+    /// If the program cannot be started.
     pub fn ask<E: Exercise>(&mut self, questions: &[E]) -> io::Result<Vec<Option<E::Answer>>> {
         let line = |question: &E| {
             let numbers = row::to_numbers(question);
@@ -75,6 +78,9 @@ impl<'a> Functions<'a> {
     }
 
     /// The same; the course answers what is not written, or has no answer that can be read.
+    ///
+    /// # Errors
+    /// If the program cannot be started.
     pub fn ask_or_answer<E: Exercise>(&mut self, questions: &[E]) -> io::Result<Vec<E::Answer>> {
         let answers = if self.has::<E>() {
             self.ask(questions)?

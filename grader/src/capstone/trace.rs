@@ -264,9 +264,10 @@ impl<'a, 'b> Tracer<'a, 'b> {
             let (eye, near) = (camera(Vec2::ZERO).focal_point, 4.0);
             let colour = |place: &Place| {
                 let n = place.normal;
-                match normals {
-                    true => Rgb::new(n.x, n.y, n.z).map(|v| 0.5 + 0.5 * v),
-                    false => place.thing.colour * (near / place.position.distance(eye)).powi(2),
+                if normals {
+                    Rgb::new(n.x, n.y, n.z).map(|v| 0.5 + 0.5 * v)
+                } else {
+                    place.thing.colour * (near / place.position.distance(eye)).powi(2)
                 }
             };
             return Ok(places.iter().map(colour).collect());

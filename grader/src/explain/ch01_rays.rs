@@ -2,7 +2,7 @@
 
 use super::Explained;
 use super::diagram::{Diagram, Ink};
-use super::rays::{self, UP, nonzero};
+use super::rays::{self, nonzero};
 use super::section::Section;
 use super::way::Way;
 use glam::{DVec3, Vec2, Vec3, dvec2};
@@ -31,11 +31,7 @@ impl Explained for RayAt {
             Interval::new(0.0, 0.0),
             far,
         );
-        for (p, ink, beside, name) in [
-            (right, Ink::Right, UP, "right"),
-            (yours, Ink::Yours, -UP, "yours"),
-        ] {
-            let Some(p) = p else { continue };
+        for (p, ink, beside, name) in rays::answers(right, yours) {
             drawing.point(section.at(p), ink);
             drawing.label(section.at(p), beside, name, ink);
         }
@@ -135,11 +131,7 @@ pub fn answers(
     far: f64,
     [right, yours]: [Option<&CameraRayAnswer>; 2],
 ) {
-    for (ray, ink, beside, name) in [
-        (right, Ink::Right, UP, "right"),
-        (yours, Ink::Yours, -UP, "yours"),
-    ] {
-        let Some(ray) = ray else { continue };
+    for (ray, ink, beside, name) in rays::answers(right, yours) {
         let from = section.at(ray.origin.as_dvec3());
         // A direction of any length goes as far.
         let to = from + far * section.along(ray.direction.as_dvec3().normalize_or_zero());

@@ -2,7 +2,7 @@
 
 use super::Explained;
 use super::diagram::{Diagram, Ink};
-use super::rays::{self, UP};
+use super::rays;
 use super::section::Section;
 use super::way::Way;
 use glam::{DVec3, Vec2, Vec3, dvec2};
@@ -133,11 +133,7 @@ impl Explained for SphereNormal {
         let at = section.at(p);
         drawing.point(at, Ink::Ray);
         drawing.label(at, dvec2(-0.8, 0.0), "p", Ink::Ray);
-        for (n, ink, beside, name) in [
-            (Some(right), Ink::Right, UP, "right"),
-            (yours, Ink::Yours, -UP, "yours"),
-        ] {
-            let Some(n) = n else { continue };
+        for (n, ink, beside, name) in rays::answers(Some(right), yours) {
             // Of length 1 it is drawn as long as the radius.
             let tip = at + radius * section.along(n.as_dvec3()).clamp_length_max(4.0);
             drawing.arrow(at, tip, ink);

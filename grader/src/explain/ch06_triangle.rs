@@ -2,7 +2,7 @@
 
 use super::Explained;
 use super::diagram::{Diagram, Ink};
-use super::rays::{self, UP};
+use super::rays;
 use super::section::Section;
 use super::way::Way;
 use glam::{DVec3, Vec3, dvec2};
@@ -75,12 +75,8 @@ impl Explained for TriangleHit {
             drawing.point(section.at(meets), Ink::Ray);
             drawing.label(section.at(meets), dvec2(-0.8, 0.0), "the ray", Ink::Ray);
         }
-        let answers = [
-            (right.as_ref(), Ink::Right, UP, "right"),
-            (yours.and_then(Option::as_ref), Ink::Yours, -UP, "yours"),
-        ];
-        for (hit, ink, beside, name) in answers {
-            let Some(hit) = hit else { continue };
+        let yours = yours.and_then(Option::as_ref);
+        for (hit, ink, beside, name) in rays::answers(right.as_ref(), yours) {
             let p = f64::from(hit.b1) * e1 + f64::from(hit.b2) * e2;
             if p.length() < 4.0 * size {
                 drawing.point(section.along(p), ink);

@@ -21,6 +21,10 @@ impl Explained for GridResolution {
         );
         let mut thick: Vec<usize> = (0..3).filter(|&axis| extents[axis] > 0.0).collect();
         let along = loop {
+            if thick.is_empty() {
+                way.remark("No axis is left to be cut: there is one cell.");
+                break DVec3::ONE;
+            }
             let names: Vec<_> = thick.iter().map(|&axis| AXES[axis]).collect();
             let volume: f64 = thick.iter().map(|&axis| extents[axis]).product();
             let names = names.join(" · ");

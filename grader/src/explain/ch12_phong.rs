@@ -11,11 +11,12 @@ use raybook_workbook::exercises::ch12_phong::{
 };
 
 /// A colour as a vector of its parts.
-fn parts(colour: Rgb) -> DVec3 {
+pub fn parts(colour: Rgb) -> DVec3 {
     DVec3::new(colour.r.into(), colour.g.into(), colour.b.into())
 }
 
-fn colour(v: DVec3) -> Rgb {
+/// A vector of a colour's parts as a colour.
+pub fn colour(v: DVec3) -> Rgb {
     let v = v.as_vec3();
     Rgb::new(v.x, v.y, v.z)
 }

@@ -2,7 +2,7 @@
 
 use super::Explained;
 use super::diagram::{Diagram, Ink};
-use super::rays::UP;
+use super::rays;
 use super::section::Section;
 use super::way::Way;
 use glam::{DVec3, Vec3, dvec2};
@@ -57,11 +57,7 @@ pub fn surface(
     let from = -section.along(incoming);
     drawing.arrow(from, middle, Ink::Ray);
     drawing.label(from, from.normalize_or_zero(), "i", Ink::Ray);
-    for (direction, ink, beside, name) in [
-        (right, Ink::Right, UP, "right"),
-        (yours, Ink::Yours, -UP, "yours"),
-    ] {
-        let Some(direction) = direction else { continue };
+    for (direction, ink, beside, name) in rays::answers(right, yours) {
         let tip = section.along(direction.as_dvec3()).clamp_length_max(3.0);
         drawing.arrow(middle, tip, ink);
         drawing.label(tip, beside, name, ink);

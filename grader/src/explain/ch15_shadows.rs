@@ -3,69 +3,54 @@
 use super::Explained;
 use super::ch03_sphere;
 use super::diagram::{Diagram, Ink};
-use super::rays::UP;
+use super::rays;
 use super::section::Section;
 use super::way::Way as Steps;
-use glam::{DVec3, Vec3, dvec2};
-use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
+use glam::{DVec3, dvec2};
+use raybook::math::{interval::Interval, ray::Ray};
 use raybook_workbook::exercises::ch15_shadows::{Lit, ShadowRay, Way};
 
-/// The ray to the light from a point of a surface, and the distances of hits that are in the way.
-fn leave(
-    steps: &mut Steps,
-    position: Vec3,
-    error: f32,
-    normal: Dir3,
-    toward: Dir3,
-    distance: f32,
-) -> Way {
-    /// The way ends this share of the distance before the light.
-    const BEFORE_LIGHT: f64 = 1e-4;
-    let (n, error, distance) = (normal.as_dvec3(), f64::from(error), f64::from(distance));
-    let off = steps.number(
-        "off = error · (|n.x| + |n.y| + |n.z|)",
-        "m",
-        error * n.abs().element_sum(),
-    );
-    let cosine = steps.number("n·toward", "", n.dot(toward.as_dvec3()));
-    let side = if cosine < 0.0 { -off } else { off };
-    let origin = steps.vector(
-        "position ± off·n, to the light's side",
-        "m",
-        position.as_dvec3() + side * n,
-    );
-    let end = if distance.is_finite() {
-        let margin = steps.number(
-            "margin = 2 error + 10⁻⁴ distance",
-            "m",
-            2.0 * error + BEFORE_LIGHT * distance,
-        );
-        steps.number(
-            "end = distance − margin, 0 at least",
-            "m",
-            (distance - margin).max(0.0),
-        )
-    } else {
-        steps.remark("The light is infinitely far away: everything ahead is before it.");
-        f64::INFINITY
-    };
-    Way {
-        origin: origin.as_vec3(),
-        direction: *toward,
-        within: Interval::new(0.0, end as f32),
-    }
-}
-
 impl Explained for ShadowRay {
-    fn work(&self, way: &mut Steps) -> Way {
-        leave(
-            way,
-            self.position,
-            self.error,
-            self.normal,
-            self.toward,
-            self.distance,
-        )
+    fn work(&self, steps: &mut Steps) -> Way {
+        /// The way ends this share of the distance before the light.
+        const BEFORE_LIGHT: f64 = 1e-4;
+        let (n, error, distance) = (
+            self.normal.as_dvec3(),
+            f64::from(self.error),
+            f64::from(self.distance),
+        );
+        let off = steps.number(
+            "off = error · (|n.x| + |n.y| + |n.z|)",
+            "m",
+            error * n.abs().element_sum(),
+        );
+        let cosine = steps.number("n·toward", "", n.dot(self.toward.as_dvec3()));
+        let side = if cosine < 0.0 { -off } else { off };
+        let origin = steps.vector(
+            "position ± off·n, to the light's side",
+            "m",
+            self.position.as_dvec3() + side * n,
+        );
+        let end = if distance.is_finite() {
+            let margin = steps.number(
+                "margin = 2 error + 10⁻⁴ distance",
+                "m",
+                2.0 * error + BEFORE_LIGHT * distance,
+            );
+            steps.number(
+                "end = distance − margin, 0 at least",
+                "m",
+                (distance - margin).max(0.0),
+            )
+        } else {
+            steps.remark("The light is infinitely far away: everything ahead is before it.");
+            f64::INFINITY
+        };
+        Way {
+            origin: origin.as_vec3(),
+            direction: *self.toward,
+            within: Interval::new(0.0, end as f32),
+        }
     }
 
     fn draw(&self, right: &Way, yours: Option<&Way>) -> Option<Diagram> {
@@ -92,11 +77,7 @@ impl Explained for ShadowRay {
         drawing.label(dvec2(0.0, 0.8 * size), dvec2(0.0, 0.8), "n", Ink::Shape);
         drawing.point(dvec2(0.0, 0.0), Ink::Ray);
         drawing.label(dvec2(0.0, 0.0), dvec2(-0.7, -0.8), "position", Ink::Ray);
-        for (way, ink, beside, name) in [
-            (Some(right), Ink::Right, UP, "right"),
-            (yours, Ink::Yours, -UP, "yours"),
-        ] {
-            let Some(way) = way else { continue };
+        for (way, ink, beside, name) in rays::answers(Some(right), yours) {
             let from = section.at(way.origin.as_dvec3());
             let is_near = from.length() < 1.5 * size;
             let said = format!("{name}: the way ends at {} m", way.within.max);
@@ -121,14 +102,14 @@ impl Explained for ShadowRay {
 
 impl Explained for Lit {
     fn work(&self, way: &mut Steps) -> u32 {
-        let shadow = leave(
-            way,
-            self.position,
-            self.error,
-            self.normal,
-            self.toward,
-            self.distance,
-        );
+        let shadow = ShadowRay {
+            position: self.position,
+            error: self.error,
+            normal: self.normal,
+            toward: self.toward,
+            distance: self.distance,
+        };
+        let shadow = shadow.work(way);
         let ray = Ray::new(shadow.origin, self.toward);
         let mut lit = 1;
         for (i, ball) in self.spheres.iter().enumerate() {

@@ -5,6 +5,7 @@
 pub mod account;
 pub mod asked;
 mod ch01_rays;
+mod ch02_hdr;
 mod ch03_sphere;
 mod ch04_plane;
 mod ch05_box;
@@ -16,7 +17,10 @@ mod ch13_reflection;
 mod ch14_refraction;
 mod ch15_shadows;
 mod ch16_soft_shadows;
+mod ch17_rendering_equation;
+mod ch18_environment;
 mod ch19_depth_of_field;
+mod ch20_panorama;
 pub mod diagram;
 pub mod parting;
 mod rays;
@@ -28,6 +32,7 @@ use diagram::Diagram;
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::{
     ch01_rays::{CameraRay, RayAt},
+    ch02_hdr::{EncodeSrgb, Expose, ToneMap},
     ch03_sphere::{SolveQuadratic, SphereHit, SphereNormal},
     ch04_plane::PlaneHit,
     ch05_box::{BoundsOf, BoxClip},
@@ -39,7 +44,10 @@ use raybook_workbook::exercises::{
     ch14_refraction::{Fresnel, Refract},
     ch15_shadows::{Lit, ShadowRay},
     ch16_soft_shadows::{SampleRect, SampleSphereLight, VisibleFraction},
+    ch17_rendering_equation::BrdfPhong,
+    ch18_environment::{DirectionToCube, DirectionToLatlong},
     ch19_depth_of_field::{CircleOfConfusion, ConcentricDisk, ThinLensRay},
+    ch20_panorama::PanoramaRay,
 };
 use raybook_workbook::row::{from_numbers, to_numbers};
 use way::{Step, Way};
@@ -112,6 +120,9 @@ impl Explainer {
 pub static EXPLAINERS: &[Explainer] = &[
     Explainer::of::<RayAt>(),
     Explainer::of::<CameraRay>(),
+    Explainer::of::<Expose>(),
+    Explainer::of::<ToneMap>(),
+    Explainer::of::<EncodeSrgb>(),
     Explainer::of::<SolveQuadratic>(),
     Explainer::of::<SphereHit>(),
     Explainer::of::<SphereNormal>(),
@@ -138,9 +149,13 @@ pub static EXPLAINERS: &[Explainer] = &[
     Explainer::of::<SampleRect>(),
     Explainer::of::<SampleSphereLight>(),
     Explainer::of::<VisibleFraction>(),
+    Explainer::of::<BrdfPhong>(),
+    Explainer::of::<DirectionToCube>(),
+    Explainer::of::<DirectionToLatlong>(),
     Explainer::of::<ConcentricDisk>(),
     Explainer::of::<ThinLensRay>(),
     Explainer::of::<CircleOfConfusion>(),
+    Explainer::of::<PanoramaRay>(),
 ];
 
 /// The steps and drawings of an exercise, if it has any.

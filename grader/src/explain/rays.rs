@@ -39,12 +39,7 @@ pub fn hits(
 ) {
     ray(drawing, section, through, within, far);
     let (o, d) = parts(through);
-    let answers = [
-        (right, Ink::Right, UP, "right: t"),
-        (yours, Ink::Yours, -UP, "yours: t"),
-    ];
-    for (t, ink, beside, name) in answers {
-        let Some(t) = t else { continue };
+    for (t, ink, beside, name) in answers(right, yours) {
         // What is far beyond the end would make all the rest a dot.
         let is_near = f64::from(t).abs() <= 2.0 * far;
         let at = section.at(o + if is_near { f64::from(t) } else { far } * d);
@@ -56,12 +51,24 @@ pub fn hits(
         if is_near {
             drawing.point(at, ink);
         }
-        drawing.label(at, beside, format!("{name} = {t}{beyond}"), ink);
+        drawing.label(at, beside, format!("{name}: t = {t}{beyond}"), ink);
     }
 }
 
-/// Upwards, beside a point.
-pub const UP: DVec2 = dvec2(0.2, 1.4);
+/// The answers that there are, the right one and the student's: each with its ink, the side of its label, and what it is called.
+pub fn answers<T>(
+    right: Option<T>,
+    yours: Option<T>,
+) -> impl Iterator<Item = (T, Ink, DVec2, &'static str)> {
+    /// Upwards, beside a point.
+    const UP: DVec2 = dvec2(0.2, 1.4);
+    let both = [
+        (right, Ink::Right, UP, "right"),
+        (yours, Ink::Yours, -UP, "yours"),
+    ];
+    let both = both.into_iter();
+    both.filter_map(|(answer, ink, beside, name)| Some((answer?, ink, beside, name)))
+}
 
 /// A length, or 1 where it is 0 or not finite: what is divided by it stays finite.
 pub fn nonzero(length: f64) -> f64 {

@@ -52,25 +52,33 @@ fn text(chapter: &Chapter, page: &str) -> Result<String, BookError> {
         .take_while(|(line, _)| *line != YOUR_TURN)
     {
         fenced ^= line.starts_with("```");
-        if let Some(drawn) = &mut drawing {
+        let part = if let Some(mut drawn) = drawing.take() {
             drawn.push_str(line);
-            if line == "</figure>" {
-                text.push_str(&told(drawn));
-                drawing = None;
+            if line != "</figure>" {
+                drawing = Some(drawn);
+                continue;
             }
+            told(&drawn)
         } else if line == "<figure>" {
             drawing = Some(String::new());
+            continue;
         } else if let (Some(directive), false) = (directive(line), fenced) {
             let wrong = |what| BookError {
                 page: format!("{}.md", chapter.name),
                 line: number,
                 what,
             };
-            text.push_str(&directive.text(chapter, line).map_err(wrong)?);
+            directive.text(chapter, line).map_err(wrong)?
+        } else if fenced {
+            line.to_owned()
         } else {
-            text.push_str(&if fenced { line.to_owned() } else { plain(line) });
+            plain(line)
+        };
+        // Where something is left out, one empty line is enough.
+        if !part.is_empty() || !text.ends_with("\n\n") {
+            text.push_str(&part);
+            text.push('\n');
         }
-        text.push('\n');
     }
     Ok(format!(
         "{}\n\n---\n\nNow write {}. The book's page `{}.html` goes on with worked questions, mistakes and practice.\n",
@@ -115,7 +123,11 @@ impl Directive<'_> {
                     pages: Vec::new(),
                 };
                 let listing = book.expand(&page, line).map_err(|error| error.what)?;
-                Ok(listing.trim_end().to_owned())
+                // The book's own marks around it are for browsers.
+                let (_, code) = listing.split_once("```").unwrap_or_default();
+                let code = code.split_once('\n').map_or("", |(_, code)| code);
+                let file = self.name.split(':').next().unwrap_or_default();
+                Ok(format!("From `{file}`:\n\n```rust\n{}", code.trim_end()))
             }
             _ => Ok(String::new()),
         }

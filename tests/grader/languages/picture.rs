@@ -14,7 +14,7 @@ fn the_picture_grows_with_the_workbook() {
     }
     let home = tempfile::tempdir().expect("a temporary folder");
     let folder = new(home.path(), "rays", Language::Python);
-    let draw = || raybook_with(&folder, &["picture", "--width", "32"], &[]);
+    let draw = || raybook_with(&folder, &["picture", "--width", "16"], &[]);
     let (code, said) = draw();
     assert!(
         code == 1 && said.contains("write sphere_hit first in ch03_sphere.py"),

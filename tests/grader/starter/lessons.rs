@@ -14,7 +14,11 @@ fn every_chapter_has_its_lesson_as_text() {
     for (path, text) in &files {
         let text = String::from_utf8(text.clone()).expect("it is text");
         bytes += text.len();
-        for part in ["{{", "figure>", "<svg", "<path", "\\origin", ".md#"] {
+        let directive = text.lines().find(|line| line.starts_with("{{"));
+        assert_eq!(directive, None, "{}", path.display());
+        for part in [
+            "figure>", "<p ", "\n\n\n", "<svg", "<path", "\\origin", ".md#",
+        ] {
             assert!(!text.contains(part), "{}: {part}", path.display());
         }
         assert!(

@@ -1,13 +1,15 @@
-//! What a search costs: steps that the student's function counts, beside the reference's and linear search, as scenes grow.
+//! What a search costs: the steps of the student's function, beside the reference's and linear search, as scenes grow.
+
+mod searches;
 
 use crate::ask::{Asker, Said};
-use crate::cases::{ch11_bvh, ch24_wide_bvh};
 use crate::examine::Examiner;
 use crate::explain::diagram::{Diagram, Ink};
 use crate::sample;
 use glam::{DVec2, Vec3, dvec2};
-use raybook::math::{dir3::Dir3, interval::Interval, pcg, pcg::Pcg, ray::Ray};
+use raybook::math::{dir3::Dir3, pcg, pcg::Pcg, ray::Ray};
 use raybook_workbook::row;
+use searches::{Over, SEARCHES, Steps};
 use std::io;
 
 /// The numbers of triangles in the scenes.
@@ -15,109 +17,83 @@ const SIZES: [u32; 6] = [8, 16, 32, 64, 128, 256];
 /// Rays through each scene.
 const RAYS: usize = 12;
 
-/// A search whose answer begins with two counts: of boxes or nodes, and of triangles.
-struct Counted {
-    exercise: &'static str,
-    question: fn(&[[Vec3; 3]], Ray, Interval) -> Vec<f64>,
-}
-
-const COUNTED: [Counted; 2] = [
-    Counted {
-        exercise: "bvh_closest",
-        question: |triangles, ray, within| {
-            row::to_numbers(&ch11_bvh::question(triangles, ray, within))
-        },
-    },
-    Counted {
-        exercise: "wide_closest",
-        question: |triangles, ray, within| {
-            row::to_numbers(&ch24_wide_bvh::question(triangles.to_vec(), ray, within))
-        },
-    },
-];
-
 /// The mean number of steps per ray for each of the sizes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cost {
-    /// The exercise that counts.
+    /// The exercise that is asked.
     pub exercise: &'static str,
+    /// What is a step.
+    pub step: &'static str,
     /// The student's steps.
     pub yours: Vec<f64>,
     /// The reference's.
     pub reference: Vec<f64>,
 }
 
-/// Asks the program for the counts of an exercise as scenes grow; none if it does not count, or an answer is missing.
+/// Asks the program for the steps of an exercise as scenes grow; none if it is no search, or an answer is missing.
 ///
 /// # Errors
 /// If the program cannot be started.
 pub fn measure(asker: &mut Asker<'_>, examiner: &dyn Examiner) -> io::Result<Option<Cost>> {
-    let Some(counted) = COUNTED
-        .iter()
-        .find(|counted| counted.exercise == examiner.name())
-    else {
+    let asked = examiner.asked();
+    let Some(search) = SEARCHES.iter().find(|search| search.exercise == asked.name) else {
         return Ok(None);
     };
-    let asked = examiner.asked();
     let mut rng = pcg::stream(17, 0);
-    let questions: Vec<_> = SIZES
-        .iter()
-        .flat_map(|size| scene(counted, *size, &mut rng))
-        .collect();
-    let lines: Vec<_> = questions
-        .iter()
-        .map(|q| format!("{} {}", asked.name, row::format(asked.question, q)))
-        .collect();
+    let (mut questions, mut counts) = (Vec::new(), Vec::new());
+    for size in SIZES {
+        let Over { question, steps } = (search.over)(&scene(size, &mut rng));
+        let rays: [_; RAYS] = std::array::from_fn(|_| ray(&mut rng));
+        questions.extend(rays.map(question));
+        counts.push((rays, steps));
+    }
+    let lines = questions.iter();
+    let lines = lines.map(|q| format!("{} {}", asked.name, row::format(asked.question, q)));
     asker.next_exercise();
-    let replies = asker.ask(&lines)?;
+    let replies = asker.ask(&lines.collect::<Vec<_>>())?;
     let read = |said: &Said| match said {
-        Said::Answer(answer) => asked
-            .read_answer(answer.unescaped())
-            .ok()
-            .map(|row| steps(&row)),
+        Said::Answer(answer) => asked.read_answer(answer.unescaped()).ok(),
         _ => None,
     };
     let yours: Option<Vec<_>> = replies.iter().map(|reply| read(&reply.said)).collect();
-    let reference: Vec<_> = questions
-        .iter()
-        .map(|question| steps(&(asked.call)(question)))
-        .collect();
+    let reference: Vec<_> = questions.iter().map(|q| (asked.call)(q)).collect();
+    // The mean of each scene's rays.
+    let mean = |(rays, steps): &([Ray; RAYS], Steps), answers: &[Vec<f64>]| {
+        let each = rays.iter().zip(answers);
+        each.map(|(ray, answer)| steps(*ray, answer)).sum::<f64>() / RAYS as f64
+    };
+    let means = |answers: &[Vec<f64>]| {
+        let scenes = counts.iter().zip(answers.chunks(RAYS));
+        scenes
+            .map(|(scene, answers)| mean(scene, answers))
+            .collect()
+    };
     Ok(yours.map(|yours| Cost {
-        exercise: counted.exercise,
+        exercise: search.exercise,
+        step: search.step,
         yours: means(&yours),
         reference: means(&reference),
     }))
 }
 
-/// The boxes and triangles that an answer counts.
-fn steps(answer: &[f64]) -> f64 {
-    answer.iter().take(2).sum()
-}
-
-/// The mean of each scene's rays.
-fn means(steps: &[f64]) -> Vec<f64> {
-    steps
-        .chunks(RAYS)
-        .map(|rays| rays.iter().sum::<f64>() / RAYS as f64)
-        .collect()
-}
-
-/// The questions of a scene of this size: triangles strewn in a cube, the smaller the more there are, so that about as much
-/// of what a ray sees is covered.
-fn scene(counted: &Counted, size: u32, rng: &mut Pcg) -> Vec<Vec<f64>> {
+/// A scene of this size: triangles strewn in a cube, the smaller the more there are, so that about as much of what a ray sees is
+/// covered.
+fn scene(size: u32, rng: &mut Pcg) -> Vec<[Vec3; 3]> {
     let extent = 3.0 / (size as f32).sqrt();
-    let triangles: Vec<[Vec3; 3]> = (0..size)
-        .map(|_| {
-            let center = sample::point(rng, 2.0);
-            std::array::from_fn(|_| center + sample::point(rng, extent))
-        })
-        .collect();
-    let rays = (0..RAYS).map(|_| {
-        let origin = 5.0 * *sample::direction(rng);
-        let direction = Dir3::new_or(sample::point(rng, 1.5) - origin, Dir3::X);
-        (counted.question)(&triangles, Ray::new(origin, direction), Interval::AHEAD)
-    });
-    rays.collect()
+    let triangle = |_| {
+        let center = sample::point(rng, 2.0);
+        std::array::from_fn(|_| center + sample::point(rng, extent))
+    };
+    (0..size).map(triangle).collect()
+}
+
+/// A ray through the scene from outside.
+fn ray(rng: &mut Pcg) -> Ray {
+    let origin = 5.0 * *sample::direction(rng);
+    Ray::new(
+        origin,
+        Dir3::new_or(sample::point(rng, 1.5) - origin, Dir3::X),
+    )
 }
 
 /// The exponent a of steps that grow like N^a: the slope of the line through their logarithms, by least squares.
@@ -143,7 +119,7 @@ impl Cost {
     pub fn words(&self) -> String {
         let last = |steps: &[f64]| steps.last().copied().unwrap_or(0.0);
         format!(
-            "From {} to {} triangles your steps per ray grow like N^{:.2}, the reference's like N^{:.2}, and those of linear search like N. At {} triangles yours takes {:.0} steps, the reference {:.0}.",
+            "From {} to {} triangles your steps per ray grow like N^{:.2}, the reference's like N^{:.2}, and those of linear search like N. At {} triangles yours takes {:.0} steps, the reference {:.0}. A step is {}.",
             SIZES[0],
             SIZES[5],
             exponent(&self.yours),
@@ -151,6 +127,7 @@ impl Cost {
             SIZES[5],
             last(&self.yours),
             last(&self.reference),
+            self.step,
         )
     }
 
@@ -200,7 +177,31 @@ impl Cost {
 
 #[cfg(test)]
 mod tests {
-    use super::{Cost, SIZES, exponent};
+    use super::searches::{Over, SEARCHES};
+    use super::{Cost, RAYS, SIZES, exponent, ray, scene};
+    use crate::cases;
+    use raybook::math::pcg;
+
+    #[test]
+    fn the_references_steps_grow_more_slowly_than_the_scene() {
+        for search in &SEARCHES {
+            let asked = cases::find(search.exercise).expect("an exercise").asked();
+            let mut rng = pcg::stream(17, 0);
+            let mean = |size| {
+                let Over { question, steps } = (search.over)(&scene(size, &mut rng));
+                let rays = (0..RAYS).map(|_| ray(&mut rng));
+                let steps = rays.map(|ray| steps(ray, &(asked.call)(&question(ray))));
+                steps.sum::<f64>() / RAYS as f64
+            };
+            let steps = SIZES.map(mean);
+            let power = exponent(&steps);
+            assert!(
+                (0.0..0.8).contains(&power) && steps[0] >= 1.0,
+                "{}: {steps:?} grow like N^{power}",
+                search.exercise
+            );
+        }
+    }
 
     #[test]
     fn the_exponent_is_that_of_a_power() {
@@ -215,6 +216,7 @@ mod tests {
             [1.0, 0.5].map(|a| SIZES.iter().map(|n| f64::from(*n).powf(a)).collect());
         let cost = Cost {
             exercise: "bvh_closest",
+            step: "a box",
             yours: linear,
             reference: half,
         };

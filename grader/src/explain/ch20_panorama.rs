@@ -1,0 +1,34 @@
+//! Chapter 20: the ray of a panorama.
+
+use super::Explained;
+use super::way::Way;
+use raybook_workbook::exercises::ch01_rays::CameraRayAnswer;
+use raybook_workbook::exercises::ch20_panorama::PanoramaRay;
+use std::f64::consts::{PI, TAU};
+
+impl Explained for PanoramaRay {
+    fn work(&self, way: &mut Way) -> CameraRayAnswer {
+        let [forward, right, up] = [self.forward, self.right, self.up].map(|d| d.as_dvec3());
+        let film = self.film.as_dvec2();
+        let phi = way.number(
+            "φ = 2π (film.x − ½), around up",
+            "rad",
+            TAU * (film.x - 0.5),
+        );
+        let theta = way.number("θ = π film.y, down from up", "rad", PI * film.y);
+        let level = way.vector(
+            "level = cos φ · forward + sin φ · right",
+            "",
+            phi.cos() * forward + phi.sin() * right,
+        );
+        let direction = way.vector(
+            "direction = sin θ · level + cos θ · up",
+            "",
+            theta.sin() * level + theta.cos() * up,
+        );
+        CameraRayAnswer {
+            origin: self.position,
+            direction: direction.as_vec3(),
+        }
+    }
+}

@@ -20,7 +20,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     )?;
     let path = Path {
         depth: 3,
-        sure: 3,
+        roulette_after: 3,
         strategy: Strategy::Surface,
     };
     for frame in 0..FRAMES {

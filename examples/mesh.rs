@@ -24,7 +24,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let camera = Pinhole::look_at(eye, middle, Vec3::Y, 0.035, film.aspect())?;
     let path = Path {
         depth: 4,
-        sure: 3,
+        roulette_after: 3,
         strategy: Strategy::Surface,
     };
     let picture = film.render(&camera, &Sampler::Even, &path, &scene);

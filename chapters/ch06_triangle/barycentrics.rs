@@ -10,7 +10,7 @@ use raybook::image::{rgb::Rgb, tone};
 
 /// The corners, in pixels of the canvas.
 const CORNERS: [Vec2; 3] = [vec2(350.0, 1010.0), vec2(1610.0, 890.0), vec2(830.0, 130.0)];
-/// The lines are so far apart in b.
+/// The distance of two lines in b.
 const STEP: f32 = 0.25;
 
 /// The point p₀ + b₁·e₁ + b₂·e₂ of the canvas.

@@ -3,7 +3,7 @@
 use glam::{Mat3, Vec3, vec3};
 use raybook::shape::triangle::Triangle;
 
-/// A regular solid around a centre, turned about the vertical by so many radians; `vertices` are its directions.
+/// A regular solid around a centre, turned about the vertical by `turn` radians; `vertices` are its directions.
 fn solid(vertices: &[Vec3], radius: f32, center: Vec3, turn: f32) -> Vec<Triangle> {
     let place = |v: Vec3| center + radius * (Mat3::from_rotation_y(turn) * v.normalize());
     let from_first = vertices[1..].iter().map(|v| v.distance(vertices[0]));

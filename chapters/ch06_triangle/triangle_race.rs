@@ -29,7 +29,7 @@ pub const WAYS: [(&str, Way); 3] = [
     }),
 ];
 
-/// So many random triangles, and for each a ray that hits it with a probability of ½.
+/// `count` random triangles, and for each a ray that hits it with a probability of ½.
 pub fn questions(count: usize, rng: &mut Pcg) -> Vec<Question> {
     let mut vector = || {
         let mut x = || 2.0 * rng.random::<f32>() - 1.0;

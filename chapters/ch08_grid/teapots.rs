@@ -18,7 +18,7 @@ pub(super) struct Teapots {
 /// From one turn of the spiral to the next, a teapot is turned by this: 1/φ² of a circle.
 const GOLDEN_ANGLE: f32 = 0.381_966 * TAU;
 
-/// So many teapots, each as fine as [`teapot::mesh`] of `fineness`, in the spirals of a sunflower: the k-th one is √k out
+/// `count` teapots, each as fine as [`teapot::mesh`] of `fineness`, in the spirals of a sunflower: the k-th one is √k out
 /// and a golden angle further than the one before, so that all have equally much room (Vogel 1979).
 pub(super) fn teapots(count: u32, fineness: usize) -> Teapots {
     let pot = teapot::mesh(fineness);

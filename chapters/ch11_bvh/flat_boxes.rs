@@ -11,7 +11,7 @@ use raybook::accel::bvh::build::Method;
 use raybook::inside::bvh::{COST, Cost, Flat, Node, build, sah_cost};
 use raybook::math::{aabb::Aabb, pcg};
 
-/// The boxes reach so far above and below the paper that only their outlines on it count: a ray in the paper meets a
+/// The boxes reach far enough above and below the paper that only their outlines on it count: a ray in the paper meets a
 /// rectangle in proportion to its perimeter.
 const HIGH: f32 = 1000.0;
 
@@ -71,7 +71,7 @@ impl Paper<'_, '_> {
         Ok(())
     }
 
-    /// The outline of a box, so many metres larger on each side.
+    /// The outline of a box, larger by `margin` metres on each side.
     ///
     /// # Errors
     /// As for [`Paper::triangle`].

@@ -72,7 +72,7 @@ fn highlight(exponent: f32) -> Phong {
     }
 }
 
-/// The direction so many degrees from the normal, +z, and so many around it, from +x.
+/// The direction at these angles, in degrees, from the normal, +z, and around it, from +x.
 fn direction(from_normal: f32, around: f32) -> Dir3 {
     let ((s, c), (sin, cos)) = (
         from_normal.to_radians().sin_cos(),
@@ -81,7 +81,7 @@ fn direction(from_normal: f32, around: f32) -> Dir3 {
     Dir3::new_or(vec3(s * cos, s * sin, c), Dir3::Z)
 }
 
-/// Light that comes from the left, so many degrees from the normal.
+/// Light that comes from the left, at this angle from the normal.
 fn light(degrees: f32) -> LightSample {
     LightSample {
         toward: direction(degrees, 180.0),

@@ -86,7 +86,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     stage.figure("depth", caption, &sheet(3, &tiles)?)
 }
 
-/// So many surfaces are followed in a row; no shadows.
+/// Whitted's integrator that follows `depth` surfaces in a row; no shadows.
 fn whitted(depth: u32) -> Whitted {
     let local = Local {
         samples: 1,

@@ -15,7 +15,7 @@ use raybook::math::dir3::Dir3;
 const AIR: f32 = 1.0;
 const GLASS: f32 = 1.5;
 
-/// Into glass, and out of it: so many degrees from the normal.
+/// Angles to the normal, in degrees: into glass, and out of it.
 const ANGLES: [[f32; 4]; 2] = [[0.0, 35.0, 60.0, 80.0], [0.0, 25.0, 40.0, 55.0]];
 
 /// A panel, its middle, and how long a beam is in it, in pixels of the canvas.

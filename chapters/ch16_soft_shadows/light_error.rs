@@ -19,7 +19,7 @@ use raybook::math::ray::Ray;
 use raybook::shape::Shape;
 use raybook::shape::sphere::Sphere;
 
-/// So often is each error measured.
+/// How often each error is measured.
 const REPEATS: u32 = 300;
 
 /// The numbers of samples, as powers of 2.
@@ -81,7 +81,7 @@ impl Setting {
         sum / f64::from(n * n)
     }
 
-    /// The root of the mean square error of so many samples, relative to the exact value.
+    /// The root of the mean square error of an estimate by `samples` samples, relative to the exact value.
     pub fn error(&self, choose: Choose, samples: u32, exact: f64, rng: &mut Pcg) -> f64 {
         let mut estimate = || {
             let sum: f64 = (0..samples)

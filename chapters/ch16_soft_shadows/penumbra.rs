@@ -36,7 +36,7 @@ impl Shadow {
         })
     }
 
-    /// The fraction of the light that is seen from x on the floor, by so many samples.
+    /// The fraction of the light that is seen from x on the floor, estimated by random samples.
     pub fn seen_from(&self, x: f32, samples: u32) -> f32 {
         /// Half the length of light and board: so long that their ends hardly matter in the middle.
         const LONG: f32 = 50.0;

@@ -88,7 +88,7 @@ pub fn under(light: Box<dyn Light>) -> Scene {
     scene
 }
 
-/// A matte thing of so much reflectance.
+/// A matte thing of this reflectance.
 fn thing(shape: impl Shape + 'static, reflectance: Rgb) -> Thing {
     let matte = Phong {
         ambient: reflectance,

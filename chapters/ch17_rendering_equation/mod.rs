@@ -22,7 +22,7 @@ use strategies::View;
 /// Over as many surfaces as there are.
 const ALL: Path = Path {
     depth: u32::MAX,
-    sure: 3,
+    roulette_after: 3,
     strategy: Strategy::Both,
 };
 

@@ -61,7 +61,7 @@ fn measure(view: &View, film: &Film, depth: u32) -> Vec<Vec<Measured>> {
     let curve = |strategy| {
         let path = Path {
             depth,
-            sure: 3,
+            roulette_after: 3,
             strategy,
         };
         let start = Instant::now();

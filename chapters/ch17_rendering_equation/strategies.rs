@@ -117,7 +117,7 @@ pub(super) fn figure(film: &Film) -> Result<Image, Box<dyn Error>> {
     for (strategy, name) in STRATEGIES {
         let path = Path {
             depth: 1,
-            sure: 1,
+            roulette_after: 1,
             strategy,
         };
         let (picture, of_half) = view.scatter(&half, path);

@@ -41,7 +41,7 @@ pub(super) fn draw(film: &Film, sky: Box<dyn Light>, alpha: f32) -> Result<Image
     let camera = Pinhole::look_at(eye, Vec3::ZERO, Vec3::Y, 0.050, film.aspect())?;
     let path = Path {
         depth: 3,
-        sure: 3,
+        roulette_after: 3,
         strategy: Strategy::Both,
     };
     Ok(film.render(&camera, &Sampler::Even, &path, &scene))

@@ -109,7 +109,7 @@ fn picture(film: &Film, light: Box<dyn Light>) -> Result<Image, LookAtError> {
     let camera = Pinhole::look_at(EYE, AT, Vec3::Y, 0.05, aspect)?;
     let path = Path {
         depth: 6,
-        sure: 3,
+        roulette_after: 3,
         strategy: Strategy::Both,
     };
     Ok(film.render(&camera, &Sampler::Even, &path, &scene))

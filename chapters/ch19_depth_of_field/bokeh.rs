@@ -15,10 +15,10 @@ use std::error::Error;
 /// Where the lamps hang.
 const AT: Vec3 = vec3(0.1, 0.62, -4.0);
 
-/// The sky costs little, and can have so many times more samples than a scene.
+/// The sky costs little, and can have this many times the samples of a scene.
 const SAMPLES: usize = 3;
 
-/// So many times as bright as at the table: this lens spreads their light over larger discs.
+/// How many times as bright as at the table: this lens spreads their light over larger discs.
 const BRIGHTER: f32 = 1.8;
 
 /// The focal length, the f-number and the focus.

@@ -14,7 +14,7 @@ use std::error::Error;
 /// The ray of each place of a film; none where no light falls.
 pub(super) type Rays<'a> = &'a (dyn Fn(Vec2) -> Option<Ray> + Sync);
 
-/// A pin-hole camera that sees so many degrees across.
+/// A pin-hole camera of this horizontal field of view, in degrees.
 ///
 /// # Errors
 /// As [`Pinhole::look_at`].

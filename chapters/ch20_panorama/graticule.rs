@@ -13,7 +13,7 @@ pub(super) const STEP: f32 = 30.0;
 const LINE: f32 = 0.25;
 const DISC: f32 = 6.0;
 
-/// So many points a pixel, in each direction, are looked at.
+/// Points per pixel, in each direction, that are looked at.
 const POINTS: usize = 4;
 
 /// The picture with the lines and discs of the world (such discs stand for N. A. Tissot's indicatrix, 1859); `toward` tells which

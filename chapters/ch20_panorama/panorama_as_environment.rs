@@ -78,7 +78,7 @@ fn photograph(film: &Film, light: Environment) -> Result<Image, LookAtError> {
     let scene = still_life(Box::new(light));
     let path = Path {
         depth: 4,
-        sure: 2,
+        roulette_after: 2,
         strategy: Strategy::Both,
     };
     // Few paths find the sun by way of the metal: each of them would be a white dot.

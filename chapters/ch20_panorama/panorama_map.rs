@@ -142,7 +142,7 @@ fn fitted(panorama: &Image) -> Image {
     convert(panorama, &LatLong, &LatLong, MAP.0, MAP.1)
 }
 
-/// A figure of the map with so much space at its left and below it, on which more is drawn.
+/// A figure of the map with space at its left and below it, on which more is drawn.
 fn on_canvas(
     map: &Image,
     space: usize,

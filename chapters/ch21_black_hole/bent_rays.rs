@@ -18,7 +18,7 @@ const MIDDLE: DVec2 = DVec2::new(960.0, 560.0);
 /// Pixels of the canvas per radius of the hole.
 const SCALE: f64 = 96.0;
 
-/// From so far to the left the rays come.
+/// How far to the left the rays begin.
 const LEFT: f64 = -60.0;
 
 /// Between the impact parameters of neighbours, the first being half of it.

@@ -13,7 +13,7 @@ pub fn starry_sky(d: Dir3) -> Rgb {
     bright + faint + milky_way(d)
 }
 
-/// Stars in cubic cells, so many of which lie along the radius of the sphere of all directions, each with a share of the
+/// Stars in cubic cells, a number of which lie along the radius of the sphere of all directions, each with a share of the
 /// cells' width as its radius.
 ///
 /// A star is a ball at a random place in its cell; it is seen where the sphere cuts it, so most are not seen at all and few are

@@ -18,7 +18,7 @@ use raybook::shape::plane::Plane;
 use raybook::shape::{Hit, Shape, Surface, teapot};
 use std::f32::consts::TAU;
 
-/// A teapot, and so many pieces of paper on and around it.
+/// A teapot, and pieces of paper on and around it.
 pub(super) struct Confetti {
     /// All of it, in metres; the floor is at y = 0.
     pub mesh: Mesh,

@@ -12,7 +12,7 @@ use raybook::shape::mesh::{Facet, Mesh};
 use std::hint::black_box;
 use std::time::Instant;
 
-/// All take turns at so many rays, so often; the best turn counts: whatever else the machine does only adds.
+/// Number of rays in a turn, and of turns; the best turn counts: whatever else the machine does only adds.
 const TURN: usize = 5000;
 const ROUNDS: usize = 5;
 

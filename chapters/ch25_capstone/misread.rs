@@ -49,7 +49,7 @@ const MISREAD: [Misread; 4] = [
     },
 ];
 
-/// Takes a picture of a scene with so many surfaces in a row, as the scene of this stage is seen.
+/// Takes a picture of a scene with a maximum number of surfaces in a row, as the scene of this stage is seen.
 pub(super) type Photograph<'a> =
     dyn Fn(&Staged, &Description, u32) -> Result<Image, LookAtError> + 'a;
 

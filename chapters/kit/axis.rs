@@ -70,7 +70,7 @@ impl Axis {
         self
     }
 
-    /// With so many labels at most, where plotters finds round numbers.
+    /// With at most this number of labels, where plotters finds round numbers.
     #[must_use]
     pub fn labels(mut self, at_most: usize) -> Self {
         self.labels = at_most;

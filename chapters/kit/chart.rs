@@ -100,7 +100,7 @@ impl Chart {
         self
     }
 
-    /// With so many pixels to the left of the axes, so that charts one above the other are aligned.
+    /// With this number of pixels to the left of the axes, so that charts one above the other are aligned.
     #[must_use]
     pub fn left(mut self, pixels: u32) -> Self {
         self.left = Some(pixels);
@@ -194,7 +194,7 @@ impl Chart {
         self
     }
 
-    /// The chart as a figure of its own, of so many pixels.
+    /// The chart as a figure of its own, of this width and height in pixels.
     ///
     /// # Errors
     /// What plotters reports.

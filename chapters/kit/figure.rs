@@ -31,7 +31,7 @@ const FONT: &str = "sans-serif";
 /// How many pixels of the canvas make one of the figure, in each direction; their mean smooths the edges.
 pub const SCALE: u32 = 2;
 
-/// A figure of so many pixels, drawn on white.
+/// A figure of this width and height in pixels, drawn on white.
 ///
 /// The canvas is [`SCALE`] times as wide and high, and sizes of text and lines are in *its* pixels.
 ///
@@ -101,7 +101,7 @@ pub const RIGHT: Pos = Pos {
     v_pos: VPos::Center,
 };
 
-/// Text in ink, so many pixels of the canvas high. It is anchored at its top left, unless it is given a
+/// Text in ink, of this height in pixels of the canvas. It is anchored at its top left, unless it is given a
 /// [position](TextStyle::pos).
 pub fn text(size: impl Into<f64>) -> Style {
     coloured(size, INK)

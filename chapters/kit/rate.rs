@@ -17,7 +17,7 @@ pub struct Rate {
 }
 
 impl Rate {
-    /// A tile is done, on this thread, with so many rays. A thread's first one does not count: nobody knows when it was
+    /// A tile is done, on this thread, with this number of rays. A thread's first one does not count: nobody knows when it was
     /// begun.
     pub fn tile(&self, rays: u64) {
         let now = Instant::now();
@@ -28,7 +28,7 @@ impl Rate {
         }
     }
 
-    /// Rays per second of so many threads together, since last asked; `None` if there were none.
+    /// Rays per second of all threads together, since last asked; `None` if there were none.
     pub fn take(&self, threads: usize) -> Option<f64> {
         let rays = self.rays.swap(0, Relaxed) as f64;
         let seconds = 1e-9 * self.nanoseconds.swap(0, Relaxed) as f64;

@@ -10,7 +10,7 @@ pub type Sheet = Result<Image, Box<dyn Error>>;
 /// White space around each tile, in pixels.
 const GAP: usize = 12;
 
-/// Pictures of equal size in rows of so many, each under its caption, on white.
+/// Pictures of equal size in rows of `columns`, each under its caption, on white.
 ///
 /// # Errors
 /// If a caption cannot be drawn.

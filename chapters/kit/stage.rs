@@ -141,7 +141,7 @@ impl Stage {
         &self.folder
     }
 
-    /// As [`Stage::film`], for one of so many tiles side by side: a sheet of them is about as wide as a picture.
+    /// As [`Stage::film`], for one of several tiles side by side: a sheet of them is about as wide as a picture.
     pub fn tile(&self, columns: u32, aspect: f32) -> Film<'_> {
         let mut film = self.film(aspect);
         film.width = (film.width / columns as usize).max(1);

@@ -44,7 +44,7 @@ pub fn print(picture: &Image) -> io::Result<()> {
     out.flush()
 }
 
-/// The picture as lines of at most so many characters: each is an upper half block, whose foreground is the pixel above, and
+/// The picture as lines of at most `columns` characters: each is an upper half block, whose foreground is the pixel above, and
 /// whose background the one below.
 pub fn characters(picture: &Image, columns: usize) -> String {
     let width = picture.width().min(columns).max(1);

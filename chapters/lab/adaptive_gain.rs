@@ -27,7 +27,7 @@ pub fn rms(one: &Image, other: &Image) -> f64 {
 
 /// Error against rays: the same number for every pixel, by a budget, and by contrast.
 ///
-/// `see` is asked for every ray; the reference has so many samples a pixel.
+/// `see` is asked for every ray; the reference has `reference` samples a pixel.
 pub fn measure(
     film: &Film,
     pattern: &Pattern,

@@ -2,7 +2,7 @@
 
 use glam::{DVec2, Vec2};
 
-/// An edge's position is moved through the pixel in so many steps.
+/// Steps in which an edge is moved through the pixel.
 const STEPS: u32 = 256;
 
 /// The half plane of points p with n·p < d, where n points at an angle, in radians, and d counts from the pixel's centre.

@@ -113,7 +113,7 @@ fn anywhere(rng: &mut Pcg) -> DVec2 {
 }
 
 impl Class {
-    /// So many members of the class, by chance.
+    /// `count` members of the class, by chance.
     pub fn members(&self, count: usize, rng: &mut Pcg) -> Vec<Integrand> {
         (0..count).map(|_| (self.draw)(rng).into()).collect()
     }

@@ -16,7 +16,7 @@ const SAMPLE: i32 = 90;
 /// A line of the legend: a pen, a name, and numbers.
 pub type Entry = (Pen, String, Vec<String>);
 
-/// Draws a legend with its top left at a place; the right ends of the columns of numbers are so far to the right of it.
+/// Draws a legend with its top left at a place; `columns` are the distances of the right ends of the columns of numbers from it.
 ///
 /// # Errors
 /// What the backend reports.

@@ -21,7 +21,7 @@ const TITLE: i32 = 64;
 /// Finer cells than this along each side would only be grey.
 const FINEST: usize = 64;
 
-/// Patterns with so many points each.
+/// Patterns with n points each.
 #[derive(Debug)]
 pub struct PointSets<'a> {
     /// The patterns.

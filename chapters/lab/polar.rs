@@ -70,7 +70,7 @@ impl Curve {
 }
 
 impl Polar {
-    /// Measures the patterns, random ones by so many realisations.
+    /// Measures the patterns, random ones by this number of realisations.
     pub fn measure(subjects: &[Subject], n: usize, realisations: u64) -> Self {
         let curve = |(subject, pen): (&Subject, Pen)| {
             let count = subject.realisations(n, realisations);

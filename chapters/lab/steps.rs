@@ -10,7 +10,7 @@ pub struct Steps {
 }
 
 impl Steps {
-    /// So many steps, none done.
+    /// A number of steps, none done.
     pub fn new(steps: u64) -> Self {
         let style = ProgressStyle::with_template("{bar:32} {percent:>3} %  {elapsed}  {msg}")
             .unwrap_or_else(|_| ProgressStyle::default_bar());

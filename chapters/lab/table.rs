@@ -90,7 +90,7 @@ pub struct Row {
 }
 
 impl Row {
-    /// Measures n points of a pattern, whose spectrum is known; its pixels by so many samples each, at some edges.
+    /// Measures n points of a pattern, whose spectrum is known; its pixels by a number of samples each, at some edges.
     pub fn measure(
         subject: &Subject,
         n: usize,

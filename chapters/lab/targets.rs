@@ -4,7 +4,7 @@ use glam::{Vec2, vec2};
 use raybook::image::rgb::Rgb;
 use std::f32::consts::PI;
 
-/// What is seen at a place on the film, in [0, 1]² from the top left, of so many pixels along each side.
+/// What is seen at a place on the film, in [0, 1]² from the top left, with `pixels` pixels along each side.
 pub type Target = fn(place: Vec2, pixels: f32) -> Rgb;
 
 /// All targets, by name.

@@ -86,7 +86,7 @@ fn pixel(p: Vec3) -> (i32, i32) {
 }
 
 impl Plane<'_, '_> {
-    /// A cell, filled if a colour is given, with an outline so many pixels wide.
+    /// A cell, filled if a colour is given, with an outline of this width in pixels.
     ///
     /// # Errors
     /// If plotters cannot draw; likewise below.

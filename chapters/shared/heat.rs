@@ -79,7 +79,7 @@ impl Heat {
     }
 }
 
-/// Maps in rows of so many, each under its label, and the scale below.
+/// Maps in rows of `columns`, each under its label, and the scale below.
 ///
 /// # Errors
 /// If the labels cannot be drawn.

@@ -8,7 +8,7 @@ use raybook::shape::sphere::Sphere;
 /// The colour of much air: the sky at the horizon.
 const AIR: Rgb = Rgb::new(0.86, 0.87, 0.88);
 
-/// After so many metres of air, 1/e of a colour is left.
+/// Metres of air after which 1/e of a colour is left.
 const RANGE: f32 = 60.0;
 
 /// The sky in a direction: air at the horizon and below, blue above.

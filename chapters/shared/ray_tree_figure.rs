@@ -21,7 +21,7 @@ const TREE: u32 = 420;
 /// What is left free at the right of the tree, for the name of the last line, in pixels of the canvas.
 const MARGIN: f32 = 120.0;
 
-/// A ray that goes on for ever, and the one from the camera, are drawn for so many metres.
+/// A ray that goes on for ever, and the one from the camera, are drawn for this length, in metres.
 const SHOWN: f32 = 1.6;
 
 /// Draws the rays on a photograph that `viewer` took of their scene, and beside it the tree.

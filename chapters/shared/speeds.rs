@@ -15,10 +15,10 @@ use std::time::Instant;
 /// A structure's name, and its search: whether the ray hits anything.
 pub type Searcher<'a> = (&'a str, &'a dyn Fn(&Ray) -> bool);
 
-/// So many rounds are run, in each of which everybody has a turn; the best counts.
+/// Rounds, in each of which everybody has a turn; the best counts.
 const ROUNDS: usize = 4;
 
-/// One turn ends after so many seconds: slow structures do not get through all rays.
+/// Length of a turn in seconds: slow structures do not get through all rays.
 const TURN: f64 = 0.015;
 
 /// A ray through the middle of each pixel of the film, row by row.

@@ -37,11 +37,11 @@ pub enum Said {
     Ended(String),
     /// No answer came in this time.
     TimedOut(Duration),
-    /// So many bytes were printed without an answer.
+    /// This number of bytes was printed without an answer.
     Flooded(usize),
-    /// So many answers were given to the one question.
+    /// This number of answers was given to the one question.
     TooMany(usize),
-    /// It was not asked: there was no answer to so many questions before it.
+    /// It was not asked: there was no answer to this number of questions before it.
     NotAsked(usize),
     /// It was not asked or not waited for: a total limit is used up.
     Over(Over),
@@ -81,7 +81,7 @@ impl Said {
     }
 }
 
-/// After so many questions in a row without an answer the rest is not asked: seconds instead of minutes, for a program that
+/// After this number of questions in a row without an answer the rest is not asked: seconds instead of minutes, for a program that
 /// does not know the exercise, or hangs.
 const SILENT: usize = 5;
 

@@ -50,7 +50,7 @@ pub fn start(command: &mut Command, sandbox: Option<&Sandbox>) -> io::Result<Hel
 }
 
 impl Held {
-    /// Ends the process and all that it started. If it closed its output by itself, it has so long to end by itself.
+    /// Ends the process and all that it started. If it closed its output by itself, it has the time `limit` to end by itself.
     pub fn end(mut self, by_itself: bool, limit: Duration) -> Option<ExitStatus> {
         let status = if by_itself {
             wait(&mut self.child, limit)
@@ -68,7 +68,7 @@ impl Held {
     }
 }
 
-/// Waits for a process to end, at most so long.
+/// Waits for a process to end, at most the time `limit`.
 fn wait(child: &mut Child, limit: Duration) -> Option<ExitStatus> {
     let deadline = Instant::now() + limit;
     loop {

@@ -96,7 +96,7 @@ pub(crate) enum End {
     Exited(Option<ExitStatus>),
     /// Stopped, because no answer came in this time.
     TimedOut(Duration),
-    /// Stopped, because it printed so many bytes without an answer.
+    /// Stopped, because it printed this number of bytes without an answer.
     Flooded(usize),
     /// Stopped, because it gave more answers than it was asked questions.
     TooMany,

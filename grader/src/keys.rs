@@ -41,7 +41,7 @@ mod terminal {
         isatty(stdin()) && tcgetpgrp(stdin()).is_ok_and(|group| group == getpgrp())
     }
 
-    /// Waits so long for a key. Ctrl-Z suspends the command, with the terminal as it was before.
+    /// Waits for a key, at most this time. Ctrl-Z suspends the command, with the terminal as it was before.
     pub fn wait(time: Duration) -> Pressed {
         let Some(changed) = are_there().then(Changed::new).flatten() else {
             sleep(time);
@@ -119,7 +119,7 @@ mod terminal {
         false
     }
 
-    /// Waits so long.
+    /// Waits for this time.
     pub fn wait(time: Duration) -> Pressed {
         sleep(time);
         Pressed::Nothing

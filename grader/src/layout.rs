@@ -241,7 +241,7 @@ impl Layout {
         self.leaves.iter().filter(move |leaf| leaf.part == part)
     }
 
-    /// The row with other elements in every list of this number: `which` says which of so many, in which order.
+    /// The row with other elements in every list of this number: `which` is given their number, and says which of them, in which order.
     pub fn rearranged(
         &self,
         numbers: &[f64],

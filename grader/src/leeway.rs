@@ -10,7 +10,7 @@ use raybook_workbook::kind::Kind;
 pub enum Leeway {
     /// By nothing that matters: less than one part in a thousand million.
     Exact,
-    /// By so much.
+    /// By this number.
     Within(f64),
     /// By anything.
     Free,
@@ -19,10 +19,10 @@ pub enum Leeway {
 /// The elements of a list longer than this are moved all alike: an answer of many samples is compared as a whole.
 pub const LONG: usize = 32;
 
-/// So many values of a part are tried in one answer.
+/// How many values of a part are tried in one answer.
 const TRIED: usize = 3;
 
-/// So often the error is doubled, from 10⁻⁹ of the number.
+/// How often the error is doubled, from 10⁻⁹ of the number.
 const DOUBLINGS: i32 = 60;
 
 /// How far each tried value of part number `part` of the right answer to a question may be off.

@@ -90,7 +90,7 @@ pub trait Graded: Exercise + Clone + Sync + 'static {
     /// The pictures that the answers make, where the exercise is one of pixels.
     const PICTURES: &'static [Picture<Self>] = &[];
 
-    /// A question whose answer turns wrong when its numbers move by so many of their last digits is nobody's fault: more
+    /// A question whose answer turns wrong when its numbers move by this number of their last digits is nobody's fault: more
     /// where an answer is the end of a long way.
     const ULPS: i32 = 8;
 

@@ -6,7 +6,7 @@ use crate::layout::{Layout, Part, layout, lists, parts};
 use crate::leeway::{LONG, Leeway, leeways};
 use raybook_workbook::kind::Kind;
 
-/// In so many cases it is measured how far an answer may be off.
+/// In how many cases it is measured how far an answer may be off.
 const MEASURED: usize = 16;
 
 /// A row of a case.

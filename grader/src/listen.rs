@@ -20,10 +20,10 @@ pub(crate) enum Event {
 /// A line longer than this is cut, and no answer. The longest answers that are asked for are 4096 points, 100 kB.
 const LONGEST_LINE: usize = 1 << 18;
 
-/// So much is read at a time: what a pipe holds.
+/// How many bytes are read at a time: what a pipe holds.
 const BLOCK: usize = 1 << 16;
 
-/// So many blocks wait at the most until they are heard.
+/// How many blocks wait at the most until they are heard.
 const WAITING: usize = 16;
 
 /// The events of two outputs, all of a block at once. On Unix, what is written to standard error before an answer comes before it.

@@ -101,7 +101,7 @@ impl Way {
         }
     }
 
-    /// Where the ray is inside a box that is grown by so much on each side.
+    /// Where the ray is inside a box that is `grown` larger on each side.
     fn inside(&self, bounds: &Aabb, grown: f64) -> Option<(f64, f64)> {
         let (mut enters, mut leaves) = self.within;
         for axis in 0..3 {

@@ -18,7 +18,7 @@ pub enum Pixels {
     All,
 }
 
-/// Of so many pixels in reading order one is asked, where no picture is wanted: 144 of each scene of `trace`. With 5 % of a
+/// One pixel of this number in reading order is asked, where no picture is wanted: 144 of each scene of `trace`. With 5 % of a
 /// picture's rays wrong, all of 144 are right once in 1600 times.
 const STRETCH: usize = 24;
 

@@ -16,9 +16,9 @@ const UNDECIDED: f32 = 0.05;
 pub struct Score {
     /// How many of its rays are right.
     pub right: usize,
-    /// Of so many that count.
+    /// How many count.
     pub of: usize,
-    /// So many others are not right, but hang on a last digit: they count for nothing.
+    /// How many others are not right, but hang on a last digit: they count for nothing.
     pub undecided: usize,
     /// The root of the mean squared difference from the right picture, over the pixels that count, as a display shows them.
     pub error: f32,

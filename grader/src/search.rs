@@ -48,9 +48,9 @@ pub enum Order {
 pub struct How {
     /// Asks the children's boxes whether they are met.
     pub asks: bool,
-    /// So many of a branch's children are looked at.
+    /// How many of a branch's children are looked at.
     pub looks_at: usize,
-    /// So many of those that are met are opened.
+    /// How many of those that are met are opened.
     pub opens: usize,
     /// Which of them comes first.
     pub order: Order,

@@ -5,7 +5,7 @@ use rand::RngExt;
 use raybook::math::pcg::{self, Pcg};
 use std::cell::LazyCell;
 
-/// A fair question keeps its answer in so many tries of moving each of its numbers by at most [`crate::Graded::ULPS`] of its
+/// A fair question keeps its answer in this number of tries of moving each of its numbers by at most [`crate::Graded::ULPS`] of its
 /// last digits.
 const JIGGLES: usize = 8;
 

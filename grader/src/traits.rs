@@ -3,7 +3,7 @@
 
 use glam::{DVec2, DVec3, Vec2, Vec3};
 
-/// So many equal parts of a range are counted.
+/// How many equal parts of a range are counted.
 const BINS: usize = 8;
 
 /// Which share of the numbers is in each of eight equal parts of [from, to), and which is outside.

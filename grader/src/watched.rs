@@ -8,7 +8,7 @@ use std::time::SystemTime;
 /// Folders that are made, not written.
 const MADE: [&str; 4] = ["target", "build", "out", "__pycache__"];
 
-/// Files are looked for so many folders deep.
+/// How many folders deep files are looked for.
 const DEEP: usize = 8;
 
 /// The files of a folder by their paths in it, each with its time and its length.

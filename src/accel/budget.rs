@@ -17,7 +17,7 @@ pub(crate) struct Budget {
 }
 
 impl Budget {
-    /// For so many shapes: at most 400 bytes each, or 96 where they are many, which leaves room for lists that grow while
+    /// For N shapes: at most 400 bytes each, or 96 where they are many, which leaves room for lists that grow while
     /// they are sorted in; and O(N) of time.
     pub(super) fn of(shapes: usize) -> Self {
         Self {
@@ -50,7 +50,7 @@ impl Budget {
         })
     }
 
-    /// Takes so many entries; false if they are too many.
+    /// Takes this number of entries; false if they are too many.
     pub(super) fn take(&mut self, entries: usize) -> bool {
         take(&mut self.entries, entries)
     }

@@ -17,7 +17,7 @@ pub struct Lattice {
 }
 
 impl Lattice {
-    /// A box cut into so many cells along each axis, at least 1.
+    /// A box cut into `resolution` cells along each axis, at least 1.
     pub fn new(bounds: &Aabb, resolution: UVec3) -> Self {
         let resolution = resolution.max(UVec3::ONE);
         Self {

@@ -88,7 +88,7 @@ pub struct ViewError {
 }
 
 impl Fisheye {
-    /// A fisheye that sees a cone of so many degrees from rim to rim; `aspect` is the film's width over its height.
+    /// A fisheye that sees a cone of this angle, in degrees, from rim to rim; `aspect` is the film's width over its height.
     ///
     /// # Errors
     /// If the projection cannot show that view.

@@ -7,7 +7,7 @@ use glam::{Vec2, Vec3};
 /// The height of the image plane, in metres: that of the 35 mm film of photographers, whose focal lengths then apply.
 pub const PLANE_HEIGHT: f32 = 0.024;
 
-/// The focal length, in metres, of a picture that shows so many degrees from bottom to top: h/(2 tan(v/2)).
+/// The focal length, in metres, of a picture whose vertical field of view is v: h/(2 tan(v/2)).
 pub fn focal_length(vertical_degrees: f32) -> f32 {
     0.5 * PLANE_HEIGHT / (0.5 * vertical_degrees).to_radians().tan()
 }

@@ -89,7 +89,7 @@ impl Image {
         }
     }
 
-    /// The picture with each pixel as a square of so many pixels: for looking at single pixels.
+    /// The picture with each pixel as a square, `times` pixels wide: for looking at single pixels.
     #[must_use]
     pub fn enlarged(&self, times: usize) -> Self {
         Self::from_fn(self.width * times, self.height * times, |x, y| {

@@ -4,7 +4,7 @@ use crate::image::{Image, rgb::Rgb};
 use std::sync::LazyLock;
 
 // ANCHOR: expose
-/// The radiance after an exposure of so many stops: L·2^stops. One stop more is twice the light.
+/// The radiance after an exposure: L·2^stops. One stop more is twice the light.
 pub fn expose(radiance: Rgb, stops: f32) -> Rgb {
     radiance * stops.exp2()
 }

@@ -10,7 +10,7 @@ use crate::shape::Surface;
 /// What is on one side of a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Medium {
-    /// n: so many times slower than in a vacuum is light.
+    /// Index of refraction n: the speed of light in a vacuum over that in the material.
     pub index: f32,
     /// σ, in 1/m: of light of each colour, the share σ·dx gets lost on a way dx.
     pub absorption: Rgb,

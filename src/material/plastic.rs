@@ -48,7 +48,7 @@ impl Plastic {
 
 /// R̄ = 2 ∫ R cos θ d(cos θ): of light that comes from below the coat, equally bright from everywhere; 0.596 for n = 1.5.
 fn mirrored_back(index: f32) -> f32 {
-    /// So many that the sum is right to 1e-5.
+    /// With this number of steps the sum is right to 1e-5.
     const STEPS: u16 = 2000;
     let middle = |i: u16| (f32::from(i) + 0.5) / f32::from(STEPS);
     let part = |cosine: f32| f64::from(2.0 * cosine * fresnel(cosine, index, 1.0).unpolarised);

@@ -51,7 +51,7 @@ impl Aabb {
         }
     }
 
-    /// The box that reaches so much further on each side.
+    /// The box that reaches `margin` further on each side.
     #[must_use]
     pub fn grown(&self, margin: f32) -> Self {
         Self {

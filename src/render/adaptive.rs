@@ -30,9 +30,9 @@ impl Adaptive {
 /// As few samples as a pixel gets, and as many.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
-    /// So many at first; at least 2, for one says nothing of its neighbours.
+    /// Minimum number of samples per pixel, taken first; at least 2, for one says nothing of its neighbours.
     pub first: usize,
-    /// So many at most.
+    /// Maximum number of samples per pixel.
     pub most: usize,
 }
 
@@ -75,7 +75,7 @@ pub fn adaptive<S: Into<Followed>>(
 // ANCHOR_END: adaptive
 
 // ANCHOR: by_budget
-/// So many samples a pixel in the mean, shared out by how much the first few of each pixel differ.
+/// The film's samples per pixel on average, shared out by how much the first few of each pixel differ.
 ///
 /// A pixel counts as much as the most restless of its neighbours: an edge may have slipped through between its own few.
 pub fn by_budget<S: Into<Followed>>(

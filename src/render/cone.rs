@@ -40,7 +40,7 @@ impl Cone {
         }
     }
 
-    /// The cone so many metres on.
+    /// The cone after t more metres.
     #[must_use]
     pub fn after(self, t: f32) -> Self {
         Self {

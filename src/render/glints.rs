@@ -7,7 +7,7 @@ use crate::math::{pcg, ray::Ray};
 use crate::render::film::{Film, place_in_pixel};
 use std::f32::consts::FRAC_PI_4;
 
-/// So many rays for each pixel that a light's disc covers: then their even spread shows no grain.
+/// Rays for each pixel that a light's disc covers: with this number their even spread shows no grain.
 const PER_PIXEL: f32 = 40.0;
 
 /// The fewest rays for a light, and the most.

@@ -18,7 +18,7 @@ pub const ALWAYS: Option<Arrives> = None;
 /// How light from the lights is gathered.
 #[derive(Clone, Copy, Debug)]
 pub struct Local {
-    /// So many samples are taken of every light.
+    /// Samples of every light.
     pub samples: u32,
     /// Whether a sample arrives, by following a ray to the light; [`ALWAYS`] if there is no need to.
     pub arrives: Option<Arrives>,

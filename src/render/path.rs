@@ -11,10 +11,10 @@ use rand::{Rng, RngExt};
 /// Follows light from surface to surface (Kajiya, "The rendering equation", 1986).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Path {
-    /// Light is followed over at most so many surfaces: 1 is light straight from the lights, [`u32::MAX`] is all there is.
+    /// Maximum number of bounces over which light is followed: 1 is light straight from the lights, [`u32::MAX`] is all there is.
     pub depth: u32,
-    /// Over so many surfaces it is followed in any case; from then on Russian roulette may end the path.
-    pub sure: u32,
+    /// Number of bounces after which Russian roulette may end the path.
+    pub roulette_after: u32,
     /// How directions are chosen in which light may come straight from a light.
     pub strategy: Strategy,
 }
@@ -26,7 +26,7 @@ impl Path {
     /// All the light there is, the directions chosen in both ways; from the fourth surface on, Russian roulette.
     pub const WHOLE: Self = Self {
         depth: u32::MAX,
-        sure: 3,
+        roulette_after: 3,
         strategy: Strategy::Both,
     };
 
@@ -73,7 +73,7 @@ impl Path {
                 return sum;
             };
             weight = weight * next.weight;
-            if surfaces > self.sure {
+            if surfaces > self.roulette_after {
                 let Some(survivor) = roulette(weight, rng) else {
                     return sum;
                 };

@@ -31,7 +31,7 @@ pub enum Sampler<'a> {
     Refined,
     /// All samples, at places of the pixel that a pattern chooses; all else is left to chance ([`supersample`]).
     Pattern(&'a Pattern),
-    /// So many that they are enough ([`adaptive`]).
+    /// Samples until they are enough, within limits ([`adaptive`]).
     Adaptive(Limits, Enough),
     /// All samples of the film on average, shared out by what the first few of each pixel say ([`by_budget`]).
     Budget {

@@ -9,7 +9,7 @@ use glam::vec2;
 use rand::RngExt;
 
 // ANCHOR: visible_fraction
-/// An estimate of how much of a light is seen from a surface: the share of so many random samples that arrive.
+/// An estimate of how much of a light is seen from a surface: the share of n random samples that arrive.
 ///
 /// 0 in the umbra, 1 in full light, and in between in the penumbra. Of n samples, each arrives with the probability f that
 /// is asked for, so the estimate is off by √(f(1 − f)/n), in the root of the mean square.

@@ -12,7 +12,7 @@ use rand::Rng;
 pub struct Whitted {
     /// How light from the lights is gathered at each surface.
     pub local: Local,
-    /// So many surfaces are followed in a row; what the last one would show of others is black.
+    /// Maximum number of surfaces in a row that are followed; what the last one would show of others is black.
     pub depth: u32,
 }
 
@@ -22,7 +22,7 @@ const LEAST: f32 = 1.0 / 512.0;
 
 /// A ray of the tree, and those that follow from it.
 struct Twig {
-    /// So many surfaces are still followed in a row.
+    /// Number of surfaces that are still followed in a row.
     left: u32,
     /// The share of the picture's light that it counts for.
     share: f32,

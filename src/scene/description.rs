@@ -74,7 +74,7 @@ pub enum Matter {
 /// A medium that absorbs nothing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Clear {
-    /// n: so many times slower than in a vacuum is light.
+    /// Index of refraction n: the speed of light in a vacuum over that in the material.
     pub index: f32,
 }
 

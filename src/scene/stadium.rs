@@ -179,7 +179,7 @@ impl Builder {
         }
     }
 
-    /// A line of points (s, y), swept around the field in so many columns.
+    /// A line of points (s, y), swept around the field in this number of columns.
     fn sweep(&mut self, line: &[(f32, f32)], columns: u32) {
         let first = self.positions.len() as u32;
         for column in 0..columns {

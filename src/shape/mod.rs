@@ -157,7 +157,7 @@ impl Surface {
     // ANCHOR_END: leave_smooth
 }
 
-/// The bound on rounding errors that a shape states as [`Surface::error`]: so many times the largest number
+/// The bound on rounding errors that a shape states as [`Surface::error`], in units of the largest number
 /// that went into the position.
 ///
 /// An `f32` operation is right to 2⁻²⁴ = 6.0e-8 of its result. The shapes here need fewer than ten in a row for a

@@ -26,13 +26,13 @@ const STUFF: Stuff = Stuff {
     absorption: 1.0,
 };
 
-/// So many rays are followed, each with all that it asks.
+/// Number of rays that are followed, each with all that it asks.
 const RAYS: u32 = 3000;
 
 /// What a ray sees.
 type Integrator = Box<dyn Fn(&Ray, &mut Pcg) -> Rgb>;
 
-/// Whitted's ray tracing of a scene, with so many samples of each light.
+/// Whitted's ray tracing of a scene, with a number of samples of each light.
 fn whitted(scene: Scene, depth: u32, (samples, arrives): (u32, Option<Arrives>)) -> Integrator {
     let local = Local { samples, arrives };
     let whitted = Whitted { local, depth };
@@ -43,7 +43,7 @@ fn whitted(scene: Scene, depth: u32, (samples, arrives): (u32, Option<Arrives>))
 fn path(scene: Scene, strategy: Strategy) -> Integrator {
     let path = Path {
         depth: 8,
-        sure: 3,
+        roulette_after: 3,
         strategy,
     };
     Box::new(move |ray, rng| path.radiance(&scene, ray, rng))

@@ -12,7 +12,7 @@ use raybook_workbook::row::Numbers;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
-/// So many words of an answer are altered, others in the next case.
+/// How many words of an answer are altered, others in the next case.
 const WORDS: usize = 12;
 
 /// What is made of a word; `None` where it is not a number.

@@ -43,7 +43,7 @@ use rayon::prelude::*;
 use std::sync::LazyLock;
 use student::{Alternative, STYLES, line};
 
-/// So many students' hidden cases are tried.
+/// Number of students whose hidden cases are tried.
 const KEYS: usize = 20;
 
 /// Whether an exercise is a hit function, of which at least two alternatives are asked.

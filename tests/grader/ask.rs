@@ -16,7 +16,7 @@ const LIMITS: Limits = Limits {
     ..Limits::of(Duration::from_secs(1)) // more than a shell takes to start on a busy machine
 };
 
-/// What a script says and prints to so many questions "1", "2", …
+/// What a script says and prints to the questions "1", "2", …
 fn replies(script: &str, questions: usize) -> Vec<Reply> {
     let program = Program {
         file: "/bin/sh".into(),

@@ -8,7 +8,7 @@ use raybook_workbook::curriculum;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 
-/// So many students' hidden cases are tried.
+/// Number of students whose hidden cases are tried.
 const KEYS: usize = 20;
 
 #[test]

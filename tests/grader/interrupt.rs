@@ -47,7 +47,7 @@ fn nothing_is_left_when_the_grader_is_interrupted() {
     }
 }
 
-/// Whether so many processes sleep for so many seconds, within ten seconds from now.
+/// Whether `count` processes sleep for this number of seconds, within ten seconds from now.
 fn becomes(count: usize, seconds: &str) -> bool {
     let deadline = Instant::now() + Duration::from_secs(10);
     while Instant::now() < deadline {

@@ -22,7 +22,7 @@ use raybook::shape::{Shape, Surface};
 /// Paths without end, by the best strategy.
 const ALL: Path = Path {
     depth: u32::MAX,
-    sure: 3,
+    roulette_after: 3,
     strategy: Strategy::Both,
 };
 

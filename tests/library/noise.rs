@@ -19,14 +19,14 @@ use std::sync::LazyLock;
 const SIZE: usize = 40;
 /// Samples per pixel of a batch: 16 batches are 512.
 const SAMPLES: usize = 32;
-/// So many batches are drawn; all comparisons choose 16 and 16 others of them.
+/// Number of batches that are drawn; all comparisons choose 16 and 16 others of them.
 const POOL: usize = 40;
-/// So many right pictures are compared.
+/// Number of right pictures that are compared.
 const RUNS: u64 = 200;
 
 const ALL: Path = Path {
     depth: 12,
-    sure: 3,
+    roulette_after: 3,
     strategy: Strategy::Both,
 };
 
@@ -81,7 +81,7 @@ fn the_same_light_by_another_strategy_raises_no_alarm() {
     let [reference, _] = split(0);
     let path = Path {
         strategy: Strategy::Light,
-        sure: 1,
+        roulette_after: 1,
         ..ALL
     };
     let others: Vec<_> = (1000..1016).map(|seed| render(path, seed)).collect();

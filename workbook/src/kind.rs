@@ -13,7 +13,7 @@ pub enum Kind {
     Direction,
     /// A value, or the word `none`.
     Optional(&'static Kind),
-    /// A length, and so many values.
+    /// A length, and as many values.
     List(&'static Kind),
     /// Fields, one after the other.
     Record(&'static Record),

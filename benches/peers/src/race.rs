@@ -8,7 +8,7 @@ use rustix::time::{ClockId, clock_gettime};
 /// nor the filling of the caches costs much.
 const TURN: usize = 8192;
 
-/// One that is so many times slower than Embree only runs a part of the turns, evenly chosen.
+/// One that is slower than Embree by more than this factor only runs a part of the turns, evenly chosen.
 const PATIENCE: f64 = 8.0;
 
 /// What came of one racer, set and query.
@@ -28,7 +28,7 @@ pub(crate) struct Lap {
     pub agree: f64,
 }
 
-/// Lets all run over the set, so many rounds; the first of the racers is Embree, and in each of its laps the ratio is 1.
+/// Lets all run over the set for a number of rounds; the first of the racers is Embree, and in each of its laps the ratio is 1.
 ///
 /// `scale` is a length of the scene: distances agree within 10⁻⁵ of it and of themselves.
 pub(crate) fn race(set: &Set, racers: &[Box<dyn Racer>], rounds: usize, scale: f32) -> Vec<Lap> {
@@ -85,7 +85,7 @@ pub(crate) fn race(set: &Set, racers: &[Box<dyn Racer>], rounds: usize, scale: f
 struct Runner {
     racer: usize,
     query: Query,
-    /// It runs every so many turns.
+    /// It runs in one turn of this number.
     every: usize,
     /// Seconds of processor time: of each turn, of each round.
     times: Vec<Vec<f64>>,

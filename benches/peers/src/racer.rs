@@ -79,10 +79,10 @@ impl Query {
     }
 }
 
-/// Builds over a mesh, with so many threads; or says why not.
+/// Builds over a mesh, with a number of threads; or says why not.
 pub(crate) type Build = fn(&Mesh, usize) -> Result<Box<dyn Racer>, String>;
 
-/// One that takes part: how it is called, and how it is built over a mesh, with so many threads.
+/// One that takes part: how it is called, and how it is built over a mesh.
 pub(crate) struct Entry {
     /// The name in tables.
     pub name: &'static str,

@@ -59,7 +59,7 @@ pub fn ask(
     Ok(Got::of(points, wrong, pattern.realisations(wanted), wanted))
 }
 
-/// How many of the first sets have so many points together at the most.
+/// How many of the first sets have at most `points` points together.
 fn affordable(sets: &[Set], points: f64) -> usize {
     let mut sum = 0;
     let fits = |set: &&Set| {

@@ -31,7 +31,7 @@ pub struct Got {
 pub const FEWEST: usize = 4;
 
 impl Got {
-    /// What can be shown of these points, of which there should be so many realisations, and what there is to say of them.
+    /// What can be shown of these points, of which there should be a number of realisations, and what there is to say of them.
     pub fn of(
         points: Realisations,
         wrong: Option<String>,

@@ -153,7 +153,7 @@ impl Sandbox {
         Err(Missing("it takes Linux, with landlock and seccomp"))
     }
 
-    /// The same sandbox with so much processor time.
+    /// The same sandbox with this limit of processor time.
     #[must_use]
     pub fn with_processor_time(mut self, time: Duration) -> Self {
         self.allowance.processor_time = time;

@@ -39,7 +39,7 @@ impl<S: Shape> Grid<S> {
         Self::built(shapes, None, build::by_bounds)
     }
 
-    /// A grid of so many cells along each axis; of fewer where cells and references would take more than 256 MB.
+    /// A grid of `resolution` cells along each axis; of fewer where cells and references would take more than 256 MB.
     pub fn with_resolution(shapes: Vec<S>, resolution: UVec3) -> Self {
         Self::built(shapes, Some(resolution), build::by_bounds)
     }
@@ -104,7 +104,7 @@ impl Grid<Facet> {
         Self::built(facets, None, build::by_triangle)
     }
 
-    /// The same, with so many cells along each axis.
+    /// The same, with `resolution` cells along each axis.
     pub fn of_facets_with_resolution(facets: Vec<Facet>, resolution: UVec3) -> Self {
         Self::built(facets, Some(resolution), build::by_triangle)
     }

@@ -8,9 +8,9 @@ use crate::math::aabb::Aabb;
 pub struct Limits {
     /// The cost of opening a node, in tests of shapes.
     pub opening: f32,
-    /// The leaves name each shape at most so often, on average: the bound on memory.
+    /// Maximum number of leaves that name a shape, on average: the bound on memory.
     pub copies: f32,
-    /// The root is cut at most so often.
+    /// Maximum depth: the number of cuts between the root and a leaf.
     pub depth: u32,
 }
 

@@ -24,7 +24,7 @@ pub struct Cut {
 }
 
 impl Levels {
-    /// The coarse cells, each cut so often.
+    /// The coarse cells, each with its own resolution.
     pub fn new(top: Lattice, resolutions: impl IntoIterator<Item = U8Vec3>) -> Self {
         let mut first = 0;
         let cut = |resolution: U8Vec3| {

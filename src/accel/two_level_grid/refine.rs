@@ -41,7 +41,7 @@ pub fn refine_cell(
 }
 // ANCHOR_END: refine_cell
 
-/// The fine cells of a coarse cell with so many shapes in it.
+/// The fine cells of a coarse cell that holds this number of shapes.
 pub(super) fn fine_cells(coarse: &Lattice, shapes: usize, density: f32) -> Lattice {
     let bounds = coarse.bounds();
     let resolution = grid_resolution(bounds.size(), shapes, density);

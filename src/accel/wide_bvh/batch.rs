@@ -8,7 +8,7 @@ use super::tree::Tree;
 use super::walk;
 use crate::math::{interval::Interval, ray::Ray};
 
-/// So many rays take turns.
+/// How many rays take turns.
 const IN_FLIGHT: usize = 16;
 
 /// A search that can be left after each step, and be taken up again.

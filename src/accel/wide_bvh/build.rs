@@ -86,7 +86,7 @@ impl Plan {
         }
     }
 
-    /// The plan, if nodes and leaves will take no more than [`MOST_BYTES`] for each of so many facets.
+    /// The plan, if nodes and leaves will take no more than [`MOST_BYTES`] for each of the facets.
     fn within(self, facets: usize) -> Option<Self> {
         let bytes = self.families.len() * size_of::<Node>() + self.chosen.len() * size_of::<Leaf>();
         (bytes <= MOST_BYTES * facets).then_some(self)

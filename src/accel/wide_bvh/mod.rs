@@ -59,7 +59,7 @@ pub struct WideBvh {
     kernel: Kernel,
 }
 
-/// The caches of a processor's core hold a tree of so many bytes.
+/// Size of a tree, in bytes, that the caches of a processor's core hold.
 const AT_HAND: usize = 1 << 20;
 
 impl WideBvh {

@@ -64,7 +64,7 @@ fn prices(nodes: &[Node]) -> Vec<[f32; CHILDREN]> {
     prices
 }
 
-/// The least price of two subtrees in so many places, and how many of these the left one gets.
+/// The least price of two subtrees in `places` places, and how many of these the left one gets.
 fn divide(prices: &[[f32; CHILDREN]], [left, right]: [u32; 2], places: usize) -> (f32, usize) {
     let (left, right) = (&prices[left as usize], &prices[right as usize]);
     let mut best = (f32::INFINITY, 1);

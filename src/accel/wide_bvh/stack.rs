@@ -30,7 +30,7 @@ impl Waiting {
     }
 }
 
-/// So many places; few trees need more than half of them.
+/// Number of places; few trees need more than half of them.
 pub(super) const PLACES: usize = 40;
 
 /// Places on the processor's stack, where they cost no allocation.

@@ -28,7 +28,7 @@ impl Layout for LatLong {
     }
 }
 
-/// So many points per texel, in each direction, are averaged.
+/// Points per texel, in each direction, that are averaged.
 const POINTS: usize = 4;
 
 // ANCHOR: convert

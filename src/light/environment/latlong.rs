@@ -34,7 +34,7 @@ pub fn toward(turn: f32, cosine: f64) -> Dir3 {
     around(turn, cosine as f32, sine as f32)
 }
 
-/// cos θ at the upper edge of a row of texels, of so many; at the lower one of the last row, if it is called the next.
+/// cos θ at the upper edge of a row of texels, the first being 0; at the lower one of the last row, if it is called the next.
 pub fn cosine(row: usize, rows: usize) -> f64 {
     (std::f64::consts::PI * row as f64 / rows as f64).cos()
 }

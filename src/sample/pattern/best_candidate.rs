@@ -6,7 +6,7 @@ use crate::sample::pattern::neighbours::{Neighbours, Space};
 use glam::{Vec2, vec2};
 use rand::RngExt;
 
-/// At most so many candidates are compared for each point.
+/// Maximum number of candidates for each point.
 const MOST: usize = 16;
 
 // ANCHOR: best_candidate

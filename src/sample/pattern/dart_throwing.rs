@@ -5,10 +5,10 @@ use crate::sample::pattern::neighbours::{Neighbours, Space};
 use glam::{Vec2, vec2};
 use rand::RngExt;
 
-/// So many darts in a row may miss before the distance shrinks.
+/// Darts in a row that may miss before the distance shrinks.
 const MISSES: u32 = 100;
 
-/// By so much the distance shrinks then.
+/// The factor by which the distance shrinks then.
 const SHRINK: f64 = 0.97;
 
 /// The largest distance that n points of the torus can keep from each other: that of a honeycomb, √(2/(√3 n)).

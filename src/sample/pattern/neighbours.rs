@@ -86,7 +86,7 @@ impl Neighbours {
         }
     }
 
-    /// The squared distance to the nearest of the points in so many rings of cells.
+    /// The squared distance to the nearest of the points in the cells of `rings` rings.
     fn nearest(&self, p: Vec2, rings: i32) -> f64 {
         let [x, y] = self.cell(p);
         let mut nearest = f64::INFINITY;

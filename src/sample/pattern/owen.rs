@@ -5,7 +5,7 @@ use crate::sample::pattern::sobol::sobol;
 use glam::{Vec2, vec2};
 use rand::RngExt;
 
-/// So many binary digits are kept: `f32` has 24 below 1, and with more it could round to 1.
+/// Number of binary digits that are kept: `f32` has 24 below 1, and with more it could round to 1.
 const DIGITS: u32 = 24;
 
 /// The first n points of Sobol's sequence, each coordinate scrambled.

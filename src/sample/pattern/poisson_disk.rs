@@ -7,7 +7,7 @@ use glam::{Vec2, vec2};
 use rand::RngExt;
 use std::f32::consts::TAU;
 
-/// So many places around a point are tried before it is taken to be surrounded.
+/// Places that are tried around a point before it is taken to be surrounded.
 const TRIES: u32 = 30;
 
 /// A smaller distance counts as this one, or the points would not fit into memory.

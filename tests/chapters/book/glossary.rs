@@ -4,7 +4,7 @@ use super::links::{links, place};
 use super::{page, pages};
 use std::collections::BTreeSet;
 
-/// The field's standard terms are at least so many.
+/// Minimum number of the field's standard terms.
 const LEAST: usize = 150;
 
 #[test]

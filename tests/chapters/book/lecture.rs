@@ -5,7 +5,7 @@ use super::links::links;
 use super::page;
 use raybook_workbook::curriculum::CHAPTERS;
 
-/// A lecture on ray tracing has at least so many topics.
+/// Minimum number of topics of a lecture on ray tracing.
 const TOPICS: usize = 60;
 
 #[test]

@@ -11,7 +11,7 @@ use raybook::scene::{soup::soup, terrain::terrain};
 use raybook::shape::mesh::Facet;
 use raybook::shape::{Shape, plane::Plane, sphere::Sphere, teapot};
 
-/// Two hits at the same place may be found in either order; what is found must be as near, up to so many roundings
+/// Two hits at the same place may be found in either order; what is found must be as near, up to a number of roundings
 /// of the scene's size.
 const ROUNDINGS: f32 = 32.0 * (f32::EPSILON / 2.0);
 

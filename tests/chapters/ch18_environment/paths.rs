@@ -24,7 +24,7 @@ const STRATEGIES: [Strategy; 3] = [Strategy::Surface, Strategy::Light, Strategy:
 fn path(strategy: Strategy) -> Path {
     Path {
         depth: 12,
-        sure: 3,
+        roulette_after: 3,
         strategy,
     }
 }

@@ -50,7 +50,7 @@ fn a_matt_ball_in_the_panoramas_light_is_as_bright_as_at_that_place() {
     let scene = Scene::new(vec![ball], vec![Box::new(environment)]);
     let path = Path {
         depth: 3,
-        sure: 3,
+        roulette_after: 3,
         strategy: Strategy::Both,
     };
     let normals = [Dir3::Y, -Dir3::Y, Dir3::X, -Dir3::Z, summer::toward_sun()];

@@ -127,7 +127,7 @@ fn a_panorama_of_an_environment_is_that_environment() {
         let empty: Scene = Scene::new(Vec::new(), vec![Box::new(environment)]);
         let path = Path {
             depth: 3,
-            sure: 3,
+            roulette_after: 3,
             strategy: Strategy::Both,
         };
         let rng = &|| pcg::stream(1, 0);

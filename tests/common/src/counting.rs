@@ -17,7 +17,7 @@ thread_local! {
 /// The system's allocator, counting.
 pub struct Counting;
 
-/// The thread holds so many bytes more, or, below 0, fewer.
+/// Changes the number of bytes that the thread holds.
 fn hold(bytes: isize) {
     let held = HELD.get() + bytes;
     HELD.set(held);

@@ -7,10 +7,10 @@
 
 use raybook::image::{Image, rgb::Rgb};
 
-/// So many batches are needed to know the noise.
+/// Number of batches that is needed to know the noise.
 pub const BATCHES: usize = 16;
 
-/// Regions may differ by so many standard deviations. There are a few hundred of them in a small picture, and one is so far
+/// Standard deviations by which regions may differ. There are a few hundred of them in a small picture, and one is so far
 /// off by chance once in 10⁹ times if the noise is normal; that of a region, a sum over many pixels, nearly is.
 const REGION: f64 = 6.0;
 

@@ -2,10 +2,10 @@
 
 use raybook::math::pcg::{self, Pcg};
 
-/// So many batches: enough for their mean to be normally distributed, and to know how much it scatters.
+/// Number of batches: enough for their mean to be normally distributed, and to know how much it scatters.
 pub const BATCHES: u64 = 32;
 
-/// A mean may be so many of its standard errors away. With 32 batches chance alone does that once in 50 000 times
+/// How far a mean may be away, in its standard errors. With 32 batches chance alone does that once in 50 000 times
 /// (Student's t with 31 degrees of freedom); and as the seeds are fixed, it would have been seen.
 pub const LIMIT: f64 = 5.0;
 
@@ -30,7 +30,7 @@ impl Mean {
         }
     }
 
-    /// Of batches of so many samples, each batch with random numbers of its own.
+    /// Of batches of `samples` samples, each batch with random numbers of its own.
     pub fn sampled(seed: u64, samples: u32, mut sample: impl FnMut(&mut Pcg) -> f32) -> Self {
         let batches: Vec<_> = (0..BATCHES)
             .map(|batch| {

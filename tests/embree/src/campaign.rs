@@ -70,7 +70,7 @@ impl Campaign {
         sum
     }
 
-    /// Demands that nobody was wrong in at least so many rays; that of each kind at least a fifth hit;
+    /// Demands that nobody was wrong in at least `rays` rays; that of each kind at least a fifth hit;
     /// that the bounds were narrow for at least half of the hits; and that of all answers at most the given part,
     /// of each row at most five times as much, differed where they may.
     ///

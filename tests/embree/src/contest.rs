@@ -21,7 +21,7 @@ pub struct Contest {
 const MAY_DIFFER: f64 = 3e-3;
 
 impl Contest {
-    /// So many rays at a mesh, a fifth of each kind. `guide` finds the points from which rays leave the surface.
+    /// `count` rays at a mesh, a fifth of each kind. `guide` finds the points from which rays leave the surface.
     ///
     /// # Errors
     /// If Embree fails.

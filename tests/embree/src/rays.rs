@@ -43,7 +43,7 @@ pub const KINDS: [Kind; 5] = [
     Kind::AxisParallel,
 ];
 
-/// The rays that see a patch side by side: in each direction so many.
+/// Number of rays, in each direction, that see a patch side by side.
 const SIDE: u32 = 10;
 
 /// n rays of a kind, and for each the interval that counts.

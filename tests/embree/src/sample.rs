@@ -15,7 +15,7 @@ pub const FILES: [&str; 5] = ["triangle", "sphere", "plane", "cuboid", "mesh"];
 /// Rays of each kind at each shape.
 const EACH: usize = 5;
 
-/// Of so many rays in a row one is recorded: neighbours are too much alike.
+/// One ray of this number in a row is recorded: neighbours are too much alike.
 const STEP: usize = 11;
 
 /// The file as it must be: comments, named questions, drawn questions, each with the answer.

@@ -15,7 +15,7 @@ use raybook_embree::scans;
 /// Rays at each mesh.
 const RAYS: usize = 2_000_000;
 
-/// Structures that sort space, not shapes, are slower: they are asked one in so many questions.
+/// Structures that sort space, not shapes, are slower: they are asked one question of this number.
 const SPACE: usize = 4;
 
 fn all_agree(name: &'static str, mesh: Mesh, grid_every: usize) {

@@ -18,7 +18,7 @@ const EACH: usize = 500;
 /// How many answers may differ at edges, silhouettes and ends of intervals: 0.02 %. (Measured: at most 0.009 %.)
 const MAY_DIFFER: f64 = 2e-4;
 
-/// Rays at meshes of about so many triangles: 4·10⁸ tests of triangles in all, for raybook searches linearly.
+/// Numbers of triangles of a mesh, about, and of rays at such meshes: 4·10⁸ tests of triangles in all, for raybook searches linearly.
 const MESHES: [(u32, usize); 6] = [
     (1, 405_000),
     (10, 300_000),

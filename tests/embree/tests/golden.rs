@@ -6,7 +6,7 @@ use raybook_grader::cases::find;
 use raybook_grader::examine::{Case, Examiner, visible_rng};
 use raybook_grader::hidden::Key;
 
-/// So many students' hidden cases are asked beside the visible ones.
+/// Number of students whose hidden cases are asked beside the visible ones.
 const KEYS: usize = 5;
 
 /// Named cases to which Embree answers otherwise, and why nobody is wrong.

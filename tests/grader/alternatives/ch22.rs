@@ -130,7 +130,7 @@ fn lattice(q: &mut Question, angle: f64) -> Answer {
     list(places.filter(|p| p.cmpge(DVec2::ZERO).all() && p.cmplt(DVec2::ONE).all()))
 }
 
-/// Darts that are kept if they are far enough from all others, until so many in a row are not.
+/// Darts that are kept if they are far enough from all others, until `misses` in a row are not.
 fn darts(q: &mut Question, misses: u32, apart: fn(DVec2, DVec2) -> f64) -> Answer {
     let (distance, mut rng) = (q.number(), MinimalStandard::new(q));
     let (mut points, mut missed) = (Vec::new(), 0);

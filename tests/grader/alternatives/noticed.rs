@@ -6,7 +6,7 @@ use crate::alternatives::wrong::wrongs;
 use raybook_grader::examine::{Case, Examiner};
 use rayon::prelude::*;
 
-/// Of so many answers that are spoilt, in percent, all these must be noticed: 1 % of 0 is right.
+/// The share of spoilt answers that must be noticed, in percent: 1 % of 0 is right.
 const NOTICED: usize = 90;
 
 #[test]

@@ -334,7 +334,7 @@ fn a_picture_loses_only_the_pixels_at_which_a_program_slips() {
     }
 }
 
-/// What a script says to so many questions within total limits.
+/// What a script says to a number of questions within total limits.
 fn within(script: &str, questions: usize, limits: Limits) -> Vec<Said> {
     let program = Program {
         file: "/bin/sh".into(),

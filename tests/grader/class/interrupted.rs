@@ -14,7 +14,7 @@ use std::time::Duration;
 
 const COURSE: &str = "[[chapter]]\nchapter = 'ch01'\n[[chapter]]\nchapter = 'ch04'\n";
 
-/// A class of so many different hand-ins, every third of them wrong.
+/// A class of different hand-ins, every third of them wrong.
 fn class(hand_ins: usize) -> Course {
     let course = Course::new(COURSE);
     for i in 0..hand_ins {

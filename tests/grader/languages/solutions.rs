@@ -18,7 +18,7 @@ use std::time::Duration;
 /// A machine that is busy with other tests is slow.
 const LIMITS: Limits = Limits::of(Duration::from_secs(120));
 
-/// So many students' hidden cases are asked besides the visible ones.
+/// Number of students whose hidden cases are asked besides the visible ones.
 const KEYS: usize = 3;
 
 /// A starter into which the solutions of all chapters are laid.

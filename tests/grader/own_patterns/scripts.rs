@@ -36,7 +36,7 @@ pub const CLUMPED: &str = r#"
 }
 "#;
 
-/// A Poisson disk by darts: until so many in a row have missed, and with distances so many times as large as asked.
+/// A Poisson disk by darts: until `misses` in a row have missed, and with distances `times` times as large as asked.
 pub fn darts(misses: u32, times: f32) -> String {
     format!(
         r#"{{

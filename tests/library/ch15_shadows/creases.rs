@@ -76,7 +76,7 @@ impl Crease {
     }
 }
 
-/// How many of so many points right in creases are dark in the light of a lamp before them, and how many are lit by one behind.
+/// How many of a number of points right in creases are dark in the light of a lamp before them, and how many are lit by one behind.
 fn wrong(cases: usize) -> [usize; 2] {
     let mut rng = pcg::stream(15, 7);
     let [mut dark, mut leaks] = [0, 0];

@@ -50,7 +50,7 @@ fn eye(nm: f64) -> [f64; 3] {
     ]
 }
 
-/// A table with a value every so many nanometres from 400.
+/// A table with a value every `step` nanometres from 400.
 fn between(table: &[f64], step: f64, nm: f64) -> f64 {
     let place = (nm - 400.0) / step;
     let i = (place as usize).min(table.len() - 2);

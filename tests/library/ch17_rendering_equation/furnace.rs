@@ -114,10 +114,10 @@ fn russian_roulette_changes_the_work_and_not_the_mean() {
         emission: Rgb::WHITE,
     };
     let scene = Scene::new(vec![thing(Sphere::new(Vec3::ZERO, 1.0), wall)], vec![]);
-    for sure in [0, 1, 4, 60] {
+    for roulette_after in [0, 1, 4, 60] {
         for (channel, rho) in [0.3, 0.6, 0.1].into_iter().enumerate() {
             let path = Path {
-                sure,
+                roulette_after,
                 depth: 80,
                 ..ALL
             };
@@ -125,7 +125,10 @@ fn russian_roulette_changes_the_work_and_not_the_mean() {
                 let ray = Ray::new(Vec3::ZERO, Dir3::X);
                 path.radiance(&scene, &ray, rng).channels()[channel]
             });
-            mean.assert_is(1.0 / (1.0 - rho), &format!("sure {sure}, albedo {rho}"));
+            mean.assert_is(
+                1.0 / (1.0 - rho),
+                &format!("roulette after {roulette_after}, albedo {rho}"),
+            );
         }
     }
 }

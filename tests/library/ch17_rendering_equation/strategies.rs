@@ -40,7 +40,7 @@ fn all_strategies_find_the_same_light_in_the_cornell_box() {
         let by = |strategy, samples| {
             let path = Path {
                 depth,
-                sure: 2,
+                roulette_after: 2,
                 strategy,
             };
             part(&view, BOX, path, 41, samples)
@@ -68,7 +68,7 @@ fn all_strategies_find_the_same_light_on_the_plates() {
     let by = |strategy| {
         let path = Path {
             depth: 1,
-            sure: 2,
+            roulette_after: 2,
             strategy,
         };
         part(&view, PLATES, path, 42, 3000)
@@ -122,7 +122,7 @@ fn more_surfaces_bring_more_light_and_ever_less_more() {
     let seen = |depth| {
         let path = Path {
             depth,
-            sure: 20,
+            roulette_after: 20,
             ..ALL
         };
         Mean::sampled(46, 1500, |rng| path.radiance(&scene, &ray, rng).luminance()).mean

@@ -18,7 +18,7 @@ fn moved(facets: &[Facet], to: impl Fn(Vec3) -> Vec3) -> Vec<Facet> {
     facets.iter().map(moved).collect()
 }
 
-/// Twisted around the y axis, by so many radians per metre.
+/// Twisted around the y axis, by `by` radians per metre.
 fn twisted(p: Vec3, by: f32) -> Vec3 {
     let (sin, cos) = (by * p.y).sin_cos();
     vec3(cos * p.x - sin * p.z, p.y, sin * p.x + cos * p.z)

@@ -10,7 +10,7 @@ use raybook::shape::placed::Placed;
 use raybook::shape::{Shape, cuboid::Cuboid, plane::Plane, sphere::Sphere, triangle::Triangle};
 use std::sync::Arc;
 
-/// So many cases, always the same ones.
+/// A number of cases, always the same ones.
 pub(crate) fn config(cases: u32) -> ProptestConfig {
     ProptestConfig {
         cases,

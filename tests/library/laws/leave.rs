@@ -100,7 +100,7 @@ fn some_hit(make: Make, rng: &mut Pcg) -> Option<(Box<dyn Shape>, Surface, Surfa
     Some((shape, at, at.seen_along(&ray, hit.t)))
 }
 
-/// How many of so many rays find the surface that they left, if `error` were `part` of what the shape states.
+/// How many of `cases` rays find the surface that they left, if `error` were `part` of what the shape states.
 fn found_again(make: Make, both_sides: bool, part: f32, cases: usize) -> usize {
     let mut rng = pcg::stream(6, 1);
     let left: Vec<_> = (0..100 * cases)

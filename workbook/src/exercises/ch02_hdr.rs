@@ -4,7 +4,7 @@ use crate::exercise::exercises;
 use raybook::image::{rgb::Rgb, tone};
 
 exercises! { ($) ch02_hdr
-    /// Return the radiance after an exposure of so many stops: one stop more is twice the light.
+    /// Return the radiance after an exposure of `stops` stops: one stop more is twice the light.
     Expose: expose(
         /// The radiance, in W·m⁻²·sr⁻¹.
         radiance: Rgb,

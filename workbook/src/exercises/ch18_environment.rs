@@ -99,5 +99,5 @@ fn environment(width: u32, height: u32, texels: &[f32]) -> Environment {
     ))
 }
 
-/// So many points u are asked for.
+/// Number of points u that are asked for.
 pub const POINTS: u32 = 256;

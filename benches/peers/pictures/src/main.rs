@@ -17,7 +17,7 @@ use std::process::ExitCode;
 const EDGE: u32 = 96;
 /// Samples per pixel of a picture that races.
 const SAMPLES: u32 = 16;
-/// Light is followed over so many surfaces.
+/// Number of surfaces over which light is followed.
 const DEPTH: u32 = 6;
 /// The film of the published camera is 25 mm high, at 35 mm.
 const HALF_VIEW: f32 = 12.5 / 35.0;
@@ -95,7 +95,7 @@ struct Race {
     same: f64,
 }
 
-/// Races so many rounds; `reference` is the number of samples of the converged pictures.
+/// Races for a number of rounds; `reference` is the number of samples of the converged pictures.
 fn race(rounds: usize, reference: u32) -> Result<Race, Box<dyn Error>> {
     let (quads, lamp) = room();
     let (ours, theirs) = (Ours::new(&quads, lamp), Theirs::new(&quads, lamp)?);

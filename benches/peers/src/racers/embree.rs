@@ -34,7 +34,7 @@ pub(crate) fn build_robust(mesh: &Mesh, threads: usize) -> Result<Box<dyn Racer>
 }
 
 impl Embree {
-    /// A scene of high build quality (Embree's own default is medium), made by so many threads.
+    /// A scene of high build quality (Embree's own default is medium), made by this number of threads.
     ///
     /// # Errors
     /// If Embree fails.

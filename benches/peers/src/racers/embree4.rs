@@ -111,7 +111,7 @@ pub(crate) fn build_robust(mesh: &Mesh, threads: usize) -> Result<Box<dyn Racer>
 }
 
 impl Embree4 {
-    /// A scene of high build quality, made by so many threads.
+    /// A scene of high build quality, made by this number of threads.
     #[allow(
         clippy::too_many_lines,
         reason = "one call after another, each with its type"

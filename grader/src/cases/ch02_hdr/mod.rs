@@ -6,7 +6,7 @@ use raybook::math::pcg::Pcg;
 
 raybook_workbook::ch02_hdr!(graded);
 
-/// A colour whose channels are up to so much.
+/// A colour whose channels are up to `most`.
 fn colour(rng: &mut Pcg, most: f32) -> Rgb {
     Rgb::new(
         sample::number(rng, 0.05, most),

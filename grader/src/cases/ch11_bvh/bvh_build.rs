@@ -9,7 +9,7 @@ use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch11_bvh::{BvhBuild, BvhBuildAnswer};
 use raybook_workbook::tree_rows::NodeRow;
 
-/// A tree may cost so much more than the reference's: neither is the best, and which cut is taken first decides more.
+/// How much more than the reference's a tree may cost: neither is the best, and which cut is taken first decides more.
 const DEARER: f32 = 0.25;
 
 /// A tree that takes the boxes in this order and cuts off one after the other.

@@ -51,7 +51,7 @@ fn heaps(rng: &mut Pcg) -> Vec<BoxRow> {
     boxes
 }
 
-/// The tree over boxes by a method, with leaves of at most so many shapes.
+/// The tree over boxes by a method, with leaves of at most `most` shapes.
 fn tree(boxes: &[BoxRow], method: Method, most: u32) -> BvhBuildAnswer {
     let boxes: Vec<_> = boxes.iter().map(Aabb::from).collect();
     let flat = build(&boxes, method, &Cost { most, ..COST });

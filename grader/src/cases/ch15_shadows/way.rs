@@ -4,10 +4,10 @@ use crate::{Verdict, judge};
 use glam::DVec3;
 use raybook_workbook::exercises::ch15_shadows::{ShadowRay, Way};
 
-/// A shadow ray may start so many times the error bound off the surface: beyond, shadows come loose.
+/// How far off the surface a shadow ray may start, in error bounds: beyond, shadows come loose.
 const FARTHEST: f64 = 5.0;
 
-/// Of the step off the surface, so much must be there: the rest is rounding.
+/// The part of the step off the surface that must be there: the rest is rounding.
 const ROUNDED: f64 = 0.9;
 
 /// A shadow ray must end at least this share of the way before the light, and at most this.

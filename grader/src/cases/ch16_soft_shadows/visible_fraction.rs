@@ -190,7 +190,7 @@ fn exact(q: &VisibleFraction) -> Vec<f32> {
     seen(q, 32, |u| u, 1.0)
 }
 
-/// The fractions by the points of the light to which an n × n lattice is mapped, and by rays that end at so many times the
+/// The fractions by the points of the light to which an n × n lattice is mapped, and by rays that end at `end` times the
 /// distance of the light.
 fn seen(q: &VisibleFraction, n: u32, place: fn(Vec2) -> Vec2, end: f32) -> Vec<f32> {
     let balls: Vec<_> = q

@@ -8,7 +8,7 @@ use raybook::light::environment::latlong;
 use raybook_workbook::exercises::ch18_environment::SampleEnvironment;
 use std::f64::consts::PI;
 
-/// So many of the points may be on the wrong side of a line. Measured for 400 maps and 24 right methods (by rows, by columns,
+/// How many of the points may be on the wrong side of a line. Measured for 400 maps and 24 right methods (by rows, by columns,
 /// or all texels in one list; either number first, from either end): at most 5.6.
 const STRAY: usize = 10;
 

@@ -14,7 +14,7 @@ fn toward(x: f32, y: f32, z: f32) -> Dir3 {
     Dir3::new_or(vec3(x, y, z), Dir3::X)
 }
 
-/// The row and the cell of a place in so many.
+/// The cell of a place in [0, 1), of n.
 fn cell(x: f32, n: u32) -> usize {
     ((x * n as f32).max(0.0) as usize).min(n as usize - 1)
 }

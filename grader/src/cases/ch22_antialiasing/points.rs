@@ -7,7 +7,7 @@ use glam::Vec2;
 /// 2 exp(−2·3.1²) = 9e-9 (Kolmogorov; Massart 1990).
 const DEVIATION: f32 = 3.1;
 
-/// So many points, each in [0, 1)².
+/// `expected` points, each in [0, 1)².
 ///
 /// # Errors
 /// If there are more or fewer, or one is outside.

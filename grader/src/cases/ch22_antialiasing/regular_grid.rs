@@ -8,7 +8,7 @@ use raybook::math::pcg::Pcg;
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch22_antialiasing::RegularGrid;
 
-/// A point may be so far from its place, in pixels: column 999 is exact to 0.00006 in `f32`.
+/// How far a point may be from its place, in pixels: column 999 is exact to 0.00006 in `f32`.
 const TOLERANCE: f32 = 5e-4;
 
 /// What a wrong formula makes of each cell (i, j) of (columns, rows).

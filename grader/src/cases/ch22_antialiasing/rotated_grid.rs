@@ -7,7 +7,7 @@ use raybook::math::pcg::Pcg;
 use raybook_workbook::exercises::ch22_antialiasing::RotatedGrid;
 use std::f32::consts::{FRAC_1_SQRT_2, FRAC_PI_4};
 
-/// A point may be so far from its place; so near to the square's edge it may be there or not.
+/// How far a point may be from its place; one as near to the square's edge may be there or not.
 const TOLERANCE: f32 = 1e-3;
 
 /// ½ + spacing · f(i + offset.x, j + offset.y), all that may be in the square.

@@ -5,7 +5,7 @@ use rand::RngExt;
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercises::ch23_adaptive::SpendBudget;
 
-/// The sum may be so much larger than the least: whole numbers can be rounded in more than one way.
+/// How much larger than the least the sum may be: whole numbers can be rounded in more than one way.
 const SLACK: f64 = 0.03;
 
 /// Σ σ²/n.

@@ -23,10 +23,10 @@ use std::time::{Duration, SystemTime};
 /// How often the scene file is looked at, and how long it must stay the same after a save.
 const PAUSE: Duration = Duration::from_millis(250);
 
-/// The first picture is so many times as narrow, with one sample per pixel.
+/// How many times narrower the first picture is, with one sample per pixel.
 const COARSE: usize = 4;
 
-/// Each picture has so many times the samples of the one before: all that come before the last take a third of its time.
+/// How many times the samples of the one before a picture has: all that come before the last take a third of its time.
 const MORE: usize = 4;
 
 /// The page, which asks for all else.

@@ -4,7 +4,7 @@ use crate::accel::bvh::build::cost::Cost;
 use crate::accel::bvh::build::halves::partition;
 use crate::accel::bvh::build::item::{Bounds, Extent, Item};
 
-/// From so many items on, all three axes are tried with 16 bins each; else the widest one with 8.
+/// From this number of items on, all three axes are tried with 16 bins each; else the widest one with 8.
 const MANY: usize = 64;
 
 /// Splits the items between two bins, where the surface-area heuristic is least, if that is better than a leaf (Wald 2007).
@@ -78,7 +78,7 @@ pub(super) struct Cut {
 }
 
 impl Cut {
-    /// The best cut along any axis, between so many bins.
+    /// The best cut along any axis, between `BINS` bins.
     pub(super) fn best<const BINS: usize>(items: &[Item], extent: &Extent, cost: &Cost) -> Self {
         let cuts = [0, 1, 2].map(|axis| Self::best_along::<BINS>(axis, items, extent, cost));
         let [x, y, z] = cuts;

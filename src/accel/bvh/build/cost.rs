@@ -12,12 +12,12 @@ pub struct Cost {
     pub block: f32,
     /// Shapes in a block, which are tested at once: a power of two.
     pub block_size: u32,
-    /// Leaves have at most so many shapes.
+    /// Maximum number of shapes in a leaf.
     pub most: u32,
 }
 
 impl Cost {
-    /// The price of testing so many shapes.
+    /// The price of testing `count` shapes.
     pub fn shapes(&self, count: usize) -> f32 {
         let last = self.block_size as usize - 1;
         self.block * ((count + last) >> last.count_ones()) as f32

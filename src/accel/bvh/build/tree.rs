@@ -14,7 +14,7 @@ pub struct Tree {
 /// What a subtree consists of.
 #[derive(Clone, Debug)]
 pub enum Inside {
-    /// So many shapes: the next ones in the order of the leaves.
+    /// A number of shapes: the next ones in the order of the leaves.
     Leaf(u32),
     /// Two subtrees.
     Branch(Box<[Tree; 2]>),

@@ -5,7 +5,7 @@ use crate::accel::bvh::build::cost::Cost;
 use crate::accel::bvh::build::item::{Bounds, Extent, Item};
 use crate::shape::mesh::Facet;
 
-/// Planes are tried between so many slices of the same thickness.
+/// Slices of the same thickness, between which planes are tried.
 const SLICES: usize = 16;
 
 /// A plane, and what is on its sides.

@@ -21,7 +21,7 @@ const OVERLAP: f32 = 1e-4;
 /// Fewer items than this are not worth another thread.
 const ALONE: usize = 1 << 12;
 
-/// The boxes of long thin triangles are mostly empty: so many times as large as the triangles, on the whole.
+/// The boxes of long thin triangles are mostly empty: this many times as large as the triangles, on the whole.
 ///
 /// In meshes of scanned things, and in soups and hair, the factor is 4 to 8; there cuts gain nothing, and in a stadium around
 /// a teapot they cost: what is cheap for rays from anywhere is not for those that look at the teapot. In a hall of planks,

@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 /// The kinds of meshes, each about 2 m wide.
 pub const KINDS: [&str; 5] = ["soup", "ball", "terrain", "crate", "slivers"];
 
-/// A mesh of a kind, of at most so many triangles (if the kind has any so small); `None` if there is no such kind.
+/// A mesh of a kind, of at most `triangles` triangles (if the kind has any so small); `None` if there is no such kind.
 ///
 /// `soup`: triangles at random, which cross each other. `ball`: a sphere with dents. `terrain`: a hill of bumps.
 /// `crate`: a cube, each face a net of triangles in one plane. `slivers`: triangles 10 to 1000 times as long as wide.

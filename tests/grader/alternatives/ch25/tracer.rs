@@ -5,7 +5,7 @@ use glam::DVec3;
 
 pub struct Tracer {
     pub scene: Scene,
-    /// New rays start so far off the surface.
+    /// How far off the surface new rays start.
     pub off: f64,
     /// What counts for less than this share is left out.
     pub least: f64,

@@ -7,6 +7,7 @@
 
 mod evidence;
 mod fit;
+mod flaws;
 mod function;
 pub mod misread;
 mod number;
@@ -77,11 +78,22 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
         evidence.examiner.limits(),
     );
     let whole = search(evidence, &readings);
-    if let Some(found) = whole.as_ref().filter(|found| found.is_complete()) {
+    let complete = whole.as_ref().filter(|found| found.is_complete());
+    if let Some(found) = complete.filter(|found| found.is_own() || found.is_certain()) {
+        return Some(found.told(evidence));
+    }
+    let seen = flaws::search(evidence);
+    if let Some(found) = seen.as_ref().filter(|found| found.certain) {
+        return Some(found.clone());
+    }
+    if let Some(found) = complete {
         return Some(found.told(evidence));
     }
     if let Some(found) = spread::search(evidence, &readings) {
         return Some(found);
+    }
+    if seen.is_some() {
+        return seen;
     }
     let found = of_parts(evidence, &readings);
     let complete = |found: &&Vec<Diagnosis>| found.iter().all(|one| one.certain);

@@ -144,10 +144,11 @@ impl<'a> Evidence<'a> {
     /// Brings lists whose order is free into one order, and weighs what each answer tells.
     fn settle(&mut self) {
         for i in 0..self.items.len() {
-            let got = self.canonical(self.items[i].got.clone());
-            let answers = self.items[i].answers.iter();
+            let item = &self.items[i];
+            let got = self.canonical(&item.question, &item.got);
+            let answers = item.answers.iter();
             let answers = answers
-                .map(|answer| self.canonical(answer.clone()))
+                .map(|answer| self.canonical(&item.question, answer))
                 .collect();
             let layout = layout(self.kind(), &got);
             let tells = self.tells(&layout, &got);
@@ -233,7 +234,8 @@ impl<'a> Evidence<'a> {
     }
 
     /// An answer whose lists are in one order, if their order is free.
-    pub fn canonical(&self, mut answer: Vec<f64>) -> Vec<f64> {
+    fn canonical(&self, question: &[f64], answer: &[f64]) -> Vec<f64> {
+        let mut answer = self.examiner.canonical(question, answer);
         if !self.free {
             return answer;
         }
@@ -315,8 +317,8 @@ impl<'a> Evidence<'a> {
     }
 
     /// A prediction, as far as it is looked at; none if it says nothing.
-    fn seen(&self, item: &Item, prediction: Vec<f64>) -> Option<Vec<f64>> {
-        let prediction = self.canonical(prediction);
+    fn seen(&self, item: &Item, prediction: &[f64]) -> Option<Vec<f64>> {
+        let prediction = self.canonical(&item.question, prediction);
         match self.scope {
             Scope::Part(part) => self.projected(part, item.golden(), &prediction),
             _ => Some(prediction),
@@ -377,7 +379,7 @@ impl<'a> Evidence<'a> {
     /// Whether an answer gives that of an item.
     pub fn explains(&self, item: usize, answer: &[f64]) -> bool {
         let item = &self.items[item];
-        self.seen(item, answer.to_vec())
+        self.seen(item, answer)
             .is_some_and(|seen| self.agrees(item, &seen).0)
     }
 
@@ -411,7 +413,7 @@ impl<'a> Evidence<'a> {
         let needed = (share * self.wrong as f64).ceil().max(1.0) as usize;
         let mut score = Score::default();
         for (i, item) in self.items.iter().enumerate() {
-            let prediction = predict(i).and_then(|prediction| self.seen(item, prediction));
+            let prediction = predict(i).and_then(|prediction| self.seen(item, &prediction));
             if item.right {
                 let Some(prediction) = prediction else {
                     continue;

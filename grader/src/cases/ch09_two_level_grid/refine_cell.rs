@@ -1,7 +1,7 @@
 //! `refine_cell`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Verdict, sample};
-use glam::{UVec3, vec3};
+use glam::{UVec3, Vec3, vec3};
 use rand::RngExt;
 use raybook::inside::grid::Lattice;
 use raybook::math::{aabb::Aabb, pcg::Pcg};
@@ -194,6 +194,21 @@ impl Graded for RefineCell {
                 } else {
                     cut(q, UVec3::new(x, y, z))
                 }
+            },
+        },
+        Mistake {
+            name: "names only shapes that lie within a cell as a whole",
+            hint: "A shape that sticks out of a cell: who finds the part inside?",
+            answer: |q| {
+                let mut answer = RefineCell::answer(q);
+                let n = UVec3::new(answer.nx, answer.ny, answer.nz).as_vec3();
+                let size = (q.max - q.min) / n.max(Vec3::ONE);
+                answer.entries.retain(|entry| {
+                    let low = q.min + size * UVec3::new(entry.x, entry.y, entry.z).as_vec3();
+                    let shape = &q.shapes[entry.shape as usize];
+                    shape.min.cmpge(low).all() && shape.max.cmple(low + size).all()
+                });
+                answer
             },
         },
     ];

@@ -161,6 +161,20 @@ fn numbers(name: &str, each: &mut impl FnMut(String, u32, &str, fn(f64) -> f64))
         0.25 * v
     });
     each(format!("takes four times {name}"), 19, factor, |v| 4.0 * v);
+    let scales: [(&str, fn(f64) -> f64); 8] = [
+        ("three times {}", |v| 3.0 * v),
+        ("a third of {}", |v| v / 3.0),
+        ("ten times {}", |v| 10.0 * v),
+        ("a tenth of {}", |v| 0.1 * v),
+        ("π times {}", |v| PI * v),
+        ("{} divided by π", |v| v / PI),
+        ("2.2 times {}", |v| 2.2 * v),
+        ("{} divided by 2.2", |v| v / 2.2),
+    ];
+    for (words, scaled) in scales {
+        let words = words.replace("{}", name);
+        each(format!("takes {words}"), 20, factor, scaled);
+    }
     each(
         format!("takes {name} in millimetres for metres"),
         19,

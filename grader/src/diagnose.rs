@@ -64,7 +64,7 @@ pub fn diagnose(
     if evidence.wrong == 0 {
         return None;
     }
-    let mut diagnosis = of_all(&evidence)?;
+    let mut diagnosis = of_all(&evidence).or_else(|| flaws::common(&evidence))?;
     diagnosis.wrong = wrong;
     for also in &mut diagnosis.also {
         also.wrong = wrong;

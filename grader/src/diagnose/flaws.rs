@@ -5,8 +5,42 @@ use super::{Diagnosis, MOST};
 use crate::Flaw;
 use std::cmp::Reverse;
 
-/// The flaw that most wrong answers have, or the two. It is certain if all of them have it, for it is there to see.
+/// Complaints that many judges have. They say less than an exercise's own.
+const COMMON: &[Flaw] = &[
+    Flaw {
+        complaint: "is NaN",
+        name: "returns what is not a number (NaN)",
+        hint: "Look for 0/0, ∞ − ∞ or the root of a negative number. Print the ingredients.",
+    },
+    Flaw {
+        complaint: "a direction has length 1",
+        name: "returns a direction whose length is not 1",
+        hint: "How long is a direction? Which lengths have its ingredients?",
+    },
+    Flaw {
+        complaint: "but you returned none",
+        name: "returns none where there is an answer",
+        hint: "Which of your conditions turns these cases away? Print its ingredients for the first of them.",
+    },
+    Flaw {
+        complaint: "but you returned one",
+        name: "returns an answer where there is none",
+        hint: "Which condition should turn these cases away? Print its ingredients for the first of them.",
+    },
+];
+
+/// What the wrong answers of an exercise have in common by its own complaints.
 pub fn search(evidence: &Evidence<'_>) -> Option<Diagnosis> {
+    of(evidence.examiner.flaws(), evidence)
+}
+
+/// What they have in common by complaints that many judges have.
+pub fn common(evidence: &Evidence<'_>) -> Option<Diagnosis> {
+    of(COMMON, evidence)
+}
+
+/// The flaw that most wrong answers have, or the two. It is certain if all of them have it, for it is there to see.
+fn of(flaws: &[Flaw], evidence: &Evidence<'_>) -> Option<Diagnosis> {
     let examiner = evidence.examiner;
     let wrong = &evidence.items[..evidence.wrong];
     let compared = wrong
@@ -23,8 +57,7 @@ pub fn search(evidence: &Evidence<'_>) -> Option<Diagnosis> {
         let has = |why: &&String| why.contains(flaw.complaint);
         complaints.iter().filter(has).count()
     };
-    let mut found: Vec<_> = examiner
-        .flaws()
+    let mut found: Vec<_> = flaws
         .iter()
         .map(|flaw| told(flaw, count(flaw), evidence.wrong))
         .collect();
@@ -35,8 +68,8 @@ pub fn search(evidence: &Evidence<'_>) -> Option<Diagnosis> {
     if first.explained < evidence.wrong {
         first.also.extend(found.next());
     }
-    let explained = first.explained + first.also.iter().map(|one| one.explained).sum::<usize>();
-    (explained as f64 >= MOST * evidence.wrong as f64).then_some(first)
+    let also: usize = first.also.iter().map(|one| one.explained).sum();
+    ((first.explained + also) as f64 >= MOST * evidence.wrong as f64).then_some(first)
 }
 
 fn told(flaw: &Flaw, explained: usize, wrong: usize) -> Diagnosis {

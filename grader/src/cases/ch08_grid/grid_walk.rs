@@ -1,6 +1,6 @@
 //! `grid_walk`: random questions, judge and mistakes.
 
-use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
+use crate::{Flaw, Graded, Mistake, Picture, Verdict, judge, sample};
 use glam::{UVec3, uvec3, vec3};
 use rand::RngExt;
 use raybook::image::rgb::Rgb;
@@ -78,6 +78,29 @@ impl Graded for GridWalk {
     }
 
     const POSITIVE: &'static [&'static str] = &["cell"];
+
+    const FLAWS: &'static [Flaw] = &[
+        Flaw {
+            complaint: "your walk ends after",
+            name: "ends the walk too early",
+            hint: "When does your loop end: at the last cell, at the interval's end, or before?",
+        },
+        Flaw {
+            complaint: "your walk goes on to",
+            name: "goes on after the ray has left the grid, or after the interval's end",
+            hint: "When does your loop end: at the last cell, at the interval's end, or after it?",
+        },
+        Flaw {
+            complaint: "of your walk is",
+            name: "walks through other cells than the ray",
+            hint: "Draw three cells in a row: at which distance is the next plane along each axis, and which of the three comes first? Where does the first cell begin?",
+        },
+        Flaw {
+            complaint: "the distance at which it leaves",
+            name: "gives wrong distances for the right cells",
+            hint: "From where is t measured, and is it that of the plane at which the ray leaves a cell?",
+        },
+    ];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

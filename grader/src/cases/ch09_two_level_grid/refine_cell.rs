@@ -1,6 +1,6 @@
 //! `refine_cell`: random questions, judge and mistakes.
 
-use crate::{Graded, Mistake, Verdict, sample};
+use crate::{Flaw, Graded, Mistake, Verdict, sample};
 use glam::{UVec3, Vec3, vec3};
 use rand::RngExt;
 use raybook::inside::grid::Lattice;
@@ -92,6 +92,39 @@ impl Graded for RefineCell {
     }
 
     const POSITIVE: &'static [&'static str] = &["density"];
+
+    const FLAWS: &'static [Flaw] = &[
+        Flaw {
+            complaint: "are asked for",
+            name: "cuts the cell into a wrong number of fine cells",
+            hint: "What are the extents of the cell, how many shapes are in it, and how many cells are allowed along an axis?",
+        },
+        Flaw {
+            complaint: "there is no shape",
+            name: "counts the shapes from 1",
+            hint: "What is the number of the first shape?",
+        },
+        Flaw {
+            complaint: "there is no cell",
+            name: "names cells that are not there",
+            hint: "Which numbers have the first cell and the last one along each axis?",
+        },
+        Flaw {
+            complaint: "is twice in cell",
+            name: "names a shape twice in the same cell",
+            hint: "How often is each pair of a cell and a shape appended?",
+        },
+        Flaw {
+            complaint: "does not reach cell",
+            name: "names shapes in cells that they do not reach",
+            hint: "Does the shape's box overlap the cell along all three axes?",
+        },
+        Flaw {
+            complaint: "which does not name it",
+            name: "leaves shapes out of cells that they reach",
+            hint: "A shape may reach several cells, and beyond the coarse cell: does your test find it in all of them?",
+        },
+    ];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

@@ -82,18 +82,19 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
     if let Some(found) = complete.filter(|found| found.is_own() || found.is_certain()) {
         return Some(found.told(evidence));
     }
+    // A mistake whose answers have the same traits says more than what can be seen in any answer, and that more than a guess.
+    let likely = spread::search(evidence, &readings);
     let seen = flaws::search(evidence);
-    if let Some(found) = seen.as_ref().filter(|found| found.certain) {
+    let is_certain = |found: &&Diagnosis| found.certain;
+    let certain = likely.iter().chain(&seen).find(is_certain);
+    if let Some(found) = certain {
         return Some(found.clone());
     }
     if let Some(found) = complete {
         return Some(found.told(evidence));
     }
-    if let Some(found) = spread::search(evidence, &readings) {
+    if let Some(found) = seen.or(likely) {
         return Some(found);
-    }
-    if seen.is_some() {
-        return seen;
     }
     let found = of_parts(evidence, &readings);
     let complete = |found: &&Vec<Diagnosis>| found.iter().all(|one| one.certain);
@@ -142,6 +143,11 @@ fn of_parts(evidence: &Evidence<'_>, readings: &[Misreading]) -> Vec<Diagnosis> 
             }
             None => found.push(one),
         }
+    }
+    // What leaves most answers unexplained is no more than a guess.
+    let explained: usize = found.iter().map(|one| one.explained).sum();
+    for one in &mut found {
+        one.certain &= explained as f64 >= MOST * evidence.wrong as f64;
     }
     found.sort_by_key(|one| (!one.certain, std::cmp::Reverse(one.explained)));
     found

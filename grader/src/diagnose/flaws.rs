@@ -39,7 +39,7 @@ pub fn common(evidence: &Evidence<'_>) -> Option<Diagnosis> {
     of(COMMON, evidence)
 }
 
-/// The flaw that most wrong answers have, or the two. It is certain if all of them have it, for it is there to see.
+/// The flaw that most wrong answers have, or the two. It is certain if nearly all of them have it, for it is there to see.
 fn of(flaws: &[Flaw], evidence: &Evidence<'_>) -> Option<Diagnosis> {
     let examiner = evidence.examiner;
     let wrong = &evidence.items[..evidence.wrong];
@@ -69,6 +69,8 @@ fn of(flaws: &[Flaw], evidence: &Evidence<'_>) -> Option<Diagnosis> {
         first.also.extend(found.next());
     }
     let also: usize = first.also.iter().map(|one| one.explained).sum();
+    // A few answers may have another flaw that hides this one.
+    first.certain = first.explained + also == evidence.wrong && also <= first.explained / 8;
     ((first.explained + also) as f64 >= MOST * evidence.wrong as f64).then_some(first)
 }
 

@@ -91,6 +91,11 @@ impl Graded for RotatedGrid {
             hint: "Which angle has the tangent ½? In which unit does your language's cosine want it?",
         },
         Flaw {
+            complaint: "not on one lattice of squares",
+            name: "shears or stretches the lattice instead of rotating it",
+            hint: "A rotation moves x by y and y by x, with opposite signs: are your rows and columns still at right angles, and equally long?",
+        },
+        Flaw {
             complaint: "as if there were no offset",
             name: "ignores the offset",
             hint: "Change `offset` alone: do your points move?",
@@ -224,7 +229,7 @@ fn shift(q: &RotatedGrid, got: &[Vec2]) -> Verdict {
             .any(|sense| near(steps(first, *sense), offset))
     };
     let Some(sense) = senses.first() else {
-        return Ok(());
+        return Err("the points are not on one lattice of squares".to_owned());
     };
     if is(q.offset) {
         let all = lattice(q, |p| turned(p, *sense));

@@ -5,6 +5,9 @@ use super::{Diagnosis, MOST};
 use crate::Flaw;
 use std::cmp::Reverse;
 
+/// The share of the wrong answers that a flaw must be seen in, if nothing better is known.
+const SOME: f64 = 0.25;
+
 /// Complaints that many judges have. They say less than an exercise's own.
 const COMMON: &[Flaw] = &[
     Flaw {
@@ -31,16 +34,17 @@ const COMMON: &[Flaw] = &[
 
 /// What the wrong answers of an exercise have in common by its own complaints.
 pub fn search(evidence: &Evidence<'_>) -> Option<Diagnosis> {
-    of(evidence.examiner.flaws(), evidence)
+    of(evidence.examiner.flaws(), evidence, MOST)
 }
 
-/// What they have in common by complaints that many judges have.
-pub fn common(evidence: &Evidence<'_>) -> Option<Diagnosis> {
-    of(COMMON, evidence)
+/// What some of them have in common, or what most have by complaints that many judges have.
+pub fn of_some(evidence: &Evidence<'_>) -> Option<Diagnosis> {
+    let some = of(evidence.examiner.flaws(), evidence, SOME);
+    some.or_else(|| of(COMMON, evidence, MOST))
 }
 
 /// The flaw that most wrong answers have, or the two. It is certain if nearly all of them have it, for it is there to see.
-fn of(flaws: &[Flaw], evidence: &Evidence<'_>) -> Option<Diagnosis> {
+fn of(flaws: &[Flaw], evidence: &Evidence<'_>, share: f64) -> Option<Diagnosis> {
     let examiner = evidence.examiner;
     let wrong = &evidence.items[..evidence.wrong];
     let compared = wrong
@@ -71,7 +75,7 @@ fn of(flaws: &[Flaw], evidence: &Evidence<'_>) -> Option<Diagnosis> {
     let also: usize = first.also.iter().map(|one| one.explained).sum();
     // A few answers may have another flaw that hides this one.
     first.certain = first.explained + also == evidence.wrong && also <= first.explained / 8;
-    ((first.explained + also) as f64 >= MOST * evidence.wrong as f64).then_some(first)
+    ((first.explained + also) as f64 >= share * evidence.wrong as f64).then_some(first)
 }
 
 fn told(flaw: &Flaw, explained: usize, wrong: usize) -> Diagnosis {

@@ -184,6 +184,26 @@ impl Graded for GridWalk {
             hint: "A cell may be longer than it is wide: which of its extents do you use along each axis?",
             answer: |q| Self::misread(q, |q| (q.cell.y, q.cell.z) = (q.cell.x, q.cell.x)),
         },
+        Mistake {
+            name: "measures the distances from where the ray enters the grid",
+            hint: "From where is t measured: from the ray's origin, or from the grid?",
+            answer: |q| {
+                let high = q.min + q.cell * vec3(q.nx as f32, q.ny as f32, q.nz as f32);
+                let enters = |axis: usize| {
+                    let (o, d) = (q.ray.origin[axis], q.ray.direction[axis]);
+                    let near = if d > 0.0 { q.min[axis] } else { high[axis] };
+                    if d == 0.0 { f32::NEG_INFINITY } else { (near - o) / d }
+                };
+                let start = (0..3).map(enters).fold(q.within.min, f32::max);
+                let visits = GridWalk::answer(q).into_iter();
+                visits
+                    .map(|visit| Visit {
+                        leave: visit.leave - start,
+                        ..visit
+                    })
+                    .collect()
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -40,10 +40,6 @@ const TOO_MUCH_WORK: &[(&str, &str)] = &[
     ),
     ("wide_closest", "opens the farthest child first"),
     ("wide_closest", "opens children that wait behind the hit"),
-    (
-        "wide_closest",
-        "opens every node that the ray meets, hit or no hit",
-    ),
 ];
 
 #[test]

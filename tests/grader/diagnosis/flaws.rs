@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 fn altered(line: &str) -> Vec<String> {
     let words: Vec<_> = line.split_whitespace().collect();
     let mut lines = Vec::new();
-    for i in (0..words.len()).step_by(words.len().div_ceil(40).max(1)) {
+    for i in (0..words.len()).step_by(words.len().div_ceil(8).max(1)) {
         for new in ["0", "1", "7", "1e9", "-0.9", "0.999", "4294967295", "inf"] {
             let with = [&words[..i], &[new], &words[i + 1..]].concat();
             lines.push(with.join(" "));
@@ -22,7 +22,7 @@ fn altered(line: &str) -> Vec<String> {
 fn complaints(examiner: &dyn Examiner) -> BTreeSet<String> {
     let cases = examiner.cases(&mut visible_rng(examiner.name())).cases;
     let mut complaints = BTreeSet::new();
-    for case in &cases {
+    for case in cases.iter().step_by(3) {
         let mistaken =
             (0..examiner.mistakes().len()).filter_map(|i| examiner.mistaken(i, &case.question));
         for answer in mistaken.chain(altered(&case.answers[0])) {
@@ -41,16 +41,15 @@ fn a_flaw_is_one_complaint_of_the_judge() {
         .map(|examiner| (examiner, complaints(examiner)))
         .collect();
     let (mut all, mut seen, mut unseen) = (0, 0, Vec::new());
+    let mut unclear = BTreeSet::new();
     for (examiner, complaints) in &found {
         let flaws = examiner.flaws();
         for why in complaints {
             let which = flaws.iter().filter(|flaw| why.contains(flaw.complaint));
             let names: Vec<_> = which.map(|flaw| flaw.name).collect();
-            assert!(
-                names.len() < 2,
-                "{}: \"{why}\" is {names:?}",
-                examiner.name()
-            );
+            if names.len() > 1 {
+                unclear.insert(format!("{}: {names:?}", examiner.name()));
+            }
         }
         for flaw in flaws {
             all += 1;
@@ -66,6 +65,7 @@ fn a_flaw_is_one_complaint_of_the_judge() {
             );
         }
     }
+    assert!(unclear.is_empty(), "a complaint has one name: {unclear:#?}");
     // Some are complaints of all answers together, or of what takes a program to make.
     println!("{seen} of {all} are seen, but for\n{}", unseen.join("\n"));
     assert!(

@@ -192,7 +192,11 @@ impl Graded for GridWalk {
                 let enters = |axis: usize| {
                     let (o, d) = (q.ray.origin[axis], q.ray.direction[axis]);
                     let near = if d > 0.0 { q.min[axis] } else { high[axis] };
-                    if d == 0.0 { f32::NEG_INFINITY } else { (near - o) / d }
+                    if d == 0.0 {
+                        f32::NEG_INFINITY
+                    } else {
+                        (near - o) / d
+                    }
                 };
                 let start = (0..3).map(enters).fold(q.within.min, f32::max);
                 let visits = GridWalk::answer(q).into_iter();

@@ -1,6 +1,10 @@
 //! `two_level_walk`: random questions, judge and mistakes.
 
-use crate::{Flaw, Graded, Mistake, Verdict, passage::{self, passage}, sample};
+use crate::{
+    Flaw, Graded, Mistake, Verdict,
+    passage::{self, passage},
+    sample,
+};
 use glam::vec3;
 use rand::RngExt;
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};

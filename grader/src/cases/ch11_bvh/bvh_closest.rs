@@ -80,7 +80,7 @@ impl Graded for BvhClosest {
             hint: "Is every hit between the ends of the interval?",
         },
         Flaw {
-            complaint: "t is",
+            complaint: " m too ",
             name: "finds another hit than the nearest",
             hint: "If several triangles are hit, which of them stays?",
         },

@@ -144,7 +144,7 @@ impl Graded for SampleEnvironment {
             hint: "What makes the sine of the cosine?",
         },
         Flaw {
-            complaint: "which is black",
+            complaint: "the black texel",
             name: "chooses texels that are black",
             hint: "May a texel without light be chosen at all? Is the sum compared with < or with ≤?",
         },

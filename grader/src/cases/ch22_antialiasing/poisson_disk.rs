@@ -194,16 +194,6 @@ impl Graded for PoissonDisk {
             answer: |q| apart(q, |way| way.length() >= 2.0 * q.distance),
         },
         Mistake {
-            name: "keeps half of the distance only",
-            hint: "The distance is that of two points: is it the radius of the discs around them, or their diameter?",
-            answer: |q| apart(q, |way| way.length() >= 0.5 * q.distance),
-        },
-        Mistake {
-            name: "takes the larger of the distances along x and y",
-            hint: "How far apart are two points that are 3 apart along x and 4 along y?",
-            answer: |q| apart(q, |way| way.abs().max_element() >= q.distance),
-        },
-        Mistake {
             name: "compares with the last point only",
             hint: "To which of the points must a new one keep its distance?",
             answer: |q| {

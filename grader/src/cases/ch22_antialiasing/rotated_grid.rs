@@ -106,7 +106,7 @@ impl Graded for RotatedGrid {
             hint: "Let `offset` be small: to which side should your points move?",
         },
         Flaw {
-            complaint: "the lattice is shifted by",
+            complaint: "steps, and should be",
             name: "has the right lattice in the wrong place: shifts it before or after the rotation, or rotates about another point",
             hint: "Which point of the square stays where it is when you rotate, and is the offset added to i and j, or to the place?",
         },

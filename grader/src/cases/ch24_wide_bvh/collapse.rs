@@ -222,19 +222,6 @@ impl Graded for Collapse {
             },
         },
         Mistake {
-            name: "opens the branch of the largest volume first",
-            hint: "How large is the chance that a ray meets a flat box, which has no volume?",
-            answer: |q| {
-                families(
-                    q,
-                    while_fewer(MOST, |q, i| {
-                        let node = &q.nodes[i as usize];
-                        (node.max - node.min).element_product()
-                    }),
-                )
-            },
-        },
-        Mistake {
             name: "opens one branch only",
             hint: "After one branch is opened there may be room for more: what makes your loop end?",
             answer: |q| {

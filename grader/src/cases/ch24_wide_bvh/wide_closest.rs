@@ -101,7 +101,7 @@ impl Graded for WideClosest {
             hint: "Is every hit between the ends of the interval?",
         },
         Flaw {
-            complaint: "t is",
+            complaint: " m too ",
             name: "finds another hit than the nearest",
             hint: "If several triangles are hit, which of them stays?",
         },
@@ -152,11 +152,6 @@ impl Graded for WideClosest {
             name: "ignores the interval's max",
             hint: "Something nearer may already have been hit: what is the interval's max for?",
             answer: |q| Self::misread(q, |q| q.within.max = f32::INFINITY),
-        },
-        Mistake {
-            name: "opens every node that the ray meets, hit or no hit",
-            hint: "Something was hit in front of a node: can anything in it still be nearer?",
-            answer: |q| search(q, |how| how.shortens = false),
         },
         Mistake {
             name: "keeps the last hit that it finds",

@@ -179,7 +179,7 @@ impl Graded for ThinLensRay {
             hint: "Through the middle of the lens, the film is thrown on the plane in focus: how much larger is it there?",
             answer: |q| {
                 Self::misread(q, |q| {
-                    q.plane *= q.focal_length / (q.focus - q.focal_length)
+                    q.plane *= q.focal_length / (q.focus - q.focal_length);
                 })
             },
         },

@@ -2,6 +2,9 @@
 
 use std::f64::consts::PI;
 
+/// What is taken for `{}`, and how it is made.
+type Scale = (&'static str, fn(f64) -> f64);
+
 /// The ways to misread a number.
 #[allow(clippy::too_many_lines)] // a list of ways
 pub(super) fn numbers(name: &str, each: &mut impl FnMut(String, u32, &str, fn(f64) -> f64)) {
@@ -111,7 +114,7 @@ pub(super) fn numbers(name: &str, each: &mut impl FnMut(String, u32, &str, fn(f6
         0.25 * v
     });
     each(format!("takes four times {name}"), 19, factor, |v| 4.0 * v);
-    let scales: [(&str, fn(f64) -> f64); 8] = [
+    let scales: [Scale; 8] = [
         ("three times {}", |v| 3.0 * v),
         ("a third of {}", |v| v / 3.0),
         ("ten times {}", |v| 10.0 * v),

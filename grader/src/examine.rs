@@ -4,7 +4,7 @@ use crate::diagnose::misread::Limits;
 use crate::finite::finite;
 use crate::golden::{self, GoldenError, Named};
 use crate::triple::PictureSize;
-use crate::{Graded, Mistake, Picture, Verdict, stable};
+use crate::{Flaw, Graded, Mistake, Picture, Verdict, stable};
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::{self, Pcg};
 use raybook_workbook::exercise::Asked;
@@ -76,6 +76,12 @@ pub trait Examiner: Sync {
 
     /// What mistake number i answers.
     fn mistake_answers(&self, i: usize, question: &[f64]) -> Option<Vec<f64>>;
+
+    /// See [`Graded::canonical`].
+    fn canonical(&self, question: &[f64], answer: &[f64]) -> Vec<f64>;
+
+    /// See [`Graded::FLAWS`].
+    fn flaws(&self) -> &'static [Flaw];
 
     /// See [`Graded::ULPS`].
     fn ulps(&self) -> i32;
@@ -159,6 +165,14 @@ impl<E: Graded> Examiner for Examination<E> {
     fn mistake_answers(&self, i: usize, question: &[f64]) -> Option<Vec<f64>> {
         let answer = E::MISTAKES.get(i)?.answer;
         Some(to_numbers(&answer(&from_numbers(question))))
+    }
+
+    fn canonical(&self, question: &[f64], answer: &[f64]) -> Vec<f64> {
+        to_numbers(&E::canonical(&from_numbers(question), from_numbers(answer)))
+    }
+
+    fn flaws(&self) -> &'static [Flaw] {
+        E::FLAWS
     }
 
     fn ulps(&self) -> i32 {

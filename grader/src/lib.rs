@@ -87,6 +87,9 @@ pub trait Graded: Exercise + Clone + Sync + 'static {
     /// Wrong implementations that students are known to write.
     const MISTAKES: &'static [Mistake<Self>];
 
+    /// Complaints of the judge that say what is wrong with a function, where answers have many right forms, such as trees and patterns.
+    const FLAWS: &'static [Flaw] = &[];
+
     /// The pictures that the answers make, where the exercise is one of pixels.
     const PICTURES: &'static [Picture<Self>] = &[];
 
@@ -101,6 +104,12 @@ pub trait Graded: Exercise + Clone + Sync + 'static {
     /// the size of 1, and as many for every question. With none, the answer's own numbers do.
     fn traits(_question: &Self, _answer: &Self::Answer) -> Vec<f64> {
         Vec::new()
+    }
+
+    /// The one form that stands for all answers that mean the same, such as a tree whose nodes are numbered otherwise. It is asked of
+    /// wrong answers too.
+    fn canonical(_question: &Self, answer: Self::Answer) -> Self::Answer {
+        answer
     }
 
     /// Fields of the question that a diagnosis may misread only as numbers of about the same size, above 0: with others there would
@@ -129,6 +138,17 @@ pub struct Mistake<E: Exercise> {
     pub hint: &'static str,
     /// The wrong answer.
     pub answer: fn(&E) -> E::Answer,
+}
+
+/// Something wrong that can be read off an answer, whatever made it. It is told where no mistake gives the same answers.
+#[derive(Clone, Copy, Debug)]
+pub struct Flaw {
+    /// Words of the judge's complaint, which no other complaint has.
+    pub complaint: &'static str,
+    /// What a function with such answers does, as a verb: "puts more shapes into a leaf than are allowed".
+    pub name: &'static str,
+    /// A sentence that leads the student on.
+    pub hint: &'static str,
 }
 
 /// A picture with a question per pixel.

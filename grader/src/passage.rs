@@ -1,7 +1,42 @@
 //! Judging a ray's way through cells: by where the ray is, not by the order in which a program comes upon the cells.
 
-use crate::Verdict;
+use crate::{Flaw, Verdict};
 use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray};
+
+/// What is wrong where [`passage`] complains.
+pub const TWICE: Flaw = Flaw {
+    complaint: "is visited twice",
+    name: "visits the same cell twice",
+    hint: "Does each step of your walk lead on, or may it stay where it is?",
+};
+
+/// What is wrong where [`passage`] complains.
+pub const ASIDE: Flaw = Flaw {
+    complaint: "the ray does not pass through",
+    name: "visits cells through which the ray does not pass",
+    hint: "Does the ray go through the cell within the interval? Is the cell's number that of its place in the list?",
+};
+
+/// What is wrong where [`passage`] complains.
+pub const LATE: Flaw = Flaw {
+    complaint: "comes too late",
+    name: "visits the cells in another order than the ray",
+    hint: "Which of two cells does the ray enter first, whatever its direction?",
+};
+
+/// What is wrong where [`passage`] complains.
+pub const MISSING: Flaw = Flaw {
+    complaint: "is missing: the ray is in it",
+    name: "leaves out cells through which the ray passes",
+    hint: "Which cell comes after the one before the gap, and what makes your walk step over it, or end?",
+};
+
+/// What is wrong where [`passage`] complains.
+pub const NOTHING: Flaw = Flaw {
+    complaint: "you visit no",
+    name: "visits nothing",
+    hint: "What makes your loop end before its first round?",
+};
 
 /// A cell may be taken for this much larger or smaller, as a part of the largest coordinate that matters.
 const TOLERANCE: f64 = 1e-4;

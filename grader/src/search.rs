@@ -39,6 +39,17 @@ pub enum Order {
     Stored,
 }
 
+/// Which of several hits stays.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Keeps {
+    /// The nearest.
+    Nearest,
+    /// The first that is found.
+    First,
+    /// The last that is found.
+    Last,
+}
+
 /// How a search goes; one field wrong is a mistake.
 #[derive(Clone, Copy)]
 #[expect(
@@ -58,8 +69,8 @@ pub struct How {
     pub drops: bool,
     /// A hit ends the interval.
     pub shortens: bool,
-    /// The nearest hit stays; else the last.
-    pub keeps_nearest: bool,
+    /// Which hit stays.
+    pub keeps: Keeps,
     /// Ends at the first leaf with a hit.
     pub stops: bool,
 }
@@ -72,7 +83,7 @@ const WELL: How = How {
     order: Order::Nearest,
     drops: true,
     shortens: true,
-    keeps_nearest: true,
+    keeps: Keeps::Nearest,
     stops: false,
 };
 
@@ -201,8 +212,12 @@ impl Search<'_> {
             if self.how.shortens {
                 self.within = self.within.before(hit.t);
             }
-            let best = self.found.hit.as_ref();
-            if !self.how.keeps_nearest || best.is_none_or(|best| hit.t < best.t) {
+            let stays = |best: &MeshHitAnswer| match self.how.keeps {
+                Keeps::Nearest => hit.t < best.t,
+                Keeps::First => false,
+                Keeps::Last => true,
+            };
+            if self.found.hit.as_ref().is_none_or(stays) {
                 self.found.hit = Some(MeshHitAnswer { t: hit.t, id });
             }
         }

@@ -1,5 +1,6 @@
 //! How often a mistake is called by its right name: mistakes written apart from the lists, most of which know nothing of them.
 
+mod flaws;
 mod mistakes;
 
 use mistakes::{MISTAKES, Slip};

@@ -1,10 +1,14 @@
 //! All cases of an exercise as numbers, and how well an explanation agrees with them: it must give the wrong answers, and must not
 //! contradict the right ones.
 
+mod agreement;
+mod form;
+
+pub use agreement::Score;
+
 use crate::examine::{Case, Examiner};
 use crate::layout::{Layout, Part, layout, parts};
 use raybook_workbook::kind::Kind;
-use std::cmp::Ordering;
 
 /// What of the answers is looked at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,21 +47,6 @@ impl Item {
     }
 }
 
-/// How well an explanation agrees with the answers.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Score {
-    /// Wrong answers that are as it says.
-    pub explained: usize,
-    /// Wrong answers that are not.
-    pub missed: usize,
-    /// How many answers are right although it says otherwise.
-    pub contradicted: usize,
-    /// How many of all answers are as it says to the last digits.
-    pub close: usize,
-    /// How much the wrong answers that it explains tell: 1 for one with numbers, less for a yes or no.
-    pub tells: f64,
-}
-
 /// All that is known.
 #[derive(Clone)]
 pub struct Evidence<'a> {
@@ -75,9 +64,6 @@ pub struct Evidence<'a> {
     free: bool,
     judged: bool,
 }
-
-/// Two numbers this close are the same, of the size that answers have, beside [`crate::Graded::ALIKE`] of their own size.
-const CLOSE: f64 = 1e-5;
 
 /// What an answer tells that holds nothing but yes, no, or a small whole number.
 const HARDLY: f64 = 0.25;
@@ -144,10 +130,11 @@ impl<'a> Evidence<'a> {
     /// Brings lists whose order is free into one order, and weighs what each answer tells.
     fn settle(&mut self) {
         for i in 0..self.items.len() {
-            let got = self.canonical(self.items[i].got.clone());
-            let answers = self.items[i].answers.iter();
+            let item = &self.items[i];
+            let got = self.canonical(&item.question, &item.got);
+            let answers = item.answers.iter();
             let answers = answers
-                .map(|answer| self.canonical(answer.clone()))
+                .map(|answer| self.canonical(&item.question, answer))
                 .collect();
             let layout = layout(self.kind(), &got);
             let tells = self.tells(&layout, &got);
@@ -204,63 +191,6 @@ impl<'a> Evidence<'a> {
         })
     }
 
-    /// Whether the judge takes lists in any order.
-    fn order_is_free(&self) -> bool {
-        let mut tried = 0;
-        for item in &self.items {
-            let layout = layout(self.kind(), item.golden());
-            let mut turned = item.golden().to_vec();
-            // Nested lists may differ in length: one list is enough to know.
-            if let Some(span) = layout.lists.first() {
-                turned = layout.rearranged(&turned, span.list, &|n| (0..n).rev().collect());
-            }
-            if turned == item.golden() {
-                continue;
-            }
-            tried += 1;
-            if self
-                .examiner
-                .compare(&item.question, item.golden(), &turned)
-                .is_err()
-            {
-                return false;
-            }
-            if tried == 5 {
-                break;
-            }
-        }
-        tried > 0
-    }
-
-    /// An answer whose lists are in one order, if their order is free.
-    pub fn canonical(&self, mut answer: Vec<f64>) -> Vec<f64> {
-        if !self.free {
-            return answer;
-        }
-        // The innermost lists come first.
-        let lists = layout(self.kind(), &answer).lists;
-        let last = lists.iter().map(|span| span.list).max();
-        for list in (0..last.map_or(0, |last| last + 1)).rev() {
-            let layout = layout(self.kind(), &answer);
-            for span in layout.lists.iter().filter(|span| span.list == list) {
-                let mut elements: Vec<_> = span
-                    .elements
-                    .iter()
-                    .map(|place| answer[place.clone()].to_vec())
-                    .collect();
-                let by_numbers = |a: &Vec<f64>, b: &Vec<f64>| {
-                    let first = a.iter().zip(b).map(|(a, b)| a.total_cmp(b));
-                    first.fold(a.len().cmp(&b.len()), Ordering::then)
-                };
-                elements.sort_by(by_numbers);
-                let start = span.count + 1;
-                let flat = elements.concat();
-                answer[start..start + flat.len()].copy_from_slice(&flat);
-            }
-        }
-        answer
-    }
-
     /// The same evidence of one part, or of the shape; none if nothing is wrong with it.
     pub fn of(&self, scope: Scope) -> Option<Self> {
         let mut items = Vec::new();
@@ -295,92 +225,6 @@ impl<'a> Evidence<'a> {
         (wrong > 0).then_some(of)
     }
 
-    fn same_shape(&self, one: &[f64], other: &[f64]) -> bool {
-        let shape = |numbers: &[f64]| layout(self.kind(), numbers).shape(numbers);
-        shape(one) == shape(other)
-    }
-
-    /// The golden answer with a part of another answer of the same shape.
-    fn projected(&self, part: usize, golden: &[f64], other: &[f64]) -> Option<Vec<f64>> {
-        let here = layout(self.kind(), golden);
-        let there = layout(self.kind(), other);
-        if here.shape(golden) != there.shape(other) || here != there {
-            return None;
-        }
-        let mut projected = golden.to_vec();
-        for leaf in here.of_part(part) {
-            projected[leaf.range()].copy_from_slice(&other[leaf.range()]);
-        }
-        Some(projected)
-    }
-
-    /// A prediction, as far as it is looked at; none if it says nothing.
-    fn seen(&self, item: &Item, prediction: Vec<f64>) -> Option<Vec<f64>> {
-        let prediction = self.canonical(prediction);
-        match self.scope {
-            Scope::Part(part) => self.projected(part, item.golden(), &prediction),
-            _ => Some(prediction),
-        }
-    }
-
-    /// Whether an answer is the one that is predicted; and whether it is so to the last digits.
-    fn agrees(&self, item: &Item, prediction: &[f64]) -> (bool, bool) {
-        if self.scope == Scope::Shape {
-            let same = self.same_shape(prediction, &item.got);
-            return (same, same);
-        }
-        if self.alike(item, prediction) {
-            return (true, true);
-        }
-        let judged = || {
-            let compare = |one, other| self.examiner.compare(&item.question, one, other).is_ok();
-            compare(prediction, &item.got) && compare(&item.got, prediction)
-        };
-        (
-            self.judged && prediction.iter().all(|v| !v.is_nan()) && judged(),
-            false,
-        )
-    }
-
-    /// The same numbers, up to rounding.
-    fn alike(&self, item: &Item, prediction: &[f64]) -> bool {
-        if prediction.len() != item.got.len() {
-            return false;
-        }
-        let relative = f64::from(self.examiner.alike());
-        let mut inside = vec![f64::NAN; prediction.len()];
-        for leaf in &item.layout.leaves {
-            let whole = matches!(self.parts[leaf.part].kind, Kind::Whole);
-            inside[leaf.range()].fill(if whole {
-                f64::NAN
-            } else {
-                CLOSE * self.scales[leaf.part]
-            });
-        }
-        let close = |((a, b), floor): ((&f64, &f64), &f64)| {
-            a == b
-                || (a.is_nan() && b.is_nan())
-                || (a - b).abs() <= floor + relative * a.abs().max(b.abs()) && (a - b).is_finite()
-        };
-        prediction.iter().zip(&item.got).zip(&inside).all(close)
-    }
-
-    /// Whether an answer, as far as it is looked at, would be judged right.
-    fn is_right(&self, item: &Item, prediction: &[f64]) -> bool {
-        if self.scope == Scope::Shape {
-            return self.same_shape(item.golden(), prediction);
-        }
-        let compare = |answer: &Vec<f64>| self.examiner.compare(&item.question, answer, prediction);
-        item.answers.iter().any(|answer| compare(answer).is_ok())
-    }
-
-    /// Whether an answer gives that of an item.
-    pub fn explains(&self, item: usize, answer: &[f64]) -> bool {
-        let item = &self.items[item];
-        self.seen(item, answer.to_vec())
-            .is_some_and(|seen| self.agrees(item, &seen).0)
-    }
-
     /// The first wrong items.
     pub fn probe(&self, most: usize) -> Self {
         let wrong = self.wrong.min(most);
@@ -400,41 +244,5 @@ impl<'a> Evidence<'a> {
             .filter(|item| item.tells >= 1.0)
             .count()
             >= 3
-    }
-
-    /// How well predictions, one per item, agree with all answers; none if they explain less than this share of the wrong ones.
-    pub fn score(
-        &self,
-        share: f64,
-        mut predict: impl FnMut(usize) -> Option<Vec<f64>>,
-    ) -> Option<Score> {
-        let needed = (share * self.wrong as f64).ceil().max(1.0) as usize;
-        let mut score = Score::default();
-        for (i, item) in self.items.iter().enumerate() {
-            let prediction = predict(i).and_then(|prediction| self.seen(item, prediction));
-            if item.right {
-                let Some(prediction) = prediction else {
-                    continue;
-                };
-                let (agrees, close) = self.agrees(item, &prediction);
-                score.close += usize::from(close);
-                if !agrees && !self.is_right(item, &prediction) {
-                    score.contradicted += 1;
-                }
-                continue;
-            }
-            let (agrees, close) = prediction.map_or((false, false), |p| self.agrees(item, &p));
-            if agrees {
-                score.explained += 1;
-                score.close += usize::from(close);
-                score.tells += item.tells;
-            } else {
-                score.missed += 1;
-                if self.wrong - score.missed < needed {
-                    return None;
-                }
-            }
-        }
-        Some(score)
     }
 }

@@ -3,7 +3,8 @@
 use super::evidence::Evidence;
 use super::fit::{self, Answers};
 use super::misread::Misreading;
-use super::{Diagnosis, golden, misread, special};
+use super::search::{golden, misread};
+use super::{Diagnosis, special};
 
 /// What is not explained by a mistake may be this share of what it explains …
 const REST: f64 = 0.35;

@@ -27,6 +27,10 @@ const TOO_MUCH_WORK: &[(&str, &str)] = &[
     ("bvh_closest", "opens the farther child first"),
     (
         "bvh_closest",
+        "opens the first child first, whichever is nearer",
+    ),
+    (
+        "bvh_closest",
         "does not ask again when a waiting node's turn comes",
     ),
     ("wide_closest", "opens every child"),

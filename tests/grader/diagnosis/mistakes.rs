@@ -528,7 +528,12 @@ pub const MISTAKES: &[Slip] = &[
     slip(
         "grid_resolution",
         "one more along each axis",
-        &["1 too much", "one too much", "from 1"],
+        &[
+            "1 too much",
+            "one too much",
+            "from 1",
+            "more than the budget",
+        ],
         |q, right| changed(right(q), |n| n.iter_mut().for_each(|v| *v += 1.0)),
     ),
     slip(
@@ -835,7 +840,12 @@ pub const MISTAKES: &[Slip] = &[
     slip(
         "spend_budget",
         "one more each",
-        &["1 too much", "one too much", "from 1"],
+        &[
+            "1 too much",
+            "one too much",
+            "from 1",
+            "more than the budget",
+        ],
         |q, right| changed(right(q), |a| a[1..].iter_mut().for_each(|v| *v += 1.0)),
     ),
     slip(

@@ -92,6 +92,23 @@ impl Graded for CameraRay {
             hint: "Make the picture twice as wide: does the view get wider or higher?",
             answer: |q| Self::misread(q, |q| q.plane = vec2(q.plane.y, q.plane.x)),
         },
+        Mistake {
+            name: "adds the focal point to the direction",
+            hint: "A direction is the way from one point to another: is yours a way, or a point?",
+            answer: |q| {
+                let CameraRayAnswer { origin, direction } = CameraRay::answer(q);
+                let to_place = q.focal_length / direction.dot(*q.forward);
+                CameraRayAnswer {
+                    origin,
+                    direction: (origin + to_place * direction).normalize_or_zero(),
+                }
+            },
+        },
+        Mistake {
+            name: "does not multiply the film by the size of the plane",
+            hint: "The film goes from 0 to 1: how many metres of the plane is that?",
+            answer: |q| Self::misread(q, |q| q.film /= q.plane),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -60,5 +60,10 @@ impl Graded for Expose {
             hint: "Two stops more: how many times the light? And two stops less?",
             answer: |q| q.radiance * (q.stops * q.stops).exp2(),
         },
+        Mistake {
+            name: "takes the square of the number of stops for a power of 2",
+            hint: "Three stops: is that 3², or 2³?",
+            answer: |q| q.radiance * (q.stops * q.stops),
+        },
     ];
 }

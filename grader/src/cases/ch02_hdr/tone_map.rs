@@ -66,6 +66,11 @@ impl Graded for ToneMap {
             hint: "That is another curve, which photographers use too: which one was asked for?",
             answer: |q| q.radiance.map(|v| 1.0 - (-v).exp()),
         },
+        Mistake {
+            name: "takes the sum of the channels for the luminance",
+            hint: "How bright is white, and which weights add up to that?",
+            answer: |q| q.radiance / (1.0 + q.radiance.r + q.radiance.g + q.radiance.b),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -129,6 +129,19 @@ impl Graded for SolveQuadratic {
             hint: "Two formulas are mixed: in the one with b/2 everything is divided by a, and b is halved everywhere.",
             answer: |q| under(q, 0.25 * q.b * q.b - q.a * q.c),
         },
+        Mistake {
+            name: "returns the root of the larger size first",
+            hint: "Which of the two roots is the smaller one, if both are negative?",
+            answer: |q| {
+                SolveQuadratic::answer(q).map(|t| {
+                    if t.y.abs() > t.x.abs() {
+                        vec2(t.y, t.x)
+                    } else {
+                        t
+                    }
+                })
+            },
+        },
     ];
 }
 

@@ -122,6 +122,35 @@ impl Graded for SphereHit {
                 roots.into_iter().find(|t| q.within.contains(*t))
             },
         },
+        Mistake {
+            name: "goes from the centre to the origin instead of from the origin to the centre",
+            hint: "From where to where does your vector between the origin and the centre point?",
+            answer: |q| Self::misread(q, |q| q.ray.direction = -q.ray.direction),
+        },
+        Mistake {
+            name: "goes only half of the half chord back and forth from the middle",
+            hint: "From the middle of the chord, how far is it to its ends?",
+            answer: |q| {
+                let t = both(q)?;
+                let (middle, half) = (0.5 * (t.x + t.y), 0.25 * (t.y - t.x));
+                [middle - half, middle + half]
+                    .into_iter()
+                    .find(|t| q.within.contains(*t))
+            },
+        },
+        Mistake {
+            name: "takes the distance of the centre from the origin for that from the ray",
+            hint: "Draw the right triangle in the sphere: which of its sides is the radius, and how near does the ray come to the centre?",
+            answer: |q| {
+                let to_center = q.center - q.ray.origin;
+                let middle = to_center.dot(*q.ray.direction);
+                let square = q.radius * q.radius - to_center.length_squared();
+                let half = (square >= 0.0).then(|| square.sqrt())?;
+                [middle - half, middle + half]
+                    .into_iter()
+                    .find(|t| q.within.contains(*t))
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

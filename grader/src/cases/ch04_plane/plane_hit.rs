@@ -79,6 +79,20 @@ impl Graded for PlaneHit {
                 (q.normal.dot(*q.ray.direction) != 0.0 && q.within.contains(t)).then_some(t)
             },
         },
+        Mistake {
+            name: "has the sign of t wrong",
+            hint: "Put the origin one metre in front of a wall and look at it: which sign has your t?",
+            answer: |q| Self::misread(q, |q| q.ray.direction = -q.ray.direction),
+        },
+        Mistake {
+            name: "takes the size of t",
+            hint: "What does a negative t mean?",
+            answer: |q| {
+                Self::misread(q, |q| q.within = sample::LINE)
+                    .map(f32::abs)
+                    .filter(|t| q.within.contains(*t))
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -103,6 +103,18 @@ impl Graded for BoxClip {
             hint: "How many pairs of planes has a box?",
             answer: |q| Self::misread(q, |q| (q.min.z, q.max.z) = (-1e9, 1e9)),
         },
+        Mistake {
+            name: "calls a ray along a face a miss",
+            hint: "A ray that never leaves the slab between two faces: what does that slab cut off?",
+            answer: |q| {
+                BoxClip::answer(q).filter(|_| q.ray.direction.to_array().iter().all(|d| *d != 0.0))
+            },
+        },
+        Mistake {
+            name: "misses what the ray only touches",
+            hint: "At an edge, the ray enters and leaves at the same t: is that empty?",
+            answer: |q| BoxClip::answer(q).filter(|part| part.min < part.max),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -111,6 +111,17 @@ impl Graded for TriangleHit {
                 TriangleHit::answer(q).filter(|_| normal(q).dot(*q.ray.direction).abs() > 1e-4)
             },
         },
+        Mistake {
+            name: "takes the distance without its sign",
+            hint: "What if the triangle is behind the origin?",
+            answer: |q| {
+                let hit = Self::misread(q, |q| q.within = sample::LINE)?;
+                let t = hit.t.abs();
+                q.within
+                    .contains(t)
+                    .then_some(TriangleHitAnswer { t, ..hit })
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -146,6 +146,20 @@ impl Graded for VertexNormals {
                 vec![all.normalize_or(Vec3::Y); q.positions.len()]
             },
         },
+        Mistake {
+            name: "leaves out the last corner of each triangle",
+            hint: "How many corners has a triangle, and to how many of them do you add?",
+            answer: |q| {
+                let mut sums = vec![Vec3::ZERO; q.positions.len()];
+                for ([first, second, _], twice_area) in faces(q, Vec3::cross) {
+                    sums[first] += twice_area;
+                    sums[second] += twice_area;
+                }
+                sums.into_iter()
+                    .map(|sum| sum.normalize_or(Vec3::Y))
+                    .collect()
+            },
+        },
     ];
 }
 

@@ -96,6 +96,46 @@ impl Graded for GridResolution {
                 whole(along * q.density, f32::round)
             },
         },
+        Mistake {
+            name: "takes the cube root even where fewer axes are cut",
+            hint: "In a flat box there are λN cells along two axes: which root gives the cells along one?",
+            answer: |q| {
+                let right = share(q);
+                let count = right.to_array().iter().filter(|n| **n > 0.0).count();
+                let content: f32 = (0..3)
+                    .filter(|&i| right[i] > 0.0)
+                    .map(|i| q.extents[i])
+                    .product();
+                if count == 3 {
+                    return GridResolution::answer(q);
+                }
+                let along = q.extents * (cells(q) / content).cbrt();
+                let thick = right.map(|n| f32::from(u8::from(n > 0.0)));
+                whole(along * thick, f32::round)
+            },
+        },
+        Mistake {
+            name: "does not cut at all where an axis is too thin to be cut",
+            hint: "A flat box has no volume, but it has an area: into how many cells would you cut that?",
+            answer: |q| {
+                if share(q).min_element() > 0.0 {
+                    GridResolution::answer(q)
+                } else {
+                    whole(Vec3::ONE, f32::round)
+                }
+            },
+        },
+        Mistake {
+            name: "cuts all axes into equally many cells",
+            hint: "A box is twice as long as it is wide: are cells that are as long as they are wide as many along both?",
+            answer: |q| {
+                let right = share(q);
+                let count = right.to_array().iter().filter(|n| **n > 0.0).count();
+                let along = cells(q).powf(1.0 / (count as f32).max(1.0));
+                let thick = right.map(|n| f32::from(u8::from(n > 0.0)));
+                whole(thick * along, f32::round)
+            },
+        },
     ];
 }
 

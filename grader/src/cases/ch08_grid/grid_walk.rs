@@ -1,6 +1,6 @@
 //! `grid_walk`: random questions, judge and mistakes.
 
-use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
+use crate::{Flaw, Graded, Mistake, Picture, Verdict, judge, sample};
 use glam::{UVec3, uvec3, vec3};
 use rand::RngExt;
 use raybook::image::rgb::Rgb;
@@ -78,6 +78,29 @@ impl Graded for GridWalk {
     }
 
     const POSITIVE: &'static [&'static str] = &["cell"];
+
+    const FLAWS: &'static [Flaw] = &[
+        Flaw {
+            complaint: "your walk ends after",
+            name: "ends the walk too early",
+            hint: "When does your loop end: at the last cell, at the interval's end, or before?",
+        },
+        Flaw {
+            complaint: "your walk goes on to",
+            name: "goes on after the ray has left the grid, or after the interval's end",
+            hint: "When does your loop end: at the last cell, at the interval's end, or after it?",
+        },
+        Flaw {
+            complaint: "of your walk is",
+            name: "walks through other cells than the ray",
+            hint: "Draw three cells in a row: at which distance is the next plane along each axis, and which of the three comes first? Where does the first cell begin?",
+        },
+        Flaw {
+            complaint: "the distance at which it leaves",
+            name: "gives wrong distances for the right cells",
+            hint: "From where is t measured, and is it that of the plane at which the ray leaves a cell?",
+        },
+    ];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
@@ -160,6 +183,30 @@ impl Graded for GridWalk {
             name: "takes cells for cubes",
             hint: "A cell may be longer than it is wide: which of its extents do you use along each axis?",
             answer: |q| Self::misread(q, |q| (q.cell.y, q.cell.z) = (q.cell.x, q.cell.x)),
+        },
+        Mistake {
+            name: "measures the distances from where the ray enters the grid",
+            hint: "From where is t measured: from the ray's origin, or from the grid?",
+            answer: |q| {
+                let high = q.min + q.cell * vec3(q.nx as f32, q.ny as f32, q.nz as f32);
+                let enters = |axis: usize| {
+                    let (o, d) = (q.ray.origin[axis], q.ray.direction[axis]);
+                    let near = if d > 0.0 { q.min[axis] } else { high[axis] };
+                    if d == 0.0 {
+                        f32::NEG_INFINITY
+                    } else {
+                        (near - o) / d
+                    }
+                };
+                let start = (0..3).map(enters).fold(q.within.min, f32::max);
+                let visits = GridWalk::answer(q).into_iter();
+                visits
+                    .map(|visit| Visit {
+                        leave: visit.leave - start,
+                        ..visit
+                    })
+                    .collect()
+            },
         },
     ];
 

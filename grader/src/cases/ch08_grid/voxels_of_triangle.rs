@@ -1,6 +1,6 @@
 //! `voxels_of_triangle`: random questions, judge and mistakes.
 
-use crate::{Graded, Mistake, Verdict, sample};
+use crate::{Flaw, Graded, Mistake, Verdict, sample};
 use glam::{UVec3, Vec3, uvec3, vec3};
 use rand::RngExt;
 use raybook::inside::grid::{self, range};
@@ -67,6 +67,29 @@ impl Graded for VoxelsOfTriangle {
 
     const POSITIVE: &'static [&'static str] = &["cell"];
 
+    const FLAWS: &'static [Flaw] = &[
+        Flaw {
+            complaint: "is there twice",
+            name: "names a cell twice",
+            hint: "How often is each cell appended?",
+        },
+        Flaw {
+            complaint: "is not in the lattice",
+            name: "names cells outside of the lattice",
+            hint: "Which numbers have the first cell and the last one along each axis?",
+        },
+        Flaw {
+            complaint: "one too many",
+            name: "names cells that the triangle does not reach",
+            hint: "A triangle is smaller than its bounding box: which cells of the box does it miss? Which planes and which edges can part a cell and a triangle?",
+        },
+        Flaw {
+            complaint: "is missing: the triangle",
+            name: "leaves out cells that the triangle reaches",
+            hint: "A long triangle passes through cells in which none of its corners is: do you find them, and those that it reaches only with the margin?",
+        },
+    ];
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "takes all cells of the bounding box",
@@ -129,6 +152,18 @@ impl Graded for VoxelsOfTriangle {
             name: "takes the lattice to begin at the origin",
             hint: "Move the lattice and the triangle by one metre: the answer must not change.",
             answer: |q| Self::misread(q, |q| q.min = Vec3::ZERO),
+        },
+        Mistake {
+            name: "adds the margin on one side of the cells only",
+            hint: "A triangle that passes a cell on its left by less than the margin: does your cell reach that far?",
+            answer: |q| {
+                let half = 0.5 * q.margin;
+                Self::misread(q, |q| {
+                    let by = Vec3::splat(half);
+                    (q.p0, q.p1, q.p2) = (q.p0 - by, q.p1 - by, q.p2 - by);
+                    q.margin = half;
+                })
+            },
         },
     ];
 }

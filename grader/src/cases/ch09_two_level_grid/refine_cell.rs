@@ -1,7 +1,7 @@
 //! `refine_cell`: random questions, judge and mistakes.
 
-use crate::{Graded, Mistake, Verdict, sample};
-use glam::{UVec3, vec3};
+use crate::{Flaw, Graded, Mistake, Verdict, sample};
+use glam::{UVec3, Vec3, vec3};
 use rand::RngExt;
 use raybook::inside::grid::Lattice;
 use raybook::math::{aabb::Aabb, pcg::Pcg};
@@ -92,6 +92,39 @@ impl Graded for RefineCell {
     }
 
     const POSITIVE: &'static [&'static str] = &["density"];
+
+    const FLAWS: &'static [Flaw] = &[
+        Flaw {
+            complaint: "are asked for",
+            name: "cuts the cell into a wrong number of fine cells",
+            hint: "What are the extents of the cell, how many shapes are in it, and how many cells are allowed along an axis?",
+        },
+        Flaw {
+            complaint: "there is no shape",
+            name: "counts the shapes from 1",
+            hint: "What is the number of the first shape?",
+        },
+        Flaw {
+            complaint: "there is no cell",
+            name: "names cells that are not there",
+            hint: "Which numbers have the first cell and the last one along each axis?",
+        },
+        Flaw {
+            complaint: "is twice in cell",
+            name: "names a shape twice in the same cell",
+            hint: "How often is each pair of a cell and a shape appended?",
+        },
+        Flaw {
+            complaint: "does not reach cell",
+            name: "names shapes in cells that they do not reach",
+            hint: "Does the shape's box overlap the cell along all three axes?",
+        },
+        Flaw {
+            complaint: "which does not name it",
+            name: "leaves shapes out of cells that they reach",
+            hint: "A shape may reach several cells, and beyond the coarse cell: does your test find it in all of them?",
+        },
+    ];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
@@ -194,6 +227,21 @@ impl Graded for RefineCell {
                 } else {
                     cut(q, UVec3::new(x, y, z))
                 }
+            },
+        },
+        Mistake {
+            name: "names only shapes that lie within a cell as a whole",
+            hint: "A shape that sticks out of a cell: who finds the part inside?",
+            answer: |q| {
+                let mut answer = RefineCell::answer(q);
+                let n = UVec3::new(answer.nx, answer.ny, answer.nz).as_vec3();
+                let size = (q.max - q.min) / n.max(Vec3::ONE);
+                answer.entries.retain(|entry| {
+                    let low = q.min + size * UVec3::new(entry.x, entry.y, entry.z).as_vec3();
+                    let shape = &q.shapes[entry.shape as usize];
+                    shape.min.cmpge(low).all() && shape.max.cmple(low + size).all()
+                });
+                answer
             },
         },
     ];

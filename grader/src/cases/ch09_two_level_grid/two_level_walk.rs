@@ -1,6 +1,10 @@
 //! `two_level_walk`: random questions, judge and mistakes.
 
-use crate::{Graded, Mistake, Verdict, passage::passage, sample};
+use crate::{
+    Flaw, Graded, Mistake, Verdict,
+    passage::{self, passage},
+    sample,
+};
 use glam::vec3;
 use rand::RngExt;
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
@@ -85,6 +89,14 @@ impl Graded for TwoLevelWalk {
     fn judge(q: &TwoLevelWalk, golden: &Vec<u32>, got: &Vec<u32>) -> Verdict {
         passage("cell", &cells(q), &q.ray, q.within, golden, got)
     }
+
+    const FLAWS: &'static [Flaw] = &[
+        passage::TWICE,
+        passage::ASIDE,
+        passage::LATE,
+        passage::MISSING,
+        passage::NOTHING,
+    ];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

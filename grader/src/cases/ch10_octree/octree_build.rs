@@ -1,6 +1,6 @@
 //! `octree_build`: random questions, judge and mistakes.
 
-use crate::{Graded, Mistake, Verdict, sample, traits};
+use crate::{Flaw, Graded, Mistake, Verdict, sample, traits};
 use glam::Vec3;
 use rand::RngExt;
 use raybook::accel::octree::build::Limits;
@@ -95,9 +95,13 @@ impl Graded for OctreeBuild {
         // The golden tree is made by the same rules, so it can be taken apart too.
         let (cost, least) = (cost(q, got), cost(q, golden));
         if cost > 1.02 * least + 1e-3 {
-            return Err(format!(
+            let tests = format!(
                 "a ray through the cell is expected to cost {cost:.2} tests, and need not cost more than {least:.2}"
-            ));
+            );
+            return Err(match wrong_choice(q, got) {
+                Some(why) => format!("{why}: {tests}"),
+                None => tests,
+            });
         }
         Ok(())
     }
@@ -119,7 +123,97 @@ impl Graded for OctreeBuild {
         ]
     }
 
+    /// The nodes by levels, and the names of each leaf sorted, where it is a tree.
+    fn canonical(q: &OctreeBuild, tree: TreeRow) -> TreeRow {
+        if leaves(q, &tree).is_err() {
+            return tree;
+        }
+        let mut one = TreeRow {
+            nodes: vec![tree.nodes[0].clone()],
+            names: Vec::new(),
+        };
+        let mut i = 0;
+        while i < one.nodes.len() {
+            let first = one.nodes[i].first as usize;
+            if one.nodes[i].inner == 1 {
+                one.nodes[i].first = one.nodes.len() as u32;
+                one.nodes.extend_from_slice(&tree.nodes[first..first + 8]);
+            } else {
+                one.nodes[i].first = one.names.len() as u32;
+                let count = one.nodes[i].count as usize;
+                let mut names = tree.names[first.min(tree.names.len())..][..count].to_vec();
+                names.sort_unstable();
+                one.names.extend(names);
+            }
+            i += 1;
+        }
+        one
+    }
+
     const SLOW: bool = true;
+
+    const FLAWS: &'static [Flaw] = &[
+        Flaw {
+            complaint: "there is no node",
+            name: "gives a node children that are not in the list of nodes",
+            hint: "A node's children are eight in a row, from its `first`: is that the number of the first child, and are all eight in the list, empty ones too?",
+        },
+        Flaw {
+            complaint: "is the child of two nodes",
+            name: "gives two nodes the same child",
+            hint: "How long is the list of nodes at the moment when a node's children are appended?",
+        },
+        Flaw {
+            complaint: "a node with children is 1, its first child and 0",
+            name: "mixes up what a node with children holds and what a leaf holds",
+            hint: "What do the three numbers of a node mean if it has children, and what if it is a leaf?",
+        },
+        Flaw {
+            complaint: "of a list of",
+            name: "lets leaves begin at the wrong place of the list of names",
+            hint: "How long is the list of names before a leaf's own are appended, and how long after that?",
+        },
+        Flaw {
+            complaint: "which is the limit",
+            name: "cuts deeper than the depth allows",
+            hint: "With a depth of 0, how many nodes may there be? What becomes of the depth from a cell to its children?",
+        },
+        Flaw {
+            complaint: "counted from 0",
+            name: "counts the shapes from 1",
+            hint: "What is the number of the first shape?",
+        },
+        Flaw {
+            complaint: "twice",
+            name: "names a shape twice in the same leaf",
+            hint: "How often may a ray test the same shape in a leaf?",
+        },
+        Flaw {
+            complaint: "which does not name it",
+            name: "leaves shapes out of leaves that they reach",
+            hint: "A shape may reach several children: does your test let it into all of them, and are a child's lower and upper corners those of its number?",
+        },
+        Flaw {
+            complaint: "which is not in it",
+            name: "names shapes in leaves that they do not reach",
+            hint: "Which of a cell's shapes does a child get: all, or those whose boxes overlap its own?",
+        },
+        Flaw {
+            complaint: "shapes in all, and may name",
+            name: "makes more copies than the limit allows",
+            hint: "What is left of the limit on copies for the children, when a cut has used some of it?",
+        },
+        Flaw {
+            complaint: "is cut, and that does not pay",
+            name: "cuts cells where that does not pay",
+            hint: "Write down the cost of a leaf and that of a cut cell for the smallest case: which of them is less, and what does a child cost a ray that may miss it?",
+        },
+        Flaw {
+            complaint: "is not cut, and that would pay",
+            name: "leaves cells whole where a cut would pay",
+            hint: "Write down the cost of a leaf and that of a cut cell for the smallest case: which of them is less, and has anything else stopped the cut?",
+        },
+    ];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
@@ -230,6 +324,25 @@ impl Graded for OctreeBuild {
                 )
             },
         },
+        Mistake {
+            name: "forgets the cost of opening a node",
+            hint: "Is a node with children free for a ray that enters it?",
+            answer: |q| built(q, |l| Limits { opening: 0.0, ..l }, reached),
+        },
+        Mistake {
+            name: "cuts once less than the depth allows",
+            hint: "With a depth of 1, how many nodes may there be?",
+            answer: |q| {
+                built(
+                    q,
+                    |l| Limits {
+                        depth: l.depth.saturating_sub(1),
+                        ..l
+                    },
+                    reached,
+                )
+            },
+        },
     ];
 }
 
@@ -292,6 +405,52 @@ fn leaves(q: &OctreeBuild, tree: &TreeRow) -> Result<Vec<LeafOf>, String> {
         )),
         None => Ok(leaves),
     }
+}
+
+/// The first node that should have been cut, or should not, by the rule and within the limits.
+fn wrong_choice(q: &OctreeBuild, tree: &TreeRow) -> Option<String> {
+    let root = Aabb {
+        min: q.min,
+        max: q.max,
+    };
+    let all: Vec<_> = (0..q.shapes.len()).collect();
+    let mut to_do = vec![(0, root, all, q.copies, q.depth)];
+    while let Some((node, cell, shapes, copies, depth)) = to_do.pop() {
+        let cells: [Aabb; 8] = std::array::from_fn(|i| child_cell(&cell, i));
+        let bits: Vec<_> = shapes
+            .iter()
+            .map(|&shape| reached(&q.shapes[shape], &cells))
+            .collect();
+        let (before, after) = (
+            shapes.len() as f32,
+            bits.iter().map(|bits| bits.count_ones()).sum::<u32>() as f32,
+        );
+        let gain = before - q.opening - 0.25 * after;
+        let row = tree.nodes.get(node)?;
+        if row.inner == 0 {
+            if gain > 1e-3 && depth > 0 && after < copies * before * (1.0 - 1e-3) {
+                return Some(format!("leaf {node} is not cut, and that would pay"));
+            }
+            continue;
+        }
+        if gain < -1e-3 {
+            return Some(format!("node {node} is cut, and that does not pay"));
+        }
+        let left = copies / (after / before).max(1.0);
+        for (i, cell) in cells.into_iter().enumerate() {
+            let inside = shapes.iter().zip(&bits);
+            let inside = inside.filter(|(_, bits)| *bits >> i & 1 != 0);
+            let inside = inside.map(|(&shape, _)| shape).collect();
+            to_do.push((
+                row.first as usize + i,
+                cell,
+                inside,
+                left,
+                depth.saturating_sub(1),
+            ));
+        }
+    }
+    None
 }
 
 /// The tests that a ray through the root is expected to cost: a node at depth d is entered by one ray of 4^d.

@@ -1,6 +1,10 @@
 //! `octree_walk`: random questions, judge and mistakes.
 
-use crate::{Graded, Mistake, Verdict, passage::passage, sample};
+use crate::{
+    Flaw, Graded, Mistake, Verdict,
+    passage::{self, passage},
+    sample,
+};
 use rand::RngExt;
 use raybook::inside::octree::Kind;
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
@@ -90,6 +94,29 @@ impl Graded for OctreeWalk {
         }
         passage("leaf", &cells, &q.ray, q.within, golden, got)
     }
+
+    const FLAWS: &'static [Flaw] = &[
+        Flaw {
+            complaint: "does not exist",
+            name: "names nodes that are not there",
+            hint: "What is the number of a node's child?",
+        },
+        Flaw {
+            complaint: "is no leaf",
+            name: "names nodes that are no leaves",
+            hint: "Which number of a node tells whether it is a leaf, and what do you return of it?",
+        },
+        Flaw {
+            complaint: "is an empty leaf",
+            name: "names empty leaves too",
+            hint: "What is there to test in a leaf without shapes?",
+        },
+        passage::TWICE,
+        passage::ASIDE,
+        passage::LATE,
+        passage::MISSING,
+        passage::NOTHING,
+    ];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

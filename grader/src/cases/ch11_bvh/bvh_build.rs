@@ -1,13 +1,15 @@
 //! `bvh_build`: random questions, judge and mistakes.
 
 use super::sah_cost::node_area;
-use super::{around, center, cube, heaps, no_dearer, tree};
-use crate::{Graded, Mistake, Verdict, traits};
+use super::sah_split::cuts;
+use super::{area, around, center, cube, heaps, no_dearer, tree};
+use crate::{Flaw, Graded, Mistake, Verdict, traits};
 use raybook::accel::bvh::build::Method;
 use raybook::math::{aabb::Aabb, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch11_bvh::{BvhBuild, BvhBuildAnswer};
-use raybook_workbook::tree_rows::NodeRow;
+use raybook_workbook::tree_rows::{BoxRow, NodeRow};
+use std::cmp::Ordering;
 
 /// How much more than the reference's a tree may cost: neither is the best, and which cut is taken first decides more.
 const DEARER: f32 = 0.25;
@@ -51,6 +53,10 @@ impl Graded for BvhBuild {
             tree_cost(q, golden)?,
             DEARER,
         )
+        .map_err(|why| match wrong_choice(q, got) {
+            Some(choice) => format!("{why}: {choice}"),
+            None => why,
+        })
     }
 
     fn traits(q: &BvhBuild, got: &BvhBuildAnswer) -> Vec<f64> {
@@ -85,7 +91,114 @@ impl Graded for BvhBuild {
         ]
     }
 
+    /// The nodes by levels, the child with the lower corner first, and each leaf's boxes by number, where it is a tree.
+    fn canonical(q: &BvhBuild, tree: BvhBuildAnswer) -> BvhBuildAnswer {
+        if tree.nodes.is_empty() || tree_cost(q, &tree).is_err() {
+            return tree;
+        }
+        let mut one = BvhBuildAnswer {
+            nodes: vec![tree.nodes[0].clone()],
+            order: Vec::new(),
+        };
+        let mut i = 0;
+        while i < one.nodes.len() {
+            let first = one.nodes[i].first as usize;
+            let count = one.nodes[i].count as usize;
+            if count == 0 {
+                one.nodes[i].first = one.nodes.len() as u32;
+                let mut children = tree.nodes[first..first + 2].to_vec();
+                let corner = |node: &NodeRow| [node.min.to_array(), node.max.to_array()].concat();
+                children.sort_by(|a, b| {
+                    let both = corner(a).into_iter().zip(corner(b));
+                    both.map(|(a, b)| a.total_cmp(&b))
+                        .fold(Ordering::Equal, Ordering::then)
+                });
+                one.nodes.extend(children);
+            } else {
+                one.nodes[i].first = one.order.len() as u32;
+                let mut shapes = tree.order[first..first + count].to_vec();
+                shapes.sort_unstable();
+                one.order.extend(shapes);
+            }
+            i += 1;
+        }
+        one
+    }
+
     const SLOW: bool = true;
+
+    const FLAWS: &'static [Flaw] = &[
+        Flaw {
+            complaint: "the order has",
+            name: "loses boxes on the way into the order, or puts some there twice",
+            hint: "Count: how long is the order, and how many boxes are there?",
+        },
+        Flaw {
+            complaint: "there is no node",
+            name: "makes no node where there must be one",
+            hint: "How many nodes does a tree of one box have?",
+        },
+        Flaw {
+            complaint: "which is not there",
+            name: "gives a branch children that are not in the list of nodes",
+            hint: "How long is the list of nodes at the moment when a branch's two children are appended?",
+        },
+        Flaw {
+            complaint: "is the child of two branches",
+            name: "gives two branches the same child",
+            hint: "The two children of a branch are side by side, from its `first`: does another branch use one of these places?",
+        },
+        Flaw {
+            complaint: "are allowed",
+            name: "puts more boxes into a leaf than are allowed",
+            hint: "What makes a leaf final: that a cut would not pay, that there are few enough boxes in it, or both?",
+        },
+        Flaw {
+            complaint: "of the order, where no box is",
+            name: "lets leaves name places or boxes that are not there",
+            hint: "Does a leaf begin where the order ended before its own boxes were appended? Do your boxes count from 0?",
+        },
+        Flaw {
+            complaint: "is in the tree twice",
+            name: "puts a box into two leaves",
+            hint: "Draw the order as a line: which piece of it belongs to which leaf?",
+        },
+        Flaw {
+            complaint: "sticks out of node",
+            name: "gives nodes boxes that do not hold what is below them",
+            hint: "From which boxes, and from how many of them, is a node's own box made?",
+        },
+        Flaw {
+            complaint: "is larger than what it holds",
+            name: "gives nodes boxes that are larger than what they hold",
+            hint: "From which boxes is a node's own box made: from those below it, or from more?",
+        },
+        Flaw {
+            complaint: "is in no leaf",
+            name: "loses boxes",
+            hint: "Count: how many boxes are in your leaves?",
+        },
+        Flaw {
+            complaint: "half of its boxes on each side",
+            name: "puts half of the boxes on each side of every cut",
+            hint: "One box far away from nine others: who should share a side with it?",
+        },
+        Flaw {
+            complaint: "a leaf, and a cut would be cheaper",
+            name: "stops cutting where a cut would be cheaper than the leaf",
+            hint: "A leaf of four costs four tests wherever the ray is in it: what would two leaves of two cost, and how often would each be opened?",
+        },
+        Flaw {
+            complaint: "is cut, and a leaf would be cheaper",
+            name: "goes on cutting where a leaf would be cheaper",
+            hint: "Two boxes that lie in the same place: what does a ray gain if they are in two leaves?",
+        },
+        Flaw {
+            complaint: "another cut of its boxes",
+            name: "does not find the cheapest cut",
+            hint: "Of each cut: is its cost the area of a side's box times the number of boxes in it, summed over both sides? Do you try all three axes and all places between the sorted centres, and take the least?",
+        },
+    ];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
@@ -257,4 +370,70 @@ fn tree_cost(q: &BvhBuild, tree: &BvhBuildAnswer) -> Result<f32, String> {
             .first()
             .map_or(1.0, node_area)
             .max(f32::MIN_POSITIVE))
+}
+
+/// The first choice in a tree that costs more than it need: of a leaf, or of a cut.
+fn wrong_choice(q: &BvhBuild, tree: &BvhBuildAnswer) -> Option<String> {
+    let below = |node: usize| {
+        let (mut shapes, mut open) = (Vec::new(), vec![node]);
+        while let Some(row) = open.pop().and_then(|i| tree.nodes.get(i)) {
+            let (first, count) = (row.first as usize, row.count as usize);
+            if count == 0 {
+                open.extend([first, first + 1]);
+            }
+            shapes.extend(tree.order.get(first..first + count).unwrap_or_default());
+        }
+        shapes
+    };
+    let mut halves = true;
+    let mut first = None;
+    let mut open = vec![0];
+    while let Some(i) = open.pop() {
+        let shapes = below(i);
+        let boxes: Vec<_> = shapes
+            .iter()
+            .map(|&i| q.boxes[i as usize].clone())
+            .collect();
+        let cut = |sides: &[Vec<u32>; 2]| sides.each_ref().map(|side| price_of(&boxes, side));
+        let best = cuts(&boxes, center)
+            .iter()
+            .map(|(_, sides)| cut(sides).iter().sum::<f32>())
+            .fold(f32::INFINITY, f32::min);
+        let row = &tree.nodes[i];
+        let own = node_area(row);
+        let leaf = own * shapes.len() as f32;
+        if row.count > 0 {
+            if own + best < 0.99 * leaf {
+                let count = row.count;
+                first.get_or_insert(format!(
+                    "node {i} is a leaf, and a cut would be cheaper: it holds {count} boxes"
+                ));
+            }
+            continue;
+        }
+        let children = [row.first as usize, row.first as usize + 1];
+        let sides = children.map(below);
+        halves &= sides[0].len().abs_diff(sides[1].len()) <= 1;
+        let paid: f32 = sides.iter().map(|side| price_of(&q.boxes, side)).sum();
+        if shapes.len() <= q.most as usize && own + best > 1.01 * leaf {
+            first.get_or_insert(format!("node {i} is cut, and a leaf would be cheaper"));
+        } else if paid > 1.1 * best {
+            let more = 100.0 * (paid / best - 1.0);
+            first.get_or_insert(format!(
+                "node {i} is cut so that it costs {more:.0} % more than another cut of its boxes"
+            ));
+        }
+        open.extend(children);
+    }
+    let many = tree.nodes.len() > 6;
+    if halves && many {
+        return Some("each branch has half of its boxes on each side".to_owned());
+    }
+    first
+}
+
+/// The area around some of these boxes, times their number.
+fn price_of(boxes: &[BoxRow], which: &[u32]) -> f32 {
+    let Aabb { min, max } = around(boxes, which);
+    area(min, max) * which.len() as f32
 }

@@ -2,12 +2,13 @@
 
 use super::tree;
 use crate::{
-    Graded, Mistake, Picture, Verdict, judge, sample, search, search::How, search::Node,
-    search::Order, search::Tree, traits,
+    Flaw, Graded, Mistake, Picture, Verdict, judge, sample, search, search::How, search::Keeps,
+    search::Node, search::Order, search::Tree, traits,
 };
 use glam::{Vec3, vec3};
 use raybook::accel::bvh::build::Method;
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
+use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch07_mesh::Corners;
 use raybook_workbook::exercises::ch11_bvh::{BvhClosest, BvhClosestAnswer};
 use raybook_workbook::tree_rows::{BoxRow, NodeRow};
@@ -52,6 +53,39 @@ impl Graded for BvhClosest {
 
     const SLOW: bool = true;
 
+    const FLAWS: &'static [Flaw] = &[
+        Flaw {
+            complaint: "count each",
+            name: "does not count all of its work",
+            hint: "Is each test counted, one that finds nothing too?",
+        },
+        Flaw {
+            complaint: "the hit is right, but",
+            name: "finds the right hit with more work than needed",
+            hint: "Which boxes and triangles behind a hit are still asked? Which child is opened first? Are the same ones counted twice?",
+        },
+        Flaw {
+            complaint: "you returned triangle",
+            name: "names another triangle than the one that is hit",
+            hint: "Where does the number of a triangle come from: its place in the list of all triangles, or in its leaf?",
+        },
+        Flaw {
+            complaint: "but you returned none",
+            name: "misses triangles that are hit",
+            hint: "Which nodes are never opened?",
+        },
+        Flaw {
+            complaint: "but you returned one",
+            name: "finds hits outside of the interval, or where there are none",
+            hint: "Is every hit between the ends of the interval?",
+        },
+        Flaw {
+            complaint: " m too ",
+            name: "finds another hit than the nearest",
+            hint: "If several triangles are hit, which of them stays?",
+        },
+    ];
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "tests every triangle",
@@ -74,7 +108,7 @@ impl Graded for BvhClosest {
         Mistake {
             name: "returns the last hit instead of the nearest",
             hint: "A hit in the second child may lie behind one in the first: which one stays?",
-            answer: |q| search(q, |how| (how.shortens, how.keeps_nearest) = (false, false)),
+            answer: |q| search(q, |how| (how.shortens, how.keeps) = (false, Keeps::Last)),
         },
         Mistake {
             name: "opens the farther child first",
@@ -100,6 +134,30 @@ impl Graded for BvhClosest {
             name: "does not ask again when a waiting node's turn comes",
             hint: "Something was hit since the node was put aside: can anything in it still be nearer?",
             answer: |q| search(q, |how| how.drops = false),
+        },
+        Mistake {
+            name: "opens the first child first, whichever is nearer",
+            hint: "Where is the nearest hit more likely, and what is spared if you find it first?",
+            answer: |q| search(q, |how| how.order = Order::Stored),
+        },
+        Mistake {
+            name: "keeps the first hit that it finds",
+            hint: "Boxes may overlap: can a triangle that is tested later be nearer?",
+            answer: |q| search(q, |how| (how.shortens, how.keeps) = (false, Keeps::First)),
+        },
+        Mistake {
+            name: "returns the number of the triangle in its leaf",
+            hint: "Where does the number of a triangle come from: its place in the list of all triangles, or in its leaf?",
+            answer: |q| {
+                let mut answer = Self::answer(q);
+                if let Some(hit) = &mut answer.hit {
+                    let holds =
+                        |node: &&NodeRow| (node.first..node.first + node.count).contains(&hit.id);
+                    let leaf = q.nodes.iter().find(holds);
+                    hit.id -= leaf.map_or(0, |leaf| leaf.first);
+                }
+                answer
+            },
         },
     ];
 

@@ -1,7 +1,7 @@
 //! `sah_split`: random questions, judge and mistakes.
 
 use super::{area, around, center, heaps, no_dearer};
-use crate::{Graded, Mistake, Verdict, judge, traits};
+use crate::{Flaw, Graded, Mistake, Verdict, judge, traits};
 use glam::Vec3;
 use raybook::math::{aabb::Aabb, pcg::Pcg};
 use raybook_workbook::exercises::ch11_bvh::SahSplit;
@@ -87,6 +87,29 @@ impl Graded for SahSplit {
         ]
     }
 
+    const FLAWS: &'static [Flaw] = &[
+        Flaw {
+            complaint: "there is no box",
+            name: "counts the boxes from 1",
+            hint: "What is the number of the first box?",
+        },
+        Flaw {
+            complaint: "is on the left more than once",
+            name: "names a box twice",
+            hint: "How often is each box appended to the left side?",
+        },
+        Flaw {
+            complaint: "all boxes are on the same side",
+            name: "puts all boxes on the same side",
+            hint: "A split has two sides: which cuts do you try, and is one of them no cut at all?",
+        },
+        Flaw {
+            complaint: "% more than",
+            name: "does not find the cheapest split",
+            hint: "Of each cut: is its cost the area of a side's box times the number of boxes in it, summed over both sides? Do you try all three axes and all places between the sorted centres, and take the least?",
+        },
+    ];
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "puts half of the boxes on each side",
@@ -144,6 +167,18 @@ impl Graded for SahSplit {
             name: "cuts off a single box",
             hint: "If the left side has one box, how much work is left on the right?",
             answer: |q| cut_with(q, |axis, [left, _]| left.len() as f32 + 0.1 * axis as f32),
+        },
+        Mistake {
+            name: "multiplies each side by the number of boxes on the other",
+            hint: "A ray that meets the left box: which shapes does it test there?",
+            answer: |q| {
+                cut_with(q, |_, [left, right]| {
+                    let side = |side: &Vec<u32>, count: &Vec<u32>| {
+                        sah(&around(&q.boxes, side), count.len() as f32)
+                    };
+                    side(left, right) + side(right, left)
+                })
+            },
         },
     ];
 }

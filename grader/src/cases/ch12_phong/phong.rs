@@ -120,6 +120,33 @@ impl Graded for PhongExercise {
             hint: "Raise α: the highlight should become smaller.",
             answer: |q| Self::misread(q, |q| q.at.exponent = 1.0),
         },
+        Mistake {
+            name: "forgets the 2 of the mirrored direction",
+            hint: "Mirror a vector by hand: how often do you take away what is along the normal?",
+            answer: |q| {
+                let mirrored = q.at.toward.dot(*q.at.normal) * *q.at.normal - *q.at.toward;
+                with_highlight(&q.at, power(mirrored.dot(*q.at.view), &q.at))
+            },
+        },
+        Mistake {
+            name: "multiplies the highlight by (n + 2)/2",
+            hint: "Is the highlight to conserve energy here, or to be as in the formula?",
+            answer: |q| {
+                let highlight = power(mirrored(&q.at).dot(*q.at.view), &q.at);
+                with_highlight(&q.at, 0.5 * (q.at.exponent + 2.0) * highlight)
+            },
+        },
+        Mistake {
+            name: "multiplies the highlight by (n + 2)/2π",
+            hint: "Is the highlight to conserve energy here, or to be as in the formula?",
+            answer: |q| {
+                let highlight = power(mirrored(&q.at).dot(*q.at.view), &q.at);
+                with_highlight(
+                    &q.at,
+                    (q.at.exponent + 2.0) / std::f32::consts::TAU * highlight,
+                )
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -67,6 +67,16 @@ impl Graded for Reflect {
                 facing * *q.normal
             },
         },
+        Mistake {
+            name: "takes the size of i·n, and takes it away",
+            hint: "From which side does the ray come, and does the formula care?",
+            answer: |q| *q.incoming - 2.0 * q.incoming.dot(*q.normal).abs() * *q.normal,
+        },
+        Mistake {
+            name: "takes a 4 for the 2",
+            hint: "Mirror a vector by hand: how often do you take away what is along the normal?",
+            answer: |q| (*q.incoming - 4.0 * square(q)).normalize_or_zero(),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -116,6 +116,48 @@ impl Graded for Fresnel {
                 FresnelAnswer { rs, rp, r: rs * rp }
             },
         },
+        Mistake {
+            name: "forgets to square the amplitude of Rs",
+            hint: "Can a share of the light be negative?",
+            answer: |q| {
+                cos2(q).map_or_else(
+                    || mean(1.0, 1.0),
+                    |cos2| {
+                        let FresnelAnswer { rp, .. } = Fresnel::answer(q);
+                        let (a, b) = (q.n1 * q.cos1, q.n2 * cos2);
+                        mean((a - b) / (a + b), rp)
+                    },
+                )
+            },
+        },
+        Mistake {
+            name: "forgets to square the amplitude of Rp",
+            hint: "Can a share of the light be negative?",
+            answer: |q| {
+                cos2(q).map_or_else(
+                    || mean(1.0, 1.0),
+                    |cos2| {
+                        let FresnelAnswer { rs, .. } = Fresnel::answer(q);
+                        let (a, b) = (q.n1 * cos2, q.n2 * q.cos1);
+                        mean(rs, (a - b) / (a + b))
+                    },
+                )
+            },
+        },
+        Mistake {
+            name: "divides both by the same sum",
+            hint: "Below the fraction line of Rp: which index goes with which cosine?",
+            answer: |q| {
+                cos2(q).map_or_else(
+                    || mean(1.0, 1.0),
+                    |cos2| {
+                        let FresnelAnswer { rs, .. } = Fresnel::answer(q);
+                        let rp = (q.n1 * cos2 - q.n2 * q.cos1) / (q.n1 * q.cos1 + q.n2 * cos2);
+                        mean(rs, rp * rp)
+                    },
+                )
+            },
+        },
     ];
 }
 

@@ -152,5 +152,13 @@ impl Graded for Lit {
                 }
             },
         },
+        Mistake {
+            name: "takes the whole line through the point and the light, behind the point too",
+            hint: "From the point, in which direction is the light? What lies in the other one?",
+            answer: |q| {
+                let behind = Interval::new(f32::NEG_INFINITY, -2.0 * q.error);
+                Lit::answer(q) * u32::from(!blocked(q, &q.spheres, behind))
+            },
+        },
     ];
 }

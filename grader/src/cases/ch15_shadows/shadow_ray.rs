@@ -1,7 +1,7 @@
 //! `shadow_ray`: random questions, judge and mistakes.
 
 use super::way::{aimed_anew, ends_before, starts_off};
-use crate::{Graded, Mistake, Verdict, judge, sample};
+use crate::{Flaw, Graded, Mistake, Verdict, judge, sample};
 use glam::Vec3;
 use rand::RngExt;
 use raybook::math::{interval::Interval, pcg::Pcg};
@@ -57,6 +57,54 @@ impl Graded for ShadowRay {
         starts_off(q, got)?;
         ends_before(q, got)
     }
+
+    const FLAWS: &'static [Flaw] = &[
+        Flaw {
+            complaint: "starts nowhere",
+            name: "starts the ray nowhere: a number is missing or infinite",
+            hint: "Print the place where your ray starts.",
+        },
+        Flaw {
+            complaint: "on the wrong side of the point",
+            name: "starts on the other side of the surface than the light",
+            hint: "On which side of the surface is the light, and to which side do you step?",
+        },
+        Flaw {
+            complaint: "m off the point",
+            name: "does not step far enough off the surface",
+            hint: "By how much may the surface be somewhere else than the point says?",
+        },
+        Flaw {
+            complaint: "what is in between throws no shadow",
+            name: "starts too far from the surface",
+            hint: "What if a leaf lies on the surface, thinner than your step?",
+        },
+        Flaw {
+            complaint: "and the interval ends at",
+            name: "ends the interval before a light that is infinitely far away",
+            hint: "Where does the way to the sun end?",
+        },
+        Flaw {
+            complaint: "the interval does not end",
+            name: "lets the interval go on behind the light",
+            hint: "Can something behind the light throw a shadow?",
+        },
+        Flaw {
+            complaint: "behind the light, and not before it",
+            name: "ends the interval at the light or behind it",
+            hint: "The light itself may be a surface in the scene: who finds it, if the interval ends behind it?",
+        },
+        Flaw {
+            complaint: "before the light, too soon",
+            name: "ends the interval too soon",
+            hint: "How much of the way to the light does your ray look at?",
+        },
+        Flaw {
+            complaint: "the ray points",
+            name: "sends the ray in another direction than to the light",
+            hint: "From where to where does the ray go?",
+        },
+    ];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

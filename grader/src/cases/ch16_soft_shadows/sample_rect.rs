@@ -2,7 +2,7 @@
 
 use super::chosen::{self, DENSITY, N, each, evenly};
 use super::lattice;
-use crate::{Graded, Mistake, Verdict, judge, sample};
+use crate::{Flaw, Graded, Mistake, Verdict, judge, sample};
 use glam::{Vec2, vec2};
 use rand::RngExt;
 use raybook::math::{basis::Basis, pcg::Pcg};
@@ -73,6 +73,39 @@ impl Graded for SampleRect {
         let places = got.iter().map(|chosen| place(chosen).as_dvec2());
         chosen::traits(q.radiance, got, &places.collect::<Vec<_>>(), right)
     }
+
+    const FLAWS: &'static [Flaw] = &[
+        Flaw {
+            complaint: "samples, and should be",
+            name: "makes another number of samples than n times n",
+            hint: "How many samples are n along each of two sides?",
+        },
+        Flaw {
+            complaint: "the direction has length",
+            name: "forgets to normalise the direction",
+            hint: "How long is a direction?",
+        },
+        Flaw {
+            complaint: "its point is not on the light",
+            name: "chooses points that are not on the light",
+            hint: "The corner and the two sides: between which numbers times the sides is a point on the light?",
+        },
+        Flaw {
+            complaint: "the density",
+            name: "has the density wrong",
+            hint: "The density per steradian of a direction: one over the solid angle, if all directions are equally likely; else the density per area, turned into one per solid angle by the distance and the cosine at the light.",
+        },
+        Flaw {
+            complaint: "radiance/density",
+            name: "does not divide the radiance by the density that it returns",
+            hint: "What does one sample stand for that is chosen half as often as another?",
+        },
+        Flaw {
+            complaint: "not uniform",
+            name: "does not spread the samples evenly",
+            hint: "Which places does a number from 0 to 1 choose, and how much of the light belongs to each?",
+        },
+    ];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

@@ -2,7 +2,7 @@
 
 use super::chosen::{self, DENSITY, N, each, evenly};
 use super::cone::{cap, cone};
-use crate::{Graded, Mistake, Verdict, judge, sample};
+use crate::{Flaw, Graded, Mistake, Verdict, judge, sample};
 use glam::{Vec3, dvec2};
 use rand::RngExt;
 use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
@@ -99,6 +99,44 @@ impl Graded for SampleSphereLight {
         traits
     }
 
+    const FLAWS: &'static [Flaw] = &[
+        Flaw {
+            complaint: "samples, and should be",
+            name: "makes another number of samples than n times n",
+            hint: "How many samples are n along each of two sides?",
+        },
+        Flaw {
+            complaint: "the direction has length",
+            name: "forgets to normalise the direction",
+            hint: "How long is a direction?",
+        },
+        Flaw {
+            complaint: "its direction misses the light",
+            name: "chooses directions that miss the light",
+            hint: "How wide is the cone in which the light is seen?",
+        },
+        Flaw {
+            complaint: "there is no point of the light that is seen",
+            name: "returns a distance at which there is no point of the light",
+            hint: "A ray meets a sphere twice: which of the two points is seen?",
+        },
+        Flaw {
+            complaint: "the density",
+            name: "has the density wrong",
+            hint: "The density per steradian of a direction: one over the solid angle, if all directions are equally likely; else the density per area, turned into one per solid angle by the distance and the cosine at the light.",
+        },
+        Flaw {
+            complaint: "radiance/density",
+            name: "does not divide the radiance by the density that it returns",
+            hint: "What does one sample stand for that is chosen half as often as another?",
+        },
+        Flaw {
+            complaint: "not uniform",
+            name: "does not spread the samples evenly",
+            hint: "Which places does a number from 0 to 1 choose, and how much of the light belongs to each?",
+        },
+    ];
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "makes θ uniform in the place of cos θ",
@@ -185,5 +223,50 @@ impl Graded for SampleSphereLight {
             hint: "Do your directions fill the cone, or a curve in it?",
             answer: |q| cone(q, |u, cap| (u.x * cap, TAU * u.x, 1.0 / (TAU * cap))),
         },
+        Mistake {
+            name: "forgets the root in the cosine of the cone",
+            hint: "The sine of the cone is the radius over the distance: which function of it is the cosine?",
+            answer: |q| {
+                let far = q.at.distance(q.center);
+                let squared = (q.radius / far).powi(2);
+                if squared < 1.0 {
+                    wide(q, squared)
+                } else {
+                    Self::answer(q)
+                }
+            },
+        },
+        Mistake {
+            name: "takes the tangent of the cone for its sine",
+            hint: "Draw the cone and the radius to where it touches the sphere: where is the right angle?",
+            answer: |q| {
+                let far = q.at.distance(q.center);
+                if far > q.radius {
+                    wide(q, 1.0 - far / far.hypot(q.radius))
+                } else {
+                    Self::answer(q)
+                }
+            },
+        },
+        Mistake {
+            name: "returns one over the area of the sphere for the density",
+            hint: "In which unit is the density: per square metre, or per steradian?",
+            answer: |q| {
+                let pdf = 1.0 / (2.0 * TAU * q.radius * q.radius);
+                let chosen = Self::answer(q).into_iter();
+                chosen
+                    .map(|c| Chosen {
+                        pdf,
+                        arriving: q.radiance / pdf,
+                        ..c
+                    })
+                    .collect()
+            },
+        },
     ];
+}
+
+/// Directions that are uniform in another cone, from its axis to the height 1 − cos α = `cap`.
+fn wide(q: &SampleSphereLight, cap: f32) -> Vec<Chosen> {
+    cone(q, |u, _| (cap * u.x, TAU * u.y, 1.0 / (TAU * cap)))
 }

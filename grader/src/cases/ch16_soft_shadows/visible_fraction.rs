@@ -182,6 +182,19 @@ impl Graded for VisibleFraction {
                 )
             },
         },
+        Mistake {
+            name: "asks whether any ball lets the light through, not all",
+            hint: "Two balls, one of them in the way: does the light arrive?",
+            answer: |q| {
+                let fractions = q
+                    .balls
+                    .iter()
+                    .map(|ball| Self::misread(q, |q| q.balls = vec![ball.clone()]));
+                fractions
+                    .reduce(|a, b| a.iter().zip(&b).map(|(a, b)| a.max(*b)).collect())
+                    .unwrap_or_else(|| vec![0.0; q.points.len()])
+            },
+        },
     ];
 }
 

@@ -129,5 +129,14 @@ impl Graded for BrdfPhong {
             hint: "That factor belongs to Blinn's half vector: which belongs to Phong's mirrored one?",
             answer: |q| phong(q, cos_alpha(q), 1.0 / PI, (q.exponent + 8.0) / (8.0 * PI)),
         },
+        Mistake {
+            name: "forgets the 2 of the mirrored direction",
+            hint: "Mirror a vector by hand: how often do you take away what is along the normal?",
+            answer: |q| {
+                let cosine =
+                    q.normal.dot(*q.toward) * q.normal.dot(*q.view) - q.toward.dot(*q.view);
+                phong(q, cosine, 1.0 / PI, norm(q))
+            },
+        },
     ];
 }

@@ -1,7 +1,7 @@
 //! `cosine_hemisphere`: judged by what its directions have in common.
 
 use super::at_height;
-use crate::{Graded, Mistake, Verdict, judge, sample, traits};
+use crate::{Flaw, Graded, Mistake, Verdict, judge, sample, traits};
 use glam::{Vec2, Vec3, vec3};
 use rand::RngExt;
 use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
@@ -91,6 +91,49 @@ impl Graded for CosineHemisphere {
     fn traits(q: &CosineHemisphere, got: &Vec<Vec3>) -> Vec<f64> {
         traits::of_directions(got, *q.normal)
     }
+
+    const FLAWS: &'static [Flaw] = &[
+        Flaw {
+            complaint: "directions; ",
+            name: "makes another number of directions than asked",
+            hint: "Where does your loop begin, and where does it end?",
+        },
+        Flaw {
+            complaint: "has length",
+            name: "does not return directions of length 1",
+            hint: "How long is a direction? What makes z of x and y?",
+        },
+        Flaw {
+            complaint: "into the surface",
+            name: "points into the surface",
+            hint: "Is your third axis the normal, or something else? Is the square root of the height positive?",
+        },
+        Flaw {
+            complaint: "the mean to",
+            name: "does not go all the way round the normal, or around something else",
+            hint: "Seen from above, are there as many directions to each side? From where to where does your angle go, and are your axes perpendicular to the normal?",
+        },
+        Flaw {
+            complaint: "the mean of xy",
+            name: "does not go evenly round the normal",
+            hint: "Seen from above, are there as many directions to each side?",
+        },
+        Flaw {
+            complaint: "the mean of the squares",
+            name: "does not go evenly round the normal",
+            hint: "Seen from above, are there as many directions to each side? Are your axes of length 1, and perpendicular?",
+        },
+        Flaw {
+            complaint: "the mean of cos",
+            name: "does not choose by the cosine: the directions are too steep, or too flat",
+            hint: "Points spread evenly over the unit disc and lifted to the sphere: how is the radius made from a number from 0 to 1?",
+        },
+        Flaw {
+            complaint: "above the surface",
+            name: "does not choose by the cosine: some heights are chosen too often",
+            hint: "Points spread evenly over the unit disc and lifted to the sphere: how is the radius made from a number from 0 to 1?",
+        },
+    ];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

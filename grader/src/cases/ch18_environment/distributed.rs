@@ -45,7 +45,7 @@ pub fn distributed(q: &SampleEnvironment, directions: &[Vec3]) -> Verdict {
         let found = places.iter().filter(deep).count();
         if q.share(x, y) == 0.0 && found > 0 {
             return Err(format!(
-                "{found} directions are in column {x} of row {y}, which is black"
+                "{found} directions are in the black texel {x} of row {y}"
             ));
         }
     }

@@ -132,6 +132,71 @@ impl Graded for EnvironmentPdf {
                 q.map().texel(x, y) as f32
             },
         },
+        Mistake {
+            name: "divides by the sum of the texels",
+            hint: "In which unit is the integral of the map? What is a texel multiplied by in it?",
+            answer: |q| {
+                let map = q.map();
+                let sum: f32 = q.texels.iter().sum();
+                let (x, y) = q.texel();
+                if sum > 0.0 {
+                    map.texel(x, y) as f32 / sum
+                } else {
+                    0.0
+                }
+            },
+        },
+        Mistake {
+            name: "takes 2π² for the solid angle of the map, as if all rows were equally wide",
+            hint: "A row of texels near a pole: how wide is it on the sphere?",
+            answer: |q| {
+                let map = q.map();
+                let sum: f32 = q.texels.iter().sum();
+                let (x, y) = q.texel();
+                let solid = 2.0 * std::f32::consts::PI.powi(2) / q.texels.len() as f32;
+                if sum > 0.0 {
+                    map.texel(x, y) as f32 / (sum * solid)
+                } else {
+                    0.0
+                }
+            },
+        },
+        Mistake {
+            name: "exchanges rows and columns of the map",
+            hint: "Which comes first in the list: a row, or a column?",
+            answer: |q| {
+                let (x, y) = q.texel();
+                let right = Self::answer(q);
+                let here = q.map().texel(x, y) as f32;
+                let there = q
+                    .texels
+                    .get(x * q.height as usize + y)
+                    .copied()
+                    .unwrap_or(0.0);
+                if here > 0.0 {
+                    right * there / here
+                } else {
+                    0.0
+                }
+            },
+        },
+        Mistake {
+            name: "rounds the place to a texel instead of cutting off its fraction",
+            hint: "The place 0.9 of three columns is 2.7: in which column is that, counted from 0?",
+            answer: |q| {
+                let place = latlong::place(q.direction);
+                let near = |v: f32, n: u32| ((v * n as f32).round() as usize).min(n as usize - 1);
+                let (x, y) = q.texel();
+                let (right, map) = (Self::answer(q), q.map());
+                let here = map.texel(x, y) as f32;
+                let there = map.texel(near(place.x, q.width), near(place.y, q.height)) as f32;
+                if here > 0.0 {
+                    right * there / here
+                } else {
+                    0.0
+                }
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -2,7 +2,7 @@
 
 use super::OfMap;
 use super::{cell, distributed::distributed, toward};
-use crate::{Graded, Mistake, Verdict, judge, sample, traits};
+use crate::{Flaw, Graded, Mistake, Verdict, judge, sample, traits};
 use glam::{Vec2, Vec3, vec2};
 use rand::RngExt;
 use raybook::light::environment::latlong;
@@ -132,6 +132,39 @@ impl Graded for SampleEnvironment {
 
     const FIXED: &'static [&'static str] = &["width", "height", "texels"];
 
+    const FLAWS: &'static [Flaw] = &[
+        Flaw {
+            complaint: "directions, and should be",
+            name: "makes another number of directions than asked",
+            hint: "How many are asked, and how many if the map is black?",
+        },
+        Flaw {
+            complaint: "has length",
+            name: "does not return directions of length 1",
+            hint: "What makes the sine of the cosine?",
+        },
+        Flaw {
+            complaint: "the black texel",
+            name: "chooses texels that are black",
+            hint: "May a texel without light be chosen at all? Is the sum compared with < or with ≤?",
+        },
+        Flaw {
+            complaint: "in column",
+            name: "does not choose the texels by their light",
+            hint: "What does a texel weigh: its radiance, or its radiance times its solid angle? Which direction belongs to which row and column?",
+        },
+        Flaw {
+            complaint: "of +y",
+            name: "does not spread the directions evenly within a row",
+            hint: "Within a row of texels, does the cosine go evenly, or the angle?",
+        },
+        Flaw {
+            complaint: "on the map",
+            name: "does not spread the directions evenly within a column",
+            hint: "Can a direction be anywhere in its texel, from its left edge to its right one?",
+        },
+    ];
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "weighs all rows as if they were equally wide",
@@ -190,6 +223,56 @@ impl Graded for SampleEnvironment {
                     ))
                 };
                 Self::answer(q).iter().map(centre).collect()
+            },
+        },
+        Mistake {
+            name: "has the map upside down",
+            hint: "Which row is at the top, and which direction is up?",
+            answer: |q| {
+                Self::answer(q)
+                    .into_iter()
+                    .map(|d| d * Vec3::new(1.0, -1.0, 1.0))
+                    .collect()
+            },
+        },
+        Mistake {
+            name: "is half a turn off",
+            hint: "Which column is straight ahead, the first or the middle one?",
+            answer: |q| {
+                Self::answer(q)
+                    .into_iter()
+                    .map(|d| d * Vec3::new(-1.0, 1.0, -1.0))
+                    .collect()
+            },
+        },
+        Mistake {
+            name: "has left and right exchanged",
+            hint: "To which side of the middle do the columns with larger numbers lie?",
+            answer: |q| {
+                Self::answer(q)
+                    .into_iter()
+                    .map(|d| d * Vec3::new(-1.0, 1.0, 1.0))
+                    .collect()
+            },
+        },
+        Mistake {
+            name: "has front and back exchanged",
+            hint: "Which direction is in the middle of the map?",
+            answer: |q| {
+                Self::answer(q)
+                    .into_iter()
+                    .map(|d| d * Vec3::new(1.0, 1.0, -1.0))
+                    .collect()
+            },
+        },
+        Mistake {
+            name: "takes the middle of the row, not of the column",
+            hint: "Can a direction be anywhere in its texel, near the upper edge too?",
+            answer: |q| {
+                q.sampled(
+                    |q, x, y| q.texel(x, y) * q.solid_angle(y),
+                    |top, bottom, _| (0.5 * (top.acos() + bottom.acos())).cos(),
+                )
             },
         },
     ];

@@ -109,5 +109,10 @@ impl Graded for CircleOfConfusion {
             hint: "By how many times are you off?",
             answer: |q| 1e3 * Self::answer(q),
         },
+        Mistake {
+            name: "leaves the film at the focal length",
+            hint: "Where must the film be, if something near is to be sharp?",
+            answer: |q| (q.focal_length * q.focal_length / (q.f_number * q.distance)).abs(),
+        },
     ];
 }

@@ -1,6 +1,6 @@
 //! `concentric_disk`: judged by how its points fill the disc.
 
-use crate::{Graded, Mistake, Verdict, judge, sample, traits};
+use crate::{Flaw, Graded, Mistake, Verdict, judge, sample, traits};
 use glam::{Vec2, vec2};
 use rand::RngExt;
 use raybook::math::pcg::Pcg;
@@ -105,9 +105,68 @@ impl Graded for ConcentricDisk {
         Ok(())
     }
 
+    /// Other places in the square have other images in the disc.
+    fn together(answers: &[(ConcentricDisk, Vec<Vec2>)]) -> Verdict {
+        for (i, (one, points)) in answers.iter().enumerate() {
+            let moved = |(other, others): &&(ConcentricDisk, Vec<Vec2>)| {
+                other.n == one.n && other.shift != one.shift && others == points
+            };
+            if let Some((other, _)) = answers[..i].iter().find(moved) {
+                return Err(format!(
+                    "the shifts ({}) and ({}) give the same points: where does the shift come in?",
+                    other.shift, one.shift
+                ));
+            }
+        }
+        Ok(())
+    }
+
     fn traits(_q: &ConcentricDisk, got: &Vec<Vec2>) -> Vec<f64> {
         traits::of_disc(got)
     }
+
+    const FLAWS: &'static [Flaw] = &[
+        Flaw {
+            complaint: "where does the shift come in",
+            name: "ignores a coordinate of the shift",
+            hint: "Change `shift` alone: do your points move?",
+        },
+        Flaw {
+            complaint: "points; ",
+            name: "makes another number of points than asked",
+            hint: "Where does your loop begin, and where does it end?",
+        },
+        Flaw {
+            complaint: "is 0 divided by 0",
+            name: "returns points that are not made of numbers",
+            hint: "What does your formula do in the very middle?",
+        },
+        Flaw {
+            complaint: "outside the disc",
+            name: "leaves the disc",
+            hint: "How large may the radius be?",
+        },
+        Flaw {
+            complaint: "each is to be chosen by itself",
+            name: "makes the same point several times",
+            hint: "Which of the two numbers does each coordinate depend on?",
+        },
+        Flaw {
+            complaint: "on one line along an axis",
+            name: "puts all points on a line",
+            hint: "Which of the two numbers does each coordinate depend on?",
+        },
+        Flaw {
+            complaint: "the mean of",
+            name: "does not go evenly all the way round",
+            hint: "From where to where does your angle go?",
+        },
+        Flaw {
+            complaint: "of the middle, and",
+            name: "has too many points near the middle, or near the rim",
+            hint: "Half of the radius is a quarter of the area: how many points belong there?",
+        },
+    ];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
@@ -198,6 +257,11 @@ impl Graded for ConcentricDisk {
             name: "uses one number for radius and angle",
             hint: "Do your points fill the disc, or a spiral in it?",
             answer: |q| q.mapped(|u| u.x.sqrt() * Vec2::from_angle(TAU * u.x)),
+        },
+        Mistake {
+            name: "goes only half way round",
+            hint: "From where to where does your angle go?",
+            answer: |q| q.mapped(|u| u.x.sqrt() * Vec2::from_angle(0.5 * TAU * u.y)),
         },
     ];
 }

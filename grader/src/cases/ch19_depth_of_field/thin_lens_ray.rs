@@ -169,6 +169,20 @@ impl Graded for ThinLensRay {
             hint: "The aperture's diameter is the focal length over the f-number: in metres?",
             answer: |q| Self::misread(q, |q| q.f_number = 0.5 * q.focal_length / q.f_number),
         },
+        Mistake {
+            name: "forgets the focal length in the size of the aperture",
+            hint: "The f-number is a ratio: of what to what?",
+            answer: |q| Self::misread(q, |q| q.on_lens /= q.focal_length),
+        },
+        Mistake {
+            name: "does not enlarge the film where the focus is",
+            hint: "Through the middle of the lens, the film is thrown on the plane in focus: how much larger is it there?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    q.plane *= q.focal_length / (q.focus - q.focal_length);
+                })
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -1,7 +1,7 @@
 //! `jittered`: random questions, judge and mistakes.
 
 use super::points;
-use crate::{Graded, Mistake, Verdict, judge, together, traits};
+use crate::{Flaw, Graded, Mistake, Verdict, judge, together, traits};
 use glam::{Vec2, vec2};
 use rand::RngExt;
 use raybook::math::pcg::{self, Pcg};
@@ -137,6 +137,26 @@ impl Graded for Jittered {
     }
 
     const FIXED: &'static [&'static str] = &["seed"];
+
+    const FLAWS: &'static [Flaw] = &[
+        points::COUNT,
+        points::OUTSIDE,
+        Flaw {
+            complaint: "each cell has one",
+            name: "puts two points into some cells, and none into others",
+            hint: "Cell (i, j) is from i/columns to (i + 1)/columns along x, and from j/rows to (j + 1)/rows along y: is each of your points in its own?",
+        },
+        points::SAME,
+        points::LINE,
+        Flaw {
+            name: "does not choose all places in a cell equally often",
+            hint: "From where to where in its cell may your point be? Is it anywhere between with the same chance?",
+            ..points::UNEVEN
+        },
+        points::TOGETHER,
+        points::SEED,
+        points::SERIAL,
+    ];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

@@ -131,5 +131,21 @@ impl Graded for PixelAverage {
                 average(&encoded, |s| tent(q, s.offset)).map(tone::decode_srgb)
             },
         },
+        Mistake {
+            name: "counts the samples more the farther they are",
+            hint: "Which sample tells most about the pixel: one in its middle, or one at the edge of the filter?",
+            answer: |q| average(q, |s| (s.offset.abs() / q.radius).element_product()),
+        },
+        Mistake {
+            name: "adds the weights along x and along y",
+            hint: "A sample that is too far away along x: what does it count for, whatever y is?",
+            answer: |q| {
+                average(q, |s| {
+                    (1.0 - s.offset.abs() / q.radius)
+                        .max(Vec2::ZERO)
+                        .element_sum()
+                })
+            },
+        },
     ];
 }

@@ -1,11 +1,67 @@
 //! What judges ask of points of the unit square.
 
-use crate::Verdict;
+use crate::{Flaw, Verdict};
 use glam::Vec2;
 
 /// Chance makes the largest deviation of a distribution from its law larger than this over √n with a probability of
 /// 2 exp(−2·3.1²) = 9e-9 (Kolmogorov; Massart 1990).
 const DEVIATION: f32 = 3.1;
+
+/// What is wrong where [`in_square`] complains of the number.
+pub const COUNT: Flaw = Flaw {
+    complaint: "were asked",
+    name: "makes another number of points than asked",
+    hint: "Where does your loop begin, and where does it end?",
+};
+
+/// What is wrong where [`all_inside`] complains.
+pub const OUTSIDE: Flaw = Flaw {
+    complaint: "is not in the unit square",
+    name: "puts points outside of the unit square",
+    hint: "From where to where does your random number go, and by what is it divided?",
+};
+
+/// What is wrong where [`crate::judge::scattered`] complains of equal points.
+pub const SAME: Flaw = Flaw {
+    complaint: "each is to be chosen by itself",
+    name: "chooses several points by the same random numbers",
+    hint: "How often is your generator asked, and how often is it started again?",
+};
+
+/// What is wrong where points are on a line.
+pub const LINE: Flaw = Flaw {
+    complaint: "on one line along an axis",
+    name: "chooses one coordinate at random only",
+    hint: "Is each of the two coordinates chosen by a random number of its own?",
+};
+
+/// What is wrong where [`uniform`] complains.
+pub const UNEVEN: Flaw = Flaw {
+    complaint: "it is not the same everywhere",
+    name: "does not choose all places equally often: some places get more points than others, or none",
+    hint: "From where to where does your random number go, and is it changed afterwards: squared, rounded, divided, added to another?",
+};
+
+/// What is wrong where [`independent`] complains.
+pub const TOGETHER: Flaw = Flaw {
+    complaint: "go together",
+    name: "chooses coordinates that depend on each other",
+    hint: "Is each of the two coordinates chosen by a random number of its own?",
+};
+
+/// What is wrong where [`crate::together::seeded`] complains.
+pub const SEED: Flaw = Flaw {
+    complaint: "give the same points",
+    name: "ignores the seed",
+    hint: "What does your generator start from?",
+};
+
+/// What is wrong where [`crate::together::serial`] complains.
+pub const SERIAL: Flaw = Flaw {
+    complaint: "that of the next",
+    name: "chooses points that depend on the point before",
+    hint: "Is a point chosen by random numbers of its own, or by those of another point?",
+};
 
 /// `expected` points, each in [0, 1)².
 ///

@@ -1,7 +1,7 @@
 //! `poisson_disk`: random questions, judge and mistakes.
 
 use super::points;
-use crate::{Graded, Mistake, Verdict, together, traits};
+use crate::{Flaw, Graded, Mistake, Verdict, together, traits};
 use glam::{Vec2, vec2};
 use rand::RngExt;
 use raybook::math::pcg::{self, Pcg};
@@ -138,6 +138,44 @@ impl Graded for PoissonDisk {
     }
 
     const SLOW: bool = true;
+
+    const FLAWS: &'static [Flaw] = &[
+        Flaw {
+            complaint: "is not in the unit square",
+            name: "puts points outside of the unit square",
+            hint: "A point around another may fall over the edge: what becomes of it?",
+        },
+        Flaw {
+            complaint: "is the least",
+            name: "puts points nearer to each other than the distance",
+            hint: "With which of the points before do you compare a new one, and what do you compare: the way's length, its square, half of it?",
+        },
+        Flaw {
+            complaint: "only in a regular lattice",
+            name: "makes a regular lattice",
+            hint: "Would another seed give other points?",
+        },
+        Flaw {
+            complaint: "there is still room",
+            name: "ends while there is still room for more points, or keeps them too far apart",
+            hint: "How often in a row may a new point be refused before you give up? Do two points that are just as far apart as asked both stay?",
+        },
+        Flaw {
+            complaint: "give the same points",
+            name: "ignores the seed",
+            hint: "What does your generator start from?",
+        },
+        Flaw {
+            complaint: "more would have room",
+            name: "keeps the points farther apart than asked",
+            hint: "With which number do you compare the distance of two points?",
+        },
+        Flaw {
+            complaint: "may your points lie there",
+            name: "keeps the points away from the border",
+            hint: "May a point lie on the very edge of the square?",
+        },
+    ];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

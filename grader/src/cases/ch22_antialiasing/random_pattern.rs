@@ -1,7 +1,7 @@
 //! `random_pattern`: random questions, judge and mistakes.
 
 use super::points;
-use crate::{Graded, Mistake, Verdict, judge, together, traits};
+use crate::{Flaw, Graded, Mistake, Verdict, judge, together, traits};
 use glam::{Vec2, vec2};
 use rand::RngExt;
 use raybook::math::pcg::{self, Pcg};
@@ -55,6 +55,37 @@ impl Graded for RandomPattern {
     }
 
     const FIXED: &'static [&'static str] = &["seed"];
+
+    const FLAWS: &'static [Flaw] = &[
+        points::COUNT,
+        points::OUTSIDE,
+        points::SAME,
+        points::LINE,
+        points::UNEVEN,
+        points::TOGETHER,
+        Flaw {
+            complaint: "different x",
+            name: "chooses from a few places only",
+            hint: "How many different values can each of your coordinates have?",
+        },
+        Flaw {
+            complaint: "too even to be independent",
+            name: "spreads the points evenly, each in a cell of its own",
+            hint: "Does a point know where the others are? Independent points make crowds and leave gaps.",
+        },
+        Flaw {
+            complaint: "do not fill the square",
+            name: "crowds the points in a part of the square",
+            hint: "From where to where do your random numbers go?",
+        },
+        Flaw {
+            complaint: "in the square's corners",
+            name: "leaves out the corners",
+            hint: "May a point lie in a corner of the square?",
+        },
+        points::SEED,
+        points::SERIAL,
+    ];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

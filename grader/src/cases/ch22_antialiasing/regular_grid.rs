@@ -87,5 +87,10 @@ impl Graded for RegularGrid {
             hint: "Are your cells square where the pixel is divided into more columns than rows?",
             answer: |q| cells(q, |cell, count| (cell + 0.5) / count.x),
         },
+        Mistake {
+            name: "divides the columns by the number of rows, and the rows by that of the columns",
+            hint: "Try three columns and one row: how wide is a cell?",
+            answer: |q| cells(q, |cell, count| (cell + 0.5) / vec2(count.y, count.x)),
+        },
     ];
 }

@@ -1,10 +1,11 @@
 //! `rotated_grid`: random questions, judge and mistakes.
 
 use super::points;
-use crate::{Graded, Mistake, Verdict, sample};
+use crate::{Flaw, Graded, Mistake, Verdict, sample};
 use glam::{Vec2, vec2};
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercises::ch22_antialiasing::RotatedGrid;
+use std::cmp::Ordering;
 use std::f32::consts::{FRAC_1_SQRT_2, FRAC_PI_4};
 
 /// How far a point may be from its place; one as near to the square's edge may be there or not.
@@ -61,11 +62,65 @@ impl Graded for RotatedGrid {
         };
         sense(1.0).or_else(|_| sense(-1.0)).or_else(|_| {
             angle(q, got)?;
+            shift(q, got)?;
             sense(1.0)
         })
     }
 
     const POSITIVE: &'static [&'static str] = &["spacing"];
+
+    const FLAWS: &'static [Flaw] = &[
+        Flaw {
+            complaint: "not made of numbers",
+            name: "returns points that are not made of numbers",
+            hint: "Print the cosine and the sine of your angle.",
+        },
+        Flaw {
+            complaint: "is outside the square",
+            name: "keeps what is outside",
+            hint: "Are all your points in the pixel?",
+        },
+        Flaw {
+            complaint: "on this lattice it would be",
+            name: "does not keep the points as far apart as asked",
+            hint: "A rotation moves no point nearer to another: are its rows as long as those of (cos, −sin) and (sin, cos), and is each step along the lattice one spacing?",
+        },
+        Flaw {
+            complaint: "the lattice is turned by",
+            name: "turns the lattice by another angle",
+            hint: "Which angle has the tangent ½? In which unit does your language's cosine want it?",
+        },
+        Flaw {
+            complaint: "not on one lattice of squares",
+            name: "shears or stretches the lattice instead of rotating it",
+            hint: "A rotation moves x by y and y by x, with opposite signs: are your rows and columns still at right angles, and equally long?",
+        },
+        Flaw {
+            complaint: "as if there were no offset",
+            name: "ignores the offset",
+            hint: "Change `offset` alone: do your points move?",
+        },
+        Flaw {
+            complaint: "as if the offset were subtracted",
+            name: "subtracts the offset",
+            hint: "Let `offset` be small: to which side should your points move?",
+        },
+        Flaw {
+            complaint: "steps, and should be",
+            name: "has the right lattice in the wrong place: shifts it before or after the rotation, or rotates about another point",
+            hint: "Which point of the square stays where it is when you rotate, and is the offset added to i and j, or to the place?",
+        },
+        Flaw {
+            complaint: "points are missing",
+            name: "leaves out points of the lattice that are in the square",
+            hint: "A fine lattice has many points in the square: over which i and j do you go?",
+        },
+        Flaw {
+            complaint: "points are there twice",
+            name: "returns points twice",
+            hint: "Does each pair of i and j come once?",
+        },
+    ];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
@@ -149,4 +204,66 @@ fn angle(q: &RotatedGrid, got: &[Vec2]) -> Verdict {
         ));
     }
     Ok(())
+}
+
+/// Whether the lattice, turned as it should be, is in its place, and whole: by how many steps it is shifted along its own axes.
+fn shift(q: &RotatedGrid, got: &[Vec2]) -> Verdict {
+    let Some(first) = got.first() else {
+        return Ok(());
+    };
+    let surely = |p: &&Vec2| (**p - 0.5).abs().max_element() < 0.5 - TOLERANCE;
+    let steps = |p: &Vec2, sense: f32| turned((*p - 0.5) / q.spacing, -sense);
+    let near = |a: Vec2, b: Vec2| {
+        let off = a - b;
+        (off - off.round()).length() < 2.0 * TOLERANCE / q.spacing
+    };
+    // The points tell in which sense they are turned, if there are any two of them.
+    let on_lattice = |sense: &f32| {
+        let here = steps(first, *sense);
+        got.iter().all(|p| near(steps(p, *sense), here))
+    };
+    let senses: Vec<_> = [1.0, -1.0].into_iter().filter(on_lattice).collect();
+    let is = |offset: Vec2| {
+        senses
+            .iter()
+            .any(|sense| near(steps(first, *sense), offset))
+    };
+    let Some(sense) = senses.first() else {
+        return Err("the points are not on one lattice of squares".to_owned());
+    };
+    if is(q.offset) {
+        let all = lattice(q, |p| turned(p, *sense));
+        let due = all.iter().filter(surely).count();
+        let there = got.iter().filter(surely).count();
+        return match due.cmp(&there) {
+            Ordering::Greater => Err(format!(
+                "{} of the lattice's {due} points are missing",
+                due - there
+            )),
+            Ordering::Less => Err(format!("{} points are there twice", there - due)),
+            Ordering::Equal => Ok(()),
+        };
+    }
+    let turned = senses.iter().map(|sense| steps(first, *sense));
+    let words: Vec<_> = turned
+        .map(|steps| {
+            (steps - steps.floor())
+                .to_array()
+                .map(|v| format!("{v:.2}"))
+                .join(" and ")
+        })
+        .collect();
+    let how = if is(Vec2::ZERO) {
+        ", as if there were no offset"
+    } else if is(-q.offset) {
+        ", as if the offset were subtracted"
+    } else {
+        ""
+    };
+    Err(format!(
+        "the lattice is shifted by {} steps{how}, and should be by {:.2} and {:.2}",
+        words.join(" or "),
+        q.offset.x,
+        q.offset.y
+    ))
 }

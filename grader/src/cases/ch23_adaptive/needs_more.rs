@@ -5,6 +5,7 @@ use crate::{Graded, Mistake, Verdict, sample};
 use rand::RngExt;
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
+use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch23_adaptive::NeedsMore;
 
 impl Graded for NeedsMore {
@@ -102,6 +103,83 @@ impl Graded for NeedsMore {
                 let limits = q.contrast.channels();
                 let all = (0..3).all(|channel| ratio(range(q, channel)) > limits[channel]);
                 decide(q, all, standard_error(q))
+            },
+        },
+        Mistake {
+            name: "looks at the contrast of red only",
+            hint: "Blue letters on a black wall: does red differ at all?",
+            answer: |q| {
+                let red = ratio(range(q, 0)) > q.contrast.r;
+                decide(q, red, standard_error(q))
+            },
+        },
+        Mistake {
+            name: "takes red's limit for the contrast of all channels",
+            hint: "The eye sees a step of green sooner than one of blue: which limit belongs to which channel?",
+            answer: |q| {
+                let contrast = (0..3).any(|channel| ratio(range(q, channel)) > q.contrast.r);
+                decide(q, contrast, standard_error(q))
+            },
+        },
+        Mistake {
+            name: "looks at the contrast of the luminance only",
+            hint: "Red letters on a green wall that is just as bright: does the luminance differ at all?",
+            answer: |q| {
+                let values = || q.samples.iter().map(|sample| sample.luminance());
+                let (max, min) = (
+                    values().fold(0.0, f32::max),
+                    values().fold(f32::INFINITY, f32::min),
+                );
+                let limits = q.contrast.channels();
+                let contrast = limits.iter().any(|limit| ratio([max, min]) > *limit);
+                decide(q, contrast, standard_error(q))
+            },
+        },
+        Mistake {
+            name: "divides the deviation by the number of samples instead of its root",
+            hint: "Four times the samples: does the error of their mean become a quarter, or a half?",
+            answer: |q| {
+                let n = q.samples.len() as f32;
+                let error = standard_error(q) / n.sqrt();
+                decide(q, too_contrasty(q, ratio), error)
+            },
+        },
+        Mistake {
+            name: "divides the squares by n instead of n − 1",
+            hint: "Two samples: what do you divide the sum of the squares by? Is it n in the text?",
+            answer: |q| {
+                let n = q.samples.len() as f32;
+                decide(
+                    q,
+                    too_contrasty(q, ratio),
+                    standard_error(q) * ((n - 1.0) / n).sqrt(),
+                )
+            },
+        },
+        Mistake {
+            name: "is content with fewer than two samples",
+            hint: "What is known of a pixel after one sample?",
+            answer: |q| {
+                if q.samples.len() < 2 {
+                    return 0;
+                }
+                NeedsMore::answer(q)
+            },
+        },
+        Mistake {
+            name: "wants both rules to be broken at once",
+            hint: "Is one of the two rules enough to ask for more samples?",
+            answer: |q| {
+                let both = too_contrasty(q, ratio) && standard_error(q) > q.error;
+                decide(q, both, 0.0)
+            },
+        },
+        Mistake {
+            name: "turns the rule of the error round",
+            hint: "Is a pixel with a large error the one that needs more samples, or the one with a small error?",
+            answer: |q| {
+                let small = standard_error(q) <= q.error;
+                decide(q, too_contrasty(q, ratio) || small, 0.0)
             },
         },
         Mistake {

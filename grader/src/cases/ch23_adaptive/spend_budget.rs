@@ -1,6 +1,6 @@
 //! `spend_budget`: random questions, judge and mistakes.
 
-use crate::{Graded, Mistake, Verdict, sample};
+use crate::{Flaw, Graded, Mistake, Verdict, sample};
 use rand::RngExt;
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercises::ch23_adaptive::SpendBudget;
@@ -63,10 +63,15 @@ impl Graded for SpendBudget {
             ));
         }
         let spent: u64 = got.iter().map(|n| u64::from(*n)).sum();
-        if spent != u64::from(q.budget) {
+        let budget = u64::from(q.budget);
+        if spent != budget {
+            let much = if spent > budget {
+                "too many"
+            } else {
+                "too few"
+            };
             return Err(format!(
-                "{spent} samples are spent; the budget is {}",
-                q.budget
+                "{spent} samples are spent, which is {much}; the budget is {budget}"
             ));
         }
         let (best, yours) = (
@@ -102,6 +107,34 @@ impl Graded for SpendBudget {
     }
 
     const FIXED: &'static [&'static str] = &["budget", "least", "deviations"];
+
+    const FLAWS: &'static [Flaw] = &[
+        Flaw {
+            complaint: "counts for",
+            name: "gives another number of counts than there are pixels",
+            hint: "How many pixels are there, and how many numbers do you return?",
+        },
+        Flaw {
+            complaint: "; the least is",
+            name: "gives some pixels less than the least",
+            hint: "Has every one of your pixels its least, even one whose samples are all alike?",
+        },
+        Flaw {
+            complaint: "which is too many",
+            name: "spends more than the budget",
+            hint: "Add up your samples: is it the budget? Does the least come out of the budget or on top of it, and which way do you round?",
+        },
+        Flaw {
+            complaint: "which is too few",
+            name: "does not spend all of the budget",
+            hint: "Add up your samples: is it the budget? Who gets what is lost by rounding down?",
+        },
+        Flaw {
+            complaint: "larger than it could be",
+            name: "does not share in proportion to the deviation, the least included",
+            hint: "Twice the deviation wants twice the samples. A pixel that gets the least although its share would be smaller has taken from the others: have you shared again what is left for them?",
+        },
+    ];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

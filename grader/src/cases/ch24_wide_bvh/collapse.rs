@@ -1,7 +1,7 @@
 //! `collapse`: random questions, judge and mistakes.
 
 use super::{MOST, half_area, is_branch, pair};
-use crate::{Graded, Mistake, Verdict, sample, traits};
+use crate::{Flaw, Graded, Mistake, Verdict, sample, traits};
 use rand::RngExt;
 use raybook::accel::bvh::build::Method;
 use raybook::inside::bvh::{COST, Cost, build};
@@ -144,6 +144,49 @@ impl Graded for Collapse {
         ]
     }
 
+    const FLAWS: &'static [Flaw] = &[
+        Flaw {
+            complaint: "so it needs one list of children",
+            name: "does not write one list of children for each branch that is left",
+            hint: "Which branches are members of a list? Each of them needs a list of its own, under its own number, and the root too.",
+        },
+        Flaw {
+            complaint: "are in the tree that begins at node 0",
+            name: "keeps lists of branches that have been opened, or of leaves",
+            hint: "A branch whose children have moved up is no member any more: who asks for its list?",
+        },
+        Flaw {
+            complaint: "nodes",
+            name: "names children that are not there",
+            hint: "Are the children's numbers those of the binary tree's nodes, from 0?",
+        },
+        Flaw {
+            complaint: "lanes",
+            name: "gives a branch more than eight children",
+            hint: "Opening a branch takes one member away and brings two: when must you stop?",
+        },
+        Flaw {
+            complaint: "is below none of its new children",
+            name: "loses leaves",
+            hint: "Count the leaves before and after. A child may be a leaf or a branch: do both have a place in your list?",
+        },
+        Flaw {
+            complaint: "is below another child",
+            name: "names a child twice, or a branch beside its own children",
+            hint: "Once a branch's children are members, is the branch still one?",
+        },
+        Flaw {
+            complaint: "could be opened",
+            name: "stops opening branches while there is still room",
+            hint: "Opening a branch takes one member away and brings two: up to how many members may you go on?",
+        },
+        Flaw {
+            complaint: "more area than they need",
+            name: "opens the wrong branches",
+            hint: "Which of the members' boxes do most rays enter, and which of them would you rather spare a step?",
+        },
+    ];
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "opens the smallest branch first",
@@ -159,6 +202,36 @@ impl Graded for Collapse {
             name: "keeps two children per branch",
             hint: "There is room for eight: whose children can move up?",
             answer: |q| families(q, while_fewer(2, half_area)),
+        },
+        Mistake {
+            name: "stops at seven children",
+            hint: "Opening a branch takes one member away and brings two: is there room for that with seven members?",
+            answer: |q| families(q, while_fewer(MOST - 1, half_area)),
+        },
+        Mistake {
+            name: "opens the widest branch along x first",
+            hint: "Is a long, thin box met by more rays than a large one?",
+            answer: |q| {
+                families(
+                    q,
+                    while_fewer(MOST, |q, i| {
+                        let node = &q.nodes[i as usize];
+                        node.max.x - node.min.x
+                    }),
+                )
+            },
+        },
+        Mistake {
+            name: "opens one branch only",
+            hint: "After one branch is opened there may be room for more: what makes your loop end?",
+            answer: |q| {
+                let nearest = |q: &Collapse, members: &[u32]| {
+                    (members.len() < 3)
+                        .then(|| best(q, members, half_area))
+                        .flatten()
+                };
+                families(q, nearest)
+            },
         },
         Mistake {
             name: "stops at four children",

@@ -1,8 +1,8 @@
 //! `wide_closest`: random questions, judge and mistakes.
 
 use crate::{
-    Graded, Mistake, Picture, Verdict, judge, sample, search, search::How, search::Node,
-    search::Order, search::Tree, traits,
+    Flaw, Graded, Mistake, Picture, Verdict, judge, sample, search, search::How, search::Keeps,
+    search::Node, search::Order, search::Tree, traits,
 };
 use glam::{Vec3, vec3};
 use rand::RngExt;
@@ -74,6 +74,39 @@ impl Graded for WideClosest {
 
     const SLOW: bool = true;
 
+    const FLAWS: &'static [Flaw] = &[
+        Flaw {
+            complaint: "count each",
+            name: "does not count all of its work",
+            hint: "Is each test counted, one that finds nothing too?",
+        },
+        Flaw {
+            complaint: "the hit is right, but",
+            name: "finds the right hit with more work than needed",
+            hint: "Which boxes and triangles behind a hit are still asked? Which child is opened first? Are the same ones counted twice?",
+        },
+        Flaw {
+            complaint: "you returned triangle",
+            name: "names another triangle than the one that is hit",
+            hint: "Where does the number of a triangle come from: its place in the list of all triangles, or in its leaf?",
+        },
+        Flaw {
+            complaint: "but you returned none",
+            name: "misses triangles that are hit",
+            hint: "Which nodes are never opened?",
+        },
+        Flaw {
+            complaint: "but you returned one",
+            name: "finds hits outside of the interval, or where there are none",
+            hint: "Is every hit between the ends of the interval?",
+        },
+        Flaw {
+            complaint: " m too ",
+            name: "finds another hit than the nearest",
+            hint: "If several triangles are hit, which of them stays?",
+        },
+    ];
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "opens every child",
@@ -119,6 +152,16 @@ impl Graded for WideClosest {
             name: "ignores the interval's max",
             hint: "Something nearer may already have been hit: what is the interval's max for?",
             answer: |q| Self::misread(q, |q| q.within.max = f32::INFINITY),
+        },
+        Mistake {
+            name: "keeps the last hit that it finds",
+            hint: "A triangle that is tested later may lie behind one that was hit: which one stays?",
+            answer: |q| search(q, |how| (how.shortens, how.keeps) = (false, Keeps::Last)),
+        },
+        Mistake {
+            name: "keeps the first hit that it finds",
+            hint: "Boxes may overlap: can a triangle that is tested later be nearer?",
+            answer: |q| search(q, |how| (how.shortens, how.keeps) = (false, Keeps::First)),
         },
     ];
 

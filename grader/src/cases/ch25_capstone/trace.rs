@@ -1,7 +1,7 @@
 //! `trace`: random questions, judge and mistakes.
 
 use super::slip::{Slip, answer};
-use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
+use crate::{Flaw, Graded, Mistake, Picture, Verdict, judge, sample};
 use glam::{Vec3, vec2, vec3};
 use rand::RngExt;
 use raybook::camera::pinhole::Pinhole;
@@ -133,6 +133,19 @@ impl Graded for Trace {
         };
         Err(format!("{why}; {}", first(q)))
     }
+
+    const FLAWS: &'static [Flaw] = &[
+        Flaw {
+            complaint: "ambient light alone",
+            name: "lets no lamp's light arrive: the shadow ray meets the surface that it starts from, or the normal points away from the viewer",
+            hint: "Where does the way to the lamp begin: on the surface, or a little off it, on the side of the lamp? From behind, has the normal been turned?",
+        },
+        Flaw {
+            complaint: "your answer is black",
+            name: "returns black where there is light",
+            hint: "Which of your conditions ends in black? Print the depth, and what the ray meets.",
+        },
+    ];
 
     /// Whole ray tracers that are wrong in one place.
     const MISTAKES: &'static [Mistake<Self>] = &[
@@ -275,6 +288,26 @@ impl Graded for Trace {
             name: "raises the radiance to the power of 1/2.2",
             hint: "The answer is linear radiance: gamma belongs to the display.",
             answer: |q| answer(q, Slip::Gamma),
+        },
+        Mistake {
+            name: "takes the height of the direction for the share of the backdrop above",
+            hint: "The direction's y goes from −1 to 1: from where to where must a share go?",
+            answer: |q| answer(q, Slip::HeightForShare),
+        },
+        Mistake {
+            name: "exchanges what glass mirrors and what it lets through",
+            hint: "Look straight into a window: do you see yourself, or what is behind it?",
+            answer: |q| answer(q, Slip::SharesExchanged),
+        },
+        Mistake {
+            name: "asks Fresnel always as if the light came from outside",
+            hint: "Inside of the glass, which index is on the side from which the ray comes?",
+            answer: |q| answer(q, Slip::FresnelFromOutside),
+        },
+        Mistake {
+            name: "starts new rays too far off the surface that they leave",
+            hint: "A step of 10 cm: what may lie in between?",
+            answer: |q| answer(q, Slip::FarOff),
         },
     ];
 

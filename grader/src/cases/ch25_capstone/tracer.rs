@@ -7,7 +7,7 @@ use raybook::light::{Light, LightSample};
 use raybook::material::{fresnel::fresnel, mirror::reflect, phong::Phong, refract::refract};
 use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
 use raybook::render::shadow::shadow_ray;
-use raybook::scene::description::{Description, Form, Matter, Object};
+use raybook::scene::description::{Backdrop, Description, Form, Matter, Object};
 use raybook::shape::{Hit, Shape, Surface, triangle::Triangle};
 
 /// A ray tracer, and what it does wrongly.
@@ -23,7 +23,13 @@ impl Tracer<'_> {
 
     /// The radiance along a ray; `first` for the viewer's.
     pub fn radiance(&self, ray: &Ray, depth: u32, first: bool) -> Rgb {
-        let backdrop = self.scene.backdrop.seen(ray.direction);
+        let backdrop = match self.slip {
+            Slip::HeightForShare => {
+                let Backdrop { below, above } = self.scene.backdrop;
+                below * (1.0 - ray.direction.y) + above * ray.direction.y
+            }
+            _ => self.scene.backdrop.seen(ray.direction),
+        };
         if depth == 0 {
             let seen = self.is(Slip::BackdropAtTheEnd);
             return if seen { backdrop } else { Rgb::BLACK };
@@ -59,6 +65,12 @@ impl Tracer<'_> {
                 };
                 let share = match self.slip {
                     Slip::AllRefracted => 0.0,
+                    Slip::SharesExchanged => {
+                        1.0 - fresnel(-ray.direction.dot(*normal), here, there).unpolarised
+                    }
+                    Slip::FresnelFromOutside => {
+                        fresnel(-ray.direction.dot(*normal), 1.0, clear.index).unpolarised
+                    }
                     _ => fresnel(-ray.direction.dot(*normal), here, there).unpolarised,
                 };
                 let through = see(refracted) * (1.0 - share);
@@ -106,6 +118,9 @@ impl Tracer<'_> {
         if self.is(Slip::BelowTheSurface) {
             let side = at.normal.dot(*direction).signum();
             Ray::new(ray.origin - 1e-3 * side * *at.normal, direction)
+        } else if self.is(Slip::FarOff) {
+            let side = at.normal.dot(*direction).signum();
+            Ray::new(ray.origin + 0.1 * side * *at.normal, direction)
         } else {
             ray
         }

@@ -4,8 +4,41 @@ use super::{Maker, Pair, line};
 use crate::diagnose::function::FUNCTIONS;
 use crate::diagnose::number::named;
 use crate::layout::{each, layout};
+use std::collections::HashMap;
 
 impl Maker<'_, '_> {
+    /// The right components in an order that is not the same in all cases, as of roots that are not sorted.
+    fn reordered(&mut self) {
+        let of = self.pairs.iter().map(|pair| (pair.item, pair.got.clone()));
+        let got: HashMap<_, _> = of.collect();
+        let sorted = |v: &[f64]| {
+            let mut v = v.to_vec();
+            v.sort_by(f64::total_cmp);
+            v
+        };
+        let near = |(a, b): (&f64, &f64)| (a - b).abs() <= 1e-5 + 1e-3 * a.abs().max(b.abs());
+        let is_same = |a: &[f64], b: &[f64]| sorted(a).iter().zip(&sorted(b)).all(near);
+        let make = |item: usize, v: &mut [f64]| {
+            if let Some(got) = got.get(&item).filter(|got| is_same(got, v)) {
+                v.copy_from_slice(got);
+            }
+        };
+        if got.len() < 3 || self.evidence.parts[self.part].list.is_some() {
+            return;
+        }
+        let name = format!(
+            "returns the right numbers of {}, but in some cases in another order",
+            self.of
+        );
+        self.try_one(
+            18,
+            0,
+            name,
+            "What decides which of them comes first?",
+            &make,
+        );
+    }
+
     /// The same components in another order, or with other signs.
     #[allow(clippy::too_many_lines)] // a list of ways
     pub(super) fn orders(&mut self) {
@@ -78,6 +111,7 @@ impl Maker<'_, '_> {
                 self.try_one(rank, 0, name, "Take a case that lies along one axis only: along which axis, and to which side, does your answer point?", &make);
             }
         }
+        self.reordered();
         if n == 2 {
             for (k, axis) in axes.iter().enumerate() {
                 for also in [false, true] {

@@ -1,0 +1,127 @@
+//! How well an explanation agrees with the answers.
+
+use super::{Evidence, Item, Scope};
+use raybook_workbook::kind::Kind;
+
+/// How well an explanation agrees with the answers.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Score {
+    /// Wrong answers that are as it says.
+    pub explained: usize,
+    /// Wrong answers that are not.
+    pub missed: usize,
+    /// So many answers are right although it says otherwise.
+    pub contradicted: usize,
+    /// So many of all answers are as it says to the last digits.
+    pub close: usize,
+    /// How much the wrong answers that it explains tell: 1 for one with numbers, less for a yes or no.
+    pub tells: f64,
+}
+
+/// Two numbers this close are the same, of the size that answers have, beside [`crate::Graded::ALIKE`] of their own size.
+const CLOSE: f64 = 1e-5;
+
+impl Evidence<'_> {
+    /// A prediction, as far as it is looked at; none if it says nothing.
+    fn seen(&self, item: &Item, prediction: &[f64]) -> Option<Vec<f64>> {
+        let prediction = self.canonical(&item.question, prediction);
+        match self.scope {
+            Scope::Part(part) => self.projected(part, item.golden(), &prediction),
+            _ => Some(prediction),
+        }
+    }
+
+    /// Whether an answer is the one that is predicted; and whether it is so to the last digits.
+    fn agrees(&self, item: &Item, prediction: &[f64]) -> (bool, bool) {
+        if self.scope == Scope::Shape {
+            let same = self.same_shape(prediction, &item.got);
+            return (same, same);
+        }
+        if self.alike(item, prediction) {
+            return (true, true);
+        }
+        let judged = || {
+            let compare = |one, other| self.examiner.compare(&item.question, one, other).is_ok();
+            compare(prediction, &item.got) && compare(&item.got, prediction)
+        };
+        (
+            self.judged && prediction.iter().all(|v| !v.is_nan()) && judged(),
+            false,
+        )
+    }
+
+    /// The same numbers, up to rounding.
+    fn alike(&self, item: &Item, prediction: &[f64]) -> bool {
+        if prediction.len() != item.got.len() {
+            return false;
+        }
+        let relative = f64::from(self.examiner.alike());
+        let mut inside = vec![f64::NAN; prediction.len()];
+        for leaf in &item.layout.leaves {
+            let whole = matches!(self.parts[leaf.part].kind, Kind::Whole);
+            inside[leaf.range()].fill(if whole {
+                f64::NAN
+            } else {
+                CLOSE * self.scales[leaf.part]
+            });
+        }
+        let close = |((a, b), floor): ((&f64, &f64), &f64)| {
+            a == b
+                || (a.is_nan() && b.is_nan())
+                || (a - b).abs() <= floor + relative * a.abs().max(b.abs()) && (a - b).is_finite()
+        };
+        prediction.iter().zip(&item.got).zip(&inside).all(close)
+    }
+
+    /// Whether an answer, as far as it is looked at, would be judged right.
+    fn is_right(&self, item: &Item, prediction: &[f64]) -> bool {
+        if self.scope == Scope::Shape {
+            return self.same_shape(item.golden(), prediction);
+        }
+        let compare = |answer: &Vec<f64>| self.examiner.compare(&item.question, answer, prediction);
+        item.answers.iter().any(|answer| compare(answer).is_ok())
+    }
+
+    /// Whether an answer gives that of an item.
+    pub fn explains(&self, item: usize, answer: &[f64]) -> bool {
+        let item = &self.items[item];
+        self.seen(item, answer)
+            .is_some_and(|seen| self.agrees(item, &seen).0)
+    }
+
+    /// How well predictions, one per item, agree with all answers; none if they explain less than this share of the wrong ones.
+    pub fn score(
+        &self,
+        share: f64,
+        mut predict: impl FnMut(usize) -> Option<Vec<f64>>,
+    ) -> Option<Score> {
+        let needed = (share * self.wrong as f64).ceil().max(1.0) as usize;
+        let mut score = Score::default();
+        for (i, item) in self.items.iter().enumerate() {
+            let prediction = predict(i).and_then(|prediction| self.seen(item, &prediction));
+            if item.right {
+                let Some(prediction) = prediction else {
+                    continue;
+                };
+                let (agrees, close) = self.agrees(item, &prediction);
+                score.close += usize::from(close);
+                if !agrees && !self.is_right(item, &prediction) {
+                    score.contradicted += 1;
+                }
+                continue;
+            }
+            let (agrees, close) = prediction.map_or((false, false), |p| self.agrees(item, &p));
+            if agrees {
+                score.explained += 1;
+                score.close += usize::from(close);
+                score.tells += item.tells;
+            } else {
+                score.missed += 1;
+                if self.wrong - score.missed < needed {
+                    return None;
+                }
+            }
+        }
+        Some(score)
+    }
+}

@@ -1,0 +1,91 @@
+//! What can be read off wrong answers themselves, where no mistake gives the same ones: complaints of the judge that have a name.
+
+use super::evidence::{Evidence, Item};
+use super::{Diagnosis, MOST};
+use crate::Flaw;
+use std::cmp::Reverse;
+
+/// The share of the wrong answers that a flaw must be seen in, if nothing better is known.
+const SOME: f64 = 0.25;
+
+/// Complaints that many judges have. They say less than an exercise's own.
+const COMMON: &[Flaw] = &[
+    Flaw {
+        complaint: "is NaN",
+        name: "returns what is not a number (NaN)",
+        hint: "Look for 0/0, ∞ − ∞ or the root of a negative number. Print the ingredients.",
+    },
+    Flaw {
+        complaint: "a direction has length 1",
+        name: "returns a direction whose length is not 1",
+        hint: "How long is a direction? Which lengths have its ingredients?",
+    },
+    Flaw {
+        complaint: "but you returned none",
+        name: "returns none where there is an answer",
+        hint: "Which of your conditions turns these cases away? Print its ingredients for the first of them.",
+    },
+    Flaw {
+        complaint: "but you returned one",
+        name: "returns an answer where there is none",
+        hint: "Which condition should turn these cases away? Print its ingredients for the first of them.",
+    },
+];
+
+/// What the wrong answers of an exercise have in common by its own complaints.
+pub fn search(evidence: &Evidence<'_>) -> Option<Diagnosis> {
+    of(evidence.examiner.flaws(), evidence, MOST)
+}
+
+/// What some of them have in common, or what most have by complaints that many judges have.
+pub fn of_some(evidence: &Evidence<'_>) -> Option<Diagnosis> {
+    let some = of(evidence.examiner.flaws(), evidence, SOME);
+    some.or_else(|| of(COMMON, evidence, MOST))
+}
+
+/// The flaw that most wrong answers have, or the two. It is certain if nearly all of them have it, for it is there to see.
+fn of(flaws: &[Flaw], evidence: &Evidence<'_>, share: f64) -> Option<Diagnosis> {
+    let examiner = evidence.examiner;
+    let wrong = &evidence.items[..evidence.wrong];
+    let compared = wrong
+        .iter()
+        .map(|item| examiner.compare(&item.question, item.golden(), &item.got));
+    let mut complaints: Vec<_> = compared.filter_map(Result::err).collect();
+    if complaints.is_empty() {
+        // Each of them is right, and all of them together are not.
+        let row = |item: &Item| (item.question.clone(), item.got.clone());
+        let together = examiner.compare_together(&wrong.iter().map(row).collect::<Vec<_>>());
+        complaints = vec![together.err()?; evidence.wrong];
+    }
+    let count = |flaw: &Flaw| {
+        let has = |why: &&String| why.contains(flaw.complaint);
+        complaints.iter().filter(has).count()
+    };
+    let mut found: Vec<_> = flaws
+        .iter()
+        .map(|flaw| told(flaw, count(flaw), evidence.wrong))
+        .collect();
+    found.retain(|one| one.explained > 0);
+    found.sort_by_key(|one| Reverse(one.explained));
+    let mut found = found.into_iter();
+    let mut first = found.next()?;
+    if first.explained < evidence.wrong {
+        first.also.extend(found.next());
+    }
+    let also: usize = first.also.iter().map(|one| one.explained).sum();
+    // A few answers may have another flaw that hides this one.
+    first.certain = first.explained + also == evidence.wrong && also <= first.explained / 8;
+    ((first.explained + also) as f64 >= share * evidence.wrong as f64).then_some(first)
+}
+
+fn told(flaw: &Flaw, explained: usize, wrong: usize) -> Diagnosis {
+    Diagnosis {
+        name: flaw.name.to_owned(),
+        hint: flaw.hint.to_owned(),
+        part: None,
+        certain: explained == wrong,
+        explained,
+        wrong,
+        also: Vec::new(),
+    }
+}

@@ -1,0 +1,94 @@
+//! An explanation that was found, and what may be said of it.
+
+use super::Diagnosis;
+use super::evidence::{Evidence, Scope, Score};
+use super::fit::Answers;
+
+/// An explanation, and how well it agrees.
+pub struct Found {
+    pub name: String,
+    pub hint: String,
+    /// A mistake made after the first.
+    pub then: Option<(String, String)>,
+    pub rank: u32,
+    pub fitted: u32,
+    pub score: Score,
+    pub answers: Answers,
+}
+
+impl Found {
+    /// Small is good.
+    pub fn key(&self) -> (usize, u32, usize) {
+        let loss = self.score.missed + self.score.contradicted;
+        (
+            loss,
+            self.rank + 2 * self.fitted,
+            usize::MAX - self.score.close,
+        )
+    }
+
+    /// Whether it explains all wrong answers, and contradicts no right one.
+    pub fn is_complete(&self) -> bool {
+        self.score.missed + self.score.contradicted == 0
+    }
+
+    pub fn is_own(&self) -> bool {
+        self.rank == 0
+    }
+
+    /// Whether it may be told at all.
+    pub fn holds(&self) -> bool {
+        let Score {
+            explained,
+            missed,
+            contradicted,
+            tells,
+            ..
+        } = self.score;
+        if tells >= 1.0 {
+            contradicted <= explained || missed == 0 && self.fitted == 0
+        } else {
+            2 * contradicted <= explained
+        }
+    }
+
+    pub fn is_certain(&self) -> bool {
+        let Score {
+            missed,
+            contradicted,
+            tells,
+            explained,
+            ..
+        } = self.score;
+        let categorical = tells < 0.9 * explained as f64;
+        let needed = match (self.is_own(), categorical) {
+            (true, _) => 1.0,
+            (false, true) => f64::INFINITY,
+            (false, false) => 2.0 + f64::from(self.fitted),
+        };
+        // Of two mistakes at once there are so many pairs that one may fit by chance.
+        missed == 0 && contradicted == 0 && tells >= needed && self.then.is_none()
+    }
+
+    pub fn told(&self, evidence: &Evidence<'_>) -> Diagnosis {
+        let part = match evidence.scope {
+            Scope::Whole => None,
+            Scope::Part(part) => Some(evidence.parts[part].name.clone()),
+            Scope::Shape => Some("the number of answers".to_owned()),
+        };
+        let one = |name: &String, hint: &String| Diagnosis {
+            name: name.clone(),
+            hint: hint.clone(),
+            part: part.clone(),
+            certain: self.is_certain(),
+            explained: self.score.explained,
+            wrong: evidence.wrong,
+            also: Vec::new(),
+        };
+        let then = self.then.iter().map(|(name, hint)| one(name, hint));
+        Diagnosis {
+            also: then.collect(),
+            ..one(&self.name, &self.hint)
+        }
+    }
+}

@@ -1,0 +1,144 @@
+//! Explanations by two mistakes, one after the other.
+
+use super::MOST;
+use super::evidence::Evidence;
+use super::fit::{self, Answers};
+use super::found::Found;
+use super::misread::Misreading;
+use super::search::called;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+/// Wrong answers that an explanation is tried on before it is tried on all.
+const PROBE: usize = 8;
+
+/// Ways to misread a question that are tried in pairs, the likeliest first.
+const PAIRS: usize = 60;
+
+/// Explanations by two mistakes, one after the other: what is made of the answer of another mistake, or of a question misread.
+#[allow(clippy::too_many_lines, clippy::type_complexity)] // two searches over the same first mistakes
+pub fn pairs(evidence: &Evidence<'_>, readings: &[Misreading], found: &mut Vec<Found>) {
+    let examiner = evidence.examiner;
+    let asked = examiner.asked();
+    let probe = evidence.probe(PROBE);
+    if examiner.limits().slow || probe.wrong < 3 || !probe.tells_much() {
+        return;
+    }
+    let mistakes = examiner.mistakes();
+    let of_mistake = |i: usize, question: &[f64]| {
+        catch_unwind(AssertUnwindSafe(|| examiner.mistake_answers(i, question))).ok()?
+    };
+    let of_reading = |reading: &Misreading, question: &[f64]| {
+        called(asked, &reading.read(asked.question, question)?)
+    };
+    let mut firsts: Vec<(
+        String,
+        String,
+        u32,
+        Box<dyn Fn(&[f64]) -> Option<Vec<f64>> + '_>,
+    )> = Vec::new();
+    for (i, (name, hint)) in mistakes.iter().enumerate() {
+        let answer = move |question: &[f64]| of_mistake(i, question);
+        firsts.push(((*name).to_owned(), (*hint).to_owned(), 0, Box::new(answer)));
+    }
+    for reading in readings.iter().filter(|reading| reading.rank < 17) {
+        let answer = move |question: &[f64]| of_reading(reading, question);
+        firsts.push((
+            reading.name.clone(),
+            reading.hint.clone(),
+            reading.rank,
+            Box::new(answer),
+        ));
+    }
+    for (name, hint, rank, answer) in &firsts {
+        let few: Answers = probe
+            .items
+            .iter()
+            .map(|item| answer(&item.question))
+            .collect();
+        let changed = few
+            .iter()
+            .zip(&probe.items)
+            .filter(|(few, item)| few.as_deref() != Some(item.golden()))
+            .count();
+        if 2 * changed < probe.wrong {
+            continue;
+        }
+        for second in fit::explanations(&probe, &few, false) {
+            if probe.score(0.99, |k| second.answers[k].clone()).is_none() {
+                continue;
+            }
+            let all: Answers = evidence
+                .items
+                .iter()
+                .map(|item| answer(&item.question))
+                .collect();
+            // The number that fits is that of all wrong answers.
+            let again = fit::explanations(evidence, &all, false);
+            for again in again.into_iter().filter(|again| again.name == second.name) {
+                let answers = again.answers;
+                let Some(score) = evidence.score(MOST, |k| answers[k].clone()) else {
+                    continue;
+                };
+                found.push(Found {
+                    name: name.clone(),
+                    hint: hint.clone(),
+                    then: Some((again.name, again.hint)),
+                    rank: 40 + rank + again.rank,
+                    fitted: again.fitted,
+                    score,
+                    answers,
+                });
+            }
+        }
+    }
+    let mut twice = |name: (&str, &str),
+                     then: (&str, &str),
+                     rank,
+                     answer: &dyn Fn(&[f64]) -> Option<Vec<f64>>| {
+        if probe
+            .score(0.99, |k| answer(&probe.items[k].question))
+            .is_none()
+        {
+            return;
+        }
+        let answers: Answers = evidence
+            .items
+            .iter()
+            .map(|item| answer(&item.question))
+            .collect();
+        if let Some(score) = evidence.score(MOST, |k| answers[k].clone()) {
+            found.push(Found {
+                name: name.0.to_owned(),
+                hint: name.1.to_owned(),
+                then: Some((then.0.to_owned(), then.1.to_owned())),
+                rank,
+                fitted: 0,
+                score,
+                answers,
+            });
+        }
+    };
+    let mut common: Vec<_> = readings.iter().collect();
+    common.sort_by_key(|reading| reading.rank);
+    for (k, reading) in common.iter().enumerate() {
+        for (i, (name, hint)) in mistakes.iter().enumerate() {
+            let answer = |question: &[f64]| of_mistake(i, &reading.read(asked.question, question)?);
+            twice(
+                (name, hint),
+                (&reading.name, &reading.hint),
+                45 + reading.rank,
+                &answer,
+            );
+        }
+        for other in common[..k.min(PAIRS)].iter().filter(|_| k < PAIRS) {
+            let answer =
+                |question: &[f64]| of_reading(reading, &other.read(asked.question, question)?);
+            twice(
+                (&other.name, &other.hint),
+                (&reading.name, &reading.hint),
+                60 + reading.rank + other.rank,
+                &answer,
+            );
+        }
+    }
+}

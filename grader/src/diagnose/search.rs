@@ -1,0 +1,123 @@
+//! Trying all explanations by one mistake.
+
+use super::MOST;
+use super::evidence::{Evidence, Scope};
+use super::fit::{self, Answers, Explanation};
+use super::found::Found;
+use super::misread::Misreading;
+use super::pairs::pairs;
+use super::special;
+use raybook_workbook::exercise::Asked;
+use std::panic::catch_unwind;
+
+/// The explanation that agrees best with the evidence.
+pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Found> {
+    let mut found = Vec::new();
+    plain(evidence, readings, MOST, &mut found);
+    if !found.iter().any(Found::is_complete) && evidence.scope != Scope::Shape {
+        pairs(evidence, readings, &mut found);
+    }
+    found.retain(Found::holds);
+    best(found)
+}
+
+/// The best: of the exercise's own mistakes that agree as well as each other, the one that is nearest to all answers.
+fn best(found: Vec<Found>) -> Option<Found> {
+    found.into_iter().min_by_key(Found::key)
+}
+
+/// All explanations by one mistake that give this share of the wrong answers.
+pub fn plain(evidence: &Evidence<'_>, readings: &[Misreading], share: f64, found: &mut Vec<Found>) {
+    let examiner = evidence.examiner;
+    for (i, (name, hint)) in examiner.mistakes().into_iter().enumerate() {
+        let answer = |k: usize| examiner.mistake_answers(i, &evidence.items[k].question);
+        let (name, hint) = (name.to_owned(), hint.to_owned());
+        let one = Explanation {
+            name,
+            hint,
+            rank: 0,
+            fitted: 0,
+            answers: Vec::new(),
+        };
+        consider(evidence, share, one, &answer, found);
+    }
+    if share >= MOST && found.iter().any(Found::is_complete) {
+        return; // a mistake of its own is told before any other
+    }
+    let golden = golden(evidence);
+    let mut made = special::explanations(evidence, &golden);
+    made.extend(fit::explanations(evidence, &golden, true));
+    for one in made {
+        let answers = one.answers.clone();
+        consider(evidence, share, one, &|k| answers[k].clone(), found);
+    }
+    for reading in readings {
+        let answer = |k: usize| misread(evidence, reading, k);
+        let (name, hint) = (reading.name.clone(), reading.hint.clone());
+        let one = Explanation {
+            name,
+            hint,
+            rank: reading.rank,
+            fitted: 0,
+            answers: Vec::new(),
+        };
+        consider(evidence, share, one, &answer, found);
+    }
+}
+
+/// The right answers.
+pub fn golden(evidence: &Evidence<'_>) -> Answers {
+    evidence
+        .items
+        .iter()
+        .map(|item| Some(item.golden().to_vec()))
+        .collect()
+}
+
+/// The right answer to an item's question, misread.
+pub fn misread(evidence: &Evidence<'_>, reading: &Misreading, item: usize) -> Option<Vec<f64>> {
+    let (asked, item) = (evidence.examiner.asked(), &evidence.items[item]);
+    match reading.read(asked.question, &item.question) {
+        Some(question) => called(asked, &question),
+        None => Some(item.golden().to_vec()),
+    }
+}
+
+/// The right answer to a question that may make no sense; none if the library panics.
+pub fn called(asked: &Asked, question: &[f64]) -> Option<Vec<f64>> {
+    catch_unwind(|| (asked.call)(question)).ok()
+}
+
+/// Keeps an explanation that gives this share of the wrong answers.
+pub fn consider(
+    evidence: &Evidence<'_>,
+    share: f64,
+    one: Explanation,
+    answer: &dyn Fn(usize) -> Option<Vec<f64>>,
+    found: &mut Vec<Found>,
+) {
+    let Some(score) = evidence.score(share, answer) else {
+        return;
+    };
+    let answers = if one.answers.is_empty() {
+        (0..evidence.items.len()).map(answer).collect()
+    } else {
+        one.answers
+    };
+    let Explanation {
+        name,
+        hint,
+        rank,
+        fitted,
+        ..
+    } = one;
+    found.push(Found {
+        name,
+        hint,
+        then: None,
+        rank,
+        fitted,
+        score,
+        answers,
+    });
+}

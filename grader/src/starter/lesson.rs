@@ -6,9 +6,9 @@
 use super::StarterFile;
 use crate::book::{Book, BookError};
 use crate::cases;
-use crate::examine::visible_rng;
 use raybook_workbook::curriculum::{CHAPTERS, Chapter};
 use raybook_workbook::for_each_chapter;
+use raybook_workbook::row;
 use std::path::PathBuf;
 
 macro_rules! pages {
@@ -138,15 +138,18 @@ impl Directive<'_> {
 fn example(exercise: &str, name: &str) -> Result<String, String> {
     let unknown = || format!("{exercise} has no case `{name}`");
     let examiner = cases::find(exercise).ok_or_else(unknown)?;
-    let cases = examiner.cases(&mut visible_rng(exercise)).cases;
+    let cases = examiner.named().map_err(|error| error.to_string())?;
     let case = cases
         .iter()
         .find(|case| name.is_empty() || case.name == name);
     let case = case.ok_or_else(unknown)?;
-    let answer = case.answers.first().map_or("", String::as_str);
-    let asked = examiner.question_parts(&case.question).into_iter();
+    let question = row::format(examiner.asked().question, &case.question);
+    let answer = examiner
+        .answer_line(&question)
+        .map_err(|error| error.to_string())?;
+    let asked = examiner.question_parts(&question).into_iter();
     let asked = asked.map(|(name, value)| format!("    {name:<14} {value}\n"));
-    let answered = examiner.answer_parts(answer).into_iter();
+    let answered = examiner.answer_parts(&answer).into_iter();
     let answered = answered.map(|(name, value)| format!("    → {name:<12} {value}\n"));
     let lines: String = asked.chain(answered).collect();
     Ok(format!(

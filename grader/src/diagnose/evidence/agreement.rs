@@ -10,9 +10,9 @@ pub struct Score {
     pub explained: usize,
     /// Wrong answers that are not.
     pub missed: usize,
-    /// So many answers are right although it says otherwise.
+    /// How many answers are right although it says otherwise.
     pub contradicted: usize,
-    /// So many of all answers are as it says to the last digits.
+    /// How many of all answers are as it says to the last digits.
     pub close: usize,
     /// How much the wrong answers that it explains tell: 1 for one with numbers, less for a yes or no.
     pub tells: f64,

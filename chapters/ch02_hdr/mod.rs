@@ -49,7 +49,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let radiance = film.refine(|place, _| window::radiance(&camera.ray(place, Vec2::ZERO)));
     let exposure = knobs.exposure;
     let picture = radiance.map(|p| tone::expose(p, exposure));
-    let room = format!("An evening room at {exposure} stops.");
+    let room = format!("An evening room at {exposure} stops.").replace('-', "−");
     let (ends, toned) = match knobs.curve {
         Curve::Clamp => (
             "The display clamps the sky at white; the EXR keeps it.",

@@ -76,9 +76,9 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     stage.diagram("stages", caption, &three_stages::draw()?)?;
     let caption = "Two trees over the same 22 triangles. In the left one, boxes are large, long and overlap; the cost says how much work that is.";
     stage.diagram("organisations", caption, &flat_boxes::two_organisations()?)?;
-    let caption = "Time to build a tree over the teapot, and what a search of it costs, for each of the builders.";
     let teapot = teapot::mesh(24);
-    stage.diagram("builders", caption, &builders::figure(&teapot.facets())?)?;
+    let (builders, caption) = builders::figure(&teapot.facets())?;
+    stage.diagram("builders", &caption, &builders)?;
     let caption = "The work for a ray in a soup of triangles: a list asks all of them, a tree a number that grows with the logarithm.";
     stage.diagram("growth", caption, &growth::list_and_tree()?)?;
     draw_teapot(&showroom::small(&film), stage, &teapot, &build(&teapot))

@@ -17,11 +17,11 @@ pub(crate) struct Budget {
 }
 
 impl Budget {
-    /// For N shapes: at most 400 bytes each, or 96 where they are many, which leaves room for lists that grow while
+    /// For N shapes: at most 400 bytes each, or 92 where they are many, which leaves room for lists that grow while
     /// they are sorted in; and O(N) of time.
     pub(super) fn of(shapes: usize) -> Self {
         Self {
-            entries: (100 * shapes).min(24 * shapes + 4096).max(2),
+            entries: (100 * shapes).min(23 * shapes + 4096).max(2),
             tries: 256 * shapes,
         }
     }

@@ -28,7 +28,7 @@ pub fn refine_cell(
         return Refined::default();
     }
     let fine = fine_cells(coarse, shapes.len(), density);
-    let mut entries = Vec::with_capacity(2 * shapes.len());
+    let mut entries = Vec::with_capacity(3 * shapes.len());
     for &shape in shapes {
         let cells = cells_of(shape, &fine).into_iter();
         entries.extend(cells.map(|cell| (fine.index(cell) as u32, shape)));

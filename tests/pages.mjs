@@ -40,7 +40,7 @@ async function examine({ page, fault }, name) {
 
 const views = [1400, 420].flatMap(width => ["light", "dark"].map(scheme => [width, scheme]));
 for (const other of others) {
-  const address = other.startsWith("http") ? other : pathToFileURL(other.replace(/^.*\/\//, "/")).href;
+  const address = other.startsWith("http") ? other : pathToFileURL(other).href;
   for (const [width, scheme] of views) {
     const view = await open(address, width, scheme);
     if (address.startsWith("http")) await view.page.waitForSelector("img[src]", { timeout: 60_000 });

@@ -126,8 +126,9 @@ impl Directive<'_> {
                 // The book's own marks around it are for browsers.
                 let (_, code) = listing.split_once("```").unwrap_or_default();
                 let code = code.split_once('\n').map_or("", |(_, code)| code);
+                let code = code.trim_end().trim_end_matches('`').trim_end();
                 let file = self.name.split(':').next().unwrap_or_default();
-                Ok(format!("From `{file}`:\n\n```rust\n{}", code.trim_end()))
+                Ok(format!("From `{file}`:\n\n```rust\n{code}\n```"))
             }
             _ => Ok(String::new()),
         }

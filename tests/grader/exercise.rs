@@ -89,7 +89,7 @@ fn limits_are_those_of_the_cases_and_the_judge() {
         ("sphere_hit", "May be infinite in a question: `within`."),
         (
             "sphere_hit",
-            "The right answer is or holds `none` in 12 of 45 cases, such as \"the sphere is behind\".",
+            "The right answer is or holds `none` in 14 of 48 cases, such as \"the sphere is behind\".",
         ),
         ("bounds_of", "May be empty in a question: `points`."),
         ("voxels_of_triangle", "The order of `cells` does not count."),

@@ -43,7 +43,7 @@ fn cells_without_weight_are_never_chosen() {
 
 #[test]
 fn millions_of_cells_are_all_chosen() {
-    // In f32 the sum of so many ones would stand still at 2²⁴.
+    // In f32 the sum of these ones would stand still at 2²⁴.
     let n = 18_000_000;
     let piecewise = Piecewise::new((0..n).map(|_| 1.0));
     assert_eq!(piecewise.total(), n as f64, "every cell counts");

@@ -47,6 +47,7 @@ fn the_page_shows_figures_that_exist_as_png_svg_and_csv() {
         let parts = page.split(attribute).skip(1);
         parts
             .filter_map(|part| Some(part.split('"').next()?.to_owned()))
+            .filter(|address| !address.starts_with("data:")) // it is its own file
             .collect()
     };
     let files = [links("src=\""), links("href=\"")].concat();

@@ -53,38 +53,7 @@ impl Graded for BvhClosest {
 
     const SLOW: bool = true;
 
-    const FLAWS: &'static [Flaw] = &[
-        Flaw {
-            complaint: "count each",
-            name: "does not count all of its work",
-            hint: "Is each test counted, one that finds nothing too?",
-        },
-        Flaw {
-            complaint: "the hit is right, but",
-            name: "finds the right hit with more work than needed",
-            hint: "Which boxes and triangles behind a hit are still asked? Which child is opened first? Are the same ones counted twice?",
-        },
-        Flaw {
-            complaint: "you returned triangle",
-            name: "names another triangle than the one that is hit",
-            hint: "Where does the number of a triangle come from: its place in the list of all triangles, or in its leaf?",
-        },
-        Flaw {
-            complaint: "but you returned none",
-            name: "misses triangles that are hit",
-            hint: "Which nodes are never opened?",
-        },
-        Flaw {
-            complaint: "but you returned one",
-            name: "finds hits outside of the interval, or where there are none",
-            hint: "Is every hit between the ends of the interval?",
-        },
-        Flaw {
-            complaint: " m too ",
-            name: "finds another hit than the nearest",
-            hint: "If several triangles are hit, which of them stays?",
-        },
-    ];
+    const FLAWS: &'static [Flaw] = search::FLAWS;
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

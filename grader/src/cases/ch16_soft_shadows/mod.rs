@@ -2,6 +2,7 @@
 
 mod chosen;
 mod cone;
+mod flaws;
 
 use glam::{Vec2, vec2};
 

@@ -1,6 +1,7 @@
 //! `sample_rect`: random questions, judge and mistakes.
 
 use super::chosen::{self, DENSITY, N, each, evenly};
+use super::flaws;
 use super::lattice;
 use crate::{Flaw, Graded, Mistake, Verdict, judge, sample};
 use glam::{Vec2, vec2};
@@ -75,36 +76,16 @@ impl Graded for SampleRect {
     }
 
     const FLAWS: &'static [Flaw] = &[
-        Flaw {
-            complaint: "samples, and should be",
-            name: "makes another number of samples than n times n",
-            hint: "How many samples are n along each of two sides?",
-        },
-        Flaw {
-            complaint: "the direction has length",
-            name: "forgets to normalise the direction",
-            hint: "How long is a direction?",
-        },
+        flaws::COUNT,
+        flaws::LENGTH,
         Flaw {
             complaint: "its point is not on the light",
             name: "chooses points that are not on the light",
             hint: "The corner and the two sides: between which numbers times the sides is a point on the light?",
         },
-        Flaw {
-            complaint: "the density",
-            name: "has the density wrong",
-            hint: "The density per steradian of a direction: one over the solid angle, if all directions are equally likely; else the density per area, turned into one per solid angle by the distance and the cosine at the light.",
-        },
-        Flaw {
-            complaint: "radiance/density",
-            name: "does not divide the radiance by the density that it returns",
-            hint: "What does one sample stand for that is chosen half as often as another?",
-        },
-        Flaw {
-            complaint: "not uniform",
-            name: "does not spread the samples evenly",
-            hint: "Which places does a number from 0 to 1 choose, and how much of the light belongs to each?",
-        },
+        flaws::DENSITY,
+        flaws::RATIO,
+        flaws::UNEVEN,
     ];
 
     const MISTAKES: &'static [Mistake<Self>] = &[

@@ -2,6 +2,7 @@
 
 use super::chosen::{self, DENSITY, N, each, evenly};
 use super::cone::{cap, cone};
+use super::flaws;
 use crate::{Flaw, Graded, Mistake, Verdict, judge, sample};
 use glam::{Vec3, dvec2};
 use rand::RngExt;
@@ -100,16 +101,8 @@ impl Graded for SampleSphereLight {
     }
 
     const FLAWS: &'static [Flaw] = &[
-        Flaw {
-            complaint: "samples, and should be",
-            name: "makes another number of samples than n times n",
-            hint: "How many samples are n along each of two sides?",
-        },
-        Flaw {
-            complaint: "the direction has length",
-            name: "forgets to normalise the direction",
-            hint: "How long is a direction?",
-        },
+        flaws::COUNT,
+        flaws::LENGTH,
         Flaw {
             complaint: "its direction misses the light",
             name: "chooses directions that miss the light",
@@ -120,21 +113,9 @@ impl Graded for SampleSphereLight {
             name: "returns a distance at which there is no point of the light",
             hint: "A ray meets a sphere twice: which of the two points is seen?",
         },
-        Flaw {
-            complaint: "the density",
-            name: "has the density wrong",
-            hint: "The density per steradian of a direction: one over the solid angle, if all directions are equally likely; else the density per area, turned into one per solid angle by the distance and the cosine at the light.",
-        },
-        Flaw {
-            complaint: "radiance/density",
-            name: "does not divide the radiance by the density that it returns",
-            hint: "What does one sample stand for that is chosen half as often as another?",
-        },
-        Flaw {
-            complaint: "not uniform",
-            name: "does not spread the samples evenly",
-            hint: "Which places does a number from 0 to 1 choose, and how much of the light belongs to each?",
-        },
+        flaws::DENSITY,
+        flaws::RATIO,
+        flaws::UNEVEN,
     ];
 
     const MISTAKES: &'static [Mistake<Self>] = &[

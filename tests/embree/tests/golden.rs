@@ -10,11 +10,25 @@ use raybook_grader::hidden::Key;
 const KEYS: usize = 5;
 
 /// Named cases to which Embree answers otherwise, and why nobody is wrong.
-const OTHERWISE: &[(&str, &str, &str)] = &[(
-    "mesh_hit",
-    "an empty list",
-    "Embree takes no buffer without triangles, so it is not asked",
-)];
+const OTHERWISE: &[(&str, &str, &str)] = &[
+    (
+        "mesh_hit",
+        "an empty list",
+        "Embree takes no buffer without triangles, so it is not asked",
+    ),
+    ("sphere_hit", "just where the interval ends", CLOSED),
+    ("sphere_hit", "just where the interval begins", CLOSED),
+    (
+        "sphere_hit",
+        "the far side just where the interval ends",
+        CLOSED,
+    ),
+    ("plane_hit", "just where the interval ends", CLOSED),
+    ("plane_hit", "just where the interval begins", CLOSED),
+];
+
+/// The course's interval is open.
+const CLOSED: &str = "Embree counts a hit at the very end of the interval";
 
 /// Mistakes that find the right hits, with too much work: Embree cannot contradict them.
 const TOO_MUCH_WORK: &[(&str, &str)] = &[

@@ -12,7 +12,7 @@ use crate::kit::chapter;
 use crate::kit::sheet::sheet;
 use crate::kit::stage::{Drawn, Stage};
 use clap::{Args, ValueEnum};
-use raybook::image::{Image, rgb::Rgb};
+use raybook::image::Image;
 use raybook::render::film::Film;
 use raybook::render::mis::Strategy;
 use raybook::render::path::Path;
@@ -67,9 +67,9 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         },
         ..ALL
     };
-    let picture = photograph(&film, &cornell_box, path);
+    let picture = denoised(&film, &cornell_box, path);
     let caption = "The Cornell box. Red and green light on the white blocks has come from the walls; \
-        the ceiling gets no light from the lamp at all, only from the other surfaces.";
+        the ceiling gets no light from the lamp at all, only from the other surfaces. What noise is left, a filter has averaged.";
     stage.picture("picture", caption, &picture)?;
 
     let few = Film {
@@ -79,7 +79,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let tiles = [
         (
             "light straight from the lamp",
-            photograph(&few, &cornell_box, DIRECT),
+            denoised(&few, &cornell_box, DIRECT),
         ),
         ("with inter-reflections", picture),
     ];
@@ -88,11 +88,11 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
 
     let caption = "A mirror and glass in the box. The bright spot below the glass ball is a caustic: light of the lamp that the glass has gathered. \
         No ray to the lamp finds it, only the paths that happen to go through the glass; what very few paths find is left out.";
-    let film = stage.film_of(240, 16, 1.0);
+    let film = stage.film_of(320, 80, 1.0);
     stage.figure(
         "caustic",
         caption,
-        &without_outliers(&film, &View::with_balls()?),
+        &denoised(&film, &View::with_balls()?, ALL),
     )?;
 
     let caption = "600 directions of the hemisphere, and their shadows on the surface. What arrives counts by its cosine, so directions near the horizon are hardly worth their time.";
@@ -119,25 +119,12 @@ fn photograph(film: &Film, view: &View, path: Path) -> Image {
     })
 }
 
+/// The same without the noise.
+fn denoised(film: &Film, view: &View, path: Path) -> Image {
+    film.denoised(|film| photograph(film, view, path))
+}
+
 /// The chapter's binary.
 pub fn main() -> ExitCode {
     chapter::run("ch17_rendering_equation")
-}
-
-/// The mean of the middle half of eight pictures, pixel by pixel: a few paths that bring very much count in none of them
-/// (after Jung, Meyer and DeCoro, "Robust path tracing", 2015). It is a little too dark where such paths are many.
-fn without_outliers(film: &Film, view: &View) -> Image {
-    const PICTURES: u64 = 8;
-    let pictures: Vec<_> = (0..PICTURES)
-        .map(|i| {
-            let seed = film.seed + i;
-            photograph(&Film { seed, ..*film }, view, ALL)
-        })
-        .collect();
-    Image::from_fn(film.width, film.height, |x, y| {
-        let mut seen: Vec<_> = pictures.iter().map(|picture| picture.at(x, y)).collect();
-        seen.sort_by(|a, b| a.luminance().total_cmp(&b.luminance()));
-        let middle = &seen[seen.len() / 4..seen.len() * 3 / 4];
-        middle.iter().copied().sum::<Rgb>() / middle.len() as f32
-    })
 }

@@ -55,14 +55,14 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             "Nothing shines here but {}.",
             Untrusted::from(file.as_path())
         );
-        let picture = picture(&film, Box::new(Environment::new(map)))?;
+        let picture = denoised(&film, Box::new(Environment::new(map)))?;
         return stage.picture("picture", &caption, &picture);
     }
     let tile = stage.tile(2, 1.6);
     let samples = 2 * tile.samples;
     let film = Film { samples, ..tile };
     let maps = skies::FOUR.map(|sky| skies::map(sky, 1024));
-    let under = |map: &Image| picture(&film, Box::new(Environment::new(map.clone())));
+    let under = |map: &Image| denoised(&film, Box::new(Environment::new(map.clone())));
     let [day, sunset, overcast, studio] = &maps;
     let lit = [
         under(day)?,
@@ -70,7 +70,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         under(overcast)?,
         under(studio)?,
     ];
-    let caption = "Nothing shines here but the map: a clear day, a sunset, an overcast sky, a studio with two softboxes.";
+    let caption = "Nothing shines here but the map: a clear day, a sunset, an overcast sky, a studio with two softboxes. What noise is left, a filter has averaged.";
     stage.picture("picture", caption, &quarters(&lit))?;
 
     let caption = "The clear day in three layouts: latitude and longitude, a cube unfolded to a cross, and the angular map.";
@@ -105,14 +105,27 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
 
 /// The still life under one light.
 fn picture(film: &Film, light: Box<dyn Light>) -> Result<Image, LookAtError> {
-    let (scene, aspect) = (still_life(light), film.aspect());
+    Ok(still_life_under(light, film.aspect())?(film))
+}
+
+/// The same without the noise.
+fn denoised(film: &Film, light: Box<dyn Light>) -> Result<Image, LookAtError> {
+    Ok(film.denoised(still_life_under(light, film.aspect())?))
+}
+
+/// What draws the still life on a film.
+fn still_life_under(
+    light: Box<dyn Light>,
+    aspect: f32,
+) -> Result<impl Fn(&Film) -> Image, LookAtError> {
+    let scene = still_life(light);
     let camera = Pinhole::look_at(EYE, AT, Vec3::Y, 0.05, aspect)?;
     let path = Path {
         depth: 6,
         roulette_after: 3,
         strategy: Strategy::Both,
     };
-    Ok(film.render(&camera, &Sampler::Even, &path, &scene))
+    Ok(move |film: &Film| film.render(&camera, &Sampler::Even, &path, &scene))
 }
 
 /// The chapter's binary.

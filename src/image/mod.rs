@@ -3,6 +3,7 @@
 #[cfg(feature = "files")]
 mod codec;
 pub mod compare;
+pub mod denoise;
 #[cfg(feature = "files")]
 pub mod file;
 pub mod mip;

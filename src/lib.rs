@@ -44,6 +44,7 @@
 //! | EXR, HDR and PNG files | `image/file.rs` |
 //! | files that appear whole or not at all, and how large they may be | `store.rs` `memory.rs` |
 //! | pictures looked up between their pixels, and blurred: textures | `image/mip.rs` |
+//! | pictures with less noise | `image/denoise.rs` |
 //! | how wide a ray is meant to be, and so how far a texture is blurred | `render/cone.rs` |
 //! | how much two pictures differ | `image/compare.rs` `image/rms.rs` |
 //! | what a shape must answer; leaving a surface without hitting it again | `shape/mod.rs` |

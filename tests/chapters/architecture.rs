@@ -324,7 +324,7 @@ fn files_are_touched_in_one_place() {
 }
 
 /// Words in the place of a parameter's name, but for comparisons ("so many that").
-const NAMELESS: [&str; 9] = [
+const NAMELESS: [&str; 11] = [
     "/// So many ",
     "/// So much ",
     "/// So often ",
@@ -334,6 +334,8 @@ const NAMELESS: [&str; 9] = [
     "at most so ",
     "by so many ",
     "by so much ",
+    "than so many",
+    "for so long ",
 ];
 
 #[test]

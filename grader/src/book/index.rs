@@ -4,7 +4,7 @@ use super::{Page, text};
 use maud::{Markup, html};
 use raybook_workbook::curriculum;
 
-/// On more pages than so many, a term is used throughout the book, and a list of them would help nobody.
+/// Maximum number of pages that the index lists for a term: one on more pages is used throughout the book, and a list would help nobody.
 const THROUGHOUT: usize = 16;
 
 /// A term of the glossary.

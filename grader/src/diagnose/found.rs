@@ -66,7 +66,7 @@ impl Found {
             (false, true) => f64::INFINITY,
             (false, false) => 2.0 + f64::from(self.fitted),
         };
-        // Of two mistakes at once there are so many pairs that one may fit by chance.
+        // Pairs of mistakes are many, and one may fit by chance.
         missed == 0 && contradicted == 0 && tells >= needed && self.then.is_none()
     }
 

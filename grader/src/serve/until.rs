@@ -11,7 +11,7 @@ pub struct Until<'a> {
 }
 
 impl<'a> Until<'a> {
-    /// The connection, for so long from now.
+    /// The connection, until this time has passed from now.
     pub fn new(stream: &'a TcpStream, time: Duration) -> Self {
         Self {
             stream,

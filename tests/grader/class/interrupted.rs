@@ -108,7 +108,7 @@ fn check(course: &Course, hand_ins: usize) {
 #[test]
 fn a_full_disk_is_said_and_the_journal_is_whole() {
     let course = class(12);
-    // No file may be longer than so many blocks of 512 bytes: what a full disk does to the journal.
+    // The limit of a file's length, in blocks of 512 bytes: what a full disk does to the journal.
     let limited = "ulimit -f 3; trap '' XFSZ; exec \"$0\" \"$@\"";
     let output = Command::new("sh")
         .args(["-c", limited, env!("CARGO_BIN_EXE_raybook")])

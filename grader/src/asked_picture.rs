@@ -5,6 +5,7 @@ use crate::examine::Examiner;
 use crate::triple::PictureSize;
 use raybook::image::Image;
 use raybook::image::rgb::Rgb;
+use raybook_workbook::row;
 use std::io;
 
 /// The sides of the blocks of the passes, in pixels: each pass asks what the one before left out.
@@ -72,12 +73,15 @@ pub fn draw(
         return Ok(Drawn::Whole);
     };
     let PictureSize { width, height, .. } = size;
-    let question = |x: u32, y: u32| examiner.pixel_question(picture, x, y);
-    let colour = |x, y, answer: &str| examiner.pixel_colour(picture, &question(x, y), answer);
+    let exercise = examiner.asked();
+    let question = |x: u32, y: u32| examiner.pixel(picture, x, y).unwrap_or_default();
+    let colour = |question: &[f64], answer: &[f64]| {
+        let colour = examiner.colour(picture, question, answer);
+        colour.unwrap_or(MISSING)
+    };
     let golden = Image::from_fn(width as usize, height as usize, |x, y| {
-        let (x, y) = (x as u32, y as u32);
-        let answer = examiner.answer_line(&question(x, y)).unwrap_or_default();
-        colour(x, y, &answer).unwrap_or(MISSING)
+        let question = question(x as u32, y as u32);
+        colour(&question, &(exercise.call)(&question))
     });
     let mut yours = golden.map(|_| MISSING);
     let mut stage = Stage {
@@ -87,12 +91,18 @@ pub fn draw(
         block: 0,
     };
     for (block, pixels) in passes(width, height) {
-        let asked = pixels.iter().map(|&(x, y)| question(x, y));
-        let asked: Vec<_> = asked.map(|q| format!("{} {q}", examiner.name())).collect();
+        let line = |&(x, y): &(u32, u32)| {
+            let question = row::format(exercise.question, &question(x, y));
+            format!("{} {question}", exercise.name)
+        };
+        let asked: Vec<_> = pixels.iter().map(line).collect();
         for ((x, y), reply) in pixels.into_iter().zip(asker.ask(&asked)?) {
             let drawn = match reply.said {
                 Said::Todo(name) => return Ok(Drawn::NotWritten(name.unescaped().to_owned())),
-                Said::Answer(answer) => colour(x, y, answer.unescaped()).unwrap_or(MISSING),
+                Said::Answer(answer) => {
+                    let answer = exercise.read_answer(answer.unescaped());
+                    answer.map_or(MISSING, |answer| colour(&question(x, y), &answer))
+                }
                 _ => MISSING,
             };
             yours.set(x as usize, y as usize, drawn);

@@ -322,14 +322,21 @@ impl dyn Examiner + '_ {
         let got = read(got)?;
         let mut verdict = Err("there is no right answer to compare with".to_owned());
         for golden in answers.iter().rev() {
-            let golden = read(golden)?;
-            let compared = self.compare(&question, &golden, &got);
-            verdict = compared.and_then(|()| finite(&self.asked().answer, &golden, &got));
+            verdict = self.verdict(&question, &read(golden)?, &got);
             if verdict.is_ok() {
                 break;
             }
         }
         verdict
+    }
+
+    /// Judges an answer against a right one.
+    ///
+    /// # Errors
+    /// Why it is wrong.
+    pub fn verdict(&self, question: &[f64], golden: &[f64], got: &[f64]) -> Verdict {
+        self.compare(question, golden, got)?;
+        finite(&self.asked().answer, golden, got)
     }
 
     /// Judges all answers together that are right one by one.
@@ -382,10 +389,8 @@ impl dyn Examiner + '_ {
     }
 
     /// Whether the answer stays right when the question's numbers move in their last digits.
-    pub fn is_fair(&self, question: &str) -> bool {
-        let question = self.asked().read_question(question);
-        question
-            .is_ok_and(|question| stable::is_stable(self, &question, &mut visible_rng(self.name())))
+    pub fn is_fair(&self, question: &[f64]) -> bool {
+        stable::is_stable(self, question, &mut visible_rng(self.name()))
     }
 
     /// The pictures that answers make, if any.
@@ -397,12 +402,5 @@ impl dyn Examiner + '_ {
     pub fn pixel_question(&self, i: usize, x: u32, y: u32) -> String {
         let question = self.pixel(i, x, y).unwrap_or_default();
         row::format(self.asked().question, &question)
-    }
-
-    /// The colour of a pixel's answer in picture number i; `None` if it cannot be read.
-    pub fn pixel_colour(&self, i: usize, question: &str, answer: &str) -> Option<Rgb> {
-        let question = self.asked().read_question(question).ok()?;
-        let answer = self.asked().read_answer(answer).ok()?;
-        self.colour(i, &question, &answer)
     }
 }

@@ -1,10 +1,12 @@
 //! The student's picture, the golden one, and the difference with its sign.
 
+use crate::asked_picture::MISSING;
 use crate::examine::Examiner;
 use crate::score::Score;
 use raybook::image::{Image, rgb::Rgb, rms::rms};
 use raybook_chapters::kit::palette;
 use raybook_chapters::kit::untrusted::Untrusted;
+use raybook_workbook::row;
 use rayon::prelude::{IntoParallelIterator, ParallelIterator};
 
 /// A picture's size and text.
@@ -54,14 +56,11 @@ pub struct BadPixel {
     pub got: Option<Untrusted>,
 }
 
-/// Where there is no answer.
-const MISSING: Rgb = Rgb::new(0.8, 0.0, 0.8);
-
 /// What became of a pixel.
 struct Pixel {
-    question: String,
-    golden: String,
-    verdict: Fate,
+    yours: Rgb,
+    golden: Rgb,
+    fate: Fate,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -79,66 +78,60 @@ pub fn triple(
     answers: &[Option<String>],
 ) -> Triple {
     let (width, height) = (size.width as usize, size.height as usize);
+    let asked = examiner.asked();
+    let question = |i: usize| {
+        let (x, y) = (i as u32 % size.width, i as u32 / size.width);
+        examiner.pixel(picture, x, y).unwrap_or_default()
+    };
     let pixel = |i: usize| {
-        let question =
-            examiner.pixel_question(picture, i as u32 % size.width, i as u32 / size.width);
-        let golden = examiner.answer_line(&question).unwrap_or_default();
-        let right = answers[i].as_ref().is_some_and(|got| {
-            let golden = std::slice::from_ref(&golden);
-            examiner.judge(&question, golden, got).is_ok()
-        });
+        let question = question(i);
+        let golden = (asked.call)(&question);
+        let got = answers[i]
+            .as_ref()
+            .and_then(|got| asked.read_answer(got).ok());
+        let right = got
+            .as_ref()
+            .is_some_and(|got| examiner.verdict(&question, &golden, got).is_ok());
         // Of the wrong ones only: a ray that grazes a silhouette is nobody's fault.
-        let verdict = if right {
+        let fate = if right {
             Fate::Right
         } else if answers[i].is_none() || examiner.is_fair(&question) {
             Fate::Wrong
         } else {
             Fate::Undecided
         };
+        let colour = |answer: &[f64]| examiner.colour(picture, &question, answer);
         Pixel {
-            question,
-            golden,
-            verdict,
+            yours: got.and_then(|got| colour(&got)).unwrap_or(MISSING),
+            golden: colour(&golden).unwrap_or(MISSING),
+            fate,
         }
     };
     let pixels: Vec<_> = (0..width * height).into_par_iter().map(pixel).collect();
-    let colour = |i: usize, answer: Option<&String>| {
-        answer
-            .and_then(|answer| examiner.pixel_colour(picture, &pixels[i].question, answer))
-            .unwrap_or(MISSING)
-    };
-    let at = |x: usize, y: usize| y * width + x;
-    let yours = Image::from_fn(width, height, |x, y| {
-        colour(at(x, y), answers[at(x, y)].as_ref())
-    });
-    let golden = Image::from_fn(width, height, |x, y| {
-        colour(at(x, y), Some(&pixels[at(x, y)].golden))
-    });
+    let at = |x: usize, y: usize| &pixels[y * width + x];
+    let yours = Image::from_fn(width, height, |x, y| at(x, y).yours);
+    let golden = Image::from_fn(width, height, |x, y| at(x, y).golden);
     let difference = Image::from_fn(width, height, |x, y| {
         palette::signed(yours.at(x, y).luminance() - golden.at(x, y).luminance())
     });
-    let first_bad = pixels.iter().position(|pixel| pixel.verdict == Fate::Wrong);
-    let first_bad = first_bad.map(|i| BadPixel {
-        x: i % width,
-        y: i / width,
-        question: pixels[i].question.clone(),
-        golden: pixels[i].golden.clone(),
-        got: answers[i].clone().map(Untrusted::from),
+    let first_bad = pixels.iter().position(|pixel| pixel.fate == Fate::Wrong);
+    let first_bad = first_bad.map(|i| {
+        let question = question(i);
+        BadPixel {
+            x: i % width,
+            y: i / width,
+            golden: row::format(asked.answer.kind, &(asked.call)(&question)),
+            question: row::format(asked.question, &question),
+            got: answers[i].clone().map(Untrusted::from),
+        }
     });
-    let count = |verdict| {
-        pixels
-            .iter()
-            .filter(|pixel| pixel.verdict == verdict)
-            .count()
-    };
+    let count = |fate| pixels.iter().filter(|pixel| pixel.fate == fate).count();
     let undecided = count(Fate::Undecided);
     let score = Score {
         right: count(Fate::Right),
         of: pixels.len() - undecided,
         undecided,
-        error: rms(&golden, &yours, |x, y| {
-            pixels[at(x, y)].verdict != Fate::Undecided
-        }),
+        error: rms(&golden, &yours, |x, y| at(x, y).fate != Fate::Undecided),
     };
     Triple {
         name: size.name,

@@ -11,7 +11,7 @@ use crate::kind::{Kind, VECTOR};
 use crate::words::Words;
 use glam::Vec3;
 use raybook::math::dir3::Dir3;
-use std::fmt::Display;
+use std::fmt::{Display, Write};
 
 pub use crate::words::RowError;
 
@@ -152,7 +152,7 @@ fn parse_next(
 
 fn format_next(kind: &Kind, numbers: &mut Numbers<'_>, line: &mut String) {
     match kind {
-        Kind::Number => line.push_str(&number(numbers.number() as f32)),
+        Kind::Number => number(numbers.number() as f32, line),
         Kind::Whole => line.push_str(&(numbers.number() as u32).to_string()),
         Kind::Numbers(parts) => {
             for i in 0..parts.parts.len() {
@@ -218,9 +218,16 @@ fn parts_next(
     }
 }
 
-/// A number as people write it.
-fn number(v: f32) -> String {
-    format!("{v:?}").trim_end_matches(".0").to_lowercase()
+/// Appends a number as people write it: 2 and not 2.0, and nan in small letters.
+fn number(v: f32, line: &mut String) {
+    if v.is_nan() {
+        return line.push_str("nan");
+    }
+    let written = write!(line, "{v:?}");
+    debug_assert!(written.is_ok(), "a string takes all that is written to it");
+    if line.ends_with(".0") {
+        line.truncate(line.len() - 2);
+    }
 }
 
 impl Row for f32 {

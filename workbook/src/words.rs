@@ -1,11 +1,11 @@
 //! The words of a row, and what may be wrong with them.
 
 use std::fmt::Display;
-use std::str::{FromStr, SplitWhitespace};
+use std::str::FromStr;
 
 /// The words of a line that are still to be read.
 pub(crate) struct Words<'a> {
-    rest: SplitWhitespace<'a>,
+    rest: &'a str,
     taken: usize,
 }
 
@@ -67,9 +67,23 @@ impl<'a> Words<'a> {
     /// The words of a line.
     pub(crate) fn of(line: &'a str) -> Self {
         Self {
-            rest: line.split_whitespace(),
+            rest: line,
             taken: 0,
         }
+    }
+
+    /// The next word, and what follows it.
+    fn next(&self) -> Option<(&'a str, &'a str)> {
+        let rest = self.rest.trim_ascii_start();
+        let end = rest.bytes().position(|byte| byte.is_ascii_whitespace());
+        let (word, rest) = rest.split_at(end.unwrap_or(rest.len()));
+        (!word.is_empty()).then_some((word, rest))
+    }
+
+    /// Takes a word: the line goes on with what follows it.
+    fn go_on(&mut self, rest: &'a str) {
+        self.rest = rest;
+        self.taken += 1;
     }
 
     /// The number of the next word, from 1.
@@ -88,18 +102,19 @@ impl<'a> Words<'a> {
     }
 
     fn parsed<T: FromStr>(&mut self, name: &dyn Display, expected: &str) -> Result<T, RowError> {
-        let parsed = self.rest.clone().next().and_then(|word| word.parse().ok());
-        let value = parsed.ok_or_else(|| self.refuse(name, expected))?;
-        self.rest.next();
-        self.taken += 1;
+        let parsed = self
+            .next()
+            .and_then(|(word, rest)| Some((word.parse().ok()?, rest)));
+        let (value, rest) = parsed.ok_or_else(|| self.refuse(name, expected))?;
+        self.go_on(rest);
         Ok(value)
     }
 
     /// Why the next word cannot be read.
     pub(crate) fn refuse(&self, name: &dyn Display, expected: &str) -> RowError {
         let word = self.position();
-        match self.rest.clone().next() {
-            Some(found) => RowError::word(word, name, expected, found),
+        match self.next() {
+            Some((found, _)) => RowError::word(word, name, expected, found),
             None => RowError::TooShort {
                 word,
                 name: name.to_string(),
@@ -109,14 +124,13 @@ impl<'a> Words<'a> {
 
     /// Whether the next word is this one, in small or capital letters (Python prints `None`); then it is taken.
     pub(crate) fn take(&mut self, word: &str) -> bool {
-        let mut ahead = self.rest.clone();
-        let found = ahead.next();
-        let found = found.is_some_and(|next| next.eq_ignore_ascii_case(word));
-        if found {
-            self.rest = ahead;
-            self.taken += 1;
+        let found = self
+            .next()
+            .filter(|(next, _)| next.eq_ignore_ascii_case(word));
+        if let Some((_, rest)) = found {
+            self.go_on(rest);
         }
-        found
+        found.is_some()
     }
 
     /// The end of the line.
@@ -124,9 +138,9 @@ impl<'a> Words<'a> {
     /// # Errors
     /// If a word is left over.
     pub(crate) fn end(&self) -> Result<(), RowError> {
-        match self.rest.clone().next() {
+        match self.next() {
             None => Ok(()),
-            Some(found) => Err(RowError::TooLong {
+            Some((found, _)) => Err(RowError::TooLong {
                 word: self.position(),
                 found: found.to_owned(),
             }),

@@ -5,6 +5,7 @@ use crate::examine::{Case, Examiner, visible_rng};
 use maud::{Markup, html};
 use raybook::image::{Image, file};
 use raybook_chapters::kit::palette;
+use raybook_workbook::row;
 use rayon::prelude::{IntoParallelIterator, ParallelIterator};
 use std::path::Path;
 
@@ -29,7 +30,7 @@ pub(super) fn expand(examiner: &dyn Examiner, pictures: &Path) -> Result<String,
 fn drawn(examiner: &dyn Examiner, pictures: &Path) -> Result<String, String> {
     let name = examiner.name();
     let cases = examiner.cases(&mut visible_rng(name)).cases;
-    let right = picture(examiner, |question| examiner.answer_line(question).ok());
+    let right = picture(examiner, |question| Some((examiner.asked().call)(question)));
     let (mut cards, mut unseen) = (Vec::new(), Vec::new());
     if let Some(right) = &right {
         let alt = examiner.pictures()[0].alt;
@@ -39,7 +40,11 @@ fn drawn(examiner: &dyn Examiner, pictures: &Path) -> Result<String, String> {
         });
     }
     for (i, (mistake, hint)) in examiner.mistakes().into_iter().enumerate() {
-        let wrong = picture(examiner, |question| examiner.mistaken(i, question));
+        let printed = |answer: Vec<f64>| row::format(examiner.asked().answer.kind, &answer);
+        let wrong = picture(examiner, |question| {
+            let answer = examiner.mistake_answers(i, question).map(printed)?;
+            examiner.asked().read_answer(&answer).ok() // what no program could print has no colour
+        });
         let seen = wrong.filter(|wrong| right.as_ref() != Some(wrong));
         let image = match &seen {
             Some(wrong) => Some(save(pictures, &format!("{name}_{}", i + 1), wrong)?),
@@ -90,13 +95,12 @@ fn first_shown<'a>(examiner: &dyn Examiner, i: usize, cases: &'a [Case]) -> Opti
 /// The exercise's first picture by these answers, if it has one.
 fn picture(
     examiner: &dyn Examiner,
-    answer: impl Fn(&str) -> Option<String> + Sync,
+    answer: impl Fn(&[f64]) -> Option<Vec<f64>> + Sync,
 ) -> Option<Image> {
     let size = *examiner.pictures().first()?;
     let colour = |i: u32| {
-        let question = examiner.pixel_question(0, i % size.width, i / size.width);
-        let answer = answer(&question)?;
-        examiner.pixel_colour(0, &question, &answer)
+        let question = examiner.pixel(0, i % size.width, i / size.width)?;
+        examiner.colour(0, &question, &answer(&question)?)
     };
     let pixels = (0..size.width * size.height).into_par_iter();
     let pixels: Vec<_> = pixels.map(colour).collect();

@@ -39,12 +39,17 @@ pub const SCALE: u32 = 2;
 /// What `draw` or plotters reports.
 pub fn figure(width: u32, height: u32, draw: impl FnOnce(&Canvas) -> Drawn) -> Figure {
     let Diagram { pixels, svg } = canvas(width, height, draw)?;
-    let scale = SCALE as usize;
-    let pixels = Image::from_fn(width as usize, height as usize, |x, y| {
-        let pixel = |i: usize| pixels.at(scale * x + i % scale, scale * y + i / scale);
-        (0..scale * scale).map(pixel).sum::<Rgb>() / (scale * scale) as f32
-    });
+    let pixels = smoothed(&pixels);
     Ok(Diagram { pixels, svg })
+}
+
+/// A pixel for each block of a canvas: its mean.
+fn smoothed(canvas: &Image) -> Image {
+    let scale = SCALE as usize;
+    Image::from_fn(canvas.width() / scale, canvas.height() / scale, |x, y| {
+        let pixel = |i: usize| canvas.at(scale * x + i % scale, scale * y + i / scale);
+        (0..scale * scale).map(pixel).sum::<Rgb>() / (scale * scale) as f32
+    })
 }
 
 /// As [`figure`], but with every pixel of its canvas: twice the resolution.
@@ -61,25 +66,26 @@ pub fn canvas(width: u32, height: u32, draw: impl FnOnce(&Canvas) -> Drawn) -> F
         draw(&canvas)?;
         canvas.present()?;
     }
+    Ok(diagram((width, height), &bytes, &svg))
+}
+
+/// The pixels of a canvas as a picture, and its vectors at the size of the figure. It stands apart from [`canvas`], which is compiled
+/// anew for each figure.
+fn diagram((width, height): (u32, u32), bytes: &[u8], svg: &str) -> Diagram {
+    let (wide, high) = ((SCALE * width) as usize, (SCALE * height) as usize);
     let linear: Vec<f32> = (0..=255_u8)
         .map(|code| tone::decode_srgb(f32::from(code) / 255.0))
         .collect();
-    let pixel = |x: usize, y: usize| {
-        let i = 3 * (y * wide as usize + x);
-        Rgb::new(
-            linear[bytes[i] as usize],
-            linear[bytes[i + 1] as usize],
-            linear[bytes[i + 2] as usize],
-        )
-    };
-    // The drawing is shown as large as the figure is, not as its canvas.
+    let pixels = Image::from_fn(wide, high, |x, y| {
+        let channel = |i: usize| linear[usize::from(bytes[3 * (y * wide + x) + i])];
+        Rgb::new(channel(0), channel(1), channel(2))
+    });
     let [on_canvas, shown] =
         [SCALE, 1].map(|s| format!("width=\"{}\" height=\"{}\"", s * width, s * height));
     let svg = svg
         .replacen(&on_canvas, &shown, 1)
         .replace(" opacity=\"1\"", "");
-    let pixels = Image::from_fn(wide as usize, high as usize, pixel);
-    Ok(Diagram { pixels, svg })
+    Diagram { pixels, svg }
 }
 
 /// How text looks.

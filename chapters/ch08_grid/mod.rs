@@ -10,7 +10,7 @@ mod teapots;
 mod walk_figure;
 
 use crate::kit::stage::{Drawn, Stage};
-use crate::kit::{chapter, chart::grouped, palette};
+use crate::kit::{chapter, numbers::grouped, palette};
 use crate::shared::daylight::{Paint, shade};
 use crate::shared::own_mesh::{self, MeshKnob};
 use crate::shared::{growth, heat, outdoors::sky, showroom, stadium_figure};

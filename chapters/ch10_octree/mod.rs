@@ -8,7 +8,8 @@ mod blocks;
 mod quadtree;
 
 use crate::kit::chapter;
-use crate::kit::chart::{Chart, Corner, grouped};
+use crate::kit::chart::{Chart, Corner};
+use crate::kit::numbers::grouped;
 use crate::kit::palette::{BLUE, FAINT, VERMILION};
 use crate::kit::stage::{Drawn, Stage};
 use crate::kit::{axis::Axis, sheet::sheet};

@@ -13,7 +13,7 @@ mod three_stages;
 mod tree_levels;
 
 use crate::kit::chapter;
-use crate::kit::chart::grouped;
+use crate::kit::numbers::grouped;
 use crate::kit::stage::{Drawn, Stage};
 use crate::shared::own_mesh::{self, MeshKnob};
 use crate::shared::{growth, heat, outdoors::sky, showroom, showroom::Showroom, speeds};

@@ -1,7 +1,8 @@
 //! The lobes of Phong and of Blinn, side by side.
 
-use crate::kit::chart::{Chart, Corner, whole};
+use crate::kit::chart::{Chart, Corner};
 use crate::kit::figure::{CENTRE, Canvas, Figure, figure, text, write};
+use crate::kit::numbers::whole;
 use crate::kit::palette::{BLUE, FAINT, INK, ORANGE, VERMILION};
 use crate::kit::{axis::Axis, stage::Drawn};
 use glam::{Vec3, vec3};

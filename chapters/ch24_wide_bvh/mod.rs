@@ -12,7 +12,7 @@ mod wide_gain;
 mod wide_trees;
 
 use crate::kit::stage::{Drawn, Stage};
-use crate::kit::{chapter, chart::grouped};
+use crate::kit::{chapter, numbers::grouped};
 use crate::shared::own_mesh::{self, MeshKnob};
 use crate::shared::{heat, showroom};
 use clap::Args;

@@ -9,6 +9,7 @@ pub mod figure;
 pub mod gallery;
 pub mod html;
 pub mod knobs;
+pub mod numbers;
 pub mod options;
 pub mod palette;
 pub mod paper;

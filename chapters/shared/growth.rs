@@ -1,8 +1,9 @@
 //! How the work of a search grows with the number of triangles, on two logarithmic axes: a power of N is a straight line.
 
 use crate::kit::axis::Axis;
-use crate::kit::chart::{Chart, grouped};
+use crate::kit::chart::Chart;
 use crate::kit::figure::{Figure, LEFT};
+use crate::kit::numbers::grouped;
 use crate::kit::palette::{BLUE, INK, VERMILION};
 use crate::shared::law::{Reach, mean_tests};
 use plotters::prelude::{Color, RGBColor};

@@ -1,21 +1,17 @@
-//! A chart: curves, marks, areas and words over two axes.
+//! How a chart is drawn: its margins, its grid, and what is in it.
 
+use super::{Chart, Form, Thing};
 use crate::kit::axis::{Axis, Scale};
-use crate::kit::figure::{Figure, Style, coloured, figure, text};
+use crate::kit::figure::{Style, text};
 use crate::kit::palette::{FAINT, INK};
-use crate::kit::pen::Pen;
 use crate::kit::stage::Drawn;
 use plotters::coord::{Shift, cartesian::Cartesian2d};
 use plotters::element::DashedPathElement;
 use plotters::prelude::{
     ChartBuilder, ChartContext, Circle, Color, DashedLineSeries, DrawingArea, DrawingBackend,
-    LineSeries, PathElement, Polygon, RGBColor, Rectangle, Text, WHITE,
+    LineSeries, PathElement, Polygon, Rectangle, Text, WHITE,
 };
-use plotters::style::text_anchor::Pos;
-use plotters::style::{ShapeStyle, SizeDesc};
-use std::fmt;
-
-pub use plotters::prelude::SeriesLabelPosition as Corner;
+use plotters::style::SizeDesc;
 
 /// Length of a dash, and of the gap after it, in pixels of the canvas.
 const DASH: i32 = 14;
@@ -24,184 +20,7 @@ const GAP: i32 = 11;
 /// Space around a chart, in pixels of the canvas.
 const MARGIN: u32 = 26;
 
-/// A chart, made by adding what is to be drawn, and drawn at the end: a later thing covers an earlier one.
-///
-/// Widths, radii and sizes of text are in pixels of the canvas, places are in the numbers of the axes.
-pub struct Chart {
-    title: String,
-    x: Axis,
-    y: Axis,
-    text: i32,
-    legend: Option<Corner>,
-    left: Option<u32>,
-    things: Vec<Thing>,
-}
-
-/// Something in a chart, with its colour, and how wide its line is or whether it is filled.
-struct Thing {
-    form: Form,
-    style: ShapeStyle,
-    /// Its name in the legend.
-    name: Option<String>,
-}
-
-enum Form {
-    Line(Vec<(f64, f64)>),
-    Dashes(Vec<(f64, f64)>),
-    Dots(Vec<(f64, f64)>, i32),
-    Curve(Vec<(f64, f64)>, Pen),
-    Bar([(f64, f64); 2]),
-    Area(Vec<(f64, f64)>),
-    Label((f64, f64), String, Box<Style>),
-}
-
-impl fmt::Debug for Chart {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        f.debug_struct("Chart")
-            .field("title", &self.title)
-            .field("x", &self.x)
-            .field("y", &self.y)
-            .finish_non_exhaustive()
-    }
-}
-
 impl Chart {
-    /// An empty chart over two axes.
-    pub fn new(x: Axis, y: Axis) -> Self {
-        Self {
-            title: String::new(),
-            x,
-            y,
-            text: 34,
-            legend: None,
-            left: None,
-            things: Vec::new(),
-        }
-    }
-
-    /// With a title above.
-    #[must_use]
-    pub fn titled(mut self, title: &str) -> Self {
-        title.clone_into(&mut self.title);
-        self
-    }
-
-    /// With text of another size than 34 pixels.
-    #[must_use]
-    pub fn text(mut self, size: i32) -> Self {
-        self.text = size;
-        self
-    }
-
-    /// With the names of what is [named](Chart::named), in a corner.
-    #[must_use]
-    pub fn legend(mut self, corner: Corner) -> Self {
-        self.legend = Some(corner);
-        self
-    }
-
-    /// With this number of pixels to the left of the axes, so that charts one above the other are aligned.
-    #[must_use]
-    pub fn left(mut self, pixels: u32) -> Self {
-        self.left = Some(pixels);
-        self
-    }
-
-    /// A line through points.
-    pub fn line<T: Into<f64>>(
-        &mut self,
-        points: impl IntoIterator<Item = (T, T)>,
-        style: impl Into<ShapeStyle>,
-    ) -> &mut Self {
-        self.add(Form::Line(places(points)), style)
-    }
-
-    /// A line of dashes through points.
-    pub fn dashes<T: Into<f64>>(
-        &mut self,
-        points: impl IntoIterator<Item = (T, T)>,
-        style: impl Into<ShapeStyle>,
-    ) -> &mut Self {
-        self.add(Form::Dashes(places(points)), style)
-    }
-
-    /// A line through points, with the pen's dashes and marks.
-    pub fn curve<T: Into<f64>>(
-        &mut self,
-        points: impl IntoIterator<Item = (T, T)>,
-        pen: Pen,
-    ) -> &mut Self {
-        self.add(Form::Curve(places(points), pen), pen.stroke)
-    }
-
-    /// A disc at each point, or a ring if the style is not filled.
-    pub fn dots<T: Into<f64>>(
-        &mut self,
-        points: impl IntoIterator<Item = (T, T)>,
-        radius: i32,
-        style: impl Into<ShapeStyle>,
-    ) -> &mut Self {
-        self.add(Form::Dots(places(points), radius), style)
-    }
-
-    /// A rectangle between two corners, or its outline if the style is not filled.
-    pub fn bar<T: Into<f64>>(
-        &mut self,
-        corners: [(T, T); 2],
-        style: impl Into<ShapeStyle>,
-    ) -> &mut Self {
-        self.add(Form::Bar(corners.map(|(x, y)| (x.into(), y.into()))), style)
-    }
-
-    /// A filled polygon.
-    pub fn area<T: Into<f64>>(
-        &mut self,
-        corners: impl IntoIterator<Item = (T, T)>,
-        style: impl Into<ShapeStyle>,
-    ) -> &mut Self {
-        self.add(Form::Area(places(corners)), style)
-    }
-
-    /// Words, of which this part is at a place.
-    pub fn label<T: Into<f64>>(
-        &mut self,
-        part: Pos,
-        (x, y): (T, T),
-        words: &str,
-        colour: RGBColor,
-    ) -> &mut Self {
-        let style = coloured(self.text + 2, colour).pos(part);
-        self.add(
-            Form::Label((x.into(), y.into()), words.to_owned(), Box::new(style)),
-            INK,
-        )
-    }
-
-    /// Gives the last line its name in the legend.
-    pub fn named(&mut self, name: &str) -> &mut Self {
-        if let Some(last) = self.things.last_mut() {
-            last.name = Some(name.to_owned());
-        }
-        self
-    }
-
-    fn add(&mut self, form: Form, style: impl Into<ShapeStyle>) -> &mut Self {
-        self.things.push(Thing {
-            form,
-            style: style.into(),
-            name: None,
-        });
-        self
-    }
-
-    /// The chart as a figure of its own, of this width and height in pixels.
-    ///
-    /// # Errors
-    /// What plotters reports.
-    pub fn figure(&self, width: u32, height: u32) -> Figure {
-        figure(width, height, |canvas| self.draw(canvas))
-    }
-
     /// Draws the chart on all of a canvas, or of a part of one.
     ///
     /// # Errors
@@ -330,13 +149,6 @@ type Error<B> = plotters::drawing::DrawingAreaErrorKind<<B as DrawingBackend>::E
 /// The axes on a canvas.
 type Axes<'a, 's, B> = ChartContext<'a, B, Cartesian2d<&'s Scale, &'s Scale>>;
 
-fn places<T: Into<f64>>(points: impl IntoIterator<Item = (T, T)>) -> Vec<(f64, f64)> {
-    points
-        .into_iter()
-        .map(|(x, y)| (x.into(), y.into()))
-        .collect()
-}
-
 impl Thing {
     fn draw<B: DrawingBackend>(&self, axes: &mut Axes<B>) -> Drawn
     where
@@ -377,27 +189,4 @@ impl Thing {
         }
         Ok(())
     }
-}
-
-/// A whole number, with a thin space between the thousands.
-pub fn grouped(v: f64) -> String {
-    let digits = format!("{v:.0}");
-    let mut grouped = String::new();
-    for (i, digit) in digits.chars().enumerate() {
-        if i > 0 && (digits.len() - i) % 3 == 0 {
-            grouped.push('\u{2009}');
-        }
-        grouped.push(digit);
-    }
-    grouped
-}
-
-/// A percentage.
-pub fn percent(share: f64) -> String {
-    format!("{} %", 100.0 * share as f32)
-}
-
-/// A whole number with a minus sign instead of a hyphen.
-pub fn whole(v: f64) -> String {
-    format!("{v:.0}").replace('-', "−")
 }

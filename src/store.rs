@@ -52,10 +52,22 @@ pub fn read_text(path: &Path) -> Result<String, StoreError> {
         .map_err(StoreError::of(path, "read this file"))
 }
 
-fn read_file(path: &Path) -> io::Result<Vec<u8>> {
+/// Opens a file, or the one that a link leads to, to read it.
+///
+/// # Errors
+/// If it cannot be read, or is a folder, a named pipe, a device or a socket.
+pub fn open(path: &Path) -> Result<File, StoreError> {
+    open_file(path).map_err(StoreError::of(path, "read this file"))
+}
+
+fn open_file(path: &Path) -> io::Result<File> {
     // Before it is opened: a named pipe would wait for somebody who writes, and opening a device may do something.
     expect_file(&fs::metadata(path)?)?;
-    let file = File::open(path)?;
+    File::open(path)
+}
+
+fn read_file(path: &Path) -> io::Result<Vec<u8>> {
+    let file = open_file(path)?;
     let length = file.metadata()?.len();
     let mut bytes = Vec::new();
     if length <= BUDGET {

@@ -207,6 +207,20 @@ fn what_cannot_be_kept_does_not_keep_the_verdict_back() {
     }
 }
 
+/// Nothing waits for somebody who writes into the pipe.
+#[cfg(unix)]
+#[test]
+fn a_named_pipe_is_no_program() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let pipe = home.path().join("pipe");
+    let made = Command::new("mkfifo").arg(&pipe).status();
+    assert!(made.is_ok_and(|made| made.success()), "a named pipe");
+    let pipe = pipe.to_str().expect("the name is text");
+    let (code, said) = raybook(home.path(), &["check", "ray_at", "--program", pipe]);
+    assert_eq!(code, 2, "{said}");
+    assert!(said.contains("pipe: cannot be run"), "{said}");
+}
+
 /// A disk is full where a process may write no byte into a file.
 #[cfg(target_os = "linux")]
 #[test]

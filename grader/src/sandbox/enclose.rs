@@ -4,6 +4,7 @@ use super::calls::{self, Phase};
 use super::enter::{NOT_CONTAINED, Prepared, landlock_version, shut_in};
 use super::paths::{self, Readable};
 use super::{Sandbox, landlocked, python};
+use raybook::store;
 use rustix::process::{Resource, getrlimit};
 use std::ffi::{OsStr, OsString};
 use std::io::{self, Read};
@@ -198,7 +199,5 @@ fn is_python(file: &Path) -> bool {
 /// Whether a file is run by an interpreter.
 fn is_script(file: &Path) -> bool {
     let mut start = [0; 2];
-    std::fs::File::open(file)
-        .and_then(|mut file| file.read_exact(&mut start))
-        .is_ok_and(|()| &start == b"#!")
+    store::open(file).is_ok_and(|mut file| file.read_exact(&mut start).is_ok()) && &start == b"#!"
 }

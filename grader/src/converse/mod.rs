@@ -1,82 +1,26 @@
 //! A process of an answer program: questions in, answers and prints out, within limits.
 
-use crate::budget::{Budget, Over, Total};
+mod limits;
+mod prints;
+mod program;
+
+use crate::budget::{Budget, Over};
 use crate::clock::Clock;
 use crate::contain::{self, Held};
 use crate::listen::{Event, listen};
-use crate::sandbox::Sandbox;
+use prints::Printed;
+use program::cannot_start;
 use raybook_chapters::kit::untrusted::Untrusted;
 use std::collections::VecDeque;
-use std::ffi::OsString;
 use std::io::{self, Write};
-use std::path::PathBuf;
 use std::process::{Command, ExitStatus, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// How to start an answer program.
-#[derive(Clone, Debug)]
-pub struct Program {
-    /// The file.
-    pub file: PathBuf,
-    /// Its arguments.
-    pub arguments: Vec<OsString>,
-    /// The folder it runs in; the present one if empty.
-    pub folder: PathBuf,
-    /// The sandbox of a stranger's program; one's own runs with all of one's rights.
-    pub sandbox: Option<Sandbox>,
-}
-
-/// What a program may use: for one answer, for all of an exercise, and for all of a check.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Limits {
-    /// Processor time until the next answer, where the system tells it; else time on the wall.
-    pub time: Duration,
-    /// Bytes printed until the next answer.
-    pub output: usize,
-    /// What the cases and the pictures of an exercise take together.
-    pub exercise: Total,
-    /// What everything takes together.
-    pub check: Total,
-}
-
-impl Limits {
-    /// With `time` for an answer; for an exercise 150 times as much, for a check 900 times: 5 minutes and half an hour of
-    /// two seconds each. A megabyte for an answer, more than anyone reads; 64 for an exercise and 256 for a check, of which the
-    /// answers are kept.
-    pub const fn of(time: Duration) -> Self {
-        Self {
-            time,
-            output: 1 << 20,
-            exercise: Total {
-                time: time.saturating_mul(150),
-                bytes: 1 << 26,
-            },
-            check: Total {
-                time: time.saturating_mul(900),
-                bytes: 1 << 28,
-            },
-        }
-    }
-}
-
-impl Default for Limits {
-    /// Two seconds, a thousand times what an answer takes in any language.
-    fn default() -> Self {
-        Self::of(Duration::from_secs(2))
-    }
-}
-
-/// What a program printed that is no answer.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Prints {
-    /// On standard output.
-    pub stdout: Untrusted,
-    /// On standard error, while the question was open: before its answer, or after the answer before. Where several questions
-    /// are open, because the program holds its answers back, it may stand with any of them.
-    pub stderr: Untrusted,
-}
+pub use limits::Limits;
+pub use prints::Prints;
+pub use program::Program;
 
 /// What a process said to some questions.
 #[derive(Clone, Debug)]
@@ -110,9 +54,6 @@ impl End {
         matches!(self, Self::Exited(Some(status)) if status.success())
     }
 }
-
-/// Bytes that are kept of what was printed for a question, of each output.
-const KEPT: usize = 1 << 12;
 
 /// A program that gives a second answer to a question mostly does so within this time.
 pub(crate) const BREATH: Duration = Duration::from_millis(1);
@@ -337,55 +278,4 @@ impl Drop for Process {
             held.end(false, Duration::ZERO);
         }
     }
-}
-
-/// What is kept of the prints before an answer.
-#[derive(Default)]
-struct Printed {
-    stdout: String,
-    stderr: Vec<u8>,
-}
-
-impl Printed {
-    /// A line, or a part of one. Empty lines are not kept: an answer program may end what the student left open.
-    fn print(&mut self, text: &str, whole: bool) {
-        let room = KEPT.saturating_sub(self.stdout.len());
-        let fits = text.char_indices().map(|(i, c)| i + c.len_utf8());
-        let end = fits.take_while(|&end| end <= room).last().unwrap_or(0);
-        self.stdout.push_str(&text[..end]);
-        let open = !self.stdout.is_empty() && !self.stdout.ends_with('\n');
-        if whole && open {
-            self.stdout.push('\n');
-        }
-    }
-
-    fn complain(&mut self, text: &[u8]) {
-        let room = KEPT.saturating_sub(self.stderr.len());
-        self.stderr.extend(&text[..room.min(text.len())]);
-    }
-
-    fn told(self) -> Prints {
-        Prints {
-            stdout: self.stdout.into(),
-            stderr: String::from_utf8_lossy(&self.stderr).into_owned().into(),
-        }
-    }
-}
-
-/// Why a program does not start, and what to do about it.
-fn cannot_start(program: &Program, error: &io::Error) -> io::Error {
-    let file = Untrusted::from(program.file.as_path());
-    let advice = match error.kind() {
-        io::ErrorKind::PermissionDenied => {
-            format!("; is it executable? chmod +x {}", file.shell())
-        }
-        io::ErrorKind::NotFound if program.file.exists() => {
-            "; the file is there: is the program that its first line names after `#!`?".to_owned()
-        }
-        _ => String::new(),
-    };
-    io::Error::new(
-        error.kind(),
-        format!("{file}: cannot be run: {error}{advice}"),
-    )
 }

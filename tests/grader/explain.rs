@@ -134,14 +134,16 @@ const DRAWN: [&str; 39] = [
     "trace",
 ];
 
-/// Of every case with the right answer, with each mistake's and with none: a file that a browser reads, with a title, and
-/// nothing outside of the picture.
+/// Of an exercise's first cases with the right answer, with each mistake's and with none: a file that a browser reads, with a title,
+/// and nothing outside of the picture.
 #[test]
 fn drawings_can_be_looked_at() {
+    /// The named cases, and a few random ones.
+    const CASES: usize = 16;
     let mut drawn = Vec::new();
     for (explainer, examiner, cases) in &*EXPLAINED {
         let asked = examiner.asked();
-        for case in cases {
+        for case in cases.iter().take(CASES) {
             let question = asked.read_question(&case.question).expect("a question");
             let right = asked.read_answer(&case.answers[0]).expect("an answer");
             let mistakes = (0..).map_while(|i| examiner.mistake_answers(i, &question));

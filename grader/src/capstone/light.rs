@@ -1,6 +1,5 @@
 //! The lamp's light where rays arrive: what a surface sends on of it, and what is in the shadow.
 
-use super::nearest::Reach;
 use super::scene::{LAMP, Shape, camera};
 use super::trace::{Place, Tracer};
 use glam::{Vec2, Vec3};

@@ -36,8 +36,22 @@ def guarded(name: str, function: Callable[[], List[str]]) -> List[str]:
     except NotImplementedError as missing:
         return [f"todo {missing or name}"]
     except Exception as error:
-        traceback.print_exc()
+        complain(error)
         return ["panic " + " ".join(f"{type(error).__name__}: {error}".split())]
+
+
+def complain(error: Exception) -> None:
+    """Prints where in your own files an error is, and what it is."""
+    frames = traceback.extract_tb(error.__traceback__)
+    own = [frame for frame in frames if frame.filename != __file__ and "importlib" not in frame.filename]
+    told = traceback.format_list(own) + traceback.format_exception_only(type(error), error)
+    print("".join(told), end="", file=sys.stderr)
+
+
+def called(name: str, arguments: Tuple[Any, ...]) -> str:
+    """What a function returns, in words. A chapter is loaded when it is asked for: an error in one leaves the others be."""
+    function = getattr(importlib.import_module(CHAPTERS[name][0]), name)
+    return words_of(function(*arguments))
 
 
 def answer(line: str) -> str:
@@ -47,8 +61,7 @@ def answer(line: str) -> str:
         arguments = arguments_of(line)
     except ValueError as error:
         return f"error {error}"
-    # A chapter is loaded when it is asked for: an error in one leaves the others be.
-    return guarded(name, lambda: [words_of(getattr(importlib.import_module(CHAPTERS[name][0]), name)(*arguments))])[0]
+    return guarded(name, lambda: [called(name, arguments)])[0]
 
 
 def answers(name: str, lines: List[str]) -> Iterator[str]:

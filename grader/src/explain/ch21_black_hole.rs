@@ -75,7 +75,7 @@ impl Explained for GeodesicStep {
     ) -> Option<Diagram> {
         let (x, v) = (self.position.as_dvec3(), self.velocity.as_dvec3());
         let mut section = Section::spanned(x, v, x);
-        // As long as one is from the photon: as much of the way as the pull is to be seen on.
+        // The straight step is the unit of lengths in the drawing.
         let size = rays::nonzero((f64::from(self.step) * v).length());
         section.origin = x;
         let mut drawing = Diagram::new(

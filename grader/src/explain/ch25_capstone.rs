@@ -91,7 +91,7 @@ impl Tracer<'_> {
     /// The radiance along a line, with this number of surfaces still to be met.
     fn radiance(&mut self, way: &mut Way, line: Line, depth: u32) -> DVec3 {
         if depth == 0 {
-            way.remark("So many surfaces in a row were met as are allowed: black.");
+            way.remark("The maximum number of surfaces in a row is reached: black.");
             return DVec3::ZERO;
         }
         let Some((object, t)) = self.nearest(line) else {

@@ -183,7 +183,7 @@ pub fn course_map() -> String {
             .map(|exercise| exercise.name)
             .collect();
         format!(
-            "    {:2}  {:<20} {}\n",
+            "    {:2}  {:<25} {}\n",
             chapter.number(),
             chapter.title,
             names.join(", ")

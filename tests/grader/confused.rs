@@ -30,6 +30,28 @@ fn an_exercise_goes_before_a_chapter_of_its_name() {
 }
 
 #[test]
+fn a_workbook_goes_before_a_chapter_of_its_name() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    for name in ["rays", "mesh"] {
+        let (code, said) = raybook(home.path(), &["new", name, "--language", "python"]);
+        assert_eq!(code, 0, "{said}");
+        // Nothing is written in it yet; but it is found.
+        let (code, said) = raybook(home.path(), &["check", "ray_at", name, "--plain"]);
+        assert!(code == 1 && said.contains("ray_at"), "{name}: {said}");
+        let (code, said) = raybook(home.path(), &["check", "chapter", name, "--plain"]);
+        let meant = "this is not a workbook";
+        assert!(
+            code == 2 && said.contains(meant),
+            "the chapter, here: {said}"
+        );
+    }
+    // A folder that is no workbook does not hide a chapter.
+    fs::create_dir(home.path().join("sphere")).expect("a folder");
+    let (code, said) = raybook(home.path(), &["exercise", "sphere"]);
+    assert!(code == 0 && said.contains("sphere_hit"), "{said}");
+}
+
+#[test]
 fn a_slip_of_the_fingers_is_understood() {
     for (slip, meant) in [
         ("shpere_hit", "did you mean sphere_hit?"),

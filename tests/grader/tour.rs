@@ -26,6 +26,16 @@ fn alone_it_prints_the_course_map_and_the_next_step() {
 }
 
 #[test]
+fn who_has_only_the_command_is_told_its_name() {
+    let output = raybook().env_remove("CARGO").output().expect("it runs");
+    let text = String::from_utf8(output.stdout).expect("it prints text");
+    assert!(
+        text.contains("raybook tour") && !text.contains("cargo"),
+        "{text}"
+    );
+}
+
+#[test]
 fn the_tour_draws_the_chosen_chapters_and_a_gallery_whose_pictures_exist() {
     let out = tempfile::tempdir().expect("a temporary folder");
     let run = raybook()

@@ -4,6 +4,10 @@
 //! time. Only camera rays, normals and the light of a lamp are the course's own where they are not written yet.
 
 mod functions;
+mod light;
+mod nearest;
+mod normals;
+mod onward;
 mod scene;
 mod trace;
 

@@ -24,7 +24,7 @@ pub fn print(from: &Path) -> Done {
             .as_ref()
             .map_or_else(String::new, |progress| standing(chapter, progress));
         say(format!(
-            "  {:2}  {:<20} {done}{}",
+            "  {:2}  {:<25} {done}{}",
             chapter.number(),
             chapter.title,
             lesson::find(chapter.name).map_or_else(String::new, Lesson::teaches)
@@ -40,12 +40,19 @@ pub fn print(from: &Path) -> Done {
             None => say("\nEvery exercise is right."),
         }
     } else {
-        say("\nNext: see every chapter's pictures   cargo run --release -- tour");
+        // Cargo tells what it runs where it is: who has only the command types its name.
+        let run = match std::env::var_os("CARGO") {
+            Some(_) => "cargo run --release --",
+            None => "raybook",
+        };
+        say(format!("\nNext: see every chapter's pictures   {run} tour"));
         say(format!(
-            "      draw one chapter               cargo run --release --bin {}",
+            "      draw one chapter's pictures    {run} tour --only {}",
             CHAPTERS[0].name
         ));
-        say("      write your own ray tracer      cargo run --release -- new ../my-rays");
+        say(format!(
+            "      write your own ray tracer      {run} new ../my-rays"
+        ));
     }
     unknown.map_or(Ok(true), |error| Err(error.into()))
 }

@@ -37,6 +37,7 @@ pub mod watch;
 use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_grader::cases;
 use raybook_grader::examine::Examiner;
+use raybook_grader::starter::MARKER;
 use raybook_workbook::curriculum::{CHAPTERS, Chapter};
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -50,7 +51,7 @@ pub type Examiners = Vec<&'static dyn Examiner>;
 /// Which folder, and what of it.
 #[derive(clap::Args)]
 pub struct Target {
-    /// An exercise (sphere_hit) or a chapter (3, ch03, sphere; `chapter phong`, for phong is an exercise too), and the student's folder if it is not the present one
+    /// An exercise (sphere_hit) or a chapter (3, ch03, sphere; `chapter phong`, for phong is an exercise too), and the student's folder if it is not the present one; a workbook that is called as a chapter is (`rays`) is meant before it
     #[arg(value_name = "CHAPTER|EXERCISE|FOLDER")]
     pub what: Vec<String>,
 }
@@ -58,10 +59,16 @@ pub struct Target {
 impl Target {
     /// The folder, if one was named.
     pub fn folder(&self) -> Option<&str> {
-        let words = self.what.iter().map(String::as_str);
-        words
-            .filter(|word| *word != "chapter")
-            .find(|word| exercises_of(word).is_empty() && Path::new(word).is_dir())
+        let mut words = self.what.iter();
+        let mut found = None;
+        while let Some(word) = words.next() {
+            if word == "chapter" {
+                words.next(); // its name, whatever folder is called so
+            } else if is_folder(word) {
+                found = Some(word.as_str());
+            }
+        }
+        found
     }
 
     /// The folder, and the exercises in the order of the course.
@@ -69,7 +76,6 @@ impl Target {
     /// # Errors
     /// If a word is neither a folder nor a chapter nor an exercise.
     pub fn resolve(&self) -> Result<(PathBuf, Examiners), Box<dyn Error>> {
-        let mut folder = PathBuf::from(".");
         let mut names: Vec<&str> = Vec::new();
         let mut words = self.what.iter();
         while let Some(word) = words.next() {
@@ -81,20 +87,25 @@ impl Target {
                         .ok_or("which chapter? For example: chapter phong")?;
                     (word, of_chapter(word).unwrap_or_default())
                 }
+                name if is_folder(name) => continue,
                 name => (word, exercises_of(name)),
             };
-            if !found.is_empty() {
-                names.extend(found);
-            } else if PathBuf::from(word).is_dir() {
-                folder = PathBuf::from(word);
-            } else {
+            if found.is_empty() {
                 return Err(unknown(word).into());
             }
+            names.extend(found);
         }
         let wanted =
             |examiner: &&dyn Examiner| names.is_empty() || names.contains(&examiner.name());
+        let folder = PathBuf::from(self.folder().unwrap_or("."));
         Ok((folder, cases::all().into_iter().filter(wanted).collect()))
     }
+}
+
+/// Whether a word means a folder: a workbook, even one that is called as a chapter is (`raybook new rays`), or a folder that is not.
+fn is_folder(word: &str) -> bool {
+    let path = Path::new(word);
+    path.join(MARKER).is_file() || (path.is_dir() && exercises_of(word).is_empty())
 }
 
 /// The exercises that a word means: the one of this name, or those of a chapter by number or name.

@@ -61,9 +61,14 @@ impl Picture {
         let next = PARTS
             .iter()
             .find(|part| !functions.are_there(part.exercise));
-        if let Some(part) = next {
-            say(format!("Next: {} adds {}.", part.exercise, part.adds));
-        }
+        say(next.map_or_else(
+            || "Nothing is missing: every function that it takes is written.".to_owned(),
+            |part| {
+                let place = student::place(&workbook, part.exercise);
+                let place = place.map_or_else(String::new, |file| format!(" in {file}"));
+                format!("Next: {}{place} adds {}.", part.exercise, part.adds)
+            },
+        ));
         Ok(true)
     }
 }

@@ -3,13 +3,12 @@
 use super::Explained;
 use super::diagram::{Diagram, Ink};
 use super::rays;
+use super::view::{AXES, View, middle, shrunk};
 use super::way::Way;
 use glam::{DVec2, DVec3, IVec3, UVec3, Vec3, dvec2};
 use raybook_workbook::exercises::ch08_grid::{
     Cell, GridResolution, GridWalk, Visit, VoxelsOfTriangle,
 };
-
-const AXES: [&str; 3] = ["x", "y", "z"];
 
 impl Explained for GridResolution {
     fn work(&self, way: &mut Way) -> Cell {
@@ -198,28 +197,15 @@ impl Explained for GridWalk {
 
     fn draw(&self, right: &Vec<Visit>, yours: Option<&Vec<Visit>>) -> Option<Diagram> {
         let (o, d) = rays::parts(&self.ray);
-        // Seen along the axis along which the ray moves least.
-        let hidden = d.abs().min_position();
-        let [across, up] = [[1, 2], [0, 2], [0, 1]][hidden];
-        let flat = |p: DVec3| dvec2(p[across], p[up]);
-        let (min, size) = (flat(self.min.as_dvec3()), flat(self.cell.as_dvec3()));
+        let view = View::least(d);
+        let flat = |p: DVec3| view.at(p);
+        let (min, size) = (self.min.as_dvec3(), self.cell.as_dvec3());
         let counts = [self.nx, self.ny, self.nz];
-        let count = dvec2(counts[across].into(), counts[up].into());
-        let max = min + count * size;
-        let mut drawing = Diagram::new(format!(
-            "The cells on the ray's way, seen along {}: {} to the right, {} upwards",
-            AXES[hidden], AXES[across], AXES[up]
-        ));
+        let max = min + UVec3::from(counts).as_dvec3() * size;
+        let mut drawing = Diagram::new(format!("The cells on the ray's way, {}", view.words()));
         let square = |visit: &Visit, share: f64| {
-            let cell = [visit.x, visit.y, visit.z];
-            let middle = min + (dvec2(cell[across].into(), cell[up].into()) + 0.5) * size;
-            let half = 0.5 * share * size;
-            [
-                middle - half,
-                middle + dvec2(half.x, -half.y),
-                middle + half,
-                middle + dvec2(-half.x, half.y),
-            ]
+            let corner = min + visit.cell().as_dvec3() * size;
+            shrunk(view.rectangle(corner, corner + size), share)
         };
         for visit in right {
             drawing.area(&square(visit, 0.94), Ink::Right);
@@ -229,14 +215,7 @@ impl Explained for GridWalk {
         for visit in yours.into_iter().flatten().filter(inside) {
             drawing.area(&square(visit, 0.7), Ink::Yours);
         }
-        for i in 0..=counts[across] {
-            let x = min.x + f64::from(i) * size.x;
-            drawing.line(&[dvec2(x, min.y), dvec2(x, max.y)], Ink::Guide);
-        }
-        for i in 0..=counts[up] {
-            let y = min.y + f64::from(i) * size.y;
-            drawing.line(&[dvec2(min.x, y), dvec2(max.x, y)], Ink::Guide);
-        }
+        view.lattice(&mut drawing, [min, max], counts);
         let end = right.last().map_or(0.0, |visit| f64::from(visit.leave));
         let beyond = if end.is_finite() && end > 0.0 {
             end
@@ -256,7 +235,7 @@ impl Explained for GridWalk {
             if leave.is_finite() && right.len() < 16 {
                 // The cell's number in the order of the walk, in the middle of the ray's way through it.
                 let entered: DVec2 = if i == 0 {
-                    middle_of(&square(visit, 1.0))
+                    middle(&square(visit, 1.0))
                 } else {
                     way(0.5 * (before + leave))
                 };
@@ -266,8 +245,4 @@ impl Explained for GridWalk {
         }
         Some(drawing)
     }
-}
-
-fn middle_of(corners: &[DVec2; 4]) -> DVec2 {
-    0.5 * (corners[0] + corners[2])
 }

@@ -1,10 +1,12 @@
-//! Chapter 18: a direction's place on a cube map and on a latitude-longitude map.
+//! Chapter 18: a direction's place on a cube map and on a latitude-longitude map, and directions chosen by the light of one.
 
 use super::Explained;
+use super::diagram::{Diagram, Ink};
 use super::way::Way;
-use glam::{DVec2, Vec2, dvec2};
+use glam::{DVec2, DVec3, Vec2, Vec3, dvec2};
+use raybook_workbook::exercises::ch17_rendering_equation::lattice;
 use raybook_workbook::exercises::ch18_environment::{
-    CubePlace, DirectionToCube, DirectionToLatlong,
+    CubePlace, DirectionToCube, DirectionToLatlong, EnvironmentPdf, POINTS, SampleEnvironment,
 };
 use std::f64::consts::{PI, TAU};
 
@@ -51,5 +53,205 @@ impl Explained for DirectionToLatlong {
         let u = if turn < 1.0 { turn } else { 0.0 };
         way.pair("(u, v) = (½ + φ/2π, θ/π)", "", dvec2(u, theta / PI))
             .as_vec2()
+    }
+}
+
+/// A latitude-longitude map with the probabilities of its texels.
+struct Map {
+    width: usize,
+    height: usize,
+    /// Each texel's radiance times its solid angle, row by row.
+    light: Vec<f64>,
+}
+
+impl Map {
+    fn new(width: u32, height: u32, texels: &[f32]) -> Self {
+        let (width, height) = (width.max(1) as usize, height.max(1) as usize);
+        let of = |i: usize| f64::from(texels.get(i).copied().unwrap_or(0.0)).max(0.0);
+        let mut map = Self {
+            width,
+            height,
+            light: Vec::new(),
+        };
+        map.light = (0..width * height)
+            .map(|i| of(i) * map.solid_angle(i / width))
+            .collect();
+        map
+    }
+
+    /// The cosines of θ at a row's edges, the upper one first.
+    fn edges(&self, row: usize) -> [f64; 2] {
+        [row, row + 1].map(|edge| (PI * edge as f64 / self.height as f64).cos())
+    }
+
+    /// The solid angle of each texel of a row.
+    fn solid_angle(&self, row: usize) -> f64 {
+        let [top, bottom] = self.edges(row);
+        TAU * (top - bottom) / self.width as f64
+    }
+
+    fn all(&self) -> f64 {
+        self.light.iter().sum()
+    }
+
+    fn of_row(&self, row: usize) -> &[f64] {
+        &self.light[row * self.width..(row + 1) * self.width]
+    }
+
+    /// Draws the texels' edges, and the values where there are few of them.
+    fn draw(&self, drawing: &mut Diagram, texels: &[f32]) {
+        /// More texels than these have no room for their values.
+        const NAMED: usize = 40;
+        /// More lines than these are a grey area.
+        const LINES: usize = 64;
+        let (width, height) = (self.width as f64, self.height as f64);
+        let at = |u: f64, v: f64| dvec2(2.0 * u, -v);
+        for i in (0..=self.width).filter(|i| self.width <= LINES || i % self.width == 0) {
+            let u = i as f64 / width;
+            drawing.line(&[at(u, 0.0), at(u, 1.0)], Ink::Guide);
+        }
+        for i in (0..=self.height).filter(|i| self.height <= LINES || i % self.height == 0) {
+            let v = i as f64 / height;
+            drawing.line(&[at(0.0, v), at(1.0, v)], Ink::Guide);
+        }
+        for (i, value) in texels.iter().enumerate().take(self.light.len()) {
+            if self.light.len() <= NAMED {
+                let (x, y) = ((i % self.width) as f64, (i / self.width) as f64);
+                let middle = at((x + 0.5) / width, (y + 0.5) / height);
+                drawing.label(middle, DVec2::ZERO, format!("{value:.3}"), Ink::Guide);
+            }
+        }
+    }
+}
+
+/// The place of a direction on a latitude-longitude map, as it is drawn: twice as wide as it is high.
+fn on_map(d: DVec3) -> DVec2 {
+    let theta = d.x.hypot(d.z).atan2(d.y);
+    dvec2(2.0 * (0.5 + d.x.atan2(-d.z) / TAU), -theta / PI)
+}
+
+/// Which of some weights a share of their sum falls into, and where in it.
+fn choose(weights: &[f64], share: f64) -> (usize, f64) {
+    let mut left = share * weights.iter().sum::<f64>();
+    let mut last = (0, 0.0);
+    for (i, weight) in weights
+        .iter()
+        .enumerate()
+        .filter(|(_, weight)| **weight > 0.0)
+    {
+        last = (i, (left / weight).min(1.0));
+        if left < *weight {
+            break;
+        }
+        left -= weight;
+    }
+    last
+}
+
+impl Explained for SampleEnvironment {
+    fn work(&self, way: &mut Way) -> Vec<Vec3> {
+        let map = Map::new(self.width, self.height, &self.texels);
+        let all = way.number(
+            "the sum of radiance times solid angle over all texels",
+            "W/m²",
+            map.all(),
+        );
+        if all <= 0.0 {
+            way.remark("The map is black: there is no direction to choose.");
+            return Vec::new();
+        }
+        let rows: Vec<f64> = (0..map.height)
+            .map(|row| map.of_row(row).iter().sum())
+            .collect();
+        way.remark("The first direction; the others go the same way:");
+        way.of_first(lattice(POINTS), |way, u| {
+            let u = way.pair("u", "", u.as_dvec2());
+            let (row, down) = choose(&rows, u.y);
+            way.pair(
+                "u.y chooses the row by its light: its number, and how far down in it",
+                "",
+                dvec2(row as f64, down),
+            );
+            let (column, right) = choose(map.of_row(row), u.x);
+            way.pair(
+                "u.x chooses the texel of the row: its number, and how far right in it",
+                "",
+                dvec2(column as f64, right),
+            );
+            let phi = TAU * ((column as f64 + right) / map.width as f64 - 0.5);
+            let phi = way.number("φ, which goes evenly through the texel", "rad", phi);
+            let [top, bottom] = map.edges(row);
+            let cosine = way.number("cos θ, which does so too", "", top + down * (bottom - top));
+            let sine = (1.0 - cosine * cosine).max(0.0).sqrt();
+            let toward = DVec3::new(sine * phi.sin(), cosine, -sine * phi.cos());
+            way.vector(
+                "the direction (sin θ sin φ, cos θ, −sin θ cos φ)",
+                "",
+                toward,
+            )
+            .as_vec3()
+        })
+    }
+
+    fn draw(&self, right: &Vec<Vec3>, yours: Option<&Vec<Vec3>>) -> Option<Diagram> {
+        let mut drawing = Diagram::new(
+            "The directions on the map; a texel that is brighter or larger on the sphere gets more of them",
+        );
+        Map::new(self.width, self.height, &self.texels).draw(&mut drawing, &self.texels);
+        let yours = yours.map_or(&[][..], Vec::as_slice);
+        for (directions, ink) in [(right.as_slice(), Ink::Right), (yours, Ink::Yours)] {
+            for d in directions.iter().take(POINTS as usize) {
+                drawing.point(on_map(d.as_dvec3()), ink);
+            }
+        }
+        Some(drawing)
+    }
+}
+
+impl Explained for EnvironmentPdf {
+    fn work(&self, way: &mut Way) -> f32 {
+        let map = Map::new(self.width, self.height, &self.texels);
+        let all = way.number(
+            "the sum of radiance times solid angle over all texels",
+            "W/m²",
+            map.all(),
+        );
+        if all <= 0.0 {
+            way.remark("The map is black: the density is 0.");
+            return 0.0;
+        }
+        let latlong = DirectionToLatlong {
+            direction: self.direction,
+        };
+        let place = latlong.work(way).as_dvec2();
+        let texel = |place: f64, count: usize| ((place * count as f64) as usize).min(count - 1);
+        let (x, y) = (texel(place.x, map.width), texel(place.y, map.height));
+        way.pair(
+            "its texel's column and row, from 0",
+            "",
+            dvec2(x as f64, y as f64),
+        );
+        let solid_angle = way.number(
+            "the texel's solid angle, 2π (cos θ₀ − cos θ₁)/width",
+            "sr",
+            map.solid_angle(y),
+        );
+        let probability = way.number(
+            "its probability: radiance times solid angle over the sum",
+            "",
+            map.of_row(y)[x] / all,
+        );
+        way.number("probability/solid angle", "1/sr", probability / solid_angle) as f32
+    }
+
+    fn draw(&self, _: &f32, _: Option<&f32>) -> Option<Diagram> {
+        let mut drawing =
+            Diagram::new("The direction on the map, whose texels have these radiances");
+        drawing.keyed = false;
+        Map::new(self.width, self.height, &self.texels).draw(&mut drawing, &self.texels);
+        let at = on_map(self.direction.as_dvec3());
+        drawing.point(at, Ink::Shape);
+        drawing.label(at, dvec2(0.6, 0.8), "the direction", Ink::Shape);
+        Some(drawing)
     }
 }

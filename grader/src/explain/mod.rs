@@ -12,6 +12,9 @@ mod ch05_box;
 mod ch06_triangle;
 mod ch07_mesh;
 mod ch08_grid;
+mod ch09_two_level_grid;
+mod ch10_octree;
+mod ch11_bvh;
 mod ch12_phong;
 mod ch13_reflection;
 mod ch14_refraction;
@@ -21,11 +24,19 @@ mod ch17_rendering_equation;
 mod ch18_environment;
 mod ch19_depth_of_field;
 mod ch20_panorama;
+mod ch21_black_hole;
+mod ch22_antialiasing;
+mod ch23_adaptive;
+mod ch24_wide_bvh;
+mod ch25_capstone;
 pub mod diagram;
 pub mod parting;
 mod rays;
 mod section;
+mod square;
 pub mod tell;
+mod tree;
+mod view;
 pub mod way;
 
 use diagram::Diagram;
@@ -39,15 +50,25 @@ use raybook_workbook::exercises::{
     ch06_triangle::{TriangleHit, TriangleNormal},
     ch07_mesh::{InterpolateNormal, InterpolateTexture, MeshHit, VertexNormals},
     ch08_grid::{GridResolution, GridWalk, VoxelsOfTriangle},
+    ch09_two_level_grid::{RefineCell, TwoLevelWalk},
+    ch10_octree::{OctreeBuild, OctreeChild, OctreeWalk},
+    ch11_bvh::{BvhBuild, BvhClosest, SahCost, SahSplit},
     ch12_phong::{BlinnPhongExercise, PhongExercise, PointLightExercise},
     ch13_reflection::Reflect,
     ch14_refraction::{Fresnel, Refract},
     ch15_shadows::{Lit, ShadowRay},
     ch16_soft_shadows::{SampleRect, SampleSphereLight, VisibleFraction},
-    ch17_rendering_equation::BrdfPhong,
-    ch18_environment::{DirectionToCube, DirectionToLatlong},
+    ch17_rendering_equation::{BrdfPhong, CosineHemisphere, ReflectedRadiance},
+    ch18_environment::{DirectionToCube, DirectionToLatlong, EnvironmentPdf, SampleEnvironment},
     ch19_depth_of_field::{CircleOfConfusion, ConcentricDisk, ThinLensRay},
     ch20_panorama::PanoramaRay,
+    ch21_black_hole::{DeflectionAngle, GeodesicStep},
+    ch22_antialiasing::{
+        Jittered, PixelAverage, PoissonDisk, RandomPattern, RegularGrid, RotatedGrid,
+    },
+    ch23_adaptive::{NeedsMore, SpendBudget},
+    ch24_wide_bvh::{Collapse, WideClosest},
+    ch25_capstone::Trace,
 };
 use raybook_workbook::row::{from_numbers, to_numbers};
 use way::{Step, Way};
@@ -138,6 +159,15 @@ pub static EXPLAINERS: &[Explainer] = &[
     Explainer::of::<GridResolution>(),
     Explainer::of::<VoxelsOfTriangle>(),
     Explainer::of::<GridWalk>(),
+    Explainer::of::<RefineCell>(),
+    Explainer::of::<TwoLevelWalk>(),
+    Explainer::of::<OctreeChild>(),
+    Explainer::of::<OctreeBuild>(),
+    Explainer::of::<OctreeWalk>(),
+    Explainer::of::<SahCost>(),
+    Explainer::of::<SahSplit>(),
+    Explainer::of::<BvhBuild>(),
+    Explainer::of::<BvhClosest>(),
     Explainer::of::<PhongExercise>(),
     Explainer::of::<BlinnPhongExercise>(),
     Explainer::of::<PointLightExercise>(),
@@ -149,13 +179,30 @@ pub static EXPLAINERS: &[Explainer] = &[
     Explainer::of::<SampleRect>(),
     Explainer::of::<SampleSphereLight>(),
     Explainer::of::<VisibleFraction>(),
+    Explainer::of::<CosineHemisphere>(),
     Explainer::of::<BrdfPhong>(),
+    Explainer::of::<ReflectedRadiance>(),
     Explainer::of::<DirectionToCube>(),
     Explainer::of::<DirectionToLatlong>(),
+    Explainer::of::<SampleEnvironment>(),
+    Explainer::of::<EnvironmentPdf>(),
     Explainer::of::<ConcentricDisk>(),
     Explainer::of::<ThinLensRay>(),
     Explainer::of::<CircleOfConfusion>(),
     Explainer::of::<PanoramaRay>(),
+    Explainer::of::<GeodesicStep>(),
+    Explainer::of::<DeflectionAngle>(),
+    Explainer::of::<RegularGrid>(),
+    Explainer::of::<RotatedGrid>(),
+    Explainer::of::<RandomPattern>(),
+    Explainer::of::<Jittered>(),
+    Explainer::of::<PoissonDisk>(),
+    Explainer::of::<PixelAverage>(),
+    Explainer::of::<NeedsMore>(),
+    Explainer::of::<SpendBudget>(),
+    Explainer::of::<Collapse>(),
+    Explainer::of::<WideClosest>(),
+    Explainer::of::<Trace>(),
 ];
 
 /// The steps and drawings of an exercise, if it has any.

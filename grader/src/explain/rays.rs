@@ -2,6 +2,7 @@
 
 use super::diagram::{Diagram, Ink};
 use super::section::Section;
+use super::view::View;
 use glam::{DVec2, DVec3, dvec2};
 use raybook::math::{interval::Interval, ray::Ray};
 
@@ -15,6 +16,23 @@ pub fn counts(within: Interval, t: f64) -> bool {
     f64::from(within.min) < t && t < f64::from(within.max)
 }
 
+/// The distances of an interval at which a ray is in a box, or on its surface.
+pub fn clipped(
+    (o, d): (DVec3, DVec3),
+    [mut enter, mut leave]: [f64; 2],
+    min: DVec3,
+    max: DVec3,
+) -> Option<[f64; 2]> {
+    for axis in 0..3 {
+        let planes = [min[axis], max[axis]].map(|plane| (plane - o[axis]) / d[axis]);
+        // The sign bit, so that −0.0 is the mirror image of 0.0.
+        let backward = usize::from(d[axis].is_sign_negative());
+        // `max` and `min` drop the NaN of a ray that runs in a face.
+        (enter, leave) = (enter.max(planes[backward]), leave.min(planes[1 - backward]));
+    }
+    (enter <= leave).then_some([enter, leave])
+}
+
 /// Draws a ray up to a distance, its origin, and the distances on it that count.
 pub fn ray(drawing: &mut Diagram, section: &Section, ray: &Ray, within: Interval, far: f64) {
     let (o, d) = parts(ray);
@@ -26,6 +44,28 @@ pub fn ray(drawing: &mut Diagram, section: &Section, ray: &Ray, within: Interval
     drawing.arrow(at(0.0), at(far), Ink::Ray);
     drawing.point(at(0.0), Ink::Ray);
     drawing.label(at(0.0), dvec2(-1.0, 0.0), "o", Ink::Ray);
+}
+
+/// Draws a ray, seen along an axis, to a little behind a box, and the distances on it that count.
+pub fn across(
+    drawing: &mut Diagram,
+    view: &View,
+    ray: &Ray,
+    within: Interval,
+    [min, max]: [DVec3; 2],
+) {
+    let (o, d) = parts(ray);
+    let size = (max - min).length();
+    let passage = clipped((o, d), [0.0, f64::INFINITY], min, max);
+    let far = passage.map_or((0.5 * (min + max) - o).length() + size, |[_, leave]| {
+        leave + 0.1 * size
+    });
+    let at = |t: f64| view.at(o + t * d);
+    let [from, to] = [within.min, within.max].map(|t| f64::from(t).clamp(0.0, far));
+    if from < to {
+        drawing.line(&[at(from), at(to)], Ink::Interval);
+    }
+    drawing.arrow(at(0.0), at(far), Ink::Ray);
 }
 
 /// Draws a ray as [`ray`] does, and where it hits, rightly and by the student.

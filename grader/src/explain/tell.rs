@@ -94,6 +94,8 @@ fn number(v: f64) -> String {
 }
 
 fn steps(steps: &[Step]) -> Vec<String> {
+    /// Of a long way the end is worth reading too: there is the answer.
+    const END: usize = 8;
     let row = |step: &Step| {
         let value = format!("{} {}", step.words(), step.unit);
         let value = if step.value.is_empty() {
@@ -107,8 +109,20 @@ fn steps(steps: &[Step]) -> Vec<String> {
             String::new(),
         ]
     };
-    let mut lines = table(&steps.iter().take(MOST).map(row).collect::<Vec<_>>());
-    lines.extend(more(steps.len()));
+    let first = if steps.len() > MOST {
+        MOST - END
+    } else {
+        steps.len()
+    };
+    let last = steps.len().saturating_sub(END).max(first);
+    let shown = steps[..first].iter().chain(&steps[last..]);
+    let mut lines = table(&shown.map(row).collect::<Vec<_>>());
+    if last > first {
+        lines.insert(
+            first,
+            format!("    … {} more (`--json` has all)", last - first),
+        );
+    }
     lines
 }
 

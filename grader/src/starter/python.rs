@@ -40,6 +40,7 @@ pub fn files() -> Vec<StarterFile> {
         file("answer.py", include_str!("python/answer.py")),
         file("raybook/__init__.py", ""),
         file("raybook/vec.py", include_str!("python/vec.py")),
+        file("raybook/batch.py", include_str!("python/batch.py")),
         file("raybook/words.py", &format!("{IMPORTS}\n{WORDS}")),
         file("raybook/exercises.py", &exercises()),
     ];

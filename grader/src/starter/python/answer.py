@@ -4,41 +4,96 @@
 """
 
 import importlib
+import itertools
+import os
 import sys
 import traceback
+from typing import Any, Callable, Iterator, List, Tuple
 
+from raybook import batch
 from raybook.exercises import CHAPTERS
 from raybook.words import Words, words_of
 
 
+def name_of(line: str) -> str:
+    """Which function a question is for."""
+    return line.strip().partition(" ")[0]
+
+
+def arguments_of(line: str) -> Tuple[Any, ...]:
+    """What the function is given."""
+    name, _, rest = line.strip().partition(" ")
+    words = Words(rest)
+    arguments: Tuple[Any, ...] = importlib.import_module(CHAPTERS[name][1]).ARGUMENTS[name](words)
+    words.end()
+    return arguments
+
+
+def guarded(name: str, function: Callable[[], List[str]]) -> List[str]:
+    """The answers, or in their place why there are none."""
+    try:
+        return function()
+    except NotImplementedError as missing:
+        return [f"todo {missing or name}"]
+    except Exception as error:
+        complain(error)
+        return ["panic " + " ".join(f"{type(error).__name__}: {error}".split())]
+
+
+def complain(error: Exception) -> None:
+    """Prints where in your own files an error is, and what it is."""
+    frames = traceback.extract_tb(error.__traceback__)
+    own = [frame for frame in frames if frame.filename != __file__ and "importlib" not in frame.filename]
+    told = traceback.format_list(own) + traceback.format_exception_only(type(error), error)
+    print("".join(told), end="", file=sys.stderr)
+
+
+def called(name: str, arguments: Tuple[Any, ...]) -> str:
+    """What a function returns, in words. A chapter is loaded when it is asked for: an error in one leaves the others be."""
+    function = getattr(importlib.import_module(CHAPTERS[name][0]), name)
+    return words_of(function(*arguments))
+
+
 def answer(line: str) -> str:
     """The answer to a line, without the `= `."""
-    name, _, rest = line.strip().partition(" ")
-    if name not in CHAPTERS:
-        return f"error there is no exercise `{name}`"
-    chapter, types = CHAPTERS[name]
+    name = name_of(line)
     try:
-        words = Words(rest)
-        arguments = importlib.import_module(types).ARGUMENTS[name](words)
-        words.end()
+        arguments = arguments_of(line)
     except ValueError as error:
         return f"error {error}"
+    return guarded(name, lambda: [called(name, arguments)])[0]
+
+
+def answers(name: str, lines: List[str]) -> Iterator[str]:
+    """The answers to questions of one exercise: all at once, where there is a function for a batch of them."""
+    if name not in CHAPTERS:
+        return (f"error there is no exercise `{name}`" for _ in lines)
     try:
-        # A chapter is loaded when it is asked for: an error in one leaves the others be.
-        function = getattr(importlib.import_module(chapter), name)
-        return words_of(function(*arguments))
-    except NotImplementedError as missing:
-        return f"todo {missing or name}"
-    except Exception as error:
-        traceback.print_exc()
-        return "panic " + " ".join(f"{type(error).__name__}: {error}".split())
+        function = getattr(importlib.import_module(CHAPTERS[name][0]), f"{name}_batch", None)
+        questions = [arguments_of(line) for line in lines]
+    except Exception:
+        function = None  # Each question says by itself what is wrong.
+    if function is None:
+        return map(answer, lines)
+    said = guarded(name, lambda: batch.answers(function, questions))
+    return iter(said if len(said) == len(lines) else said * len(lines))
 
 
 def main() -> None:
-    for line in sys.stdin:
-        said = answer(line)
-        # What the function printed may have left the line open, and an answer begins one.
-        print(f"\n= {said}", flush=True)
+    rest = b""
+    while read := os.read(sys.stdin.fileno(), 1 << 16):  # all that is there, without waiting for more
+        *lines, rest = (rest + read).split(b"\n")
+        tell(lines)
+    tell([rest] if rest else [])
+
+
+def tell(lines: List[bytes]) -> None:
+    """Answers questions, in their order."""
+    texts = [line.decode(errors="replace") for line in lines]
+    for name, alike in itertools.groupby(texts, name_of):
+        for said in answers(name, list(alike)):
+            # What the function printed may have left the line open, and an answer begins one.
+            print(f"\n= {said}", flush=True)
 
 
 if __name__ == "__main__":

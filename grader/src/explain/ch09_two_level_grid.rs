@@ -1,0 +1,247 @@
+//! Chapter 9: a coarse cell cut into fine ones, and the walk through cells in cells.
+
+use super::Explained;
+use super::diagram::{Diagram, Ink};
+use super::rays;
+use super::view::{View, middle, shrunk};
+use super::way::Way;
+use glam::{DVec3, UVec3, Vec3, dvec2};
+use raybook::math::interval::Interval;
+use raybook_workbook::exercises::ch05_box::Corners;
+use raybook_workbook::exercises::ch08_grid::{GridResolution, GridWalk, Visit};
+use raybook_workbook::exercises::ch09_two_level_grid::{
+    Entry, RefineCell, RefineCellAnswer, TwoLevelWalk,
+};
+
+/// The greatest number of fine cells along an axis: what a byte holds.
+const MOST: u32 = 255;
+
+impl Explained for RefineCell {
+    fn work(&self, way: &mut Way) -> RefineCellAnswer {
+        let mut answer = RefineCellAnswer {
+            nx: 0,
+            ny: 0,
+            nz: 0,
+            entries: Vec::new(),
+        };
+        if self.shapes.is_empty() {
+            way.remark("The cell has no shapes: it gets no fine cells, 0 × 0 × 0.");
+            return answer;
+        }
+        let resolution = GridResolution {
+            extents: self.max - self.min,
+            shapes: self.shapes.len() as u32,
+            density: self.density,
+        };
+        let along = resolution.work(way);
+        let along = UVec3::new(along.x, along.y, along.z).min(UVec3::splat(MOST));
+        way.vector("the resolution, 255 at most", "", along.as_dvec3());
+        let (min, last) = (self.min.as_dvec3(), (along - 1).as_dvec3());
+        let size = (self.max.as_dvec3() - min) / along.as_dvec3();
+        let size = way.vector("the extents of a fine cell", "m", size);
+        for (
+            shape,
+            Corners {
+                min: low,
+                max: high,
+            },
+        ) in (0..).zip(&self.shapes)
+        {
+            let cell = |p: Vec3| {
+                ((p.as_dvec3() - min) / size)
+                    .floor()
+                    .clamp(DVec3::ZERO, last)
+            };
+            let first = way.vector(
+                format!(
+                    "shape {shape}: (its least corner − min)/cell, rounded down, inside the cell"
+                ),
+                "",
+                cell(*low),
+            );
+            let end = way.vector("the same of its greatest corner", "", cell(*high));
+            let [first, end] = [first, end].map(DVec3::as_uvec3);
+            for z in first.z..=end.z {
+                for y in first.y..=end.y {
+                    answer
+                        .entries
+                        .extend((first.x..=end.x).map(|x| Entry { x, y, z, shape }));
+                }
+            }
+        }
+        way.number(
+            "pairs of a fine cell and a shape that reaches it",
+            "",
+            answer.entries.len() as f64,
+        );
+        RefineCellAnswer {
+            nx: along.x,
+            ny: along.y,
+            nz: along.z,
+            ..answer
+        }
+    }
+
+    fn draw(&self, right: &RefineCellAnswer, yours: Option<&RefineCellAnswer>) -> Option<Diagram> {
+        let (min, max) = (self.min.as_dvec3(), self.max.as_dvec3());
+        let view = View::least(max - min);
+        let mut drawing = Diagram::new(format!(
+            "The fine cells that have shapes, and the shapes' boxes, {}",
+            view.words()
+        ));
+        let counts = [right.nx, right.ny, right.nz];
+        for (answer, share, ink) in [(Some(right), 0.94, Ink::Right), (yours, 0.7, Ink::Yours)] {
+            let Some(answer) = answer else { continue };
+            let along = UVec3::new(answer.nx, answer.ny, answer.nz);
+            if along.min_element() == 0 || along.max_element() > MOST {
+                continue; // nothing that could be drawn
+            }
+            let size = (max - min) / along.as_dvec3();
+            for square in seen_once(&view, answer, along) {
+                let corner = min + square.as_dvec3() * size;
+                drawing.area(&shrunk(view.rectangle(corner, corner + size), share), ink);
+            }
+        }
+        view.lattice(&mut drawing, [min, max], counts);
+        for (shape, corners) in self.shapes.iter().enumerate() {
+            let [low, high] = [corners.min, corners.max].map(|p| p.as_dvec3().clamp(min, max));
+            let seen = view.rectangle(low, high);
+            drawing.area(&seen, Ink::Shape);
+            drawing.label(
+                middle(&seen),
+                dvec2(0.0, 0.0),
+                format!("{shape}"),
+                Ink::Shape,
+            );
+        }
+        Some(drawing)
+    }
+}
+
+/// The fine cells with shapes, one of each column of cells that lie behind each other.
+fn seen_once(view: &View, answer: &RefineCellAnswer, along: UVec3) -> Vec<UVec3> {
+    let cells = answer.entries.iter().map(|e| UVec3::new(e.x, e.y, e.z));
+    let mut cells: Vec<_> = cells.filter(|cell| cell.cmplt(along).all()).collect();
+    let place = |cell: &UVec3| [cell[view.across], cell[view.up]];
+    cells.sort_by_key(place);
+    cells.dedup_by_key(|cell| place(cell));
+    cells
+}
+
+/// The walk through a lattice of cells, in an interval.
+fn through(q: &TwoLevelWalk, min: Vec3, cell: Vec3, counts: UVec3, within: Interval) -> GridWalk {
+    let UVec3 { x, y, z } = counts;
+    let (nx, ny, nz, ray) = (x, y, z, q.ray);
+    GridWalk {
+        min,
+        cell,
+        nx,
+        ny,
+        nz,
+        ray,
+        within,
+    }
+}
+
+impl Explained for TwoLevelWalk {
+    fn work(&self, way: &mut Way) -> Vec<u32> {
+        let levels = self.levels();
+        let top = levels.top;
+        let coarse = through(self, self.min, top.cell, top.resolution, self.within);
+        way.remark("First through the coarse cells:");
+        let visits = coarse.work(way);
+        let (mut enter, mut places) = (self.within.min, Vec::new());
+        for visit in &visits {
+            let Visit { x, y, z, leave } = visit;
+            let name = format!("coarse cell ({x}, {y}, {z})");
+            let Some((first, fine)) = levels.fine(visit.cell()) else {
+                way.remark(format!("The {name} is empty: the ray passes on."));
+                enter = *leave;
+                continue;
+            };
+            way.number(
+                format!("{name}: the place of its first fine cell in the row"),
+                "",
+                first as f64,
+            );
+            // The ray is in the coarse cell from where it left the one before.
+            let inside = Interval::new(enter, *leave);
+            let walk = through(self, fine.min, fine.cell, fine.resolution, inside);
+            for cell in walk.work(&mut Way::default()) {
+                let Visit { x, y, z, .. } = cell;
+                let place = first + fine.index(cell.cell());
+                places.push(place as u32);
+                way.number(
+                    format!("fine cell ({x}, {y}, {z}) of it: first + x + nx·(y + ny·z)"),
+                    "",
+                    place as f64,
+                );
+            }
+            enter = *leave;
+        }
+        places
+    }
+
+    fn draw(&self, right: &Vec<u32>, yours: Option<&Vec<u32>>) -> Option<Diagram> {
+        let levels = self.levels();
+        let view = View::least(self.ray.direction.as_dvec3());
+        let mut drawing = Diagram::new(format!(
+            "The fine cells on the ray's way, in cells that are cut or empty, {}; the right ones with their places in the row",
+            view.words()
+        ));
+        // Every fine cell's box, in the order of the row.
+        let mut cells = Vec::new();
+        for coarse in levels.top.all() {
+            let Some((_, fine)) = levels.fine(coarse) else {
+                continue;
+            };
+            let boxes = fine.all().map(|cell| fine.bounds_of(cell, cell));
+            cells
+                .extend(boxes.map(|cell| view.rectangle(cell.min.as_dvec3(), cell.max.as_dvec3())));
+        }
+        // A list of a student's may hold anything.
+        let square =
+            |place: &u32, share: f64| cells.get(*place as usize).map(|c| shrunk(*c, share));
+        for square in right.iter().filter_map(|place| square(place, 0.94)) {
+            drawing.area(&square, Ink::Right);
+        }
+        for square in yours
+            .into_iter()
+            .flatten()
+            .filter_map(|place| square(place, 0.7))
+        {
+            drawing.area(&square, Ink::Yours);
+        }
+        for coarse in levels.top.all() {
+            let cell = levels.top.bounds_of(coarse, coarse);
+            let corners = [cell.min, cell.max].map(Vec3::as_dvec3);
+            let counts = levels
+                .fine(coarse)
+                .map_or(UVec3::ONE, |(_, fine)| fine.resolution);
+            let is_seen = right.iter().any(|place| {
+                levels.fine(coarse).is_some_and(|(first, fine)| {
+                    (first..first + fine.cells()).contains(&(*place as usize))
+                })
+            });
+            // Cells that lie behind each other are cut differently: those that count are shown.
+            let counts = if is_seen { counts } else { UVec3::ONE };
+            view.lattice(&mut drawing, corners, counts.to_array());
+        }
+        let corners = [self.min, self.max].map(Vec3::as_dvec3);
+        rays::across(&mut drawing, &view, &self.ray, self.within, corners);
+        if right.len() < 16 {
+            for place in right {
+                let Some(square) = square(place, 1.0) else {
+                    continue;
+                };
+                drawing.label(
+                    middle(&square),
+                    dvec2(0.0, 0.0),
+                    format!("{place}"),
+                    Ink::Right,
+                );
+            }
+        }
+        Some(drawing)
+    }
+}

@@ -1,0 +1,215 @@
+//! Chapter 21: a step around a black hole, and the angle by which it turns a ray, in the plane of the ray.
+
+use super::Explained;
+use super::diagram::{Diagram, Ink};
+use super::rays;
+use super::section::Section;
+use super::way::Way;
+use glam::{DVec2, DVec3, dvec2};
+use raybook::render::curved::{CRITICAL, PHOTON_SPHERE, Photon};
+use raybook_workbook::exercises::ch21_black_hole::{
+    DeflectionAngle, GeodesicStep, GeodesicStepAnswer,
+};
+use std::f64::consts::PI;
+
+/// How position and velocity change: dx/dt = v, dv/dt = −(3/2) h² x/|x|⁵.
+fn slope(p: Photon) -> Photon {
+    let h = p.angular_momentum();
+    Photon {
+        x: p.v,
+        v: -1.5 * h * h / p.x.length().powi(5) * p.x,
+    }
+}
+
+/// A step by four slopes, exact to the fourth order (Runge and Kutta); `tell` hears each of them.
+fn stepped(p: Photon, step: f64, mut tell: impl FnMut(&'static str, Photon)) -> Photon {
+    let mut told = |name, at: Photon| {
+        let k = slope(at);
+        tell(name, k);
+        k
+    };
+    let k1 = told("k₁ = dv/dt at the start", p);
+    let k2 = told("k₂ = dv/dt half a step along k₁", p + k1 * (0.5 * step));
+    let k3 = told("k₃ = dv/dt half a step along k₂", p + k2 * (0.5 * step));
+    let k4 = told("k₄ = dv/dt a step along k₃", p + k3 * step);
+    p + (k1 + k2 * 2.0 + k3 * 2.0 + k4) * (step / 6.0)
+}
+
+/// Draws the hole, the photon sphere and their names.
+fn hole(drawing: &mut Diagram) {
+    drawing.circle(DVec2::ZERO, 1.0, Ink::Shape);
+    drawing.label(DVec2::ZERO, DVec2::ZERO, "the hole", Ink::Shape);
+    drawing.circle(DVec2::ZERO, PHOTON_SPHERE, Ink::Guide);
+}
+
+impl Explained for GeodesicStep {
+    fn work(&self, way: &mut Way) -> GeodesicStepAnswer {
+        let start = Photon {
+            x: self.position.as_dvec3(),
+            v: self.velocity.as_dvec3(),
+        };
+        way.number(
+            "h = |x × v|, which does not change",
+            "",
+            start.angular_momentum(),
+        );
+        way.number("|x|", "", start.x.length());
+        let after = stepped(start, f64::from(self.step), |name, k| {
+            way.vector(name, "", k.v);
+        });
+        let straight = start.x + f64::from(self.step) * start.v;
+        way.vector("x + step·v, straight on", "", straight);
+        way.remark(
+            "Position and velocity change by step · (k₁ + 2k₂ + 2k₃ + k₄)/6, with the k of each:",
+        );
+        GeodesicStepAnswer {
+            position: way.vector("x after the step", "", after.x).as_vec3(),
+            velocity: way.vector("v after the step", "", after.v).as_vec3(),
+        }
+    }
+
+    fn draw(
+        &self,
+        right: &GeodesicStepAnswer,
+        yours: Option<&GeodesicStepAnswer>,
+    ) -> Option<Diagram> {
+        let (x, v) = (self.position.as_dvec3(), self.velocity.as_dvec3());
+        let mut section = Section::spanned(x, v, x);
+        // The straight step is the unit of lengths in the drawing.
+        let size = rays::nonzero((f64::from(self.step) * v).length());
+        section.origin = x;
+        let mut drawing = Diagram::new(
+            "The step, in the plane of the photon and the hole, which is below: dashed straight on; the arrows are the velocities",
+        );
+        let at = |p: DVec3| section.at(p);
+        let straight = x + f64::from(self.step) * v;
+        drawing.point(at(x), Ink::Ray);
+        drawing.label(at(x), dvec2(-0.8, 0.5), "x", Ink::Ray);
+        drawing.line(&[at(x), at(straight)], Ink::Guide);
+        let toward = -section.along(x).normalize_or_zero();
+        drawing.arrow(at(x), at(x) + 0.4 * size * toward, Ink::Shape);
+        drawing.label(
+            at(x) + 0.4 * size * toward,
+            toward,
+            "to the hole",
+            Ink::Shape,
+        );
+        let speed = rays::nonzero(v.length());
+        for (answer, ink, beside, name) in rays::answers(Some(right), yours) {
+            let (p, v) = (at(answer.position.as_dvec3()), answer.velocity.as_dvec3());
+            let is_near = p.length() <= 4.0 * size;
+            let p = p.clamp_length_max(4.0 * size);
+            let beyond = if is_near {
+                ""
+            } else {
+                ", outside of the picture"
+            };
+            if is_near {
+                drawing.point(p, ink);
+                let arrow = 0.5 * size / speed * section.along(v);
+                drawing.arrow(p, p + arrow.clamp_length_max(2.0 * size), ink);
+            }
+            drawing.label(p, beside, format!("{name}{beyond}"), ink);
+        }
+        Some(drawing)
+    }
+}
+
+impl Explained for DeflectionAngle {
+    fn work(&self, way: &mut Way) -> Option<f32> {
+        /// Even. Next to b_c the integrand has a peak as narrow as the distance to b_c.
+        const INTERVALS: u32 = 4000;
+        let b = f64::from(self.impact_parameter);
+        let critical = way.number("b_c = 3√3/2", "", CRITICAL);
+        if b <= critical {
+            way.remark("b is not above b_c: the ray falls in.");
+            return None;
+        }
+        way.remark(
+            "With u = 1/r the ray obeys (du/dφ)² = 1/b² − u² + u³. It turns where that is 0.",
+        );
+        let turns = 2.0 * b / 3.0_f64.sqrt() * ((-critical / b).acos() / 3.0).cos();
+        let turns = way.number(
+            "r₀ = (2b/√3) cos(⅓ arccos(−b_c/b)), where it turns",
+            "",
+            turns,
+        );
+        let u0 = way.number("u₀ = 1/r₀", "", 1.0 / turns);
+        // u = u₀ (1 − s²) takes the root out of the integrand.
+        let integrand = |s: f64| {
+            let u = u0 * (1.0 - s * s);
+            2.0 * (u0 / (u0 * (1.0 - u0) + (1.0 - u0) * u - u * u)).sqrt()
+        };
+        let width = 1.0 / f64::from(INTERVALS);
+        let simpson = |i: u32| {
+            let weight = [2.0, 4.0][(i % 2) as usize];
+            let weight = if i == 0 || i == INTERVALS {
+                1.0
+            } else {
+                weight
+            };
+            weight * integrand(f64::from(i) * width)
+        };
+        let swept = (0..=INTERVALS).map(simpson).sum::<f64>() * width / 3.0;
+        let swept = way.number(
+            "∫ du/√(1/b² − u² + u³) from 0 to u₀: half of the angle that it sweeps",
+            "rad",
+            swept,
+        );
+        Some(way.number("twice that, less π", "rad", 2.0 * swept - PI) as f32)
+    }
+
+    fn draw(&self, _: &Option<f32>, yours: Option<&Option<f32>>) -> Option<Diagram> {
+        /// Where the ray begins and ends, in radii of the hole: the bend before it is hardly to be seen.
+        const FAR: f64 = 12.0;
+        let b = f64::from(self.impact_parameter);
+        let mut drawing = Diagram::new(
+            "The ray around the hole: dashed as it would go on straight; the dashed circle is where light can circle",
+        );
+        hole(&mut drawing);
+        if b > FAR {
+            drawing.title = format!(
+                "The ray passes {} radii from the hole: too far for its bend to be seen in a drawing",
+                self.impact_parameter
+            );
+        }
+        let from = FAR.max(2.0 * b);
+        let mut photon = Photon {
+            x: DVec3::new(-from, b, 0.0),
+            v: DVec3::X,
+        };
+        let seen = |p: Photon| dvec2(p.x.x, p.x.y);
+        let mut points = vec![seen(photon)];
+        // A step is a part of the distance from the hole: as fine as the curve is.
+        for _ in 0..4000 {
+            let r = photon.x.length();
+            if r < 1.0 || r > 1.2 * from {
+                break;
+            }
+            photon = stepped(photon, 0.03 * r / photon.v.length(), |_, _| {});
+            points.push(seen(photon));
+        }
+        drawing.line(&[dvec2(-from, b), dvec2(0.7 * from, b)], Ink::Guide);
+        drawing.line(&points, Ink::Right);
+        drawing.label(
+            dvec2(-from, b),
+            dvec2(0.6, 1.0),
+            format!("b = {}", self.impact_parameter),
+            Ink::Ray,
+        );
+        drawing.arrow(dvec2(-from, b), dvec2(-0.9 * from, b), Ink::Ray);
+        if let Some(Some(angle)) = yours {
+            let (sin, cos) = f64::from(-angle).sin_cos();
+            let middle = dvec2(0.0, b.min(from));
+            let tip = middle + 0.6 * from * dvec2(cos, sin);
+            drawing.arrow(middle, tip, Ink::Yours);
+            drawing.label(
+                tip,
+                dvec2(0.0, -1.0),
+                format!("yours: turned by {angle} rad"),
+                Ink::Yours,
+            );
+        }
+        Some(drawing)
+    }
+}

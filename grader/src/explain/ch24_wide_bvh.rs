@@ -1,0 +1,228 @@
+//! Chapter 24: a binary tree made wide, and the search in a wide tree.
+
+use super::Explained;
+use super::ch06_triangle;
+use super::ch11_bvh::{children, drawn};
+use super::diagram::{Diagram, Ink};
+use super::tree::{self, Node, area, enters};
+use super::way::Way;
+use raybook::inside::wide_bvh::CHILDREN;
+use raybook_workbook::exercises::ch07_mesh::MeshHitAnswer;
+use raybook_workbook::exercises::ch24_wide_bvh::{
+    Collapse, FamilyRow, WideClosest, WideClosestAnswer,
+};
+
+fn is_branch(q: &Collapse, node: u32) -> bool {
+    q.nodes.get(node as usize).is_some_and(|row| row.count == 0)
+}
+
+fn area_of(q: &Collapse, node: u32) -> f64 {
+    let row = &q.nodes[node as usize];
+    area([row.min, row.max])
+}
+
+/// The children of a branch that exist.
+fn below(q: &Collapse, branch: u32) -> impl Iterator<Item = u32> {
+    let count = q.nodes.len();
+    let children = children(&q.nodes[branch as usize]).into_iter();
+    let exist = children.filter(move |&child| child > branch as usize && child < count);
+    exist.map(|child| child as u32)
+}
+
+impl Explained for Collapse {
+    fn work(&self, way: &mut Way) -> Vec<FamilyRow> {
+        let mut families = Vec::new();
+        let mut to_do: Vec<u32> = (0..1).filter(|&root| is_branch(self, root)).collect();
+        if to_do.is_empty() {
+            way.remark("The root is no branch: there are no families.");
+        }
+        while let Some(branch) = to_do.pop() {
+            let mut family: Vec<u32> = below(self, branch).collect();
+            way.remark(format!(
+                "Branch {branch} stays. Its two children are its first members."
+            ));
+            while family.len() < CHILDREN {
+                let branches = (0..family.len()).filter(|&i| is_branch(self, family[i]));
+                let largest = branches
+                    .max_by(|&a, &b| area_of(self, family[a]).total_cmp(&area_of(self, family[b])));
+                let Some(largest) = largest else {
+                    way.remark("No branch is left among them.");
+                    break;
+                };
+                let gives_way = family.remove(largest);
+                way.number(
+                    format!("node {gives_way} is its largest branch, and gives way to its children: its area"),
+                    "m²",
+                    area_of(self, gives_way),
+                );
+                family.extend(below(self, gives_way));
+            }
+            way.number("its children", "", family.len() as f64);
+            to_do.extend(family.iter().copied().filter(|&node| is_branch(self, node)));
+            families.push(FamilyRow {
+                branch,
+                children: family,
+            });
+        }
+        families
+    }
+
+    fn draw(&self, right: &Vec<FamilyRow>, yours: Option<&Vec<FamilyRow>>) -> Option<Diagram> {
+        let mut drawing = Diagram::new(
+            "The binary tree from its root down: the branches that stay are green, and marked those that stay in your tree",
+        );
+        let stays = |families: &[FamilyRow], node: usize| {
+            families.iter().any(|family| family.branch as usize == node)
+        };
+        let nodes = drawn(&self.nodes, |i| stays(right, i), |_| String::new());
+        let places = tree::draw(&mut drawing, &nodes);
+        for (i, place) in places.into_iter().enumerate() {
+            let is_yours = yours.is_some_and(|yours| stays(yours, i));
+            if let Some(place) = place.filter(|_| is_yours) {
+                drawing.point(place, Ink::Yours);
+            }
+        }
+        Some(drawing)
+    }
+}
+
+/// A search in a wide tree, while it runs.
+struct Search<'a> {
+    q: &'a WideClosest,
+    /// The nearest hit so far.
+    nearest: Option<(f64, u32)>,
+    opened: Vec<u32>,
+    leaves: Vec<u32>,
+    tests: u32,
+}
+
+impl Search<'_> {
+    fn open(&mut self, way: &mut Way, node: u32) {
+        let q = self.q;
+        let Some(row) = q.nodes.get(node as usize) else {
+            return;
+        };
+        self.opened.push(node);
+        way.remark(format!(
+            "Node {node} is opened: the boxes of its {} children are tested at once.",
+            row.children.len()
+        ));
+        let mut met = Vec::new();
+        for child in &row.children {
+            let enter = enters(&q.ray, q.within, self.limit(), [child.min, child.max]);
+            let what = if child.leaf == 0 { "node" } else { "leaf" };
+            if let Some(enter) = enter {
+                let name = format!("the ray enters {what} {} at t =", child.index);
+                met.push((way.number(name, "m", enter), child));
+            }
+        }
+        met.sort_by(|a, b| a.0.total_cmp(&b.0));
+        for (enter, child) in met {
+            if enter > self.limit() {
+                let what = if child.leaf == 0 { "Node" } else { "Leaf" };
+                way.remark(format!(
+                    "{what} {} begins behind the nearest hit: it is left out.",
+                    child.index
+                ));
+            } else if child.leaf != 0 {
+                self.test(way, child.index);
+            } else if child.index > node {
+                self.open(way, child.index);
+            }
+        }
+    }
+
+    fn test(&mut self, way: &mut Way, leaf: u32) {
+        let q = self.q;
+        let Some(row) = q.leaves.get(leaf as usize) else {
+            return;
+        };
+        self.leaves.push(leaf);
+        for &id in &row.triangles {
+            let Some(triangle) = q.triangles.get(id as usize) else {
+                continue;
+            };
+            let corners = [triangle.p0, triangle.p1, triangle.p2];
+            self.tests += 1;
+            // Its own steps are those of `triangle_hit`.
+            match ch06_triangle::meets(&mut Way::default(), &q.ray, q.within, corners) {
+                Some([t, ..]) => {
+                    way.number(format!("leaf {leaf}: triangle {id} is hit at t ="), "m", t);
+                    if t < self.limit() {
+                        self.nearest = Some((t, id));
+                    }
+                }
+                None => way.remark(format!("Leaf {leaf}: triangle {id} is not hit.")),
+            }
+        }
+    }
+
+    /// What lies behind it does not count.
+    fn limit(&self) -> f64 {
+        self.nearest.map_or(f64::INFINITY, |(t, _)| t)
+    }
+}
+
+fn search<'a>(q: &'a WideClosest, way: &mut Way) -> Search<'a> {
+    let mut search = Search {
+        q,
+        nearest: None,
+        opened: Vec::new(),
+        leaves: Vec::new(),
+        tests: 0,
+    };
+    search.open(way, 0);
+    search
+}
+
+impl Explained for WideClosest {
+    fn work(&self, way: &mut Way) -> WideClosestAnswer {
+        let search = search(self, way);
+        let (nodes, tests) = (search.opened.len() as u32, search.tests);
+        way.number("nodes opened", "", nodes.into());
+        way.number("triangles tested", "", tests.into());
+        let hit = search
+            .nearest
+            .map(|(t, id)| MeshHitAnswer { t: t as f32, id });
+        WideClosestAnswer { nodes, tests, hit }
+    }
+
+    fn draw(
+        &self,
+        right: &WideClosestAnswer,
+        yours: Option<&WideClosestAnswer>,
+    ) -> Option<Diagram> {
+        let search = search(self, &mut Way::default());
+        let words = |answer: &WideClosestAnswer| {
+            format!(
+                "{} nodes opened and {} triangles tested",
+                answer.nodes, answer.tests
+            )
+        };
+        let yours = yours.map_or(String::new(), |yours| format!("; yours: {}", words(yours)));
+        let mut drawing = Diagram::new(format!(
+            "The tree from its root down, leaves with an L: what the search opens is green. The reference: {}{yours}",
+            words(right)
+        ));
+        drawing.keyed = false;
+        let count = self.nodes.len();
+        let inner = self.nodes.iter().enumerate().map(|(i, node)| Node {
+            name: i.to_string(),
+            is_met: search.opened.contains(&(i as u32)),
+            // Behind all nodes come the leaves.
+            children: node
+                .children
+                .iter()
+                .map(|child| child.index as usize + if child.leaf == 0 { 0 } else { count })
+                .collect(),
+        });
+        let leaves = (0..self.leaves.len()).map(|i| Node {
+            name: format!("L{i}"),
+            is_met: search.leaves.contains(&(i as u32)),
+            children: Vec::new(),
+        });
+        let nodes: Vec<_> = inner.chain(leaves).collect();
+        tree::draw(&mut drawing, &nodes);
+        Some(drawing)
+    }
+}

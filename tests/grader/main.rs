@@ -30,6 +30,7 @@ mod render;
 mod report;
 mod rows;
 mod samplers;
+mod shrink;
 mod silly;
 mod starter;
 mod store;

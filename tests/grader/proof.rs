@@ -103,7 +103,11 @@ fn hidden(examiner: &dyn Examiner, student: usize) -> Vec<Case> {
 /// Whether a mistake gets a case right, by luck.
 fn passes(examiner: &dyn Examiner, mistake: usize, case: &Case) -> bool {
     let answer = examiner.mistaken(mistake, &case.question);
-    answer.is_some_and(|answer| examiner.judge(&case.question, &case.answers, &answer).is_ok())
+    answer.is_some_and(|answer| {
+        examiner
+            .judge(&case.question, &case.answers, &answer)
+            .is_ok()
+    })
 }
 
 fn table(proofs: &[Proof]) -> String {
@@ -116,7 +120,10 @@ fn table(proofs: &[Proof]) -> String {
     for proof in proofs {
         let _ = writeln!(table, "{}", proof.row());
     }
-    let _ = writeln!(table, "| **all** | {mistakes} | {caught} | {named} | {falsely} | |");
+    let _ = writeln!(
+        table,
+        "| **all** | {mistakes} | {caught} | {named} | {falsely} | |"
+    );
     table
 }
 

@@ -88,12 +88,10 @@ fn on_the_way(report: &Report, examiner: &dyn Examiner, outcome: &Outcome) -> St
         .collect();
     // The first ones are known, and the last one is the answer.
     if let Some(step) = steps.get(steps.len() / 2) {
+        let name = step.name.trim_end_matches(" =");
         let value = format!("{} {}", step.words(), step.unit);
-        return format!(
-            "On the way to the right answer of \"{case}\": {}, {}.",
-            step.name,
-            value.trim_end()
-        );
+        let value = value.trim_end();
+        return format!("On the way to the right answer of \"{case}\": {name}: {value}.");
     }
     account.right.first().map_or_else(String::new, |part| {
         let words = abbreviated(part.words.unescaped(), 0);

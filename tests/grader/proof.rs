@@ -15,7 +15,7 @@ use std::fs;
 const KEYS: usize = 20;
 
 /// After this number of wrong random answers, the share of questions on which a mistake shows is known well enough.
-const ENOUGH: usize = 3;
+const ENOUGH: u32 = 3;
 
 /// What became of the mistakes of an exercise.
 struct Proof {
@@ -79,16 +79,16 @@ impl Proof {
 fn share(examiner: &dyn Examiner, i: usize, hidden: &[Vec<Case>]) -> f64 {
     let random = hidden.iter().flatten();
     let random = random.filter(|case| case.name.starts_with("random "));
-    let (mut asked, mut wrong) = (0, 0);
+    let (mut asked, mut wrong) = (0_u32, 0_u32);
     for case in random {
         asked += 1;
-        wrong += usize::from(!passes(examiner, i, case));
+        wrong += u32::from(!passes(examiner, i, case));
         if wrong == ENOUGH {
             break;
         }
     }
     // It shows in a named case only: then it is rarer than one more question would have told.
-    wrong.max(1) as f64 / asked as f64
+    f64::from(wrong.max(1)) / f64::from(asked)
 }
 
 fn hidden(examiner: &dyn Examiner, student: usize) -> Vec<Case> {

@@ -1,5 +1,6 @@
 //! Checking one exercise: asks the student's program, judges, diagnoses, and draws.
 
+use crate::again::ask_again;
 use crate::ask::{Asker, Reply, Said};
 use crate::converse::{Limits, Program};
 use crate::diagnose::{Diagnosis, diagnose};
@@ -18,6 +19,8 @@ pub struct Report {
     pub exercise: &'static str,
     /// Its cases, in order.
     pub cases: Vec<Outcome>,
+    /// The first wrong case with a rounder and shorter question to which the answer is wrong too, if that was looked for.
+    pub smallest: Option<Outcome>,
     /// The mistake that explains the wrong answers.
     pub diagnosis: Option<Diagnosis>,
     /// The pictures of the answers, where the exercise is one of pixels and all of these were asked. They count like cases.
@@ -27,7 +30,7 @@ pub struct Report {
 }
 
 /// What became of one case.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
     /// The case.
     pub case: Case,
@@ -38,6 +41,11 @@ pub struct Outcome {
 }
 
 impl Outcome {
+    /// Whether the program says that this exercise is still to be written.
+    pub fn is_to_do(&self, exercise: &str) -> bool {
+        matches!(&self.reply.said, Said::Todo(name) if ["", exercise].contains(&name.unescaped()))
+    }
+
     /// Whether the program ended without an answer.
     pub fn ended(&self) -> bool {
         matches!(self.reply.said, Said::Ended(_))
@@ -88,9 +96,7 @@ impl Report {
         match todo {
             None if self.first_failed().is_some() => State::Wrong,
             None => State::Right,
-            Some(name) if name.unescaped() == self.exercise || name.unescaped().is_empty() => {
-                State::NotStarted
-            }
+            Some(name) if ["", self.exercise].contains(&name.unescaped()) => State::NotStarted,
             Some(name) => State::WaitsFor(name.to_string()),
         }
     }
@@ -209,6 +215,7 @@ fn check_and_draw(
     pixels: Pixels,
 ) -> io::Result<Report> {
     let mut report = check(asker, examiner, cases.to_vec())?;
+    ask_again(asker, examiner, &mut report)?;
     let all = match pixels {
         Pixels::None => false,
         Pixels::Some => report.state() == State::Right && !some_are_right(asker, examiner, cases)?,
@@ -231,10 +238,12 @@ pub fn assess(examiner: &dyn Examiner, cases: Vec<Case>, replies: Vec<Reply>) ->
         reply,
     });
     let mut outcomes: Vec<_> = outcomes.collect();
+    count_what_is_to_do(examiner.name(), &mut outcomes);
     judge_together(examiner, &mut outcomes);
     let mut report = Report {
         exercise: examiner.name(),
         cases: outcomes,
+        smallest: None,
         diagnosis: None,
         pictures: Vec::new(),
         stopped: None,
@@ -261,6 +270,21 @@ fn diagnose_outcomes(examiner: &dyn Examiner, outcomes: &[Outcome]) -> Option<Di
     diagnose(examiner, &cases, &answers)
 }
 
+/// A function that answers some cases and says `todo` to others is begun: these are wrong like others.
+fn count_what_is_to_do(exercise: &str, outcomes: &mut [Outcome]) {
+    if outcomes
+        .iter()
+        .any(|outcome| outcome.verdict == Verdict::Right)
+    {
+        for outcome in outcomes
+            .iter_mut()
+            .filter(|outcome| outcome.is_to_do(exercise))
+        {
+            outcome.verdict = Verdict::Wrong("this case is still to do".to_owned());
+        }
+    }
+}
+
 /// Answers that are right one by one may be wrong together: then each of them comes from the same fault.
 fn judge_together(examiner: &dyn Examiner, outcomes: &mut [Outcome]) {
     let right = |outcome: &Outcome| outcome.verdict == Verdict::Right;
@@ -280,7 +304,8 @@ fn judge_together(examiner: &dyn Examiner, outcomes: &mut [Outcome]) {
     }
 }
 
-fn judge(examiner: &dyn Examiner, case: &Case, said: &Said) -> Verdict {
+/// The verdict on what a program said to a case.
+pub(crate) fn judge(examiner: &dyn Examiner, case: &Case, said: &Said) -> Verdict {
     Verdict::Wrong(match said {
         Said::Answer(answer) => {
             match examiner.judge(&case.question, &case.answers, answer.unescaped()) {

@@ -14,7 +14,7 @@ pub mod misread;
 mod number;
 mod pairs;
 mod scalars;
-mod search;
+pub(crate) mod search;
 mod special;
 mod spread;
 

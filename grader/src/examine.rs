@@ -95,6 +95,9 @@ pub trait Examiner: Sync {
     /// See [`Graded::POSITIVE`], [`Graded::FIXED`] and [`Graded::SLOW`].
     fn limits(&self) -> Limits;
 
+    /// See [`Graded::is_sound`].
+    fn is_sound(&self, question: &[f64]) -> bool;
+
     /// Picture number i that answers make.
     fn picture(&self, i: usize) -> Option<PictureSize>;
 
@@ -193,6 +196,10 @@ impl<E: Graded> Examiner for Examination<E> {
             fixed: E::FIXED,
             slow: E::SLOW,
         }
+    }
+
+    fn is_sound(&self, question: &[f64]) -> bool {
+        E::is_sound(&from_numbers(question))
     }
 
     fn picture(&self, i: usize) -> Option<PictureSize> {

@@ -8,6 +8,7 @@ use crate::examine::Examiner;
 use crate::pictured;
 use crate::prints::{self, abbreviated, first_difference, short};
 use raybook_chapters::kit::untrusted::Untrusted;
+use raybook_workbook::curriculum::{CHAPTERS, Chapter};
 use std::path::Path;
 
 /// One line on an exercise: its state, its name, and how many cases are right.
@@ -15,19 +16,24 @@ pub fn line(report: &Report, dress: Dress) -> String {
     let state = report.state();
     let counts = match &state {
         State::NotStarted => String::new(),
-        State::WaitsFor(name) => format!("for {name}"),
-        State::Right | State::Wrong => {
-            let but = pictured::but(report);
-            format!(
-                "{} of {} cases right{but}",
-                report.right(),
-                report.cases.len()
-            )
-        }
+        State::WaitsFor(name) if report.right() == 0 => format!("for {name}"),
+        State::WaitsFor(name) => format!("for {name}; {}", score(report)),
+        State::Right | State::Wrong => score(report) + pictured::but(report),
     };
     format!("{} {:<20} {counts}", dress.state(&state), report.exercise)
         .trim_end()
         .to_owned()
+}
+
+/// How many cases are right, and how many of the others are still to do.
+fn score(report: &Report) -> String {
+    let outcomes = report.cases.iter();
+    let to_do = match outcomes.filter(|o| o.is_to_do(report.exercise)).count() {
+        0 => String::new(),
+        count => format!(", {count} to do"),
+    };
+    let (right, all) = (report.right(), report.cases.len());
+    format!("{right} of {all} cases right{to_do}")
 }
 
 /// What a student can type next.
@@ -52,7 +58,9 @@ pub fn explain(
     let Some((outcome, _)) = report.first_wrong() else {
         return pictured::alone(report, picture, dress);
     };
-    let mut lines = case(report, examiner, outcome, dress);
+    let shown = report.smallest.as_ref().unwrap_or(outcome);
+    let mut lines: Vec<_> = already_right(report).into_iter().collect();
+    lines.extend(case(report, examiner, shown, dress));
     if report.cases.len() > 1 {
         lines.push(String::new());
         lines.extend(diagnosis(report, dress));
@@ -63,17 +71,53 @@ pub fn explain(
     } else if let Some(why) = &report.stopped {
         lines.extend([String::new(), format!("  No picture: {why}.")]);
     }
+    let this = match report.smallest {
+        Some(_) => "the case as it was",
+        None => "this case again",
+    };
     lines.extend([
         String::new(),
         format!(
-            "  Ask this case again: {} --case {}",
+            "  Ask {this}: {} --case {}",
             commands.again, outcome.case.number
         ),
     ]);
     let explain = commands.explain;
     lines.extend(explain.map(|command| format!("  See it step by step: {command}")));
+    lines.extend(derived(report.exercise));
     lines.push(String::new());
     lines.join("\n")
+}
+
+/// Some of the cases that are right, by name.
+fn already_right(report: &Report) -> Option<String> {
+    /// More names nobody reads first.
+    const NAMED: usize = 3;
+    let right = report
+        .cases
+        .iter()
+        .filter(|outcome| outcome.verdict == Verdict::Right);
+    let named = right.filter(|outcome| !outcome.case.name.starts_with("random "));
+    let names = named.map(|outcome| format!("\"{}\"", Untrusted::from(outcome.case.name.as_str())));
+    let names: Vec<_> = names.take(NAMED).collect();
+    let (right, all) = (report.right(), report.cases.len());
+    (!names.is_empty()).then(|| {
+        format!(
+            "Right already: {right} of {all} cases, such as {}.\n",
+            names.join(", ")
+        )
+    })
+}
+
+/// Where the book derives an exercise.
+pub fn derived(exercise: &str) -> Option<String> {
+    let holds = |chapter: &&Chapter| chapter.exercises().iter().any(|e| e.name == exercise);
+    let chapter = CHAPTERS.iter().find(holds)?;
+    let (number, title) = (chapter.number(), chapter.title);
+    let short = &chapter.name[..4];
+    Some(format!(
+        "  Chapter {number} of the book, \"{title}\", derives it: raybook book {short}"
+    ))
 }
 
 /// One case: what is wrong with it, what was asked and answered, and the student's prints.

@@ -7,6 +7,7 @@
 //!     "pictures": [ { "name": "…", "alt": "…", "right": 3450, "of": 3452, "undecided": 4, "error": 0.01, "passed": true } ],
 //!     "diagnosis": null | { "name": "…", "hint": "…", "explained": 37, "wrong": 40,
 //!         "certain": true, "part": null | "…", "also": [ …as this… ] },
+//!     "smallest": null | { …a case, the first wrong one with a simpler question… },
 //!     "cases": [ { "number": 1, "name": "…", "verdict": "right" | "wrong" | "not started", "why": null | "…",
 //!         "question": "…", "answers": ["…"], "got": null | "…", "printed": "…", "stderr": "…" } ] } ] }
 //! ```
@@ -78,7 +79,7 @@ fn exercise(report: &Report, picture: Option<&PathBuf>) -> Value {
         "right": report.right(), "asked": report.cases.len(),
         "picture": picture.map(|path| path.display().to_string()),
         "pictures": report.pictures.iter().map(score).collect::<Vec<_>>(),
-        "diagnosis": diagnosis, "cases": cases,
+        "diagnosis": diagnosis, "smallest": report.smallest.as_ref().map(case), "cases": cases,
     })
 }
 

@@ -1,5 +1,6 @@
 //! What the course knows and the student does not: cases, judges, mistakes. It never travels with the starter.
 
+pub mod again;
 pub mod ask;
 pub mod asked_picture;
 pub mod book;
@@ -49,6 +50,7 @@ pub mod score;
 pub mod search;
 pub mod seen;
 pub mod serve;
+pub mod shrink;
 pub mod stable;
 pub mod starter;
 pub mod student;
@@ -118,6 +120,12 @@ pub trait Graded: Exercise + Clone + Sync + 'static {
 
     /// Fields of the question that a diagnosis does not misread: they belong to others.
     const FIXED: &'static [&'static str] = &[];
+
+    /// Whether a question keeps what its fields say of each other: the smaller of two bounds is the smaller, axes are perpendicular. Random
+    /// and named questions do; those that are made of others for a student to look at must.
+    fn is_sound(_question: &Self) -> bool {
+        true
+    }
 
     /// Whether answers take long to find: then a diagnosis does not try misread questions.
     const SLOW: bool = false;

@@ -1,6 +1,6 @@
 //! What questions are made of.
 
-use glam::{Vec3, vec3};
+use glam::{Vec2, Vec3, vec3};
 use rand::RngExt;
 use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 
@@ -50,4 +50,34 @@ pub fn direction(rng: &mut Pcg) -> Dir3 {
             return direction;
         }
     }
+}
+
+/// Whether a box has a volume.
+pub fn is_box(min: Vec3, max: Vec3) -> bool {
+    min.cmplt(max).all()
+}
+
+/// Whether a box is a cube, but for rounding.
+pub fn is_cube(min: Vec3, max: Vec3) -> bool {
+    let extents = max - min;
+    is_box(min, max) && extents.max_element() < 1.0001 * extents.min_element()
+}
+
+/// Whether three points are the corners of a triangle with an area that is no splinter.
+pub fn is_triangle([p0, p1, p2]: [Vec3; 3]) -> bool {
+    let (a, b) = (p1 - p0, p2 - p0);
+    a.cross(b).length() > 0.1 * a.length() * b.length()
+}
+
+/// Whether directions are perpendicular to each other.
+pub fn are_axes(axes: [Dir3; 3]) -> bool {
+    let [a, b, c] = axes.map(|axis| *axis);
+    [a.dot(b), b.dot(c), c.dot(a)]
+        .iter()
+        .all(|cosine| cosine.abs() < 1e-4)
+}
+
+/// Whether these are the weights of the second and the third corner of a triangle, for a point in it.
+pub fn are_weights(b: Vec2) -> bool {
+    b.min_element() >= 0.0 && b.x + b.y <= 1.0
 }

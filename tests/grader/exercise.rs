@@ -45,6 +45,14 @@ fn every_field_has_a_kind_and_a_meaning() {
 }
 
 #[test]
+fn a_task_is_short() {
+    for examiner in cases::all() {
+        let (name, length) = (examiner.name(), examiner.task().chars().count());
+        assert!(length <= 300, "the task of {name} has {length} characters");
+    }
+}
+
+#[test]
 fn the_ranges_are_those_of_the_cases() {
     let home = project("");
     let (code, said) = raybook(&home, &["exercise", "sphere_hit"]);

@@ -1,5 +1,6 @@
 //! What must be true of the workbook, the grader and the command.
 
+mod again;
 mod altered;
 mod alternatives;
 mod ask;
@@ -25,11 +26,13 @@ mod output;
 mod own_patterns;
 mod present;
 mod preview;
+mod proof;
 mod readers;
 mod render;
 mod report;
 mod rows;
 mod samplers;
+mod shrink;
 mod silly;
 mod starter;
 mod store;

@@ -11,14 +11,17 @@ use super::{Done, Target};
 use indicatif::ProgressBar;
 use raybook_chapters::kit::say::{complain, say};
 use raybook_chapters::kit::untrusted::Untrusted;
+use raybook_grader::ask::Asker;
 use raybook_grader::check::{Outcome, Report, State, check_all};
+use raybook_grader::converse::{Limits, Program};
 use raybook_grader::examine::{Case, Examiner, visible_rng};
 use raybook_grader::hidden::Key;
-use raybook_grader::json;
 use raybook_grader::picture::Pixels;
 use raybook_grader::progress::Progress;
+use raybook_grader::{json, shrink};
 use rayon::prelude::*;
 use std::error::Error;
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// Checks a workbook, or any answer program.
@@ -46,6 +49,24 @@ pub struct Check {
 const IN_THE_SANDBOX: &str = "
 It ran in a sandbox: it reads its own folder and the system's files, writes nothing, and starts no process (in a shell script,
 `exec` your program). --trust runs it with all your rights.";
+
+/// Finds the smallest wrong question of the exercise that is told in full: the first that is wrong.
+fn find_smallest(
+    program: &Program,
+    limits: Limits,
+    exercises: &[(&dyn Examiner, Vec<Case>)],
+    reports: &mut [Report],
+) -> io::Result<()> {
+    let is_wrong = |(_, report): &(_, &mut Report)| report.state() == State::Wrong;
+    if let Some(((examiner, _), report)) = exercises.iter().zip(reports).find(is_wrong) {
+        let mut asker = Asker::new(program, limits);
+        let mut ask = |questions: &[String]| asker.ask(questions);
+        if let Some((outcome, _)) = report.first_wrong() {
+            report.smallest = shrink::smallest(&mut ask, *examiner, outcome)?;
+        }
+    }
+    Ok(())
+}
 
 impl Check {
     /// Checks, and tells; true if everything that was asked for is right.
@@ -78,8 +99,11 @@ impl Check {
             (None, None) => Pixels::Some,
             (None, Some(_)) => Pixels::All,
         };
-        let reports = check_all(&program, &exercises, limits, pixels, &|| bar.inc(1))?;
+        let mut reports = check_all(&program, &exercises, limits, pixels, &|| bar.inc(1))?;
         bar.finish_and_clear();
+        if self.case.is_none() && key.is_none() {
+            find_smallest(&program, limits, &exercises, &mut reports)?;
+        }
         // What cannot be written must not keep the verdict back.
         let mut unwritten = Unwritten::default();
         let mut pictured = Vec::new();

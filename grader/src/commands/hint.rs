@@ -5,12 +5,13 @@ use super::{Done, Target};
 use raybook_chapters::kit::say::say;
 use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_grader::ask::Asker;
-use raybook_grader::check::{State, check};
+use raybook_grader::check::{Outcome, Report, State, check};
+use raybook_grader::dress::Dress;
 use raybook_grader::examine::Examiner;
 use raybook_grader::examine::visible_rng;
+use raybook_grader::explain::account::Account;
 use raybook_grader::prints::abbreviated;
-use raybook_grader::student;
-use raybook_workbook::curriculum::{CHAPTERS, Chapter};
+use raybook_grader::{feedback, student};
 
 /// Hints at what is wrong.
 #[derive(clap::Args)]
@@ -19,6 +20,9 @@ pub struct Hint {
     target: Target,
     #[command(flatten)]
     asking: Asking,
+    /// How much is told: 1 a question that leads on, 2 what your function does, 3 a line of the way to the right answer too
+    #[arg(long, value_name = "1|2|3", default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=3))]
+    level: u8,
 }
 
 impl Hint {
@@ -37,7 +41,7 @@ impl Hint {
             match (report.state(), &report.diagnosis, report.first_wrong()) {
                 (State::Right, ..) => continue,
                 (State::NotStarted, ..) => {
-                    say(first_step(examiner));
+                    say(first_step(examiner, &report, self.level));
                     if let Some(file) = workbook.and_then(|folder| student::place(&folder, name)) {
                         say(format!("Write it in {file}."));
                     }
@@ -46,14 +50,25 @@ impl Hint {
                     say(format!(
                         "{name} calls {other}, which you have not written yet."
                     ));
+                    return Ok(true);
                 }
-                (State::Wrong, Some(diagnosis), _) => say(format!("{name}: {}", diagnosis.hint)),
-                (State::Wrong, None, first) => {
+                (State::Wrong, Some(diagnosis), _) if self.level == 1 => {
+                    say(format!("{name}: {}", diagnosis.hint));
+                }
+                (State::Wrong, _, first) => {
                     let (case, why) =
                         first.map_or(("", ""), |(outcome, why)| (outcome.case.name.as_str(), why));
                     let case = Untrusted::from(case);
                     say(format!("{name}: think of the case \"{case}\": {why}."));
+                    if self.level > 1 {
+                        say(feedback::diagnosis(&report, Dress::default()).join("\n"));
+                    }
                 }
+            }
+            match (self.level, report.first_wrong()) {
+                (3, Some((outcome, _))) => say(on_the_way(&report, examiner, outcome)),
+                (3, None) => {}
+                (level, _) => say(format!("More: raybook hint {name} --level {}", level + 1)),
             }
             return Ok(true);
         }
@@ -62,16 +77,38 @@ impl Hint {
     }
 }
 
+/// One line of the way to the right answer of a case; where no way is known, a part of that answer.
+fn on_the_way(report: &Report, examiner: &dyn Examiner, outcome: &Outcome) -> String {
+    let account = Account::of(report, examiner, outcome);
+    let case = Untrusted::from(outcome.case.name.as_str());
+    let steps: Vec<_> = account
+        .steps
+        .iter()
+        .filter(|step| !step.value.is_empty())
+        .collect();
+    // The first ones are known, and the last one is the answer.
+    if let Some(step) = steps.get(steps.len() / 2) {
+        let name = step.name.trim_end_matches(" =");
+        let value = format!("{} {}", step.words(), step.unit);
+        let value = value.trim_end();
+        return format!("On the way to the right answer of \"{case}\": {name}: {value}.");
+    }
+    account.right.first().map_or_else(String::new, |part| {
+        let words = abbreviated(part.words.unescaped(), 0);
+        format!("The right answer of \"{case}\": {} is {words}.", part.name)
+    })
+}
+
 /// What leads on where nothing is written yet: the easiest case to do by hand, what to think of, and where it is derived.
-fn first_step(examiner: &dyn Examiner) -> String {
+fn first_step(examiner: &dyn Examiner, report: &Report, level: u8) -> String {
     let name = examiner.name();
-    let cases = examiner.cases(&mut visible_rng(name)).cases;
     let mut lines = Vec::new();
     // The first named case is the simplest that people thought of; one without anything to find teaches nothing.
-    let case = cases
+    let outcome = report
+        .cases
         .iter()
-        .find(|case| !["none", "0"].contains(&case.answers[0].as_str()));
-    if let Some(case) = case {
+        .find(|outcome| !["none", "0"].contains(&outcome.case.answers[0].as_str()));
+    if let Some(Outcome { case, .. }) = outcome {
         lines.push(format!("{name}: do one case by hand first, {}.", case.name));
         let shown = |lines: &mut Vec<String>, what: &str, parts: Vec<(String, String)>| {
             for (part, words) in parts {
@@ -84,16 +121,12 @@ fn first_step(examiner: &dyn Examiner) -> String {
         shown(&mut lines, "given", examiner.question_parts(&case.question));
         shown(&mut lines, "right", examiner.answer_parts(&case.answers[0]));
     }
-    if let Some((_, hint)) = examiner.mistakes().first() {
+    for (_, hint) in examiner.mistakes().into_iter().take(level.into()) {
         lines.push(format!("  And think of this: {hint}"));
     }
-    let holds = |chapter: &&Chapter| chapter.exercises().iter().any(|e| e.name == name);
-    if let Some(chapter) = CHAPTERS.iter().find(holds) {
-        lines.push(format!(
-            "  Chapter {} of the book, \"{}\", derives it.",
-            chapter.number(),
-            chapter.title
-        ));
+    if let (3, Some(outcome)) = (level, outcome) {
+        lines.push(format!("  {}", on_the_way(report, examiner, outcome)));
     }
+    lines.extend(feedback::derived(name));
     lines.join("\n")
 }

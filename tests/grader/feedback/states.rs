@@ -7,6 +7,7 @@ use raybook_grader::cases;
 use raybook_grader::check::State;
 use raybook_grader::dress::Dress;
 use raybook_grader::{describe, feedback, json, library};
+use std::cell::Cell;
 use std::time::Duration;
 
 #[test]
@@ -63,6 +64,25 @@ fn not_started_and_waiting() {
         "… waits       sphere_hit           for solve_quadratic\n\n",
         "and says which"
     );
+}
+
+#[test]
+fn begun() {
+    let asked = Cell::new(0);
+    let report = report("ray_at", |examiner, question| {
+        asked.set(asked.get() + 1);
+        match asked.get() {
+            1..=32 => right(examiner, question),
+            _ => Said::Todo("ray_at".into()),
+        }
+    });
+    assert_eq!(report.state(), State::Wrong, "some of it is written");
+    assert_eq!(
+        feedback::line(&report, Dress::default()),
+        "wrong       ray_at               32 of 40 cases right, 8 to do"
+    );
+    let (outcome, why) = report.first_wrong().expect("a case is to do");
+    assert_eq!((outcome.case.number, why), (33, "this case is still to do"));
 }
 
 #[test]

@@ -1,9 +1,11 @@
 //! Complete solutions in Python and C++, by other methods than the library's where there are any: all are right.
 
 use super::{new, succeeds, there_is};
+use crate::shrink::smallest_questions;
 use raybook_common::project;
+use raybook_grader::ask::Asker;
 use raybook_grader::cases;
-use raybook_grader::check::{State, check_all};
+use raybook_grader::check::{State, check, check_all};
 use raybook_grader::converse::Limits;
 use raybook_grader::examine::{Case, Examiner, visible_rng};
 use raybook_grader::hidden::Key;
@@ -83,6 +85,27 @@ fn the_solutions_in_python_are_right() {
         succeeds(Command::new("mypy").arg(".").current_dir(&folder));
     }
     has_full_marks(&folder);
+}
+
+/// What is shown to a student as the smallest wrong question is one that a right program answers.
+#[test]
+fn the_solutions_are_right_on_the_smallest_questions_too() {
+    if !there_is("python3") {
+        return;
+    }
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let program = student::build(&solved(home.path(), Language::Python)).expect("it is built");
+    let mut wrong = Vec::new();
+    for (examiner, outcomes) in smallest_questions() {
+        let cases = outcomes.into_iter().map(|outcome| outcome.case).collect();
+        let report = check(&mut Asker::new(&program, LIMITS), examiner, cases);
+        let report = report.expect("the program runs");
+        wrong.extend(report.first_wrong().map(|(outcome, why)| {
+            let (name, question) = (examiner.name(), &outcome.case.question);
+            format!("{name} {question}: {:?}: {why}", outcome.reply.said)
+        }));
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
 #[test]

@@ -10,9 +10,9 @@ use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use std::ops::ControlFlow;
 
 exercises! { ($) ch09_two_level_grid
-    /// Cut a coarse cell into fine ones. Its resolution is what grid_resolution gives for the cell's extents, the
-    /// number of its shapes and the density, but at most 255 along an axis, and 0 × 0 × 0 if the cell has no shapes.
-    /// Return the resolution, and all pairs of a fine cell and a shape that reaches it, in any order.
+    /// Cut a coarse cell into fine ones: along each axis as many as grid_resolution gives for its extents, its number
+    /// of shapes and the density, but at most 255, and 0 without shapes. Return the resolution, and all pairs of a fine
+    /// cell and a shape that reaches it, in any order.
     RefineCell: refine_cell(
         /// The coarse cell's least corner, in metres.
         min: Vec3,

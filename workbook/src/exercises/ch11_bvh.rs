@@ -33,10 +33,9 @@ exercises! { ($) ch11_bvh
         sah_cost(tree.root.as_ref(), &tree.pairs, &cost)
     }
 
-    /// Find the best cut of the boxes in two by the surface-area heuristic. Sort them by their centres along an axis
-    /// and cut between neighbours; the cost of a cut is the area of the box around each side times the number of its
-    /// boxes, left plus right. Of all cuts along all three axes return the cheapest: the numbers of the boxes on the
-    /// left.
+    /// Sort the boxes by their centres along an axis and cut the row between two neighbours: the cost is the area of
+    /// the box around each side times the number of its boxes, left plus right. Return the numbers of the boxes on the
+    /// left of the cheapest of all cuts along all three axes.
     ///
     /// In Rust: reorder the boxes so that the best split is a cut in the list, and return how many are on the left, and
     /// the cost.

@@ -12,10 +12,10 @@ use raybook::shape::{Surface, sphere::Sphere};
 
 exercises! { ($) ch15_shadows
     /// Return the ray from a surface to a light, and the interval on it in which a hit is in the way. The ray must not
-    /// find the surface that it leaves: along each axis the point may be wrong by up to `error`. The interval ends just
-    /// before the light. Aiming from the moved origin, or in the direction that is given, is equally right.
+    /// find the surface that it leaves, and the interval ends just before the light. Aiming from the moved origin, or
+    /// in the direction that is given, is equally right.
     ShadowRay: shadow_ray(
-        /// The point of the surface, in metres.
+        /// The point of the surface, in metres; along each axis it may be wrong by up to `error`.
         position: Vec3,
         /// How far the true surface may be from the point along each axis, in metres.
         error: f32,

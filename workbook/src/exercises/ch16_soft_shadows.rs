@@ -42,9 +42,9 @@ exercises! { ($) ch16_soft_shadows
 
     /// For each of the n·n pairs u = ((i + ½)/n, (j + ½)/n), return a sample of the spherical light, uniform over the
     /// solid angle in which it is seen: the direction and the distance to the light, the probability density of the
-    /// direction per steradian, and radiance/density. The point may be inside the light.
+    /// direction per steradian, and radiance/density.
     SampleSphereLight: sample_sphere_light(
-        /// The point that is lit, in metres.
+        /// The point that is lit, in metres; it may be inside the light.
         at: Vec3,
         /// The light's centre, in metres.
         center: Vec3,

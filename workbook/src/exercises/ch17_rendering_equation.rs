@@ -55,9 +55,9 @@ exercises! { ($) ch17_rendering_equation
         brdf.value(normal, view, toward)
     }
 
-    /// Estimate the radiance that a surface reflects towards the viewer: the average of f · incoming · cos θ/p over the
-    /// given number of random directions of density p above the surface. The surface is that of brdf_phong. The light
-    /// comes from a sky of radiance · (1 + cos γ)/2 at the angle γ from its zenith, however the surface is turned.
+    /// Estimate the radiance that a surface like that of brdf_phong reflects towards the viewer: the average of f ·
+    /// incoming · cos θ/p over random directions of density p above it. The light comes from a sky of radiance · (1 +
+    /// cos γ)/2 at the angle γ from its zenith.
     ReflectedRadiance: reflected_radiance(
         /// The normal.
         normal: Dir3,
@@ -69,7 +69,7 @@ exercises! { ($) ch17_rendering_equation
         specular: Rgb,
         /// The highlight's exponent, without a unit.
         exponent: f32,
-        /// Where the sky is brightest.
+        /// Where the sky is brightest; it does not turn with the surface.
         zenith: Dir3,
         /// The sky's radiance at the zenith, in W·m⁻²·sr⁻¹.
         radiance: Rgb,

@@ -40,9 +40,8 @@ exercises! { ($) ch18_environment
     }
 
     /// Choose directions by a latitude-longitude map: a texel in proportion to its radiance times its solid angle, and
-    /// a direction within the texel uniformly by solid angle. The answer is the list of the directions for the 256
-    /// points u = ((i + ½)/256, the fractional part of 0.618034 · (i + ½)), with i from 0 to 255. For a black map the
-    /// list is empty.
+    /// a direction within it uniformly by solid angle. The answer is a direction for each u = ((i + ½)/256, the
+    /// fractional part of 0.618034 · (i + ½)), with i from 0 to 255.
     SampleEnvironment: sample_environment(
         /// The number of texels in a row.
         width: u32,

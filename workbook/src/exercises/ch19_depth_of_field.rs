@@ -11,9 +11,9 @@ use raybook::math::dir3::Dir3;
 use raybook::sample::disk;
 
 exercises! { ($) ch19_depth_of_field
-    /// Map points of the unit square to the unit disc, so that equal areas become equal areas, as Shirley and Chiu's
-    /// concentric map does; another such map is right too. The points are u = (the fractional part of shift.x + (i +
-    /// ½)/n, the fractional part of shift.y + 0.618034 · (i + ½)), with i from 0 to n − 1.
+    /// Map points of the unit square to the unit disc so that equal areas become equal areas, as Shirley and Chiu's
+    /// concentric map does; another such map is right too. With i from 0 to n − 1 the points are the fractional parts
+    /// of u = (shift.x + (i + ½)/n, shift.y + 0.618034 · (i + ½)).
     ConcentricDisk: concentric_disk(
         /// The number of points of the unit square.
         n: u32,
@@ -26,11 +26,9 @@ exercises! { ($) ch19_depth_of_field
         q.points().map(disk::concentric_disk).collect()
     }
 
-    /// Return the ray that starts at the point `on_lens` of the aperture, whose diameter is focal_length/f_number. It
-    /// goes to the point that the place `film` shows sharply: where the ray from `film` through the middle of the lens
-    /// meets the plane at the distance `focus` along `forward`. The film is at the distance f·s/(s − f) from the lens,
-    /// with the focal length f and the focus s > f; as in camera_ray, think of it in front of the lens, with film (0,
-    /// 0) at its top left and (1, 1) at its bottom right.
+    /// Return the ray from the point `on_lens` of the aperture, whose diameter is focal_length/f_number, to the point
+    /// that the place `film` shows sharply. That is where the ray from `film` through the middle of the lens meets the
+    /// plane at the distance `focus` along `forward`.
     ThinLensRay: thin_lens_ray(
         /// The middle of the lens, in metres.
         lens_middle: Vec3,
@@ -46,7 +44,8 @@ exercises! { ($) ch19_depth_of_field
         f_number: f32,
         /// The distance from the lens to the plane in focus, in metres.
         focus: f32,
-        /// The width and the height of the film, in metres.
+        /// The width and the height of the film, in metres. It is at the distance f·s/(s − f) in front of the lens, as in
+        /// camera_ray, with the focal length f and the focus s > f.
         plane: Vec2,
         /// The place on the film, in [0, 1]² from the top left, without a unit.
         film: Vec2,

@@ -7,10 +7,9 @@ use raybook::camera::{panorama::Panorama, pose::Pose};
 use raybook::math::dir3::Dir3;
 
 exercises! { ($) ch20_panorama
-    /// Return the ray from `position` for the place `film` of a panorama, from (0, 0) at its top left to (1, 1) at its
-    /// bottom right. Across the picture the angle around `up` grows evenly: `forward` is in the middle, `right` a
-    /// quarter of the width to the right of it, -forward at both edges. Down the picture the angle from `up` grows
-    /// evenly, from `up` at the top edge to -up at the bottom edge.
+    /// Return the ray from `position` for a place of a panorama. Across the picture the angle around `up` grows evenly:
+    /// `forward` is in the middle, `right` a quarter of the width to the right of it, -forward at both edges. Down the
+    /// picture the angle from `up` grows evenly, from `up` to -up.
     PanoramaRay: panorama_ray(
         /// The position of the camera, in metres: all rays start here.
         position: Vec3,

@@ -5,14 +5,14 @@ use raybook::image::rgb::Rgb;
 use raybook::render::{budget, needs_more::Enough};
 
 exercises! { ($) ch23_adaptive
-    /// Return whether a pixel needs more samples: 1 for yes, 0 for no. It does if there are fewer than two; or if the
-    /// contrast (max − min)/(max + min) of a channel, 0 where all are black, is above that channel's limit; or if s/√n
-    /// is above the error, where s² = Σ (Y − mean)²/(n − 1) is the variance of the luminance Y = 0.2126 R + 0.7152 G +
-    /// 0.0722 B.
+    /// Return whether a pixel needs more samples: if there are fewer than two, if a channel's contrast (max − min)/(max
+    /// + min) is above its limit, or if s/√n is above the error. Here s² = Σ (Y − mean)²/(n − 1) is the variance of the
+    /// luminance Y = 0.2126 R + 0.7152 G + 0.0722 B.
     ///
     /// In Rust: true or false.
     NeedsMore: needs_more(
-        /// The maximum contrast of each channel, without a unit; inf for no limit.
+        /// The maximum contrast of each channel, without a unit; inf for no limit. The contrast of a channel that is
+        /// black in all samples is 0.
         contrast: Rgb,
         /// The maximum standard error of the mean luminance, in the unit of the samples; inf for no limit.
         error: f32,

@@ -18,6 +18,10 @@ impl Graded for CameraRay {
         )
     }
 
+    fn is_sound(q: &CameraRay) -> bool {
+        sample::are_axes([q.forward, q.right, q.up])
+    }
+
     fn judge(_q: &CameraRay, golden: &CameraRayAnswer, got: &CameraRayAnswer) -> Verdict {
         judge::point("the ray's origin", golden.origin, got.origin)?;
         judge::direction("the ray's direction", golden.direction, got.direction)

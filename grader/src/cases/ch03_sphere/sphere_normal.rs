@@ -16,6 +16,10 @@ impl Graded for SphereNormal {
         }
     }
 
+    fn is_sound(q: &SphereNormal) -> bool {
+        (q.p.distance(q.center) - q.radius).abs() < 1e-4 * q.radius
+    }
+
     fn judge(_q: &SphereNormal, golden: &Vec3, got: &Vec3) -> Verdict {
         judge::direction("the normal", *golden, *got)
     }

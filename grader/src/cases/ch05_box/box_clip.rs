@@ -25,6 +25,10 @@ impl Graded for BoxClip {
         }
     }
 
+    fn is_sound(q: &BoxClip) -> bool {
+        sample::is_box(q.min, q.max)
+    }
+
     fn judge(_q: &BoxClip, golden: &Option<Interval>, got: &Option<Interval>) -> Verdict {
         judge::option(
             "a part of the ray inside the box",

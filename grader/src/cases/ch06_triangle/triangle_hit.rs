@@ -27,6 +27,10 @@ impl Graded for TriangleHit {
         }
     }
 
+    fn is_sound(q: &TriangleHit) -> bool {
+        sample::is_triangle([q.p0, q.p1, q.p2])
+    }
+
     fn judge(
         _q: &TriangleHit,
         golden: &Option<TriangleHitAnswer>,

@@ -12,6 +12,10 @@ impl Graded for TriangleNormal {
         TriangleNormal { p0, p1, p2 }
     }
 
+    fn is_sound(q: &TriangleNormal) -> bool {
+        sample::is_triangle([q.p0, q.p1, q.p2])
+    }
+
     fn judge(_q: &TriangleNormal, golden: &Option<Vec3>, got: &Option<Vec3>) -> Verdict {
         judge::option("a normal", golden.as_ref(), got.as_ref(), |golden, got| {
             judge::direction("the normal", *golden, *got)

@@ -20,6 +20,10 @@ impl Graded for InterpolateNormal {
         }
     }
 
+    fn is_sound(q: &InterpolateNormal) -> bool {
+        sample::are_weights(q.b)
+    }
+
     fn judge(_q: &InterpolateNormal, golden: &Vec3, got: &Vec3) -> Verdict {
         judge::direction("the normal", *golden, *got)
     }

@@ -24,6 +24,10 @@ impl Graded for InterpolateTexture {
         }
     }
 
+    fn is_sound(q: &InterpolateTexture) -> bool {
+        sample::are_weights(q.b)
+    }
+
     fn judge(_q: &InterpolateTexture, golden: &Vec2, got: &Vec2) -> Verdict {
         judge::pair(["u", "v"], *golden, *got)
     }

@@ -29,6 +29,11 @@ impl Graded for MeshHit {
         }
     }
 
+    fn is_sound(q: &MeshHit) -> bool {
+        let mut triangles = q.triangles.iter();
+        triangles.all(|t| sample::is_triangle([t.p0, t.p1, t.p2]))
+    }
+
     fn judge(_q: &MeshHit, golden: &Option<MeshHitAnswer>, got: &Option<MeshHitAnswer>) -> Verdict {
         judge::nearest(golden.as_ref(), got.as_ref())
     }

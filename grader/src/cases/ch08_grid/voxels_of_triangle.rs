@@ -35,6 +35,10 @@ impl Graded for VoxelsOfTriangle {
         }
     }
 
+    fn is_sound(q: &VoxelsOfTriangle) -> bool {
+        sample::is_triangle([q.p0, q.p1, q.p2])
+    }
+
     fn judge(q: &VoxelsOfTriangle, _golden: &Vec<Cell>, got: &Vec<Cell>) -> Verdict {
         // A cell that the triangle only touches is nobody's fault: these must be there, and only those may be.
         let hair = 1e-4 * (q.cell.max_element() + q.min.abs().max_element());

@@ -44,6 +44,11 @@ impl Graded for RefineCell {
     }
 
     /// The resolution, then every shape in the cells that it reaches and in no other.
+    fn is_sound(q: &RefineCell) -> bool {
+        let mut shapes = q.shapes.iter();
+        sample::is_box(q.min, q.max) && shapes.all(|shape| sample::is_box(shape.min, shape.max))
+    }
+
     fn judge(q: &RefineCell, golden: &RefineCellAnswer, got: &RefineCellAnswer) -> Verdict {
         let cells = |n: &RefineCellAnswer| UVec3::new(n.nx, n.ny, n.nz);
         let (right, along) = (cells(golden), cells(got));

@@ -86,6 +86,10 @@ impl Graded for TwoLevelWalk {
         }
     }
 
+    fn is_sound(q: &TwoLevelWalk) -> bool {
+        sample::is_box(q.min, q.max)
+    }
+
     fn judge(q: &TwoLevelWalk, golden: &Vec<u32>, got: &Vec<u32>) -> Verdict {
         passage("cell", &cells(q), &q.ray, q.within, golden, got)
     }

@@ -60,6 +60,11 @@ impl Graded for OctreeBuild {
     }
 
     /// Every shape in the leaves that it reaches and in no other, as few copies as asked for, and a cost like the reference's.
+    fn is_sound(q: &OctreeBuild) -> bool {
+        let mut shapes = q.shapes.iter();
+        sample::is_cube(q.min, q.max) && shapes.all(|shape| sample::is_box(shape.min, shape.max))
+    }
+
     fn judge(q: &OctreeBuild, golden: &TreeRow, got: &TreeRow) -> Verdict {
         let leaves = leaves(q, got)?;
         let tolerance = 1e-4 * (q.max - q.min).max_element();

@@ -18,6 +18,10 @@ impl Graded for OctreeChild {
         }
     }
 
+    fn is_sound(q: &OctreeChild) -> bool {
+        sample::is_cube(q.min, q.max) && q.p.clamp(q.min, q.max) == q.p
+    }
+
     fn judge(_q: &OctreeChild, golden: &u32, got: &u32) -> Verdict {
         if golden == got {
             return Ok(());

@@ -82,6 +82,10 @@ impl Graded for OctreeWalk {
         }
     }
 
+    fn is_sound(q: &OctreeWalk) -> bool {
+        sample::is_cube(q.min, q.max)
+    }
+
     fn judge(q: &OctreeWalk, golden: &Vec<u32>, got: &Vec<u32>) -> Verdict {
         let (cells, leaves) = cells(q);
         if let Some(node) = got.iter().find(|node| !leaves.contains(node)) {

@@ -3,7 +3,7 @@
 use super::sah_cost::node_area;
 use super::sah_split::cuts;
 use super::{area, around, center, cube, heaps, no_dearer, tree};
-use crate::{Flaw, Graded, Mistake, Verdict, traits};
+use crate::{Flaw, Graded, Mistake, Verdict, sample, traits};
 use raybook::accel::bvh::build::Method;
 use raybook::math::{aabb::Aabb, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
@@ -44,6 +44,10 @@ impl Graded for BvhBuild {
             most: 4,
             boxes: heaps(rng),
         }
+    }
+
+    fn is_sound(q: &BvhBuild) -> bool {
+        q.boxes.iter().all(|b| sample::is_box(b.min, b.max))
     }
 
     fn judge(q: &BvhBuild, golden: &BvhBuildAnswer, got: &BvhBuildAnswer) -> Verdict {

@@ -1,7 +1,7 @@
 //! `sah_split`: random questions, judge and mistakes.
 
 use super::{area, around, center, heaps, no_dearer};
-use crate::{Flaw, Graded, Mistake, Verdict, judge, traits};
+use crate::{Flaw, Graded, Mistake, Verdict, judge, sample, traits};
 use glam::Vec3;
 use raybook::math::{aabb::Aabb, pcg::Pcg};
 use raybook_workbook::exercises::ch11_bvh::SahSplit;
@@ -68,6 +68,10 @@ fn split_cost(q: &SahSplit, left: &[u32]) -> Result<f32, String> {
 impl Graded for SahSplit {
     fn random(rng: &mut Pcg) -> SahSplit {
         SahSplit { boxes: heaps(rng) }
+    }
+
+    fn is_sound(q: &SahSplit) -> bool {
+        q.boxes.iter().all(|b| sample::is_box(b.min, b.max))
     }
 
     fn judge(q: &SahSplit, golden: &Vec<u32>, got: &Vec<u32>) -> Verdict {

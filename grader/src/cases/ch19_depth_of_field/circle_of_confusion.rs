@@ -33,6 +33,10 @@ impl Graded for CircleOfConfusion {
     }
 
     /// By its size, and near the focus, where it is a small difference of distances, by the aperture's.
+    fn is_sound(q: &CircleOfConfusion) -> bool {
+        q.focus > q.focal_length
+    }
+
     fn judge(q: &CircleOfConfusion, golden: &f32, got: &f32) -> Verdict {
         /// Who goes by where the points are sharp subtracts two nearly equal distances: a few roundings, 6e-8 each, of f.
         const OF_APERTURE: f32 = 1e-6;

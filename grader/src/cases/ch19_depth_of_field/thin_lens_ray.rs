@@ -60,6 +60,10 @@ impl Graded for ThinLensRay {
     }
 
     /// In the units of what counts: the start by the aperture's size, the direction by what it misses in the plane in focus.
+    fn is_sound(q: &ThinLensRay) -> bool {
+        sample::are_axes([q.forward, q.right, q.up]) && q.focus > q.focal_length
+    }
+
     fn judge(q: &ThinLensRay, golden: &CameraRayAnswer, got: &CameraRayAnswer) -> Verdict {
         /// Of the distance from the world's origin and from the lens: some two hundred roundings.
         const ROUNDING: f32 = 1e-5;

@@ -16,6 +16,10 @@ impl Graded for PanoramaRay {
     }
 
     /// Rays are compared, not angles: at the top and at the bottom every angle around is right.
+    fn is_sound(q: &PanoramaRay) -> bool {
+        sample::are_axes([q.forward, q.right, q.up])
+    }
+
     fn judge(_q: &PanoramaRay, golden: &CameraRayAnswer, got: &CameraRayAnswer) -> Verdict {
         judge::point("the ray's origin", golden.origin, got.origin)?;
         judge::direction("the ray's direction", golden.direction, got.direction)

@@ -1,0 +1,44 @@
+//! The same question twice: a right program answers both times, whatever it was asked in between. One that keeps something, such as a list
+//! that grows, does not. Two answers may differ, as long as both are right: any generator of random numbers will do.
+
+use crate::ask::{Asker, Said};
+use crate::check::{Report, State, Verdict, judge};
+use crate::examine::Examiner;
+use std::io;
+
+/// How many cases are asked again: the first, the last, and those at equal steps between them.
+const AGAIN: usize = 4;
+
+/// Asks some cases of a report once more, if all of them are right, and marks those as wrong that are now.
+///
+/// # Errors
+/// If the program cannot be started.
+pub fn ask_again(
+    asker: &mut Asker<'_>,
+    examiner: &dyn Examiner,
+    report: &mut Report,
+) -> io::Result<()> {
+    let count = report.cases.len();
+    if report.state() != State::Right || count < 2 {
+        return Ok(());
+    }
+    let mut again: Vec<_> = (0..AGAIN).map(|i| i * (count - 1) / (AGAIN - 1)).collect();
+    again.dedup();
+    let question = |i: &usize| format!("{} {}", examiner.name(), report.cases[*i].case.question);
+    let questions: Vec<_> = again.iter().map(question).collect();
+    let replies = asker.ask(&questions)?;
+    for (i, reply) in again.into_iter().zip(replies) {
+        let outcome = &mut report.cases[i];
+        // Who has used up the time has answered everything rightly before.
+        if matches!(reply.said, Said::Over(_)) {
+            continue;
+        }
+        if let Verdict::Wrong(why) = judge(examiner, &outcome.case, &reply.said) {
+            outcome.verdict = Verdict::Wrong(format!(
+                "right at first, but when the same is asked again: {why}. Does your function keep something from one question to the next?"
+            ));
+            outcome.reply = reply;
+        }
+    }
+    Ok(())
+}

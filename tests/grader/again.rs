@@ -1,0 +1,58 @@
+//! The same question twice: who answers it once only is not right.
+
+use raybook_grader::cases;
+use raybook_grader::check::{Report, State, Verdict, check_all};
+use raybook_grader::converse::{Limits, Program};
+use raybook_grader::examine::visible_rng;
+use raybook_grader::picture::Pixels;
+use std::fs;
+use std::time::Duration;
+
+/// The report on a script that finds the right answers to the cases of `expose`, in order, in a file that is open as number 3.
+fn checked(script: &str) -> Report {
+    let expose = cases::find("expose").expect("the exercise exists");
+    let cases = expose.cases(&mut visible_rng("expose")).cases;
+    let answers: Vec<_> = cases.iter().map(|case| case.answers[0].as_str()).collect();
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    fs::write(folder.path().join("answers"), answers.join("\n") + "\n").expect("it is written");
+    let program = Program {
+        file: "/bin/sh".into(),
+        arguments: vec!["-c".into(), format!("exec 3<answers; {script}").into()],
+        folder: folder.path().to_owned(),
+        sandbox: None,
+    };
+    let limits = Limits::of(Duration::from_secs(5));
+    let reports = check_all(&program, &[(expose, cases)], limits, Pixels::None, &|| {});
+    let report = reports
+        .expect("the shell can be started")
+        .into_iter()
+        .next();
+    report.expect("one exercise was asked")
+}
+
+#[test]
+fn what_is_right_only_once_is_wrong() {
+    let report = checked("while read q; do read a <&3 || a='0 0 0'; echo \"= $a\"; done");
+    assert_eq!(report.state(), State::Wrong);
+    let (outcome, why) = report.first_wrong().expect("a case is wrong");
+    assert_eq!(outcome.case.number, 1, "the first case is asked again");
+    assert!(why.contains("when the same is asked again"), "{why}");
+    assert!(
+        report.right() >= report.cases.len() - 4,
+        "the others stay right"
+    );
+}
+
+#[test]
+fn what_is_wrong_at_first_is_not_asked_again() {
+    let report = checked("while read q; do echo '= 0 0 0'; done");
+    let told = |why: &str| !why.contains("asked again");
+    let mut wrong = report
+        .cases
+        .iter()
+        .filter_map(|outcome| match &outcome.verdict {
+            Verdict::Wrong(why) => Some(why.as_str()),
+            _ => None,
+        });
+    assert!(wrong.all(told));
+}

@@ -33,6 +33,7 @@ pub mod limits;
 mod listen;
 pub mod lock;
 pub mod manifest;
+pub mod own;
 pub mod pairing;
 pub mod passage;
 pub mod patterns;

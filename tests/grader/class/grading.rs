@@ -98,6 +98,10 @@ fn a_class_is_graded() {
         page("wrong").contains("It seems that your function"),
         "the mistake is recognised"
     );
+    let drawn = |student: &str| page(student).matches("data:image/svg+xml").count();
+    assert_eq!(drawn("wrong"), 1, "the first wrong visible case is drawn");
+    assert_eq!(drawn("memory"), 0, "a hidden case never");
+    assert!(page("wrong").len() < 64 << 10, "and takes little room");
     assert!(
         page("broken").contains("undeclared_name"),
         "what the compiler said"

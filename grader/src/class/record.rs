@@ -130,7 +130,8 @@ impl Marked {
             }
             _ => None,
         });
-        let shown = shown.filter(|[question, answer]| question.len() + answer.len() <= LONGEST_SHOWN);
+        let shown =
+            shown.filter(|[question, answer]| question.len() + answer.len() <= LONGEST_SHOWN);
         Self {
             standing: match state {
                 State::Right => Standing::Right,

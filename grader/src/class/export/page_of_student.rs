@@ -9,8 +9,8 @@ use crate::class::roll::Class;
 use crate::explain::diagram::Diagram;
 use crate::explain::{Shown, find};
 use maud::{Markup, html};
-use raybook_chapters::kit::{address, html};
 use raybook_chapters::kit::untrusted::Untrusted;
+use raybook_chapters::kit::{address, html};
 use std::panic::catch_unwind;
 
 /// The largest drawing, in bytes: a page is mailed and printed.
@@ -64,7 +64,10 @@ fn chapter_section(chapter: &ChapterGrade) -> Markup {
 /// The drawing of the first wrong visible case of an exercise, where one says more than numbers.
 fn drawing(exercise: &ExerciseGrade) -> Option<Diagram> {
     let [question, answer] = exercise.result.as_ref()?.shown.as_ref()?;
-    let (examiner, explainer) = (cases::find(exercise.counted.name)?, find(exercise.counted.name)?);
+    let (examiner, explainer) = (
+        cases::find(exercise.counted.name)?,
+        find(exercise.counted.name)?,
+    );
     let question = examiner.asked().read_question(question).ok()?;
     let right = examiner.reference(&question).ok()?;
     let yours = examiner.asked().read_answer(answer).ok();
@@ -76,5 +79,8 @@ fn drawing(exercise: &ExerciseGrade) -> Option<Diagram> {
             yours: yours.as_deref(),
         })
     });
-    drawing.ok().flatten().filter(|drawing| drawing.svg().len() <= LARGEST)
+    drawing
+        .ok()
+        .flatten()
+        .filter(|drawing| drawing.svg().len() <= LARGEST)
 }

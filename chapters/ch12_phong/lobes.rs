@@ -14,6 +14,10 @@ use raybook::math::dir3::Dir3;
 /// From the normal to the light in the right drawing, in degrees.
 const RIGHT: f32 = 70.0;
 
+/// How far the left drawing may reach to a side, and the length of its longest line with the letter at its end.
+const REACH: f32 = 476.0;
+const LONGEST: f32 = 740.0;
+
 /// The length of 1 in the left drawing, and where the point is, in pixels of the canvas.
 const LENGTH: f32 = 620.0;
 const POINT: (f32, f32) = (480.0, 830.0);
@@ -121,9 +125,11 @@ fn in_plane(canvas: &Canvas, lobes: &[Lobe], incidence: f32) -> Drawn {
     ))?;
     line(surface[0], surface[1], INK, 5)?;
     let light = light(incidence);
+    // Under slanting light all is drawn smaller, so that it stays within the drawing.
+    let scale = (REACH / (LONGEST * incidence.to_radians().sin())).min(1.0);
     for lobe in lobes {
         let views = (-180..=180).map(|i| direction(0.5 * i as f32, 0.0));
-        let length = |v| LENGTH * (lobe.share)(v, &light);
+        let length = |v| scale * LENGTH * (lobe.share)(v, &light);
         let curve = views.map(|v| at(*v, length(v))).collect();
         canvas.draw(&PathElement::new::<Vec<_>, _>(
             curve,
@@ -136,8 +142,13 @@ fn in_plane(canvas: &Canvas, lobes: &[Lobe], incidence: f32) -> Drawn {
         ("L", *light.toward, 640.0),
         ("R", *mirrored, 700.0),
     ] {
-        line(at(d, 0.0), at(d, length), INK, 3)?;
-        write(canvas, name, at(d, length + 40.0), text(40).pos(CENTRE))?;
+        line(at(d, 0.0), at(d, scale * length), INK, 3)?;
+        write(
+            canvas,
+            name,
+            at(d, scale * length + 40.0),
+            text(40).pos(CENTRE),
+        )?;
     }
     let title = "in the plane of light and normal";
     write(canvas, title, (480, 60), text(36).pos(CENTRE))

@@ -40,6 +40,9 @@ pub struct Knobs {
     /// How the trees are built
     #[arg(long, value_enum, default_value = "binned")]
     method: Builder,
+    /// Maximum number of triangles in a leaf; the heuristic makes smaller leaves where that costs less
+    #[arg(long, value_name = "1..64 triangles", default_value_t = 8)]
+    leaf: u32,
 }
 
 /// Draws the chapter's pictures.
@@ -47,7 +50,7 @@ pub struct Knobs {
 /// # Errors
 /// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
-    let build = |mesh: &Mesh| Bvh::build(mesh.facets(), knobs.method.into());
+    let build = |mesh: &Mesh| Bvh::with_leaves(mesh.facets(), knobs.method.into(), knobs.leaf);
     if let Some(path) = &knobs.own.mesh {
         return own_mesh::draw(stage, path, build, "boxes tested");
     }

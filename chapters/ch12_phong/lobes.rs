@@ -12,54 +12,66 @@ use raybook::light::LightSample;
 use raybook::material::{blinn_phong::BlinnPhong, phong::Phong};
 use raybook::math::dir3::Dir3;
 
-/// Phong's exponent; Blinn's is this one or four times as large.
-const EXPONENT: f32 = 16.0;
-
-/// From the normal to the light, in degrees: in the left drawing, and in the right one.
-const LEFT: f32 = 40.0;
+/// From the normal to the light in the right drawing, in degrees.
 const RIGHT: f32 = 70.0;
+
+/// How far the left drawing may reach to a side, and the length of its longest line with the letter at its end.
+const REACH: f32 = 476.0;
+const LONGEST: f32 = 740.0;
 
 /// The length of 1 in the left drawing, and where the point is, in pixels of the canvas.
 const LENGTH: f32 = 620.0;
 const POINT: (f32, f32) = (480.0, 830.0);
 
-/// The highlights alone: the share that goes to the viewer.
-type Lobe = fn(view: Dir3, light: &LightSample) -> f32;
+/// The share of a highlight that goes to the viewer.
+type Share = Box<dyn Fn(Dir3, &LightSample) -> f32>;
 
-const LOBES: [(&str, Lobe, RGBColor, u32); 3] = [
-    (
-        "Phong, α = 16",
-        |v, l| highlight(EXPONENT).reflect(Dir3::Z, v, l).r,
-        BLUE,
-        9,
-    ),
-    (
-        "Blinn, α′ = 4α = 64",
-        |v, l| {
-            BlinnPhong(highlight(4.0 * EXPONENT))
-                .reflect(Dir3::Z, v, l)
-                .r
+/// A highlight alone, as a curve: its name, the share that goes to the viewer, its colour and its width.
+struct Lobe {
+    name: String,
+    share: Share,
+    colour: RGBColor,
+    width: u32,
+}
+
+/// Phong's lobe for an exponent, and Blinn's for four times as much and for as much.
+fn lobes(exponent: f32) -> [Lobe; 3] {
+    let phong = highlight(exponent);
+    let [wide, narrow] = [1.0, 4.0].map(|times| BlinnPhong(highlight(times * exponent)));
+    let four = 4.0 * exponent;
+    [
+        Lobe {
+            name: format!("Phong, α = {exponent}"),
+            share: Box::new(move |v, l| phong.reflect(Dir3::Z, v, l).r),
+            colour: BLUE,
+            width: 9,
         },
-        VERMILION,
-        4,
-    ),
-    (
-        "Blinn, α′ = α = 16",
-        |v, l| BlinnPhong(highlight(EXPONENT)).reflect(Dir3::Z, v, l).r,
-        ORANGE,
-        4,
-    ),
-];
+        Lobe {
+            name: format!("Blinn, α′ = 4α = {four}"),
+            share: Box::new(move |v, l| narrow.reflect(Dir3::Z, v, l).r),
+            colour: VERMILION,
+            width: 4,
+        },
+        Lobe {
+            name: format!("Blinn, α′ = α = {exponent}"),
+            share: Box::new(move |v, l| wide.reflect(Dir3::Z, v, l).r),
+            colour: ORANGE,
+            width: 4,
+        },
+    ]
+}
 
-/// In polar coordinates in the plane of light and normal, and over the angle out of that plane.
+/// In polar coordinates in the plane of light and normal, where the light is `incidence` degrees from the normal, and over the angle
+/// out of that plane. Phong's highlight has this exponent.
 ///
 /// # Errors
 /// What plotters reports.
-pub(super) fn draw() -> Figure {
+pub(super) fn draw(exponent: f32, incidence: f32) -> Figure {
+    let lobes = lobes(exponent);
     figure(960, 480, |canvas| {
         let (left, right) = canvas.split_horizontally(960);
-        in_plane(&left)?;
-        across(&right)
+        in_plane(&left, &lobes, incidence)?;
+        across(&right, &lobes)
     })
 }
 
@@ -93,7 +105,7 @@ fn light(degrees: f32) -> LightSample {
 }
 
 /// The lobes as curves around the point: the farther out, the more goes there.
-fn in_plane(canvas: &Canvas) -> Drawn {
+fn in_plane(canvas: &Canvas, lobes: &[Lobe], incidence: f32) -> Drawn {
     let at = |d: Vec3, length: f32| {
         (
             (POINT.0 + length * d.x) as i32,
@@ -113,30 +125,38 @@ fn in_plane(canvas: &Canvas) -> Drawn {
         FAINT.mix(0.5),
     ))?;
     line(surface[0], surface[1], INK, 5)?;
-    let light = light(LEFT);
-    for (_, lobe, colour, width) in LOBES {
+    let light = light(incidence);
+    // Under slanting light all is drawn smaller, so that it stays within the drawing.
+    let scale = (REACH / (LONGEST * incidence.to_radians().sin())).min(1.0);
+    for lobe in lobes {
         let views = (-180..=180).map(|i| direction(0.5 * i as f32, 0.0));
-        let curve = views.map(|v| at(*v, LENGTH * lobe(v, &light))).collect();
+        let length = |v| scale * LENGTH * (lobe.share)(v, &light);
+        let curve = views.map(|v| at(*v, length(v))).collect();
         canvas.draw(&PathElement::new::<Vec<_>, _>(
             curve,
-            colour.stroke_width(width),
+            lobe.colour.stroke_width(lobe.width),
         ))?;
     }
-    let mirrored = direction(LEFT, 0.0);
+    let mirrored = direction(incidence, 0.0);
     for (name, d, length) in [
         ("N", Vec3::Z, 640.0),
         ("L", *light.toward, 640.0),
         ("R", *mirrored, 700.0),
     ] {
-        line(at(d, 0.0), at(d, length), INK, 3)?;
-        write(canvas, name, at(d, length + 40.0), text(40).pos(CENTRE))?;
+        line(at(d, 0.0), at(d, scale * length), INK, 3)?;
+        write(
+            canvas,
+            name,
+            at(d, scale * length + 40.0),
+            text(40).pos(CENTRE),
+        )?;
     }
     let title = "in the plane of light and normal";
     write(canvas, title, (480, 60), text(36).pos(CENTRE))
 }
 
 /// The lobes over the angle by which the viewer is turned out of the plane, around the normal.
-fn across(canvas: &Canvas) -> Drawn {
+fn across(canvas: &Canvas, lobes: &[Lobe]) -> Drawn {
     let mut chart = Chart::new(
         Axis::linear(-65.0..65.0)
             .named("angle around the normal from R")
@@ -152,10 +172,12 @@ fn across(canvas: &Canvas) -> Drawn {
     .text(28)
     .legend(Corner::UpperLeft);
     let light = light(RIGHT);
-    for (name, lobe, colour, width) in LOBES {
+    for lobe in lobes {
         let angles = (-260..=260).map(|i| 0.25 * i as f32);
-        let curve = angles.map(|around| (around, lobe(direction(RIGHT, around), &light)));
-        chart.line(curve, colour.stroke_width(width)).named(name);
+        let share = |around| (lobe.share)(direction(RIGHT, around), &light);
+        let curve = angles.map(|around| (around, share(around)));
+        let stroke = lobe.colour.stroke_width(lobe.width);
+        chart.line(curve, stroke).named(&lobe.name);
     }
     chart.draw(canvas)
 }

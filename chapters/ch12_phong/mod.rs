@@ -28,6 +28,9 @@ pub struct Knobs {
     /// Exponent α of Phong's highlight; the rows have a quarter of it, it, and 4 and 16 times as much
     #[arg(long, value_name = "1..1024", default_value_t = 16.0)]
     exponent: f32,
+    /// Angle between light and normal in the drawing of the lobes
+    #[arg(long, value_name = "0..89 °", default_value_t = 40.0)]
+    incidence: f32,
     /// Angle by which the lights turn around the balls, to the right
     #[arg(long, value_name = "-180..180 °", default_value_t = 0.0)]
     turn: f32,
@@ -60,7 +63,11 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
 
     let caption = "How much of the light from the left a point sends where. In the plane of light and normal, Blinn's lobe with \
         four times the exponent is Phong's. Across that plane, under slanting light, it is much narrower.";
-    stage.diagram("lobes", caption, &lobes::draw()?)?;
+    stage.diagram(
+        "lobes",
+        caption,
+        &lobes::draw(knobs.exponent, knobs.incidence)?,
+    )?;
 
     let film = stage.tile(2, 1.6);
     let (from, to) = (vec3(0.0, 1.6, 5.5), vec3(0.0, 0.4, 0.0));

@@ -59,6 +59,8 @@ fn ball_in_ball(center: Vec3, radii: [f32; 2], media: [Medium; 2]) -> [Thing; 2]
 pub struct Stuff {
     /// The glass's index of refraction.
     pub index: f32,
+    /// The index of refraction of the liquid in the tank.
+    pub liquid: f32,
     /// Factor on the coloured glass's absorption; 1 is what the materials here have.
     pub absorption: f32,
 }
@@ -67,6 +69,11 @@ impl Stuff {
     /// Clear glass.
     fn clear(self) -> Medium {
         Medium::clear(self.index)
+    }
+
+    /// The liquid in the tank.
+    fn liquid(self) -> Medium {
+        Medium::clear(self.liquid)
     }
 
     /// Coloured glass: σ for each colour, in 1/m.
@@ -84,15 +91,15 @@ fn ball(x: f32, z: f32, radius: f32, medium: Medium) -> Thing {
     Thing::new(Sphere::new(center, radius), Glass::of(medium))
 }
 
-/// A ball of glass in a tank of water; what the ball takes to be around it is said.
-fn tank(x: f32, z: f32, around_ball: Medium, glass: Medium) -> [Thing; 2] {
+/// A ball of glass in a tank of a liquid; what the ball takes to be around it is said.
+fn tank(x: f32, z: f32, around_ball: Medium, stuff: Stuff) -> [Thing; 2] {
     let water = Cuboid::between(vec3(x - 1.1, GAP, z - 1.0), vec3(x + 1.1, 1.9, z + 1.0));
     let in_water = Glass {
         outside: around_ball,
-        inside: glass,
+        inside: stuff.clear(),
     };
     [
-        Thing::new(water, Glass::of(Medium::WATER)),
+        Thing::new(water, Glass::of(stuff.liquid())),
         Thing::new(Sphere::new(vec3(x, 0.75, z), 0.7), in_water),
     ]
 }
@@ -108,7 +115,7 @@ pub fn still_life(stuff: Stuff) -> Scene {
     ];
     let hollow = vec3(-2.75, 0.95 + GAP, -0.9);
     things.extend(ball_in_ball(hollow, [0.95, 0.78], bubble));
-    things.extend(tank(2.4, -1.2, Medium::WATER, stuff.clear()));
+    things.extend(tank(2.4, -1.2, stuff.liquid(), stuff));
     on_floor(things)
 }
 
@@ -121,11 +128,11 @@ pub fn nested(stuff: Stuff) -> [(&'static str, Scene); 4] {
         ("air in glass", bubble.into()),
         (
             "glass in water",
-            tank(0.0, 0.0, Medium::WATER, stuff.clear()).into(),
+            tank(0.0, 0.0, stuff.liquid(), stuff).into(),
         ),
         (
             "wrong: takes the water for air",
-            tank(0.0, 0.0, Medium::AIR, stuff.clear()).into(),
+            tank(0.0, 0.0, Medium::AIR, stuff).into(),
         ),
     ]
     .map(|(name, things)| (name, on_floor(things)))

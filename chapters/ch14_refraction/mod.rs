@@ -28,9 +28,12 @@ type View = (Vec3, Vec3, f32);
 /// What the pictures depend on.
 #[derive(Args, Clone, Debug)]
 pub struct Knobs {
-    /// Index of refraction of the glass; water has 1.333, diamond 2.42
+    /// Index of refraction of the glass; diamond has 2.42
     #[arg(long, value_name = "1..3", default_value_t = 1.5)]
     index: f32,
+    /// Index of refraction of the liquid in the tank: water has 1.333, an oil as much as glass
+    #[arg(long, value_name = "1..3", default_value_t = 1.333)]
+    liquid: f32,
     /// Absorption of the coloured glass, in multiples of what it has in the pictures
     #[arg(long, value_name = "0..20 ×", default_value_t = 1.0)]
     absorption: f32,
@@ -47,6 +50,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let depth = knobs.depth;
     let stuff = Stuff {
         index: knobs.index,
+        liquid: knobs.liquid,
         absorption: knobs.absorption,
     };
     let scene = glassware::still_life(stuff);

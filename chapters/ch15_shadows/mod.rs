@@ -15,14 +15,14 @@ use glam::{Vec2, Vec3, vec2, vec3};
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::Image;
 use raybook::render::film::Film;
-use raybook::render::local::{Arrives, Local};
+use raybook::render::local::Local;
 use raybook::render::sampler::Sampler;
 use raybook::render::shadow;
 use raybook::render::whitted::Whitted;
 use raybook::scene::marbles;
 use raybook::scene::world::Scene;
 use std::process::ExitCode;
-use wrong_shadows::Offset;
+use wrong_shadows::{Way, length, starts_off, without_end};
 
 /// The pixel whose rays are drawn: its place on the film.
 const PIXEL: Vec2 = vec2(0.432, 0.76);
@@ -33,9 +33,9 @@ const CLOSE_UP: Vec3 = vec3(1.3, 0.4, 1.3);
 /// What the pictures depend on.
 #[derive(Args, Clone, Debug)]
 pub struct Knobs {
-    /// How far off the surface the loose shadow rays start
-    #[arg(long, value_enum, default_value = "1m")]
-    offset: Offset,
+    /// Distance from the surface at which the loose shadow rays start
+    #[arg(long, value_name = "0..5 m", default_value_t = 1.0)]
+    offset: f32,
     /// Cells along the side of each patch of the coarse teapot
     #[arg(long, value_name = "1..16 cells", default_value_t = 4)]
     cells: usize,
@@ -55,7 +55,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     stage.picture(
         "picture",
         caption,
-        &photograph(&film, &camera, &scene, shadow::lit),
+        &photograph(&film, &camera, &scene, &shadow::lit),
     )?;
 
     let tile = stage.tile(2, 16.0 / 9.0);
@@ -65,8 +65,14 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     };
     let near = Pinhole::look_at(from, CLOSE_UP, Vec3::Y, 0.08, film.aspect())?;
     let roofed = marbles::under_roof();
-    let tiles = wrong_shadows::ways(knobs.offset)
-        .map(|(name, arrives)| (name, photograph(&film, &near, &roofed, arrives)));
+    let loose = format!("starts {} off: loose shadows", length(knobs.offset));
+    let ways: [(&str, Way<'_>); 4] = [
+        ("right", &shadow::lit),
+        ("starts on the surface: acne", &starts_off(0.0)),
+        (&loose, &starts_off(knobs.offset)),
+        ("does not end at the lamp", &without_end),
+    ];
+    let tiles = ways.map(|(name, arrives)| (name, photograph(&film, &near, &roofed, arrives)));
     let caption = "One lamp below a roof, and three wrong shadow rays. Many points of a ball are computed to lie inside of \
         it, and are in its shadow. Rays that start too far off miss what stands close. Rays without an end are stopped behind the lamp.";
     stage.figure("wrong", caption, &sheet(2, &tiles)?)?;
@@ -84,8 +90,12 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     };
     let [from, to] = marbles::FROM_ABOVE;
     let above = Pinhole::look_at(from, to, Vec3::Y, 0.038, film.aspect())?;
-    let view = photograph(&film, &above, &scene, shadow::lit);
-    let tree = ray_tree::grow(&whitted(shadow::lit), &scene, &camera.ray_through(PIXEL));
+    let view = photograph(&film, &above, &scene, &shadow::lit);
+    let tree = ray_tree::grow(
+        &whitted(shadow::lit as _),
+        &scene,
+        &camera.ray_through(PIXEL),
+    );
     let caption = "The tree of chapter 13 again: now each ray to a light is a search, and what is in its way makes a shadow (purple).";
     stage.figure(
         "tree",
@@ -94,7 +104,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     )
 }
 
-fn whitted(arrives: Arrives) -> Whitted {
+fn whitted<A>(arrives: A) -> Whitted<A> {
     let local = Local {
         samples: 1,
         arrives: Some(arrives),
@@ -102,7 +112,7 @@ fn whitted(arrives: Arrives) -> Whitted {
     Whitted { local, depth: 8 }
 }
 
-fn photograph(film: &Film, camera: &Pinhole, scene: &Scene, arrives: Arrives) -> Image {
+fn photograph(film: &Film, camera: &Pinhole, scene: &Scene, arrives: Way<'_>) -> Image {
     film.render(camera, &Sampler::Refined, &whitted(arrives), scene)
 }
 

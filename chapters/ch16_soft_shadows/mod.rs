@@ -27,7 +27,7 @@ use std::process::ExitCode;
 const fn with_samples(samples: u32) -> Whitted {
     let local = Local {
         samples,
-        arrives: Some(shadow::lit),
+        arrives: Some(shadow::lit as _),
     };
     Whitted { local, depth: 1 }
 }

@@ -35,6 +35,9 @@ pub struct Knobs {
     /// F-number: the focal length of 50 mm over the width of the hole
     #[arg(long, value_name = "0.7..128", default_value_t = 1.4)]
     f_number: f32,
+    /// Aperture: the width of the hole, instead of an f-number
+    #[arg(long, value_name = "0.4..70 mm", conflicts_with = "f_number")]
+    aperture: Option<f32>,
     /// Distance in focus; the red teapot's, if not said
     #[arg(long, value_name = "0.2..100 m")]
     focus: Option<f32>,
@@ -66,7 +69,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
 
     let film = stage.film_of(960, 32, 16.0 / 9.0);
     let body = Pinhole::look_at(EYE, VIEW, Vec3::Y, FOCAL_LENGTH, film.aspect())?;
-    let (f_number, blades) = (knobs.f_number, knobs.blades);
+    let (f_number, blades) = (knobs.f_number(), knobs.blades);
     let red = knobs.focus.unwrap_or(distance(&body, POTS[1]));
     let caption = format!(
         "A lens of 50 mm at f/{f_number}, focused at {red:.2} m. What is nearer or farther is blurred, and every lamp becomes the hole that {blades} blades leave open."
@@ -103,6 +106,14 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     stage.figure("bokeh", caption, &bokeh::draw(&stage.tile(4, 1.0))?)?;
     let caption = "The circle of confusion of a 50 mm lens that is focused at 2 m. As long as it is smaller than a pixel, nobody sees it: the shaded ranges are the depth of field.";
     stage.diagram("blur", caption, &blur_plot::plot()?)
+}
+
+impl Knobs {
+    /// The focal length over the width of the hole, to two digits after the point.
+    fn f_number(&self) -> f32 {
+        let of_width = |millimetres: f32| (1e5 * FOCAL_LENGTH / millimetres).round() / 100.0;
+        self.aperture.map_or(self.f_number, of_width)
+    }
 }
 
 /// How far ahead of the camera the plane is in which a point lies.

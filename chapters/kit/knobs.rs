@@ -19,6 +19,8 @@ pub struct Knob {
     pub default: Option<String>,
     /// What values it takes.
     pub kind: Kind,
+    /// The knobs of which only one can be turned, this one or the other: focal length or field of view.
+    pub instead_of: Vec<String>,
 }
 
 /// What values a knob takes.
@@ -52,11 +54,17 @@ pub fn add<K: Args>(command: Command) -> Command {
 
 /// The knobs of a command that has no other options.
 pub fn of(command: &Command) -> Vec<Knob> {
+    let excludes = |one: &Arg, other: &Arg| command.get_arg_conflicts_with(one).contains(&other);
     let knob = |arg: &Arg| Knob {
         name: name(arg),
         help: arg.get_help().map(ToString::to_string).unwrap_or_default(),
         default: default(arg),
         kind: kind(arg),
+        instead_of: command
+            .get_arguments()
+            .filter(|other| excludes(arg, other) || excludes(other, arg))
+            .map(name)
+            .collect(),
     };
     command.get_arguments().map(knob).collect()
 }

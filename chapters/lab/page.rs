@@ -143,6 +143,8 @@ impl Page {
                 } } }
             } }
             p { "A heading sorts by its column. " (self.how(how)) " " a href={ (name) ".csv" } { "CSV" } }
+        } });
+        self.add(html! { div {
             dl { @for (_, heading, meaning, _) in &COLUMNS { dt { (heading) } dd { (meaning) "." } } }
         } });
         Ok(())

@@ -18,7 +18,8 @@ body.slides { max-width: none; margin: 0; padding: 0 } body.slides .screen { min
 body.slides figcaption, body.slides section > p { font-size: 22px; max-width: none } body.slides figcaption code { font-size: 17px }
 body.slides .scroll > a > img { height: 68vh; max-width: 94vw; object-fit: contain; margin: auto } body.slides .figures { justify-content: center }
 html:has(body.slides) { scroll-snap-type: y proximity } body.slides .screen { scroll-snap-align: start }
-body.slides table { font-size: 19px }";
+body.slides table { font-size: 17px } body.slides th, body.slides td { padding: .3em .5em } body.slides td:first-child { white-space: nowrap }
+body.slides th:last-child, body.slides td:last-child { display: none } body.slides dl { columns: 2; font-size: 19px } body.slides dd { break-before: avoid }";
 
 /// One screen pixel for each pixel of a picture, whatever the screen's ratio; a table that is sorted by its headings; two pictures in turns; and
 /// in slides the arrow keys.

@@ -24,12 +24,12 @@ const ANGLES: usize = 180;
 const MARKED: usize = 24;
 
 /// The centre of the plot and its radius, in pixels of the canvas.
-const CENTRE: (i32, i32) = (430, 490);
-const RADIUS: f64 = 370.0;
+const CENTRE: (i32, i32) = (350, 400);
+const RADIUS: f64 = 280.0;
 
 /// Where the legend is, and its columns of numbers.
-const LEGEND: (i32, i32) = (880, 90);
-const COLUMNS: [i32; 2] = [540, 660];
+const LEGEND: (i32, i32) = (720, 90);
+const COLUMNS: [i32; 2] = [490, 600];
 
 /// A curve for each pattern.
 #[derive(Debug)]
@@ -168,7 +168,8 @@ impl Polar {
 impl Plot for Polar {
     fn size(&self) -> (u32, u32) {
         let below = LEGEND.1 + legend::LINE * (self.curves.len() as i32 + 2);
-        (790, (470_i32.max(below / 2)) as u32)
+        // Two stand side by side in a window of 1400 pixels.
+        (670, 380_i32.max(below / 2) as u32)
     }
 
     fn draw<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn
@@ -189,8 +190,8 @@ impl Plot for Polar {
         }
         self.labels(canvas)?;
         let samples = if self.n == 1 { "sample" } else { "samples" };
-        let heading = format!("RMS error of the covered area, {} {samples}", self.n);
-        write(canvas, &heading, (LEGEND.0 - 40, 46), text(32).pos(LEFT))?;
+        let heading = format!("RMS error, {} {samples}", self.n);
+        write(canvas, &heading, (LEGEND.0, 46), text(32).pos(LEFT))?;
         let entry = |curve: &Curve| {
             let numbers = [curve.mean(), curve.worst()].map(|error| number(error, 4));
             (curve.pen, curve.title.clone(), numbers.to_vec())

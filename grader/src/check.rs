@@ -248,7 +248,8 @@ pub fn assess(examiner: &dyn Examiner, cases: Vec<Case>, replies: Vec<Reply>) ->
         pictures: Vec::new(),
         stopped: None,
     };
-    if report.state() == State::Wrong {
+    // What has no known mistakes is an instructor's own: nothing is known about it but right answers.
+    if report.state() == State::Wrong && examiner.mistake(0).is_some() {
         report.diagnosis = diagnose_outcomes(examiner, &report.cases);
     }
     report

@@ -44,6 +44,17 @@ impl Cases {
     }
 }
 
+/// Why there are no cases.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum CasesError {
+    /// A named case cannot be read.
+    #[error(transparent)]
+    Golden(#[from] GoldenError),
+    /// The reference has no answer to a question.
+    #[error("{0}")]
+    Reference(String),
+}
+
 /// A graded exercise whose types are forgotten: questions and answers are rows of numbers. What can be said of lines is a method
 /// of `dyn Examiner`.
 pub trait Examiner: Sync {
@@ -59,11 +70,24 @@ pub trait Examiner: Sync {
     /// An ordinary question.
     fn random(&self, rng: &mut Pcg) -> Vec<f64>;
 
+    /// The right answer to a question.
+    ///
+    /// # Errors
+    /// Why there is none. What is compiled in always answers.
+    fn reference(&self, question: &[f64]) -> Result<Vec<f64>, String> {
+        Ok((self.asked().call)(question))
+    }
+
     /// Compares an answer with the golden one.
     ///
     /// # Errors
     /// Why it is wrong.
     fn compare(&self, question: &[f64], golden: &[f64], got: &[f64]) -> Verdict;
+
+    /// What kept the judge from a verdict on this thread, and is no fault of an answer; told once.
+    fn trouble(&self) -> Option<String> {
+        None
+    }
 
     /// See [`Graded::together`]; each question with its answer.
     ///
@@ -260,26 +284,26 @@ impl dyn Examiner + '_ {
     /// Named cases and random ones.
     ///
     /// # Errors
-    /// If a named case of the golden file cannot be read.
+    /// If a named case of the golden file cannot be read, or the reference has no answer.
     ///
     /// # Panics
     /// If the exercise's random questions are not fit for it.
-    pub fn try_cases(&self, rng: &mut Pcg) -> Result<Cases, GoldenError> {
-        let mut cases: Vec<_> = self
+    pub fn try_cases(&self, rng: &mut Pcg) -> Result<Cases, CasesError> {
+        let mut cases: Vec<Case> = self
             .named()?
             .into_iter()
             .map(|named| {
-                let mut case = self.case(&named.name, &named.question);
+                let mut case = self.case(&named.name, &named.question)?;
                 case.answers.extend(named.also_right);
-                case
+                Ok(case)
             })
-            .collect();
+            .collect::<Result<_, CasesError>>()?;
         let (mut kept, mut thrown_away) = (0, 0);
         while kept < RANDOM_CASES {
             let question = self.random(rng);
             if stable::is_stable(self, &question, rng) {
                 kept += 1;
-                cases.push(self.case(&format!("random {kept}"), &question));
+                cases.push(self.case(&format!("random {kept}"), &question)?);
             } else {
                 thrown_away += 1;
                 assert!(
@@ -305,14 +329,15 @@ impl dyn Examiner + '_ {
     }
 
     /// A question with the reference's answer; its number comes later.
-    fn case(&self, name: &str, question: &[f64]) -> Case {
+    fn case(&self, name: &str, question: &[f64]) -> Result<Case, CasesError> {
         let asked = self.asked();
-        Case {
+        let answer = self.reference(question).map_err(CasesError::Reference)?;
+        Ok(Case {
             number: 0,
             name: name.to_owned(),
             question: row::format(asked.question, question),
-            answers: vec![row::format(asked.answer.kind, &(asked.call)(question))],
-        }
+            answers: vec![row::format(asked.answer.kind, &answer)],
+        })
     }
 
     /// Judges an answer against the right ones; being any of them is enough.

@@ -3,7 +3,7 @@
 //! `golden/<chapter>/<exercise>.txt` has a line per case: `name | question = answer = another that is right too`. A named case
 //! may be written without an answer: the answer is the reference's, the others are the file's.
 
-use crate::examine::{Cases, Examiner, visible_rng};
+use crate::examine::{Cases, CasesError, Examiner, visible_rng};
 use raybook_workbook::curriculum::CHAPTERS;
 use raybook_workbook::exercise::Asked;
 use raybook_workbook::row::{self, RowError};
@@ -137,17 +137,15 @@ pub fn path(exercise: &str) -> String {
         let mut exercises = chapter.exercises().iter();
         exercises.any(|asked| asked.name == exercise)
     });
-    format!(
-        "{}/{exercise}.txt",
-        chapter.map_or("", |chapter| chapter.name)
-    )
+    let file = format!("{exercise}.txt");
+    chapter.map_or(file.clone(), |chapter| format!("{}/{file}", chapter.name))
 }
 
 /// The text of an exercise's golden file, and the cases in it.
 ///
 /// # Errors
-/// If a named case cannot be read.
-pub fn page(examiner: &dyn Examiner) -> Result<(String, Cases), GoldenError> {
+/// If a named case cannot be read, or the reference has no answer.
+pub fn page(examiner: &dyn Examiner) -> Result<(String, Cases), CasesError> {
     let asked = examiner.asked();
     let cases = examiner.try_cases(&mut visible_rng(asked.name))?;
     let lengths = cases.cases.iter().map(|case| case.name.chars().count());

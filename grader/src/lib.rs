@@ -34,6 +34,7 @@ pub mod limits;
 mod listen;
 pub mod lock;
 pub mod manifest;
+pub mod own;
 pub mod pairing;
 pub mod passage;
 pub mod patterns;

@@ -15,22 +15,22 @@ pub type Arrives = fn(&Scene, &Surface, &LightSample) -> bool;
 /// Nothing is in the way, ever: the world without shadows, in which no ray to a light need be followed.
 pub const ALWAYS: Option<Arrives> = None;
 
-/// How light from the lights is gathered.
+/// How light from the lights is gathered. Whether it arrives is asked of a function, or of a closure `A`.
 #[derive(Clone, Copy, Debug)]
-pub struct Local {
+pub struct Local<A = Arrives> {
     /// Samples of every light.
     pub samples: u32,
     /// Whether a sample arrives, by following a ray to the light; [`ALWAYS`] if there is no need to.
-    pub arrives: Option<Arrives>,
+    pub arrives: Option<A>,
 }
 
-impl Local {
+impl<A: Fn(&Scene, &Surface, &LightSample) -> bool> Local<A> {
     // ANCHOR: local
     /// I = k_a i_a + Σ over the lights: the mean, over a light's samples, of what the material makes of them.
     pub fn follow(&self, scene: &Scene, seen: &Seen, view: Dir3, rng: &mut dyn Rng) -> Followed {
         let mut rays = 0;
         let mut arrives = |sample: &LightSample| {
-            self.arrives.is_none_or(|arrives| {
+            self.arrives.as_ref().is_none_or(|arrives| {
                 rays += 1;
                 arrives(scene, &seen.surface, sample)
             })

@@ -1,17 +1,20 @@
 //! Whitted's ray tracing: what a surface shows in itself or through itself is seen by another ray.
 
 use crate::image::rgb::Rgb;
+use crate::light::LightSample;
 use crate::material::{See, Sight, beyond};
 use crate::math::ray::Ray;
-use crate::render::{cone::Cone, followed::Followed, local::Local, sampler::Integrator};
+use crate::render::local::{Arrives, Local};
+use crate::render::{cone::Cone, followed::Followed, sampler::Integrator};
 use crate::scene::world::Scene;
+use crate::shape::Surface;
 use rand::Rng;
 
 /// Follows rays from surface to surface (Whitted, "An improved illumination model for shaded display", 1980).
 #[derive(Clone, Copy, Debug)]
-pub struct Whitted {
+pub struct Whitted<A = Arrives> {
     /// How light from the lights is gathered at each surface.
-    pub local: Local,
+    pub local: Local<A>,
     /// Maximum number of surfaces in a row that are followed; what the last one would show of others is black.
     pub depth: u32,
 }
@@ -30,13 +33,13 @@ struct Twig {
     cone: Cone,
 }
 
-impl Whitted {
+impl<A: Fn(&Scene, &Surface, &LightSample) -> bool> Whitted<A> {
     // ANCHOR: whitted
     /// What a ray sees: L = local illumination + what the material sees beyond, which asks the same question again.
     ///
     /// Two facing mirrors would ask for ever. Each question has one surface less to go, and at 0 the answer is black.
     pub fn follow(&self, scene: &Scene, ray: &Ray, rng: &mut dyn Rng) -> Followed {
-        Integrator::follow(self, scene, ray, Cone::THIN, rng)
+        self.follow_cone(scene, ray, Cone::THIN, rng)
     }
 
     fn sight(
@@ -86,19 +89,24 @@ impl Whitted {
         }
     }
 
+    /// The same, for a first ray as wide as this.
+    fn follow_cone(&self, scene: &Scene, ray: &Ray, cone: Cone, rng: &mut dyn Rng) -> Followed {
+        let mut rays = 0;
+        let sight = self.sight(scene, ray, self.trunk(cone), rng, &mut rays);
+        Followed {
+            radiance: sight.radiance,
+            rays,
+        }
+    }
+
     /// The same, uncounted.
     pub fn radiance(&self, scene: &Scene, ray: &Ray, rng: &mut dyn Rng) -> Rgb {
         self.follow(scene, ray, rng).radiance
     }
 }
 
-impl Integrator for Whitted {
+impl<A: Fn(&Scene, &Surface, &LightSample) -> bool + Sync> Integrator for Whitted<A> {
     fn follow(&self, scene: &Scene, ray: &Ray, cone: Cone, numbers: &mut dyn Rng) -> Followed {
-        let mut rays = 0;
-        let sight = self.sight(scene, ray, self.trunk(cone), numbers, &mut rays);
-        Followed {
-            radiance: sight.radiance,
-            rays,
-        }
+        self.follow_cone(scene, ray, cone, numbers)
     }
 }

@@ -23,6 +23,7 @@ static COUNTING: Counting = Counting;
 /// What the glass of the chapter's pictures is made of.
 const STUFF: Stuff = Stuff {
     index: 1.5,
+    liquid: 1.333,
     absorption: 1.0,
 };
 

@@ -14,13 +14,15 @@ use std::path::Path;
 use tempfile::TempDir;
 
 /// Where a knob shows in another picture than the main one.
-const SHOWN: [(&str, &str, &str); 14] = [
+const SHOWN: [(&str, &str, &str); 16] = [
     ("ch03_sphere", "sphere", "cancellation"),
     ("ch08_grid", "density", "heat"),
     ("ch09_two_level_grid", "density", "heat"),
     ("ch10_octree", "opening", "heat"),
     ("ch11_bvh", "method", "levels"),
+    ("ch11_bvh", "leaf", "heat"),
     ("ch12_phong", "lamp", "floors"),
+    ("ch12_phong", "incidence", "lobes"),
     ("ch15_shadows", "offset", "wrong"),
     ("ch15_shadows", "cells", "terminator"),
     ("ch18_environment", "roughness", "metals"),
@@ -32,8 +34,9 @@ const SHOWN: [(&str, &str, &str); 14] = [
 ];
 
 /// Values where those of the examples take long, change nothing, or are not alone.
-const TURNED: [(&str, &str, &[&str]); 7] = [
+const TURNED: [(&str, &str, &[&str]); 8] = [
     ("ch11_bvh", "method", &["--method=median"]),
+    ("ch11_bvh", "leaf", &["--leaf=1"]),
     ("ch17_rendering_equation", "depth", &["--depth=1"]),
     (
         "ch20_panorama",
@@ -202,11 +205,31 @@ fn nonsense_is_refused_in_a_sentence() {
         ("ch07_mesh", &["--mesh", "missing.obj"], "missing.obj"),
         ("ch11_bvh", &["--mesh", "Cargo.toml"], "must end in .obj"),
         ("ch18_environment", &["--map", "missing.hdr"], "missing.hdr"),
+        (
+            "ch15_shadows",
+            &["--offset", "6"],
+            "--offset 6: a number from 0 to 5 m",
+        ),
+        (
+            "ch11_bvh",
+            &["--leaf", "0"],
+            "--leaf 0: a number from 1 to 64 triangles",
+        ),
+        (
+            "ch14_refraction",
+            &["--liquid", "0.9"],
+            "--liquid 0.9: a number from 1 to 3",
+        ),
+        (
+            "ch19_depth_of_field",
+            &["--aperture", "10", "--f-number", "2"],
+            "cannot be used with",
+        ),
         ("ch12_phong", &["--vary", "exponent"], "exponent=1,8,64"),
         (
             "ch12_phong",
             &["--vary", "expnent=1,2"],
-            "has no such knob; it has exponent, turn, lamp",
+            "has no such knob; it has exponent, incidence, turn, lamp",
         ),
         (
             "ch12_phong",

@@ -9,6 +9,7 @@ mod exports;
 mod grading;
 mod hostile;
 mod interrupted;
+mod own;
 mod packed;
 mod rust;
 

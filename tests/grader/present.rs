@@ -150,6 +150,8 @@ fn a_chapter_is_shown_and_a_knob_redraws_its_picture() {
         "ch25_capstone",
         "\"focal-length\"",
         "\"unit\":\"mm\"",
+        "\"instead\":[\"field-of-view\"]",
+        "\"instead\":[\"focal-length\"]",
         "\"most\":500",
     ] {
         assert!(course.contains(expected), "{expected}: {course}");
@@ -202,6 +204,8 @@ fn a_chapter_is_shown_and_a_knob_redraws_its_picture() {
     let (status, turned) = server.get("picture/ch03_sphere/picture?radius=0.5&quick=1");
     assert_eq!((status, size(&turned)), (200, (240, 135)), "quickly");
     assert!(turned != sketch, "another radius, another picture");
+    let (status, half) = server.get("picture/ch03_sphere/picture?radius=0.5&half=1");
+    assert_eq!((status, size(&half).0), (200, 24), "better, half as wide");
     let (status, turned) = server.get("picture/ch03_sphere/picture?radius=0.5");
     assert_eq!((status, size(&turned)), (200, (48, 27)), "and well");
     assert!(turned != usual, "another radius, another picture");

@@ -77,6 +77,7 @@ impl Chapter {
 
     /// "3", from `ch03_sphere`.
     pub fn number(&self) -> u32 {
-        self.name[2..4].parse().unwrap_or(0)
+        let digits = self.name.get(2..4);
+        digits.and_then(|digits| digits.parse().ok()).unwrap_or(0)
     }
 }

@@ -149,7 +149,11 @@ fn integrator(mut fields: Fields) -> Result<Box<dyn Integrator>, SceneError> {
         Box::new(Whitted {
             local: Local {
                 samples: samples as u32,
-                arrives: if shadows { Some(shadow::lit) } else { ALWAYS },
+                arrives: if shadows {
+                    Some(shadow::lit as _)
+                } else {
+                    ALWAYS
+                },
             },
             depth: depth as u32,
         })

@@ -6,12 +6,12 @@ use crate::budget::Total;
 use crate::converse::Limits;
 use crate::examine::Examiner;
 use crate::language::Language;
-use crate::{cases, library};
+use crate::{cases, library, own};
 use raybook_workbook::curriculum::{CHAPTERS, Chapter};
 use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::ops::RangeInclusive;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 /// What a course file says.
@@ -31,8 +31,26 @@ pub struct Course {
     pub solve: Solve,
     /// What a hand-in may use.
     pub limits: Allowed,
-    /// What is graded, chapter by chapter.
+    /// What is graded, chapter by chapter, and after them the exercises of the instructor's own.
     pub chapters: Vec<Plan>,
+    /// The exercises of the instructor's own.
+    pub own: Own,
+}
+
+/// Exercises of the instructor's own.
+#[derive(Clone, Default)]
+pub struct Own {
+    /// Their folders, which no hand-in may read.
+    pub folders: Vec<PathBuf>,
+    /// All of them, in the order of the folders.
+    pub exercises: Vec<&'static dyn Examiner>,
+}
+
+impl std::fmt::Debug for Own {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let names = self.exercises.iter().map(|examiner| examiner.name());
+        f.debug_list().entries(names).finish()
+    }
 }
 
 /// What handing in late costs.
@@ -108,6 +126,8 @@ impl Course {
         let parsed = source.parse()?;
         let top = Table::new(source, parsed.get_ref());
         let points = top.number("points", POINTS)?.unwrap_or(1.0);
+        let mut chapters = chapters(source, &top, points)?;
+        let own = own(source, &top, points, &mut chapters)?;
         let course = Self {
             title: text_of(&top, "title", "Ray tracing")?,
             term: text_of(&top, "term", "")?,
@@ -116,7 +136,8 @@ impl Course {
             late: late(top.table("late")?.as_ref())?,
             solve: solve(top.table("solve")?.as_ref())?,
             limits: limits(top.table("limits")?.as_ref())?,
-            chapters: chapters(source, &top, points)?,
+            chapters,
+            own,
         };
         top.finish()?;
         if course.chapters.is_empty() {
@@ -138,9 +159,29 @@ impl Course {
     /// The exercises, in the order of the course.
     pub fn examiners(&self) -> Vec<&'static dyn Examiner> {
         let exercises = self.chapters.iter().flat_map(|plan| &plan.exercises);
+        let own = |name| {
+            self.own
+                .exercises
+                .iter()
+                .copied()
+                .find(|own| own.name() == name)
+        };
         exercises
-            .filter_map(|counted| cases::find(counted.name))
+            .filter_map(|counted| cases::find(counted.name).or_else(|| own(counted.name)))
             .collect()
+    }
+}
+
+impl Solve {
+    /// What a course file says of references, and nothing else: the copy in a workbook has no folders beside it.
+    ///
+    /// # Errors
+    /// What is wrong in the file, with its line and column.
+    pub fn read(file: &Path, text: &str) -> Result<Self, SettingsError> {
+        let source = Source { file, text };
+        let parsed = source.parse()?;
+        let top = Table::new(source, parsed.get_ref());
+        solve(top.table("solve")?.as_ref())
     }
 }
 
@@ -262,10 +303,71 @@ fn plan(
             let names = CHAPTERS.iter().map(|chapter| chapter.name);
             source.error(&word.at, unknown_name("chapter", word.value, names))
         })?;
+    let names = chapter.exercises().iter();
+    let names: Vec<_> = names.map(|exercise| exercise.name).collect();
+    planned(source, table, chapter, &names, points)
+}
+
+/// The tables of the exercises of the instructor's own: a plan for each folder, after those of the chapters.
+fn own(
+    source: Source<'_>,
+    top: &Table<'_>,
+    points: f64,
+    plans: &mut Vec<Plan>,
+) -> Result<Own, SettingsError> {
+    let mut all = Own::default();
+    for Placed { value: table, at } in top.tables("own")? {
+        let Some(word) = table.text("folder")? else {
+            let what = "in which folder? `folder = \"own\"`, beside this file, must stand here";
+            return Err(source.error(&at, what));
+        };
+        let program = table.words("program")?.unwrap_or_default();
+        let program: Vec<_> = program.iter().map(|word| word.value).collect();
+        let beside = source.file.parent().unwrap_or(Path::new(""));
+        let folder = beside.join(word.value);
+        let wrong = |what: String| source.error(&word.at, what);
+        let exercises = own::read(&folder, &program).map_err(wrong)?;
+        let names: Vec<_> = exercises.iter().map(|examiner| examiner.name()).collect();
+        let is_there = |name: &&str| all.exercises.iter().any(|other| other.name() == *name);
+        if let Some(name) = names.iter().copied().find(|name| is_there(name)) {
+            return Err(wrong(format!(
+                "two of your own exercises are called {name}"
+            )));
+        }
+        let file_name = folder.file_name().unwrap_or(folder.as_os_str());
+        let name = file_name.to_string_lossy().into_owned();
+        let title = text_of(&table, "title", "Own exercises")?;
+        let is_taken = |plan: &Plan| plan.chapter.name == name || plan.chapter.title == title;
+        if plans.iter().any(is_taken) {
+            return Err(wrong(format!(
+                "{name}, {title}: another part of the course has this name or this title"
+            )));
+        }
+        // Once for each folder: the command ends soon.
+        let chapter = Box::leak(Box::new(Chapter {
+            name: name.leak(),
+            title: title.leak(),
+            needs: &[],
+        }));
+        plans.push(planned(source, &table, chapter, &names, points)?);
+        all.exercises.extend(exercises);
+        all.folders.push(folder);
+    }
+    Ok(all)
+}
+
+/// What a table says of exercises of these names: which count, and how much.
+fn planned(
+    source: Source<'_>,
+    table: &Table<'_>,
+    chapter: &'static Chapter,
+    names: &[&'static str],
+    points: f64,
+) -> Result<Plan, SettingsError> {
     let points = table.number("points", POINTS)?.unwrap_or(points);
     let mut exercises = Vec::new();
     let mut seen = BTreeSet::new();
-    let all = || chapter.exercises().iter().map(|exercise| exercise.name);
+    let all = || names.iter().copied();
     let ordinary = table.numbered("exercises", points, &POINTS)?;
     let bonus = table.numbered("bonus", points, &POINTS)?;
     let counted = [(ordinary.clone(), false), (bonus, true)];

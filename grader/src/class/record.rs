@@ -1,5 +1,6 @@
 //! What is known about an exercise of a hand-in, as the journal holds it.
 
+use crate::ask::Said;
 use crate::check::{Outcome, Report, State, Verdict};
 use crate::examine::Examiner;
 use serde_json::{Map, Value, json};
@@ -47,6 +48,8 @@ pub struct Marked {
     pub mistake: Option<[String; 2]>,
     /// Words to the student: the first wrong visible case, or why there is nothing to ask. It tells nothing of hidden cases.
     pub why: String,
+    /// The first wrong visible case that has an answer, to be drawn: its question and the answer.
+    pub shown: Option<[String; 2]>,
 }
 
 const STANDINGS: [(Standing, &str); 5] = [
@@ -73,6 +76,9 @@ impl Standing {
 /// A student's words, or a compiler's, are cut where nobody reads on.
 const LONGEST_WHY: usize = 2000;
 
+/// A question and an answer longer than this are not kept to be drawn.
+const LONGEST_SHOWN: usize = 1000;
+
 impl Marked {
     /// A result without cases.
     pub fn without_cases(standing: Standing, why: &str) -> Self {
@@ -83,6 +89,7 @@ impl Marked {
             wrong: Vec::new(),
             mistake: None,
             why: why.chars().take(LONGEST_WHY).collect(),
+            shown: None,
         }
     }
 
@@ -117,6 +124,14 @@ impl Marked {
             _ => String::new(),
         };
         let wrong = report.cases.iter().filter(|outcome| !is_right(outcome));
+        let shown = visible().find_map(|outcome| match (&outcome.verdict, &outcome.reply.said) {
+            (Verdict::Wrong(_), Said::Answer(answer)) => {
+                Some([outcome.case.question.clone(), answer.unescaped().to_owned()])
+            }
+            _ => None,
+        });
+        let shown =
+            shown.filter(|[question, answer]| question.len() + answer.len() <= LONGEST_SHOWN);
         Self {
             standing: match state {
                 State::Right => Standing::Right,
@@ -131,6 +146,7 @@ impl Marked {
                 .as_ref()
                 .map(|mistake| [mistake.name.clone(), mistake.hint.clone()]),
             why: why.chars().take(LONGEST_WHY).collect(),
+            shown,
         }
     }
 
@@ -154,6 +170,7 @@ impl Record {
             wrong,
             mistake,
             why,
+            shown,
         } = &self.result;
         let mut fields = Map::new();
         let all = [
@@ -166,6 +183,7 @@ impl Record {
             ("wrong", json!(wrong)),
             ("mistake", json!(mistake)),
             ("why", json!(why)),
+            ("shown", json!(shown)),
         ];
         // What is empty takes no room.
         let is_empty =
@@ -199,6 +217,7 @@ impl Record {
                 wrong: words("wrong"),
                 mistake: words("mistake").try_into().ok(),
                 why: text("why").unwrap_or_default(),
+                shown: words("shown").try_into().ok(),
             },
         })
     }

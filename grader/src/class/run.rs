@@ -6,7 +6,7 @@ use super::journal::{Journal, hex};
 use super::record::{Marked, Record, Standing};
 use super::stage::{Stage, Staged, Trouble};
 use crate::check::check_each;
-use crate::examine::{Case, Examiner};
+use crate::examine::{Case, CasesError, Examiner};
 use crate::hidden::Key;
 use crate::picture::Pixels;
 use hmac::{Hmac, KeyInit, Mac};
@@ -34,15 +34,22 @@ pub struct Exam {
 
 impl Exam {
     /// The exam of a course: its exercises with their hidden cases.
-    pub fn new(course: &Course, examiners: &[&'static dyn Examiner], key: &str) -> Self {
+    ///
+    /// # Errors
+    /// If the reference of an exercise has no answer.
+    pub fn new(
+        course: &Course,
+        examiners: &[&'static dyn Examiner],
+        key: &str,
+    ) -> Result<Self, CasesError> {
         let of_class = Key {
             course: key.to_owned(),
             term: course.term.clone(),
             student: CLASS.to_owned(),
         };
         let asked = examiners.par_iter().map(|examiner| {
-            let cases = examiner.cases(&mut of_class.rng(examiner.name())).cases;
-            (*examiner, cases)
+            let cases = examiner.try_cases(&mut of_class.rng(examiner.name()))?;
+            Ok((*examiner, cases.cases))
         });
         let key = fingerprint(key);
         let edition = |examiner: &&'static dyn Examiner| {
@@ -62,11 +69,11 @@ impl Exam {
             }
             (examiner.name(), hex(&hash.finalize())[..16].to_owned())
         };
-        Self {
-            asked: asked.collect(),
+        Ok(Self {
+            asked: asked.collect::<Result<_, CasesError>>()?,
             editions: examiners.iter().map(edition).collect(),
             key,
-        }
+        })
     }
 
     /// Whether a record is of this exam.
@@ -282,14 +289,19 @@ impl Worker<'_> {
             .map(|(examiner, cases)| (*examiner, cases.clone()))
             .collect();
         let limits = self.course.limits.asking();
-        let mut number = 0;
+        let (mut number, mut trouble) = (0, None);
         check_each(&program, &asked, limits, Pixels::Some, &mut |report| {
             let (examiner, _) = &asked[number];
             number += 1;
+            trouble = examiner.trouble();
+            if trouble.is_some() {
+                return false;
+            }
             exercises.remove(report.exercise);
             self.told(report.exercise, Marked::of(&report, *examiner))
         })
-        .map_err(|error| error.to_string())
+        .map_err(|error| error.to_string())?;
+        trouble.map_or(Ok(()), Err)
     }
 
     /// Whether the journal took the result.

@@ -168,7 +168,8 @@ impl Stage {
 const NOTHING: &str = "no file of the hand-in answers this exercise";
 
 /// Which source files make which programs, and what these are asked: one program for everything, if a file is called like one or
-/// it is the only one; or else a program for each exercise or chapter, by the file of this name.
+/// it is the only one; or else a program for each exercise or chapter, by the file of this name. An exercise of the instructor's
+/// own is in no workbook: a file of its name is a program apart.
 fn programs(
     language: Language,
     files: &Files,
@@ -188,6 +189,29 @@ fn programs(
             .map_or(file, |(stem, _)| stem)
             .to_owned()
     };
+    let own = |path: &String| {
+        let name = stem(path);
+        let mut own = exercises.iter().filter(|of| super::is_own(of.name()));
+        own.find(|examiner| examiner.name() == name).copied()
+    };
+    let apart = sources
+        .iter()
+        .filter_map(|path| Some((vec![(*path).clone()], vec![own(path)?])));
+    let mut apart: Vec<(Vec<String>, Vec<&'static dyn Examiner>)> = apart.collect();
+    let sources: Vec<&String> = sources
+        .into_iter()
+        .filter(|path| own(path).is_none())
+        .collect();
+    let is_apart = |name: &str| {
+        apart
+            .iter()
+            .any(|(_, of)| of.iter().any(|of| of.name() == name))
+    };
+    let exercises: Vec<_> = exercises
+        .iter()
+        .copied()
+        .filter(|of| !is_apart(of.name()))
+        .collect();
     let called = |name: &str| sources.iter().copied().find(|path| stem(path) == name);
     let main = MAIN.iter().find_map(|name| called(name));
     let only = sources.first().copied().filter(|_| sources.len() == 1);
@@ -207,14 +231,16 @@ fn programs(
             (Language::Python, None) => Vec::new(),
             _ => sources.into_iter().cloned().collect(),
         };
-        return vec![(sources, exercises.to_vec())];
+        apart.push((sources, exercises));
+        return apart;
     }
     let mut programs: BTreeMap<Vec<String>, Vec<&'static dyn Examiner>> = BTreeMap::new();
     for examiner in exercises {
-        let sources = file_of(*examiner).into_iter().cloned().collect();
-        programs.entry(sources).or_default().push(*examiner);
+        let sources = file_of(examiner).into_iter().cloned().collect();
+        programs.entry(sources).or_default().push(examiner);
     }
-    programs.into_iter().collect()
+    apart.extend(programs);
+    apart
 }
 
 /// The program that was built, or what the compiler said of the hand-in; what is no fault of the hand-in is trouble.

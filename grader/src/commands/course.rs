@@ -5,6 +5,7 @@ use raybook::store;
 use raybook_chapters::kit::say::say;
 use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_grader::class::course::{Course, template};
+use raybook_grader::examine::visible_rng;
 use std::path::{Path, PathBuf};
 
 /// The file that says what a course grades.
@@ -52,7 +53,14 @@ impl CourseFile {
                     file.shell()
                 ));
             }
-            Self::Show { file } => tell(&read(file)?),
+            Self::Show { file } => {
+                let course = read(file)?;
+                // The instructor's program is tried, too: better now than when a class waits.
+                for examiner in &course.own.exercises {
+                    examiner.try_cases(&mut visible_rng(examiner.name()))?;
+                }
+                tell(&course);
+            }
         }
         Ok(true)
     }
@@ -78,11 +86,11 @@ fn tell(course: &Course) {
         } else {
             format!(", times {}", plan.weight)
         };
-        say(format!(
-            "{:2} {}{weight}{due}",
-            plan.chapter.number(),
-            plan.chapter.title
-        ));
+        let number = match plan.chapter.number() {
+            0 => String::new(),
+            number => number.to_string(),
+        };
+        say(format!("{number:>2} {}{weight}{due}", plan.chapter.title));
         for exercise in &plan.exercises {
             let bonus = if exercise.bonus { " (bonus)" } else { "" };
             say(format!(

@@ -64,6 +64,7 @@ impl Grade {
         let examiners = self.golden.replace(course.examiners())?;
         let unreadable = [&self.key_file, &self.course].into_iter().cloned();
         let unreadable = unreadable.chain(self.golden.folder().map(Path::to_owned));
+        let unreadable = unreadable.chain(course.own.folders.iter().cloned());
         let mut sandbox = Sandbox::new(unreadable)?;
         sandbox.allowance.memory = course.limits.memory;
         let exercises = u32::try_from(examiners.len()).unwrap_or(u32::MAX);
@@ -79,7 +80,7 @@ impl Grade {
             ));
         }
         let hand_ins = self.read(&course)?;
-        let exam = Exam::new(&course, &examiners, &key);
+        let exam = Exam::new(&course, &examiners, &key)?;
         let of_exam = told
             .records
             .iter()
@@ -217,7 +218,8 @@ impl Grade {
     fn read(&self, course: &Course) -> Result<Vec<HandIn>, Box<dyn Error>> {
         let beside = [&self.out, &self.course, &self.key_file]
             .into_iter()
-            .chain(&self.times);
+            .chain(&self.times)
+            .chain(&course.own.folders);
         let beside: Vec<_> = beside.filter_map(|path| path.canonicalize().ok()).collect();
         let listed = hand_in::list(&self.hand_ins, &beside)?;
         for other in &listed.others {

@@ -78,9 +78,21 @@ impl Pack {
     }
 }
 
+/// Reads a course file that is packed without what lies beside it.
+///
+/// # Errors
+/// If something in it is wrong, or it has exercises of the instructor's own.
+fn read_alone(file: &Path) -> Result<(), Box<dyn std::error::Error>> {
+    if let Some(folder) = super::course::read(file)?.own.folders.first() {
+        let [file, folder] = [file, folder].map(|path| Untrusted::from(path).to_string());
+        return Err(format!("{file}: the exercises of your own in {folder} are not packed; grade them with `raybook grade`, or on a cluster with `raybook pack slurm`").into());
+    }
+    Ok(())
+}
+
 impl Gradescope {
     fn run(&self) -> Done {
-        super::course::read(&self.course)?;
+        read_alone(&self.course)?;
         let key = super::hidden::read_key(&self.key_file)?;
         let raybook = store::read(&std::env::current_exe()?)?;
         let course = store::read(&self.course)?;
@@ -96,7 +108,7 @@ impl Gradescope {
 
 impl Github {
     fn run(&self) -> Done {
-        super::course::read(&self.course)?;
+        read_alone(&self.course)?;
         let raybook = store::read(&std::env::current_exe()?)?;
         let course = store::read(&self.course)?;
         github::repository(&self.folder, raybook, course, self.parts)?;

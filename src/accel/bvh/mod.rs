@@ -42,9 +42,16 @@ impl<S: Shape> Bvh<S> {
 
     /// A tree by a method of one's choice.
     pub fn build(shapes: Vec<S>, method: Method) -> Self {
+        Self::with_leaves(shapes, method, COST.most)
+    }
+
+    /// A tree whose leaves have at most `most` shapes each, and at least one. The surface-area heuristic makes smaller leaves
+    /// wherever that costs less.
+    pub fn with_leaves(shapes: Vec<S>, method: Method, most: u32) -> Self {
         let (shapes, unbounded) = bounded(shapes);
         let boxes = threads::list(shapes.len(), |i| shapes[i].bounds());
-        let flat = build(&boxes, method, &COST);
+        let most = most.max(1);
+        let flat = build(&boxes, method, &Cost { most, ..COST });
         Self {
             unbounded,
             ..Self::from_flat(flat, shapes)

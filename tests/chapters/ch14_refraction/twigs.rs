@@ -11,6 +11,7 @@ use raybook_chapters::shared::{ray_tree::Branch, ray_tree::Kind, ray_tree::grow}
 /// What the glass of the chapter's pictures is made of.
 const STUFF: Stuff = Stuff {
     index: 1.5,
+    liquid: 1.333,
     absorption: 1.0,
 };
 

@@ -98,6 +98,14 @@ fn a_class_is_graded() {
         page("wrong").contains("It seems that your function"),
         "the mistake is recognised"
     );
+    let is_drawn = |student: &str| {
+        let page = page(student);
+        page.contains("data:image/svg+xml")
+            && page.contains("<code>ray_at</code>: the first case that is wrong")
+    };
+    assert!(is_drawn("wrong"), "the first wrong visible case is drawn");
+    assert!(!is_drawn("memory"), "a hidden case never");
+    assert!(page("wrong").len() < 64 << 10, "and takes little room");
     assert!(
         page("broken").contains("undeclared_name"),
         "what the compiler said"

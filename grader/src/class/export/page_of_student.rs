@@ -1,12 +1,20 @@
-//! A student's page: points, and what is wrong, without a word about hidden cases. It needs no other file.
+//! A student's page: points, what is wrong, and drawings of the first wrong cases, without a word about hidden ones. It needs no
+//! other file.
 
 use super::words;
-use crate::class::grades::{ChapterGrade, Grade, points};
+use crate::cases;
+use crate::class::grades::{ChapterGrade, ExerciseGrade, Grade, points};
 use crate::class::record::Standing;
 use crate::class::roll::Class;
+use crate::explain::diagram::Diagram;
+use crate::explain::{Shown, find};
 use maud::{Markup, html};
-use raybook_chapters::kit::html;
 use raybook_chapters::kit::untrusted::Untrusted;
+use raybook_chapters::kit::{address, html};
+use std::panic::catch_unwind;
+
+/// The largest drawing, in bytes: a page is mailed and printed.
+const LARGEST: usize = 32 << 10;
 
 /// The page.
 pub fn page(class: &Class<'_>, grade: &Grade) -> String {
@@ -44,5 +52,35 @@ fn chapter_section(chapter: &ChapterGrade) -> Markup {
                 td style="text-align:left" { @for line in words(exercise).lines() { (Untrusted::from(line)) br; } }
             } }
         }))
+        @let drawn = chapter.exercises.iter().filter_map(|exercise| Some((exercise, drawing(exercise)?)));
+        @let drawn: Vec<_> = drawn.collect();
+        @if !drawn.is_empty() { div class="row" { @for (exercise, drawing) in &drawn { figure {
+            img src=(address::of_bytes("image/svg+xml", drawing.svg().as_bytes())) alt=(drawing.title);
+            figcaption { code { (exercise.counted.name) } ": the first case that is wrong, and what your function answers." }
+        } } } }
     } }
+}
+
+/// The drawing of the first wrong visible case of an exercise, where one says more than numbers.
+fn drawing(exercise: &ExerciseGrade) -> Option<Diagram> {
+    let [question, answer] = exercise.result.as_ref()?.shown.as_ref()?;
+    let (examiner, explainer) = (
+        cases::find(exercise.counted.name)?,
+        find(exercise.counted.name)?,
+    );
+    let question = examiner.asked().read_question(question).ok()?;
+    let right = examiner.reference(&question).ok()?;
+    let yours = examiner.asked().read_answer(answer).ok();
+    // An answer of a stranger's may be anything: no number in it may keep a class from its grades.
+    let drawing = catch_unwind(|| {
+        (explainer.draw)(Shown {
+            question: &question,
+            right: &right,
+            yours: yours.as_deref(),
+        })
+    });
+    drawing
+        .ok()
+        .flatten()
+        .filter(|drawing| drawing.svg().len() <= LARGEST)
 }

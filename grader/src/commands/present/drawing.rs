@@ -43,6 +43,20 @@ struct Going {
 /// Width and samples of the first, quick version of a picture.
 const QUICK: (u32, u32) = (240, 2);
 
+/// Width of the second version of a picture whose knobs were turned, where no width is wanted.
+const HALF: u32 = 480;
+
+/// How good a picture is.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Grade {
+    /// Small, with few samples: something to look at, at once.
+    Quick,
+    /// Half as wide, with all samples: a quarter of the time.
+    Half,
+    /// As the tour draws it.
+    Good,
+}
+
 /// How often it is looked whether a picture of a chapter that is being drawn is there.
 const PAUSE: Duration = Duration::from_millis(50);
 
@@ -55,8 +69,8 @@ enum What<'a> {
     Sketches,
     /// All its pictures, for good, as the tour does.
     Pictures,
-    /// One picture with knobs that were turned, small or not.
-    Turned(&'a [String], &'a str, bool),
+    /// One picture with knobs that were turned.
+    Turned(&'a [String], &'a str, Grade),
 }
 
 impl Studio {
@@ -85,7 +99,8 @@ impl Studio {
             .unwrap_or_else(|answer| answer)
     }
 
-    /// A picture of a chapter with its knobs as they are said; `quick=1` asks for a small one.
+    /// A picture of a chapter with its knobs as they are said; `quick=1` asks for a small one, and `half=1` for one that is half as
+    /// wide.
     pub(super) fn picture(
         self: &Arc<Self>,
         lesson: &'static Lesson,
@@ -96,7 +111,12 @@ impl Studio {
         if name.is_empty() || !name.chars().all(is_name) {
             return Answer::unknown();
         }
-        let quick = query.iter().any(|(name, _)| name == "quick");
+        let asks = |word: &str| query.iter().any(|(name, _)| name == word);
+        let grade = match (asks("quick"), asks("half")) {
+            (true, _) => Grade::Quick,
+            (_, true) => Grade::Half,
+            _ => Grade::Good,
+        };
         let turned = match turned(lesson, query) {
             Ok(turned) => turned,
             Err(why) => return Answer::wrong(&why),
@@ -106,7 +126,7 @@ impl Studio {
             let kept = self.options.out.join(&png);
             return match store::read(&kept) {
                 Ok(bytes) => Answer::png(bytes),
-                Err(_) if quick => read(&self.scratch("sketches").join(&png)),
+                Err(_) if grade == Grade::Quick => read(&self.scratch("sketches").join(&png)),
                 Err(_) => self.wait(lesson, &kept),
             };
         }
@@ -116,7 +136,7 @@ impl Studio {
             }
             _ => Answer::unknown(),
         };
-        self.draw(lesson, What::Turned(&turned, name, quick), told)
+        self.draw(lesson, What::Turned(&turned, name, grade), told)
             .unwrap_or_else(|answer| answer)
     }
 
@@ -211,8 +231,18 @@ impl Studio {
 
     fn stage(&self, lesson: &'static Lesson, what: What) -> Stage {
         let mut options = self.options.clone();
-        if matches!(what, What::First | What::Sketches | What::Turned(.., true)) {
-            (options.width, options.samples) = (Some(QUICK.0), Some(QUICK.1));
+        let grade = match what {
+            What::First | What::Sketches => Grade::Quick,
+            What::Pictures => Grade::Good,
+            What::Turned(.., grade) => grade,
+        };
+        match grade {
+            Grade::Quick => (options.width, options.samples) = (Some(QUICK.0), Some(QUICK.1)),
+            Grade::Half => {
+                let half = options.width.map_or(HALF, |width| (width / 2).max(8));
+                options.width = Some(half);
+            }
+            Grade::Good => {}
         }
         let stage = Stage::new(lesson.name, options, false, ProgressBar::hidden());
         let sketches = || self.scratch("sketches").join(lesson.name);
@@ -253,7 +283,7 @@ fn turned(lesson: &Lesson, query: &[(String, String)]) -> Result<Vec<String>, St
     };
     query
         .iter()
-        .filter(|(name, _)| name != "quick")
+        .filter(|(name, _)| name != "quick" && name != "half")
         .map(argument)
         .collect()
 }

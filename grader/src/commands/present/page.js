@@ -58,7 +58,7 @@ async function show() {
   const query = new URLSearchParams(words).toString();
   at("status").textContent = "drawing …";
   try {
-    for (const quick of ["quick=1", ""]) {
+    for (const quick of words.length ? ["quick=1", "half=1", ""] : ["quick=1", ""]) {
       if (!quick && !words.length) await rest(turn);
       if (turn !== wanted) return;
       const answer = await ask("picture/" + of + "/" + name + "?" + [query, quick].filter(Boolean).join("&"));
@@ -68,6 +68,7 @@ async function show() {
       const picture = URL.createObjectURL(await answer.blob()), before = at("picture").src;
       at("picture").src = picture;
       at("picture").className = quick ? "quick" : "";
+      if (quick === "half=1") at("status").textContent = "drawing in full …";
       if (before.startsWith("blob:")) URL.revokeObjectURL(before);
     }
     at("status").textContent = "";
@@ -114,6 +115,8 @@ function knobs() {
     input.addEventListener("input", () => {
       const read = String(input.read ? input.read() : input.value);
       if (read === "" || read === knob.default) delete turned[knob.name]; else turned[knob.name] = read;
+      // Of two knobs that exclude each other, the one that is turned counts.
+      for (const other of knob.instead) { delete turned[other]; place.querySelector(`[data-knob="${other}"]`).reset(); }
       say();
       clearTimeout(timer);
       timer = setTimeout(() => screens.length && show(), 120);
@@ -121,6 +124,8 @@ function knobs() {
     // After the mouse, keys step again; who came by keyboard goes on by keyboard.
     input.addEventListener(knob.kind === "choice" ? "change" : "pointerup", () => input.blur());
     input.dataset.knob = knob.name;
+    const untouched = input.value;
+    input.reset = () => { input.value = untouched; say(); };
     say();
     label.append(name, value, input, help);
     place.append(label);

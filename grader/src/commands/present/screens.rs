@@ -46,6 +46,7 @@ fn of_knob(knob: &Knob) -> Value {
     json!({
         "name": knob.name, "help": knob.help, "default": knob.default, "kind": kind,
         "least": least, "most": most, "unit": unit, "words": words,
+        "instead": knob.instead_of,
     })
 }
 

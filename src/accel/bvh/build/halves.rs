@@ -3,19 +3,21 @@
 use crate::accel::bvh::build::cost::Cost;
 use crate::accel::bvh::build::item::{Extent, Item};
 
-/// Splits by median and middle go on until so few shapes are left.
-const FEW: usize = 4;
+/// Whether a split without a heuristic goes on: until at most half as many items are left as a leaf may have.
+fn too_many(items: &[Item], cost: &Cost) -> bool {
+    2 * items.len() > cost.most as usize
+}
 
 /// Half of the items to each side, along the axis on which the centres are spread most.
-pub(super) fn median(items: &mut [Item], extent: &Extent, _cost: &Cost) -> Option<usize> {
-    (items.len() > FEW).then(|| halve(items, extent))
+pub(super) fn median(items: &mut [Item], extent: &Extent, cost: &Cost) -> Option<usize> {
+    too_many(items, cost).then(|| halve(items, extent))
 }
 
 /// Cuts the box of the centres in the middle of its longest axis.
-pub(super) fn middle(items: &mut [Item], extent: &Extent, _cost: &Cost) -> Option<usize> {
+pub(super) fn middle(items: &mut [Item], extent: &Extent, cost: &Cost) -> Option<usize> {
     let (axis, centers2) = (extent.widest(), &extent.centers2);
     let middle2 = 0.5 * (centers2.min[axis] + centers2.max[axis]);
-    (items.len() > FEW).then(|| partition(items, |item| item.center2_along(axis) < middle2))
+    too_many(items, cost).then(|| partition(items, |item| item.center2_along(axis) < middle2))
 }
 
 /// Splits the items by the median of their centres along their widest axis; equal centres go to either side.

@@ -80,6 +80,23 @@ pub fn figure() -> Figure {
     }])
 }
 
+/// The share of rays that seem to hit a triangle without area, whose two sides are the same, if nobody asks whether the determinant is
+/// larger than its rounding errors.
+pub fn false_hits() -> f64 {
+    let questions = questions(100_000, &mut pcg::stream(6, 1));
+    let is_hit = |(triangle, ray): &&Question| {
+        let [e1, e2] = [triangle.e1; 2];
+        let (s1, s) = (ray.direction.cross(e2), ray.origin - triangle.p0);
+        let (s2, determinant) = (s.cross(e1), s1.dot(e1));
+        let t = s2.dot(e2) / determinant;
+        let b1 = s1.dot(s) / determinant;
+        let b2 = s2.dot(*ray.direction) / determinant;
+        b1 >= 0.0 && b2 >= 0.0 && b1 + b2 <= 1.0 && Interval::AHEAD.contains(t)
+    };
+    let hits = questions.iter().filter(is_hit);
+    hits.count() as f64 / questions.len() as f64
+}
+
 /// Whether two answers are the same, but for rounding.
 fn same(a: Option<Hit>, b: Option<Hit>) -> bool {
     /// Relative: a triangle that the ray grazes loses a few digits.

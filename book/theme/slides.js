@@ -4,7 +4,7 @@
 (() => {
   "use strict";
   const main = document.querySelector("main"), root = document.documentElement;
-  const ALONE = "figure, .tabs, table, .katex-display"; // each has a screen of its own, below its heading
+  const ALONE = "figure:has(img, svg), .tabs, table"; // each has a screen of its own, below its heading and at most a few lines
   let screens = [], at = 0;
 
   // The parts of the page: its blocks, and each card of a gallery.
@@ -23,13 +23,11 @@
       if (!height(part)) continue;
       const level = /^H[1-3]$/.test(part.tagName) && Number(part.tagName[1]);
       if (level) {
-        if (shown.length || headings.length && level <= Number(headings.at(-1).tagName[1]) && !cuts.some(cut => cut.includes(headings.at(-1)))) {
-          if (shown.length) close(); else cuts.push([...headings]);
-        }
-        headings = level === 1 ? [part] : [...headings.filter(heading => heading.tagName[1] > 1 && heading.tagName[1] < level), part];
-      } else if (part.matches(ALONE) && !part.matches(".katex-display")) {
         close();
-        shown = [part];
+        headings = level === 1 ? [part] : [...headings.filter(heading => heading.tagName[1] > 1 && heading.tagName[1] < level), part];
+      } else if (part.matches(ALONE)) {
+        if (taken > innerHeight / 5) close();
+        shown.push(part);
         close();
       } else {
         if (taken + height(part) > free()) close();

@@ -50,30 +50,24 @@ fn parameters(command: &Command) -> Markup {
     html! {
         @if arguments().next().is_some() {
             table class="parameters" { tbody {
-                @for argument in arguments() { tr { td { code { (written(argument)) } } td { (meaning(argument)) } } }
+                @for argument in arguments() { tr { td { code { (argument.to_string()) } } td { (meaning(argument)) } } }
             } }
         }
     }
 }
 
-/// A parameter as it is written: `--width <WIDTH>`.
-fn written(argument: &Arg) -> String {
-    argument.to_string()
-}
-
-/// What a parameter means, and what it is if nobody says it.
-fn meaning(argument: &Arg) -> String {
-    let help = argument
-        .get_help()
-        .map(ToString::to_string)
-        .unwrap_or_default();
-    let defaults: Vec<_> = argument
-        .get_default_values()
-        .iter()
-        .map(|value| value.to_string_lossy())
-        .collect();
-    if defaults.is_empty() || argument.is_hide_default_value_set() {
-        return help;
+/// What a parameter means, and its value where nobody gives one.
+fn meaning(argument: &Arg) -> Markup {
+    let help = argument.get_help().map(ToString::to_string);
+    let help = help.unwrap_or_default();
+    let values = argument.get_default_values().iter();
+    let values: Vec<_> = values.map(|value| value.to_string_lossy()).collect();
+    let default = values.join(" ");
+    let is_told = argument.get_action().takes_values() && !argument.is_hide_default_value_set();
+    html! {
+        @for (i, part) in help.split('`').enumerate() {
+            @if i % 2 == 0 { (part) } @else { code { (part) } }
+        }
+        @if is_told && !default.is_empty() { " (default: " code { (default) } ")" }
     }
-    format!("{help} (if you do not say it: {})", defaults.join(" "))
 }

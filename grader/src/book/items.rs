@@ -27,7 +27,7 @@ pub(super) struct Section {
 pub(super) struct Item {
     /// `Sphere`, `Sphere::new`, and with the name of its file, `sphere::hit`.
     pub(super) name: String,
-    /// Its declaration, on one line.
+    /// Its declaration, on one line; a method's with the name of its type.
     pub(super) declaration: String,
     /// The first paragraph of its comment.
     pub(super) says: String,
@@ -65,9 +65,13 @@ fn section(file: String, text: &str) -> Section {
         } else if let Some(words) = bare.strip_prefix("///") {
             comment.push(words);
         } else if let Some(declared) = declared(line, within.as_ref()) {
-            let declaration = declaration(bare, &mut lines);
+            let mut declaration = declaration(bare, &mut lines);
             let name = match &within {
-                Some(Within { name, .. }) if line.starts_with(' ') => format!("{name}::{declared}"),
+                Some(Within { name, .. }) if line.starts_with(' ') => {
+                    let name = format!("{name}::{declared}");
+                    declaration = declaration.replacen(&declared, &name, 1);
+                    name
+                }
                 _ if declared.starts_with(char::is_lowercase) => {
                     format!("{}::{declared}", stem(&file))
                 }
@@ -262,11 +266,11 @@ mod tests {
             ),
             (
                 "Ball::new",
-                "pub const fn new(radius: f32) -> Self",
+                "pub const fn Ball::new(radius: f32) -> Self",
                 "A `Ray`.",
             ),
             ("Shape", "pub trait Shape", ""),
-            ("Shape::hit", "fn hit(&self) -> bool", "Hits."),
+            ("Shape::hit", "fn Shape::hit(&self) -> bool", "Hits."),
             ("ball::roll", "pub fn roll<T>(ball: T)", "Rolls."),
             ("LARGEST", "pub const LARGEST: f32", ""),
         ];

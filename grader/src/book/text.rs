@@ -32,6 +32,9 @@ impl Links {
 /// The line with a link for each chapter that it names by its number, each work that it cites, and each name in back quotes, but for those in
 /// links, in headings and in HTML.
 pub(super) fn linked(page: &str, line: &str, links: &Links) -> String {
+    if line.starts_with("<figcaption>") {
+        return linked_html(page, line);
+    }
     if line.starts_with(['<', '#']) {
         return line.to_owned();
     }
@@ -42,7 +45,9 @@ pub(super) fn linked(page: &str, line: &str, links: &Links) -> String {
         let in_a_link = text.rfind('[') > text.rfind(']');
         let place = links.names.place(part).filter(|_| !in_a_link);
         match place {
-            _ if !is_code => link_part(page, &links.works.linked(part), &mut text),
+            _ if !is_code => {
+                text.push_str(&chapters_linked(page, &links.works.linked(part), markdown))
+            }
             _ if parts.peek().is_none() => text.extend(["`", part]), // it is not closed on this line
             Some(place) => text.extend(["[`", part, "`](", place, ")"]),
             None => text.extend(["`", part, "`"]),
@@ -51,9 +56,22 @@ pub(super) fn linked(page: &str, line: &str, links: &Links) -> String {
     text
 }
 
-/// Appends a part of a line without code.
-fn link_part(page: &str, part: &str, text: &mut String) {
-    let mut rest = part;
+/// A caption in HTML with a link for each chapter that it names.
+pub(super) fn linked_html(page: &str, caption: &str) -> String {
+    chapters_linked(page, caption, |words, to| {
+        let file = to.replacen(".md", ".html", 1);
+        html! { a href=(file) { (words) } }.into_string()
+    })
+}
+
+/// A link in Markdown.
+fn markdown(words: &str, to: &str) -> String {
+    format!("[{words}]({to})")
+}
+
+/// A text without code, where `link` makes a link of each chapter that it names: of the words, and of the chapter's page.
+fn chapters_linked(page: &str, part: &str, link: impl Fn(&str, &str) -> String) -> String {
+    let (mut text, mut rest) = (String::with_capacity(2 * part.len()), part);
     while let Some(at) = rest.find("hapter ") {
         let number = at + "hapter ".len();
         let digits = rest[number..].bytes().take_while(u8::is_ascii_digit);
@@ -66,15 +84,14 @@ fn link_part(page: &str, part: &str, text: &mut String) {
         let to = chapter.map(|chapter| format!("{}.md", chapter.name));
         match to {
             Some(to) if !in_a_link && to != page && rest[start..].starts_with(['c', 'C']) => {
-                let (before, chapter) = (&rest[..start], &rest[start..end]);
-                text.push_str(before);
-                text.extend(["[", chapter, "](", &to, ")"]);
+                text.push_str(&rest[..start]);
+                text.push_str(&link(&rest[start..end], &to));
             }
             _ => text.push_str(&rest[..end]),
         }
         rest = &rest[end..];
     }
-    text.push_str(rest);
+    text + rest
 }
 
 /// The place of a heading or a term on its page, as mdBook calls it.
@@ -144,6 +161,10 @@ mod tests {
             ("chapter 99, chapter one", "chapter 99, chapter one"),
             ("## chapter 3", "## chapter 3"),
             ("| chapter 3 |", "| [chapter 3](ch03_sphere.md) |"),
+            (
+                "<figcaption>Chapter 3</figcaption>",
+                "<figcaption><a href=\"ch03_sphere.html\">Chapter 3</a></figcaption>",
+            ),
         ] {
             let links = Links::of(&[], &Command::new("raybook"));
             assert_eq!(linked("ch04_plane.md", line, &links), expected);

@@ -50,14 +50,16 @@ pub(super) fn expand(page: &str, examiner: &dyn Examiner, links: &Links) -> Resu
     let mut text = format!("{}\n\n{task}\n\n", title.into_string());
     text.push_str(&tabs(name, &languages));
     text.push_str(&parameters(asked));
+    let place = format!(
+        "Write it in `{rust}` of a workbook in Rust, `{cpp}` in C++, `{python}` in Python (`raybook new my-rays --language cpp`)."
+    );
     let _ = write!(
         text,
-        "\n\nWrite it in `{rust}` of a workbook in Rust, `{cpp}` in C++, `{python}` in Python \
-         (`raybook new my-rays --language cpp`).\n\n\
-         ```sh\nraybook check {name}                        # in your workbook\n\
+        "\n\n{}\n\n```sh\nraybook check {name}                        # in your workbook\n\
          raybook check {name} --program ./answer     # a program in any language\n\
          raybook hint {name}\n```\n\n\
-         <details class=\"limits\"><summary>Limits</summary>\n\n"
+         <details class=\"limits\"><summary>Limits</summary>\n\n",
+        text::linked(page, &place, links)
     );
     for sentence in limits(examiner, &cases) {
         let _ = writeln!(text, "- {sentence}");

@@ -46,7 +46,8 @@ pub(super) fn linked(page: &str, line: &str, links: &Links) -> String {
         let place = links.names.place(part).filter(|_| !in_a_link);
         match place {
             _ if !is_code => {
-                text.push_str(&chapters_linked(page, &links.works.linked(part), markdown))
+                let cited = links.works.linked(part);
+                text.push_str(&chapters_linked(page, &cited, markdown));
             }
             _ if parts.peek().is_none() => text.extend(["`", part]), // it is not closed on this line
             Some(place) => text.extend(["[`", part, "`](", place, ")"]),

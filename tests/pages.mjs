@@ -84,6 +84,30 @@ copyFileSync(right, wrong);
 await page.waitForFunction(() => document.body.textContent.includes("sphere_hit: right"), { timeout: 120_000 });
 check(await page.evaluate(() => window.same), "the page is renewed without being loaded again");
 check(await page.$eval("#sphere_hit-0-slider", one => one.checked), "what was chosen stays");
+
+// Pages of the book as slides, by the keyboard alone: every part of the page is on one screen, and no screen is wider than the window.
+for (const other of others.filter(other => /\/book\/book\/ch/.test(other))) {
+  const { page, fault } = await open(`${pathToFileURL(other).href}?slides`, 1280, "light");
+  await page.waitForSelector(".slides");
+  const screens = Number((await page.$eval(".slide-number", one => one.value)).split(" / ")[1]);
+  await page.evaluate(() => { window.shown = new Map(); });
+  for (let screen = 1; screen <= screens; screen++) {
+    const wrong = await page.evaluate(screen => {
+      for (const part of document.querySelectorAll("main .on")) window.shown.set(part, [...window.shown.get(part) ?? [], screen]);
+      return document.querySelector(".slide-number").value.startsWith(`${screen} / `) ? document.documentElement.scrollWidth - innerWidth : "another number";
+    }, screen);
+    if (wrong) fault(`slide ${screen}: ${wrong} too wide`);
+    if (screen < screens) await page.keyboard.press("ArrowRight");
+  }
+  const lost = await page.evaluate(() => [...document.querySelectorAll("main > :not(.gallery), .gallery > *")]
+    .filter(part => part.textContent.trim() && (window.shown.get(part)?.length ?? 0) !== 1 && !/^H[1-3]$/.test(part.tagName)).map(part => part.outerHTML.slice(0, 80)));
+  if (lost.length) fault(`${lost.length} parts are on no slide, or on several: ${lost[0]}`);
+  await page.keyboard.press("Home");
+  if (!(await page.$eval(".slide-number", one => one.value)).startsWith("1 / ")) fault("Home does not lead to the first slide");
+  await page.keyboard.press("Escape");
+  if (await page.$eval("html", one => one.classList.contains("slides"))) fault("Escape does not lead back to the page");
+  await page.close();
+}
 await browser.close();
 
 for (const fault of new Set(faults)) console.error(fault);

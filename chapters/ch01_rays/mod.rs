@@ -39,14 +39,12 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     stage.picture(
         "picture",
         "The direction of every pixel's ray as a colour, under lines of equal azimuth and elevation every 10°; \
-         the horizon is the thickest. The lines are as far apart at the edges as in the middle, \
-         but the flat image plane stretches what it sees there.",
+         the horizon is the thickest. The angle between the lines is the same at the edges as in the middle, but the flat image plane stretches the picture at its edges.",
         &directions(&film, vec3(0.0, 0.3, 1.0), knobs.focal_length())?,
     )?;
     stage.diagram(
         "camera",
-        "The camera of this chapter: every ray starts at the focal point and leaves through the centre of a pixel; \
-         what it meets first gives the pixel its colour.",
+        "The camera of this chapter: every ray starts at the focal point and leaves through the centre of a pixel. The first object that the ray meets gives the pixel its colour.",
         &camera_diagram::draw()?,
     )?;
     let tile = Film {

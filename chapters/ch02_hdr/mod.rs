@@ -52,7 +52,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let room = format!("An evening room at {exposure} stops.").replace('-', "−");
     let (ends, toned) = match knobs.curve {
         Curve::Clamp => (
-            "The display clamps the sky at white; the EXR keeps it.",
+            "The display clamps the sky at white. The EXR file keeps the radiance of the sky.",
             picture,
         ),
         Curve::Reinhard => (
@@ -82,7 +82,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     ];
     stage.figure(
         "exposures",
-        "One radiance, six exposures: each shows what the others clamp to white or lose in black.",
+        "One picture of radiance at six exposures. Each exposure shows details that the others clamp to white or lose in black.",
         &sheet(3, &tiles)?,
     )?;
     let near = Film {
@@ -106,8 +106,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let tiles = tiles.map(|(name, tile)| (name, tile.enlarged(5)));
     stage.figure(
         "edges",
-        "The window's bars before the bright sky, pixel by pixel. The mean of the light is right, and has stairs; \
-         the mean of what is shown is wrong, and smooth.",
+        "The window's bars before the bright sky, pixel by pixel. The average of the light is right, and shows stairs. The average of the displayed values is wrong, and looks smooth.",
         &sheet(2, &tiles)?,
     )?;
 
@@ -119,13 +118,12 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     ];
     stage.figure(
         "tone",
-        "One exposure, three ways to end at white: clamping loses the sky, Reinhard's curve keeps it \
-         but pales, the film-like curve keeps the contrast and fades to white.",
+        "One exposure, three ways to end at white: clamping loses the sky; Reinhard's curve keeps the sky, but looks pale; the film-like curve keeps the contrast and fades to white.",
         &sheet(3, &tiles)?,
     )?;
     stage.diagram(
         "curves",
-        "What each of the three makes of a grey: the byte over the radiance in stops.",
+        "What each of the three tone curves makes of a grey: the byte of the file, over the radiance in stops.",
         &stops::curves()?,
     )?;
     let marks = [
@@ -137,7 +135,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let marks = marks.map(|(stops, name)| (stops + exposure, name));
     stage.diagram(
         "histogram",
-        "How many pixels are how bright: over more than twenty stops, of which a PNG holds the band.",
+        "The number of pixels at each brightness, over more than twenty stops. A PNG holds only the shaded band.",
         &stops::histogram(&picture, &marks)?,
     )
 }

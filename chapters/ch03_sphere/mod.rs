@@ -52,12 +52,12 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     stage.picture("picture", caption, &picture)?;
 
     let caption = "One sphere, three answers. The far root is the back: its normals point away from the eye. \
-        From inside, the near root is behind the eye, and the far one is what it sees.";
+        From inside, the near root is behind the eye, and the eye sees the far root.";
     stage.figure("roots", caption, &roots(stage.tile(3, 1.0))?)?;
 
     let caption = format!(
-        "A sphere with a radius of {} m through a telescope. Top: the schoolbook formula loses it as it moves away. \
-        Middle: counted from the closest point, nothing is lost. Bottom: a slanting ray is itself rounded.",
+        "A sphere with a radius of {} m through a telescope. Top: the schoolbook formula loses the sphere as the sphere moves away. \
+        Middle: counted from the closest point, nothing is lost. Bottom: along a slanting direction, the numbers of the ray itself are rounded.",
         knobs.sphere
     );
     let figure = cancellation::figure(stage.tile(5, 1.0), knobs.sphere)?;

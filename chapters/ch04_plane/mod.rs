@@ -53,8 +53,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let mut things: Vec<(&dyn Shape, Paint)> = vec![(&floor, &stone)];
     things.extend(balls.iter().map(|ball| (ball as _, &normal as _)));
     let picture = film.refine(|place, _| see(&camera.ray(place, Vec2::ZERO), &things));
-    let caption = "Tiles of one metre, out to the horizon, where haze hides that they are smaller than a pixel. \
-        Of a ray's hits, on the floor or a ball, the nearest is seen.";
+    let caption = "Tiles of one metre, out to the horizon. Haze hides the tiles that are smaller than a pixel. Each ray shows the nearest of its hits, on the floor or on a ball.";
     stage.picture("picture", caption, &picture)?;
 
     let caption = "Left: the distance t along each ray; every step of colour is a doubling, from 2 m to over 1 km. \

@@ -43,12 +43,10 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let caption = "More than two hundred boxes. The colour is the height of the box; the brightness tells which face was hit.";
     stage.picture("picture", caption, &picture)?;
 
-    let caption = "One box. Each ray is inside from t_near to t_far; yellow is farther. The way between is longest \
-        where the ray crosses from face to opposite face, and nothing at the silhouette.";
+    let caption = "One box. Each ray is inside from t_near to t_far; yellow is farther. The way inside is longest where the ray crosses from a face to the opposite face, and has no length at the silhouette.";
     stage.figure("inside", caption, &inside(&stage.tile(2, 1.5), walk)?)?;
 
-    let caption = "In the plane a box is two slabs. Each holds the ray between two distances t; \
-        the ray hits the box if these intervals overlap.";
+    let caption = "In the plane a box is two slabs. Each slab holds the part of the ray between two distances t. The ray hits the box if these intervals overlap.";
     stage.diagram("slabs", caption, &slabs::diagram()?)
 }
 

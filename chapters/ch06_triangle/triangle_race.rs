@@ -80,6 +80,28 @@ pub fn figure() -> Figure {
     }])
 }
 
+/// The share of rays that seem to hit a triangle without area, at whose two sides, which are the same, they are aimed, if nobody asks
+/// whether the determinant is larger than its rounding errors.
+pub fn false_hits() -> f64 {
+    let questions = questions(100_000, &mut pcg::stream(6, 1));
+    let mut along = pcg::stream(6, 2);
+    let is_hit = |(triangle, ray): &&Question| {
+        let (p0, e1, e2) = (triangle.p0, triangle.e1, triangle.e1);
+        let target = p0 + along.random::<f32>() * e1;
+        let Some(direction) = Dir3::new(target - ray.origin) else {
+            return false;
+        };
+        let (s1, s) = (direction.cross(e2), ray.origin - p0);
+        let (s2, determinant) = (s.cross(e1), s1.dot(e1));
+        let t = s2.dot(e2) / determinant;
+        let b1 = s1.dot(s) / determinant;
+        let b2 = s2.dot(*direction) / determinant;
+        b1 >= 0.0 && b2 >= 0.0 && b1 + b2 <= 1.0 && Interval::AHEAD.contains(t)
+    };
+    let hits = questions.iter().filter(is_hit);
+    hits.count() as f64 / questions.len() as f64
+}
+
 /// Whether two answers are the same, but for rounding.
 fn same(a: Option<Hit>, b: Option<Hit>) -> bool {
     /// Relative: a triangle that the ray grazes loses a few digits.

@@ -89,7 +89,7 @@ fn draw_mesh<'a>(stage: &'a Stage, mesh: &Mesh) -> Result<(Film<'a>, Image), Box
     let film = film(stage, mesh);
     let (main, tests) = picture(&film, mesh, showroom::SMOOTH);
     let caption = format!(
-        "A mesh of {triangles} triangles. Every ray that meets its box asks all of them: {} million tests.",
+        "A mesh of {triangles} triangles. Every ray that meets the mesh's box is tested against all triangles: {} million tests.",
         tests / 1_000_000
     );
     stage.picture("picture", &caption, &main)?;
@@ -102,7 +102,7 @@ fn draw_mesh<'a>(stage: &'a Stage, mesh: &Mesh) -> Result<(Film<'a>, Image), Box
     let film = showroom::small(&film);
     let tiles: Vec<_> = names.into_iter().zip(attributes(&film, mesh)).collect();
     let smooth = tiles[1].1.clone();
-    let caption = "The same triangles with the normal of each, with the vertices' normals interpolated, with those as colours, and with a checkerboard on the texture coordinates.";
+    let caption = "The same triangles four times: with the normal of each triangle, with interpolated vertex normals, with these normals as colours, and with a checkerboard on the texture coordinates.";
     stage.figure("attributes", caption, &sheet(2, &tiles)?)?;
     Ok((film, smooth))
 }

@@ -74,7 +74,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     });
     let cells = lattice(&grid).resolution;
     let caption = format!(
-        "{} triangles in a grid of {} × {} × {} cells. A list would ask each ray about all of them.",
+        "{} triangles in a grid of {} × {} × {} cells. A list would test each ray against all of them.",
         grouped(crowd.mesh.triangles().len() as f64),
         cells.x,
         cells.y,
@@ -82,17 +82,17 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     );
     stage.picture("picture", &caption, &picture)?;
 
-    let caption = "The cells through which a ray passes, numbered in their order up to the first hit. It tests only the triangles of these cells, two of six, and each once; the blue cells hold the others.";
+    let caption = "The cells through which a ray passes, numbered in their order up to the first hit. The ray is tested only against the triangles of these cells, two of six, and against each of them once. The blue cells hold the other four.";
     stage.diagram("walk", caption, &walk_figure::diagram()?)?;
 
     let small = showroom::small(&film);
     let heat = heat::heat(&small, |place| camera.ray_through(place), &grid);
-    let caption = "What each ray of the picture costs. Its cells are many and mostly empty; the triangles come at the end, around the hit.";
+    let caption = "What each ray of the picture costs. A ray visits many cells, and most of them are empty. The triangle tests come at the end, around the hit.";
     stage.figure("heat", caption, &heat.figure("cells visited")?)?;
 
     let costs = grid_costs::measure(&teapot::mesh(20));
     let caption = format!(
-        "The same rays in grids of more and more cells: fewer triangles are tested, more cells visited. The best of these grids answers {:.1} million rays per second and thread, here and now.",
+        "The same rays in grids of more and more cells: fewer triangles are tested, and more cells are visited. The best of these grids answers {:.1} million rays per second and thread, here and now.",
         grid_costs::rate(&costs) / 1e6
     );
     stage.diagram("resolution", &caption, &grid_costs::plot(&costs)?)?;
@@ -103,7 +103,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let stadium = stadium(4);
     let grid = grid_of(&stadium.mesh);
     let caption = format!(
-        "The teapot in the stadium. A cell is {:.1} m wide, so that the teapot and the camera are in the same one: every ray of the near view tests the whole teapot, even one that goes to the seats.",
+        "The teapot in the stadium. A cell is {:.1} m wide, so that the teapot and the camera are in the same cell: every ray of the near view tests the whole teapot, even one that goes to the seats.",
         lattice(&grid).cell.x
     );
     let tiles = stadium_figure::figure(&small, &stadium, &grid, "cells visited")?;

@@ -49,7 +49,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let camera = camera(film.aspect())?;
     let fine = two_levels(&stadium.mesh, density);
     let caption = format!(
-        "A teapot in a stadium of {triangles} triangles, and its shadow. A uniform grid has cells as large as suit the seats, and one or two of them hold all of the teapot."
+        "A teapot in a stadium of {triangles} triangles, and its shadow. The cells of a uniform grid have a size that suits the seats, and one or two of these cells hold the whole teapot."
     );
     let picture = film.refine(|place, _| {
         let ray = camera.ray_through(place);
@@ -63,7 +63,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     });
     stage.picture("picture", &caption, &picture)?;
 
-    let caption = "A two-level grid in the plane: thick lines part coarse cells, thin lines fine ones. Each coarse cell has as many fine ones as suit its discs, an empty one has none. The numbers are the ray's steps.";
+    let caption = "A two-level grid in the plane: thick lines part coarse cells, thin lines fine ones. The number of fine cells in a coarse cell depends on its discs; an empty coarse cell has none. The numbers are the ray's steps.";
     stage.diagram("walk", caption, &nested_cells::diagram()?)?;
 
     let tile = small(&film);
@@ -85,7 +85,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         &maps(&tile, &camera, &stadium, &grid, (density, &fine))?,
     )?;
 
-    let caption = "The same view with more and more coarse cells: each holds a smaller part of the teapot, but a ray walks through more of them. Where triangles are spread evenly, λ = 1/8 is best.";
+    let caption = "The same view with more and more coarse cells: each cell holds a smaller part of the teapot, but a ray walks through more cells. Where triangles are spread evenly, λ = 1/8 is best.";
     stage.diagram("densities", caption, &densities(&tiny, &camera, &stadium)?)
 }
 

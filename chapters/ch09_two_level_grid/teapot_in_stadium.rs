@@ -1,6 +1,6 @@
 //! The teapot in the stadium: who looks at it, what it looks like, and what each pixel costs.
 
-use crate::kit::chart::{Chart, Corner};
+use crate::kit::chart::{Chart, Corner, whole};
 use crate::kit::palette::{BLUE, VERMILION};
 use crate::kit::{axis::Axis, figure::Figure, sheet::Sheet};
 use crate::shared::heat::{Heat, heat, with_scale};
@@ -88,7 +88,7 @@ pub fn densities(film: &Film, camera: &Pinhole, stadium: &Stadium) -> Figure {
                     "1".to_owned()
                 }
             }),
-        Axis::linear(0.0..1.25 * highest).named("per ray").labels(6),
+        Axis::log(1.0..4.0 * highest).named("per ray").format(whole),
     )
     .titled("How many coarse cells?")
     .legend(Corner::UpperLeft);

@@ -76,7 +76,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         (name, photograph(&small(&film), &mesh, cells, Vec::new()))
     });
     let tiles = tiles.each_ref().map(|(name, tile)| (&**name, tile.clone()));
-    let caption = "The cells that are not empty, level by level. A surface goes through about four of a cell's eight children, so each level has four times as many.";
+    let caption = "The cells that are not empty, level by level. A surface goes through about four of a cell's eight children, so each level has about four times as many cells as the level above.";
     stage.figure("levels", caption, &sheet(2, &tiles)?)?;
 
     let caption = "A quad-tree, which is an octree in the plane: a ray visits the leaves in the order of their numbers, and passes by those that are empty.";

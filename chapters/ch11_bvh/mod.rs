@@ -71,28 +71,28 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         mountains::shade(&at, hit.t, in_sunlight)
     });
     let caption = format!(
-        "{} triangles in the evening sun. A ray looks at a few dozen of them, and so does the ray towards the sun from where it ends.",
+        "{} triangles in the evening sun. A ray is tested against a few dozen of them, and so is the shadow ray that goes from the hit towards the sun.",
         grouped(mesh.triangles().len() as f64)
     );
     stage.picture("picture", &caption, &picture)?;
     let caption = "The three stages: a box around each triangle, boxes around boxes, and the tree as an array without pointers.";
     stage.diagram("stages", caption, &three_stages::draw()?)?;
-    let caption = "Two trees over the same 22 triangles. In the left one, boxes are large, long and overlap; the cost says how much work that is.";
+    let caption = "Two trees over the same 22 triangles. In the left tree, the boxes are large and long, and they overlap. The cost tells how much work this means.";
     stage.diagram("organisations", caption, &flat_boxes::two_organisations()?)?;
     let teapot = teapot::mesh(24);
     let (builders, caption) = builders::figure(&teapot.facets())?;
     stage.diagram("builders", &caption, &builders)?;
-    let caption = "The work for a ray in a soup of triangles: a list asks all of them, a tree a number that grows with the logarithm.";
+    let caption = "The work for a ray in a soup of triangles: a list tests all triangles; with a tree, the number of tests grows with the logarithm of their number.";
     stage.diagram("growth", caption, &growth::list_and_tree()?)?;
     draw_teapot(&showroom::small(&film), stage, &teapot, &build(&teapot))
 }
 
 fn draw_teapot(film: &Film, stage: &Stage, mesh: &Mesh, tree: &Bvh<Facet>) -> Drawn {
     let room = Showroom::around(mesh, film.aspect());
-    let caption = "The boxes of some levels of the teapot's tree. The deeper they are, the closer they follow its shape.";
+    let caption = "The boxes of some levels of the teapot's tree. The deeper the level, the closer the boxes follow the shape of the teapot.";
     let figure = tree_levels::figure(film, &room, tree, &[2, 5, 8, 11])?;
     stage.figure("levels", caption, &figure)?;
-    let caption = "What each ray costs. The work is where rays pass close by the surface: they meet many boxes before they hit anything.";
+    let caption = "What each ray costs. The work is where rays pass close by the surface: these rays meet many boxes before they hit anything.";
     let heat = heat::heat(film, |place| room.ray(place), tree);
     stage.figure("heat", caption, &heat.figure("boxes tested")?)?;
 

@@ -61,7 +61,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         Blinn's with four times the exponent, which is about as large.";
     stage.picture("picture", caption, &sheet(4, &balls)?)?;
 
-    let caption = "How much of the light from the left a point sends where. In the plane of light and normal, Blinn's lobe with \
+    let caption = "The light comes from the left. The curves tell how much of it a point sends into each direction. In the plane of light and normal, Blinn's lobe with \
         four times the exponent is Phong's. Across that plane, under slanting light, it is much narrower.";
     stage.diagram(
         "lobes",

@@ -60,8 +60,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let above = Pinhole::look_at(from, to, Vec3::Y, 0.038, film.aspect())?;
     let view = photograph(&film, &above, &scene, depth);
     let tree = ray_tree::grow(&whitted(depth.min(5)), &scene, &camera.ray_through(PIXEL));
-    let caption = "The rays that answer for one pixel of the picture above, seen from above, and the tree of their questions. \
-        Each circle has the colour that its ray sees; the numbers are the surfaces.";
+    let caption = "The rays for one pixel of the picture, seen from above, and the same rays as a tree. Each circle has the colour that its ray sees; the numbers are the surfaces.";
     stage.figure(
         "tree",
         caption,
@@ -81,8 +80,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         ("11 reflections", 12),
     ];
     let tiles = tiles.map(|(name, depth)| (name, photograph(&film, &camera, &scene, depth)));
-    let caption = "Four mirror balls that touch, before coloured light. What the last surface that is followed would show is black; \
-        each reflection more fills in a part of it, a smaller one every time.";
+    let caption = "Four mirror balls that touch, before coloured light. Where no further surface is followed, the picture is black. Each additional reflection fills in a part of the black, a smaller part every time.";
     stage.figure("depth", caption, &sheet(3, &tiles)?)
 }
 

@@ -57,14 +57,12 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let film = stage.film_of(960, 9, 16.0 / 9.0);
     let picture = photograph(&film, &scene, glassware::VIEW, depth)?;
     let caption = "A ball of glass, one with a large bubble of air, one in a tank of water, and three of coloured glass: \
-        they mirror the window and show the floor, all but the bubble upside down.";
+        all of them mirror the window and show the floor. The floor is upside down in all of them but the bubble.";
     stage.picture("picture", caption, &picture)?;
 
-    let caption = "Beams into glass and out of it, each as wide as it is strong: what is reflected in vermilion, what goes \
-        through in blue. Out of glass at 55°, nothing goes through.";
+    let caption = "Beams into glass and out of it, each as wide as it is strong. The reflected light is vermilion, and the light that goes through is blue. Out of glass at 55°, nothing goes through.";
     stage.diagram("beams", caption, &refraction_fan::diagram()?)?;
-    let caption = "How much is reflected. At Brewster's angle, light that swings parallel to the plane of incidence is not; \
-        behind the critical angle, all light is.";
+    let caption = "The fraction of the light that is reflected. At Brewster's angle, light that is polarised parallel to the plane of incidence is not reflected at all. Beyond the critical angle, all light is reflected.";
     stage.diagram("fresnel", caption, &fresnel_plot::plot(knobs.index)?)?;
 
     let small = |columns, aspect| Film {
@@ -77,8 +75,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     for (name, scene) in glassware::nested(stuff) {
         tiles.push((name, photograph(&tile, &scene, close, depth)?));
     }
-    let caption = "A surface has a medium on either side. In water, a ball of glass is a weak lens; one that takes the water \
-        for air is a strong one.";
+    let caption = "A surface has a medium on either side. In water, a ball of glass is a weak lens. If the program takes the water for air, the ball is a strong lens, which is wrong.";
     stage.figure("nested", caption, &sheet(4, &tiles)?)?;
 
     let [(_, ball), ..] = glassware::nested(stuff);
@@ -91,7 +88,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
 
     let view = (vec3(0.5, 5.6, 8.6), vec3(0.5, 1.15, -0.2), 0.041);
     let sizes = photograph(&small(1, 2.4), &glassware::sizes(stuff), view, depth)?;
-    let caption = "The same green glass in balls of 40 cm to 3.2 m: on a way twice as long, what is left of the light is squared.";
+    let caption = "The same green glass in balls of 40 cm to 3.2 m: on a way twice as long, the fraction of the light that is left is squared.";
     stage.picture("absorption", caption, &sizes)
 }
 

@@ -50,7 +50,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let [from, to] = marbles::VIEW;
     let camera = Pinhole::look_at(from, to, Vec3::Y, 0.042, film.aspect())?;
     let scene = marbles::scene();
-    let caption = "The marbles of chapter 13 with two shadows each: one of the lamp, at the left, and one of the sun. \
+    let caption = "The marbles of chapter 13 with two shadows each: one from the lamp, at the left, and one from the sun. \
         Where both fall, only ambient light is left.";
     stage.picture(
         "picture",
@@ -73,11 +73,12 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         ("does not end at the lamp", &without_end),
     ];
     let tiles = ways.map(|(name, arrives)| (name, photograph(&film, &near, &roofed, arrives)));
-    let caption = "One lamp below a roof, and three wrong shadow rays. Many points of a ball are computed to lie inside of \
-        it, and are in its shadow. Rays that start too far off miss what stands close. Rays without an end are stopped behind the lamp.";
+    let caption = "One lamp below a roof, and three wrong shadow rays. Many points of a ball are computed to lie inside the ball, \
+        and so are in the shadow of the ball. Rays that start too far off miss objects that are close. \
+        Rays without an end are stopped by objects behind the lamp.";
     stage.figure("wrong", caption, &sheet(2, &tiles)?)?;
 
-    let caption = "A coarse teapot, low in the sun. Left, its facets show where light ends, for each is in its own shadow as a whole. \
+    let caption = "A coarse teapot, low in the sun. Left, the facets can be seen where the light ends, because each facet is in its own shadow as a whole. \
         Right, shadow rays start where the round surface would be.";
     stage.figure("terminator", caption, &stairs::figure(&tile, knobs.cells)?)?;
 
@@ -96,7 +97,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         &scene,
         &camera.ray_through(PIXEL),
     );
-    let caption = "The tree of chapter 13 again: now each ray to a light is a search, and what is in its way makes a shadow (purple).";
+    let caption = "The tree of chapter 13 again: now each ray to a light looks for obstacles, and an obstacle makes a shadow (purple).";
     stage.figure(
         "tree",
         caption,

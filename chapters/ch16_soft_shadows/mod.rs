@@ -55,7 +55,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let whitted = with_samples(knobs.rays);
     let picture = film.render(&camera, &Sampler::Refined, &whitted, &scene);
     let caption = format!(
-        "Under a square light of {} m, shadows are sharp near what throws them, and the softer the farther away they fall.",
+        "Under a square light of {} m, shadows are sharp near the object that casts them, and the softer the farther away they fall.",
         knobs.lamp
     );
     stage.picture("picture", &caption, &picture)?;
@@ -72,7 +72,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         let see = |place, rng: &mut Pcg| whitted.follow(&scene, &close.ray_through(place), rng);
         (name, one_ray.sample(see))
     });
-    let caption = "One, 4, 16 and 64 samples of the light per pixel: with four times as many, half the noise. It is coarsest where part of the light is seen, and there is none where nothing is.";
+    let caption = "One, 4, 16 and 64 samples of the light per pixel: four times as many samples halve the noise. The noise is strongest where a part of the light is seen, and there is none in the umbra, where no part is seen.";
     stage.figure("samples", caption, &sheet(4, &tiles)?)?;
 
     let lights: [(&str, Box<dyn Light>); 4] = [
@@ -91,7 +91,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
 
     let caption = "Where the umbra and the penumbra end follows from similar triangles (orange); the fraction of the light that is seen is measured by 2000 samples at each place (blue).";
     stage.diagram("penumbra", caption, &penumbra::diagram()?)?;
-    let caption = "The error of what arrives, against the number of samples: a straight line of slope −½. Samples by solid angle are better for a near light; about what is in the way they know no more.";
+    let caption = "The error of the irradiance, against the number of samples: a straight line of slope −½. Samples by solid angle are better for a near light. About obstacles they know no more than samples by area.";
     stage.diagram("error", caption, &light_error::plot()?)
 }
 

@@ -69,7 +69,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     };
     let picture = denoised(&film, &cornell_box, path);
     let caption = "The Cornell box. Red and green light on the white blocks has come from the walls; \
-        the ceiling gets no light from the lamp at all, only from the other surfaces. What noise is left, a filter has averaged.";
+        the ceiling gets no light from the lamp at all, only from the other surfaces. The remaining noise was averaged by a filter.";
     stage.picture("picture", caption, &picture)?;
 
     let few = Film {
@@ -87,7 +87,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     stage.figure("inter_reflections", caption, &sheet(2, &tiles)?)?;
 
     let caption = "A mirror and glass in the box. The bright spot below the glass ball is a caustic: light of the lamp that the glass has gathered. \
-        No ray to the lamp finds it, only the paths that happen to go through the glass; what very few paths find is left out.";
+        No ray to the lamp finds this light, only paths that happen to go through the glass. Light that very few paths find is left out.";
     let film = stage.film_of(320, 80, 1.0);
     stage.figure(
         "caustic",
@@ -95,11 +95,11 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         &denoised(&film, &View::with_balls()?, ALL),
     )?;
 
-    let caption = "600 directions of the hemisphere, and their shadows on the surface. What arrives counts by its cosine, so directions near the horizon are hardly worth their time.";
+    let caption = "600 directions of the hemisphere, and their shadows on the surface. Light counts in proportion to its cosine, so directions near the horizon are hardly worth their time.";
     stage.diagram("hemisphere", caption, &domes::draw()?)?;
 
     let caption = "Four plates, smooth behind and rough in front, mirror four lamps, small at the left and large at the right. \
-        The surface finds the large lamps and the light the small ones; weighted, each does what it can.";
+        Directions by the surface find the large lamps, and directions by the light find the small lamps. Both together, with weights, find all lamps.";
     let tile = stage.tile(3, 1.5);
     let tile = Film {
         samples: tile.samples.div_ceil(2),

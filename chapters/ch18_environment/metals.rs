@@ -1,16 +1,22 @@
 //! Metals, from smooth to rough, under one sky.
 
-use glam::{Vec3, vec3};
+use glam::{Vec3, vec2, vec3};
+use rand::RngExt;
 use raybook::camera::pinhole::{LookAtError, Pinhole};
 use raybook::image::Image;
 use raybook::light::Light;
+use raybook::material::Material;
 use raybook::material::conductor::{Conductor, Metal};
 use raybook::material::ggx::Ggx;
+use raybook::math::dir3::Dir3;
+use raybook::math::pcg;
 use raybook::render::film::Film;
 use raybook::render::mis::Strategy;
 use raybook::render::path::Path;
 use raybook::render::sampler::Sampler;
+use raybook::sample::hemisphere::cosine_hemisphere;
 use raybook::scene::world::{Scene, Thing};
+use raybook::shape::Surface;
 use raybook::shape::sphere::Sphere;
 
 /// The columns, from left to right.
@@ -45,4 +51,23 @@ pub(super) fn draw(film: &Film, sky: Box<dyn Light>, alpha: f32) -> Result<Image
         strategy: Strategy::Both,
     };
     Ok(film.render(&camera, &Sampler::Even, &path, &scene))
+}
+
+/// The share of the light that a rough metal of this α sends on, against the same metal with hardly any roughness, seen from all sides under an even sky.
+pub(super) fn kept(alpha: f32) -> f64 {
+    let sent = |alpha| {
+        let metal = Metal::SILVER;
+        let (rough, mut numbers) = (Ggx { metal, alpha }, pcg::stream(18, 2));
+        let at = Surface::flat(Vec3::ZERO, 0.0, Dir3::Y);
+        let mut two = || vec2(numbers.random(), numbers.random());
+        let estimates = (0..20_000).map(|_| {
+            let view = -cosine_hemisphere(Dir3::Y, two());
+            rough.scatter(&at, view, two()).map_or(0.0, |scattered| {
+                let cosine = scattered.toward.dot(Vec3::Y);
+                f64::from(scattered.f.luminance() * cosine / scattered.pdf)
+            })
+        });
+        estimates.sum::<f64>()
+    };
+    sent(alpha) / sent(0.01)
 }

@@ -70,7 +70,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         under(overcast)?,
         under(studio)?,
     ];
-    let caption = "Nothing shines here but the map: a clear day, a sunset, an overcast sky, a studio with two softboxes. What noise is left, a filter has averaged.";
+    let caption = "All light comes from the map: a clear day, a sunset, an overcast sky, a studio with two softboxes. The remaining noise was averaged by a filter.";
     stage.picture("picture", caption, &quarters(&lit))?;
 
     let caption = "The clear day in three layouts: latitude and longitude, a cube unfolded to a cross, and the angular map.";
@@ -86,8 +86,9 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let light = Box::new(Environment::new(studio.clone()));
     let metals = metals::draw(&film, light, knobs.roughness)?;
     let caption = format!(
-        "Gold, copper, silver and aluminium, each smooth and, below, with facets that scatter: α = 0.15 and {}.",
-        knobs.roughness
+        "Gold, copper, silver and aluminium, each smooth and, below, with facets that scatter: α = 0.15 and {0}. Rough silver with α = {0} sends on {1:.0} % of the light that smooth silver sends on.",
+        knobs.roughness,
+        100.0 * metals::kept(knobs.roughness)
     );
     stage.figure("metals", &caption, &metals.map(tone::aces))?;
 

@@ -72,12 +72,12 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let (f_number, blades) = (knobs.f_number(), knobs.blades);
     let red = knobs.focus.unwrap_or(distance(&body, POTS[1]));
     let caption = format!(
-        "A lens of 50 mm at f/{f_number}, focused at {red:.2} m. What is nearer or farther is blurred, and every lamp becomes the hole that {blades} blades leave open."
+        "A lens of 50 mm at f/{f_number}, focused at {red:.2} m. Objects that are nearer or farther are blurred, and every lamp becomes the hole that {blades} blades leave open."
     );
     let picture = photograph(&film, &through(&body, red, f_number, blades)?);
     stage.picture("picture", &caption, &picture)?;
 
-    let caption = "With few random points of the lens there is noise where the picture is blurred, and hardly any where it is sharp. Points that are spread evenly over the lens have less of it.";
+    let caption = "With few random points on the lens there is noise where the picture is blurred, and hardly any where the picture is sharp. Points that are spread evenly over the lens give less noise.";
     let figure = lens_samples::draw(&stage.tile(3, 1.6), &scene, &whitted)?;
     stage.figure("samples", caption, &figure)?;
 
@@ -87,7 +87,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         tiles.push((format!("f/{f_number}"), photograph(&tile, &camera)));
     }
     tiles[0].0 = String::from("a pin-hole: f/∞");
-    let caption = "The same focus with four apertures: the larger one blurs more. Through a pin-hole all is sharp, and a lamp is no larger than a pixel.";
+    let caption = "The same focus with four apertures: the larger one blurs more. Through a pin-hole everything is sharp, and a lamp is no larger than a pixel.";
     stage.figure("apertures", caption, &sheet(2, &named(&tiles))?)?;
 
     let (tile, mut tiles) = (stage.tile(4, 1.0), vec![]);
@@ -99,12 +99,12 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         let name = format!("{:.1} m", camera.lens.focus);
         tiles.push((name, photograph(&tile, &camera)));
     }
-    let caption = "A focus pull: the film moves towards the lens, and what is sharp moves away from it, from teapot to teapot, and to the lamps far behind.";
+    let caption = "A focus pull: as the film moves towards the lens, the plane in focus moves away from the lens, from teapot to teapot, and to the lamps far behind.";
     stage.figure("focus_pull", caption, &sheet(6, &named(&tiles))?)?;
 
     let caption = "Lamps out of focus, seen through a round hole and through 5, 6 and 8 blades.";
     stage.figure("bokeh", caption, &bokeh::draw(&stage.tile(4, 1.0))?)?;
-    let caption = "The circle of confusion of a 50 mm lens that is focused at 2 m. As long as it is smaller than a pixel, nobody sees it: the shaded ranges are the depth of field.";
+    let caption = "The circle of confusion of a 50 mm lens that is focused at 2 m. A circle that is smaller than a pixel cannot be seen: the shaded ranges are the depth of field.";
     stage.diagram("blur", caption, &blur_plot::plot()?)
 }
 

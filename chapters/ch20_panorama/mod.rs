@@ -64,11 +64,11 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let take = |film: &Film, rays: Rays| photograph(&scene, film, rays);
     let film = stage.film_of(960, 9, 2.0);
     let picture = take(&film, &|place| Some(camera.ray_through(place)));
-    let caption = "All that is seen from one point. The left and the right edge are one line, behind the viewer; all of the top edge is one point above, and all of the bottom edge one below.";
+    let caption = "Everything that is seen from one point. The left and the right edge are one line, behind the viewer. The whole top edge is a single direction, straight up, and the whole bottom edge is straight down.";
     stage.picture("picture", caption, &picture)?;
     let caption = "The same with the lines of latitude and longitude. Each disc has a radius of 6°: towards the poles the map stretches them.";
     stage.figure("graticule", caption, &labelled(&picture)?)?;
-    let caption = "The four beams are straight, and curves on the map. Prolonged for ever (dashed), a straight line is half of a great circle, and parallels meet at the horizon.";
+    let caption = "The four beams are straight in space and are curves on the map. Prolonged for ever (dashed), a straight line is half of a great circle, and parallels meet at the horizon.";
     let lines = with_lines(&picture, EYE, &BEAMS)?;
     stage.figure("lines", caption, &lines)?;
 
@@ -77,9 +77,9 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         samples,
         ..stage.tile(columns, aspect)
     });
-    let caption = "A pin-hole camera keeps lines straight, and for that it stretches what is far from the middle, without limit towards 180°. Each disc has a radius of 6°.";
+    let caption = "A pin-hole camera keeps lines straight. In return it stretches objects far from the middle, without limit towards 180°. Each disc has a radius of 6°.";
     stage.figure("pinhole", caption, &pinholes(&wide, EYE, take)?)?;
-    let caption = "Fisheyes: half of all directions in the four projections; nearly all, ahead, down and up. Each disc has a radius of 6°.";
+    let caption = "Fisheyes: half of all directions in the four projections; below, nearly all directions, with the camera looking ahead, down and up. Each disc has a radius of 6°.";
     stage.figure("fisheye", caption, &fisheyes(&square, EYE, take)?)?;
 
     let around = Environment::new(picture);

@@ -78,8 +78,7 @@ fn draw_before(stage: &Stage, knobs: &Knobs, sky: &(dyn Fn(Dir3) -> Rgb + Sync))
     let fan = fan(&camera, &film);
     let picture = film
         .refine(|place, _| hole.radiance_by(&fan, camera.ray_through(place).direction) * EXPOSURE);
-    let caption = "A black hole and a disc of hot gas. The arch above the shadow is the disc's far side, its light bent over the hole; \
-        the left side comes towards us, and is bluer and brighter.";
+    let caption = "A black hole and a disc of hot gas. The arch above the shadow is the far side of the disc, whose light is bent over the hole. The left side of the disc comes towards us, and is bluer and brighter.";
     stage.picture("picture", caption, &picture)?;
 
     let tile = |columns, aspect| Film {

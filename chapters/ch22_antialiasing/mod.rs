@@ -98,8 +98,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         filtered(&film, pattern, &filter, see)
     });
     let caption = format!(
-        "One picture, from left to right with one ray through the middle of each pixel, and with {} and {most} rays placed by {}. With one ray the far squares make a pattern that \
-        is not there, and the edges are stairs; the more rays, the more the squares melt into grey, as they should.",
+        "One picture, from left to right with one ray through the middle of each pixel, and with {} and {most} rays placed by {}. With one ray the far squares make a pattern that does not exist, and the edges are stairs. With more rays, the far squares melt into grey, as they should.",
         most.isqrt(),
         chosen.title
     );
@@ -112,8 +111,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         columns: 4,
     };
     let caption = format!(
-        "{} points in a pixel, placed in different ways. Random points crowd and leave gaps; all the others try not to, \
-        and differ in what else they give up.",
+        "{} points in a pixel, placed in different ways. Random points crowd and leave gaps. All other patterns avoid gaps, each at another price.",
         knobs.count
     );
     stage.diagram("patterns", &caption, &all.figure()?)?;
@@ -122,18 +120,15 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let named: Vec<_> = named.filter_map(find).map(Subject::of).collect();
     let tile = stage.tile(named.len() as u32, 1.0);
     let (columns, tiles) = sheets::zone_plates(&tile, &named, &[1, 4, 16]);
-    let caption = "Rings that become finer to the right and downwards, from one to sixteen samples. A grid shows rings that are not \
-        there, as bright as the true ones; randomness turns them into noise, and the better patterns leave little of both.";
+    let caption = "Rings that become finer to the right and downwards, from one to sixteen samples. A grid shows rings that do not exist, as bright as the true rings. Randomness turns the false rings into noise, and the better patterns leave little of both.";
     let figure = sheet(columns, &sheets::named(&tiles))?;
     stage.figure("zone_plates", caption, &figure)?;
 
-    let caption = "How far four samples are off, on average, when an edge at that angle passes through the pixel. The rotated grid is not better than \
-        the regular one in the mean, but its worst angles are away from the axes, where pictures have most of their edges.";
+    let caption = "The average error of four samples when an edge at this angle passes through the pixel. On average, the rotated grid is not better than the regular grid. But its worst angles are far from the axes, and most edges of pictures are close to the axes.";
     let figure = Polar::measure(&named[..5], 4, 100).figure()?;
     stage.diagram("edges", caption, &figure)?;
 
-    let caption = "The same sixteen samples a pixel, averaged by four filters: the wider ones see the neighbours' samples too. Below the \
-        filters themselves; Mitchell's goes below 0, which makes edges crisp.";
+    let caption = "The same sixteen samples a pixel, averaged by four filters: the wider filters use samples of the neighbouring pixels too. Below are the filters themselves. Mitchell's filter goes below 0, which makes edges crisp.";
     let figure = sheets::filters(&stage.tile(4, 1.0), jittered)?;
     stage.figure("filters", caption, &figure)
 }

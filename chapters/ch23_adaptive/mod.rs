@@ -6,7 +6,7 @@
 use crate::kit::chapter;
 use crate::kit::sheet::sheet;
 use crate::kit::stage::{Drawn, Stage};
-use crate::lab::adaptive_gain::{map, measure, spent};
+use crate::lab::adaptive_gain::{map, measure, outcome, spent};
 use crate::lab::plot::Plot as _;
 use clap::Args;
 use glam::Vec3;
@@ -62,7 +62,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let mean = film.samples.max(6).max(limits.first);
     let done = by_budget(&film, limits.first, mean, see);
     let caption = format!(
-        "The scene of chapter 22 with {} in the mean: {} at first, and the others where those differ.",
+        "The scene of chapter 22 with {} on average: {} at first, and further rays where these differ.",
         spent(&done),
         limits.first
     );
@@ -93,8 +93,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         .iter()
         .map(|(name, tile)| (name.as_str(), tile.clone()))
         .collect();
-    let caption = "Where the rays went, from dark blue for the fewest to yellow for the most. Contrast sees the dark squares' edges as well as the \
-        bright ones'; variance cares for what is bright; a budget spends what it is given.";
+    let caption = "The number of rays of each pixel, from dark blue for the fewest to yellow for the most. The contrast rule sees the edges of dark squares as well as \
+        those of bright squares; the rule of variance prefers bright edges; a budget spends exactly the rays that it is given.";
     stage.figure("spent", caption, &sheet(2, &tiles)?)?;
 
     let sobol = find("sobol-owen").ok_or("there is Sobol's pattern")?;
@@ -103,13 +103,12 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         height: 90,
         ..film
     };
-    let caption = "The error of the whole picture against the rays per pixel. With a budget, the same error costs half the rays. By contrast alone, \
-        pixels whose first four samples agree by chance stay wrong, however many the others get.";
-    stage.diagram(
-        "error",
-        caption,
-        &measure(&film, sobol, 256, &see).figure()?,
-    )
+    let plot = measure(&film, sobol, 256, &see);
+    let caption = format!(
+        "The error of the whole picture against the rays per pixel. {} Pixels whose first four samples agree by chance stay wrong, however many rays the others get.",
+        outcome(&plot)
+    );
+    stage.diagram("error", &caption, &plot.figure()?)
 }
 
 /// The chapter's binary.

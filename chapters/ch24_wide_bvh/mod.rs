@@ -64,9 +64,9 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     );
     stage.picture("picture", &caption, &picture)?;
 
-    let caption = "How a binary tree becomes a wide one. The branches in blue stay; those in white give way to their children, the largest first.";
+    let caption = "How a binary tree becomes a wide one. The blue branches stay. The white branches give way to their children, the largest branch first.";
     stage.diagram("collapse", caption, &wide_trees::draw()?)?;
-    let caption = "Eight boxes and one ray. All lanes do the same sums at once; where the largest distance of entry is below the least of leaving, the box is met. The turn says in which order.";
+    let caption = "Eight boxes and one ray. All lanes do the same sums at once; a box is met where the largest distance of entry is below the smallest distance of leaving. The column “turn” tells the order in which the boxes are visited.";
     stage.diagram("boxes", caption, &eight_boxes::draw()?)?;
 
     let mesh = &confetti.mesh;
@@ -78,13 +78,13 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         "rays from anywhere to anywhere, {} triangles",
         mesh.triangles().len()
     );
-    let caption = "What each step gives in time, measured when this figure was drawn: the wide tree with plain arithmetic, with vector instructions, and with sixteen rays that take turns.";
+    let caption = "The speed after each step, measured when this figure was drawn: the wide tree with plain arithmetic, with vector instructions, and with sixteen rays that take turns.";
     stage.diagram(
         "gain",
         caption,
         &wide_gain::gain(&rays, &two, &tree, &note)?,
     )?;
-    let caption = "What each ray of the camera costs, on the scale of the other structures' maps.";
+    let caption = "The work for each ray of the camera, on the same scale as the maps of the other structures.";
     let heat = heat::heat(&showroom::small(&film), |p| camera.ray_through(p), &tree);
     stage.figure("heat", caption, &heat.figure("nodes visited")?)
 }

@@ -74,7 +74,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let small = Film { samples, ..small };
     stage.figure(
         "mistakes",
-        "What a mistake looks like: the right picture, the wrong one with its error on a scale from 0 to 1, and where it is too bright (orange) or too dark (blue).",
+        "What a mistake looks like: the right picture; the wrong picture, with its error on a scale from 0 to 1; and the places where the wrong picture is too bright (orange) or too dark (blue).",
         &misread::sheet(&|staged, scene, depth| photograph(&small, staged, scene, depth))?,
     )
 }

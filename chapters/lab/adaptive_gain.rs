@@ -68,7 +68,67 @@ pub fn measure(
     }
 }
 
+/// What the curves of [`measure`] say, in words: which share of the rays a budget needs for the error of 16 rays everywhere, and from how many
+/// rays on the contrast rule is worse than the same number everywhere.
+pub fn outcome(plot: &ErrorPlot) -> String {
+    let [same, budget, contrast] = [0, 1, 2].map(|i| &plot.curves[i].errors[..]);
+    let with_16 = error_at(same, 16.0);
+    // The rays of a curve at this error; the curve falls.
+    let rays = (32..=160).map(|tenths| 0.125 * f64::from(tenths));
+    let enough = rays.clone().find(|&n| error_at(budget, n) <= with_16);
+    let worse = rays
+        .clone()
+        .find(|&n| error_at(contrast, n) > error_at(same, n));
+    let share = enough.map(|n| {
+        let percent = 100.0 * n / 16.0;
+        format!("With a budget, {percent:.0} % of the rays give the error of 16 rays everywhere.")
+    });
+    let worse = worse.map(|n| {
+        format!("By contrast alone, the error is larger than that of the same number of rays everywhere, from {n:.0} rays on.")
+    });
+    share.into_iter().chain(worse).collect::<Vec<_>>().join(" ")
+}
+
+/// The error of a curve at `n` rays, on the straight lines between its points where both axes are logarithmic; beyond its ends, the error of the end.
+fn error_at(errors: &[Error], n: f64) -> f64 {
+    let between = errors.windows(2).find(|pair| n <= pair[1].n as f64);
+    let Some([left, right]) = between else {
+        return errors.last().map_or(f64::INFINITY, |last| last.rms);
+    };
+    let along = (n / left.n as f64).ln() / (right.n as f64 / left.n as f64).ln();
+    left.rms * (right.rms / left.rms).powf(along.clamp(0.0, 1.0))
+}
+
 /// The rays that a pixel got, as text for a caption: "7.3 rays per pixel".
 pub fn spent(done: &Adaptive) -> String {
     format!("{:.1} rays per pixel", done.mean())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_outcome_is_read_off_the_curves() {
+        let curve = |points: [(usize, f64); 2]| Curve {
+            key: String::new(),
+            title: String::new(),
+            pen: pen(0),
+            errors: points.map(|(n, error)| Error::exactly(n, error)).to_vec(),
+        };
+        let plot = ErrorPlot {
+            title: String::new(),
+            // The errors are 1/n, 0.5/n, and the same 1/8 for any n.
+            curves: vec![
+                curve([(4, 0.25), (32, 0.03125)]),
+                curve([(4, 0.125), (32, 0.015_625)]),
+                curve([(4, 0.125), (32, 0.125)]),
+            ],
+        };
+        assert_eq!(
+            outcome(&plot),
+            "With a budget, 50 % of the rays give the error of 16 rays everywhere. By contrast alone, the error is larger than that of \
+             the same number of rays everywhere, from 8 rays on."
+        );
+    }
 }

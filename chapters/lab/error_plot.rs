@@ -130,13 +130,10 @@ impl Plot for ErrorPlot {
         }
         let (plot, beside) = canvas.split_horizontally(PLOT);
         chart.draw(&plot)?;
-        legend::draw(
-            &beside,
-            (10, 50),
-            &["slope from 64 on"],
-            &[SLOPES],
-            &self.entries(),
-        )
+        let entries = self.entries();
+        let has_slopes = entries.iter().any(|(_, _, slope)| !slope[0].is_empty());
+        let head = if has_slopes { "slope from 64 on" } else { "" };
+        legend::draw(&beside, (10, 50), &[head], &[SLOPES], &entries)
     }
 
     fn csv(&self) -> String {

@@ -2,7 +2,7 @@
 
 mod commands;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 use raybook_chapters::kit::chapter::{report, said_all};
 use raybook_grader::contain;
 use std::path::Path;
@@ -98,7 +98,7 @@ fn main() -> ExitCode {
         Some(Task::Pack(task)) => task.run(),
         Some(Task::Bless(task)) => task.run(),
         Some(Task::Book(task)) => task.run(),
-        Some(Task::Expand(task)) => task.run(),
+        Some(Task::Expand(task)) => task.run(Command::command()),
     };
     match done {
         Ok(true) => said_all(ExitCode::SUCCESS),

@@ -1,5 +1,6 @@
 //! The lessons of the course book: each has the same parts in the same order, and every directive in it can be expanded.
 
+use clap::Command;
 use raybook_common::project;
 use raybook_grader::book::{Book, BookError, Page, WIDEST};
 use raybook_grader::cases;
@@ -72,6 +73,7 @@ fn every_directive_can_be_expanded_and_every_listing_fits() {
     let book = Book {
         pictures: pictures.path().to_owned(),
         pages: pages().into_iter().map(read).collect(),
+        command: Command::new("raybook"),
     };
     for Page { name: page, text } in &book.pages {
         let source = without_galleries(text);
@@ -143,6 +145,8 @@ fn a_wrong_directive_is_an_error_with_its_line() {
         ("{{reference nothing}}", "no exercise"),
         ("{{path 1 12}}", "chapter 12 (Phong) needs chapter 2"),
         ("{{index words.md}}", "no page words.md"),
+        ("{{library sources}}", "no files in `sources`"),
+        ("{{commands ray}}", "not `ray`"),
     ] {
         let error =
             book(Path::new("nowhere")).expand("ch03_sphere.md", &format!("one\ntwo\n{line}"));
@@ -157,6 +161,7 @@ fn book(pictures: &Path) -> Book {
     Book {
         pictures: pictures.to_owned(),
         pages: Vec::new(),
+        command: Command::new("raybook"),
     }
 }
 

@@ -3,7 +3,8 @@
 //! The tour writes its captions beside the pictures, so that gallery and book have one caption, and a caption may tell what the run
 //! has measured.
 
-use maud::html;
+use super::text;
+use maud::{PreEscaped, html};
 use raybook::store::{self, StoreError};
 use raybook_chapters::kit::stage::Output;
 use serde_json::{Map, Value};
@@ -11,6 +12,12 @@ use std::path::Path;
 
 /// The file in a chapter's folder of pictures that holds their captions, by the figures' names.
 pub const FIGURES: &str = "figures.json";
+
+/// The size of letters that can be read, in pixels of the page.
+const READABLE: f64 = 11.0;
+
+/// The name of a lesson's main picture, which has no letters.
+const PICTURE: &str = "picture";
 
 /// Writes the captions of a chapter's pictures into its folder.
 ///
@@ -41,16 +48,22 @@ pub(super) fn expand(page: &str, name: &str, alt: &str, pictures: &Path) -> Resu
     let here = page.strip_suffix(".md").unwrap_or(page);
     let (chapter, name) = name.split_once('/').unwrap_or((here, name));
     let caption = caption(&pictures.join(chapter), name)?;
-    let drawing = store::read_text(&pictures.join(chapter).join(format!("{name}.svg")));
-    let narrowest = drawing.as_deref().ok().and_then(narrowest);
-    let form = if narrowest.is_some() { "svg" } else { "png" };
+    let caption = text::linked_html(page, &html! { (caption) }.into_string());
+    let file = |form| pictures.join(chapter).join(format!("{name}.{form}"));
+    let drawing = store::read_text(&file("svg")).ok();
+    let drawing = drawing.as_deref().and_then(narrowest);
+    let sheet = store::read(&file("png")).ok().filter(|_| name != PICTURE);
+    let sheet = sheet.as_deref().and_then(narrowest_sheet);
+    let form = if drawing.is_some() { "svg" } else { "png" };
     let file = format!("pictures/{chapter}/{name}.{form}");
-    let class = narrowest.map(|_| "drawing");
-    let style = narrowest.map(|pixels| format!("--narrowest: {pixels}px"));
+    let class = drawing.map(|_| "drawing").or(sheet.map(|_| "sheet"));
+    let style = drawing
+        .or(sheet)
+        .map(|pixels| format!("--narrowest: {pixels}px"));
     let figure = html! {
         figure id={ "figure-" (name) } class=[class] style=[style] {
             a href=(file) { img src=(file) alt=(alt) loading="lazy"; }
-            figcaption { (caption) }
+            figcaption { (PreEscaped(caption)) }
         }
     };
     Ok(figure.into_string())
@@ -58,8 +71,6 @@ pub(super) fn expand(page: &str, name: &str, alt: &str, pictures: &Path) -> Resu
 
 /// The least width at which a drawing is shown, in pixels of the page, so that its smallest words can be read: on a narrower page, it is scrolled.
 fn narrowest(svg: &str) -> Option<u32> {
-    /// The size of letters that can be read, in pixels of the page.
-    const READABLE: f64 = 11.0;
     let [_, _, width, _] = *numbers(svg, "viewBox=\"")?.as_slice() else {
         return None;
     };
@@ -67,6 +78,13 @@ fn narrowest(svg: &str) -> Option<u32> {
     let letters = letters.filter_map(|rest| rest.split('"').next()?.parse::<f64>().ok());
     let smallest = letters.fold(f64::INFINITY, f64::min);
     Some((READABLE * width / smallest).ceil() as u32)
+}
+
+/// The least width at which pictures side by side are shown: their letters are a 54th of it ([`sheet`](raybook_chapters::kit::sheet::sheet)).
+/// No picture is made larger than it is.
+fn narrowest_sheet(png: &[u8]) -> Option<u32> {
+    let width = png.get(16..20)?.try_into().ok()?;
+    Some(u32::from_be_bytes(width).min(54 * READABLE as u32))
 }
 
 /// The numbers of an attribute.
@@ -116,6 +134,12 @@ mod tests {
         ] {
             assert!(drawing.contains(part), "{part} is in {drawing}");
         }
+        let png = [&[0; 16][..], &1000_u32.to_be_bytes()].concat();
+        for name in ["picture", "sheet"] {
+            store::write(&folder.join(format!("{name}.png")), &png).expect("it can be written");
+        }
+        let sheet = figure("sheet");
+        assert!(sheet.contains("class=\"sheet\"") && sheet.contains("--narrowest: 594px"));
         let picture = figure("picture");
         assert!(
             picture.contains("src=\"pictures/ch03_sphere/picture.png\"")

@@ -1,6 +1,7 @@
 //! `{{reference sphere_hit}}` and `{{listing src/shape/mod.rs:shape}}`: anchors of the library, whole.
 
 use super::fit::fit;
+use super::text::Links;
 use crate::library;
 use maud::html;
 use raybook_workbook::anchor;
@@ -9,14 +10,15 @@ use raybook_workbook::anchor;
 ///
 /// # Errors
 /// If there is no such exercise or anchor.
-pub(super) fn reference(name: &str) -> Result<String, String> {
+pub(super) fn reference(name: &str, links: &Links) -> Result<String, String> {
     let (file, text) = find(name)?;
     let what = name.rsplit(':').next().unwrap_or(name);
-    let summary = html! { "The reference of " code { (what) } ", in " code { (file) } };
+    let summary = html! { "The reference of " code { (what) } };
     Ok(format!(
-        "<details class=\"reference\"><summary>{}</summary>\n\n{}\n</details>",
+        "<details class=\"reference\"><summary>{}</summary>\n\n{}\n{}\n</details>",
         summary.into_string(),
-        fence(text)
+        fence(text),
+        named(&file, text, links)
     ))
 }
 
@@ -24,10 +26,9 @@ pub(super) fn reference(name: &str) -> Result<String, String> {
 ///
 /// # Errors
 /// If there is no such anchor.
-pub(super) fn open(name: &str) -> Result<String, String> {
+pub(super) fn open(name: &str, links: &Links) -> Result<String, String> {
     let (file, text) = find(name)?;
-    let caption = html! { p class="file" { code { (file) } } };
-    Ok(format!("{}\n\n{}", caption.into_string(), fence(text)))
+    Ok(format!("{}\n{}", fence(text), named(&file, text, links)))
 }
 
 /// The file and the text of an exercise's reference, or of `src/file.rs:anchor`.
@@ -49,9 +50,40 @@ fn find(name: &str) -> Result<(String, &'static str), String> {
     Ok((file.to_owned(), text))
 }
 
+/// The lines of a listing, as wide as a page.
+///
+/// # Errors
+/// If there is no such anchor.
+pub fn listing(name: &str) -> Result<String, String> {
+    Ok(fitted(find(name)?.1))
+}
+
+fn fitted(text: &str) -> String {
+    fit(&library::without_anchors(text))
+}
+
 fn fence(text: &str) -> String {
-    format!(
-        "```rust,noplayground\n{}```\n",
-        fit(&library::without_anchors(text))
-    )
+    format!("```rust,noplayground\n{}```\n", fitted(text))
+}
+
+/// Where a listing stands, and where the items of the library that occur in it are documented.
+fn named(file: &str, listing: &str, links: &Links) -> String {
+    let code = |name: &str| {
+        let place = links.names.place(name)?;
+        Some(format!("[`{name}`]({place})"))
+    };
+    let words = listing.split(|c: char| !c.is_alphanumeric() && !['_', ':'].contains(&c));
+    let words = words.map(|word| word.trim_matches(':'));
+    let mut names: Vec<_> = words
+        .filter(|word| word.starts_with(char::is_uppercase))
+        .collect();
+    names.sort_unstable();
+    names.dedup();
+    let names: Vec<_> = names.into_iter().filter_map(code).collect();
+    let file = code(file).unwrap_or_else(|| format!("`{file}`"));
+    if names.is_empty() {
+        format!("In {file}.\n")
+    } else {
+        format!("In {file}. Documented: {}.\n", names.join(", "))
+    }
 }

@@ -12,31 +12,38 @@
 //! | `{{mistakes sphere_hit}}` | the exercise's mistakes: name, message, answer, picture |
 //! | `{{path 1 2 3 12}}` | an order in which these lessons can be read, by what each of them needs |
 //! | `{{index glossary.md}}` | the terms of the glossary, with the pages on which each occurs |
+//! | `{{library src}}` | the library's files, with their public items |
+//! | `{{commands raybook}}` | the commands, with their parameters |
 //!
-//! Besides, `chapter 7` and `Kajiya 1986` in a text become links, and above a lesson stands how long it takes to read, and which lessons
-//! it needs.
+//! Besides, `chapter 7` and `Kajiya 1986` in a text become links, and so do names in back quotes: exercises, commands, files and items of the
+//! library. Above a lesson stands how long it takes to read, and which lessons it needs.
 
 mod citation;
+mod commands;
 mod directive;
 mod example;
 mod figure;
 mod fit;
 mod index;
+mod items;
 mod kept;
 mod listing;
 mod mistakes;
+mod names;
 mod order;
 mod text;
 mod turn;
 
 use crate::cases;
 use crate::examine::Examiner;
-use citation::Works;
+use clap::Command;
 use directive::Directive;
 use std::path::PathBuf;
+use text::Links;
 
 pub use figure::{FIGURES, write_captions};
 pub use fit::WIDEST;
+pub use listing::listing;
 
 /// What is wrong with a page, and where.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -64,8 +71,10 @@ pub struct Page {
 pub struct Book {
     /// The folder of the book's pictures: the captions are read from there, and the mistakes' pictures are written into it.
     pub pictures: PathBuf,
-    /// All pages, for the index and the citations.
+    /// All pages, for the index and the links.
     pub pages: Vec<Page>,
+    /// The command `raybook`, with its parameters.
+    pub command: Command,
 }
 
 impl Book {
@@ -74,7 +83,7 @@ impl Book {
     /// # Errors
     /// If a directive is wrong, or a picture cannot be written.
     pub fn expand(&self, page: &str, source: &str) -> Result<String, BookError> {
-        let works = Works::of(&self.pages);
+        let links = Links::of(&self.pages, &self.command);
         let mut expanded = String::with_capacity(2 * source.len());
         let mut fenced = false;
         for (line, number) in source.lines().zip(1..) {
@@ -86,13 +95,13 @@ impl Book {
             fenced ^= line.starts_with("```");
             match directive::read(line).map_err(at)? {
                 Some(directive) => {
-                    expanded.push_str(&self.become_text(page, &directive).map_err(at)?);
+                    expanded.push_str(&self.become_text(page, &directive, &links).map_err(at)?);
                 }
                 None if fenced => expanded.push_str(line),
                 None if page == citation::BIBLIOGRAPHY => {
                     expanded.push_str(&citation::with_place(line));
                 }
-                None => expanded.push_str(&text::linked(page, line, &works)),
+                None => expanded.push_str(&text::linked(page, line, &links)),
             }
             expanded.push('\n');
         }
@@ -100,19 +109,26 @@ impl Book {
     }
 
     /// What a directive becomes.
-    fn become_text(&self, page: &str, directive: &Directive<'_>) -> Result<String, String> {
+    fn become_text(
+        &self,
+        page: &str,
+        directive: &Directive<'_>,
+        links: &Links,
+    ) -> Result<String, String> {
         let Directive { word, name, rest } = *directive;
         match word {
             "figure" => figure::expand(page, name, rest, &self.pictures),
             "example" => example::expand(exercise(name)?, rest),
-            "turn" => turn::expand(exercise(name)?),
-            "reference" => listing::reference(name),
-            "listing" => listing::open(name),
+            "turn" => turn::expand(page, exercise(name)?, links),
+            "reference" => listing::reference(name, links),
+            "listing" => listing::open(name, links),
             "mistakes" => mistakes::expand(exercise(name)?, &self.pictures),
             "path" => order::expand(name),
             "index" => index::expand(name, &self.pages),
+            "library" => items::expand(page, name, links),
+            "commands" => commands::expand(name, &self.command),
             _ => Err(format!(
-                "there is no directive `{word}`; there are figure, example, turn, reference, listing, mistakes, path and index"
+                "there is no directive `{word}`; there are figure, example, turn, reference, listing, mistakes, path, index, library and commands"
             )),
         }
     }

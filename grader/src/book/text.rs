@@ -1,7 +1,9 @@
 //! What is done to the text of a page: links to chapters, how long it takes to read, and what it needs.
 
 use super::citation::Works;
-use super::order;
+use super::names::Names;
+use super::{Page, order};
+use clap::Command;
 use maud::html;
 use raybook_workbook::curriculum::CHAPTERS;
 
@@ -11,29 +13,66 @@ const WORDS_A_MINUTE: usize = 120;
 /// The heading by which a lesson is known.
 const YOUR_TURN: &str = "\n## Your turn\n";
 
-/// The line with a link for each chapter that it names by its number, and for each work that it cites, but for those in code, in links,
-/// in headings and in HTML.
-pub(super) fn linked(page: &str, line: &str, works: &Works) -> String {
-    if line.starts_with(['<', '#', '|']) {
+/// All that a text can name by a word of its own.
+pub(super) struct Links {
+    works: Works,
+    pub(super) names: Names,
+}
+
+impl Links {
+    /// The works, exercises, commands, files and items of a book with these pages.
+    pub(super) fn of(pages: &[Page], command: &Command) -> Self {
+        Self {
+            works: Works::of(pages),
+            names: Names::of(pages, command),
+        }
+    }
+}
+
+/// The line with a link for each chapter that it names by its number, each work that it cites, and each name in back quotes, but for those in
+/// links, in headings and in HTML.
+pub(super) fn linked(page: &str, line: &str, links: &Links) -> String {
+    if line.starts_with("<figcaption>") {
+        return linked_html(page, line);
+    }
+    if line.starts_with(['<', '#']) {
         return line.to_owned();
     }
     let mut text = String::with_capacity(2 * line.len());
-    for (i, part) in line.split('`').enumerate() {
-        if i > 0 {
-            text.push('`');
-        }
-        if i % 2 == 0 {
-            link_part(page, &works.linked(part), &mut text);
-        } else {
-            text.push_str(part);
+    let mut parts = line.split('`').enumerate().peekable();
+    while let Some((i, part)) = parts.next() {
+        let is_code = i % 2 == 1;
+        let in_a_link = text.rfind('[') > text.rfind(']');
+        let place = links.names.place(part).filter(|_| !in_a_link);
+        match place {
+            _ if !is_code => {
+                let cited = links.works.linked(part);
+                text.push_str(&chapters_linked(page, &cited, markdown));
+            }
+            _ if parts.peek().is_none() => text.extend(["`", part]), // it is not closed on this line
+            Some(place) => text.extend(["[`", part, "`](", place, ")"]),
+            None => text.extend(["`", part, "`"]),
         }
     }
     text
 }
 
-/// Appends a part of a line without code.
-fn link_part(page: &str, part: &str, text: &mut String) {
-    let mut rest = part;
+/// A caption in HTML with a link for each chapter that it names.
+pub(super) fn linked_html(page: &str, caption: &str) -> String {
+    chapters_linked(page, caption, |words, to| {
+        let file = to.replacen(".md", ".html", 1);
+        html! { a href=(file) { (words) } }.into_string()
+    })
+}
+
+/// A link in Markdown.
+fn markdown(words: &str, to: &str) -> String {
+    format!("[{words}]({to})")
+}
+
+/// A text without code, where `link` makes a link of each chapter that it names: of the words, and of the chapter's page.
+fn chapters_linked(page: &str, part: &str, link: impl Fn(&str, &str) -> String) -> String {
+    let (mut text, mut rest) = (String::with_capacity(2 * part.len()), part);
     while let Some(at) = rest.find("hapter ") {
         let number = at + "hapter ".len();
         let digits = rest[number..].bytes().take_while(u8::is_ascii_digit);
@@ -46,15 +85,14 @@ fn link_part(page: &str, part: &str, text: &mut String) {
         let to = chapter.map(|chapter| format!("{}.md", chapter.name));
         match to {
             Some(to) if !in_a_link && to != page && rest[start..].starts_with(['c', 'C']) => {
-                let (before, chapter) = (&rest[..start], &rest[start..end]);
-                text.push_str(before);
-                text.extend(["[", chapter, "](", &to, ")"]);
+                text.push_str(&rest[..start]);
+                text.push_str(&link(&rest[start..end], &to));
             }
             _ => text.push_str(&rest[..end]),
         }
         rest = &rest[end..];
     }
-    text.push_str(rest);
+    text + rest
 }
 
 /// The place of a heading or a term on its page, as mdBook calls it.
@@ -105,7 +143,9 @@ pub(super) fn with_head(page: &str, expanded: &str, source: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Works, linked};
+    use super::{Links, linked};
+    use crate::book::Page;
+    use clap::Command;
 
     #[test]
     fn chapters_are_linked_but_for_this_one_and_those_in_code_and_links() {
@@ -121,8 +161,47 @@ mod tests {
             ),
             ("chapter 99, chapter one", "chapter 99, chapter one"),
             ("## chapter 3", "## chapter 3"),
+            ("| chapter 3 |", "| [chapter 3](ch03_sphere.md) |"),
+            (
+                "<figcaption>Chapter 3</figcaption>",
+                "<figcaption><a href=\"ch03_sphere.html\">Chapter 3</a></figcaption>",
+            ),
         ] {
-            assert_eq!(linked("ch04_plane.md", line, &Works::of(&[])), expected);
+            let links = Links::of(&[], &Command::new("raybook"));
+            assert_eq!(linked("ch04_plane.md", line, &links), expected);
+        }
+    }
+
+    #[test]
+    fn names_in_back_quotes_are_linked_where_the_book_tells_of_them() {
+        let page = Page {
+            name: "ch03_sphere.md".to_owned(),
+            text: "{{turn sphere_hit}}\n".to_owned(),
+        };
+        let command = Command::new("raybook").subcommand(Command::new("check"));
+        let links = Links::of(&[page], &command);
+        for (line, expected) in [
+            (
+                "`sphere_hit`",
+                "[`sphere_hit`](ch03_sphere.md#turn-sphere_hit)",
+            ),
+            (
+                "in `Dir3::new(v)`",
+                "in [`Dir3::new(v)`](library.md#Dir3.new)",
+            ),
+            (
+                "`src/math/ray.rs`.",
+                "[`src/math/ray.rs`](library.md#src/math/ray.rs).",
+            ),
+            (
+                "`raybook check ch03`",
+                "[`raybook check ch03`](commands.md#check)",
+            ),
+            ("[the `Ray`](x.md)", "[the `Ray`](x.md)"),
+            ("`f32` and `radius`", "`f32` and `radius`"),
+            ("```", "```"),
+        ] {
+            assert_eq!(linked("why.md", line, &links), expected);
         }
     }
 }

@@ -1,6 +1,7 @@
 //! `{{turn sphere_hit}}`: what a student needs to write a function, in four languages.
 
 use super::fit::fit;
+use super::text::{self, Links};
 use crate::converse::Limits;
 use crate::describe::words;
 use crate::examine::{Examiner, visible_rng};
@@ -17,7 +18,7 @@ use std::fmt::Write;
 ///
 /// # Errors
 /// If the library has no function of this name.
-pub(super) fn expand(examiner: &dyn Examiner) -> Result<String, String> {
+pub(super) fn expand(page: &str, examiner: &dyn Examiner, links: &Links) -> Result<String, String> {
     let (asked, name) = (examiner.asked(), examiner.name());
     let function = library::function(name)
         .ok_or_else(|| format!("the library has no function between anchors `{name}`"))?;
@@ -45,17 +46,20 @@ pub(super) fn expand(examiner: &dyn Examiner) -> Result<String, String> {
     let [rust, cpp, python] = [Language::Rust, Language::Cpp, Language::Python]
         .map(|language| place(language, name).unwrap_or_default());
     let title = html! { h3 id={ "turn-" (name) } { code { (name) } } };
-    let mut text = format!("{}\n\n{}\n\n", title.into_string(), asked.task);
+    let task = text::linked(page, asked.task, links);
+    let mut text = format!("{}\n\n{task}\n\n", title.into_string());
     text.push_str(&tabs(name, &languages));
     text.push_str(&parameters(asked));
+    let place = format!(
+        "Write it in `{rust}` of a workbook in Rust, `{cpp}` in C++, `{python}` in Python (`raybook new my-rays --language cpp`)."
+    );
     let _ = write!(
         text,
-        "\n\nWrite it in `{rust}` of a workbook in Rust, `{cpp}` in C++, `{python}` in Python \
-         (`raybook new my-rays --language cpp`).\n\n\
-         ```sh\nraybook check {name}                        # in your workbook\n\
+        "\n\n{}\n\n```sh\nraybook check {name}                        # in your workbook\n\
          raybook check {name} --program ./answer     # a program in any language\n\
          raybook hint {name}\n```\n\n\
-         <details class=\"limits\"><summary>Limits</summary>\n\n"
+         <details class=\"limits\"><summary>Limits</summary>\n\n",
+        text::linked(page, &place, links)
     );
     for sentence in limits(examiner, &cases) {
         let _ = writeln!(text, "- {sentence}");

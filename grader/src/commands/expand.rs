@@ -4,7 +4,7 @@
 //! standard input, and reads the book from standard output.
 
 use super::Done;
-use clap::Args;
+use clap::{Args, Command};
 use raybook_chapters::kit::say::say;
 use raybook_grader::book::{self, Page};
 use serde_json::Value;
@@ -18,8 +18,8 @@ pub struct Expand {
 }
 
 impl Expand {
-    /// Reads the book, expands it, and writes it.
-    pub fn run(&self) -> Done {
+    /// Reads the book, expands it, and writes it; `command` is the whole of `raybook`.
+    pub fn run(&self, command: Command) -> Done {
         if !self.question.is_empty() {
             return Ok(self.question == ["supports", "html"]);
         }
@@ -38,6 +38,7 @@ impl Expand {
         let whole = book::Book {
             pictures: PathBuf::from(root).join("src/pictures"),
             pages,
+            command,
         };
         for item in items(&mut book) {
             expand_item(item, &whole)?;

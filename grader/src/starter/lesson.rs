@@ -4,7 +4,7 @@
 //! become their alternative texts, and formulas stay as they are typed.
 
 use super::StarterFile;
-use crate::book::{Book, BookError};
+use crate::book::{self, BookError};
 use crate::cases;
 use raybook_workbook::curriculum::{CHAPTERS, Chapter};
 use raybook_workbook::for_each_chapter;
@@ -68,7 +68,7 @@ fn text(chapter: &Chapter, page: &str) -> Result<String, BookError> {
                 line: number,
                 what,
             };
-            directive.text(chapter, line).map_err(wrong)?
+            directive.text(chapter).map_err(wrong)?
         } else if fenced {
             line.to_owned()
         } else {
@@ -105,7 +105,7 @@ fn directive(line: &str) -> Option<Directive<'_>> {
 
 impl Directive<'_> {
     /// What stands in the text for the directive of this line.
-    fn text(&self, chapter: &Chapter, line: &str) -> Result<String, String> {
+    fn text(&self, chapter: &Chapter) -> Result<String, String> {
         match self.word {
             "figure" => Ok(format!(
                 "> Picture `{}`: {} (`raybook tour --only ch{:02}` draws it.)",
@@ -116,19 +116,9 @@ impl Directive<'_> {
             "example" => example(self.name, self.rest),
             // A reference would be the answer to an exercise.
             "listing" => {
-                let page = format!("{}.md", chapter.name);
-                // A listing needs no other page, and no picture.
-                let book = Book {
-                    pictures: PathBuf::new(),
-                    pages: Vec::new(),
-                };
-                let listing = book.expand(&page, line).map_err(|error| error.what)?;
-                // The book's own marks around it are for browsers.
-                let (_, code) = listing.split_once("```").unwrap_or_default();
-                let code = code.split_once('\n').map_or("", |(_, code)| code);
-                let code = code.trim_end().trim_end_matches('`').trim_end();
+                let code = book::listing(self.name)?;
                 let file = self.name.split(':').next().unwrap_or_default();
-                Ok(format!("From `{file}`:\n\n```rust\n{code}\n```"))
+                Ok(format!("From `{file}`:\n\n```rust\n{code}```"))
             }
             _ => Ok(String::new()),
         }

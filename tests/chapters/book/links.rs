@@ -1,6 +1,7 @@
 //! Links between the book's pages, and the places to which they lead.
 
 use super::{page, pages};
+use raybook_common::project;
 use std::collections::BTreeSet;
 
 #[test]
@@ -35,6 +36,34 @@ fn a_link_that_leads_nowhere_is_noticed() {
     ] {
         assert_eq!(wrong("why.md", link).is_none(), right, "{link}");
     }
+}
+
+#[test]
+fn every_file_that_a_page_names_is_in_the_repository() {
+    const FOLDERS: [&str; 6] = [
+        "src/",
+        "tests/",
+        "chapters/",
+        "grader/",
+        "golden/",
+        "benches/",
+    ];
+    let mut found = 0;
+    for (name, text) in pages() {
+        let codes = text.split('`').skip(1).step_by(2);
+        let is_file = |code: &&str| {
+            FOLDERS.iter().any(|folder| code.starts_with(folder))
+                && !code.contains(char::is_whitespace)
+        };
+        for file in codes.filter(is_file) {
+            found += 1;
+            assert!(
+                project(file).exists(),
+                "book/src/{name}: there is no file `{file}`"
+            );
+        }
+    }
+    assert!(found >= 10, "files are named: {found}");
 }
 
 /// The links of a page to pages of the book.

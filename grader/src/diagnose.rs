@@ -82,8 +82,16 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
     let likely = spread::search(evidence, &readings);
     let seen = flaws::search(evidence);
     let is_certain = |found: &&Diagnosis| found.certain;
-    if let Some(found) = likely.iter().chain(&seen).find(is_certain) {
+    if let Some(found) = likely.iter().find(is_certain) {
         return Some(found.clone());
+    }
+    if let Some(found) = seen.iter().find(is_certain) {
+        // What is there to see, and what may have made it.
+        let mut found = found.clone();
+        let own = |likely: &&Diagnosis| is_own(evidence, likely) && likely.name != found.name;
+        let likely = likely.iter().find(own).cloned();
+        found.also.extend(likely);
+        return Some(found);
     }
     if let Some(found) = complete {
         return Some(found.told(evidence));
@@ -100,6 +108,12 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
         .or(parts)
         .or_else(|| in_cases(evidence, &readings))
         .or_else(|| flaws::of_some(evidence))
+}
+
+/// Whether it is a mistake of the exercise's own.
+fn is_own(evidence: &Evidence<'_>, diagnosis: &Diagnosis) -> bool {
+    let mut own = evidence.examiner.mistakes().into_iter();
+    own.any(|(name, _)| name == diagnosis.name)
 }
 
 /// A mistake in each of several parts.

@@ -160,6 +160,34 @@ impl Graded for VertexNormals {
                     .collect()
             },
         },
+        Mistake {
+            name: "keeps the first triangle's normal only",
+            hint: "A vertex belongs to several triangles: do you add to its sum, or leave it as soon as it has something?",
+            answer: |q| {
+                let mut normals = vec![Vec3::ZERO; q.positions.len()];
+                for (corners, twice_area) in faces(q, Vec3::cross) {
+                    for i in corners {
+                        if normals[i] == Vec3::ZERO {
+                            normals[i] = twice_area;
+                        }
+                    }
+                }
+                normals
+                    .into_iter()
+                    .map(|n| n.normalize_or(Vec3::Y))
+                    .collect()
+            },
+        },
+        Mistake {
+            name: "returns +z for a vertex without triangles",
+            hint: "What does the task say of a vertex that no triangle has? Which axis is up in this course?",
+            answer: |q| {
+                sums(q, Vec3::cross)
+                    .into_iter()
+                    .map(|sum| sum.normalize_or(Vec3::Z))
+                    .collect()
+            },
+        },
     ];
 }
 

@@ -110,6 +110,14 @@ impl Graded for SahCost {
                 weighted(&free(q, true), node_area, node_price) + q.branch * branches as f32 / root
             },
         },
+        Mistake {
+            name: "asks the first child of each branch twice, and the second never",
+            hint: "A branch has two children: which numbers have they?",
+            answer: |q| {
+                let root = q.nodes.first().map_or(1.0, node_area);
+                first_twice(q, 0) / root
+            },
+        },
     ];
 }
 
@@ -122,4 +130,17 @@ fn free(q: &SahCost, branches: bool) -> SahCost {
         q.shape = 0.0;
     }
     q
+}
+
+/// What a node and all below it cost, times the root's area, if each branch asks its first child for both.
+fn first_twice(q: &SahCost, node: usize) -> f32 {
+    let Some(node) = q.nodes.get(node) else {
+        return 0.0;
+    };
+    let own = node_area(node) * node_price(q, node);
+    if node.count > 0 {
+        own
+    } else {
+        own + 2.0 * first_twice(q, node.first as usize)
+    }
 }

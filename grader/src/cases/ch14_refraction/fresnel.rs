@@ -158,6 +158,34 @@ impl Graded for Fresnel {
                 )
             },
         },
+        Mistake {
+            name: "takes the geometric mean of Rs and Rp for R",
+            hint: "Unpolarised light is half of one kind and half of the other: what is the mean of both?",
+            answer: |q| {
+                let FresnelAnswer { rs, rp, .. } = Fresnel::answer(q);
+                FresnelAnswer {
+                    rs,
+                    rp,
+                    r: (rs * rp).sqrt(),
+                }
+            },
+        },
+        Mistake {
+            name: "returns Schlick's approximation for R, beside the exact Rs and Rp",
+            hint: "R is the mean of Rs and Rp: why approximate what you have?",
+            answer: |q| {
+                let FresnelAnswer { rs, rp, .. } = Fresnel::answer(q);
+                FresnelAnswer {
+                    rs,
+                    rp,
+                    r: fresnel::schlick(q.cos1, q.n1, q.n2).max(if cos2(q).is_some() {
+                        0.0
+                    } else {
+                        1.0
+                    }),
+                }
+            },
+        },
     ];
 }
 

@@ -123,7 +123,7 @@ impl Graded for VisibleFraction {
         Mistake {
             name: "asks for one diagonal of the light only",
             hint: "Does each sample have two random numbers of its own?",
-            answer: |q| seen(q, 16, |u| Vec2::splat(u.x), 1.0),
+            answer: |q| seen(q, 16, |u| Vec2::splat(u.x + (u.y - 0.5) / 16.0), 1.0),
         },
         Mistake {
             name: "asks for the four corners only",
@@ -193,6 +193,20 @@ impl Graded for VisibleFraction {
                 fractions
                     .reduce(|a, b| a.iter().zip(&b).map(|(a, b)| a.max(*b)).collect())
                     .unwrap_or_else(|| vec![0.0; q.points.len()])
+            },
+        },
+        Mistake {
+            name: "asks the first ball only",
+            hint: "Any of the balls may be in the way: do you ask them all?",
+            answer: |q| Self::misread(q, |q| q.balls.truncate(1)),
+        },
+        Mistake {
+            name: "asks the last ball only",
+            hint: "Any of the balls may be in the way: is the answer overwritten by each?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    q.balls = q.balls.last().cloned().into_iter().collect()
+                })
             },
         },
     ];

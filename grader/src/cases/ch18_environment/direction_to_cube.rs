@@ -134,6 +134,19 @@ impl Graded for DirectionToCube {
                 }
             },
         },
+        Mistake {
+            name: "exchanges the numbers of ceiling and floor",
+            hint: "Which number has the face +y, and which -y?",
+            answer: |q| {
+                let right = Self::answer(q);
+                let face = match right.face {
+                    2 => 3,
+                    3 => 2,
+                    face => face,
+                };
+                CubePlace { face, ..right }
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -197,6 +197,24 @@ impl Graded for EnvironmentPdf {
                 }
             },
         },
+        Mistake {
+            name: "takes the sine at a row's upper edge for the whole row",
+            hint: "How large is the solid angle of your first row?",
+            answer: |q| {
+                let (map, (x, y)) = (q.map(), q.texel());
+                let sine = |row: usize| (PI * row as f64 / f64::from(q.height)).sin();
+                let all = q.texels.iter().enumerate();
+                let sum: f64 = all
+                    .map(|(i, t)| f64::from(*t) * sine(i / q.width as usize))
+                    .sum();
+                let texel = 2.0 * PI * PI / f64::from(q.width * q.height);
+                if sum > 0.0 {
+                    (map.texel(x, y) / (sum * texel)) as f32
+                } else {
+                    0.0
+                }
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -92,6 +92,11 @@ impl Graded for GeodesicStep {
                 after(x + step * v, v)
             },
         },
+        Mistake {
+            name: "divides by the third power",
+            hint: "x/|x|⁵ has the length 1/|x|⁴: how long is yours at |x| = 2?",
+            answer: |q| pulled(q, |x, v| -1.5 * h2(x, v) * x / x.length().powi(3)),
+        },
     ];
 }
 

@@ -147,5 +147,16 @@ impl Graded for PixelAverage {
                 })
             },
         },
+        Mistake {
+            name: "takes x and y for their sizes, so that weights grow above 1 on one side",
+            hint: "Is a sample to the left of the centre worth as much as one equally far to its right?",
+            answer: |q| {
+                average(q, |s| {
+                    (1.0 - s.offset / q.radius)
+                        .max(Vec2::ZERO)
+                        .element_product()
+                })
+            },
+        },
     ];
 }

@@ -132,6 +132,16 @@ impl Graded for WideClosest {
             hint: "Boxes may overlap: can a triangle that is tested later be nearer?",
             answer: |q| search(q, |how| (how.shortens, how.keeps) = (false, Keeps::First)),
         },
+        Mistake {
+            name: "asks every box as if nothing had been hit yet",
+            hint: "Once something is hit, how far does the ray still have to be followed?",
+            answer: |q| search(q, |how| (how.shortens, how.drops) = (false, false)),
+        },
+        Mistake {
+            name: "counts each leaf as a node too",
+            hint: "What is counted as opened: nodes, or leaves as well?",
+            answer: |q| search_counting_leaves(q),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {
@@ -239,5 +249,15 @@ pub fn question(triangles: Vec<[Vec3; 3]>, ray: Ray, within: Interval) -> WideCl
             .into_iter()
             .map(|[p0, p1, p2]| Corners { p0, p1, p2 })
             .collect(),
+    }
+}
+
+/// A right search that counts the leaves that it looks into as nodes.
+fn search_counting_leaves(q: &WideClosest) -> WideClosestAnswer {
+    let found = with_tree(q, |tree| search::search(tree, &Node::Branch(0), |_| {}));
+    WideClosestAnswer {
+        nodes: found.branches + found.leaves,
+        tests: found.tests,
+        hit: found.hit,
     }
 }

@@ -47,6 +47,9 @@ pub struct Diagnosis {
 /// An explanation must give this share of the wrong answers.
 const MOST: f64 = 0.8;
 
+/// What is seen in single parts only must give this share of them.
+const SOME: f64 = 0.4;
+
 /// The mistake whose answers these are.
 ///
 /// `answers` holds, for each case, what the student answered (`None` for no answer) and whether it was right.
@@ -98,7 +101,9 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
     }
     let parts = of_parts(evidence, &readings);
     let are_certain = parts.iter().all(|one| one.certain);
-    let parts = in_parts(parts);
+    let told: usize = parts.iter().map(|one| one.explained).sum();
+    let tells = told as f64 >= SOME * evidence.wrong as f64;
+    let parts = in_parts(parts).filter(|_| tells);
     parts
         .clone()
         .filter(|_| are_certain)

@@ -157,6 +157,11 @@ impl Graded for SolveQuadratic {
             hint: "The product of both roots is c/a: is yours?",
             answer: |q| stable(q, 1.0, 0.5),
         },
+        Mistake {
+            name: "takes b² − 2ac under the root",
+            hint: "Which number stands before ac in the discriminant? Check one of your roots.",
+            answer: |q| under(q, q.b * q.b - 2.0 * q.a * q.c),
+        },
     ];
 }
 

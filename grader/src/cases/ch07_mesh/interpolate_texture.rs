@@ -69,5 +69,10 @@ impl Graded for InterpolateTexture {
             hint: "The three weights add up to 1.",
             answer: |q| q.t0 + q.b.x * q.t1 + q.b.y * q.t2,
         },
+        Mistake {
+            name: "leaves b2 out of the first corner's weight",
+            hint: "The three weights add up to 1: do yours, where neither b1 nor b2 is 0?",
+            answer: |q| (1.0 - q.b.x) * q.t0 + q.b.x * q.t1 + q.b.y * q.t2,
+        },
     ];
 }

@@ -94,6 +94,15 @@ impl Graded for MeshHit {
                     .min_by(|a, b| a.t.total_cmp(&b.t))
             },
         },
+        Mistake {
+            name: "forgets the first triangle",
+            hint: "Where does your loop begin? Try a list of a single triangle.",
+            answer: |q| {
+                hits(q)
+                    .filter(|hit| hit.id > 0)
+                    .min_by(|a, b| a.t.total_cmp(&b.t))
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

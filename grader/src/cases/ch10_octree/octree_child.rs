@@ -86,6 +86,16 @@ impl Graded for OctreeChild {
             hint: "Which is the smallest number of a child?",
             answer: |q| OctreeChild::answer(q) + 1,
         },
+        Mistake {
+            name: "looks at x and z only",
+            hint: "A quad-tree has four children; how many has an octree?",
+            answer: |q| OctreeChild::answer(q) & 5,
+        },
+        Mistake {
+            name: "looks at y and z only",
+            hint: "A quad-tree has four children; how many has an octree?",
+            answer: |q| OctreeChild::answer(q) & 6,
+        },
     ];
 }
 

@@ -115,7 +115,15 @@ impl Graded for SahCost {
             hint: "A branch has two children: which numbers have they?",
             answer: |q| {
                 let root = q.nodes.first().map_or(1.0, node_area);
-                first_twice(q, 0) / root
+                first_times(q, 0, 2.0) / root
+            },
+        },
+        Mistake {
+            name: "leaves out the second child of each branch",
+            hint: "A branch has two children, side by side: which numbers have they?",
+            answer: |q| {
+                let root = q.nodes.first().map_or(1.0, node_area);
+                first_times(q, 0, 1.0) / root
             },
         },
     ];
@@ -132,8 +140,8 @@ fn free(q: &SahCost, branches: bool) -> SahCost {
     q
 }
 
-/// What a node and all below it cost, times the root's area, if each branch asks its first child for both.
-fn first_twice(q: &SahCost, node: usize) -> f32 {
+/// What a node and all below it cost, times the root's area, if each branch asks its first child only, and counts that some times.
+fn first_times(q: &SahCost, node: usize, times: f32) -> f32 {
     let Some(node) = q.nodes.get(node) else {
         return 0.0;
     };
@@ -141,6 +149,6 @@ fn first_twice(q: &SahCost, node: usize) -> f32 {
     if node.count > 0 {
         own
     } else {
-        own + 2.0 * first_twice(q, node.first as usize)
+        own + times * first_times(q, node.first as usize, times)
     }
 }

@@ -186,6 +186,16 @@ impl Graded for Fresnel {
                 }
             },
         },
+        Mistake {
+            name: "forgets the root in the cosine on the other side",
+            hint: "sin² + cos² = 1: what do you have when you take sin² from 1?",
+            answer: |q| {
+                cos2(q).map_or_else(
+                    || mean(1.0, 1.0),
+                    |cos2| shares(q.n1, q.cos1, q.n2, cos2 * cos2),
+                )
+            },
+        },
     ];
 }
 

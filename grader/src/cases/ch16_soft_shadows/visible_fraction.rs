@@ -209,6 +209,16 @@ impl Graded for VisibleFraction {
                 })
             },
         },
+        Mistake {
+            name: "forgets the last ball",
+            hint: "Where does your loop over the balls end?",
+            answer: |q| Self::misread(q, |q| drop(q.balls.pop())),
+        },
+        Mistake {
+            name: "asks for one half of the light only",
+            hint: "Which points of the light do the numbers from 0 to 1 reach, along each side?",
+            answer: |q| seen(q, 16, |u| Vec2::new(0.5 * u.x, u.y), 1.0),
+        },
     ];
 }
 

@@ -215,6 +215,19 @@ impl Graded for EnvironmentPdf {
                 }
             },
         },
+        Mistake {
+            name: "divides by the brightest texel",
+            hint: "A density's integral over all directions is 1: what is that of yours?",
+            answer: |q| {
+                let (map, (x, y)) = (q.map(), q.texel());
+                let most = q.texels.iter().copied().fold(0.0, f32::max);
+                if most > 0.0 {
+                    map.texel(x, y) as f32 / most
+                } else {
+                    0.0
+                }
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -192,6 +192,11 @@ impl Graded for ThinLensRay {
                 })
             },
         },
+        Mistake {
+            name: "counts the film from its middle, and not from its corner",
+            hint: "Which film is straight ahead of the lens: (0, 0), or (½, ½)?",
+            answer: |q| Self::misread(q, |q| q.film += 0.5),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -158,5 +158,15 @@ impl Graded for PixelAverage {
                 })
             },
         },
+        Mistake {
+            name: "squares the weights",
+            hint: "How much counts a sample half way to the edge: a half, or a quarter?",
+            answer: |q| average(q, |s| tent(q, s.offset).powi(2)),
+        },
+        Mistake {
+            name: "weighs by x only",
+            hint: "A sample far above the pixel: does it count?",
+            answer: |q| average(q, |s| (1.0 - s.offset.x.abs() / q.radius).max(0.0)),
+        },
     ];
 }

@@ -88,8 +88,8 @@ impl Graded for WideClosest {
             answer: |q| search(q, |how| how.order = Order::Stored),
         },
         Mistake {
-            name: "opens the farthest child first",
-            hint: "The last one on the stack is the first one off it: which one should that be?",
+            name: "opens the farthest child first, or asks every box as if nothing had been hit yet",
+            hint: "The last one on the stack is the first one off it: which one should that be? And once something is hit, how far does the ray still have to be followed?",
             answer: |q| search(q, |how| how.order = Order::Farthest),
         },
         Mistake {
@@ -131,11 +131,6 @@ impl Graded for WideClosest {
             name: "keeps the first hit that it finds",
             hint: "Boxes may overlap: can a triangle that is tested later be nearer?",
             answer: |q| search(q, |how| (how.shortens, how.keeps) = (false, Keeps::First)),
-        },
-        Mistake {
-            name: "asks every box as if nothing had been hit yet",
-            hint: "Once something is hit, how far does the ray still have to be followed?",
-            answer: |q| search(q, |how| (how.shortens, how.drops) = (false, false)),
         },
         Mistake {
             name: "counts each leaf as a node too",

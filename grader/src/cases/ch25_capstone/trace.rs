@@ -344,6 +344,31 @@ impl Graded for Trace {
             hint: "The direction's y goes from −1 to 1: from where to where must a share go?",
             answer: |q| answer(q, Slip::HeightAboveTheHorizon),
         },
+        Mistake {
+            name: "takes the lamp's intensity for a power, and divides by 4π",
+            hint: "The intensity is given per steradian already: is there a 4π left to divide by?",
+            answer: |q| answer(q, Slip::LampIsAPower),
+        },
+        Mistake {
+            name: "counts the lamps' light twice",
+            hint: "Which factor stands before the lamp's light?",
+            answer: |q| answer(q, Slip::LampsTwiceAsBright),
+        },
+        Mistake {
+            name: "mirrors half of the light in glass, whatever the angle",
+            hint: "Look straight into a window, and along it: do you see as much of yourself?",
+            answer: |q| answer(q, Slip::HalfMirrored),
+        },
+        Mistake {
+            name: "takes Rs for the share that glass mirrors",
+            hint: "Is lamplight polarised?",
+            answer: |q| answer(q, Slip::OnePolarisation),
+        },
+        Mistake {
+            name: "takes 1.5 for the index of any glass",
+            hint: "Each glass has an index of its own: where does it stand?",
+            answer: |q| answer(q, Slip::AlwaysCrownGlass),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[

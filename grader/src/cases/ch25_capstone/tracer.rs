@@ -11,6 +11,7 @@ use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
 use raybook::render::shadow::shadow_ray;
 use raybook::scene::description::{Backdrop, Description, Form, Matter, Object};
 use raybook::shape::{Hit, Shape, Surface, triangle::Triangle};
+use std::f32::consts::PI;
 
 /// A ray tracer, and what it does wrongly.
 pub struct Tracer<'a> {
@@ -59,11 +60,15 @@ impl Tracer<'_> {
                 }
             }
             Matter::Glass(clear) => {
+                let index = match self.slip {
+                    Slip::AlwaysCrownGlass => 1.5,
+                    _ => clear.index,
+                };
                 let entering = self.is(Slip::AlwaysEntering) || at.normal.dot(*ray.direction) < 0.0;
                 let (here, there) = if entering == self.is(Slip::IndexTurned) {
-                    (clear.index, 1.0)
+                    (index, 1.0)
                 } else {
-                    (1.0, clear.index)
+                    (1.0, index)
                 };
                 let mirrored = || see(reflect(ray.direction, normal));
                 let Some(refracted) = refract(ray.direction, normal, here, there) else {
@@ -81,6 +86,8 @@ impl Tracer<'_> {
                     Slip::FresnelBackwards => {
                         fresnel(ray.direction.dot(*normal), here, there).unpolarised
                     }
+                    Slip::HalfMirrored => 0.5,
+                    Slip::OnePolarisation => fresnel(-ray.direction.dot(*normal), here, there).s,
                     Slip::Schlick => schlick(-ray.direction.dot(*normal), here, there),
                     _ => fresnel(-ray.direction.dot(*normal), here, there).unpolarised,
                 };
@@ -148,6 +155,11 @@ impl Tracer<'_> {
             let mut light = lamp.sample(at.position, Vec2::ZERO)?;
             if self.is(Slip::NoFalloff) {
                 light.arriving = lamp.intensity;
+            }
+            match self.slip {
+                Slip::LampIsAPower => light.arriving = light.arriving / (4.0 * PI),
+                Slip::LampsTwiceAsBright => light.arriving = light.arriving * 2.0,
+                _ => {}
             }
             if self.is(Slip::FalloffByDistance) {
                 light.arriving = lamp.intensity / (lamp.position - at.position).length();

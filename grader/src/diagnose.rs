@@ -90,10 +90,20 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
     }
     if let Some(found) = seen.iter().find(is_certain) {
         // What is there to see, and what may have made it.
+        if !evidence.examiner.limits().slow {
+            let parts = of_parts(evidence, &readings);
+            if !parts.is_empty() && parts.iter().all(|one| one.certain) {
+                return in_parts(parts);
+            }
+        }
         let mut found = found.clone();
-        let own = |likely: &&Diagnosis| is_own(evidence, likely) && likely.name != found.name;
-        let likely = likely.iter().find(own).cloned();
-        found.also.extend(likely);
+        let nearly = whole
+            .as_ref()
+            .filter(|one| one.is_own() && one.score.contradicted == 0);
+        let nearly = nearly.map(|one| one.told(evidence));
+        let own = |one: &&Diagnosis| is_own(evidence, one) && one.name != found.name;
+        let made = nearly.iter().chain(&likely).find(own).cloned();
+        found.also.extend(made);
         return Some(found);
     }
     if let Some(found) = complete {

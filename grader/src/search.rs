@@ -209,7 +209,9 @@ impl Search<'_> {
             Node::Branch(branch) => self.open_children(*branch),
             Node::Leaf(triangles) => {
                 self.found.leaves += 1;
-                triangles.iter().for_each(|&id| self.test(id));
+                for &id in triangles {
+                    self.test(id);
+                }
             }
         }
     }

@@ -225,6 +225,20 @@ impl Graded for VertexNormals {
             hint: "The cross product is as long as twice the area already: how often do you multiply by it?",
             answer: |q| normals(q, |e1, e2| e1.cross(e2) * e1.cross(e2).length()),
         },
+        Mistake {
+            name: "leaves out the second corner of each triangle",
+            hint: "How many corners has a triangle, and to how many of them do you add?",
+            answer: |q| {
+                let mut sums = vec![Vec3::ZERO; q.positions.len()];
+                for ([first, _, third], twice_area) in faces(q, Vec3::cross) {
+                    sums[first] += twice_area;
+                    sums[third] += twice_area;
+                }
+                sums.into_iter()
+                    .map(|sum| sum.normalize_or(Vec3::Y))
+                    .collect()
+            },
+        },
     ];
 }
 

@@ -149,6 +149,20 @@ impl Graded for GridResolution {
                 whole(q.extents * (cells(q) / volume).sqrt() * thick, f32::round)
             },
         },
+        Mistake {
+            name: "returns 0 for an axis that gets less than one cell",
+            hint: "How many cells has a flat box along its thin axis: can it be none?",
+            answer: |q| {
+                let along = share(q);
+                let Cell { x, y, z } = GridResolution::answer(q);
+                let cut = |n: u32, along: f32| if along > 0.0 { n } else { 0 };
+                Cell {
+                    x: cut(x, along.x),
+                    y: cut(y, along.y),
+                    z: cut(z, along.z),
+                }
+            },
+        },
     ];
 }
 

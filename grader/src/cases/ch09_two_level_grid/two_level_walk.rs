@@ -186,7 +186,7 @@ impl Graded for TwoLevelWalk {
             hint: "Where does the interval begin, and where does it end?",
             answer: |q| {
                 Self::misread(q, |q| {
-                    q.within = Interval::new(f32::NEG_INFINITY, f32::INFINITY)
+                    q.within = Interval::new(f32::NEG_INFINITY, f32::INFINITY);
                 })
             },
         },
@@ -208,6 +208,11 @@ impl Graded for TwoLevelWalk {
             name: "visits the cells from back to front",
             hint: "In which cell would the nearest hit be?",
             answer: |q| TwoLevelWalk::answer(q).into_iter().rev().collect(),
+        },
+        Mistake {
+            name: "begins behind the ray's origin",
+            hint: "Can the ray enter a cell that lies behind its origin?",
+            answer: |q| Self::misread(q, |q| q.within.min = f32::NEG_INFINITY),
         },
     ];
 }

@@ -96,6 +96,21 @@ impl Graded for OctreeChild {
             hint: "A quad-tree has four children; how many has an octree?",
             answer: |q| OctreeChild::answer(q) & 6,
         },
+        Mistake {
+            name: "counts the lower half along x as 1",
+            hint: "What does the bit of x say: upper, or lower?",
+            answer: |q| OctreeChild::answer(q) ^ 1,
+        },
+        Mistake {
+            name: "counts the lower half along y as 1",
+            hint: "What does the bit of y say: upper, or lower?",
+            answer: |q| OctreeChild::answer(q) ^ 2,
+        },
+        Mistake {
+            name: "counts the lower half along z as 1",
+            hint: "What does the bit of z say: upper, or lower?",
+            answer: |q| OctreeChild::answer(q) ^ 4,
+        },
     ];
 }
 

@@ -126,6 +126,11 @@ impl Graded for SahCost {
                 first_times(q, 0, 1.0) / root
             },
         },
+        Mistake {
+            name: "weighs by the sum of the sides",
+            hint: "Lines through a box are counted by its surface, not by a length.",
+            answer: |q| weighted(q, |n| (n.max - n.min).element_sum(), node_price),
+        },
     ];
 }
 

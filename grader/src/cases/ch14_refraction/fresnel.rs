@@ -196,6 +196,18 @@ impl Graded for Fresnel {
                 )
             },
         },
+        Mistake {
+            name: "forgets the root in the sine of the angle",
+            hint: "sin² + cos² = 1: what do you have when you take cos² from 1?",
+            answer: |q| {
+                let sine = q.n1 / q.n2 * (1.0 - q.cos1 * q.cos1);
+                if sine >= 1.0 {
+                    mean(1.0, 1.0)
+                } else {
+                    shares(q.n1, q.cos1, q.n2, (1.0 - sine * sine).sqrt())
+                }
+            },
+        },
     ];
 }
 

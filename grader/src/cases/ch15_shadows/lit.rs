@@ -175,7 +175,7 @@ impl Graded for Lit {
             hint: "Is the number that you compare the distance from the centre with a radius or a diameter?",
             answer: |q| {
                 Self::misread(q, |q| {
-                    q.spheres.iter_mut().for_each(|ball| ball.radius *= 2.0)
+                    q.spheres.iter_mut().for_each(|ball| ball.radius *= 2.0);
                 })
             },
         },
@@ -184,7 +184,7 @@ impl Graded for Lit {
             hint: "Is the number that you compare the distance from the centre with a radius or a diameter?",
             answer: |q| {
                 Self::misread(q, |q| {
-                    q.spheres.iter_mut().for_each(|ball| ball.radius *= 0.5)
+                    q.spheres.iter_mut().for_each(|ball| ball.radius *= 0.5);
                 })
             },
         },

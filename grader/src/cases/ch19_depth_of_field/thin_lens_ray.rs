@@ -188,7 +188,7 @@ impl Graded for ThinLensRay {
             hint: "1/f = 1/s + 1/film: which sign has s in it? Is your film behind the focal length or before it?",
             answer: |q| {
                 Self::misread(q, |q| {
-                    q.plane *= (q.focus + q.focal_length) / (q.focus - q.focal_length)
+                    q.plane *= (q.focus + q.focal_length) / (q.focus - q.focal_length);
                 })
             },
         },

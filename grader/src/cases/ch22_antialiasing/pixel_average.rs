@@ -168,5 +168,22 @@ impl Graded for PixelAverage {
             hint: "A sample far above the pixel: does it count?",
             answer: |q| average(q, |s| (1.0 - s.offset.x.abs() / q.radius).max(0.0)),
         },
+        Mistake {
+            name: "divides by the largest weight",
+            hint: "All samples see the same white wall: what does your pixel show?",
+            answer: |q| {
+                let most = q
+                    .samples
+                    .iter()
+                    .map(|s| tent(q, s.offset))
+                    .fold(0.0, f32::max);
+                let light: Rgb = q
+                    .samples
+                    .iter()
+                    .map(|s| s.radiance * tent(q, s.offset))
+                    .sum();
+                if most > 0.0 { light / most } else { Rgb::BLACK }
+            },
+        },
     ];
 }

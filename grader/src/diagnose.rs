@@ -47,6 +47,9 @@ pub struct Diagnosis {
 /// An explanation must give this share of the wrong answers.
 const MOST: f64 = 0.8;
 
+/// What is seen in single parts only must give this share of them.
+const SOME: f64 = 0.4;
+
 /// The mistake whose answers these are.
 ///
 /// `answers` holds, for each case, what the student answered (`None` for no answer) and whether it was right.
@@ -82,15 +85,35 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
     let likely = spread::search(evidence, &readings);
     let seen = flaws::search(evidence);
     let is_certain = |found: &&Diagnosis| found.certain;
-    if let Some(found) = likely.iter().chain(&seen).find(is_certain) {
+    if let Some(found) = likely.iter().find(is_certain) {
         return Some(found.clone());
+    }
+    if let Some(found) = seen.iter().find(is_certain) {
+        // What is there to see, and what may have made it.
+        if !evidence.examiner.limits().slow {
+            let parts = of_parts(evidence, &readings);
+            if !parts.is_empty() && parts.iter().all(|one| one.certain) {
+                return in_parts(parts);
+            }
+        }
+        let mut found = found.clone();
+        let nearly = whole
+            .as_ref()
+            .filter(|one| one.is_own() && one.score.contradicted == 0);
+        let nearly = nearly.map(|one| one.told(evidence));
+        let own = |one: &&Diagnosis| is_own(evidence, one) && one.name != found.name;
+        let made = nearly.iter().chain(&likely).find(own).cloned();
+        found.also.extend(made);
+        return Some(found);
     }
     if let Some(found) = complete {
         return Some(found.told(evidence));
     }
     let parts = of_parts(evidence, &readings);
     let are_certain = parts.iter().all(|one| one.certain);
-    let parts = in_parts(parts);
+    let told: usize = parts.iter().map(|one| one.explained).sum();
+    let tells = told as f64 >= SOME * evidence.wrong as f64;
+    let parts = in_parts(parts).filter(|_| tells);
     parts
         .clone()
         .filter(|_| are_certain)
@@ -100,6 +123,12 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
         .or(parts)
         .or_else(|| in_cases(evidence, &readings))
         .or_else(|| flaws::of_some(evidence))
+}
+
+/// Whether it is a mistake of the exercise's own.
+fn is_own(evidence: &Evidence<'_>, diagnosis: &Diagnosis) -> bool {
+    let mut own = evidence.examiner.mistakes().into_iter();
+    own.any(|(name, _)| name == diagnosis.name)
 }
 
 /// A mistake in each of several parts.

@@ -126,6 +126,8 @@ const WELL: How = How {
 pub struct Found {
     /// Branches opened.
     pub branches: u32,
+    /// Leaves looked into.
+    pub leaves: u32,
     /// Boxes tested.
     pub boxes: u32,
     /// Triangles tested.
@@ -205,7 +207,12 @@ impl Search<'_> {
         match node {
             _ if self.how.stops && self.found.hit.is_some() => {}
             Node::Branch(branch) => self.open_children(*branch),
-            Node::Leaf(triangles) => triangles.iter().for_each(|&id| self.test(id)),
+            Node::Leaf(triangles) => {
+                self.found.leaves += 1;
+                for &id in triangles {
+                    self.test(id);
+                }
+            }
         }
     }
 

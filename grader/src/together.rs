@@ -1,13 +1,41 @@
 //! What judges ask of all answers together: what chance hides in one of them shows in many.
 //!
-//! Each question here goes wrong by chance with a probability below 2e-8 at a right answer, if the answers follow from different seeds; five
-//! of them are asked of a pattern, so that a class of 500 meets one less than once in ten thousand times. Estimates are not judged together: a
+//! Each question here goes wrong by chance with a probability below 2e-8 at a right answer, if the answers follow from different seeds; at most
+//! nine of them are asked of a pattern, so that a class of 500 meets one less than once in ten thousand times. Estimates are not judged together: a
 //! question without a seed may be answered by the same random numbers each time, and then all of them are off to the same side.
 
 use crate::Verdict;
 
 /// Standard deviations by which a sum may be off: more have a probability of 4e-10 (Gauss), as the sums are of thousands of terms.
 const DEVIATIONS: f64 = 6.25;
+
+/// Whether the means of lists of uniform numbers are near ½, and no nearer than chance brings them.
+///
+/// # Errors
+/// If all of them together are too far off, or twenty or more are nearly all too near: the sum of the squares of n standard deviations is below
+/// n/20 with a probability of 3e-10 for n = 20, and less for more.
+pub fn balanced(what: &str, lists: impl Iterator<Item = Vec<f64>>) -> Verdict {
+    let (mut sum, mut n, mut squares, mut count) = (0.0, 0.0, 0.0, 0.0);
+    for list in lists.filter(|list| !list.is_empty()) {
+        let (off, len) = (list.iter().map(|v| v - 0.5).sum::<f64>(), list.len() as f64);
+        sum += off;
+        n += len;
+        squares += 12.0 * off * off / len;
+        count += 1.0;
+    }
+    if sum.abs() > DEVIATIONS * f64::sqrt(n / 12.0) + 1.0 {
+        return Err(format!(
+            "the mean of {what} is {:.3}, and should be 0.5: it is not the same everywhere",
+            0.5 + sum / n
+        ));
+    }
+    if count >= 20.0 && squares < count / 20.0 {
+        return Err(format!(
+            "the means of {what} are all nearer to 0.5 than chance brings them, as if each point came with its mirror image"
+        ));
+    }
+    Ok(())
+}
 
 /// Each number with the next: whether a generator's numbers hang together one after the other. All are uniform in [0, 1).
 ///

@@ -10,6 +10,7 @@ use super::number::named;
 use super::scalars::scalars;
 use crate::layout::{Leaf, each, layout};
 use raybook_workbook::kind::Kind;
+use std::f64::consts::{PI, TAU};
 
 /// What each item's answer would be, if it can be said.
 pub type Answers = Vec<Option<Vec<f64>>>;
@@ -111,6 +112,35 @@ pub fn functions(evidence: &Evidence<'_>, base: &Answers) -> Vec<Explanation> {
         };
         maker.functions();
         maker.orders();
+        all.append(&mut maker.all);
+    }
+    all
+}
+
+/// Numbers by which answers are often too large, or 1 over them.
+const FACTORS: [f64; 5] = [2.0, 4.0, PI, TAU, 4.0 * PI];
+
+/// The explanations by a factor, whatever the answers are: estimates scatter, so none can be fitted.
+pub fn factors(evidence: &Evidence<'_>, base: &Answers) -> Vec<Explanation> {
+    let mut all = Vec::new();
+    for (part, of) in evidence.parts.iter().enumerate() {
+        let mut maker = Maker {
+            evidence,
+            base,
+            part,
+            of: of.name.clone(),
+            pairs: Vec::new(),
+            all: Vec::new(),
+        };
+        if maker.is_whole() {
+            continue;
+        }
+        for factor in FACTORS.iter().flat_map(|factor| [*factor, 1.0 / factor]) {
+            let name = format!("returns {} times {}", named(factor), of.name);
+            let hint = "Write down the formula with units: which constant factor is missing, is there twice, or stands on the wrong side of the fraction line?";
+            let make = |_: usize, v: &mut [f64]| each(v, |v| *v *= factor);
+            maker.add(9, 0, name, hint, &make);
+        }
         all.append(&mut maker.all);
     }
     all

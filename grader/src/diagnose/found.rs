@@ -4,12 +4,17 @@ use super::Diagnosis;
 use super::evidence::{Evidence, Scope, Score};
 use super::fit::Answers;
 
+/// A guess that explains all wrong answers may be contradicted by this many right ones for each.
+const SOME: usize = 4;
+
 /// An explanation, and how well it agrees.
 pub struct Found {
     pub name: String,
     pub hint: String,
     /// A mistake made after the first.
     pub then: Option<(String, String)>,
+    /// Another mistake that explains the same answers, which say too little to tell which of the two it is.
+    pub rival: Option<(String, String)>,
     pub rank: u32,
     pub fitted: u32,
     pub score: Score,
@@ -46,7 +51,10 @@ impl Found {
             ..
         } = self.score;
         if tells >= 1.0 {
-            contradicted <= explained || missed == 0 && self.fitted == 0
+            let own = missed == 0 && self.is_own();
+            contradicted <= explained
+                || own
+                || missed == 0 && self.fitted == 0 && contradicted <= SOME * explained
         } else {
             2 * contradicted <= explained
         }
@@ -57,17 +65,24 @@ impl Found {
             missed,
             contradicted,
             tells,
-            explained,
             ..
         } = self.score;
-        let categorical = tells < 0.9 * explained as f64;
-        let needed = match (self.is_own(), categorical) {
+        let needed = match (self.is_own(), self.is_categorical()) {
             (true, _) => 1.0,
             (false, true) => f64::INFINITY,
             (false, false) => 2.0 + f64::from(self.fitted),
         };
         // Pairs of mistakes are many, and one may fit by chance.
-        missed == 0 && contradicted == 0 && tells >= needed && self.then.is_none()
+        missed == 0
+            && contradicted == 0
+            && tells >= needed
+            && self.then.is_none()
+            && self.rival.is_none()
+    }
+
+    /// Whether the answers are little more than yes and no, which many mistakes explain alike.
+    pub fn is_categorical(&self) -> bool {
+        self.score.tells < 0.9 * self.score.explained as f64
     }
 
     pub fn told(&self, evidence: &Evidence<'_>) -> Diagnosis {
@@ -85,7 +100,11 @@ impl Found {
             wrong: evidence.wrong,
             also: Vec::new(),
         };
-        let then = self.then.iter().map(|(name, hint)| one(name, hint));
+        let then = self
+            .then
+            .iter()
+            .chain(&self.rival)
+            .map(|(name, hint)| one(name, hint));
         Diagnosis {
             also: then.collect(),
             ..one(&self.name, &self.hint)

@@ -21,9 +21,18 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Found>
     best(found)
 }
 
-/// The best: of the exercise's own mistakes that agree as well as each other, the one that is nearest to all answers.
-fn best(found: Vec<Found>) -> Option<Found> {
-    found.into_iter().min_by_key(Found::key)
+/// The best: of the exercise's own mistakes that agree as well as each other, the one that is nearest to all answers. Of those that yes
+/// and no cannot tell apart, the second is its rival.
+fn best(mut found: Vec<Found>) -> Option<Found> {
+    found.sort_by_key(Found::key);
+    let mut found = found.into_iter();
+    let mut best = found.next()?;
+    let as_good = |one: &Found| one.is_own() && one.is_complete();
+    if as_good(&best) && best.is_categorical() {
+        let rival = found.find(as_good);
+        best.rival = rival.map(|rival| (rival.name, rival.hint));
+    }
+    Some(best)
 }
 
 /// All explanations by one mistake that give this share of the wrong answers.
@@ -115,6 +124,7 @@ pub fn consider(
         name,
         hint,
         then: None,
+        rival: None,
         rank,
         fitted,
         score,

@@ -92,6 +92,7 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Diagno
         });
     }
     let mut made = special::explanations(evidence, &right);
+    made.extend(fit::factors(evidence, &right));
     made.extend(fit::functions(evidence, &right));
     for one in made {
         let answers: Answers = one.answers;

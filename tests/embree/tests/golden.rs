@@ -52,7 +52,10 @@ const TOO_MUCH_WORK: &[(&str, &str)] = &[
         "wide_closest",
         "opens the children in the order of the node",
     ),
-    ("wide_closest", "opens the farthest child first"),
+    (
+        "wide_closest",
+        "opens the farthest child first, or asks every box as if nothing had been hit yet",
+    ),
     ("wide_closest", "opens children that wait behind the hit"),
 ];
 

@@ -71,6 +71,18 @@ impl Graded for ToneMap {
             hint: "How bright is white, and which weights add up to that?",
             answer: |q| q.radiance / (1.0 + q.radiance.r + q.radiance.g + q.radiance.b),
         },
+        Mistake {
+            name: "maps the luminance to 1 − e^(−L)",
+            hint: "That is another curve, a film's: what does Reinhard's make of L = 1?",
+            answer: |q| {
+                let l = q.radiance.luminance();
+                if l > 0.0 {
+                    q.radiance * ((1.0 - (-l).exp()) / l)
+                } else {
+                    Rgb::BLACK
+                }
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

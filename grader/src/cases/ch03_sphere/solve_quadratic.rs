@@ -142,6 +142,26 @@ impl Graded for SolveQuadratic {
                 })
             },
         },
+        Mistake {
+            name: "forgets the ½ in −½ (b ± √(b² − 4ac)), from which both roots are made",
+            hint: "Of the stable formula: with q = −½ (b ± √(b² − 4ac)), one root is q/a. What is the other, and is your q so large?",
+            answer: |q| stable(q, 2.0, 0.5),
+        },
+        Mistake {
+            name: "forgets the 2 under the fraction line of the root of the larger size",
+            hint: "One of the two roots is right: put the other back into the equation.",
+            answer: |q| stable(q, 2.0, 1.0),
+        },
+        Mistake {
+            name: "forgets the 2 above the fraction line of the root of the smaller size",
+            hint: "The product of both roots is c/a: is yours?",
+            answer: |q| stable(q, 1.0, 0.5),
+        },
+        Mistake {
+            name: "takes b² − 2ac under the root",
+            hint: "Which number stands before ac in the discriminant? Check one of your roots.",
+            answer: |q| under(q, q.b * q.b - 2.0 * q.a * q.c),
+        },
     ];
 }
 
@@ -160,4 +180,15 @@ fn under(q: &SolveQuadratic, inside: f32) -> Option<Vec2> {
 
 fn sorted(t: Vec2) -> Vec2 {
     vec2(t.min_element(), t.max_element())
+}
+
+/// The roots by the stable formula, that of the larger size and that of the smaller size each times a factor.
+fn stable(q: &SolveQuadratic, larger: f32, smaller: f32) -> Option<Vec2> {
+    SolveQuadratic::answer(q).map(|t| {
+        sorted(if t.x.abs() > t.y.abs() {
+            vec2(larger * t.x, smaller * t.y)
+        } else {
+            vec2(smaller * t.x, larger * t.y)
+        })
+    })
 }

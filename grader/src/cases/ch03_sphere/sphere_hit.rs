@@ -151,6 +151,19 @@ impl Graded for SphereHit {
                     .find(|t| q.within.contains(*t))
             },
         },
+        Mistake {
+            name: "adds the square of the distance from the axis to that of the radius",
+            hint: "Half of the chord, the radius and the distance of the ray from the centre make a right triangle: which side is the longest?",
+            answer: |q| {
+                let way = q.center - q.ray.origin;
+                let foot = way.dot(*q.ray.direction);
+                let beside = way - foot * *q.ray.direction;
+                let half = (q.radius * q.radius + beside.length_squared()).sqrt();
+                [foot - half, foot + half]
+                    .into_iter()
+                    .find(|t| q.within.contains(*t))
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -124,6 +124,18 @@ impl Graded for BoundsOf {
                 }
             },
         },
+        Mistake {
+            name: "returns the empty box the other way round, its least corner at −∞",
+            hint: "Which box is contained in every other, so that adding a point to it gives the point?",
+            answer: |q| {
+                let Corners { min, max } = BoundsOf::answer(q);
+                if q.points.is_empty() {
+                    Corners { min: max, max: min }
+                } else {
+                    Corners { min, max }
+                }
+            },
+        },
     ];
 }
 

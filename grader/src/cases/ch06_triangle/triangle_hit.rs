@@ -126,6 +126,14 @@ impl Graded for TriangleHit {
                     .then_some(TriangleHitAnswer { t, ..hit })
             },
         },
+        Mistake {
+            name: "takes the way to the first corner for the distance",
+            hint: "The plane is met where its normal n has n·p = n·p0: which part of the way to p0 is along the ray?",
+            answer: |q| {
+                let t = (q.p0 - q.ray.origin).dot(*q.ray.direction);
+                TriangleHit::answer(q).map(|hit| TriangleHitAnswer { t, ..hit })
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -59,6 +59,11 @@ impl Graded for InterpolateNormal {
             hint: "That is flat shading; what changes inside the triangle?",
             answer: |q| *q.n0,
         },
+        Mistake {
+            name: "leaves b2 out of the first corner's weight",
+            hint: "The three weights add up to 1: do yours, where neither b1 nor b2 is 0?",
+            answer: |q| mix(q, 1.0 - q.b.x, q.b.x, q.b.y).normalize_or_zero(),
+        },
     ];
 }
 

@@ -73,5 +73,15 @@ impl Graded for InterpolateTexture {
             hint: "The three weights add up to 1.",
             answer: |q| q.t0 + q.b.x * q.t1 + q.b.y * q.t2,
         },
+        Mistake {
+            name: "leaves b2 out of the first corner's weight",
+            hint: "The three weights add up to 1: do yours, where neither b1 nor b2 is 0?",
+            answer: |q| (1.0 - q.b.x) * q.t0 + q.b.x * q.t1 + q.b.y * q.t2,
+        },
+        Mistake {
+            name: "takes the mean of the corners anywhere",
+            hint: "Move the point towards a corner: the coordinates should move towards that corner's.",
+            answer: |q| (q.t0 + q.t1 + q.t2) / 3.0,
+        },
     ];
 }

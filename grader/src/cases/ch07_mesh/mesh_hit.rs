@@ -90,6 +90,24 @@ impl Graded for MeshHit {
                 MeshHit::answer(q).map(|hit| MeshHitAnswer { id: last, ..hit })
             },
         },
+        Mistake {
+            name: "numbers the triangles that are hit, and not all of them",
+            hint: "Which triangle has the number 1: the second of the list, or the second that is hit?",
+            answer: |q| {
+                let hits = hits(q).zip(0..);
+                hits.map(|(hit, id)| MeshHitAnswer { id, ..hit })
+                    .min_by(|a, b| a.t.total_cmp(&b.t))
+            },
+        },
+        Mistake {
+            name: "forgets the first triangle",
+            hint: "Where does your loop begin? Try a list of a single triangle.",
+            answer: |q| {
+                hits(q)
+                    .filter(|hit| hit.id > 0)
+                    .min_by(|a, b| a.t.total_cmp(&b.t))
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

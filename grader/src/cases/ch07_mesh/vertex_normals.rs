@@ -160,6 +160,85 @@ impl Graded for VertexNormals {
                     .collect()
             },
         },
+        Mistake {
+            name: "keeps the first triangle's normal only",
+            hint: "A vertex belongs to several triangles: do you add to its sum, or leave it as soon as it has something?",
+            answer: |q| {
+                let mut normals = vec![Vec3::ZERO; q.positions.len()];
+                for (corners, twice_area) in faces(q, Vec3::cross) {
+                    for i in corners {
+                        if normals[i] == Vec3::ZERO {
+                            normals[i] = twice_area;
+                        }
+                    }
+                }
+                normals
+                    .into_iter()
+                    .map(|n| n.normalize_or(Vec3::Y))
+                    .collect()
+            },
+        },
+        Mistake {
+            name: "returns +z for a vertex without triangles",
+            hint: "What does the task say of a vertex that no triangle has? Which axis is up in this course?",
+            answer: |q| {
+                sums(q, Vec3::cross)
+                    .into_iter()
+                    .map(|sum| sum.normalize_or(Vec3::Z))
+                    .collect()
+            },
+        },
+        Mistake {
+            name: "leaves out the first corner of each triangle",
+            hint: "How many corners has a triangle, and to how many of them do you add?",
+            answer: |q| {
+                let mut sums = vec![Vec3::ZERO; q.positions.len()];
+                for ([_, second, third], twice_area) in faces(q, Vec3::cross) {
+                    sums[second] += twice_area;
+                    sums[third] += twice_area;
+                }
+                sums.into_iter()
+                    .map(|sum| sum.normalize_or(Vec3::Y))
+                    .collect()
+            },
+        },
+        Mistake {
+            name: "forgets the last triangle",
+            hint: "Where does your loop over the triangles end?",
+            answer: |q| {
+                let mut fewer = q.clone();
+                fewer.triangles.pop();
+                normals(&fewer, Vec3::cross)
+            },
+        },
+        Mistake {
+            name: "forgets the first triangle",
+            hint: "Where does your loop over the triangles begin?",
+            answer: |q| {
+                let mut fewer = q.clone();
+                fewer.triangles = fewer.triangles.into_iter().skip(1).collect();
+                normals(&fewer, Vec3::cross)
+            },
+        },
+        Mistake {
+            name: "weighs by the square of the area",
+            hint: "The cross product is as long as twice the area already: how often do you multiply by it?",
+            answer: |q| normals(q, |e1, e2| e1.cross(e2) * e1.cross(e2).length()),
+        },
+        Mistake {
+            name: "leaves out the second corner of each triangle",
+            hint: "How many corners has a triangle, and to how many of them do you add?",
+            answer: |q| {
+                let mut sums = vec![Vec3::ZERO; q.positions.len()];
+                for ([first, _, third], twice_area) in faces(q, Vec3::cross) {
+                    sums[first] += twice_area;
+                    sums[third] += twice_area;
+                }
+                sums.into_iter()
+                    .map(|sum| sum.normalize_or(Vec3::Y))
+                    .collect()
+            },
+        },
     ];
 }
 

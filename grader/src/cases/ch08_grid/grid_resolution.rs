@@ -136,6 +136,33 @@ impl Graded for GridResolution {
                 whole(thick * along, f32::round)
             },
         },
+        Mistake {
+            name: "takes the square root of the cells for their cube root",
+            hint: "Nine cells on a square are three along each side; how many are 27 cells in a cube?",
+            answer: |q| {
+                let right = share(q);
+                let thick = right.map(|n| f32::from(u8::from(n > 0.0)));
+                let volume: f32 = (0..3)
+                    .filter(|&i| thick[i] > 0.0)
+                    .map(|i| q.extents[i])
+                    .product();
+                whole(q.extents * (cells(q) / volume).sqrt() * thick, f32::round)
+            },
+        },
+        Mistake {
+            name: "returns 0 for an axis that gets less than one cell",
+            hint: "How many cells has a flat box along its thin axis: can it be none?",
+            answer: |q| {
+                let along = share(q);
+                let Cell { x, y, z } = GridResolution::answer(q);
+                let cut = |n: u32, along: f32| if along > 0.0 { n } else { 0 };
+                Cell {
+                    x: cut(x, along.x),
+                    y: cut(y, along.y),
+                    z: cut(z, along.z),
+                }
+            },
+        },
     ];
 }
 

@@ -208,6 +208,19 @@ impl Graded for GridWalk {
                     .collect()
             },
         },
+        Mistake {
+            name: "counts the cells along y from the top",
+            hint: "Which cell along y is number 0: the one at the least y, or the one at the greatest?",
+            answer: |q| {
+                GridWalk::answer(q)
+                    .into_iter()
+                    .map(|visit| Visit {
+                        y: (q.ny - 1).saturating_sub(visit.y),
+                        ..visit
+                    })
+                    .collect()
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

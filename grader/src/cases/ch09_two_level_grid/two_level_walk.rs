@@ -175,5 +175,66 @@ impl Graded for TwoLevelWalk {
                 Self::misread(q, |q| q.fine = q.fine.iter().map(same).collect())
             },
         },
+        Mistake {
+            name: "numbers the fine cells along z first",
+            hint: "In each coarse cell those along x come first: by how much does the place grow with x, with y and with z?",
+            answer: |q| numbered(q, |[x, y, z], [_, ny, nz]| (x * ny + y) * nz + z),
+        },
+        Mistake {
+            name: "numbers the fine cells along y first",
+            hint: "In each coarse cell those along x come first: by how much does the place grow with x, with y and with z?",
+            answer: |q| numbered(q, |[x, y, z], [nx, ny, _]| y + ny * (x + nx * z)),
+        },
+        Mistake {
+            name: "ignores the interval",
+            hint: "Where does the interval begin, and where does it end?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    q.within = Interval::new(f32::NEG_INFINITY, f32::INFINITY);
+                })
+            },
+        },
+        Mistake {
+            name: "leaves out the last cell",
+            hint: "When does your loop end: before the last cell is listed, or after it?",
+            answer: |q| {
+                let mut cells = TwoLevelWalk::answer(q);
+                cells.pop();
+                cells
+            },
+        },
+        Mistake {
+            name: "leaves out the first cell",
+            hint: "Is the first cell listed before the first step, or after it?",
+            answer: |q| TwoLevelWalk::answer(q).into_iter().skip(1).collect(),
+        },
+        Mistake {
+            name: "visits the cells from back to front",
+            hint: "In which cell would the nearest hit be?",
+            answer: |q| TwoLevelWalk::answer(q).into_iter().rev().collect(),
+        },
+        Mistake {
+            name: "begins behind the ray's origin",
+            hint: "Can the ray enter a cell that lies behind its origin?",
+            answer: |q| Self::misread(q, |q| q.within.min = f32::NEG_INFINITY),
+        },
     ];
+}
+
+/// The walk with another number for the fine cell x, y, z of nx × ny × nz.
+fn numbered(q: &TwoLevelWalk, number: fn([u32; 3], [u32; 3]) -> u32) -> Vec<u32> {
+    let levels = q.levels();
+    let renumbered = |place: u32| {
+        let mut cuts = levels.cuts.iter();
+        let Some(cut) = cuts.rfind(|cut| cut.first <= place && cut.resolution.x > 0) else {
+            return place;
+        };
+        let n = cut.resolution.as_uvec3().to_array();
+        let at = place - cut.first;
+        cut.first + number([at % n[0], at / n[0] % n[1], at / n[0] / n[1]], n)
+    };
+    TwoLevelWalk::answer(q)
+        .into_iter()
+        .map(renumbered)
+        .collect()
 }

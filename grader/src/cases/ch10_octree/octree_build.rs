@@ -348,6 +348,11 @@ impl Graded for OctreeBuild {
                 )
             },
         },
+        Mistake {
+            name: "allows half as many copies as the limit does",
+            hint: "A cell with n shapes may be named how often in all by its leaves?",
+            answer: |q| Self::misread(q, |q| q.copies *= 0.5),
+        },
     ];
 }
 

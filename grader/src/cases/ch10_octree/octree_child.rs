@@ -90,6 +90,31 @@ impl Graded for OctreeChild {
             hint: "Which is the smallest number of a child?",
             answer: |q| OctreeChild::answer(q) + 1,
         },
+        Mistake {
+            name: "looks at x and z only",
+            hint: "A quad-tree has four children; how many has an octree?",
+            answer: |q| OctreeChild::answer(q) & 5,
+        },
+        Mistake {
+            name: "looks at y and z only",
+            hint: "A quad-tree has four children; how many has an octree?",
+            answer: |q| OctreeChild::answer(q) & 6,
+        },
+        Mistake {
+            name: "counts the lower half along x as 1",
+            hint: "What does the bit of x say: upper, or lower?",
+            answer: |q| OctreeChild::answer(q) ^ 1,
+        },
+        Mistake {
+            name: "counts the lower half along y as 1",
+            hint: "What does the bit of y say: upper, or lower?",
+            answer: |q| OctreeChild::answer(q) ^ 2,
+        },
+        Mistake {
+            name: "counts the lower half along z as 1",
+            hint: "What does the bit of z say: upper, or lower?",
+            answer: |q| OctreeChild::answer(q) ^ 4,
+        },
     ];
 }
 

@@ -182,6 +182,36 @@ impl Graded for OctreeWalk {
                 })
             },
         },
+        Mistake {
+            name: "takes z for the lowest bit of a child's number, and x for the highest",
+            hint: "Child 1 is the upper one along which axis?",
+            answer: |q| {
+                let turned = |v: glam::Vec3| glam::vec3(v.z, v.y, v.x);
+                OctreeWalk::answer(&OctreeWalk {
+                    ray: Ray::new(
+                        turned(q.ray.origin),
+                        Dir3::new_or(turned(*q.ray.direction), Dir3::X),
+                    ),
+                    min: turned(q.min),
+                    max: turned(q.max),
+                    ..q.clone()
+                })
+            },
+        },
+        Mistake {
+            name: "leaves out the last leaf",
+            hint: "When does your loop end: before the last leaf is listed, or after it?",
+            answer: |q| {
+                let mut leaves = OctreeWalk::answer(q);
+                leaves.pop();
+                leaves
+            },
+        },
+        Mistake {
+            name: "leaves out the first leaf",
+            hint: "Is the first leaf listed before the first step, or after it?",
+            answer: |q| OctreeWalk::answer(q).into_iter().skip(1).collect(),
+        },
     ];
 }
 

@@ -110,6 +110,27 @@ impl Graded for SahCost {
                 weighted(&free(q, true), node_area, node_price) + q.branch * branches as f32 / root
             },
         },
+        Mistake {
+            name: "asks the first child of each branch twice, and the second never",
+            hint: "A branch has two children: which numbers have they?",
+            answer: |q| {
+                let root = q.nodes.first().map_or(1.0, node_area);
+                first_times(q, 0, 2.0) / root
+            },
+        },
+        Mistake {
+            name: "leaves out the second child of each branch",
+            hint: "A branch has two children, side by side: which numbers have they?",
+            answer: |q| {
+                let root = q.nodes.first().map_or(1.0, node_area);
+                first_times(q, 0, 1.0) / root
+            },
+        },
+        Mistake {
+            name: "weighs by the sum of the sides",
+            hint: "Lines through a box are counted by its surface, not by a length.",
+            answer: |q| weighted(q, |n| (n.max - n.min).element_sum(), node_price),
+        },
     ];
 }
 
@@ -122,4 +143,17 @@ fn free(q: &SahCost, branches: bool) -> SahCost {
         q.shape = 0.0;
     }
     q
+}
+
+/// What a node and all below it cost, times the root's area, if each branch asks its first child only, and counts that some times.
+fn first_times(q: &SahCost, node: usize, times: f32) -> f32 {
+    let Some(node) = q.nodes.get(node) else {
+        return 0.0;
+    };
+    let own = node_area(node) * node_price(q, node);
+    if node.count > 0 {
+        own
+    } else {
+        own + times * first_times(q, node.first as usize, times)
+    }
 }

@@ -105,6 +105,64 @@ impl Graded for BlinnPhongExercise {
             hint: "Raise α: the highlight should become smaller.",
             answer: |q| Self::misread(q, |q| q.at.exponent = 1.0),
         },
+        Mistake {
+            name: "forgets what arrives in the matte part",
+            hint: "Switch the light off: is the matte part gone?",
+            answer: |q| {
+                let highlight = power(half(&q.at).dot(*q.at.normal), &q.at);
+                if q.at.toward.dot(*q.at.normal) > 0.0 {
+                    q.at.diffuse * q.at.toward.dot(*q.at.normal)
+                        + q.at.specular * highlight * q.at.arriving
+                } else {
+                    Rgb::BLACK
+                }
+            },
+        },
+        Mistake {
+            name: "forgets what arrives in the highlight",
+            hint: "Switch the light off: is your highlight gone?",
+            answer: |q| {
+                let highlight = q.at.specular * power(half(&q.at).dot(*q.at.normal), &q.at);
+                let matte = with_highlight(&q.at, 0.0);
+                if q.at.toward.dot(*q.at.normal) > 0.0 {
+                    matte + highlight
+                } else {
+                    matte
+                }
+            },
+        },
+        Mistake {
+            name: "multiplies the highlight by L·N",
+            hint: "In the formula as it stands, which of the two terms has the factor L·N?",
+            answer: |q| {
+                with_highlight(
+                    &q.at,
+                    q.at.toward.dot(*q.at.normal) * power(half(&q.at).dot(*q.at.normal), &q.at),
+                )
+            },
+        },
+        Mistake {
+            name: "forgets the diffuse term's cosine",
+            hint: "Tilt the surface away from the light: does it receive as much?",
+            answer: |q| {
+                let highlight = q.at.specular * power(half(&q.at).dot(*q.at.normal), &q.at);
+                if q.at.toward.dot(*q.at.normal) > 0.0 {
+                    (q.at.diffuse + highlight) * q.at.arriving
+                } else {
+                    Rgb::BLACK
+                }
+            },
+        },
+        Mistake {
+            name: "multiplies by the exponent",
+            hint: "Raise α: the highlight should become smaller, and stay as bright in its middle.",
+            answer: |q| {
+                with_highlight(
+                    &q.at,
+                    q.at.exponent * half(&q.at).dot(*q.at.normal).max(0.0),
+                )
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -147,6 +147,19 @@ impl Graded for PhongExercise {
                 )
             },
         },
+        Mistake {
+            name: "forgets what arrives in the matte part",
+            hint: "Switch the light off: is the matte part gone?",
+            answer: |q| {
+                let highlight = power(mirrored(&q.at).dot(*q.at.view), &q.at);
+                if q.at.toward.dot(*q.at.normal) > 0.0 {
+                    q.at.diffuse * q.at.toward.dot(*q.at.normal)
+                        + q.at.specular * highlight * q.at.arriving
+                } else {
+                    Rgb::BLACK
+                }
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

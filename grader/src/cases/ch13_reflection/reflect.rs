@@ -77,6 +77,28 @@ impl Graded for Reflect {
             hint: "Mirror a vector by hand: how often do you take away what is along the normal?",
             answer: |q| (*q.incoming - 4.0 * square(q)).normalize_or_zero(),
         },
+        Mistake {
+            name: "mirrors only where the normal points along the ray",
+            hint: "The normal may point to either side: what becomes of a ray that runs against it?",
+            answer: |q| {
+                if q.incoming.dot(*q.normal) > 0.0 {
+                    Reflect::answer(q)
+                } else {
+                    *q.incoming
+                }
+            },
+        },
+        Mistake {
+            name: "mirrors only where the ray runs against the normal",
+            hint: "The normal may point to either side: what becomes of a ray that runs along it?",
+            answer: |q| {
+                if q.incoming.dot(*q.normal) < 0.0 {
+                    Reflect::answer(q)
+                } else {
+                    *q.incoming
+                }
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

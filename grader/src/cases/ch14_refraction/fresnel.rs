@@ -158,6 +158,56 @@ impl Graded for Fresnel {
                 )
             },
         },
+        Mistake {
+            name: "takes the geometric mean of Rs and Rp for R",
+            hint: "Unpolarised light is half of one kind and half of the other: what is the mean of both?",
+            answer: |q| {
+                let FresnelAnswer { rs, rp, .. } = Fresnel::answer(q);
+                FresnelAnswer {
+                    rs,
+                    rp,
+                    r: (rs * rp).sqrt(),
+                }
+            },
+        },
+        Mistake {
+            name: "returns Schlick's approximation for R, beside the exact Rs and Rp",
+            hint: "R is the mean of Rs and Rp: why approximate what you have?",
+            answer: |q| {
+                let FresnelAnswer { rs, rp, .. } = Fresnel::answer(q);
+                FresnelAnswer {
+                    rs,
+                    rp,
+                    r: fresnel::schlick(q.cos1, q.n1, q.n2).max(if cos2(q).is_some() {
+                        0.0
+                    } else {
+                        1.0
+                    }),
+                }
+            },
+        },
+        Mistake {
+            name: "forgets the root in the cosine on the other side",
+            hint: "sin² + cos² = 1: what do you have when you take sin² from 1?",
+            answer: |q| {
+                cos2(q).map_or_else(
+                    || mean(1.0, 1.0),
+                    |cos2| shares(q.n1, q.cos1, q.n2, cos2 * cos2),
+                )
+            },
+        },
+        Mistake {
+            name: "forgets the root in the sine of the angle",
+            hint: "sin² + cos² = 1: what do you have when you take cos² from 1?",
+            answer: |q| {
+                let sine = q.n1 / q.n2 * (1.0 - q.cos1 * q.cos1);
+                if sine >= 1.0 {
+                    mean(1.0, 1.0)
+                } else {
+                    shares(q.n1, q.cos1, q.n2, (1.0 - sine * sine).sqrt())
+                }
+            },
+        },
     ];
 }
 

@@ -107,6 +107,19 @@ impl Graded for Refract {
                 Some(along(q)? + q.direction.dot(n) * n)
             },
         },
+        Mistake {
+            name: "takes the angles for their sines in Snell's law",
+            hint: "n₁ sin θ₁ = n₂ sin θ₂: which function of the angle do you multiply? Try 60°.",
+            answer: |q| {
+                let (n, flat) = (
+                    facing(q),
+                    *q.direction - q.direction.dot(facing(q)) * facing(q),
+                );
+                let angle = flat.length().min(1.0).asin() * ratio(q);
+                (angle <= std::f32::consts::FRAC_PI_2)
+                    .then(|| angle.sin() * flat.normalize_or_zero() - angle.cos() * n)
+            },
+        },
     ];
 }
 

@@ -160,5 +160,33 @@ impl Graded for Lit {
                 Lit::answer(q) * u32::from(!blocked(q, &q.spheres, behind))
             },
         },
+        Mistake {
+            name: "starts below its own surface, on the side away from the light",
+            hint: "On which side of the surface is the light, and to which side do you step off it?",
+            answer: |q| {
+                let own = q.spheres.iter().any(|ball| {
+                    (ball.center.distance(q.position) - ball.radius).abs() <= 0.05 * ball.radius
+                });
+                Lit::answer(q) * u32::from(!own)
+            },
+        },
+        Mistake {
+            name: "takes twice the radius of each sphere",
+            hint: "Is the number that you compare the distance from the centre with a radius or a diameter?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    q.spheres.iter_mut().for_each(|ball| ball.radius *= 2.0);
+                })
+            },
+        },
+        Mistake {
+            name: "takes half the radius of each sphere",
+            hint: "Is the number that you compare the distance from the centre with a radius or a diameter?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    q.spheres.iter_mut().for_each(|ball| ball.radius *= 0.5);
+                })
+            },
+        },
     ];
 }

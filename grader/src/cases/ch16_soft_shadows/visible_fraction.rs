@@ -123,7 +123,7 @@ impl Graded for VisibleFraction {
         Mistake {
             name: "asks for one diagonal of the light only",
             hint: "Does each sample have two random numbers of its own?",
-            answer: |q| seen(q, 16, |u| Vec2::splat(u.x), 1.0),
+            answer: |q| seen(q, 16, |u| Vec2::splat(u.x + (u.y - 0.5) / 16.0), 1.0),
         },
         Mistake {
             name: "asks for the four corners only",
@@ -193,6 +193,50 @@ impl Graded for VisibleFraction {
                 fractions
                     .reduce(|a, b| a.iter().zip(&b).map(|(a, b)| a.max(*b)).collect())
                     .unwrap_or_else(|| vec![0.0; q.points.len()])
+            },
+        },
+        Mistake {
+            name: "asks the first ball only",
+            hint: "Any of the balls may be in the way: do you ask them all?",
+            answer: |q| Self::misread(q, |q| q.balls.truncate(1)),
+        },
+        Mistake {
+            name: "asks the last ball only",
+            hint: "Any of the balls may be in the way: is the answer overwritten by each?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    q.balls = q.balls.last().cloned().into_iter().collect();
+                })
+            },
+        },
+        Mistake {
+            name: "forgets the last ball",
+            hint: "Where does your loop over the balls end?",
+            answer: |q| Self::misread(q, |q| q.balls.truncate(q.balls.len().saturating_sub(1))),
+        },
+        Mistake {
+            name: "asks for one half of the light only",
+            hint: "Which points of the light do the numbers from 0 to 1 reach, along each side?",
+            answer: |q| seen(q, 16, |u| Vec2::new(0.5 * u.x, u.y), 1.0),
+        },
+        Mistake {
+            name: "takes half the radius of each ball",
+            hint: "Is the number that you compare the distance from the centre with a radius or a diameter?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    q.balls.iter_mut().for_each(|ball| ball.radius *= 0.5);
+                })
+            },
+        },
+        Mistake {
+            name: "takes the square of a ball's radius for its radius",
+            hint: "What do you compare: two lengths, or their squares?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    q.balls
+                        .iter_mut()
+                        .for_each(|ball| ball.radius *= ball.radius);
+                })
             },
         },
     ];

@@ -138,5 +138,20 @@ impl Graded for BrdfPhong {
                 phong(q, cosine, 1.0 / PI, norm(q))
             },
         },
+        Mistake {
+            name: "forgets the π under the highlight",
+            hint: "How much does a surface with your BRDF send to all sides together, for each watt that arrives?",
+            answer: |q| phong(q, cos_alpha(q), 1.0 / PI, 0.5 * (q.exponent + 2.0)),
+        },
+        Mistake {
+            name: "divides the highlight by the cosine",
+            hint: "What happens to your highlight when the light goes down to the horizon?",
+            answer: |q| phong(q, cos_alpha(q), 1.0 / PI, norm(q) / q.normal.dot(*q.toward)),
+        },
+        Mistake {
+            name: "multiplies the highlight by the cosine",
+            hint: "Exchange light and viewer: a BRDF stays the same. To what does the cosine belong?",
+            answer: |q| phong(q, cos_alpha(q), 1.0 / PI, norm(q) * q.normal.dot(*q.toward)),
+        },
     ];
 }

@@ -34,6 +34,15 @@ fn weighted(q: &ReflectedRadiance, weight: impl Fn(f32) -> f32) -> Rgb {
     sum
 }
 
+/// ∫ f L_i cos θ dω with another light in the place of L_i.
+fn under(q: &ReflectedRadiance, sky: impl Fn(Dir3) -> Rgb) -> Rgb {
+    let brdf = q.brdf();
+    let [sum] = integral(q.normal, |d| {
+        [brdf.value(q.normal, q.view, d) * sky(d) * d.dot(*q.normal)]
+    });
+    sum
+}
+
 /// The integral, and the standard deviation of the estimate that scatters most among those that may well be written.
 fn exact_and_scatter(q: &ReflectedRadiance) -> ([f32; 3], [f32; 3]) {
     let brdf = q.brdf();
@@ -143,6 +152,41 @@ impl Graded for ReflectedRadiance {
             name: "takes samples below the surface too",
             hint: "Half of a sphere is below the surface, and no light comes from there: what do such samples add, and to what density do they belong?",
             answer: |q| weighted(q, |_| 0.5),
+        },
+        Mistake {
+            name: "takes the normal for the sky's zenith",
+            hint: "The sky stays where it is when the surface is turned: between which two directions is γ?",
+            answer: |q| under(q, |d| q.radiance * (0.5 + 0.5 * d.dot(*q.normal))),
+        },
+        Mistake {
+            name: "takes +y for the sky's zenith",
+            hint: "The zenith is given: is it always +y?",
+            answer: |q| under(q, |d| q.radiance * (0.5 + 0.5 * d.y)),
+        },
+        Mistake {
+            name: "takes cos γ for the sky, without the ½ (1 + cos γ)",
+            hint: "How bright is the sky at its horizon, where γ is 90°?",
+            answer: |q| under(q, |d| q.radiance * d.dot(*q.zenith).max(0.0)),
+        },
+        Mistake {
+            name: "takes the same light from all of the sky",
+            hint: "Is the sky as bright at its horizon as at its zenith?",
+            answer: |q| under(q, |_| q.radiance),
+        },
+        Mistake {
+            name: "leaves out the highlight",
+            hint: "The BRDF is a sum of two: which of them is in yours?",
+            answer: |q| Self::misread(q, |q| q.specular = Rgb::BLACK),
+        },
+        Mistake {
+            name: "leaves out the matte part",
+            hint: "The BRDF is a sum of two: which of them is in yours?",
+            answer: |q| Self::misread(q, |q| q.diffuse = Rgb::BLACK),
+        },
+        Mistake {
+            name: "chooses directions by the cosine and forgets to divide by the density",
+            hint: "Where many directions are chosen, each of them counts less: by what do you divide?",
+            answer: |q| weighted(q, |cosine| cosine / PI),
         },
     ];
 }

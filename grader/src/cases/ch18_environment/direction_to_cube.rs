@@ -134,6 +134,45 @@ impl Graded for DirectionToCube {
                 }
             },
         },
+        Mistake {
+            name: "exchanges the numbers of ceiling and floor",
+            hint: "Which number has the face +y, and which -y?",
+            answer: |q| {
+                let right = Self::answer(q);
+                let face = match right.face {
+                    2 => 3,
+                    3 => 2,
+                    face => face,
+                };
+                CubePlace { face, ..right }
+            },
+        },
+        Mistake {
+            name: "exchanges the numbers of the faces +x and -x",
+            hint: "Which number has the face +x, and which -x?",
+            answer: |q| {
+                let right = Self::answer(q);
+                let face = match right.face {
+                    0 => 1,
+                    1 => 0,
+                    face => face,
+                };
+                CubePlace { face, ..right }
+            },
+        },
+        Mistake {
+            name: "exchanges the numbers of the faces +z and -z",
+            hint: "Which number has the face +z, and which -z?",
+            answer: |q| {
+                let right = Self::answer(q);
+                let face = match right.face {
+                    4 => 5,
+                    5 => 4,
+                    face => face,
+                };
+                CubePlace { face, ..right }
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

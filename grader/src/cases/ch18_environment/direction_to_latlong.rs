@@ -92,6 +92,14 @@ impl Graded for DirectionToLatlong {
                 }
             },
         },
+        Mistake {
+            name: "takes π for the whole way round",
+            hint: "How many radians is the way round the horizon?",
+            answer: |q| {
+                let right = Self::answer(q);
+                vec2((2.0 * right.x - 0.5).rem_euclid(1.0), right.y)
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

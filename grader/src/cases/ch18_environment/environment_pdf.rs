@@ -197,6 +197,37 @@ impl Graded for EnvironmentPdf {
                 }
             },
         },
+        Mistake {
+            name: "takes the sine at a row's upper edge for the whole row",
+            hint: "How large is the solid angle of your first row?",
+            answer: |q| {
+                let (map, (x, y)) = (q.map(), q.texel());
+                let sine = |row: usize| (PI * row as f64 / f64::from(q.height)).sin();
+                let all = q.texels.iter().enumerate();
+                let sum: f64 = all
+                    .map(|(i, t)| f64::from(*t) * sine(i / q.width as usize))
+                    .sum();
+                let texel = 2.0 * PI * PI / f64::from(q.width * q.height);
+                if sum > 0.0 {
+                    (map.texel(x, y) / (sum * texel)) as f32
+                } else {
+                    0.0
+                }
+            },
+        },
+        Mistake {
+            name: "divides by the brightest texel",
+            hint: "A density's integral over all directions is 1: what is that of yours?",
+            answer: |q| {
+                let (map, (x, y)) = (q.map(), q.texel());
+                let most = q.texels.iter().copied().fold(0.0, f32::max);
+                if most > 0.0 {
+                    map.texel(x, y) as f32 / most
+                } else {
+                    0.0
+                }
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -118,5 +118,16 @@ impl Graded for CircleOfConfusion {
             hint: "Where must the film be, if something near is to be sharp?",
             answer: |q| (q.focal_length * q.focal_length / (q.f_number * q.distance)).abs(),
         },
+        Mistake {
+            name: "returns 0 for a star",
+            hint: "A star is far behind the plane in focus: is it sharp?",
+            answer: |q| {
+                if q.distance.is_infinite() {
+                    0.0
+                } else {
+                    CircleOfConfusion::answer(q)
+                }
+            },
+        },
     ];
 }

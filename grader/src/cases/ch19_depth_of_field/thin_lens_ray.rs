@@ -187,6 +187,20 @@ impl Graded for ThinLensRay {
                 })
             },
         },
+        Mistake {
+            name: "takes f·s/(s + f) for the distance of the film",
+            hint: "1/f = 1/s + 1/film: which sign has s in it? Is your film behind the focal length or before it?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    q.plane *= (q.focus + q.focal_length) / (q.focus - q.focal_length);
+                })
+            },
+        },
+        Mistake {
+            name: "counts the film from its middle, and not from its corner",
+            hint: "Which film is straight ahead of the lens: (0, 0), or (½, ½)?",
+            answer: |q| Self::misread(q, |q| q.film += 0.5),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

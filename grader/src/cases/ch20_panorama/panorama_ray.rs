@@ -130,6 +130,18 @@ impl Graded for PanoramaRay {
                 along(q, TAU * (q.film.x - 0.5), 0.5 * PI - latitude)
             },
         },
+        Mistake {
+            name: "calculates the angles in degrees",
+            hint: "In which unit do sine and cosine take their angle?",
+            answer: |q| {
+                let (longitude, latitude) = (360.0 * q.film.x - 180.0, 90.0 - 180.0 * q.film.y);
+                let level = longitude.cos() * *q.forward + longitude.sin() * *q.right;
+                CameraRayAnswer {
+                    origin: q.position,
+                    direction: latitude.cos() * level + latitude.sin() * *q.up,
+                }
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -92,6 +92,16 @@ impl Graded for GeodesicStep {
                 after(x + step * v, v)
             },
         },
+        Mistake {
+            name: "divides by the third power",
+            hint: "x/|x|⁵ has the length 1/|x|⁴: how long is yours at |x| = 2?",
+            answer: |q| pulled(q, |x, v| -1.5 * h2(x, v) * x / x.length().powi(3)),
+        },
+        Mistake {
+            name: "squares h² once more",
+            hint: "h² has one square: is it a length of x × v, or its square, that you square?",
+            answer: |q| pulled(q, |x, v| -1.5 * h2(x, v).powi(2) * x / x.length().powi(5)),
+        },
     ];
 }
 

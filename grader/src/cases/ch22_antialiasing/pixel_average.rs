@@ -147,5 +147,43 @@ impl Graded for PixelAverage {
                 })
             },
         },
+        Mistake {
+            name: "takes x and y for their sizes, so that weights grow above 1 on one side",
+            hint: "Is a sample to the left of the centre worth as much as one equally far to its right?",
+            answer: |q| {
+                average(q, |s| {
+                    (1.0 - s.offset / q.radius)
+                        .max(Vec2::ZERO)
+                        .element_product()
+                })
+            },
+        },
+        Mistake {
+            name: "squares the weights",
+            hint: "How much counts a sample half way to the edge: a half, or a quarter?",
+            answer: |q| average(q, |s| tent(q, s.offset).powi(2)),
+        },
+        Mistake {
+            name: "weighs by x only",
+            hint: "A sample far above the pixel: does it count?",
+            answer: |q| average(q, |s| (1.0 - s.offset.x.abs() / q.radius).max(0.0)),
+        },
+        Mistake {
+            name: "divides by the largest weight",
+            hint: "All samples see the same white wall: what does your pixel show?",
+            answer: |q| {
+                let most = q
+                    .samples
+                    .iter()
+                    .map(|s| tent(q, s.offset))
+                    .fold(0.0, f32::max);
+                let light: Rgb = q
+                    .samples
+                    .iter()
+                    .map(|s| s.radiance * tent(q, s.offset))
+                    .sum();
+                if most > 0.0 { light / most } else { Rgb::BLACK }
+            },
+        },
     ];
 }

@@ -106,6 +106,13 @@ impl Graded for PoissonDisk {
                 "no two points are nearer to each other than {nearest:.2} times the distance: more would have room"
             ));
         }
+        let (close, within) = close_pairs(&many);
+        if close >= 300 && within == 0 {
+            return Err(
+                "of no two points are both the steps along x and along y below the distance: two points aslant of each other may be that near"
+                    .to_owned(),
+            );
+        }
         let (mut near, mut expected) = (0, 0.0);
         for (q, got) in many {
             let margin = 0.25 * q.distance;
@@ -169,6 +176,11 @@ impl Graded for PoissonDisk {
             complaint: "more would have room",
             name: "keeps the points farther apart than asked",
             hint: "With which number do you compare the distance of two points?",
+        },
+        Flaw {
+            complaint: "two points aslant of each other",
+            name: "compares the larger of the steps along x and along y with the distance",
+            hint: "How far is it from (0, 0) to (1, 1)?",
         },
         Flaw {
             complaint: "may your points lie there",
@@ -261,4 +273,20 @@ fn room(points: &[Vec2], d: f32, over_edges: bool) -> f32 {
     };
     let free = (0..PROBES * PROBES).filter(|&i| free(i)).count();
     free as f32 / (PROBES * PROBES) as f32
+}
+
+/// How many pairs of points are nearer to each other than 1.2 times the distance; and of how many of them both the step along x and that along
+/// y are below the distance. By chance it is more than half of them.
+fn close_pairs(answers: &[&(PoissonDisk, Vec<Vec2>)]) -> (usize, usize) {
+    let (mut close, mut within) = (0, 0);
+    for (q, got) in answers {
+        for (i, p) in got.iter().enumerate() {
+            let ways = got[..i].iter().map(|other| (*p - *other).abs());
+            for way in ways.filter(|way| way.length() < 1.2 * q.distance) {
+                close += 1;
+                within += usize::from(way.max_element() < 0.99 * q.distance);
+            }
+        }
+    }
+    (close, within)
 }

@@ -43,6 +43,8 @@ impl Graded for RandomPattern {
         points::uniform("y", all().map(|p| p.y))?;
         points::independent("x and y", all().copied())?;
         let lists = || answers.iter().map(|(_, points)| points.iter());
+        together::balanced("x", lists().map(|list| list.map(|p| p.x.into()).collect()))?;
+        together::balanced("y", lists().map(|list| list.map(|p| p.y.into()).collect()))?;
         together::serial("x", lists().map(|list| list.map(|p| p.x.into()).collect()))?;
         together::serial("y", lists().map(|list| list.map(|p| p.y.into()).collect()))
     }
@@ -63,6 +65,11 @@ impl Graded for RandomPattern {
         points::LINE,
         points::UNEVEN,
         points::TOGETHER,
+        Flaw {
+            complaint: "its mirror image",
+            name: "takes with each point its mirror image too, x to 1 − x or y to 1 − y",
+            hint: "Independent points know nothing of each other: of how many random numbers do you make how many points?",
+        },
         Flaw {
             complaint: "different x",
             name: "chooses from a few places only",

@@ -88,8 +88,8 @@ impl Graded for WideClosest {
             answer: |q| search(q, |how| how.order = Order::Stored),
         },
         Mistake {
-            name: "opens the farthest child first",
-            hint: "The last one on the stack is the first one off it: which one should that be?",
+            name: "opens the farthest child first, or asks every box as if nothing had been hit yet",
+            hint: "The last one on the stack is the first one off it: which one should that be? And once something is hit, how far does the ray still have to be followed?",
             answer: |q| search(q, |how| how.order = Order::Farthest),
         },
         Mistake {
@@ -131,6 +131,11 @@ impl Graded for WideClosest {
             name: "keeps the first hit that it finds",
             hint: "Boxes may overlap: can a triangle that is tested later be nearer?",
             answer: |q| search(q, |how| (how.shortens, how.keeps) = (false, Keeps::First)),
+        },
+        Mistake {
+            name: "counts each leaf as a node too",
+            hint: "What is counted as opened: nodes, or leaves as well?",
+            answer: |q| search_counting_leaves(q),
         },
     ];
 
@@ -239,5 +244,15 @@ pub fn question(triangles: Vec<[Vec3; 3]>, ray: Ray, within: Interval) -> WideCl
             .into_iter()
             .map(|[p0, p1, p2]| Corners { p0, p1, p2 })
             .collect(),
+    }
+}
+
+/// A right search that counts the leaves that it looks into as nodes.
+fn search_counting_leaves(q: &WideClosest) -> WideClosestAnswer {
+    let found = with_tree(q, |tree| search::search(tree, &Node::Branch(0), |_| {}));
+    WideClosestAnswer {
+        nodes: found.branches + found.leaves,
+        tests: found.tests,
+        hit: found.hit,
     }
 }

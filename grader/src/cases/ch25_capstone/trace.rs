@@ -309,6 +309,66 @@ impl Graded for Trace {
             hint: "A step of 10 cm: what may lie in between?",
             answer: |q| answer(q, Slip::FarOff),
         },
+        Mistake {
+            name: "lets light get weaker with the distance, not its square",
+            hint: "The same lamp twice as far away: on how much more surface is its light spread?",
+            answer: |q| answer(q, Slip::FalloffByDistance),
+        },
+        Mistake {
+            name: "multiplies the highlight by the cosine of the light",
+            hint: "In Phong's formula, which of the two terms has the factor L·N?",
+            answer: |q| answer(q, Slip::HighlightTimesCosine),
+        },
+        Mistake {
+            name: "leaves out the highlight",
+            hint: "Phong's formula is a sum: how many terms has yours?",
+            answer: |q| answer(q, Slip::NoHighlight),
+        },
+        Mistake {
+            name: "forgets the lamp's light in the highlight",
+            hint: "Switch the lamp off: is your highlight gone?",
+            answer: |q| answer(q, Slip::HighlightUnlit),
+        },
+        Mistake {
+            name: "gives Fresnel's equations a cosine below 0",
+            hint: "The ray runs against the normal: which sign has their dot product? How bright is glass that you look at straight?",
+            answer: |q| answer(q, Slip::FresnelBackwards),
+        },
+        Mistake {
+            name: "takes Schlick's approximation for Fresnel's equations",
+            hint: "Look along the surface of the glass from inside: how far is the approximation from the equations?",
+            answer: |q| answer(q, Slip::Schlick),
+        },
+        Mistake {
+            name: "shows the backdrop's lower colour everywhere below the horizon",
+            hint: "The direction's y goes from −1 to 1: from where to where must a share go?",
+            answer: |q| answer(q, Slip::HeightAboveTheHorizon),
+        },
+        Mistake {
+            name: "takes the lamp's intensity for a power, and divides by 4π",
+            hint: "The intensity is given per steradian already: is there a 4π left to divide by?",
+            answer: |q| answer(q, Slip::LampIsAPower),
+        },
+        Mistake {
+            name: "counts the lamps' light twice",
+            hint: "Which factor stands before the lamp's light?",
+            answer: |q| answer(q, Slip::LampsTwiceAsBright),
+        },
+        Mistake {
+            name: "mirrors half of the light in glass, whatever the angle",
+            hint: "Look straight into a window, and along it: do you see as much of yourself?",
+            answer: |q| answer(q, Slip::HalfMirrored),
+        },
+        Mistake {
+            name: "takes Rs for the share that glass mirrors",
+            hint: "Is lamplight polarised?",
+            answer: |q| answer(q, Slip::OnePolarisation),
+        },
+        Mistake {
+            name: "takes 1.5 for the index of any glass",
+            hint: "Each glass has an index of its own: where does it stand?",
+            answer: |q| answer(q, Slip::AlwaysCrownGlass),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[

@@ -4,11 +4,14 @@ use super::slip::Slip;
 use glam::{Vec2, vec2};
 use raybook::image::rgb::Rgb;
 use raybook::light::{Light, LightSample};
-use raybook::material::{fresnel::fresnel, mirror::reflect, phong::Phong, refract::refract};
+use raybook::material::{
+    fresnel::fresnel, fresnel::schlick, mirror::reflect, phong::Phong, refract::refract,
+};
 use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
 use raybook::render::shadow::shadow_ray;
 use raybook::scene::description::{Backdrop, Description, Form, Matter, Object};
 use raybook::shape::{Hit, Shape, Surface, triangle::Triangle};
+use std::f32::consts::PI;
 
 /// A ray tracer, and what it does wrongly.
 pub struct Tracer<'a> {
@@ -27,6 +30,11 @@ impl Tracer<'_> {
             Slip::HeightForShare => {
                 let Backdrop { below, above } = self.scene.backdrop;
                 below * (1.0 - ray.direction.y) + above * ray.direction.y
+            }
+            Slip::HeightAboveTheHorizon => {
+                let Backdrop { below, above } = self.scene.backdrop;
+                let height = ray.direction.y.max(0.0);
+                below * (1.0 - height) + above * height
             }
             _ => self.scene.backdrop.seen(ray.direction),
         };
@@ -52,11 +60,15 @@ impl Tracer<'_> {
                 }
             }
             Matter::Glass(clear) => {
+                let index = match self.slip {
+                    Slip::AlwaysCrownGlass => 1.5,
+                    _ => clear.index,
+                };
                 let entering = self.is(Slip::AlwaysEntering) || at.normal.dot(*ray.direction) < 0.0;
                 let (here, there) = if entering == self.is(Slip::IndexTurned) {
-                    (clear.index, 1.0)
+                    (index, 1.0)
                 } else {
-                    (1.0, clear.index)
+                    (1.0, index)
                 };
                 let mirrored = || see(reflect(ray.direction, normal));
                 let Some(refracted) = refract(ray.direction, normal, here, there) else {
@@ -71,6 +83,12 @@ impl Tracer<'_> {
                     Slip::FresnelFromOutside => {
                         fresnel(-ray.direction.dot(*normal), 1.0, clear.index).unpolarised
                     }
+                    Slip::FresnelBackwards => {
+                        fresnel(ray.direction.dot(*normal), here, there).unpolarised
+                    }
+                    Slip::HalfMirrored => 0.5,
+                    Slip::OnePolarisation => fresnel(-ray.direction.dot(*normal), here, there).s,
+                    Slip::Schlick => schlick(-ray.direction.dot(*normal), here, there),
                     _ => fresnel(-ray.direction.dot(*normal), here, there).unpolarised,
                 };
                 let through = see(refracted) * (1.0 - share);
@@ -138,6 +156,14 @@ impl Tracer<'_> {
             if self.is(Slip::NoFalloff) {
                 light.arriving = lamp.intensity;
             }
+            match self.slip {
+                Slip::LampIsAPower => light.arriving = light.arriving / (4.0 * PI),
+                Slip::LampsTwiceAsBright => light.arriving = light.arriving * 2.0,
+                _ => {}
+            }
+            if self.is(Slip::FalloffByDistance) {
+                light.arriving = lamp.intensity / (lamp.position - at.position).length();
+            }
             self.arrives(at, &light).then_some(light)
         });
         let lit: Rgb = lights.map(|light| self.lit(phong, at, view, &light)).sum();
@@ -182,7 +208,15 @@ impl Tracer<'_> {
             _ => reflect(-light.toward, normal).dot(*view),
         };
         let shine = phong.specular * highlight.max(0.0).powf(phong.exponent);
+        let shine = match self.slip {
+            Slip::HighlightTimesCosine => shine * cosine,
+            Slip::NoHighlight => Rgb::BLACK,
+            _ => shine,
+        };
         let diffuse = if self.is(Slip::NoCosine) { 1.0 } else { cosine };
+        if self.is(Slip::HighlightUnlit) {
+            return phong.diffuse * diffuse * light.arriving + shine;
+        }
         (phong.diffuse * diffuse + shine) * light.arriving
     }
 }

@@ -206,6 +206,16 @@ impl Maker<'_, '_> {
             }
         } else {
             for (name, values) in vectors(self.evidence, self.base, self.part) {
+                for (k, axis) in self.axes().iter().enumerate() {
+                    let values = values.clone();
+                    let make = move |i: usize, v: &mut [f64]| {
+                        if let Some(value) = values[i].as_ref().and_then(|value| value.get(k)) {
+                            v[k] = *value;
+                        }
+                    };
+                    let words = format!("returns {axis} of {name} for that of {}", self.of);
+                    found.push((16, words, Box::new(make)));
+                }
                 for factor in [1.0, -1.0] {
                     let values = values.clone();
                     let sign = if factor < 0.0 { "−" } else { "" };
@@ -220,7 +230,11 @@ impl Maker<'_, '_> {
                     };
                     found.push((
                         15,
-                        format!("returns {sign}{name} instead of {}", self.of),
+                        if name == self.of && factor > 0.0 {
+                            format!("returns {name} as it is in the question, unchanged")
+                        } else {
+                            format!("returns {sign}{name} instead of {}", self.of)
+                        },
                         Box::new(make),
                     ));
                 }

@@ -45,7 +45,7 @@ impl Maker<'_, '_> {
         let axes = self.axes();
         let n = axes.len();
         let orders: &[&[usize]] = match n {
-            2 => &[&[0, 1], &[1, 0]],
+            2 => &[&[0, 1], &[1, 0], &[0, 0], &[1, 1]],
             3 => &[
                 &[0, 1, 2],
                 &[1, 0, 2],
@@ -56,6 +56,12 @@ impl Maker<'_, '_> {
                 &[0, 0, 0],
                 &[1, 1, 1],
                 &[2, 2, 2],
+                &[0, 0, 2],
+                &[0, 1, 0],
+                &[0, 1, 1],
+                &[1, 1, 2],
+                &[2, 1, 2],
+                &[0, 2, 2],
             ],
             _ => return,
         };
@@ -88,7 +94,15 @@ impl Maker<'_, '_> {
                         components(&turned),
                         self.of
                     ),
-                    (2, 0) => format!("exchanges {} of {}", components(&moved), self.of),
+                    (1, 0) => format!(
+                        "returns {} of {} for {} too",
+                        axes[order[moved[0]]],
+                        self.of,
+                        components(&moved)
+                    ),
+                    (2, 0) if order[moved[0]] == moved[1] => {
+                        format!("exchanges {} of {}", components(&moved), self.of)
+                    }
                     _ => {
                         let words: Vec<_> = (0..n)
                             .map(|k| {

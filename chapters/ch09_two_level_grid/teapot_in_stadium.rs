@@ -1,6 +1,7 @@
 //! The teapot in the stadium: who looks at it, what it looks like, and what each pixel costs.
 
-use crate::kit::chart::{Chart, Corner, whole};
+use crate::kit::chart::{Chart, Corner};
+use crate::kit::numbers::whole;
 use crate::kit::palette::{BLUE, VERMILION};
 use crate::kit::{axis::Axis, figure::Figure, sheet::Sheet};
 use crate::shared::heat::{Heat, heat, with_scale};

@@ -1,0 +1,123 @@
+//! What can be said of questions and answers as lines.
+
+use super::{Examiner, visible_rng};
+use crate::finite::finite;
+use crate::triple::PictureSize;
+use crate::{Verdict, stable};
+use raybook_workbook::row::{self, RowError};
+
+impl dyn Examiner + '_ {
+    /// The exercise's name.
+    pub fn name(&self) -> &'static str {
+        self.asked().name
+    }
+
+    /// What to do.
+    pub fn task(&self) -> &'static str {
+        self.asked().task
+    }
+
+    /// The reference's answer to a question.
+    ///
+    /// # Errors
+    /// If the line is not a question of this exercise.
+    pub fn answer_line(&self, question: &str) -> Result<String, RowError> {
+        self.asked().answer_line(question)
+    }
+
+    /// Judges an answer against the right ones; being any of them is enough.
+    ///
+    /// # Errors
+    /// Why it is wrong, or that it cannot be read.
+    pub fn judge(&self, question: &str, answers: &[String], got: &str) -> Verdict {
+        let read = |answer: &str| {
+            let numbers = self.asked().read_answer(answer);
+            numbers.map_err(|e| format!("the answer cannot be read: {e}"))
+        };
+        let question = self.asked().read_question(question);
+        let question = question.map_err(|e| e.to_string())?;
+        let got = read(got)?;
+        let mut verdict = Err("there is no right answer to compare with".to_owned());
+        for golden in answers.iter().rev() {
+            verdict = self.verdict(&question, &read(golden)?, &got);
+            if verdict.is_ok() {
+                break;
+            }
+        }
+        verdict
+    }
+
+    /// Judges an answer against a right one.
+    ///
+    /// # Errors
+    /// Why it is wrong.
+    pub fn verdict(&self, question: &[f64], golden: &[f64], got: &[f64]) -> Verdict {
+        self.compare(question, golden, got)?;
+        finite(&self.asked().answer, golden, got)
+    }
+
+    /// Judges all answers together that are right one by one.
+    ///
+    /// # Errors
+    /// What is wrong with them.
+    pub fn judge_together<'a>(&self, answers: impl Iterator<Item = (&'a str, &'a str)>) -> Verdict {
+        let asked = self.asked();
+        let read = |(question, answer)| {
+            Some((
+                asked.read_question(question).ok()?,
+                asked.read_answer(answer).ok()?,
+            ))
+        };
+        let rows: Vec<_> = answers.filter_map(read).collect();
+        self.compare_together(&rows)
+    }
+
+    /// The mistakes' names and hints.
+    pub fn mistakes(&self) -> Vec<(&'static str, &'static str)> {
+        (0..).map_while(|i| self.mistake(i)).collect()
+    }
+
+    /// What mistake number i answers; `None` if the question cannot be read.
+    pub fn mistaken(&self, i: usize, question: &str) -> Option<String> {
+        let question = self.asked().read_question(question).ok()?;
+        let answer = self.mistake_answers(i, &question)?;
+        Some(row::format(self.asked().answer.kind, &answer))
+    }
+
+    /// The parts of a question, by name.
+    pub fn question_parts(&self, question: &str) -> Vec<(String, String)> {
+        let asked = self.asked();
+        let numbers = asked.read_question(question);
+        numbers.map_or_else(
+            |_| Vec::new(),
+            |numbers| row::parts(asked.question, "question", &numbers),
+        )
+    }
+
+    /// The parts of an answer, by name; the words themselves if it cannot be read.
+    pub fn answer_parts(&self, answer: &str) -> Vec<(String, String)> {
+        let asked = self.asked();
+        let name = asked.answer.name;
+        let numbers = asked.read_answer(answer);
+        numbers.map_or_else(
+            |_| vec![(name.to_owned(), answer.to_owned())],
+            |numbers| row::parts(asked.answer.kind, name, &numbers),
+        )
+    }
+
+    /// Whether the answer stays right when the question's numbers move in their last digits.
+    pub fn is_fair(&self, question: &[f64]) -> bool {
+        stable::is_stable(self, question, &mut visible_rng(self.name()))
+    }
+
+    /// The pictures that answers make, if any.
+    pub fn pictures(&self) -> Vec<PictureSize> {
+        (0..).map_while(|i| self.picture(i)).collect()
+    }
+
+    /// The question of a pixel of picture number i.
+    pub fn pixel_question(&self, i: usize, x: u32, y: u32) -> String {
+        let question = self.pixel(i, x, y).unwrap_or_default();
+        row::format(self.asked().question, &question)
+    }
+}

@@ -57,6 +57,7 @@ const TOO_MUCH_WORK: &[(&str, &str)] = &[
         "opens the farthest child first, or asks every box as if nothing had been hit yet",
     ),
     ("wide_closest", "opens children that wait behind the hit"),
+    ("wide_closest", "counts each leaf as a node too"),
 ];
 
 #[test]

@@ -59,7 +59,8 @@ pub fn listing(name: &str) -> Result<String, String> {
 }
 
 fn fitted(text: &str) -> String {
-    fit(&library::without_anchors(text))
+    let text = fit(&library::without_anchors(text));
+    format!("{}\n", text.trim_end())
 }
 
 fn fence(text: &str) -> String {

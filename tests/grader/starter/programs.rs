@@ -18,16 +18,19 @@ const LIMITS: Limits = Limits::of(Duration::from_secs(10));
 fn the_untouched_starter_compiles_and_everything_is_todo() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let program = build(folder.path(), &stub);
-    for (examiner, cases) in &visible_cases() {
-        for (case, said) in cases.iter().zip(replies(&program, *examiner, cases)) {
-            assert_eq!(
-                said,
-                Said::Todo(examiner.name().into()),
-                "{} {}: not written yet",
-                examiner.name(),
-                case.name
-            );
-        }
+    let asked = visible_cases();
+    let all = asked
+        .iter()
+        .flat_map(|(examiner, cases)| cases.iter().map(|case| (*examiner, case)));
+    let all: Vec<_> = all.collect();
+    for ((examiner, case), said) in all.iter().zip(replies(&program, &all)) {
+        assert_eq!(
+            said,
+            Said::Todo(examiner.name().into()),
+            "{} {}: not written yet",
+            examiner.name(),
+            case.name
+        );
     }
 }
 
@@ -65,29 +68,32 @@ fn only_this_turns_todo(program: &Program, stubbed: &str, i: usize, asked: &[Ask
         folder: PathBuf::new(),
         sandbox: None,
     };
-    let mut todo = 0;
-    for (examiner, cases) in asked {
+    let chosen = asked.iter().flat_map(|(examiner, cases)| {
         let own = examiner.name() == stubbed;
         let (first, step) = if own { (0, 1) } else { (i % SOME, SOME) };
-        let cases: Vec<_> = cases.iter().skip(first).step_by(step).cloned().collect();
-        for (case, said) in cases.iter().zip(replies(&program, *examiner, &cases)) {
-            let whose = format!("{} {} without {stubbed}", examiner.name(), case.name);
-            match said {
-                Said::Todo(waits_for) => {
-                    assert_eq!(
-                        waits_for.unescaped(),
-                        stubbed,
-                        "{whose}: it waits for what is stubbed"
-                    );
-                    todo += usize::from(own);
-                }
-                Said::Answer(answer) => {
-                    assert!(!own, "{whose}: what is stubbed cannot answer");
-                    let verdict = examiner.judge(&case.question, &case.answers, answer.unescaped());
-                    assert_eq!(verdict, Ok(()), "{whose}");
-                }
-                said => panic!("{whose}: {said:?}"),
+        let cases = cases.iter().skip(first).step_by(step);
+        cases.map(|case| (*examiner, case))
+    });
+    let chosen: Vec<_> = chosen.collect();
+    let mut todo = 0;
+    for ((examiner, case), said) in chosen.iter().zip(replies(&program, &chosen)) {
+        let own = examiner.name() == stubbed;
+        let whose = format!("{} {} without {stubbed}", examiner.name(), case.name);
+        match said {
+            Said::Todo(waits_for) => {
+                assert_eq!(
+                    waits_for.unescaped(),
+                    stubbed,
+                    "{whose}: it waits for what is stubbed"
+                );
+                todo += usize::from(own);
             }
+            Said::Answer(answer) => {
+                assert!(!own, "{whose}: what is stubbed cannot answer");
+                let verdict = examiner.judge(&case.question, &case.answers, answer.unescaped());
+                assert_eq!(verdict, Ok(()), "{whose}");
+            }
+            said => panic!("{whose}: {said:?}"),
         }
     }
     assert!(todo > 0, "{stubbed} itself turned todo");
@@ -104,11 +110,11 @@ fn visible_cases() -> Vec<Asked> {
         .collect()
 }
 
-/// What a program says to an exercise's cases.
-fn replies(program: &Program, examiner: &dyn Examiner, cases: &[Case]) -> Vec<Said> {
+/// What a program says to cases, asked all at once.
+fn replies(program: &Program, cases: &[(&dyn Examiner, &Case)]) -> Vec<Said> {
     let questions: Vec<_> = cases
         .iter()
-        .map(|case| format!("{} {}", examiner.name(), case.question))
+        .map(|(examiner, case)| format!("{} {}", examiner.name(), case.question))
         .collect();
     let replies = ask(program, &questions, LIMITS).expect("the program starts");
     replies.into_iter().map(|reply| reply.said).collect()

@@ -48,7 +48,7 @@ pub trait Examiner: Sync {
         None
     }
 
-    /// See [`Graded::together`]; each question with its answer.
+    /// See [`together`](crate::Graded::together); each question with its answer.
     ///
     /// # Errors
     /// What is wrong with them.
@@ -60,25 +60,25 @@ pub trait Examiner: Sync {
     /// What mistake number i answers.
     fn mistake_answers(&self, i: usize, question: &[f64]) -> Option<Vec<f64>>;
 
-    /// See [`Graded::canonical`].
+    /// See [`canonical`](crate::Graded::canonical).
     fn canonical(&self, question: &[f64], answer: &[f64]) -> Vec<f64>;
 
-    /// See [`Graded::FLAWS`].
+    /// See [`FLAWS`](crate::Graded::FLAWS).
     fn flaws(&self) -> &'static [Flaw];
 
-    /// See [`Graded::ULPS`].
+    /// See [`ULPS`](crate::Graded::ULPS).
     fn ulps(&self) -> i32;
 
-    /// See [`Graded::ALIKE`].
+    /// See [`ALIKE`](crate::Graded::ALIKE).
     fn alike(&self) -> f32;
 
-    /// See [`Graded::traits`].
+    /// See [`traits`](crate::Graded::traits).
     fn traits(&self, question: &[f64], answer: &[f64]) -> Vec<f64>;
 
-    /// See [`Graded::POSITIVE`], [`Graded::FIXED`] and [`Graded::SLOW`].
+    /// See [`POSITIVE`](crate::Graded::POSITIVE), [`FIXED`](crate::Graded::FIXED) and [`SLOW`](crate::Graded::SLOW).
     fn limits(&self) -> Limits;
 
-    /// See [`Graded::is_sound`].
+    /// See [`is_sound`](crate::Graded::is_sound).
     fn is_sound(&self, question: &[f64]) -> bool;
 
     /// Picture number i that answers make.

@@ -17,9 +17,13 @@ use std::fmt::Write;
 /// Slopes that are drawn as guides, with what they mean.
 const GUIDES: [(f64, &str); 4] = [(-0.5, "−½"), (-0.75, "−¾"), (-1.0, "−1"), (-1.5, "−3/2")];
 
-/// Width of the plot, and where the slopes end in the legend beside it, in pixels of the canvas.
+/// Width of the plot beside a legend with slopes and beside one without; and where the slopes end in the legend, in pixels of the canvas.
 const PLOT: i32 = 730;
+const WIDE_PLOT: i32 = 910;
 const SLOPES: i32 = 590;
+
+/// Over fewer octaves of samples than these, each power of two is marked, and over more each power of four.
+const OCTAVES: f64 = 6.0;
 
 /// The bands of more curves than these would hide each other.
 const SEPARATE: usize = 3;
@@ -99,10 +103,21 @@ impl Plot for ErrorPlot {
         B::ErrorType: 'static,
     {
         let [left, right, bottom, top] = self.range();
-        // Beyond the last number of samples stands the middle 80 % of each curve.
+        // Beyond the last number of samples stands the middle 80 % of each curve, where it was measured more than once.
         let beyond = |i: usize| right * 1.35_f64.powi(i as i32 + 1);
-        let end = beyond(self.curves.len());
-        let powers = (0..=32).step_by(2).map(|power| 2_f64.powi(power));
+        let mut measured = self.curves.iter().flat_map(|curve| &curve.errors);
+        let is_spread = measured.any(|e| e.low < e.high);
+        let end = if is_spread {
+            beyond(self.curves.len())
+        } else {
+            1.1 * right
+        };
+        let step = if (right / left).log2() < OCTAVES {
+            1
+        } else {
+            2
+        };
+        let powers = (0..=32).step_by(step).map(|power| 2_f64.powi(power));
         let marks: Vec<_> = powers.filter(|n| (left..=right).contains(n)).collect();
         let samples = Axis::log2(left..end).named("samples").marks(&marks);
         let errors = Axis::log(bottom..top).named("error").format(power_of_ten);
@@ -116,7 +131,7 @@ impl Plot for ErrorPlot {
                 let band = curve.errors.iter().map(high).chain(back);
                 chart.area(band, rgb(curve.pen).mix(0.15));
             }
-            if let Some(last) = curve.errors.last() {
+            if let Some(last) = curve.errors.last().filter(|_| is_spread) {
                 let ends = [low(last).1, high(last).1].map(|error| (beyond(i), error));
                 chart.line(ends, rgb(curve.pen).stroke_width(6));
                 if last.median >= bottom {
@@ -128,11 +143,15 @@ impl Plot for ErrorPlot {
             let inside = curve.errors.iter().filter(|e| e.median >= bottom);
             chart.curve(inside.map(|e| (e.n as f64, e.median)), curve.pen);
         }
-        let (plot, beside) = canvas.split_horizontally(PLOT);
-        chart.draw(&plot)?;
         let entries = self.entries();
         let has_slopes = entries.iter().any(|(_, _, slope)| !slope[0].is_empty());
-        let head = if has_slopes { "slope from 64 on" } else { "" };
+        let (width, head) = if has_slopes {
+            (PLOT, "slope from 64 on")
+        } else {
+            (WIDE_PLOT, "")
+        };
+        let (plot, beside) = canvas.split_horizontally(width);
+        chart.draw(&plot)?;
         legend::draw(&beside, (10, 50), &[head], &[SLOPES], &entries)
     }
 

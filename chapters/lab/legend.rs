@@ -61,14 +61,21 @@ pub fn number(v: f64, digits: usize) -> String {
     }
 }
 
-/// A power of ten as people write it: 10⁻³.
+/// A power of ten as people write it: 10⁻³; and 4·10⁻³, where an axis is shorter than a decade.
 pub fn power_of_ten(v: f64) -> String {
-    let exponent = format!("{:.0}", v.log10());
+    let decade = (v.log10() + 1e-6).floor();
+    let factor = (v / 10_f64.powf(decade)).round();
+    let factor = if factor > 1.0 {
+        format!("{factor}·")
+    } else {
+        String::new()
+    };
+    let exponent = format!("{decade:.0}");
     let raised = exponent.chars().map(|c| match c.to_digit(10) {
         Some(digit) => ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][digit as usize],
         None => '⁻',
     });
-    format!("10{}", raised.collect::<String>())
+    format!("{factor}10{}", raised.collect::<String>())
 }
 
 #[cfg(test)]
@@ -85,5 +92,6 @@ mod tests {
     fn exponents_are_raised() {
         assert_eq!(power_of_ten(1e-12), "10⁻¹²", "below one");
         assert_eq!(power_of_ten(1000.0), "10³", "above");
+        assert_eq!(power_of_ten(0.02), "2·10⁻²", "between");
     }
 }

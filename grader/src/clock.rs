@@ -1,7 +1,7 @@
 //! Time for an answer is processor time, where the system tells it: a program is not blamed for a busy machine.
 //!
 //! Time on the wall is what is waited for. When it is over, a program that is still at work, and has not had the processor for
-//! that long, goes on; one that sleeps, or waits for something, does not.
+//! that long, goes on; one that sleeps, or waits for something, does not, unless it is still starting.
 
 use std::time::{Duration, Instant};
 
@@ -79,7 +79,8 @@ impl Clock {
             (limit / LOOK + since, usage.at_work)
         });
         self.wall = elapsed + total.saturating_sub(used).clamp(limit / 16, limit);
-        !at_work || used >= total || elapsed >= AT_MOST * total
+        let sleeps = !at_work && elapsed >= total;
+        sleeps || used >= total || elapsed >= AT_MOST * total
     }
 
     fn usage(&self) -> Option<Usage> {

@@ -54,8 +54,21 @@ fn a_slow_start_is_borne_and_an_endless_one_is_not() {
         [answer("1"), answer("2"), answer("3")],
         "it gets going"
     );
-    let heard = said("while :; do :; done", 1);
-    assert_eq!(heard, [Said::TimedOut(LIMITS.time)], "it never does");
+    // And one that waits for something, such as a licence server, for longer than an answer may take.
+    let wait = 1.5 * LIMITS.time.as_secs_f64();
+    let heard = said(
+        &format!("sleep {wait}; while read q; do echo \"= $q\"; done"),
+        2,
+    );
+    assert_eq!(heard, [answer("1"), answer("2")], "it wakes up");
+    for endless in ["while :; do :; done", "sleep 600"] {
+        let heard = said(endless, 1);
+        assert_eq!(
+            heard,
+            [Said::TimedOut(LIMITS.time)],
+            "{endless}: it never does"
+        );
+    }
 }
 
 #[cfg(target_os = "linux")]

@@ -98,9 +98,15 @@ impl Evidence<'_> {
         let needed = (share * self.wrong as f64).ceil().max(1.0) as usize;
         let mut score = Score::default();
         for (i, item) in self.items.iter().enumerate() {
-            let prediction = predict(i).and_then(|prediction| self.seen(item, &prediction));
+            let predicted = predict(i);
+            let prediction = predicted
+                .as_ref()
+                .and_then(|prediction| self.seen(item, prediction));
             if item.right {
                 let Some(prediction) = prediction else {
+                    // It is silent; or it says that there is nothing where the right answer has this part.
+                    let has_part = || self.seen(item, item.golden()).is_some();
+                    score.contradicted += usize::from(predicted.is_some() && has_part());
                     continue;
                 };
                 let (agrees, close) = self.agrees(item, &prediction);

@@ -62,18 +62,9 @@ pub fn explanations(evidence: &Evidence<'_>, base: &Answers, thoroughly: bool) -
     let mut all = Vec::new();
     for part in parts {
         let name = &evidence.parts[part].name;
-        let mut maker = Maker {
-            evidence,
-            base,
-            part,
-            of: if single {
-                "the answer".to_owned()
-            } else {
-                name.clone()
-            },
-            pairs: pairs(evidence, base, part),
-            all: Vec::new(),
-        };
+        let name = if single { "the answer" } else { name };
+        let mut maker = Maker::new(evidence, base, part, name);
+        maker.pairs = pairs(evidence, base, part);
         if maker.pairs.is_empty() {
             continue;
         }
@@ -102,14 +93,7 @@ pub fn explanations(evidence: &Evidence<'_>, base: &Answers, thoroughly: bool) -
 pub fn functions(evidence: &Evidence<'_>, base: &Answers) -> Vec<Explanation> {
     let mut all = Vec::new();
     for (part, of) in evidence.parts.iter().enumerate() {
-        let mut maker = Maker {
-            evidence,
-            base,
-            part,
-            of: of.name.clone(),
-            pairs: Vec::new(),
-            all: Vec::new(),
-        };
+        let mut maker = Maker::new(evidence, base, part, &of.name);
         maker.functions();
         maker.orders();
         all.append(&mut maker.all);
@@ -124,14 +108,7 @@ const FACTORS: [f64; 5] = [2.0, 4.0, PI, TAU, 4.0 * PI];
 pub fn factors(evidence: &Evidence<'_>, base: &Answers) -> Vec<Explanation> {
     let mut all = Vec::new();
     for (part, of) in evidence.parts.iter().enumerate() {
-        let mut maker = Maker {
-            evidence,
-            base,
-            part,
-            of: of.name.clone(),
-            pairs: Vec::new(),
-            all: Vec::new(),
-        };
+        let mut maker = Maker::new(evidence, base, part, &of.name);
         if maker.is_whole() {
             continue;
         }
@@ -175,6 +152,20 @@ fn common(numbers: &[f64]) -> Option<f64> {
     let close = |v: &&f64| (**v - middle).abs() <= 3e-3 * middle.abs().max(1e-6);
     let many = sorted.iter().filter(close).count();
     (5 * many >= 3 * numbers.len()).then_some(middle)
+}
+
+impl<'a, 'e> Maker<'a, 'e> {
+    /// Nothing is made yet, and there are no pairs to fit.
+    fn new(evidence: &'a Evidence<'e>, base: &'a Answers, part: usize, of: &str) -> Self {
+        Self {
+            evidence,
+            base,
+            part,
+            of: of.to_owned(),
+            pairs: Vec::new(),
+            all: Vec::new(),
+        }
+    }
 }
 
 impl Maker<'_, '_> {

@@ -90,8 +90,13 @@ impl Map {
         TAU * (top - bottom) / self.width as f64
     }
 
-    fn all(&self) -> f64 {
-        self.light.iter().sum()
+    /// The light of all texels, as a step of the way.
+    fn all_told(&self, way: &mut Way) -> f64 {
+        way.number(
+            "the sum of radiance times solid angle over all texels",
+            "W/m²",
+            self.light.iter().sum(),
+        )
     }
 
     fn of_row(&self, row: usize) -> &[f64] {
@@ -151,11 +156,7 @@ fn choose(weights: &[f64], share: f64) -> (usize, f64) {
 impl Explained for SampleEnvironment {
     fn work(&self, way: &mut Way) -> Vec<Vec3> {
         let map = Map::new(self.width, self.height, &self.texels);
-        let all = way.number(
-            "the sum of radiance times solid angle over all texels",
-            "W/m²",
-            map.all(),
-        );
+        let all = map.all_told(way);
         if all <= 0.0 {
             way.remark("The map is black: there is no direction to choose.");
             return Vec::new();
@@ -211,11 +212,7 @@ impl Explained for SampleEnvironment {
 impl Explained for EnvironmentPdf {
     fn work(&self, way: &mut Way) -> f32 {
         let map = Map::new(self.width, self.height, &self.texels);
-        let all = way.number(
-            "the sum of radiance times solid angle over all texels",
-            "W/m²",
-            map.all(),
-        );
+        let all = map.all_told(way);
         if all <= 0.0 {
             way.remark("The map is black: the density is 0.");
             return 0.0;

@@ -50,7 +50,7 @@ pub fn smallest(
 struct Search<'a> {
     examiner: &'a dyn Examiner,
     domain: Domain<'a>,
-    /// The smallest so far, and its question's numbers.
+    /// The smallest wrong case that was found, and its question's numbers.
     smallest: Outcome,
     question: Vec<f64>,
     /// How many questions may still be asked, and until when.

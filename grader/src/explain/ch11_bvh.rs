@@ -293,7 +293,7 @@ impl Explained for BvhBuild {
 /// A search in a tree, while it runs.
 struct Search<'a> {
     q: &'a BvhClosest,
-    /// The nearest hit so far.
+    /// The nearest hit among the triangles that were tested.
     nearest: Option<(f64, u32)>,
     boxes: u32,
     tests: u32,

@@ -89,7 +89,7 @@ impl Explained for Collapse {
 /// A search in a wide tree, while it runs.
 struct Search<'a> {
     q: &'a WideClosest,
-    /// The nearest hit so far.
+    /// The nearest hit among the triangles that were tested.
     nearest: Option<(f64, u32)>,
     opened: Vec<u32>,
     leaves: Vec<u32>,

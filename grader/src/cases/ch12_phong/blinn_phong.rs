@@ -1,6 +1,9 @@
 //! `blinn_phong`: random questions, judge and mistakes.
 
-use super::highlight::{BALL, half, mirrored, on_ball, power, radiance, random, with_highlight};
+use super::highlight::{
+    BALL, half, highlight_without_light, matte_without_cosine, mirrored, on_ball, power, radiance,
+    random, with_highlight,
+};
 use crate::{Graded, Mistake, Picture, Verdict};
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
@@ -121,15 +124,7 @@ impl Graded for BlinnPhongExercise {
         Mistake {
             name: "forgets what arrives in the highlight",
             hint: "Switch the light off: is your highlight gone?",
-            answer: |q| {
-                let highlight = q.at.specular * power(half(&q.at).dot(*q.at.normal), &q.at);
-                let matte = with_highlight(&q.at, 0.0);
-                if q.at.toward.dot(*q.at.normal) > 0.0 {
-                    matte + highlight
-                } else {
-                    matte
-                }
-            },
+            answer: |q| highlight_without_light(&q.at, power(half(&q.at).dot(*q.at.normal), &q.at)),
         },
         Mistake {
             name: "multiplies the highlight by L·N",
@@ -144,14 +139,7 @@ impl Graded for BlinnPhongExercise {
         Mistake {
             name: "forgets the diffuse term's cosine",
             hint: "Tilt the surface away from the light: does it receive as much?",
-            answer: |q| {
-                let highlight = q.at.specular * power(half(&q.at).dot(*q.at.normal), &q.at);
-                if q.at.toward.dot(*q.at.normal) > 0.0 {
-                    (q.at.diffuse + highlight) * q.at.arriving
-                } else {
-                    Rgb::BLACK
-                }
-            },
+            answer: |q| matte_without_cosine(&q.at, power(half(&q.at).dot(*q.at.normal), &q.at)),
         },
         Mistake {
             name: "multiplies by the exponent",

@@ -28,6 +28,25 @@ pub(super) fn with_highlight(q: &Highlight, highlight: f32) -> Rgb {
     }
 }
 
+/// Both terms, but what arrives is forgotten in the highlight, which has this number in the place of its power.
+pub(super) fn highlight_without_light(q: &Highlight, highlight: f32) -> Rgb {
+    let matte = with_highlight(q, 0.0);
+    if q.toward.dot(*q.normal) > 0.0 {
+        matte + q.specular * highlight
+    } else {
+        matte
+    }
+}
+
+/// Both terms, but the diffuse one is as bright as if the light stood above.
+pub(super) fn matte_without_cosine(q: &Highlight, highlight: f32) -> Rgb {
+    if q.toward.dot(*q.normal) > 0.0 {
+        (q.diffuse + q.specular * highlight) * q.arriving
+    } else {
+        Rgb::BLACK
+    }
+}
+
 pub(super) fn power(cosine: f32, q: &Highlight) -> f32 {
     cosine.max(0.0).powf(q.exponent)
 }

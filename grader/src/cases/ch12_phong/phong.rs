@@ -1,6 +1,9 @@
 //! `phong`: random questions, judge and mistakes.
 
-use super::highlight::{BALL, half, mirrored, on_ball, power, radiance, random, with_highlight};
+use super::highlight::{
+    BALL, half, highlight_without_light, matte_without_cosine, mirrored, on_ball, power, radiance,
+    random, with_highlight,
+};
 use crate::{Graded, Mistake, Picture, Verdict};
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
@@ -83,27 +86,13 @@ impl Graded for PhongExercise {
             name: "forgets what arrives in the highlight",
             hint: "Switch the light off: is your highlight gone?",
             answer: |q| {
-                let highlight = q.at.specular * power(mirrored(&q.at).dot(*q.at.view), &q.at);
-                let matte = with_highlight(&q.at, 0.0);
-                if q.at.toward.dot(*q.at.normal) > 0.0 {
-                    matte + highlight
-                } else {
-                    matte
-                }
+                highlight_without_light(&q.at, power(mirrored(&q.at).dot(*q.at.view), &q.at))
             },
         },
         Mistake {
             name: "forgets the diffuse term's cosine",
             hint: "Tilt the surface away from the light: does it receive as much?",
-            answer: |q| {
-                let cosine = q.at.toward.dot(*q.at.normal);
-                let highlight = q.at.specular * power(mirrored(&q.at).dot(*q.at.view), &q.at);
-                if cosine > 0.0 {
-                    (q.at.diffuse + highlight) * q.at.arriving
-                } else {
-                    Rgb::BLACK
-                }
-            },
+            answer: |q| matte_without_cosine(&q.at, power(mirrored(&q.at).dot(*q.at.view), &q.at)),
         },
         Mistake {
             name: "takes N·V",

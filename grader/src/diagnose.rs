@@ -15,6 +15,7 @@ mod number;
 mod pairs;
 mod scalars;
 pub(crate) mod search;
+mod slips;
 mod special;
 mod spread;
 

@@ -4,7 +4,8 @@ pub mod command;
 
 use raybook_grader::cases;
 use raybook_grader::examine::{Case, Examiner, visible_rng};
-use raybook_grader::explain::{EXPLAINERS, Explainer, Shown, Worked};
+use raybook_grader::explain::way::{Step, Way};
+use raybook_grader::explain::{EXPLAINERS, Explainer, Shown};
 use raybook_grader::layout::layout;
 use raybook_workbook::curriculum::{CHAPTERS, Chapter};
 use std::sync::LazyLock;
@@ -22,6 +23,13 @@ static EXPLAINED: LazyLock<Vec<Explained>> = LazyLock::new(|| {
     EXPLAINERS.iter().map(with_cases).collect()
 });
 
+/// The steps and the answer on the way of this number.
+fn worked(explainer: &Explainer, number: usize, question: &[f64]) -> (Vec<Step>, Vec<f64>) {
+    let mut way = Way::default();
+    let answer = (explainer.work)(number, question, &mut way);
+    (way.end().steps, answer)
+}
+
 #[test]
 fn every_exercise_has_steps() {
     let exercises = CHAPTERS.iter().flat_map(Chapter::exercises);
@@ -37,20 +45,26 @@ fn steps_end_in_the_golden_answers() {
         for case in cases {
             let question = examiner.asked().read_question(&case.question);
             let question = question.expect("it is a question");
-            let Worked { steps, answer } = (explainer.work)(&question);
-            assert!(!steps.is_empty(), "{}: there are steps", explainer.exercise);
-            let golden =
-                |line: &String| examiner.asked().read_answer(line).expect("it is an answer");
-            let verdicts = case.answers.iter();
-            let verdicts: Vec<_> = verdicts
-                .map(|line| examiner.compare(&question, &golden(line), &answer))
-                .collect();
-            assert!(
-                verdicts.contains(&Ok(())),
-                "{}, {}: {verdicts:?}, by {steps:#?}",
-                explainer.exercise,
-                case.name
-            );
+            for number in 0..explainer.ways {
+                let (steps, answer) = worked(explainer, number, &question);
+                assert!(
+                    number > 0 || !steps.is_empty(),
+                    "{}: there are steps",
+                    explainer.exercise
+                );
+                let golden =
+                    |line: &String| examiner.asked().read_answer(line).expect("it is an answer");
+                let verdicts = case.answers.iter();
+                let verdicts: Vec<_> = verdicts
+                    .map(|line| examiner.compare(&question, &golden(line), &answer))
+                    .collect();
+                assert!(
+                    verdicts.contains(&Ok(())),
+                    "{}, {}, by way {number}: {verdicts:?}, by {steps:#?}",
+                    explainer.exercise,
+                    case.name
+                );
+            }
             asked += 1;
         }
     }
@@ -64,7 +78,7 @@ fn the_answer_stands_among_the_steps() {
         for case in cases {
             let question = examiner.asked().read_question(&case.question);
             let question = question.expect("it is a question");
-            let Worked { steps, answer } = (explainer.work)(&question);
+            let (steps, answer) = worked(explainer, 0, &question);
             let layout = layout(examiner.asked().answer.kind, &answer);
             if !layout.lists.is_empty() {
                 continue; // of a list the first element is told

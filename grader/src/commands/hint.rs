@@ -10,6 +10,7 @@ use raybook_grader::dress::Dress;
 use raybook_grader::examine::Examiner;
 use raybook_grader::examine::visible_rng;
 use raybook_grader::explain::account::Account;
+use raybook_grader::explain::way::words;
 use raybook_grader::prints::abbreviated;
 use raybook_grader::{feedback, student};
 
@@ -89,7 +90,7 @@ fn on_the_way(report: &Report, examiner: &dyn Examiner, outcome: &Outcome) -> St
     // The first ones are known, and the last one is the answer.
     if let Some(step) = steps.get(steps.len() / 2) {
         let name = step.name.trim_end_matches(" =");
-        let value = format!("{} {}", step.words(), step.unit);
+        let value = format!("{} {}", words(&step.value), step.unit);
         let value = value.trim_end();
         return format!("On the way to the right answer of \"{case}\": {name}: {value}.");
     }

@@ -6,6 +6,7 @@ use super::fit::{self, Answers, Explanation};
 use super::found::Found;
 use super::misread::Misreading;
 use super::pairs::pairs;
+use super::slips::slipped;
 use super::special;
 use raybook_workbook::exercise::Asked;
 use std::panic::catch_unwind;
@@ -71,6 +72,9 @@ pub fn plain(evidence: &Evidence<'_>, readings: &[Misreading], share: f64, found
             answers: Vec::new(),
         };
         consider(evidence, share, one, &answer, found);
+    }
+    if !found.iter().any(Found::is_complete) {
+        slipped(evidence, share, found);
     }
 }
 

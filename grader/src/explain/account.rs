@@ -2,7 +2,7 @@
 
 use super::diagram::Diagram;
 use super::parting::{Parting, partings};
-use super::way::Step;
+use super::way::{Step, Way};
 use super::{Shown, find};
 use crate::ask::Said;
 use crate::check::{Outcome, Report};
@@ -69,7 +69,11 @@ impl<'a> Account<'a> {
         };
         let explainer = find(asked.name);
         let steps = question.as_ref().zip(explainer);
-        let steps = steps.map(|(question, explainer)| (explainer.work)(question).steps);
+        let steps = steps.map(|(question, explainer)| {
+            let mut way = Way::default();
+            (explainer.work)(0, question, &mut way);
+            way.end().steps
+        });
         let drawn = question.zip(right).zip(explainer);
         let diagram = drawn.and_then(|((question, right), explainer)| {
             let (question, right, yours) = (&question, &right, yours.as_deref());

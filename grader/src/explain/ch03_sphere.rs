@@ -11,34 +11,77 @@ use raybook_workbook::exercises::ch03_sphere::{SolveQuadratic, SphereHit, Sphere
 
 /// The real roots of a·t² + b·t + c = 0 without cancellation, the smaller one first.
 pub fn roots(way: &mut Way, [a, b, c]: [f64; 3]) -> Option<[f64; 2]> {
-    let discriminant = way.number("B² − 4AC", "", b * b - 4.0 * a * c);
-    if discriminant < 0.0 {
+    let square = way.part("B²", b * b);
+    let product = way.part("4AC", 4.0 * a * c);
+    let discriminant = way.number("B² − 4AC", "", square - product);
+    if way.decides("the discriminant is negative", discriminant < 0.0) {
         way.remark("The discriminant is negative: no root is real.");
         return None;
     }
+    let root = way.part("√(B² − 4AC)", discriminant.sqrt());
     let q = way.number(
         "q = −½(B + sign(B)·√(B² − 4AC))",
         "",
-        -0.5 * (b + discriminant.sqrt().copysign(b)),
+        -0.5 * (b + root.copysign(b)),
     );
-    let [t0, t1] = if q == 0.0 { [0.0; 2] } else { [q / a, c / q] };
+    let [t0, t1] = if way.decides("q is 0", q == 0.0) {
+        [0.0; 2]
+    } else {
+        [q / a, c / q]
+    };
     let t0 = way.number("q/A", "", t0);
     let t1 = way.number("C/q", "", t1);
-    Some([t0.min(t1), t0.max(t1)])
+    Some(sorted(way, t0, t1))
+}
+
+/// Two roots, the smaller one first.
+fn sorted(way: &mut Way, t0: f64, t1: f64) -> [f64; 2] {
+    let is_sorted = way.decides("the roots are in order", t0 <= t1);
+    let [small, large] = if is_sorted { [t0, t1] } else { [t1, t0] };
+    [
+        way.part("the smaller root", small),
+        way.part("the larger root", large),
+    ]
+}
+
+/// The roots by the formula of most books.
+fn book_roots(way: &mut Way, [a, b, c]: [f64; 3]) -> Option<[f64; 2]> {
+    let square = way.part("B²", b * b);
+    let product = way.part("4AC", 4.0 * a * c);
+    let discriminant = way.part("B² − 4AC", square - product);
+    if way.decides("the discriminant is negative", discriminant < 0.0) {
+        return None;
+    }
+    let root = way.part("√(B² − 4AC)", discriminant.sqrt());
+    let minus = way.part("−B", -b);
+    let twice = way.part("2A", 2.0 * a);
+    let t0 = way.part("(−B − √(B² − 4AC))/2A", (minus - root) / twice);
+    let t1 = way.part("(−B + √(B² − 4AC))/2A", (minus + root) / twice);
+    Some(sorted(way, t0, t1))
+}
+
+/// A way to the real roots of a quadratic equation.
+type Roots = fn(&mut Way, [f64; 3]) -> Option<[f64; 2]>;
+
+fn solved(asked: &SolveQuadratic, way: &mut Way, roots: Roots) -> Option<Vec2> {
+    let a = way.part("A", f64::from(asked.a));
+    let b = way.part("B", f64::from(asked.b));
+    let c = way.part("C", f64::from(asked.c));
+    if way.decides("A is 0", a == 0.0) {
+        way.remark("A is 0: the equation is not quadratic.");
+        return None;
+    }
+    let [t0, t1] = roots(way, [a, b, c])?;
+    let both = way.pair("both, the smaller one first", "", dvec2(t0, t1));
+    Some(both.as_vec2())
 }
 
 impl Explained for SolveQuadratic {
+    const WAYS: &'static [fn(&Self, &mut Way) -> Option<Vec2>] =
+        &[Self::work, |asked, way| solved(asked, way, book_roots)];
+
     fn work(&self, way: &mut Way) -> Option<Vec2> {
-        let [a, b, c] = [self.a, self.b, self.c].map(f64::from);
-        if a == 0.0 {
-            way.remark("A is 0: the equation is not quadratic.");
-            return None;
-        }
-        let [t0, t1] = roots(way, [a, b, c])?;
-        Some(
-            way.pair("both, the smaller one first", "", dvec2(t0, t1))
-                .as_vec2(),
-        )
+        solved(self, way, roots)
     }
 }
 
@@ -60,11 +103,13 @@ pub fn meets(
     let m = way.vector("m = o + s·d − c", "m", o + closest * d - center);
     let a = way.number("A = d·d", "", d.dot(d));
     let b = way.number("B = 2 d·m", "m", 2.0 * d.dot(m));
-    let c = way.number("C = m·m − r²", "m²", m.length_squared() - radius * radius);
+    let square = way.part("m·m", m.length_squared());
+    let radius = way.part("r²", radius * radius);
+    let c = way.number("C = m·m − r²", "m²", square - radius);
     let found = roots(way, [a, b, c])?;
     let near = way.number("t₀ = s + the smaller root", "m", closest + found[0]);
     let far = way.number("t₁ = s + the larger root", "m", closest + found[1]);
-    let t = [near, far].into_iter().find(|t| rays::counts(within, *t));
+    let t = first(way, within, [near, far]);
     match t {
         Some(t) if t == near => way.remark("t₀ is in the interval: it is the nearest."),
         Some(_) => way.remark("t₀ is outside of the interval, t₁ is in it."),
@@ -73,7 +118,61 @@ pub fn meets(
     t
 }
 
+/// The first of two distances that counts.
+fn first(way: &mut Way, within: Interval, [near, far]: [f64; 2]) -> Option<f64> {
+    let near_counts = rays::counts(way, within, near);
+    if way.decides("the smaller root counts", near_counts) {
+        return Some(near);
+    }
+    let far_counts = rays::counts(way, within, far);
+    way.decides("the larger root counts", far_counts)
+        .then_some(far)
+}
+
+/// The same by the equation of o − c, as the lecture has it.
+fn by_equation(asked: &SphereHit, way: &mut Way, roots: Roots) -> Option<f32> {
+    let (o, d) = rays::parts(&asked.ray);
+    let o = way.part("o", o);
+    let d = way.part("d", d);
+    let center = way.part("c", asked.center.as_dvec3());
+    let radius = way.part("r", f64::from(asked.radius));
+    let m = way.part("m = o − c", o - center);
+    let a = way.part("A = d·d", d.dot(d));
+    let b = way.part("B = 2 d·m", 2.0 * d.dot(m));
+    let square = way.part("m·m", m.length_squared());
+    let radius = way.part("r²", radius * radius);
+    let c = way.part("C = m·m − r²", square - radius);
+    let roots = roots(way, [a, b, c])?;
+    first(way, asked.within, roots).map(|t| t as f32)
+}
+
+/// The same by the foot of the perpendicular from the centre, and half of the chord.
+fn by_chord(asked: &SphereHit, way: &mut Way) -> Option<f32> {
+    let (o, d) = rays::parts(&asked.ray);
+    let to_center = way.part("c − o", asked.center.as_dvec3() - o);
+    let radius = way.part("r", f64::from(asked.radius));
+    let foot = way.part("s = (c − o)·d", to_center.dot(d));
+    let beside = way.part("from the foot to the centre", to_center - foot * d);
+    let away = way.part("the square of that distance", beside.length_squared());
+    let radius = way.part("r²", radius * radius);
+    let square = way.part("the square of half of the chord", radius - away);
+    if way.decides("the ray passes by the sphere", square < 0.0) {
+        return None;
+    }
+    let half = way.part("half of the chord", square.sqrt());
+    let near = way.part("s − half of the chord", foot - half);
+    let far = way.part("s + half of the chord", foot + half);
+    first(way, asked.within, [near, far]).map(|t| t as f32)
+}
+
 impl Explained for SphereHit {
+    const WAYS: &'static [fn(&Self, &mut Way) -> Option<f32>] = &[
+        Self::work,
+        |asked, way| by_equation(asked, way, roots),
+        |asked, way| by_equation(asked, way, book_roots),
+        by_chord,
+    ];
+
     fn work(&self, way: &mut Way) -> Option<f32> {
         meets(
             way,

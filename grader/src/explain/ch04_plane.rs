@@ -22,7 +22,7 @@ impl Explained for PlaneHit {
             way.remark("n·d is 0: the ray is parallel to the plane.");
         }
         let t = way.number("t = (offset − n·o)/(n·d)", "m", numerator / denominator);
-        if rays::counts(self.within, t) {
+        if rays::counts(way, self.within, t) {
             Some(t as f32)
         } else {
             way.remark("t is not between min and max.");

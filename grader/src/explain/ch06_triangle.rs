@@ -32,7 +32,7 @@ pub fn meets(way: &mut Way, ray: &Ray, within: Interval, corners: [Vec3; 3]) -> 
     if [b0, b1, b2].into_iter().any(|b| b < -EDGE) {
         way.remark("A weight is negative: the point is beyond the edge opposite to that corner.");
         None
-    } else if rays::counts(within, t) {
+    } else if rays::counts(way, within, t) {
         Some([t, b1, b2])
     } else {
         way.remark("The point is in the triangle, but t is not between min and max.");

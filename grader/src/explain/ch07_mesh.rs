@@ -71,7 +71,8 @@ impl Explained for MeshHit {
         for (id, triangle) in (0..).zip(&self.triangles) {
             let corners = [triangle.p0, triangle.p1, triangle.p2];
             // Its own steps are those of `triangle_hit`.
-            let hit = ch06_triangle::meets(&mut Way::default(), &self.ray, self.within, corners);
+            let hit =
+                way.silently(|way| ch06_triangle::meets(way, &self.ray, self.within, corners));
             let Some([t, ..]) = hit else {
                 way.remark(format!("Triangle {id} is not hit."));
                 continue;

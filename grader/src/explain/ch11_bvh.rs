@@ -205,10 +205,12 @@ fn grow(q: &BvhBuild, way: &mut Way, tree: &mut BvhBuildAnswer, node: usize, som
     let n = some.len();
     let [min, max] = around(&q.boxes, some);
     way.number(format!("node {node}: its number of boxes"), "", n as f64);
-    let mut unread = Way::default();
     // The steps of the first cut are told; the others go the same way.
-    let steps = if node == 0 { &mut *way } else { &mut unread };
-    let cut = best_cut(steps, &q.boxes, some);
+    let cut = if node == 0 {
+        best_cut(way, &q.boxes, some)
+    } else {
+        way.silently(|way| best_cut(way, &q.boxes, some))
+    };
     let whole = area([min, max]);
     // Both sides are reckoned as leaves here: as a rule it is right, and cheap.
     let is_worth = |cut: &Cut| whole + cut.cost < n as f64 * whole || n > q.most as usize;
@@ -352,7 +354,7 @@ impl Search<'_> {
         let corners = [triangle.p0, triangle.p1, triangle.p2];
         self.tests += 1;
         // Its own steps are those of `triangle_hit`.
-        match ch06_triangle::meets(&mut Way::default(), &q.ray, q.within, corners) {
+        match way.silently(|way| ch06_triangle::meets(way, &q.ray, q.within, corners)) {
             Some([t, ..]) => {
                 way.number(format!("triangle {id} is hit at t ="), "m", t);
                 if t < self.limit() {

@@ -121,7 +121,7 @@ impl Explained for VisibleFraction {
         ));
         let mut fractions = Vec::new();
         for (i, point) in self.points.iter().enumerate() {
-            let is_seen = |u: DVec2| {
+            let mut is_seen = |u: DVec2| {
                 let to = corner + u.x * a + u.y * b - point.as_dvec3();
                 let Some(direction) = Dir3::new(to.as_vec3()) else {
                     return false;
@@ -130,8 +130,8 @@ impl Explained for VisibleFraction {
                     Ray::new(*point, direction),
                     Interval::new(0.0, to.length() as f32),
                 );
-                let blocks = |center: DVec3, radius: f32| {
-                    ch03_sphere::meets(&mut Way::default(), &ray, before, center, radius.into())
+                let mut blocks = |center: DVec3, radius: f32| {
+                    way.silently(|way| ch03_sphere::meets(way, &ray, before, center, radius.into()))
                         .is_some()
                 };
                 to.dot(normal) < 0.0

@@ -145,7 +145,7 @@ impl Search<'_> {
             let corners = [triangle.p0, triangle.p1, triangle.p2];
             self.tests += 1;
             // Its own steps are those of `triangle_hit`.
-            match ch06_triangle::meets(&mut Way::default(), &q.ray, q.within, corners) {
+            match way.silently(|way| ch06_triangle::meets(way, &q.ray, q.within, corners)) {
                 Some([t, ..]) => {
                     way.number(format!("leaf {leaf}: triangle {id} is hit at t ="), "m", t);
                     if t < self.limit() {

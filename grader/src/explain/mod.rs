@@ -33,6 +33,7 @@ pub mod diagram;
 pub mod parting;
 mod rays;
 mod section;
+pub mod slip;
 mod square;
 pub mod tell;
 mod tree;
@@ -71,26 +72,20 @@ use raybook_workbook::exercises::{
     ch25_capstone::Trace,
 };
 use raybook_workbook::row::{from_numbers, to_numbers};
-use way::{Step, Way};
+use way::Way;
 
 /// An exercise whose answers can be worked out on paper.
-trait Explained: Exercise {
+trait Explained: Exercise<Answer: 'static> + 'static {
     /// Answers the question in double precision, from the question alone, and writes down each step.
     fn work(&self, way: &mut Way) -> Self::Answer;
+
+    /// The ways to the answer: the one that is told, and others that people go.
+    const WAYS: &'static [fn(&Self, &mut Way) -> Self::Answer] = &[Self::work];
 
     /// Draws the question with both answers, where a drawing says more than numbers.
     fn draw(&self, _right: &Self::Answer, _yours: Option<&Self::Answer>) -> Option<Diagram> {
         None
     }
-}
-
-/// The steps to the answer of a question, and the answer as a row of numbers.
-#[derive(Clone, Debug)]
-pub struct Worked {
-    /// The steps, in order.
-    pub steps: Vec<Step>,
-    /// The answer.
-    pub answer: Vec<f64>,
 }
 
 /// What a drawing shows, as rows of numbers.
@@ -109,8 +104,10 @@ pub struct Shown<'a> {
 pub struct Explainer {
     /// The exercise's name.
     pub exercise: &'static str,
-    /// The steps to the answer of a question.
-    pub work: fn(&[f64]) -> Worked,
+    /// How many ways there are to the answer.
+    pub ways: usize,
+    /// Goes the way of this number to the answer of a question, and writes its steps down.
+    pub work: fn(usize, &[f64], &mut Way) -> Vec<f64>,
     /// The drawing, where one says more than numbers.
     pub draw: fn(Shown<'_>) -> Option<Diagram>,
 }
@@ -119,11 +116,9 @@ impl Explainer {
     const fn of<E: Explained>() -> Self {
         Self {
             exercise: E::NAME,
-            work: |question| {
-                let mut way = Way::default();
-                let answer = to_numbers(&from_numbers::<E>(question).work(&mut way));
-                let steps = way.steps;
-                Worked { steps, answer }
+            ways: E::WAYS.len(),
+            work: |number, question, way| {
+                to_numbers(&E::WAYS[number](&from_numbers::<E>(question), way))
             },
             draw: |Shown {
                        question,

@@ -3,6 +3,7 @@
 use super::diagram::{Diagram, Ink};
 use super::section::Section;
 use super::view::View;
+use super::way::Way;
 use glam::{DVec2, DVec3, dvec2};
 use raybook::math::{interval::Interval, ray::Ray};
 
@@ -12,8 +13,10 @@ pub fn parts(ray: &Ray) -> (DVec3, DVec3) {
 }
 
 /// Whether a distance counts.
-pub fn counts(within: Interval, t: f64) -> bool {
-    f64::from(within.min) < t && t < f64::from(within.max)
+pub fn counts(way: &mut Way, within: Interval, t: f64) -> bool {
+    let min = way.part("min", f64::from(within.min));
+    let max = way.part("max", f64::from(within.max));
+    way.decides("t is larger than min", min < t) && way.decides("t is smaller than max", t < max)
 }
 
 /// The distances of an interval at which a ray is in a box, or on its surface.

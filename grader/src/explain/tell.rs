@@ -2,7 +2,7 @@
 
 use super::account::{Account, Named};
 use super::parting::Parting;
-use super::way::Step;
+use super::way::{Step, words};
 use crate::check::Verdict;
 use crate::dress::Dress;
 use crate::feedback;
@@ -85,19 +85,14 @@ fn partings(partings: &[Parting]) -> Vec<String> {
 
 /// A number with seven digits.
 fn number(v: f64) -> String {
-    Step {
-        name: "".into(),
-        value: vec![v],
-        unit: "",
-    }
-    .words()
+    words(&[v])
 }
 
 fn steps(steps: &[Step]) -> Vec<String> {
     /// Of a long way the end is worth reading too: there is the answer.
     const END: usize = 8;
     let row = |step: &Step| {
-        let value = format!("{} {}", step.words(), step.unit);
+        let value = format!("{} {}", words(&step.value), step.unit);
         let value = if step.value.is_empty() {
             "–"
         } else {

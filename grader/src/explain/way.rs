@@ -1,5 +1,6 @@
 //! The steps of a calculation, one after the other, as somebody writes them down who does it by hand.
 
+use super::slip::{Place, Slip, end_if_endless};
 use glam::{DVec2, DVec3};
 use std::borrow::Cow;
 
@@ -12,80 +13,240 @@ pub struct Step {
     pub value: Vec<f64>,
     /// The value's unit; empty where it has none.
     pub unit: &'static str,
+    /// Where it is calculated.
+    pub place: Place,
+    is_told: bool,
 }
 
-/// The steps so far. Each method writes a value down and gives it back, so that what is told is what is calculated with.
+/// What a step's value can be.
+pub trait Value: Copy {
+    /// Its numbers.
+    fn numbers(self) -> Vec<f64>;
+
+    /// The value with other numbers, as many as it has.
+    fn with(self, numbers: &[f64]) -> Self;
+}
+
+impl Value for f64 {
+    fn numbers(self) -> Vec<f64> {
+        vec![self]
+    }
+
+    fn with(self, numbers: &[f64]) -> Self {
+        numbers[0]
+    }
+}
+
+impl Value for DVec2 {
+    fn numbers(self) -> Vec<f64> {
+        self.to_array().into()
+    }
+
+    fn with(self, numbers: &[f64]) -> Self {
+        Self::from_slice(numbers)
+    }
+}
+
+impl Value for DVec3 {
+    fn numbers(self) -> Vec<f64> {
+        self.to_array().into()
+    }
+
+    fn with(self, numbers: &[f64]) -> Self {
+        Self::from_slice(numbers)
+    }
+}
+
+/// A decision on the way; a remark tells what comes of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Decision {
+    /// What is decided: "the discriminant is negative".
+    pub name: &'static str,
+    /// Where it is made.
+    pub place: Place,
+}
+
+/// The steps up to now. Each method writes a value down and gives it back, so that what is told is what is calculated with.
 #[derive(Debug, Default)]
 pub struct Way {
-    /// The steps, in order.
+    steps: Vec<Step>,
+    untold: Vec<Step>,
+    decisions: Vec<Decision>,
+    slip: Option<Slip>,
+    calculated: usize,
+}
+
+/// What is left of a way at its end.
+#[derive(Clone, Debug)]
+pub struct Walked {
+    /// The steps that are told, in order.
     pub steps: Vec<Step>,
+    /// Steps that are not told: at each place the first.
+    pub untold: Vec<Step>,
+    /// The decisions: at each place the first.
+    pub decisions: Vec<Decision>,
 }
 
 impl Way {
+    /// A way on which a slip is made.
+    pub fn with(slip: Slip) -> Self {
+        Self {
+            slip: Some(slip),
+            ..Self::default()
+        }
+    }
+
     /// A number.
+    #[track_caller]
     pub fn number(
         &mut self,
         name: impl Into<Cow<'static, str>>,
         unit: &'static str,
         v: f64,
     ) -> f64 {
-        self.add(name, unit, vec![v]);
-        v
+        self.add(name, unit, v, true)
     }
 
     /// A vector.
+    #[track_caller]
     pub fn vector(
         &mut self,
         name: impl Into<Cow<'static, str>>,
         unit: &'static str,
         v: DVec3,
     ) -> DVec3 {
-        self.add(name, unit, v.to_array().into());
-        v
+        self.add(name, unit, v, true)
     }
 
     /// Two numbers that belong together.
+    #[track_caller]
     pub fn pair(
         &mut self,
         name: impl Into<Cow<'static, str>>,
         unit: &'static str,
         v: DVec2,
     ) -> DVec2 {
-        self.add(name, unit, v.to_array().into());
-        v
+        self.add(name, unit, v, true)
+    }
+
+    /// What goes into the next step without being worth a line of its own: a number that is given, a factor, a part of a formula.
+    #[track_caller]
+    pub fn part<V: Value>(&mut self, name: &'static str, v: V) -> V {
+        self.add(name, "", v, false)
     }
 
     /// A sentence, where the calculation branches.
+    #[track_caller]
     pub fn remark(&mut self, sentence: impl Into<Cow<'static, str>>) {
-        self.add(sentence, "", Vec::new());
+        self.count();
+        self.steps.push(Step {
+            name: sentence.into(),
+            value: Vec::new(),
+            unit: "",
+            place: Place::here(),
+            is_told: true,
+        });
     }
 
-    /// Calculates for each of many alike, and writes down the steps of the first only.
+    /// Whether a condition holds on which the calculation branches.
+    #[track_caller]
+    pub fn decides(&mut self, name: &'static str, holds: bool) -> bool {
+        let place = Place::here();
+        self.count();
+        if !self.decisions.iter().any(|one| one.place == place) {
+            self.decisions.push(Decision { name, place });
+        }
+        match self.slip {
+            Some(Slip::Decision(at, of)) if at == place => of(holds),
+            _ => holds,
+        }
+    }
+
+    /// Calculates what is not told.
+    pub fn silently<R>(&mut self, calculate: impl FnOnce(&mut Self) -> R) -> R {
+        let told = self.steps.len();
+        let result = calculate(self);
+        for step in self.steps.drain(told..) {
+            // Who makes a slip knows the places already.
+            if self.slip.is_none() && !self.untold.iter().any(|one| one.place == step.place) {
+                self.untold.push(step);
+            }
+        }
+        result
+    }
+
+    /// Calculates for each of many alike, and tells the steps of the first only.
     pub fn of_first<T, R>(
         &mut self,
         all: impl IntoIterator<Item = T>,
         mut calculate: impl FnMut(&mut Self, T) -> R,
     ) -> Vec<R> {
-        let mut unread = Self::default();
-        let mut first = Some(self);
-        let each = |one| calculate(first.take().unwrap_or(&mut unread), one);
+        let mut is_first = true;
+        let each = |one| {
+            if std::mem::take(&mut is_first) {
+                calculate(self, one)
+            } else {
+                self.silently(|way| calculate(way, one))
+            }
+        };
         all.into_iter().map(each).collect()
     }
 
-    fn add(&mut self, name: impl Into<Cow<'static, str>>, unit: &'static str, value: Vec<f64>) {
-        let name = name.into();
-        self.steps.push(Step { name, value, unit });
+    fn count(&mut self) {
+        self.calculated += 1;
+        end_if_endless(self.calculated);
+    }
+
+    /// What the way leaves behind.
+    pub fn end(mut self) -> Walked {
+        let untold = self.steps.extract_if(.., |step| !step.is_told);
+        self.untold.extend(untold);
+        Walked {
+            steps: self.steps,
+            untold: self.untold,
+            decisions: self.decisions,
+        }
+    }
+
+    #[track_caller]
+    fn add<V: Value>(
+        &mut self,
+        name: impl Into<Cow<'static, str>>,
+        unit: &'static str,
+        v: V,
+        is_told: bool,
+    ) -> V {
+        self.count();
+        let place = Place::here();
+        let mut value = v.numbers();
+        match self.slip {
+            Some(Slip::Value(at, change)) if at == place => change.make(&mut value),
+            Some(Slip::Other { at, of }) if at == place => {
+                let last = self.steps.iter().rev().find(|step| step.place == of);
+                if let Some(last) = last.filter(|last| last.value.len() == value.len()) {
+                    value.clone_from(&last.value);
+                }
+            }
+            _ => {}
+        }
+        let v = v.with(&value);
+        self.steps.push(Step {
+            name: name.into(),
+            value,
+            unit,
+            place,
+            is_told,
+        });
+        v
     }
 }
 
-impl Step {
-    /// The value as people write it: about seven digits.
-    pub fn words(&self) -> String {
-        let word = |v: &f64| {
-            // Seven digits are those of single precision; −0 is 0 to people.
-            let v = (*v + 0.0) as f32;
-            format!("{v:?}").trim_end_matches(".0").to_lowercase()
-        };
-        self.value.iter().map(word).collect::<Vec<_>>().join(" ")
-    }
+/// Numbers as people write them: about seven digits.
+pub fn words(numbers: &[f64]) -> String {
+    let word = |v: &f64| {
+        // Seven digits are those of single precision; −0 is 0 to people.
+        let v = (*v + 0.0) as f32;
+        format!("{v:?}").trim_end_matches(".0").to_lowercase()
+    };
+    numbers.iter().map(word).collect::<Vec<_>>().join(" ")
 }

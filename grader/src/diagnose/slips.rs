@@ -1,0 +1,222 @@
+//! Explanations by one step that goes wrong: the steps of `raybook explain` with another value at one of them, or another decision.
+//! Every exercise with steps has them for nothing.
+
+use super::evidence::Evidence;
+use super::fit::Explanation;
+use super::found::Found;
+use super::function::FUNCTIONS;
+use super::search::consider;
+use crate::explain::slip::{Change, Place, Slip};
+use crate::explain::way::{Step, Way};
+use crate::explain::{Explainer, find};
+use std::borrow::Cow;
+use std::f64::consts::{PI, TAU};
+use std::panic::catch_unwind;
+
+/// A slip by name.
+struct Named {
+    name: String,
+    hint: String,
+    rank: u32,
+    slip: Slip,
+}
+
+/// What is often made of a value of a certain size.
+struct Common {
+    /// How many numbers the value has; 0 stands for any number of them.
+    size: usize,
+    name: &'static str,
+    rank: u32,
+    change: Change,
+}
+
+macro_rules! common {
+    ($($size:literal $rank:literal $name:literal: $how:ident $of:expr;)+) => {
+        const COMMON: &[Common] = &[$(Common { size: $size, name: $name, rank: $rank, change: Change::$how($of) }),+];
+    };
+}
+
+common! {
+    0 9 "takes twice the value": Each |v| 2.0 * v;
+    0 9 "takes half of the value": Each |v| 0.5 * v;
+    0 9 "takes 4 times the value": Each |v| 4.0 * v;
+    0 9 "takes a quarter of the value": Each |v| 0.25 * v;
+    0 10 "takes 3 times the value": Each |v| 3.0 * v;
+    0 10 "takes a third of the value": Each |v| v / 3.0;
+    0 11 "takes 1½ times the value": Each |v| 1.5 * v;
+    0 10 "takes π times the value": Each |v| PI * v;
+    0 10 "takes the value divided by π": Each |v| v / PI;
+    0 10 "takes 2π times the value": Each |v| TAU * v;
+    0 10 "takes the value divided by 2π": Each |v| v / TAU;
+    0 11 "takes the value plus 1": Each |v| v + 1.0;
+    0 11 "takes the value minus 1": Each |v| v - 1.0;
+    0 11 "takes the value plus ½": Each |v| v + 0.5;
+    0 11 "takes the value minus ½": Each |v| v - 0.5;
+    2 10 "exchanges both numbers": Together |v| v.swap(0, 1);
+    2 11 "has the sign of the first number wrong": Together |v| v[0] = -v[0];
+    2 11 "has the sign of the second number wrong": Together |v| v[1] = -v[1];
+    2 12 "takes the first number twice": Together |v| v[1] = v[0];
+    2 12 "takes the second number twice": Together |v| v[0] = v[1];
+    2 12 "counts the first number from the other end: 1 minus it": Together |v| v[0] = 1.0 - v[0];
+    2 12 "counts the second number from the other end: 1 minus it": Together |v| v[1] = 1.0 - v[1];
+    3 11 "has the sign of x wrong": Together |v| v[0] = -v[0];
+    3 11 "has the sign of y wrong": Together |v| v[1] = -v[1];
+    3 11 "has the sign of z wrong": Together |v| v[2] = -v[2];
+    3 11 "exchanges x and y": Together |v| v.swap(0, 1);
+    3 11 "exchanges x and z": Together |v| v.swap(0, 2);
+    3 11 "exchanges y and z": Together |v| v.swap(1, 2);
+    3 12 "takes (y, z, x) for (x, y, z)": Together |v| v.rotate_left(1);
+    3 12 "takes (z, x, y) for (x, y, z)": Together |v| v.rotate_right(1);
+    3 12 "takes x for all three": Together |v| v.fill(v[0]);
+    3 12 "takes y for all three": Together |v| v.fill(v[1]);
+    3 12 "takes z for all three": Together |v| v.fill(v[2]);
+    3 12 "takes 0 for x": Together |v| v[0] = 0.0;
+    3 12 "takes 0 for y": Together |v| v[1] = 0.0;
+    3 12 "takes 0 for z": Together |v| v[2] = 0.0;
+    3 10 "normalises the value": Together |v| {
+        let length = v.iter().map(|v| v * v).sum::<f64>().sqrt();
+        v.iter_mut().for_each(|v| *v /= length);
+    };
+}
+
+/// A slip is told only if nothing simpler explains the answers as well.
+const RANK: u32 = 8;
+
+/// Every slip that the steps of an exercise allow, on one of its ways, in the questions of the evidence.
+fn slips(explainer: &Explainer, number: usize, evidence: &Evidence<'_>) -> Vec<Named> {
+    let mut steps: Vec<Step> = Vec::new();
+    let mut decisions = Vec::new();
+    for item in &evidence.items {
+        let mut way = Way::default();
+        (explainer.work)(number, &item.question, &mut way);
+        let walked = way.end();
+        for step in walked.steps.into_iter().chain(walked.untold) {
+            if !step.value.is_empty() && !steps.iter().any(|one| one.place == step.place) {
+                steps.push(step);
+            }
+        }
+        for decision in walked.decisions {
+            if !decisions.contains(&decision) {
+                decisions.push(decision);
+            }
+        }
+    }
+    let mut all = Vec::new();
+    for step in &steps {
+        of_step(step, &mut all);
+        for other in &steps {
+            if other.place != step.place && other.value.len() == step.value.len() {
+                all.push(other_value(step, other));
+            }
+        }
+    }
+    for decision in decisions {
+        of_decision(decision.name, decision.place, &mut all);
+    }
+    all
+}
+
+/// The slips that need nothing but the step's own value.
+fn of_step(step: &Step, all: &mut Vec<Named>) {
+    let name = short(&step.name);
+    let mut add = |what: &str, hint: &str, rank, change| {
+        all.push(Named {
+            name: format!("goes wrong at the step “{name}”: {what}"),
+            hint: hint.to_owned(),
+            rank: RANK + rank,
+            slip: Slip::Value(step.place, change),
+        });
+    };
+    for one in COMMON {
+        if one.size == 0 || one.size == step.value.len() {
+            add(one.name, HINT, one.rank, one.change);
+        }
+    }
+    for function in FUNCTIONS {
+        let name = function.name.replace("the answer", "the value");
+        let name = name.replace("returns", "takes");
+        add(
+            &name,
+            function.hint,
+            function.rank,
+            Change::Each(function.of),
+        );
+    }
+}
+
+const HINT: &str = "`raybook explain` shows this step with its right value: print yours beside it.";
+
+/// The value of another step in place of a step's own.
+fn other_value(step: &Step, other: &Step) -> Named {
+    let (name, of) = (short(&step.name), short(&other.name));
+    Named {
+        name: format!("takes the value of “{of}” where that of “{name}” belongs"),
+        hint: HINT.to_owned(),
+        rank: RANK + 12,
+        slip: Slip::Other {
+            at: step.place,
+            of: other.place,
+        },
+    }
+}
+
+fn of_decision(name: &str, place: Place, all: &mut Vec<Named>) {
+    let ways: [(String, fn(bool) -> bool); 3] = [
+        (format!("never takes it into account when {name}"), |_| {
+            false
+        }),
+        (format!("always goes on as if {name}"), |_| true),
+        (
+            format!("decides the other way round whether {name}"),
+            |holds| !holds,
+        ),
+    ];
+    for (name, of) in ways {
+        all.push(Named {
+            name,
+            hint: HINT.to_owned(),
+            rank: RANK + 9,
+            slip: Slip::Decision(place, of),
+        });
+    }
+}
+
+/// The name of a step, without the numbers that only one question has.
+fn short(name: &Cow<'static, str>) -> String {
+    let name = match name {
+        Cow::Borrowed(name) => (*name).to_owned(),
+        Cow::Owned(name) => {
+            let parts = name.split(|c: char| c.is_ascii_digit());
+            let parts: Vec<_> = parts.filter(|part| !part.is_empty()).collect();
+            parts.join("…")
+        }
+    };
+    name.trim_end_matches(" =").to_owned()
+}
+
+/// All explanations by one slip that give this share of the wrong answers.
+pub fn slipped(evidence: &Evidence<'_>, share: f64, found: &mut Vec<Found>) {
+    let asked = evidence.examiner.asked();
+    let Some(explainer) = find(asked.name) else {
+        return;
+    };
+    for number in 0..explainer.ways {
+        for one in slips(explainer, number, evidence) {
+            let slip = one.slip;
+            let answer = |k: usize| answer(explainer, number, &evidence.items[k].question, slip);
+            let one = Explanation {
+                name: one.name,
+                hint: one.hint,
+                rank: one.rank,
+                fitted: 0,
+                answers: Vec::new(),
+            };
+            consider(evidence, share, one, &answer, found);
+        }
+    }
+}
+
+/// What is answered with a slip; none where the way has no end, or leads nowhere.
+fn answer(explainer: &Explainer, number: usize, question: &[f64], slip: Slip) -> Option<Vec<f64>> {
+    catch_unwind(|| (explainer.work)(number, question, &mut Way::with(slip))).ok()
+}

@@ -1,0 +1,68 @@
+//! Slips: at one step something else is written down than the right value, and all that follows is calculated with it.
+
+use std::panic::{Location, resume_unwind};
+
+/// The place of a step in the way to an answer: that of its line in the file of its chapter.
+#[derive(Clone, Copy, Debug, Eq)]
+pub struct Place(&'static Location<'static>);
+
+impl PartialEq for Place {
+    fn eq(&self, other: &Self) -> bool {
+        // Lines differ more often than files, and are compared faster.
+        let key = |place: &Self| (place.0.line(), place.0.column(), place.0.file());
+        key(self) == key(other)
+    }
+}
+
+impl Place {
+    /// The place that calls.
+    #[track_caller]
+    pub(super) fn here() -> Self {
+        Self(Location::caller())
+    }
+}
+
+/// What is made of a right value.
+#[derive(Clone, Copy, Debug)]
+pub enum Change {
+    /// Of each number by itself.
+    Each(fn(f64) -> f64),
+    /// Of all its numbers together.
+    Together(fn(&mut [f64])),
+}
+
+impl Change {
+    /// Changes the numbers of a value.
+    pub(super) fn make(self, value: &mut [f64]) {
+        match self {
+            Self::Each(of) => value.iter_mut().for_each(|v| *v = of(*v)),
+            Self::Together(of) => of(value),
+        }
+    }
+}
+
+/// What happens at one step, wherever the way comes by it.
+#[derive(Clone, Copy, Debug)]
+pub enum Slip {
+    /// The value is changed.
+    Value(Place, Change),
+    /// The last value of another step is taken, if it is as long.
+    Other {
+        /// The step that is wrong.
+        at: Place,
+        /// The step whose value is taken.
+        of: Place,
+    },
+    /// A decision falls in another way.
+    Decision(Place, fn(bool) -> bool),
+}
+
+/// More steps than these no way to a right answer takes: a way with a slip may never end.
+const ENDLESS: usize = 200_000;
+
+/// Ends a way that has become endless; whoever follows a slip catches that.
+pub(super) fn end_if_endless(steps: usize) {
+    if steps > ENDLESS {
+        resume_unwind(Box::new("a way with a slip that never ends"));
+    }
+}

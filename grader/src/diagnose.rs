@@ -85,11 +85,10 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
     // A mistake whose answers have the same traits says more than what can be seen in any answer, and that more than a guess.
     let likely = spread::search(evidence, &readings);
     let seen = flaws::search(evidence);
-    let is_certain = |found: &&Diagnosis| found.certain;
-    if let Some(found) = likely.iter().find(is_certain) {
-        return Some(found.clone());
+    if let Some(found) = likely.as_ref().filter(|one| one.diagnosis.certain) {
+        return Some(found.diagnosis.clone());
     }
-    if let Some(found) = seen.iter().find(is_certain) {
+    if let Some(found) = seen.as_ref().filter(|found| found.certain) {
         // What is there to see, and what may have made it.
         if !evidence.examiner.limits().slow {
             let parts = of_parts(evidence, &readings);
@@ -102,11 +101,12 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
             .as_ref()
             .filter(|one| one.is_own() && one.score.contradicted == 0);
         let nearly = nearly.map(|one| one.told(evidence));
-        let own = |one: &&Diagnosis| is_own(evidence, one) && one.name != found.name;
-        let made = nearly.iter().chain(&likely).find(own).cloned();
-        found.also.extend(made);
+        let likely = likely.filter(|one| one.is_cause).map(|one| one.diagnosis);
+        let mut made = nearly.into_iter().chain(likely);
+        found.also.extend(made.find(|one| one.name != found.name));
         return Some(found);
     }
+    let likely = likely.map(|one| one.diagnosis);
     if let Some(found) = complete {
         return Some(found.told(evidence));
     }
@@ -124,12 +124,6 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
         .or(parts)
         .or_else(|| in_cases(evidence, &readings))
         .or_else(|| flaws::of_some(evidence))
-}
-
-/// Whether it is a mistake of the exercise's own.
-fn is_own(evidence: &Evidence<'_>, diagnosis: &Diagnosis) -> bool {
-    let mut own = evidence.examiner.mistakes().into_iter();
-    own.any(|(name, _)| name == diagnosis.name)
 }
 
 /// A mistake in each of several parts.

@@ -181,6 +181,11 @@ impl<'a> Evidence<'a> {
             .collect()
     }
 
+    /// Whether answers are compared with the golden ones; those of others are judged by their traits.
+    pub fn is_judged(&self) -> bool {
+        self.judged
+    }
+
     /// Whether the judge compares with the golden answer: then it can say whether an answer is a mistake's.
     fn judge_compares(&self) -> bool {
         let first = self.items.iter().find(|item| !item.golden().is_empty());

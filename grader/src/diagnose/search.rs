@@ -73,8 +73,18 @@ pub fn plain(evidence: &Evidence<'_>, readings: &[Misreading], share: f64, found
         };
         consider(evidence, share, one, &answer, found);
     }
-    if !found.iter().any(Found::is_complete) {
-        slipped(evidence, share, found);
+    if evidence.is_judged() && !found.iter().any(Found::is_complete) {
+        for slip in slipped(evidence) {
+            let answer = |k: usize| slip.answer(&evidence.items[k].question);
+            let one = Explanation {
+                name: slip.name.clone(),
+                hint: slip.hint.clone(),
+                rank: slip.rank,
+                fitted: 0,
+                answers: Vec::new(),
+            };
+            consider(evidence, share, one, &answer, found);
+        }
     }
 }
 

@@ -2,10 +2,7 @@
 //! Every exercise with steps has them for nothing.
 
 use super::evidence::Evidence;
-use super::fit::Explanation;
-use super::found::Found;
 use super::function::FUNCTIONS;
-use super::search::consider;
 use crate::explain::slip::{Change, Place, Slip};
 use crate::explain::way::{Step, Way};
 use crate::explain::{Explainer, find};
@@ -82,14 +79,52 @@ common! {
 /// A slip is told only if nothing simpler explains the answers as well.
 const RANK: u32 = 8;
 
-/// Every slip that the steps of an exercise allow, on one of its ways, in the questions of the evidence.
-fn slips(explainer: &Explainer, number: usize, evidence: &Evidence<'_>) -> Vec<Named> {
+/// A way of an exercise with one slip.
+pub struct Slipped {
+    /// What the slip does, as a verb.
+    pub name: String,
+    /// What leads on.
+    pub hint: String,
+    /// How common it is.
+    pub rank: u32,
+    explainer: &'static Explainer,
+    way: usize,
+    slip: Slip,
+}
+
+impl Slipped {
+    /// What is answered; nothing where the way has no end, or leads nowhere.
+    pub fn answer(&self, question: &[f64]) -> Option<Vec<f64>> {
+        let work = || (self.explainer.work)(self.way, question, &mut Way::with(self.slip));
+        catch_unwind(work).ok()
+    }
+}
+
+/// No more steps than these, in all questions, are tried with slips: an estimate has a thousand times as many as a formula.
+const LONG: usize = 300_000;
+
+/// Every way to the answers with every slip that its steps allow in these questions.
+pub fn slipped(evidence: &Evidence<'_>) -> Vec<Slipped> {
+    let Some(explainer) = find(evidence.examiner.asked().name) else {
+        return Vec::new();
+    };
+    let of_way = |way| slips(explainer, way, evidence);
+    (0..explainer.ways).flat_map(of_way).collect()
+}
+
+/// Every slip that the steps of one way allow in these questions.
+fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) -> Vec<Slipped> {
     let mut steps: Vec<Step> = Vec::new();
     let mut decisions = Vec::new();
+    let mut length = 0;
     for item in &evidence.items {
         let mut way = Way::default();
         (explainer.work)(number, &item.question, &mut way);
         let walked = way.end();
+        length += walked.length;
+        if length > LONG {
+            return Vec::new();
+        }
         for step in walked.steps.into_iter().chain(walked.untold) {
             if !step.value.is_empty() && !steps.iter().any(|one| one.place == step.place) {
                 steps.push(step);
@@ -113,7 +148,20 @@ fn slips(explainer: &Explainer, number: usize, evidence: &Evidence<'_>) -> Vec<N
     for decision in decisions {
         of_decision(decision.name, decision.place, &mut all);
     }
-    all
+    let on_way = |Named {
+                      name,
+                      hint,
+                      rank,
+                      slip,
+                  }| Slipped {
+        name,
+        hint,
+        rank,
+        explainer,
+        way: number,
+        slip,
+    };
+    all.into_iter().map(on_way).collect()
 }
 
 /// The slips that need nothing but the step's own value.
@@ -192,31 +240,4 @@ fn short(name: &Cow<'static, str>) -> String {
         }
     };
     name.trim_end_matches(" =").to_owned()
-}
-
-/// All explanations by one slip that give this share of the wrong answers.
-pub fn slipped(evidence: &Evidence<'_>, share: f64, found: &mut Vec<Found>) {
-    let asked = evidence.examiner.asked();
-    let Some(explainer) = find(asked.name) else {
-        return;
-    };
-    for number in 0..explainer.ways {
-        for one in slips(explainer, number, evidence) {
-            let slip = one.slip;
-            let answer = |k: usize| answer(explainer, number, &evidence.items[k].question, slip);
-            let one = Explanation {
-                name: one.name,
-                hint: one.hint,
-                rank: one.rank,
-                fitted: 0,
-                answers: Vec::new(),
-            };
-            consider(evidence, share, one, &answer, found);
-        }
-    }
-}
-
-/// What is answered with a slip; none where the way has no end, or leads nowhere.
-fn answer(explainer: &Explainer, number: usize, question: &[f64], slip: Slip) -> Option<Vec<f64>> {
-    catch_unwind(|| (explainer.work)(number, question, &mut Way::with(slip))).ok()
 }

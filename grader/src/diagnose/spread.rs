@@ -1,9 +1,10 @@
 //! Answers of which many are right: a mistake shows in their traits, costs or shares of a distribution, over all cases together.
 
-use super::evidence::Evidence;
+use super::evidence::{Evidence, Item};
 use super::fit::{self, Answers};
 use super::misread::Misreading;
 use super::search::{golden, misread};
+use super::slips::{Slipped, slipped};
 use super::{Diagnosis, special};
 
 /// What is not explained by a mistake may be this share of what it explains …
@@ -38,31 +39,36 @@ impl Distance {
     }
 }
 
-/// The mistake whose answers have the same traits as the student's; none if the exercise has none, or no mistake stands out.
-pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Diagnosis> {
-    let examiner = evidence.examiner;
-    let traits = |i: usize, answer: &[f64]| examiner.traits(&evidence.items[i].question, answer);
-    let got: Vec<_> = evidence
-        .items
-        .iter()
-        .enumerate()
-        .map(|(i, item)| traits(i, &item.got))
-        .collect();
-    if got.iter().all(Vec::is_empty) {
-        return None;
+/// The traits of a student's answers.
+struct Traits<'a, 'e> {
+    evidence: &'a Evidence<'e>,
+    got: Vec<Vec<f64>>,
+}
+
+impl<'a, 'e> Traits<'a, 'e> {
+    /// None if the exercise has none.
+    fn of(evidence: &'a Evidence<'e>) -> Option<Self> {
+        let traits = |item: &Item| evidence.examiner.traits(&item.question, &item.got);
+        let got: Vec<_> = evidence.items.iter().map(traits).collect();
+        got.iter()
+            .any(|got| !got.is_empty())
+            .then_some(Self { evidence, got })
     }
-    let distance = |answers: &dyn Fn(usize) -> Option<Vec<f64>>| {
+
+    /// How far other answers to the same questions are from them; none if there are too few.
+    fn distance(&self, answers: &dyn Fn(usize) -> Option<Vec<f64>>) -> Option<Distance> {
+        let items = &self.evidence.items;
         let mut off: Vec<Vec<f64>> = Vec::new();
-        for (i, got) in got.iter().enumerate() {
+        for (i, (item, got)) in items.iter().zip(&self.got).enumerate() {
             let Some(answer) = answers(i) else { continue };
-            let theirs = traits(i, &answer);
+            let theirs = self.evidence.examiner.traits(&item.question, &answer);
             if theirs.len() == got.len() && !got.is_empty() {
                 off.push(theirs.iter().zip(got).map(|(a, b)| a - b).collect());
             }
         }
         let n = off.len() as f64;
         let len = off.first()?.len();
-        if off.iter().any(|off| off.len() != len) || 3 * off.len() < evidence.items.len() {
+        if off.iter().any(|off| off.len() != len) || 3 * off.len() < items.len() {
             return None;
         }
         let mean: Vec<f64> = (0..len)
@@ -76,7 +82,31 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Diagno
         };
         let error = (0..len).map(|k| (variance(k) / n).sqrt()).collect();
         Some(Distance { mean, error })
-    };
+    }
+}
+
+/// The number of wrong answers that a slip is tried on before it is tried on all.
+const PROBE: usize = 4;
+
+/// What of the distance may be left in the probe.
+const PROMISING: f64 = 0.6;
+
+/// The rank of a slip: behind the exercise's own mistakes, and before all guesses about answers as a whole.
+const SLIP: u32 = 1;
+
+/// A mistake whose answers have the same traits as the student's.
+pub struct Likely {
+    /// What is said of it.
+    pub diagnosis: Diagnosis,
+    /// Whether it is a mistake in the function, and not only what its answers look like.
+    pub is_cause: bool,
+}
+
+/// The mistake whose answers have the same traits as the student's; none if the exercise has none, or no mistake stands out.
+pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Likely> {
+    let examiner = evidence.examiner;
+    let traits = Traits::of(evidence)?;
+    let distance = |answers: &dyn Fn(usize) -> Option<Vec<f64>>| traits.distance(answers);
     let right = golden(evidence);
     let whole = distance(&|i| right[i].clone())?;
     let mut found: Vec<(f64, u32, String, String)> = Vec::new();
@@ -103,6 +133,13 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Diagno
             misread(evidence, reading, k)
         });
     }
+    if !evidence.is_judged() && !examiner.limits().slow {
+        for slip in promising(evidence) {
+            consider(SLIP, &slip.name, &slip.hint, &|k| {
+                slip.answer(&evidence.items[k].question)
+            });
+        }
+    }
     let nearest = found.iter().map(|one| one.0).fold(f64::INFINITY, f64::min);
     // What is as near as the nearest, but for chance: the commonest first.
     let errors = whole.error.iter().map(|e| e * e).sum::<f64>().sqrt();
@@ -114,7 +151,7 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Diagno
         .iter()
         .filter(|other| other.2 != *name && other.0 < 2.0 * rest + 2.0 * errors)
         .count();
-    Some(Diagnosis {
+    let diagnosis = Diagnosis {
         name: name.clone(),
         hint: hint.clone(),
         part: None,
@@ -122,5 +159,26 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Diagno
         explained: evidence.wrong,
         wrong: evidence.wrong,
         also: Vec::new(),
+    };
+    Some(Likely {
+        diagnosis,
+        is_cause: *rank <= SLIP,
     })
+}
+
+/// The slips that make the first wrong answers likely.
+fn promising(evidence: &Evidence<'_>) -> Vec<Slipped> {
+    let probe = evidence.probe(PROBE);
+    let Some(traits) = Traits::of(&probe) else {
+        return Vec::new();
+    };
+    let right = golden(&probe);
+    let Some(whole) = traits.distance(&|i| right[i].clone()) else {
+        return Vec::new();
+    };
+    let is_promising = |slip: &Slipped| {
+        let rest = traits.distance(&|k| slip.answer(&probe.items[k].question));
+        rest.is_some_and(|rest| rest.norm() <= PROMISING * whole.norm())
+    };
+    slipped(&probe).into_iter().filter(is_promising).collect()
 }

@@ -85,6 +85,8 @@ pub struct Walked {
     pub untold: Vec<Step>,
     /// The decisions: at each place the first.
     pub decisions: Vec<Decision>,
+    /// The number of steps and decisions, told or not, at all places.
+    pub length: usize,
 }
 
 impl Way {
@@ -139,13 +141,15 @@ impl Way {
     #[track_caller]
     pub fn remark(&mut self, sentence: impl Into<Cow<'static, str>>) {
         self.count();
-        self.steps.push(Step {
-            name: sentence.into(),
-            value: Vec::new(),
-            unit: "",
-            place: Place::here(),
-            is_told: true,
-        });
+        if self.is_read() {
+            self.steps.push(Step {
+                name: sentence.into(),
+                value: Vec::new(),
+                unit: "",
+                place: Place::here(),
+                is_told: true,
+            });
+        }
     }
 
     /// Whether a condition holds on which the calculation branches.
@@ -194,7 +198,14 @@ impl Way {
 
     fn count(&mut self) {
         self.calculated += 1;
-        end_if_endless(self.calculated);
+        if self.slip.is_some() {
+            end_if_endless(self.calculated);
+        }
+    }
+
+    /// Whether the steps are read: those of a way with a slip only by a slip that looks back.
+    fn is_read(&self) -> bool {
+        matches!(self.slip, None | Some(Slip::Other { .. }))
     }
 
     /// What the way leaves behind.
@@ -205,6 +216,7 @@ impl Way {
             steps: self.steps,
             untold: self.untold,
             decisions: self.decisions,
+            length: self.calculated,
         }
     }
 
@@ -218,25 +230,29 @@ impl Way {
     ) -> V {
         self.count();
         let place = Place::here();
-        let mut value = v.numbers();
-        match self.slip {
-            Some(Slip::Value(at, change)) if at == place => change.make(&mut value),
+        let v = match self.slip {
+            Some(Slip::Value(at, change)) if at == place => {
+                let mut value = v.numbers();
+                change.make(&mut value);
+                v.with(&value)
+            }
             Some(Slip::Other { at, of }) if at == place => {
                 let last = self.steps.iter().rev().find(|step| step.place == of);
-                if let Some(last) = last.filter(|last| last.value.len() == value.len()) {
-                    value.clone_from(&last.value);
-                }
+                let size = v.numbers().len();
+                last.filter(|last| last.value.len() == size)
+                    .map_or(v, |last| v.with(&last.value))
             }
-            _ => {}
+            _ => v,
+        };
+        if self.is_read() {
+            self.steps.push(Step {
+                name: name.into(),
+                value: v.numbers(),
+                unit,
+                place,
+                is_told,
+            });
         }
-        let v = v.with(&value);
-        self.steps.push(Step {
-            name: name.into(),
-            value,
-            unit,
-            place,
-            is_told,
-        });
         v
     }
 }

@@ -286,6 +286,9 @@ fn line(points: &[(f64, f64)]) -> Option<(f64, f64)> {
         return None;
     }
     let slope = xy / xx;
+    if slope.abs() < 1e-6 {
+        return None; // a constant is told as one
+    }
     let shift = y - slope * x;
     let on = |p: &&(f64, f64)| (slope * p.0 + shift - p.1).abs() <= 5e-3 * p.1.abs().max(0.1);
     (5 * points.iter().filter(on).count() >= 4 * points.len()).then_some((slope, shift))

@@ -34,6 +34,8 @@ macro_rules! common {
 }
 
 common! {
+    0 9 "takes 1, as if the value were not there": Each |_| 1.0;
+    0 9 "takes 0": Each |_| 0.0;
     0 9 "takes twice the value": Each |v| 2.0 * v;
     0 9 "takes half of the value": Each |v| 0.5 * v;
     0 9 "takes 4 times the value": Each |v| 4.0 * v;
@@ -54,6 +56,8 @@ common! {
     2 11 "has the sign of the second number wrong": Together |v| v[1] = -v[1];
     2 12 "takes the first number twice": Together |v| v[1] = v[0];
     2 12 "takes the second number twice": Together |v| v[0] = v[1];
+    2 12 "takes 0 for the first number": Together |v| v[0] = 0.0;
+    2 12 "takes 0 for the second number": Together |v| v[1] = 0.0;
     2 12 "counts the first number from the other end: 1 minus it": Together |v| v[0] = 1.0 - v[0];
     2 12 "counts the second number from the other end: 1 minus it": Together |v| v[1] = 1.0 - v[1];
     3 11 "has the sign of x wrong": Together |v| v[0] = -v[0];
@@ -77,7 +81,7 @@ common! {
 }
 
 /// A slip is told only if nothing simpler explains the answers as well.
-const RANK: u32 = 8;
+const RANK: u32 = 14;
 
 /// A way of an exercise with one slip.
 pub struct Slipped {
@@ -140,7 +144,8 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
     for step in &steps {
         of_step(step, &mut all);
         for other in &steps {
-            if other.place != step.place && other.value.len() == step.value.len() {
+            let fits = [1, step.value.len()].contains(&other.value.len());
+            if other.place != step.place && fits {
                 all.push(other_value(step, other));
             }
         }

@@ -12,7 +12,10 @@ use raybook_workbook::exercises::ch01_rays::{CameraRay, CameraRayAnswer, RayAt};
 impl Explained for RayAt {
     fn work(&self, way: &mut Way) -> Vec3 {
         let (o, d) = rays::parts(&self.ray);
-        let along = way.vector("t·d", "m", f64::from(self.t) * d);
+        let t = way.part("t", f64::from(self.t));
+        let o = way.part("o", o);
+        let d = way.part("d", d);
+        let along = way.vector("t·d", "m", t * d);
         way.vector("o + t·d", "m", o + along).as_vec3()
     }
 
@@ -39,22 +42,59 @@ impl Explained for RayAt {
     }
 }
 
+/// The same from the film's top left corner, across and down.
+fn from_corner(asked: &CameraRay, way: &mut Way) -> CameraRayAnswer {
+    let [forward, right, up] = [asked.forward, asked.right, asked.up].map(|d| d.as_dvec3());
+    let f = way.part("focal_length", f64::from(asked.focal_length));
+    let wide = way.part("plane.x", f64::from(asked.plane.x));
+    let high = way.part("plane.y", f64::from(asked.plane.y));
+    let left = way.part("half of plane.x", 0.5 * wide);
+    let top = way.part("half of plane.y", 0.5 * high);
+    let ahead = way.part("focal_length·forward", f * forward);
+    let to_left = way.part("from the middle to the left edge", left * right);
+    let to_top = way.part("from the middle to the top edge", top * up);
+    let corner = way.part("the top left corner", ahead - to_left + to_top);
+    let x = way.part("film.x", f64::from(asked.film.x));
+    let y = way.part("film.y", f64::from(asked.film.y));
+    let wide = way.part("plane.x, across", wide);
+    let high = way.part("plane.y, down", high);
+    let across = way.part("film.x · plane.x · right", x * wide * right);
+    let down = way.part("film.y · plane.y · up", y * high * up);
+    let place = way.part("the place on the film", corner + across - down);
+    let direction = way.part("the direction", place.normalize());
+    let start = way.part("focal_point", asked.focal_point.as_dvec3());
+    CameraRayAnswer {
+        origin: start.as_vec3(),
+        direction: direction.as_vec3(),
+    }
+}
+
 impl Explained for CameraRay {
+    const WAYS: &'static [fn(&Self, &mut Way) -> CameraRayAnswer] = &[Self::work, from_corner];
+
     fn work(&self, way: &mut Way) -> CameraRayAnswer {
         let [forward, right, up] = [self.forward, self.right, self.up].map(|d| d.as_dvec3());
         let (film, plane) = (self.film.as_dvec2(), self.plane.as_dvec2());
-        let x = way.number("x = (film.x − ½) · plane.x", "m", (film.x - 0.5) * plane.x);
-        let y = way.number("y = (½ − film.y) · plane.y", "m", (0.5 - film.y) * plane.y);
-        let f = f64::from(self.focal_length);
+        let across = way.part("film.x − ½", film.x - 0.5);
+        let wide = way.part("plane.x", plane.x);
+        let x = way.number("x = (film.x − ½) · plane.x", "m", across * wide);
+        let above = way.part("½ − film.y", 0.5 - film.y);
+        let high = way.part("plane.y", plane.y);
+        let y = way.number("y = (½ − film.y) · plane.y", "m", above * high);
+        let f = way.part("focal_length", f64::from(self.focal_length));
+        let ahead = way.part("focal_length·forward", f * forward);
+        let aside = way.part("x·right", x * right);
+        let upward = way.part("y·up", y * up);
         let toward = way.vector(
             "v = focal_length·forward + x·right + y·up",
             "m",
-            f * forward + x * right + y * up,
+            ahead + aside + upward,
         );
         let length = way.number("|v|", "m", toward.length());
         let direction = way.vector("v/|v|", "", toward / length);
+        let start = way.part("focal_point", self.focal_point.as_dvec3());
         CameraRayAnswer {
-            origin: self.focal_point,
+            origin: start.as_vec3(),
             direction: direction.as_vec3(),
         }
     }

@@ -9,29 +9,26 @@ use raybook_workbook::exercises::ch02_hdr::{EncodeSrgb, Expose, ToneMap};
 
 impl Explained for Expose {
     fn work(&self, way: &mut Way) -> Rgb {
-        let factor = way.number("2^stops", "", f64::from(self.stops).exp2());
-        colour(way.vector(
-            "radiance · 2^stops",
-            "W·m⁻²·sr⁻¹",
-            parts(self.radiance) * factor,
-        ))
+        let stops = way.part("stops", f64::from(self.stops));
+        let base = way.part("the base 2", 2.0_f64);
+        let factor = way.number("2^stops", "", base.powf(stops));
+        let radiance = way.part("radiance", parts(self.radiance));
+        let exposed = way.vector("radiance · 2^stops", "W·m⁻²·sr⁻¹", radiance * factor);
+        colour(exposed)
     }
 }
 
 impl Explained for ToneMap {
     fn work(&self, way: &mut Way) -> Rgb {
         let radiance = parts(self.radiance);
+        let weights = way.part("the weights of R, G and B", dvec3(0.2126, 0.7152, 0.0722));
         let luminance = way.number(
             "L = 0.2126 R + 0.7152 G + 0.0722 B",
             "",
-            radiance.dot(dvec3(0.2126, 0.7152, 0.0722)),
-        );
-        way.number(
-            "the luminance that is wanted: L/(1 + L)",
-            "",
-            luminance / (1.0 + luminance),
+            radiance.dot(weights),
         );
         let factor = way.number("every channel is divided by 1 + L =", "", 1.0 + luminance);
+        let radiance = way.part("radiance", radiance);
         colour(way.vector("radiance/(1 + L)", "", radiance / factor))
     }
 }
@@ -42,17 +39,27 @@ impl Explained for EncodeSrgb {
         const STRAIGHT: f64 = 0.003_130_8;
         let v = f64::from(self.v);
         // NaN has no code value; it is shown as black.
-        let v = way.number(
-            "v, clamped to [0, 1]",
-            "",
-            if v > 0.0 { v.min(1.0) } else { 0.0 },
-        );
-        let code = if v <= STRAIGHT {
+        let least = if way.decides("v is not above 0", !(v > 0.0)) {
+            0.0
+        } else {
+            v
+        };
+        let most = if way.decides("v is above 1", least > 1.0) {
+            1.0
+        } else {
+            least
+        };
+        let v = way.number("v, clamped to [0, 1]", "", most);
+        let end = way.part("0.0031308, where the straight part ends", STRAIGHT);
+        let code = if way.decides("v is in the straight part of the curve", v <= end) {
             way.remark("v is at most 0.0031308: the curve is straight.");
             way.number("12.92 v", "", 12.92 * v)
         } else {
-            let root = way.number("v^(1/2.4)", "", v.powf(1.0 / 2.4));
-            way.number("1.055 v^(1/2.4) − 0.055", "", 1.055 * root - 0.055)
+            let power = way.part("the exponent 1/2.4", 1.0 / 2.4);
+            let root = way.number("v^(1/2.4)", "", v.powf(power));
+            let factor = way.part("the factor 1.055", 1.055);
+            let offset = way.part("the offset 0.055", 0.055);
+            way.number("1.055 v^(1/2.4) − 0.055", "", factor * root - offset)
         };
         code as f32
     }

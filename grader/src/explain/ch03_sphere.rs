@@ -160,7 +160,8 @@ fn by_chord(asked: &SphereHit, way: &mut Way) -> Option<f32> {
         return None;
     }
     let half = way.part("half of the chord", square.sqrt());
-    let near = way.part("s − half of the chord", foot - half);
+    let back = way.part("minus half of the chord", -half);
+    let near = way.part("s − half of the chord", foot + back);
     let far = way.part("s + half of the chord", foot + half);
     first(way, asked.within, [near, far]).map(|t| t as f32)
 }

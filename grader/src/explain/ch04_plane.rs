@@ -12,14 +12,17 @@ impl Explained for PlaneHit {
     fn work(&self, way: &mut Way) -> Option<f32> {
         let (o, d) = rays::parts(&self.ray);
         let n = self.normal.as_dvec3();
+        let offset = way.part("offset", f64::from(self.offset));
+        let height = way.part("n·o", n.dot(o));
         let numerator = way.number(
             "offset − n·o: from the ray's start to the plane, along n",
             "m",
-            f64::from(self.offset) - n.dot(o),
+            offset - height,
         );
         let denominator = way.number("n·d: how fast the ray gets there", "", n.dot(d));
-        if denominator == 0.0 {
+        if way.decides("the ray is parallel to the plane", denominator == 0.0) {
             way.remark("n·d is 0: the ray is parallel to the plane.");
+            return None;
         }
         let t = way.number("t = (offset − n·o)/(n·d)", "m", numerator / denominator);
         if rays::counts(way, self.within, t) {

@@ -11,41 +11,88 @@ use raybook_workbook::exercises::ch05_box::{BoundsOf, BoxClip, Corners};
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// The distances at which a ray is between the two planes of a box across an axis; NaN where it runs in one of them.
-fn slab(q: &BoxClip, axis: usize) -> [f64; 2] {
+fn slab(q: &BoxClip, axis: usize, way: &mut Way) -> [f64; 2] {
     let (o, d) = rays::parts(&q.ray);
-    let planes = [q.min[axis], q.max[axis]].map(|plane| (f64::from(plane) - o[axis]) / d[axis]);
+    let start = way.part("the start's coordinate", o[axis]);
+    let speed = way.part("the direction's component", d[axis]);
+    let low = way.part("the box's least coordinate", f64::from(q.min[axis]));
+    let high = way.part("the box's greatest coordinate", f64::from(q.max[axis]));
+    let low = way.part("t of the least plane", (low - start) / speed);
+    let high = way.part("t of the greatest plane", (high - start) / speed);
     // The sign bit, so that −0.0 is the mirror image of 0.0.
-    if d[axis].is_sign_negative() {
-        [planes[1], planes[0]]
+    if way.decides(
+        "the ray runs backwards along an axis",
+        d[axis].is_sign_negative(),
+    ) {
+        [high, low]
     } else {
-        planes
+        [low, high]
     }
 }
 
+/// The same half-space by half-space: each of the six cuts something off, or nothing, or all (Cyrus and Beck 1978).
+fn by_half_spaces(q: &BoxClip, way: &mut Way) -> Option<Interval> {
+    let (o, d) = rays::parts(&q.ray);
+    let mut enter = way.part("within.min", f64::from(q.within.min));
+    let mut leave = way.part("within.max", f64::from(q.within.max));
+    for axis in 0..3 {
+        let start = way.part("the start's coordinate", o[axis]);
+        let speed = way.part("the direction's component", d[axis]);
+        let low = way.part("the box's least coordinate", f64::from(q.min[axis]));
+        let high = way.part("the box's greatest coordinate", f64::from(q.max[axis]));
+        let below = way.part("how far the start is below the least plane", low - start);
+        let above = way.part(
+            "how far the start is above the greatest plane",
+            start - high,
+        );
+        for (outside, speed) in [(below, -speed), (above, speed)] {
+            // The ray is inside where outside + t · speed is at most 0.
+            let t = way.part("t of a plane", -outside / speed);
+            if way.decides("the ray runs along a plane", speed == 0.0) {
+                if way.decides("such a ray is outside of the plane", outside > 0.0) {
+                    return None;
+                }
+            } else if way.decides("the ray enters through a plane", speed < 0.0) {
+                enter = way.part("the later entry", enter.max(t));
+            } else {
+                leave = way.part("the earlier exit", leave.min(t));
+            }
+        }
+    }
+    let is_empty = !(leave - enter >= 0.0);
+    let is_empty = way.decides("the end is before the beginning", is_empty);
+    (!is_empty).then(|| Interval::new(enter as f32, leave as f32))
+}
+
 impl Explained for BoxClip {
+    const WAYS: &'static [fn(&Self, &mut Way) -> Option<Interval>] = &[Self::work, by_half_spaces];
+
     fn work(&self, way: &mut Way) -> Option<Interval> {
-        let [mut min, mut max] = [self.within.min, self.within.max].map(f64::from);
+        let mut min = way.part("within.min", f64::from(self.within.min));
+        let mut max = way.part("within.max", f64::from(self.within.max));
         for (axis, name) in AXES.iter().enumerate() {
-            let [near, far] = slab(self, axis);
-            way.pair(
+            let [near, far] = slab(self, axis, way);
+            let planes = way.pair(
                 format!("between the planes across {name}"),
                 "m",
                 dvec2(near, far),
             );
             // `max` and `min` drop the NaN of a ray that runs in a face.
-            (min, max) = (min.max(near), max.min(far));
-            way.pair(format!("what remains after {name}"), "m", dvec2(min, max));
+            let left = dvec2(min.max(planes.x), max.min(planes.y));
+            let left = way.pair(format!("what remains after {name}"), "m", left);
+            [min, max] = left.to_array();
         }
-        if max - min >= 0.0 {
-            Some(Interval::new(min as f32, max as f32))
-        } else {
+        let is_empty = !(max - min >= 0.0);
+        if way.decides("the end is before the beginning", is_empty) {
             way.remark("The end is before the beginning: nothing remains.");
             None
+        } else {
+            Some(Interval::new(min as f32, max as f32))
         }
     }
 
     fn draw(&self, right: &Option<Interval>, yours: Option<&Option<Interval>>) -> Option<Diagram> {
-        let slabs = [0, 1, 2].map(|axis| slab(self, axis));
+        let slabs = [0, 1, 2].map(|axis| slab(self, axis, &mut Way::default()));
         let of = |within: &Interval| [within.min, within.max].map(f64::from);
         let within = of(&self.within);
         let (right, yours) = (

@@ -2,39 +2,75 @@
 
 use super::Explained;
 use super::ch06_triangle;
-use super::way::Way;
+use super::way::{Value, Way};
 use glam::{DVec2, DVec3, Vec2, Vec3};
 use raybook_workbook::exercises::ch07_mesh::{
     InterpolateNormal, InterpolateTexture, MeshHit, MeshHitAnswer, VertexNormals,
 };
+use std::ops::{Add, Mul, Sub};
 
 /// The weights of the three corners.
 fn weights(way: &mut Way, b: Vec2) -> [f64; 3] {
-    let b = b.as_dvec2();
-    let b0 = way.number("b₀ = 1 − b₁ − b₂", "", 1.0 - b.x - b.y);
-    [b0, b.x, b.y]
+    let b1 = way.part("b₁", f64::from(b.x));
+    let b2 = way.part("b₂", f64::from(b.y));
+    let b0 = way.number("b₀ = 1 − b₁ − b₂", "", 1.0 - b1 - b2);
+    [b0, b1, b2]
+}
+
+/// The same from the first corner along the two edges.
+fn along_edges<V>(way: &mut Way, b: Vec2, [v0, v1, v2]: [V; 3]) -> V
+where
+    V: Value + Add<Output = V> + Sub<Output = V>,
+    f64: Mul<V, Output = V>,
+{
+    let b1 = way.part("b₁", f64::from(b.x));
+    let b2 = way.part("b₂", f64::from(b.y));
+    let first = way.part("what the first corner has", v0);
+    let to_second = way.part("from the first corner to the second", v1 - v0);
+    let to_third = way.part("from the first corner to the third", v2 - v0);
+    let along = way.part("b₁ times the first of these", b1 * to_second);
+    let aside = way.part("b₂ times the second of these", b2 * to_third);
+    way.part("the sum", first + along + aside)
 }
 
 impl Explained for InterpolateNormal {
+    const WAYS: &'static [fn(&Self, &mut Way) -> Vec3] = &[Self::work, |asked, way| {
+        let normals = [asked.n0, asked.n1, asked.n2].map(|n| n.as_dvec3());
+        let sum = along_edges(way, asked.b, normals);
+        let normal = sum.try_normalize().unwrap_or(normals[0]);
+        way.part("the same of length 1", normal).as_vec3()
+    }];
+
     fn work(&self, way: &mut Way) -> Vec3 {
         let b = weights(way, self.b);
-        let normals = [self.n0, self.n1, self.n2].map(|n| n.as_dvec3());
-        let sum = b[0] * normals[0] + b[1] * normals[1] + b[2] * normals[2];
+        let [n0, n1, n2] = [self.n0, self.n1, self.n2].map(|n| n.as_dvec3());
+        let n0 = way.part("n₀", n0);
+        let n1 = way.part("n₁", n1);
+        let n2 = way.part("n₂", n2);
+        let sum = b[0] * n0 + b[1] * n1 + b[2] * n2;
         let sum: DVec3 = way.vector("b₀n₀ + b₁n₁ + b₂n₂", "", sum);
         let length = way.number("its length", "", sum.length());
-        let normal = if length > 0.0 {
+        let normal = if way.decides("the sum has a length", length > 0.0) {
             sum / length
         } else {
-            normals[0]
+            n0
         };
         way.vector("the same of length 1", "", normal).as_vec3()
     }
 }
 
 impl Explained for InterpolateTexture {
+    const WAYS: &'static [fn(&Self, &mut Way) -> Vec2] = &[Self::work, |asked, way| {
+        let places = [asked.t0, asked.t1, asked.t2].map(Vec2::as_dvec2);
+        along_edges(way, asked.b, places).as_vec2()
+    }];
+
     fn work(&self, way: &mut Way) -> Vec2 {
         let b = weights(way, self.b);
         let [t0, t1, t2]: [DVec2; 3] = [self.t0, self.t1, self.t2].map(Vec2::as_dvec2);
+        let t0 = way.part("t₀", t0);
+        let t1 = way.part("t₁", t1);
+        let t2 = way.part("t₂", t2);
         way.pair("b₀t₀ + b₁t₁ + b₂t₂", "", b[0] * t0 + b[1] * t1 + b[2] * t2)
             .as_vec2()
     }
@@ -46,15 +82,23 @@ impl Explained for VertexNormals {
         for (i, triangle) in self.triangles.iter().enumerate() {
             let corners = [triangle.a, triangle.b, triangle.c];
             let [p0, p1, p2] = corners.map(|k| self.positions[k as usize].as_dvec3());
+            let e1 = way.part("e₁ = p₁ − p₀", p1 - p0);
+            let e2 = way.part("e₂ = p₂ − p₀", p2 - p0);
             let name = format!("triangle {i}, e₁ × e₂: its normal, twice as long as its area");
-            let across = way.vector(name, "m²", (p1 - p0).cross(p2 - p0));
+            let across = way.vector(name, "m²", e1.cross(e2));
+            let added = way.part("what a triangle gives to its vertices", across);
             for k in corners {
-                sums[k as usize] += across;
+                sums[k as usize] += added;
             }
         }
         let each = sums.into_iter().enumerate().map(|(i, sum)| {
             let sum = way.vector(format!("vertex {i}, the sum of its triangles'"), "m²", sum);
-            let normal = sum.try_normalize().unwrap_or(DVec3::Y);
+            let lone = way.decides("a vertex has no triangle with an area", sum.length() == 0.0);
+            let normal = if lone {
+                way.part("the normal of such a vertex", DVec3::Y)
+            } else {
+                sum.normalize()
+            };
             way.vector(format!("vertex {i}, the same of length 1"), "", normal)
                 .as_vec3()
         });
@@ -77,13 +121,16 @@ impl Explained for MeshHit {
                 way.remark(format!("Triangle {id} is not hit."));
                 continue;
             };
-            way.number(format!("triangle {id} is hit at t ="), "m", t);
-            if nearest.is_none_or(|(before, _)| t < before) {
+            let t = way.number(format!("triangle {id} is hit at t ="), "m", t);
+            let is_nearest = nearest.is_none_or(|(before, _)| t < before);
+            if way.decides("a hit is nearer than all before it", is_nearest) {
                 nearest = Some((t, id));
             }
         }
         let (t, id) = nearest?;
         way.remark(format!("Of these, triangle {id} is the nearest."));
-        Some(MeshHitAnswer { t: t as f32, id })
+        let t = way.part("t of the nearest", t) as f32;
+        let id = way.part("the number of the nearest", f64::from(id)) as u32;
+        Some(MeshHitAnswer { t, id })
     }
 }

@@ -13,11 +13,10 @@ use raybook_workbook::exercises::ch08_grid::{
 impl Explained for GridResolution {
     fn work(&self, way: &mut Way) -> Cell {
         let extents = self.extents.as_dvec3();
-        let cells = way.number(
-            "cells = density · shapes",
-            "",
-            f64::from(self.density) * f64::from(self.shapes),
-        );
+        let extents = way.part("the extents", extents);
+        let density = way.part("density", f64::from(self.density));
+        let shapes = way.part("shapes", f64::from(self.shapes));
+        let cells = way.number("cells = density · shapes", "", density * shapes);
         let mut thick: Vec<usize> = (0..3).filter(|&axis| extents[axis] > 0.0).collect();
         let along = loop {
             if thick.is_empty() {
@@ -28,17 +27,23 @@ impl Explained for GridResolution {
             let volume: f64 = thick.iter().map(|&axis| extents[axis]).product();
             let names = names.join(" · ");
             let volume = way.number(format!("the volume, of {names}"), "", volume);
+            let dense = way.part("cells/volume", cells / volume);
+            let root = way.part("1 over the number of axes", 1.0 / thick.len() as f64);
             let per_metre = way.number(
                 "cells per metre: the root of cells/volume",
                 "1/m",
-                (cells / volume).powf(1.0 / thick.len() as f64),
+                dense.powf(root),
             );
             let mut along = DVec3::ONE;
             for &axis in &thick {
                 along[axis] = (extents[axis] * per_metre).min(cells.max(1.0));
             }
-            way.vector("extent · cells per metre", "", along);
+            let along = way.vector("extent · cells per metre", "", along);
             let before = thick.len();
+            let thin = thick.iter().any(|&axis| !(along[axis] >= 1.0));
+            if !way.decides("an axis gets less than one cell", thin) {
+                break along;
+            }
             thick.retain(|&axis| along[axis] >= 1.0);
             if thick.len() == before {
                 break along;
@@ -58,7 +63,11 @@ impl Explained for VoxelsOfTriangle {
             self.cell.as_dvec3(),
             f64::from(self.margin),
         );
-        let corners = [self.p0, self.p1, self.p2].map(Vec3::as_dvec3);
+        let [p0, p1, p2] = [self.p0, self.p1, self.p2].map(Vec3::as_dvec3);
+        let corners = [way.part("p₀", p0), way.part("p₁", p1), way.part("p₂", p2)];
+        let min = way.part("min", min);
+        let size = way.part("the extents of a cell", size);
+        let margin = way.part("margin", margin);
         let most = UVec3::new(self.nx, self.ny, self.nz).as_ivec3() - 1;
         let [least, greatest] = [
             corners.into_iter().fold(DVec3::INFINITY, DVec3::min) - margin,
@@ -75,8 +84,9 @@ impl Explained for VoxelsOfTriangle {
             (((p - min) / size).floor().as_ivec3() + more).clamp(IVec3::ZERO, most)
         };
         let (first, last) = (cell(least, -1), cell(greatest, 1));
-        way.vector("the first cell that it can be in", "", first.as_dvec3());
-        way.vector("the last cell that it can be in", "", last.as_dvec3());
+        let first = way.vector("the first cell that it can be in", "", first.as_dvec3());
+        let last = way.vector("the last cell that it can be in", "", last.as_dvec3());
+        let [first, last] = [first, last].map(|cell| cell.as_ivec3().clamp(IVec3::ZERO, most));
         way.remark("Of each of these the box, grown by the margin, cuts the triangle; what remains of it has corners, or the cell is not on the list.");
         let mut found = Vec::new();
         for z in first.z..=last.z {
@@ -84,7 +94,8 @@ impl Explained for VoxelsOfTriangle {
                 for x in first.x..=last.x {
                     let cell = UVec3::new(x as u32, y as u32, z as u32);
                     let low = min + cell.as_dvec3() * size;
-                    if !clipped(corners.to_vec(), low - margin, low + size + margin).is_empty() {
+                    let left = clipped(corners.to_vec(), low - margin, low + size + margin);
+                    if way.decides("the triangle reaches a cell of its box", !left.is_empty()) {
                         found.push(Cell::from(cell));
                     }
                 }
@@ -122,7 +133,13 @@ impl Explained for GridWalk {
         let (o, d) = rays::parts(&self.ray);
         let (min, size) = (self.min.as_dvec3(), self.cell.as_dvec3());
         let count = UVec3::new(self.nx, self.ny, self.nz);
-        let [mut enter, mut end] = [self.within.min, self.within.max].map(f64::from);
+        let o = way.part("o", o);
+        let d = way.part("d", d);
+        let min = way.part("min", min);
+        let size = way.part("the extents of a cell", size);
+        let mut enter = way.part("within.min", f64::from(self.within.min));
+        let limit = way.part("within.max", f64::from(self.within.max));
+        let mut end = limit;
         let backward = |axis: usize| d[axis].is_sign_negative();
         for axis in 0..3 {
             let planes = [0.0, f64::from(count[axis])]
@@ -134,16 +151,17 @@ impl Explained for GridWalk {
             };
             (enter, end) = (enter.max(near), end.min(far));
         }
-        way.pair(
+        let both = way.pair(
             "the distances at which the ray enters and leaves the lattice",
             "m",
             dvec2(enter, end),
         );
-        if end < enter {
+        let [enter, end] = both.to_array();
+        if way.decides("the ray leaves the lattice before it enters", end < enter) {
             way.remark("It leaves before it enters: the ray misses the lattice.");
             return Vec::new();
         }
-        let place = (o + enter * d - min) / size;
+        let place = way.part("(o + enter·d − min)/cell", (o + enter * d - min) / size);
         let mut cell = place
             .floor()
             .as_ivec3()
@@ -160,16 +178,17 @@ impl Explained for GridWalk {
             if t.is_finite() { t } else { f64::INFINITY }
         };
         let mut visits = Vec::new();
-        let limit = f64::from(self.within.max);
         loop {
             let next = DVec3::from([0, 1, 2].map(|axis| plane_ahead(axis, cell[axis])));
             let UVec3 { x, y, z } = cell;
-            way.vector(
+            let next = way.vector(
                 format!("cell ({x}, {y}, {z}): the next planes ahead, at t ="),
                 "m",
                 next,
             );
-            let leave = next.min_element().min(limit);
+            let nearest = way.part("the nearest plane ahead", next.min_element());
+            let is_beyond = way.decides("the interval ends in a cell", nearest > limit);
+            let leave = if is_beyond { limit } else { nearest };
             visits.push(Visit {
                 x,
                 y,

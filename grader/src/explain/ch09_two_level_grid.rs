@@ -35,10 +35,14 @@ impl Explained for RefineCell {
         };
         let along = resolution.work(way);
         let along = UVec3::new(along.x, along.y, along.z).min(UVec3::splat(MOST));
-        way.vector("the resolution, 255 at most", "", along.as_dvec3());
+        let along = way.vector("the resolution, 255 at most", "", along.as_dvec3());
+        let along = along
+            .clamp(DVec3::ONE, DVec3::splat(MOST.into()))
+            .as_uvec3();
         let (min, last) = (self.min.as_dvec3(), (along - 1).as_dvec3());
         let size = (self.max.as_dvec3() - min) / along.as_dvec3();
         let size = way.vector("the extents of a fine cell", "m", size);
+        let min = way.part("min", min);
         for (
             shape,
             Corners {
@@ -60,7 +64,7 @@ impl Explained for RefineCell {
                 cell(*low),
             );
             let end = way.vector("the same of its greatest corner", "", cell(*high));
-            let [first, end] = [first, end].map(DVec3::as_uvec3);
+            let [first, end] = [first, end].map(|cell| cell.clamp(DVec3::ZERO, last).as_uvec3());
             for z in first.z..=end.z {
                 for y in first.y..=end.y {
                     answer

@@ -14,15 +14,21 @@ use raybook_workbook::octree_rows::{NodeRow, TreeRow};
 impl Explained for OctreeChild {
     fn work(&self, way: &mut Way) -> u32 {
         let [min, max, p] = [self.min, self.max, self.p].map(Vec3::as_dvec3);
-        let center = way.vector("the cell's middle, (min + max)/2", "m", 0.5 * (min + max));
-        let mut child = 0;
+        let min = way.part("min", min);
+        let max = way.part("max", max);
+        let p = way.part("p", p);
+        let sum = way.part("min + max", min + max);
+        let center = way.vector("the cell's middle, (min + max)/2", "m", 0.5 * sum);
+        let mut digits = DVec3::ZERO;
         for (axis, name) in AXES.iter().enumerate() {
-            let upper = u32::from(p[axis] >= center[axis]);
-            let half = ["lower half: 0", "upper half: 1"][upper as usize];
+            let is_upper = way.decides("the point is in the upper half", p[axis] >= center[axis]);
+            let half = ["lower half: 0", "upper half: 1"][usize::from(is_upper)];
             way.remark(format!("Along {name} the point is in the {half}."));
-            child |= upper << axis;
+            digits[axis] = u8::from(is_upper).into();
         }
-        way.number("4·z + 2·y + x", "", child.into()) as u32
+        let digits = way.part("the halves along (x, y, z), 0 or 1", digits);
+        let weights = way.part("the weights of x, y and z", DVec3::new(1.0, 2.0, 4.0));
+        way.number("4·z + 2·y + x", "", digits.dot(weights)) as u32
     }
 
     fn draw(&self, right: &u32, yours: Option<&u32>) -> Option<Diagram> {
@@ -111,6 +117,8 @@ impl Explained for OctreeBuild {
         if self.shapes.is_empty() {
             way.remark("There are no shapes: the root is an empty leaf.");
         }
+        let opening = way.part("opening", f64::from(self.opening));
+        let price = way.part("the price ¼ of a shape in a child", 0.25);
         while let Some(growing) = to_do.pop() {
             let Growing {
                 node,
@@ -127,22 +135,24 @@ impl Explained for OctreeBuild {
             if shapes.is_empty() {
                 continue; // It stays an empty leaf.
             }
-            way.number(
+            let n = way.number(
                 format!("node {node}, at depth {depth}: n, its shapes"),
                 "",
                 n,
             );
-            way.number("Σ nᵢ, those of its children", "", below.into());
-            let cost = f64::from(self.opening) + 0.25 * f64::from(below);
-            let cost = way.number("opening + ¼ Σ nᵢ", "", cost);
-            let named = f64::from(below) / n;
-            let stop = if cost >= n {
+            let below = way.number("Σ nᵢ, those of its children", "", below.into());
+            let cost = way.number("opening + ¼ Σ nᵢ", "", opening + price * below);
+            let named = way.part("Σ nᵢ/n, the copies that a cut makes", below / n);
+            let is_dear = way.decides("a cut costs no less than the leaf", cost >= n);
+            let is_many = way.decides("a cut makes too many copies", named > copies);
+            let is_deep = way.decides("the tree is as deep as it may be", depth >= self.depth);
+            let stop = if is_dear {
                 Some("That is not below n: it stays a leaf.")
-            } else if named > copies {
+            } else if is_many {
                 Some(
                     "It would be worth its price, but the limit allows no more copies: it stays a leaf.",
                 )
-            } else if depth >= self.depth {
+            } else if is_deep {
                 Some(
                     "It would be worth its price, but the limit allows no more depth: it stays a leaf.",
                 )
@@ -166,6 +176,10 @@ impl Explained for OctreeBuild {
                 count: 0,
             };
             tree.nodes.extend((0..8).map(|_| leaf(0, 0)));
+            let left = way.part(
+                "the copies that are left to a child",
+                copies / named.max(1.0),
+            );
             for child in (0..8).rev() {
                 let inside = shapes.iter().zip(&reach);
                 let inside = inside.filter(|(_, bits)| *bits >> child & 1 != 0);
@@ -174,7 +188,7 @@ impl Explained for OctreeBuild {
                     cell: cells[child],
                     shapes: inside.map(|(shape, _)| *shape).collect(),
                     depth: depth + 1,
-                    copies: copies / named.max(1.0),
+                    copies: left,
                 });
             }
         }
@@ -246,13 +260,16 @@ fn visit(q: &OctreeWalk, way: &mut Way, node: usize, cell: Aabb, found: &mut Vec
     let Some(row) = q.nodes.get(node) else {
         return;
     };
-    if row.inner == 0 && row.count == 0 {
+    let is_empty = row.inner == 0 && row.count == 0;
+    if way.decides("a leaf is empty", is_empty) {
         if node == 0 {
             way.remark("The root is an empty leaf: there is nothing to list.");
         }
         return;
     }
-    let Some([enter, leave]) = rays::clipped((o, d), within, min, max) else {
+    let clipped = rays::clipped((o, d), within, min, max);
+    let meets = way.decides("the ray meets a node's cell", clipped.is_some());
+    let Some([enter, leave]) = clipped.or(meets.then_some(within)).filter(|_| meets) else {
         if node == 0 {
             way.remark("The ray misses the root's cell.");
         }
@@ -275,6 +292,8 @@ fn visit(q: &OctreeWalk, way: &mut Way, node: usize, cell: Aabb, found: &mut Vec
     // Along an axis on which the ray moves down, the upper half comes first.
     let backward = (0..3).filter(|&axis| d[axis].is_sign_negative());
     let mirror = backward.fold(0, |bits, axis| bits | 1 << axis);
+    let mirrored = way.decides("the ray moves down along an axis", mirror != 0);
+    let mirror = if mirrored { mirror } else { 0 };
     for i in 0..8 {
         let child = i ^ mirror;
         visit(q, way, first + child, child_cell(&cell, child), found);

@@ -26,30 +26,40 @@ fn directions(at: &Highlight) -> [DVec3; 3] {
     [at.normal, at.view, at.toward].map(|d| d.as_dvec3())
 }
 
-/// Diffuse and specular together, where `cosine` gives the highlight's.
-fn radiance(way: &mut Way, at: &Highlight, cosine: impl FnOnce(&mut Way, f64) -> f64) -> Rgb {
-    let [n, _, l] = directions(at);
+/// Diffuse and specular together, where `cosine` gives the highlight's, from N, V, L and L·N.
+fn radiance(
+    way: &mut Way,
+    at: &Highlight,
+    cosine: impl FnOnce(&mut Way, [DVec3; 3], f64) -> f64,
+) -> Rgb {
+    let [n, v, l] = directions(at);
+    let n = way.part("N", n);
+    let v = way.part("V", v);
+    let l = way.part("L", l);
     let lambert = way.number("L·N", "", l.dot(n));
-    if lambert <= 0.0 {
+    if way.decides("the light is not above the surface", lambert <= 0.0) {
         way.remark("The light is not above the surface.");
         return Rgb::BLACK;
     }
-    let diffuse = way.vector("diffuse: k_d (L·N)", "1/sr", parts(at.diffuse) * lambert);
-    let highlight = cosine(way, lambert).max(0.0).powf(at.exponent.into());
+    let matte = way.part("k_d", parts(at.diffuse));
+    let shiny = way.part("k_s", parts(at.specular));
+    let cosine = cosine(way, [n, v, l], lambert);
+    let exponent = way.part("α", f64::from(at.exponent));
+    let is_behind = way.decides("the highlight is on the other side", cosine <= 0.0);
+    let cosine = if is_behind { 0.0 } else { cosine };
+    let highlight = cosine.powf(exponent);
     let highlight = way.number("that, 0 at least, to the power α", "", highlight);
-    let specular = way.vector(
-        "specular: k_s times that",
-        "1/sr",
-        parts(at.specular) * highlight,
-    );
-    let sum = (diffuse + specular) * parts(at.arriving);
-    colour(way.vector("(diffuse + specular) · i", "W·m⁻²·sr⁻¹", sum))
+    let height = way.part("L·N in the diffuse part", lambert);
+    let diffuse = way.vector("diffuse: k_d (L·N)", "1/sr", matte * height);
+    let specular = way.vector("specular: k_s times that", "1/sr", shiny * highlight);
+    let both = way.part("diffuse + specular", diffuse + specular);
+    let arriving = way.part("i", parts(at.arriving));
+    colour(way.vector("(diffuse + specular) · i", "W·m⁻²·sr⁻¹", both * arriving))
 }
 
 impl Explained for PhongExercise {
     fn work(&self, way: &mut Way) -> Rgb {
-        let [n, v, l] = directions(&self.at);
-        radiance(way, &self.at, |way, lambert| {
+        radiance(way, &self.at, |way, [n, v, l], lambert| {
             let r = way.vector("R = 2 (L·N) N − L", "", 2.0 * lambert * n - l);
             way.number("R·V", "", r.dot(v))
         })
@@ -67,9 +77,9 @@ impl Explained for PhongExercise {
 
 impl Explained for BlinnPhongExercise {
     fn work(&self, way: &mut Way) -> Rgb {
-        let [n, v, l] = directions(&self.at);
-        radiance(way, &self.at, |way, _| {
-            let half = way.vector("H = (L + V)/|L + V|", "", (l + v).normalize_or_zero());
+        radiance(way, &self.at, |way, [n, v, l], _| {
+            let sum = way.part("L + V", l + v);
+            let half = way.vector("H = (L + V)/|L + V|", "", sum.normalize_or_zero());
             way.number("N·H", "", n.dot(half))
         })
     }
@@ -124,16 +134,15 @@ impl Explained for PointLightExercise {
             self.position.as_dvec3() - self.at.as_dvec3(),
         );
         let distance = way.number("d = |r|", "m", r.length());
-        if distance == 0.0 {
+        if way.decides("the point is the light itself", distance == 0.0) {
             way.remark("This is the light itself.");
             return None;
         }
         let toward = way.vector("r/d", "", r / distance);
-        let arriving = way.vector(
-            "I/d²",
-            "W/m²",
-            parts(self.intensity) / (distance * distance),
-        );
+        let square = way.part("d²", distance * distance);
+        let intensity = way.part("I", parts(self.intensity));
+        let arriving = way.vector("I/d²", "W/m²", intensity / square);
+        let distance = way.part("d, returned", distance);
         Some(Arriving {
             toward: toward.as_vec3(),
             distance: distance as f32,

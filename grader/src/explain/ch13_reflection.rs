@@ -11,6 +11,8 @@ use raybook_workbook::exercises::ch13_reflection::Reflect;
 impl Explained for Reflect {
     fn work(&self, way: &mut Way) -> Vec3 {
         let (i, n) = (self.incoming.as_dvec3(), self.normal.as_dvec3());
+        let i = way.part("i", i);
+        let n = way.part("n", n);
         let cosine = way.number("i·n", "", i.dot(n));
         let part = way.vector(
             "2 (i·n) n: twice the part of i along n",

@@ -10,9 +10,12 @@ use raybook_workbook::exercises::ch14_refraction::{Fresnel, FresnelAnswer, Refra
 impl Explained for Refract {
     fn work(&self, way: &mut Way) -> Option<Vec3> {
         let (i, normal) = (self.direction.as_dvec3(), self.normal.as_dvec3());
+        let i = way.part("i", i);
+        let normal = way.part("the normal", normal);
         let cosine = way.number("i·normal", "", i.dot(normal));
-        let [outside, inside] = [self.outside, self.inside].map(f64::from);
-        let (n, eta) = if cosine < 0.0 {
+        let outside = way.part("outside", f64::from(self.outside));
+        let inside = way.part("inside", f64::from(self.inside));
+        let (n, eta) = if way.decides("the ray comes from the outside", cosine < 0.0) {
             way.remark("It is negative: the ray comes from the outside, and n is the normal.");
             (normal, outside / inside)
         } else {
@@ -21,15 +24,17 @@ impl Explained for Refract {
             );
             (-normal, inside / outside)
         };
-        way.number("cos θ₁ = −i·n", "", -i.dot(n));
+        let n = way.part("n", n);
+        let cos1 = way.number("cos θ₁ = −i·n", "", -i.dot(n));
         let eta = way.number("η = n₁/n₂, the index before over the index behind", "", eta);
         let along = way.vector(
             "s = η (i − (i·n) n), the part along the surface",
             "",
-            eta * (i - i.dot(n) * n),
+            eta * (i + cos1 * n),
         );
-        let squared = way.number("cos²θ₂ = 1 − s·s", "", 1.0 - along.length_squared());
-        if squared < 0.0 {
+        let sin2 = way.part("sin²θ₂ = s·s", along.length_squared());
+        let squared = way.number("cos²θ₂ = 1 − s·s", "", 1.0 - sin2);
+        if way.decides("cos²θ₂ is negative", squared < 0.0) {
             way.remark("It is negative: there is no such angle, the ray is totally reflected.");
             return None;
         }
@@ -67,39 +72,56 @@ impl Explained for Refract {
 
 impl Explained for Fresnel {
     fn work(&self, way: &mut Way) -> FresnelAnswer {
-        let [cos1, n1, n2] = [self.cos1, self.n1, self.n2].map(f64::from);
+        let cos1 = way.part("cos θ₁", f64::from(self.cos1));
+        let n1 = way.part("n₁", f64::from(self.n1));
+        let n2 = way.part("n₂", f64::from(self.n2));
         let both = |rs: f64, rp: f64| FresnelAnswer {
             rs: rs as f32,
             rp: rp as f32,
             r: (0.5 * (rs + rp)) as f32,
         };
-        if self.n1 == self.n2 {
+        if way.decides("n₁ is n₂", n1 == n2) {
             way.remark("n₁ is n₂: there is no surface for the light, and nothing is reflected.");
             return both(0.0, 0.0);
         }
-        let sin2 = way.number(
-            "sin²θ₂ = (n₁/n₂)² (1 − cos²θ₁)",
-            "",
-            (n1 / n2).powi(2) * (1.0 - cos1 * cos1),
-        );
+        let sin1 = way.part("sin²θ₁ = 1 − cos²θ₁", 1.0 - cos1 * cos1);
+        let eta = way.part("n₁/n₂", n1 / n2);
+        let eta = way.part("(n₁/n₂)²", eta * eta);
+        let sin2 = way.number("sin²θ₂ = (n₁/n₂)² (1 − cos²θ₁)", "", eta * sin1);
         let squared = way.number("cos²θ₂ = 1 − sin²θ₂", "", 1.0 - sin2);
-        if squared <= 0.0 {
+        if way.decides("cos²θ₂ is not positive", squared <= 0.0) {
             way.remark("It is not positive: all light is reflected.");
             return both(1.0, 1.0);
         }
         let cos2 = way.number("cos θ₂", "", squared.sqrt());
-        let share = |a: f64, b: f64| ((a - b) / (a + b)).powi(2);
+        let first = way.part("n₁ cos θ₁", n1 * cos1);
+        let second = way.part("n₂ cos θ₂", n2 * cos2);
+        let over = way.part("n₁ cos θ₁ − n₂ cos θ₂", first - second);
+        let under = way.part("n₁ cos θ₁ + n₂ cos θ₂", first + second);
+        let rs = way.part("the root of Rs", over / under);
         let rs = way.number(
             "Rs = ((n₁ cos θ₁ − n₂ cos θ₂)/(n₁ cos θ₁ + n₂ cos θ₂))²",
             "",
-            share(n1 * cos1, n2 * cos2),
+            rs * rs,
         );
+        let first = way.part("n₁ cos θ₂", n1 * cos2);
+        let second = way.part("n₂ cos θ₁", n2 * cos1);
+        let over = way.part("n₁ cos θ₂ − n₂ cos θ₁", first - second);
+        let under = way.part("n₁ cos θ₂ + n₂ cos θ₁", first + second);
+        let rp = way.part("the root of Rp", over / under);
         let rp = way.number(
             "Rp = ((n₁ cos θ₂ − n₂ cos θ₁)/(n₁ cos θ₂ + n₂ cos θ₁))²",
             "",
-            share(n1 * cos2, n2 * cos1),
+            rp * rp,
         );
-        way.number("R = (Rs + Rp)/2", "", 0.5 * (rs + rp));
-        both(rs, rp)
+        let sum = way.part("Rs + Rp", rs + rp);
+        let mean = way.number("R = (Rs + Rp)/2", "", 0.5 * sum);
+        let [rs, rp, r] = [
+            way.part("Rs, returned", rs),
+            way.part("Rp, returned", rp),
+            way.part("R, returned", mean),
+        ]
+        .map(|v| v as f32);
+        FresnelAnswer { rs, rp, r }
     }
 }

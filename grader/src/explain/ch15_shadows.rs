@@ -7,49 +7,41 @@ use super::rays;
 use super::section::Section;
 use super::way::Way as Steps;
 use glam::{DVec3, dvec2};
-use raybook::math::{interval::Interval, ray::Ray};
+use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
 use raybook_workbook::exercises::ch15_shadows::{Lit, ShadowRay, Way};
 
 impl Explained for ShadowRay {
     fn work(&self, steps: &mut Steps) -> Way {
         /// The way ends this share of the distance before the light.
         const BEFORE_LIGHT: f64 = 1e-4;
-        let (n, error, distance) = (
-            self.normal.as_dvec3(),
-            f64::from(self.error),
-            f64::from(self.distance),
-        );
-        let off = steps.number(
-            "off = error · (|n.x| + |n.y| + |n.z|)",
-            "m",
-            error * n.abs().element_sum(),
-        );
-        let cosine = steps.number("n·toward", "", n.dot(self.toward.as_dvec3()));
-        let side = if cosine < 0.0 { -off } else { off };
-        let origin = steps.vector(
-            "position ± off·n, to the light's side",
-            "m",
-            self.position.as_dvec3() + side * n,
-        );
-        let end = if distance.is_finite() {
-            let margin = steps.number(
-                "margin = 2 error + 10⁻⁴ distance",
-                "m",
-                2.0 * error + BEFORE_LIGHT * distance,
-            );
-            steps.number(
-                "end = distance − margin, 0 at least",
-                "m",
-                (distance - margin).max(0.0),
-            )
+        let error = steps.part("error", f64::from(self.error));
+        let distance = steps.part("distance", f64::from(self.distance));
+        let n = steps.part("n", self.normal.as_dvec3());
+        let toward = steps.part("toward", self.toward.as_dvec3());
+        let position = steps.part("position", self.position.as_dvec3());
+        let sum = steps.part("|n.x| + |n.y| + |n.z|", n.abs().element_sum());
+        let off = steps.number("off = error · (|n.x| + |n.y| + |n.z|)", "m", error * sum);
+        let cosine = steps.number("n·toward", "", n.dot(toward));
+        let is_behind = steps.decides("the light is on the other side of the normal", cosine < 0.0);
+        let side = steps.part("the shift along n", if is_behind { -off } else { off });
+        let shifted = position + side * n;
+        let origin = steps.vector("position ± off·n, to the light's side", "m", shifted);
+        let end = if steps.decides("the light has a finite distance", distance.is_finite()) {
+            let twice = steps.part("2 error", 2.0 * error);
+            let share = steps.part("10⁻⁴ distance", BEFORE_LIGHT * distance);
+            let margin = steps.number("margin = 2 error + 10⁻⁴ distance", "m", twice + share);
+            let left = steps.part("distance − margin", distance - margin);
+            let is_near = steps.decides("the margin is longer than the distance", left < 0.0);
+            let end = if is_near { 0.0 } else { left };
+            steps.number("end = distance − margin, 0 at least", "m", end)
         } else {
             steps.remark("The light is infinitely far away: everything ahead is before it.");
             f64::INFINITY
         };
         Way {
             origin: origin.as_vec3(),
-            direction: *self.toward,
-            within: Interval::new(0.0, end as f32),
+            direction: toward.as_vec3(),
+            within: Interval::new(steps.part("the beginning, 0", 0.0) as f32, end as f32),
         }
     }
 
@@ -110,26 +102,27 @@ impl Explained for Lit {
             distance: self.distance,
         };
         let shadow = shadow.work(way);
-        let ray = Ray::new(shadow.origin, self.toward);
-        let mut lit = 1;
+        let toward = Dir3::new_or(shadow.direction, self.toward);
+        let ray = Ray::new(shadow.origin, toward);
+        let mut lit = true;
         for (i, ball) in self.spheres.iter().enumerate() {
             let center: DVec3 = ball.center.as_dvec3();
             // Its own steps are those of `sphere_hit`.
-            match ch03_sphere::meets(
-                &mut Steps::default(),
-                &ray,
-                shadow.within,
-                center,
-                ball.radius.into(),
-            ) {
+            let meets = way.silently(|way| {
+                ch03_sphere::meets(way, &ray, shadow.within, center, ball.radius.into())
+            });
+            if way.decides("a sphere is in the way", meets.is_some()) {
+                lit = false;
+            }
+            match meets {
                 Some(t) => {
                     way.number(format!("sphere {i} is in the way, at t ="), "m", t);
-                    lit = 0;
                 }
                 None => way.remark(format!("Sphere {i} is not in the way.")),
             }
         }
-        way.number("lit", "", f64::from(lit));
-        lit
+        let lit = way.decides("nothing is in the way", lit);
+        way.number("lit", "", f64::from(u8::from(lit)));
+        lit.into()
     }
 }

@@ -15,12 +15,15 @@ fn lattice(n: u32) -> impl Iterator<Item = DVec2> {
     (0..n * n).map(move |k| (dvec2(f64::from(k % n), f64::from(k / n)) + 0.5) / f64::from(n))
 }
 
-fn chosen(toward: DVec3, distance: f64, radiance: f32, pdf: f64) -> Chosen {
+fn chosen(way: &mut Way, toward: DVec3, distance: f64, radiance: f32, pdf: f64) -> Chosen {
+    let radiance = way.part("radiance", f64::from(radiance));
+    let arriving = way.number("radiance/density", "W/m²", radiance / pdf);
+    let pdf = way.part("the density, returned", pdf);
     Chosen {
         toward: toward.as_vec3(),
         distance: distance as f32,
         pdf: pdf as f32,
-        arriving: (f64::from(radiance) / pdf) as f32,
+        arriving: arriving as f32,
     }
 }
 
@@ -32,31 +35,36 @@ impl Explained for SampleRect {
             "",
             a.cross(b).normalize_or(DVec3::Y),
         );
-        let area = way.number("its area", "m²", a.length() * b.length());
+        let at = way.part("at", at);
+        let corner = way.part("corner", corner);
+        let length = way.part("|a|", a.length());
+        let area = way.number("its area", "m²", length * b.length());
         way.remark("The first sample; the others go the same way:");
         let samples = way.of_first(lattice(self.n), |way, u| {
-            way.pair("u", "", u);
-            let r = way.vector(
-                "r = corner + u.x·a + u.y·b − at",
-                "m",
-                corner + u.x * a + u.y * b - at,
-            );
+            let u = way.pair("u", "", u);
+            let along_a = way.part("u.x·a", u.x * a);
+            let along_b = way.part("u.y·b", u.y * b);
+            let r = corner + along_a + along_b - at;
+            let r = way.vector("r = corner + u.x·a + u.y·b − at", "m", r);
+            let distance = way.part("|r|", r.length());
             let cosine = way.number(
                 "the cosine at the light, −r·normal/|r|",
                 "",
-                -r.dot(normal) / r.length(),
+                -r.dot(normal) / distance,
             );
-            if cosine <= 0.0 {
+            if way.decides("the light turns its back to the point", cosine <= 0.0) {
                 way.remark("It is not positive: the light turns its back to the point.");
                 return None;
             }
+            let square = way.part("|r|²", distance * distance);
+            let seen = way.part("area · cosine, what is seen of the light", area * cosine);
             let pdf = way.number(
                 "the density per steradian, |r|²/(area · cosine)",
                 "1/sr",
-                r.length_squared() / (area * cosine),
+                square / seen,
             );
-            way.number("radiance/density", "W/m²", f64::from(self.radiance) / pdf);
-            Some(chosen(r.normalize(), r.length(), self.radiance, pdf))
+            let toward = way.part("r/|r|", r / distance);
+            Some(chosen(way, toward, distance, self.radiance, pdf))
         });
         samples.into_iter().collect()
     }
@@ -68,8 +76,9 @@ impl Explained for SampleSphereLight {
             self.center.as_dvec3() - self.at.as_dvec3(),
             f64::from(self.radius),
         );
+        let r = way.part("r", r);
         let d = way.number("d, the distance to the centre", "m", c.length());
-        let inside = d <= r;
+        let inside = way.decides("the point is inside of the light", d <= r);
         let height = if inside {
             way.remark("The point is inside of the light, which is seen in every direction.");
             2.0
@@ -87,11 +96,12 @@ impl Explained for SampleSphereLight {
         let around = Basis::around(Dir3::new_or(c.as_vec3(), Dir3::Y));
         let [x_axis, y_axis, axis] = [around.x, around.y, around.z].map(|v| v.as_dvec3());
         way.of_first(lattice(self.n), |way, u| {
-            way.pair("u", "", u);
-            let x = u.x * height;
+            let u = way.pair("u", "", u);
+            let x = way.part("u.x·h", u.x * height);
             let cosine = way.number("cos θ = 1 − u.x·h", "", 1.0 - x);
-            let sine = (x * (2.0 - x)).max(0.0).sqrt();
-            let (sin_phi, cos_phi) = (TAU * u.y).sin_cos();
+            let sine = way.part("sin θ", (x * (2.0 - x)).max(0.0).sqrt());
+            let phi = way.part("φ = 2π u.y", TAU * u.y);
+            let (sin_phi, cos_phi) = phi.sin_cos();
             let toward = sine * cos_phi * x_axis + sine * sin_phi * y_axis + cosine * axis;
             let toward = way.vector(
                 "the direction, θ from the axis and turned by 2π u.y around it",
@@ -103,9 +113,11 @@ impl Explained for SampleSphereLight {
                 "m",
                 (r * r - d * d * sine * sine).max(0.0).sqrt(),
             );
-            let distance = d * cosine + if inside { half_chord } else { -half_chord };
+            let middle = way.part("d cos θ", d * cosine);
+            let ahead = way.decides("the far side of the sphere is seen, from inside", inside);
+            let distance = middle + if ahead { half_chord } else { -half_chord };
             let distance = way.number("the distance, d cos θ ∓ half the chord", "m", distance);
-            chosen(toward, distance, self.radiance, pdf)
+            chosen(way, toward, distance, self.radiance, pdf)
         })
     }
 }

@@ -16,23 +16,31 @@ use std::f64::consts::{FRAC_1_PI, TAU};
 impl Explained for BrdfPhong {
     fn work(&self, way: &mut Way) -> Rgb {
         let [n, v, l] = [self.normal, self.view, self.toward].map(|d| d.as_dvec3());
+        let n = way.part("N", n);
+        let v = way.part("V", v);
+        let l = way.part("L", l);
         let cosine = way.number("N·L, the light's height above the surface", "", n.dot(l));
         let seen = way.number("N·V, the viewer's", "", n.dot(v));
-        if cosine <= 0.0 || seen <= 0.0 {
+        let unlit = way.decides("the light is not above the surface", cosine <= 0.0);
+        let unseen = way.decides("the viewer is not above the surface", seen <= 0.0);
+        if unlit || unseen {
             way.remark("One of them is not above the surface: the BRDF is 0.");
             return Rgb::BLACK;
         }
-        let matte = way.vector("diffuse/π", "1/sr", parts(self.diffuse) * FRAC_1_PI);
+        let diffuse = way.part("diffuse", parts(self.diffuse));
+        let matte = way.vector("diffuse/π", "1/sr", diffuse * FRAC_1_PI);
         let mirrored = way.vector("R = 2 (N·L) N − L", "", 2.0 * cosine * n - l);
         let cos_alpha = way.number("cos α = R·V", "", mirrored.dot(v));
-        if cos_alpha <= 0.0 {
+        if way.decides("α is above 90°", cos_alpha <= 0.0) {
             way.remark("α is above 90°: there is no highlight.");
             return colour(matte);
         }
-        let exponent = f64::from(self.exponent);
-        let scale = way.number("(n + 2)/2π", "1/sr", (exponent + 2.0) / TAU);
+        let exponent = way.part("n", f64::from(self.exponent));
+        let more = way.part("n + 2", exponent + 2.0);
+        let scale = way.number("(n + 2)/2π", "1/sr", more / TAU);
         let lobe = way.number("cosⁿ α", "", cos_alpha.powf(exponent));
-        let glossy = parts(self.specular) * scale * lobe;
+        let specular = way.part("specular", parts(self.specular));
+        let glossy = specular * scale * lobe;
         let glossy = way.vector("specular · (n + 2)/2π · cosⁿ α", "1/sr", glossy);
         colour(way.vector("f = matte + highlight", "1/sr", matte + glossy))
     }
@@ -52,16 +60,11 @@ impl Explained for CosineHemisphere {
             let u = way.pair("u", "", u.as_dvec2());
             let r = way.number("r = √u.x", "", u.x.sqrt());
             let phi = way.number("φ = 2π u.y", "rad", TAU * u.y);
-            let p = way.pair(
-                "r (cos φ, sin φ), on the disc",
-                "",
-                r * dvec2(phi.cos(), phi.sin()),
-            );
-            let height = way.number(
-                "√(1 − u.x), the height above it: cos θ",
-                "",
-                (1.0 - u.x).max(0.0).sqrt(),
-            );
+            let cos = way.part("cos φ", phi.cos());
+            let sin = way.part("sin φ", phi.sin());
+            let p = way.pair("r (cos φ, sin φ), on the disc", "", r * dvec2(cos, sin));
+            let squared = way.part("1 − u.x", (1.0 - u.x).max(0.0));
+            let height = way.number("√(1 − u.x), the height above it: cos θ", "", squared.sqrt());
             way.vector(
                 "the direction, around the normal",
                 "",

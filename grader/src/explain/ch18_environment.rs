@@ -13,10 +13,11 @@ use std::f64::consts::{PI, TAU};
 impl Explained for DirectionToCube {
     fn work(&self, way: &mut Way) -> CubePlace {
         const FACES: [&str; 6] = ["+x", "−x", "+y", "−y", "+z", "−z"];
-        let d = self.direction.as_dvec3();
+        let d = way.part("the direction", self.direction.as_dvec3());
         let axis = d.abs().max_position();
         let m = way.number("m: the component of the greatest magnitude", "", d[axis]);
-        let face = 2 * axis + usize::from(m <= 0.0);
+        let is_negative = way.decides("m is negative", m <= 0.0);
+        let face = 2 * axis + usize::from(is_negative);
         way.remark(format!(
             "It belongs to face {face}, which is {}.",
             FACES[face]
@@ -31,7 +32,9 @@ impl Explained for DirectionToCube {
         };
         let name = format!("to the right and down on this face: {towards}");
         let along: DVec2 = way.pair(name, "", dvec2(right, down));
-        let place = way.pair("(u, v) = ½ + ½ · that/|m|", "", 0.5 + 0.5 * along / m.abs());
+        let along = way.part("that/|m|", along / m.abs());
+        let place = way.pair("(u, v) = ½ + ½ · that/|m|", "", 0.5 + 0.5 * along);
+        let face = way.part("the face's number", face as f64);
         CubePlace {
             face: face as u32,
             u: place.x as f32,
@@ -42,16 +45,25 @@ impl Explained for DirectionToCube {
 
 impl Explained for DirectionToLatlong {
     fn work(&self, way: &mut Way) -> Vec2 {
-        let d = self.direction.as_dvec3();
-        let phi = way.number("φ = atan2(x, −z), around from −z", "rad", d.x.atan2(-d.z));
-        let turn = 0.5 + phi / TAU;
-        if turn >= 1.0 {
+        let d = way.part("the direction", self.direction.as_dvec3());
+        let x = way.part("x", d.x);
+        let ahead = way.part("−z", -d.z);
+        let phi = way.number("φ = atan2(x, −z), around from −z", "rad", x.atan2(ahead));
+        let turn = way.part("½ + φ/2π", 0.5 + phi / TAU);
+        let is_edge = way.decides("φ is π", turn >= 1.0);
+        if is_edge {
             way.remark("φ = π is the right edge of the map, which is its left edge, too.");
         }
-        let theta = d.x.hypot(d.z).atan2(d.y);
-        let theta = way.number("θ = atan2(√(x² + z²), y), down from +y", "rad", theta);
-        let u = if turn < 1.0 { turn } else { 0.0 };
-        way.pair("(u, v) = (½ + φ/2π, θ/π)", "", dvec2(u, theta / PI))
+        let level = way.part("√(x² + z²)", d.x.hypot(d.z));
+        let y = way.part("y", d.y);
+        let theta = way.number(
+            "θ = atan2(√(x² + z²), y), down from +y",
+            "rad",
+            level.atan2(y),
+        );
+        let u = if is_edge { 0.0 } else { turn };
+        let v = way.part("θ/π", theta / PI);
+        way.pair("(u, v) = (½ + φ/2π, θ/π)", "", dvec2(u, v))
             .as_vec2()
     }
 }
@@ -168,22 +180,27 @@ impl Explained for SampleEnvironment {
         way.of_first(lattice(POINTS), |way, u| {
             let u = way.pair("u", "", u.as_dvec2());
             let (row, down) = choose(&rows, u.y);
-            way.pair(
+            let chosen = way.pair(
                 "u.y chooses the row by its light: its number, and how far down in it",
                 "",
                 dvec2(row as f64, down),
             );
+            let (row, down) = ((chosen.x.max(0.0) as usize).min(map.height - 1), chosen.y);
             let (column, right) = choose(map.of_row(row), u.x);
-            way.pair(
+            let chosen = way.pair(
                 "u.x chooses the texel of the row: its number, and how far right in it",
                 "",
                 dvec2(column as f64, right),
             );
-            let phi = TAU * ((column as f64 + right) / map.width as f64 - 0.5);
+            let turn = way.part(
+                "(column + right)/width",
+                chosen.element_sum() / map.width as f64,
+            );
+            let phi = TAU * (turn - 0.5);
             let phi = way.number("φ, which goes evenly through the texel", "rad", phi);
             let [top, bottom] = map.edges(row);
             let cosine = way.number("cos θ, which does so too", "", top + down * (bottom - top));
-            let sine = (1.0 - cosine * cosine).max(0.0).sqrt();
+            let sine = way.part("sin θ", (1.0 - cosine * cosine).max(0.0).sqrt());
             let toward = DVec3::new(sine * phi.sin(), cosine, -sine * phi.cos());
             way.vector(
                 "the direction (sin θ sin φ, cos θ, −sin θ cos φ)",
@@ -223,11 +240,13 @@ impl Explained for EnvironmentPdf {
         let place = latlong.work(way).as_dvec2();
         let texel = |place: f64, count: usize| ((place * count as f64) as usize).min(count - 1);
         let (x, y) = (texel(place.x, map.width), texel(place.y, map.height));
-        way.pair(
+        let at = way.pair(
             "its texel's column and row, from 0",
             "",
             dvec2(x as f64, y as f64),
         );
+        let within = |place: f64, count: usize| (place.max(0.0) as usize).min(count - 1);
+        let (x, y) = (within(at.x, map.width), within(at.y, map.height));
         let solid_angle = way.number(
             "the texel's solid angle, 2π (cos θ₀ − cos θ₁)/width",
             "sr",

@@ -9,7 +9,20 @@ use raybook_workbook::exercises::ch01_rays::CameraRayAnswer;
 use raybook_workbook::exercises::ch19_depth_of_field::{
     CircleOfConfusion, ConcentricDisk, ThinLensRay,
 };
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
+
+/// The same by rings: the root of one number is the distance from the middle, the other one the angle.
+fn by_rings(asked: &ConcentricDisk, way: &mut Way) -> Vec<Vec2> {
+    way.of_first(asked.points(), |way, u| {
+        let first = way.part("u.x", f64::from(u.x));
+        let second = way.part("u.y", f64::from(u.y));
+        let r = way.part("r = √u.x", first.sqrt());
+        let phi = way.part("φ = 2π u.y", TAU * second);
+        let cos = way.part("cos φ", phi.cos());
+        let sin = way.part("sin φ", phi.sin());
+        way.part("r (cos φ, sin φ)", r * dvec2(cos, sin)).as_vec2()
+    })
+}
 
 impl Explained for ConcentricDisk {
     fn work(&self, way: &mut Way) -> Vec<Vec2> {
@@ -17,10 +30,15 @@ impl Explained for ConcentricDisk {
         way.of_first(self.points(), |way, u| {
             let u = way.pair("u", "", u.as_dvec2());
             let ab = way.pair("(a, b) = 2u − 1", "", 2.0 * u - 1.0);
-            let (r, phi) = match (ab.x, ab.y) {
-                (0.0, 0.0) => (0.0, 0.0),
-                (a, b) if a.abs() > b.abs() => (a, FRAC_PI_4 * b / a),
-                (a, b) => (b, FRAC_PI_2 - FRAC_PI_4 * a / b),
+            let (a, b) = (ab.x, ab.y);
+            let is_wide = way.decides("a is farther from 0 than b", a.abs() > b.abs());
+            let (r, phi) = if (a, b) == (0.0, 0.0) {
+                (0.0, 0.0)
+            } else if is_wide {
+                (a, way.part("π/4 · b/a", FRAC_PI_4 * b / a))
+            } else {
+                let less = way.part("π/4 · a/b", FRAC_PI_4 * a / b);
+                (b, FRAC_PI_2 - less)
             };
             let r = way.number("r, of a and b the one that is larger", "", r);
             let phi = way.number(
@@ -32,19 +50,22 @@ impl Explained for ConcentricDisk {
                 .as_vec2()
         })
     }
+
+    const WAYS: &'static [fn(&Self, &mut Way) -> Vec<Vec2>] = &[Self::work, by_rings];
 }
 
 impl Explained for ThinLensRay {
     fn work(&self, way: &mut Way) -> CameraRayAnswer {
         let [forward, right, up] = [self.forward, self.right, self.up].map(|d| d.as_dvec3());
-        let [f, stop, focus] = [self.focal_length, self.f_number, self.focus].map(f64::from);
-        let (film, plane) = (self.film.as_dvec2(), self.plane.as_dvec2());
-        let distance = way.number(
-            "the film's distance, f·s/(s − f)",
-            "m",
-            f * focus / (focus - f),
-        );
-        let on_film = (film - 0.5) * plane * dvec2(1.0, -1.0);
+        let f = way.part("f", f64::from(self.focal_length));
+        let stop = way.part("f_number", f64::from(self.f_number));
+        let focus = way.part("s", f64::from(self.focus));
+        let film = way.part("film", self.film.as_dvec2());
+        let plane = way.part("plane", self.plane.as_dvec2());
+        let longer = way.part("s − f", focus - f);
+        let distance = way.number("the film's distance, f·s/(s − f)", "m", f * focus / longer);
+        let from_middle = way.part("film − ½", film - 0.5);
+        let on_film = from_middle * plane * dvec2(1.0, -1.0);
         let on_film = way.pair(
             "the place on the film from its middle, to the right and upwards",
             "m",
@@ -52,13 +73,14 @@ impl Explained for ThinLensRay {
         );
         let central = distance * forward + on_film.x * right + on_film.y * up;
         let central = way.vector("v, through the middle of the lens", "m", central);
+        let times = way.part("s/distance", focus / distance);
         let in_focus = way.vector(
             "v · s/distance: from the middle of the lens to the point in focus",
             "m",
-            central * (focus / distance),
+            central * times,
         );
         let radius = way.number("the aperture's radius, f/(2 f_number)", "m", 0.5 * f / stop);
-        let lens = self.on_lens.as_dvec2();
+        let lens = way.part("on_lens", self.on_lens.as_dvec2());
         let offset = way.vector(
             "from the middle of the lens to the ray's origin",
             "m",
@@ -69,7 +91,8 @@ impl Explained for ThinLensRay {
             "",
             (in_focus - offset).normalize(),
         );
-        let origin = way.vector("the origin", "m", self.lens_middle.as_dvec3() + offset);
+        let middle = way.part("lens_middle", self.lens_middle.as_dvec3());
+        let origin = way.vector("the origin", "m", middle + offset);
         CameraRayAnswer {
             origin: origin.as_vec3(),
             direction: direction.as_vec3(),
@@ -125,22 +148,27 @@ impl Explained for ThinLensRay {
 
 impl Explained for CircleOfConfusion {
     fn work(&self, way: &mut Way) -> f32 {
-        let [f, stop, s, x] =
-            [self.focal_length, self.f_number, self.focus, self.distance].map(f64::from);
+        let f = way.part("focal_length", f64::from(self.focal_length));
+        let stop = way.part("f_number", f64::from(self.f_number));
+        let s = way.part("s", f64::from(self.focus));
+        let x = way.part("x", f64::from(self.distance));
         let aperture = way.number(
             "A = focal_length/f_number, the aperture's diameter",
             "m",
             f / stop,
         );
+        let ratio = way.part("s/x", s / x);
+        let share = way.part("(x − s)/x", 1.0 - ratio);
         let share = way.number(
             "|x − s|/x: how much of that the cone has in the plane in focus",
             "",
-            (1.0 - s / x).abs(),
+            share.abs(),
         );
+        let longer = way.part("s − f", s - f);
         let smaller = way.number(
             "f/(s − f): so much smaller the film shows it",
             "",
-            f / (s - f),
+            f / longer,
         );
         way.number("A · |x − s|/x · f/(s − f)", "m", aperture * share * smaller) as f32
     }

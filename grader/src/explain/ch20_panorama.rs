@@ -9,23 +9,19 @@ use std::f64::consts::{PI, TAU};
 impl Explained for PanoramaRay {
     fn work(&self, way: &mut Way) -> CameraRayAnswer {
         let [forward, right, up] = [self.forward, self.right, self.up].map(|d| d.as_dvec3());
-        let film = self.film.as_dvec2();
+        let film = way.part("film", self.film.as_dvec2());
         let phi = way.number(
             "φ = 2π (film.x − ½), around up",
             "rad",
             TAU * (film.x - 0.5),
         );
         let theta = way.number("θ = π film.y, down from up", "rad", PI * film.y);
-        let level = way.vector(
-            "level = cos φ · forward + sin φ · right",
-            "",
-            phi.cos() * forward + phi.sin() * right,
-        );
-        let direction = way.vector(
-            "direction = sin θ · level + cos θ · up",
-            "",
-            theta.sin() * level + theta.cos() * up,
-        );
+        let ahead = way.part("cos φ · forward", phi.cos() * forward);
+        let aside = way.part("sin φ · right", phi.sin() * right);
+        let level = way.vector("level = cos φ · forward + sin φ · right", "", ahead + aside);
+        let level = way.part("sin θ · level", theta.sin() * level);
+        let upward = way.part("cos θ · up", theta.cos() * up);
+        let direction = way.vector("direction = sin θ · level + cos θ · up", "", level + upward);
         CameraRayAnswer {
             origin: self.position,
             direction: direction.as_vec3(),

@@ -21,18 +21,28 @@ fn slope(p: Photon) -> Photon {
     }
 }
 
-/// A step by four slopes, exact to the fourth order (Runge and Kutta); `tell` hears each of them.
-fn stepped(p: Photon, step: f64, mut tell: impl FnMut(&'static str, Photon)) -> Photon {
-    let mut told = |name, at: Photon| {
-        let k = slope(at);
-        tell(name, k);
-        k
-    };
-    let k1 = told("k₁ = dv/dt at the start", p);
-    let k2 = told("k₂ = dv/dt half a step along k₁", p + k1 * (0.5 * step));
-    let k3 = told("k₃ = dv/dt half a step along k₂", p + k2 * (0.5 * step));
-    let k4 = told("k₄ = dv/dt a step along k₃", p + k3 * step);
+/// A step by four slopes, exact to the fourth order (Runge and Kutta).
+fn stepped(p: Photon, step: f64) -> Photon {
+    let k1 = slope(p);
+    let k2 = slope(p + k1 * (0.5 * step));
+    let k3 = slope(p + k2 * (0.5 * step));
+    let k4 = slope(p + k3 * step);
     p + (k1 + k2 * 2.0 + k3 * 2.0 + k4) * (step / 6.0)
+}
+
+/// The slope at a place, by its steps; `told` writes the change of the velocity down.
+fn slope_by_steps(way: &mut Way, p: Photon, told: fn(&mut Way, DVec3) -> DVec3) -> Photon {
+    let h = way.part("h = |x × v|", p.angular_momentum());
+    let square = way.part("h²", h * h);
+    let r = way.part("|x|", p.x.length());
+    let power = way.part("|x|⁵", r.powi(5));
+    let factor = way.part("−3/2", -1.5);
+    let x = way.part("dx/dt = v", p.v);
+    let bend = factor * square / power * p.x;
+    Photon {
+        x,
+        v: told(way, bend),
+    }
 }
 
 /// Draws the hole, the photon sphere and their names.
@@ -54,9 +64,23 @@ impl Explained for GeodesicStep {
             start.angular_momentum(),
         );
         way.number("|x|", "", start.x.length());
-        let after = stepped(start, f64::from(self.step), |name, k| {
-            way.vector(name, "", k.v);
+        let step = way.part("step", f64::from(self.step));
+        let half = way.part("half a step", 0.5 * step);
+        let k1 = slope_by_steps(way, start, |way, v| {
+            way.vector("k₁ = dv/dt at the start", "", v)
         });
+        let k2 = slope_by_steps(way, start + k1 * half, |way, v| {
+            way.vector("k₂ = dv/dt half a step along k₁", "", v)
+        });
+        let k3 = slope_by_steps(way, start + k2 * half, |way, v| {
+            way.vector("k₃ = dv/dt half a step along k₂", "", v)
+        });
+        let k4 = slope_by_steps(way, start + k3 * step, |way, v| {
+            way.vector("k₄ = dv/dt a step along k₃", "", v)
+        });
+        let twice = way.part("the weight 2 of k₂ and k₃", 2.0);
+        let share = way.part("step/6", step / 6.0);
+        let after = start + (k1 + k2 * twice + k3 * twice + k4) * share;
         let straight = start.x + f64::from(self.step) * start.v;
         way.vector("x + step·v, straight on", "", straight);
         way.remark(
@@ -119,9 +143,9 @@ impl Explained for DeflectionAngle {
     fn work(&self, way: &mut Way) -> Option<f32> {
         /// Even. Next to b_c the integrand has a peak as narrow as the distance to b_c.
         const INTERVALS: u32 = 4000;
-        let b = f64::from(self.impact_parameter);
+        let b = way.part("b", f64::from(self.impact_parameter));
         let critical = way.number("b_c = 3√3/2", "", CRITICAL);
-        if b <= critical {
+        if way.decides("b is not above b_c", b <= critical) {
             way.remark("b is not above b_c: the ray falls in.");
             return None;
         }
@@ -156,7 +180,8 @@ impl Explained for DeflectionAngle {
             "rad",
             swept,
         );
-        Some(way.number("twice that, less π", "rad", 2.0 * swept - PI) as f32)
+        let whole = way.part("twice that", 2.0 * swept);
+        Some(way.number("twice that, less π", "rad", whole - PI) as f32)
     }
 
     fn draw(&self, _: &Option<f32>, yours: Option<&Option<f32>>) -> Option<Diagram> {
@@ -186,7 +211,7 @@ impl Explained for DeflectionAngle {
             if r < 1.0 || r > 1.2 * from {
                 break;
             }
-            photon = stepped(photon, 0.03 * r / photon.v.length(), |_, _| {});
+            photon = stepped(photon, 0.03 * r / photon.v.length());
             points.push(seen(photon));
         }
         drawing.line(&[dvec2(-from, b), dvec2(0.7 * from, b)], Ink::Guide);

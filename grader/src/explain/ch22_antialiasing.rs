@@ -23,21 +23,26 @@ fn lattice(columns: u32, rows: u32) -> impl Iterator<Item = DVec2> {
 impl Explained for RegularGrid {
     fn work(&self, way: &mut Way) -> Vec<Vec2> {
         let corner = dvec2(self.x.into(), self.y.into());
-        let count = dvec2(self.columns.into(), self.rows.into());
+        let count = way.part(
+            "(columns, rows)",
+            dvec2(self.columns.into(), self.rows.into()),
+        );
         way.number(
             "columns · rows: the number of points",
             "",
             count.x * count.y,
         );
-        way.pair(
+        let sides = way.pair(
             "the sides of a cell, (1/columns, 1/rows)",
             "px",
             count.recip(),
         );
+        let corner = way.part("the pixel's column and row", corner);
         way.remark("The first point, of column i = 0 and row j = 0; the others go the same way:");
         way.of_first(lattice(self.columns, self.rows), |way, cell| {
-            let p = (cell + 0.5) / count;
-            way.pair("((i + ½)/columns, (j + ½)/rows)", "px", p);
+            let cell = way.part("(i, j)", cell);
+            let middle = way.part("(i + ½, j + ½)", cell + 0.5);
+            let p = way.pair("((i + ½)/columns, (j + ½)/rows)", "px", middle * sides);
             way.pair(
                 "that, moved by the pixel's column and row",
                 "px",
@@ -59,15 +64,22 @@ impl Explained for RegularGrid {
 impl Explained for RotatedGrid {
     fn work(&self, way: &mut Way) -> Vec<Vec2> {
         let (spacing, offset) = (f64::from(self.spacing), self.offset.as_dvec2());
-        let [cos, sin] = [2.0, 1.0].map(|part| part / 5.0_f64.sqrt());
-        way.pair("(cos, sin) of arctan ½: (2, 1)/√5", "", dvec2(cos, sin));
+        let spacing = way.part("spacing", spacing);
+        let offset = way.part("offset", offset);
+        let turn = way.pair(
+            "(cos, sin) of arctan ½: (2, 1)/√5",
+            "",
+            dvec2(2.0, 1.0) / 5.0_f64.sqrt(),
+        );
+        let [cos, sin] = turn.to_array();
+        let middle = way.part("the middle of the pixel", dvec2(0.5, 0.5));
         let nearest = way.pair("(offset.x, offset.y), of i = j = 0", "", offset);
         let turned = |q: DVec2| dvec2(cos * q.x - sin * q.y, sin * q.x + cos * q.y);
         way.pair("that, rotated", "", turned(nearest));
         way.pair(
             "(½, ½) + spacing times that",
             "",
-            0.5 + spacing * turned(nearest),
+            middle + spacing * turned(nearest),
         );
         // The square's half diagonal, in spacings: beyond it no lattice point is in the square.
         let reach = way.number(
@@ -77,7 +89,7 @@ impl Explained for RotatedGrid {
         ) as i32;
         let steps =
             (-reach..=reach).flat_map(|j| (-reach..=reach).map(move |i| dvec2(i.into(), j.into())));
-        let points = steps.map(|step| 0.5 + spacing * turned(step + offset));
+        let points = steps.map(|step| middle + spacing * turned(step + offset));
         let inside = |p: &DVec2| p.cmpge(DVec2::ZERO).all() && p.cmplt(DVec2::ONE).all();
         let points: Vec<_> = points.filter(inside).map(DVec2::as_vec2).collect();
         way.number("of all of them in the square", "", points.len() as f64);
@@ -132,6 +144,7 @@ impl Explained for Jittered {
         );
         way.remark("The first point, of column i = 0 and row j = 0; the others go the same way:");
         way.of_first(lattice(self.columns, self.rows), |way, cell| {
+            let cell = way.part("(i, j)", cell);
             let u = way.pair(
                 "(ξ₁, ξ₂), two new random numbers",
                 "",

@@ -10,7 +10,7 @@ use raybook_workbook::exercises::ch23_adaptive::{NeedsMore, SpendBudget};
 impl Explained for NeedsMore {
     fn work(&self, way: &mut Way) -> u32 {
         let n = self.samples.len() as f64;
-        if self.samples.len() < 2 {
+        if way.decides("there are fewer than two samples", self.samples.len() < 2) {
             way.remark("There are fewer than two samples: one knows nothing of the others.");
             return way.number("more", "", 1.0) as u32;
         }
@@ -19,25 +19,33 @@ impl Explained for NeedsMore {
         let max = samples.iter().copied().fold(DVec3::ZERO, DVec3::max);
         let min = way.vector("min, of each channel", "W·m⁻²·sr⁻¹", min);
         let max = way.vector("max, of each channel", "W·m⁻²·sr⁻¹", max);
-        let contrast = (max - min) / (max + min);
+        let range = way.part("max − min", max - min);
+        let sum = way.part("max + min", max + min);
+        let contrast = range / sum;
         let contrast = DVec3::select(max.cmpgt(DVec3::ZERO), contrast, DVec3::ZERO);
         let contrast = way.vector("(max − min)/(max + min)", "", contrast);
         let limit = way.vector("its limit", "", parts(self.contrast));
-        let luminance = |sample: &DVec3| sample.dot(dvec3(0.2126, 0.7152, 0.0722));
+        let weights = way.part("the weights of R, G and B", dvec3(0.2126, 0.7152, 0.0722));
+        let luminance = |sample: &DVec3| sample.dot(weights);
         let mean = samples.iter().map(luminance).sum::<f64>() / n;
         let mean = way.number("the mean of Y", "W·m⁻²·sr⁻¹", mean);
         let squares = samples
             .iter()
             .map(|sample| (luminance(sample) - mean).powi(2));
-        let variance = squares.sum::<f64>() / (n - 1.0);
+        let squares = way.part("Σ (Y − mean)²", squares.sum::<f64>());
+        let less = way.part("n − 1", n - 1.0);
+        let variance = squares / less;
         let variance = way.number("s² = Σ (Y − mean)²/(n − 1)", "(W·m⁻²·sr⁻¹)²", variance);
+        let of_mean = way.part("s²/n", variance / n);
         let error = way.number(
             "s/√n, the standard error of the mean",
             "W·m⁻²·sr⁻¹",
-            (variance / n).sqrt(),
+            of_mean.sqrt(),
         );
-        let by_contrast = contrast.cmpgt(limit).any();
-        let by_error = error > f64::from(self.error);
+        let above = contrast.cmpgt(limit);
+        let by_contrast = way.decides("the contrast of a channel is above its limit", above.any());
+        let above = error > f64::from(self.error);
+        let by_error = way.decides("the error is above its limit", above);
         way.remark(match (by_contrast, by_error) {
             (true, _) => "The contrast of a channel is above its limit.",
             (false, true) => "No contrast is above its limit, but the error is above its own.",
@@ -49,25 +57,36 @@ impl Explained for NeedsMore {
 
 impl Explained for SpendBudget {
     fn work(&self, way: &mut Way) -> Vec<u32> {
-        let least = self.least.max(1);
+        let least = way.part(
+            "the least for each, 1 or more",
+            f64::from(self.least.max(1)),
+        );
+        let least = least.max(0.0) as u32;
+        let budget = way.part("the budget", f64::from(self.budget)).max(0.0) as u64;
         let sum: f64 = self.deviations.iter().map(|d| f64::from(*d)).sum();
         way.number("Σ σ", "", sum);
         way.remark("Without the least and without rounding, each pixel gets its share σ/Σ σ of the budget (Neyman 1934).");
         let mut counts = vec![least; self.deviations.len()];
         let spent = u64::from(least) * counts.len() as u64;
-        let left = u64::from(self.budget).saturating_sub(spent);
-        way.number("what is left after the least for each", "", left as f64);
+        let left = budget.saturating_sub(spent);
+        let left = way.number("what is left after the least for each", "", left as f64);
+        let left = left.clamp(0.0, f64::from(self.budget)) as u64;
         way.remark("Each of these samples goes where it takes off most of σ²/n, which is σ²/n − σ²/(n + 1) = σ²/(n (n + 1)).");
-        let gain = |pixel: usize, n: u32| {
-            let (deviation, n) = (f64::from(self.deviations[pixel]), f64::from(n));
-            deviation * deviation / (n * (n + 1.0))
+        let mut gain = |pixel: usize, n: u32| {
+            way.silently(|way| {
+                let deviation = way.part("σ", f64::from(self.deviations[pixel]));
+                let square = way.part("σ²", deviation * deviation);
+                let n = f64::from(n);
+                let price = way.part("n (n + 1)", n * (n + 1.0));
+                way.part("what a sample takes off", square / price)
+            })
         };
         for _ in 0..left {
-            let best = (0..counts.len()).max_by(|&a, &b| {
-                gain(a, counts[a])
-                    .total_cmp(&gain(b, counts[b]))
-                    .then(b.cmp(&a))
-            });
+            let gains = counts.iter().enumerate().map(|(i, n)| gain(i, *n));
+            let gains: Vec<_> = gains.collect();
+            // Of two alike the first.
+            let best =
+                (0..gains.len()).max_by(|&a, &b| gains[a].total_cmp(&gains[b]).then(b.cmp(&a)));
             let Some(best) = best else { break };
             counts[best] += 1;
         }

@@ -46,7 +46,7 @@ impl Change {
 pub enum Slip {
     /// The value is changed.
     Value(Place, Change),
-    /// The last value of another step is taken, if it is as long.
+    /// The last value of another step is taken, if it is as long, or a number: that for each of the value's.
     Other {
         /// The step that is wrong.
         at: Place,

@@ -239,8 +239,11 @@ impl Way {
             Some(Slip::Other { at, of }) if at == place => {
                 let last = self.steps.iter().rev().find(|step| step.place == of);
                 let size = v.numbers().len();
-                last.filter(|last| last.value.len() == size)
-                    .map_or(v, |last| v.with(&last.value))
+                match last.map(|last| last.value.as_slice()) {
+                    Some([one]) => v.with(&vec![*one; size]),
+                    Some(value) if value.len() == size => v.with(value),
+                    _ => v,
+                }
             }
             _ => v,
         };

@@ -529,6 +529,7 @@ pub const MISTAKES: &[Slip] = &[
         "grid_resolution",
         "one more along each axis",
         &[
+            "the value plus 1",
             "1 too much",
             "one too much",
             "from 1",
@@ -862,7 +863,10 @@ pub const MISTAKES: &[Slip] = &[
     slip(
         "regular_grid",
         "x and y exchanged",
-        &["exchanges x and y"],
+        &[
+            "exchanges x and y",
+            "column and row”: exchanges both numbers",
+        ],
         |q, right| misread(q, right, |q| q.swap(0, 1)),
     ),
     slip("concentric_disk", "diameter 1", &["half"], |q, right| {

@@ -3,6 +3,7 @@
 pub mod again;
 pub mod ask;
 pub mod asked_picture;
+mod attempt;
 pub mod book;
 pub mod budget;
 pub mod capstone;

@@ -6,7 +6,7 @@ use super::fit::{self, Answers};
 use super::found::Found;
 use super::misread::Misreading;
 use super::search::called;
-use std::panic::{AssertUnwindSafe, catch_unwind};
+use crate::attempt::attempt;
 
 /// Wrong answers that an explanation is tried on before it is tried on all.
 const PROBE: usize = 8;
@@ -24,9 +24,8 @@ pub fn pairs(evidence: &Evidence<'_>, readings: &[Misreading], found: &mut Vec<F
         return;
     }
     let mistakes = examiner.mistakes();
-    let of_mistake = |i: usize, question: &[f64]| {
-        catch_unwind(AssertUnwindSafe(|| examiner.mistake_answers(i, question))).ok()?
-    };
+    let of_mistake =
+        |i: usize, question: &[f64]| attempt(|| examiner.mistake_answers(i, question))?;
     let of_reading = |reading: &Misreading, question: &[f64]| {
         called(asked, &reading.read(asked.question, question)?)
     };

@@ -8,8 +8,8 @@ use super::misread::Misreading;
 use super::pairs::pairs;
 use super::slips::slipped;
 use super::special;
+use crate::attempt::attempt;
 use raybook_workbook::exercise::Asked;
-use std::panic::catch_unwind;
 
 /// The explanation that agrees best with the evidence.
 pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Found> {
@@ -108,7 +108,7 @@ pub fn misread(evidence: &Evidence<'_>, reading: &Misreading, item: usize) -> Op
 
 /// The right answer to a question that may make no sense; none if the library panics.
 pub fn called(asked: &Asked, question: &[f64]) -> Option<Vec<f64>> {
-    catch_unwind(|| (asked.call)(question)).ok()
+    attempt(|| (asked.call)(question))
 }
 
 /// Keeps an explanation that gives this share of the wrong answers.

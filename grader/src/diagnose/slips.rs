@@ -3,20 +3,12 @@
 
 use super::evidence::Evidence;
 use super::function::FUNCTIONS;
-use crate::explain::slip::{Change, Place, Slip};
-use crate::explain::way::{Step, Way};
+use crate::attempt::attempt;
+use crate::explain::slip::{Change, Slip};
+use crate::explain::way::{Decision, Step, Way};
 use crate::explain::{Explainer, find};
 use std::borrow::Cow;
 use std::f64::consts::{PI, TAU};
-use std::panic::catch_unwind;
-
-/// A slip by name.
-struct Named {
-    name: String,
-    hint: String,
-    rank: u32,
-    slip: Slip,
-}
 
 /// What is often made of a value of a certain size.
 struct Common {
@@ -76,7 +68,9 @@ common! {
     3 12 "takes 0 for z": Together |v| v[2] = 0.0;
     3 10 "normalises the value": Together |v| {
         let length = v.iter().map(|v| v * v).sum::<f64>().sqrt();
-        v.iter_mut().for_each(|v| *v /= length);
+        for v in v {
+            *v /= length;
+        }
     };
 }
 
@@ -100,7 +94,7 @@ impl Slipped {
     /// What is answered; nothing where the way has no end, or leads nowhere.
     pub fn answer(&self, question: &[f64]) -> Option<Vec<f64>> {
         let work = || (self.explainer.work)(self.way, question, &mut Way::with(self.slip));
-        catch_unwind(work).ok()
+        attempt(work)
     }
 }
 
@@ -141,108 +135,73 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
         }
     }
     let mut all = Vec::new();
+    let mut add = |name, hint: &str, rank, slip| {
+        all.push(Slipped {
+            name,
+            hint: hint.to_owned(),
+            rank: RANK + rank,
+            explainer,
+            way: number,
+            slip,
+        });
+    };
     for step in &steps {
-        of_step(step, &mut all);
+        let name = short(step);
+        let at = step.place;
+        for (what, hint, rank, change) in changes(step.value.len()) {
+            let name = format!("goes wrong at the step “{name}”: {what}");
+            add(name, hint, rank, Slip::Value(at, change));
+        }
         for other in &steps {
             let fits = [1, step.value.len()].contains(&other.value.len());
-            if other.place != step.place && fits {
-                all.push(other_value(step, other));
+            if other.place != at && fits {
+                let of = short(other);
+                let name = format!("takes the value of “{of}” where that of “{name}” belongs");
+                let of = other.place;
+                add(name, HINT, 12, Slip::Other { at, of });
             }
         }
     }
-    for decision in decisions {
-        of_decision(decision.name, decision.place, &mut all);
+    for Decision { name, place } in decisions {
+        let never = format!("never takes it into account when {name}");
+        add(never, HINT, 9, Slip::Decision(place, |_| false));
+        let always = format!("always goes on as if {name}");
+        add(always, HINT, 9, Slip::Decision(place, |_| true));
+        let opposite = format!("decides the other way round whether {name}");
+        add(opposite, HINT, 9, Slip::Decision(place, |holds| !holds));
     }
-    let on_way = |Named {
-                      name,
-                      hint,
-                      rank,
-                      slip,
-                  }| Slipped {
-        name,
-        hint,
-        rank,
-        explainer,
-        way: number,
-        slip,
-    };
-    all.into_iter().map(on_way).collect()
+    all
 }
 
-/// The slips that need nothing but the step's own value.
-fn of_step(step: &Step, all: &mut Vec<Named>) {
-    let name = short(&step.name);
-    let mut add = |what: &str, hint: &str, rank, change| {
-        all.push(Named {
-            name: format!("goes wrong at the step “{name}”: {what}"),
-            hint: hint.to_owned(),
-            rank: RANK + rank,
-            slip: Slip::Value(step.place, change),
-        });
-    };
-    for one in COMMON {
-        if one.size == 0 || one.size == step.value.len() {
-            add(one.name, HINT, one.rank, one.change);
-        }
-    }
-    for function in FUNCTIONS {
+/// What leads on where no question of its own does.
+const HINT: &str = "`raybook explain` shows this step with its right value: print yours beside it.";
+
+/// What people make of a value of `size` numbers: in words, with what leads on, how common it is, and the change itself.
+fn changes(size: usize) -> impl Iterator<Item = (String, &'static str, u32, Change)> {
+    let common = COMMON
+        .iter()
+        .filter(move |one| [0, size].contains(&one.size));
+    let common = common.map(|one| (one.name.to_owned(), HINT, one.rank, one.change));
+    let functions = FUNCTIONS.iter().map(|function| {
         let name = function.name.replace("the answer", "the value");
         let name = name.replace("returns", "takes");
-        add(
-            &name,
+        (
+            name,
             function.hint,
             function.rank,
             Change::Each(function.of),
-        );
-    }
+        )
+    });
+    common.chain(functions)
 }
 
-const HINT: &str = "`raybook explain` shows this step with its right value: print yours beside it.";
-
-/// The value of another step in place of a step's own.
-fn other_value(step: &Step, other: &Step) -> Named {
-    let (name, of) = (short(&step.name), short(&other.name));
-    Named {
-        name: format!("takes the value of “{of}” where that of “{name}” belongs"),
-        hint: HINT.to_owned(),
-        rank: RANK + 12,
-        slip: Slip::Other {
-            at: step.place,
-            of: other.place,
-        },
+/// The name of a step; without its numbers if it was made for one question.
+fn short(step: &Step) -> String {
+    let name = step.name.trim_end_matches(" =");
+    if matches!(step.name, Cow::Borrowed(_)) {
+        return name.to_owned();
     }
-}
-
-fn of_decision(name: &str, place: Place, all: &mut Vec<Named>) {
-    let ways: [(String, fn(bool) -> bool); 3] = [
-        (format!("never takes it into account when {name}"), |_| {
-            false
-        }),
-        (format!("always goes on as if {name}"), |_| true),
-        (
-            format!("decides the other way round whether {name}"),
-            |holds| !holds,
-        ),
-    ];
-    for (name, of) in ways {
-        all.push(Named {
-            name,
-            hint: HINT.to_owned(),
-            rank: RANK + 9,
-            slip: Slip::Decision(place, of),
-        });
-    }
-}
-
-/// The name of a step, without the numbers that only one question has.
-fn short(name: &Cow<'static, str>) -> String {
-    let name = match name {
-        Cow::Borrowed(name) => (*name).to_owned(),
-        Cow::Owned(name) => {
-            let parts = name.split(|c: char| c.is_ascii_digit());
-            let parts: Vec<_> = parts.filter(|part| !part.is_empty()).collect();
-            parts.join("…")
-        }
-    };
-    name.trim_end_matches(" =").to_owned()
+    let parts = name.split(|c: char| c.is_ascii_digit());
+    let parts: Vec<_> = parts.filter(|part| !part.is_empty()).collect();
+    parts.join("…")
 }

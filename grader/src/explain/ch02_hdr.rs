@@ -39,11 +39,8 @@ impl Explained for EncodeSrgb {
         const STRAIGHT: f64 = 0.003_130_8;
         let v = f64::from(self.v);
         // NaN has no code value; it is shown as black.
-        let least = if way.decides("v is not above 0", !(v > 0.0)) {
-            0.0
-        } else {
-            v
-        };
+        let is_light = way.decides("v is above 0", v > 0.0);
+        let least = if is_light { v } else { 0.0 };
         let most = if way.decides("v is above 1", least > 1.0) {
             1.0
         } else {

@@ -59,9 +59,8 @@ fn by_half_spaces(q: &BoxClip, way: &mut Way) -> Option<Interval> {
             }
         }
     }
-    let is_empty = !(leave - enter >= 0.0);
-    let is_empty = way.decides("the end is before the beginning", is_empty);
-    (!is_empty).then(|| Interval::new(enter as f32, leave as f32))
+    let remains = way.decides("the end is not before the beginning", leave - enter >= 0.0);
+    remains.then(|| Interval::new(enter as f32, leave as f32))
 }
 
 impl Explained for BoxClip {
@@ -82,12 +81,11 @@ impl Explained for BoxClip {
             let left = way.pair(format!("what remains after {name}"), "m", left);
             [min, max] = left.to_array();
         }
-        let is_empty = !(max - min >= 0.0);
-        if way.decides("the end is before the beginning", is_empty) {
+        if way.decides("the end is not before the beginning", max - min >= 0.0) {
+            Some(Interval::new(min as f32, max as f32))
+        } else {
             way.remark("The end is before the beginning: nothing remains.");
             None
-        } else {
-            Some(Interval::new(min as f32, max as f32))
         }
     }
 

@@ -40,7 +40,7 @@ impl Explained for GridResolution {
             }
             let along = way.vector("extent · cells per metre", "", along);
             let before = thick.len();
-            let thin = thick.iter().any(|&axis| !(along[axis] >= 1.0));
+            let thin = thick.iter().any(|&axis| along[axis] < 1.0);
             if !way.decides("an axis gets less than one cell", thin) {
                 break along;
             }

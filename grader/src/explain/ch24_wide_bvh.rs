@@ -43,8 +43,10 @@ impl Explained for Collapse {
             ));
             while family.len() < CHILDREN {
                 let branches = (0..family.len()).filter(|&i| is_branch(self, family[i]));
-                let largest = branches
-                    .max_by(|&a, &b| area_of(self, family[a]).total_cmp(&area_of(self, family[b])));
+                let of = |i: usize| (i, way.part("a branch's area", area_of(self, family[i])));
+                let areas: Vec<_> = branches.map(of).collect();
+                let largest = areas.into_iter().max_by(|a, b| a.1.total_cmp(&b.1));
+                let largest = largest.map(|(i, _)| i);
                 let Some(largest) = largest else {
                     way.remark("No branch is left among them.");
                     break;
@@ -118,7 +120,8 @@ impl Search<'_> {
         }
         met.sort_by(|a, b| a.0.total_cmp(&b.0));
         for (enter, child) in met {
-            if enter > self.limit() {
+            let is_behind = enter > self.limit();
+            if way.decides("a child begins behind the nearest hit", is_behind) {
                 let what = if child.leaf == 0 { "Node" } else { "Leaf" };
                 way.remark(format!(
                     "{what} {} begins behind the nearest hit: it is left out.",
@@ -147,8 +150,9 @@ impl Search<'_> {
             // Its own steps are those of `triangle_hit`.
             match way.silently(|way| ch06_triangle::meets(way, &q.ray, q.within, corners)) {
                 Some([t, ..]) => {
-                    way.number(format!("leaf {leaf}: triangle {id} is hit at t ="), "m", t);
-                    if t < self.limit() {
+                    let t = way.number(format!("leaf {leaf}: triangle {id} is hit at t ="), "m", t);
+                    let is_nearer = t < self.limit();
+                    if way.decides("a hit is nearer than all before it", is_nearer) {
                         self.nearest = Some((t, id));
                     }
                 }
@@ -179,8 +183,8 @@ impl Explained for WideClosest {
     fn work(&self, way: &mut Way) -> WideClosestAnswer {
         let search = search(self, way);
         let (nodes, tests) = (search.opened.len() as u32, search.tests);
-        way.number("nodes opened", "", nodes.into());
-        way.number("triangles tested", "", tests.into());
+        let nodes = way.number("nodes opened", "", nodes.into()) as u32;
+        let tests = way.number("triangles tested", "", tests.into()) as u32;
         let hit = search
             .nearest
             .map(|(t, id)| MeshHitAnswer { t: t as f32, id });

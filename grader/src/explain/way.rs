@@ -24,6 +24,7 @@ pub trait Value: Copy {
     fn numbers(self) -> Vec<f64>;
 
     /// The value with other numbers, as many as it has.
+    #[must_use]
     fn with(self, numbers: &[f64]) -> Self;
 }
 

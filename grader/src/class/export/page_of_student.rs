@@ -2,6 +2,7 @@
 //! other file.
 
 use super::words;
+use crate::attempt::attempt;
 use crate::cases;
 use crate::class::grades::{ChapterGrade, ExerciseGrade, Grade, points};
 use crate::class::record::Standing;
@@ -11,7 +12,6 @@ use crate::explain::{Shown, find};
 use maud::{Markup, html};
 use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_chapters::kit::{address, html};
-use std::panic::catch_unwind;
 
 /// The largest drawing, in bytes: a page is mailed and printed.
 const LARGEST: usize = 32 << 10;
@@ -72,7 +72,7 @@ fn drawing(exercise: &ExerciseGrade) -> Option<Diagram> {
     let right = examiner.reference(&question).ok()?;
     let yours = examiner.asked().read_answer(answer).ok();
     // An answer of a stranger's may be anything: no number in it may keep a class from its grades.
-    let drawing = catch_unwind(|| {
+    let drawing = attempt(|| {
         (explainer.draw)(Shown {
             question: &question,
             right: &right,
@@ -80,7 +80,6 @@ fn drawing(exercise: &ExerciseGrade) -> Option<Diagram> {
         })
     });
     drawing
-        .ok()
         .flatten()
         .filter(|drawing| drawing.svg().len() <= LARGEST)
 }

@@ -1,0 +1,59 @@
+//! What a search in a tree costs: each node by the share of rays that meet its box.
+
+use super::drawn;
+use crate::explain::Explained;
+use crate::explain::diagram::Diagram;
+use crate::explain::tree::{self, area};
+use crate::explain::way::Way;
+use raybook_workbook::exercises::ch11_bvh::SahCost;
+
+impl Explained for SahCost {
+    fn work(&self, way: &mut Way) -> f32 {
+        let branch = way.part("branch", f64::from(self.branch));
+        let shape = way.part("shape", f64::from(self.shape));
+        let of_root = self
+            .nodes
+            .first()
+            .map_or(0.0, |root| area([root.min, root.max]));
+        let of_root = way.number("the area of the root's box", "m²", of_root);
+        if way.decides("the root's box has no area", of_root == 0.0) {
+            way.remark("There is nothing to be searched.");
+            return 0.0;
+        }
+        let mut cost = 0.0;
+        for (i, row) in self.nodes.iter().enumerate() {
+            let of_node = way.part("a node's area", area([row.min, row.max]));
+            let share = way.part("a node's area over the root's", of_node / of_root);
+            let is_branch = way.decides("a node is a branch", row.count == 0);
+            let count = way.part("a leaf's number of shapes", f64::from(row.count));
+            let what = if row.count == 0 {
+                format!("node {i}, a branch: its area/the root's · branch")
+            } else {
+                format!(
+                    "node {i}, a leaf of {}: its area/the root's · {} · shape",
+                    row.count, row.count
+                )
+            };
+            let price = if is_branch { branch } else { count * shape };
+            cost += way.number(what, "", share * price);
+        }
+        way.number("the sum: the cost of a search", "", cost) as f32
+    }
+
+    fn draw(&self, _: &f32, _: Option<&f32>) -> Option<Diagram> {
+        let of_root = self
+            .nodes
+            .first()
+            .map_or(1.0, |root| area([root.min, root.max]));
+        let mut drawing = Diagram::new(
+            "The tree from its root down: each node with its number, and the share of the rays through the root that meet its box",
+        );
+        drawing.keyed = false;
+        let share = |i: usize| {
+            let row = &self.nodes[i];
+            format!(": {:.0} %", 100.0 * area([row.min, row.max]) / of_root)
+        };
+        tree::draw(&mut drawing, &drawn(&self.nodes, |_| true, share));
+        Some(drawing)
+    }
+}

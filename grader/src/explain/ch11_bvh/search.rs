@@ -1,0 +1,138 @@
+//! The search for the nearest hit in a tree.
+
+use super::{children, drawn};
+use crate::explain::Explained;
+use crate::explain::ch06_triangle;
+use crate::explain::diagram::Diagram;
+use crate::explain::tree::{self, enters};
+use crate::explain::way::Way;
+use raybook_workbook::exercises::ch07_mesh::MeshHitAnswer;
+use raybook_workbook::exercises::ch11_bvh::{BvhClosest, BvhClosestAnswer};
+
+/// A search in a tree, while it runs.
+struct Search<'a> {
+    q: &'a BvhClosest,
+    /// The nearest hit among the triangles that were tested.
+    nearest: Option<(f64, u32)>,
+    boxes: u32,
+    tests: u32,
+    /// The nodes that are opened or whose shapes are tested.
+    met: Vec<usize>,
+}
+
+impl Search<'_> {
+    fn visit(&mut self, way: &mut Way, node: usize) {
+        let Some(row) = self.q.nodes.get(node) else {
+            return;
+        };
+        self.met.push(node);
+        if row.count > 0 {
+            let last = row.first.saturating_add(row.count);
+            way.remark(format!(
+                "Node {node} is a leaf with {} of the triangles.",
+                row.count
+            ));
+            for id in row.first..last.min(self.q.triangles.len() as u32) {
+                self.test(way, id);
+            }
+            return;
+        }
+        let mut below = Vec::new();
+        for child in children(row) {
+            let Some(row) = self.q.nodes.get(child).filter(|_| child > node) else {
+                continue;
+            };
+            self.boxes += 1;
+            match enters(&self.q.ray, self.q.within, self.limit(), [row.min, row.max]) {
+                Some(enter) => {
+                    let name = format!("node {node} is opened: the ray enters node {child} at t =");
+                    below.push((way.number(name, "m", enter), child));
+                }
+                None => way.remark(format!(
+                    "Node {node} is opened: the ray does not enter node {child} where it could count."
+                )),
+            }
+        }
+        let is_sorted = below.is_sorted_by(|a, b| a.0 <= b.0);
+        if way.decides("the second child is nearer than the first", !is_sorted) {
+            below.reverse();
+        }
+        for (enter, child) in below {
+            let is_behind = enter > self.limit();
+            if way.decides("a child begins behind the nearest hit", is_behind) {
+                way.remark(format!(
+                    "Node {child} begins behind the nearest hit: it is left out."
+                ));
+            } else {
+                self.visit(way, child);
+            }
+        }
+    }
+
+    fn test(&mut self, way: &mut Way, id: u32) {
+        let q = self.q;
+        let triangle = &q.triangles[id as usize];
+        let corners = [triangle.p0, triangle.p1, triangle.p2];
+        self.tests += 1;
+        // Its own steps are those of `triangle_hit`.
+        match way.silently(|way| ch06_triangle::meets(way, &q.ray, q.within, corners)) {
+            Some([t, ..]) => {
+                let t = way.number(format!("triangle {id} is hit at t ="), "m", t);
+                let is_nearer = t < self.limit();
+                if way.decides("a hit is nearer than all before it", is_nearer) {
+                    self.nearest = Some((t, id));
+                }
+            }
+            None => way.remark(format!("Triangle {id} is not hit.")),
+        }
+    }
+
+    /// What lies behind it does not count.
+    fn limit(&self) -> f64 {
+        self.nearest.map_or(f64::INFINITY, |(t, _)| t)
+    }
+}
+
+fn search<'a>(q: &'a BvhClosest, way: &mut Way) -> Search<'a> {
+    let mut search = Search {
+        q,
+        nearest: None,
+        boxes: 0,
+        tests: 0,
+        met: Vec::new(),
+    };
+    search.visit(way, 0);
+    search
+}
+
+impl Explained for BvhClosest {
+    fn work(&self, way: &mut Way) -> BvhClosestAnswer {
+        let search = search(self, way);
+        let (boxes, tests) = (search.boxes, search.tests);
+        let boxes = way.number("boxes tested", "", boxes.into()) as u32;
+        let tests = way.number("triangles tested", "", tests.into()) as u32;
+        let hit = search
+            .nearest
+            .map(|(t, id)| MeshHitAnswer { t: t as f32, id });
+        BvhClosestAnswer { boxes, tests, hit }
+    }
+
+    fn draw(&self, right: &BvhClosestAnswer, yours: Option<&BvhClosestAnswer>) -> Option<Diagram> {
+        let search = search(self, &mut Way::default());
+        let words = |answer: &BvhClosestAnswer| {
+            format!(
+                "{} boxes and {} triangles tested",
+                answer.boxes, answer.tests
+            )
+        };
+        let yours = yours.map_or(String::new(), |yours| format!("; yours: {}", words(yours)));
+        let mut drawing = Diagram::new(format!(
+            "The tree from its root down: what the search opens is green, the rest it need not look into. The reference: {}{yours}",
+            words(right)
+        ));
+        drawing.keyed = false;
+        let met = |i| search.met.contains(&i);
+        tree::draw(&mut drawing, &drawn(&self.nodes, met, |_| String::new()));
+        Some(drawing)
+    }
+}

@@ -4,6 +4,7 @@ pub mod command;
 
 use raybook_grader::cases;
 use raybook_grader::examine::{Case, Examiner, visible_rng};
+use raybook_grader::explain::slip::{Change, Slip};
 use raybook_grader::explain::way::{Step, Way};
 use raybook_grader::explain::{EXPLAINERS, Explainer, Shown};
 use raybook_grader::layout::layout;
@@ -99,6 +100,96 @@ fn the_answer_stands_among_the_steps() {
         }
     }
 }
+
+/// What is told is what is calculated with: another value at a step, or another decision, leads to another answer in some case.
+#[test]
+fn every_step_matters() {
+    let mut idle = Vec::new();
+    let mut tried = 0;
+    // Of yes and no, and of how much of a light is seen, a step moves few answers.
+    let coarse = ["lit", "visible_fraction"];
+    let fine = EXPLAINED.iter();
+    let fine = fine.filter(|(explainer, ..)| !coarse.contains(&explainer.exercise));
+    for (explainer, examiner, cases) in fine {
+        let questions = cases.iter().take(24);
+        let questions: Vec<_> = questions
+            .map(|case| examiner.asked().read_question(&case.question))
+            .map(|question| question.expect("it is a question"))
+            .collect();
+        for number in 0..explainer.ways {
+            let mut slips: Vec<(String, Slip)> = Vec::new();
+            let mut seen = Vec::new();
+            for question in &questions {
+                let mut way = Way::default();
+                (explainer.work)(number, question, &mut way);
+                let walked = way.end();
+                for step in walked.steps.into_iter().chain(walked.untold) {
+                    if !step.value.is_empty() && !seen.contains(&step.place) {
+                        seen.push(step.place);
+                        let other = Change::Each(|v| 0.3 - 0.7 * v);
+                        slips.push((step.name.into_owned(), Slip::Value(step.place, other)));
+                    }
+                }
+                for decision in walked.decisions {
+                    if !seen.contains(&decision.place) {
+                        seen.push(decision.place);
+                        let other = Slip::Decision(decision.place, |holds| !holds);
+                        slips.push((decision.name.to_owned(), other));
+                    }
+                }
+            }
+            for (name, slip) in slips {
+                let changes = |question: &Vec<f64>| {
+                    let right = (explainer.work)(number, question, &mut Way::default());
+                    let other = || (explainer.work)(number, question, &mut Way::with(slip));
+                    std::panic::catch_unwind(other).is_ok_and(|other| other != right)
+                };
+                tried += 1;
+                if !questions.iter().any(changes) {
+                    idle.push(format!("{}: {name}", explainer.exercise));
+                }
+            }
+        }
+    }
+    assert!(tried > 800, "{tried} steps and decisions");
+    assert_eq!(idle, ONLY_TOLD);
+}
+
+/// Steps that tell more than what is calculated with; and of a triangle's hit what a search has no use for.
+const ONLY_TOLD: [&str; 32] = [
+    "sphere_hit: s = (c − o)·d/(d·d), where the ray is nearest to the centre",
+    "mesh_hit: b₁, returned",
+    "mesh_hit: b₂, returned",
+    "voxels_of_triangle: the first cell that it can be in",
+    "voxels_of_triangle: cells that the triangle meets",
+    "grid_walk: apart: the distance between two planes, along each axis",
+    "refine_cell: pairs of a fine cell and a shape that reaches it",
+    "two_level_walk: apart: the distance between two planes, along each axis",
+    "octree_walk: node 0, opened: the ray enters and leaves its cell at t =",
+    "bvh_build: node 0: its number of boxes",
+    "bvh_closest: b₁, returned",
+    "bvh_closest: b₂, returned",
+    "geodesic_step: h = |x × v|, which does not change",
+    "geodesic_step: |x|",
+    "geodesic_step: x + step·v, straight on",
+    "regular_grid: columns · rows: the number of points",
+    "rotated_grid: (offset.x, offset.y), of i = j = 0",
+    "rotated_grid: that, rotated",
+    "rotated_grid: (½, ½) + spacing times that",
+    "rotated_grid: of all of them in the square",
+    "random_pattern: n: the number of points",
+    "jittered: columns · rows: a point in each cell",
+    "poisson_disk: the least distance that is allowed",
+    "poisson_disk: points",
+    "poisson_disk: the area of the discs around them whose radius is half the distance",
+    "poisson_disk: the least distance of two of them",
+    "spend_budget: Σ σ",
+    "spend_budget: pixel 0: its share of the budget, and its number of samples",
+    "collapse: its children",
+    "collapse: node 2 is its largest branch, and gives way to its children: its area",
+    "wide_closest: b₁, returned",
+    "wide_closest: b₂, returned",
+];
 
 /// What a remark says in words: nothing or all, a number of a list, or no end.
 fn is_certain(v: f64) -> bool {

@@ -158,12 +158,14 @@ impl Explained for TwoLevelWalk {
         for visit in &visits {
             let Visit { x, y, z, leave } = visit;
             let name = format!("coarse cell ({x}, {y}, {z})");
-            let Some((first, fine)) = levels.fine(visit.cell()) else {
+            let fine = levels.fine(visit.cell());
+            let is_empty = way.decides("a coarse cell is empty", fine.is_none());
+            let Some((first, fine)) = fine.filter(|_| !is_empty) else {
                 way.remark(format!("The {name} is empty: the ray passes on."));
                 enter = *leave;
                 continue;
             };
-            way.number(
+            let first = way.number(
                 format!("{name}: the place of its first fine cell in the row"),
                 "",
                 first as f64,
@@ -171,15 +173,18 @@ impl Explained for TwoLevelWalk {
             // The ray is in the coarse cell from where it left the one before.
             let inside = Interval::new(enter, *leave);
             let walk = through(self, fine.min, fine.cell, fine.resolution, inside);
-            for cell in walk.work(&mut Way::default()) {
+            for cell in way.silently(|way| walk.work(way)) {
                 let Visit { x, y, z, .. } = cell;
-                let place = first + fine.index(cell.cell());
-                places.push(place as u32);
-                way.number(
+                let along = way.part("nx", f64::from(fine.resolution.x));
+                let up = way.part("ny", f64::from(fine.resolution.y));
+                let [x_of, y_of, z_of] = [x, y, z].map(f64::from);
+                let index = way.part("x + nx·(y + ny·z)", x_of + along * (y_of + up * z_of));
+                let place = way.number(
                     format!("fine cell ({x}, {y}, {z}) of it: first + x + nx·(y + ny·z)"),
                     "",
-                    place as f64,
+                    first + index,
                 );
+                places.push(place as u32);
             }
             enter = *leave;
         }

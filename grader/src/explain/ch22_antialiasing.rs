@@ -224,23 +224,27 @@ impl Explained for PixelAverage {
     fn work(&self, way: &mut Way) -> Rgb {
         let (mut sum, mut weights) = (DVec3::ZERO, 0.0);
         for (i, seen) in self.samples.iter().enumerate() {
-            let factors = 1.0 - seen.offset.as_dvec2().abs() / f64::from(self.radius);
-            way.pair(
+            let offset = way.part("offset", seen.offset.as_dvec2());
+            let radius = way.part("radius", f64::from(self.radius));
+            let factors = way.pair(
                 format!("sample {i}: (1 − |x|/radius, 1 − |y|/radius)"),
                 "",
-                factors,
+                1.0 - offset.abs() / radius,
             );
-            let weight = way.number(
-                "w, their product; 0 if one is negative",
-                "",
-                weight(self, seen.offset),
-            );
-            way.vector("w L", "W·m⁻²·sr⁻¹", weight * parts(seen.radiance));
-            (sum, weights) = (sum + weight * parts(seen.radiance), weights + weight);
+            let is_far = way.decides("a factor is negative", factors.min_element() < 0.0);
+            let weight = if is_far {
+                0.0
+            } else {
+                factors.element_product()
+            };
+            let weight = way.number("w, their product; 0 if one is negative", "", weight);
+            let light = way.part("L", parts(seen.radiance));
+            let weighted = way.vector("w L", "W·m⁻²·sr⁻¹", weight * light);
+            (sum, weights) = (sum + weighted, weights + weight);
         }
         let sum = way.vector("Σ w L", "W·m⁻²·sr⁻¹", sum);
         let weights = way.number("Σ w", "", weights);
-        if weights == 0.0 {
+        if way.decides("the weights sum up to 0", weights == 0.0) {
             way.remark("The weights sum up to 0: black.");
             return Rgb::BLACK;
         }

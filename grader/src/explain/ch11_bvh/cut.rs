@@ -63,13 +63,13 @@ fn cut_along(way: &mut Way, boxes: &[BoxRow], some: &[u32], axis: usize) -> Opti
 
 /// The cheapest cut of some boxes along any axis, the steps to it written down.
 pub fn best_cut(way: &mut Way, boxes: &[BoxRow], some: &[u32]) -> Option<Cut> {
-    let cuts = [0, 1, 2].map(|axis| way.silently(|way| cut_along(way, boxes, some, axis)));
-    for cut in cuts.iter().flatten() {
+    let mut cuts = [0, 1, 2].map(|axis| way.silently(|way| cut_along(way, boxes, some, axis)));
+    for cut in cuts.iter_mut().flatten() {
         let (name, left, right) = (AXES[cut.axis], cut.left.len(), cut.right.len());
         let words = format!(
             "the best along {name}, {left} on the left and {right} on the right: areas times numbers"
         );
-        way.number(words, "m²", cut.cost);
+        cut.cost = way.number(words, "m²", cut.cost);
     }
     let best = cuts.into_iter().flatten();
     best.min_by(|a, b| a.cost.total_cmp(&b.cost))

@@ -19,5 +19,6 @@ mod ch22_antialiasing;
 mod ch23_adaptive;
 mod chapters;
 mod golden;
+mod habits;
 mod knobs;
 mod terminal;

@@ -1,4 +1,4 @@
-//! The blue-noise reference.
+//! The blue-noise reference. `RAYBOOK_BLESS=1 cargo test -p raybook-chapters blue_noise` writes it anew.
 
 use raybook_chapters::lab::blue_noise::{BLUE_NOISE, COUNT, SIDE, kept, make};
 use raybook_chapters::lab::distances::relative;
@@ -11,20 +11,23 @@ use std::fmt::Write;
 /// The seed of the file.
 const SEED: u64 = 1;
 
-#[test]
-#[ignore = "writes chapters/lab/blue_noise.txt"]
-fn write_the_file() {
+/// The places of all points, in their order, as the file has them.
+fn text() -> String {
     let mut text = String::new();
     for line in make(COUNT, SEED).chunks(16) {
         let cells: Vec<_> = line.iter().map(ToString::to_string).collect();
         let _ = writeln!(text, "{}", cells.join(" "));
     }
-    let path = raybook_common::project("chapters/lab/blue_noise.txt");
-    std::fs::write(path, text).expect("the file can be written");
+    text
 }
 
 #[test]
 fn the_file_holds_what_the_generator_makes() {
+    if std::env::var_os("RAYBOOK_BLESS").is_some() {
+        let path = raybook_common::project("chapters/lab/blue_noise.txt");
+        std::fs::write(path, text()).expect("the file can be written");
+        return;
+    }
     let cells = kept().iter().map(|p| {
         let at = *p * SIDE as f32;
         at.y as usize * SIDE + at.x as usize

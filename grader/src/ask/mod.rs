@@ -5,81 +5,15 @@
 //! and gives as many answers as there are questions, or it is asked again in smaller parts, down to one question for a process,
 //! to which all that it says belongs.
 
-use crate::budget::{Budget, Over};
-use crate::contain;
+mod reply;
+
+pub use reply::{Reply, Said};
+
+use crate::budget::Budget;
 use crate::converse::{BREATH, Conversation, End, Limits, Prints, Process, Program, Waits};
-use raybook_chapters::kit::untrusted::Untrusted;
+use reply::silence;
 use std::io;
-use std::process::ExitStatus;
 use std::time::{Duration, Instant};
-
-/// What came back for one question.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Reply {
-    /// The answer, or why there is none.
-    pub said: Said,
-    /// What else the program printed before it.
-    pub printed: Prints,
-}
-
-/// An answer, or why there is none.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Said {
-    /// An answer, as its words.
-    Answer(Untrusted),
-    /// This function is not written yet.
-    Todo(Untrusted),
-    /// The student's function panicked, with this message; the program went on.
-    Panicked(Untrusted),
-    /// The program could not read the question.
-    Refused(Untrusted),
-    /// The program ended without an answer.
-    Ended(String),
-    /// No answer came in this time.
-    TimedOut(Duration),
-    /// This number of bytes was printed without an answer.
-    Flooded(usize),
-    /// This number of answers was given to the one question.
-    TooMany(usize),
-    /// It was not asked: there was no answer to this number of questions before it.
-    NotAsked(usize),
-    /// It was not asked or not waited for: a total limit is used up.
-    Over(Over),
-}
-
-impl Said {
-    /// Why there is no answer, in words to whoever wrote the program; `None` if there is one.
-    pub fn why_none(&self) -> Option<String> {
-        Some(match self {
-            Self::Answer(_) => return None,
-            Self::Todo(name) if name.unescaped().is_empty() => "it is not written yet".to_owned(),
-            Self::Todo(name) => format!("{name} is not written yet"),
-            Self::Panicked(message) => format!("your function panicked: {message}"),
-            Self::Refused(why) => format!("your program could not read the question: {why}"),
-            Self::Ended(how) => format!("your program ended without an answer: {how}"),
-            Self::TimedOut(limit) => format!(
-                "no answer within {} s: does a loop never end? (--time-limit gives more time)",
-                limit.as_secs_f32()
-            ),
-            Self::Flooded(bytes) => format!("your program printed {bytes} bytes and no answer"),
-            Self::TooMany(answers) => {
-                format!("your program gave {answers} answers to one question")
-            }
-            Self::NotAsked(questions) => {
-                format!("not asked, since there was no answer to {questions} questions in a row")
-            }
-            Self::Over(over) => over.why(),
-        })
-    }
-
-    /// Whether it is a line that the program wrote.
-    pub fn is_line(&self) -> bool {
-        matches!(
-            self,
-            Self::Answer(_) | Self::Todo(_) | Self::Panicked(_) | Self::Refused(_)
-        )
-    }
-}
 
 /// After this number of questions in a row without an answer the rest is not asked: seconds instead of minutes, for a program that
 /// does not know the exercise, or hangs.
@@ -293,31 +227,6 @@ impl<'a> Asker<'a> {
     }
 }
 
-impl Reply {
-    /// An answer line without its `= `, and what was printed before it.
-    fn of((answer, printed): (Untrusted, Prints)) -> Self {
-        Self {
-            said: understand(answer),
-            printed,
-        }
-    }
-
-    /// No answer.
-    fn none(said: Said, printed: Prints) -> Self {
-        Self { said, printed }
-    }
-
-    /// More answers than one.
-    fn too_many(answers: Vec<(Untrusted, Prints)>) -> Self {
-        let said = Said::TooMany(answers.len());
-        let first = answers.into_iter().next();
-        Self::none(
-            said,
-            first.map_or_else(Prints::default, |(_, printed)| printed),
-        )
-    }
-}
-
 /// Asks a program all the questions, whatever happens, and returns a reply to each: [`Asker::ask`] for one list.
 ///
 /// # Errors
@@ -330,36 +239,4 @@ pub fn ask(program: &Program, questions: &[String], limits: Limits) -> io::Resul
 fn ends_silent(replies: &[Reply]) -> bool {
     let last = replies.len().checked_sub(SILENT);
     last.is_some_and(|first| replies[first..].iter().all(|reply| !reply.said.is_line()))
-}
-
-/// An answer line without its `= `.
-fn understand(answer: Untrusted) -> Said {
-    let text = answer.unescaped();
-    let (first, rest) = text.split_once(' ').unwrap_or((text, ""));
-    let rest = || rest.trim().into();
-    match first {
-        "todo" => Said::Todo(rest()),
-        "panic" => Said::Panicked(rest()),
-        "error" => Said::Refused(rest()),
-        _ => Said::Answer(answer),
-    }
-}
-
-/// Why a program that ended like this gave no answer.
-fn silence(end: End) -> Said {
-    match end {
-        End::Exited(status) => Said::Ended(status.map_or_else(String::new, describe)),
-        End::TimedOut(limit) => Said::TimedOut(limit),
-        End::Flooded(bytes) => Said::Flooded(bytes),
-        End::TooMany => Said::TooMany(2),
-        End::Over(over) => Said::Over(over),
-    }
-}
-
-/// An exit status in words.
-fn describe(status: ExitStatus) -> String {
-    status.code().map_or_else(
-        || contain::signal_name(status),
-        |code| format!("exit code {code}"),
-    )
 }

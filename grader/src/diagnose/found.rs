@@ -65,6 +65,7 @@ impl Found {
             missed,
             contradicted,
             tells,
+            is_doubtful,
             ..
         } = self.score;
         let needed = match (self.is_own(), self.is_categorical()) {
@@ -75,6 +76,7 @@ impl Found {
         // Pairs of mistakes are many, and one may fit by chance.
         missed == 0
             && contradicted == 0
+            && !is_doubtful
             && tells >= needed
             && self.then.is_none()
             && self.rival.is_none()

@@ -96,6 +96,16 @@ impl Graded for VoxelsOfTriangle {
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
+            name: "takes all cells",
+            hint: "Which condition keeps a cell off the list, and when is it false?",
+            answer: |q| {
+                let all = (0..q.nz).flat_map(|z| {
+                    (0..q.ny).flat_map(move |y| (0..q.nx).map(move |x| Cell::from(uvec3(x, y, z))))
+                });
+                all.collect()
+            },
+        },
+        Mistake {
             name: "takes all cells of the bounding box",
             hint: "A large slanting triangle has a large bounding box: is it everywhere in it?",
             answer: |q| kept(q, |_, _| true),

@@ -16,7 +16,51 @@ pub struct Score {
     pub close: usize,
     /// How much the wrong answers that it explains tell: 1 for one with numbers, less for a yes or no.
     pub tells: f64,
+    /// Whether the answers are estimates, which scatter, and leave it in doubt: they are few, or on the whole larger or smaller than it
+    /// says, as those of a mistake that is nearly the same.
+    pub is_doubtful: bool,
 }
+
+/// What is left of answers that scatter, when what explains them is taken off: as shares of them.
+#[derive(Default)]
+struct Rest {
+    count: f64,
+    sum: f64,
+    squares: f64,
+}
+
+impl Rest {
+    /// Adds the numbers of an answer.
+    fn add(&mut self, got: &[f64], prediction: &[f64]) {
+        for (a, b) in got.iter().zip(prediction) {
+            let size = a.abs().max(b.abs());
+            if size > 0.0 && size.is_finite() {
+                let share = (a - b) / size;
+                self.count += 1.0;
+                self.sum += share;
+                self.squares += share * share;
+            }
+        }
+    }
+
+    /// Whether their mean is no chance.
+    fn leans(&self) -> bool {
+        /// Numbers that belong together, such as those of a colour, are no independent ones.
+        const TOGETHER: f64 = 3.0;
+        /// Standard errors.
+        const MOST: f64 = 3.0;
+        let mean = self.sum / self.count;
+        let variance = self.squares / self.count - mean * mean;
+        let error = (variance.max(0.0) * TOGETHER / self.count).sqrt();
+        self.count > 0.0 && mean.abs() > MOST * error + 1e-3
+    }
+}
+
+/// Answers that may differ by more than this share are estimates.
+const ROUGH: f32 = 0.01;
+
+/// Fewer estimates than these are few.
+const MANY: usize = 20;
 
 /// Two numbers this close are the same, of the size that answers have, beside [`crate::Graded::ALIKE`] of their own size.
 const CLOSE: f64 = 1e-5;
@@ -97,6 +141,7 @@ impl Evidence<'_> {
     ) -> Option<Score> {
         let needed = (share * self.wrong as f64).ceil().max(1.0) as usize;
         let mut score = Score::default();
+        let mut rest = Rest::default();
         for (i, item) in self.items.iter().enumerate() {
             let predicted = predict(i);
             let prediction = predicted
@@ -116,8 +161,10 @@ impl Evidence<'_> {
                 }
                 continue;
             }
-            let (agrees, close) = prediction.map_or((false, false), |p| self.agrees(item, &p));
+            let agree = |p: &Vec<f64>| self.agrees(item, p);
+            let (agrees, close) = prediction.as_ref().map_or((false, false), agree);
             if agrees {
+                rest.add(&item.got, prediction.as_deref().unwrap_or(&[]));
                 score.explained += 1;
                 score.close += usize::from(close);
                 score.tells += item.tells;
@@ -128,6 +175,8 @@ impl Evidence<'_> {
                 }
             }
         }
+        let is_rough = self.examiner.alike() > ROUGH;
+        score.is_doubtful = is_rough && (score.explained < MANY || rest.leans());
         Some(score)
     }
 }

@@ -6,7 +6,7 @@ use crate::render::film::{Done, Film};
 use crate::render::followed::Followed;
 use crate::render::needs_more::Enough;
 use crate::render::supersample::Radiance;
-use crate::sample::pattern::owen::sobol_owen;
+use crate::sample::pattern::owen::sequence;
 use glam::{Vec2, vec2};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -49,12 +49,12 @@ pub fn adaptive<S: Into<Followed>>(
     let most = limits.most.max(1);
     let spent = Counts::new(film);
     let picture = film.render_pixels(|x, y, rng| {
-        let points = sobol_owen(most, rng);
+        let point = sequence(rng);
         let (mut seen, mut goal) = (Vec::new(), limits.first.clamp(1, most));
         let mut rays = 0;
         loop {
-            for p in &points[seen.len()..goal] {
-                let sample: Followed = radiance(place(film, x, y, *p), rng).into();
+            for i in seen.len()..goal {
+                let sample: Followed = radiance(place(film, x, y, point(i as u32)), rng).into();
                 seen.push(sample.radiance);
                 rays += sample.rays;
             }
@@ -87,9 +87,9 @@ pub fn by_budget<S: Into<Followed>>(
     let first = first.max(2);
     let restless = Counts::new(film);
     let begun = film.render_pixels(|x, y, rng| {
-        let points = sobol_owen(first, rng);
-        let see = |p: &Vec2| radiance(place(film, x, y, *p), rng).into();
-        let seen: Vec<Followed> = points.iter().map(see).collect();
+        let points = (0..first as u32).map(sequence(rng));
+        let see = |p| radiance(place(film, x, y, p), rng).into();
+        let seen: Vec<Followed> = points.map(see).collect();
         restless.set(x, y, deviation(&seen).to_bits() as usize);
         seen.into_iter().sum::<Followed>()
     });
@@ -113,10 +113,8 @@ pub fn by_budget<S: Into<Followed>>(
         ..*film
     };
     let picture = again.render_pixels(|x, y, rng| {
-        let points = sobol_owen(count(x, y), rng);
-        let rest = points[first..]
-            .iter()
-            .map(|p| radiance(place(film, x, y, *p), rng).into());
+        let points = (first as u32..count(x, y) as u32).map(sequence(rng));
+        let rest = points.map(|p| radiance(place(film, x, y, p), rng).into());
         let rest: Followed = rest.sum();
         Followed {
             radiance: (begun.at(x, y) + rest.radiance) / count(x, y) as f32,

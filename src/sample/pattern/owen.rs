@@ -12,14 +12,17 @@ const DIGITS: u32 = 24;
 ///
 /// The mean over them has no bias, and for a smooth function its error falls like n^−3/2.
 pub fn sobol_owen(n: usize, rng: &mut Pcg) -> Vec<Vec2> {
+    (0..n as u32).map(sequence(rng)).collect()
+}
+
+/// Point i of such a sequence, made when it is asked for: most pixels of an adaptive picture need few.
+pub fn sequence(rng: &mut Pcg) -> impl Fn(u32) -> Vec2 + use<> {
     let seeds: [u64; 2] = [rng.random(), rng.random()];
     let along = |bits, seed| (scramble(bits, seed) >> (32 - DIGITS)) as f32 / (1 << DIGITS) as f32;
-    (0..n as u32)
-        .map(|i| {
-            let [x, y] = sobol(i);
-            vec2(along(x, seeds[0]), along(y, seeds[1]))
-        })
-        .collect()
+    move |i| {
+        let [x, y] = sobol(i);
+        vec2(along(x, seeds[0]), along(y, seeds[1]))
+    }
 }
 
 // ANCHOR: owen

@@ -15,7 +15,7 @@ pub fn sobol_owen(n: usize, rng: &mut Pcg) -> Vec<Vec2> {
     (0..n as u32).map(sequence(rng)).collect()
 }
 
-/// Point i of such a sequence, made when it is asked for: most pixels of an adaptive picture need few.
+/// The points of a scrambled Sobol sequence by their numbers, each made when it is asked for: most pixels of an adaptive picture need few.
 pub fn sequence(rng: &mut Pcg) -> impl Fn(u32) -> Vec2 + use<> {
     let seeds: [u64; 2] = [rng.random(), rng.random()];
     let along = |bits, seed| (scramble(bits, seed) >> (32 - DIGITS)) as f32 / (1 << DIGITS) as f32;

@@ -7,19 +7,13 @@
     )
 )]
 
-/// Pages of 2 MB, where the system has them.
-const LARGE: usize = 2 << 20;
-
 /// A list with room for n items, in large pages if it is long.
 ///
 /// A processor keeps the addresses of a few thousand pages at hand; in pages of 4 KB that is a few megabytes, less than a tree
 /// of a hundred thousand triangles. Rays that go anywhere then look up an address for nearly every node.
 pub(super) fn list<T>(n: usize) -> Vec<T> {
     let list = Vec::with_capacity(n);
-    let bytes = n * size_of::<T>();
-    if bytes >= LARGE {
-        advise(list.as_ptr() as usize, bytes);
-    }
+    advise(list.as_ptr() as usize, n * size_of::<T>());
     list
 }
 
@@ -32,20 +26,23 @@ pub(super) fn copy<T: Clone>(of: &[T]) -> Vec<T> {
 
 #[cfg(all(feature = "mmap", target_os = "linux"))]
 fn advise(start: usize, bytes: usize) {
-    const PAGE: usize = 4096;
-    let from = start.next_multiple_of(PAGE);
-    let to = (start + bytes) / PAGE * PAGE;
+    use rustix::mm::{Advice, madvise};
+
+    /// The size of a large page, where the system has them: 2 MB.
+    const LARGE: usize = 2 << 20;
+    let (from, to) = (
+        start.next_multiple_of(LARGE),
+        (start + bytes) / LARGE * LARGE,
+    );
     if from < to {
-        // SAFETY: `list` alone calls this, with the address and the size of a list that it has just made. The pages are whole and
-        // within the list, for `from` is rounded up and `to` down; this advice changes neither their contents nor their rights.
-        // If the system does not follow it, nothing is lost.
-        let _ = unsafe {
-            rustix::mm::madvise(
-                from as *mut std::ffi::c_void,
-                to - from,
-                rustix::mm::Advice::LinuxHugepage,
-            )
-        };
+        let at = from as *mut std::ffi::c_void;
+        // Where an earlier list was, small pages are left; they are given back first, for they would stay.
+        for advice in [Advice::LinuxDontNeed, Advice::LinuxHugepage] {
+            // SAFETY: `list` alone calls this, with the address and the size of a list that it has just made, in which nothing is
+            // yet: so its contents may be lost. The pages are whole and within the list, for `from` is rounded up and `to` down, to
+            // multiples of 2 MB and so of any page; their rights do not change. If the system does not follow, nothing is lost.
+            let _ = unsafe { madvise(at, to - from, advice) };
+        }
     }
 }
 

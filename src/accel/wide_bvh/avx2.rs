@@ -21,16 +21,16 @@ proof! {
     Avx2: "avx2", "fma"
 }
 
-/// Asks the memory for a child: for the six cache lines of a leaf, which are more than a node has.
+/// Asks the memory for a child, into the cache that `HINT` names: for the six cache lines of a leaf, which are more than a node has.
 #[inline(always)]
-pub(super) fn prefetch(tree: &Tree, link: Link) {
+pub(super) fn prefetch<const HINT: i32>(tree: &Tree, link: Link) {
     let node = tree.nodes.as_ptr().wrapping_add(link.index()).cast::<i8>();
     let leaf = tree.leaves.as_ptr().wrapping_add(link.index()).cast::<i8>();
     let at = std::hint::select_unpredictable(link.as_leaf().is_some(), leaf, node);
     for line in 0..6 {
         // SAFETY: a prefetch reads nothing that the program sees, and of an address without memory it does nothing: so any link
         // will do. The addresses are computed by `wrapping_add`, which may leave the lists. Every x86-64 processor has it.
-        unsafe { _mm_prefetch::<_MM_HINT_T0>(at.wrapping_add(64 * line)) };
+        unsafe { _mm_prefetch::<HINT>(at.wrapping_add(64 * line)) };
     }
 }
 

@@ -7,6 +7,7 @@ use super::stack::{PLACES, Places};
 use super::tree::Tree;
 use super::walk;
 use crate::math::{interval::Interval, ray::Ray};
+use crate::shape::{Hit, mesh::Facet};
 
 /// How many rays take turns.
 const IN_FLIGHT: usize = 16;
@@ -59,12 +60,13 @@ impl Flight {
             let (mut met, t) = lanes.boxes(node, &self.seeker.wide, self.found.limit);
             if met.is_power_of_two() {
                 self.next = node.links[walk::first(&mut met)];
-                lanes.prefetch(tree, self.next);
+                lanes.fetch_next(tree, self.next);
                 return true;
             }
             if met != 0 {
                 let Self { stack, height, .. } = self;
-                self.next = walk::nearest(lanes, tree, node, met, &t, stack, height);
+                self.next = walk::nearest(node, met, &t, stack, height, |_| ()); // no other is near
+                lanes.fetch_next(tree, self.next);
                 return true;
             }
         }
@@ -73,7 +75,7 @@ impl Flight {
             let next = self.stack.at(self.height);
             if next.t() < self.found.limit {
                 self.next = next.link();
-                lanes.prefetch(tree, self.next);
+                lanes.fetch_next(tree, self.next);
                 return true;
             }
         }
@@ -82,22 +84,22 @@ impl Flight {
 }
 
 /// The nearest hit of each of many rays.
-pub(super) struct Batch<'a> {
+pub(super) struct Batch<'a, 'r> {
     /// The tree.
     pub tree: &'a Tree,
     /// The rays.
-    pub rays: &'a [Ray],
+    pub rays: &'r [Ray],
     /// The distances that count.
     pub within: Interval,
 }
 
-impl Work for Batch<'_> {
-    type Answer = Vec<Nearest>;
+impl<'a> Work for Batch<'a, '_> {
+    type Answer = Vec<Option<(&'a Facet, Hit)>>;
 
     #[inline(always)]
-    fn with<L: Lanes>(self, lanes: L) -> Vec<Nearest> {
+    fn with<L: Lanes>(self, lanes: L) -> Self::Answer {
         let Self { tree, rays, within } = self;
-        let mut answers = vec![Nearest::nothing(within.max); rays.len()];
+        let mut answers = vec![None; rays.len()];
         let Some(root) = tree.root else {
             return answers;
         };
@@ -113,7 +115,7 @@ impl Work for Batch<'_> {
                     turn += 1;
                     continue;
                 }
-                answers[flight.ray] = flight.found;
+                answers[flight.ray] = flight.found.of(&tree.facets);
                 if started < rays.len() {
                     flight.start(tree, root, rays, started, within);
                     started += 1;

@@ -12,8 +12,12 @@ pub(super) trait Lanes: Copy {
     /// The triangles that the ray hits before `max`, if there are any.
     fn triangles(self, leaf: &Leaf, ray: &WideRay, max: f32) -> Option<Struck>;
 
-    /// Asks the memory for a child, to have it when it is needed.
-    fn prefetch(self, tree: &Tree, link: Link);
+    /// Asks the memory for the child that is next.
+    fn fetch_next(self, tree: &Tree, link: Link);
+
+    /// Asks the memory for a child that is met, one of several: into the second-level cache, for the first one is too small for
+    /// all that may wait.
+    fn fetch_met(self, tree: &Tree, link: Link);
 }
 
 /// A search that any [`Lanes`] can do. It is compiled once for each of them.

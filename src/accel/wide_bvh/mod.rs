@@ -109,10 +109,13 @@ impl WideBvh {
     /// The nearest hit of each ray, with several of them in flight.
     pub(crate) fn in_turns(&self, rays: &[Ray], within: Interval) -> Vec<Option<(&Facet, Hit)>> {
         let tree = &self.tree;
-        let found = self.run(within, Batch { tree, rays, within });
-        let both = rays.iter().zip(found);
-        both.map(|(ray, nearest)| self.answer(ray, within, nearest, &mut ()))
-            .collect()
+        let mut answers = self.run(within, Batch { tree, rays, within });
+        if self.beside.is_some() {
+            for (ray, in_tree) in rays.iter().zip(&mut answers) {
+                *in_tree = self.or_beside(ray, within, *in_tree, &mut ());
+            }
+        }
+        answers
     }
 
     /// The same tree over facets that have moved: as many as before, and in the same order.
@@ -173,18 +176,30 @@ impl WideBvh {
         }
     }
 
-    /// What was found in the tree, or beside it.
+    /// What is nearest in the tree.
+    #[inline(never)] // so it is compiled here: what a program compiles itself is slower, for its options are others
+    fn nearest(&self, ray: &Ray, within: Interval) -> Nearest {
+        let (tree, count) = (&self.tree, &mut ());
+        self.run(
+            within,
+            Closest {
+                tree,
+                ray,
+                within,
+                count,
+            },
+        )
+    }
+
+    /// What was found in the tree, or something nearer beside it.
     #[inline(always)]
-    fn answer(
-        &self,
+    fn or_beside<'a>(
+        &'a self,
         ray: &Ray,
         within: Interval,
-        nearest: Nearest,
+        in_tree: Option<(&'a Facet, Hit)>,
         count: &mut impl Count,
-    ) -> Option<(&Facet, Hit)> {
-        let in_tree = nearest
-            .hit()
-            .map(|hit| (&self.tree.facets[nearest.facet as usize], hit));
+    ) -> Option<(&'a Facet, Hit)> {
         match &self.beside {
             None => in_tree,
             Some(list) => {
@@ -196,6 +211,12 @@ impl WideBvh {
 }
 
 impl Accel<Facet> for WideBvh {
+    #[inline]
+    fn closest(&self, ray: &Ray, within: Interval) -> Option<(&Facet, Hit)> {
+        let in_tree = self.nearest(ray, within).of(&self.tree.facets);
+        self.or_beside(ray, within, in_tree, &mut ())
+    }
+
     fn closest_counted(
         &self,
         ray: &Ray,
@@ -212,7 +233,7 @@ impl Accel<Facet> for WideBvh {
                 count: &mut *count,
             },
         );
-        self.answer(ray, within, nearest, count)
+        self.or_beside(ray, within, nearest.of(&tree.facets), count)
     }
 
     fn any(&self, ray: &Ray, within: Interval) -> bool {

@@ -6,7 +6,7 @@ use super::ray::WideRay;
 use super::tree::Tree;
 use crate::accel::Count;
 use crate::math::{interval::Interval, ray::Ray};
-use crate::shape::{Hit, Shape};
+use crate::shape::{Hit, Shape, mesh::Facet};
 use glam::Vec2;
 
 /// The nearest hit so far.
@@ -39,6 +39,12 @@ impl Nearest {
     #[inline(always)]
     pub(super) fn hit(&self) -> Option<Hit> {
         (self.facet != NO_FACET).then_some(self.hit)
+    }
+
+    /// The facet that is hit and the hit, if there is one.
+    #[inline(always)]
+    pub(super) fn of<'a>(&self, facets: &'a [Facet]) -> Option<(&'a Facet, Hit)> {
+        self.hit().map(|hit| (&facets[self.facet as usize], hit))
     }
 
     /// The nearer of this and another hit: of two at the same distance, that of the facet which is first in the list.
@@ -102,7 +108,17 @@ impl Seeker {
             };
             found = found.or(leaf.facets[lane], hit);
         }
-        for lane in bits(struck.unsure) {
+        if struck.unsure != 0 {
+            found = self.test_each(tree, leaf, struck.unsure, found);
+        }
+        found
+    }
+
+    /// The nearest hit so far, and of some triangles of a leaf, tested one by one.
+    #[cold] // what the loop over the nodes keeps in registers is then saved here, and not before that loop
+    #[inline(never)]
+    fn test_each(&self, tree: &Tree, leaf: &Leaf, lanes: u32, mut found: Nearest) -> Nearest {
+        for lane in bits(lanes) {
             let facet = &tree.facets[leaf.facets[lane] as usize];
             if let Some(hit) = facet.hit(&self.ray, Interval::new(self.wide.min, found.limit)) {
                 found = found.or(leaf.facets[lane], hit);

@@ -74,5 +74,8 @@ impl Lanes for Portable {
     }
 
     #[inline(always)]
-    fn prefetch(self, _tree: &Tree, _link: Link) {}
+    fn fetch_next(self, _tree: &Tree, _link: Link) {}
+
+    #[inline(always)]
+    fn fetch_met(self, _tree: &Tree, _link: Link) {}
 }

@@ -41,8 +41,13 @@ macro_rules! proof {
             }
 
             #[inline(always)]
-            fn prefetch(self, tree: &Tree, link: Link) {
-                prefetch(tree, link);
+            fn fetch_next(self, tree: &Tree, link: Link) {
+                prefetch::<_MM_HINT_T0>(tree, link);
+            }
+
+            #[inline(always)]
+            fn fetch_met(self, tree: &Tree, link: Link) {
+                prefetch::<_MM_HINT_T1>(tree, link);
             }
         }
     };

@@ -37,7 +37,8 @@ pub(super) fn closest<L: Lanes>(
             if height + CHILDREN > PLACES {
                 found = deeper(lanes, tree, link, *seeker, found, count);
             } else if met != 0 {
-                link = nearest(lanes, tree, node, met, &t, &mut stack, &mut height);
+                let fetch = |link| lanes.fetch_met(tree, link);
+                link = nearest(node, met, &t, &mut stack, &mut height, fetch);
                 continue;
             }
         }
@@ -56,23 +57,22 @@ pub(super) fn closest<L: Lanes>(
 }
 // ANCHOR_END: wide_closest
 
-/// The nearest of the children that are met; the others are put aside, and all are asked of the memory.
+/// The nearest of the children that are met; the others are put aside. All are fetched.
 #[inline(always)]
-pub(super) fn nearest<L: Lanes>(
-    lanes: L,
-    tree: &Tree,
+pub(super) fn nearest(
     node: &Node,
     mut met: u32,
     t: &[f32; CHILDREN],
     stack: &mut Places,
     height: &mut usize,
+    fetch: impl Fn(Link),
 ) -> Link {
     let child = |lane: usize| Waiting::new(t[lane], node.links[lane]);
     let (mut near, base) = (child(first(&mut met)), *height);
-    lanes.prefetch(tree, near.link());
+    fetch(near.link());
     while met != 0 {
         let other = child(first(&mut met));
-        lanes.prefetch(tree, other.link());
+        fetch(other.link());
         stack.insert(base, *height, near.max(other));
         *height += 1;
         near = near.min(other);
@@ -132,7 +132,7 @@ pub(super) fn any<L: Lanes>(
                 link = node.links[first(&mut met)];
                 while met != 0 {
                     stack[height] = node.links[first(&mut met)];
-                    lanes.prefetch(tree, stack[height]);
+                    lanes.fetch_met(tree, stack[height]);
                     height += 1;
                 }
                 continue;

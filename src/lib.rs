@@ -51,7 +51,7 @@
 //! | sphere, plane, box | `shape/sphere.rs` `shape/plane.rs` `shape/cuboid.rs` |
 //! | triangle: Möller–Trumbore, plane first, determinants, watertight | `shape/triangle.rs` `shape/triangle_by_plane.rs` `shape/triangle_by_determinants.rs` `shape/triangle_watertight.rs` |
 //! | a shape seen elsewhere: instances | `shape/placed.rs` |
-//! | meshes, their normals and texture coordinates, where light ends on them; OBJ and STL files | `shape/mesh.rs` `shape/attributes.rs` `shape/mesh_file.rs` |
+//! | meshes, their normals and texture coordinates, where light ends on them; OBJ, STL and PLY files | `shape/mesh.rs` `shape/attributes.rs` `shape/mesh_file.rs` |
 //! | flat and smooth meshes; normal maps | `shape/mesh_looks.rs` `shape/normal_map.rs` |
 //! | Bézier patches and the teapot | `shape/bezier.rs` `shape/teapot.rs` |
 //! | sampling patterns of a pixel | `sample/pattern/mod.rs` |

@@ -2,7 +2,7 @@
 //! look smooth, and texture coordinates tell where on it we are. The search for the nearest triangle still asks them all.
 //!
 //! New: accel/mod.rs accel/list.rs shape/attributes.rs shape/mesh.rs shape/bezier.rs shape/teapot.rs
-//! New: shape/triangle_watertight.rs shape/mesh_file.rs shape/word.rs shape/obj.rs shape/stl.rs
+//! New: shape/triangle_watertight.rs shape/mesh_file.rs shape/word.rs shape/obj.rs shape/stl.rs shape/ply/mod.rs
 
 use crate::kit::chapter;
 use crate::kit::say::complain;

@@ -18,7 +18,7 @@ use std::time::Instant;
 /// The knob of a chapter that can draw any mesh.
 #[derive(Args, Clone, Debug)]
 pub struct MeshKnob {
-    /// Draw this mesh (.obj or .stl) instead of the chapter's scenes
+    /// Draw this mesh (.obj, .stl or .ply) instead of the chapter's scenes
     #[arg(long, value_name = "FILE")]
     pub mesh: Option<PathBuf>,
 }

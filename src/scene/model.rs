@@ -58,7 +58,7 @@ fn known(names: &[String]) -> String {
     names.join(", ")
 }
 
-/// Reads a model: a thing for each material of an OBJ file; an STL file, and faces without a material, are light grey.
+/// Reads a model: a thing for each material of an OBJ file; an STL or PLY file, and faces without a material, are light grey.
 ///
 /// The files of materials, and the pictures that they name, are looked for beside the file that names them. Pictures of colours
 /// are PNG, EXR or HDR; those of normals are PNG.

@@ -2,8 +2,9 @@
 
 use crate::shape::mesh::Mesh;
 use crate::shape::obj::{self, Part, Parts};
-use crate::shape::stl;
-use crate::shape::word::Wrong;
+use crate::shape::ply::{self, PlyError};
+use crate::shape::stl::{self, BinaryError};
+use crate::shape::word::{Reason, Wrong};
 use crate::store::{self, StoreError};
 use std::path::{Path, PathBuf};
 
@@ -14,7 +15,7 @@ pub enum LoadError {
     #[error(transparent)]
     Store(#[from] StoreError),
     /// The name does not end like a mesh's.
-    #[error("{}: a mesh's name must end in .obj or .stl", path.display())]
+    #[error("{}: a mesh's name must end in .obj, .stl or .ply", path.display())]
     Format {
         /// The file.
         path: PathBuf,
@@ -27,13 +28,23 @@ pub enum LoadError {
         /// The line, the column and the reason.
         wrong: Wrong,
     },
-    /// A byte of a binary file is wrong.
+    /// A byte of a binary STL is wrong.
     #[error("{}: {wrong}", path.display())]
     Binary {
         /// The file.
         path: PathBuf,
         /// What is wrong, and where.
-        wrong: stl::BinaryError,
+        wrong: BinaryError,
+    },
+    /// A number of a binary PLY is wrong.
+    #[error("{}: byte {byte}: {reason}", path.display())]
+    Number {
+        /// The file.
+        path: PathBuf,
+        /// Where the number begins, from 0.
+        byte: usize,
+        /// What is wrong there.
+        reason: Reason,
     },
     /// Nothing to see.
     #[error("{}: there is no face in this file; is it a mesh?", path.display())]
@@ -43,7 +54,14 @@ pub enum LoadError {
     },
 }
 
-/// Reads a mesh: Wavefront OBJ or STL, as the end of the file's name says.
+/// The formats of meshes.
+enum Format {
+    Obj,
+    Stl,
+    Ply,
+}
+
+/// Reads a mesh: Wavefront OBJ, STL or PLY, as the end of the file's name says.
 ///
 /// Takes time and memory in proportion to the file, which may have 1 GiB; the faces of an OBJ may take as much. Bytes that are not UTF-8 do no harm in names and comments;
 /// in a number they are refused like other letters.
@@ -59,7 +77,7 @@ pub fn load(path: &Path) -> Result<Mesh, LoadError> {
     )
 }
 
-/// As [`load`], with a mesh for each material of an OBJ; an STL knows none.
+/// As [`load`], with a mesh for each material of an OBJ; the other formats know none.
 ///
 /// # Errors
 /// Those of [`load`].
@@ -80,7 +98,7 @@ pub fn load_parts(path: &Path) -> Result<Parts, LoadError> {
     load_by(path, obj::parse_parts, one, nothing)
 }
 
-/// Reads an OBJ by `parse_obj`; an STL gives a mesh, which becomes the same.
+/// Reads an OBJ by `parse_obj`; the other formats give a mesh, which becomes the same.
 fn load_by<T>(
     path: &Path,
     parse_obj: impl Fn(&str) -> Result<T, Wrong>,
@@ -91,32 +109,40 @@ fn load_by<T>(
         .extension()
         .and_then(|e| e.to_str())
         .unwrap_or_default();
-    let is_stl = match extension.to_ascii_lowercase().as_str() {
-        "obj" => false,
-        "stl" => true,
+    let format = match extension.to_ascii_lowercase().as_str() {
+        "obj" => Format::Obj,
+        "stl" => Format::Stl,
+        "ply" => Format::Ply,
         _ => return Err(LoadError::Format { path: path.into() }),
     };
     let bytes = store::read(path)?;
-    let read = if is_stl && stl::is_binary(&bytes) {
-        let mesh = stl::parse_binary(&bytes).map_err(|wrong| LoadError::Binary {
-            path: path.into(),
-            wrong,
-        });
-        of_mesh(mesh?)
-    } else {
-        let text = String::from_utf8_lossy(&bytes);
-        let read = if is_stl {
-            stl::parse(&text).map(of_mesh)
-        } else {
-            parse_obj(&text)
-        };
-        read.map_err(|wrong| LoadError::Text {
-            path: path.into(),
-            wrong,
-        })?
+    let text = || String::from_utf8_lossy(&bytes);
+    let path = || path.to_owned();
+    let of_text = |wrong| LoadError::Text {
+        path: path(),
+        wrong,
+    };
+    let read = match format {
+        Format::Obj => parse_obj(&text()).map_err(of_text)?,
+        Format::Stl if stl::is_binary(&bytes) => {
+            let mesh = stl::parse_binary(&bytes).map_err(|wrong| LoadError::Binary {
+                path: path(),
+                wrong,
+            });
+            of_mesh(mesh?)
+        }
+        Format::Stl => of_mesh(stl::parse(&text()).map_err(of_text)?),
+        Format::Ply => of_mesh(ply::parse(&bytes).map_err(|wrong| match wrong {
+            PlyError::Text(wrong) => of_text(wrong),
+            PlyError::Binary { byte, reason } => LoadError::Number {
+                path: path(),
+                byte,
+                reason,
+            },
+        })?),
     };
     if is_empty(&read) {
-        return Err(LoadError::Empty { path: path.into() });
+        return Err(LoadError::Empty { path: path() });
     }
     Ok(read)
 }

@@ -11,6 +11,7 @@ pub mod normal_map;
 pub mod obj;
 pub mod placed;
 pub mod plane;
+pub mod ply;
 pub mod sphere;
 pub mod stl;
 pub mod teapot;

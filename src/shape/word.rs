@@ -77,6 +77,14 @@ pub enum Reason {
         /// How many there are so far.
         given: usize,
     },
+    /// A number of a vertex, counted from 0, that is given to none.
+    #[error("there is no vertex {index}: the file has {given}, and the first is 0")]
+    FromZero {
+        /// The number, as it stands there.
+        index: String,
+        /// How many vertices there are.
+        given: u64,
+    },
     /// More faces and vertices than the budget of memory allows.
     #[error("up to here the mesh takes {} of memory, and a mesh may take {}; make it coarser, or cut it up", gigabytes(*.0), gigabytes(BUDGET))]
     TooLarge(u64),
@@ -165,6 +173,13 @@ pub fn lines(text: &str) -> impl Iterator<Item = Vec<Word<'_>>> {
         }
         (!words.is_empty()).then_some(words)
     })
+}
+
+/// The words of one line, whose number is given.
+pub fn words(line: &str, number: usize) -> Vec<Word<'_>> {
+    let mut words = Vec::new();
+    push_words(line, number, &mut words);
+    words
 }
 
 fn push_words<'a>(line: &'a str, number: usize, words: &mut Vec<Word<'a>>) {

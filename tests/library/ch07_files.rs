@@ -110,7 +110,7 @@ fn every_broken_obj_is_refused_with_the_place() {
     writeln!(
         table,
         "another kind of file: {}",
-        refusal("file.ply", b"ply")
+        refusal("file.gltf", b"{}")
     )
     .expect("likewise");
     let missing = load("file.obj".as_ref())
@@ -166,6 +166,105 @@ fn every_broken_stl_is_refused_with_the_place() {
         writeln!(table, "{what}: {}", refusal("file.stl", bytes)).expect("a string takes all");
     }
     raybook_common::snapshot("ch07_stl_refused", &table);
+}
+
+#[test]
+fn every_broken_ply_is_refused_with_the_place() {
+    let vertex = "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
+    let face = "element face 1\nproperty list uchar int vertex_indices\n";
+    let header = |format: &str| format!("ply\nformat {format} 1.0\n{vertex}{face}end_header\n");
+    let text = |body: &str| header("ascii") + body;
+    let binary = |corner: f32, index: i32| {
+        let places = corner.to_le_bytes().repeat(9);
+        let face = [vec![3], [0, 1, index].map(i32::to_le_bytes).concat()].concat();
+        [header("binary_little_endian").into_bytes(), places, face].concat()
+    };
+    let sound = binary(1.0, 2);
+    let cases: &[(&str, Vec<u8>)] = &[
+        ("empty", Vec::new()),
+        ("something else", b"PNG\0\n".to_vec()),
+        ("no end of the header", b"ply\nformat ascii 1.0\n".to_vec()),
+        ("no format", format!("ply\n{vertex}").into()),
+        ("a format of its own", b"ply\nformat utf8 1.0\n".to_vec()),
+        ("a later version", b"ply\nformat ascii 2.0\n".to_vec()),
+        (
+            "a count of rows below 0",
+            b"ply\nformat ascii 1.0\nelement vertex -1\n".to_vec(),
+        ),
+        (
+            "a property of nothing",
+            b"ply\nformat ascii 1.0\nproperty float x\n".to_vec(),
+        ),
+        (
+            "an unknown type",
+            text("").replace("float z", "half z").into(),
+        ),
+        ("no z", text("").replace("float z", "float w").into()),
+        (
+            "no corners",
+            text("").replace("vertex_indices", "neighbours").into(),
+        ),
+        (
+            "no faces",
+            text("")
+                .replace(face, "")
+                .replace("vertex 3", "vertex 0")
+                .into(),
+        ),
+        ("no rows", text("").into()),
+        ("a row is missing", text("0 0 0\n1 0 0\n0 1 0\n").into()),
+        ("two coordinates", text("0 0 0\n1 0\n").into()),
+        ("four coordinates", text("0 0 0 1\n").into()),
+        ("a word for a number", text("0 zero 0\n").into()),
+        ("NaN", text("0 0 nan\n").into()),
+        ("too large for f32", text("0 0 1e39\n").into()),
+        ("too far", text("0 2e9 0\n").into()),
+        (
+            "vertex out of range",
+            text("0 0 0\n1 0 0\n0 1 0\n3 1 2 3\n").into(),
+        ),
+        (
+            "a vertex below 0",
+            text("0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n").into(),
+        ),
+        (
+            "half a vertex",
+            text("0 0 0\n1 0 0\n0 1 0\n3 0 1 1.5\n").into(),
+        ),
+        ("two corners", text("0 0 0\n1 0 0\n0 1 0\n2 0 1\n").into()),
+        (
+            "fewer corners than promised",
+            text("0 0 0\n1 0 0\n0 1 0\n4 0 1 2\n").into(),
+        ),
+        (
+            "half a length of a list",
+            text("0 0 0\n1 0 0\n0 1 0\n2.5 0 1 2\n").into(),
+        ),
+        (
+            "goes on",
+            text("0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 2\n").into(),
+        ),
+        (
+            "too small",
+            text("0 0 0\n1e-20 0 0\n0 0 0\n3 0 1 2\n").into(),
+        ),
+        ("binary and cut short", sound[..sound.len() - 1].to_vec()),
+        ("binary and too long", [&sound[..], b"!!"].concat()),
+        ("binary with NaN", binary(f32::NAN, 2)),
+        ("binary and too far", binary(2e9, 2)),
+        ("binary with a vertex out of range", binary(1.0, 3)),
+        (
+            "more rows than memory",
+            String::from_utf8_lossy(&sound)
+                .replace("vertex 3", "vertex 18446744073709551615")
+                .into(),
+        ),
+    ];
+    let mut table = String::new();
+    for (what, bytes) in cases {
+        writeln!(table, "{what}: {}", refusal("file.ply", bytes)).expect("a string takes all");
+    }
+    raybook_common::snapshot("ch07_ply_refused", &table);
 }
 
 #[test]

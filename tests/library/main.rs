@@ -14,6 +14,7 @@ mod ch07_files;
 mod ch07_list;
 mod ch07_mesh;
 mod ch07_obj_peer;
+mod ch07_ply;
 mod ch07_stl;
 mod ch07_teapot;
 mod ch07_teapot_surface;

@@ -210,11 +210,11 @@ mod traps {
     #[test]
     fn every_reader_refuses_a_pipe() {
         let home = tempfile::tempdir().expect("a temporary folder");
-        for name in ["a.exr", "a.hdr", "a.png", "a.obj", "a.stl"] {
+        for name in ["a.exr", "a.hdr", "a.png", "a.obj", "a.stl", "a.ply"] {
             let path = home.path().join(name);
             fifo(&path);
             let error = match name {
-                "a.obj" | "a.stl" => mesh_file::load(&path).expect_err("a pipe").to_string(),
+                "a.obj" | "a.stl" | "a.ply" => mesh_file::load(&path).expect_err("a pipe").to_string(),
                 _ => file::load(&path).expect_err("a pipe").to_string(),
             };
             assert!(error.contains("it is a named pipe (FIFO)"), "{error}");

@@ -114,7 +114,7 @@ const AFTER_A_CAMERA: &[(&str, &str)] = &[
     ),
     (
         "[[shapes]]\nkind = \"mesh\"\nfile = \"china.png\"\n",
-        "6:8: china.png: a mesh's name must end in .obj or .stl",
+        "6:8: china.png: a mesh's name must end in .obj, .stl or .ply",
     ),
     (
         "[environment]\nfile = \"test.txt\"\n",

@@ -29,7 +29,7 @@ pub struct Knobs {
     /// Distance of the eye from the flower, in multiples of 15 m
     #[arg(long, value_name = "0.2..20 ×", default_value_t = 1.0)]
     distance: f32,
-    /// Radius of the sphere in the telescope
+    /// Radius of the sphere in the telescope, in `cancellation`
     #[arg(long, value_name = "0.001..100 m", default_value_t = 0.1)]
     sphere: f32,
 }

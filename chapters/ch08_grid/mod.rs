@@ -31,7 +31,7 @@ use teapots::teapots;
 pub struct Knobs {
     #[command(flatten)]
     own: MeshKnob,
-    /// Density λ of the grid: cells per triangle
+    /// Density λ of the grid: cells per triangle, in `heat`
     #[arg(long, value_name = "0.001..300 cells", default_value_t = 5.0)]
     density: f32,
 }

@@ -28,7 +28,7 @@ use teapot_in_stadium::{camera, densities, maps, two_levels};
 pub struct Knobs {
     #[command(flatten)]
     own: MeshKnob,
-    /// Density λ of the coarse grid: coarse cells per triangle
+    /// Density λ of the coarse grid: coarse cells per triangle, in `heat`
     #[arg(long, value_name = "0.001..10 cells", default_value_t = 1.0)]
     density: f32,
 }

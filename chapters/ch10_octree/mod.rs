@@ -36,7 +36,7 @@ pub struct Knobs {
     /// Depth of the tree of the blocks: how often a cell is cut
     #[arg(long, value_name = "3..7 cuts", default_value_t = 7)]
     depth: u32,
-    /// Cost of opening a node, in triangles tested: the higher, the larger the leaves
+    /// Cost of opening a node, in triangles tested: the higher, the larger the leaves, in `heat`
     #[arg(long, value_name = "0..100 tests", default_value_t = 2.0)]
     opening: f32,
 }

@@ -37,10 +37,10 @@ const AHEAD: Interval = Interval::AHEAD;
 pub struct Knobs {
     #[command(flatten)]
     own: MeshKnob,
-    /// How the trees are built
+    /// How the trees are built, in `levels`
     #[arg(long, value_enum, default_value = "binned")]
     method: Builder,
-    /// Maximum number of triangles in a leaf; the heuristic makes smaller leaves where that costs less
+    /// Maximum number of triangles in a leaf; the heuristic makes smaller leaves where that costs less, in `heat`
     #[arg(long, value_name = "1..64 triangles", default_value_t = 8)]
     leaf: u32,
 }

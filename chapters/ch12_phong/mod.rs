@@ -28,13 +28,13 @@ pub struct Knobs {
     /// Exponent α of Phong's highlight; the rows have a quarter of it, it, and 4 and 16 times as much
     #[arg(long, value_name = "1..1024", default_value_t = 16.0)]
     exponent: f32,
-    /// Angle between light and normal in the drawing of the lobes
+    /// Angle between light and normal, in `lobes`
     #[arg(long, value_name = "0..89 °", default_value_t = 40.0)]
     incidence: f32,
     /// Angle by which the lights turn around the balls, to the right
     #[arg(long, value_name = "-180..180 °", default_value_t = 0.0)]
     turn: f32,
-    /// Height of the point light over the tiles
+    /// Height of the point light over the tiles, in `floors`
     #[arg(long, value_name = "0.2..5 m", default_value_t = 1.3)]
     lamp: f32,
 }

@@ -33,10 +33,10 @@ const CLOSE_UP: Vec3 = vec3(1.3, 0.4, 1.3);
 /// What the pictures depend on.
 #[derive(Args, Clone, Debug)]
 pub struct Knobs {
-    /// Distance from the surface at which the loose shadow rays start
+    /// Distance from the surface at which the loose shadow rays start, in `wrong`
     #[arg(long, value_name = "0..5 m", default_value_t = 1.0)]
     offset: f32,
-    /// Cells along the side of each patch of the coarse teapot
+    /// Cells along the side of each patch of the coarse teapot, in `terminator`
     #[arg(long, value_name = "1..16 cells", default_value_t = 4)]
     cells: usize,
 }

@@ -38,7 +38,7 @@ pub struct Knobs {
     /// How the directions lie on it
     #[arg(long, value_enum, default_value = "latlong", requires = "environment")]
     layout: Layouts,
-    /// Roughness α of the metals in the lowest row
+    /// Roughness α of the metals in the lowest row, in `metals`
     #[arg(long, value_name = "0.01..1", default_value_t = 0.45)]
     roughness: f32,
 }

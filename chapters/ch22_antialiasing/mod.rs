@@ -67,7 +67,7 @@ pub struct Knobs {
     /// Reconstruction filter of the main picture
     #[arg(long, value_enum, default_value = "box")]
     filter: By,
-    /// Points in each of the patterns side by side
+    /// Points of each pattern, in `patterns`
     #[arg(long, value_name = "1..4096 points", default_value_t = 64)]
     count: usize,
 }

@@ -37,10 +37,10 @@ pub struct Knobs {
     /// Rays through each pixel before their differences are looked at
     #[arg(long, value_name = "2..64 rays", default_value_t = 4)]
     first: usize,
-    /// Threshold of the error of a pixel's mean: above it, more rays follow
+    /// Threshold of the error of a pixel's mean: above it, more rays follow, in `spent`
     #[arg(long, value_name = "0.0005..1", default_value_t = 0.01)]
     threshold: f32,
-    /// Budget of rays per pixel, on average, where it is a budget that decides
+    /// Budget of rays per pixel, on average, where it is a budget that decides, in `spent`
     #[arg(long, value_name = "2..256 rays", default_value_t = 12)]
     budget: usize,
 }

@@ -27,7 +27,7 @@ pub struct Knobs {
     /// Maximum number of surfaces in a row; without it, that of each scene
     #[arg(long, value_name = "1..64 surfaces")]
     depth: Option<u32>,
-    /// Scene that is described
+    /// Scene that is described, in `description`
     #[arg(long, default_value = FOUR[0].name, value_parser = PossibleValuesParser::new(FOUR.iter().map(|staged| staged.name)))]
     scene: String,
 }

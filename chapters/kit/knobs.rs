@@ -1,7 +1,8 @@
 //! Knobs: what a chapter's pictures depend on, as options of its command.
 //!
 //! A chapter declares its knobs once, as clap's [`Args`]. What a person or a page must know of them is read from clap's own
-//! description. The name of a number's value is its range and its unit: `value_name = "5..200 mm"`.
+//! description. The name of a number's value is its range and its unit: `value_name = "5..200 mm"`. Where a knob changes another picture
+//! than the main one, its sentence ends with that picture's name: "Points of each pattern, in `patterns`".
 
 use clap::error::ErrorKind;
 use clap::parser::ValueSource;
@@ -15,6 +16,8 @@ pub struct Knob {
     pub name: String,
     /// What it is, in a sentence.
     pub help: String,
+    /// The picture that it changes, by its file's name.
+    pub picture: String,
     /// Its value if nobody turns it; none if the chapter then does without.
     pub default: Option<String>,
     /// What values it takes.
@@ -55,16 +58,21 @@ pub fn add<K: Args>(command: Command) -> Command {
 /// The knobs of a command that has no other options.
 pub fn of(command: &Command) -> Vec<Knob> {
     let excludes = |one: &Arg, other: &Arg| command.get_arg_conflicts_with(one).contains(&other);
-    let knob = |arg: &Arg| Knob {
-        name: name(arg),
-        help: arg.get_help().map(ToString::to_string).unwrap_or_default(),
-        default: default(arg),
-        kind: kind(arg),
-        instead_of: command
-            .get_arguments()
-            .filter(|other| excludes(arg, other) || excludes(other, arg))
-            .map(name)
-            .collect(),
+    let knob = |arg: &Arg| {
+        let sentence = arg.get_help().map(ToString::to_string).unwrap_or_default();
+        let (help, picture) = picture(&sentence);
+        Knob {
+            name: name(arg),
+            help: help.to_owned(),
+            picture: picture.to_owned(),
+            default: default(arg),
+            kind: kind(arg),
+            instead_of: command
+                .get_arguments()
+                .filter(|other| excludes(arg, other) || excludes(other, arg))
+                .map(name)
+                .collect(),
+        }
     };
     command.get_arguments().map(knob).collect()
 }
@@ -139,6 +147,14 @@ impl Knob {
 
 fn name(arg: &Arg) -> String {
     arg.get_long().unwrap_or(arg.get_id().as_str()).to_owned()
+}
+
+/// What a knob is, and the picture that it changes: the parts of its sentence.
+fn picture(sentence: &str) -> (&str, &str) {
+    let named = sentence.strip_suffix('`');
+    named
+        .and_then(|rest| rest.rsplit_once(", in `"))
+        .unwrap_or((sentence, "picture"))
 }
 
 fn default(arg: &Arg) -> Option<String> {

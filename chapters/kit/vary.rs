@@ -14,12 +14,12 @@ use std::path::Path;
 /// What is varied, and what is made of it.
 #[derive(Args, Debug)]
 pub struct Vary {
-    /// Draw the main picture at several values of a knob, side by side
+    /// Draw the picture that a knob changes at several values of it, side by side
     #[arg(long, value_name = "KNOB=A,B,…", value_parser = varied)]
     pub vary: Option<Varied>,
-    /// The picture to vary, by its file's name
-    #[arg(long, default_value = "picture", requires = "vary")]
-    pub picture: String,
+    /// Another picture to vary, by its file's name
+    #[arg(long, requires = "vary")]
+    pub picture: Option<String>,
     /// Make an animation of it (APNG), two pictures a second
     #[arg(long, requires = "vary")]
     pub animate: bool,
@@ -68,6 +68,7 @@ pub fn draw(
     vary: &Vary,
 ) -> Result<Output, Box<dyn Error>> {
     let knob = find(lesson, &what.name)?;
+    let name = vary.picture.as_ref().unwrap_or(&knob.picture);
     let columns = what.values.len().min(COLUMNS);
     let width = options.width.unwrap_or(STRIP / columns as u32);
     let options = Options {
@@ -93,9 +94,9 @@ pub fn draw(
     for (value, knobs) in what.values.iter().zip(knobs) {
         let stage = Stage::new(lesson.name, options.clone(), false, progress_bar());
         let own = folder.join(format!("{}_{}", what.name, value.replace(['/', '\\'], "_")));
-        let stage = stage.in_folder(own).until(&vary.picture);
+        let stage = stage.in_folder(own).until(name);
         lesson.draw_turned(&stage, &knobs)?;
-        let picture = picture(&stage.into_outputs(), &vary.picture)?;
+        let picture = picture(&stage.into_outputs(), name)?;
         tiles.push((knob.label(value), picture));
     }
     let png = folder.join(format!("vary_{}.png", what.name));

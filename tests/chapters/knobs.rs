@@ -13,26 +13,6 @@ use std::fs;
 use std::path::Path;
 use tempfile::TempDir;
 
-/// Where a knob shows in another picture than the main one.
-const SHOWN: [(&str, &str, &str); 16] = [
-    ("ch03_sphere", "sphere", "cancellation"),
-    ("ch08_grid", "density", "heat"),
-    ("ch09_two_level_grid", "density", "heat"),
-    ("ch10_octree", "opening", "heat"),
-    ("ch11_bvh", "method", "levels"),
-    ("ch11_bvh", "leaf", "heat"),
-    ("ch12_phong", "lamp", "floors"),
-    ("ch12_phong", "incidence", "lobes"),
-    ("ch15_shadows", "offset", "wrong"),
-    ("ch15_shadows", "cells", "terminator"),
-    ("ch18_environment", "roughness", "metals"),
-    ("ch22_antialiasing", "count", "patterns"),
-    ("ch23_adaptive", "threshold", "spent"),
-    ("ch23_adaptive", "budget", "spent"),
-    ("ch25_capstone", "scene", "description"),
-    ("ch25_capstone", "depth", "picture"),
-];
-
 /// Values where those of the examples take long, change nothing, or are not alone.
 const TURNED: [(&str, &str, &[&str]); 8] = [
     ("ch11_bvh", "method", &["--method=median"]),
@@ -83,7 +63,7 @@ fn every_knob_changes_a_picture() {
     LESSONS.par_iter().for_each(|lesson| {
         let mut usual = BTreeMap::new();
         for knob in knobs::of(&lesson.knobs()) {
-            let picture = shown(lesson, &knob);
+            let picture = &knob.picture;
             let arguments = match (&*knob.name, &knob.kind) {
                 ("mesh", _) => vec![format!("--mesh={}", mesh.display())],
                 ("environment", _) => vec![format!("--environment={}", map.display())],
@@ -94,7 +74,7 @@ fn every_knob_changes_a_picture() {
                 _ => turned(lesson, &knob),
             };
             let before = usual
-                .entry(picture)
+                .entry(picture.clone())
                 .or_insert_with(|| draw(lesson, &[], picture));
             let after = draw(lesson, &arguments, picture);
             assert!(
@@ -104,13 +84,6 @@ fn every_knob_changes_a_picture() {
             );
         }
     });
-}
-
-fn shown(lesson: &Lesson, knob: &Knob) -> &'static str {
-    let found = SHOWN
-        .iter()
-        .find(|(chapter, name, _)| (*chapter, *name) == (lesson.name, &*knob.name));
-    found.map_or("picture", |(_, _, picture)| picture)
 }
 
 fn turned(lesson: &Lesson, knob: &Knob) -> Vec<String> {

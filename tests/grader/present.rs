@@ -153,6 +153,7 @@ fn a_chapter_is_shown_and_a_knob_redraws_its_picture() {
         "\"instead\":[\"field-of-view\"]",
         "\"instead\":[\"focal-length\"]",
         "\"most\":500",
+        "\"picture\":\"patterns\"",
     ] {
         assert!(course.contains(expected), "{expected}: {course}");
     }
@@ -204,6 +205,11 @@ fn a_chapter_is_shown_and_a_knob_redraws_its_picture() {
     let (status, turned) = server.get("picture/ch03_sphere/picture?radius=0.5&quick=1");
     assert_eq!((status, size(&turned)), (200, (240, 135)), "quickly");
     assert!(turned != sketch, "another radius, another picture");
+    let (_, fresh) = server.get("picture/ch03_sphere/picture?quick=1&fresh=1");
+    assert_eq!(
+        fresh, sketch,
+        "although the tour's is there: what a knob changes is seen beside it"
+    );
     let (status, half) = server.get("picture/ch03_sphere/picture?radius=0.5&half=1");
     assert_eq!((status, size(&half).0), (200, 24), "better, half as wide");
     let (status, turned) = server.get("picture/ch03_sphere/picture?radius=0.5");

@@ -17,7 +17,6 @@ use raybook_grader::student;
 use raybook_grader::watched::{Seen, changed};
 use raybook_workbook::curriculum::{CHAPTERS, Chapter};
 use std::error::Error;
-use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::thread::sleep;
 use std::time::Duration;
@@ -66,7 +65,7 @@ impl Watch {
         }
         let mut seen = Seen::of(&folder);
         let mut names = self.names(&folder, &[]);
-        self.check(&folder, &names, page.as_mut())?;
+        self.check(&names, page.as_mut())?;
         loop {
             match keys::wait(PAUSE) {
                 Pressed::Key('q') | Pressed::Closed => return Ok(true),
@@ -87,7 +86,7 @@ impl Watch {
             seen = later;
             say(format!("\n── {} changed ──", told(&files)));
             names = self.names(&folder, &files);
-            self.check(&folder, &names, page.as_mut())?;
+            self.check(&names, page.as_mut())?;
         }
     }
 
@@ -101,14 +100,14 @@ impl Watch {
     ) -> Result<(), Box<dyn Error>> {
         match key {
             'h' => {
-                self.command("hint", names, folder)?;
+                self.command("hint", names)?;
             }
             'e' => {
-                self.command("explain", &[open(folder, names)], folder)?;
+                self.command("explain", &[open(folder, names)])?;
             }
             'n' => {
                 *names = next(folder, names);
-                return self.check(folder, names, page);
+                return self.check(names, page);
             }
             'l' => {
                 if let Err(error) = map::print(folder) {
@@ -122,13 +121,8 @@ impl Watch {
     }
 
     /// Checks exercises or chapters by name, and shows on the page what became of them.
-    fn check(
-        &self,
-        folder: &Path,
-        names: &[String],
-        page: Option<&mut Page>,
-    ) -> Result<(), Box<dyn Error>> {
-        if let Task::Check(check) = self.task("check", names, folder)? {
+    fn check(&self, names: &[String], page: Option<&mut Page>) -> Result<(), Box<dyn Error>> {
+        if let Task::Check(check) = self.task("check", names)? {
             let alone = page.as_ref().map(|page| page.alone());
             let checked = check.reports();
             drop(alone);
@@ -144,8 +138,8 @@ impl Watch {
     }
 
     /// Runs another command. What is wrong with the program is told, and does not end the watch.
-    fn command(&self, command: &str, names: &[String], folder: &Path) -> Result<(), clap::Error> {
-        let done = match self.task(command, names, folder)? {
+    fn command(&self, command: &str, names: &[String]) -> Result<(), clap::Error> {
+        let done = match self.task(command, names)? {
             Task::Check(task) => task.run(),
             Task::Hint(task) => task.run(),
             Task::Explain(task) => task.run(),
@@ -156,15 +150,13 @@ impl Watch {
         Ok(())
     }
 
-    /// Another command, as if it were typed.
-    fn task(&self, command: &str, names: &[String], folder: &Path) -> Result<Task, clap::Error> {
+    /// Another command, as if it were typed, with the folder as it was typed.
+    fn task(&self, command: &str, names: &[String]) -> Result<Task, clap::Error> {
         let mut words = vec!["watch".to_owned(), command.to_owned()];
         words.extend_from_slice(names);
         words.extend((self.plain && command != "hint").then(|| "--plain".to_owned()));
-        // Words of the command's own, but for the folder, which stands last as a path of its own.
-        let line = words.into_iter().map(OsString::from);
-        let line = line.chain([folder.as_os_str().to_owned()]);
-        Ok(Line::try_parse_from(line)?.task)
+        words.extend(self.target.folder().map(str::to_owned));
+        Ok(Line::try_parse_from(words)?.task)
     }
 
     /// What to check: what was asked for; else the chapters of the files; else the first chapter that is not right yet.

@@ -99,8 +99,8 @@ impl Studio {
             .unwrap_or_else(|answer| answer)
     }
 
-    /// A picture of a chapter with its knobs as they are said; `quick=1` asks for a small one, and `half=1` for one that is half as
-    /// wide.
+    /// A picture of a chapter with its knobs as they are said; `quick=1` asks for a small one, `half=1` for one that is half as
+    /// wide, and `fresh=1` for none that was drawn before.
     pub(super) fn picture(
         self: &Arc<Self>,
         lesson: &'static Lesson,
@@ -122,7 +122,7 @@ impl Studio {
             Err(why) => return Answer::wrong(&why),
         };
         let png = Path::new(lesson.name).join(name).with_extension("png");
-        if turned.is_empty() {
+        if turned.is_empty() && !asks("fresh") {
             let kept = self.options.out.join(&png);
             return match store::read(&kept) {
                 Ok(bytes) => Answer::png(bytes),
@@ -283,7 +283,7 @@ fn turned(lesson: &Lesson, query: &[(String, String)]) -> Result<Vec<String>, St
     };
     query
         .iter()
-        .filter(|(name, _)| name != "quick" && name != "half")
+        .filter(|(name, _)| !["quick", "half", "fresh"].contains(&name.as_str()))
         .map(argument)
         .collect()
 }

@@ -1,6 +1,6 @@
 // The page of `raybook present`: steps through the pictures, and turns the knobs.
 const at = id => document.getElementById(id);
-let course = [], chapter = 0, screen = 0, screens = [], complete = false, later = null, turned = {}, wanted = 0, timer = 0;
+let course = [], chapter = 0, screen = 0, screens = [], complete = false, later = null, turned = {}, shown = "", wanted = 0, timer = 0;
 
 /** Asks for something, again and again while it is wanted and another drawing is in the way. */
 async function ask(path, turn = wanted, patience = 300) {
@@ -18,7 +18,7 @@ function fail(error) { at("status").textContent = error.message.split("\n")[0]; 
 /** Shows a chapter, at its first picture, its last (-1), or the one of a name. */
 async function open(number, which = 0) {
   chapter = Math.max(0, Math.min(course.length - 1, number));
-  turned = {}; screens = []; complete = false; later = null;
+  turned = {}; shown = ""; screens = []; complete = false; later = null;
   const turn = ++wanted, { name, number: n, title, teaches } = course[chapter];
   at("chapters").value = chapter;
   at("count").textContent = ""; at("caption").textContent = teaches; at("status").textContent = "drawing …";
@@ -45,6 +45,32 @@ async function rest(turn) {
   if (later) later();
 }
 
+/** The knobs that are turned, as part of an address. */
+const query = () => new URLSearchParams(turned).toString();
+
+/** The bytes of a small version of the picture on the screen, with knobs as in this part of an address. */
+async function sketch(knobs, turn) {
+  const path = "picture/" + course[chapter].name + "/" + screens[screen].name + "?quick=1&fresh=1&" + knobs;
+  const answer = await ask(path, turn);
+  return answer && String(new Uint8Array(await answer.arrayBuffer()));
+}
+
+/** Shows what a knob changes: the picture on the screen, or else the knob's own. */
+async function follow(knob) {
+  if (query() !== shown && screens[screen].name !== knob.picture) {
+    const turn = ++wanted;
+    at("status").textContent = "drawing …";
+    try {
+      const before = await sketch(shown, turn), now = await sketch(query(), turn);
+      if (before === now) await rest(turn);
+      if (turn !== wanted) return;
+      const own = screens.findIndex(one => one.name === knob.picture);
+      if (before === now && own >= 0) screen = own;
+    } catch (error) { if (turn === wanted) fail(error); return; }
+  }
+  show();
+}
+
 /** Shows the picture: at first what is quick, then what is good. */
 async function show() {
   const turn = ++wanted, { name, caption } = screens[screen], { name: of } = course[chapter];
@@ -55,13 +81,13 @@ async function show() {
   const words = Object.entries(turned);
   at("command").textContent = "cargo run --release --bin " + of + (words.length ? " --" : "") +
     words.map(([knob, value]) => " --" + knob + " " + value).join("");
-  const query = new URLSearchParams(words).toString();
+  shown = query();
   at("status").textContent = "drawing …";
   try {
     for (const quick of words.length ? ["quick=1", "half=1", ""] : ["quick=1", ""]) {
       if (!quick && !words.length) await rest(turn);
       if (turn !== wanted) return;
-      const answer = await ask("picture/" + of + "/" + name + "?" + [query, quick].filter(Boolean).join("&"));
+      const answer = await ask("picture/" + of + "/" + name + "?" + [shown, quick].filter(Boolean).join("&"));
       if (!answer || turn !== wanted) return;
       const said = answer.headers.get("Caption"); // a knob may change what there is to say
       if (said) at("caption").textContent = decodeURIComponent(said);
@@ -119,7 +145,7 @@ function knobs() {
       for (const other of knob.instead) { delete turned[other]; place.querySelector(`[data-knob="${other}"]`).reset(); }
       say();
       clearTimeout(timer);
-      timer = setTimeout(() => screens.length && show(), 120);
+      timer = setTimeout(() => screens.length && follow(knob), 120);
     });
     // After the mouse, keys step again; who came by keyboard goes on by keyboard.
     input.addEventListener(knob.kind === "choice" ? "change" : "pointerup", () => input.blur());

@@ -44,7 +44,7 @@ fn of_knob(knob: &Knob) -> Value {
         Kind::File => ("file", None, None, "", &[][..]),
     };
     json!({
-        "name": knob.name, "help": knob.help, "default": knob.default, "kind": kind,
+        "name": knob.name, "help": knob.help, "picture": knob.picture, "default": knob.default, "kind": kind,
         "least": least, "most": most, "unit": unit, "words": words,
         "instead": knob.instead_of,
     })

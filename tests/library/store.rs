@@ -214,7 +214,9 @@ mod traps {
             let path = home.path().join(name);
             fifo(&path);
             let error = match name {
-                "a.obj" | "a.stl" | "a.ply" => mesh_file::load(&path).expect_err("a pipe").to_string(),
+                "a.obj" | "a.stl" | "a.ply" => {
+                    mesh_file::load(&path).expect_err("a pipe").to_string()
+                }
                 _ => file::load(&path).expect_err("a pipe").to_string(),
             };
             assert!(error.contains("it is a named pipe (FIFO)"), "{error}");

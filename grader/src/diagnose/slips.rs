@@ -112,7 +112,8 @@ pub fn slipped(evidence: &Evidence<'_>) -> Vec<Slipped> {
 
 /// Every slip that the steps of one way allow in these questions.
 fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) -> Vec<Slipped> {
-    let mut steps: Vec<Step> = Vec::new();
+    // Each with what leads on.
+    let mut steps: Vec<(Step, &str)> = Vec::new();
     let mut decisions = Vec::new();
     let mut length = 0;
     for item in &evidence.items {
@@ -123,9 +124,12 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
         if length > LONG {
             return Vec::new();
         }
-        for step in walked.steps.into_iter().chain(walked.untold) {
-            if !step.value.is_empty() && !steps.iter().any(|one| one.place == step.place) {
-                steps.push(step);
+        let of_told = if number == 0 { TOLD } else { BY_HAND };
+        let told = walked.steps.into_iter().map(|step| (step, of_told));
+        let untold = walked.untold.into_iter().map(|step| (step, BY_HAND));
+        for (step, hint) in told.chain(untold) {
+            if !step.value.is_empty() && !steps.iter().any(|(one, _)| one.place == step.place) {
+                steps.push((step, hint));
             }
         }
         for decision in walked.decisions {
@@ -145,52 +149,61 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
             slip,
         });
     };
-    for step in &steps {
+    for (step, hint) in &steps {
         let name = short(step);
         let at = step.place;
-        for (what, hint, rank, change) in changes(step.value.len()) {
+        for (what, leads_on, rank, change) in changes(step.value.len()) {
             let name = format!("goes wrong at the step “{name}”: {what}");
+            let hint = leads_on.unwrap_or(hint);
             add(name, hint, rank, Slip::Value(at, change));
         }
-        for other in &steps {
+        for (other, _) in &steps {
             let fits = [1, step.value.len()].contains(&other.value.len());
             if other.place != at && fits {
                 let of = short(other);
                 let name = format!("takes the value of “{of}” where that of “{name}” belongs");
                 let of = other.place;
-                add(name, HINT, 12, Slip::Other { at, of });
+                add(name, hint, 12, Slip::Other { at, of });
             }
         }
     }
     for Decision { name, place } in decisions {
-        let never = format!("never takes it into account when {name}");
-        add(never, HINT, 9, Slip::Decision(place, |_| false));
-        let always = format!("always goes on as if {name}");
-        add(always, HINT, 9, Slip::Decision(place, |_| true));
-        let opposite = format!("decides the other way round whether {name}");
-        add(opposite, HINT, 9, Slip::Decision(place, |holds| !holds));
+        let mut add = |name, of| add(name, CONDITION, 9, Slip::Decision(place, of));
+        add(format!("never takes it into account when {name}"), |_| {
+            false
+        });
+        add(format!("always goes on as if {name}"), |_| true);
+        add(
+            format!("decides the other way round whether {name}"),
+            |holds| !holds,
+        );
     }
     all
 }
 
-/// What leads on where no question of its own does.
-const HINT: &str = "`raybook explain` shows this step with its right value: print yours beside it.";
+/// What leads on from a step that `raybook explain` tells.
+const TOLD: &str = "`raybook explain` shows this step with its right value: print yours beside it.";
 
-/// What people make of a value of `size` numbers: in words, with what leads on, how common it is, and the change itself.
-fn changes(size: usize) -> impl Iterator<Item = (String, &'static str, u32, Change)> {
+/// What leads on from a step that is not told.
+const BY_HAND: &str =
+    "Calculate this value by hand for the first wrong case, and print yours beside it.";
+
+/// What leads on from a decision.
+const CONDITION: &str =
+    "Which of your conditions decides this? Print its two sides in the first wrong case.";
+
+/// What people make of a value of `size` numbers: in words, with a question that leads on if there is one, how common it is, and the
+/// change itself.
+fn changes(size: usize) -> impl Iterator<Item = (String, Option<&'static str>, u32, Change)> {
     let common = COMMON
         .iter()
         .filter(move |one| [0, size].contains(&one.size));
-    let common = common.map(|one| (one.name.to_owned(), HINT, one.rank, one.change));
+    let common = common.map(|one| (one.name.to_owned(), None, one.rank, one.change));
     let functions = FUNCTIONS.iter().map(|function| {
         let name = function.name.replace("the answer", "the value");
         let name = name.replace("returns", "takes");
-        (
-            name,
-            function.hint,
-            function.rank,
-            Change::Each(function.of),
-        )
+        let change = Change::Each(function.of);
+        (name, Some(function.hint), function.rank, change)
     });
     common.chain(functions)
 }

@@ -1,7 +1,7 @@
 //! Chapter 7: what lies between a triangle's corners, normals at vertices, and the nearest triangle of a list.
 
 use super::Explained;
-use super::ch06_triangle;
+use super::nearest::Nearest;
 use super::way::{Value, Way};
 use glam::{DVec2, DVec3, Vec2, Vec3};
 use raybook_workbook::exercises::ch07_mesh::{
@@ -108,29 +108,17 @@ impl Explained for VertexNormals {
 
 impl Explained for MeshHit {
     fn work(&self, way: &mut Way) -> Option<MeshHitAnswer> {
-        let mut nearest: Option<(f64, u32)> = None;
+        let mut nearest = Nearest::default();
         if self.triangles.is_empty() {
             way.remark("The list is empty.");
         }
         for (id, triangle) in (0..).zip(&self.triangles) {
             let corners = [triangle.p0, triangle.p1, triangle.p2];
-            // Its own steps are those of `triangle_hit`.
-            let hit =
-                way.silently(|way| ch06_triangle::meets(way, &self.ray, self.within, corners));
-            let Some([t, ..]) = hit else {
-                way.remark(format!("Triangle {id} is not hit."));
-                continue;
-            };
-            let t = way.number(format!("triangle {id} is hit at t ="), "m", t);
-            let is_nearest = nearest.is_none_or(|(before, _)| t < before);
-            if way.decides("a hit is nearer than all before it", is_nearest) {
-                nearest = Some((t, id));
-            }
+            let name = format!("triangle {id}");
+            nearest.test(way, (&self.ray, self.within), (&name, id), corners);
         }
-        let (t, id) = nearest?;
-        way.remark(format!("Of these, triangle {id} is the nearest."));
-        let t = way.part("t of the nearest", t) as f32;
-        let id = way.part("the number of the nearest", f64::from(id)) as u32;
-        Some(MeshHitAnswer { t, id })
+        let answer = nearest.answer(way)?;
+        way.remark(format!("Of these, triangle {} is the nearest.", answer.id));
+        Some(answer)
     }
 }

@@ -1,13 +1,12 @@
 //! Chapter 24: a binary tree made wide, and the search in a wide tree.
 
 use super::Explained;
-use super::ch06_triangle;
 use super::ch11_bvh::{children, drawn};
 use super::diagram::{Diagram, Ink};
+use super::nearest::Nearest;
 use super::tree::{self, Node, area, enters};
 use super::way::Way;
 use raybook::inside::wide_bvh::CHILDREN;
-use raybook_workbook::exercises::ch07_mesh::MeshHitAnswer;
 use raybook_workbook::exercises::ch24_wide_bvh::{
     Collapse, FamilyRow, WideClosest, WideClosestAnswer,
 };
@@ -91,11 +90,9 @@ impl Explained for Collapse {
 /// A search in a wide tree, while it runs.
 struct Search<'a> {
     q: &'a WideClosest,
-    /// The nearest hit among the triangles that were tested.
-    nearest: Option<(f64, u32)>,
+    nearest: Nearest,
     opened: Vec<u32>,
     leaves: Vec<u32>,
-    tests: u32,
 }
 
 impl Search<'_> {
@@ -111,7 +108,12 @@ impl Search<'_> {
         ));
         let mut met = Vec::new();
         for child in &row.children {
-            let enter = enters(&q.ray, q.within, self.limit(), [child.min, child.max]);
+            let enter = enters(
+                &q.ray,
+                q.within,
+                self.nearest.limit(),
+                [child.min, child.max],
+            );
             let what = if child.leaf == 0 { "node" } else { "leaf" };
             if let Some(enter) = enter {
                 let name = format!("the ray enters {what} {} at t =", child.index);
@@ -120,7 +122,7 @@ impl Search<'_> {
         }
         met.sort_by(|a, b| a.0.total_cmp(&b.0));
         for (enter, child) in met {
-            let is_behind = enter > self.limit();
+            let is_behind = enter > self.nearest.limit();
             if way.decides("a child begins behind the nearest hit", is_behind) {
                 let what = if child.leaf == 0 { "Node" } else { "Leaf" };
                 way.remark(format!(
@@ -146,34 +148,19 @@ impl Search<'_> {
                 continue;
             };
             let corners = [triangle.p0, triangle.p1, triangle.p2];
-            self.tests += 1;
-            // Its own steps are those of `triangle_hit`.
-            match way.silently(|way| ch06_triangle::meets(way, &q.ray, q.within, corners)) {
-                Some([t, ..]) => {
-                    let t = way.number(format!("leaf {leaf}: triangle {id} is hit at t ="), "m", t);
-                    let is_nearer = t < self.limit();
-                    if way.decides("a hit is nearer than all before it", is_nearer) {
-                        self.nearest = Some((t, id));
-                    }
-                }
-                None => way.remark(format!("Leaf {leaf}: triangle {id} is not hit.")),
-            }
+            let name = format!("leaf {leaf}: triangle {id}");
+            self.nearest
+                .test(way, (&q.ray, q.within), (&name, id), corners);
         }
-    }
-
-    /// What lies behind it does not count.
-    fn limit(&self) -> f64 {
-        self.nearest.map_or(f64::INFINITY, |(t, _)| t)
     }
 }
 
 fn search<'a>(q: &'a WideClosest, way: &mut Way) -> Search<'a> {
     let mut search = Search {
         q,
-        nearest: None,
+        nearest: Nearest::default(),
         opened: Vec::new(),
         leaves: Vec::new(),
-        tests: 0,
     };
     search.open(way, 0);
     search
@@ -182,12 +169,10 @@ fn search<'a>(q: &'a WideClosest, way: &mut Way) -> Search<'a> {
 impl Explained for WideClosest {
     fn work(&self, way: &mut Way) -> WideClosestAnswer {
         let search = search(self, way);
-        let (nodes, tests) = (search.opened.len() as u32, search.tests);
+        let (nodes, tests) = (search.opened.len() as u32, search.nearest.tests);
         let nodes = way.number("nodes opened", "", nodes.into()) as u32;
         let tests = way.number("triangles tested", "", tests.into()) as u32;
-        let hit = search
-            .nearest
-            .map(|(t, id)| MeshHitAnswer { t: t as f32, id });
+        let hit = search.nearest.answer(way);
         WideClosestAnswer { nodes, tests, hit }
     }
 

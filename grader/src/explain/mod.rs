@@ -30,6 +30,7 @@ mod ch23_adaptive;
 mod ch24_wide_bvh;
 mod ch25_capstone;
 pub mod diagram;
+mod nearest;
 pub mod parting;
 mod rays;
 mod section;

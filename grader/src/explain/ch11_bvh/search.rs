@@ -2,20 +2,17 @@
 
 use super::{children, drawn};
 use crate::explain::Explained;
-use crate::explain::ch06_triangle;
 use crate::explain::diagram::Diagram;
+use crate::explain::nearest::Nearest;
 use crate::explain::tree::{self, enters};
 use crate::explain::way::Way;
-use raybook_workbook::exercises::ch07_mesh::MeshHitAnswer;
 use raybook_workbook::exercises::ch11_bvh::{BvhClosest, BvhClosestAnswer};
 
 /// A search in a tree, while it runs.
 struct Search<'a> {
     q: &'a BvhClosest,
-    /// The nearest hit among the triangles that were tested.
-    nearest: Option<(f64, u32)>,
+    nearest: Nearest,
     boxes: u32,
-    tests: u32,
     /// The nodes that are opened or whose shapes are tested.
     met: Vec<usize>,
 }
@@ -33,7 +30,10 @@ impl Search<'_> {
                 row.count
             ));
             for id in row.first..last.min(self.q.triangles.len() as u32) {
-                self.test(way, id);
+                let triangle = &self.q.triangles[id as usize];
+                let corners = [triangle.p0, triangle.p1, triangle.p2];
+                let (name, asked) = (format!("triangle {id}"), (&self.q.ray, self.q.within));
+                self.nearest.test(way, asked, (&name, id), corners);
             }
             return;
         }
@@ -43,7 +43,8 @@ impl Search<'_> {
                 continue;
             };
             self.boxes += 1;
-            match enters(&self.q.ray, self.q.within, self.limit(), [row.min, row.max]) {
+            let limit = self.nearest.limit();
+            match enters(&self.q.ray, self.q.within, limit, [row.min, row.max]) {
                 Some(enter) => {
                     let name = format!("node {node} is opened: the ray enters node {child} at t =");
                     below.push((way.number(name, "m", enter), child));
@@ -58,7 +59,7 @@ impl Search<'_> {
             below.reverse();
         }
         for (enter, child) in below {
-            let is_behind = enter > self.limit();
+            let is_behind = enter > self.nearest.limit();
             if way.decides("a child begins behind the nearest hit", is_behind) {
                 way.remark(format!(
                     "Node {child} begins behind the nearest hit: it is left out."
@@ -68,37 +69,13 @@ impl Search<'_> {
             }
         }
     }
-
-    fn test(&mut self, way: &mut Way, id: u32) {
-        let q = self.q;
-        let triangle = &q.triangles[id as usize];
-        let corners = [triangle.p0, triangle.p1, triangle.p2];
-        self.tests += 1;
-        // Its own steps are those of `triangle_hit`.
-        match way.silently(|way| ch06_triangle::meets(way, &q.ray, q.within, corners)) {
-            Some([t, ..]) => {
-                let t = way.number(format!("triangle {id} is hit at t ="), "m", t);
-                let is_nearer = t < self.limit();
-                if way.decides("a hit is nearer than all before it", is_nearer) {
-                    self.nearest = Some((t, id));
-                }
-            }
-            None => way.remark(format!("Triangle {id} is not hit.")),
-        }
-    }
-
-    /// What lies behind it does not count.
-    fn limit(&self) -> f64 {
-        self.nearest.map_or(f64::INFINITY, |(t, _)| t)
-    }
 }
 
 fn search<'a>(q: &'a BvhClosest, way: &mut Way) -> Search<'a> {
     let mut search = Search {
         q,
-        nearest: None,
+        nearest: Nearest::default(),
         boxes: 0,
-        tests: 0,
         met: Vec::new(),
     };
     search.visit(way, 0);
@@ -108,12 +85,10 @@ fn search<'a>(q: &'a BvhClosest, way: &mut Way) -> Search<'a> {
 impl Explained for BvhClosest {
     fn work(&self, way: &mut Way) -> BvhClosestAnswer {
         let search = search(self, way);
-        let (boxes, tests) = (search.boxes, search.tests);
+        let (boxes, tests) = (search.boxes, search.nearest.tests);
         let boxes = way.number("boxes tested", "", boxes.into()) as u32;
         let tests = way.number("triangles tested", "", tests.into()) as u32;
-        let hit = search
-            .nearest
-            .map(|(t, id)| MeshHitAnswer { t: t as f32, id });
+        let hit = search.nearest.answer(way);
         BvhClosestAnswer { boxes, tests, hit }
     }
 

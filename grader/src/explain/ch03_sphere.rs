@@ -9,11 +9,18 @@ use glam::{DVec3, Vec2, Vec3, dvec2};
 use raybook::math::{interval::Interval, ray::Ray};
 use raybook_workbook::exercises::ch03_sphere::{SolveQuadratic, SphereHit, SphereNormal};
 
+/// B² − 4AC by its parts.
+fn discriminant(way: &mut Way, [a, b, c]: [f64; 3]) -> f64 {
+    let square = way.part("B²", b * b);
+    let a = way.part("A in 4AC", a);
+    let c = way.part("C in 4AC", c);
+    square - way.part("4AC", 4.0 * a * c)
+}
+
 /// The real roots of a·t² + b·t + c = 0 without cancellation, the smaller one first.
 pub fn roots(way: &mut Way, [a, b, c]: [f64; 3]) -> Option<[f64; 2]> {
-    let square = way.part("B²", b * b);
-    let product = way.part("4AC", 4.0 * a * c);
-    let discriminant = way.number("B² − 4AC", "", square - product);
+    let discriminant = discriminant(way, [a, b, c]);
+    let discriminant = way.number("B² − 4AC", "", discriminant);
     if way.decides("the discriminant is negative", discriminant < 0.0) {
         way.remark("The discriminant is negative: no root is real.");
         return None;
@@ -46,9 +53,8 @@ fn sorted(way: &mut Way, t0: f64, t1: f64) -> [f64; 2] {
 
 /// The roots by the formula of most books.
 fn book_roots(way: &mut Way, [a, b, c]: [f64; 3]) -> Option<[f64; 2]> {
-    let square = way.part("B²", b * b);
-    let product = way.part("4AC", 4.0 * a * c);
-    let discriminant = way.part("B² − 4AC", square - product);
+    let discriminant = discriminant(way, [a, b, c]);
+    let discriminant = way.part("B² − 4AC", discriminant);
     if way.decides("the discriminant is negative", discriminant < 0.0) {
         return None;
     }

@@ -18,7 +18,9 @@ fn row<T: AsRef<str>>(table: &mut String, fields: impl IntoIterator<Item = T>) {
         };
         let comma = if i > 0 { "," } else { "" };
         let _ = if field.contains(['"', ',']) {
-            write!(table, "{comma}\"{guard}{}\"", field.replace('"', "\"\""))
+            let quoted = format!("\"{guard}{}\"", field.replace('"', "\"\""));
+            // PHP, and so Moodle, takes a backslash before a quotation mark for an escape, and reads on into the next field.
+            write!(table, "{comma}{}", quoted.replace("\\\"", "/\""))
         } else {
             write!(table, "{comma}{guard}{field}")
         };
@@ -227,4 +229,22 @@ pub fn similar(class: &Class<'_>) -> String {
         );
     }
     table
+}
+
+#[cfg(test)]
+mod tests {
+    use super::row;
+
+    #[test]
+    fn a_field_ends_where_it_ends_in_every_reader() {
+        let mut table = String::new();
+        row(
+            &mut table,
+            ["a,b\\", "x\\\",100,\"", "C:\\x", "=1", "\\\\,"],
+        );
+        assert_eq!(
+            table,
+            "\"a,b/\",\"x/\"\",100,\"\"\",C:\\x,'=1,\"\\\\,\"\r\n"
+        );
+    }
 }

@@ -6,7 +6,7 @@ use crate::converse::{Limits, Program};
 use crate::diagnose::{Diagnosis, diagnose};
 use crate::examine::{Case, Examiner};
 use crate::pairing::put_right;
-use crate::picture::{Pixels, ask_pixels, some_are_right};
+use crate::picture::{Pixels, ask_pixels, ask_to_first_wrong, some_are_right};
 use crate::prints::short;
 use crate::triple::Triple;
 use raybook_chapters::kit::untrusted::Untrusted;
@@ -207,7 +207,7 @@ pub fn check_each(
 }
 
 /// Checks an exercise, and draws its pictures: if they are wanted, and the program answers its cases; else if the cases are
-/// right, and some pixels are not.
+/// right, and some pixels are not. Only `FirstWrong` draws what wrong answers make, too.
 fn check_and_draw(
     asker: &mut Asker<'_>,
     examiner: &dyn Examiner,
@@ -216,13 +216,21 @@ fn check_and_draw(
 ) -> io::Result<Report> {
     let mut report = check(asker, examiner, cases.to_vec())?;
     ask_again(asker, examiner, &mut report)?;
-    let all = match pixels {
+    let drawn = match pixels {
         Pixels::None => false,
-        Pixels::Some => report.state() == State::Right && !some_are_right(asker, examiner, cases)?,
+        Pixels::FirstWrong if report.state() == State::Wrong => report.answers(),
+        Pixels::Some | Pixels::FirstWrong => {
+            report.state() == State::Right && !some_are_right(asker, examiner, cases)?
+        }
         Pixels::All => report.answers(),
     };
-    if all {
-        (report.pictures, report.stopped) = ask_pixels(asker, examiner)?;
+    if drawn {
+        let draw = if pixels == Pixels::FirstWrong {
+            ask_to_first_wrong
+        } else {
+            ask_pixels
+        };
+        (report.pictures, report.stopped) = draw(asker, examiner)?;
     } else if pixels == Pixels::All && !examiner.pictures().is_empty() {
         let why = "not every case has an answer. Let your program answer something, all zeros say, to what you have not written";
         report.stopped = Some(why.to_owned());

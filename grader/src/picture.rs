@@ -14,6 +14,8 @@ pub enum Pixels {
     None,
     /// One in `STRETCH`, where no picture is wanted, and all of them only if one of these is wrong.
     Some,
+    /// As `Some`, and of who is wrong, in cases or in these pixels, picture by picture up to the first that is not passed.
+    FirstWrong,
     /// All, for a picture that is looked at.
     All,
 }
@@ -34,6 +36,28 @@ pub fn ask_pixels(
 ) -> io::Result<(Vec<Triple>, Option<String>)> {
     let (answers, stopped) = ask(asker, examiner, &pixel_questions(examiner))?;
     Ok((triples(examiner, &answers), stopped))
+}
+
+/// Asks the program picture by picture, until one is not passed or it goes on no more; why, is returned beside the pictures.
+///
+/// # Errors
+/// If the program cannot be started.
+pub fn ask_to_first_wrong(
+    asker: &mut Asker<'_>,
+    examiner: &dyn Examiner,
+) -> io::Result<(Vec<Triple>, Option<String>)> {
+    let mut pictures = Vec::new();
+    for (number, size) in examiner.pictures().into_iter().enumerate() {
+        let questions: Vec<_> = questions_of(examiner, number, size).collect();
+        let (answers, stopped) = ask(asker, examiner, &questions)?;
+        let picture = triple(examiner, number, size, &answers);
+        let is_last = stopped.is_some() || !picture.score.passed();
+        pictures.push(picture);
+        if is_last {
+            return Ok((pictures, stopped));
+        }
+    }
+    Ok((pictures, None))
 }
 
 /// Asks the program some pixels of all the exercise's pictures, and returns whether all are right. Which they are follows from
@@ -115,10 +139,17 @@ fn stopped(replies: &[Reply]) -> Option<String> {
 /// The questions of the pixels in reading order, one picture after the other; none if the exercise has no picture.
 pub fn pixel_questions(examiner: &dyn Examiner) -> Vec<String> {
     let pictures = examiner.pictures().into_iter().enumerate();
-    let questions = pictures.flat_map(|(picture, PictureSize { width, height, .. })| {
-        (0..width * height).map(move |i| examiner.pixel_question(picture, i % width, i / width))
-    });
+    let questions = pictures.flat_map(|(number, size)| questions_of(examiner, number, size));
     questions.collect()
+}
+
+/// The questions of the pixels of picture `number` in reading order.
+fn questions_of(
+    examiner: &dyn Examiner,
+    number: usize,
+    PictureSize { width, height, .. }: PictureSize,
+) -> impl Iterator<Item = String> {
+    (0..width * height).map(move |i| examiner.pixel_question(number, i % width, i / width))
 }
 
 /// The pictures of the answers to [`pixel_questions`].

@@ -2,6 +2,7 @@
 
 pub mod changes;
 pub mod course;
+pub mod drawn;
 pub mod export;
 pub mod files;
 pub mod grades;

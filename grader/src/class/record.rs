@@ -1,5 +1,6 @@
 //! What is known about an exercise of a hand-in, as the journal holds it.
 
+use super::drawn;
 use crate::ask::Said;
 use crate::check::{Outcome, Report, State, Verdict};
 use crate::examine::Examiner;
@@ -50,6 +51,8 @@ pub struct Marked {
     pub why: String,
     /// The first wrong visible case that has an answer, to be drawn: its question and the answer.
     pub shown: Option<[String; 2]>,
+    /// The first wrong picture of the answers: its text, and a PNG in base 64.
+    pub picture: Option<[String; 2]>,
 }
 
 const STANDINGS: [(Standing, &str); 5] = [
@@ -90,6 +93,7 @@ impl Marked {
             mistake: None,
             why: why.chars().take(LONGEST_WHY).collect(),
             shown: None,
+            picture: None,
         }
     }
 
@@ -147,6 +151,7 @@ impl Marked {
                 .map(|mistake| [mistake.name.clone(), mistake.hint.clone()]),
             why: why.chars().take(LONGEST_WHY).collect(),
             shown,
+            picture: drawn::first_wrong(report),
         }
     }
 
@@ -171,6 +176,7 @@ impl Record {
             mistake,
             why,
             shown,
+            picture,
         } = &self.result;
         let mut fields = Map::new();
         let all = [
@@ -184,6 +190,7 @@ impl Record {
             ("mistake", json!(mistake)),
             ("why", json!(why)),
             ("shown", json!(shown)),
+            ("picture", json!(picture)),
         ];
         // What is empty takes no room.
         let is_empty =
@@ -218,6 +225,7 @@ impl Record {
                 mistake: words("mistake").try_into().ok(),
                 why: text("why").unwrap_or_default(),
                 shown: words("shown").try_into().ok(),
+                picture: words("picture").try_into().ok(),
             },
         })
     }

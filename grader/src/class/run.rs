@@ -290,16 +290,22 @@ impl Worker<'_> {
             .collect();
         let limits = self.course.limits.asking();
         let (mut number, mut trouble) = (0, None);
-        check_each(&program, &asked, limits, Pixels::Some, &mut |report| {
-            let (examiner, _) = &asked[number];
-            number += 1;
-            trouble = examiner.trouble();
-            if trouble.is_some() {
-                return false;
-            }
-            exercises.remove(report.exercise);
-            self.told(report.exercise, Marked::of(&report, *examiner))
-        })
+        check_each(
+            &program,
+            &asked,
+            limits,
+            Pixels::FirstWrong,
+            &mut |report| {
+                let (examiner, _) = &asked[number];
+                number += 1;
+                trouble = examiner.trouble();
+                if trouble.is_some() {
+                    return false;
+                }
+                exercises.remove(report.exercise);
+                self.told(report.exercise, Marked::of(&report, *examiner))
+            },
+        )
         .map_err(|error| error.to_string())?;
         trouble.map_or(Ok(()), Err)
     }

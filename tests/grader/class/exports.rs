@@ -2,6 +2,7 @@
 
 use super::{Course, RIGHT, text, visible_only, wrong_sign};
 use csv::ReaderBuilder;
+use raybook_common::project;
 use raybook_grader::class::when::Instant;
 use roxmltree::Document;
 use serde_json::Value;
@@ -293,6 +294,55 @@ fn grade(course: &Course) {
 }
 
 #[test]
+fn a_page_shows_the_picture_of_wrong_answers_and_stays_small() {
+    let course = Course::new("[[chapter]]\nchapter = 'ch03'\nexercises = ['sphere_hit']\n");
+    let solution = text(&project("tests/solutions/python/ch03_sphere.py"));
+    let (first, rest) = solution.split_at(solution.find("def sphere_hit").expect("a function"));
+    let (head, body) = rest.split_once('\n').expect("a body");
+    let wrong = format!("{first}{head}\n    radius = 1.2 * radius\n{body}");
+    for (student, answers) in [("right", solution.clone()), ("wrong", wrong)] {
+        let folder = format!("hand-ins/{student}");
+        let (code, said) = course.say(&["new", &folder, "--language", "python"]);
+        assert_eq!(code, Some(0), "{said}");
+        course.hand_in(&format!("{student}/ch03_sphere.py"), &answers);
+    }
+    let (code, said) = course.grade(&[]);
+    assert_eq!(code, Some(0), "{said}");
+    let page =
+        |student: &str| text(&course.path(&format!("results/students/{student}/index.html")));
+    assert!(!page("right").contains("<img"), "what is right needs none");
+    let page = page("wrong");
+    let alts: Vec<_> = page
+        .split(" alt=\"")
+        .skip(1)
+        .map(|rest| rest.split('"').next())
+        .collect();
+    let [Some(drawing), Some(picture)] = alts[..] else {
+        panic!("a drawing and a picture: {alts:?}");
+    };
+    assert!(
+        !drawing.is_empty() && picture.ends_with("pixels are wrong"),
+        "{alts:?}"
+    );
+    assert!(
+        page.contains("src=\"data:image/png;base64,iVBORw0KGgo"),
+        "it is in the page"
+    );
+    let journal = text(&course.path("results/run.jsonl"));
+    println!(
+        "{} bytes of a page, {} of the journal",
+        page.len(),
+        journal.len()
+    );
+    assert!(page.len() < 40_000, "{} bytes of a page", page.len());
+    assert!(
+        journal.len() < 16_000,
+        "{} bytes of a journal",
+        journal.len()
+    );
+}
+
+#[test]
 fn no_text_of_a_stranger_means_anything_to_a_browser() {
     let course = class();
     for page in [
@@ -304,8 +354,9 @@ fn no_text_of_a_stranger_means_anything_to_a_browser() {
         for evil in ["<script", "\u{1b}", "\0", "\u{202e}", "<b>", "<now>"] {
             assert!(!page.contains(evil), "{evil:?}: {page}");
         }
+        let [all, within] = ["src=", "src=\"data:image/"].map(|of| page.matches(of).count());
         assert!(
-            !page.contains("src=") && !page.contains("http"),
+            all == within && !page.contains("http"),
             "a page needs no other file"
         );
     }

@@ -1,5 +1,5 @@
-//! A student's page: points, what is wrong, and drawings of the first wrong cases, without a word about hidden ones. It needs no
-//! other file.
+//! A student's page: points, what is wrong, drawings of the first wrong cases and pictures of the answers, without a word about
+//! hidden cases. It needs no other file.
 
 use super::words;
 use crate::attempt::attempt;
@@ -13,12 +13,27 @@ use maud::{Markup, html};
 use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_chapters::kit::{address, html};
 
-/// The largest drawing, in bytes: a page is mailed and printed.
+/// The largest drawing, in bytes.
 const LARGEST: usize = 32 << 10;
+
+/// The drawings and pictures of a page together, in bytes: a page is mailed and printed.
+const ROOM: usize = 256 << 10;
 
 /// The page.
 pub fn page(class: &Class<'_>, grade: &Grade) -> String {
     let student = Untrusted::from(grade.sheet.student.as_str());
+    let (mut room, mut all_fit) = (ROOM, true);
+    let mut fits = |figure: &Figure| {
+        let left = room.checked_sub(figure.source.len());
+        room = left.unwrap_or(room);
+        all_fit &= left.is_some();
+        left.is_some()
+    };
+    let mut chapters = Vec::new();
+    for chapter in &grade.chapters {
+        let figures = chapter.exercises.iter().flat_map(figures);
+        chapters.push((chapter, figures.filter(&mut fits).collect::<Vec<_>>()));
+    }
     let body = html! {
         h1 { (student) ": " (points(grade.points())) " of " (points(grade.of_points())) " points" }
         p { (Untrusted::from(class.course.title.as_str())) @if !class.course.term.is_empty() { ", " (Untrusted::from(class.course.term.as_str())) }
@@ -27,7 +42,8 @@ pub fn page(class: &Class<'_>, grade: &Grade) -> String {
         @if let Err(why) = &grade.sheet.print { p { strong { "The hand-in cannot be graded: " (Untrusted::from(why.as_str())) "." } } }
         @else if !grade.is_complete() { p { strong { "Something could not be graded yet; it is no zero, and is tried again." } } }
         @for note in &grade.sheet.notes { p { (Untrusted::from(note.as_str())) "." } }
-        @for chapter in &grade.chapters { (chapter_section(chapter)) }
+        @for (chapter, figures) in &chapters { (chapter_section(chapter, figures)) }
+        @if !all_fit { p { "Drawings and pictures of other exercises are left out: the page would be too large." } }
     };
     html::page(
         &format!("{student}: {} points", points(grade.points())),
@@ -35,7 +51,7 @@ pub fn page(class: &Class<'_>, grade: &Grade) -> String {
     )
 }
 
-fn chapter_section(chapter: &ChapterGrade) -> Markup {
+fn chapter_section(chapter: &ChapterGrade, figures: &[Figure]) -> Markup {
     html! { section {
         h2 { (chapter.title) ": " (points(chapter.points())) " of " (points(chapter.of_points())) }
         @if chapter.weight != 1.0 { p { "Its points count " (points(chapter.weight)) " times." } }
@@ -52,13 +68,42 @@ fn chapter_section(chapter: &ChapterGrade) -> Markup {
                 td style="text-align:left" { @for line in words(exercise).lines() { (Untrusted::from(line)) br; } }
             } }
         }))
-        @let drawn = chapter.exercises.iter().filter_map(|exercise| Some((exercise, drawing(exercise)?)));
-        @let drawn: Vec<_> = drawn.collect();
-        @if !drawn.is_empty() { div class="row" { @for (exercise, drawing) in &drawn { figure {
-            img src=(address::of_bytes("image/svg+xml", drawing.svg().as_bytes())) alt=(drawing.title);
-            figcaption { code { (exercise.counted.name) } ": the first case that is wrong, and what your function answers." }
+        @if !figures.is_empty() { div class="row" { @for figure in figures { figure {
+            span class="picture" { img src=(figure.source) alt=(figure.alt); }
+            figcaption { code { (figure.exercise) } ": " (figure.caption) }
         } } } }
     } }
+}
+
+/// What shows a wrong exercise.
+struct Figure {
+    exercise: &'static str,
+    /// The bytes of it, as the address of a picture.
+    source: String,
+    alt: String,
+    caption: &'static str,
+}
+
+/// The drawing of the first wrong case of an exercise, and the picture of its answers, as far as there are any.
+fn figures(exercise: &ExerciseGrade) -> impl Iterator<Item = Figure> {
+    let name = exercise.counted.name;
+    let drawing = drawing(exercise).map(|drawing| Figure {
+        exercise: name,
+        source: address::of_bytes("image/svg+xml", drawing.svg().as_bytes()),
+        alt: drawing.title,
+        caption: "the first case that is wrong, and what your function answers.",
+    });
+    let picture = exercise
+        .result
+        .as_ref()
+        .and_then(|result| result.picture.as_ref());
+    let picture = picture.map(|[alt, png]| Figure {
+        exercise: name,
+        source: format!("data:image/png;base64,{png}"),
+        alt: alt.clone(),
+        caption: "the picture that your answers make, the right one, and the difference: orange where yours is too bright, blue where it is too dark. Where you have no answer, it is magenta.",
+    });
+    drawing.into_iter().chain(picture)
 }
 
 /// The drawing of the first wrong visible case of an exercise, where one says more than numbers.

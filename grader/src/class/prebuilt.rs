@@ -1,22 +1,28 @@
 //! The starter's own sources in C++, compiled once for the class.
 //!
 //! A hand-in is mostly what every student was given: the answer loop, and chapters that are not begun. Of a file that is byte for
-//! byte the starter's, and whose headers are too, the object is the same for everybody.
+//! byte the starter's, and whose headers are too, the object is the same for everybody. Of a chapter that is begun, most of the
+//! time goes to the headers of the standard library that its own header includes: they are compiled before, too.
 
 use super::files::Files;
 use super::stage::{Trouble, write};
 use crate::sandbox::Sandbox;
+use crate::sandbox::cpp::Ready;
 use crate::starter::StarterFile;
 use crate::starter::cpp;
+use crate::student::StudentError;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
+
+/// The header of the standard library's headers.
+const HEADER: &str = "given.hpp";
 
 /// Objects of the starter's sources, in a folder that hand-ins can only read.
 pub struct Prebuilt {
     folder: PathBuf,
     starter: Vec<StarterFile>,
-    /// Of which sources there are objects; one hand-in at a time adds what it needs.
+    /// Of which sources, and of which header, there are objects; one hand-in at a time adds what it needs.
     compiled: Mutex<BTreeSet<PathBuf>>,
 }
 
@@ -30,29 +36,35 @@ impl Prebuilt {
         }
     }
 
-    /// Takes the sources that are the starter's out of these, and returns the objects in their place.
+    /// Takes the sources that are the starter's out of these, and returns the objects in their place, with a header for the others.
     ///
     /// # Errors
     /// If the starter cannot be compiled here.
-    pub fn objects(
+    pub fn ready(
         &self,
         sandbox: &Sandbox,
         files: &Files,
         sources: &mut Vec<String>,
-    ) -> Result<Vec<PathBuf>, Trouble> {
+    ) -> Result<Ready, Trouble> {
         let given = unchanged(&self.starter, files);
         sources.retain(|source| !given.contains(&Path::new(source)));
         if given.is_empty() {
-            return Ok(Vec::new());
+            return Ok(Ready::default());
         }
         let mut compiled = self.compiled.lock().unwrap_or_else(PoisonError::into_inner);
+        let told = |(built, said): (Result<(), StudentError>, String)| {
+            built.map_err(|error| format!("the starter in C++ cannot be compiled: {error}\n{said}"))
+        };
         if compiled.is_empty() {
+            let header = standard_headers(&self.starter);
             let texts = self
                 .starter
                 .iter()
-                .map(|(path, bytes)| (path.as_path(), &bytes[..]));
+                .map(|(path, bytes)| (path.as_path(), &bytes[..]))
+                .chain([(Path::new(HEADER), header.as_bytes())]);
             write(&self.folder, texts)
                 .map_err(|error| format!("the starter in C++ cannot be written: {error}"))?;
+            told(sandbox.precompile(&self.folder, HEADER))?;
         }
         let missing: Vec<_> = given
             .iter()
@@ -61,18 +73,33 @@ impl Prebuilt {
         let names = missing.iter().map(|path| path.display().to_string());
         let names: Vec<_> = names.collect();
         if !names.is_empty() {
-            let (built, said) = sandbox.compile_objects(&self.folder, &names);
-            built.map_err(|error| {
-                format!("the starter in C++ cannot be compiled: {error}\n{said}")
-            })?;
+            told(sandbox.compile_objects(&self.folder, &names))?;
         }
         compiled.extend(missing.into_iter().map(|path| path.to_path_buf()));
         let object = |path: &&Path| {
             path.file_stem()
                 .map(|stem| self.folder.join(stem).with_extension("o"))
         };
-        Ok(given.iter().filter_map(object).collect())
+        Ok(Ready {
+            objects: given.iter().filter_map(object).collect(),
+            header: Some(self.folder.join(HEADER)),
+        })
     }
+}
+
+/// What the header of any chapter includes of the standard library.
+fn standard_headers(starter: &[StarterFile]) -> String {
+    let of_chapters = |path: &Path| {
+        let name = path.file_name().and_then(|name| name.to_str());
+        name.is_some_and(|name| {
+            name == "vec.hpp" || name.starts_with("ch") && name.ends_with("hpp")
+        })
+    };
+    let texts = starter.iter().filter(|(path, _)| of_chapters(path));
+    let lines = texts.flat_map(|(_, text)| text.split(|&byte| byte == b'\n'));
+    let lines = lines.filter(|line| line.starts_with(b"#include <"));
+    let lines: BTreeSet<_> = lines.map(String::from_utf8_lossy).collect();
+    lines.iter().flat_map(|line| [line, "\n"]).collect()
 }
 
 /// The starter's sources that are in a hand-in as they were given out: none, if a header is another one.
@@ -96,7 +123,7 @@ fn unchanged<'a>(starter: &'a [StarterFile], files: &Files) -> Vec<&'a Path> {
 
 #[cfg(test)]
 mod tests {
-    use super::{cpp, unchanged};
+    use super::{cpp, standard_headers, unchanged};
     use crate::class::files::Files;
 
     #[test]
@@ -122,5 +149,13 @@ mod tests {
             assert_eq!(given.len(), taken, "{changed} is changed");
             assert!(!given.contains(&changed.as_ref()), "{changed}");
         }
+    }
+
+    #[test]
+    fn what_every_chapter_includes_is_compiled_before() {
+        assert_eq!(
+            standard_headers(&cpp::files()),
+            "#include <cmath>\n#include <optional>\n#include <string>\n#include <variant>\n#include <vector>\n"
+        );
     }
 }

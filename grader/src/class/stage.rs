@@ -6,6 +6,7 @@ use crate::converse::Program;
 use crate::examine::Examiner;
 use crate::language::Language;
 use crate::sandbox::Sandbox;
+use crate::sandbox::cpp::Ready;
 use crate::starter;
 use crate::student::StudentError;
 use std::collections::BTreeMap;
@@ -78,10 +79,14 @@ impl Stage {
                         .join("answer");
                     let target = output.parent().unwrap_or(&folder);
                     fs::create_dir_all(target).map_err(told("be made", target))?;
-                    let objects = self.prebuilt.objects(&self.sandbox, files, &mut sources)?;
-                    let compiled = self
-                        .sandbox
-                        .compile_cpp(&folder, &sources, &objects, &output);
+                    let mut ready = self.prebuilt.ready(&self.sandbox, files, &mut sources)?;
+                    let compile =
+                        |ready: &Ready| self.sandbox.compile_cpp(&folder, &sources, ready, &output);
+                    let mut compiled = compile(&ready);
+                    // What is included first must not be why it does not compile.
+                    if compiled.0.is_err() && ready.header.take().is_some() {
+                        compiled = compile(&ready);
+                    }
                     built(&folder, compiled)?
                 }
             };

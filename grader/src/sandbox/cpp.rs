@@ -14,14 +14,23 @@ const COMPILERS: [&str; 2] = ["/usr/bin/g++", "/usr/bin/clang++"];
 /// The language, and as much speed as costs little time.
 const OPTIONS: [&str; 4] = ["-std=c++17", "-O1", "-pthread", "-I."];
 
+/// What is compiled already, in folders that may be read.
+#[derive(Clone, Debug, Default)]
+pub struct Ready {
+    /// Objects that are linked with the rest.
+    pub objects: Vec<PathBuf>,
+    /// A header that every file includes first. If g++ compiled it before, it is not read again.
+    pub header: Option<PathBuf>,
+}
+
 impl Sandbox {
-    /// Compiles these files of a folder, with objects that there are already, to the program `output`, in a folder of its own; and
-    /// what the compiler has to say.
+    /// Compiles these files of a folder, with what there is already, to the program `output`, in a folder of its own; and what the
+    /// compiler has to say.
     pub fn compile_cpp(
         &self,
         folder: &Path,
         files: &[String],
-        objects: &[PathBuf],
+        ready: &Ready,
         output: &Path,
     ) -> (Result<Program, StudentError>, String) {
         let none = || StudentError::NoProgram {
@@ -32,8 +41,12 @@ impl Sandbox {
             return (Err(none()), String::new());
         };
         let linked = ["-o".as_ref(), output.as_os_str()].into_iter();
-        let words = linked.chain(objects.iter().map(|path| path.as_os_str()));
-        let readable = objects.iter().filter_map(|path| path.parent());
+        let included = ready.header.iter();
+        let included = included.flat_map(|path| ["-include".as_ref(), path.as_os_str()]);
+        let objects = ready.objects.iter().map(|path| path.as_os_str());
+        let words = linked.chain(included).chain(objects);
+        let paths = ready.objects.iter().chain(&ready.header);
+        let readable = paths.filter_map(|path| path.parent());
         let (built, said) = self.compile(folder, files, words, readable, target);
         let built = built.and_then(|()| {
             if !output.symlink_metadata().is_ok_and(|kind| kind.is_file()) {
@@ -59,6 +72,18 @@ impl Sandbox {
             folder,
             files,
             ["-c".as_ref()].into_iter(),
+            [].into_iter(),
+            folder,
+        )
+    }
+
+    /// Compiles a header of a folder once for all files that include it first; and what the compiler has to say.
+    pub fn precompile(&self, folder: &Path, header: &str) -> (Result<(), StudentError>, String) {
+        let words = ["-x".as_ref(), "c++-header".as_ref(), "-c".as_ref()];
+        self.compile(
+            folder,
+            &[header.to_owned()],
+            words.into_iter(),
             [].into_iter(),
             folder,
         )

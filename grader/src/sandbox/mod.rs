@@ -40,7 +40,7 @@ mod build_by;
 #[cfg(target_os = "linux")]
 mod calls;
 #[cfg(target_os = "linux")]
-mod cpp;
+pub mod cpp;
 #[cfg(target_os = "linux")]
 mod enclose;
 #[cfg(target_os = "linux")]

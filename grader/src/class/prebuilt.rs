@@ -6,8 +6,7 @@
 
 use super::files::Files;
 use super::stage::{Trouble, write};
-use crate::sandbox::Sandbox;
-use crate::sandbox::cpp::Ready;
+use crate::sandbox::{Ready, Sandbox};
 use crate::starter::StarterFile;
 use crate::starter::cpp;
 use crate::student::StudentError;

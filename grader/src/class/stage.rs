@@ -5,8 +5,7 @@ use super::prebuilt::Prebuilt;
 use crate::converse::Program;
 use crate::examine::Examiner;
 use crate::language::Language;
-use crate::sandbox::Sandbox;
-use crate::sandbox::cpp::Ready;
+use crate::sandbox::{ANSWER, Ready, Sandbox};
 use crate::starter;
 use crate::student::StudentError;
 use std::collections::BTreeMap;
@@ -58,7 +57,7 @@ impl Stage {
         let folder = self.folder.join(name);
         remove(&folder).map_err(told("be emptied", &folder))?;
         if language == Language::Rust {
-            return Ok(vec![(self.rust(&folder, files)?, exercises.to_vec())]);
+            return self.rust(&folder, files, exercises);
         }
         write(
             &folder,
@@ -112,9 +111,27 @@ impl Stage {
     }
 
     /// The starter, in which the sources of the library are the hand-in's. Its manifests, its tables and its answer program are ours.
-    fn rust(&self, folder: &Path, files: &Files) -> Result<Result<Program, String>, Trouble> {
+    /// An exercise of the instructor's own has a program of the hand-in's.
+    fn rust(
+        &self,
+        folder: &Path,
+        files: &Files,
+        exercises: &[&'static dyn Examiner],
+    ) -> Result<Vec<Staged>, Trouble> {
+        if !files.contains_key("src/lib.rs") {
+            let why = "there is no src/lib.rs in it: a hand-in in Rust is a whole workbook";
+            return Ok(vec![(Err(why.to_owned()), exercises.to_vec())]);
+        }
         self.warm_up()?;
-        let is_library = |path: &&String| path.starts_with("src/") && !path.starts_with("src/bin/");
+        let of_own = |name: &str| format!("src/bin/{name}.rs");
+        let (apart, course): (Vec<&'static dyn Examiner>, Vec<_>) = exercises
+            .iter()
+            .partition(|examiner| super::is_own(examiner.name()));
+        let is_asked = |path: &String| apart.iter().any(|of| of_own(of.name()) == *path);
+        let is_kept = |path: &&String| {
+            let is_program = path.starts_with("src/bin/");
+            path.starts_with("src/") && (!is_program || is_asked(path))
+        };
         let mut own: BTreeMap<&Path, &[u8]> = BTreeMap::new();
         let starter = starter::files(&starter::stub).map_err(|error| error.to_string())?;
         let is_source =
@@ -125,18 +142,26 @@ impl Stage {
             }
         }
         own.insert(Path::new(".cargo/config.toml"), CARGO.as_bytes());
-        for path in files.keys().filter(is_library) {
+        for path in files.keys().filter(is_kept) {
             own.insert(Path::new(path), &files[path]);
-        }
-        if !files.contains_key("src/lib.rs") {
-            return Ok(Err(
-                "there is no src/lib.rs in it: a hand-in in Rust is a whole workbook".to_owned(),
-            ));
         }
         write(folder, own.into_iter()).map_err(told("be filled", folder))?;
         copy_packages(&self.warm_folder().join("target"), &folder.join("target"))
             .map_err(told("be filled", folder))?;
-        built(folder, self.sandbox.build_told(folder))
+        let build = |binary: &str| built(folder, self.sandbox.build_told(folder, binary));
+        let mut staged = Vec::new();
+        if !course.is_empty() {
+            staged.push((build(ANSWER)?, course));
+        }
+        for examiner in apart {
+            let program = if files.contains_key(&of_own(examiner.name())) {
+                build(examiner.name())?
+            } else {
+                Err(NOTHING.to_owned())
+            };
+            staged.push((program, vec![examiner]));
+        }
+        Ok(staged)
     }
 
     fn warm_folder(&self) -> PathBuf {
@@ -160,7 +185,7 @@ impl Stage {
         let settings = (Path::new(".cargo/config.toml"), CARGO.as_bytes());
         remove(&folder).map_err(told("be emptied", &folder))?;
         write(&folder, files.chain([settings])).map_err(told("be filled", &folder))?;
-        let (built, said) = self.sandbox.build_told(&folder);
+        let (built, said) = self.sandbox.build_told(&folder, ANSWER);
         built.map_err(|error| {
             format!("an empty workbook cannot be built here ({error}). Make one of your own once (raybook new, raybook check): that downloads the packages that workbooks use.\n{said}")
         })?;

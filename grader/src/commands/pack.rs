@@ -4,6 +4,7 @@ use super::Done;
 use raybook::store;
 use raybook_chapters::kit::say::say;
 use raybook_chapters::kit::untrusted::Untrusted;
+use raybook_grader::class::pack::beside::{Beside, beside};
 use raybook_grader::class::pack::{Job, github, gradescope};
 use std::path::{Path, PathBuf};
 
@@ -78,25 +79,21 @@ impl Pack {
     }
 }
 
-/// Reads a course file that is packed without what lies beside it.
+/// The text of a course file, if it is right, and what is packed with it.
 ///
 /// # Errors
-/// If something in it is wrong, or it has exercises of the instructor's own.
-fn read_alone(file: &Path) -> Result<(), Box<dyn std::error::Error>> {
-    if let Some(folder) = super::course::read(file)?.own.folders.first() {
-        let [file, folder] = [file, folder].map(|path| Untrusted::from(path).to_string());
-        return Err(format!("{file}: the exercises of your own in {folder} are not packed; grade them with `raybook grade`, or on a cluster with `raybook pack slurm`").into());
-    }
-    Ok(())
+/// If something in it is wrong, or what belongs to it lies elsewhere.
+fn course(file: &Path) -> Result<(Vec<u8>, Vec<Beside>), Box<dyn std::error::Error>> {
+    let course = super::course::read(file)?;
+    Ok((store::read(file)?, beside(&course, file)?))
 }
 
 impl Gradescope {
     fn run(&self) -> Done {
-        read_alone(&self.course)?;
+        let (course, beside) = course(&self.course)?;
         let key = super::hidden::read_key(&self.key_file)?;
         let raybook = store::read(&std::env::current_exe()?)?;
-        let course = store::read(&self.course)?;
-        let zip = gradescope::autograder(&raybook, &course, key.as_bytes())?;
+        let zip = gradescope::autograder(&raybook, &course, &beside, key.as_bytes())?;
         store::write(&self.zip, &zip)?;
         let shown = Untrusted::from(self.zip.as_path());
         say(format!(
@@ -108,10 +105,9 @@ impl Gradescope {
 
 impl Github {
     fn run(&self) -> Done {
-        read_alone(&self.course)?;
+        let (course, beside) = course(&self.course)?;
         let raybook = store::read(&std::env::current_exe()?)?;
-        let course = store::read(&self.course)?;
-        github::repository(&self.folder, raybook, course, self.parts)?;
+        github::repository(&self.folder, raybook, course, beside, self.parts)?;
         let shown = Untrusted::from(self.folder.as_path());
         say(format!(
             "wrote {shown}: put the hand-ins into hand-ins/, make a private repository of it whose secret COURSE_KEY is the course key, and run its workflow \"grade\""

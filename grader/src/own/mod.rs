@@ -85,7 +85,10 @@ pub fn read(folder: &Path, program: &[&str]) -> Result<Vec<&'static dyn Examiner
 }
 
 /// The files of a folder; those of folders in it do not belong to it.
-fn files(folder: &Path) -> Result<Files, String> {
+///
+/// # Errors
+/// If one cannot be read, or they are too large.
+pub fn files(folder: &Path) -> Result<Files, String> {
     let wrong = |error| format!("{}: {error}", shown(folder));
     let mut files = Files::new();
     let mut left = LARGEST;

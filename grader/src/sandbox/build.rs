@@ -1,6 +1,6 @@
 //! Building a stranger's workbook: the compiler, and what the workbook makes it run, in the sandbox.
 
-use super::{Sandbox, watch};
+use super::{ANSWER, Sandbox, watch};
 use crate::contain;
 use crate::converse::Program;
 use crate::student::StudentError;
@@ -39,7 +39,6 @@ const OF_RUSTUP: &[&str] = &["toolchains", "settings.toml", "tmp"];
 const TARGET: &str = "target";
 /// Cargo takes out of it what the workbook does not use. A link would open another file for writing.
 const LOCK: &str = "Cargo.lock";
-const ANSWER: &str = "answer";
 
 /// What to do when a package is missing: strangers' workbooks download nothing.
 const OFFLINE: &str = "A stranger's workbook is built without the network. Check a workbook of your own once \
@@ -52,7 +51,7 @@ impl Sandbox {
     /// # Errors
     /// If cargo is missing, the program does not compile, or the workbook is not what it seems.
     pub fn build(&self, workbook: &Path) -> Result<Program, StudentError> {
-        let (built, said) = self.build_told(workbook);
+        let (built, said) = self.build_told(workbook, ANSWER);
         for line in said.lines() {
             complain(Untrusted::from(line));
         }
@@ -62,17 +61,26 @@ impl Sandbox {
         built
     }
 
-    /// As [`Sandbox::build`], with what the compiler has to say beside the program.
-    pub fn build_told(&self, workbook: &Path) -> (Result<Program, StudentError>, String) {
+    /// As [`Sandbox::build`], any program of the workbook, with what the compiler has to say beside it.
+    pub fn build_told(
+        &self,
+        workbook: &Path,
+        binary: &str,
+    ) -> (Result<Program, StudentError>, String) {
         let mut said = String::new();
-        let built = self.build_workbook(workbook, &mut said);
+        let built = self.build_workbook(workbook, binary, &mut said);
         (built, said)
     }
 
-    fn build_workbook(&self, workbook: &Path, said: &mut String) -> Result<Program, StudentError> {
+    fn build_workbook(
+        &self,
+        workbook: &Path,
+        binary: &str,
+        said: &mut String,
+    ) -> Result<Program, StudentError> {
         let none = || StudentError::NoProgram {
             folder: workbook.to_owned(),
-            program: ANSWER.to_owned(),
+            program: binary.to_owned(),
         };
         let target = workbook.join(TARGET);
         // A link would open what it leads to for writing.
@@ -101,7 +109,7 @@ impl Sandbox {
         readable.push(workbook.to_owned());
         let mut command = Command::new("cargo");
         command
-            .args(["build", "--offline", "--bin", ANSWER])
+            .args(["build", "--offline", "--bin", binary])
             .current_dir(workbook)
             .env("CARGO_HOME", &cargo_home)
             .env("RUSTUP_HOME", &rustup_home)
@@ -122,7 +130,7 @@ impl Sandbox {
         if !built {
             return Err(StudentError::DoesNotCompile);
         }
-        let file = target.join("debug").join(ANSWER);
+        let file = target.join("debug").join(binary);
         if !file.symlink_metadata().is_ok_and(|kind| kind.is_file()) {
             return Err(none());
         }

@@ -1,11 +1,11 @@
 //! Compiling a stranger's C++ in the sandbox: `#include` reads the hand-in and the system's files, and nothing else.
 
-use super::Sandbox;
+use super::{Ready, Sandbox};
 use crate::converse::Program;
 use crate::student::StudentError;
 use std::ffi::OsStr;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Stdio};
 
 /// Compilers, in the order in which they are looked for.
@@ -13,15 +13,6 @@ const COMPILERS: [&str; 2] = ["/usr/bin/g++", "/usr/bin/clang++"];
 
 /// The language, and as much speed as costs little time.
 const OPTIONS: [&str; 4] = ["-std=c++17", "-O1", "-pthread", "-I."];
-
-/// What is compiled already, in folders that may be read.
-#[derive(Clone, Debug, Default)]
-pub struct Ready {
-    /// Objects that are linked with the rest.
-    pub objects: Vec<PathBuf>,
-    /// A header that every file includes first. If g++ compiled it before, it is not read again.
-    pub header: Option<PathBuf>,
-}
 
 impl Sandbox {
     /// Compiles these files of a folder, with what there is already, to the program `output`, in a folder of its own; and what the

@@ -40,7 +40,7 @@ mod build_by;
 #[cfg(target_os = "linux")]
 mod calls;
 #[cfg(target_os = "linux")]
-pub mod cpp;
+mod cpp;
 #[cfg(target_os = "linux")]
 mod enclose;
 #[cfg(target_os = "linux")]
@@ -124,6 +124,18 @@ fn as_it_was(program: PathBuf) -> PathBuf {
     place.map(PathBuf::from).unwrap_or(program)
 }
 
+/// The program of a workbook that answers its exercises.
+pub const ANSWER: &str = "answer";
+
+/// What is compiled already, in folders that may be read.
+#[derive(Clone, Debug, Default)]
+pub struct Ready {
+    /// Objects that are linked with the rest.
+    pub objects: Vec<PathBuf>,
+    /// A header that every file includes first. If g++ compiled it before, it is not read again.
+    pub header: Option<PathBuf>,
+}
+
 impl Sandbox {
     /// A sandbox in which these files and folders, and the grader's own program, cannot be read.
     ///
@@ -205,7 +217,11 @@ impl Sandbox {
 
     /// There is no sandbox.
     #[cfg(not(target_os = "linux"))]
-    pub fn build_told(&self, workbook: &Path) -> (Result<Program, StudentError>, String) {
+    pub fn build_told(
+        &self,
+        workbook: &Path,
+        _binary: &str,
+    ) -> (Result<Program, StudentError>, String) {
         (self.build(workbook), String::new())
     }
 
@@ -215,7 +231,7 @@ impl Sandbox {
         &self,
         folder: &Path,
         _files: &[String],
-        _objects: &[PathBuf],
+        _ready: &Ready,
         _output: &Path,
     ) -> (Result<Program, StudentError>, String) {
         (self.build(folder), String::new())
@@ -228,6 +244,12 @@ impl Sandbox {
         folder: &Path,
         _files: &[String],
     ) -> (Result<(), StudentError>, String) {
+        (self.build(folder).map(|_| ()), String::new())
+    }
+
+    /// There is no sandbox.
+    #[cfg(not(target_os = "linux"))]
+    pub fn precompile(&self, folder: &Path, _header: &str) -> (Result<(), StudentError>, String) {
         (self.build(folder).map(|_| ()), String::new())
     }
 

@@ -1,5 +1,6 @@
 //! Exercises of the instructor's own: texts in a folder, and a program that answers and judges.
 
+use super::rust::{with, workbook};
 use super::{Course, RIGHT, text};
 use std::fs;
 
@@ -61,7 +62,7 @@ kind = 'direction'
 meaning = 'the direction'
 ";
 
-const ANSWERS: &str = "\
+pub const ANSWERS: &str = "\
 import sys
 for line in sys.stdin:
     name, *words = line.split()
@@ -88,7 +89,7 @@ for line in sys.stdin:
     print('= 0.6 0.8 0', flush=True)
 ";
 
-fn course(answers: &str) -> Course {
+pub fn course(answers: &str) -> Course {
     let course = Course::new(COURSE);
     fs::create_dir(course.path("lenses")).expect("a folder");
     for (file, text) in [
@@ -114,6 +115,21 @@ fn course(answers: &str) -> Course {
     course.hand_in("eve/toward_focus.py", UPWARDS);
     course
 }
+
+/// A program in Rust that answers an exercise with the student's own library.
+const LENS_IN_RUST: &str = "\
+use raybook::math::interval::Interval;
+use std::io::BufRead;
+
+fn main() {
+    for line in std::io::stdin().lock().lines().map_while(Result::ok) {
+        let numbers = line.split_whitespace().skip(1);
+        let x: Vec<f64> = numbers.map(|word| word.parse().expect(\"a number\")).collect();
+        assert!(Interval::AHEAD.contains(1.0));
+        println!(\"= {}\", (x[0] - 1.0) * (1.0 / x[1] - 1.0 / x[2]));
+    }
+}
+";
 
 /// Writes a file of the instructor's.
 fn put(course: &Course, file: &str, text: &str) {
@@ -175,6 +191,44 @@ fn they_count_like_those_of_the_course() {
     fs::write(&answers, ANSWERS.replace("got[1] > 0", "got[1] < 0")).expect("a file");
     let (code, said) = course.grade(&[]);
     assert!(code == Some(1) && said.contains("would change"), "{said}");
+}
+
+#[test]
+fn a_workbook_in_rust_answers_them_in_programs_of_their_names() {
+    let course = course(ANSWERS);
+    for student in ["ann", "bob", "eve"] {
+        fs::remove_dir_all(course.path("hand-ins").join(student)).expect("a hand-in");
+    }
+    for student in ["ron", "sue"] {
+        workbook(&course, student, &with(&["ray_at"]));
+    }
+    let program = |student: &str, name: &str| format!("{student}/my-rays/src/bin/{name}.rs");
+    course.hand_in(&program("ron", "lens_power"), LENS_IN_RUST);
+    let wrong = LENS_IN_RUST.replace("- 1.0 / x[2]", "+ 1.0 / x[2]");
+    course.hand_in(&program("sue", "lens_power"), &wrong);
+    course.hand_in(&program("sue", "toward_focus"), "fn main() { up }");
+    // A program of another name is none of the hand-in.
+    course.hand_in(&program("sue", "answer"), "fn main() { loop {} }");
+    let (code, said) = course.grade(&[]);
+    assert_eq!(code, Some(0), "{said}");
+    for (student, exercise, standing) in [
+        ("ron", "ray_at", "right"),
+        ("ron", "lens_power", "right"),
+        ("ron", "toward_focus", "does not compile"),
+        ("sue", "ray_at", "right"),
+        ("sue", "lens_power", "wrong"),
+        ("sue", "toward_focus", "does not compile"),
+    ] {
+        assert_eq!(
+            course.standing(student, exercise),
+            standing,
+            "{student}, {exercise}"
+        );
+    }
+    let page = text(&course.path("results/students/ron/index.html"));
+    assert!(page.contains("no file of the hand-in answers"), "{page}");
+    let page = text(&course.path("results/students/sue/index.html"));
+    assert!(page.contains("cannot find value"), "{page}");
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! What other machines are given: the scripts do what they say.
 
-use super::{Course, RIGHT, text, wrong_sign};
+use super::{Course, RIGHT, own, text, wrong_sign};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::fs;
@@ -8,6 +8,14 @@ use std::os::unix::fs::PermissionsExt;
 use std::process::Command;
 
 const COURSE: &str = "[[chapter]]\nchapter = 'ch01'\nexercises = ['ray_at']\n";
+
+/// Unpacks a zip with the rights of its files, as `unzip` does.
+const UNZIP: &str = "\
+import os, sys, zipfile
+with zipfile.ZipFile(sys.argv[1]) as packed:
+    for entry in packed.infolist():
+        os.chmod(packed.extract(entry, sys.argv[2]), entry.external_attr >> 16 & 0o777)
+";
 
 fn succeeds(command: &mut Command) -> String {
     let output = command.output().expect("it runs");
@@ -59,6 +67,66 @@ fn an_autograder_grades_a_submission() {
     assert_eq!(run()["score"], 1.0);
     fs::write(course.path("autograder/submission/answer.py"), "def x(:").expect("another hand-in");
     assert_eq!(run()["score"], 0.0, "a new submission is graded anew");
+}
+
+#[test]
+fn exercises_of_the_instructors_own_are_packed() {
+    let course = own::course(own::ANSWERS);
+    // A program is still one where it is unpacked.
+    let toml = text(&course.path("course.toml"));
+    let program = format!("#!/usr/bin/env python3\n{}", own::ANSWERS);
+    fs::write(course.path("lenses/answers.py"), program).expect("a file");
+    let rights = fs::Permissions::from_mode(0o755);
+    fs::set_permissions(course.path("lenses/answers.py"), rights).expect("a program");
+    let toml = toml.replace("['python3', 'answers.py']", "['answers.py']");
+    fs::write(course.path("course.toml"), &toml).expect("a file");
+    let how = ["--course", "course.toml"];
+    let (code, said) =
+        course.say(&[&["pack", "gradescope", "--key-file", "key"][..], &how].concat());
+    assert_eq!(code, Some(0), "{said}");
+    let source = course.path("autograder/source");
+    succeeds(
+        Command::new("python3")
+            .args(["-c", UNZIP])
+            .arg(course.path("autograder.zip"))
+            .arg(&source),
+    );
+    let submission = course.path("autograder/submission");
+    fs::create_dir_all(&submission).expect("a folder");
+    for file in ["answer.py", "lens_power.py", "toward_focus.py"] {
+        let from = course.path("hand-ins/ann").join(file);
+        fs::copy(from, submission.join(file)).expect("a copy");
+    }
+    let mut autograder = Command::new(source.join("run_autograder"));
+    succeeds(autograder.env("AUTOGRADER", course.path("autograder")));
+    let results = course.json("autograder/results/results.json");
+    assert_eq!(results["score"], 4.0, "{results:#}");
+
+    let (code, said) = course.say(&[&["pack", "github", "class"][..], &how].concat());
+    assert_eq!(code, Some(0), "{said}");
+    let packed = |file: &str| text(&course.path(&format!("class/lenses/{file}")));
+    assert_eq!(
+        packed("lens_power.txt"),
+        text(&course.path("lenses/lens_power.txt"))
+    );
+    let rights = fs::metadata(course.path("class/lenses/answers.py")).expect("a file");
+    assert_eq!(rights.permissions().mode() & 0o100, 0o100, "it runs");
+
+    fs::create_dir(course.path("elsewhere")).expect("a folder");
+    let toml = toml.replace("'lenses'", "'../lenses'");
+    fs::write(course.path("elsewhere/course.toml"), toml).expect("a file");
+    let (code, said) = course.say(&[
+        "pack",
+        "github",
+        "other",
+        "--course",
+        "elsewhere/course.toml",
+    ]);
+    assert!(
+        code == Some(2) && said.contains("lies beside this file"),
+        "{said}"
+    );
+    assert!(!course.path("other").exists(), "nothing is written");
 }
 
 #[test]

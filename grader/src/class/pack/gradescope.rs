@@ -1,21 +1,35 @@
 //! An autograder for Gradescope: a zip that its container unpacks to `/autograder/source`
 //! (<https://gradescope-autograders.readthedocs.io/en/latest/specs/>).
 
+use super::beside::Beside;
 use flate2::Compression;
 use flate2::write::DeflateEncoder;
 use rawzip::{CompressionMethod, ZipArchiveWriter};
 use std::io::{self, Write};
 
-/// The bytes of the zip: the command, the course file, the course key, and the two scripts that Gradescope calls.
+/// The bytes of the zip: the command, the course file with what lies beside it, the course key, and the two scripts that Gradescope
+/// calls.
 ///
 /// # Errors
-/// Those of packing, which does not happen in memory.
-pub fn autograder(raybook: &[u8], course: &[u8], key: &[u8]) -> io::Result<Vec<u8>> {
+/// If a name is not UTF-8; and those of packing, which does not happen in memory.
+pub fn autograder(
+    raybook: &[u8],
+    course: &[u8],
+    beside: &[Beside],
+    key: &[u8],
+) -> io::Result<Vec<u8>> {
     const PROGRAM: u32 = 0o755;
     const SECRET: u32 = 0o600;
     let mut packed = Vec::new();
     let mut archive = ZipArchiveWriter::new(&mut packed);
-    for (name, rights, bytes) in [
+    let own = beside.iter().map(|file| {
+        let name = file.path.to_str();
+        let name = name.ok_or_else(|| io::Error::other("a name that is not UTF-8"));
+        let rights = if file.runs { 0o700 } else { SECRET };
+        Ok((name?, rights, &file.bytes[..]))
+    });
+    let own = own.collect::<io::Result<Vec<_>>>()?;
+    let files = [
         (
             "setup.sh",
             PROGRAM,
@@ -29,7 +43,8 @@ pub fn autograder(raybook: &[u8], course: &[u8], key: &[u8]) -> io::Result<Vec<u
         ("raybook", PROGRAM, raybook),
         ("course.toml", SECRET, course),
         ("course.key", SECRET, key),
-    ] {
+    ];
+    for (name, rights, bytes) in files.into_iter().chain(own) {
         let file = archive.new_file(name).unix_permissions(rights);
         let deflated = file.compression_method(CompressionMethod::DEFLATE);
         let (mut entry, config) = deflated.start().map_err(io::Error::other)?;

@@ -1,6 +1,7 @@
 //! Grading elsewhere: the files that a cluster needs to grade a class with `raybook grade`. They are short scripts, to be read and
 //! changed.
 
+pub mod beside;
 pub mod github;
 pub mod gradescope;
 

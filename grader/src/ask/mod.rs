@@ -7,7 +7,7 @@
 
 mod reply;
 
-pub use reply::{Reply, Said};
+pub use reply::{MORE_TIME, Reply, Said};
 
 use crate::budget::Budget;
 use crate::converse::{BREATH, Conversation, End, Limits, Prints, Process, Program, Waits};
@@ -18,6 +18,10 @@ use std::time::{Duration, Instant};
 /// After this number of questions in a row without an answer the rest is not asked: seconds instead of minutes, for a program that
 /// does not know the exercise, or hangs.
 const SILENT: usize = 5;
+
+/// A program that hangs from its first question on, and has answered none, is asked the first question of the exercises after that,
+/// up to this number of exercises: minutes instead of an hour, for a program that waits for something that never comes.
+const MUTE: usize = 10;
 
 /// The grace for the start of a program that has not answered anything yet, in time limits for one answer.
 const START: u32 = 2;
@@ -50,6 +54,12 @@ pub struct Asker<'a> {
     /// Time for the program's start: at first more than is needed, and then as much as it was seen to need.
     start: Duration,
     process: Option<Process>,
+    /// Questions without an answer, and whether there was any answer, and whether any was waited for in vain.
+    unanswered: usize,
+    has_answered: bool,
+    hangs: bool,
+    /// Exercises in a row, from the first on, in which it hangs and answers nothing.
+    mute: usize,
 }
 
 impl<'a> Asker<'a> {
@@ -63,6 +73,10 @@ impl<'a> Asker<'a> {
             patience: limits.time / 2,
             start: START * limits.time,
             process: None,
+            unanswered: 0,
+            has_answered: false,
+            hangs: false,
+            mute: 0,
         }
     }
 
@@ -77,6 +91,9 @@ impl<'a> Asker<'a> {
     /// What is asked from now on is of another exercise, which has its own total limits.
     pub fn next_exercise(&mut self) {
         self.budget.next_exercise();
+        if self.hangs && !self.has_answered {
+            self.mute += 1;
+        }
     }
 
     /// What is asked from now on goes to a new process.
@@ -87,11 +104,22 @@ impl<'a> Asker<'a> {
     /// Asks all the questions, whatever happens, and returns a reply to each.
     ///
     /// One question is open at a time. Where it has no answer, it is asked again in a process of its own, and the others go to
-    /// a new process. After five questions in a row without an answer the rest is not asked, nor when a total limit is used up.
+    /// a new process. After five questions in a row without an answer the rest is not asked, nor when a total limit is used up. Of a
+    /// program that only hangs, one question of an exercise is asked, and in the end none.
     ///
     /// # Errors
     /// If the program cannot be started.
     pub fn ask(&mut self, questions: &[String]) -> io::Result<Vec<Reply>> {
+        let replies = self.ask_each(questions)?;
+        for reply in &replies {
+            self.has_answered |= reply.said.is_line();
+            self.hangs |= matches!(reply.said, Said::TimedOut(_));
+            self.unanswered += usize::from(!reply.said.is_left_out());
+        }
+        Ok(replies)
+    }
+
+    fn ask_each(&mut self, questions: &[String]) -> io::Result<Vec<Reply>> {
         let mut replies = Vec::new();
         // The first reply of this list that came from the process that is being asked.
         let mut since = 0;
@@ -150,7 +178,15 @@ impl<'a> Asker<'a> {
     /// Why no more is asked, if so.
     fn stops(&self, replies: &[Reply]) -> Option<Said> {
         let over = self.budget.over(Duration::ZERO, 0).map(Said::Over);
-        over.or_else(|| ends_silent(replies).then_some(Said::NotAsked(SILENT)))
+        let has_answered = self.has_answered || replies.iter().any(|reply| reply.said.is_line());
+        let (borne, unanswered) = match self.mute {
+            1.. if !has_answered => (
+                usize::from(self.mute < MUTE),
+                self.unanswered + replies.len(),
+            ),
+            _ => (SILENT, SILENT),
+        };
+        over.or_else(|| ends_silent(replies, borne).then_some(Said::NotAsked(unanswered)))
     }
 
     /// Sends questions to the process that runs, or a new one, and returns what it says until it has answered them, or ended.
@@ -236,7 +272,7 @@ pub fn ask(program: &Program, questions: &[String], limits: Limits) -> io::Resul
 }
 
 /// Whether the last replies, as many as are borne, are no answers.
-fn ends_silent(replies: &[Reply]) -> bool {
-    let last = replies.len().checked_sub(SILENT);
+fn ends_silent(replies: &[Reply], borne: usize) -> bool {
+    let last = replies.len().checked_sub(borne);
     last.is_some_and(|first| replies[first..].iter().all(|reply| !reply.said.is_line()))
 }

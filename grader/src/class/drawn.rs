@@ -1,5 +1,6 @@
 //! What is kept of the picture of a hand-in's answers: theirs, the right one and the difference, in one small PNG.
 
+use crate::asked_picture::MISSING;
 use crate::check::Report;
 use crate::triple::Triple;
 use base64::Engine;
@@ -16,9 +17,12 @@ const STEPS: [usize; 4] = [1, 2, 4, 8];
 /// White space between the pictures, in pixels.
 const GAP: usize = 4;
 
-/// The first wrong picture of a report, if there is one: its text, and the PNG in base 64.
+/// The first wrong picture of a report, if there is one with an answer in it: its text, and the PNG in base 64.
 pub fn first_wrong(report: &Report) -> Option<[String; 2]> {
-    let wrong = |picture: &&Triple| picture.score.wrong() > 0;
+    let wrong = |picture: &&Triple| {
+        let pixels = picture.yours.pixels();
+        picture.score.wrong() > 0 && pixels.iter().any(|&pixel| pixel != MISSING)
+    };
     let picture = report.pictures.iter().find(wrong)?;
     let pngs = STEPS
         .iter()
@@ -51,7 +55,7 @@ fn strip(picture: &Triple, step: usize) -> Image {
 
 #[cfg(test)]
 mod tests {
-    use super::{LARGEST, first_wrong};
+    use super::{LARGEST, MISSING, first_wrong};
     use crate::check::Report;
     use crate::score::Score;
     use crate::triple::Triple;
@@ -113,8 +117,10 @@ mod tests {
     }
 
     #[test]
-    fn a_picture_that_is_right_is_not_kept() {
+    fn a_picture_that_is_right_or_has_no_answer_is_not_kept() {
         let white = Image::from_fn(96, 54, |_, _| Rgb::WHITE);
         assert_eq!(first_wrong(&report(96 * 54, white)), None);
+        let empty = Image::from_fn(96, 54, |_, _| MISSING);
+        assert_eq!(first_wrong(&report(0, empty)), None);
     }
 }

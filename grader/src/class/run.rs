@@ -4,7 +4,8 @@ use super::course::Course;
 use super::hand_in::{self, Content, HandIn};
 use super::journal::{Journal, hex};
 use super::record::{Marked, Record, Standing};
-use super::stage::{Stage, Staged, Trouble};
+use super::stage::{self, Stage, Staged, Trouble};
+use crate::ask::MORE_TIME;
 use crate::check::check_each;
 use crate::examine::{Case, CasesError, Examiner};
 use crate::hidden::Key;
@@ -303,7 +304,12 @@ impl Worker<'_> {
                     return false;
                 }
                 exercises.remove(report.exercise);
-                self.told(report.exercise, Marked::of(&report, *examiner))
+                let mut result = Marked::of(&report, *examiner);
+                // Where it lies here, and options of a command, mean nothing to the student.
+                let place = program.folder.display().to_string();
+                let why = result.why.replace(&place, stage::PLACE);
+                result.why = why.replace(MORE_TIME, "");
+                self.told(report.exercise, result)
             },
         )
         .map_err(|error| error.to_string())?;

@@ -194,6 +194,9 @@ impl Stage {
     }
 }
 
+/// What the folder of a hand-in is called where its student reads of it.
+pub const PLACE: &str = "hand-in";
+
 /// What is said where no file answers an exercise.
 const NOTHING: &str = "no file of the hand-in answers this exercise";
 
@@ -285,7 +288,7 @@ fn built(
         .lines()
         .filter(|line| !line.starts_with("   Compiling"));
     let said: String = lines
-        .flat_map(|line| [line.replace(&place, "hand-in"), "\n".to_owned()])
+        .flat_map(|line| [line.replace(&place, PLACE), "\n".to_owned()])
         .collect();
     match built {
         Ok(program) => Ok(Ok(program)),

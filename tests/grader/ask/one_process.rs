@@ -147,6 +147,56 @@ fn what_it_does_not_know_is_skipped_and_the_rest_is_asked() {
     assert_eq!(said[2], [answer("c"), answer("d")], "and what it knows");
 }
 
+/// The replies to lists of questions, each of another exercise, of a script that has a tenth of a second for an answer.
+fn heard_in_a_hurry(script: &str, lists_asked: &[&[&str]]) -> (Vec<Vec<Said>>, usize) {
+    let counted = Counted::new(script);
+    let hurried = Limits::of(Duration::from_millis(100));
+    let mut asker = Asker::new(&counted.program, hurried);
+    let ask = |list: Vec<String>| {
+        asker.next_exercise();
+        let replies = asker.ask(&list).expect("the shell can be started");
+        replies.into_iter().map(|reply| reply.said).collect()
+    };
+    (
+        lists(lists_asked).into_iter().map(ask).collect(),
+        counted.starts(),
+    )
+}
+
+#[test]
+fn who_hangs_from_the_first_question_on_is_asked_less_and_in_the_end_nothing() {
+    let six: &[&str] = &["a", "b", "c", "d", "e", "f"];
+    let (said, starts) = heard_in_a_hurry("exec sleep 100", &[six; 12]);
+    let asked = |list: &Vec<Said>| {
+        let hung = |said: &&Said| matches!(said, Said::TimedOut(_));
+        list.iter().filter(hung).count()
+    };
+    let counts: Vec<_> = said.iter().map(asked).collect();
+    assert_eq!(counts, [5, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0], "{said:?}");
+    assert_eq!(said[0][5], Said::NotAsked(5));
+    assert_eq!(
+        said[11],
+        vec![Said::NotAsked(14); 6],
+        "all of them are told"
+    );
+    assert!(starts <= 2 * 14, "{starts}");
+}
+
+#[test]
+fn who_answers_after_hanging_is_asked_everything_again() {
+    let script = "while read q; do case $q in no*) exec sleep 100;; *) echo \"= $q\";; esac; done";
+    let no = ["no 1", "no 2", "no 3", "no 4", "no 5", "no 6"];
+    let (said, _) = heard_in_a_hurry(script, &[&no, &no, &["a", "no 1", "b"], &no, &["c"]]);
+    let hung = |list: &[Said]| {
+        let hung = |said: &&Said| matches!(said, Said::TimedOut(_));
+        list.iter().filter(hung).count()
+    };
+    assert_eq!([hung(&said[0]), hung(&said[1])], [5, 1]);
+    assert_eq!([&said[2][0], &said[2][2]], [&answer("a"), &answer("b")]);
+    assert_eq!(hung(&said[3]), 5, "it has answered before");
+    assert_eq!(said[4], [answer("c")]);
+}
+
 #[test]
 fn a_question_without_an_answer_does_not_shift_the_others() {
     let script = "while read q; do if [ $q != c ]; then echo \"= $q\"; fi; done";

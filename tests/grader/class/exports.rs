@@ -205,6 +205,11 @@ fn exercism(course: &Course) {
             }
         }
     }
+    let text = text(&course.path("results/students/ended/index.html"));
+    assert!(
+        text.contains("hand-in/answer.py") && !text.contains("stage"),
+        "a traceback tells no path of ours: {text}"
+    );
     let message = all("broken")["message"].to_string();
     assert!(message.contains("main.cpp:2"), "{message}");
     assert!(!message.contains("stage"), "no path of ours: {message}");

@@ -3,6 +3,7 @@
 
 use super::outcome::{Outcome, outcome, visible, why};
 use crate::class::grades::{ExerciseGrade, Grade};
+use crate::class::stage::PLACE;
 use raybook_chapters::kit::untrusted::Untrusted;
 use std::path::{Component, Path};
 
@@ -27,8 +28,7 @@ fn annotation(grade: &Grade, exercise: &ExerciseGrade) -> String {
     };
     let title = format!("{}: {}", grade.sheet.student, exercise.counted.name);
     let message = why(grade, exercise);
-    let print = grade.sheet.print.as_deref().unwrap_or_default();
-    match place(&message, print) {
+    match place(&message) {
         Some((file, line)) => command(
             level,
             &[
@@ -63,15 +63,14 @@ fn escaped(text: &str) -> String {
         .replace('\n', "%0A")
 }
 
-/// The file and the line that a compiler or Python names, if the file is one of the hand-in's folder, which is called `print`.
-fn place(words: &str, print: &str) -> Option<(String, u32)> {
+/// The file and the line that a compiler or Python names, if the file is one of the hand-in's folder.
+fn place(words: &str) -> Option<(String, u32)> {
     let compiled = words
         .lines()
         .skip_while(|line| !line.contains("error"))
         .find_map(of_compiler);
     // The last call of a traceback in the hand-in is where it broke.
-    let (file, line) =
-        compiled.or_else(|| words.lines().rev().find_map(|line| of_python(line, print)))?;
+    let (file, line) = compiled.or_else(|| words.lines().rev().find_map(of_python))?;
     let is_inside = Path::new(file)
         .components()
         .all(|part| matches!(part, Component::Normal(_) | Component::CurDir));
@@ -90,11 +89,11 @@ fn of_compiler(line: &str) -> Option<(&str, u32)> {
     Some((file, line.parse().ok()?))
 }
 
-/// `  File "…/PRINT/answer.py", line 3, in …`.
-fn of_python<'a>(line: &'a str, print: &str) -> Option<(&'a str, u32)> {
+/// `  File "hand-in/answer.py", line 3, in …`.
+fn of_python(line: &str) -> Option<(&str, u32)> {
     let (_, rest) = line.split_once("File \"")?;
     let (file, rest) = rest.split_once("\", line ")?;
-    let (_, file) = file.rsplit_once(&format!("/{print}/"))?;
+    let file = file.strip_prefix(PLACE)?.strip_prefix('/')?;
     let (number, _) = rest.split_once(',').unwrap_or((rest, ""));
     Some((file, number.trim().parse().ok()?))
 }

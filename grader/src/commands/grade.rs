@@ -118,10 +118,13 @@ impl Grade {
             &mut journal,
             jobs,
             &|record| match record {
-                Some(record) => graded
-                    .lock()
-                    .unwrap_or_else(std::sync::PoisonError::into_inner)
-                    .push(record),
+                Some(record) => {
+                    graded
+                        .lock()
+                        .unwrap_or_else(std::sync::PoisonError::into_inner)
+                        .push(record);
+                    progress.tell();
+                }
                 None => progress.next(),
             },
         );

@@ -30,6 +30,7 @@ impl Pace {
             "{wide_bar} {pos} of {len} hand-ins, {per_sec}, {eta} left",
         ) {
             bar.set_style(style);
+            bar.enable_steady_tick(Duration::from_secs(1));
         }
         let start = Instant::now();
         Self {
@@ -44,12 +45,21 @@ impl Pace {
     /// Another hand-in is through.
     pub fn next(&self) {
         self.bar.inc(1);
-        let through = self.through.fetch_add(1, Ordering::Relaxed) + 1;
+        self.through.fetch_add(1, Ordering::Relaxed);
+        self.tell();
+    }
+
+    /// Something went on: where there is no terminal, it is time for a line now and then.
+    pub fn tell(&self) {
+        let through = self.through.load(Ordering::Relaxed);
         let mut told = self
             .told
             .lock()
             .unwrap_or_else(std::sync::PoisonError::into_inner);
-        if !std::io::stderr().is_terminal() && told.elapsed() >= EVERY && through < self.open {
+        if !std::io::stderr().is_terminal()
+            && told.elapsed() >= EVERY
+            && (1..self.open).contains(&through)
+        {
             *told = Instant::now();
             let per_second = through as f64 / self.start.elapsed().as_secs_f64();
             let left = (self.open - through) as f64 / per_second;

@@ -83,9 +83,14 @@ impl Lattice {
 
     /// The place of a cell in an array of all cells: along x first, then y, then z.
     pub fn index(&self, cell: UVec3) -> usize {
-        let (cell, along) = (cell.as_usizevec3(), self.resolution.as_usizevec3());
-        cell.x + along.x * (cell.y + along.y * cell.z)
+        index(cell, self.resolution)
     }
+}
+
+/// The place of a cell in an array of all cells of a resolution: along x first, then y, then z.
+pub(crate) fn index(cell: UVec3, resolution: UVec3) -> usize {
+    let (cell, along) = (cell.as_usizevec3(), resolution.as_usizevec3());
+    cell.x + along.x * (cell.y + along.y * cell.z)
 }
 
 /// All cells from `first` to `last`, both included, along x first.

@@ -26,10 +26,10 @@ impl<S: Shape> Accel<S> for List<S> {
         mut within: Interval,
         count: &mut impl Count,
     ) -> Option<(&S, Hit)> {
-        let mut closest = None;
+        let (hit_by_ray, mut closest) = (S::hit_by(ray), None);
         for shape in &self.shapes {
             count.tested_shape();
-            if let Some(hit) = shape.hit(ray, within) {
+            if let Some(hit) = hit_by_ray(shape, within) {
                 within = within.before(hit.t);
                 closest = Some((shape, hit));
             }
@@ -39,6 +39,7 @@ impl<S: Shape> Accel<S> for List<S> {
     // ANCHOR_END: mesh_hit
 
     fn any(&self, ray: &Ray, within: Interval) -> bool {
-        self.shapes.iter().any(|shape| shape.blocks(ray, within))
+        let blocks = S::blocked_by(ray);
+        self.shapes.iter().any(|shape| blocks(shape, within))
     }
 }

@@ -10,6 +10,7 @@ mod margin;
 pub mod octree;
 pub(crate) mod order;
 pub(crate) mod overlap;
+pub(crate) mod pages;
 pub(crate) mod ray_box;
 pub mod two_level_grid;
 pub(crate) mod walk;

@@ -20,11 +20,21 @@ pub fn walk(
     lattice: &Lattice,
     ray: &Ray,
     within: Interval,
+    visit: impl FnMut(UVec3, Interval) -> ControlFlow<()>,
+) {
+    if let Some(enter) = RayBox::new(ray).enters(&lattice.bounds(), within) {
+        walk_inside(lattice, ray, Interval::new(enter, within.max), visit);
+    }
+}
+
+/// The same for an interval that begins in the lattice.
+pub(crate) fn walk_inside(
+    lattice: &Lattice,
+    ray: &Ray,
+    within: Interval,
     mut visit: impl FnMut(UVec3, Interval) -> ControlFlow<()>,
 ) {
-    let Some(mut enter) = RayBox::new(ray).enters(&lattice.bounds(), within) else {
-        return;
-    };
+    let mut enter = within.min;
     let mut cell = lattice.cell_at(ray.at(enter));
     let first = (lattice.min - ray.origin) / *ray.direction;
     let apart = lattice.cell / *ray.direction;
@@ -59,7 +69,7 @@ pub fn walk(
         true
     };
     loop {
-        let leave = next.min_element().min(within.max);
+        let leave = lesser(lesser(next.x, next.y), lesser(next.z, within.max));
         let seen = visit(cell, Interval::new(enter, leave));
         if seen.is_break() || leave >= within.max {
             return;
@@ -79,6 +89,11 @@ pub fn walk(
     }
 }
 // ANCHOR_END: grid_walk
+
+/// The lesser of two numbers, neither of which is NaN: one instruction, where `f32::min` has to ask.
+fn lesser(a: f32, b: f32) -> f32 {
+    if a < b { a } else { b }
+}
 
 /// Ends a walk, or lets it go on.
 pub(crate) fn break_if(done: bool) -> ControlFlow<()> {

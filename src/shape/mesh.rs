@@ -4,7 +4,8 @@ use crate::math::domain::{LARGEST, SMALLEST};
 use crate::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray};
 use crate::shape::attributes::{interpolate_normal, interpolate_texture, lift, vertex_normals};
 use crate::shape::normal_map::NormalMap;
-use crate::shape::{Hit, Shape, Surface, triangle::Triangle, triangle_watertight};
+use crate::shape::triangle_watertight::{self, Shear};
+use crate::shape::{Hit, Shape, Surface, triangle::Triangle};
 use glam::{Vec2, Vec3};
 use std::sync::Arc;
 
@@ -239,7 +240,25 @@ impl Shape for Facet {
 
     #[inline]
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
-        triangle_watertight::hit(&self.corners, ray, within).map(|hit| Hit { id: self.id, ..hit })
+        Self::hit_by(ray)(self, within)
+    }
+
+    #[inline]
+    fn hit_by(ray: &Ray) -> impl Fn(&Self, Interval) -> Option<Hit> {
+        let (shear, origin) = (Shear::along(ray), ray.origin);
+        move |facet, within| {
+            let hit = triangle_watertight::hit_sheared(&facet.corners, origin, &shear, within)?;
+            Some(Hit {
+                id: facet.id,
+                ..hit
+            })
+        }
+    }
+
+    #[inline]
+    fn blocked_by(ray: &Ray) -> impl Fn(&Self, Interval) -> bool {
+        let hit = Self::hit_by(ray);
+        move |facet, within| hit(facet, within).is_some()
     }
 
     /// The flat surface; the smooth one is [`Mesh::surface`].

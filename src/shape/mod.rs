@@ -40,6 +40,22 @@ pub trait Shape: Send + Sync {
         self.hit(ray, within).is_some()
     }
 
+    /// [`Shape::hit`] of one ray, for many shapes: what is the same for all of them is computed once.
+    fn hit_by(ray: &Ray) -> impl Fn(&Self, Interval) -> Option<Hit>
+    where
+        Self: Sized,
+    {
+        |shape, within| shape.hit(ray, within)
+    }
+
+    /// [`Shape::blocks`] of one ray, for many shapes.
+    fn blocked_by(ray: &Ray) -> impl Fn(&Self, Interval) -> bool
+    where
+        Self: Sized,
+    {
+        |shape, within| shape.blocks(ray, within)
+    }
+
     /// The surface where this ray hit it; asked once, for the nearest hit of all.
     fn surface(&self, ray: &Ray, hit: &Hit) -> Surface;
 }

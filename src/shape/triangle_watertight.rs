@@ -21,7 +21,18 @@ use glam::{DVec3, Vec3, Vec3A, Vec3Swizzles, vec2};
 /// Double precision also takes over where areas are so small or so large that areas · z vanishes or overflows.
 #[inline]
 pub fn hit(corners: &[Vec3; 3], ray: &Ray, within: Interval) -> Option<Hit> {
-    let [x, y, z] = Shear::along(ray).apply(corners, ray.origin);
+    hit_sheared(corners, ray.origin, &Shear::along(ray), within)
+}
+
+/// The same, by the origin of the ray and its shear, which all triangles share.
+#[inline]
+pub(crate) fn hit_sheared(
+    corners: &[Vec3; 3],
+    origin: Vec3,
+    shear: &Shear,
+    within: Interval,
+) -> Option<Hit> {
+    let [x, y, z] = shear.apply(corners, origin);
     let areas = x.zxy() * y.yzx() - y.zxy() * x.yzx(); // (u, v, w)
     if areas.cmplt(Vec3A::ZERO).any() && areas.cmpgt(Vec3A::ZERO).any() {
         return None;

@@ -8,11 +8,12 @@ use crate::accel::bvh::build::cost::{self, Cost};
 use crate::accel::bvh::build::flat::{Flat, Node};
 use crate::accel::bvh::build::tree::MAX_DEPTH;
 use crate::accel::bvh::build::{Method, build};
-use crate::accel::bvh::pair::{Link, Pair, RayPair};
-use crate::accel::{Accel, Count, bounded::bounded, list::List};
+use crate::accel::bvh::pair::{Pair, RayPair};
+use crate::accel::{Accel, Count, bounded::bounded, list::List, pages};
 use crate::math::{interval::Interval, ray::Ray};
 use crate::shape::{Hit, Shape};
 use crate::threads;
+use arrayvec::ArrayVec;
 
 /// A tree of boxes: a ray that misses a box misses all that is in it.
 ///
@@ -34,10 +35,13 @@ pub(crate) const COST: Cost = Cost {
     most: 8,
 };
 
+/// How many boxes may wait: one for each branch on the way down, and the first.
+const STACK: usize = 1 + MAX_DEPTH as usize;
+
 impl<S: Shape> Bvh<S> {
-    /// A tree by the best method for its time: the surface-area heuristic with bins.
+    /// A tree by the best method for its time: the surface-area heuristic with many bins.
     pub fn new(shapes: Vec<S>) -> Self {
-        Self::build(shapes, Method::Binned)
+        Self::build(shapes, Method::Fine)
     }
 
     /// A tree by a method of one's choice.
@@ -61,11 +65,12 @@ impl<S: Shape> Bvh<S> {
     /// A tree that is there already, over the shapes whose boxes it was built from.
     pub(crate) fn from_flat(flat: Flat, shapes: Vec<S>) -> Self {
         let mut shapes: Vec<_> = shapes.into_iter().map(Some).collect();
-        let in_order = flat.order.iter().filter_map(|&i| shapes[i as usize].take());
+        let mut in_order = pages::list(shapes.len());
+        in_order.extend(flat.order.iter().filter_map(|&i| shapes[i as usize].take()));
         Self {
-            shapes: in_order.collect(),
+            shapes: in_order,
             root: flat.root,
-            pairs: flat.pairs,
+            pairs: pages::packed(flat.pairs),
             unbounded: List::new(Vec::new()),
         }
     }
@@ -113,13 +118,10 @@ impl<S: Shape> Accel<S> for Bvh<S> {
         let Some(root) = self.root else {
             return closest;
         };
-        let mut ready = RayPair::new(ray, within, &root.bounds);
-        let mut stack = [(0.0, Link::NONE); 1 + MAX_DEPTH as usize];
-        stack[0] = (f32::NEG_INFINITY, root.link);
-        let mut height = 1;
-        'search: while height > 0 {
-            height -= 1;
-            let (enters, mut link) = stack[height];
+        let (mut ready, hit_by_ray) = (RayPair::new(ray, within, &root.bounds), S::hit_by(ray));
+        let mut waiting = ArrayVec::<_, STACK>::new();
+        waiting.push((f32::NEG_INFINITY, root.link));
+        'search: while let Some((enters, mut link)) = waiting.pop() {
             if enters >= within.max {
                 continue;
             }
@@ -129,13 +131,11 @@ impl<S: Shape> Accel<S> for Bvh<S> {
                 count.tested_box();
                 link = match ready.enters(pair) {
                     [Some(left), Some(right)] if left <= right => {
-                        stack[height] = (right, pair.links[1]);
-                        height += 1;
+                        waiting.push((right, pair.links[1]));
                         pair.links[0]
                     }
                     [Some(left), Some(_)] => {
-                        stack[height] = (left, pair.links[0]);
-                        height += 1;
+                        waiting.push((left, pair.links[0]));
                         pair.links[1]
                     }
                     [Some(_), None] => pair.links[0],
@@ -146,7 +146,7 @@ impl<S: Shape> Accel<S> for Bvh<S> {
             let leaf = &self.shapes[link.first as usize..][..link.count as usize];
             for shape in leaf {
                 count.tested_shape();
-                if let Some(hit) = shape.hit(ray, within) {
+                if let Some(hit) = hit_by_ray(shape, within) {
                     within = within.before(hit.t);
                     ready.shorten(hit.t);
                     closest = Some((shape, hit));
@@ -162,18 +162,15 @@ impl<S: Shape> Accel<S> for Bvh<S> {
         let Some(root) = self.root else {
             return self.unbounded.any(ray, within);
         };
-        let ready = RayPair::new(ray, within, &root.bounds);
-        let mut stack = [root.link; 1 + MAX_DEPTH as usize];
-        let mut height = 1;
-        'search: while height > 0 {
-            height -= 1;
-            let mut link = stack[height];
+        let (ready, blocks) = (RayPair::new(ray, within, &root.bounds), S::blocked_by(ray));
+        let mut waiting = ArrayVec::<_, STACK>::new();
+        waiting.push(root.link);
+        'search: while let Some(mut link) = waiting.pop() {
             while link.count == 0 {
                 let pair = &self.pairs[link.first as usize];
                 link = match ready.enters(pair) {
                     [Some(_), Some(_)] => {
-                        stack[height] = pair.links[1];
-                        height += 1;
+                        waiting.push(pair.links[1]);
                         pair.links[0]
                     }
                     [Some(_), None] => pair.links[0],
@@ -182,7 +179,7 @@ impl<S: Shape> Accel<S> for Bvh<S> {
                 };
             }
             let leaf = &self.shapes[link.first as usize..][..link.count as usize];
-            if leaf.iter().any(|shape| shape.blocks(ray, within)) {
+            if leaf.iter().any(|shape| blocks(shape, within)) {
                 return true;
             }
         }

@@ -1,7 +1,7 @@
 //! Which shapes are in which cell.
 
 use crate::accel::lattice::{Lattice, range};
-use crate::accel::{budget::Budget, margin::margin, overlap::Separation};
+use crate::accel::{budget::Budget, margin::margin, overlap::Separation, pages};
 use crate::math::aabb::Aabb;
 use crate::shape::{Shape, mesh::Facet};
 use glam::{UVec3, Vec3};
@@ -75,11 +75,11 @@ pub(crate) fn build<S: Shape>(
         }
     }
     Parts {
-        shapes: listed.into_iter().map(|(_, shape)| shape).collect(),
+        shapes: pages::packed(listed.into_iter().map(|(_, shape)| shape)),
         lattice,
         margin,
-        starts,
-        references,
+        starts: pages::packed(starts),
+        references: pages::packed(references),
     }
 }
 

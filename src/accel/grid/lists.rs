@@ -1,31 +1,30 @@
 //! The shapes of one list after another, each asked only once.
 
 use crate::accel::{Count, grid::mailbox::Mailbox};
-use crate::math::{interval::Interval, ray::Ray};
+use crate::math::interval::Interval;
 use crate::shape::{Hit, Shape};
 
-/// A ray that comes through the lists of cells.
-pub(crate) struct Lists<'a, 'r, S> {
+/// The shapes in the lists of cells, and which of them a ray has asked.
+pub(crate) struct Lists<'a, S> {
     shapes: &'a [S],
-    ray: &'r Ray,
     asked: Mailbox,
 }
 
-impl<'a, 'r, S: Shape> Lists<'a, 'r, S> {
+impl<'a, S: Shape> Lists<'a, S> {
     /// Before the first list; lists hold places in `shapes`.
-    pub(crate) fn new(shapes: &'a [S], ray: &'r Ray) -> Self {
+    pub(crate) fn new(shapes: &'a [S]) -> Self {
         Self {
             shapes,
-            ray,
             asked: Mailbox::new(),
         }
     }
 
-    /// The nearest hit of the shapes in a list that no earlier list had; the interval ends there.
+    /// The nearest hit, by [`Shape::hit_by`], of the shapes in a list that no earlier list had; the interval ends there.
     #[inline]
     pub(crate) fn nearest(
         &mut self,
         list: &[u32],
+        hit_by_ray: &impl Fn(&S, Interval) -> Option<Hit>,
         within: &mut Interval,
         count: &mut impl Count,
     ) -> Option<(&'a S, Hit)> {
@@ -34,7 +33,7 @@ impl<'a, 'r, S: Shape> Lists<'a, 'r, S> {
             if self.asked.is_first(place) {
                 count.tested_shape();
                 let shape = &self.shapes[place as usize];
-                if let Some(hit) = shape.hit(self.ray, *within) {
+                if let Some(hit) = hit_by_ray(shape, *within) {
                     *within = within.before(hit.t);
                     nearest = Some((shape, hit));
                 }
@@ -43,11 +42,10 @@ impl<'a, 'r, S: Shape> Lists<'a, 'r, S> {
         nearest
     }
 
-    /// Whether any of the shapes in a list that no earlier list had is hit.
+    /// Whether any of the shapes in a list that no earlier list had is in the way, by [`Shape::blocked_by`].
     #[inline]
-    pub(crate) fn block(&mut self, list: &[u32], within: Interval) -> bool {
-        list.iter().any(|&place| {
-            self.asked.is_first(place) && self.shapes[place as usize].blocks(self.ray, within)
-        })
+    pub(crate) fn block(&mut self, list: &[u32], blocks: impl Fn(&S) -> bool) -> bool {
+        list.iter()
+            .any(|&place| self.asked.is_first(place) && blocks(&self.shapes[place as usize]))
     }
 }

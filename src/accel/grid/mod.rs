@@ -121,10 +121,10 @@ impl<S: Shape> Accel<S> for Grid<S> {
         if let Some((_, hit)) = closest {
             within = within.before(hit.t);
         }
-        let mut lists = Lists::new(&self.parts.shapes, ray);
+        let (hit_by_ray, mut lists) = (S::hit_by(ray), Lists::new(&self.parts.shapes));
         self.visit(ray, within, |places, leave| {
             count.tested_box();
-            if let Some(nearer) = lists.nearest(places, &mut within, count) {
+            if let Some(nearer) = lists.nearest(places, &hit_by_ray, &mut within, count) {
                 closest = Some(nearer);
             }
             // The hit may be in a later cell, where something nearer may be too.
@@ -136,9 +136,9 @@ impl<S: Shape> Accel<S> for Grid<S> {
     fn any(&self, ray: &Ray, within: Interval) -> bool {
         let mut blocked = self.unbounded.any(ray, within);
         if !blocked {
-            let mut lists = Lists::new(&self.parts.shapes, ray);
+            let (blocks, mut lists) = (S::blocked_by(ray), Lists::new(&self.parts.shapes));
             self.visit(ray, within, |places, _| {
-                blocked = lists.block(places, within);
+                blocked = lists.block(places, |shape| blocks(shape, within));
                 break_if(blocked)
             });
         }

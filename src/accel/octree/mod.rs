@@ -6,7 +6,7 @@ pub(crate) mod tree;
 mod validate;
 pub(crate) mod walk;
 
-use crate::accel::{Accel, Count, bounded::bounded, list::List, order};
+use crate::accel::{Accel, Count, bounded::bounded, list::List, order, pages};
 use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use crate::shape::{Hit, Shape, mesh::Facet};
 use build::{Limits, build};
@@ -44,9 +44,14 @@ impl<S: Shape> Octree<S> {
             &|i, cells| reached(&shapes[i as usize], cells),
         );
         order::by_first_use(&mut shapes, &mut tree.named);
+        let tree = Tree {
+            nodes: pages::packed(tree.nodes),
+            named: pages::packed(tree.named),
+            ..tree
+        };
         Self {
             tree,
-            shapes,
+            shapes: pages::packed(shapes),
             unbounded,
         }
     }
@@ -86,12 +91,12 @@ impl<S: Shape> Accel<S> for Octree<S> {
         if let Some((_, hit)) = closest {
             within = within.before(hit.t);
         }
-        let mut walk = Walk::new(&self.tree, ray, within);
+        let (hit_by_ray, mut walk) = (S::hit_by(ray), Walk::new(&self.tree, ray, within));
         while let Some(leaf) = walk.next_leaf(within.max, count) {
             for &i in self.tree.shapes_in(leaf) {
                 let shape = &self.shapes[i as usize];
                 count.tested_shape();
-                if let Some(hit) = shape.hit(ray, within) {
+                if let Some(hit) = hit_by_ray(shape, within) {
                     within = within.before(hit.t);
                     closest = Some((shape, hit));
                 }
@@ -101,10 +106,10 @@ impl<S: Shape> Accel<S> for Octree<S> {
     }
 
     fn any(&self, ray: &Ray, within: Interval) -> bool {
-        let mut walk = Walk::new(&self.tree, ray, within);
+        let (blocks, mut walk) = (S::blocked_by(ray), Walk::new(&self.tree, ray, within));
         while let Some(leaf) = walk.next_leaf(within.max, &mut ()) {
             let mut shapes = self.tree.shapes_in(leaf).iter();
-            if shapes.any(|&i| self.shapes[i as usize].blocks(ray, within)) {
+            if shapes.any(|&i| blocks(&self.shapes[i as usize], within)) {
                 return true;
             }
         }

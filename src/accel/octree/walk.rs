@@ -4,6 +4,7 @@ use crate::accel::Count;
 use crate::accel::octree::build::Limits;
 use crate::accel::octree::tree::{Kind, Tree};
 use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
+use arrayvec::ArrayVec;
 use glam::Vec3;
 
 /// k: a plane is crossed k·u·(largest |b| of the tree + |o|) later than computed, u = 2⁻²⁴, and the next cell entered as much
@@ -29,8 +30,7 @@ pub struct Walk<'a> {
     /// The root, before it was visited.
     root: Option<Visit>,
     /// The open nodes, each a child of the one before: one per depth at most, from the root on.
-    open: [Open; Limits::DEEPEST as usize],
-    opened: usize,
+    open: ArrayVec<Open, { Limits::DEEPEST as usize }>,
 }
 
 /// A node that the ray enters, its cell, and the distances at which the ray enters and leaves it.
@@ -69,8 +69,7 @@ impl<'a> Walk<'a> {
             // The sign bit, not d < 0: it makes −0.0 the mirror image of +0.0.
             mirror: ray.direction.is_negative_bitmask() as usize,
             root: None,
-            open: [Open::NONE; Limits::DEEPEST as usize],
-            opened: 0,
+            open: ArrayVec::new(),
         };
         walk.root = walk.enter_root(within);
         walk
@@ -114,14 +113,13 @@ impl<'a> Walk<'a> {
             let met = (0..8).fold(0, |bits, i| bits | u8::from(enter[i] <= leave[i]) << i);
             let waiting = met & mirrored(occupied, self.mirror);
             let Aabb { min, max } = visit.cell;
-            self.open[self.opened] = Open {
+            self.open.push(Open {
                 children,
                 waiting,
                 planes: [0, 1, 2].map(|axis| [min[axis], center[axis], max[axis]]),
                 enter,
                 leave,
-            };
-            self.opened += 1;
+            });
         }
     }
     // ANCHOR_END: octree_walk
@@ -129,10 +127,9 @@ impl<'a> Walk<'a> {
     /// The next child of the deepest open node that has one left.
     #[inline]
     fn next_child(&mut self, limit: f32) -> Option<Visit> {
-        while self.opened > 0 {
-            let open = &mut self.open[self.opened - 1];
+        while let Some(open) = self.open.last_mut() {
             if open.waiting == 0 {
-                self.opened -= 1;
+                self.open.pop();
                 continue;
             }
             let next = open.waiting.trailing_zeros() as usize;
@@ -189,16 +186,6 @@ impl<'a> Walk<'a> {
             leave,
         })
     }
-}
-
-impl Open {
-    const NONE: Self = Self {
-        children: 0,
-        waiting: 0,
-        planes: [[0.0; 3]; 3],
-        enter: [0.0; 8],
-        leave: [0.0; 8],
-    };
 }
 
 /// The bits of eight children, moved to where the ray counts the children.

@@ -4,7 +4,9 @@ use crate::accel::two_level_grid::{
     levels::Levels,
     refine::{fine_cells, refine_cell},
 };
-use crate::accel::{budget::Budget, grid::resolution::grid_resolution, lattice::Lattice, order};
+use crate::accel::{
+    budget::Budget, grid::resolution::grid_resolution, lattice::Lattice, order, pages,
+};
 use crate::math::{aabb::Aabb, domain::SMALLEST};
 use crate::shape::Shape;
 use glam::{UVec3, Vec3};
@@ -77,11 +79,11 @@ pub(crate) fn build<S: Shape>(
     };
     order::by_first_use(&mut shapes, &mut references);
     Parts {
-        shapes,
+        shapes: pages::packed(shapes),
         levels,
         margin,
-        starts,
-        references,
+        starts: pages::packed(starts),
+        references: pages::packed(references),
     }
 }
 

@@ -40,9 +40,15 @@ impl Levels {
 
     /// The place of a coarse cell's first fine cell in the row of all, and their lattice; `None` if it is empty.
     pub fn fine(&self, coarse: UVec3) -> Option<(usize, Lattice)> {
+        let (first, resolution) = self.resolution(coarse)?;
+        let cell = self.top.only(coarse);
+        Some((first, Lattice::new(&cell.bounds(), resolution)))
+    }
+
+    /// The same without the planes: the place, and the number of fine cells along each axis.
+    pub fn resolution(&self, coarse: UVec3) -> Option<(usize, UVec3)> {
         let Cut { first, resolution } = self.cuts[self.top.index(coarse)];
-        let cut = |cell: Lattice| Lattice::new(&cell.bounds(), resolution.as_uvec3());
-        (resolution != U8Vec3::ZERO).then(|| (first as usize, cut(self.top.only(coarse))))
+        (resolution != U8Vec3::ZERO).then(|| (first as usize, resolution.as_uvec3()))
     }
 
     /// The whole grid with each coarse cell cut alike.

@@ -113,10 +113,12 @@ impl<S: Shape> Accel<S> for TwoLevelGrid<S> {
         if let Some((_, hit)) = closest {
             within = within.before(hit.t);
         }
-        let mut lists = Lists::new(&self.parts.shapes, ray);
+        let (hit_by_ray, mut lists) = (S::hit_by(ray), Lists::new(&self.parts.shapes));
         self.visit(ray, within, |places, leave| {
             count.tested_box();
-            if let Some(nearer) = lists.nearest(places.unwrap_or_default(), &mut within, count) {
+            if let Some(nearer) =
+                lists.nearest(places.unwrap_or_default(), &hit_by_ray, &mut within, count)
+            {
                 closest = Some(nearer);
             }
             // A coarse cell is visited before its fine cells: only these can end the walk.
@@ -128,9 +130,9 @@ impl<S: Shape> Accel<S> for TwoLevelGrid<S> {
     fn any(&self, ray: &Ray, within: Interval) -> bool {
         let mut blocked = self.unbounded.any(ray, within);
         if !blocked {
-            let mut lists = Lists::new(&self.parts.shapes, ray);
+            let (blocks, mut lists) = (S::blocked_by(ray), Lists::new(&self.parts.shapes));
             self.visit(ray, within, |places, _| {
-                blocked = lists.block(places.unwrap_or_default(), within);
+                blocked = lists.block(places.unwrap_or_default(), |shape| blocks(shape, within));
                 break_if(blocked)
             });
         }

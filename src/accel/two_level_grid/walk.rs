@@ -1,6 +1,10 @@
 //! A walk through coarse cells, and in each that is not empty through its fine cells.
 
-use crate::accel::{two_level_grid::levels::Levels, walk::walk};
+use crate::accel::{
+    lattice::index,
+    two_level_grid::levels::Levels,
+    walk::{walk, walk_inside},
+};
 use crate::math::{interval::Interval, ray::Ray};
 use glam::UVec3;
 use std::ops::ControlFlow;
@@ -23,13 +27,18 @@ pub fn walk_two_levels(
 ) {
     walk(&levels.top, ray, within, |coarse, inside| {
         visit(None, inside)?;
-        let Some((first, fine)) = levels.fine(coarse) else {
+        let Some((first, resolution)) = levels.resolution(coarse) else {
             return ControlFlow::Continue(());
         };
-        let (begin, last) = (coarse * fine.resolution, fine.resolution - UVec3::ONE);
+        let (begin, last) = (coarse * resolution, resolution - UVec3::ONE);
         let (mut so_far, mut before) = (ControlFlow::Continue(()), None);
-        walk(&levels.cut(fine.resolution), ray, inside, |cell, inside| {
-            let place = first + fine.index(cell.max(begin).min(begin + last) - begin);
+        // By rounding, an outer cell may be left before it is entered.
+        if inside.min > inside.max {
+            return so_far;
+        }
+        walk_inside(&levels.cut(resolution), ray, inside, |cell, inside| {
+            let cell = cell.max(begin).min(begin + last) - begin;
+            let place = first + index(cell, resolution);
             if before.replace(place) != Some(place) {
                 so_far = visit(Some(place), inside);
             }

@@ -3,12 +3,12 @@
 use super::collapse::{Family, binary, half_area};
 use super::node::{Leaf, Link, Node, TRIANGLES};
 use super::optimal;
-use super::pages;
 use super::spatial;
 use super::tree::{Tree, largest};
 use crate::accel::bvh::build::{
     Method, build as build_binary, cost::Cost, flat::Flat, flat::Node as Old,
 };
+use crate::accel::pages;
 use crate::shape::{Shape, mesh::Facet};
 use crate::threads;
 use glam::Vec3A;

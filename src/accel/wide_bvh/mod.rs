@@ -17,7 +17,6 @@ mod lanes;
 mod nearest;
 pub(crate) mod node;
 pub(crate) mod optimal;
-mod pages;
 mod portable;
 #[cfg(target_arch = "x86_64")]
 mod proof;

@@ -133,10 +133,17 @@ impl Seeker {
         let Some(struck) = lanes.triangles(leaf, &self.wide, max) else {
             return false;
         };
+        struck.mask != 0 || struck.unsure != 0 && self.test_any_of(tree, leaf, struck.unsure, max)
+    }
+
+    /// Whether any of some triangles of a leaf is hit before `max`, tested one by one.
+    #[cold]
+    #[inline(never)]
+    fn test_any_of(&self, tree: &Tree, leaf: &Leaf, lanes: u32, max: f32) -> bool {
         let within = Interval::new(self.wide.min, max);
         let blocks =
             |lane: usize| tree.facets[leaf.facets[lane] as usize].blocks(&self.ray, within);
-        struck.mask != 0 || bits(struck.unsure).any(blocks)
+        bits(lanes).any(blocks)
     }
 }
 

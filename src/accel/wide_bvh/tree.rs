@@ -1,10 +1,10 @@
 //! The tree alone: nodes, leaves, and the facets that the leaves hold.
 
 use super::node::{CHILDREN, Leaf, Link, Node, TRIANGLES};
-use super::pages;
 use super::portable::Portable;
 use super::search::Closest;
 use crate::accel::Count;
+use crate::accel::pages;
 use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use crate::shape::{Hit, mesh::Facet};
 use glam::{Vec3, Vec3A};
@@ -33,8 +33,8 @@ impl Clone for Tree {
     /// The lists are in large pages again.
     fn clone(&self) -> Self {
         Self {
-            nodes: pages::copy(&self.nodes),
-            leaves: pages::copy(&self.leaves),
+            nodes: pages::packed(self.nodes.iter().cloned()),
+            leaves: pages::packed(self.leaves.iter().cloned()),
             root: self.root,
             largest: self.largest,
             facets: self.facets.clone(),

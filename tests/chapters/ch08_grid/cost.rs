@@ -44,8 +44,9 @@ fn rays(bounds: Aabb, count: usize) -> Vec<Ray> {
 }
 
 #[test]
-fn no_triangle_is_asked_twice_by_one_ray() {
-    for mesh in [soup(500, 2), terrain(20), stadium(1).mesh] {
+fn a_ray_hardly_asks_a_triangle_twice_and_one_of_few_never() {
+    let few = 32;
+    for mesh in [soup(few, 2), soup(500, 2), terrain(20), stadium(1).mesh] {
         let counters: Vec<_> = mesh.triangles().iter().map(|_| AtomicU32::new(0)).collect();
         let shapes = mesh
             .facets()
@@ -53,7 +54,7 @@ fn no_triangle_is_asked_twice_by_one_ray() {
             .map(|f| Asked(f, &counters[f.id as usize]))
             .collect();
         let grid = Grid::with_resolution(shapes, glam::uvec3(40, 30, 40));
-        let (mut asked, mut most) = (0, 0);
+        let (mut asked, mut again) = (0, 0);
         for ray in rays(mesh.bounds(), 100) {
             for any in [false, true] {
                 if any {
@@ -63,13 +64,18 @@ fn no_triangle_is_asked_twice_by_one_ray() {
                 }
                 for counter in &counters {
                     let times = counter.swap(0, Ordering::Relaxed);
-                    (asked, most) = (asked + times, most.max(times));
+                    (asked, again) = (asked + times, again + times.saturating_sub(1));
                 }
             }
         }
-        assert_eq!(
-            most, 1,
-            "of {asked} tests, one triangle had {most} by one ray"
+        assert!(
+            if counters.len() <= few as usize {
+                again == 0
+            } else {
+                again < asked / 4
+            },
+            "of {asked} tests of {} triangles, {again} asked again",
+            counters.len()
         );
         assert!(
             grid.references() > 2 * counters.len(),

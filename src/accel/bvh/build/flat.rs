@@ -37,7 +37,6 @@ impl Flat {
     pub fn new(tree: &Tree, order: Vec<u32>) -> Self {
         let mut pairs = Vec::with_capacity(order.len());
         let root = (!order.is_empty()).then(|| place(tree, &mut pairs, &mut 0));
-        pairs.shrink_to_fit();
         Self { root, pairs, order }
     }
 }

@@ -1,10 +1,9 @@
 //! An environment that is asked in the wrong way, to show what the right one is good for.
 
 use glam::{Vec2, Vec3};
-use raybook::image::rgb::Rgb;
 use raybook::light::environment::Environment;
 use raybook::light::extent::shine;
-use raybook::light::{Light, LightSample};
+use raybook::light::{Light, LightHit, LightSample};
 use raybook::math::dir3::Dir3;
 use raybook::math::ray::Ray;
 use std::f32::consts::PI;
@@ -13,20 +12,19 @@ use std::f32::consts::PI;
 #[derive(Debug)]
 pub struct Everywhere(pub Environment);
 
+/// One over the solid angle of all directions, per steradian.
+const PDF: f32 = 0.25 / PI;
+
 impl Light for Everywhere {
     fn sample(&self, _at: Vec3, u: Vec2) -> Option<LightSample> {
         let (cosine, (sin, cos)) = (1.0 - 2.0 * u.y, (2.0 * PI * u.x).sin_cos());
         let sine = (1.0 - cosine * cosine).sqrt();
         let toward = Dir3::new(Vec3::new(sine * cos, cosine, sine * sin))?;
-        let pdf = self.pdf(Vec3::ZERO, toward);
-        shine(toward, f32::INFINITY, self.0.radiance(toward), pdf)
+        shine(toward, f32::INFINITY, self.0.radiance(toward), PDF)
     }
 
-    fn pdf(&self, _at: Vec3, _toward: Dir3) -> f32 {
-        0.25 / PI
-    }
-
-    fn seen(&self, ray: &Ray) -> Option<(f32, Rgb)> {
-        self.0.seen(ray)
+    fn seen(&self, ray: &Ray) -> Option<LightHit> {
+        let hit = self.0.seen(ray)?;
+        Some(LightHit { pdf: PDF, ..hit })
     }
 }

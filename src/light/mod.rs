@@ -20,14 +20,14 @@ pub trait Light: Send + Sync {
     /// u, uniform in [0, 1)², chooses a place on a light that has an extent; the mean over u is the light that arrives.
     fn sample(&self, at: Vec3, u: Vec2) -> Option<LightSample>;
 
-    /// The density per steradian with which [`Light::sample`] chooses a direction; 0 for a light without extent.
-    fn pdf(&self, _at: Vec3, _toward: Dir3) -> f32 {
-        0.0
+    /// What a ray that meets the light itself finds; `None` for a light without extent.
+    fn seen(&self, _ray: &Ray) -> Option<LightHit> {
+        None
     }
 
-    /// How far along a ray the light itself is seen, and its radiance; never for a light without extent.
-    fn seen(&self, _ray: &Ray) -> Option<(f32, Rgb)> {
-        None
+    /// The density per steradian with which [`Light::sample`] chooses a direction; 0 for a light without extent.
+    fn pdf(&self, at: Vec3, toward: Dir3) -> f32 {
+        self.seen(&Ray::new(at, toward)).map_or(0.0, |hit| hit.pdf)
     }
 }
 // ANCHOR_END: light
@@ -42,6 +42,17 @@ pub struct LightSample {
     /// What arrives on a surface that faces the light, in W/m²; for a light with an extent, its radiance over `pdf`.
     pub arriving: Rgb,
     /// The density of this direction, per steradian; ∞ for a light without extent, whose direction is no choice.
+    pub pdf: f32,
+}
+
+/// A light, where a ray meets it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LightHit {
+    /// Distance along the ray, in metres; ∞ for a light that is not of this world.
+    pub t: f32,
+    /// The radiance that comes along the ray, in W·m⁻²·sr⁻¹.
+    pub radiance: Rgb,
+    /// The density per steradian with which [`Light::sample`] chooses the ray's direction, seen from where the ray begins.
     pub pdf: f32,
 }
 

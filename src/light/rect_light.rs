@@ -2,7 +2,7 @@
 
 use crate::image::rgb::Rgb;
 use crate::light::extent::{Choose, per_steradian, shine};
-use crate::light::{Light, LightSample};
+use crate::light::{Light, LightHit, LightSample};
 use crate::math::{dir3::Dir3, interval::Interval, ray::Ray};
 use glam::{DVec3, Vec2, Vec3};
 
@@ -95,17 +95,7 @@ impl Light for RectLight {
         shine(Dir3::new(r)?, r.length(), self.radiance, pdf)
     }
 
-    fn pdf(&self, at: Vec3, toward: Dir3) -> f32 {
-        let Some((t, _)) = self.seen(&Ray::new(at, toward)) else {
-            return 0.0;
-        };
-        self.view(at).map_or_else(
-            || per_steradian(1.0 / self.area, t * *toward, self.normal),
-            |view| 1.0 / view.solid_angle as f32,
-        )
-    }
-
-    fn seen(&self, ray: &Ray) -> Option<(f32, Rgb)> {
+    fn seen(&self, ray: &Ray) -> Option<LightHit> {
         let cosine = -ray.direction.dot(*self.normal);
         let t = (ray.origin - self.corner).dot(*self.normal) / cosine;
         if cosine <= 0.0 || !Interval::AHEAD.contains(t) {
@@ -113,7 +103,18 @@ impl Light for RectLight {
         }
         let p = ray.at(t) - self.corner;
         let inside = |side: Vec3| (0.0..=side.length_squared()).contains(&p.dot(side));
-        (inside(self.a) && inside(self.b)).then_some((t, self.radiance))
+        if !(inside(self.a) && inside(self.b)) {
+            return None;
+        }
+        let pdf = self.view(ray.origin).map_or_else(
+            || per_steradian(1.0 / self.area, t * *ray.direction, self.normal),
+            |view| 1.0 / view.solid_angle as f32,
+        );
+        Some(LightHit {
+            t,
+            radiance: self.radiance,
+            pdf,
+        })
     }
 }
 

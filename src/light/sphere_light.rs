@@ -2,7 +2,7 @@
 
 use crate::image::rgb::Rgb;
 use crate::light::extent::{Choose, per_steradian, shine};
-use crate::light::{Light, LightSample};
+use crate::light::{Light, LightHit, LightSample};
 use crate::math::{basis::Basis, dir3::Dir3, interval::Interval, ray::Ray};
 use crate::shape::{Shape, sphere::Sphere};
 use glam::{Vec2, Vec3, vec3};
@@ -99,21 +99,17 @@ impl Light for SphereLight {
         }
     }
 
-    fn pdf(&self, at: Vec3, toward: Dir3) -> f32 {
-        let Some((t, _)) = self.seen(&Ray::new(at, toward)) else {
-            return 0.0;
-        };
-        match self.choose {
-            Choose::ByArea => {
-                let r = t * *toward;
-                self.area_pdf(at, r, self.sphere.normal_at(at + r))
-            }
+    fn seen(&self, ray: &Ray) -> Option<LightHit> {
+        let t = self.sphere.hit(ray, Interval::AHEAD)?.t;
+        let (at, r) = (ray.origin, t * *ray.direction);
+        let pdf = match self.choose {
+            Choose::ByArea => self.area_pdf(at, r, self.sphere.normal_at(at + r)),
             Choose::BySolidAngle => 1.0 / (TAU * self.cap(at)),
-        }
-    }
-
-    fn seen(&self, ray: &Ray) -> Option<(f32, Rgb)> {
-        let hit = self.sphere.hit(ray, Interval::AHEAD)?;
-        Some((hit.t, self.radiance))
+        };
+        Some(LightHit {
+            t,
+            radiance: self.radiance,
+            pdf,
+        })
     }
 }

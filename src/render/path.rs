@@ -137,13 +137,11 @@ impl Path {
         let mut nearest = t.unwrap_or(f32::INFINITY);
         let mut found = t.is_none().then(|| (scene.backdrop)(ray));
         for light in &scene.lights {
-            if let Some((t, radiance)) = light.seen(ray).filter(|(t, _)| *t <= nearest) {
-                let share = self
-                    .strategy
-                    .of_surface(pdf, light.pdf(ray.origin, ray.direction));
-                let behind = found.filter(|_| t == nearest).unwrap_or(Rgb::BLACK);
-                found = Some(behind + radiance * share);
-                nearest = t;
+            if let Some(hit) = light.seen(ray).filter(|hit| hit.t <= nearest) {
+                let share = self.strategy.of_surface(pdf, hit.pdf);
+                let behind = found.filter(|_| hit.t == nearest).unwrap_or(Rgb::BLACK);
+                found = Some(behind + hit.radiance * share);
+                nearest = hit.t;
             }
         }
         found.map(|radiance| (nearest, radiance))

@@ -114,8 +114,8 @@ impl Scene {
     /// The radiance that comes along a ray that meets nothing: the backdrop's, and that of lights at infinity.
     pub fn behind_everything(&self, ray: &Ray) -> Rgb {
         let far = self.lights.iter().filter_map(|light| light.seen(ray));
-        let far = far.filter(|(t, _)| *t == f32::INFINITY);
-        (self.backdrop)(ray) + far.map(|(_, radiance)| radiance).sum::<Rgb>()
+        let far = far.filter(|hit| hit.t == f32::INFINITY);
+        (self.backdrop)(ray) + far.map(|hit| hit.radiance).sum::<Rgb>()
     }
 }
 

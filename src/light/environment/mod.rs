@@ -6,7 +6,7 @@ pub mod cube;
 pub mod latlong;
 
 use crate::image::{Image, rgb::Rgb};
-use crate::light::{Light, LightSample, extent::shine};
+use crate::light::{Light, LightHit, LightSample, extent::shine};
 use crate::math::piecewise::Piecewise;
 use crate::math::{dir3::Dir3, ray::Ray};
 use glam::{Vec2, Vec3};
@@ -77,12 +77,17 @@ impl Environment {
     /// solid angle: φ goes evenly through a texel, and so does cos θ, not θ (Archimedes: a sphere's zones have the areas
     /// of the cylinder's around it).
     pub fn choose(&self, u: Vec2) -> Option<Dir3> {
+        self.choose_in_texel(u).map(|(toward, _)| toward)
+    }
+
+    /// The same, with the column and the row of the texel.
+    fn choose_in_texel(&self, u: Vec2) -> Option<(Dir3, (usize, usize))> {
         let row = self.rows.choose(u.y)?;
         let column = self.columns[row.cell].choose(u.x)?;
         let (top, bottom) = (self.edges[row.cell], self.edges[row.cell + 1]);
         let cosine = top + (bottom - top) * f64::from(row.within);
         let turn = (column.cell as f32 + column.within) / self.map.width() as f32;
-        Some(latlong::toward(turn, cosine))
+        Some((latlong::toward(turn, cosine), (column.cell, row.cell)))
     }
     // ANCHOR_END: sample_environment
 
@@ -91,6 +96,11 @@ impl Environment {
     /// texel's solid angle.
     pub fn density(&self, toward: Dir3) -> f32 {
         let (x, y) = self.texel(toward);
+        self.density_in(x, y)
+    }
+
+    /// The same for all directions of a texel.
+    fn density_in(&self, x: usize, y: usize) -> f32 {
         (self.probability(x, y) / self.solid_angle(y)) as f32
     }
     // ANCHOR_END: environment_pdf
@@ -115,20 +125,24 @@ impl Environment {
 }
 
 impl Light for Environment {
-    /// Radiance and density are those of the texel that is seen in this direction. At a texel's edge rounding may make it
-    /// the neighbour of the one that was chosen: the sun's radiance over a dark neighbour's density would be a firefly.
+    /// Radiance and density are both those of the texel that was chosen. At its edge, rounding may turn the direction to the
+    /// neighbour: the sun's radiance over a dark neighbour's density would be a firefly.
     fn sample(&self, _at: Vec3, u: Vec2) -> Option<LightSample> {
-        let toward = self.choose(u)?;
-        let (x, y) = self.texel(toward);
-        let pdf = (self.probability(x, y) / self.solid_angle(y)) as f32;
-        shine(toward, f32::INFINITY, self.map.at(x, y), pdf)
+        let (toward, (x, y)) = self.choose_in_texel(u)?;
+        shine(
+            toward,
+            f32::INFINITY,
+            self.map.at(x, y),
+            self.density_in(x, y),
+        )
     }
 
-    fn pdf(&self, _at: Vec3, toward: Dir3) -> f32 {
-        self.density(toward)
-    }
-
-    fn seen(&self, ray: &Ray) -> Option<(f32, Rgb)> {
-        Some((f32::INFINITY, self.radiance(ray.direction)))
+    fn seen(&self, ray: &Ray) -> Option<LightHit> {
+        let (x, y) = self.texel(ray.direction);
+        Some(LightHit {
+            t: f32::INFINITY,
+            radiance: self.map.at(x, y),
+            pdf: self.density_in(x, y),
+        })
     }
 }

@@ -4,6 +4,7 @@ use crate::ch16_soft_shadows::support::{lattice, lights};
 use glam::{Vec3, vec2};
 use rand::RngExt;
 use raybook::image::rgb::Rgb;
+use raybook::light::LightHit;
 use raybook::math::{dir3::Dir3, pcg, ray::Ray};
 use std::f32::consts::TAU;
 
@@ -32,7 +33,7 @@ fn a_sample_knows_its_density_its_distance_and_what_arrives() {
                 Ray::new(Vec3::ZERO, sample.toward),
             );
             // At the rim of the sphere the last digit of the direction decides on which point is met.
-            let Some((t, radiance)) = light.seen(&ray) else {
+            let Some(LightHit { t, radiance, .. }) = light.seen(&ray) else {
                 continue;
             };
             told += u32::from(

@@ -157,7 +157,7 @@ fn what_is_seen_is_what_is_sampled() {
         .sum();
     let by_chance: f32 = (0..n)
         .map(|_| direction(&mut rng))
-        .filter_map(|d| Some((d, environment.seen(&Ray::new(Vec3::ZERO, d))?.1)))
+        .filter_map(|d| Some((d, environment.seen(&Ray::new(Vec3::ZERO, d))?.radiance)))
         .map(|(d, radiance)| 4.0 * PI * radiance.g * d.x.max(0.0))
         .sum();
     let [a, b] = [by_light, by_chance].map(|sum| sum / n as f32);

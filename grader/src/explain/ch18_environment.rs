@@ -41,6 +41,35 @@ impl Explained for DirectionToCube {
             v: place.y as f32,
         }
     }
+
+    fn draw(&self, right: &CubePlace, yours: Option<&CubePlace>) -> Option<Diagram> {
+        /// Each face's name, and the lower left corner of its square in the unfolded cube.
+        const FACES: [(&str, DVec2); 6] = [
+            ("+x", dvec2(2.0, 1.0)),
+            ("−x", dvec2(0.0, 1.0)),
+            ("+y", dvec2(1.0, 2.0)),
+            ("−y", dvec2(1.0, 0.0)),
+            ("+z", dvec2(3.0, 1.0)),
+            ("−z", dvec2(1.0, 1.0)),
+        ];
+        let mut drawing = Diagram::new(
+            "The cube unfolded around −z, as seen from inside, and the place on its faces",
+        );
+        for (name, corner) in FACES {
+            let (x, y) = (DVec2::X, DVec2::Y);
+            let outline = [corner, corner + x, corner + x + y, corner + y, corner];
+            drawing.line(&outline, Ink::Guide);
+            drawing.label(corner + 0.5, DVec2::ZERO, name, Ink::Guide);
+        }
+        for (place, ink) in [(Some(right), Ink::Right), (yours, Ink::Yours)] {
+            let on_face = place.and_then(|p| Some((p, FACES.get(p.face as usize)?)));
+            if let Some((place, (_, corner))) = on_face {
+                let (u, v) = (f64::from(place.u), f64::from(place.v));
+                drawing.point(corner + dvec2(u, 1.0 - v), ink);
+            }
+        }
+        Some(drawing)
+    }
 }
 
 impl Explained for DirectionToLatlong {
@@ -65,6 +94,22 @@ impl Explained for DirectionToLatlong {
         let v = way.part("θ/π", theta / PI);
         way.pair("(u, v) = (½ + φ/2π, θ/π)", "", dvec2(u, v))
             .as_vec2()
+    }
+
+    fn draw(&self, right: &Vec2, yours: Option<&Vec2>) -> Option<Diagram> {
+        let mut drawing =
+            Diagram::new("The place on the map, with a line every 45°; −z is in its middle");
+        Map::new(8, 4, &[]).draw(&mut drawing, &[]);
+        for (name, d) in [("−z", DVec3::NEG_Z), ("+x", DVec3::X), ("−x", DVec3::NEG_X)] {
+            drawing.label(on_map(d), dvec2(0.6, 0.8), name, Ink::Guide);
+        }
+        for (place, ink) in [(Some(right), Ink::Right), (yours, Ink::Yours)] {
+            if let Some(place) = place {
+                let (u, v) = (f64::from(place.x), f64::from(place.y));
+                drawing.point(dvec2(2.0 * u, -v), ink);
+            }
+        }
+        Some(drawing)
     }
 }
 

@@ -12,8 +12,8 @@ pub(super) const COUNT: Flaw = Flaw {
 /// What is wrong where a judge complains of a direction's length.
 pub(super) const LENGTH: Flaw = Flaw {
     complaint: "the direction has length",
-    name: "forgets to normalise the direction",
-    hint: "How long is a direction?",
+    name: "returns directions whose length is not 1",
+    hint: "How long is a direction? And do your answer's fields stand in the order of the task?",
 };
 
 /// What is wrong where a judge complains of the density.

@@ -107,7 +107,7 @@ fn what_a_page_becomes_is_the_courses_own() {
     );
     let turn = expanded("{{turn sphere_hit}}");
     for part in [
-        "fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {",
+        r#"<a href="library.html#Interval">Interval</a>) -&gt; Option&lt;<a href="library.html#Hit">Hit</a>&gt; {"#,
         "std::optional<double> sphere_hit(",
         "def sphere_hit(",
         "May be infinite in a question: `within`.",
@@ -115,6 +115,13 @@ fn what_a_page_becomes_is_the_courses_own() {
         "raybook check sphere_hit",
     ] {
         assert!(turn.contains(part), "{part} is in {turn}");
+    }
+    let reference = expanded("{{reference sphere_hit}}");
+    for part in [
+        r#"ray: &amp;<a href="library.html#Ray">Ray</a>"#,
+        r#"<a href="library.html#quadratic.solve">quadratic::solve</a>("#,
+    ] {
+        assert!(reference.contains(part), "{part} is in {reference}");
     }
     let mistakes = expanded("{{mistakes sphere_hit}}");
     assert!(

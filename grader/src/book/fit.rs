@@ -10,17 +10,41 @@ pub(super) fn fit(text: &str) -> String {
     let indent = lines().map(|line| line.len() - line.trim_start().len());
     let indent = indent.min().unwrap_or(0);
     let mut fitted = String::new();
-    for line in text.lines() {
-        let mut line = line.get(indent..).unwrap_or("").trim_end().to_owned();
+    let mut lines = text.lines().peekable();
+    while let Some(line) = lines.next() {
+        let dedented = |line: &'_ str| line.get(indent..).unwrap_or("").trim_end().to_owned();
+        let mut line = dedented(line);
         while let Some((start, rest)) = broken(&line) {
             fitted.push_str(start);
             fitted.push('\n');
             line = rest;
+            // What is left of a comment's line is filled up from its next line.
+            let goes_on = |next: &&str| goes_on(&line, &dedented(next));
+            if let Some(next) = lines.next_if(goes_on) {
+                let (_, words) = comment(next).unwrap_or_default();
+                line = format!("{line} {words}");
+            }
         }
         fitted.push_str(&line);
         fitted.push('\n');
     }
     fitted
+}
+
+/// The mark with which a line of a comment begins, with its indent, and the comment's words.
+fn comment(line: &str) -> Option<(&str, &str)> {
+    let body = line.trim_start();
+    let marks = ["/// ", "//! ", "// ", "# "];
+    let mark = marks.into_iter().find(|mark| body.starts_with(mark))?;
+    Some(line.split_at(line.len() - body.len() + mark.len()))
+}
+
+/// Whether a comment goes on in the next line: not where an item of a list or a table begins.
+fn goes_on(line: &str, next: &str) -> bool {
+    let (Some((mark, _)), Some((next_mark, words))) = (comment(line), comment(next)) else {
+        return false;
+    };
+    mark == next_mark && words.starts_with(|c: char| c.is_alphanumeric() || "(`[".contains(c))
 }
 
 /// A line that is too long: the part that fits, and a line of the rest.
@@ -30,9 +54,7 @@ fn broken(line: &str) -> Option<(&str, String)> {
     }
     let body = line.trim_start();
     let indent = &line[..line.len() - body.len()];
-    let comment = ["/// ", "//! ", "// ", "# "]
-        .into_iter()
-        .find(|mark| body.starts_with(mark));
+    let comment = comment(line);
     // A comment at the end of a line goes on the next line as a whole, or its end would be code.
     if comment.is_none()
         && let Some(place) = line.find(" // ")
@@ -40,10 +62,7 @@ fn broken(line: &str) -> Option<(&str, String)> {
         let next = format!("{indent}        {}", line[place..].trim_start());
         return Some((line[..place].trim_end(), next));
     }
-    let next = comment.map_or_else(
-        || format!("{indent}        "),
-        |mark| format!("{indent}{mark}"),
-    );
+    let next = comment.map_or_else(|| format!("{indent}        "), |(mark, _)| mark.to_owned());
     let place = last_space(line, next.len())?;
     Some((
         line[..place].trim_end(),
@@ -83,6 +102,22 @@ mod tests {
             assert!(fitted.lines().count() > 2, "it was too long");
             assert_eq!(fitted.matches("word").count(), 40, "no word is lost");
         }
+    }
+
+    #[test]
+    fn what_is_left_of_a_comments_line_is_filled_up_from_the_next() {
+        let words = "word ".repeat(20);
+        let text =
+            format!("    /// {words}\n    /// and on.\n    /// - {words}\n    fn f() {{}}\n");
+        let full = format!("/// {}", "word ".repeat(16));
+        let full = full.trim_end();
+        assert_eq!(
+            fit(&text),
+            format!(
+                "{full}\n/// word word word word and on.\n/// - {}\n/// word word word word\nfn f() {{}}\n",
+                "word ".repeat(16).trim_end()
+            )
+        );
     }
 
     #[test]

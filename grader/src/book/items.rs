@@ -106,9 +106,7 @@ impl Within {
         let is_trait = line.starts_with("pub trait ");
         let rest = line.strip_prefix("pub trait ").or_else(|| {
             let rest = line.strip_prefix("impl")?;
-            let rest = rest
-                .strip_prefix(' ')
-                .or_else(|| Some(rest.split_once("> ")?.1))?;
+            let rest = without_parameters(rest)?;
             (!rest.contains(" for ")).then_some(rest)
         })?;
         Some(Self {
@@ -116,6 +114,20 @@ impl Within {
             is_trait,
         })
     }
+}
+
+/// What stands behind the parameters of an `impl`, if it has any: `<F: Fn(f32) -> bool> Filter<F> {`.
+fn without_parameters(text: &str) -> Option<&str> {
+    let mut depth = 0_u32;
+    for (at, c) in text.char_indices() {
+        match c {
+            '<' => depth += 1,
+            '>' if !text[..at].ends_with('-') => depth = depth.checked_sub(1)?,
+            ' ' if depth == 0 => return Some(&text[at + 1..]),
+            _ => {}
+        }
+    }
+    None
 }
 
 /// The name of the item that is declared on a line, if it is public.
@@ -253,7 +265,7 @@ mod tests {
     #[test]
     fn a_file_tells_its_public_items() {
         let text = "//! Balls.\n//!\n//! More.\n\n/// A ball, as [`Ball::new`] makes it,\n/// and [a page](https://x.y).\n///\n/// More.\n#[derive(Debug)]\npub struct Ball {\n    pub radius: f32,\n}\n\n\
-            impl<T> Ball {\n    /// A [`Ray`](crate::math::Ray).\n    pub const fn new(\n        radius: f32,\n    ) -> Self {\n        todo!()\n    }\n    fn hidden() {}\n}\n\n\
+            impl<T: Fn(f32) -> bool> Ball {\n    /// A [`Ray`](crate::math::Ray).\n    pub const fn new(\n        radius: f32,\n    ) -> Self {\n        todo!()\n    }\n    fn hidden() {}\n}\n\n\
             impl Shape for Ball {\n    fn hit(&self) {}\n}\n\npub trait Shape {\n    /// Hits.\n    fn hit(&self) -> bool;\n}\n\n\
             /// Rolls.\npub fn roll<T>(ball: T) {\n}\n\npub const LARGEST: f32 = 1.0;\n\npub mod x;\n#[cfg(test)]\npub fn test() {}\n";
         let found = section("src/shape/ball.rs".to_owned(), text);

@@ -1,5 +1,6 @@
-//! `{{reference sphere_hit}}` and `{{listing src/shape/mod.rs:shape}}`: anchors of the library, whole.
+//! `{{reference sphere_hit}}` and `{{listing src/shape/mod.rs:shape}}`: anchors of the library, whole, with links to what they name.
 
+use super::code;
 use super::fit::fit;
 use super::text::Links;
 use crate::library;
@@ -17,8 +18,8 @@ pub(super) fn reference(name: &str, links: &Links) -> Result<String, String> {
     Ok(format!(
         "<details class=\"reference\"><summary>{}</summary>\n\n{}\n{}\n</details>",
         summary.into_string(),
-        fence(text),
-        named(&file, text, links)
+        code::html(&fitted(text), &file, &links.names),
+        stands_in(&file, links)
     ))
 }
 
@@ -28,7 +29,8 @@ pub(super) fn reference(name: &str, links: &Links) -> Result<String, String> {
 /// If there is no such anchor.
 pub(super) fn open(name: &str, links: &Links) -> Result<String, String> {
     let (file, text) = find(name)?;
-    Ok(format!("{}\n{}", fence(text), named(&file, text, links)))
+    let listing = code::html(&fitted(text), &file, &links.names);
+    Ok(format!("{listing}\n{}", stands_in(&file, links)))
 }
 
 /// The file and the text of an exercise's reference, or of `src/file.rs:anchor`.
@@ -63,28 +65,10 @@ fn fitted(text: &str) -> String {
     format!("{}\n", text.trim_end())
 }
 
-fn fence(text: &str) -> String {
-    format!("```rust,noplayground\n{}```\n", fitted(text))
-}
-
-/// Where a listing stands, and where the items of the library that occur in it are documented.
-fn named(file: &str, listing: &str, links: &Links) -> String {
-    let code = |name: &str| {
-        let place = links.names.place(name)?;
-        Some(format!("[`{name}`]({place})"))
-    };
-    let words = listing.split(|c: char| !c.is_alphanumeric() && !['_', ':'].contains(&c));
-    let words = words.map(|word| word.trim_matches(':'));
-    let mut names: Vec<_> = words
-        .filter(|word| word.starts_with(char::is_uppercase))
-        .collect();
-    names.sort_unstable();
-    names.dedup();
-    let names: Vec<_> = names.into_iter().filter_map(code).collect();
-    let file = code(file).unwrap_or_else(|| format!("`{file}`"));
-    if names.is_empty() {
-        format!("In {file}.\n")
-    } else {
-        format!("In {file}. Documented: {}.\n", names.join(", "))
+/// Where a listing stands.
+fn stands_in(file: &str, links: &Links) -> String {
+    match links.names.place(file) {
+        Some(place) => format!("In [`{file}`]({place}).\n"),
+        None => format!("In `{file}`.\n"),
     }
 }

@@ -17,9 +17,10 @@
 //! | `{{table proof}}` | the table that a test writes: what became of each exercise's mistakes |
 //!
 //! Besides, `chapter 7` and `Kajiya 1986` in a text become links, and so do names in back quotes: exercises, commands, files and items of the
-//! library. Above a lesson stands how long it takes to read, and which lessons it needs.
+//! library. In a listing, the library's names are links. Above a lesson stands how long it takes to read, and which lessons it needs.
 
 mod citation;
+mod code;
 mod commands;
 mod directive;
 mod example;

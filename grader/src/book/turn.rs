@@ -1,5 +1,6 @@
 //! `{{turn sphere_hit}}`: what a student needs to write a function, in four languages.
 
+use super::code;
 use super::fit::fit;
 use super::text::{self, Links};
 use crate::converse::Limits;
@@ -27,7 +28,7 @@ pub(super) fn expand(page: &str, examiner: &dyn Examiner, links: &Links) -> Resu
         dedented(function.signature)
     );
     let languages = [
-        ("Rust", "rust,noplayground", in_rust),
+        ("Rust", "rust", in_rust),
         (
             "C++",
             "cpp",
@@ -48,7 +49,7 @@ pub(super) fn expand(page: &str, examiner: &dyn Examiner, links: &Links) -> Resu
     let title = html! { h3 id={ "turn-" (name) } { code { (name) } } };
     let task = text::linked(page, asked.task, links);
     let mut text = format!("{}\n\n{task}\n\n", title.into_string());
-    text.push_str(&tabs(name, &languages));
+    text.push_str(&tabs(name, &languages, links));
     text.push_str(&parameters(asked));
     let place = format!(
         "Write it in `{rust}` of a workbook in Rust, `{cpp}` in C++, `{python}` in Python (`raybook new my-rays --language cpp`)."
@@ -72,7 +73,8 @@ pub(super) fn expand(page: &str, examiner: &dyn Examiner, links: &Links) -> Resu
 }
 
 /// The languages side by side. The tabs are radio buttons and style, so that they work without a script; in print all are shown.
-fn tabs(name: &str, languages: &[(&str, &str, String)]) -> String {
+fn tabs(name: &str, languages: &[(&str, &str, String)], links: &Links) -> String {
+    let file = library::place(name).unwrap_or_default();
     let mut text = "<div class=\"tabs\">\n".to_owned();
     for (i, (language, _, _)) in languages.iter().enumerate() {
         let id = format!("tab-{name}-{i}");
@@ -85,9 +87,13 @@ fn tabs(name: &str, languages: &[(&str, &str, String)]) -> String {
     }
     for (language, highlight, listing) in languages {
         let listing = fit(listing);
+        let listing = match *highlight {
+            "rust" => code::html(&listing, &file, &links.names),
+            _ => format!("```{highlight}\n{listing}```\n"),
+        };
         let _ = write!(
             text,
-            "\n<div class=\"tab\" title=\"{language}\">\n\n```{highlight}\n{listing}```\n\n</div>\n"
+            "\n<div class=\"tab\" title=\"{language}\">\n\n{listing}\n</div>\n"
         );
     }
     text.push_str("</div>\n\n");

@@ -18,7 +18,7 @@ pub(super) fn html(listing: &str, file: &str, names: &Names) -> String {
     let mut text = String::with_capacity(2 * listing.len());
     for piece in pieces(listing) {
         match piece {
-            Piece::Path(path, is_called) => match linked(path, is_called, &place) {
+            Piece::Path(path, is_called) => match linked(path, is_called, place) {
                 Some((before, name, place, after)) => {
                     text.extend([before, &link(name, place), after]);
                 }

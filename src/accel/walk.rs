@@ -20,21 +20,11 @@ pub fn walk(
     lattice: &Lattice,
     ray: &Ray,
     within: Interval,
-    visit: impl FnMut(UVec3, Interval) -> ControlFlow<()>,
-) {
-    if let Some(enter) = RayBox::new(ray).enters(&lattice.bounds(), within) {
-        walk_inside(lattice, ray, Interval::new(enter, within.max), visit);
-    }
-}
-
-/// The same for an interval that begins in the lattice.
-pub(crate) fn walk_inside(
-    lattice: &Lattice,
-    ray: &Ray,
-    within: Interval,
     mut visit: impl FnMut(UVec3, Interval) -> ControlFlow<()>,
 ) {
-    let mut enter = within.min;
+    let Some(mut enter) = RayBox::new(ray).enters(&lattice.bounds(), within) else {
+        return;
+    };
     let mut cell = lattice.cell_at(ray.at(enter));
     let first = (lattice.min - ray.origin) / *ray.direction;
     let apart = lattice.cell / *ray.direction;

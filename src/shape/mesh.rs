@@ -245,9 +245,9 @@ impl Shape for Facet {
 
     #[inline]
     fn hit_by(ray: &Ray) -> impl Fn(&Self, Interval) -> Option<Hit> {
-        let (shear, origin) = (Shear::along(ray), ray.origin);
+        let shear = Shear::along(ray);
         move |facet, within| {
-            let hit = triangle_watertight::hit_sheared(&facet.corners, origin, &shear, within)?;
+            let hit = triangle_watertight::hit_sheared(&facet.corners, ray, &shear, within)?;
             Some(Hit {
                 id: facet.id,
                 ..hit

@@ -8,9 +8,15 @@ use crate::math::{
 use crate::shape::Hit;
 use glam::{DVec3, Vec3, Vec3A, Vec3Swizzles, vec2};
 
-// ANCHOR: hit_watertight
 /// The same answer as [`Triangle::hit`](crate::shape::Shape::hit), but for rays within rounding errors of an edge:
 /// of two triangles that share the edge exactly, one or both are hit, never neither (Woop, Benthin and Wald 2013).
+#[inline]
+pub fn hit(corners: &[Vec3; 3], ray: &Ray, within: Interval) -> Option<Hit> {
+    hit_sheared(corners, ray, &Shear::along(ray), within)
+}
+
+// ANCHOR: hit_watertight
+/// The hit of a ray whose shear is known: all triangles that the ray is tested with share it.
 ///
 /// The corners are moved so that the ray starts at 0, and sheared so that it runs along one axis. What is left is a
 /// question in the plane: is 0 inside the triangle a, b, c? It is if the areas u = c × b, v = a × c and w = b × a,
@@ -20,19 +26,13 @@ use glam::{DVec3, Vec3, Vec3A, Vec3Swizzles, vec2};
 /// The vectors x, y and z hold these coordinates of a, b and c, so one operation does the same for all three.
 /// Double precision also takes over where areas are so small or so large that areas · z vanishes or overflows.
 #[inline]
-pub fn hit(corners: &[Vec3; 3], ray: &Ray, within: Interval) -> Option<Hit> {
-    hit_sheared(corners, ray.origin, &Shear::along(ray), within)
-}
-
-/// The same, by the origin of the ray and its shear, which all triangles share.
-#[inline]
 pub(crate) fn hit_sheared(
     corners: &[Vec3; 3],
-    origin: Vec3,
+    ray: &Ray,
     shear: &Shear,
     within: Interval,
 ) -> Option<Hit> {
-    let [x, y, z] = shear.apply(corners, origin);
+    let [x, y, z] = shear.apply(corners, ray.origin);
     let areas = x.zxy() * y.yzx() - y.zxy() * x.yzx(); // (u, v, w)
     if areas.cmplt(Vec3A::ZERO).any() && areas.cmpgt(Vec3A::ZERO).any() {
         return None;

@@ -202,7 +202,7 @@ fn is_certain(v: f64) -> bool {
 }
 
 /// The exercises with a drawing.
-const DRAWN: [&str; 39] = [
+const DRAWN: [&str; 41] = [
     "ray_at",
     "camera_ray",
     "sphere_hit",
@@ -227,6 +227,8 @@ const DRAWN: [&str; 39] = [
     "shadow_ray",
     "cosine_hemisphere",
     "reflected_radiance",
+    "direction_to_cube",
+    "direction_to_latlong",
     "sample_environment",
     "environment_pdf",
     "thin_lens_ray",

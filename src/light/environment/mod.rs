@@ -77,17 +77,12 @@ impl Environment {
     /// solid angle: φ goes evenly through a texel, and so does cos θ, not θ (Archimedes: a sphere's zones have the areas
     /// of the cylinder's around it).
     pub fn choose(&self, u: Vec2) -> Option<Dir3> {
-        self.choose_in_texel(u).map(|(toward, _)| toward)
-    }
-
-    /// The same, with the column and the row of the texel.
-    fn choose_in_texel(&self, u: Vec2) -> Option<(Dir3, (usize, usize))> {
         let row = self.rows.choose(u.y)?;
         let column = self.columns[row.cell].choose(u.x)?;
         let (top, bottom) = (self.edges[row.cell], self.edges[row.cell + 1]);
         let cosine = top + (bottom - top) * f64::from(row.within);
         let turn = (column.cell as f32 + column.within) / self.map.width() as f32;
-        Some((latlong::toward(turn, cosine), (column.cell, row.cell)))
+        Some(latlong::toward(turn, cosine))
     }
     // ANCHOR_END: sample_environment
 
@@ -96,11 +91,6 @@ impl Environment {
     /// texel's solid angle.
     pub fn density(&self, toward: Dir3) -> f32 {
         let (x, y) = self.texel(toward);
-        self.density_in(x, y)
-    }
-
-    /// The same for all directions of a texel.
-    fn density_in(&self, x: usize, y: usize) -> f32 {
         (self.probability(x, y) / self.solid_angle(y)) as f32
     }
     // ANCHOR_END: environment_pdf
@@ -116,6 +106,13 @@ impl Environment {
         TAU * (self.edges[row] - self.edges[row + 1]) / self.map.width() as f64
     }
 
+    /// The radiance that comes from a direction, and its density: both are those of one texel, which is looked up once.
+    fn shines(&self, toward: Dir3) -> (Rgb, f32) {
+        let (x, y) = self.texel(toward);
+        let pdf = (self.probability(x, y) / self.solid_angle(y)) as f32;
+        (self.map.at(x, y), pdf)
+    }
+
     fn texel(&self, toward: Dir3) -> (usize, usize) {
         let (width, height) = (self.map.width(), self.map.height());
         let place = latlong::place(toward);
@@ -125,24 +122,20 @@ impl Environment {
 }
 
 impl Light for Environment {
-    /// Radiance and density are both those of the texel that was chosen. At its edge, rounding may turn the direction to the
-    /// neighbour: the sun's radiance over a dark neighbour's density would be a firefly.
+    /// Radiance and density are those of the texel that is seen in this direction. At a texel's edge rounding may make it
+    /// the neighbour of the one that was chosen: the sun's radiance over a dark neighbour's density would be a firefly.
     fn sample(&self, _at: Vec3, u: Vec2) -> Option<LightSample> {
-        let (toward, (x, y)) = self.choose_in_texel(u)?;
-        shine(
-            toward,
-            f32::INFINITY,
-            self.map.at(x, y),
-            self.density_in(x, y),
-        )
+        let toward = self.choose(u)?;
+        let (radiance, pdf) = self.shines(toward);
+        shine(toward, f32::INFINITY, radiance, pdf)
     }
 
     fn seen(&self, ray: &Ray) -> Option<LightHit> {
-        let (x, y) = self.texel(ray.direction);
+        let (radiance, pdf) = self.shines(ray.direction);
         Some(LightHit {
             t: f32::INFINITY,
-            radiance: self.map.at(x, y),
-            pdf: self.density_in(x, y),
+            radiance,
+            pdf,
         })
     }
 }

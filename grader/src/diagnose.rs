@@ -5,6 +5,7 @@
 //! a question that was misread; what a mistake makes of the right answer, with a number that fits; and two of these, one after the
 //! other. An answer of several parts may have a mistake in each.
 
+mod branch;
 mod evidence;
 mod fit;
 mod flaws;
@@ -61,10 +62,9 @@ pub fn diagnose(
 ) -> Option<Diagnosis> {
     let wrong = answers.iter().filter(|(_, right)| !right).count();
     let evidence = Evidence::new(examiner, cases, answers);
-    if evidence.wrong == 0 {
-        return None;
-    }
-    let mut diagnosis = of_all(&evidence)?;
+    let read = Some(&evidence).filter(|evidence| evidence.wrong > 0);
+    let found = read.and_then(of_all);
+    let mut diagnosis = found.or_else(|| branch::search(examiner, cases, answers))?;
     diagnosis.wrong = wrong;
     for also in &mut diagnosis.also {
         also.wrong = wrong;

@@ -2,6 +2,7 @@
 
 mod flaws;
 mod mistakes;
+mod operations;
 
 use mistakes::{MISTAKES, Slip};
 use raybook_grader::cases;

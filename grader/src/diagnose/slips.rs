@@ -1,6 +1,8 @@
 //! Explanations by one step that goes wrong: the steps of `raybook explain` with another value at one of them, or another decision.
 //! Every exercise with steps has them for nothing.
 
+mod operands;
+
 use super::evidence::Evidence;
 use super::function::FUNCTIONS;
 use crate::attempt::attempt;
@@ -133,7 +135,10 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
             }
         }
         for decision in walked.decisions {
-            if !decisions.contains(&decision) {
+            if !decisions
+                .iter()
+                .any(|one: &Decision| one.place == decision.place)
+            {
                 decisions.push(decision);
             }
         }
@@ -167,7 +172,21 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
             }
         }
     }
-    for Decision { name, place } in decisions {
+    let questions: Vec<_> = evidence.items.iter().map(|item| &*item.question).collect();
+    let named: Vec<_> = steps.iter().map(|(step, _)| step).collect();
+    for (at, operation) in operands::operations(explainer, number, &questions, &named) {
+        let (step, hint) = steps
+            .iter()
+            .find(|(step, _)| step.place == at)
+            .expect("it is one of them");
+        let name = format!(
+            "goes wrong at the step “{}”: {}",
+            short(step),
+            operation.name
+        );
+        add(name, hint, operation.rank, operation.slip);
+    }
+    for Decision { name, place, .. } in decisions {
         let mut add = |name, of| add(name, CONDITION, 9, Slip::Decision(place, of));
         add(format!("never takes it into account when {name}"), |_| {
             false

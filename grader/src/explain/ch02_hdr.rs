@@ -6,6 +6,17 @@ use super::way::Way;
 use glam::dvec3;
 use raybook::image::rgb::Rgb;
 use raybook_workbook::exercises::ch02_hdr::{EncodeSrgb, Expose, ToneMap};
+use std::f64::consts::LN_2;
+
+/// The same by the exponential function: 2^stops is e^(stops · ln 2).
+fn by_logarithm(asked: &Expose, way: &mut Way) -> Rgb {
+    let stops = way.part("stops", f64::from(asked.stops));
+    let log = way.part("ln 2", LN_2);
+    let power = way.part("stops · ln 2", stops * log);
+    let factor = way.part("e^(stops · ln 2)", power.exp());
+    let radiance = way.part("radiance", parts(asked.radiance));
+    colour(way.part("radiance · 2^stops", radiance * factor))
+}
 
 impl Explained for Expose {
     fn work(&self, way: &mut Way) -> Rgb {
@@ -16,6 +27,8 @@ impl Explained for Expose {
         let exposed = way.vector("radiance · 2^stops", "W·m⁻²·sr⁻¹", radiance * factor);
         colour(exposed)
     }
+
+    const WAYS: &'static [fn(&Self, &mut Way) -> Rgb] = &[Self::work, by_logarithm];
 }
 
 impl Explained for ToneMap {

@@ -4,7 +4,7 @@ use super::Explained;
 use super::diagram::{Diagram, Ink};
 use super::rays;
 use super::way::Way;
-use glam::{DVec3, dvec2};
+use glam::{DVec3, Vec3, dvec2};
 use raybook::math::interval::Interval;
 use raybook_workbook::exercises::ch05_box::{BoundsOf, BoxClip, Corners};
 
@@ -176,8 +176,12 @@ impl Explained for BoxClip {
 impl Explained for BoundsOf {
     fn work(&self, way: &mut Way) -> Corners {
         let points = || self.points.iter().map(|p| p.as_dvec3());
-        if self.points.is_empty() {
+        if way.decides("there are no points", self.points.is_empty()) {
             way.remark("There are no points: the least of none is +∞, the greatest −∞.");
+            return Corners {
+                min: Vec3::INFINITY,
+                max: Vec3::NEG_INFINITY,
+            };
         }
         let min = way.vector(
             "the least x, y and z of all points",

@@ -181,9 +181,25 @@ impl Explained for TriangleHit {
     }
 }
 
+/// The same by the edges at the second corner.
+fn by_the_second(asked: &TriangleNormal, way: &mut Way) -> Option<Vec3> {
+    let p0 = way.part("p₀", asked.p0.as_dvec3());
+    let p1 = way.part("p₁", asked.p1.as_dvec3());
+    let p2 = way.part("p₂", asked.p2.as_dvec3());
+    let next = way.part("p₂ − p₁", p2 - p1);
+    let back = way.part("p₀ − p₁", p0 - p1);
+    let across: DVec3 = way.part("(p₂ − p₁) × (p₀ − p₁)", next.cross(back));
+    if way.decides("the triangle has no area", across.length() == 0.0) {
+        return None;
+    }
+    Some(way.part("that, of length 1", across.normalize()).as_vec3())
+}
+
 impl Explained for TriangleNormal {
     fn work(&self, way: &mut Way) -> Option<Vec3> {
-        let [p0, p1, p2] = [self.p0, self.p1, self.p2].map(Vec3::as_dvec3);
+        let p0 = way.part("p₀", self.p0.as_dvec3());
+        let p1 = way.part("p₁", self.p1.as_dvec3());
+        let p2 = way.part("p₂", self.p2.as_dvec3());
         let e1 = way.vector("e₁ = p₁ − p₀", "m", p1 - p0);
         let e2 = way.vector("e₂ = p₂ − p₀", "m", p2 - p0);
         let across: DVec3 = way.vector("e₁ × e₂", "m²", e1.cross(e2));
@@ -197,4 +213,6 @@ impl Explained for TriangleNormal {
                 .as_vec3(),
         )
     }
+
+    const WAYS: &'static [fn(&Self, &mut Way) -> Option<Vec3>] = &[Self::work, by_the_second];
 }

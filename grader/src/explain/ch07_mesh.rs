@@ -82,6 +82,9 @@ impl Explained for VertexNormals {
         for (i, triangle) in self.triangles.iter().enumerate() {
             let corners = [triangle.a, triangle.b, triangle.c];
             let [p0, p1, p2] = corners.map(|k| self.positions[k as usize].as_dvec3());
+            let p0 = way.part("p₀", p0);
+            let p1 = way.part("p₁", p1);
+            let p2 = way.part("p₂", p2);
             let e1 = way.part("e₁ = p₁ − p₀", p1 - p0);
             let e2 = way.part("e₂ = p₂ − p₀", p2 - p0);
             let name = format!("triangle {i}, e₁ × e₂: its normal, twice as long as its area");

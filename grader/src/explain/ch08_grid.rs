@@ -19,7 +19,7 @@ impl Explained for GridResolution {
         let cells = way.number("cells = density · shapes", "", density * shapes);
         let mut thick: Vec<usize> = (0..3).filter(|&axis| extents[axis] > 0.0).collect();
         let along = loop {
-            if thick.is_empty() {
+            if way.decides("no axis is left to be cut", thick.is_empty()) {
                 way.remark("No axis is left to be cut: there is one cell.");
                 break DVec3::ONE;
             }

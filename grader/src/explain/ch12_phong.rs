@@ -57,13 +57,26 @@ fn radiance(
     colour(way.vector("(diffuse + specular) · i", "W·m⁻²·sr⁻¹", both * arriving))
 }
 
+/// The same by the viewer's mirror direction.
+fn by_the_view(asked: &PhongExercise, way: &mut Way) -> Rgb {
+    radiance(way, &asked.at, |way, [n, v, l], _| {
+        let cosine = way.part("N·V", n.dot(v));
+        let along = way.part("2 (N·V) N", 2.0 * cosine * n);
+        let r = way.part("2 (N·V) N − V", along - v);
+        way.part("the same · L", r.dot(l))
+    })
+}
+
 impl Explained for PhongExercise {
     fn work(&self, way: &mut Way) -> Rgb {
         radiance(way, &self.at, |way, [n, v, l], lambert| {
-            let r = way.vector("R = 2 (L·N) N − L", "", 2.0 * lambert * n - l);
+            let along = way.part("2 (L·N) N", 2.0 * lambert * n);
+            let r = way.vector("R = 2 (L·N) N − L", "", along - l);
             way.number("R·V", "", r.dot(v))
         })
     }
+
+    const WAYS: &'static [fn(&Self, &mut Way) -> Rgb] = &[Self::work, by_the_view];
 
     fn draw(&self, _: &Rgb, _: Option<&Rgb>) -> Option<Diagram> {
         let [n, _, l] = directions(&self.at);
@@ -128,11 +141,9 @@ fn fan(at: &Highlight, (name, other): (&str, DVec3), what: &str) -> Diagram {
 
 impl Explained for PointLightExercise {
     fn work(&self, way: &mut Way) -> Option<Arriving> {
-        let r = way.vector(
-            "r = position − at",
-            "m",
-            self.position.as_dvec3() - self.at.as_dvec3(),
-        );
+        let position = way.part("position", self.position.as_dvec3());
+        let at = way.part("at", self.at.as_dvec3());
+        let r = way.vector("r = position − at", "m", position - at);
         let distance = way.number("d = |r|", "m", r.length());
         if way.decides("the point is the light itself", distance == 0.0) {
             way.remark("This is the light itself.");

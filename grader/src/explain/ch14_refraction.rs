@@ -94,9 +94,11 @@ impl Explained for Fresnel {
             return both(1.0, 1.0);
         }
         let cos2 = way.number("cos θ₂", "", squared.sqrt());
-        let first = way.part("n₁ cos θ₁", n1 * cos1);
-        let second = way.part("n₂ cos θ₂", n2 * cos2);
+        let first = way.part("n₁ cos θ₁ above the line", n1 * cos1);
+        let second = way.part("n₂ cos θ₂ above the line", n2 * cos2);
         let over = way.part("n₁ cos θ₁ − n₂ cos θ₂", first - second);
+        let first = way.part("n₁ cos θ₁ below the line", n1 * cos1);
+        let second = way.part("n₂ cos θ₂ below the line", n2 * cos2);
         let under = way.part("n₁ cos θ₁ + n₂ cos θ₂", first + second);
         let rs = way.part("the root of Rs", over / under);
         let rs = way.number(
@@ -104,9 +106,11 @@ impl Explained for Fresnel {
             "",
             rs * rs,
         );
-        let first = way.part("n₁ cos θ₂", n1 * cos2);
-        let second = way.part("n₂ cos θ₁", n2 * cos1);
+        let first = way.part("n₁ cos θ₂ above the line", n1 * cos2);
+        let second = way.part("n₂ cos θ₁ above the line", n2 * cos1);
         let over = way.part("n₁ cos θ₂ − n₂ cos θ₁", first - second);
+        let first = way.part("n₁ cos θ₂ below the line", n1 * cos2);
+        let second = way.part("n₂ cos θ₁ below the line", n2 * cos1);
         let under = way.part("n₁ cos θ₂ + n₂ cos θ₁", first + second);
         let rp = way.part("the root of Rp", over / under);
         let rp = way.number(

@@ -29,7 +29,8 @@ impl Explained for BrdfPhong {
         }
         let diffuse = way.part("diffuse", parts(self.diffuse));
         let matte = way.vector("diffuse/π", "1/sr", diffuse * FRAC_1_PI);
-        let mirrored = way.vector("R = 2 (N·L) N − L", "", 2.0 * cosine * n - l);
+        let along = way.part("2 (N·L) N", 2.0 * cosine * n);
+        let mirrored = way.vector("R = 2 (N·L) N − L", "", along - l);
         let cos_alpha = way.number("cos α = R·V", "", mirrored.dot(v));
         if way.decides("α is above 90°", cos_alpha <= 0.0) {
             way.remark("α is above 90°: there is no highlight.");

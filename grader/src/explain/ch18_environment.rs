@@ -214,7 +214,7 @@ impl Explained for SampleEnvironment {
     fn work(&self, way: &mut Way) -> Vec<Vec3> {
         let map = Map::new(self.width, self.height, &self.texels);
         let all = map.all_told(way);
-        if all <= 0.0 {
+        if way.decides("the map is black", all <= 0.0) {
             way.remark("The map is black: there is no direction to choose.");
             return Vec::new();
         }
@@ -275,7 +275,7 @@ impl Explained for EnvironmentPdf {
     fn work(&self, way: &mut Way) -> f32 {
         let map = Map::new(self.width, self.height, &self.texels);
         let all = map.all_told(way);
-        if all <= 0.0 {
+        if way.decides("the map is black", all <= 0.0) {
             way.remark("The map is black: the density is 0.");
             return 0.0;
         }

@@ -63,7 +63,8 @@ impl Explained for ThinLensRay {
         let film = way.part("film", self.film.as_dvec2());
         let plane = way.part("plane", self.plane.as_dvec2());
         let longer = way.part("s − f", focus - f);
-        let distance = way.number("the film's distance, f·s/(s − f)", "m", f * focus / longer);
+        let product = way.part("f·s", f * focus);
+        let distance = way.number("the film's distance, f·s/(s − f)", "m", product / longer);
         let from_middle = way.part("film − ½", film - 0.5);
         let on_film = from_middle * plane * dvec2(1.0, -1.0);
         let on_film = way.pair(
@@ -71,7 +72,10 @@ impl Explained for ThinLensRay {
             "m",
             on_film,
         );
-        let central = distance * forward + on_film.x * right + on_film.y * up;
+        let ahead = way.part("distance · forward", distance * forward);
+        let aside = way.part("what goes along right", on_film.x * right);
+        let upwards = way.part("what goes along up", on_film.y * up);
+        let central = ahead + aside + upwards;
         let central = way.vector("v, through the middle of the lens", "m", central);
         let times = way.part("s/distance", focus / distance);
         let in_focus = way.vector(
@@ -146,6 +150,26 @@ impl Explained for ThinLensRay {
     }
 }
 
+/// The same by the lens equation: where the film is, and where the cone has its tip.
+fn by_the_lens_equation(asked: &CircleOfConfusion, way: &mut Way) -> f32 {
+    let f = way.part("focal_length", f64::from(asked.focal_length));
+    let stop = way.part("f_number", f64::from(asked.f_number));
+    let s = way.part("s", f64::from(asked.focus));
+    let x = way.part("x", f64::from(asked.distance));
+    let of_lens = way.part("1/f at the film", f.recip());
+    let of_focus = way.part("1/s", s.recip());
+    let of_film = way.part("1/f − 1/s", of_lens - of_focus);
+    let film = way.part("the film's distance, 1/(1/f − 1/s)", of_film.recip());
+    let of_lens = way.part("1/f at the tip", f.recip());
+    let of_point = way.part("1/x", x.recip());
+    let of_tip = way.part("1/f − 1/x, 1 over the tip's distance", of_lens - of_point);
+    let ratio = way.part("the film's distance over the tip's", film * of_tip);
+    let share = way.part("1 − that", 1.0 - ratio);
+    let share = way.part("that without its sign", share.abs());
+    let aperture = way.part("f/f_number", f / stop);
+    way.part("the circle's diameter", aperture * share) as f32
+}
+
 impl Explained for CircleOfConfusion {
     fn work(&self, way: &mut Way) -> f32 {
         let f = way.part("focal_length", f64::from(self.focal_length));
@@ -172,4 +196,6 @@ impl Explained for CircleOfConfusion {
         );
         way.number("A · |x − s|/x · f/(s − f)", "m", aperture * share * smaller) as f32
     }
+
+    const WAYS: &'static [fn(&Self, &mut Way) -> f32] = &[Self::work, by_the_lens_equation];
 }

@@ -41,7 +41,8 @@ impl Explained for RegularGrid {
         way.remark("The first point, of column i = 0 and row j = 0; the others go the same way:");
         way.of_first(lattice(self.columns, self.rows), |way, cell| {
             let cell = way.part("(i, j)", cell);
-            let middle = way.part("(i + ½, j + ½)", cell + 0.5);
+            let half = way.part("½ of a cell", 0.5_f64);
+            let middle = way.part("(i + ½, j + ½)", cell + half);
             let p = way.pair("((i + ½)/columns, (j + ½)/rows)", "px", middle * sides);
             way.pair(
                 "that, moved by the pixel's column and row",

@@ -41,6 +41,25 @@ impl Change {
     }
 }
 
+/// How another value goes into a step where it does not belong, or once more than it should.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Mixed {
+    /// The step times this power of the value.
+    Times(f64),
+    /// The step plus this many times the value.
+    Plus(f64),
+}
+
+impl Mixed {
+    /// A number of the step's value with a number of the other.
+    pub(super) fn of(self, v: f64, other: f64) -> f64 {
+        match self {
+            Self::Times(power) => v * other.powf(power),
+            Self::Plus(factor) => v + factor * other,
+        }
+    }
+}
+
 /// What happens at one step, wherever the way comes by it.
 #[derive(Clone, Copy, Debug)]
 pub enum Slip {
@@ -52,6 +71,15 @@ pub enum Slip {
         at: Place,
         /// The step whose value is taken.
         of: Place,
+    },
+    /// The last value of another step, as in `Other`, goes into the value.
+    Mix {
+        /// The step that is wrong.
+        at: Place,
+        /// The step whose value goes in.
+        of: Place,
+        /// In what way.
+        how: Mixed,
     },
     /// A decision falls in another way.
     Decision(Place, fn(bool) -> bool),

@@ -65,6 +65,10 @@ pub struct Decision {
     pub name: &'static str,
     /// Where it is made.
     pub place: Place,
+    /// Whether it held at some time.
+    pub held: bool,
+    /// Whether it did not at some time.
+    pub failed: bool,
 }
 
 /// The steps up to now. Each method writes a value down and gives it back, so that what is told is what is calculated with.
@@ -74,6 +78,7 @@ pub struct Way {
     untold: Vec<Step>,
     decisions: Vec<Decision>,
     slip: Option<Slip>,
+    is_watched: bool,
     calculated: usize,
 }
 
@@ -96,6 +101,14 @@ impl Way {
         Self {
             slip: Some(slip),
             ..Self::default()
+        }
+    }
+
+    /// A way on which a slip is made, with all its steps.
+    pub fn watched(slip: Slip) -> Self {
+        Self {
+            is_watched: true,
+            ..Self::with(slip)
         }
     }
 
@@ -158,9 +171,18 @@ impl Way {
     pub fn decides(&mut self, name: &'static str, holds: bool) -> bool {
         let place = Place::here();
         self.count();
-        if !self.decisions.iter().any(|one| one.place == place) {
-            self.decisions.push(Decision { name, place });
-        }
+        let at = self.decisions.iter().position(|one| one.place == place);
+        let at = at.unwrap_or_else(|| {
+            self.decisions.push(Decision {
+                name,
+                place,
+                held: false,
+                failed: false,
+            });
+            self.decisions.len() - 1
+        });
+        self.decisions[at].held |= holds;
+        self.decisions[at].failed |= !holds;
         match self.slip {
             Some(Slip::Decision(at, of)) if at == place => of(holds),
             _ => holds,
@@ -173,7 +195,8 @@ impl Way {
         let result = calculate(self);
         for step in self.steps.drain(told..) {
             // Who makes a slip knows the places already.
-            if self.slip.is_none() && !self.untold.iter().any(|one| one.place == step.place) {
+            let is_new = self.slip.is_none() || self.is_watched;
+            if is_new && !self.untold.iter().any(|one| one.place == step.place) {
                 self.untold.push(step);
             }
         }
@@ -206,7 +229,11 @@ impl Way {
 
     /// Whether the steps are read: those of a way with a slip only by a slip that looks back.
     fn is_read(&self) -> bool {
-        matches!(self.slip, None | Some(Slip::Other { .. }))
+        self.is_watched
+            || matches!(
+                self.slip,
+                None | Some(Slip::Other { .. } | Slip::Mix { .. })
+            )
     }
 
     /// What the way leaves behind.
@@ -218,6 +245,15 @@ impl Way {
             untold: self.untold,
             decisions: self.decisions,
             length: self.calculated,
+        }
+    }
+
+    /// The last value of a step as so many numbers: all of them, or its only one for each.
+    fn last(&self, of: Place, size: usize) -> Option<Vec<f64>> {
+        let last = self.steps.iter().rev().find(|step| step.place == of)?;
+        match last.value.as_slice() {
+            [one] => Some(vec![*one; size]),
+            value => (value.len() == size).then(|| value.to_vec()),
         }
     }
 
@@ -238,13 +274,17 @@ impl Way {
                 v.with(&value)
             }
             Some(Slip::Other { at, of }) if at == place => {
-                let last = self.steps.iter().rev().find(|step| step.place == of);
-                let size = v.numbers().len();
-                match last.map(|last| last.value.as_slice()) {
-                    Some([one]) => v.with(&vec![*one; size]),
-                    Some(value) if value.len() == size => v.with(value),
-                    _ => v,
-                }
+                let value = self.last(of, v.numbers().len());
+                value.map_or(v, |value| v.with(&value))
+            }
+            Some(Slip::Mix { at, of, how }) if at == place => {
+                let mut value = v.numbers();
+                let others = self.last(of, value.len()).into_iter().flatten();
+                value
+                    .iter_mut()
+                    .zip(others)
+                    .for_each(|(v, other)| *v = how.of(*v, other));
+                v.with(&value)
             }
             _ => v,
         };

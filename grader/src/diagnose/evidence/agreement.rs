@@ -62,6 +62,9 @@ const ROUGH: f32 = 0.01;
 /// Fewer estimates than these are few.
 const MANY: usize = 20;
 
+/// An explanation of most answers that is given up at a glance is so by chance once in this many times, at most.
+const SELDOM: f64 = 100.0;
+
 /// Two numbers this close are the same, of the size that answers have, beside [`crate::Graded::ALIKE`] of their own size.
 const CLOSE: f64 = 1e-5;
 
@@ -133,12 +136,25 @@ impl Evidence<'_> {
             .is_some_and(|seen| self.agrees(item, &seen).0)
     }
 
+    /// Whether any of a few wrong answers, from all over, is as predicted: of those that explain this share nearly always one is.
+    fn may_explain(&self, share: f64, mut predict: impl FnMut(usize) -> Option<Vec<f64>>) -> bool {
+        let few = (SELDOM.ln() / -(1.0 - share).ln()).ceil() as usize;
+        if share >= 1.0 || few >= self.wrong {
+            return true;
+        }
+        let mut each = (0..few).map(|k| (2 * k + 1) * self.wrong / (2 * few));
+        each.any(|i| predict(i).is_some_and(|answer| self.explains(i, &answer)))
+    }
+
     /// How well predictions, one per item, agree with all answers; none if they explain less than this share of the wrong ones.
     pub fn score(
         &self,
         share: f64,
         mut predict: impl FnMut(usize) -> Option<Vec<f64>>,
     ) -> Option<Score> {
+        if !self.may_explain(share, &mut predict) {
+            return None;
+        }
         let needed = (share * self.wrong as f64).ceil().max(1.0) as usize;
         let mut score = Score::default();
         let mut rest = Rest::default();

@@ -6,6 +6,22 @@ use crate::explain::diagram::Diagram;
 use crate::explain::tree::{self, area};
 use crate::explain::way::Way;
 use raybook_workbook::exercises::ch11_bvh::SahCost;
+use raybook_workbook::tree_rows::NodeRow;
+
+/// The area of a node's box.
+fn area_by_steps(way: &mut Way, row: &NodeRow) -> f64 {
+    let max = way.part("max of a node", row.max.as_dvec3());
+    let min = way.part("min of a node", row.min.as_dvec3());
+    let size = way.part("a node's extents", max - min);
+    let x = way.part("the extent along x", size.x);
+    let y = way.part("the extent along y", size.y);
+    let z = way.part("the extent along z", size.z);
+    let xy = way.part("x · y", x * y);
+    let yz = way.part("y · z", y * z);
+    let zx = way.part("z · x", z * x);
+    let half = way.part("x · y + y · z + z · x", xy + yz + zx);
+    way.part("a node's area", 2.0 * half)
+}
 
 impl Explained for SahCost {
     fn work(&self, way: &mut Way) -> f32 {
@@ -22,7 +38,7 @@ impl Explained for SahCost {
         }
         let mut cost = 0.0;
         for (i, row) in self.nodes.iter().enumerate() {
-            let of_node = way.part("a node's area", area([row.min, row.max]));
+            let of_node = area_by_steps(way, row);
             let share = way.part("a node's area over the root's", of_node / of_root);
             let is_branch = way.decides("a node is a branch", row.count == 0);
             let count = way.part("a leaf's number of shapes", f64::from(row.count));

@@ -69,6 +69,7 @@
 //! | Snell's law, Fresnel's equations | `material/refract.rs` `material/fresnel.rs` |
 //! | matte and glossy surfaces that keep the laws of nature: Lambert, modified Phong | `material/lambert.rs` `material/modified_phong.rs` |
 //! | metals, smooth and rough (GGX); plastic | `material/conductor.rs` `material/ggx.rs` `material/plastic.rs` |
+//! | the index of a glass by wavelength, and the colour of a wavelength | `material/dispersion.rs` `image/spectrum.rs` |
 //! | textures: another material at each place; from a picture | `material/texture.rs` `material/checkered.rs` `material/image_texture.rs` |
 //! | a model from an OBJ file: its materials (MTL), their pictures | `material/mtl.rs` `scene/model.rs` |
 //! | scenes; scenes described by numbers; a picture for a backdrop | `scene/world.rs` `scene/description.rs` `scene/backdrop.rs` |

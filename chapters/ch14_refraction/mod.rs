@@ -1,10 +1,11 @@
 //! Glass shows what is in front of it and what is behind it. Snell's law says where the second ray goes, Fresnel's equations
 //! how much light takes which way, and every surface knows the media on both of its sides.
 //!
-//! New: material/refract.rs material/fresnel.rs material/glass.rs
+//! New: material/refract.rs material/fresnel.rs material/glass.rs material/dispersion.rs image/spectrum.rs
 
 mod fresnel_plot;
 pub mod glassware;
+pub mod prism;
 mod refraction_fan;
 
 use crate::kit::chapter;
@@ -40,6 +41,9 @@ pub struct Knobs {
     /// Depth: how many surfaces are followed in a row
     #[arg(long, value_name = "1..64 surfaces", default_value_t = 12)]
     depth: u32,
+    /// Angle at the top of the prisms, in `prism`
+    #[arg(long, value_name = "20..65 °", default_value_t = 60.0)]
+    apex: f32,
 }
 
 /// Draws the chapter's pictures.
@@ -64,6 +68,13 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     stage.diagram("beams", caption, &refraction_fan::diagram()?)?;
     let caption = "The fraction of the light that is reflected. At Brewster's angle, light that is polarised parallel to the plane of incidence is not reflected at all. Beyond the critical angle, all light is reflected.";
     stage.diagram("fresnel", caption, &fresnel_plot::plot(knobs.index)?)?;
+
+    let caption = "White light from a slit through two prisms, calculated for 150 wavelengths. Each wavelength has an index of refraction of its own, so each leaves in a direction of its own. Flint glass refracts more than crown glass, and spreads the colours farther.";
+    stage.figure(
+        "prism",
+        caption,
+        &prism::prisms(&stage.tile(2, 1.5), knobs.apex)?,
+    )?;
 
     let small = |columns, aspect| Film {
         samples: film.samples,

@@ -9,6 +9,7 @@ pub mod file;
 pub mod mip;
 pub mod rgb;
 pub mod rms;
+pub mod spectrum;
 pub mod tone;
 
 use crate::image::rgb::Rgb;

@@ -3,6 +3,7 @@
 pub mod blinn_phong;
 pub mod checkered;
 pub mod conductor;
+pub mod dispersion;
 pub mod fresnel;
 pub mod ggx;
 pub mod glass;

@@ -44,12 +44,14 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let eye = from + (knobs.distance - 1.0) * (from - to);
     let camera = Pinhole::look_at(eye, to, Vec3::Y, 0.042, film.aspect())?;
     let flower: Vec<_> = (0..110).map(|i| petal(i, knobs.radius)).collect();
-    let picture = film.refine(|place, _| {
-        let normal = nearest(&flower, &camera.ray(place, Vec2::ZERO));
-        normal.map_or(palette::backdrop(place.y), |n| palette::direction(*n))
-    });
-    let caption = "The normal at each ray's nearest hit, as a colour: red is to the right, green up, blue to the front.";
-    stage.picture("picture", caption, &picture)?;
+    if stage.wants("picture") {
+        let picture = film.refine(|place, _| {
+            let normal = nearest(&flower, &camera.ray(place, Vec2::ZERO));
+            normal.map_or(palette::backdrop(place.y), |n| palette::direction(*n))
+        });
+        let caption = "The normal at each ray's nearest hit, as a colour: red is to the right, green up, blue to the front.";
+        stage.picture("picture", caption, &picture)?;
+    }
 
     let caption = "One sphere, three answers. The far root is the back: its normals point away from the eye. \
         From inside, the near root is behind the eye, and the eye sees the far root.";

@@ -5,7 +5,6 @@
 //! New: shape/triangle_watertight.rs shape/mesh_file.rs shape/word.rs shape/obj.rs shape/stl.rs shape/ply/mod.rs
 
 use crate::kit::chapter;
-use crate::kit::say::complain;
 use crate::kit::sheet::sheet;
 use crate::kit::stage::{Drawn, Stage};
 use crate::shared::own_mesh::{self, MeshKnob};
@@ -61,14 +60,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
 
 /// Says how long the search for a mesh of one's own takes, and what is faster where it is long.
 fn warn_of_long_search(stage: &Stage, mesh: &Mesh) {
-    /// A teapot has some thousands of triangles; the scans that people have, some hundred thousand and more.
-    const MANY: usize = 100_000;
-    let film = film(stage, mesh);
-    if mesh.triangles().len() >= MANY {
-        complain(
-            "note: this chapter's search asks every triangle, for each ray; `ch11_bvh --mesh` draws the same mesh with a tree, in seconds",
-        );
-    }
+    own_mesh::warn_of_list(mesh);
+    let film = own_mesh::film_of_list(stage, mesh);
     let room = Showroom::around(mesh, film.aspect());
     let shape = Meshed::new(mesh.clone(), List::new);
     own_mesh::say_estimate(&film, |place| {
@@ -76,17 +69,10 @@ fn warn_of_long_search(stage: &Stage, mesh: &Mesh) {
     });
 }
 
-/// A film on which a mesh takes a few seconds, whatever its number of triangles.
-fn film<'a>(stage: &'a Stage, mesh: &Mesh) -> Film<'a> {
-    let triangles = mesh.triangles().len();
-    let width = (4.9e8 / triangles as f32).sqrt().clamp(160.0, 640.0);
-    stage.film_of(width as u32, 4, 1.6)
-}
-
 /// Draws any mesh; the film of the small pictures, and the one with interpolated normals, are for more of them.
 fn draw_mesh<'a>(stage: &'a Stage, mesh: &Mesh) -> Result<(Film<'a>, Image), Box<dyn Error>> {
     let triangles = mesh.triangles().len();
-    let film = film(stage, mesh);
+    let film = own_mesh::film_of_list(stage, mesh);
     let (main, tests) = picture(&film, mesh, showroom::SMOOTH);
     let caption = format!(
         "A mesh of {triangles} triangles. Every ray that meets the mesh's box is tested against all triangles: {} million tests.",

@@ -55,32 +55,34 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let grid = grid_of(&crowd.mesh);
     let (from, to) = (vec3(8.0, 52.0, 92.0), vec3(0.0, 0.0, 10.0));
     let camera = Pinhole::look_at(from, to, Vec3::Y, 0.035, film.aspect())?;
-    let paint = |id| {
-        let colour = |out| palette::viridis(1.0 - out);
-        Paint {
-            colour: crowd.teapot(id).map_or(Rgb::gray(0.6), colour),
-            round: crowd.teapot(id).is_some(),
-        }
-    };
-    let picture = film.refine(|place, _| {
-        let ray = camera.ray_through(place);
-        match grid.closest(&ray, Interval::AHEAD) {
-            Some((_, hit)) => {
-                let at = crowd.mesh.surface(&ray, &hit);
-                shade(&at, paint(hit.id), &ray, &grid)
+    if stage.wants("picture") {
+        let paint = |id| {
+            let colour = |out| palette::viridis(1.0 - out);
+            Paint {
+                colour: crowd.teapot(id).map_or(Rgb::gray(0.6), colour),
+                round: crowd.teapot(id).is_some(),
             }
-            None => sky(ray.direction),
-        }
-    });
-    let cells = lattice(&grid).resolution;
-    let caption = format!(
-        "{} triangles in a grid of {} × {} × {} cells. A list would test each ray against all of them.",
-        grouped(crowd.mesh.triangles().len() as f64),
-        cells.x,
-        cells.y,
-        cells.z
-    );
-    stage.picture("picture", &caption, &picture)?;
+        };
+        let picture = film.refine(|place, _| {
+            let ray = camera.ray_through(place);
+            match grid.closest(&ray, Interval::AHEAD) {
+                Some((_, hit)) => {
+                    let at = crowd.mesh.surface(&ray, &hit);
+                    shade(&at, paint(hit.id), &ray, &grid)
+                }
+                None => sky(ray.direction),
+            }
+        });
+        let cells = lattice(&grid).resolution;
+        let caption = format!(
+            "{} triangles in a grid of {} × {} × {} cells. A list would test each ray against all of them.",
+            grouped(crowd.mesh.triangles().len() as f64),
+            cells.x,
+            cells.y,
+            cells.z
+        );
+        stage.picture("picture", &caption, &picture)?;
+    }
 
     let caption = "The cells through which a ray passes, numbered in their order up to the first hit. The ray is tested only against the triangles of these cells, two of six, and against each of them once. The blue cells hold the other four.";
     stage.diagram("walk", caption, &walk_figure::diagram()?)?;

@@ -48,20 +48,22 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let film = stage.film_of(640, 4, 1.6);
     let camera = camera(film.aspect())?;
     let fine = two_levels(&stadium.mesh, density);
-    let caption = format!(
-        "A teapot in a stadium of {triangles} triangles, and its shadow. The cells of a uniform grid have a size that suits the seats, and one or two of these cells hold the whole teapot."
-    );
-    let picture = film.refine(|place, _| {
-        let ray = camera.ray_through(place);
-        match fine.closest(&ray, Interval::AHEAD) {
-            Some((_, hit)) => {
-                let at = stadium.mesh.surface(&ray, &hit);
-                shade(&at, paint(stadium.part(hit.id)), &ray, &fine)
+    if stage.wants("picture") {
+        let caption = format!(
+            "A teapot in a stadium of {triangles} triangles, and its shadow. The cells of a uniform grid have a size that suits the seats, and one or two of these cells hold the whole teapot."
+        );
+        let picture = film.refine(|place, _| {
+            let ray = camera.ray_through(place);
+            match fine.closest(&ray, Interval::AHEAD) {
+                Some((_, hit)) => {
+                    let at = stadium.mesh.surface(&ray, &hit);
+                    shade(&at, paint(stadium.part(hit.id)), &ray, &fine)
+                }
+                None => sky(ray.direction),
             }
-            None => sky(ray.direction),
-        }
-    });
-    stage.picture("picture", &caption, &picture)?;
+        });
+        stage.picture("picture", &caption, &picture)?;
+    }
 
     let caption = "A two-level grid in the plane: thick lines part coarse cells, thin lines fine ones. The number of fine cells in a coarse cell depends on its discs; an empty coarse cell has none. The numbers are the ray's steps.";
     stage.diagram("walk", caption, &nested_cells::diagram()?)?;

@@ -66,18 +66,22 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         depth: knobs.depth,
     };
     let fine = Octree::with(mesh.facets(), limits, by_triangle);
-    let caption = "The teapot, and the cells that an octree makes of it: from left to right its triangles, then the cells after 7, 6, 5 and 4 cuts.";
-    let (cells, kept) = blocks::dissolving(&mesh, &fine);
-    stage.picture("picture", caption, &photograph(&film, &mesh, cells, kept))?;
+    if stage.wants("picture") {
+        let caption = "The teapot, and the cells that an octree makes of it: from left to right its triangles, then the cells after 7, 6, 5 and 4 cuts.";
+        let (cells, kept) = blocks::dissolving(&mesh, &fine);
+        stage.picture("picture", caption, &photograph(&film, &mesh, cells, kept))?;
+    }
 
-    let tiles = [3, 4, 5, 6].map(|depth| {
-        let cells = blocks::cells(&fine, |_| depth);
-        let name = format!("{depth} cuts: {} cells", cells.len());
-        (name, photograph(&small(&film), &mesh, cells, Vec::new()))
-    });
-    let tiles = tiles.each_ref().map(|(name, tile)| (&**name, tile.clone()));
-    let caption = "The cells that are not empty, level by level. A surface goes through about four of a cell's eight children, so each level has about four times as many cells as the level above.";
-    stage.figure("levels", caption, &sheet(2, &tiles)?)?;
+    if stage.wants("levels") {
+        let tiles = [3, 4, 5, 6].map(|depth| {
+            let cells = blocks::cells(&fine, |_| depth);
+            let name = format!("{depth} cuts: {} cells", cells.len());
+            (name, photograph(&small(&film), &mesh, cells, Vec::new()))
+        });
+        let tiles = tiles.each_ref().map(|(name, tile)| (&**name, tile.clone()));
+        let caption = "The cells that are not empty, level by level. A surface goes through about four of a cell's eight children, so each level has about four times as many cells as the level above.";
+        stage.figure("levels", caption, &sheet(2, &tiles)?)?;
+    }
 
     let caption = "A quad-tree, which is an octree in the plane: a ray visits the leaves in the order of their numbers, and passes by those that are empty.";
     stage.diagram("quadtree", caption, &quadtree::diagram()?)?;

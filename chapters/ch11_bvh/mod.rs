@@ -9,6 +9,7 @@
 mod builders;
 mod flat_boxes;
 mod mountains;
+mod structures;
 mod three_stages;
 mod tree_levels;
 
@@ -20,15 +21,15 @@ use crate::shared::{growth, heat, outdoors::sky, showroom, showroom::Showroom, s
 use builders::Builder;
 use clap::Args;
 use glam::{Vec3, vec3};
-use raybook::accel::two_level_grid::TwoLevelGrid;
-use raybook::accel::{Accel, bvh::Bvh, grid::Grid, list::List, octree::Octree};
+use raybook::accel::{Accel, bvh::Bvh};
 use raybook::camera::pinhole::Pinhole;
-use raybook::math::interval::Interval;
+use raybook::math::{interval::Interval, ray::Ray};
 use raybook::render::film::Film;
 use raybook::scene::terrain::terrain;
-use raybook::shape::mesh::{Facet, Mesh};
+use raybook::shape::mesh::Mesh;
 use raybook::shape::teapot;
 use std::process::ExitCode;
+use structures::{Building, Structure};
 
 const AHEAD: Interval = Interval::AHEAD;
 
@@ -37,6 +38,9 @@ const AHEAD: Interval = Interval::AHEAD;
 pub struct Knobs {
     #[command(flatten)]
     own: MeshKnob,
+    /// Structure that is searched; bvh and wide-bvh are built by the method, bvh has leaves of this size, in `heat`
+    #[arg(long, value_enum, default_value = "bvh")]
+    structure: Structure,
     /// How the trees are built, in `levels`
     #[arg(long, value_enum, default_value = "binned")]
     method: Builder,
@@ -50,13 +54,42 @@ pub struct Knobs {
 /// # Errors
 /// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
-    let build = |mesh: &Mesh| Bvh::with_leaves(mesh.facets(), knobs.method.into(), knobs.leaf);
+    let building = Building {
+        method: knobs.method.into(),
+        leaf: knobs.leaf,
+    };
+    let structure = knobs.structure;
     if let Some(path) = &knobs.own.mesh {
-        return own_mesh::draw(stage, path, build, "boxes tested");
+        let build = |mesh: &Mesh| structure.build(mesh.facets(), building);
+        return match structure {
+            Structure::List => own_mesh::draw_by_list(stage, path),
+            _ => own_mesh::draw(stage, path, build, structure.boxes()),
+        };
     }
     let film = stage.film_of(960, 4, 1.78);
+    if stage.wants("picture") {
+        draw_mountains(&film, stage, building)?;
+    }
+    let caption = "The three stages: a box around each triangle, boxes around boxes, and the tree as an array without pointers.";
+    stage.diagram("stages", caption, &three_stages::draw()?)?;
+    let caption = "Two trees over the same 22 triangles. In the left tree, the boxes are large and long, and they overlap. The cost tells how much work this means.";
+    stage.diagram("organisations", caption, &flat_boxes::two_organisations()?)?;
+    let teapot = teapot::mesh(24);
+    if stage.wants("builders") {
+        let (builders, caption) = builders::figure(&teapot.facets())?;
+        stage.diagram("builders", &caption, &builders)?;
+    }
+    if stage.wants("growth") {
+        let caption = "The work for a ray in a soup of triangles: a list tests all triangles; with a tree, the number of tests grows with the logarithm of their number.";
+        stage.diagram("growth", caption, &growth::list_and_tree()?)?;
+    }
+    let film = showroom::small(&film);
+    draw_teapot(&film, stage, &teapot, structure, building)
+}
+
+fn draw_mountains(film: &Film, stage: &Stage, building: Building) -> Drawn {
     let mesh = terrain(400);
-    let tree = build(&mesh);
+    let tree = Bvh::with_leaves(mesh.facets(), building.method, building.leaf);
     let (eye, to) = (vec3(-3.9, 2.0, 4.3), vec3(0.3, 0.62, -0.7));
     let camera = Pinhole::look_at(eye, to, Vec3::Y, 0.044, film.aspect())?;
     let sun = mountains::toward_sun();
@@ -74,43 +107,43 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         "{} triangles in the evening sun. A ray is tested against a few dozen of them, and so is the shadow ray that goes from the hit towards the sun.",
         grouped(mesh.triangles().len() as f64)
     );
-    stage.picture("picture", &caption, &picture)?;
-    let caption = "The three stages: a box around each triangle, boxes around boxes, and the tree as an array without pointers.";
-    stage.diagram("stages", caption, &three_stages::draw()?)?;
-    let caption = "Two trees over the same 22 triangles. In the left tree, the boxes are large and long, and they overlap. The cost tells how much work this means.";
-    stage.diagram("organisations", caption, &flat_boxes::two_organisations()?)?;
-    let teapot = teapot::mesh(24);
-    let (builders, caption) = builders::figure(&teapot.facets())?;
-    stage.diagram("builders", &caption, &builders)?;
-    let caption = "The work for a ray in a soup of triangles: a list tests all triangles; with a tree, the number of tests grows with the logarithm of their number.";
-    stage.diagram("growth", caption, &growth::list_and_tree()?)?;
-    draw_teapot(&showroom::small(&film), stage, &teapot, &build(&teapot))
+    stage.picture("picture", &caption, &picture)
 }
 
-fn draw_teapot(film: &Film, stage: &Stage, mesh: &Mesh, tree: &Bvh<Facet>) -> Drawn {
+fn draw_teapot(
+    film: &Film,
+    stage: &Stage,
+    mesh: &Mesh,
+    structure: Structure,
+    building: Building,
+) -> Drawn {
     let room = Showroom::around(mesh, film.aspect());
-    let caption = "The boxes of some levels of the teapot's tree. The deeper the level, the closer the boxes follow the shape of the teapot.";
-    let figure = tree_levels::figure(film, &room, tree, &[2, 5, 8, 11])?;
-    stage.figure("levels", caption, &figure)?;
-    let caption = "What each ray costs. The work is where rays pass close by the surface: these rays meet many boxes before they hit anything.";
-    let heat = heat::heat(film, |place| room.ray(place), tree);
-    stage.figure("heat", caption, &heat.figure("boxes tested")?)?;
+    if stage.wants("levels") {
+        let tree = Bvh::with_leaves(mesh.facets(), building.method, building.leaf);
+        let caption = "The boxes of some levels of the teapot's tree. The deeper the level, the closer the boxes follow the shape of the teapot.";
+        let figure = tree_levels::figure(film, &room, &tree, &[2, 5, 8, 11])?;
+        stage.figure("levels", caption, &figure)?;
+    }
+    if stage.wants("heat") {
+        let accel = structure.build(mesh.facets(), building);
+        let map = match structure {
+            Structure::List => heat::coarse(film, |place| room.ray(place), &accel),
+            _ => heat::heat(film, |place| room.ray(place), &accel),
+        };
+        let caption = format!("What each ray costs. {}", structure.work());
+        stage.figure("heat", &caption, &map.figure(structure.boxes())?)?;
+    }
 
-    let facets = || mesh.facets();
-    let (list, grid) = (List::new(facets()), Grid::of_facets(facets()));
-    let two_level = TwoLevelGrid::of_facets(facets());
-    let octree = Octree::of_facets(facets());
+    let built = Structure::TAUGHT.map(|one| (one.name(), one.build(mesh.facets(), building)));
+    let searches = built
+        .each_ref()
+        .map(|(name, accel)| (*name, |ray: &Ray| accel.closest(ray, AHEAD).is_some()));
+    let searchers = searches
+        .each_ref()
+        .map(|(name, search)| (*name, search as &dyn Fn(&Ray) -> bool));
     let figure = speeds::figure(
         &speeds::rays(film, |place| room.ray(place)),
-        &[
-            ("list", &|ray| list.closest(ray, AHEAD).is_some()),
-            ("grid", &|ray| grid.closest(ray, AHEAD).is_some()),
-            ("two-level grid", &|ray| {
-                two_level.closest(ray, AHEAD).is_some()
-            }),
-            ("octree", &|ray| octree.closest(ray, AHEAD).is_some()),
-            ("BVH", &|ray| tree.closest(ray, AHEAD).is_some()),
-        ],
+        &searchers,
         &format!(
             "the camera's rays, a teapot of {} triangles",
             mesh.triangles().len()

@@ -50,33 +50,37 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let [from, to] = marbles::VIEW;
     let camera = Pinhole::look_at(from, to, Vec3::Y, 0.042, film.aspect())?;
     let scene = marbles::scene();
-    let caption = "The marbles of chapter 13 with two shadows each: one from the lamp, at the left, and one from the sun. \
-        Where both fall, only ambient light is left.";
-    stage.picture(
-        "picture",
-        caption,
-        &photograph(&film, &camera, &scene, &shadow::lit),
-    )?;
+    if stage.wants("picture") {
+        let caption = "The marbles of chapter 13 with two shadows each: one from the lamp, at the left, and one from the sun. \
+            Where both fall, only ambient light is left.";
+        stage.picture(
+            "picture",
+            caption,
+            &photograph(&film, &camera, &scene, &shadow::lit),
+        )?;
+    }
 
     let tile = stage.tile(2, 16.0 / 9.0);
-    let film = Film {
-        samples: 2 * tile.samples, // acne is finer than pixels
-        ..tile
-    };
-    let near = Pinhole::look_at(from, CLOSE_UP, Vec3::Y, 0.08, film.aspect())?;
-    let roofed = marbles::under_roof();
-    let loose = format!("starts {} off: loose shadows", length(knobs.offset));
-    let ways: [(&str, Way<'_>); 4] = [
-        ("right", &shadow::lit),
-        ("starts on the surface: acne", &starts_off(0.0)),
-        (&loose, &starts_off(knobs.offset)),
-        ("does not end at the lamp", &without_end),
-    ];
-    let tiles = ways.map(|(name, arrives)| (name, photograph(&film, &near, &roofed, arrives)));
-    let caption = "One lamp below a roof, and three wrong shadow rays. Many points of a ball are computed to lie inside the ball, \
-        and so are in the shadow of the ball. Rays that start too far off miss objects that are close. \
-        Rays without an end are stopped by objects behind the lamp.";
-    stage.figure("wrong", caption, &sheet(2, &tiles)?)?;
+    if stage.wants("wrong") {
+        let film = Film {
+            samples: 2 * tile.samples, // acne is finer than pixels
+            ..tile
+        };
+        let near = Pinhole::look_at(from, CLOSE_UP, Vec3::Y, 0.08, film.aspect())?;
+        let roofed = marbles::under_roof();
+        let loose = format!("starts {} off: loose shadows", length(knobs.offset));
+        let ways: [(&str, Way<'_>); 4] = [
+            ("right", &shadow::lit),
+            ("starts on the surface: acne", &starts_off(0.0)),
+            (&loose, &starts_off(knobs.offset)),
+            ("does not end at the lamp", &without_end),
+        ];
+        let tiles = ways.map(|(name, arrives)| (name, photograph(&film, &near, &roofed, arrives)));
+        let caption = "One lamp below a roof, and three wrong shadow rays. Many points of a ball are computed to lie inside the ball, \
+            and so are in the shadow of the ball. Rays that start too far off miss objects that are close. \
+            Rays without an end are stopped by objects behind the lamp.";
+        stage.figure("wrong", caption, &sheet(2, &tiles)?)?;
+    }
 
     let caption = "A coarse teapot, low in the sun. Left, the facets can be seen where the light ends, because each facet is in its own shadow as a whole. \
         Right, shadow rays start where the round surface would be.";

@@ -62,16 +62,18 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let samples = 2 * tile.samples;
     let film = Film { samples, ..tile };
     let maps = skies::FOUR.map(|sky| skies::map(sky, 1024));
-    let under = |map: &Image| denoised(&film, Box::new(Environment::new(map.clone())));
     let [day, sunset, overcast, studio] = &maps;
-    let lit = [
-        under(day)?,
-        under(sunset)?,
-        under(overcast)?,
-        under(studio)?,
-    ];
-    let caption = "All light comes from the map: a clear day, a sunset, an overcast sky, a studio with two softboxes. The remaining noise was averaged by a filter.";
-    stage.picture("picture", caption, &quarters(&lit))?;
+    if stage.wants("picture") {
+        let under = |map: &Image| denoised(&film, Box::new(Environment::new(map.clone())));
+        let lit = [
+            under(day)?,
+            under(sunset)?,
+            under(overcast)?,
+            under(studio)?,
+        ];
+        let caption = "All light comes from the map: a clear day, a sunset, an overcast sky, a studio with two softboxes. The remaining noise was averaged by a filter.";
+        stage.picture("picture", caption, &quarters(&lit))?;
+    }
 
     let caption = "The clear day in three layouts: latitude and longitude, a cube unfolded to a cross, and the angular map.";
     stage.figure("layouts", caption, &layouts(day)?)?;

@@ -84,25 +84,27 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let see = |place, rng: &mut Pcg| DIRECT.follow(&scene, &camera.ray_through(place), rng);
     let grid = find("regular-grid").ok_or("there is a grid")?;
     let jittered = find("jittered").ok_or("there is a jittered pattern")?;
-    let most = film.samples;
-    let chosen = find(&knobs.pattern).ok_or("the knob has a pattern's name")?;
-    let ways = [(1, grid), (most.isqrt(), chosen), (most, chosen)];
-    let views = ways.map(|(samples, pattern)| {
-        let film = Film { samples, ..film };
-        let filter = match knobs.filter {
-            By::Box => return supersample(&film, pattern, see),
-            By::Tent => Filter::TENT,
-            By::Gaussian => Filter::GAUSSIAN,
-            By::Mitchell => Filter::MITCHELL,
-        };
-        filtered(&film, pattern, &filter, see)
-    });
-    let caption = format!(
-        "One picture, from left to right with one ray through the middle of each pixel, and with {} and {most} rays placed by {}. With one ray the far squares make a pattern that does not exist, and the edges are stairs. With more rays, the far squares melt into grey, as they should.",
-        most.isqrt(),
-        chosen.title
-    );
-    stage.picture("picture", &caption, &sheets::bands(&views))?;
+    if stage.wants("picture") {
+        let most = film.samples;
+        let chosen = find(&knobs.pattern).ok_or("the knob has a pattern's name")?;
+        let ways = [(1, grid), (most.isqrt(), chosen), (most, chosen)];
+        let views = ways.map(|(samples, pattern)| {
+            let film = Film { samples, ..film };
+            let filter = match knobs.filter {
+                By::Box => return supersample(&film, pattern, see),
+                By::Tent => Filter::TENT,
+                By::Gaussian => Filter::GAUSSIAN,
+                By::Mitchell => Filter::MITCHELL,
+            };
+            filtered(&film, pattern, &filter, see)
+        });
+        let caption = format!(
+            "One picture, from left to right with one ray through the middle of each pixel, and with {} and {most} rays placed by {}. With one ray the far squares make a pattern that does not exist, and the edges are stairs. With more rays, the far squares melt into grey, as they should.",
+            most.isqrt(),
+            chosen.title
+        );
+        stage.picture("picture", &caption, &sheets::bands(&views))?;
+    }
 
     let subjects: Vec<_> = PATTERNS.iter().map(Subject::of).collect();
     let all = PointSets {

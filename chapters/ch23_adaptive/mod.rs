@@ -59,14 +59,16 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         first: knobs.first,
         most: (4 * film.samples.max(2)).max(knobs.first),
     };
-    let mean = film.samples.max(6).max(limits.first);
-    let done = by_budget(&film, limits.first, mean, see);
-    let caption = format!(
-        "The scene of chapter 22 with {} on average: {} at first, and further rays where these differ.",
-        spent(&done),
-        limits.first
-    );
-    stage.picture("picture", &caption, &done.picture)?;
+    if stage.wants("picture") {
+        let mean = film.samples.max(6).max(limits.first);
+        let done = by_budget(&film, limits.first, mean, see);
+        let caption = format!(
+            "The scene of chapter 22 with {} on average: {} at first, and further rays where these differ.",
+            spent(&done),
+            limits.first
+        );
+        stage.picture("picture", &caption, &done.picture)?;
+    }
 
     let budget = knobs.budget.max(limits.first);
     let of_budget = format!("a budget of {budget}");

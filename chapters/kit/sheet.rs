@@ -26,7 +26,7 @@ pub fn sheet(columns: usize, tiles: &[(&str, Image)]) -> Sheet {
         "the tiles of a sheet have one size"
     );
     // The letters are as large in a sheet of five columns as in one of two.
-    let band = (columns * width / 36).clamp(16, 40);
+    let band = (columns * width / 36).clamp(20, 40);
     let (across, down) = (width + GAP, band + height + GAP);
     let rows = tiles.len().div_ceil(columns);
     let mut whole = Image::from_fn(columns * across + GAP, rows * down + GAP, |_, _| Rgb::WHITE);

@@ -42,6 +42,8 @@ pub struct Stage {
     bar: ProgressBar,
     rate: Arc<Rate>,
     outputs: RefCell<Vec<Output>>,
+    /// The pictures that the chapter has come to.
+    passed: RefCell<Vec<String>>,
     last: Option<String>,
     stopped: Arc<AtomicBool>,
 }
@@ -93,6 +95,7 @@ impl Stage {
             bar,
             rate,
             outputs: RefCell::default(),
+            passed: RefCell::default(),
             last: None,
             stopped,
         }
@@ -109,6 +112,19 @@ impl Stage {
     pub fn until(self, name: &str) -> Self {
         let last = Some(name.to_owned());
         Self { last, ..self }
+    }
+
+    /// Whether this picture is to be drawn: every one, unless drawing ends after another. A chapter asks before what takes long.
+    pub fn wants(&self, name: &str) -> bool {
+        self.passed.borrow_mut().push(name.to_owned());
+        self.last.as_deref().is_none_or(|last| last == name)
+    }
+
+    /// The names of the pictures that the chapter has come to, drawn or not.
+    pub fn passed(&self) -> Vec<String> {
+        let mut names = self.passed.borrow().clone();
+        names.dedup();
+        names
     }
 
     /// What stops the drawing, from another thread, as soon as it is true: the film within a tile, the chapter at its next picture.
@@ -202,6 +218,7 @@ impl Stage {
         beside: (Option<PathBuf>, Option<PathBuf>),
     ) -> Drawn {
         self.go_on()?;
+        self.passed.borrow_mut().push(name.to_owned());
         let rays = self.rate.take(self.options.threads());
         let png = self.folder.join(name).with_extension("png");
         file::save(&png, picture)?;

@@ -69,7 +69,9 @@ pub fn draw(
 ) -> Result<Output, Box<dyn Error>> {
     let knob = find(lesson, &what.name)?;
     let name = vary.picture.as_ref().unwrap_or(&knob.picture);
-    let columns = what.values.len().min(COLUMNS);
+    // As many rows as are needed, and all of them as long: six values are two rows of three.
+    let rows = what.values.len().div_ceil(COLUMNS);
+    let columns = what.values.len().div_ceil(rows);
     let width = options.width.unwrap_or(STRIP / columns as u32);
     let options = Options {
         width: Some(width),
@@ -96,7 +98,8 @@ pub fn draw(
         let own = folder.join(format!("{}_{}", what.name, value.replace(['/', '\\'], "_")));
         let stage = stage.in_folder(own).until(name);
         lesson.draw_turned(&stage, &knobs)?;
-        let picture = picture(&stage.into_outputs(), name)?;
+        let names = stage.passed();
+        let picture = picture(&stage.into_outputs(), name, &names)?;
         tiles.push((knob.label(value), picture));
     }
     let png = folder.join(format!("vary_{}.png", what.name));
@@ -139,15 +142,11 @@ fn find(lesson: &Lesson, name: &str) -> Result<Knob, String> {
     })
 }
 
-/// The picture of this name, as it was written for a display.
-fn picture(outputs: &[Output], name: &str) -> Result<Image, Box<dyn Error>> {
+/// The picture of this name, as it was written for a display, or an error that says which names there are.
+fn picture(outputs: &[Output], name: &str, names: &[String]) -> Result<Image, Box<dyn Error>> {
     let is_it = |path: &Path| path.file_stem().is_some_and(|stem| stem == name);
     let found = outputs.iter().find(|output| is_it(&output.png));
     let found = found.ok_or_else(|| {
-        let names = outputs
-            .iter()
-            .filter_map(|output| output.png.file_stem()?.to_str());
-        let names: Vec<_> = names.collect();
         format!(
             "--picture {name}: there is no such picture; there are {}",
             names.join(", ")

@@ -1,6 +1,7 @@
 //! Heat maps: what each pixel's ray costs, with one scale for all accelerators.
 
 use crate::kit::figure::{CENTRE, Figure, SCALE, figure, text, write};
+use crate::kit::numbers::grouped;
 use crate::kit::palette::viridis;
 use crate::kit::sheet::{Sheet, sheet};
 use glam::{Vec2, vec2};
@@ -31,6 +32,20 @@ pub fn heat(film: &Film, ray: impl Fn(Vec2) -> Ray + Sync, accel: &impl Accel<Fa
         Rgb::new(tests.boxes as f32, tests.shapes as f32, 0.0)
     });
     Heat { counts }
+}
+
+/// As [`heat`], with one ray for each square of 8 × 8 pixels: for a search that costs the same everywhere, and much.
+pub fn coarse(film: &Film, ray: impl Fn(Vec2) -> Ray + Sync, accel: &impl Accel<Facet>) -> Heat {
+    const SIDE: usize = 8;
+    let film = Film {
+        width: (film.width / SIDE).max(1),
+        height: (film.height / SIDE).max(1),
+        ..*film
+    };
+    let Heat { counts } = heat(&film, ray, accel);
+    Heat {
+        counts: counts.enlarged(SIDE),
+    }
 }
 
 impl Heat {
@@ -74,7 +89,10 @@ impl Heat {
             .iter()
             .map(|p| f64::from(count(p)))
             .sum();
-        let label = format!("{name}: {:.1} a ray", sum / self.rays().max(1) as f64);
+        let label = match sum / self.rays().max(1) as f64 {
+            few if few < 1000.0 => format!("{name}: {few:.1} a ray"),
+            many => format!("{name}: {} a ray", grouped(many)),
+        };
         (label, self.counts.map(|p| colour(count(&p))))
     }
 }

@@ -3,15 +3,16 @@
 use crate::kit::say::complain;
 use crate::kit::stage::{Drawn, Stage};
 use crate::kit::untrusted::Untrusted;
-use crate::shared::heat::heat;
+use crate::shared::heat::{Heat, coarse, heat};
 use crate::shared::showroom::{SMOOTH, Showroom, small};
 use clap::Args;
 use glam::{Vec2, vec2};
-use raybook::accel::Accel;
+use raybook::accel::{Accel, list::List};
 use raybook::math::interval::Interval;
 use raybook::render::film::Film;
 use raybook::shape::mesh::{Facet, Mesh};
 use raybook::shape::mesh_file::{self, LoadError};
+use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -46,30 +47,78 @@ pub fn draw<A: Accel<Facet>>(
     boxes: &str,
 ) -> Drawn {
     let mesh = load(path)?;
+    let film = stage.film_of(960, 4, 1.6);
+    let (room, accel) = draw_picture(stage, &film, &mesh, build)?;
+    let map = heat(&small(&film), |place| room.ray(place), &accel);
+    draw_heat(stage, &map, boxes)
+}
+
+/// As [`draw`], by a list: small enough that it does not take long, and with a warning where it does all the same.
+///
+/// # Errors
+/// As for [`draw`].
+pub fn draw_by_list(stage: &Stage, path: &Path) -> Drawn {
+    let mesh = load(path)?;
+    warn_of_list(&mesh);
+    let film = film_of_list(stage, &mesh);
+    let (room, list) = draw_picture(stage, &film, &mesh, |mesh| List::new(mesh.facets()))?;
+    let map = coarse(&film, |place| room.ray(place), &list);
+    draw_heat(stage, &map, "boxes tested")
+}
+
+/// Says what is faster, where a mesh is large for a list.
+pub fn warn_of_list(mesh: &Mesh) {
+    /// A teapot has some thousands of triangles; the scans that people have, some hundred thousand and more.
+    const MANY: usize = 100_000;
+    if mesh.triangles().len() >= MANY {
+        complain(
+            "note: a list asks every triangle, for each ray; `ch11_bvh --mesh` draws the same mesh with a tree, in seconds",
+        );
+    }
+}
+
+/// A film on which a mesh in a list takes a few seconds, whatever its number of triangles.
+pub fn film_of_list<'a>(stage: &'a Stage, mesh: &Mesh) -> Film<'a> {
+    let triangles = mesh.triangles().len();
+    let width = (4.9e8 / triangles as f32).sqrt().clamp(160.0, 640.0);
+    stage.film_of(width as u32, 4, 1.6)
+}
+
+/// Draws the main picture of a mesh; returns the room that the mesh is in, and its structure.
+fn draw_picture<A: Accel<Facet>>(
+    stage: &Stage,
+    film: &Film,
+    mesh: &Mesh,
+    build: impl FnOnce(&Mesh) -> A,
+) -> Result<(Showroom, A), Box<dyn Error>> {
     let start = Instant::now();
-    let accel = build(&mesh);
+    let accel = build(mesh);
     complain(format_args!(
         "built in {}",
         duration(start.elapsed().as_secs_f64())
     ));
-    let film = stage.film_of(960, 4, 1.6);
-    let room = Showroom::around(&mesh, film.aspect());
-    say_estimate(&film, |place| {
-        let ray = room.ray(place);
-        if let Some((_, hit)) = accel.closest(&ray, Interval::AHEAD) {
-            SMOOTH(&ray, &hit, &mesh.surface(&ray, &hit));
-        }
-    });
-    let picture = film.refine(|place, _| {
-        let ray = room.ray(place);
-        match accel.closest(&ray, Interval::AHEAD) {
-            Some((_, hit)) => SMOOTH(&ray, &hit, &mesh.surface(&ray, &hit)),
-            None => room.backdrop(place, &ray),
-        }
-    });
-    let caption = format!("A mesh of {} triangles.", mesh.triangles().len());
-    stage.picture("picture", &caption, &picture)?;
-    let map = heat(&small(&film), |place| room.ray(place), &accel);
+    let room = Showroom::around(mesh, film.aspect());
+    if stage.wants("picture") {
+        say_estimate(film, |place| {
+            let ray = room.ray(place);
+            if let Some((_, hit)) = accel.closest(&ray, Interval::AHEAD) {
+                SMOOTH(&ray, &hit, &mesh.surface(&ray, &hit));
+            }
+        });
+        let picture = film.refine(|place, _| {
+            let ray = room.ray(place);
+            match accel.closest(&ray, Interval::AHEAD) {
+                Some((_, hit)) => SMOOTH(&ray, &hit, &mesh.surface(&ray, &hit)),
+                None => room.backdrop(place, &ray),
+            }
+        });
+        let caption = format!("A mesh of {} triangles.", mesh.triangles().len());
+        stage.picture("picture", &caption, &picture)?;
+    }
+    Ok((room, accel))
+}
+
+fn draw_heat(stage: &Stage, map: &Heat, boxes: &str) -> Drawn {
     let each = |sum: u64| sum as f64 / map.rays().max(1) as f64;
     let caption = format!(
         "What each ray of the picture costs: {:.1} {boxes} and {:.1} triangles tested, on average.",

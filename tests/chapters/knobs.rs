@@ -10,7 +10,7 @@ use raybook_chapters::lesson::{Lesson, find};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 
 /// Values where those of the examples take long, change nothing, or are not alone.
@@ -51,12 +51,57 @@ fn every_knob_says_what_it_is_and_stands_within_its_range() {
     }
 }
 
+/// A mesh of four triangles, as a file in a folder.
+fn pyramid(folder: &Path) -> PathBuf {
+    let mesh = folder.join("pyramid.obj");
+    let faces = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    fs::write(&mesh, faces).expect("it can be written");
+    mesh
+}
+
+#[test]
+fn every_structure_draws_the_same_mesh_at_its_own_cost() {
+    let files = tempfile::tempdir().expect("a temporary folder");
+    let mesh = format!("--mesh={}", pyramid(files.path()).display());
+    let chapter = find("ch11_bvh").expect("there is this chapter");
+    let knobs = knobs::of(&chapter.knobs());
+    let structure = knobs.iter().find(|knob| knob.name == "structure");
+    let Some(Kind::Choice(words)) = structure.map(|knob| &knob.kind) else {
+        panic!("the structure is one of a few words");
+    };
+    let drawn = words.iter().map(|word| {
+        let arguments = [mesh.clone(), format!("--structure={word}")];
+        ["picture", "heat"].map(|picture| draw(chapter, &arguments, picture))
+    });
+    let drawn: Vec<_> = drawn.collect();
+    assert_eq!(drawn.len(), 6, "{words:?}");
+    for (i, [picture, heat]) in drawn.iter().enumerate() {
+        let (one, first) = (&words[i], &words[0]);
+        assert!(*picture == drawn[0][0], "{one} sees what {first} sees");
+        let alike = drawn[..i].iter().position(|other| other[1] == *heat);
+        assert_eq!(alike.map(|i| &words[i]), None, "{one} costs as much");
+    }
+}
+
+#[test]
+fn what_comes_before_the_wanted_picture_and_takes_long_is_not_drawn() {
+    let out = tempfile::tempdir().expect("a temporary folder");
+    let chapter = find("ch11_bvh").expect("there is this chapter");
+    let stage = Stage::new(chapter.name, small(out.path()), false, progress_bar()).until("heat");
+    chapter.draw(&stage).expect("it can be drawn");
+    let passed = stage.passed();
+    let drawn: Vec<_> = stage.into_outputs();
+    let drawn = drawn.iter().filter_map(|output| output.png.file_stem());
+    let drawn: Vec<_> = drawn.map(|stem| stem.to_string_lossy()).collect();
+    assert_eq!(drawn, ["stages", "organisations", "heat"]);
+    let all = "picture stages organisations builders growth levels heat";
+    assert_eq!(passed.join(" "), all, "each is named, once");
+}
+
 #[test]
 fn every_knob_changes_a_picture() {
     let files = tempfile::tempdir().expect("a temporary folder");
-    let mesh = files.path().join("pyramid.obj");
-    let faces = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
-    fs::write(&mesh, faces).expect("it can be written");
+    let mesh = pyramid(files.path());
     let map = files.path().join("red.hdr");
     file::save(&map, &Image::from_fn(8, 4, |_, _| Rgb::new(1.0, 0.1, 0.1)))
         .expect("it can be written");
@@ -104,17 +149,21 @@ fn turned(lesson: &Lesson, knob: &Knob) -> Vec<String> {
     )]
 }
 
-/// A picture of a chapter, as bytes.
-fn draw(lesson: &Lesson, arguments: &[String], picture: &str) -> Vec<u8> {
-    let out = tempfile::tempdir().expect("a temporary folder");
-    let options = Options {
+/// What draws small pictures into a folder.
+fn small(out: &Path) -> Options {
+    Options {
         width: Some(32),
         samples: Some(4),
         seed: 1,
         threads: Some(1),
-        out: out.path().to_owned(),
-    };
-    let stage = Stage::new(lesson.name, options, false, progress_bar()).until(picture);
+        out: out.to_owned(),
+    }
+}
+
+/// A picture of a chapter, as bytes.
+fn draw(lesson: &Lesson, arguments: &[String], picture: &str) -> Vec<u8> {
+    let out = tempfile::tempdir().expect("a temporary folder");
+    let stage = Stage::new(lesson.name, small(out.path()), false, progress_bar()).until(picture);
     let knobs = lesson
         .turn(arguments)
         .unwrap_or_else(|error| panic!("{}: {error}", lesson.name));
@@ -187,6 +236,16 @@ fn nonsense_is_refused_in_a_sentence() {
             "ch11_bvh",
             &["--leaf", "0"],
             "--leaf 0: a number from 1 to 64 triangles",
+        ),
+        (
+            "ch11_bvh",
+            &["--structure", "tree"],
+            "[possible values: list, grid, two-level-grid, octree, bvh, wide-bvh]",
+        ),
+        (
+            "ch11_bvh",
+            &["--vary", "leaf=1", "--picture", "roof"],
+            "there are picture, stages, organisations, builders, growth, levels, heat, speeds",
         ),
         (
             "ch14_refraction",
@@ -273,14 +332,7 @@ fn a_varied_knob_makes_a_labelled_strip_or_an_animation() {
 fn what_is_not_wanted_is_not_drawn() {
     let sphere = find("ch03_sphere").expect("there is this chapter");
     let out = tempfile::tempdir().expect("a temporary folder");
-    let options = Options {
-        width: Some(32),
-        samples: Some(1),
-        seed: 1,
-        threads: Some(1),
-        out: out.path().to_owned(),
-    };
-    let stage = Stage::new(sphere.name, options, false, progress_bar());
+    let stage = Stage::new(sphere.name, small(out.path()), false, progress_bar());
     stage
         .stopper()
         .store(true, std::sync::atomic::Ordering::Relaxed);

@@ -3,6 +3,7 @@
 use super::Diagnosis;
 use super::evidence::{Evidence, Scope, Score};
 use super::fit::Answers;
+use super::special::SEEN;
 
 /// A guess that explains all wrong answers may be contradicted by this many right ones for each.
 const SOME: usize = 4;
@@ -70,6 +71,7 @@ impl Found {
         } = self.score;
         let needed = match (self.is_own(), self.is_categorical()) {
             (true, _) => 1.0,
+            (false, _) if self.rank == SEEN => 1.0,
             (false, true) => f64::INFINITY,
             (false, false) => 2.0 + f64::from(self.fitted),
         };

@@ -41,6 +41,8 @@ common! {
     0 10 "takes the value divided by π": Each |v| v / PI;
     0 10 "takes 2π times the value": Each |v| TAU * v;
     0 10 "takes the value divided by 2π": Each |v| v / TAU;
+    0 12 "takes π² times the value, as if it were multiplied by π instead of divided": Each |v| PI * PI * v;
+    0 12 "takes the value divided by π², as if it were divided by π instead of multiplied": Each |v| v / (PI * PI);
     0 11 "takes the value plus 1": Each |v| v + 1.0;
     0 11 "takes the value minus 1": Each |v| v - 1.0;
     0 11 "takes the value plus ½": Each |v| v + 0.5;
@@ -65,6 +67,12 @@ common! {
     3 12 "takes x for all three": Together |v| v.fill(v[0]);
     3 12 "takes y for all three": Together |v| v.fill(v[1]);
     3 12 "takes z for all three": Together |v| v.fill(v[2]);
+    3 13 "takes y for x": Together |v| v[0] = v[1];
+    3 13 "takes z for x": Together |v| v[0] = v[2];
+    3 13 "takes x for y": Together |v| v[1] = v[0];
+    3 13 "takes z for y": Together |v| v[1] = v[2];
+    3 13 "takes x for z": Together |v| v[2] = v[0];
+    3 13 "takes y for z": Together |v| v[2] = v[1];
     3 12 "takes 0 for x": Together |v| v[0] = 0.0;
     3 12 "takes 0 for y": Together |v| v[1] = 0.0;
     3 12 "takes 0 for z": Together |v| v[2] = 0.0;

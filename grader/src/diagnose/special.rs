@@ -6,6 +6,9 @@ use super::number::short;
 use crate::layout::layout;
 use raybook_workbook::kind::Kind;
 
+/// The rank of what is there to see in the answers, and needs no guess.
+pub const SEEN: u32 = 4;
+
 /// The explanations that look at an answer as a whole, or at its shape.
 #[allow(clippy::too_many_lines, clippy::type_complexity)] // a list of explanations, each with its closure
 pub fn explanations(evidence: &Evidence<'_>, base: &Answers) -> Vec<Explanation> {
@@ -44,7 +47,7 @@ pub fn explanations(evidence: &Evidence<'_>, base: &Answers) -> Vec<Explanation>
     if let (true, [first, _, _, ..]) = (same, &evidence.items[..]) {
         let one = first.got.clone();
         add(
-            4,
+            SEEN,
             0,
             "gives the same answer to every question".to_owned(),
             "Which of its arguments does your function use? Does it return what it calculates?",

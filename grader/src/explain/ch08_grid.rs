@@ -161,7 +161,9 @@ impl Explained for GridWalk {
             way.remark("It leaves before it enters: the ray misses the lattice.");
             return Vec::new();
         }
-        let place = way.part("(o + enter·d − min)/cell", (o + enter * d - min) / size);
+        let start = way.part("o + enter·d", o + enter * d);
+        let inside = way.part("o + enter·d − min", start - min);
+        let place = way.part("(o + enter·d − min)/cell", inside / size);
         let mut cell = place
             .floor()
             .as_ivec3()
@@ -172,14 +174,17 @@ impl Explained for GridWalk {
             "m",
             (size / d).abs(),
         );
-        let plane_ahead = |axis: usize, cell: u32| {
-            let plane = f64::from(cell + u32::from(!backward(axis)));
-            let t = (min[axis] + plane * size[axis] - o[axis]) / d[axis];
-            if t.is_finite() { t } else { f64::INFINITY }
-        };
+        let forward = UVec3::from([0, 1, 2].map(|axis| u32::from(!backward(axis))));
         let mut visits = Vec::new();
         loop {
-            let next = DVec3::from([0, 1, 2].map(|axis| plane_ahead(axis, cell[axis])));
+            let plane = way.part(
+                "the numbers of the next planes",
+                (cell + forward).as_dvec3(),
+            );
+            let along = way.part("the number · cell", plane * size);
+            let plane = way.part("min + the number · cell", min + along);
+            let ahead = way.part("how far the planes are ahead", plane - o);
+            let next = (ahead / d).map(|t| if t.is_finite() { t } else { f64::INFINITY });
             let UVec3 { x, y, z } = cell;
             let next = way.vector(
                 format!("cell ({x}, {y}, {z}): the next planes ahead, at t ="),

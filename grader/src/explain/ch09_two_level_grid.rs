@@ -40,7 +40,8 @@ impl Explained for RefineCell {
             .clamp(DVec3::ONE, DVec3::splat(MOST.into()))
             .as_uvec3();
         let (min, last) = (self.min.as_dvec3(), (along - 1).as_dvec3());
-        let size = (self.max.as_dvec3() - min) / along.as_dvec3();
+        let extents = way.part("max − min", self.max.as_dvec3() - min);
+        let size = extents / along.as_dvec3();
         let size = way.vector("the extents of a fine cell", "m", size);
         let min = way.part("min", min);
         for (
@@ -51,19 +52,19 @@ impl Explained for RefineCell {
             },
         ) in (0..).zip(&self.shapes)
         {
-            let cell = |p: Vec3| {
-                ((p.as_dvec3() - min) / size)
-                    .floor()
-                    .clamp(DVec3::ZERO, last)
-            };
+            let cell = |p: DVec3| (p / size).floor().clamp(DVec3::ZERO, last);
+            let from_min = way.part("its least corner", low.as_dvec3()) - min;
+            let from_min = way.part("its least corner − min", from_min);
+            let to_max = way.part("its greatest corner", high.as_dvec3()) - min;
+            let to_max = way.part("its greatest corner − min", to_max);
             let first = way.vector(
                 format!(
                     "shape {shape}: (its least corner − min)/cell, rounded down, inside the cell"
                 ),
                 "",
-                cell(*low),
+                cell(from_min),
             );
-            let end = way.vector("the same of its greatest corner", "", cell(*high));
+            let end = way.vector("the same of its greatest corner", "", cell(to_max));
             let [first, end] = [first, end].map(|cell| cell.clamp(DVec3::ZERO, last).as_uvec3());
             for z in first.z..=end.z {
                 for y in first.y..=end.y {

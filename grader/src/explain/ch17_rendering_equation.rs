@@ -37,7 +37,8 @@ impl Explained for BrdfPhong {
             return colour(matte);
         }
         let exponent = way.part("n", f64::from(self.exponent));
-        let more = way.part("n + 2", exponent + 2.0);
+        let two = way.part("the 2 of n + 2", 2.0_f64);
+        let more = way.part("n + 2", exponent + two);
         let scale = way.number("(n + 2)/2π", "1/sr", more / TAU);
         let lobe = way.number("cosⁿ α", "", cos_alpha.powf(exponent));
         let specular = way.part("specular", parts(self.specular));

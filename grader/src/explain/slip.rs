@@ -80,6 +80,8 @@ pub enum Slip {
         of: Place,
         /// In what way.
         how: Mixed,
+        /// Into which of the value's numbers; into all of them if none is given.
+        only: Option<usize>,
     },
     /// A decision falls in another way.
     Decision(Place, fn(bool) -> bool),

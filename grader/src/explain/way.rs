@@ -277,13 +277,14 @@ impl Way {
                 let value = self.last(of, v.numbers().len());
                 value.map_or(v, |value| v.with(&value))
             }
-            Some(Slip::Mix { at, of, how }) if at == place => {
+            Some(Slip::Mix { at, of, how, only }) if at == place => {
                 let mut value = v.numbers();
                 let others = self.last(of, value.len()).into_iter().flatten();
-                value
-                    .iter_mut()
-                    .zip(others)
-                    .for_each(|(v, other)| *v = how.of(*v, other));
+                for (i, (v, other)) in value.iter_mut().zip(others).enumerate() {
+                    if only.is_none_or(|only| only == i) {
+                        *v = how.of(*v, other);
+                    }
+                }
                 v.with(&value)
             }
             _ => v,

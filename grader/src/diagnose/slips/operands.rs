@@ -66,22 +66,37 @@ pub fn operations(
             }
             let operand = power(&base, &doubled).map(Operand::Factor);
             let operand = operand.or_else(|| factor(&base, &moved).map(Operand::Summand));
-            found.extend(operand.map(|operand| (at.place, operand)));
+            found.extend(operand.map(|operand| (at.place, at.value.len(), operand)));
         }
         all.push((touched, *of, found));
     }
     all.sort_by_key(|(touched, ..)| *touched);
     let mut operations = Vec::new();
     for (_, of, found) in all {
-        for (at, operand) in found {
+        for (at, size, operand) in found {
             for (name, rank, how) in operand.slips(&super::short(of)) {
-                let of = of.place;
-                let slip = Slip::Mix { at, of, how };
-                operations.push((at, Operation { name, rank, slip }));
+                let mut add = |name: String, rank, only| {
+                    let of = of.place;
+                    let slip = Slip::Mix { at, of, how, only };
+                    operations.push((at, Operation { name, rank, slip }));
+                };
+                for (i, only) in components(size).iter().enumerate() {
+                    add(format!("{name}, {only}"), rank + 3, Some(i));
+                }
+                add(name, rank, None);
             }
         }
     }
     operations
+}
+
+/// What the numbers of a value are called, where there are several.
+fn components(size: usize) -> &'static [&'static str] {
+    match size {
+        2 => &["in the first number only", "in the second number only"],
+        3 => &["in x only", "in y only", "in z only"],
+        _ => &[],
+    }
 }
 
 /// The numbers of one question's walk at one step, at all times that it is gone; none if the walk does not end.

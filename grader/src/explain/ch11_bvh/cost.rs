@@ -30,7 +30,7 @@ impl Explained for SahCost {
         let of_root = self
             .nodes
             .first()
-            .map_or(0.0, |root| area([root.min, root.max]));
+            .map_or(0.0, |root| area_by_steps(way, root));
         let of_root = way.number("the area of the root's box", "m²", of_root);
         if way.decides("the root's box has no area", of_root == 0.0) {
             way.remark("There is nothing to be searched.");

@@ -3,7 +3,7 @@
 use crate::again::ask_again;
 use crate::ask::{Asker, Reply, Said};
 use crate::converse::{Limits, Program};
-use crate::diagnose::{Diagnosis, diagnose};
+use crate::diagnose::{Diagnosis, diagnose, with_panics};
 use crate::examine::{Case, Examiner};
 use crate::pairing::put_right;
 use crate::picture::{Pixels, ask_pixels, ask_to_first_wrong, some_are_right};
@@ -276,7 +276,13 @@ fn diagnose_outcomes(examiner: &dyn Examiner, outcomes: &[Outcome]) -> Option<Di
         .iter()
         .map(|outcome| (answer(outcome), outcome.verdict == Verdict::Right))
         .collect();
-    diagnose(examiner, &cases, &answers)
+    let wrong = answers.iter().filter(|(_, right)| !right).count();
+    let message = |outcome: &Outcome| match &outcome.reply.said {
+        Said::Panicked(message) => Some(message.unescaped().to_owned()),
+        _ => None,
+    };
+    let messages: Vec<_> = outcomes.iter().filter_map(message).collect();
+    with_panics(diagnose(examiner, &cases, &answers), &messages, wrong)
 }
 
 /// A function that answers some cases and says `todo` to others is begun: these are wrong like others.

@@ -14,6 +14,7 @@ mod function;
 pub mod misread;
 mod number;
 mod pairs;
+mod panics;
 mod scalars;
 pub(crate) mod search;
 mod slips;
@@ -24,6 +25,7 @@ use crate::examine::{Case, Examiner};
 use evidence::{Evidence, Scope};
 use found::Found;
 use misread::{Misreading, misreadings};
+pub use panics::with_panics;
 use raybook_workbook::kind::Kind;
 use search::{plain, search};
 

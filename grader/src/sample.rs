@@ -31,6 +31,12 @@ pub fn end(rng: &mut Pcg, chance: f64, min: f32, max: f32) -> f32 {
     }
 }
 
+/// How much of its size a ray passes beside a rim, an edge, or a tangent, above 0 inside and below 0 outside: where a tolerance of a thousandth tells.
+pub fn beside(rng: &mut Pcg) -> f32 {
+    let gap = number(rng, 2e-4, 2e-3);
+    if rng.random_bool(0.5) { gap } else { -gap }
+}
+
 /// A point of the cube [−half, half]³.
 pub fn point(rng: &mut Pcg, half: f32) -> Vec3 {
     vec3(

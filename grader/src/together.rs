@@ -42,6 +42,24 @@ pub fn balanced(what: &str, lists: impl Iterator<Item = Vec<f64>>) -> Verdict {
     Ok(())
 }
 
+/// Whether uniform numbers come near to both ends of [0, 1): that all of n keep 21/n away from an end has a probability of e^−21 = 8e-10.
+///
+/// # Errors
+/// If they keep away from an end.
+pub fn fills(what: &str, numbers: impl Iterator<Item = f64>) -> Verdict {
+    const FREE: f64 = 21.0;
+    let (mut least, mut most, mut n) = (1.0_f64, 0.0_f64, 0.0);
+    for v in numbers {
+        (least, most, n) = (least.min(v), most.max(v), n + 1.0);
+    }
+    if least.max(1.0 - most) > FREE / n {
+        return Err(format!(
+            "{what} is never below {least:.4} nor above {most:.4}: it is not the same everywhere from 0 to 1"
+        ));
+    }
+    Ok(())
+}
+
 /// Each number with the next: whether a generator's numbers hang together one after the other. All are uniform in [0, 1).
 ///
 /// # Errors

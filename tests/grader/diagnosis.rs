@@ -3,6 +3,7 @@
 mod flaws;
 mod mistakes;
 mod operations;
+mod panics;
 
 use mistakes::{MISTAKES, Slip};
 use raybook_grader::cases;

@@ -8,10 +8,16 @@ use raybook_grader::cases;
 use raybook_grader::examine::{Case, Examiner};
 use raybook_grader::hidden::Key;
 use rayon::prelude::*;
+use std::f64::consts::TAU;
 use std::fmt::Write;
 
 /// The exercises whose answers are judged together.
-const EXERCISES: [&str; 3] = ["random_pattern", "jittered", "poisson_disk"];
+const EXERCISES: [&str; 4] = [
+    "concentric_disk",
+    "random_pattern",
+    "jittered",
+    "poisson_disk",
+];
 
 /// The hidden cases of a student.
 fn hidden(examiner: &dyn Examiner, student: usize) -> Vec<Case> {
@@ -82,7 +88,52 @@ fn times(numbers: Vec<f64>, factor: f64) -> Vec<f64> {
     numbers.into_iter().map(|v| v * factor).collect()
 }
 
+/// Points of the disc whose radius, which should be √u, is this power of u.
+fn power(points: Vec<f64>, power: f64) -> Vec<f64> {
+    let moved = points.chunks_exact(2).flat_map(|p| {
+        let r = p[0].hypot(p[1]);
+        let factor = if r > 0.0 {
+            r.powf(2.0 * power - 1.0)
+        } else {
+            1.0
+        };
+        [p[0] * factor, p[1] * factor]
+    });
+    moved.collect()
+}
+
 const BIASES: &[Bias] = &[
+    Bias {
+        exercise: "concentric_disk",
+        fault: "has the radius u^0.55",
+        change: |_, points| power(points, 0.55),
+    },
+    Bias {
+        exercise: "concentric_disk",
+        fault: "has the radius u^0.51",
+        change: |_, points| power(points, 0.51),
+    },
+    Bias {
+        exercise: "concentric_disk",
+        fault: "has the radius u^0.49",
+        change: |_, points| power(points, 0.49),
+    },
+    Bias {
+        exercise: "concentric_disk",
+        fault: "has 0.98 of the right angle",
+        change: |_, points| {
+            let turned = points.chunks_exact(2).flat_map(|p| {
+                let (r, turn) = (p[0].hypot(p[1]), p[1].atan2(p[0]).rem_euclid(TAU));
+                [r * (0.98 * turn).cos(), r * (0.98 * turn).sin()]
+            });
+            turned.collect()
+        },
+    },
+    Bias {
+        exercise: "concentric_disk",
+        fault: "has a radius of 0.99",
+        change: |_, points| times(points, 0.99),
+    },
     Bias {
         exercise: "random_pattern",
         fault: "fills 0.9 of the square's sides",
@@ -97,6 +148,11 @@ const BIASES: &[Bias] = &[
         exercise: "random_pattern",
         fault: "fills 0.99 of the square's sides",
         change: |_, points| times(points, 0.99),
+    },
+    Bias {
+        exercise: "random_pattern",
+        fault: "fills 0.997 of the square's sides",
+        change: |_, points| times(points, 0.997),
     },
     Bias {
         exercise: "random_pattern",
@@ -136,6 +192,11 @@ const BIASES: &[Bias] = &[
         exercise: "jittered",
         fault: "jitters in 0.99 of a cell",
         change: |q, points| shrunk(q, points, 0.99),
+    },
+    Bias {
+        exercise: "jittered",
+        fault: "jitters in 0.997 of a cell",
+        change: |q, points| shrunk(q, points, 0.997),
     },
     Bias {
         exercise: "poisson_disk",

@@ -16,6 +16,11 @@ pub const ALTERNATIVES: &[Alternative] = &[
     },
     Alternative {
         exercise: "triangle_hit",
+        method: "Cramer's rule, in f32 (Möller and Trumbore 1997)",
+        answer: |q| hit(q, by_determinants),
+    },
+    Alternative {
+        exercise: "triangle_hit",
         method: "the volumes of tetrahedra, in f64",
         answer: |q| hit(q, volumes),
     },
@@ -115,6 +120,16 @@ fn pluecker(o: DVec3, d: DVec3, corners: Corners) -> Option<[f64; 3]> {
     }
     let p = b0 * corners[0] + b1 * corners[1] + b2 * corners[2];
     Some([(p - o).dot(d) / d.dot(d), b1, b2])
+}
+
+fn by_determinants(o: DVec3, d: DVec3, corners: Corners) -> Option<[f64; 3]> {
+    let [o, d, p0, p1, p2] = [o, d, corners[0], corners[1], corners[2]].map(DVec3::as_vec3);
+    let (a, b, from) = (p1 - p0, p2 - p0, o - p0);
+    let (p, q) = (d.cross(b), from.cross(a));
+    let whole = a.dot(p);
+    let [t, b1, b2] = [b.dot(q), from.dot(p), d.dot(q)].map(|part| part / whole);
+    let inside = whole != 0.0 && b1 >= 0.0 && b2 >= 0.0 && b1 + b2 <= 1.0;
+    inside.then(|| [t, b1, b2].map(f64::from))
 }
 
 fn linear_system(o: DVec3, d: DVec3, [p0, p1, p2]: Corners) -> Option<[f64; 3]> {

@@ -4,26 +4,34 @@ use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
 use glam::{Vec2, Vec3, vec2, vec3};
 use rand::RngExt;
 use raybook::image::rgb::Rgb;
-use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
+use raybook::math::{basis::Basis, interval::Interval, pcg::Pcg};
 use raybook_chapters::kit::palette::viridis;
 use raybook_workbook::exercises::ch03_sphere::SphereHit;
 
 impl Graded for SphereHit {
     fn random(rng: &mut Pcg) -> SphereHit {
         let (center, radius) = (sample::point(rng, 3.0), sample::number(rng, 0.5, 2.0));
-        // One ray in four starts inside; most aim near the sphere, so that about half of all hit.
+        // One ray in four starts inside; most aim near the sphere, so that about half of all hit. One in eight nearly touches it.
+        let touches = rng.random_bool(0.125);
         let distance = radius
-            * if rng.random_bool(0.25) {
+            * if !touches && rng.random_bool(0.25) {
                 sample::number(rng, 0.1, 0.9)
             } else {
                 sample::number(rng, 1.5, 5.0)
             };
-        let origin = center - distance * *sample::direction(rng);
-        let aim = center + sample::point(rng, 1.2 * radius);
-        let direction = Dir3::new_or(aim - origin, Dir3::X);
-        let max = sample::end(rng, 0.3, 0.5, 6.0);
+        let toward = sample::direction(rng);
+        let origin = center - distance * *toward;
+        let (direction, max) = if touches {
+            let sine = (1.0 - sample::beside(rng)) * radius / distance;
+            let side = Basis::around(toward).x;
+            let cosine = (1.0 - sine * sine).sqrt();
+            (cosine * *toward + sine * *side, f32::INFINITY)
+        } else {
+            let aim = center + sample::point(rng, 1.2 * radius);
+            (aim - origin, sample::end(rng, 0.3, 0.5, 6.0))
+        };
         SphereHit {
-            ray: Ray::new(origin, direction),
+            ray: sample::ray(origin, direction),
             within: Interval::new(0.0, max),
             center,
             radius,

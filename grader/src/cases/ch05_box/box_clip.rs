@@ -2,8 +2,9 @@
 
 use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
 use glam::{Vec3, vec3};
+use rand::RngExt;
 use raybook::image::rgb::Rgb;
-use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
+use raybook::math::{interval::Interval, pcg::Pcg, ray::Ray};
 use raybook_chapters::kit::palette::viridis;
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch05_box::BoxClip;
@@ -14,11 +15,17 @@ impl Graded for BoxClip {
             sample::point(rng, 3.0),
             Vec3::splat(1.25) + sample::point(rng, 1.0),
         );
-        let origin = center + sample::point(rng, 5.0);
-        let aim = center + sample::point(rng, 1.5) * half;
+        // One ray in eight passes close to an edge, on either side of it.
+        let ray = if rng.random_bool(0.125) {
+            beside_an_edge(rng, center, half)
+        } else {
+            let origin = center + sample::point(rng, 5.0);
+            let aim = center + sample::point(rng, 1.5) * half;
+            sample::ray(origin, aim - origin)
+        };
         let max = sample::end(rng, 0.3, 1.0, 8.0);
         BoxClip {
-            ray: Ray::new(origin, Dir3::new_or(aim - origin, Dir3::X)),
+            ray,
             within: Interval::new(0.0, max),
             min: center - half,
             max: center + half,
@@ -146,6 +153,19 @@ impl Graded for BoxClip {
 }
 
 /// Where the whole line enters and leaves the slab of an axis; by the right rule.
+/// A ray close to an edge that is part of the box's outline as the ray sees it: it leaves one slab about where it enters another.
+fn beside_an_edge(rng: &mut Pcg, center: Vec3, half: Vec3) -> Ray {
+    let direction = sample::direction(rng);
+    let leaves = rng.random_range(0..3);
+    let enters = (leaves + rng.random_range(1..3)) % 3;
+    let mut place = sample::point(rng, 0.9);
+    let out = 1.0 - sample::beside(rng);
+    place[leaves] = out * direction[leaves].signum();
+    place[enters] = -out * direction[enters].signum();
+    let aim = center + place * half;
+    Ray::new(aim - sample::number(rng, 1.0, 6.0) * *direction, direction)
+}
+
 fn slab(q: &BoxClip, axis: usize) -> (f32, f32) {
     let (o, d) = (q.ray.origin[axis], q.ray.direction[axis]);
     let (a, b) = ((q.min[axis] - o) / d, (q.max[axis] - o) / d);

@@ -2,6 +2,7 @@
 
 use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
 use glam::{Vec3, vec3};
+use rand::RngExt;
 use raybook::image::rgb::Rgb;
 use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 use raybook_workbook::exercise::Exercise;
@@ -10,11 +11,19 @@ use raybook_workbook::exercises::ch06_triangle::{TriangleHit, TriangleHitAnswer}
 impl Graded for TriangleHit {
     fn random(rng: &mut Pcg) -> TriangleHit {
         let [p0, p1, p2] = std::array::from_fn(|_| sample::point(rng, 3.0));
-        let (b1, b2) = (
-            sample::number(rng, -0.3, 0.8),
-            sample::number(rng, -0.3, 0.8),
-        );
-        let aim = p0 + b1 * (p1 - p0) + b2 * (p2 - p0);
+        // One ray in eight passes close to an edge, on either side of it.
+        let aim = if rng.random_bool(0.125) {
+            let gap = sample::beside(rng);
+            let along = sample::number(rng, 0.1, 0.9);
+            let mut corners = [p0, p1, p2];
+            corners.rotate_left(rng.random_range(0..3));
+            let [from, to, opposite] = corners;
+            from.lerp(to, along).lerp(opposite, gap)
+        } else {
+            let b1 = sample::number(rng, -0.3, 0.8);
+            let b2 = sample::number(rng, -0.3, 0.8);
+            p0 + b1 * (p1 - p0) + b2 * (p2 - p0)
+        };
         let origin = aim - sample::number(rng, 1.0, 6.0) * *sample::direction(rng);
         let max = sample::end(rng, 0.2, 1.0, 5.0);
         let direction = Dir3::new_or(aim - origin, Dir3::X);

@@ -1,10 +1,10 @@
 //! `sample_rect`: random questions, judge and mistakes.
 
-use super::chosen::{self, DENSITY, N, each, evenly};
+use super::chosen::{self, DENSITY, MEAN, N, each, evenly};
 use super::flaws;
 use super::lattice;
 use crate::{Flaw, Graded, Mistake, Verdict, judge, sample};
-use glam::{Vec2, vec2};
+use glam::{DVec2, Vec2, vec2};
 use rand::RngExt;
 use raybook::math::{basis::Basis, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
@@ -55,7 +55,7 @@ impl Graded for SampleRect {
                 judge::number_within("the density", "/sr", pdf, chosen.pdf, DENSITY * pdf)
             })?;
             let places: Vec<_> = got.iter().map(|c| place(c).as_dvec2()).collect();
-            evenly("the points", &places)
+            evenly("the points", &places, DVec2::splat(MEAN))
         })
     }
 
@@ -157,6 +157,11 @@ impl Graded for SampleRect {
             name: "takes the middle of the light for every sample",
             hint: "Where on the light do your samples lie?",
             answer: |q| chosen_rect(q, |_| Vec2::splat(0.5)),
+        },
+        Mistake {
+            name: "takes the corners of the lattice's cells for their middles",
+            hint: "The first pair is (½/n, ½/n): what is yours?",
+            answer: |q| chosen_rect(q, |u| u - 0.5 / N as f32),
         },
         Mistake {
             name: "squares a uniform number",

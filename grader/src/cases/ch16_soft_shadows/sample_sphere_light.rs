@@ -1,6 +1,6 @@
 //! `sample_sphere_light`: random questions, judge and mistakes.
 
-use super::chosen::{self, DENSITY, N, each, evenly};
+use super::chosen::{self, DENSITY, MEAN, MEAN_ANGLE, N, each, evenly};
 use super::cone::{cap, cone};
 use super::flaws;
 use crate::{Flaw, Graded, Mistake, Verdict, judge, sample};
@@ -78,7 +78,7 @@ impl Graded for SampleSphereLight {
             dvec2(height(c) / cap, f64::from(phi / TAU + 0.5))
         };
         let places: Vec<_> = got.iter().map(place).collect();
-        evenly("the directions", &places)
+        evenly("the directions", &places, dvec2(MEAN, MEAN_ANGLE))
     }
 
     fn traits(q: &SampleSphereLight, got: &Self::Answer) -> Vec<f64> {
@@ -190,6 +190,16 @@ impl Graded for SampleSphereLight {
                 let inside = q.at.distance(q.center) <= q.radius;
                 cone(q, |u, cap| {
                     let cap = if inside { 1.0 } else { cap };
+                    (u.x * cap, TAU * u.y, 1.0 / (TAU * cap))
+                })
+            },
+        },
+        Mistake {
+            name: "takes the corners of the lattice's cells for their middles",
+            hint: "The first pair is (½/n, ½/n): what is yours?",
+            answer: |q| {
+                cone(q, |u, cap| {
+                    let u = u - 0.5 / q.n as f32;
                     (u.x * cap, TAU * u.y, 1.0 / (TAU * cap))
                 })
             },

@@ -1,5 +1,6 @@
 //! `concentric_disk`: judged by how its points fill the disc.
 
+use crate::examine::RANDOM_CASES;
 use crate::{Flaw, Graded, Mistake, Verdict, judge, sample, traits};
 use glam::{Vec2, vec2};
 use rand::RngExt;
@@ -29,6 +30,43 @@ fn by_sides(a: f32, b: f32) -> (f32, f32) {
     } else {
         (b, FRAC_PI_2 - FRAC_PI_4 * a / b)
     }
+}
+
+/// Whether a disc of radius r has the share r² of the points, but for `bound`.
+fn evenly_outwards<'a>(points: impl Iterator<Item = &'a Vec2>, bound: f32) -> Verdict {
+    let mut shares: Vec<_> = points.map(|p| p.length_squared()).collect();
+    shares.sort_by(f32::total_cmp);
+    let n = shares.len() as f32;
+    for (i, share) in shares.iter().enumerate() {
+        let (below, up_to) = (i as f32 / n, (i + 1) as f32 / n);
+        if below - share > bound || share - up_to > bound {
+            return Err(format!(
+                "the points are not evenly spread: {:.1} % of them are within {:.3} of the middle, and {:.1} % should be",
+                100.0 * below,
+                share.sqrt(),
+                100.0 * share
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// Whether an arc between any two angles has its share of the points, but for `bound` (Kuiper 1960: wherever angles count from).
+fn evenly_round<'a>(points: impl Iterator<Item = &'a Vec2>, bound: f32) -> Verdict {
+    let turn = |p: &Vec2| (p.to_angle() / TAU).rem_euclid(1.0);
+    let mut turns: Vec<_> = points.map(turn).collect();
+    turns.sort_by(f32::total_cmp);
+    let n = turns.len() as f32;
+    let ahead = |(i, turn): (usize, &f32)| (i + 1) as f32 / n - turn;
+    let most = turns.iter().enumerate().map(ahead).fold(0.0, f32::max);
+    let least = turns.iter().enumerate().map(ahead).fold(0.0, f32::min);
+    if most - least <= bound {
+        return Ok(());
+    }
+    Err(format!(
+        "the points are not evenly spread all the way round: an arc of the disc has {:.1} % of the points too many",
+        100.0 * (most - least)
+    ))
 }
 
 impl Graded for ConcentricDisk {
@@ -88,25 +126,17 @@ impl Graded for ConcentricDisk {
                 ));
             }
         }
-        // A disc of radius r has the share r² of the area.
-        let mut shares: Vec<_> = got.iter().map(|p| p.length_squared()).collect();
-        shares.sort_by(f32::total_cmp);
-        for (i, share) in shares.iter().enumerate() {
-            let (below, up_to) = (i as f32 / n as f32, (i + 1) as f32 / n as f32);
-            if below - share > bound || share - up_to > bound {
-                return Err(format!(
-                    "the points are not evenly spread: {:.0} % of them are within {:.2} of the middle, and {:.0} % should be",
-                    100.0 * below,
-                    share.sqrt(),
-                    100.0 * share
-                ));
-            }
-        }
-        Ok(())
+        evenly_outwards(got.iter(), bound)
     }
 
-    /// Other places in the square have other images in the disc.
+    /// Other places in the square have other images in the disc, and the errors of the lattices, which hide a wrong power of the
+    /// radius in each answer, cancel in all of them.
+    ///
+    /// Measured for 2,000 students and five right methods, shares within a radius are at most 0.0033 off, and shares of an arc
+    /// 0.0098. A radius of u^0.51 or u^0.49 is at least 0.0068 off, an angle that ends at 0.98 of the whole turn 0.0201.
     fn together(answers: &[(ConcentricDisk, Vec<Vec2>)]) -> Verdict {
+        const OUTWARDS: f32 = 0.006;
+        const ROUND: f32 = 0.018;
         for (i, (one, points)) in answers.iter().enumerate() {
             let moved = |(other, others): &&(ConcentricDisk, Vec<Vec2>)| {
                 other.n == one.n && other.shift != one.shift && others == points
@@ -118,7 +148,12 @@ impl Graded for ConcentricDisk {
                 ));
             }
         }
-        Ok(())
+        let lattices = || answers.iter().filter(|(q, _)| q.n as usize >= ENOUGH);
+        if lattices().count() < RANDOM_CASES {
+            return Ok(());
+        }
+        evenly_outwards(lattices().flat_map(|(_, points)| points), OUTWARDS)?;
+        evenly_round(lattices().flat_map(|(_, points)| points), ROUND)
     }
 
     fn traits(_q: &ConcentricDisk, got: &Vec<Vec2>) -> Vec<f64> {
@@ -158,6 +193,11 @@ impl Graded for ConcentricDisk {
         },
         Flaw {
             complaint: "the mean of",
+            name: "does not go evenly all the way round",
+            hint: "From where to where does your angle go?",
+        },
+        Flaw {
+            complaint: "all the way round",
             name: "does not go evenly all the way round",
             hint: "From where to where does your angle go?",
         },

@@ -116,6 +116,9 @@ impl Graded for Jittered {
         together::seeded(answers, same, |q| q.seed)?;
         let lists: Vec<_> = answers.iter().map(|(q, got)| places(q, got)).collect();
         scattered(&lists.concat())?;
+        let all = |axis: usize| lists.iter().flatten().map(move |p| p[axis].into());
+        together::fills("the place from left to right in a cell", all(0))?;
+        together::fills("the place from top to bottom in a cell", all(1))?;
         let along = |axis: usize| {
             let list = move |list: &Vec<Vec2>| list.iter().map(|p| p[axis].into()).collect();
             lists.iter().map(list)

@@ -42,6 +42,8 @@ impl Graded for RandomPattern {
         points::uniform("x", all().map(|p| p.x))?;
         points::uniform("y", all().map(|p| p.y))?;
         points::independent("x and y", all().copied())?;
+        together::fills("x", all().map(|p| p.x.into()))?;
+        together::fills("y", all().map(|p| p.y.into()))?;
         let lists = || answers.iter().map(|(_, points)| points.iter());
         together::balanced("x", lists().map(|list| list.map(|p| p.x.into()).collect()))?;
         together::balanced("y", lists().map(|list| list.map(|p| p.y.into()).collect()))?;

@@ -177,6 +177,18 @@ impl Graded for SpendBudget {
             answer: |q| rounded_down(q, q.least, |d| d),
         },
         Mistake {
+            name: "gives all that rounding leaves to one pixel",
+            hint: "Each share was rounded down by less than one: how much of the rest is whose?",
+            answer: |q| {
+                let mut counts = rounded_down(q, q.least, |d| d);
+                let left = q.budget.saturating_sub(counts.iter().sum());
+                if let Some(last) = counts.last_mut() {
+                    *last += left;
+                }
+                counts
+            },
+        },
+        Mistake {
             name: "adds the least to the budget",
             hint: "Add up your samples: is it the budget?",
             answer: |q| {

@@ -1,0 +1,105 @@
+//! A missing guard is named by what the function dies of, in the words of three languages.
+
+use raybook_grader::ask::{Reply, Said};
+use raybook_grader::cases;
+use raybook_grader::check::assess;
+use raybook_grader::converse::Prints;
+use raybook_grader::diagnose::Diagnosis;
+use raybook_grader::examine::{Case, visible_rng};
+
+/// What is found if the function panics with a message in some cases, and answers the others by `answer`.
+fn found(
+    exercise: &str,
+    message: &str,
+    dies: impl Fn(&Case) -> bool,
+    answer: impl Fn(&Case) -> String,
+) -> Option<Diagnosis> {
+    let examiner = cases::find(exercise).expect("an exercise");
+    let cases = examiner.cases(&mut visible_rng(exercise)).cases;
+    let reply = |case: &Case| Reply {
+        said: if dies(case) {
+            Said::Panicked(message.into())
+        } else {
+            Said::Answer(answer(case).into())
+        },
+        printed: Prints::default(),
+    };
+    let replies = cases.iter().map(reply).collect();
+    assess(examiner, cases, replies).diagnosis
+}
+
+fn rightly(case: &Case) -> String {
+    case.answers[0].clone()
+}
+
+#[test]
+fn a_missing_guard_is_named_by_what_the_function_dies_of() {
+    for (exercise, case, message, name) in [
+        (
+            "plane_hit",
+            "parallel to it",
+            "ZeroDivisionError: float division by zero",
+            "divides by 0",
+        ),
+        (
+            "bounds_of",
+            "no points: the empty box, from +infinity to -infinity",
+            "index out of bounds: the len is 0 but the index is 0",
+            "takes something from a list that is not in it",
+        ),
+        (
+            "grid_walk",
+            "beside it, parallel",
+            "called `Option::unwrap()` on a `None` value",
+            "goes on with an answer that is none",
+        ),
+        (
+            "sphere_hit",
+            "past it",
+            "ValueError: math domain error",
+            "takes a root or an angle of a number that has none",
+        ),
+        (
+            "octree_build",
+            "random 1",
+            "RecursionError: maximum recursion depth exceeded",
+            "calls itself without end",
+        ),
+    ] {
+        let found = found(exercise, message, |one| one.name == case, rightly);
+        let found = found.unwrap_or_else(|| panic!("{exercise}: nothing is named"));
+        assert_eq!(
+            (found.name.as_str(), found.certain, found.explained),
+            (name, true, 1),
+            "{exercise}"
+        );
+    }
+}
+
+#[test]
+fn what_the_function_dies_of_stands_beside_what_it_gets_wrong() {
+    let examiner = cases::find("plane_hit").expect("an exercise");
+    let far = |case: &Case| examiner.mistaken(0, &case.question).expect("an answer");
+    let dies = |case: &Case| case.name == "parallel to it";
+    let found = found("plane_hit", "ZeroDivisionError", dies, far).expect("a mistake is named");
+    assert_eq!(
+        found.name,
+        examiner.mistakes()[0].0,
+        "ZeroDivisionError alone says nothing"
+    );
+    let message = "ZeroDivisionError: division by zero";
+    let found = self::found("plane_hit", message, dies, far).expect("a mistake is named");
+    assert_eq!(found.name, examiner.mistakes()[0].0, "it explains more");
+    assert_eq!(found.also[0].name, "divides by 0", "it is told too");
+}
+
+#[test]
+fn a_message_that_says_nothing_names_nothing() {
+    let found = found(
+        "plane_hit",
+        "what now?",
+        |case| case.name == "parallel to it",
+        rightly,
+    );
+    assert_eq!(found, None, "no language says so");
+}

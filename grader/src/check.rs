@@ -8,6 +8,7 @@ use crate::examine::{Case, Examiner};
 use crate::pairing::put_right;
 use crate::picture::{Pixels, ask_pixels, ask_to_first_wrong, some_are_right};
 use crate::prints::short;
+use crate::related::ask_related;
 use crate::triple::Triple;
 use raybook_chapters::kit::untrusted::Untrusted;
 use std::io;
@@ -216,6 +217,7 @@ fn check_and_draw(
 ) -> io::Result<Report> {
     let mut report = check(asker, examiner, cases.to_vec())?;
     ask_again(asker, examiner, &mut report)?;
+    ask_related(asker, examiner, &mut report)?;
     let drawn = match pixels {
         Pixels::None => false,
         Pixels::FirstWrong if report.state() == State::Wrong => report.answers(),

@@ -45,6 +45,7 @@ pub mod prints;
 pub mod progress;
 pub mod reader;
 pub mod recipe;
+pub mod related;
 pub mod report;
 pub mod sample;
 pub mod sandbox;
@@ -87,6 +88,9 @@ pub trait Graded: Exercise + Clone + Sync + 'static {
     fn together(_answers: &[(Self, Self::Answer)]) -> Verdict {
         Ok(())
     }
+
+    /// Questions that follow from others.
+    const RELATIONS: &'static [Relation<Self>] = &[];
 
     /// Wrong implementations that students are known to write.
     const MISTAKES: &'static [Mistake<Self>];
@@ -138,6 +142,14 @@ pub trait Graded: Exercise + Clone + Sync + 'static {
         how(&mut question);
         question.answer()
     }
+}
+
+/// A way to make a question of another. Its answer is the reference's, which need not be that to the first.
+pub struct Relation<E> {
+    /// What is done to it, as a participle: "moved by a metre".
+    pub name: &'static str,
+    /// The question made of another.
+    pub question: fn(&E) -> E,
 }
 
 /// A wrong implementation.

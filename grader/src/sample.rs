@@ -7,6 +7,9 @@ use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 /// All of a line, ahead and behind.
 pub const LINE: Interval = Interval::new(f32::NEG_INFINITY, f32::INFINITY);
 
+/// What moves a scene by a metre along each axis.
+pub const METRE: Vec3 = Vec3::ONE;
+
 /// The ray from a point in the direction of a vector of any length but 0.
 pub fn ray(origin: Vec3, toward: Vec3) -> Ray {
     Ray::new(origin, Dir3::new_or(toward, Dir3::Z))

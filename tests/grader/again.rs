@@ -3,17 +3,21 @@
 use raybook_grader::cases;
 use raybook_grader::check::{Report, State, Verdict, check_all};
 use raybook_grader::converse::{Limits, Program};
-use raybook_grader::examine::visible_rng;
+use raybook_grader::examine::{Case, visible_rng};
 use raybook_grader::picture::Pixels;
 use std::fs;
 use std::time::Duration;
 
-/// The report on a script that finds the right answers to the cases of `expose`, in order, in a file that is open as number 3.
-fn checked(script: &str) -> Report {
-    let expose = cases::find("expose").expect("the exercise exists");
-    let cases = expose.cases(&mut visible_rng("expose")).cases;
+/// The report on a script that finds the right answers to the cases of an exercise, in order, in a file that is open as number 3, and
+/// with their questions in `table`.
+fn checked(exercise: &str, script: &str) -> Report {
+    let examiner = cases::find(exercise).expect("the exercise exists");
+    let cases = examiner.cases(&mut visible_rng(exercise)).cases;
     let answers: Vec<_> = cases.iter().map(|case| case.answers[0].as_str()).collect();
+    let row = |case: &Case| format!("{exercise} {} = {}\n", case.question, case.answers[0]);
+    let table: String = cases.iter().map(row).collect();
     let folder = tempfile::tempdir().expect("a temporary folder");
+    fs::write(folder.path().join("table"), table).expect("it is written");
     fs::write(folder.path().join("answers"), answers.join("\n") + "\n").expect("it is written");
     let program = Program {
         file: "/bin/sh".into(),
@@ -22,7 +26,7 @@ fn checked(script: &str) -> Report {
         sandbox: None,
     };
     let limits = Limits::of(Duration::from_secs(5));
-    let reports = check_all(&program, &[(expose, cases)], limits, Pixels::None, &|| {});
+    let reports = check_all(&program, &[(examiner, cases)], limits, Pixels::None, &|| {});
     let report = reports
         .expect("the shell can be started")
         .into_iter()
@@ -32,7 +36,10 @@ fn checked(script: &str) -> Report {
 
 #[test]
 fn what_is_right_only_once_is_wrong() {
-    let report = checked("while read q; do read a <&3 || a='0 0 0'; echo \"= $a\"; done");
+    let report = checked(
+        "expose",
+        "while read q; do read a <&3 || a='0 0 0'; echo \"= $a\"; done",
+    );
     assert_eq!(report.state(), State::Wrong);
     let (outcome, why) = report.first_wrong().expect("a case is wrong");
     assert_eq!(outcome.case.number, 1, "the first case is asked again");
@@ -45,7 +52,7 @@ fn what_is_right_only_once_is_wrong() {
 
 #[test]
 fn what_is_wrong_at_first_is_not_asked_again() {
-    let report = checked("while read q; do echo '= 0 0 0'; done");
+    let report = checked("expose", "while read q; do echo '= 0 0 0'; done");
     let told = |why: &str| !why.contains("asked again");
     let mut wrong = report
         .cases
@@ -55,4 +62,43 @@ fn what_is_wrong_at_first_is_not_asked_again() {
             _ => None,
         });
     assert!(wrong.all(told));
+}
+
+/// Answers from the table of visible cases.
+const BY_HEART: &str =
+    "while read -r q; do a=$(grep -F -m1 -- \"$q = \" table); echo \"= ${a##* = }\"; done";
+
+#[test]
+fn who_knows_the_cases_by_heart_does_not_know_what_follows_from_them() {
+    let mut known = 0;
+    for examiner in cases::all() {
+        let name = examiner.name();
+        let cases = examiner.cases(&mut visible_rng(name)).cases;
+        if cases.iter().all(|case| examiner.related(case).is_empty()) {
+            continue;
+        }
+        known += 1;
+        let report = checked(name, BY_HEART);
+        let (outcome, why) = report.first_wrong().unwrap_or_else(|| panic!("{name}"));
+        assert!(
+            why.contains("the case itself is right, but moved"),
+            "{name}: {why}"
+        );
+        assert!(
+            outcome.case.name.contains(", moved by"),
+            "{name}: {}",
+            outcome.case.name
+        );
+        assert!(
+            report.right() >= report.cases.len() - 4,
+            "{name}: the others stay right"
+        );
+    }
+    assert_eq!(known, 10, "exercises whose questions are moved");
+}
+
+#[test]
+fn cases_by_heart_are_right_where_nothing_follows() {
+    let report = checked("expose", BY_HEART);
+    assert_eq!(report.state(), State::Right, "{:?}", report.first_wrong());
 }

@@ -155,11 +155,14 @@ fn alternatives() -> impl Iterator<Item = &'static Alternative> {
     .flatten()
 }
 
-/// Every exercise with its visible cases, and the hidden ones of some students.
+/// Every exercise with its visible cases, what follows from these, and the hidden ones of some students.
 static CASES: LazyLock<Vec<(&dyn Examiner, Vec<Case>)>> = LazyLock::new(|| {
     let all = |examiner: &dyn Examiner| {
         let name = examiner.name();
         let mut cases = examiner.cases(&mut visible_rng(name)).cases;
+        let related = cases.iter().flat_map(|case| examiner.related(case));
+        let related: Vec<_> = related.map(|(_, case)| case).collect();
+        cases.extend(related);
         for student in 0..KEYS {
             let key = Key {
                 course: "another course's secret".into(),

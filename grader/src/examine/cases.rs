@@ -114,7 +114,7 @@ impl dyn Examiner + '_ {
     }
 
     /// A question with the reference's answer; its number comes later.
-    fn case(&self, name: &str, question: &[f64]) -> Result<Case, CasesError> {
+    pub(crate) fn case(&self, name: &str, question: &[f64]) -> Result<Case, CasesError> {
         let asked = self.asked();
         let answer = self.reference(question).map_err(CasesError::Reference)?;
         Ok(Case {

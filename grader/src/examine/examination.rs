@@ -63,6 +63,14 @@ impl<E: Graded> Examiner for Examination<E> {
         E::together(&answers)
     }
 
+    fn relations(&self, question: &[f64]) -> Vec<(&'static str, Vec<f64>)> {
+        let question = from_numbers::<E>(question);
+        let relations = E::RELATIONS.iter();
+        relations
+            .map(|one| (one.name, to_numbers(&(one.question)(&question))))
+            .collect()
+    }
+
     fn mistake(&self, i: usize) -> Option<(&'static str, &'static str)> {
         let Mistake { name, hint, .. } = E::MISTAKES.get(i)?;
         Some((name, hint))

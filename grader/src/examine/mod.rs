@@ -54,6 +54,11 @@ pub trait Examiner: Sync {
     /// What is wrong with them.
     fn compare_together(&self, answers: &[(Vec<f64>, Vec<f64>)]) -> Verdict;
 
+    /// What is done to a question by each of the [`RELATIONS`](crate::Graded::RELATIONS), and the question that it makes.
+    fn relations(&self, _question: &[f64]) -> Vec<(&'static str, Vec<f64>)> {
+        Vec::new()
+    }
+
     /// The name and the hint of mistake number i.
     fn mistake(&self, i: usize) -> Option<(&'static str, &'static str)>;
 

@@ -1,6 +1,6 @@
 //! `ray_at`: random questions, judge and mistakes.
 
-use crate::{Graded, Mistake, Verdict, judge, sample};
+use crate::{Graded, Mistake, Relation, Verdict, judge, sample};
 use glam::Vec3;
 use raybook::math::{pcg::Pcg, ray::Ray};
 use raybook_workbook::exercises::ch01_rays::RayAt;
@@ -16,6 +16,14 @@ impl Graded for RayAt {
     fn judge(_q: &RayAt, golden: &Vec3, got: &Vec3) -> Verdict {
         judge::point("the point", *golden, *got)
     }
+
+    const RELATIONS: &'static [Relation<Self>] = &[Relation {
+        name: "moved by a metre along each axis",
+        question: |q| RayAt {
+            ray: Ray::new(q.ray.origin + sample::METRE, q.ray.direction),
+            ..q.clone()
+        },
+    }];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

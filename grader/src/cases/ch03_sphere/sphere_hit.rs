@@ -1,10 +1,10 @@
 //! `sphere_hit`: random questions, judge and mistakes.
 
-use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
+use crate::{Graded, Mistake, Picture, Relation, Verdict, judge, sample};
 use glam::{Vec2, Vec3, vec2, vec3};
 use rand::RngExt;
 use raybook::image::rgb::Rgb;
-use raybook::math::{basis::Basis, interval::Interval, pcg::Pcg};
+use raybook::math::{basis::Basis, interval::Interval, pcg::Pcg, ray::Ray};
 use raybook_chapters::kit::palette::viridis;
 use raybook_workbook::exercises::ch03_sphere::SphereHit;
 
@@ -45,6 +45,15 @@ impl Graded for SphereHit {
             judge::number_within("t", "m", *golden, *got, tolerance)
         })
     }
+
+    const RELATIONS: &'static [Relation<Self>] = &[Relation {
+        name: "moved by a metre along each axis",
+        question: |q| SphereHit {
+            ray: Ray::new(q.ray.origin + sample::METRE, q.ray.direction),
+            center: q.center + sample::METRE,
+            ..q.clone()
+        },
+    }];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

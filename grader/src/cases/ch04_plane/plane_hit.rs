@@ -1,6 +1,6 @@
 //! Chapter 4: `plane_hit`.
 
-use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
+use crate::{Graded, Mistake, Picture, Relation, Verdict, judge, sample};
 use glam::vec3;
 use rand::RngExt;
 use raybook::image::rgb::Rgb;
@@ -29,6 +29,15 @@ impl Graded for PlaneHit {
             judge::number("t", "m", *golden, *got)
         })
     }
+
+    const RELATIONS: &'static [Relation<Self>] = &[Relation {
+        name: "moved by a metre along each axis",
+        question: |q| PlaneHit {
+            ray: Ray::new(q.ray.origin + sample::METRE, q.ray.direction),
+            offset: q.offset + q.normal.dot(sample::METRE),
+            ..q.clone()
+        },
+    }];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

@@ -1,6 +1,6 @@
 //! `bounds_of`: random questions, judge and mistakes.
 
-use crate::{Graded, Mistake, Verdict, judge, sample};
+use crate::{Flaw, Graded, Mistake, Relation, Verdict, judge, sample};
 use glam::Vec3;
 use rand::RngExt;
 use raybook::math::pcg::Pcg;
@@ -32,6 +32,19 @@ impl Graded for BoundsOf {
         }
         Ok(())
     }
+
+    const FLAWS: &'static [Flaw] = &[Flaw {
+        complaint: "and should be inf",
+        name: "returns another box for no points than the empty one",
+        hint: "Which box is contained in every other, so that adding a point to it gives the point?",
+    }];
+
+    const RELATIONS: &'static [Relation<Self>] = &[Relation {
+        name: "moved by a metre along each axis",
+        question: |q| BoundsOf {
+            points: q.points.iter().map(|p| *p + sample::METRE).collect(),
+        },
+    }];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

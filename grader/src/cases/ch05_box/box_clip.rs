@@ -1,6 +1,6 @@
 //! `box_clip`: random questions, judge and mistakes.
 
-use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
+use crate::{Graded, Mistake, Picture, Relation, Verdict, judge, sample};
 use glam::{Vec3, vec3};
 use rand::RngExt;
 use raybook::image::rgb::Rgb;
@@ -47,6 +47,16 @@ impl Graded for BoxClip {
             },
         )
     }
+
+    const RELATIONS: &'static [Relation<Self>] = &[Relation {
+        name: "moved by a metre along each axis",
+        question: |q| BoxClip {
+            ray: Ray::new(q.ray.origin + sample::METRE, q.ray.direction),
+            min: q.min + sample::METRE,
+            max: q.max + sample::METRE,
+            ..q.clone()
+        },
+    }];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

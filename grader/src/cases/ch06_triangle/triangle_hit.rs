@@ -1,6 +1,6 @@
 //! `triangle_hit`: random questions, judge and mistakes.
 
-use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
+use crate::{Graded, Mistake, Picture, Relation, Verdict, judge, sample};
 use glam::{Vec3, vec3};
 use rand::RngExt;
 use raybook::image::rgb::Rgb;
@@ -51,6 +51,17 @@ impl Graded for TriangleHit {
             judge::number("b2", "", golden.b2, got.b2)
         })
     }
+
+    const RELATIONS: &'static [Relation<Self>] = &[Relation {
+        name: "moved by a metre along each axis",
+        question: |q| TriangleHit {
+            ray: Ray::new(q.ray.origin + sample::METRE, q.ray.direction),
+            p0: q.p0 + sample::METRE,
+            p1: q.p1 + sample::METRE,
+            p2: q.p2 + sample::METRE,
+            ..q.clone()
+        },
+    }];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

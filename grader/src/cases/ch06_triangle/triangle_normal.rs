@@ -1,6 +1,6 @@
 //! `triangle_normal`: random questions, judge and mistakes.
 
-use crate::{Graded, Mistake, Verdict, judge, sample};
+use crate::{Graded, Mistake, Relation, Verdict, judge, sample};
 use glam::Vec3;
 use raybook::math::{dir3::Dir3, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
@@ -21,6 +21,15 @@ impl Graded for TriangleNormal {
             judge::direction("the normal", *golden, *got)
         })
     }
+
+    const RELATIONS: &'static [Relation<Self>] = &[Relation {
+        name: "moved by a metre along each axis",
+        question: |q| TriangleNormal {
+            p0: q.p0 + sample::METRE,
+            p1: q.p1 + sample::METRE,
+            p2: q.p2 + sample::METRE,
+        },
+    }];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

@@ -1,6 +1,6 @@
 //! `mesh_hit`: random questions, judge and mistakes.
 
-use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
+use crate::{Graded, Mistake, Picture, Relation, Verdict, judge, sample};
 use glam::{Vec3, vec3};
 use rand::RngExt;
 use raybook::image::rgb::Rgb;
@@ -37,6 +37,22 @@ impl Graded for MeshHit {
     fn judge(_q: &MeshHit, golden: &Option<MeshHitAnswer>, got: &Option<MeshHitAnswer>) -> Verdict {
         judge::nearest(golden.as_ref(), got.as_ref())
     }
+
+    const RELATIONS: &'static [Relation<Self>] = &[Relation {
+        name: "moved by a metre along each axis",
+        question: |q| {
+            let moved = |t: &Corners| Corners {
+                p0: t.p0 + sample::METRE,
+                p1: t.p1 + sample::METRE,
+                p2: t.p2 + sample::METRE,
+            };
+            MeshHit {
+                ray: Ray::new(q.ray.origin + sample::METRE, q.ray.direction),
+                triangles: q.triangles.iter().map(moved).collect(),
+                ..q.clone()
+            }
+        },
+    }];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

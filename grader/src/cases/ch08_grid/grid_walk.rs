@@ -1,6 +1,6 @@
 //! `grid_walk`: random questions, judge and mistakes.
 
-use crate::{Flaw, Graded, Mistake, Picture, Verdict, judge, sample};
+use crate::{Flaw, Graded, Mistake, Picture, Relation, Verdict, judge, sample};
 use glam::{UVec3, uvec3, vec3};
 use rand::RngExt;
 use raybook::image::rgb::Rgb;
@@ -101,6 +101,15 @@ impl Graded for GridWalk {
             hint: "From where is t measured, and is it that of the plane at which the ray leaves a cell?",
         },
     ];
+
+    const RELATIONS: &'static [Relation<Self>] = &[Relation {
+        name: "moved by a metre along each axis",
+        question: |q| GridWalk {
+            ray: Ray::new(q.ray.origin + sample::METRE, q.ray.direction),
+            min: q.min + sample::METRE,
+            ..q.clone()
+        },
+    }];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

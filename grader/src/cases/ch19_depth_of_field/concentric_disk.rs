@@ -1,7 +1,7 @@
 //! `concentric_disk`: judged by how its points fill the disc.
 
 use crate::examine::RANDOM_CASES;
-use crate::{Flaw, Graded, Mistake, Verdict, judge, sample, traits};
+use crate::{Flaw, Graded, Mistake, Relation, Verdict, judge, sample, traits};
 use glam::{Vec2, vec2};
 use rand::RngExt;
 use raybook::math::pcg::Pcg;
@@ -207,6 +207,14 @@ impl Graded for ConcentricDisk {
             hint: "Half of the radius is a quarter of the area: how many points belong there?",
         },
     ];
+
+    const RELATIONS: &'static [Relation<Self>] = &[Relation {
+        name: "moved by a thousandth of the square",
+        question: |q| ConcentricDisk {
+            shift: (q.shift + 0.001).fract(),
+            ..q.clone()
+        },
+    }];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

@@ -89,7 +89,7 @@ fn times(numbers: Vec<f64>, factor: f64) -> Vec<f64> {
 }
 
 /// Points of the disc whose radius, which should be √u, is this power of u.
-fn power(points: Vec<f64>, power: f64) -> Vec<f64> {
+fn power(points: &[f64], power: f64) -> Vec<f64> {
     let moved = points.chunks_exact(2).flat_map(|p| {
         let r = p[0].hypot(p[1]);
         let factor = if r > 0.0 {
@@ -106,17 +106,17 @@ const BIASES: &[Bias] = &[
     Bias {
         exercise: "concentric_disk",
         fault: "has the radius u^0.55",
-        change: |_, points| power(points, 0.55),
+        change: |_, points| power(&points, 0.55),
     },
     Bias {
         exercise: "concentric_disk",
         fault: "has the radius u^0.51",
-        change: |_, points| power(points, 0.51),
+        change: |_, points| power(&points, 0.51),
     },
     Bias {
         exercise: "concentric_disk",
         fault: "has the radius u^0.49",
-        change: |_, points| power(points, 0.49),
+        change: |_, points| power(&points, 0.49),
     },
     Bias {
         exercise: "concentric_disk",

@@ -59,22 +59,26 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     };
     let scene = glassware::still_life(stuff);
     let film = stage.film_of(960, 9, 16.0 / 9.0);
-    let picture = photograph(&film, &scene, glassware::VIEW, depth)?;
-    let caption = "A ball of glass, one with a large bubble of air, one in a tank of water, and three of coloured glass: \
-        all of them mirror the window and show the floor. The floor is upside down in all of them but the bubble.";
-    stage.picture("picture", caption, &picture)?;
+    if stage.wants("picture") {
+        let picture = photograph(&film, &scene, glassware::VIEW, depth)?;
+        let caption = "A ball of glass, one with a large bubble of air, one in a tank of water, and three of coloured glass: \
+            all of them mirror the window and show the floor. The floor is upside down in all of them but the bubble.";
+        stage.picture("picture", caption, &picture)?;
+    }
 
     let caption = "Beams into glass and out of it, each as wide as it is strong. The reflected light is vermilion, and the light that goes through is blue. Out of glass at 55°, nothing goes through.";
     stage.diagram("beams", caption, &refraction_fan::diagram()?)?;
     let caption = "The fraction of the light that is reflected. At Brewster's angle, light that is polarised parallel to the plane of incidence is not reflected at all. Beyond the critical angle, all light is reflected.";
     stage.diagram("fresnel", caption, &fresnel_plot::plot(knobs.index)?)?;
 
-    let caption = "White light from a slit through two prisms, calculated for 150 wavelengths. Each wavelength has an index of refraction of its own, so each leaves in a direction of its own. Flint glass refracts more than crown glass, and spreads the colours farther.";
-    stage.figure(
-        "prism",
-        caption,
-        &prism::prisms(&stage.tile(2, 1.5), knobs.apex)?,
-    )?;
+    if stage.wants("prism") {
+        let caption = "White light from a slit through two prisms, calculated for 150 wavelengths. Each wavelength has an index of refraction of its own, so each leaves in a direction of its own. Flint glass refracts more than crown glass, and spreads the colours farther.";
+        stage.figure(
+            "prism",
+            caption,
+            &prism::prisms(&stage.tile(2, 1.5), knobs.apex)?,
+        )?;
+    }
 
     let small = |columns, aspect| Film {
         samples: film.samples,
@@ -82,20 +86,24 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     };
     let tile = small(4, 1.0);
     let close = (vec3(0.0, 3.0, 5.0), vec3(0.0, 0.9, 0.0), 0.043);
-    let mut tiles = Vec::new();
-    for (name, scene) in glassware::nested(stuff) {
-        tiles.push((name, photograph(&tile, &scene, close, depth)?));
+    if stage.wants("nested") {
+        let mut tiles = Vec::new();
+        for (name, scene) in glassware::nested(stuff) {
+            tiles.push((name, photograph(&tile, &scene, close, depth)?));
+        }
+        let caption = "A surface has a medium on either side. In water, a ball of glass is a weak lens. If the program takes the water for air, the ball is a strong lens, which is wrong.";
+        stage.figure("nested", caption, &sheet(4, &tiles)?)?;
     }
-    let caption = "A surface has a medium on either side. In water, a ball of glass is a weak lens. If the program takes the water for air, the ball is a strong lens, which is wrong.";
-    stage.figure("nested", caption, &sheet(4, &tiles)?)?;
 
-    let [(_, ball), ..] = glassware::nested(stuff);
-    let mut tiles = Vec::new();
-    for (name, depth) in [("1 surface", 1), ("2", 2), ("3", 3), ("5", 5)] {
-        tiles.push((name, photograph(&tile, &ball, close, depth)?));
+    if stage.wants("depth") {
+        let [(_, ball), ..] = glassware::nested(stuff);
+        let mut tiles = Vec::new();
+        for (name, depth) in [("1 surface", 1), ("2", 2), ("3", 3), ("5", 5)] {
+            tiles.push((name, photograph(&tile, &ball, close, depth)?));
+        }
+        let caption = "A ball of glass, with rays that end at their first, second, third and fifth surface: what is missing is black.";
+        stage.figure("depth", caption, &sheet(4, &tiles)?)?;
     }
-    let caption = "A ball of glass, with rays that end at their first, second, third and fifth surface: what is missing is black.";
-    stage.figure("depth", caption, &sheet(4, &tiles)?)?;
 
     let view = (vec3(0.5, 5.6, 8.6), vec3(0.5, 1.15, -0.2), 0.041);
     let sizes = photograph(&small(1, 2.4), &glassware::sizes(stuff), view, depth)?;

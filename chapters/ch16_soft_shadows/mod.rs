@@ -53,41 +53,47 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let camera = camera(whole, &film)?;
     let scene = posts::under(posts::square(knobs.lamp));
     let whitted = with_samples(knobs.rays);
-    let picture = film.render(&camera, &Sampler::Refined, &whitted, &scene);
-    let caption = format!(
-        "Under a square light of {} m, shadows are sharp near the object that casts them, and the softer the farther away they fall.",
-        knobs.lamp
-    );
-    stage.picture("picture", &caption, &picture)?;
+    if stage.wants("picture") {
+        let picture = film.render(&camera, &Sampler::Refined, &whitted, &scene);
+        let caption = format!(
+            "Under a square light of {} m, shadows are sharp near the object that casts them, and the softer the farther away they fall.",
+            knobs.lamp
+        );
+        stage.picture("picture", &caption, &picture)?;
+    }
 
     let tile = Film {
         samples: film.samples,
         ..stage.tile(4, 1.0)
     };
     let close = self::camera(close, &tile)?;
-    let one_ray = Film { samples: 1, ..tile };
-    let counts = [("1 sample", 1), ("4", 4), ("16", 16), ("64", 64)];
-    let tiles = counts.map(|(name, samples)| {
-        let whitted = with_samples(samples);
-        let see = |place, rng: &mut Pcg| whitted.follow(&scene, &close.ray_through(place), rng);
-        (name, one_ray.sample(see))
-    });
-    let caption = "One, 4, 16 and 64 samples of the light per pixel: four times as many samples halve the noise. The noise is strongest where a part of the light is seen, and there is none in the umbra, where no part is seen.";
-    stage.figure("samples", caption, &sheet(4, &tiles)?)?;
+    if stage.wants("samples") {
+        let one_ray = Film { samples: 1, ..tile };
+        let counts = [("1 sample", 1), ("4", 4), ("16", 16), ("64", 64)];
+        let tiles = counts.map(|(name, samples)| {
+            let whitted = with_samples(samples);
+            let see = |place, rng: &mut Pcg| whitted.follow(&scene, &close.ray_through(place), rng);
+            (name, one_ray.sample(see))
+        });
+        let caption = "One, 4, 16 and 64 samples of the light per pixel: four times as many samples halve the noise. The noise is strongest where a part of the light is seen, and there is none in the umbra, where no part is seen.";
+        stage.figure("samples", caption, &sheet(4, &tiles)?)?;
+    }
 
-    let lights: [(&str, Box<dyn Light>); 4] = [
-        ("a point", posts::point()),
-        ("a square of 0.4 m", posts::square(0.4)),
-        ("a square of 2.4 m", posts::square(2.4)),
-        ("a sphere of 2.4 m", posts::sphere(1.2)),
-    ];
-    let tiles = lights.map(|(name, light)| {
-        let scene = posts::under(light);
-        let picture = tile.render(&close, &Sampler::Refined, &whitted, &scene);
-        (name, picture)
-    });
-    let caption = "The same place under a point, a small and a large square, and a sphere: the larger the light, the wider the penumbra.";
-    stage.figure("lights", caption, &sheet(4, &tiles)?)?;
+    if stage.wants("lights") {
+        let lights: [(&str, Box<dyn Light>); 4] = [
+            ("a point", posts::point()),
+            ("a square of 0.4 m", posts::square(0.4)),
+            ("a square of 2.4 m", posts::square(2.4)),
+            ("a sphere of 2.4 m", posts::sphere(1.2)),
+        ];
+        let tiles = lights.map(|(name, light)| {
+            let scene = posts::under(light);
+            let picture = tile.render(&close, &Sampler::Refined, &whitted, &scene);
+            (name, picture)
+        });
+        let caption = "The same place under a point, a small and a large square, and a sphere: the larger the light, the wider the penumbra.";
+        stage.figure("lights", caption, &sheet(4, &tiles)?)?;
+    }
 
     let caption = "Where the umbra and the penumbra end follows from similar triangles (orange); the fraction of the light that is seen is measured by 2000 samples at each place (blue).";
     stage.diagram("penumbra", caption, &penumbra::diagram()?)?;

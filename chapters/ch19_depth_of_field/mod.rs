@@ -71,36 +71,46 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let body = Pinhole::look_at(EYE, VIEW, Vec3::Y, FOCAL_LENGTH, film.aspect())?;
     let (f_number, blades) = (knobs.f_number(), knobs.blades);
     let red = knobs.focus.unwrap_or(distance(&body, POTS[1]));
-    let caption = format!(
-        "A lens of 50 mm at f/{f_number}, focused at {red:.2} m. Objects that are nearer or farther are blurred, and every lamp becomes the hole that {blades} blades leave open."
-    );
-    let picture = photograph(&film, &through(&body, red, f_number, blades)?);
-    stage.picture("picture", &caption, &picture)?;
-
-    let caption = "With few random points on the lens there is noise where the picture is blurred, and hardly any where the picture is sharp. Points that are spread evenly over the lens give less noise.";
-    let figure = lens_samples::draw(&stage.tile(3, 1.6), &scene, &whitted)?;
-    stage.figure("samples", caption, &figure)?;
-
-    let (tile, mut tiles) = (stage.tile(2, 16.0 / 9.0), vec![]);
-    for f_number in [f32::INFINITY, 8.0, 2.8, 1.4] {
-        let camera = through(&body, red, f_number, blades)?;
-        tiles.push((format!("f/{f_number}"), photograph(&tile, &camera)));
+    if stage.wants("picture") {
+        let caption = format!(
+            "A lens of 50 mm at f/{f_number}, focused at {red:.2} m. Objects that are nearer or farther are blurred, and every lamp becomes the hole that {blades} blades leave open."
+        );
+        let picture = photograph(&film, &through(&body, red, f_number, blades)?);
+        stage.picture("picture", &caption, &picture)?;
     }
-    tiles[0].0 = String::from("a pin-hole: f/∞");
-    let caption = "The same focus with four apertures: the larger one blurs more. Through a pin-hole everything is sharp, and a lamp is no larger than a pixel.";
-    stage.figure("apertures", caption, &sheet(2, &named(&tiles))?)?;
 
-    let (tile, mut tiles) = (stage.tile(4, 1.0), vec![]);
-    let samples = 3 * tile.samples; // most of it is blurred
-    let tile = Film { samples, ..tile };
-    let body = Pinhole::look_at(ALONG, NARROW_VIEW, Vec3::Y, FOCAL_LENGTH, tile.aspect())?;
-    for at in POTS.into_iter().chain([FAR]) {
-        let camera = through(&body, distance(&body, at), f_number, blades)?;
-        let name = format!("{:.1} m", camera.lens.focus);
-        tiles.push((name, photograph(&tile, &camera)));
+    if stage.wants("samples") {
+        let caption = "With few random points on the lens there is noise where the picture is blurred, and hardly any where the picture is sharp. Points that are spread evenly over the lens give less noise.";
+        let figure = lens_samples::draw(&stage.tile(3, 1.6), &scene, &whitted)?;
+        stage.figure("samples", caption, &figure)?;
     }
-    let caption = "A focus pull: as the film moves towards the lens, the plane in focus moves away from the lens, from teapot to teapot, and to the lamps far behind.";
-    stage.figure("focus_pull", caption, &sheet(6, &named(&tiles))?)?;
+
+    if stage.wants("apertures") {
+        let tile = stage.tile(2, 16.0 / 9.0);
+        let mut tiles = vec![];
+        for f_number in [f32::INFINITY, 8.0, 2.8, 1.4] {
+            let camera = through(&body, red, f_number, blades)?;
+            tiles.push((format!("f/{f_number}"), photograph(&tile, &camera)));
+        }
+        tiles[0].0 = String::from("a pin-hole: f/∞");
+        let caption = "The same focus with four apertures: the larger one blurs more. Through a pin-hole everything is sharp, and a lamp is no larger than a pixel.";
+        stage.figure("apertures", caption, &sheet(2, &named(&tiles))?)?;
+    }
+
+    if stage.wants("focus_pull") {
+        let tile = stage.tile(4, 1.0);
+        let mut tiles = vec![];
+        let samples = 3 * tile.samples; // most of it is blurred
+        let tile = Film { samples, ..tile };
+        let body = Pinhole::look_at(ALONG, NARROW_VIEW, Vec3::Y, FOCAL_LENGTH, tile.aspect())?;
+        for at in POTS.into_iter().chain([FAR]) {
+            let camera = through(&body, distance(&body, at), f_number, blades)?;
+            let name = format!("{:.1} m", camera.lens.focus);
+            tiles.push((name, photograph(&tile, &camera)));
+        }
+        let caption = "A focus pull: as the film moves towards the lens, the plane in focus moves away from the lens, from teapot to teapot, and to the lamps far behind.";
+        stage.figure("focus_pull", caption, &sheet(6, &named(&tiles))?)?;
+    }
 
     let caption = "Lamps out of focus, seen through a round hole and through 5, 6 and 8 blades.";
     stage.figure("bokeh", caption, &bokeh::draw(&stage.tile(4, 1.0))?)?;

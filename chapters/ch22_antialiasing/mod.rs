@@ -120,15 +120,19 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
 
     let named = "regular-grid rotated-grid random jittered poisson-disk sobol-owen".split(' ');
     let named: Vec<_> = named.filter_map(find).map(Subject::of).collect();
-    let tile = stage.tile(named.len() as u32, 1.0);
-    let (columns, tiles) = sheets::zone_plates(&tile, &named, &[1, 4, 16]);
-    let caption = "Rings that become finer to the right and downwards, from one to sixteen samples. A grid shows rings that do not exist, as bright as the true rings. Randomness turns the false rings into noise, and the better patterns leave little of both.";
-    let figure = sheet(columns, &sheets::named(&tiles))?;
-    stage.figure("zone_plates", caption, &figure)?;
+    if stage.wants("zone_plates") {
+        let tile = stage.tile(named.len() as u32, 1.0);
+        let (columns, tiles) = sheets::zone_plates(&tile, &named, &[1, 4, 16]);
+        let caption = "Rings that become finer to the right and downwards, from one to sixteen samples. A grid shows rings that do not exist, as bright as the true rings. Randomness turns the false rings into noise, and the better patterns leave little of both.";
+        let figure = sheet(columns, &sheets::named(&tiles))?;
+        stage.figure("zone_plates", caption, &figure)?;
+    }
 
-    let caption = "The average error of four samples when an edge at this angle passes through the pixel. On average, the rotated grid is not better than the regular grid. But its worst angles are far from the axes, and most edges of pictures are close to the axes.";
-    let figure = Polar::measure(&named[..5], 4, 100).figure()?;
-    stage.diagram("edges", caption, &figure)?;
+    if stage.wants("edges") {
+        let caption = "The average error of four samples when an edge at this angle passes through the pixel. On average, the rotated grid is not better than the regular grid. But its worst angles are far from the axes, and most edges of pictures are close to the axes.";
+        let figure = Polar::measure(&named[..5], 4, 100).figure()?;
+        stage.diagram("edges", caption, &figure)?;
+    }
 
     let caption = "The same sixteen samples a pixel, averaged by four filters: the wider filters use samples of the neighbouring pixels too. Below are the filters themselves. Mitchell's filter goes below 0, which makes edges crisp.";
     let figure = sheets::filters(&stage.tile(4, 1.0), jittered)?;

@@ -44,7 +44,7 @@ pub fn figure(width: u32, height: u32, draw: impl FnOnce(&Canvas) -> Drawn) -> F
 }
 
 /// A pixel for each block of a canvas: its mean.
-fn smoothed(canvas: &Image) -> Image {
+pub fn smoothed(canvas: &Image) -> Image {
     let scale = SCALE as usize;
     Image::from_fn(canvas.width() / scale, canvas.height() / scale, |x, y| {
         let pixel = |i: usize| canvas.at(scale * x + i % scale, scale * y + i / scale);

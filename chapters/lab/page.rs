@@ -1,5 +1,6 @@
 //! The lab's page: every figure with its files, and the table.
 
+use crate::kit::figure::Diagram;
 use crate::kit::html::page;
 use crate::kit::stage::Drawn;
 use crate::lab::page_style::{SCRIPT, STYLE};
@@ -8,10 +9,13 @@ use crate::lab::settings::Settings;
 use crate::lab::table;
 use crate::lab::table::{COLUMNS, Row};
 use maud::{Markup, PreEscaped, html};
-use raybook::image::{Image, file};
+use raybook::image::Image;
+use raybook::image::file::{self, FileError};
 use raybook::store;
 use std::error::Error;
+use std::panic::resume_unwind;
 use std::path::PathBuf;
+use std::thread::{self, JoinHandle};
 
 /// A page that grows section by section, and the folder of its files.
 #[derive(Debug)]
@@ -21,6 +25,8 @@ pub struct Page {
     command: String,
     slides: bool,
     sections: Vec<(&'static str, Markup, Vec<Markup>)>,
+    /// The picture that is being written.
+    saving: Option<JoinHandle<Result<(), FileError>>>,
 }
 
 /// Pictures of one target: of each pattern its word and its name, and the numbers of samples.
@@ -45,6 +51,7 @@ impl Page {
             command: settings.command.clone(),
             slides: settings.slides,
             sections: Vec::new(),
+            saving: None,
         }
     }
 
@@ -58,11 +65,9 @@ impl Page {
     /// # Errors
     /// If it cannot be drawn or written.
     pub fn plot(&mut self, name: &str, alt: &str, how: &str, plot: &impl Plot) -> Drawn {
-        file::save(
-            &self.folder.join(name).with_extension("png"),
-            &plot.large_image()?,
-        )?;
-        self.write(name, "svg", plot.svg()?.as_bytes())?;
+        let Diagram { pixels, svg } = plot.large()?;
+        self.save(name, pixels)?;
+        self.write(name, "svg", svg.as_bytes())?;
         self.write(name, "csv", plot.csv().as_bytes())?;
         let link = |extension: &str, name_of_it| html! { a href={ (name) "." (extension) } { (name_of_it) } };
         let (width, height) = plot.size();
@@ -79,15 +84,24 @@ impl Page {
         html! { (how) ". " code { (self.command) } }
     }
 
-    /// Writes one picture of pixels.
+    /// Writes one picture as PNG, on a thread of its own: what comes next is measured meanwhile. There is one such thread at a time.
     ///
     /// # Errors
-    /// If it cannot be written.
-    pub fn picture(&self, name: &str, picture: &Image) -> Drawn {
-        Ok(file::save(
-            &self.folder.join(format!("{name}.png")),
-            picture,
-        )?)
+    /// If the picture before it could not be written.
+    pub fn save(&mut self, name: &str, picture: Image) -> Drawn {
+        self.wait()?;
+        let path = self.folder.join(name).with_extension("png");
+        self.saving = Some(thread::spawn(move || file::save(&path, &picture)));
+        Ok(())
+    }
+
+    /// Waits until the latest picture is written.
+    fn wait(&mut self) -> Drawn {
+        match self.saving.take().map(JoinHandle::join) {
+            Some(Ok(saved)) => Ok(saved?),
+            Some(Err(panic)) => resume_unwind(panic),
+            None => Ok(()),
+        }
     }
 
     /// Shows pictures that were written, a column for each pattern and a row for each number of samples, without scaling them.
@@ -150,11 +164,12 @@ impl Page {
         Ok(())
     }
 
-    /// Writes the page itself, and returns its path.
+    /// Writes the page itself, and returns its path; all pictures are written then.
     ///
     /// # Errors
     /// If it cannot be written.
-    pub fn finish(self) -> Result<PathBuf, Box<dyn Error>> {
+    pub fn finish(mut self) -> Result<PathBuf, Box<dyn Error>> {
+        self.wait()?;
         let body = html! {
             style { (PreEscaped(STYLE)) }
             section class="screen" {

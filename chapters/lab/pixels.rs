@@ -2,6 +2,7 @@
 
 use crate::lab::integrands::Integrand;
 use crate::lab::subject::Subject;
+use rayon::prelude::*;
 
 /// ρ = Σ e·e' / Σ ½(e² + e'²), where e and e' are the errors of two neighbouring pixels that see the same function.
 ///
@@ -9,9 +10,13 @@ use crate::lab::subject::Subject;
 /// with each other; they are noise, which the eye averages. Below 0: neighbours make opposite errors, as dithering wants it
 /// (Georgiev and Fajardo, *Blue-noise dithered sampling*, 2016). As the pixels of one picture are, realisations number 2k and 2k + 1 are neighbours.
 pub fn correlation(subject: &Subject, n: usize, functions: &[Integrand]) -> f64 {
+    let pair = |(k, function): (usize, &Integrand)| {
+        let first = 2 * k as u64;
+        [first, first + 1].map(|pixel| function.error(&subject.points(n, pixel)))
+    };
+    let errors: Vec<_> = functions.par_iter().enumerate().map(pair).collect();
     let (mut both, mut each) = (0.0, 0.0);
-    for (k, function) in (0..).zip(functions) {
-        let [e, other] = [2 * k, 2 * k + 1].map(|pixel| function.error(&subject.points(n, pixel)));
+    for [e, other] in errors {
         both += e * other;
         each += 0.5 * (e * e + other * other);
     }

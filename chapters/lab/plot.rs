@@ -1,12 +1,10 @@
 //! A plot that can be drawn as pixels and as an SVG file, and its numbers as a table.
 
-use crate::kit::figure::{Figure, canvas, figure};
+use crate::kit::figure::{Diagram, Figure, canvas, smoothed};
 use crate::kit::stage::Drawn;
 use crate::lab::raster::Raster;
 use plotters::coord::Shift;
 use plotters::prelude::{DrawingArea, DrawingBackend};
-use raybook::image::Image;
-use std::error::Error;
 
 /// Something to be looked at, in whatever form.
 pub trait Plot {
@@ -29,48 +27,30 @@ pub trait Plot {
     /// Its numbers: a line of names, and a line for each point.
     fn csv(&self) -> String;
 
-    /// As a figure; what is made of pixels is vectors in its SVG, too.
+    /// As a figure.
     ///
     /// # Errors
-    /// What plotters reports.
+    /// As for [`Plot::large`].
     fn figure(&self) -> Figure {
-        let (width, height) = self.size();
-        figure(width, height, |canvas| self.draw_all(canvas))
+        let Diagram { pixels, svg } = self.large()?;
+        let pixels = smoothed(&pixels);
+        Ok(Diagram { pixels, svg })
     }
 
-    /// As pixels, at twice the resolution.
-    ///
-    /// # Errors
-    /// What plotters reports.
-    fn large_image(&self) -> Result<Image, Box<dyn Error>> {
-        let (width, height) = self.size();
-        Ok(canvas(width, height, |canvas| self.draw_all(canvas))?.pixels)
-    }
-
-    /// As the text of an SVG file, with pictures inside.
+    /// As pixels, at twice the resolution, and as the text of an SVG file with pictures inside.
     ///
     /// # Errors
     /// What plotters reports, and if a picture has no pixels.
-    fn svg(&self) -> Result<String, Box<dyn Error>> {
+    fn large(&self) -> Figure {
         let (width, height) = self.size();
-        let lines = figure(width, height, |canvas| self.draw(canvas))?.svg;
-        let rasters = self.rasters();
-        let pictures: String = rasters.iter().map(Raster::svg).collect::<Result<_, _>>()?;
-        Ok(lines.replace("</svg>", &format!("{pictures}</svg>")))
-    }
-
-    /// Draws all of it.
-    ///
-    /// # Errors
-    /// What the backend reports.
-    fn draw_all<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn
-    where
-        B::ErrorType: 'static,
-    {
-        self.draw(canvas)?;
+        let drawn = canvas(width, height, |canvas| self.draw(canvas))?;
+        let Diagram { mut pixels, svg } = drawn;
+        let mut pictures = String::new();
         for raster in self.rasters() {
-            raster.draw(canvas)?;
+            raster.paste(&mut pixels);
+            pictures += &raster.svg()?;
         }
-        Ok(())
+        let svg = svg.replace("</svg>", &format!("{pictures}</svg>"));
+        Ok(Diagram { pixels, svg })
     }
 }

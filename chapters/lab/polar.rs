@@ -23,9 +23,23 @@ const ANGLES: usize = 180;
 /// Number of angles from one mark to the next.
 const MARKED: usize = 24;
 
-/// The centre of the plot and its radius, in pixels of the canvas.
-const CENTRE: (i32, i32) = (350, 400);
-const RADIUS: f64 = 280.0;
+/// Where a polar plot is on its canvas, in pixels.
+#[derive(Clone, Copy, Debug)]
+pub struct Dial {
+    /// The centre.
+    pub centre: (i32, i32),
+    /// The radius of the outermost ring; small edges are outside of it.
+    pub radius: f64,
+}
+
+/// Beside a legend.
+const DIAL: Dial = Dial {
+    centre: (350, 400),
+    radius: 280.0,
+};
+
+/// Height of the numbers on the rings, in radii: 30 pixels beside a legend.
+const LETTERS: f64 = 30.0 / DIAL.radius;
 
 /// Where the legend is, and its columns of numbers.
 const LEGEND: (i32, i32) = (720, 90);
@@ -102,54 +116,81 @@ impl Polar {
     }
 
     /// Where an error at an angle is.
-    fn place(&self, error: f64, angle: f64) -> (i32, i32) {
+    fn place(&self, dial: Dial, error: f64, angle: f64) -> (i32, i32) {
         let (step, rings) = self.rings();
-        let r = RADIUS * error / (rings * step);
+        let r = dial.radius * error / (rings * step);
         let (x, y) = (r * angle.cos(), r * angle.sin());
-        (CENTRE.0 + x.round() as i32, CENTRE.1 - y.round() as i32)
+        let (left, top) = dial.centre;
+        (left + x.round() as i32, top - y.round() as i32)
     }
 
-    fn grid<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn
+    /// Draws the plot without its heading and its legend.
+    ///
+    /// # Errors
+    /// What the backend reports.
+    pub fn draw_on<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>, dial: Dial) -> Drawn
+    where
+        B::ErrorType: 'static,
+    {
+        self.grid(canvas, dial)?;
+        for (number, curve) in self.curves.iter().enumerate() {
+            let at = |k: usize| {
+                let angle = PI * k as f64 / ANGLES as f64;
+                self.place(dial, curve.errors[k % ANGLES], angle)
+            };
+            let mut line: Vec<_> = (0..=2 * ANGLES).map(at).collect();
+            line.dedup();
+            curve.pen.line(canvas, &line)?;
+            // No two curves have their marks at the same angles.
+            let first = number * MARKED / self.curves.len();
+            for k in (first..2 * ANGLES).step_by(MARKED) {
+                curve.pen.mark(canvas, at(k))?;
+            }
+        }
+        self.labels(canvas, dial)
+    }
+
+    fn grid<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>, dial: Dial) -> Drawn
     where
         B::ErrorType: 'static,
     {
         let (step, rings) = self.rings();
         for ring in 1..=rings as i32 {
-            let r = (RADIUS * f64::from(ring) / rings) as i32;
-            canvas.draw(&Circle::new(CENTRE, r, FAINT.stroke_width(2)))?;
+            let r = (dial.radius * f64::from(ring) / rings) as i32;
+            canvas.draw(&Circle::new(dial.centre, r, FAINT.stroke_width(2)))?;
         }
         for spoke in 0..8 {
             let angle = PI * f64::from(spoke) / 8.0;
-            let ends = [angle, angle + PI].map(|angle| self.place(rings * step, angle));
+            let ends = [angle, angle + PI].map(|angle| self.place(dial, rings * step, angle));
             canvas.draw(&PathElement::new(ends.to_vec(), FAINT.stroke_width(2)))?;
         }
         Ok(())
     }
 
     /// The numbers on the rings, and small edges outside of them, as they pass through a pixel there.
-    fn labels<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn
+    fn labels<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>, dial: Dial) -> Drawn
     where
         B::ErrorType: 'static,
     {
         let (step, rings) = self.rings();
         for ring in 1..=rings as i32 {
             let error = f64::from(ring) * step;
-            let at = self.place(error, 0.31 * PI);
+            let at = self.place(dial, error, 0.31 * PI);
             let digits = if step < 0.01 { 3 } else { 2 };
             write(
                 canvas,
                 &format!("{error:.digits$}"),
                 at,
-                text(30).pos(MIDDLE),
+                text(LETTERS * dial.radius).pos(MIDDLE),
             )?;
         }
         for spoke in 0..16 {
             let angle = PI * f64::from(spoke) / 8.0;
             let (sin, cos) = angle.sin_cos();
-            let middle = (RADIUS + 36.0) * cos;
+            let outside = dial.radius + 36.0;
             let (x, y) = (
-                CENTRE.0 + middle as i32,
-                CENTRE.1 - ((RADIUS + 36.0) * sin) as i32,
+                dial.centre.0 + (outside * cos) as i32,
+                dial.centre.1 - (outside * sin) as i32,
             );
             let corners = [(-20, -20), (20, -20), (20, 20), (-20, 20), (-20, -20)];
             let pixel: Vec<_> = corners.iter().map(|(dx, dy)| (x + dx, y + dy)).collect();
@@ -176,19 +217,7 @@ impl Plot for Polar {
     where
         B::ErrorType: 'static,
     {
-        self.grid(canvas)?;
-        for (number, curve) in self.curves.iter().enumerate() {
-            let at = |k: usize| self.place(curve.errors[k % ANGLES], PI * k as f64 / ANGLES as f64);
-            let mut line: Vec<_> = (0..=2 * ANGLES).map(at).collect();
-            line.dedup();
-            curve.pen.line(canvas, &line)?;
-            // No two curves have their marks at the same angles.
-            let first = number * MARKED / self.curves.len();
-            for k in (first..2 * ANGLES).step_by(MARKED) {
-                curve.pen.mark(canvas, at(k))?;
-            }
-        }
-        self.labels(canvas)?;
+        self.draw_on(canvas, DIAL)?;
         let samples = if self.n == 1 { "sample" } else { "samples" };
         let heading = format!("RMS error, {} {samples}", self.n);
         write(canvas, &heading, (LEGEND.0, 46), text(32).pos(LEFT))?;

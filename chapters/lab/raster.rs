@@ -1,10 +1,7 @@
 //! A picture inside of a figure.
 
 use crate::kit::address;
-use crate::kit::stage::Drawn;
-use plotters::coord::Shift;
-use plotters::prelude::{Color, DrawingArea, DrawingBackend, RGBColor, Rectangle};
-use raybook::image::{Image, file, tone};
+use raybook::image::{Image, file};
 use std::io;
 
 /// A picture, and where it is on the canvas.
@@ -19,26 +16,19 @@ pub struct Raster {
 }
 
 impl Raster {
-    /// Draws it on a canvas of pixels.
+    /// Copies it into the pixels of a canvas.
     ///
-    /// # Errors
-    /// What the backend reports.
-    pub fn draw<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn
-    where
-        B::ErrorType: 'static,
-    {
-        let (width, height) = (self.picture.width() as i32, self.picture.height() as i32);
-        let corner = |x: i32, y: i32| {
-            let (across, down) = (x * self.size.0 / width, y * self.size.1 / height);
-            (self.at.0 + across, self.at.1 + down)
-        };
-        let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
-        for ((x, y), code) in places.zip(tone::to_bytes(&self.picture).chunks_exact(3)) {
-            let cell = [corner(x, y), corner(x + 1, y + 1)];
-            let colour = RGBColor(code[0], code[1], code[2]);
-            canvas.draw(&Rectangle::new(cell, colour.filled()))?;
+    /// # Panics
+    /// If it reaches beyond the canvas.
+    pub fn paste(&self, canvas: &mut Image) {
+        let [at, size] = [self.at, self.size].map(|(x, y)| (x.max(0) as usize, y.max(0) as usize));
+        let (width, height) = (self.picture.width(), self.picture.height());
+        for y in 0..size.1 {
+            for x in 0..size.0 {
+                let colour = self.picture.at(x * width / size.0, y * height / size.1);
+                canvas.set(at.0 + x, at.1 + y, colour);
+            }
         }
-        Ok(())
     }
 
     /// As an element of an SVG file: the picture is inside, and each pixel keeps its sharp edges.

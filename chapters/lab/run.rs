@@ -220,9 +220,9 @@ impl Lab<'_> {
             for &samples in &self.settings.samples {
                 let film = Film { samples, ..film };
                 let views = sheets::views(&film, subject, &TARGETS.map(|target| target.1));
-                for ((key, ..), view) in targets.iter().zip(&views) {
+                for ((key, ..), view) in targets.iter().zip(views) {
                     let name = format!("{key}_{}_{samples}", subject.key);
-                    self.page.picture(&name, view)?;
+                    self.page.save(&name, view)?;
                 }
             }
             self.steps.done();

@@ -71,6 +71,13 @@ pub fn to_byte(v: f32) -> u8 {
 
 /// The picture as a display shows it: clamped, encoded as sRGB, three bytes a pixel, row by row from the top left.
 pub fn to_bytes(picture: &Image) -> Vec<u8> {
-    let channels = picture.pixels().iter().flat_map(|p| p.channels());
-    channels.map(to_byte).collect()
+    // A figure is white for long stretches.
+    let mut last = (Rgb::BLACK, [0; 3]);
+    let code = |&p: &Rgb| {
+        if p != last.0 {
+            last = (p, p.channels().map(to_byte));
+        }
+        last.1
+    };
+    picture.pixels().iter().flat_map(code).collect()
 }

@@ -1,7 +1,7 @@
 //! Supersampling: several rays per pixel, placed by a pattern and averaged by a filter.
 
 use crate::image::Image;
-use crate::math::pcg::{self, Pcg};
+use crate::math::pcg::Pcg;
 use crate::render::film::{Done, Film, SILENT};
 use crate::render::followed::Followed;
 use crate::sample::filter::{Filter, Sample, pixel_average};
@@ -44,10 +44,12 @@ pub fn filtered<S: Into<Followed>>(
     radiance: impl Radiance<S>,
 ) -> Image {
     let (n, size) = (film.samples, vec2(film.width as f32, film.height as f32));
-    let points = |x: usize, y: usize| {
-        let mut rng = pcg::stream(film.seed, (y * film.width + x) as u64);
-        ((pattern.points)(n, &mut rng), rng)
+    let silent = Film {
+        progress: SILENT,
+        ..*film
     };
+    let points = silent.each_pixel(&|_, _, rng| ((pattern.points)(n, rng), 0));
+    let points = |x: usize, y: usize| &points[y * film.width + x];
     // First what each ray sees, the samples of a pixel side by side.
     let wide = Film {
         width: film.width * n,
@@ -59,20 +61,16 @@ pub fn filtered<S: Into<Followed>>(
     };
     let seen = wide.render_pixels(|column, y, rng| {
         let (x, i) = (column / n, column % n);
-        let p = points(x, y).0[i];
+        let p = points(x, y)[i];
         radiance((vec2(x as f32, y as f32) + p) / size, rng)
     });
-    let reach = (filter.radius + 0.5).ceil() as usize;
+    let reach = (filter.radius + 0.5).floor() as usize;
     let near = |v: usize, end: usize| v.saturating_sub(reach)..(v + reach + 1).min(end);
-    let silent = Film {
-        progress: SILENT,
-        ..*film
-    };
     silent.render_pixels(|x, y, _| {
         let mut samples = Vec::new();
         for (i, j) in near(y, film.height).flat_map(|j| near(x, film.width).map(move |i| (i, j))) {
             let corner = vec2(i as f32 - x as f32, j as f32 - y as f32) - 0.5;
-            for (p, sample) in points(i, j).0.iter().zip(0..) {
+            for (p, sample) in points(i, j).iter().zip(0..) {
                 samples.push(Sample {
                     offset: corner + *p,
                     radiance: seen.at(i * n + sample, j),

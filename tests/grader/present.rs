@@ -162,6 +162,8 @@ fn a_chapter_is_shown_and_a_knob_redraws_its_picture() {
         "files are for the command line"
     );
 
+    let rest = (200, b"{\"share\":null}".to_vec());
+    assert_eq!(server.get("progress.json"), rest, "nothing is being drawn");
     let (status, first) = server.get("screens/ch03_sphere?first=1");
     let first = String::from_utf8(first).expect("it is text");
     assert_eq!(status, 200, "{first}");
@@ -216,6 +218,7 @@ fn a_chapter_is_shown_and_a_knob_redraws_its_picture() {
     assert_eq!((status, size(&turned)), (200, (48, 27)), "and well");
     assert!(turned != usual, "another radius, another picture");
 
+    assert_eq!(server.get("progress.json"), rest, "all is drawn");
     for (query, why) in [
         ("radius=7", "a number from 0.02 to 0.8"),
         ("radius=%22%3E", "invalid"),

@@ -3,14 +3,14 @@
 pub mod measure;
 mod table;
 
-use crate::kit::figure::{CENTRE, LEFT, text, write};
+use crate::kit::figure::{CENTRE, Diagram, LEFT, text, write};
 use crate::kit::palette::{FAINT, INK};
 use crate::kit::pen::Pen;
 use crate::kit::stage::Drawn;
 use crate::lab::errors::EACH;
 use crate::lab::pens::pens;
 use crate::lab::plot::Plot;
-use crate::lab::polar::Polar;
+use crate::lab::polar::{Dial, Polar};
 use crate::lab::portrait;
 use crate::lab::raster::Raster;
 use crate::lab::settings::Settings;
@@ -47,8 +47,16 @@ const SMALL: i32 = 330;
 const TOP: i32 = 240;
 const RINGS: i32 = 660;
 
-/// The polar plots: their left, and the tops.
-const POLAR: (i32, [i32; 2]) = (2250, [160, 1160]);
+/// Samples per pixel of the polar plots, and where they are: one above the other, on the right.
+const EDGES: [usize; 2] = [4, 16];
+const DIALS: [Dial; 2] = [dial(660), dial(1650)];
+
+const fn dial(middle: i32) -> Dial {
+    Dial {
+        centre: (3060, middle),
+        radius: 380.0,
+    }
+}
 
 /// What is on the slide.
 #[derive(Debug)]
@@ -70,9 +78,10 @@ pub struct Slide {
 pub fn make(settings: &Settings) -> Result<PathBuf, Box<dyn Error>> {
     let slide = Slide::measure(settings);
     let name = |extension: &str| settings.folder.join("slide").with_extension(extension);
-    file::save(&name("png"), &slide.large_image()?)?;
+    let Diagram { pixels, svg } = slide.large()?;
+    file::save(&name("png"), &pixels)?;
+    store::write(&name("svg"), svg.as_bytes())?;
     store::write(&name("csv"), slide.csv().as_bytes())?;
-    store::write(&name("svg"), slide.svg()?.as_bytes())?;
     Ok(name("svg"))
 }
 
@@ -102,7 +111,7 @@ impl Slide {
             .iter()
             .map(|s| Spectrum::of(s, MANY, limit, realisations));
         let spectra: Vec<_> = spectra.collect();
-        let polars = [4, 16].map(|n| Polar::measure(&subjects, n, realisations));
+        let polars = EDGES.map(|n| Polar::measure(&subjects, n, realisations));
         let measures = measures(&subjects, &polars, &spectra, settings);
         Self {
             pens: pens(&subjects),
@@ -164,18 +173,16 @@ impl Plot for Slide {
                 write(canvas, words, at, text(34).pos(CENTRE))?;
             }
         }
-        for (polar, top) in self.polars.iter().zip(POLAR.1) {
-            let (width, height) = polar.size();
-            let (right, bottom) = (POLAR.0 + 2 * width as i32, top + 2 * height as i32);
-            polar.draw(
-                &canvas
-                    .clone()
-                    .shrink((POLAR.0, top), (right - POLAR.0, bottom - top)),
-            )?;
+        for ((polar, n), dial) in self.polars.iter().zip(EDGES).zip(DIALS) {
+            let words = format!("RMS error by the edge's angle, {n} samples a pixel");
+            let above = dial.centre.1 - dial.radius as i32 - 106;
+            let style = text(40).pos(CENTRE);
+            write(canvas, &words, (dial.centre.0, above), style)?;
+            polar.draw_on(canvas, dial)?;
         }
         let titles: Vec<_> = self.subjects.iter().map(|s| s.title.as_str()).collect();
         table::draw(canvas, &titles, &self.measures)?;
-        write(canvas, &self.how, (FIRST, 2125), text(28).pos(LEFT))
+        write(canvas, &self.how, (FIRST, 2125), text(32).pos(LEFT))
     }
 
     fn rasters(&self) -> Vec<Raster> {

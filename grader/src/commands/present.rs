@@ -59,6 +59,7 @@ fn answer(studio: &Arc<Studio>, request: &Request) -> Answer {
     match parts[..] {
         [""] => Answer::page(PAGE, SCRIPT),
         ["course.json"] => Answer::json(&screens::course()),
+        ["progress.json"] => studio.progress(),
         ["screens", chapter] => of(chapter, |lesson| studio.screens(lesson, &request.query)),
         ["picture", chapter, name] => of(chapter, |lesson| {
             studio.picture(lesson, name, &request.query)

@@ -1,7 +1,7 @@
 //! Drawing what the page asks for. Who asks for another picture is not interested in the one before: that ends at once.
 
 use super::screens;
-use indicatif::ProgressBar;
+use indicatif::{ProgressBar, ProgressDrawTarget};
 use raybook::store;
 use raybook_chapters::kit::knobs::{self, Kind};
 use raybook_chapters::kit::options::Options;
@@ -25,6 +25,8 @@ pub(super) struct Studio {
     stopper: Mutex<Arc<AtomicBool>>,
     /// Held by who draws.
     easel: Mutex<()>,
+    /// How far the drawing is that goes on, or was the latest.
+    bar: Mutex<ProgressBar>,
     /// How many drawings were asked for: the latest is the one that counts.
     asked: AtomicU64,
     /// What is being drawn for good, or was.
@@ -79,6 +81,7 @@ impl Studio {
             options,
             stopper: Mutex::default(),
             easel: Mutex::default(),
+            bar: Mutex::new(ProgressBar::hidden()),
             asked: AtomicU64::default(),
             going: Mutex::default(),
         }
@@ -138,6 +141,13 @@ impl Studio {
         };
         self.draw(lesson, What::Turned(&turned, name, grade), told)
             .unwrap_or_else(|answer| answer)
+    }
+
+    /// How much of the pixels is drawn that are known to be needed, from 0 to 1; none where they are drawn more than once.
+    pub(super) fn progress(&self) -> Answer {
+        let bar = lock(&self.bar);
+        let share = bar.position() as f64 / bar.length().unwrap_or_default() as f64;
+        Answer::json(&json!({ "share": (share < 1.0).then_some(share) }))
     }
 
     /// Has a chapter's pictures drawn for good, if nobody does so yet, until this one is there.
@@ -244,7 +254,9 @@ impl Studio {
             }
             Grade::Good => {}
         }
-        let stage = Stage::new(lesson.name, options, false, ProgressBar::hidden());
+        let bar = ProgressBar::with_draw_target(Some(0), ProgressDrawTarget::hidden());
+        *lock(&self.bar) = bar.clone();
+        let stage = Stage::new(lesson.name, options, false, bar);
         let sketches = || self.scratch("sketches").join(lesson.name);
         match what {
             What::First => stage.in_folder(sketches()).until("picture"),

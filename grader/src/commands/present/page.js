@@ -13,6 +13,18 @@ async function ask(path, turn = wanted, patience = 300) {
   return answer;
 }
 
+/** Tells twice a second how far the drawing is, as long as there is one: in per cent, or for how many seconds it goes on. */
+async function tell(since = null) {
+  let share = "";
+  const words = at("status").textContent, begin = words.startsWith("drawing") ? since ?? Date.now() : null;
+  if (begin !== null && Date.now() - begin > 900) {
+    const known = await fetch("progress.json").then(answer => answer.json()).catch(() => ({}));
+    share = known.share > 0 ? Math.floor(100 * known.share) + " %" : Math.round((Date.now() - begin) / 1000) + " s";
+  }
+  at("share").textContent = at("status").textContent === words ? share : "";
+  setTimeout(tell, 500, begin);
+}
+
 function fail(error) { at("status").textContent = error.message.split("\n")[0]; }
 
 /** Shows a chapter, at its first picture, its last (-1), or the one of a name. */
@@ -181,6 +193,7 @@ at("black").addEventListener("click", keys.b);
 at("help").addEventListener("click", () => { at("help").blur(); keys["?"](); });
 at("chapters").addEventListener("change", event => { event.target.blur(); open(Number(event.target.value)); });
 
+tell();
 ask("course.json").then(answer => answer.json()).then(all => {
   course = all;
   all.forEach(({ number, title }, i) => at("chapters").append(new Option(number + "  " + title, i)));

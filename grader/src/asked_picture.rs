@@ -96,7 +96,7 @@ pub fn draw(
             format!("{} {question}", exercise.name)
         };
         let asked: Vec<_> = pixels.iter().map(line).collect();
-        for ((x, y), reply) in pixels.into_iter().zip(asker.ask(&asked)?) {
+        for ((x, y), reply) in pixels.into_iter().zip(asker.ask_many(&asked)?) {
             let drawn = match reply.said {
                 Said::Todo(name) => return Ok(Drawn::NotWritten(name.unescaped().to_owned())),
                 Said::Answer(answer) => {

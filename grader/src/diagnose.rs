@@ -3,9 +3,10 @@
 //! An explanation says what a function with a certain mistake answers. Its answers are compared with the student's in all cases: it must
 //! give the wrong answers, and must not contradict the right ones. Explanations are the exercise's own mistakes; the right answer to
 //! a question that was misread; what a mistake makes of the right answer, with a number that fits; and two of these, one after the
-//! other. An answer of several parts may have a mistake in each.
+//! other, or each in other cases. An answer of several parts may have a mistake in each.
 
 mod branch;
+mod cover;
 mod evidence;
 mod fit;
 mod flaws;
@@ -84,6 +85,10 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
     if let Some(found) = complete.filter(|found| found.is_own() || found.is_certain()) {
         return Some(found.told(evidence));
     }
+    let cover = cover::search(evidence);
+    if let Some(found) = cover.as_ref().filter(|cover| cover.is_whole()) {
+        return found.told();
+    }
     // A mistake whose answers have the same traits says more than what can be seen in any answer, and that more than a guess.
     let likely = spread::search(evidence, &readings);
     let seen = flaws::search(evidence);
@@ -120,6 +125,10 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
     parts
         .clone()
         .filter(|_| are_certain)
+        .or_else(|| {
+            let most = whole.as_ref().map_or(0, |found| found.score.explained);
+            cover.filter(|cover| cover.explained > most)?.told()
+        })
         .or_else(|| whole.map(|found| found.told(evidence)))
         .or(seen)
         .or(likely)

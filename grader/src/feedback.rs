@@ -264,7 +264,7 @@ fn explained(diagnosis: &Diagnosis, dress: Dress, also: bool) -> String {
         )
     } else {
         format!(
-            "  {and}{explained} of the {wrong} wrong answers look as if your function {name}; not all answers speak for that."
+            "  {and}{explained} of the {wrong} wrong answers look as if your function {name}. This is not certain."
         )
     }
 }

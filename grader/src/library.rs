@@ -2,10 +2,12 @@
 
 use include_dir::{Dir, File, include_dir};
 use raybook_workbook::anchor::{self, Anchored};
+use std::path::Path;
 
 static SOURCE: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../src");
 static WORKBOOK: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../workbook");
 static CHAPTERS: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../chapters");
+static SOLUTIONS: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../tests/solutions");
 
 /// What a package's files are called besides its sources.
 pub const MANIFEST: &str = "Cargo.toml";
@@ -75,6 +77,14 @@ pub fn reference_file(place: &str) -> Option<String> {
         .get_file(place.strip_prefix("src/")?)?
         .contents_utf8()?;
     Some(without_anchors(text))
+}
+
+/// A chapter's file with all exercises solved, in another language than Rust.
+pub fn solution(language: &str, file: &str) -> Option<&'static str> {
+    SOLUTIONS
+        .get_dir(language)?
+        .get_file(Path::new(language).join(file))?
+        .contents_utf8()
 }
 
 /// The text without the anchors' lines, which mean nothing to the student.

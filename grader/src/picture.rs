@@ -111,7 +111,7 @@ fn ask(
         .iter()
         .map(|question| format!("{} {question}", examiner.name()))
         .collect();
-    let replies = asker.ask(&asked)?;
+    let replies = asker.ask_many(&asked)?;
     let stopped = stopped(&replies);
     let answers: Vec<_> = replies
         .into_iter()

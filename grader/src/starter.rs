@@ -83,6 +83,17 @@ pub fn place(language: Language, exercise: &str) -> Option<String> {
     Some(format!("{}.{ending}", chapter.name))
 }
 
+/// The file at this place of a workbook, with nothing left to write: in Rust the library's, in other languages a solution that mostly takes
+/// another way than the library.
+pub fn reference_file(language: Language, place: &str) -> Option<String> {
+    match language {
+        Language::Rust => library::reference_file(place),
+        Language::Python | Language::Cpp => {
+            library::solution(language.name(), place).map(str::to_owned)
+        }
+    }
+}
+
 /// The text of a README, with the files of the chapters after it.
 fn readme(text: &str, file: impl Fn(&str) -> String) -> String {
     let line = |chapter: &Chapter| {

@@ -115,8 +115,12 @@ pub fn program(commands: &Commands, folder: &Path) -> Program {
 
 /// The file in which an exercise is written in this workbook, if its language has a starter.
 pub fn place(folder: &Path, exercise: &str) -> Option<String> {
-    let recipe = Recipe::read(folder).ok()?;
-    starter::place(Language::find(recipe.language())?, exercise)
+    starter::place(language(folder)?, exercise)
+}
+
+/// The language of this workbook, if it has a starter.
+pub fn language(folder: &Path) -> Option<Language> {
+    Language::find(Recipe::read(folder).ok()?.language())
 }
 
 /// A build that takes longer is ended.

@@ -4,6 +4,7 @@ mod flaws;
 mod mistakes;
 mod operations;
 mod panics;
+mod several;
 
 use mistakes::{MISTAKES, Slip};
 use raybook_grader::cases;

@@ -81,7 +81,8 @@ impl Asked {
     /// # Errors
     /// If the line is not a question of this exercise.
     pub fn answer_line(&self, question: &str) -> Result<String, RowError> {
-        let answer = (self.call)(&self.read_question(question)?);
+        let mut answer = (self.call)(&self.read_question(question)?);
+        answer.iter_mut().for_each(|v| *v += 0.0); // a zero without a sign, as people write it
         Ok(row::format(self.answer.kind, &answer))
     }
 }

@@ -4,6 +4,9 @@
 //! asked one after the other, each when the one before is answered. A program that holds its answers back is asked all at once,
 //! and gives as many answers as there are questions, or it is asked again in smaller parts, down to one question for a process,
 //! to which all that it says belongs.
+//!
+//! Pixels are thousands of questions, and waiting for each answer takes longer than the answer. Of a program that has answered
+//! before, many of them are open at a time; if any has no answer, they are asked again one after the other.
 
 mod reply;
 
@@ -18,6 +21,9 @@ use std::time::{Duration, Instant};
 /// After this number of questions in a row without an answer the rest is not asked: seconds instead of minutes, for a program that
 /// does not know the exercise, or hangs.
 const SILENT: usize = 5;
+
+/// Questions of pixels that are open at a time.
+const AHEAD: usize = 256;
 
 /// A program that hangs from its first question on, and has answered none, is asked the first question of the exercises after that,
 /// up to this number of exercises: minutes instead of an hour, for a program that waits for something that never comes.
@@ -110,7 +116,20 @@ impl<'a> Asker<'a> {
     /// # Errors
     /// If the program cannot be started.
     pub fn ask(&mut self, questions: &[String]) -> io::Result<Vec<Reply>> {
-        let replies = self.ask_each(questions)?;
+        self.ask_ahead(questions, 1)
+    }
+
+    /// The same for many questions of a kind, such as a picture's pixels: many are open at a time, as long as each is answered.
+    ///
+    /// # Errors
+    /// If the program cannot be started.
+    pub fn ask_many(&mut self, questions: &[String]) -> io::Result<Vec<Reply>> {
+        self.ask_ahead(questions, AHEAD)
+    }
+
+    /// Asks all the questions; at most `ahead` of them are open at a time.
+    fn ask_ahead(&mut self, questions: &[String], ahead: usize) -> io::Result<Vec<Reply>> {
+        let replies = self.ask_each(questions, ahead)?;
         for reply in &replies {
             self.has_answered |= reply.said.is_line();
             self.hangs |= matches!(reply.said, Said::TimedOut(_));
@@ -119,7 +138,7 @@ impl<'a> Asker<'a> {
         Ok(replies)
     }
 
-    fn ask_each(&mut self, questions: &[String]) -> io::Result<Vec<Reply>> {
+    fn ask_each(&mut self, questions: &[String], mut ahead: usize) -> io::Result<Vec<Reply>> {
         let mut replies = Vec::new();
         // The first reply of this list that came from the process that is being asked.
         let mut since = 0;
@@ -132,7 +151,8 @@ impl<'a> Asker<'a> {
                 self.ask_apart(rest, &mut replies)?;
                 continue;
             }
-            let (asked, last) = (&rest[..1], rest.len() == 1);
+            let open = if fresh { 1 } else { ahead.min(rest.len()) };
+            let (asked, last) = (&rest[..open], rest.len() == open);
             let Conversation {
                 answers,
                 end,
@@ -142,10 +162,12 @@ impl<'a> Asker<'a> {
                 Some(End::TooMany) if fresh => replies.push(Reply::too_many(answers)),
                 // Which of its questions has two answers?
                 Some(End::TooMany) => {
-                    let reached = replies.len() + 1;
+                    let reached = replies.len() + open;
                     replies.truncate(since);
                     self.ask_apart(&questions[replies.len()..reached], &mut replies)?;
                 }
+                // Which of them are answered?
+                _ if answers.len() < open && open > 1 => ahead = 1,
                 _ if !answers.is_empty() => replies.extend(answers.into_iter().map(Reply::of)),
                 Some(end @ (End::TimedOut(_) | End::Flooded(_) | End::Over(_))) => {
                     replies.push(Reply::none(silence(end), leftover));

@@ -67,7 +67,7 @@ impl<'a> Functions<'a> {
         };
         let lines: Vec<_> = questions.iter().map(line).collect();
         self.asker.next_exercise();
-        let replies = self.asker.ask(&lines)?.into_iter();
+        let replies = self.asker.ask_many(&lines)?.into_iter();
         let answers = replies.map(|reply| match reply.said {
             Said::Answer(answer) => row::read(answer.unescaped(), E::ANSWER.name).ok(),
             _ => None,

@@ -3,18 +3,20 @@
 use super::asking::Asking;
 use super::manner::Manner;
 use super::unwritten::Unwritten;
-use super::{Done, Target};
+use super::{Done, Examiners, Target};
 use clap::ArgGroup;
 use raybook::store::{self, StoreError};
 use raybook_chapters::kit::say::say;
 use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_grader::ask::Asker;
-use raybook_grader::check::Verdict;
+use raybook_grader::check::{State, Verdict, check};
+use raybook_grader::examine::{Examiner, visible_rng};
 use raybook_grader::explain::account::Account;
 use raybook_grader::explain::asked::{Asked, Which, pixel};
 use raybook_grader::explain::tell;
 use raybook_grader::json;
 use raybook_grader::progress::KEPT;
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// Explains one case: the question, both answers and where they part, the steps to the right one, and a drawing.
@@ -42,9 +44,6 @@ impl Explain {
     /// Asks the program all cases of the exercise, and explains one; true if that one is right.
     pub fn run(&self) -> Done {
         let (from, examiners) = self.target.resolve()?;
-        let [examiner] = examiners[..] else {
-            return Err("explain needs one exercise: raybook explain sphere_hit".into());
-        };
         let which = match (self.case, self.pixel) {
             (Some(number), _) => Which::Case(number as usize),
             (None, Some(pixel)) => Which::Pixel(pixel),
@@ -52,6 +51,19 @@ impl Explain {
         };
         let (program, workbook) = self.asking.program(&from, Vec::new())?;
         let mut asker = Asker::new(&program, self.asking.limits());
+        let examiner = match examiners[..] {
+            [examiner] => examiner,
+            _ if which != Which::FirstWrong => {
+                return Err("of which exercise? For example: raybook explain sphere_hit".into());
+            }
+            _ => match first_wrong(&mut asker, &examiners)? {
+                Some(examiner) => examiner,
+                None => {
+                    say("Nothing to explain: everything that was asked for is right.");
+                    return Ok(true);
+                }
+            },
+        };
         let asked = Asked::new(&mut asker, examiner, which)?;
         let account = asked.account();
         let account = account.ok_or_else(|| format!("{} has no cases", examiner.name()))?;
@@ -91,4 +103,18 @@ impl Explain {
         store::write(&path, diagram.svg().as_bytes())?;
         Ok(Some(path))
     }
+}
+
+/// The first exercise that is not right.
+fn first_wrong(
+    asker: &mut Asker<'_>,
+    examiners: &Examiners,
+) -> io::Result<Option<&'static dyn Examiner>> {
+    for &examiner in examiners {
+        let cases = examiner.cases(&mut visible_rng(examiner.name())).cases;
+        if check(asker, examiner, cases)?.state() != State::Right {
+            return Ok(Some(examiner));
+        }
+    }
+    Ok(None)
 }

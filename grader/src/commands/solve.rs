@@ -7,10 +7,12 @@ use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_grader::class::course::Solve as References;
 use raybook_grader::class::taken;
 use raybook_grader::examine::Examiner;
+use raybook_grader::language::Language;
 use raybook_grader::lock::Lock;
 use raybook_grader::progress::{KEPT, unused};
 use raybook_grader::recipe::Recipe;
-use raybook_grader::{cases, library, student};
+use raybook_grader::starter::{place, reference_file};
+use raybook_grader::{cases, student};
 use std::collections::BTreeSet;
 use std::error::Error;
 use std::io::ErrorKind;
@@ -33,42 +35,39 @@ impl Solve {
             return Err("which chapter? For example: raybook solve ch03".into());
         }
         let recipe = Recipe::read(&folder)?;
-        if recipe != Recipe::Rust {
-            return Err(format!(
-                "this workbook is in {}, and the reference is in Rust; it is written into {KEPT} when your chapter is right",
+        let language = Language::find(recipe.language()).ok_or_else(|| {
+            format!(
+                "this workbook is in {}, and there are references in Python, C++ and Rust only; `raybook book` has those in Rust, beside their derivations",
                 Untrusted::from(recipe.language())
             )
-            .into());
-        }
-        let places: BTreeSet<_> = examiners
-            .iter()
-            .filter_map(|examiner| library::place(examiner.name()))
-            .collect();
+        })?;
+        let names = || examiners.iter().map(|examiner| examiner.name());
+        let places: BTreeSet<_> = names().filter_map(|name| place(language, name)).collect();
         ask_the_course(&folder)?;
         let _lock = Lock::on(&folder.join(KEPT))?;
-        for place in places {
-            let reference = library::reference_file(&place)
-                .ok_or_else(|| format!("{place} has no reference"))?;
-            let path = folder.join(&place);
+        for file in places {
+            let reference = reference_file(language, &file)
+                .ok_or_else(|| format!("{file} has no reference"))?;
+            let path = folder.join(&file);
             match store::read(&path) {
                 Ok(yours) if yours == reference.as_bytes() => {
-                    say(format!("{place} is the reference already"));
+                    say(format!("{file} is the reference already"));
                     continue;
                 }
                 Ok(yours) => {
-                    let kept = unused(&folder.join(KEPT).join("yours").join(&place));
+                    let kept = unused(&folder.join(KEPT).join("yours").join(&file));
                     store::write(&kept, &yours)?;
                     say(format!(
-                        "{place} is now the reference; yours is kept in {}",
+                        "{file} is now the reference; yours is kept in {}",
                         Untrusted::from(kept.as_path())
                     ));
                 }
                 Err(error) if error.reason.kind() != ErrorKind::NotFound => {
                     return Err(error.into());
                 }
-                Err(_) => say(format!("{place} is now the reference")),
+                Err(_) => say(format!("{file} is now the reference")),
             }
-            record(&folder, &place)?;
+            record(&folder, language, &file)?;
             store::write(&path, reference.as_bytes())?;
         }
         Ok(true)
@@ -88,8 +87,8 @@ fn ask_the_course(workbook: &Path) -> Result<(), Box<dyn Error>> {
     Err(format!("{file}: this course gives no references out; `raybook hint` gives a nudge").into())
 }
 
-/// Records that the references of a file are taken. The record is handed in with the workbook.
-fn record(workbook: &Path, place: &str) -> Result<(), Box<dyn Error>> {
+/// Records that the references in a file are taken. The record is handed in with the workbook.
+fn record(workbook: &Path, language: Language, file: &str) -> Result<(), Box<dyn Error>> {
     let path = workbook.join(taken::FILE);
     let text = match store::read_text(&path) {
         Err(error) if error.reason.kind() == ErrorKind::NotFound => String::new(),
@@ -97,7 +96,7 @@ fn record(workbook: &Path, place: &str) -> Result<(), Box<dyn Error>> {
     };
     let names = cases::all().into_iter().map(<dyn Examiner>::name);
     let names: Vec<_> = names
-        .filter(|name| library::place(name).as_deref() == Some(place))
+        .filter(|name| place(language, name).as_deref() == Some(file))
         .collect();
     store::write(&path, taken::record(&text, &names).as_bytes())?;
     Ok(())

@@ -8,7 +8,9 @@ use raybook_grader::check::{Report, State};
 use raybook_grader::dress::Dress;
 use raybook_grader::examine::Examiner;
 use raybook_grader::feedback::Commands;
+use raybook_grader::language::Language;
 use raybook_grader::progress::{KEPT, Progress};
+use raybook_grader::starter::{place, reference_file};
 use raybook_grader::{cases, feedback, library, pictured, student};
 use raybook_workbook::curriculum::{CHAPTERS, Chapter};
 use std::path::{Path, PathBuf};
@@ -178,16 +180,23 @@ fn next_in_course(folder: &Path) -> Option<String> {
     Some(format!("\nNext: write {next}{place}."))
 }
 
-/// Writes a chapter's reference functions beside the student's, once these are right.
+/// Writes a chapter's reference functions beside the student's, once these are right: in the student's language, if the course has them.
 fn keep_reference(folder: &Path, chapter: &Chapter) -> Result<PathBuf, StoreError> {
-    let texts: Vec<_> = chapter
-        .exercises()
-        .iter()
-        .filter_map(|exercise| library::reference(exercise.name))
-        .collect();
+    let names = || chapter.exercises().iter().map(|exercise| exercise.name);
+    let language = student::language(folder).unwrap_or(Language::Rust);
+    let text = match language {
+        Language::Rust => names()
+            .filter_map(library::reference)
+            .collect::<Vec<_>>()
+            .join("\n"),
+        Language::Cpp | Language::Python => names()
+            .find_map(|name| reference_file(language, &place(language, name)?))
+            .unwrap_or_default(),
+    };
+    let ending = language.endings()[0];
     let path = folder
         .join(KEPT)
-        .join(format!("{}_reference.rs", chapter.name));
-    store::write(&path, texts.join("\n").as_bytes())?;
+        .join(format!("{}_reference.{ending}", chapter.name));
+    store::write(&path, text.as_bytes())?;
     Ok(path)
 }

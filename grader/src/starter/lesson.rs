@@ -69,6 +69,11 @@ fn text(chapter: &Chapter, page: &str) -> Result<String, BookError> {
                 what,
             };
             directive.text(chapter).map_err(wrong)?
+        } else if fenced && line.starts_with("cargo ") {
+            match command(line) {
+                Some(command) => command,
+                None => continue,
+            }
         } else if fenced {
             line.to_owned()
         } else {
@@ -86,6 +91,22 @@ fn text(chapter: &Chapter, page: &str) -> Result<String, BookError> {
         names.join(", "),
         chapter.name
     ))
+}
+
+/// A command of the book for a folder that has no chapters, and maybe no Rust: the tour draws what a chapter draws, but has not its knobs.
+fn command(line: &str) -> Option<String> {
+    let (command, comment) = line.split_once('#').unwrap_or((line, ""));
+    let words = command.strip_prefix("cargo run --release --bin ")?;
+    let (chapter, options) = words.split_once(" -- ").unwrap_or((words, ""));
+    let mut names = options.split_whitespace().step_by(2);
+    if names.any(|name| !["--width", "--samples"].contains(&name)) {
+        return None;
+    }
+    let number = chapter.split('_').next()?;
+    let command = format!("raybook tour --only {number} {}", options.trim_end());
+    let comment = Some(comment.trim()).filter(|comment| !comment.is_empty());
+    let comment = comment.map_or_else(String::new, |comment| format!("   # {comment}"));
+    Some(format!("{}{comment}", command.trim_end()))
 }
 
 /// A directive of the book: its word, its name, and what stands after the bar.

@@ -7,7 +7,7 @@ use raybook_grader::examine::visible_rng;
 use raybook_workbook::row;
 
 /// The diagnosis of a function from the numbers of a question to those of an answer; `None` gives no answer.
-fn diagnosed(exercise: &str, function: impl Fn(&[f64]) -> Option<Vec<f64>>) -> Diagnosis {
+pub fn diagnosed(exercise: &str, function: impl Fn(&[f64]) -> Option<Vec<f64>>) -> Diagnosis {
     let examiner = cases::find(exercise).expect("the exercise exists");
     let asked = examiner.asked();
     let cases = examiner.cases(&mut visible_rng(exercise)).cases;

@@ -92,7 +92,7 @@ fn what_cannot_be_explained_is_refused() {
         return;
     };
     let refused = [
-        (vec!["ch03"], "explain needs one exercise"),
+        (vec!["ch03", "--case", "1"], "of which exercise?"),
         (vec!["sphere_hit", "--case", "999"], "there is no case 999"),
         (
             vec!["sphere_hit", "--pixel", "96,0"],

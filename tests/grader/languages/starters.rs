@@ -211,3 +211,47 @@ fn a_picture_gets_finer_pass_by_pass() {
         }
     }
 }
+
+#[test]
+fn a_chapter_that_was_missed_is_solved_in_the_workbooks_language() {
+    if !there_is("python3") {
+        return;
+    }
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let folder = new(home.path(), "rays", Language::Python);
+    let said = |words: &[&str]| raybook_with(&folder, words, &[WITHOUT_RUST]);
+    let (code, first) = said(&["explain", "--plain"]);
+    assert!(
+        code == 1 && first.starts_with("ray_at, case 1"),
+        "what is next is explained: {first}"
+    );
+
+    let (code, solved) = said(&["solve", "ch01", "ch02"]);
+    assert!(
+        code == 0 && solved.contains("ch02_hdr.py is now the reference; yours is kept in"),
+        "{solved}"
+    );
+    let (code, checked) = said(&["check", "ch01", "ch02"]);
+    assert!(
+        code == 0 && checked.contains(".raybook/ch01_rays_reference.py"),
+        "{checked}"
+    );
+    let taken = fs::read_to_string(folder.join("references-taken.txt"));
+    assert_eq!(
+        taken.expect("it is recorded"),
+        "camera_ray\nencode_srgb\nexpose\nray_at\ntone_map\n"
+    );
+    let (code, nothing) = said(&["explain", "ch01", "--plain"]);
+    assert!(
+        code == 0 && nothing.contains("Nothing to explain"),
+        "{nothing}"
+    );
+
+    let toml = "language = \"perl\"\nrun = \"perl answer.pl\"\n";
+    fs::write(folder.join("raybook.toml"), toml).expect("it can be written");
+    let (code, refused) = said(&["solve", "ch03"]);
+    assert!(
+        code == 2 && refused.contains("`raybook book` has those"),
+        "{refused}"
+    );
+}

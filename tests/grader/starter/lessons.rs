@@ -17,7 +17,7 @@ fn every_chapter_has_its_lesson_as_text() {
         let directive = text.lines().find(|line| line.starts_with("{{"));
         assert_eq!(directive, None, "{}", path.display());
         for part in [
-            "figure>", "<p ", "\n\n\n", "<svg", "<path", "\\origin", ".md#",
+            "figure>", "<p ", "\n\n\n", "<svg", "<path", "\\origin", ".md#", "\ncargo ",
         ] {
             assert!(!text.contains(part), "{}: {part}", path.display());
         }
@@ -33,6 +33,12 @@ fn every_chapter_has_its_lesson_as_text() {
         }
     }
     assert!(bytes < 300_000, "{bytes} bytes: the starter is small");
+    let rays = String::from_utf8_lossy(&files[0].1);
+    let commands = "```sh\nraybook tour --only ch01\nraybook tour --only ch01 --width 64 --samples 1   # single pixels\n```";
+    assert!(
+        rays.contains(commands),
+        "who has no cargo has the command: {rays}"
+    );
     let sphere = String::from_utf8_lossy(&files[2].1);
     for part in [
         "B^2 - 4AC",

@@ -1,0 +1,57 @@
+//! Two mistakes in one function, each of which shows in other cases: both are named, as who begins makes them.
+
+use super::operations::diagnosed;
+use raybook_grader::diagnose::Diagnosis;
+
+fn names(found: &Diagnosis) -> Vec<&str> {
+    let also = found.also.iter().map(|also| also.name.as_str());
+    [found.name.as_str()].into_iter().chain(also).collect()
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+fn minus(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a - b).collect()
+}
+
+fn cross(a: &[f64], b: &[f64]) -> Vec<f64> {
+    let part = |i: usize, j: usize| a[i] * b[j] - a[j] * b[i];
+    vec![part(1, 2), part(2, 0), part(0, 1)]
+}
+
+#[test]
+fn who_takes_the_near_root_only_and_forgets_the_end_of_the_interval_is_told_both() {
+    let found = diagnosed("sphere_hit", |q| {
+        let (from, d, radius) = (minus(&q[..3], &q[8..11]), &q[3..6], q[11]);
+        let b = dot(&from, d);
+        let root = (b * b - dot(&from, &from) + radius * radius).sqrt();
+        let t = -b - root;
+        Some(if t > q[6] { vec![1.0, t] } else { vec![0.0] })
+    });
+    let both = [
+        "gives up when the near root does not count",
+        "only asks for t > min",
+    ];
+    assert_eq!(names(&found), both);
+}
+
+#[test]
+fn who_forgets_a_weight_and_asks_nothing_of_a_flat_triangle_is_told_the_weight() {
+    let found = diagnosed("triangle_hit", |q| {
+        let (origin, d, p0) = (&q[..3], &q[3..6], &q[8..11]);
+        let (e1, e2) = (minus(&q[11..14], p0), minus(&q[14..17], p0));
+        let (s1, s) = (cross(d, &e2), minus(origin, p0));
+        let s2 = cross(&s, &e1);
+        let determinant = dot(&s1, &e1);
+        let [b1, b2, t] = [dot(&s1, &s), dot(&s2, d), dot(&s2, &e2)].map(|v| v / determinant);
+        let misses = b1 < 0.0 || b2 < 0.0 || b1 > 1.0 || b2 > 1.0 || t < q[6];
+        Some(if misses {
+            vec![0.0]
+        } else {
+            vec![1.0, t, b1, b2]
+        })
+    });
+    assert_eq!(names(&found)[0], "forgets b1 + b2 <= 1");
+}

@@ -133,7 +133,8 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Likely
             misread(evidence, reading, k)
         });
     }
-    if !evidence.is_judged() && !examiner.limits().slow {
+    // To a single wrong answer some slip comes near by chance.
+    if !evidence.is_judged() && !examiner.limits().slow && evidence.wrong > 1 {
         for slip in promising(evidence) {
             consider(SLIP, &slip.name, &slip.hint, &|k| {
                 slip.answer(&evidence.items[k].question)

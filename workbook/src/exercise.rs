@@ -82,7 +82,9 @@ impl Asked {
     /// If the line is not a question of this exercise.
     pub fn answer_line(&self, question: &str) -> Result<String, RowError> {
         let mut answer = (self.call)(&self.read_question(question)?);
-        answer.iter_mut().for_each(|v| *v += 0.0); // a zero without a sign, as people write it
+        for v in &mut answer {
+            *v += 0.0; // a zero without a sign, as people write it
+        }
         Ok(row::format(self.answer.kind, &answer))
     }
 }

@@ -119,7 +119,9 @@ impl dyn Examiner + '_ {
     pub fn pixel_question(&self, i: usize, x: u32, y: u32) -> String {
         // A zero without a sign: people read it, and no picture depends on it.
         let mut question = self.pixel(i, x, y).unwrap_or_default();
-        question.iter_mut().for_each(|v| *v += 0.0);
+        for v in &mut question {
+            *v += 0.0;
+        }
         row::format(self.asked().question, &question)
     }
 }

@@ -29,7 +29,7 @@ pub struct Sellmeier {
 impl Sellmeier {
     /// N-BK7, a crown glass: windows and simple lenses.
     pub const BK7: Self = Self {
-        b: [1.039_612_1, 0.231_792_34, 1.010_469_5],
+        b: [1.039_612, 0.231_792_34, 1.010_469_5],
         c: [0.006_000_699, 0.020_017_914, 103.560_65],
     };
     /// N-SF11, a dense flint glass: it spreads the colours more than twice as far.

@@ -56,13 +56,13 @@ impl Explain {
             _ if which != Which::FirstWrong => {
                 return Err("of which exercise? For example: raybook explain sphere_hit".into());
             }
-            _ => match first_wrong(&mut asker, &examiners)? {
-                Some(examiner) => examiner,
-                None => {
+            _ => {
+                let Some(examiner) = first_wrong(&mut asker, &examiners)? else {
                     say("Nothing to explain: everything that was asked for is right.");
                     return Ok(true);
-                }
-            },
+                };
+                examiner
+            }
         };
         let asked = Asked::new(&mut asker, examiner, which)?;
         let account = asked.account();

@@ -25,6 +25,8 @@ const OTHERWISE: &[(&str, &str, &str)] = &[
     ),
     ("plane_hit", "just where the interval ends", CLOSED),
     ("plane_hit", "just where the interval begins", CLOSED),
+    ("triangle_hit", "just where the interval ends", CLOSED),
+    ("triangle_hit", "just where the interval begins", CLOSED),
 ];
 
 /// The course's interval is open.

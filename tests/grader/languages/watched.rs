@@ -61,17 +61,18 @@ fn page(address: &str) -> String {
 }
 
 fn watch(folder: &Path) -> (Child, Heard) {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_raybook"))
+    // One pipe for both outputs: what is said first is heard first.
+    let (output, both) = std::io::pipe().expect("there is a pipe");
+    let child = Command::new(env!("CARGO_BIN_EXE_raybook"))
         .args(["watch", "--plain", "--page"])
         .current_dir(folder)
         .stdin(Stdio::null())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
+        .stdout(both.try_clone().expect("it has two ends"))
+        .stderr(both)
         .spawn()
         .expect("the command starts");
     let heard = Heard::default();
-    heard.listen(child.stdout.take().expect("it is piped"));
-    heard.listen(child.stderr.take().expect("it is piped"));
+    heard.listen(output);
     (child, heard)
 }
 

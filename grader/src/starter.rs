@@ -94,6 +94,31 @@ pub fn reference_file(language: Language, place: &str) -> Option<String> {
     }
 }
 
+/// The reference's function of an exercise: in Rust the library's, in other languages that of the solution.
+pub fn reference(language: Language, exercise: &str) -> Option<String> {
+    if language == Language::Rust {
+        return library::reference(exercise).map(str::to_owned);
+    }
+    let text = library::solution(language.name(), &place(language, exercise)?)?;
+    let called = format!(" {exercise}(");
+    let is_outside = |line: &str| !line.starts_with([' ', '/']);
+    let lines = text
+        .lines()
+        .skip_while(|line| !(is_outside(line) && line.contains(&called)));
+    // A function ends with a brace in the first column, or where the next thing begins there.
+    let mut function = String::new();
+    for (i, line) in lines.enumerate() {
+        if i > 0 && line.starts_with(|c: char| !c.is_whitespace() && !")}".contains(c)) {
+            break;
+        }
+        function.extend([line, "\n"]);
+        if line.starts_with('}') {
+            break;
+        }
+    }
+    Some(function).filter(|function| !function.is_empty())
+}
+
 /// The text of a README, with the files of the chapters after it.
 fn readme(text: &str, file: impl Fn(&str) -> String) -> String {
     let line = |chapter: &Chapter| {

@@ -3,7 +3,7 @@
 use crate::math::aabb::Aabb;
 use glam::{UVec3, Vec3};
 
-/// A box cut into equal cells by planes square to the axes.
+/// A box cut into equal cells by planes perpendicular to the axes.
 ///
 /// Plane i of an axis is at minᵢ + i·cellᵢ, for i from 0 to the resolution; cell i lies between the planes i and i + 1.
 #[derive(Clone, Copy, Debug, PartialEq)]

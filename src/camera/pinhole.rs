@@ -20,7 +20,7 @@ pub fn focal_length(vertical_degrees: f32) -> f32 {
 pub struct Pinhole {
     /// Where all rays start.
     pub focal_point: Vec3,
-    /// Where the camera looks: square to the image plane.
+    /// Where the camera looks: perpendicular to the image plane.
     pub forward: Dir3,
     /// Along the rows of the picture.
     pub right: Dir3,
@@ -59,7 +59,7 @@ impl Pinhole {
     // ANCHOR: look_at
     /// A camera at `from` that sees `to` in the middle of its picture, and `up` towards the top.
     ///
-    /// The axes are forward = (to − from)/|to − from|, right ∥ forward × up and, square to both, right × forward,
+    /// The axes are forward = (to − from)/|to − from|, right ∥ forward × up and, perpendicular to both, right × forward,
     /// which is as near to `up` as the view allows.
     /// `focal_length` is in metres and positive: 0.05 for the photographer's 50 mm, whose view is 2·atan(12/50) = 27° high.
     /// `aspect` is the picture's width over its height.

@@ -33,7 +33,7 @@ struct Sides {
 const LEAST: f64 = 1e-8;
 
 impl RectLight {
-    /// A rectangle from a corner and two sides, whose points are chosen by area; of `b`, what is square to `a` counts.
+    /// A rectangle from a corner and two sides, whose points are chosen by area; of `b`, what is perpendicular to `a` counts.
     ///
     /// A rectangle without area sheds no light.
     pub fn new(corner: Vec3, a: Vec3, b: Vec3, radiance: Rgb) -> Self {

@@ -3,7 +3,7 @@
 /// The share of the light that is reflected; the rest goes through.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reflectance {
-    /// Rs: of light that swings square to the plane of incidence (German *senkrecht*).
+    /// Rs: of light that swings perpendicular to the plane of incidence (German *senkrecht*).
     pub s: f32,
     /// Rp: of light that swings parallel to it.
     pub p: f32,

@@ -15,7 +15,7 @@ pub struct Mirror {
 // ANCHOR: reflect
 /// r = i − 2 (i·n) n, the mirror direction of i, which points to the surface; n may point to either side.
 ///
-/// What of i is parallel to the surface stays, and what is square to it, (i·n) n, turns round.
+/// What of i is parallel to the surface stays, and what is perpendicular to it, (i·n) n, turns round.
 pub fn reflect(incoming: Dir3, normal: Dir3) -> Dir3 {
     let reflected = *incoming - 2.0 * incoming.dot(*normal) * *normal;
     Dir3::new_or(reflected, -incoming)

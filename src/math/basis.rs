@@ -1,4 +1,4 @@
-//! Two directions square to a given one.
+//! Two directions perpendicular to a given one.
 
 use crate::math::dir3::Dir3;
 use glam::{Vec3, vec3};

@@ -39,8 +39,8 @@ pub fn interpolate_normal(normals: [Dir3; 3], b: Vec2) -> Dir3 {
 // ANCHOR: lift
 /// From a point p of a triangle to the round surface: −Σ bᵢ min(0, (p − pᵢ)·nᵢ) nᵢ.
 ///
-/// At each corner the round surface has the plane through pᵢ that is square to nᵢ. Where p is below the plane it is lifted onto
-/// it, and the three lifted points are weighted as the corners are (Hanika 2021). On a flat mesh, and in hollows, it is 0.
+/// At each corner the round surface has the plane through pᵢ that is perpendicular to nᵢ. Where p is below the plane it is lifted
+/// onto it, and the three lifted points are weighted as the corners are (Hanika 2021). On a flat mesh, and in hollows, it is 0.
 pub fn lift(p: Vec3, corners: [Vec3; 3], normals: [Dir3; 3], b: Vec2) -> Vec3 {
     let shares = [1.0 - b.x - b.y, b.x, b.y];
     let below = |i: usize| (p - corners[i]).dot(*normals[i]).min(0.0);

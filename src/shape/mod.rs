@@ -79,7 +79,7 @@ pub struct Surface {
     pub position: Vec3,
     /// How far the true surface may be from `position`, at most, along each axis, in metres.
     pub error: f32,
-    /// The direction square to the surface, on the side that the shape calls outside.
+    /// The direction perpendicular to the surface, on the side that the shape calls outside.
     pub normal: Dir3,
     /// The direction that shading takes for the normal: interpolated on a mesh.
     pub shading_normal: Dir3,

@@ -28,8 +28,8 @@ impl NormalMap {
     // ANCHOR: normal_map
     /// The normal at a place: x·t + y·b + z·n, normalised, with n the smooth normal, t along u and b along v.
     ///
-    /// t is where u grows in the triangle, made square to n; b is square to both, on the side where v grows. Where the texture
-    /// coordinates of a triangle do not say it, or the bump would lean below the surface, n stays.
+    /// t is where u grows in the triangle, made perpendicular to n; b is perpendicular to both, on the side where v grows. Where
+    /// the texture coordinates of a triangle do not say it, or the bump would lean below the surface, n stays.
     pub fn tilt(&self, normal: Dir3, edges: [Vec3; 2], along: [Vec2; 2], place: Vec2) -> Dir3 {
         let turned = along[0].perp_dot(along[1]);
         let u = (edges[0] * along[1].y - edges[1] * along[0].y) * turned.signum();

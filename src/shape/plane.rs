@@ -14,7 +14,7 @@ pub struct Plane {
 }
 
 impl Plane {
-    /// The plane through a point, square to a direction.
+    /// The plane through a point, perpendicular to a direction.
     pub fn through(point: Vec3, normal: Dir3) -> Self {
         Self {
             normal,

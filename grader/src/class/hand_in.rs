@@ -199,9 +199,7 @@ fn content(language: Language, files: &Files) -> Content {
             all.extend(tokens(&text(bytes)));
         }
     }
-    if language == Language::Rust {
-        found.extend(taken::found(&all));
-    }
+    found.extend(taken::found(language, &all));
     Content {
         language,
         print: fingerprint(language, files),

@@ -128,8 +128,8 @@ fn given(language: Language) -> &'static BTreeSet<u64> {
                     source.filter_map(|file| Some(library::without_anchors(file.contents_utf8()?)));
                 starter.chain(references).collect()
             }
-            Language::Python => others(python::program, starter::python::files()),
-            Language::Cpp => others(cpp::program, starter::cpp::files()),
+            Language::Python => others(language, python::program, starter::python::files()),
+            Language::Cpp => others(language, cpp::program, starter::cpp::files()),
         };
         let numbers = |text: String| {
             let tokens = tokens(&text);
@@ -143,12 +143,20 @@ fn given(language: Language) -> &'static BTreeSet<u64> {
     })
 }
 
-/// The texts of the readers and the starter of another language than the course's own.
-fn others(reader: fn(&Asked) -> String, starter: Vec<StarterFile>) -> Vec<String> {
-    let readers = cases::all().into_iter();
-    let readers = readers.map(|examiner| reader(examiner.asked()));
+/// The texts of the readers, the references and the starter of another language than the course's own.
+fn others(
+    language: Language,
+    reader: fn(&Asked) -> String,
+    starter: Vec<StarterFile>,
+) -> Vec<String> {
+    let all = cases::all().into_iter();
+    let given = all.flat_map(|examiner| {
+        let reader = reader(examiner.asked());
+        let reference = starter::reference(language, examiner.name());
+        [Some(reader), reference].into_iter().flatten()
+    });
     let starter = starter.into_iter();
-    readers
+    given
         .chain(starter.map(|(_, bytes)| String::from_utf8_lossy(&bytes).into_owned()))
         .collect()
 }

@@ -4,7 +4,8 @@
 //! reference's text is in the hand-in, token by token, and is too long to be anybody's own.
 
 use super::tokens::{Token, tokens};
-use crate::{cases, library};
+use crate::language::Language;
+use crate::{cases, starter};
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
 
@@ -28,27 +29,65 @@ pub fn recorded(text: &str) -> BTreeSet<&'static str> {
     text.lines().filter_map(find).collect()
 }
 
-/// The exercises whose reference stands in these tokens of a hand-in in Rust.
-pub fn found(handed_in: &[Token]) -> BTreeSet<&'static str> {
+/// The exercises whose reference in a language stands in these tokens of a hand-in.
+pub fn found(language: Language, handed_in: &[Token]) -> BTreeSet<&'static str> {
     let stands = |reference: &Vec<Token>| {
         let kinds = |tokens: &[Token]| tokens.iter().map(|token| token.exact).collect::<Vec<_>>();
         let (all, part) = (kinds(handed_in), kinds(reference));
         all.windows(part.len()).any(|window| window == part)
     };
-    let found = references()
+    let found = references(language)
         .iter()
         .filter(|(_, reference)| stands(reference));
     found.map(|(name, _)| *name).collect()
 }
 
+/// An exercise with the tokens of its reference.
+type Reference = (&'static str, Vec<Token>);
+
 /// The references that are long enough.
-fn references() -> &'static [(&'static str, Vec<Token>)] {
-    static REFERENCES: OnceLock<Vec<(&str, Vec<Token>)>> = OnceLock::new();
-    REFERENCES.get_or_init(|| {
-        let of = |name| Some((name, tokens(library::reference(name)?)));
+fn references(language: Language) -> &'static [Reference] {
+    static REFERENCES: [OnceLock<Vec<Reference>>; 3] = [const { OnceLock::new() }; 3];
+    REFERENCES[language as usize].get_or_init(|| {
+        let of = |name| Some((name, tokens(&starter::reference(language, name)?)));
         let all = cases::all()
             .into_iter()
             .filter_map(|examiner| of(examiner.name()));
         all.filter(|(_, tokens)| tokens.len() >= LONG).collect()
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{LONG, found, tokens};
+    use crate::language::Language;
+    use crate::{cases, starter};
+
+    #[test]
+    fn every_exercise_has_a_reference_in_every_language() {
+        for language in Language::ALL {
+            for examiner in cases::all() {
+                let name = examiner.name();
+                let text = starter::reference(language, name).expect(name);
+                assert!(text.contains(name) || language == Language::Rust, "{text}");
+                assert!(
+                    text.trim_end().ends_with(|c| c == '}') || language == Language::Python,
+                    "{text}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn a_copied_reference_is_found_and_another_text_is_not() {
+        for language in [Language::Python, Language::Cpp] {
+            let reference = starter::reference(language, "triangle_hit").expect("it has one");
+            assert!(tokens(&reference).len() >= LONG);
+            let copied = format!("x = 1\n\n{}\n\ny = 2\n", reference.replace("    ", "  "));
+            let names: Vec<_> = found(language, &tokens(&copied)).into_iter().collect();
+            assert_eq!(names, ["triangle_hit"]);
+            let own = reference.replace('+', "-");
+            assert!(found(language, &tokens(&own)).is_empty(), "{own}");
+        }
+    }
 }

@@ -43,7 +43,7 @@ const TOLERANCE: f64 = 1e-7;
 /// The ray of a direction: it lies in a plane through the hole, between two curves of the fan.
 #[derive(Clone, Copy, Debug)]
 pub struct Bent<'a> {
-    /// Towards the eye, and square to that, towards where the ray leaves it.
+    /// Towards the eye, and perpendicular to that, towards where the ray leaves it.
     axes: [DVec3; 2],
     /// The two curves, the nearer one first.
     curves: [&'a Curve; 2],

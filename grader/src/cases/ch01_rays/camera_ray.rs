@@ -134,7 +134,7 @@ impl Graded for CameraRay {
     }];
 }
 
-/// A camera of the 35 mm format whose up is anything square to its view.
+/// A camera of the 35 mm format whose up is anything perpendicular to its view.
 fn question(focal_point: Vec3, forward: Dir3, focal_length: f32, film: Vec2) -> CameraRay {
     let Basis { x: right, y, .. } = Basis::around(-forward);
     CameraRay {

@@ -7,7 +7,7 @@ use raybook_chapters::kit::palette;
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch13_reflection::Reflect;
 
-/// (i·n) n: the part of i that is square to the surface.
+/// (i·n) n: the part of i that is perpendicular to the surface.
 fn square(q: &Reflect) -> Vec3 {
     q.incoming.dot(*q.normal) * *q.normal
 }
@@ -27,7 +27,7 @@ impl Graded for Reflect {
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "sends the ray back through the surface's other side",
-            hint: "Which part of i turns round at the mirror: the one along the surface, or the one square to it?",
+            hint: "Which part of i turns round at the mirror: the one along the surface, or the one perpendicular to it?",
             answer: |q| -Reflect::answer(q),
         },
         Mistake {

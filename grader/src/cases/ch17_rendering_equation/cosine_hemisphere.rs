@@ -67,7 +67,7 @@ impl Graded for CosineHemisphere {
         ] {
             if (got - exact).abs() > BOUND {
                 return Err(format!(
-                    "{name} is {got:.3} and should be {exact:.3} (x and y are square to the normal)"
+                    "{name} is {got:.3} and should be {exact:.3} (x and y are perpendicular to the normal)"
                 ));
             }
         }

@@ -213,7 +213,7 @@ impl Graded for ThinLensRay {
     }];
 }
 
-/// A lens of 50 mm before a film of the 35 mm format, whose up is anything square to its view.
+/// A lens of 50 mm before a film of the 35 mm format, whose up is anything perpendicular to its view.
 fn question(lens_middle: Vec3, forward: Dir3) -> ThinLensRay {
     let Basis {
         x: right, y: up, ..

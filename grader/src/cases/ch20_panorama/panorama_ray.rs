@@ -157,7 +157,7 @@ impl Graded for PanoramaRay {
     }];
 }
 
-/// A camera that looks along a direction; its up is anything square to that.
+/// A camera that looks along a direction; its up is anything perpendicular to that.
 fn question(position: Vec3, forward: Dir3, film: Vec2) -> PanoramaRay {
     let Basis {
         x: right, y: up, ..

@@ -38,7 +38,7 @@ impl Graded for GeodesicStep {
         },
         Mistake {
             name: "forgets the factor 3/2",
-            hint: "A ray at |x| = 3/2, square to the radius, goes around in a circle: does yours?",
+            hint: "A ray at |x| = 3/2, perpendicular to the radius, goes around in a circle: does yours?",
             answer: |q| pulled(q, |x, v| -h2(x, v) * x / x.length().powi(5)),
         },
         Mistake {

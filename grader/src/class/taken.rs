@@ -71,7 +71,7 @@ mod tests {
                 let text = starter::reference(language, name).expect(name);
                 assert!(text.contains(name) || language == Language::Rust, "{text}");
                 assert!(
-                    text.trim_end().ends_with(|c| c == '}') || language == Language::Python,
+                    text.trim_end().ends_with('}') || language == Language::Python,
                     "{text}"
                 );
             }

@@ -152,6 +152,14 @@ pub struct Relation<E> {
     pub question: fn(&E) -> E,
 }
 
+impl<E> Relation<E> {
+    /// The whole scene at another place.
+    pub const fn moved(question: fn(&E) -> E) -> Self {
+        let name = "moved by a metre along each axis";
+        Self { name, question }
+    }
+}
+
 /// A wrong implementation.
 pub struct Mistake<E: Exercise> {
     /// What it does, as a verb: "takes the far root".

@@ -10,6 +10,11 @@ pub const LINE: Interval = Interval::new(f32::NEG_INFINITY, f32::INFINITY);
 /// What moves a scene by a metre along each axis.
 pub const METRE: Vec3 = Vec3::ONE;
 
+/// A ray in a scene that is moved by a metre along each axis.
+pub fn moved(ray: &Ray) -> Ray {
+    Ray::new(ray.origin + METRE, ray.direction)
+}
+
 /// The ray from a point in the direction of a vector of any length but 0.
 pub fn ray(origin: Vec3, toward: Vec3) -> Ray {
     Ray::new(origin, Dir3::new_or(toward, Dir3::Z))

@@ -248,7 +248,7 @@ impl Way {
         }
     }
 
-    /// The last value of a step as so many numbers: all of them, or its only one for each.
+    /// The last value of a step, as `size` numbers: its own if it has as many, or its only number for each.
     fn last(&self, of: Place, size: usize) -> Option<Vec<f64>> {
         let last = self.steps.iter().rev().find(|step| step.place == of)?;
         match last.value.as_slice() {

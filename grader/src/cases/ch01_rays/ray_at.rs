@@ -17,13 +17,10 @@ impl Graded for RayAt {
         judge::point("the point", *golden, *got)
     }
 
-    const RELATIONS: &'static [Relation<Self>] = &[Relation {
-        name: "moved by a metre along each axis",
-        question: |q| RayAt {
-            ray: Ray::new(q.ray.origin + sample::METRE, q.ray.direction),
-            ..q.clone()
-        },
-    }];
+    const RELATIONS: &'static [Relation<Self>] = &[Relation::moved(|q| RayAt {
+        ray: sample::moved(&q.ray),
+        ..q.clone()
+    })];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

@@ -4,7 +4,7 @@ use crate::{Graded, Mistake, Picture, Relation, Verdict, judge, sample};
 use glam::{Vec2, Vec3, vec2, vec3};
 use rand::RngExt;
 use raybook::image::rgb::Rgb;
-use raybook::math::{basis::Basis, interval::Interval, pcg::Pcg, ray::Ray};
+use raybook::math::{basis::Basis, interval::Interval, pcg::Pcg};
 use raybook_chapters::kit::palette::viridis;
 use raybook_workbook::exercises::ch03_sphere::SphereHit;
 
@@ -46,14 +46,11 @@ impl Graded for SphereHit {
         })
     }
 
-    const RELATIONS: &'static [Relation<Self>] = &[Relation {
-        name: "moved by a metre along each axis",
-        question: |q| SphereHit {
-            ray: Ray::new(q.ray.origin + sample::METRE, q.ray.direction),
-            center: q.center + sample::METRE,
-            ..q.clone()
-        },
-    }];
+    const RELATIONS: &'static [Relation<Self>] = &[Relation::moved(|q| SphereHit {
+        ray: sample::moved(&q.ray),
+        center: q.center + sample::METRE,
+        ..q.clone()
+    })];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

@@ -30,14 +30,11 @@ impl Graded for PlaneHit {
         })
     }
 
-    const RELATIONS: &'static [Relation<Self>] = &[Relation {
-        name: "moved by a metre along each axis",
-        question: |q| PlaneHit {
-            ray: Ray::new(q.ray.origin + sample::METRE, q.ray.direction),
-            offset: q.offset + q.normal.dot(sample::METRE),
-            ..q.clone()
-        },
-    }];
+    const RELATIONS: &'static [Relation<Self>] = &[Relation::moved(|q| PlaneHit {
+        ray: sample::moved(&q.ray),
+        offset: q.offset + q.normal.dot(sample::METRE),
+        ..q.clone()
+    })];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

@@ -39,12 +39,9 @@ impl Graded for BoundsOf {
         hint: "Which box is contained in every other, so that adding a point to it gives the point?",
     }];
 
-    const RELATIONS: &'static [Relation<Self>] = &[Relation {
-        name: "moved by a metre along each axis",
-        question: |q| BoundsOf {
-            points: q.points.iter().map(|p| *p + sample::METRE).collect(),
-        },
-    }];
+    const RELATIONS: &'static [Relation<Self>] = &[Relation::moved(|q| BoundsOf {
+        points: q.points.iter().map(|p| *p + sample::METRE).collect(),
+    })];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

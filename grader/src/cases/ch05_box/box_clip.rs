@@ -48,15 +48,12 @@ impl Graded for BoxClip {
         )
     }
 
-    const RELATIONS: &'static [Relation<Self>] = &[Relation {
-        name: "moved by a metre along each axis",
-        question: |q| BoxClip {
-            ray: Ray::new(q.ray.origin + sample::METRE, q.ray.direction),
-            min: q.min + sample::METRE,
-            max: q.max + sample::METRE,
-            ..q.clone()
-        },
-    }];
+    const RELATIONS: &'static [Relation<Self>] = &[Relation::moved(|q| BoxClip {
+        ray: sample::moved(&q.ray),
+        min: q.min + sample::METRE,
+        max: q.max + sample::METRE,
+        ..q.clone()
+    })];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

@@ -52,16 +52,13 @@ impl Graded for TriangleHit {
         })
     }
 
-    const RELATIONS: &'static [Relation<Self>] = &[Relation {
-        name: "moved by a metre along each axis",
-        question: |q| TriangleHit {
-            ray: Ray::new(q.ray.origin + sample::METRE, q.ray.direction),
-            p0: q.p0 + sample::METRE,
-            p1: q.p1 + sample::METRE,
-            p2: q.p2 + sample::METRE,
-            ..q.clone()
-        },
-    }];
+    const RELATIONS: &'static [Relation<Self>] = &[Relation::moved(|q| TriangleHit {
+        ray: sample::moved(&q.ray),
+        p0: q.p0 + sample::METRE,
+        p1: q.p1 + sample::METRE,
+        p2: q.p2 + sample::METRE,
+        ..q.clone()
+    })];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

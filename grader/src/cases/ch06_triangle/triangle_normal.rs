@@ -22,14 +22,11 @@ impl Graded for TriangleNormal {
         })
     }
 
-    const RELATIONS: &'static [Relation<Self>] = &[Relation {
-        name: "moved by a metre along each axis",
-        question: |q| TriangleNormal {
-            p0: q.p0 + sample::METRE,
-            p1: q.p1 + sample::METRE,
-            p2: q.p2 + sample::METRE,
-        },
-    }];
+    const RELATIONS: &'static [Relation<Self>] = &[Relation::moved(|q| TriangleNormal {
+        p0: q.p0 + sample::METRE,
+        p1: q.p1 + sample::METRE,
+        p2: q.p2 + sample::METRE,
+    })];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

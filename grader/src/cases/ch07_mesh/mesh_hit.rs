@@ -38,21 +38,18 @@ impl Graded for MeshHit {
         judge::nearest(golden.as_ref(), got.as_ref())
     }
 
-    const RELATIONS: &'static [Relation<Self>] = &[Relation {
-        name: "moved by a metre along each axis",
-        question: |q| {
-            let moved = |t: &Corners| Corners {
-                p0: t.p0 + sample::METRE,
-                p1: t.p1 + sample::METRE,
-                p2: t.p2 + sample::METRE,
-            };
-            MeshHit {
-                ray: Ray::new(q.ray.origin + sample::METRE, q.ray.direction),
-                triangles: q.triangles.iter().map(moved).collect(),
-                ..q.clone()
-            }
-        },
-    }];
+    const RELATIONS: &'static [Relation<Self>] = &[Relation::moved(|q| {
+        let moved = |t: &Corners| Corners {
+            p0: t.p0 + sample::METRE,
+            p1: t.p1 + sample::METRE,
+            p2: t.p2 + sample::METRE,
+        };
+        MeshHit {
+            ray: sample::moved(&q.ray),
+            triangles: q.triangles.iter().map(moved).collect(),
+            ..q.clone()
+        }
+    })];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

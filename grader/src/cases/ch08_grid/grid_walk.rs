@@ -102,14 +102,11 @@ impl Graded for GridWalk {
         },
     ];
 
-    const RELATIONS: &'static [Relation<Self>] = &[Relation {
-        name: "moved by a metre along each axis",
-        question: |q| GridWalk {
-            ray: Ray::new(q.ray.origin + sample::METRE, q.ray.direction),
-            min: q.min + sample::METRE,
-            ..q.clone()
-        },
-    }];
+    const RELATIONS: &'static [Relation<Self>] = &[Relation::moved(|q| GridWalk {
+        ray: sample::moved(&q.ray),
+        min: q.min + sample::METRE,
+        ..q.clone()
+    })];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

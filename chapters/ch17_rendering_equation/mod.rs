@@ -56,7 +56,7 @@ pub struct Knobs {
 /// # Errors
 /// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
-    let film = stage.film_of(400, 64, 1.0);
+    let film = stage.film_of(400, 40, 1.0);
     let cornell_box = View::cornell_box()?;
     let path = Path {
         depth: knobs.depth.unwrap_or(ALL.depth),
@@ -88,7 +88,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
 
     let caption = "A mirror and glass in the box. The bright spot below the glass ball is a caustic: light of the lamp that the glass has gathered. \
         No ray to the lamp finds this light, only paths that happen to go through the glass. Light that very few paths find is left out.";
-    let film = stage.film_of(320, 80, 1.0);
+    let film = stage.film_of(320, 32, 1.0);
     stage.figure(
         "caustic",
         caption,

@@ -23,8 +23,8 @@ impl Light for Everywhere {
         shine(toward, f32::INFINITY, self.0.radiance(toward), PDF)
     }
 
-    fn seen(&self, ray: &Ray) -> Option<LightHit> {
-        let hit = self.0.seen(ray)?;
+    fn seen(&self, ray: &Ray, farthest: f32) -> Option<LightHit> {
+        let hit = self.0.seen(ray, farthest)?;
         Some(LightHit { pdf: PDF, ..hit })
     }
 }

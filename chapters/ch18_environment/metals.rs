@@ -50,7 +50,7 @@ pub(super) fn draw(film: &Film, sky: Box<dyn Light>, alpha: f32) -> Result<Image
         roulette_after: 3,
         strategy: Strategy::Both,
     };
-    Ok(film.render(&camera, &Sampler::Even, &path, &scene))
+    Ok(film.denoised(|film| film.render(&camera, &Sampler::Even, &path, &scene)))
 }
 
 /// The share of the light that a rough metal of this α sends on, against the same metal with hardly any roughness, seen from all sides under an even sky.

@@ -59,7 +59,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         return stage.picture("picture", &caption, &picture);
     }
     let tile = stage.tile(2, 1.6);
-    let samples = 2 * tile.samples;
+    let samples = 3 * tile.samples / 2;
     let film = Film { samples, ..tile };
     let maps = skies::FOUR.map(|sky| skies::map(sky, 1024));
     let [day, sunset, overcast, studio] = &maps;
@@ -84,7 +84,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     );
     stage.figure("chosen", &caption, &chosen)?;
 
-    let film = stage.film_of(480, 48, 4.0 / 3.0);
+    let film = stage.film_of(480, 32, 4.0 / 3.0);
     let light = Box::new(Environment::new(studio.clone()));
     let metals = metals::draw(&film, light, knobs.roughness)?;
     let caption = format!(

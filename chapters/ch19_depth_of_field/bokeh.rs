@@ -15,9 +15,6 @@ use std::error::Error;
 /// Where the lamps hang.
 const AT: Vec3 = vec3(0.1, 0.62, -4.0);
 
-/// The sky costs little, and can have this many times the samples of a scene.
-const SAMPLES: usize = 3;
-
 /// How many times as bright as at the table: this lens spreads their light over larger discs.
 const BRIGHTER: f32 = 1.8;
 
@@ -28,11 +25,7 @@ const LENS: (f32, f32, f32) = (0.085, 1.8, 0.9);
 ///
 /// # Errors
 /// If the tiles' names cannot be drawn.
-pub(super) fn draw(tile: &Film) -> Result<Image, Box<dyn Error>> {
-    let film = &Film {
-        samples: SAMPLES * tile.samples,
-        ..*tile
-    };
+pub(super) fn draw(film: &Film) -> Result<Image, Box<dyn Error>> {
     let (focal_length, f_number, focus) = LENS;
     let body = Pinhole::look_at(EYE, AT, Vec3::Y, focal_length, film.aspect())?;
     let blades = |count, turn| Aperture::Blades { count, turn };
@@ -48,7 +41,7 @@ pub(super) fn draw(tile: &Film) -> Result<Image, Box<dyn Error>> {
         ("8 blades", blades(8, 0.2)),
     ] {
         let camera = ThinLens::new(&body, f_number, focus, aperture)?;
-        let mut picture = through_lens(film, &camera, |ray, _| dusk(ray));
+        let mut picture = film.denoised(|film| through_lens(film, &camera, |ray, _| dusk(ray)));
         add_glints(&mut picture, film, &camera, &lamps, |_, _| true);
         tiles.push((name, picture));
     }

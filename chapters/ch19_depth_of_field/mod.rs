@@ -60,14 +60,16 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let whitted = Whitted { local, depth: 2 };
     let open = |ray: &_, distance| !scene.blocks(ray, Interval::new(0.0, distance));
     let photograph = |film: &Film, camera: &ThinLens| {
-        let mut picture = through_lens(film, camera, |ray, numbers| {
-            whitted.follow(&scene, ray, numbers)
+        let mut picture = film.denoised(|film| {
+            through_lens(film, camera, |ray, numbers| {
+                whitted.follow(&scene, ray, numbers)
+            })
         });
         add_glints(&mut picture, film, camera, &lamps, open);
         picture
     };
 
-    let film = stage.film_of(960, 32, 16.0 / 9.0);
+    let film = stage.film_of(960, 16, 16.0 / 9.0);
     let body = Pinhole::look_at(EYE, VIEW, Vec3::Y, FOCAL_LENGTH, film.aspect())?;
     let (f_number, blades) = (knobs.f_number(), knobs.blades);
     let red = knobs.focus.unwrap_or(distance(&body, POTS[1]));
@@ -100,8 +102,6 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     if stage.wants("focus_pull") {
         let tile = stage.tile(4, 1.0);
         let mut tiles = vec![];
-        let samples = 3 * tile.samples; // most of it is blurred
-        let tile = Film { samples, ..tile };
         let body = Pinhole::look_at(ALONG, NARROW_VIEW, Vec3::Y, FOCAL_LENGTH, tile.aspect())?;
         for at in POTS.into_iter().chain([FAR]) {
             let camera = through(&body, distance(&body, at), f_number, blades)?;

@@ -60,13 +60,9 @@ fn difference(a: &Image, b: &Image) -> Image {
 /// If a caption cannot be drawn.
 pub(super) fn lit(film: &Film, panorama: &Environment) -> Result<Image, Box<dyn Error>> {
     let clamped = Environment::new(panorama.map().map(tone::clamp));
-    let tile = |light: Environment, samples| {
-        let film = Film { samples, ..*film };
-        photograph(&film, light)
-    };
     let tiles = [
-        ("the panorama", tile(panorama.clone(), 4 * film.samples)?),
-        ("cut off at white", tile(clamped, 4 * film.samples)?),
+        ("the panorama", photograph(film, panorama.clone())?),
+        ("cut off at white", photograph(film, clamped)?),
     ];
     sheet(2, &tiles)
 }
@@ -86,5 +82,5 @@ fn photograph(film: &Film, light: Environment) -> Result<Image, LookAtError> {
         integrator: path,
         brightest: 8.0,
     };
-    Ok(film.render(&camera, &Sampler::Even, &path, &scene))
+    Ok(film.denoised(|film| film.render(&camera, &Sampler::Even, &path, &scene)))
 }

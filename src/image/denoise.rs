@@ -2,12 +2,13 @@
 
 use crate::image::{Image, rgb::Rgb};
 use crate::threads;
+use std::ops::Range;
 
 /// How far, in pixels, alike pixels are looked for in each direction.
 const WINDOW: isize = 5;
 
 /// How far, in pixels, the patches reach by which two pixels are compared.
-const PATCH: isize = 1;
+const PATCH: usize = 1;
 
 /// The square of how far two pixels may differ, in units of the variance of their difference, beyond what noise explains.
 const STRENGTH: f32 = 0.2;
@@ -50,16 +51,17 @@ pub fn denoise(pictures: &[Image; 2]) -> Image {
 fn averaged(picture: &Image, other: &Image, variance: &Image) -> Vec<Rgb> {
     let mut sums = vec![(Rgb::BLACK, 0.0); picture.pixels.len()];
     for step in around(WINDOW) {
-        let distances = distances(other, variance, step);
-        for (i, (sum, weights)) in sums.iter_mut().enumerate() {
-            let Some(q) = picture.stepped(i, step) else {
-                continue;
-            };
-            let patch = around(PATCH).filter_map(|step| distances[other.index(i, step)?]);
-            let (sum_of_patch, count) = patch.fold((0.0, 0.0), |(sum, n), d| (sum + d, n + 1.0));
-            let weight = (-(sum_of_patch / count).max(0.0)).exp();
-            *sum += q * weight;
-            *weights += weight;
+        let Some(pairs) = Pairs::new(picture, step) else {
+            continue; // the picture is smaller than this step
+        };
+        let distances = pairs.patches(&pairs.distances(other, variance));
+        let mut distances = distances.into_iter();
+        for (p, q) in pairs.rows() {
+            for ((sum, weights), q) in sums[p].iter_mut().zip(&picture.pixels[q]) {
+                let weight = distances.next().map_or(0.0, |d| (-d.max(0.0)).exp());
+                *sum += *q * weight;
+                *weights += weight;
+            }
         }
     }
     sums.into_iter()
@@ -68,21 +70,84 @@ fn averaged(picture: &Image, other: &Image, variance: &Image) -> Vec<Rgb> {
 }
 // ANCHOR_END: denoise
 
-/// How much more each pixel differs from the one a step away than by noise; none where that is outside of the picture.
-fn distances(picture: &Image, variance: &Image, step: (isize, isize)) -> Vec<Option<f32>> {
-    let pairs = picture.pixels.iter().zip(&variance.pixels).enumerate();
-    let distance = |(i, (p, of_p)): (usize, (&Rgb, &Rgb))| {
-        let at = picture.index(i, step)?;
-        let (q, of_q) = (picture.pixels[at], variance.pixels[at]);
+/// The pixels p of a picture that have a pixel q a step away: a rectangle, row by row.
+struct Pairs {
+    /// Numbers of the first p and of the first q.
+    first: [usize; 2],
+    /// Pixels in a row, and rows.
+    size: [usize; 2],
+    /// Pixels in a row of the picture.
+    stride: usize,
+}
+
+impl Pairs {
+    /// None if no pixel has another one there.
+    fn new(picture: &Image, (dx, dy): (isize, isize)) -> Option<Self> {
+        let along = |step: isize, size: usize| {
+            let left = size.checked_sub(step.unsigned_abs())?;
+            let [p, q] = [-step, step].map(|before| before.max(0) as usize);
+            (left > 0).then_some((p, q, left))
+        };
+        let (px, qx, width) = along(dx, picture.width)?;
+        let (py, qy, height) = along(dy, picture.height)?;
+        let stride = picture.width;
+        Some(Self {
+            first: [py * stride + px, qy * stride + qx],
+            size: [width, height],
+            stride,
+        })
+    }
+
+    /// The numbers of the pixels p of each row, and of their q.
+    fn rows(&self) -> impl Iterator<Item = (Range<usize>, Range<usize>)> {
+        let ([p, q], [width, height]) = (self.first, self.size);
+        let row = move |first: usize| first..first + width;
+        (0..height).map(move |y| (row(p + y * self.stride), row(q + y * self.stride)))
+    }
+
+    /// How much more each p differs from its q than by noise.
+    fn distances(&self, picture: &Image, variance: &Image) -> Vec<f32> {
         let noise = |p: f32, q: f32, of_p: f32, of_q: f32| {
             ((p - q).powi(2) - (of_p + of_p.min(of_q))) / (UNSEEN + STRENGTH * (of_p + of_q))
         };
-        let channels = noise(p.r, q.r, of_p.r, of_q.r)
-            + noise(p.g, q.g, of_p.g, of_q.g)
-            + noise(p.b, q.b, of_p.b, of_q.b);
-        Some(channels / 3.0)
-    };
-    pairs.map(distance).collect()
+        let mut distances = Vec::with_capacity(self.size[0] * self.size[1]);
+        for (p, q) in self.rows() {
+            let [of_p, of_q] = [&p, &q].map(|row| &variance.pixels[row.clone()]);
+            let pixels = picture.pixels[p].iter().zip(&picture.pixels[q]);
+            let pairs = pixels.zip(of_p.iter().zip(of_q));
+            distances.extend(pairs.map(|((p, q), (of_p, of_q))| {
+                let channels = noise(p.r, q.r, of_p.r, of_q.r)
+                    + noise(p.g, q.g, of_p.g, of_q.g)
+                    + noise(p.b, q.b, of_p.b, of_q.b);
+                channels / 3.0
+            }));
+        }
+        distances
+    }
+
+    /// The mean of each patch: first of the neighbours in a row, then of the neighbours in a column.
+    fn patches(&self, values: &[f32]) -> Vec<f32> {
+        let [width, height] = self.size;
+        let near = |i: usize, n: usize| i.saturating_sub(PATCH)..(i + PATCH + 1).min(n);
+        let mut means = Vec::with_capacity(values.len());
+        for row in values.chunks_exact(width) {
+            means.extend((0..width).map(|x| {
+                let near = &row[near(x, width)];
+                near.iter().sum::<f32>() / near.len() as f32
+            }));
+        }
+        let mut patches = vec![0.0; values.len()];
+        for (y, patches) in patches.chunks_exact_mut(width).enumerate() {
+            let rows = near(y, height);
+            let share = 1.0 / rows.len() as f32;
+            for row in rows {
+                for (sum, mean) in patches.iter_mut().zip(&means[row * width..]) {
+                    *sum += share * mean;
+                }
+            }
+        }
+        patches
+    }
 }
 
 /// The variance of each pixel of one of two pictures: half of their difference's square, which is averaged over the neighbours.
@@ -97,8 +162,8 @@ fn variance(a: &Image, b: &Image) -> Image {
         ..*a
     };
     neighbours(&noisy, |around| {
-        let count = around.len() as f32;
-        around.into_iter().sum::<Rgb>() / count
+        let (sum, count) = around.fold((Rgb::BLACK, 0.0), |(sum, n), v| (sum + v, n + 1.0));
+        sum / count
     })
 }
 
@@ -106,7 +171,7 @@ fn variance(a: &Image, b: &Image) -> Image {
 fn clamped(picture: &Image, other: &Image) -> Image {
     let most = neighbours(other, |around| {
         let brighter = |a: Rgb, b: Rgb| Rgb::new(a.r.max(b.r), a.g.max(b.g), a.b.max(b.b));
-        around.into_iter().fold(Rgb::BLACK, brighter) * BRIGHTEST
+        around.fold(Rgb::BLACK, brighter) * BRIGHTEST
     });
     let pairs = picture.pixels.iter().zip(&most.pixels);
     let pixels = pairs.map(|(p, most)| Rgb::new(p.r.min(most.r), p.g.min(most.g), p.b.min(most.b)));
@@ -117,34 +182,18 @@ fn clamped(picture: &Image, other: &Image) -> Image {
 }
 
 /// A picture of f of each pixel and the eight around it.
-fn neighbours(picture: &Image, f: impl Fn(Vec<Rgb>) -> Rgb) -> Image {
-    let pixels = (0..picture.pixels.len()).map(|i| {
-        let near = around(1).filter_map(|step| picture.stepped(i, step));
-        f(near.collect())
-    });
-    Image {
-        pixels: pixels.collect(),
-        ..*picture
-    }
+fn neighbours(picture: &Image, f: impl Fn(&mut dyn Iterator<Item = Rgb>) -> Rgb) -> Image {
+    let near = |i: usize, n: usize| i.saturating_sub(1)..(i + 2).min(n);
+    Image::from_fn(picture.width, picture.height, |x, y| {
+        let columns = near(x, picture.width);
+        let rows = near(y, picture.height);
+        f(&mut rows.flat_map(|y| columns.clone().map(move |x| picture.at(x, y))))
+    })
 }
 
 /// The steps to all pixels that are at most `reach` away along each axis.
 fn around(reach: isize) -> impl Iterator<Item = (isize, isize)> {
     (-reach..=reach).flat_map(move |dy| (-reach..=reach).map(move |dx| (dx, dy)))
-}
-
-impl Image {
-    /// The number of the pixel a step to the right and downwards from that of number i; none outside of the picture.
-    fn index(&self, i: usize, (dx, dy): (isize, isize)) -> Option<usize> {
-        let x = (i % self.width).checked_add_signed(dx)?;
-        let y = (i / self.width).checked_add_signed(dy)?;
-        (x < self.width && y < self.height).then_some(y * self.width + x)
-    }
-
-    /// That pixel.
-    fn stepped(&self, i: usize, step: (isize, isize)) -> Option<Rgb> {
-        Some(self.pixels[self.index(i, step)?])
-    }
 }
 
 #[cfg(test)]

@@ -20,14 +20,15 @@ pub trait Light: Send + Sync {
     /// u, uniform in [0, 1)², chooses a place on a light that has an extent; the mean over u is the light that arrives.
     fn sample(&self, at: Vec3, u: Vec2) -> Option<LightSample>;
 
-    /// What a ray that meets the light itself finds; `None` for a light without extent.
-    fn seen(&self, _ray: &Ray) -> Option<LightHit> {
+    /// What a ray that meets the light itself finds at a distance of at most `farthest`, in metres; `None` for a light without extent.
+    fn seen(&self, _ray: &Ray, _farthest: f32) -> Option<LightHit> {
         None
     }
 
     /// The density per steradian with which [`Light::sample`] chooses a direction; 0 for a light without extent.
     fn pdf(&self, at: Vec3, toward: Dir3) -> f32 {
-        self.seen(&Ray::new(at, toward)).map_or(0.0, |hit| hit.pdf)
+        let hit = self.seen(&Ray::new(at, toward), f32::INFINITY);
+        hit.map_or(0.0, |hit| hit.pdf)
     }
 }
 // ANCHOR_END: light

@@ -95,10 +95,10 @@ impl Light for RectLight {
         shine(Dir3::new(r)?, r.length(), self.radiance, pdf)
     }
 
-    fn seen(&self, ray: &Ray) -> Option<LightHit> {
+    fn seen(&self, ray: &Ray, farthest: f32) -> Option<LightHit> {
         let cosine = -ray.direction.dot(*self.normal);
         let t = (ray.origin - self.corner).dot(*self.normal) / cosine;
-        if cosine <= 0.0 || !Interval::AHEAD.contains(t) {
+        if cosine <= 0.0 || !Interval::AHEAD.contains(t) || t > farthest {
             return None;
         }
         let p = ray.at(t) - self.corner;

@@ -99,8 +99,11 @@ impl Light for SphereLight {
         }
     }
 
-    fn seen(&self, ray: &Ray) -> Option<LightHit> {
+    fn seen(&self, ray: &Ray, farthest: f32) -> Option<LightHit> {
         let t = self.sphere.hit(ray, Interval::AHEAD)?.t;
+        if t > farthest {
+            return None;
+        }
         let (at, r) = (ray.origin, t * *ray.direction);
         let pdf = match self.choose {
             Choose::ByArea => self.area_pdf(at, r, self.sphere.normal_at(at + r)),

@@ -137,7 +137,7 @@ impl Path {
         let mut nearest = t.unwrap_or(f32::INFINITY);
         let mut found = t.is_none().then(|| (scene.backdrop)(ray));
         for light in &scene.lights {
-            if let Some(hit) = light.seen(ray).filter(|hit| hit.t <= nearest) {
+            if let Some(hit) = light.seen(ray, nearest) {
                 let share = self.strategy.of_surface(pdf, hit.pdf);
                 let behind = found.filter(|_| hit.t == nearest).unwrap_or(Rgb::BLACK);
                 found = Some(behind + hit.radiance * share);

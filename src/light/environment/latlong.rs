@@ -11,7 +11,7 @@ use std::f32::consts::{PI, TAU};
 /// φ the angle from −z towards +x, the place is (½ + φ/2π, θ/π). θ comes from atan2: near a pole, the arc cosine of y
 /// would have lost half of its digits.
 pub fn place(direction: Dir3) -> Vec2 {
-    let theta = direction.x.hypot(direction.z).atan2(direction.y);
+    let theta = vec2(direction.x, direction.z).length().atan2(direction.y);
     let phi = direction.x.atan2(-direction.z);
     let turn = 0.5 + phi / TAU;
     // φ = π is the right edge, which is the left edge.

@@ -25,6 +25,8 @@ pub struct Environment {
     columns: Vec<Piecewise>,
     /// cos θ at the rows' edges, from 1 to −1.
     edges: Vec<f64>,
+    /// The luminance of all directions, ∫ L dω; more than 0 in the dark too, so that one may divide by it.
+    light: f64,
 }
 
 impl Environment {
@@ -50,8 +52,10 @@ impl Environment {
             .iter()
             .zip(zones)
             .map(|(columns, zone)| columns.total() * zone);
+        let rows = Piecewise::new(light);
         Self {
-            rows: Piecewise::new(light),
+            light: (rows.total() * TAU / width as f64).max(f64::MIN_POSITIVE),
+            rows,
             columns,
             edges,
             map,
@@ -106,11 +110,13 @@ impl Environment {
         TAU * (self.edges[row] - self.edges[row + 1]) / self.map.width() as f64
     }
 
-    /// The radiance that comes from a direction, and its density: both are those of one texel, which is looked up once.
+    /// The radiance that comes from a direction, and its density, [`Environment::density`]. A texel's solid angle is in its
+    /// probability too, and cancels: what is left is its luminance over that of all directions, ∫ L dω.
     fn shines(&self, toward: Dir3) -> (Rgb, f32) {
         let (x, y) = self.texel(toward);
-        let pdf = (self.probability(x, y) / self.solid_angle(y)) as f32;
-        (self.map.at(x, y), pdf)
+        let radiance = self.map.at(x, y);
+        let density = f64::from(radiance.luminance()) / self.light;
+        (radiance, density as f32)
     }
 
     fn texel(&self, toward: Dir3) -> (usize, usize) {
@@ -130,12 +136,14 @@ impl Light for Environment {
         shine(toward, f32::INFINITY, radiance, pdf)
     }
 
-    fn seen(&self, ray: &Ray) -> Option<LightHit> {
-        let (radiance, pdf) = self.shines(ray.direction);
-        Some(LightHit {
-            t: f32::INFINITY,
-            radiance,
-            pdf,
+    fn seen(&self, ray: &Ray, farthest: f32) -> Option<LightHit> {
+        (farthest == f32::INFINITY).then(|| {
+            let (radiance, pdf) = self.shines(ray.direction);
+            LightHit {
+                t: farthest,
+                radiance,
+                pdf,
+            }
         })
     }
 }

@@ -33,7 +33,7 @@ fn a_sample_knows_its_density_its_distance_and_what_arrives() {
                 Ray::new(Vec3::ZERO, sample.toward),
             );
             // At the rim of the sphere the last digit of the direction decides on which point is met.
-            let Some(LightHit { t, radiance, .. }) = light.seen(&ray) else {
+            let Some(LightHit { t, radiance, .. }) = light.seen(&ray, f32::INFINITY) else {
                 continue;
             };
             told += u32::from(

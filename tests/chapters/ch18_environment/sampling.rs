@@ -57,6 +57,23 @@ fn the_density_integrates_to_one() {
 }
 
 #[test]
+fn a_light_knows_its_density() {
+    let mut rng = pcg::stream(188, 0);
+    let environment = patchy(16, 8, &mut rng);
+    for _ in 0..1000 {
+        let toward = direction(&mut rng);
+        let [near, far] = [1.0, f32::INFINITY]
+            .map(|farthest| environment.seen(&Ray::new(Vec3::ZERO, toward), farthest));
+        assert!(near.is_none(), "it is farther than a metre");
+        let (pdf, density) = (far.expect("it shines").pdf, environment.density(toward));
+        assert!(
+            (pdf - density).abs() <= 1e-6 * density,
+            "{toward:?}: {pdf} and {density}"
+        );
+    }
+}
+
+#[test]
 fn samples_follow_the_density() {
     let mut rng = pcg::stream(184, 0);
     let environment = patchy(16, 8, &mut rng);
@@ -157,7 +174,14 @@ fn what_is_seen_is_what_is_sampled() {
         .sum();
     let by_chance: f32 = (0..n)
         .map(|_| direction(&mut rng))
-        .filter_map(|d| Some((d, environment.seen(&Ray::new(Vec3::ZERO, d))?.radiance)))
+        .filter_map(|d| {
+            Some((
+                d,
+                environment
+                    .seen(&Ray::new(Vec3::ZERO, d), f32::INFINITY)?
+                    .radiance,
+            ))
+        })
         .map(|(d, radiance)| 4.0 * PI * radiance.g * d.x.max(0.0))
         .sum();
     let [a, b] = [by_light, by_chance].map(|sum| sum / n as f32);

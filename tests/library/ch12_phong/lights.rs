@@ -115,7 +115,7 @@ fn lights_without_extent_are_neither_seen_nor_met_by_chance() {
     for light in [&point as &dyn Light, &sun] {
         let ray = Ray::new(Vec3::ZERO, -Dir3::Z);
         assert_eq!(
-            light.seen(&ray),
+            light.seen(&ray, f32::INFINITY),
             None,
             "even by a ray that goes straight to it"
         );

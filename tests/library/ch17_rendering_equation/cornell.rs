@@ -141,7 +141,9 @@ fn walls_and_blocks_stand_where_they_were_measured() {
 fn the_lamp_is_seen_from_below_and_in_front_of_the_ceiling() {
     let scene = cornell_box();
     let up = Ray::new(vec3(0.278, 0.4, 0.28), Dir3::Y);
-    let lamp = scene.lights[0].seen(&up).expect("the lamp is above");
+    let lamp = scene.lights[0]
+        .seen(&up, f32::INFINITY)
+        .expect("the lamp is above");
     assert_eq!(lamp.radiance, LAMP, "its radiance");
     let ceiling = scene.closest(&up).expect("the ceiling is behind it").t;
     assert!(

@@ -12,6 +12,7 @@ use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch07_mesh::Corners;
 use raybook_workbook::exercises::ch11_bvh::{BvhClosest, BvhClosestAnswer};
 use raybook_workbook::tree_rows::{BoxRow, NodeRow};
+use std::sync::LazyLock;
 
 impl Graded for BvhClosest {
     fn random(rng: &mut Pcg) -> BvhClosest {
@@ -135,27 +136,29 @@ impl Graded for BvhClosest {
         width: 96,
         height: 54,
         alt: "Tiles on a slanted wall, each in its colour",
-        question: |x, y| {
-            let toward = sample::pixel(x, y);
-            let tiles = (0..24).map(|i| {
-                let at = vec3((i % 6) as f32 - 2.5, (i / 6) as f32 - 1.5, 0.0);
-                let tilt = vec3(0.0, 0.0, 0.3 * at.x);
-                let [p0, p1, p2] = [
-                    vec3(-0.45, -0.4, 0.0),
-                    vec3(0.45, -0.4, 0.2),
-                    vec3(0.0, 0.45, -0.1),
-                ];
-                [p0, p1, p2].map(|p| 0.6 * (p + at + tilt))
-            });
-            question(
-                &tiles.collect::<Vec<_>>(),
-                sample::ray(vec3(0.0, 0.0, 3.0), toward),
-                Interval::AHEAD,
-            )
+        question: |x, y| BvhClosest {
+            ray: sample::ray(WALL.ray.origin, sample::pixel(x, y)),
+            ..WALL.clone()
         },
         colour: |_, answer| search::colour(answer.hit.as_ref()),
     }];
 }
+
+/// The picture's tiles, in front of a camera.
+static WALL: LazyLock<BvhClosest> = LazyLock::new(|| {
+    let tiles = (0..15).map(|i| {
+        let at = vec3((i % 5) as f32 - 2.0, (i / 5) as f32 - 1.0, 0.0);
+        let tilt = vec3(0.0, 0.0, 0.3 * at.x);
+        let [p0, p1, p2] = [
+            vec3(-0.45, -0.4, 0.0),
+            vec3(0.45, -0.4, 0.2),
+            vec3(0.0, 0.45, -0.1),
+        ];
+        [p0, p1, p2].map(|p| 0.75 * (p + at + tilt))
+    });
+    let ray = sample::ray(vec3(0.0, 0.0, 3.0), Vec3::NEG_Z);
+    question(&tiles.collect::<Vec<_>>(), ray, Interval::AHEAD)
+});
 
 /// Not many more tests than the reference's: half as many, and four, for another sound order of the children.
 pub(super) fn few(what: &str, golden: u32, got: u32) -> Verdict {

@@ -15,6 +15,7 @@ use raybook_workbook::exercises::ch07_mesh::Corners;
 use raybook_workbook::exercises::ch24_wide_bvh::{
     WideChild, WideClosest, WideClosestAnswer, WideLeaf, WideNode,
 };
+use std::sync::LazyLock;
 
 impl Graded for WideClosest {
     fn random(rng: &mut Pcg) -> WideClosest {
@@ -144,31 +145,33 @@ impl Graded for WideClosest {
         width: 96,
         height: 54,
         alt: "Shingles on a slope, each in its colour",
-        question: |x, y| {
-            let toward = sample::pixel(x, y);
-            let shingles = (0..40).map(|i| {
-                let (column, row) = ((i % 8) as f32, (i / 8) as f32);
-                let at = vec3(
-                    0.5 * column - 1.75 + 0.2 * (row % 2.0),
-                    0.45 * row - 1.1,
-                    0.4 * row - 1.0,
-                );
-                [
-                    vec3(-0.3, -0.35, 0.25),
-                    vec3(0.3, -0.35, 0.2),
-                    vec3(0.0, 0.4, 0.0),
-                ]
-                .map(|p| p + at)
-            });
-            question(
-                shingles.collect(),
-                sample::ray(vec3(0.0, 0.0, 3.0), toward),
-                Interval::AHEAD,
-            )
+        question: |x, y| WideClosest {
+            ray: sample::ray(SLOPE.ray.origin, sample::pixel(x, y)),
+            ..SLOPE.clone()
         },
         colour: |_, answer| search::colour(answer.hit.as_ref()),
     }];
 }
+
+/// The picture's shingles, in front of a camera.
+static SLOPE: LazyLock<WideClosest> = LazyLock::new(|| {
+    let shingles = (0..24).map(|i| {
+        let (column, row) = ((i % 6) as f32, (i / 6) as f32);
+        let at = vec3(
+            0.65 * column - 1.7 + 0.25 * (row % 2.0),
+            0.58 * row - 1.05,
+            0.5 * row - 1.0,
+        );
+        [
+            vec3(-0.4, -0.45, 0.32),
+            vec3(0.4, -0.45, 0.26),
+            vec3(0.0, 0.5, 0.0),
+        ]
+        .map(|p| p + at)
+    });
+    let ray = sample::ray(vec3(0.0, 0.0, 3.0), Vec3::NEG_Z);
+    question(shingles.collect(), ray, Interval::AHEAD)
+});
 
 /// A search that goes wrong in some way.
 fn search(q: &WideClosest, change: impl FnOnce(&mut How)) -> WideClosestAnswer {

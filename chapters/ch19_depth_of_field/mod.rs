@@ -38,9 +38,9 @@ pub struct Knobs {
     /// Aperture: the width of the hole, instead of an f-number
     #[arg(long, value_name = "0.4..70 mm", conflicts_with = "f_number")]
     aperture: Option<f32>,
-    /// Distance in focus; the red teapot's, if not said
-    #[arg(long, value_name = "0.2..100 m")]
-    focus: Option<f32>,
+    /// Distance in focus: at first the red teapot's
+    #[arg(long, value_name = "0.2..100 m", default_value_t = 1.01)]
+    focus: f32,
     /// Blades that leave the hole open
     #[arg(long, value_name = "3..32 blades", default_value_t = 6)]
     blades: u32,
@@ -72,12 +72,12 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let film = stage.film_of(960, 16, 16.0 / 9.0);
     let body = Pinhole::look_at(EYE, VIEW, Vec3::Y, FOCAL_LENGTH, film.aspect())?;
     let (f_number, blades) = (knobs.f_number(), knobs.blades);
-    let red = knobs.focus.unwrap_or(distance(&body, POTS[1]));
+    let focus = knobs.focus;
     if stage.wants("picture") {
         let caption = format!(
-            "A lens of 50 mm at f/{f_number}, focused at {red:.2} m. Objects that are nearer or farther are blurred, and every lamp becomes the hole that {blades} blades leave open."
+            "A lens of 50 mm at f/{f_number}, focused at {focus} m. Objects that are nearer or farther are blurred, and every lamp becomes the hole that {blades} blades leave open."
         );
-        let picture = photograph(&film, &through(&body, red, f_number, blades)?);
+        let picture = photograph(&film, &through(&body, focus, f_number, blades)?);
         stage.picture("picture", &caption, &picture)?;
     }
 
@@ -91,7 +91,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         let tile = stage.tile(2, 16.0 / 9.0);
         let mut tiles = vec![];
         for f_number in [f32::INFINITY, 8.0, 2.8, 1.4] {
-            let camera = through(&body, red, f_number, blades)?;
+            let camera = through(&body, focus, f_number, blades)?;
             tiles.push((format!("f/{f_number}"), photograph(&tile, &camera)));
         }
         tiles[0].0 = String::from("a pin-hole: f/∞");

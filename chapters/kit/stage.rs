@@ -10,8 +10,8 @@ use std::error::Error;
 use std::fmt;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// What drawing a chapter returns.
 pub type Drawn = Result<(), Box<dyn Error>>;
@@ -112,6 +112,17 @@ impl Stage {
     pub fn until(self, name: &str) -> Self {
         let last = Some(name.to_owned());
         Self { last, ..self }
+    }
+
+    /// The same, where films rest between two tiles as long as somebody else holds this.
+    #[must_use]
+    pub fn resting(self, while_held: Arc<Mutex<()>>) -> Self {
+        let advance = self.advance;
+        let advance = Box::new(move |done: Done| {
+            drop(while_held.lock().unwrap_or_else(PoisonError::into_inner));
+            advance(done)
+        });
+        Self { advance, ..self }
     }
 
     /// Whether this picture is to be drawn: every one, unless drawing ends after another. A chapter asks before what takes long.

@@ -259,13 +259,19 @@ fn explained(diagnosis: &Diagnosis, dress: Dress, also: bool) -> String {
         (true, Some(part)) => (format!("And in {part}: "), "your"),
     };
     if *certain {
-        format!(
-            "  {and}{your} answers are those of a function that {name}: this explains {explained} of the {wrong} wrong ones."
-        )
+        let wrong = match wrong {
+            1 => "the wrong one".to_owned(),
+            _ => format!("{explained} of the {wrong} wrong ones"),
+        };
+        format!("  {and}{your} answers are those of a function that {name}: this explains {wrong}.")
     } else {
-        format!(
-            "  {and}{explained} of the {wrong} wrong answers look as if your function {name}. This is not certain."
-        )
+        let look = match (explained, wrong) {
+            (_, 1) if and.is_empty() => "The wrong answer looks".to_owned(),
+            (_, 1) => "the wrong answer looks".to_owned(),
+            (1, _) => format!("1 of the {wrong} wrong answers looks"),
+            _ => format!("{explained} of the {wrong} wrong answers look"),
+        };
+        format!("  {and}{look} as if your function {name}. This is not certain.")
     }
 }
 

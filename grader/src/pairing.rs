@@ -6,10 +6,15 @@
 use crate::ask::{Asker, Reply, Said};
 use std::io;
 
+/// How many answers may have changed for each of their questions to be asked in a process of its own, whatever they are: random numbers
+/// change all of them, and processes take long to start.
+const FEW: usize = 4;
+
 /// Asks once more what was wrong, and returns the replies as they should have been understood, if the answers had moved.
 ///
 /// The questions are asked again in another order; those whose answers have changed, in a process for each, which nothing can
-/// move. If each answer that has changed was the one to another question, the answers had moved, and the new ones count; where a
+/// move: but not if they are more than a few, and what was said first is not said again to any question, for then nothing has moved.
+/// If each answer that has changed was the one to another question, the answers had moved, and the new ones count; where a
 /// question has none now, nobody knows what it was, so that may be one more. If not, the program says another thing each time,
 /// and its first word counts.
 ///
@@ -30,9 +35,13 @@ pub fn put_right(
     let order = [even, odd].concat();
     let asked: Vec<_> = order.iter().map(|&i| questions[i].clone()).collect();
     let again = asker.ask(&asked)?;
-    let changed = order.into_iter().zip(again);
+    let changed = order.into_iter().zip(&again);
     let changed = changed.filter(|(i, again)| again.said != replies[*i].said);
     let mut changed: Vec<_> = changed.map(|(i, _)| i).collect();
+    let is_said_again = |&i: &usize| again.iter().any(|again| again.said == replies[i].said);
+    if changed.len() > FEW && !changed.iter().any(is_said_again) {
+        return Ok(None);
+    }
     let mut right = replies.to_vec();
     for &i in &changed {
         let mut alone = Vec::new();

@@ -105,9 +105,10 @@ fn found(report: &Report) -> Vec<String> {
     }
     if let Some(bad) = &picture.first_bad {
         let (wrong, pixels) = (picture.score.wrong(), picture.score.of);
+        let are = if wrong == 1 { "is" } else { "are" };
         let got = bad.got.as_ref().map_or_else(|| "nothing".to_owned(), short);
         lines.extend([
-            format!("  {wrong} of {pixels} pixels{of_which} are wrong; the first, in column {} of row {} from the top left, asks", bad.x, bad.y),
+            format!("  {wrong} of {pixels} pixels{of_which} {are} wrong; the first, in column {} of row {} from the top left, asks", bad.x, bad.y),
             format!("      {} {}", report.exercise, bad.question),
             format!("      yours: {got}; right: {}", bad.golden),
         ]);

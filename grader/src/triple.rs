@@ -70,6 +70,17 @@ enum Fate {
     Undecided,
 }
 
+/// An answer with the digits that are compared, those of single precision; as it is if it cannot be read.
+fn in_digits(examiner: &dyn Examiner, got: &str) -> Untrusted {
+    let asked = examiner.asked();
+    let read = asked.read_answer(got);
+    read.map_or_else(
+        |_| got.to_owned(),
+        |read| row::format(asked.answer.kind, &read),
+    )
+    .into()
+}
+
 /// The pictures of the answers to the questions of picture number `picture`.
 pub fn triple(
     examiner: &dyn Examiner,
@@ -121,8 +132,12 @@ pub fn triple(
             x: i % width,
             y: i / width,
             golden: row::format(asked.answer.kind, &(asked.call)(&question)),
-            question: row::format(asked.question, &question),
-            got: answers[i].clone().map(Untrusted::from),
+            question: examiner.pixel_question(
+                picture,
+                i as u32 % size.width,
+                i as u32 / size.width,
+            ),
+            got: answers[i].as_deref().map(|got| in_digits(examiner, got)),
         }
     });
     let count = |fate| pixels.iter().filter(|pixel| pixel.fate == fate).count();

@@ -5,6 +5,8 @@ use std::fs;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
 use std::process::{Child, Command, Stdio};
+use std::thread;
+use std::time::Duration;
 use tempfile::TempDir;
 
 /// The server, which ends with the test.
@@ -27,9 +29,13 @@ type Answered = (u16, Vec<u8>);
 
 impl Server {
     fn start() -> Self {
+        Self::of_width("48")
+    }
+
+    fn of_width(width: &str) -> Self {
         let out = tempfile::tempdir().expect("a temporary folder");
         let mut process = Command::new(env!("CARGO_BIN_EXE_raybook"))
-            .args(["present", "--no-open", "--width", "48", "--samples", "1"])
+            .args(["present", "--no-open", "--width", width, "--samples", "1"])
             .args(["--threads", "1", "--chapter", "sphere", "--out"])
             .arg(out.path())
             .stdout(Stdio::piped())
@@ -233,6 +239,30 @@ fn a_chapter_is_shown_and_a_knob_redraws_its_picture() {
     }
     let (status, _) = server.get("picture/ch07_mesh/picture?mesh=/etc/passwd");
     assert_eq!(status, 400, "a page chooses no files");
+}
+
+#[test]
+fn a_chapter_that_is_drawn_for_good_rests_while_a_knob_is_followed_and_goes_on_then() {
+    let server = Server::of_width("480");
+    let folder = server.out.path().join("ch07_mesh");
+    thread::scope(|scope| {
+        let last = scope.spawn(|| server.get("picture/ch07_mesh/tessellation"));
+        while !folder.join("picture.png").exists() && !last.is_finished() {
+            thread::sleep(Duration::from_millis(5));
+        }
+        let (status, turned) = server.get("picture/ch07_mesh/picture?cells=2&quick=1");
+        assert_eq!((status, size(&turned).0), (200, 240), "at once");
+        assert!(
+            !folder.join("tessellation.png").exists(),
+            "before the rest of the chapter"
+        );
+        let (status, tessellation) = last.join().expect("it answers");
+        assert_eq!(status, 200, "nothing was stopped");
+        let kept = fs::read(folder.join("tessellation.png"));
+        assert_eq!(tessellation, kept.expect("it is drawn"), "it went on");
+    });
+    let (status, _) = server.get("screens/ch07_mesh");
+    assert_eq!(status, 200, "its captions are written");
 }
 
 #[test]

@@ -51,7 +51,7 @@ impl Said {
             Self::Answer(_) => return None,
             Self::Todo(name) if name.unescaped().is_empty() => "it is not written yet".to_owned(),
             Self::Todo(name) => format!("{name} is not written yet"),
-            Self::Panicked(message) => format!("your function panicked: {message}"),
+            Self::Panicked(message) => format!("your function stopped with an error: {message}"),
             Self::Refused(why) => format!("your program could not read the question: {why}"),
             Self::Ended(how) => format!("your program ended without an answer: {how}"),
             Self::TimedOut(limit) => format!(

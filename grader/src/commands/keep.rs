@@ -1,6 +1,6 @@
 //! The pictures of the answers, kept in a file.
 
-use raybook::image::file;
+use raybook::image::{Image, file, rgb::Rgb};
 use raybook_chapters::kit::sheet::sheet;
 use raybook_grader::check::Report;
 use std::error::Error;
@@ -23,9 +23,9 @@ pub fn keep_pictures(
             "yours".to_owned()
         };
         tiles.extend([
-            (yours, picture.yours.enlarged(4)),
-            ("right".to_owned(), picture.golden.enlarged(4)),
-            ("yours − right".to_owned(), picture.difference.enlarged(4)),
+            (yours, framed(&picture.yours)),
+            ("right".to_owned(), framed(&picture.golden)),
+            ("yours − right".to_owned(), framed(&picture.difference)),
         ]);
     }
     let tiles: Vec<_> = tiles
@@ -35,4 +35,17 @@ pub fn keep_pictures(
     let path = folder.join(report.exercise).with_extension("png");
     file::save(&path, &sheet(3, &tiles)?)?;
     Ok(Some(path))
+}
+
+/// A picture with four by four points for a pixel, and a line around it: a difference of nothing is as white as the page.
+fn framed(picture: &Image) -> Image {
+    let picture = picture.enlarged(4);
+    let (right, bottom) = (picture.width() - 1, picture.height() - 1);
+    Image::from_fn(picture.width(), picture.height(), |x, y| {
+        if [0, right].contains(&x) || [0, bottom].contains(&y) {
+            Rgb::gray(0.4)
+        } else {
+            picture.at(x, y)
+        }
+    })
 }

@@ -19,7 +19,7 @@ const DEATHS: &[Death] = &[
             "modulo by zero",
         ],
         name: "divides by 0",
-        hint: "Which denominator is 0 in the first wrong case? Say what the answer is there before you divide.",
+        hint: "Which denominator is 0 in the first case that stops with this error? Say what the answer is there before you divide.",
     },
     Death {
         words: &[
@@ -32,7 +32,7 @@ const DEATHS: &[Death] = &[
             "_M_range_check",
         ],
         name: "takes something from a list that is not in it",
-        hint: "How long is the list in the first wrong case: may it be empty? Which is the last of its indices?",
+        hint: "How long is the list in the first case that stops with this error: may it be empty? Which is the last of its indices?",
     },
     Death {
         words: &[
@@ -42,7 +42,7 @@ const DEATHS: &[Death] = &[
             "bad_optional_access",
         ],
         name: "goes on with an answer that is none",
-        hint: "Which of the functions that you call has no answer in the first wrong case, and what is yours then?",
+        hint: "Which of the functions that you call has no answer in the first case that stops with this error, and what is yours then?",
     },
     Death {
         words: &[
@@ -51,12 +51,12 @@ const DEATHS: &[Death] = &[
             "expected a number in range from -1",
         ],
         name: "takes a root or an angle of a number that has none",
-        hint: "Which number is below 0, or beyond ±1, in the first wrong case? Say what the answer is there before you go on.",
+        hint: "Which number is below 0, or beyond ±1, in the first case that stops with this error? Say what the answer is there before you go on.",
     },
     Death {
         words: &["recursion depth exceeded"],
         name: "calls itself without end",
-        hint: "In which case does your function return without calling itself, and does the first wrong case ever come to it?",
+        hint: "In which case does your function return without calling itself, and does the first case that stops with this error ever come to it?",
     },
     Death {
         words: &[
@@ -66,7 +66,7 @@ const DEATHS: &[Death] = &[
             "Result too large",
         ],
         name: "makes a whole number of one that is infinite, not a number, or beyond its range",
-        hint: "Which number is it in the first wrong case, and what is it allowed to be?",
+        hint: "Which number is it in the first case that stops with this error, and what is it allowed to be?",
     },
 ];
 

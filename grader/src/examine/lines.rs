@@ -32,7 +32,10 @@ impl dyn Examiner + '_ {
     pub fn judge(&self, question: &str, answers: &[String], got: &str) -> Verdict {
         let read = |answer: &str| {
             let numbers = self.asked().read_answer(answer);
-            numbers.map_err(|e| format!("the answer cannot be read: {e}"))
+            numbers.map_err(|e| match answer.trim() {
+                "none" => "there is always an answer here, but yours is none: does the function end without `return`?".to_owned(),
+                _ => format!("the answer cannot be read: {e}"),
+            })
         };
         let question = self.asked().read_question(question);
         let question = question.map_err(|e| e.to_string())?;

@@ -68,22 +68,19 @@ fn all_exercises() -> Vec<(&'static dyn Examiner, Vec<Case>)> {
         .collect()
 }
 
-/// The reports of all exercises on a script, and how often it is started.
-fn checked(script: &str) -> (Vec<raybook_grader::check::Report>, usize) {
+/// The reports of exercises on a script, and how often it is started.
+fn checked(
+    script: &str,
+    exercises: &[(&'static dyn Examiner, Vec<Case>)],
+) -> (Vec<raybook_grader::check::Report>, usize) {
     let counted = Counted::new(script);
-    let reports = check_all(
-        &counted.program,
-        &all_exercises(),
-        PATIENT,
-        Pixels::Some,
-        &|| {},
-    );
+    let reports = check_all(&counted.program, exercises, PATIENT, Pixels::Some, &|| {});
     (reports.expect("the shell can be started"), counted.starts())
 }
 
 #[test]
 fn all_exercises_are_asked_in_one_process() {
-    let (reports, starts) = checked("while read q; do echo '= 0'; done");
+    let (reports, starts) = checked("while read q; do echo '= 0'; done", &all_exercises());
     assert_eq!(starts, 1, "nothing goes wrong");
     assert_eq!(reports.len(), 64, "and all are asked");
     let answered = |said: &Said| *said == answer("0");
@@ -91,6 +88,22 @@ fn all_exercises_are_asked_in_one_process() {
     assert!(
         outcomes.all(|outcome| answered(&outcome.reply.said)),
         "each question is answered"
+    );
+}
+
+#[test]
+fn other_answers_each_time_are_not_asked_in_processes_of_their_own() {
+    let mut exercises = all_exercises();
+    exercises.retain(|(examiner, _)| examiner.name() == "ray_at");
+    let script = "n=0; while read q; do n=$((n + 1)); echo \"= $n 0 0\"; done";
+    let (reports, starts) = checked(script, &exercises);
+    assert!(
+        reports[0].right() < 2,
+        "it says the numbers of the questions"
+    );
+    assert_eq!(
+        starts, 1,
+        "what it said first is said again to no question: nothing has moved"
     );
 }
 

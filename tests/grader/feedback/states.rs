@@ -31,6 +31,7 @@ fn no_answer() {
         ("timed_out", Said::TimedOut(Duration::from_secs(2))),
         ("flooded", Said::Flooded(1_048_600)),
         ("too_many", Said::TooMany(2)),
+        ("none", Said::Answer("none".into())),
     ] {
         let mut report = report("ray_at", |_, _| said.clone());
         if name == "ended" {

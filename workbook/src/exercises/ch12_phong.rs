@@ -35,7 +35,7 @@ exercises! { ($) ch12_phong
     }
 
     /// Return the light that a point light of intensity I sends to a point: the direction towards the light, its
-    /// distance, and the radiance that arrives on a surface that faces it, I/d². At the light itself there is no
+    /// distance, and the irradiance of a surface that faces it, I/d². At the light itself there is no
     /// answer.
     PointLightExercise: point_light(
         /// The light's position, in metres.

@@ -1,4 +1,5 @@
-//! Drawing what the page asks for. Who asks for another picture is not interested in the one before: that ends at once.
+//! Drawing what the page asks for. Who asks for another picture is not interested in the one before: that ends at once. Only what is
+//! drawn for good rests while a sketch is drawn, or a picture of the same chapter with knobs that were turned, and goes on then.
 
 use super::screens;
 use indicatif::{ProgressBar, ProgressDrawTarget};
@@ -18,19 +19,45 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::Duration;
 
-/// Where pictures are drawn, one at a time.
+/// Where pictures are drawn.
 pub(super) struct Studio {
     options: Options,
+    /// Where a chapter's pictures are drawn for good. This rests while `at_once` is in use.
+    for_good: Place,
+    /// Where everything else is drawn.
+    at_once: Place,
+    /// What is being drawn for good, or was.
+    going: Mutex<Option<Going>>,
+}
+
+/// Where pictures are drawn, one at a time.
+struct Place {
     /// What stops the drawing that goes on.
     stopper: Mutex<Arc<AtomicBool>>,
     /// Held by who draws.
-    easel: Mutex<()>,
+    easel: Arc<Mutex<()>>,
     /// How far the drawing is that goes on, or was the latest.
     bar: Mutex<ProgressBar>,
     /// How many drawings were asked for: the latest is the one that counts.
     asked: AtomicU64,
-    /// What is being drawn for good, or was.
-    going: Mutex<Option<Going>>,
+}
+
+impl Place {
+    fn new() -> Self {
+        Self {
+            stopper: Mutex::default(),
+            easel: Arc::default(),
+            bar: Mutex::new(ProgressBar::hidden()),
+            asked: AtomicU64::default(),
+        }
+    }
+
+    /// Stops what is being drawn, and what waits for that; returns a number for what comes next.
+    fn clear(&self) -> u64 {
+        let ticket = 1 + self.asked.fetch_add(1, Ordering::SeqCst);
+        lock(&self.stopper).store(true, Ordering::SeqCst);
+        ticket
+    }
 }
 
 /// A chapter's pictures that are being drawn for good.
@@ -79,10 +106,8 @@ impl Studio {
     pub(super) fn new(options: Options) -> Self {
         Self {
             options,
-            stopper: Mutex::default(),
-            easel: Mutex::default(),
-            bar: Mutex::new(ProgressBar::hidden()),
-            asked: AtomicU64::default(),
+            for_good: Place::new(),
+            at_once: Place::new(),
             going: Mutex::default(),
         }
     }
@@ -145,7 +170,9 @@ impl Studio {
 
     /// How much of the pixels is drawn that are known to be needed, from 0 to 1; none where they are drawn more than once.
     pub(super) fn progress(&self) -> Answer {
-        let bar = lock(&self.bar);
+        let rests = self.at_once.easel.try_lock().is_err();
+        let place = if rests { &self.at_once } else { &self.for_good };
+        let bar = lock(&place.bar);
         let share = bar.position() as f64 / bar.length().unwrap_or_default() as f64;
         Answer::json(&json!({ "share": (share < 1.0).then_some(share) }))
     }
@@ -209,7 +236,7 @@ impl Studio {
         }
     }
 
-    /// Draws, after the drawing that goes on has been stopped, and does something with the pictures before anything else is drawn.
+    /// Draws, after the drawing that is in the way has been stopped, and does something with the pictures before anything else is drawn.
     fn draw<T>(
         &self,
         lesson: &'static Lesson,
@@ -222,14 +249,24 @@ impl Studio {
             _ => &[],
         };
         let knobs = lesson.turn(turned).map_err(|error| wrong(error.into()))?;
-        let ticket = 1 + self.asked.fetch_add(1, Ordering::SeqCst);
-        lock(&self.stopper).store(true, Ordering::SeqCst);
-        let _easel = lock(&self.easel);
-        let stage = self.stage(lesson, what);
+        let place = if matches!(what, What::Pictures) {
+            self.at_once.clear();
+            &self.for_good
+        } else {
+            let is_elsewhere = |going: &Going| going.chapter != lesson.name;
+            if lock(&self.going).as_ref().is_some_and(is_elsewhere) {
+                self.for_good.clear();
+            }
+            &self.at_once
+        };
+        let ticket = place.clear();
+        let _easel = lock(&place.easel);
+        let (stage, bar) = self.stage(lesson, what);
+        *lock(&place.bar) = bar;
         let stopper = stage.stopper();
-        *lock(&self.stopper) = Arc::clone(&stopper);
+        *lock(&place.stopper) = Arc::clone(&stopper);
         // Asked after the stopper can be seen: who comes later stops this one.
-        if self.asked.load(Ordering::SeqCst) != ticket {
+        if place.asked.load(Ordering::SeqCst) != ticket {
             return Err(Answer::outdated());
         }
         lesson.draw_turned(&stage, &knobs).map_err(wrong)?;
@@ -239,7 +276,8 @@ impl Studio {
         Ok(then(&stage.into_outputs()))
     }
 
-    fn stage(&self, lesson: &'static Lesson, what: What) -> Stage {
+    /// Where something is drawn, and the bar that shows how far it is.
+    fn stage(&self, lesson: &'static Lesson, what: What) -> (Stage, ProgressBar) {
         let mut options = self.options.clone();
         let grade = match what {
             What::First | What::Sketches => Grade::Quick,
@@ -255,17 +293,17 @@ impl Studio {
             Grade::Good => {}
         }
         let bar = ProgressBar::with_draw_target(Some(0), ProgressDrawTarget::hidden());
-        *lock(&self.bar) = bar.clone();
-        let stage = Stage::new(lesson.name, options, false, bar);
+        let stage = Stage::new(lesson.name, options, false, bar.clone());
         let sketches = || self.scratch("sketches").join(lesson.name);
-        match what {
+        let stage = match what {
             What::First => stage.in_folder(sketches()).until("picture"),
             What::Sketches => stage.in_folder(sketches()),
-            What::Pictures => stage,
+            What::Pictures => stage.resting(Arc::clone(&self.at_once.easel)),
             What::Turned(_, last, _) => stage
                 .in_folder(self.scratch("turned").join(lesson.name))
                 .until(last),
-        }
+        };
+        (stage, bar)
     }
 
     /// A folder for what nobody needs again.

@@ -149,7 +149,8 @@ function knobs() {
       input.value = knob.default === null ? 1 : onto(Number(knob.default));
       input.read = () => from(Number(input.value));
     }
-    const say = () => value.textContent = knob.kind === "choice" ? "" : (turned[knob.name] ?? knob.default ?? "as it is") + (turned[knob.name] ?? knob.default ? unit : "");
+    const without = knob.instead.length ? "by " + knob.instead.join(", ").replaceAll("-", " ") : "as it is";
+    const say = () => value.textContent = knob.kind === "choice" ? "" : (turned[knob.name] ?? knob.default ?? without) + (turned[knob.name] ?? knob.default ? unit : "");
     input.addEventListener("input", () => {
       const read = String(input.read ? input.read() : input.value);
       if (read === "" || read === knob.default) delete turned[knob.name]; else turned[knob.name] = read;

@@ -15,6 +15,7 @@ inline Vec2 operator+(const Vec2& a, const Vec2& b) { return {a.x + b.x, a.y + b
 inline Vec2 operator-(const Vec2& a, const Vec2& b) { return {a.x - b.x, a.y - b.y}; }
 inline Vec2 operator*(double k, const Vec2& a) { return {k * a.x, k * a.y}; }
 inline Vec2 operator*(const Vec2& a, double k) { return k * a; }
+inline Vec2 operator/(const Vec2& a, double k) { return {a.x / k, a.y / k}; }
 
 // A point or a vector of space; the unit is metres, or none for a direction.
 struct Vec3 {
@@ -29,6 +30,7 @@ struct Vec3 {
 
 inline Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 inline Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline Vec3& operator+=(Vec3& a, const Vec3& b) { return a = a + b; }
 inline Vec3 operator-(const Vec3& a) { return {-a.x, -a.y, -a.z}; }
 inline Vec3 operator*(double k, const Vec3& a) { return {k * a.x, k * a.y, k * a.z}; }
 inline Vec3 operator*(const Vec3& a, double k) { return k * a; }
@@ -53,9 +55,12 @@ struct Rgb {
 };
 
 inline Rgb operator+(const Rgb& a, const Rgb& b) { return {a.r + b.r, a.g + b.g, a.b + b.b}; }
+inline Rgb operator-(const Rgb& a, const Rgb& b) { return {a.r - b.r, a.g - b.g, a.b - b.b}; }
+inline Rgb& operator+=(Rgb& a, const Rgb& b) { return a = a + b; }
 inline Rgb operator*(const Rgb& a, const Rgb& b) { return {a.r * b.r, a.g * b.g, a.b * b.b}; }
 inline Rgb operator*(double k, const Rgb& a) { return {k * a.r, k * a.g, k * a.b}; }
 inline Rgb operator*(const Rgb& a, double k) { return k * a; }
+inline Rgb operator/(const Rgb& a, double k) { return {a.r / k, a.g / k, a.b / k}; }
 
 // How bright a colour looks: Y of the sRGB primaries.
 inline double luminance(const Rgb& a) { return 0.2126 * a.r + 0.7152 * a.g + 0.0722 * a.b; }

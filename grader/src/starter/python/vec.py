@@ -27,6 +27,9 @@ class Vec2:
 
     __rmul__ = __mul__
 
+    def __truediv__(self, k: float) -> Vec2:
+        return Vec2(self.x / k, self.y / k)
+
     def __iter__(self) -> Iterator[float]:
         return iter((self.x, self.y))
 
@@ -100,6 +103,9 @@ class Rgb:
     def __add__(self, other: Rgb) -> Rgb:
         return Rgb(self.r + other.r, self.g + other.g, self.b + other.b)
 
+    def __sub__(self, other: Rgb) -> Rgb:
+        return Rgb(self.r - other.r, self.g - other.g, self.b - other.b)
+
     def __mul__(self, other: Rgb | float) -> Rgb:
         """By a number, or channel by channel."""
         if isinstance(other, Rgb):
@@ -107,6 +113,9 @@ class Rgb:
         return Rgb(self.r * other, self.g * other, self.b * other)
 
     __rmul__ = __mul__
+
+    def __truediv__(self, k: float) -> Rgb:
+        return Rgb(self.r / k, self.g / k, self.b / k)
 
     def __iter__(self) -> Iterator[float]:
         return iter((self.r, self.g, self.b))

@@ -4,7 +4,7 @@ use crate::check::Report;
 use crate::dress::Dress;
 use crate::prints::short;
 use crate::score;
-use crate::triple::Triple;
+use crate::triple::{BadPixel, Triple};
 use raybook_chapters::kit::untrusted::Untrusted;
 use std::path::Path;
 
@@ -109,11 +109,29 @@ fn found(report: &Report) -> Vec<String> {
         let got = bad.got.as_ref().map_or_else(|| "nothing".to_owned(), short);
         lines.extend([
             format!("  {wrong} of {pixels} pixels{of_which} {are} wrong; the first, in column {} of row {} from the top left, asks", bad.x, bad.y),
-            format!("      {} {}", report.exercise, bad.question),
+            format!("      {} {}", report.exercise, asked(report, bad)),
             format!("      yours: {got}; right: {}", bad.golden),
         ]);
     }
     lines
+}
+
+/// The question of a pixel: what can be read and typed; of a whole tree its beginning, and the command that tells it in full.
+fn asked(report: &Report, bad: &BadPixel) -> String {
+    /// Letters that a person reads, and those of a description of a scene that can still be typed.
+    const WIDE: usize = 120;
+    const LONGEST: usize = 1000;
+    let question = &bad.question;
+    if question.len() <= LONGEST {
+        return question.clone();
+    }
+    let start = question[..WIDE].rfind(' ').unwrap_or(WIDE);
+    let pixel = format!("{},{}", bad.x, bad.y);
+    format!(
+        "{} …\n      (in full: raybook explain {} --pixel {pixel})",
+        &question[..start],
+        report.exercise
+    )
 }
 
 /// Why pixels are without an answer.

@@ -113,8 +113,8 @@ impl Scene {
 
     /// The radiance that comes along a ray that meets nothing: the backdrop's, and that of lights at infinity.
     pub fn behind_everything(&self, ray: &Ray) -> Rgb {
-        let seen = |light: &Box<dyn Light>| light.seen(ray, f32::INFINITY);
-        let far = self.lights.iter().filter_map(seen);
+        let lights = self.lights.iter();
+        let far = lights.filter_map(|light| light.seen(ray, f32::INFINITY));
         let far = far.filter(|hit| hit.t == f32::INFINITY);
         (self.backdrop)(ray) + far.map(|hit| hit.radiance).sum::<Rgb>()
     }

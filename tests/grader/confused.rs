@@ -25,6 +25,13 @@ fn an_exercise_goes_before_a_chapter_of_its_name() {
             "{chapter:?}: {said}"
         );
     }
+    for chapter in ["4", "ch4", "ch04", "plane", "ch04_plane"] {
+        let (code, said) = say(&["exercise", chapter]);
+        assert!(
+            code == 0 && said.starts_with("plane_hit\n"),
+            "{chapter}: {said}"
+        );
+    }
     let (code, said) = say(&["exercise", "chapter"]);
     assert!(code == 2 && said.contains("which chapter?"), "{said}");
 }
@@ -131,6 +138,23 @@ fn who_ignores_what_it_does_not_know_is_told_to_say_so() {
     let (_, said) = raybook(home.path(), &check);
     assert!(!said.contains("says nothing to"), "{said}");
     assert!(said.contains("not started camera_ray"), "{said}");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_pixel_that_asks_for_a_whole_tree_is_told_by_its_command() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let text = "#!/bin/sh\nwhile read -r question; do echo '= 0 0 none'; done\n";
+    program(home.path(), text);
+    let check = ["check", "bvh_closest", "--program", "answers", "--plain"];
+    let (code, said) = raybook(home.path(), &[&check[..], &["--pictures", "."]].concat());
+    assert_eq!(code, 1, "{said}");
+    assert!(
+        said.contains("in full: raybook explain bvh_closest --pixel 0,0"),
+        "{said}"
+    );
+    let longest = said.lines().map(str::len).max();
+    assert!(longest < Some(400), "nobody reads 4000 letters: {said}");
 }
 
 #[cfg(unix)]

@@ -69,10 +69,11 @@ impl Chapter {
         exercises::of_chapter(self.name)
     }
 
-    /// Whether somebody who says this word means this chapter: 3, ch03, sphere or `ch03_sphere`.
+    /// Whether somebody who says this word means this chapter: 3, ch03, ch3, sphere or `ch03_sphere`.
     pub fn answers_to(&self, word: &str) -> bool {
-        let (number, topic) = self.name.split_once('_').unwrap_or((self.name, ""));
-        [self.name, number, topic].contains(&word) || word.parse() == Ok(self.number())
+        let topic = self.name.split_once('_').map_or("", |(_, topic)| topic);
+        let number = word.strip_prefix("ch").unwrap_or(word);
+        [self.name, topic].contains(&word) || number.parse() == Ok(self.number())
     }
 
     /// "3", from `ch03_sphere`.

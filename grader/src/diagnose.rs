@@ -67,7 +67,19 @@ pub fn diagnose(
     let evidence = Evidence::new(examiner, cases, answers);
     let read = Some(&evidence).filter(|evidence| evidence.wrong > 0);
     let found = read.and_then(of_all);
-    let mut diagnosis = found.or_else(|| branch::search(examiner, cases, answers))?;
+    let named = |one: &Diagnosis| {
+        let mut own = examiner.mistakes().into_iter();
+        one.certain || own.any(|(name, _)| name == one.name)
+    };
+    let mut diagnosis = match found {
+        Some(found) if named(&found) => found,
+        found => {
+            let branch = branch::search(examiner, cases, answers);
+            // What is seen in a branch says more than a guess, and that more than a branch.
+            let seen = branch.clone().filter(|branch| branch.certain);
+            seen.or(found).or(branch)?
+        }
+    };
     diagnosis.wrong = wrong;
     for also in &mut diagnosis.also {
         also.wrong = wrong;

@@ -1,7 +1,7 @@
 //! The branch of the calculation that all wrong answers have in common, and no right one: what is left to say where no mistake gives
 //! the same answers, and where there are none because the program stops with an error.
 
-use super::Diagnosis;
+use super::{Diagnosis, number::short};
 use crate::attempt::attempt;
 use crate::examine::{Case, Examiner};
 use crate::explain::find;
@@ -64,21 +64,41 @@ pub fn search(
         let takes = |walk: &Walk| walk.takes(one.place, *holds);
         wrong.iter().all(takes) && !right.iter().any(takes)
     })?;
-    let silent = answers.iter().all(|(text, right)| *right || text.is_none());
-    let name = match (silent, holds) {
-        (true, true) => format!("gives no answer when {}, and only then", decision.name),
-        (true, false) => format!("answers only when {}", decision.name),
-        (false, true) => format!("is wrong when {}, and only then", decision.name),
-        (false, false) => format!("is right only when {}", decision.name),
+    let texts = answers.iter().filter(|(_, right)| !right);
+    let texts: Vec<_> = texts.map(|(text, _)| text.as_deref()).collect();
+    let silent = texts.iter().all(Option::is_none);
+    let same = always(&texts);
+    let when = &decision.name;
+    let name = match (silent, &same, holds) {
+        (true, _, true) => format!("gives no answer when {when}, and only then"),
+        (true, _, false) => format!("answers only when {when}"),
+        (_, Some(same), true) => format!("returns {same} when {when}, whatever else is asked"),
+        (_, Some(same), false) => format!("returns {same} unless {when}"),
+        (_, None, true) => format!("is wrong when {when}, and only then"),
+        (_, None, false) => format!("is right only when {when}"),
     };
     Some(Diagnosis {
         name,
         hint: HINT.to_owned(),
         part: None,
-        // No answer is there to see; what makes an answer wrong is not.
-        certain: silent && wrong.len() > 1,
+        // No answer is there to see, or the same answer; what makes an answer wrong is not.
+        certain: (silent || same.is_some()) && wrong.len() > 1,
         explained: wrong.len(),
         wrong: wrong.len(),
         also: Vec::new(),
     })
+}
+
+/// A short answer that all of them are.
+fn always(answers: &[Option<&str>]) -> Option<String> {
+    /// More words are not read at a glance.
+    const WORDS: usize = 6;
+    let words = |text: &str| -> Vec<String> {
+        let word = |word: &str| word.parse().map_or_else(|_| word.to_owned(), short);
+        text.split_whitespace().map(word).collect()
+    };
+    let first = words((*answers.first()?)?);
+    let mut all = answers.iter();
+    let same = all.all(|text| text.is_some_and(|text| words(text) == first));
+    (same && first.len() <= WORDS).then(|| first.join(" "))
 }

@@ -96,3 +96,22 @@ fn answers_that_no_mistake_gives_are_told_by_their_branch_and_not_for_certain() 
     let told = "is wrong when cos²θ₂ is not positive, and only then";
     assert_eq!((&*found.name, found.certain), (told, false));
 }
+
+#[test]
+fn the_same_wrong_answer_in_one_branch_is_told_with_it() {
+    let phong = |q: &[f64]| -> Option<Vec<f64>> {
+        let asked = cases::find("phong")?.asked();
+        let answer = (asked.call)(q);
+        Some(if answer == [0.0; 3] {
+            vec![0.0, 1.0, 0.0]
+        } else {
+            answer
+        })
+    };
+    let found = diagnosed("phong", phong);
+    assert!(
+        found.certain && found.name.starts_with("returns 0 1 0 "),
+        "{}",
+        found.name
+    );
+}

@@ -161,24 +161,32 @@ pub fn search(tree: &Tree, root: &Node, change: impl FnOnce(&mut How)) -> Found 
 /// The least work of any search that asks boxes: that of one that knows the hit, if there is one, and opens only what the ray
 /// enters before it. Boxes are a little smaller here, and the way shorter: what the ray only grazes may be left out.
 pub fn least(tree: &Tree, root: &Node, hit: Option<&MeshHitAnswer>) -> Found {
-    /// Of a box's size, and of the way.
-    const GRAZED: f32 = 1e-3;
-    let smaller = |(bounds, node): (Aabb, Node)| {
-        let by = GRAZED * bounds.size();
-        let (min, max) = (bounds.min + by, bounds.max - by);
-        (Aabb { min, max }, node)
-    };
-    let children = |branch| (tree.children)(branch).into_iter().map(smaller).collect();
     let end = hit.map_or(tree.within.max, |hit| hit.t - GRAZED * hit.t.abs());
     let within = tree.within.before(end);
-    let tree = Tree {
-        within,
-        children: &children,
-        ..*tree
-    };
-    let mut least = search(&tree, root, |_| {});
+    let mut least = search_grown(&Tree { within, ..*tree }, root, -GRAZED);
     least.tests = least.tests.max(u32::from(hit.is_some()));
     least
+}
+
+/// The work of any search that asks boxes where nothing is hit: all do the same. Boxes are a little larger here: what the ray
+/// only grazes may be opened.
+pub fn without_hit(tree: &Tree, root: &Node) -> Found {
+    search_grown(tree, root, GRAZED)
+}
+
+/// The fraction of a box's size, and of the distance of a hit, within which rounding may decide.
+const GRAZED: f32 = 1e-3;
+
+/// Searches a tree whose boxes are larger by a fraction of their size on every side.
+fn search_grown(tree: &Tree, root: &Node, fraction: f32) -> Found {
+    let grown = |(bounds, node): (Aabb, Node)| {
+        let by = fraction * bounds.size();
+        let (min, max) = (bounds.min - by, bounds.max + by);
+        (Aabb { min, max }, node)
+    };
+    let children = |branch| (tree.children)(branch).into_iter().map(grown).collect();
+    let children = &children;
+    search(&Tree { children, ..*tree }, root, |_| {})
 }
 
 /// That as much work is counted as there must be at the least.

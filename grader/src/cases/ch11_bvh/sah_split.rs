@@ -32,7 +32,14 @@ fn least(q: &SahSplit, side: fn(&Aabb, f32) -> f32) -> Vec<u32> {
 }
 
 fn cut_with(q: &SahSplit, cost: impl Fn(usize, &[Vec<u32>; 2]) -> f32) -> Vec<u32> {
-    let cuts = cuts(&q.boxes, center);
+    cheapest(cuts(&q.boxes, center), cost)
+}
+
+/// The left side of the cheapest of some cuts.
+fn cheapest(
+    cuts: Vec<(usize, [Vec<u32>; 2])>,
+    cost: impl Fn(usize, &[Vec<u32>; 2]) -> f32,
+) -> Vec<u32> {
     let best = cuts
         .into_iter()
         .min_by(|a, b| cost(a.0, &a.1).total_cmp(&cost(b.0, &b.1)));
@@ -171,6 +178,16 @@ impl Graded for SahSplit {
             name: "cuts off a single box",
             hint: "If the left side has one box, how much work is left on the right?",
             answer: |q| cut_with(q, |axis, [left, _]| left.len() as f32 + 0.1 * axis as f32),
+        },
+        Mistake {
+            name: "sorts by the least corners",
+            hint: "A long box begins before most others and ends after them: between which of them does it stand in your row?",
+            answer: |q| {
+                cheapest(cuts(&q.boxes, |b| b.min), |_, sides| {
+                    let side = |s: &Vec<u32>| sah(&around(&q.boxes, s), s.len() as f32);
+                    side(&sides[0]) + side(&sides[1])
+                })
+            },
         },
         Mistake {
             name: "multiplies each side by the number of boxes on the other",

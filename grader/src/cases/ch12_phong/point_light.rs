@@ -1,7 +1,7 @@
 //! `point_light`: random questions, judge and mistakes.
 
 use super::channels;
-use crate::{Graded, Mistake, Verdict, judge, sample};
+use crate::{Graded, Mistake, Relation, Verdict, judge, sample};
 use glam::Vec3;
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
@@ -43,6 +43,12 @@ impl Graded for PointLightExercise {
             channels(golden.arriving, got.arriving, 1e-9)
         })
     }
+
+    const RELATIONS: &'static [Relation<Self>] = &[Relation::moved(|q| PointLightExercise {
+        position: q.position + sample::METRE,
+        at: q.at + sample::METRE,
+        ..q.clone()
+    })];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

@@ -60,7 +60,7 @@ impl Graded for WideClosest {
             ),
         ] {
             let most = match golden.hit {
-                Some(_) => needed + needed / 4 + 1,
+                Some(_) => needed.saturating_add(needed / 4 + 1),
                 None => without_hit,
             };
             if made > most {

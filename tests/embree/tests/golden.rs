@@ -32,7 +32,7 @@ const OTHERWISE: &[(&str, &str, &str)] = &[
 /// The course's interval is open.
 const CLOSED: &str = "Embree counts a hit at the very end of the interval";
 
-/// Mistakes that find the right hits, with too much work: Embree cannot contradict them.
+/// Mistakes that find the right hits, with too much work or a wrong count of it: Embree cannot contradict them.
 const TOO_MUCH_WORK: &[(&str, &str)] = &[
     ("bvh_closest", "tests every triangle"),
     ("bvh_closest", "opens every box"),
@@ -60,6 +60,11 @@ const TOO_MUCH_WORK: &[(&str, &str)] = &[
     ),
     ("wide_closest", "opens children that wait behind the hit"),
     ("wide_closest", "counts each leaf as a node too"),
+    (
+        "wide_closest",
+        "begins to count the nodes at 1, or counts the root twice",
+    ),
+    ("wide_closest", "begins to count the tests at 1"),
 ];
 
 #[test]

@@ -115,8 +115,8 @@ fn a_program_that_knows_the_cases_by_heart_is_wrong_without_any_wish_for_picture
             &[&["check", name, "--program", "./parrot"], more].concat(),
         )
     };
-    let (trace, reflect) = (("trace", "0.5 0.5 0.5"), ("reflect", "0 0.6 0.8"));
-    for asked in [trace, reflect] {
+    let (trace, tone_map) = (("trace", "0.5 0.5 0.5"), ("tone_map", "0.2 0.6 0.8"));
+    for asked in [trace, tone_map] {
         let (code, said) = check(asked, true, &[]);
         assert!(code == 0, "the pixels that are asked are known too: {said}");
         let (code, said) = check(asked, false, &[]);
@@ -124,14 +124,14 @@ fn a_program_that_knows_the_cases_by_heart_is_wrong_without_any_wish_for_picture
         assert!(code == 1 && said.contains(why), "{code} {said}");
         assert!(said.contains("--pictures FOLDER"), "how to see it: {said}");
     }
-    let (code, said) = check(reflect, false, &["--json"]);
+    let (code, said) = check(tone_map, false, &["--json"]);
     assert_eq!(code, 1, "the exit code is the same");
     let results: serde_json::Value = serde_json::from_str(&said).expect("JSON");
     let exercise = &results["exercises"][0];
     assert_eq!(exercise["state"], "wrong", "{said:.300}");
     assert_eq!(exercise["pictures"][0]["passed"], false, "{said:.300}");
     // A case is a case, whatever the picture is.
-    let (code, said) = check(reflect, false, &["--case", "1"]);
+    let (code, said) = check(tone_map, false, &["--case", "1"]);
     assert_eq!(code, 0, "{said}");
 }
 

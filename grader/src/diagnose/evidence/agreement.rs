@@ -59,6 +59,9 @@ impl Rest {
 /// Answers that may differ by more than this share are estimates.
 const ROUGH: f32 = 0.01;
 
+/// An answer with this many numbers more than twice those of another is another answer.
+const MUCH: usize = 100;
+
 /// Fewer estimates than these are few.
 const MANY: usize = 20;
 
@@ -69,8 +72,11 @@ const SELDOM: f64 = 100.0;
 const CLOSE: f64 = 1e-5;
 
 impl Evidence<'_> {
-    /// A prediction, as far as it is looked at; none if it says nothing.
+    /// A prediction, as far as it is looked at; none if it says nothing, or far more than was answered.
     fn seen(&self, item: &Item, prediction: &[f64]) -> Option<Vec<f64>> {
+        if prediction.len() > MUCH + 2 * item.got.len() {
+            return None; // a misread density makes lists of a million cells
+        }
         let prediction = self.canonical(&item.question, prediction);
         match self.scope {
             Scope::Part(part) => self.projected(part, item.golden(), &prediction),

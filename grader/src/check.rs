@@ -265,7 +265,11 @@ pub fn assess(examiner: &dyn Examiner, cases: Vec<Case>, replies: Vec<Reply>) ->
     report
 }
 
-fn diagnose_outcomes(examiner: &dyn Examiner, outcomes: &[Outcome]) -> Option<Diagnosis> {
+/// Which mistake wrong answers come from.
+pub(crate) fn diagnose_outcomes(
+    examiner: &dyn Examiner,
+    outcomes: &[Outcome],
+) -> Option<Diagnosis> {
     let cases: Vec<_> = outcomes
         .iter()
         .map(|outcome| outcome.case.clone())

@@ -89,6 +89,12 @@ pub trait Graded: Exercise + Clone + Sync + 'static {
         Ok(())
     }
 
+    /// A question with this number of elements, for an exercise that builds a structure: among many, a wrong cost shows that a dozen
+    /// hide. None of another exercise.
+    fn crowded(_rng: &mut Pcg, _count: usize) -> Option<Self> {
+        None
+    }
+
     /// Questions that follow from others.
     const RELATIONS: &'static [Relation<Self>] = &[];
 

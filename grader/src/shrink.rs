@@ -21,6 +21,9 @@ use std::time::{Duration, Instant};
 /// The maximum number of questions that are asked on the way.
 const QUESTIONS: usize = 200;
 
+/// A question with more numbers than these is one of many elements, which are all needed.
+const MANY: usize = 500;
+
 /// The maximum time on the way: it is there for slow programs, others are done long before.
 const TIME: Duration = Duration::from_secs(5);
 
@@ -59,20 +62,22 @@ struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    /// Begins with a wrong case; none if there was no answer to it that can be read.
+    /// Begins with a wrong case; none if there was no answer to it that can be read, or the question is one of many elements.
     fn new(examiner: &'a dyn Examiner, outcome: &Outcome) -> Option<Self> {
         let Said::Answer(answer) = &outcome.reply.said else {
             return None;
         };
         examiner.asked().read_answer(answer.unescaped()).ok()?;
+        let question = examiner
+            .asked()
+            .read_question(&outcome.case.question)
+            .ok()
+            .filter(|question| question.len() <= MANY)?;
         Some(Self {
             examiner,
             domain: Domain::of(examiner),
             smallest: outcome.clone(),
-            question: examiner
-                .asked()
-                .read_question(&outcome.case.question)
-                .ok()?,
+            question,
             left: QUESTIONS,
             until: Instant::now() + TIME,
         })

@@ -71,6 +71,10 @@ impl<E: Graded> Examiner for Examination<E> {
             .collect()
     }
 
+    fn crowded(&self, rng: &mut Pcg, count: usize) -> Option<Vec<f64>> {
+        E::crowded(rng, count).map(|question| to_numbers(&question))
+    }
+
     fn mistake(&self, i: usize) -> Option<(&'static str, &'static str)> {
         let Mistake { name, hint, .. } = E::MISTAKES.get(i)?;
         Some((name, hint))

@@ -59,6 +59,11 @@ pub trait Examiner: Sync {
         Vec::new()
     }
 
+    /// See [`crowded`](crate::Graded::crowded).
+    fn crowded(&self, _rng: &mut Pcg, _count: usize) -> Option<Vec<f64>> {
+        None
+    }
+
     /// The name and the hint of mistake number i.
     fn mistake(&self, i: usize) -> Option<(&'static str, &'static str)>;
 

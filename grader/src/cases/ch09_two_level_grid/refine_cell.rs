@@ -9,6 +9,7 @@ use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch05_box::Corners;
 use raybook_workbook::exercises::ch08_grid::{Cell, GridResolution};
 use raybook_workbook::exercises::ch09_two_level_grid::{Entry, RefineCell, RefineCellAnswer};
+use std::collections::HashSet;
 
 /// The reference's answer with other boxes.
 fn with_shapes(q: &RefineCell, shape: impl Fn(&Corners) -> Corners) -> RefineCellAnswer {
@@ -43,6 +44,24 @@ impl Graded for RefineCell {
         }
     }
 
+    fn crowded(rng: &mut Pcg, count: usize) -> Option<RefineCell> {
+        let size = vec3(2.0, 3.0, 1.4);
+        let shapes = (0..count).map(|_| {
+            let middle = size * (sample::point(rng, 0.5) + 0.5);
+            let half = 0.04 * size * (sample::point(rng, 0.5) + 0.5);
+            Corners {
+                min: middle - half,
+                max: middle + half,
+            }
+        });
+        Some(RefineCell {
+            min: Vec3::ZERO,
+            max: size,
+            density: 2.0,
+            shapes: shapes.collect(),
+        })
+    }
+
     /// The resolution, then every shape in the cells that it reaches and in no other.
     fn is_sound(q: &RefineCell) -> bool {
         let mut shapes = q.shapes.iter();
@@ -66,7 +85,9 @@ impl Graded for RefineCell {
             max: q.max,
         };
         let fine = Lattice::new(&bounds, right);
-        for (i, entry) in got.entries.iter().enumerate() {
+        let pair = |entry: &Entry| (entry.x, entry.y, entry.z, entry.shape);
+        let mut met = HashSet::new();
+        for entry in &got.entries {
             let cell = UVec3::new(entry.x, entry.y, entry.z);
             let Some(shape) = q.shapes.get(entry.shape as usize) else {
                 return Err(format!("there is no shape {}", entry.shape));
@@ -74,7 +95,7 @@ impl Graded for RefineCell {
             if cell.cmpge(right).any() {
                 return Err(format!("there is no cell {cell}"));
             }
-            if got.entries[..i].contains(entry) {
+            if !met.insert(pair(entry)) {
                 return Err(format!("shape {} is twice in cell {cell}", entry.shape));
             }
             if depth(&fine, cell, shape) < -TOLERANCE {
@@ -86,7 +107,7 @@ impl Graded for RefineCell {
             let shape = q.shapes.get(entry.shape as usize);
             let shape = shape.filter(|_| cell.cmplt(right).all());
             let deep = shape.is_some_and(|shape| depth(&fine, cell, shape) > TOLERANCE);
-            deep && !got.entries.contains(entry)
+            deep && !met.contains(&pair(entry))
         });
         match missing {
             Some(Entry { x, y, z, shape }) => Err(format!(

@@ -59,6 +59,27 @@ impl Graded for OctreeBuild {
         }
     }
 
+    /// Half of the shapes in one corner, the others anywhere.
+    fn crowded(rng: &mut Pcg, count: usize) -> Option<OctreeBuild> {
+        let shapes = (0..count).map(|i| {
+            let near = if i % 2 == 0 { 0.25 } else { 1.0 };
+            let least = 3.9 * near * (sample::point(rng, 0.5) + 0.5);
+            let extent = 0.1 * (sample::point(rng, 0.5) + 0.5);
+            Corners {
+                min: least,
+                max: least + extent,
+            }
+        });
+        Some(OctreeBuild {
+            min: Vec3::ZERO,
+            max: Vec3::splat(4.0),
+            opening: 1.0,
+            copies: 8.0,
+            depth: 5,
+            shapes: shapes.collect(),
+        })
+    }
+
     /// Every shape in the leaves that it reaches and in no other, as few copies as asked for, and a cost like the reference's.
     fn is_sound(q: &OctreeBuild) -> bool {
         let mut shapes = q.shapes.iter();

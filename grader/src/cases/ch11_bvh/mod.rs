@@ -51,6 +51,23 @@ fn heaps(rng: &mut Pcg) -> Vec<BoxRow> {
     boxes
 }
 
+/// This number of boxes in heaps: sticks, plates and blocks.
+fn crowd(rng: &mut Pcg, count: usize) -> Vec<BoxRow> {
+    let heaps: Vec<_> = (0..count.div_ceil(12))
+        .map(|_| sample::point(rng, 8.0))
+        .collect();
+    let stick = |rng: &mut Pcg| 0.03 * 40.0_f32.powf(sample::number(rng, 0.0, 1.0));
+    let boxes = (0..count).map(|_| {
+        let at = heaps[rng.random_range(0..heaps.len())] + sample::point(rng, 1.5);
+        let half = vec3(stick(rng), stick(rng), stick(rng));
+        BoxRow {
+            min: at - half,
+            max: at + half,
+        }
+    });
+    boxes.collect()
+}
+
 /// The tree over boxes by a method, with leaves of at most `most` shapes.
 fn tree(boxes: &[BoxRow], method: Method, most: u32) -> BvhBuildAnswer {
     let boxes: Vec<_> = boxes.iter().map(Aabb::from).collect();

@@ -1,6 +1,6 @@
 //! `sah_split`: random questions, judge and mistakes.
 
-use super::{area, around, center, heaps, no_dearer};
+use super::{area, around, center, crowd, heaps, no_dearer};
 use crate::{Flaw, Graded, Mistake, Verdict, judge, sample, traits};
 use glam::Vec3;
 use raybook::math::{aabb::Aabb, pcg::Pcg};
@@ -75,6 +75,12 @@ fn split_cost(q: &SahSplit, left: &[u32]) -> Result<f32, String> {
 impl Graded for SahSplit {
     fn random(rng: &mut Pcg) -> SahSplit {
         SahSplit { boxes: heaps(rng) }
+    }
+
+    fn crowded(rng: &mut Pcg, count: usize) -> Option<SahSplit> {
+        Some(SahSplit {
+            boxes: crowd(rng, count),
+        })
     }
 
     fn is_sound(q: &SahSplit) -> bool {

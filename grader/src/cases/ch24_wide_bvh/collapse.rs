@@ -64,18 +64,26 @@ pub(super) fn without(
     families.into_iter().map(thin).collect()
 }
 
+/// This number of boxes up to a size, in metres.
+fn boxes(rng: &mut Pcg, count: usize, most: f32) -> Vec<Aabb> {
+    let of_any = |_| {
+        let (at, size) = (sample::point(rng, 4.0), sample::number(rng, 0.05, most));
+        Aabb {
+            min: at,
+            max: at + size * (sample::point(rng, 0.4) + 0.5),
+        }
+    };
+    (0..count).map(of_any).collect()
+}
+
 impl Graded for Collapse {
     fn random(rng: &mut Pcg) -> Collapse {
-        let boxes: Vec<_> = (0..rng.random_range(14..40))
-            .map(|_| {
-                let (at, size) = (sample::point(rng, 4.0), sample::number(rng, 0.05, 2.0));
-                Aabb {
-                    min: at,
-                    max: at + size * (sample::point(rng, 0.4) + 0.5),
-                }
-            })
-            .collect();
-        binary_tree(&boxes)
+        let count = rng.random_range(14..40);
+        binary_tree(&boxes(rng, count, 2.0))
+    }
+
+    fn crowded(rng: &mut Pcg, count: usize) -> Option<Collapse> {
+        Some(binary_tree(&boxes(rng, count, 0.5)))
     }
 
     /// By what a wide tree must keep to, and its cost: the areas of its branches together. A tree of another shape that

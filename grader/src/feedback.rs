@@ -97,7 +97,7 @@ fn already_right(report: &Report) -> Option<String> {
         .cases
         .iter()
         .filter(|outcome| outcome.verdict == Verdict::Right);
-    let named = right.filter(|outcome| !outcome.case.name.starts_with("random "));
+    let named = right.filter(|outcome| !outcome.case.is_random());
     let names = named.map(|outcome| format!("\"{}\"", Untrusted::from(outcome.case.name.as_str())));
     let names: Vec<_> = names.take(NAMED).collect();
     let (right, all) = (report.right(), report.cases.len());
@@ -306,7 +306,7 @@ fn kinds(report: &Report) -> Vec<String> {
         let outcomes = report
             .cases
             .iter()
-            .filter(|outcome| !outcome.case.name.starts_with("random "));
+            .filter(|outcome| !outcome.case.is_random());
         let of_kind = outcomes.filter(|outcome| (outcome.verdict == Verdict::Right) == right);
         of_kind
             .map(|outcome| Untrusted::from(outcome.case.name.as_str()).to_string())

@@ -14,7 +14,7 @@ use std::fmt::Write;
 const BAR: &str = " | ";
 
 /// How the name of a random case begins.
-const RANDOM: &str = "random ";
+pub const RANDOM: &str = "random ";
 
 /// A case that a person has written.
 #[derive(Clone, Debug, PartialEq)]

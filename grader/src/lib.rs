@@ -164,12 +164,6 @@ impl<E> Relation<E> {
         let name = "moved by a metre along each axis";
         Self { name, question }
     }
-
-    /// Everything turned by a third of a turn around (1, 1, 1): y is called x, z is called y, and x is called z.
-    pub const fn turned(question: fn(&E) -> E) -> Self {
-        let name = "turned so that y becomes x, z becomes y and x becomes z";
-        Self { name, question }
-    }
 }
 
 /// A wrong implementation.

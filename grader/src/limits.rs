@@ -204,9 +204,7 @@ fn of_leeways(name: &str, measured: &[Leeway], together: bool) -> Option<String>
 
 /// The names of the cases that are not random.
 fn of_names(cases: &[Case]) -> Option<String> {
-    let named = cases
-        .iter()
-        .filter(|case| !case.name.starts_with("random "));
+    let named = cases.iter().filter(|case| !case.is_random());
     let names: Vec<_> = named.map(|case| case.name.as_str()).collect();
     let others = cases.len() - names.len();
     (!names.is_empty()).then(|| {

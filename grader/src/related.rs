@@ -4,9 +4,12 @@
 use crate::ask::{Asker, Said};
 use crate::check::{Report, State, Verdict, diagnose_outcomes, judge};
 use crate::examine::{Case, Examiner, visible_rng};
+use crate::layout::{Leaf, layout, parts};
+use crate::shrink::domain::Domain;
+use raybook_workbook::kind::{Kind, VECTOR};
 use std::io;
 
-/// The cases from which questions are made: at equal steps, the last one included.
+/// The random cases from which questions are made: at equal steps, the last one included.
 const FROM: usize = 4;
 
 /// The numbers of elements in the questions of an exercise that builds a structure.
@@ -16,10 +19,11 @@ const CROWDS: [usize; 2] = [100, 1000];
 const TRIES: usize = 8;
 
 /// A question that follows from a case, and what is said of a wrong answer to it.
-struct Follower {
+pub struct Follower {
+    /// The question with its answer.
+    pub case: Case,
     /// Whose place it takes, if it is wrong.
     place: usize,
-    case: Case,
     before: String,
     after: &'static str,
     /// Whether it asks for much more than any case, so that no answer in time is no fault.
@@ -27,62 +31,31 @@ struct Follower {
 }
 
 impl dyn Examiner + '_ {
-    /// The cases that follow from one, with what was done to its question: those whose questions are sound, and hang on no last digits.
-    /// None follows from a case with several right answers, for the others' are not known.
-    pub fn related(&self, case: &Case) -> Vec<(&'static str, Case)> {
-        let Ok(question) = self.asked().read_question(&case.question) else {
-            return Vec::new();
+    /// What follows from the named cases and some others, and from the last.
+    pub fn followers(&self, cases: &[Case]) -> Vec<Follower> {
+        let domain = if cases.len() > 1 {
+            Domain::of_cases(self, cases)
+        } else {
+            Domain::of(self)
         };
-        if case.answers.len() > 1 {
-            return Vec::new();
+        let some: Vec<_> = (1..=FROM).map(|i| i * cases.len() / FROM).collect();
+        let mut followers = Vec::new();
+        for (place, case) in cases.iter().enumerate() {
+            if case.is_random() && !some.contains(&(place + 1)) {
+                continue;
+            }
+            let related = self.related(&domain, case).into_iter();
+            followers.extend(related.map(|(how, case)| Follower {
+                case,
+                place,
+                before: format!("the case itself is right, but {how} it is wrong"),
+                after: ". What does your function know that is not in the question?",
+                is_long: false,
+            }));
         }
-        let related = self.relations(&question).into_iter();
-        let fair =
-            related.filter(|(_, question)| self.is_sound(question) && self.is_fair(question));
-        let asked = fair.filter_map(|(how, question)| {
-            let name = format!("{}, {how}", case.name);
-            let related = self.case(&name, &question).ok()?;
-            let number = case.number;
-            Some((how, Case { number, ..related }))
-        });
-        asked.collect()
-    }
-
-    /// Cases with a hundred elements and with a thousand, of an exercise that builds a structure. They follow from a case in that another
-    /// one makes other ones: with a course's key they are new.
-    pub fn crowds(&self, case: &Case) -> Vec<Case> {
-        let rng = &mut visible_rng(&case.question);
-        let of_size = |count| {
-            let question = (0..TRIES).find_map(|_| {
-                let question = self.crowded(rng, count)?;
-                (self.is_sound(&question) && self.is_fair(&question)).then_some(question)
-            })?;
-            let crowd = self.case(&format!("{count} elements"), &question).ok()?;
-            let number = case.number;
-            Some(Case { number, ..crowd })
-        };
-        CROWDS.into_iter().filter_map(of_size).collect()
-    }
-}
-
-/// What follows from some cases, and from the last.
-fn followers(examiner: &dyn Examiner, report: &Report) -> Vec<Follower> {
-    let count = report.cases.len();
-    let mut followers = Vec::new();
-    for place in (1..=FROM).filter_map(|i| (i * count / FROM).checked_sub(1)) {
-        let related = examiner.related(&report.cases[place].case).into_iter();
-        followers.extend(related.map(|(how, case)| Follower {
-            place,
-            case,
-            before: format!("the case itself is right, but {how} it is wrong"),
-            after: ". What does your function know that is not in the question?",
-            is_long: false,
-        }));
-    }
-    if let Some(last) = report.cases.last() {
-        let crowds = examiner.crowds(&last.case).into_iter();
-        followers.extend(crowds.map(|case| Follower {
-            place: count - 1,
+        let crowds = cases.last().map(|last| self.crowds(last));
+        followers.extend(crowds.into_iter().flatten().map(|case| Follower {
+            place: cases.len() - 1,
             before: format!(
                 "with few elements it is right, but with {} it is wrong",
                 case.name
@@ -91,8 +64,70 @@ fn followers(examiner: &dyn Examiner, report: &Report) -> Vec<Follower> {
             after: "",
             is_long: true,
         }));
+        followers
     }
-    followers
+
+    /// The cases that follow from one, with what was done to its question: those whose questions the exercise could ask, and hang on no
+    /// last digits. None follows from a case with several right answers, for the others' are not known.
+    fn related(&self, domain: &Domain<'_>, case: &Case) -> Vec<(&'static str, Case)> {
+        let Ok(question) = self.asked().read_question(&case.question) else {
+            return Vec::new();
+        };
+        if case.answers.len() > 1 {
+            return Vec::new();
+        }
+        let turned = turned(self.asked().question, &question);
+        let turned = turned.filter(|question| domain.is_asked(question));
+        let mut related = self.relations(&question);
+        related.extend(turned.map(|question| (TURNED, question)));
+        let asked = related.into_iter().filter_map(|(how, question)| {
+            let case = self.follower(&format!("{}, {how}", case.name), &question, case.number);
+            Some((how, case?))
+        });
+        asked.collect()
+    }
+
+    /// Cases with a hundred elements and with a thousand, of an exercise that builds a structure. They follow from a case in that another
+    /// one makes other ones: with a course's key they are new.
+    fn crowds(&self, case: &Case) -> Vec<Case> {
+        let rng = &mut visible_rng(&case.question);
+        let of_size = |count| {
+            let name = format!("{count} elements");
+            (0..TRIES).find_map(|_| {
+                let question = self.crowded(rng, count)?;
+                self.follower(&name, &question, case.number)
+            })
+        };
+        CROWDS.into_iter().filter_map(of_size).collect()
+    }
+
+    /// A question with its answer, in the place of another; none if the question is not sound, or hangs on its last digits.
+    fn follower(&self, name: &str, question: &[f64], number: usize) -> Option<Case> {
+        if !self.is_sound(question) || !self.is_fair(question) {
+            return None;
+        }
+        let case = self.case(name, question).ok()?;
+        Some(Case { number, ..case })
+    }
+}
+
+/// What is done to a question that is turned.
+const TURNED: &str = "turned so that y becomes x, z becomes y and x becomes z";
+
+/// The question with all its points, directions and extents turned by a third of a turn around (1, 1, 1); none if it has none. Whoever
+/// forgot one of the three axes, at the end of an interval say, has remembered another.
+fn turned(kind: &'static Kind, question: &[f64]) -> Option<Vec<f64>> {
+    let parts = parts(kind, "question");
+    let is_vector = |leaf: &&Leaf| match parts[leaf.part].kind {
+        Kind::Direction => true,
+        Kind::Numbers(numbers) => numbers.parts == VECTOR.parts,
+        _ => false,
+    };
+    let mut turned = question.to_vec();
+    for leaf in layout(kind, question).leaves.iter().filter(is_vector) {
+        turned[leaf.range()].rotate_left(1);
+    }
+    (turned != question).then_some(turned)
 }
 
 /// Asks what follows from some cases of a report, if all of them are right. A wrong answer's case stands in the place of the one from
@@ -108,7 +143,12 @@ pub fn ask_related(
     if report.state() != State::Right {
         return Ok(());
     }
-    let followers = followers(examiner, report);
+    let cases: Vec<_> = report
+        .cases
+        .iter()
+        .map(|outcome| outcome.case.clone())
+        .collect();
+    let followers = examiner.followers(&cases);
     let question = |case: &Case| format!("{} {}", examiner.name(), case.question);
     let questions: Vec<_> = followers.iter().map(|one| question(&one.case)).collect();
     let replies = asker.ask(&questions)?;

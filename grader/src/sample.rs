@@ -1,6 +1,6 @@
 //! What questions are made of.
 
-use glam::{Vec2, Vec3, Vec3Swizzles, vec3};
+use glam::{Vec2, Vec3, vec3};
 use rand::RngExt;
 use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 
@@ -13,11 +13,6 @@ pub const METRE: Vec3 = Vec3::ONE;
 /// A ray in a scene that is moved by a metre along each axis.
 pub fn moved(ray: &Ray) -> Ray {
     Ray::new(ray.origin + METRE, ray.direction)
-}
-
-/// A direction in a scene that is turned so that y becomes x, z becomes y and x becomes z.
-pub fn turned(direction: Dir3) -> Dir3 {
-    Dir3::new_or(direction.yzx(), direction)
 }
 
 /// The ray from a point in the direction of a vector of any length but 0.

@@ -4,7 +4,7 @@
 //! digits of its numbers, and the program answers it wrong too (delta debugging: Zeller and Hildebrandt 2002). The same program is
 //! led to the same question each time.
 
-mod domain;
+pub mod domain;
 mod simpler;
 
 use crate::ask::{Reply, Said};

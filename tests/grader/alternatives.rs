@@ -160,9 +160,9 @@ static CASES: LazyLock<Vec<(&dyn Examiner, Vec<Case>)>> = LazyLock::new(|| {
     let all = |examiner: &dyn Examiner| {
         let name = examiner.name();
         let mut cases = examiner.cases(&mut visible_rng(name)).cases;
-        let related = cases.iter().flat_map(|case| examiner.related(case));
-        let related: Vec<_> = related.map(|(_, case)| case).collect();
-        cases.extend(related);
+        let followers = examiner.followers(&cases).into_iter();
+        let follow: Vec<_> = followers.map(|one| one.case).collect();
+        cases.extend(follow);
         for student in 0..KEYS {
             let key = Key {
                 course: "another course's secret".into(),

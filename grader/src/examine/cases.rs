@@ -1,7 +1,7 @@
 //! The cases of an exercise: the named ones of its golden file, and random ones.
 
 use super::Examiner;
-use crate::golden::{self, GoldenError, Named};
+use crate::golden::{self, GoldenError, Named, RANDOM};
 use crate::stable;
 use raybook::math::pcg::{self, Pcg};
 use raybook_workbook::row;
@@ -20,6 +20,13 @@ pub struct Case {
     pub question: String,
     /// The golden answer, and others that are as right.
     pub answers: Vec<String>,
+}
+
+impl Case {
+    /// Whether it was made by chance, and is nothing special.
+    pub fn is_random(&self) -> bool {
+        self.name.starts_with(RANDOM)
+    }
 }
 
 /// Cases, and how many random questions were thrown away because a last digit decides them.
@@ -88,7 +95,7 @@ impl dyn Examiner + '_ {
             let question = self.random(rng);
             if stable::is_stable(self, &question, rng) {
                 kept += 1;
-                cases.push(self.case(&format!("random {kept}"), &question)?);
+                cases.push(self.case(&format!("{RANDOM}{kept}"), &question)?);
             } else {
                 thrown_away += 1;
                 assert!(

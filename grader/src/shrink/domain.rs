@@ -3,7 +3,7 @@
 
 use super::simpler::{Site, rounder, shorter};
 use crate::diagnose::search::called;
-use crate::examine::{Examiner, visible_rng};
+use crate::examine::{Case, Examiner, visible_rng};
 use crate::layout::{Part, layout, lists, parts};
 use rand::RngExt;
 use raybook_workbook::kind::Kind;
@@ -56,11 +56,17 @@ pub struct Domain<'a> {
 impl<'a> Domain<'a> {
     /// The domain of an exercise.
     pub fn of(examiner: &'a dyn Examiner) -> Self {
+        let visible = examiner.cases(&mut visible_rng(examiner.name())).cases;
+        Self::of_cases(examiner, &visible)
+    }
+
+    /// What occurs in these cases of an exercise.
+    pub fn of_cases(examiner: &'a dyn Examiner, cases: &[Case]) -> Self {
         let asked = examiner.asked();
         let parts = parts(asked.question, "question");
         let mut ranges = vec![(Vec::new(), true); parts.len()];
         let mut lengths = vec![Range::NOTHING; lists(asked.question, "question").len()];
-        for case in examiner.cases(&mut visible_rng(asked.name)).cases {
+        for case in cases {
             let Ok(question) = asked.read_question(&case.question) else {
                 continue;
             };
@@ -123,8 +129,13 @@ impl<'a> Domain<'a> {
                 .all(|(i, j)| before[i] == before[j] || after[i] != after[j])
     }
 
-    /// Whether a question is one of those that the exercise asks.
+    /// Whether a question is one of those that the exercise asks, and its answer hangs on no last digits.
     pub fn holds(&self, question: &[f64]) -> bool {
+        self.is_asked(question) && self.is_stable(question)
+    }
+
+    /// Whether a question is one of those that the exercise asks.
+    pub fn is_asked(&self, question: &[f64]) -> bool {
         let layout = layout(self.examiner.asked().question, question);
         let in_range = layout.leaves.iter().all(|leaf| {
             let (ranges, unit) = &self.ranges[leaf.part];
@@ -136,7 +147,7 @@ impl<'a> Domain<'a> {
             let length = span.elements.len() as f64;
             self.lengths[span.list].holds(length)
         });
-        in_range && long_enough && self.examiner.is_sound(question) && self.is_stable(question)
+        in_range && long_enough && self.examiner.is_sound(question)
     }
 
     /// Whether the answer stays right when all numbers move a little, round ones too: a ray through the edge of a triangle whose corners

@@ -51,16 +51,6 @@ pub(super) fn power(cosine: f32, q: &Highlight) -> f32 {
     cosine.max(0.0).powf(q.exponent)
 }
 
-/// The question in a scene that is turned.
-pub(super) fn turned(q: &Highlight) -> Highlight {
-    Highlight {
-        normal: sample::turned(q.normal),
-        view: sample::turned(q.view),
-        toward: sample::turned(q.toward),
-        ..q.clone()
-    }
-}
-
 /// A viewer above the surface, and a light, most often near enough to the viewer's mirror direction for a highlight.
 pub(super) fn random(rng: &mut Pcg) -> Highlight {
     let (normal, view) = loop {

@@ -2,9 +2,9 @@
 
 use super::highlight::{
     BALL, half, highlight_without_light, matte_without_cosine, mirrored, on_ball, power, radiance,
-    random, turned, with_highlight,
+    random, with_highlight,
 };
-use crate::{Graded, Mistake, Picture, Relation, Verdict};
+use crate::{Graded, Mistake, Picture, Verdict};
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercises::ch12_phong::PhongExercise;
@@ -17,9 +17,6 @@ impl Graded for PhongExercise {
     fn judge(_q: &Self, golden: &Rgb, got: &Rgb) -> Verdict {
         radiance(*golden, *got)
     }
-
-    const RELATIONS: &'static [Relation<Self>] =
-        &[Relation::turned(|q| Self { at: turned(&q.at) })];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

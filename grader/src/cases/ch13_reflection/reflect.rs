@@ -1,6 +1,6 @@
 //! Chapter 13: `reflect`.
 
-use crate::{Graded, Mistake, Picture, Relation, Verdict, judge, sample};
+use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
 use glam::{Vec3, vec3};
 use raybook::math::{dir3::Dir3, pcg::Pcg};
 use raybook_chapters::kit::palette;
@@ -23,11 +23,6 @@ impl Graded for Reflect {
     fn judge(_q: &Reflect, golden: &Vec3, got: &Vec3) -> Verdict {
         judge::direction("the reflected direction", *golden, *got)
     }
-
-    const RELATIONS: &'static [Relation<Self>] = &[Relation::turned(|q| Reflect {
-        incoming: sample::turned(q.incoming),
-        normal: sample::turned(q.normal),
-    })];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

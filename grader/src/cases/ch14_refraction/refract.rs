@@ -1,6 +1,6 @@
 //! `refract`: random questions, judge and mistakes.
 
-use crate::{Graded, Mistake, Relation, Verdict, judge, sample};
+use crate::{Graded, Mistake, Verdict, judge, sample};
 use glam::Vec3;
 use rand::RngExt;
 use raybook::math::{dir3::Dir3, pcg::Pcg};
@@ -29,12 +29,6 @@ impl Graded for Refract {
             judge::direction("the refracted ray", *golden, *got)
         })
     }
-
-    const RELATIONS: &'static [Relation<Self>] = &[Relation::turned(|q| Refract {
-        direction: sample::turned(q.direction),
-        normal: sample::turned(q.normal),
-        ..q.clone()
-    })];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

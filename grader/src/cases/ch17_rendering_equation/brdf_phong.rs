@@ -1,7 +1,7 @@
 //! `brdf_phong`: the number itself.
 
 use super::colour;
-use crate::{Graded, Mistake, Relation, Verdict, judge, sample};
+use crate::{Graded, Mistake, Verdict, judge, sample};
 use rand::RngExt;
 use raybook::image::rgb::Rgb;
 use raybook::math::{dir3::Dir3, pcg::Pcg};
@@ -59,13 +59,6 @@ impl Graded for BrdfPhong {
         }
         Ok(())
     }
-
-    const RELATIONS: &'static [Relation<Self>] = &[Relation::turned(|q| BrdfPhong {
-        normal: sample::turned(q.normal),
-        view: sample::turned(q.view),
-        toward: sample::turned(q.toward),
-        ..q.clone()
-    })];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

@@ -15,9 +15,6 @@ const FROM: usize = 4;
 /// The numbers of elements in the questions of an exercise that builds a structure.
 const CROWDS: [usize; 2] = [100, 1000];
 
-/// Of as many questions with many elements as this, one hangs on no last digits.
-const TRIES: usize = 8;
-
 /// A question that follows from a case, and what is said of a wrong answer to it.
 pub struct Follower {
     /// The question with its answer.
@@ -49,7 +46,11 @@ impl dyn Examiner + '_ {
                 case,
                 place,
                 before: format!("the case itself is right, but {how} it is wrong"),
-                after: ". What does your function know that is not in the question?",
+                after: if how == TURNED {
+                    ". Which of your lines is for one axis only?"
+                } else {
+                    ". What does your function know that is not in the question?"
+                },
                 is_long: false,
             }));
         }
@@ -80,6 +81,7 @@ impl dyn Examiner + '_ {
         let turned = turned.filter(|question| domain.is_asked(question));
         let mut related = self.relations(&question);
         related.extend(turned.map(|question| (TURNED, question)));
+        related.retain(|(_, question)| self.is_sound(question) && self.is_fair(question));
         let asked = related.into_iter().filter_map(|(how, question)| {
             let case = self.follower(&format!("{}, {how}", case.name), &question, case.number);
             Some((how, case?))
@@ -92,20 +94,14 @@ impl dyn Examiner + '_ {
     fn crowds(&self, case: &Case) -> Vec<Case> {
         let rng = &mut visible_rng(&case.question);
         let of_size = |count| {
-            let name = format!("{count} elements");
-            (0..TRIES).find_map(|_| {
-                let question = self.crowded(rng, count)?;
-                self.follower(&name, &question, case.number)
-            })
+            let question = self.crowded(rng, count)?;
+            self.follower(&format!("{count} elements"), &question, case.number)
         };
         CROWDS.into_iter().filter_map(of_size).collect()
     }
 
-    /// A question with its answer, in the place of another; none if the question is not sound, or hangs on its last digits.
+    /// A question with its answer, in the place of another.
     fn follower(&self, name: &str, question: &[f64], number: usize) -> Option<Case> {
-        if !self.is_sound(question) || !self.is_fair(question) {
-            return None;
-        }
         let case = self.case(name, question).ok()?;
         Some(Case { number, ..case })
     }

@@ -74,8 +74,10 @@ impl<'a> Words<'a> {
 
     /// The next word, and what follows it.
     fn next(&self) -> Option<(&'a str, &'a str)> {
-        let rest = self.rest.trim_start();
-        let end = rest.find(char::is_whitespace).unwrap_or(rest.len());
+        let rest = self.rest.trim_ascii_start();
+        let mut bytes = rest.bytes();
+        let end = bytes.position(|byte| byte.is_ascii_whitespace());
+        let end = end.unwrap_or(rest.len());
         let (word, rest) = rest.split_at(end);
         (!word.is_empty()).then_some((word, rest))
     }

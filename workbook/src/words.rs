@@ -74,9 +74,14 @@ impl<'a> Words<'a> {
 
     /// The next word, and what follows it.
     fn next(&self) -> Option<(&'a str, &'a str)> {
-        let rest = self.rest.trim_ascii_start();
+        let rest = self.rest.trim_start();
         let mut bytes = rest.bytes();
-        let end = bytes.position(|byte| byte.is_ascii_whitespace());
+        // Nearly all words are ASCII, whose bytes are letters.
+        let end = match bytes.position(|byte| byte.is_ascii_whitespace() || !byte.is_ascii()) {
+            Some(end) if rest.is_char_boundary(end + 1) => Some(end),
+            Some(_) => rest.find(char::is_whitespace),
+            None => None,
+        };
         let end = end.unwrap_or(rest.len());
         let (word, rest) = rest.split_at(end);
         (!word.is_empty()).then_some((word, rest))

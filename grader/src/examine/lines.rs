@@ -34,7 +34,10 @@ impl dyn Examiner + '_ {
             let numbers = self.asked().read_answer(answer);
             numbers.map_err(|e| match answer.trim() {
                 "none" => "there is always an answer here, but yours is none: does the function end without `return`?".to_owned(),
-                _ => format!("the answer cannot be read: {e}"),
+                _ => format!(
+                    "the answer cannot be read: {e}; an answer here is {}, in this order",
+                    self.asked().answer_names().join(" ")
+                ),
             })
         };
         let question = self.asked().read_question(question);

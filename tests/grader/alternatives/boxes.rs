@@ -54,16 +54,26 @@ pub fn around(boxes: &[Bounds], which: &[usize]) -> Bounds {
 
 /// The left and the right side of the best cut, and its cost.
 pub fn best_cut(boxes: &[Bounds], which: &[usize]) -> (Vec<usize>, Vec<usize>, f64) {
+    cheapest_cut(boxes, which, Bounds::area, |b| b.min + b.max)
+}
+
+/// The best cut by the area of a box, in rows by the place of a box.
+pub fn cheapest_cut(
+    boxes: &[Bounds],
+    which: &[usize],
+    area: fn(&Bounds) -> f64,
+    place: fn(&Bounds) -> DVec3,
+) -> (Vec<usize>, Vec<usize>, f64) {
     let mut best = (Vec::new(), Vec::new(), f64::INFINITY);
     for axis in 0..3 {
         let mut order = which.to_vec();
         order.sort_by(|&a, &b| {
-            let center = |i: usize| boxes[i].min[axis] + boxes[i].max[axis];
-            center(a).total_cmp(&center(b))
+            let place = |i: usize| place(&boxes[i])[axis];
+            place(a).total_cmp(&place(b))
         });
         for at in 1..order.len() {
             let (left, right) = order.split_at(at);
-            let side = |side: &[usize]| around(boxes, side).area() * side.len() as f64;
+            let side = |side: &[usize]| area(&around(boxes, side)) * side.len() as f64;
             let cost = side(left) + side(right);
             if cost < best.2 {
                 best = (left.to_vec(), right.to_vec(), cost);

@@ -1,9 +1,11 @@
 //! Chapter 11: trees of boxes.
 
-use crate::alternatives::boxes::{Bounds, around, best_cut, bounds, build, list};
-use crate::alternatives::student::{Alternative, Answer, NONE, Question};
+use crate::alternatives::boxes::{Bounds, around, best_cut, bounds, build, cheapest_cut, list};
+use crate::alternatives::student::{Alternative, Answer, NONE, Question, STYLES, line};
 use crate::alternatives::triangle::{Corners, plane_then_inside, volumes};
 use glam::DVec3;
+use raybook_grader::cases;
+use raybook_grader::examine::visible_rng;
 
 pub const ALTERNATIVES: &[Alternative] = &[
     Alternative {
@@ -135,4 +137,55 @@ fn closest(q: &mut Question, hit: HitTriangle, late: bool) -> Answer {
         None => answer.push(NONE),
     }
     Some(answer)
+}
+
+/// What few boxes hide.
+const WRONG_AMONG_MANY: &[Alternative] = &[
+    Alternative {
+        exercise: "bvh_build",
+        method: "areas without one of the three sides",
+        answer: |q| {
+            let most = q.whole();
+            build(q, &|boxes, which| {
+                let (left, right, _) = cheapest_cut(boxes, which, two_sides, |b| b.min + b.max);
+                (which.len() > most).then_some((left, right))
+            })
+        },
+    },
+    Alternative {
+        exercise: "sah_split",
+        method: "areas without one of the three sides",
+        answer: |q| split(q, two_sides, |b| b.min + b.max),
+    },
+    Alternative {
+        exercise: "sah_split",
+        method: "in rows by the greatest corners",
+        answer: |q| split(q, Bounds::area, |b| b.max),
+    },
+];
+
+fn two_sides(bounds: &Bounds) -> f64 {
+    let size = bounds.max - bounds.min;
+    2.0 * (size.x * size.y + size.z * size.x)
+}
+
+fn split(q: &mut Question, area: fn(&Bounds) -> f64, place: fn(&Bounds) -> DVec3) -> Answer {
+    let boxes = q.list(bounds);
+    let all: Vec<_> = (0..boxes.len()).collect();
+    Some(list(&cheapest_cut(&boxes, &all, area, place).0))
+}
+
+#[test]
+fn wrong_costs_show_among_a_thousand_boxes() {
+    for wrong in WRONG_AMONG_MANY {
+        let (name, method) = (wrong.exercise, wrong.method);
+        let examiner = cases::find(name).expect("it is an exercise");
+        let cases = examiner.cases(&mut visible_rng(name)).cases;
+        let followers = examiner.followers(&cases);
+        let crowd = &followers.last().expect("something follows").case;
+        assert_eq!(crowd.name, "1000 elements", "{name}");
+        let got = line(&wrong.answer_to(&crowd.question), STYLES[0].1);
+        let verdict = examiner.judge(&crowd.question, &crowd.answers, &got);
+        assert!(verdict.is_err(), "{name}: {method}");
+    }
 }

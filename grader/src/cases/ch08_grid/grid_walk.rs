@@ -96,6 +96,16 @@ impl Graded for GridWalk {
             hint: "Draw three cells in a row: at which distance is the next plane along each axis, and which of the three comes first? Where does the first cell begin?",
         },
         Flaw {
+            complaint: "is not in the lattice",
+            name: "walks out of the lattice",
+            hint: "Which numbers have the first cell and the last one along each axis, and what does your loop do behind them?",
+        },
+        Flaw {
+            complaint: "which is not in cell",
+            name: "names cells in which the ray is not where it should leave them",
+            hint: "Take the first cell of the first wrong case: between which two planes does it lie along each axis, and where is the ray when it enters?",
+        },
+        Flaw {
             complaint: "the distance at which it leaves",
             name: "gives wrong distances for the right cells",
             hint: "From where is t measured, and is it that of the plane at which the ray leaves a cell?",

@@ -8,10 +8,14 @@ use std::ops::Range;
 const WINDOW: isize = 5;
 
 /// How far, in pixels, the patches reach by which two pixels are compared.
-const PATCH: usize = 1;
+const PATCH: usize = 2;
 
 /// The square of how far two pixels may differ, in units of the variance of their difference, beyond what noise explains.
 const STRENGTH: f32 = 0.2;
+
+/// The variance of a pixel q counts no more than this number of times that of p: a single bright path, which has made both its pixel and
+/// its variance large, would else be alike to everything around it.
+const NOISIER: f32 = 8.0;
 
 /// Differences of radiance, squared, that nobody sees.
 const UNSEEN: f32 = 1e-6;
@@ -24,8 +28,8 @@ const BRIGHTEST: f32 = 2.0;
 ///
 /// Non-local means (Rousselle, Knaus and Zwicker, "Adaptive rendering with non-local means filtering", 2012): a pixel p becomes
 /// Σ w(p, q)·q/Σ w(p, q) over the pixels q around it, with w = exp(−max(0, d²)), where d² is the mean over the patches around
-/// p and q of ((p − q)² − (V(p) + min(V(p), V(q))))/(k²·(V(p) + V(q))). V is the variance of a pixel, which the difference of
-/// the two pictures tells. Each picture is averaged with the weights of the other one, so that noise does not choose its own weights.
+/// p and q of ((p − q)² − (V(p) + min(V(p), V(q))))/(k²·(V(p) + min(V(q), 8 V(p)))). V is the variance of a pixel, which the difference
+/// of the two pictures tells. Each picture is averaged with the weights of the other one, so that noise does not choose its own weights.
 ///
 /// The result is a little too dark where few paths bring very much: what only one of the pictures has, and nothing around it,
 /// counts no more than twice the brightest of its surroundings.
@@ -108,7 +112,8 @@ impl Pairs {
     /// How much more each p differs from its q than by noise.
     fn distances(&self, picture: &Image, variance: &Image) -> Vec<f32> {
         let noise = |p: f32, q: f32, of_p: f32, of_q: f32| {
-            ((p - q).powi(2) - (of_p + of_p.min(of_q))) / (UNSEEN + STRENGTH * (of_p + of_q))
+            ((p - q).powi(2) - (of_p + of_p.min(of_q)))
+                / (UNSEEN + STRENGTH * (of_p + of_q.min(NOISIER * of_p)))
         };
         let mut distances = Vec::with_capacity(self.size[0] * self.size[1]);
         for (p, q) in self.rows() {

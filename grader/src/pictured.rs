@@ -2,7 +2,7 @@
 
 use crate::check::Report;
 use crate::dress::Dress;
-use crate::prints::short;
+use crate::prints::{abbreviated, first_difference, short};
 use crate::score;
 use crate::triple::{BadPixel, Triple};
 use raybook_chapters::kit::untrusted::Untrusted;
@@ -107,10 +107,12 @@ fn found(report: &Report) -> Vec<String> {
         let (wrong, pixels) = (picture.score.wrong(), picture.score.of);
         let are = if wrong == 1 { "is" } else { "are" };
         let got = bad.got.as_ref().map_or_else(|| "nothing".to_owned(), short);
+        let from = first_difference(&got, &bad.golden);
+        let [got, right] = [&got, &bad.golden].map(|words| abbreviated(words, from));
         lines.extend([
             format!("  {wrong} of {pixels} pixels{of_which} {are} wrong; the first, in column {} of row {} from the top left, asks", bad.x, bad.y),
             format!("      {} {}", report.exercise, asked(report, bad)),
-            format!("      yours: {got}; right: {}", bad.golden),
+            format!("      yours: {got}; right: {right}"),
         ]);
     }
     lines

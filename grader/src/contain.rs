@@ -50,6 +50,11 @@ pub fn start(command: &mut Command, sandbox: Option<&Sandbox>) -> io::Result<Hel
 }
 
 impl Held {
+    /// Asks the process where in its program it is.
+    pub fn interrupt(&self) {
+        signal_group(self.child.id(), Signal::SayWhere);
+    }
+
     /// Ends the process and all that it started. If it closed its output by itself, it has the time `limit` to end by itself.
     pub fn end(mut self, by_itself: bool, limit: Duration) -> Option<ExitStatus> {
         let status = if by_itself {
@@ -58,7 +63,7 @@ impl Held {
             None
         };
         // The child may have ended and been waited for, but its own children may not.
-        kill_group(self.child.id());
+        signal_group(self.child.id(), Signal::Kill);
         #[cfg(not(unix))]
         let _ = self.child.kill();
         let status = status.or_else(|| self.child.wait().ok());
@@ -90,7 +95,7 @@ pub fn end_all_on_signals() -> Result<(), ctrlc::Error> {
     ctrlc::set_handler(|| {
         let held = held();
         for (group, mark) in held.iter() {
-            kill_group(*group);
+            signal_group(*group, Signal::Kill);
             kill_marked(mark);
         }
         keys::restore();
@@ -144,17 +149,29 @@ fn die_with_the_grader(command: &mut Command) {
     unsafe { std::os::unix::process::CommandExt::pre_exec(command, ask) };
 }
 
-fn kill_group(group: u32) {
+/// What is told to a group of processes.
+#[derive(Clone, Copy)]
+enum Signal {
+    Kill,
+    /// To say where it is: SIGUSR1, which ends a program that has not asked for it.
+    SayWhere,
+}
+
+fn signal_group(group: u32, signal: Signal) {
     #[cfg(unix)]
     if let Some(group) = i32::try_from(group)
         .ok()
         .and_then(rustix::process::Pid::from_raw)
     {
-        // Nobody left to kill is no error.
-        let _ = rustix::process::kill_process_group(group, rustix::process::Signal::KILL);
+        let signal = match signal {
+            Signal::Kill => rustix::process::Signal::KILL,
+            Signal::SayWhere => rustix::process::Signal::USR1,
+        };
+        // Nobody left to hear it is no error.
+        let _ = rustix::process::kill_process_group(group, signal);
     }
     #[cfg(not(unix))]
-    let _ = group;
+    let _ = (group, signal);
 }
 
 /// Ends the processes that left the group, by `setsid` for example: on Linux, all that carry the mark.

@@ -13,7 +13,7 @@ use raybook_common::counting::peak;
 use std::f32::consts::TAU;
 
 /// Triangles of each mesh.
-const N: u32 = 100_000;
+const N: u32 = 40_000;
 
 /// The most that a structure may take per triangle, with the triangles, in bytes.
 const BYTES: usize = 500;

@@ -22,6 +22,10 @@ use std::time::{Duration, Instant};
 /// does not know the exercise, or hangs.
 const SILENT: usize = 5;
 
+/// After the first two waits in vain for an answer to an exercise, each halves the time for its next answers, this number of times:
+/// a loop that ends in no case is seen in ten seconds instead of a minute.
+const HALVED: u32 = 4;
+
 /// Questions of pixels that are open at a time.
 const AHEAD: usize = 256;
 
@@ -64,6 +68,8 @@ pub struct Asker<'a> {
     unanswered: usize,
     has_answered: bool,
     hangs: bool,
+    /// Waits in vain for an answer to this exercise.
+    waits: u32,
     /// Exercises in a row, from the first on, in which it hangs and answers nothing.
     mute: usize,
 }
@@ -82,6 +88,7 @@ impl<'a> Asker<'a> {
             unanswered: 0,
             has_answered: false,
             hangs: false,
+            waits: 0,
             mute: 0,
         }
     }
@@ -100,6 +107,7 @@ impl<'a> Asker<'a> {
         if self.hangs && !self.has_answered {
             self.mute += 1;
         }
+        self.waits = 0;
     }
 
     /// What is asked from now on goes to a new process.
@@ -211,6 +219,20 @@ impl<'a> Asker<'a> {
         over.or_else(|| ends_silent(replies, borne).then_some(Said::NotAsked(unanswered)))
     }
 
+    /// What the next answers may use.
+    fn limits(&self) -> Limits {
+        let halved = self.waits.saturating_sub(1).min(HALVED);
+        Limits {
+            time: self.limits.time / (1 << halved),
+            ..self.limits
+        }
+    }
+
+    /// Counts a wait in vain.
+    fn note(&mut self, heard: &Conversation) {
+        self.waits += u32::from(matches!(heard.end, Some(End::TimedOut(_))));
+    }
+
     /// Sends questions to the process that runs, or a new one, and returns what it says until it has answered them, or ended.
     fn converse(&mut self, questions: &[String], last: bool) -> io::Result<Conversation> {
         let mut process = match self.process.take() {
@@ -224,7 +246,9 @@ impl<'a> Asker<'a> {
             breath: if last { BREATH } else { Duration::ZERO },
         };
         let (starts, start) = (!process.has_answered, Instant::now());
-        let heard = process.converse(questions, &self.limits, waits, &mut self.budget);
+        let limits = self.limits();
+        let heard = process.converse(questions, &limits, waits, &mut self.budget);
+        self.note(&heard);
         if starts && process.has_answered {
             self.start = self.start.min(2 * start.elapsed());
         }
@@ -261,7 +285,9 @@ impl<'a> Asker<'a> {
             breath: Duration::ZERO,
         };
         let mut process = Process::start(self.program)?;
-        let heard = process.converse(questions, &self.limits, waits, &mut self.budget);
+        let limits = self.limits();
+        let heard = process.converse(questions, &limits, waits, &mut self.budget);
+        self.note(&heard);
         let Conversation {
             answers,
             end,

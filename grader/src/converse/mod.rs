@@ -178,6 +178,20 @@ impl Process {
         }
     }
 
+    /// Asks a program that takes too long where it is, and listens for as long as last words take. The answer programs in Python
+    /// tell it on standard error; others just end.
+    fn hear_where(&mut self, printed: &mut Printed) {
+        if let Some(held) = &self.held {
+            held.interrupt();
+        }
+        let deadline = Instant::now() + LAST_WORDS;
+        while let Ok(event) = self.next_until(deadline) {
+            if let Event::Error(text) = event {
+                printed.complain(&text);
+            }
+        }
+    }
+
     fn listen(
         &mut self,
         wanted: usize,
@@ -248,6 +262,7 @@ impl Process {
                     }
                     let looked = Instant::now();
                     if complete || self.clock.is_over(limit, starting) {
+                        self.hear_where(&mut printed);
                         break Some(End::TimedOut(limit));
                     }
                     if patience.is_some_and(|patience| looked >= heard + patience) {

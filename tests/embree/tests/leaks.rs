@@ -13,6 +13,7 @@ use raybook::shape::mesh::Facet;
 use raybook::shape::{Hit, Shape, Surface, teapot, triangle::Triangle};
 use raybook_embree::closed::Closed;
 use raybook_embree::scans;
+use rayon::prelude::*;
 
 /// Rays for the fastest structure, for the tree of two children, for those that sort space, and for the list.
 const FASTEST: u64 = 55_000_000;
@@ -20,20 +21,25 @@ const TREE: u64 = 6_000_000;
 const SPACE: u64 = 2_000_000;
 const LIST: u64 = 20_000;
 
+/// Parts of the rays, for as many threads as there are.
+const PARTS: u64 = 16;
+
 /// How many rays get through; of every other ray, the first hit is asked for, of the rest, whether there is any.
-fn leaks<S: Shape, A: Accel<S>>(closed: &Closed, structure: &A, rays: u64) -> u64 {
-    let mut rng = pcg::stream(rays, 4);
-    let mut leaks = 0;
-    for i in 0..rays {
-        let (ray, within) = closed.ray(&mut rng);
-        let hit = if i % 2 == 0 {
-            structure.closest(&ray, within).is_some()
-        } else {
-            structure.any(&ray, within)
+fn leaks<S: Shape, A: Accel<S> + Sync>(closed: &Closed, structure: &A, rays: u64) -> u64 {
+    let leaks_of = |part| {
+        let mut rng = pcg::stream(rays, 4 + part);
+        let gets_through = |i: &u64| {
+            let (ray, within) = closed.ray(&mut rng);
+            let hit = if i % 2 == 0 {
+                structure.closest(&ray, within).is_some()
+            } else {
+                structure.any(&ray, within)
+            };
+            !hit
         };
-        leaks += u64::from(!hit);
-    }
-    leaks
+        (0..rays / PARTS).filter(gets_through).count() as u64
+    };
+    (0..PARTS).into_par_iter().map(leaks_of).sum()
 }
 
 struct Counts<'a> {
@@ -43,7 +49,7 @@ struct Counts<'a> {
 }
 
 impl Counts<'_> {
-    fn none<A: Accel<Facet>>(&mut self, structure: &str, rays: u64, accel: &A) {
+    fn none<A: Accel<Facet> + Sync>(&mut self, structure: &str, rays: u64, accel: &A) {
         let leaks = leaks(self.closed, accel, rays);
         self.rays += rays;
         println!(

@@ -211,6 +211,28 @@ fn who_answers_after_hanging_is_asked_everything_again() {
 }
 
 #[test]
+fn each_wait_in_vain_halves_the_time_for_the_next_answers_of_the_exercise() {
+    let counted = Counted::new(
+        "while read q; do case $q in no*) exec sleep 100;; *) echo \"= $q\";; esac; done",
+    );
+    let milliseconds = |time| Said::TimedOut(Duration::from_millis(time));
+    let mut asker = Asker::new(&counted.program, Limits::of(Duration::from_millis(480)));
+    for _ in 0..2 {
+        asker.next_exercise();
+        let questions: Vec<_> = (0..8)
+            .flat_map(|_| ["no", "a"].map(str::to_owned))
+            .collect();
+        let replies = asker.ask(&questions).expect("the shell can be started");
+        let said: Vec<_> = replies.into_iter().map(|reply| reply.said).collect();
+        let expected: Vec<_> = [480, 480, 240, 120, 60, 30, 30, 30]
+            .into_iter()
+            .flat_map(|time| [milliseconds(time), answer("a")])
+            .collect();
+        assert_eq!(said, expected, "and what it answers counts");
+    }
+}
+
+#[test]
 fn a_question_without_an_answer_does_not_shift_the_others() {
     let script = "while read q; do if [ $q != c ]; then echo \"= $q\"; fi; done";
     let (said, _) = heard(script, &[&["a", "b", "c", "d"], &["e"]]);

@@ -88,6 +88,35 @@ fn a_new_folder_in_python_is_all_to_do() {
 }
 
 #[test]
+fn a_loop_that_never_ends_is_found_in_a_folder_in_python() {
+    if !there_is("/usr/bin/python3") {
+        return;
+    }
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let folder = new(home.path(), "rays", Language::Python);
+    let file = folder.join("ch01_rays.py");
+    let text = fs::read_to_string(&file).expect("it can be read");
+    let stub = "    raise NotImplementedError(\"ray_at\")";
+    assert!(text.contains(stub), "{text}");
+    let endless = "    while True:\n        t += 1  # and again";
+    fs::write(&file, text.replace(stub, endless)).expect("it can be written");
+    let line = 1 + text
+        .lines()
+        .position(|line| line.contains("\"ray_at\""))
+        .expect("a line");
+    let arguments = ["check", "ray_at", "--plain", "--time-limit", "0.2"];
+    let (code, said) = raybook_with(&folder, &arguments, &[WITHOUT_RUST]);
+    assert!(
+        code == 1
+            && said.contains("does a loop never end?")
+            && [line, line + 1]
+                .iter()
+                .any(|line| said.contains(&format!("line {line}, in ray_at"))),
+        "the place is told: {said}"
+    );
+}
+
+#[test]
 fn a_new_folder_in_python_has_sound_types() {
     // A shell finds it where a user has it; the tests need it no further.
     if !there_is("mypy") {

@@ -69,7 +69,7 @@ pub(crate) fn interval() -> impl Strategy<Value = Interval> {
 }
 
 proptest! {
-    #![proptest_config(config(50_000))]
+    #![proptest_config(config(20_000))]
 
     #[test]
     fn a_direction_has_unit_length_or_is_none(v in vector()) {

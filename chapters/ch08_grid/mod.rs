@@ -84,7 +84,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         stage.picture("picture", &caption, &picture)?;
     }
 
-    let caption = "The cells through which a ray passes, numbered in their order up to the first hit. The ray is tested only against the triangles of these cells, two of six, and against each of them once. The blue cells hold the other four.";
+    let caption = "The cells through which a ray passes, numbered in their order up to the first hit. The ray is tested only against the triangles of these cells, two of six, and against each of them once. The blue cells hold triangles too, but the ray does not pass through them.";
     stage.diagram("walk", caption, &walk_figure::diagram()?)?;
 
     let small = showroom::small(&film);

@@ -79,7 +79,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     });
     let caption = "A pin-hole camera keeps lines straight. In return it stretches objects far from the middle, without limit towards 180°. Each disc has a radius of 6°.";
     stage.figure("pinhole", caption, &pinholes(&wide, EYE, take)?)?;
-    let caption = "Fisheyes: half of all directions in the four projections; below, nearly all directions, with the camera looking ahead, down and up. Each disc has a radius of 6°.";
+    let caption = "Fisheyes: half of all directions in the four projections; below, all directions or nearly all, with the camera looking ahead, down and up. Each disc has a radius of 6°.";
     stage.figure("fisheye", caption, &fisheyes(&square, EYE, take)?)?;
 
     let around = Environment::new(picture);

@@ -87,7 +87,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         &maps(&tile, &camera, &stadium, &grid, (density, &fine))?,
     )?;
 
-    let caption = "The same view with more and more coarse cells: each cell holds a smaller part of the teapot, but a ray walks through more cells. Where triangles are spread evenly, λ = 1/8 is best.";
+    let caption = "The same view with more and more coarse cells: each cell holds a smaller part of the teapot, but a ray walks through more cells. Where triangles are spread evenly, fewer coarse cells are faster.";
     stage.diagram("densities", caption, &densities(&tiny, &camera, &stadium)?)
 }
 

@@ -37,7 +37,7 @@ pub struct Densities {
 }
 
 impl Densities {
-    /// Measured, see the chapter's page.
+    /// The coarse one of Kalojanov, Billeter and Slusallek (2011), and the fine one of a uniform grid.
     pub const USUAL: Self = Self {
         coarse: 1.0 / 8.0,
         fine: 5.0,

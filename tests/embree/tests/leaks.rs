@@ -30,7 +30,7 @@ fn leaks<S: Shape, A: Accel<S> + Sync>(closed: &Closed, structure: &A, rays: u64
         let mut rng = pcg::stream(rays, 4 + part);
         let gets_through = |i: &u64| {
             let (ray, within) = closed.ray(&mut rng);
-            let hit = if i % 2 == 0 {
+            let hit = if i.is_multiple_of(2) {
                 structure.closest(&ray, within).is_some()
             } else {
                 structure.any(&ray, within)

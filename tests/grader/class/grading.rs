@@ -4,6 +4,7 @@ use super::{Course, KEY, RIGHT, text, visible_only, wrong_sign};
 use rand::RngExt;
 use raybook::math::pcg;
 use raybook_grader::class::journal;
+use raybook_grader::class::record::Standing;
 use std::fs;
 
 const COURSE: &str = "term = 'now'\npartial = 0.5\n[[chapter]]\nchapter = 'ch01'\n";
@@ -47,6 +48,26 @@ fn class() -> Course {
     course.hand_in("each/ray_at.py", RIGHT);
     course.hand_in("each/camera_ray.py", "print('= todo')\n");
     course
+}
+
+#[test]
+fn hand_ins_are_graded_at_the_same_time() {
+    for (slow, fast) in [("a", "b"), ("b", "a")] {
+        let course = Course::new(COURSE);
+        let sleeps = format!("import time\ntime.sleep(2)\n{RIGHT}");
+        course.hand_in(&format!("{slow}/answer.py"), &sleeps);
+        course.hand_in(&format!("{fast}/answer.py"), &wrong_sign());
+        let (code, said) = course.grade(&["--jobs", "2"]);
+        assert_eq!(code, Some(0), "{said}");
+        let told = journal::read(&course.path("results")).expect("the journal");
+        let standings = told.records.iter().map(|record| record.result.standing);
+        let ended = standings.filter(|&standing| standing != Standing::NotStarted);
+        assert_eq!(
+            ended.collect::<Vec<_>>(),
+            [Standing::Wrong, Standing::Right],
+            "the fast one, {fast}, does not wait for the slow one"
+        );
+    }
 }
 
 #[test]

@@ -6,6 +6,7 @@
 //! | `kit/` | what every chapter draws with: the stage, sheets, charts, colours, options, knobs |
 //! | `shared/` | rooms, scenes and figures that a few chapters share |
 //! | `scenes/` | a package of its own: scene files, and a gallery of them |
+//! | `tour.rs` | every chapter's pictures in one run; `course.rs` is the binary that cargo runs first |
 //! | `lab/` | the sampling lab: what can be measured of a sampling pattern, and figures that show it |
 
 #![warn(
@@ -18,6 +19,7 @@ pub mod kit;
 pub mod lab;
 pub mod lesson;
 pub mod shared;
+pub mod tour;
 
 use clap::FromArgMatches;
 use kit::knobs;

@@ -3,6 +3,7 @@
 pub mod address;
 pub mod axis;
 pub mod bars;
+pub mod captions;
 pub mod chapter;
 pub mod chart;
 pub mod figure;

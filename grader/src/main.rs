@@ -4,6 +4,7 @@ mod commands;
 
 use clap::{CommandFactory, Parser, Subcommand};
 use raybook_chapters::kit::chapter::{report, said_all};
+use raybook_chapters::tour::Tour;
 use raybook_grader::contain;
 use std::path::Path;
 use std::process::ExitCode;
@@ -21,7 +22,7 @@ struct Command {
 #[derive(Subcommand)]
 enum Task {
     /// Draw every chapter's pictures, and a gallery of them
-    Tour(commands::tour::Tour),
+    Tour(Tour),
     /// Make a workbook: a folder in which you write the functions
     New(commands::new::New),
     /// Check a workbook: what is right, what is not, and the next step
@@ -77,7 +78,7 @@ fn main() -> ExitCode {
     }
     let done = match task {
         None => commands::map::print(Path::new(".")),
-        Some(Task::Tour(task)) => task.run(),
+        Some(Task::Tour(task)) => task.run().map(|()| true),
         Some(Task::New(task)) => task.run(),
         Some(Task::Check(task)) => task.run(),
         Some(Task::Watch(task)) => task.run(),

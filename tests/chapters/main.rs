@@ -18,6 +18,7 @@ mod ch21_black_hole;
 mod ch22_antialiasing;
 mod ch23_adaptive;
 mod chapters;
+mod course;
 mod golden;
 mod habits;
 mod knobs;

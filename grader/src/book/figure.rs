@@ -1,39 +1,16 @@
 //! `{{figure roots | alternative text}}`: a figure, with the caption that the run which drew it gave it.
-//!
-//! The tour writes its captions beside the pictures, so that gallery and book have one caption, and a caption may tell what the run
-//! has measured.
 
 use super::text;
 use maud::{PreEscaped, html};
-use raybook::store::{self, StoreError};
-use raybook_chapters::kit::stage::Output;
-use serde_json::{Map, Value};
+use raybook::store;
+use raybook_chapters::kit::captions;
 use std::path::Path;
-
-/// The file in a chapter's folder of pictures that holds their captions, by the figures' names.
-pub const FIGURES: &str = "figures.json";
 
 /// The size of letters that can be read, in pixels of the page.
 const READABLE: f64 = 11.0;
 
 /// The name of a lesson's main picture, which has no letters.
 const PICTURE: &str = "picture";
-
-/// Writes the captions of a chapter's pictures into its folder.
-///
-/// # Errors
-/// If the file cannot be written.
-pub fn write_captions(folder: &Path, outputs: &[Output]) -> Result<(), StoreError> {
-    let captions: Map<_, _> = outputs
-        .iter()
-        .filter_map(|output| {
-            let name = output.png.file_stem()?.to_str()?.to_owned();
-            Some((name, Value::from(output.caption.clone())))
-        })
-        .collect();
-    let text = format!("{:#}\n", Value::from(captions));
-    store::write(&folder.join(FIGURES), text.as_bytes())
-}
 
 /// The figure `name` of the page's chapter; of another chapter it is `ch03_sphere/roots`.
 ///
@@ -96,13 +73,11 @@ fn numbers(svg: &str, attribute: &str) -> Option<Vec<f64>> {
 
 /// The caption of a figure; while no pictures are drawn, a word in its place.
 fn caption(folder: &Path, name: &str) -> Result<String, String> {
-    let path = folder.join(FIGURES);
+    let path = captions::file_in(folder);
     let Ok(text) = store::read_text(&path) else {
         return Ok("This picture and its caption come with the full build.".to_owned());
     };
-    let captions: Value =
-        serde_json::from_str(&text).map_err(|e| format!("{}: {e}", path.display()))?;
-    let caption = captions[name].as_str().ok_or_else(|| {
+    let caption = captions::find(&text, name).ok_or_else(|| {
         format!(
             "{} has no figure `{name}`: its chapter draws no such picture, or the pictures are older than the page and `book/build` draws them again",
             path.display()

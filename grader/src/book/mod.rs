@@ -43,7 +43,6 @@ use directive::Directive;
 use std::path::PathBuf;
 use text::Links;
 
-pub use figure::{FIGURES, write_captions};
 pub use fit::WIDEST;
 pub use listing::listing;
 

@@ -30,7 +30,6 @@ pub mod report;
 pub mod samplers;
 pub mod solve;
 pub mod tell;
-pub mod tour;
 pub mod unwritten;
 pub mod watch;
 

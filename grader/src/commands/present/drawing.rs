@@ -4,11 +4,11 @@
 use super::screens;
 use indicatif::{ProgressBar, ProgressDrawTarget};
 use raybook::store;
+use raybook_chapters::kit::captions;
 use raybook_chapters::kit::knobs::{self, Kind};
 use raybook_chapters::kit::options::Options;
 use raybook_chapters::kit::stage::{Output, Stage};
 use raybook_chapters::lesson::Lesson;
-use raybook_grader::book::write_captions;
 use raybook_grader::serve::Answer;
 use serde_json::json;
 use std::error::Error;
@@ -227,7 +227,7 @@ impl Studio {
     fn draw_for_good(&self, lesson: &'static Lesson) -> Answer {
         let folder = self.options.out.join(lesson.name);
         let written = self.draw(lesson, What::Pictures, |outputs| {
-            write_captions(&folder, outputs)
+            captions::write(&folder, outputs)
         });
         match written {
             Ok(Ok(())) => Answer::wrong("there is no picture of this name"),

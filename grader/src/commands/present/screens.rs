@@ -2,14 +2,12 @@
 
 use raybook::store;
 use raybook_chapters::LESSONS;
+use raybook_chapters::kit::captions;
 use raybook_chapters::kit::knobs::{self, Kind, Knob};
 use raybook_chapters::kit::stage::Output;
 use raybook_chapters::lesson::Lesson;
-use raybook_grader::book::FIGURES;
-use serde_json::{Map, Value, json};
-use std::fs;
+use serde_json::{Value, json};
 use std::path::Path;
-use std::time::SystemTime;
 
 /// Every chapter: its name, number, title, what it teaches, and its knobs.
 pub(super) fn course() -> Value {
@@ -52,21 +50,18 @@ fn of_knob(knob: &Knob) -> Value {
 
 /// The pictures of a chapter that the tour drew into this folder, in the order in which it drew them; none if it did not.
 pub(super) fn drawn(folder: &Path) -> Option<Value> {
-    let text = store::read_text(&folder.join(FIGURES)).ok()?;
-    let captions: Map<String, Value> = serde_json::from_str(&text).ok()?;
-    let time = |name: &str| {
-        let file = folder.join(name).with_extension("png");
-        fs::metadata(file).and_then(|file| file.modified())
-    };
-    let mut screens = Vec::new();
-    for (name, caption) in captions {
-        let time = time(&name).ok()?; // a picture is missing: all are drawn again
-        screens.push((name != "picture", time, name, caption));
+    let text = store::read_text(&captions::file_in(folder)).ok()?;
+    let mut pictures: Vec<_> = captions::all(&text).collect();
+    if !pictures
+        .iter()
+        .all(|(name, _)| folder.join(name).with_extension("png").is_file())
+    {
+        return None; // a picture is missing: all are drawn again
     }
-    screens.sort_by_key(|(after, time, ..): &(bool, SystemTime, String, Value)| (*after, *time));
-    let screens = screens
+    pictures.sort_by_key(|(name, _)| *name != "picture");
+    let screens = pictures
         .into_iter()
-        .map(|(.., name, caption)| json!({ "name": name, "caption": caption }));
+        .map(|(name, caption)| json!({ "name": name, "caption": caption }));
     Some(screens.collect())
 }
 

@@ -1,21 +1,19 @@
 //! The tour: every chapter's pictures in one run.
 
-use super::Done;
+use crate::LESSONS;
+use crate::kit::options::Options;
+use crate::kit::say::say;
+use crate::kit::stage::{Drawn, Stage, progress_bar};
+use crate::kit::untrusted::Untrusted;
+use crate::kit::{captions, gallery, gallery::Drawing};
+use crate::lesson::Lesson;
 use clap::Args;
 use indicatif::MultiProgress;
-use raybook_chapters::LESSONS;
-use raybook_chapters::kit::options::Options;
-use raybook_chapters::kit::say::say;
-use raybook_chapters::kit::stage::{Stage, progress_bar};
-use raybook_chapters::kit::untrusted::Untrusted;
-use raybook_chapters::kit::{gallery, gallery::Drawing};
-use raybook_chapters::lesson::Lesson;
-use raybook_grader::book::write_captions;
 use raybook_workbook::curriculum::CHAPTERS;
 use std::time::Instant;
 
 /// The options of `raybook tour`.
-#[derive(Args)]
+#[derive(Args, Debug)]
 pub struct Tour {
     #[command(flatten)]
     options: Options,
@@ -26,7 +24,10 @@ pub struct Tour {
 
 impl Tour {
     /// Draws the chapters, one after the other, and after each the gallery of those so far.
-    pub fn run(&self) -> Done {
+    ///
+    /// # Errors
+    /// If `--only` names a chapter that does not exist, or a picture cannot be drawn or written.
+    pub fn run(&self) -> Drawn {
         let start = Instant::now();
         let chosen = self.chosen()?;
         let page = gallery::page_in(&self.options.out);
@@ -57,7 +58,7 @@ impl Tour {
                     gallery::rays(&outputs)
                 ));
             }
-            write_captions(&self.options.out.join(lesson.name), &outputs)?;
+            captions::write(&self.options.out.join(lesson.name), &outputs)?;
             drawings.push(Drawing {
                 lesson,
                 outputs,
@@ -71,7 +72,7 @@ impl Tour {
             start.elapsed().as_secs_f32(),
             Untrusted::from(page.as_path())
         ));
-        Ok(true)
+        Ok(())
     }
 
     fn chosen(&self) -> Result<Vec<&'static Lesson>, String> {

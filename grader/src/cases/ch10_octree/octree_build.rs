@@ -154,9 +154,13 @@ impl Graded for OctreeBuild {
     /// The nodes by levels, and the names of each leaf sorted, where it is a tree.
     fn canonical(q: &OctreeBuild, tree: TreeRow) -> TreeRow {
         // Leaves that share names are told by it.
-        if leaves(q, &tree).map_or(true, |leaves| {
-            leaves.iter().any(|leaf| shared(leaf, &leaves).is_some())
-        }) {
+        let Ok(leaves) = leaves(q, &tree) else {
+            return tree;
+        };
+        let mut names: Vec<_> = leaves.iter().map(|leaf| leaf.names.clone()).collect();
+        names.retain(|names| !names.is_empty());
+        names.sort_by_key(|names| names.start);
+        if names.windows(2).any(|two| two[0].end > two[1].start) {
             return tree;
         }
         let mut one = TreeRow {

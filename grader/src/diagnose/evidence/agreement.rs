@@ -154,8 +154,8 @@ impl Evidence<'_> {
         let golden = item.golden();
         let compare =
             |one: &[f64], other: &[f64]| self.examiner.compare(&item.question, one, other).is_ok();
-        let others = (0..self.parts.len()).filter(|other| *other != part);
-        others.into_iter().any(|other| {
+        let mut others = (0..self.parts.len()).filter(|other| *other != part);
+        others.any(|other| {
             let said = self.projected(other, golden, prediction);
             let made = self.projected(other, golden, &item.raw);
             said.zip(made)

@@ -28,7 +28,7 @@ use found::Found;
 use misread::{Misreading, misreadings};
 pub use panics::with_panics;
 use raybook_workbook::kind::Kind;
-use search::{plain, search};
+use search::{plain, search, slip_of_structure};
 
 /// A mistake that explains wrong answers.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -104,6 +104,7 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
     // A mistake whose answers have the same traits says more than what can be seen in any answer, and that more than a guess.
     let likely = spread::search(evidence, &readings);
     let seen = flaws::search(evidence);
+    let slip = slip_of_structure(evidence);
     if let Some(found) = likely.as_ref().filter(|one| one.diagnosis.certain) {
         return Some(found.diagnosis.clone());
     }
@@ -121,7 +122,7 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
             .filter(|one| one.is_own() && one.score.contradicted == 0);
         let nearly = nearly.map(|one| one.told(evidence));
         let likely = likely.filter(|one| one.is_cause).map(|one| one.diagnosis);
-        let mut made = nearly.into_iter().chain(likely);
+        let mut made = nearly.into_iter().chain(slip).chain(likely);
         found.also.extend(made.find(|one| one.name != found.name));
         return Some(found);
     }
@@ -141,12 +142,29 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
             let most = whole.as_ref().map_or(0, |found| found.score.explained);
             cover.filter(|cover| cover.explained > most)?.told()
         })
-        .or_else(|| whole.map(|found| found.told(evidence)))
+        .or_else(|| whole.map(|found| with_rest(evidence, &readings, &found)))
+        .or(slip)
         .or(seen)
         .or(likely)
         .or(parts)
         .or_else(|| in_cases(evidence, &readings))
         .or_else(|| flaws::of_some(evidence))
+}
+
+/// What explains most of the wrong answers, and what explains the rest of them.
+fn with_rest(evidence: &Evidence<'_>, readings: &[Misreading], found: &Found) -> Diagnosis {
+    let mut told = found.told(evidence);
+    let rest = evidence.without(&found.answers);
+    let second = rest.and_then(|rest| {
+        let second = search(&rest, readings).filter(Found::is_complete)?;
+        let second = second.told(&rest);
+        (second.name != told.name).then_some(second)
+    });
+    told.also.extend(second.map(|second| Diagnosis {
+        certain: false,
+        ..second
+    }));
+    told
 }
 
 /// A mistake in each of several parts.
@@ -217,21 +235,9 @@ fn in_cases(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Diagnosi
         })
     };
     let first = some(evidence)?;
-    let mut rest = evidence.clone();
-    rest.items.clear();
-    rest.wrong = 0;
-    for (i, item) in evidence.items.iter().enumerate() {
-        let explained = first.answers[i]
-            .as_ref()
-            .is_some_and(|answer| evidence.explains(i, answer));
-        if item.right || !explained {
-            rest.wrong += usize::from(!item.right);
-            rest.items.push(item.clone());
-        }
-    }
     let mut told = first.told(evidence);
     told.certain = false;
-    if rest.wrong > 0
+    if let Some(rest) = evidence.without(&first.answers)
         && let Some(second) = some(&rest)
     {
         let mut second = second.told(&rest);

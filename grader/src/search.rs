@@ -71,6 +71,8 @@ pub enum Order {
     Farthest,
     /// As they are stored.
     Stored,
+    /// The last that is stored first, as from a stack.
+    Backwards,
 }
 
 /// Which of several hits stays.
@@ -107,6 +109,8 @@ pub struct How {
     pub keeps: Keeps,
     /// Ends at the first leaf with a hit.
     pub stops: bool,
+    /// Ends a leaf at its first hit.
+    pub stops_in_leaf: bool,
 }
 
 /// As it should be.
@@ -119,6 +123,7 @@ const WELL: How = How {
     shortens: true,
     keeps: Keeps::Nearest,
     stops: false,
+    stops_in_leaf: false,
 };
 
 /// What a search found, and what it cost.
@@ -218,7 +223,9 @@ impl Search<'_> {
             Node::Leaf(triangles) => {
                 self.found.leaves += 1;
                 for &id in triangles {
-                    self.test(id);
+                    if self.test(id) && self.how.stops_in_leaf {
+                        break;
+                    }
                 }
             }
         }
@@ -231,10 +238,10 @@ impl Search<'_> {
             .take(self.how.looks_at)
             .filter_map(|(bounds, child)| Some((self.enters(&bounds)?, child)))
             .collect();
-        if self.how.order != Order::Stored {
+        if matches!(self.how.order, Order::Nearest | Order::Farthest) {
             met.sort_by(|a, b| a.0.total_cmp(&b.0));
         }
-        if self.how.order == Order::Farthest {
+        if matches!(self.how.order, Order::Farthest | Order::Backwards) {
             met.reverse();
         }
         for (t, child) in met.iter().take(self.how.opens) {
@@ -253,11 +260,13 @@ impl Search<'_> {
         }
     }
 
-    fn test(&mut self, id: u32) {
+    /// Whether a triangle is hit.
+    fn test(&mut self, id: u32) -> bool {
         self.found.tests += 1;
         let Corners { p0, p1, p2 } = self.tree.triangles[id as usize];
         let corners = [p0, p1, p2];
-        if let Some(hit) = (Facet { corners, id }).hit(self.tree.ray, self.within) {
+        let hit = (Facet { corners, id }).hit(self.tree.ray, self.within);
+        if let Some(hit) = &hit {
             if self.how.shortens {
                 self.within = self.within.before(hit.t);
             }
@@ -270,5 +279,6 @@ impl Search<'_> {
                 self.found.hit = Some(MeshHitAnswer { t: hit.t, id });
             }
         }
+        hit.is_some()
     }
 }

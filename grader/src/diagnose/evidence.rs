@@ -30,12 +30,16 @@ pub struct Item {
     pub answers: Vec<Vec<f64>>,
     /// The student's answer, as far as it is looked at.
     pub got: Vec<f64>,
+    /// The student's answer as it came.
+    raw: Vec<f64>,
     /// The student's answer in words.
     pub text: String,
     /// The right answer to the case before.
     pub previous: Option<Vec<f64>>,
-    /// Whether it is right.
+    /// Whether it is right, as far as it is looked at.
     pub right: bool,
+    /// Whether it is right in all its parts.
+    entire: bool,
     layout: Layout,
     tells: f64,
 }
@@ -96,10 +100,12 @@ impl<'a> Evidence<'a> {
             items.push(Item {
                 question,
                 answers,
+                raw: got.clone(),
                 got,
                 text: text.clone(),
                 previous: i.checked_sub(1).and_then(|before| goldens[before].clone()),
                 right: *right,
+                entire: *right,
                 layout: Layout::default(),
                 tells: 0.0,
             });
@@ -228,6 +234,49 @@ impl<'a> Evidence<'a> {
         };
         of.settle();
         (wrong > 0).then_some(of)
+    }
+
+    /// The same evidence without the wrong answers that an explanation gives; none if it gives all.
+    pub fn without(&self, explained: &[Option<Vec<f64>>]) -> Option<Self> {
+        let is_left = |(i, item): &(usize, &Item)| {
+            let gives = |answer: &Vec<f64>| self.explains(*i, answer);
+            item.right || !explained[*i].as_ref().is_some_and(gives)
+        };
+        let items = self.items.iter().enumerate().filter(is_left);
+        let items: Vec<_> = items.map(|(_, item)| item.clone()).collect();
+        let wrong = items.iter().filter(|item| !item.right).count();
+        let rest = Self {
+            items,
+            wrong,
+            ..self.clone()
+        };
+        (wrong > 0).then_some(rest)
+    }
+
+    /// The same evidence of questions that are soon gone through, step by step; none if no wrong answer is among them.
+    pub fn of_short(&self) -> Option<Self> {
+        /// Numbers of a question.
+        const SHORT: usize = 400;
+        let short = self
+            .items
+            .iter()
+            .filter(|item| item.question.len() <= SHORT);
+        let items: Vec<_> = short.cloned().collect();
+        let wrong = items.iter().filter(|item| !item.right).count();
+        let of = Self {
+            items,
+            wrong,
+            ..self.clone()
+        };
+        (wrong > 0).then_some(of)
+    }
+
+    /// Whether right answers are the reference's own, as those of a method that goes the same way: then wrong ones are those of a
+    /// mistake to the last digits, or not its own at all.
+    pub fn goes_the_same_way(&self) -> bool {
+        let right = &self.items[self.wrong..];
+        let same = right.iter().filter(|item| self.alike(item, item.golden()));
+        2 * same.count() > right.len()
     }
 
     /// The first wrong items.

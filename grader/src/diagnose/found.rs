@@ -65,6 +65,7 @@ impl Found {
         let Score {
             missed,
             contradicted,
+            strays,
             tells,
             is_doubtful,
             ..
@@ -77,7 +78,7 @@ impl Found {
         };
         // Pairs of mistakes are many, and one may fit by chance.
         missed == 0
-            && contradicted == 0
+            && contradicted + strays == 0
             && !is_doubtful
             && tells >= needed
             && self.then.is_none()

@@ -1,11 +1,12 @@
 //! Explanations by two mistakes, one after the other.
 
 use super::MOST;
-use super::evidence::Evidence;
+use super::evidence::{Evidence, Scope};
 use super::fit::{self, Answers};
 use super::found::Found;
 use super::misread::Misreading;
 use super::search::called;
+use super::slips::{Slipped, slipped};
 use crate::attempt::attempt;
 
 /// Wrong answers that an explanation is tried on before it is tried on all.
@@ -14,13 +15,64 @@ const PROBE: usize = 8;
 /// Ways to misread a question that are tried in pairs, the likeliest first.
 const PAIRS: usize = 60;
 
+/// Steps and decisions that are gone in all, when slips are tried two by two.
+const STEPS: usize = 2_000_000;
+
+/// Explanations by two steps of one way that go wrong, where no single one explains the answers.
+pub fn both(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
+    /// So many wrong answers tell whether a pair is worth a look at all of them.
+    const FEW: usize = 3;
+    let probe = evidence.probe(PROBE);
+    let is_all = evidence.scope == Scope::Whole && evidence.is_judged();
+    if !is_all || probe.wrong < FEW || !probe.tells_much() {
+        return;
+    }
+    let mut slips = slipped(evidence);
+    slips.sort_by_key(|slip| slip.rank);
+    let Some(first) = slips.first() else { return };
+    let length = first.length(&probe.items[0].question).max(1);
+    slips.truncate((2 * STEPS / length).isqrt());
+    let of_both = |one: &Slipped, other: &Slipped, k: usize| {
+        let answer = one.answer_with(other, &evidence.items[k].question)?;
+        Some(answer).filter(|answer| !answer.iter().any(|v| v.is_nan()))
+    };
+    let few = [0, evidence.wrong / 2, evidence.wrong - 1];
+    for (i, one) in slips.iter().enumerate() {
+        for other in slips[..i].iter().filter(|other| one.goes_with(other)) {
+            let explains = |k: &usize| {
+                of_both(one, other, *k).is_some_and(|answer| evidence.explains(*k, &answer))
+            };
+            if !few.iter().all(explains) {
+                continue;
+            }
+            let answers: Answers = (0..evidence.items.len())
+                .map(|k| of_both(one, other, k))
+                .collect();
+            let score = evidence.score(1.0, |k| answers[k].clone());
+            let Some(score) = score.filter(|score| score.missed + score.contradicted == 0) else {
+                continue;
+            };
+            found.push(Found {
+                name: other.name.clone(),
+                hint: other.hint.clone(),
+                then: Some((one.name.clone(), one.hint.clone())),
+                rival: None,
+                rank: 60 + one.rank + other.rank,
+                fitted: 0,
+                score,
+                answers,
+            });
+        }
+    }
+}
+
 /// Explanations by two mistakes, one after the other: what is made of the answer of another mistake, or of a question misread.
 #[allow(clippy::too_many_lines, clippy::type_complexity)] // two searches over the same first mistakes
 pub fn pairs(evidence: &Evidence<'_>, readings: &[Misreading], found: &mut Vec<Found>) {
     let examiner = evidence.examiner;
     let asked = examiner.asked();
     let probe = evidence.probe(PROBE);
-    if examiner.limits().slow || probe.wrong < 3 || !probe.tells_much() {
+    if probe.wrong < 3 || !probe.tells_much() {
         return;
     }
     let mistakes = examiner.mistakes();

@@ -1,13 +1,13 @@
 //! Trying all explanations by one mistake.
 
-use super::MOST;
 use super::evidence::{Evidence, Scope};
 use super::fit::{self, Answers, Explanation};
 use super::found::Found;
 use super::misread::Misreading;
-use super::pairs::pairs;
+use super::pairs::{both, pairs};
 use super::slips::slipped;
 use super::special;
+use super::{Diagnosis, MOST};
 use crate::attempt::attempt;
 use raybook_workbook::exercise::Asked;
 
@@ -17,6 +17,9 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Found>
     plain(evidence, readings, MOST, &mut found);
     if !found.iter().any(Found::is_complete) && evidence.scope != Scope::Shape {
         pairs(evidence, readings, &mut found);
+        if !found.iter().any(Found::is_complete) {
+            both(evidence, &mut found);
+        }
     }
     found.retain(Found::holds);
     best(found)
@@ -74,18 +77,39 @@ pub fn plain(evidence: &Evidence<'_>, readings: &[Misreading], share: f64, found
         consider(evidence, share, one, &answer, found);
     }
     if evidence.is_judged() && !found.iter().any(Found::is_complete) {
-        for slip in slipped(evidence) {
-            let answer = |k: usize| slip.answer(&evidence.items[k].question);
-            let one = Explanation {
-                name: slip.name.clone(),
-                hint: slip.hint.clone(),
-                rank: slip.rank,
-                fitted: 0,
-                answers: Vec::new(),
-            };
-            consider(evidence, share, one, &answer, found);
-        }
+        by_slips(evidence, share, found);
     }
+}
+
+/// All explanations by a step that goes wrong.
+fn by_slips(evidence: &Evidence<'_>, share: f64, found: &mut Vec<Found>) {
+    for slip in slipped(evidence) {
+        let answer = |k: usize| slip.answer(&evidence.items[k].question);
+        let one = Explanation {
+            name: slip.name.clone(),
+            hint: slip.hint.clone(),
+            rank: slip.rank,
+            fitted: 0,
+            answers: Vec::new(),
+        };
+        consider(evidence, share, one, &answer, found);
+    }
+}
+
+/// The step that goes wrong where many answers are right, as of a tree: told if right answers are those of the same way. Few decisions
+/// make a structure, and several slips the same one, so it is never certain.
+pub fn slip_of_structure(evidence: &Evidence<'_>) -> Option<Diagnosis> {
+    if evidence.is_judged() || !evidence.goes_the_same_way() {
+        return None;
+    }
+    let short = evidence.of_short()?;
+    let mut found = Vec::new();
+    by_slips(&short, MOST, &mut found);
+    let found = best(found).filter(|one| one.score.contradicted == 0)?;
+    Some(Diagnosis {
+        certain: false,
+        ..found.told(&short)
+    })
 }
 
 /// The right answers.

@@ -106,6 +106,24 @@ impl Slipped {
         let work = || (self.explainer.work)(self.way, question, &mut Way::with(self.slip));
         attempt(work)
     }
+
+    /// What is answered if another slip is made on the same way too.
+    pub fn answer_with(&self, other: &Self, question: &[f64]) -> Option<Vec<f64>> {
+        let both = [self.slip, other.slip];
+        attempt(|| (self.explainer.work)(self.way, question, &mut Way::with_both(both)))
+    }
+
+    /// Whether another slip can be made on the same way.
+    pub fn goes_with(&self, other: &Self) -> bool {
+        self.way == other.way && self.slip.place() != other.slip.place()
+    }
+
+    /// How many steps the way to an answer has.
+    pub fn length(&self, question: &[f64]) -> usize {
+        let mut way = Way::default();
+        (self.explainer.work)(self.way, question, &mut way);
+        way.end().length
+    }
 }
 
 /// No more steps than these, in all questions, are tried with slips: an estimate has a thousand times as many as a formula.

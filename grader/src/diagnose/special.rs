@@ -3,7 +3,7 @@
 use super::evidence::{Evidence, Scope};
 use super::fit::{Answers, Explanation};
 use super::number::short;
-use crate::layout::layout;
+use crate::layout::{Part, layout};
 use raybook_workbook::kind::Kind;
 
 /// The rank of what is there to see in the answers, and needs no guess.
@@ -262,6 +262,32 @@ pub fn explanations(evidence: &Evidence<'_>, base: &Answers) -> Vec<Explanation>
             );
         }
     }
+    if evidence.scope == Scope::Whole {
+        for [i, j, k] in alike_triples(&evidence.parts) {
+            for [from_i, from_j, from_k] in [[j, k, i], [k, i, j]] {
+                let answers = each(&|_, base| {
+                    let fields = layout(kind, base);
+                    let mut made = base.to_vec();
+                    for (to, from) in [(i, from_i), (j, from_j), (k, from_k)] {
+                        for (to, from) in fields.of_part(to).zip(fields.of_part(from)) {
+                            made[to.range()].copy_from_slice(&base[from.range()]);
+                        }
+                    }
+                    Some(made)
+                });
+                let name = |part: usize| evidence.parts[part].name.as_str();
+                let names = |parts: [usize; 3]| parts.map(name).join(", ");
+                let (written, wanted) = (names([from_i, from_j, from_k]), names([i, j, k]));
+                add(
+                    11,
+                    0,
+                    format!("writes {written} where its answer has {wanted}"),
+                    "In which order are the parts of the answer written?",
+                    answers,
+                );
+            }
+        }
+    }
     let (yes, no) = (vec![1.0], vec![0.0]);
     let is_yes_or_no =
         |row: &Option<Vec<f64>>| row.as_ref().is_none_or(|row| *row == yes || *row == no);
@@ -275,4 +301,21 @@ pub fn explanations(evidence: &Evidence<'_>, base: &Answers) -> Vec<Explanation>
         );
     }
     all
+}
+
+/// All three parts of an answer that can stand in for each other.
+fn alike_triples(parts: &[Part]) -> Vec<[usize; 3]> {
+    let alike =
+        |i: usize, j: usize| parts[i].kind == parts[j].kind && parts[i].list == parts[j].list;
+    let mut triples = Vec::new();
+    for i in 0..parts.len() {
+        for j in (i + 1..parts.len()).filter(|j| alike(i, *j)) {
+            triples.extend(
+                (j + 1..parts.len())
+                    .filter(|k| alike(i, *k))
+                    .map(|k| [i, j, k]),
+            );
+        }
+    }
+    triples
 }

@@ -87,6 +87,18 @@ pub enum Slip {
     Decision(Place, fn(bool) -> bool),
 }
 
+impl Slip {
+    /// Where it is made.
+    pub fn place(&self) -> Place {
+        match *self {
+            Self::Value(at, _)
+            | Self::Other { at, .. }
+            | Self::Mix { at, .. }
+            | Self::Decision(at, _) => at,
+        }
+    }
+}
+
 /// More steps than these no way to a right answer takes: a way with a slip may never end.
 const ENDLESS: usize = 200_000;
 

@@ -77,7 +77,7 @@ pub struct Way {
     steps: Vec<Step>,
     untold: Vec<Step>,
     decisions: Vec<Decision>,
-    slip: Option<Slip>,
+    slips: [Option<Slip>; 2],
     is_watched: bool,
     calculated: usize,
 }
@@ -99,7 +99,15 @@ impl Way {
     /// A way on which a slip is made.
     pub fn with(slip: Slip) -> Self {
         Self {
-            slip: Some(slip),
+            slips: [Some(slip), None],
+            ..Self::default()
+        }
+    }
+
+    /// A way on which two slips are made.
+    pub fn with_both(slips: [Slip; 2]) -> Self {
+        Self {
+            slips: slips.map(Some),
             ..Self::default()
         }
     }
@@ -183,10 +191,13 @@ impl Way {
         });
         self.decisions[at].held |= holds;
         self.decisions[at].failed |= !holds;
-        match self.slip {
-            Some(Slip::Decision(at, of)) if at == place => of(holds),
-            _ => holds,
-        }
+        self.slips
+            .iter()
+            .flatten()
+            .fold(holds, |holds, slip| match slip {
+                Slip::Decision(at, of) if *at == place => of(holds),
+                _ => holds,
+            })
     }
 
     /// Calculates what is not told.
@@ -195,7 +206,7 @@ impl Way {
         let result = calculate(self);
         for step in self.steps.drain(told..) {
             // Who makes a slip knows the places already.
-            let is_new = self.slip.is_none() || self.is_watched;
+            let is_new = self.slips[0].is_none() || self.is_watched;
             if is_new && !self.untold.iter().any(|one| one.place == step.place) {
                 self.untold.push(step);
             }
@@ -222,18 +233,16 @@ impl Way {
 
     fn count(&mut self) {
         self.calculated += 1;
-        if self.slip.is_some() {
+        if self.slips[0].is_some() {
             end_if_endless(self.calculated);
         }
     }
 
     /// Whether the steps are read: those of a way with a slip only by a slip that looks back.
     fn is_read(&self) -> bool {
-        self.is_watched
-            || matches!(
-                self.slip,
-                None | Some(Slip::Other { .. } | Slip::Mix { .. })
-            )
+        let looks_back = |slip: &Slip| matches!(slip, Slip::Other { .. } | Slip::Mix { .. });
+        let mut slips = self.slips.iter().flatten();
+        self.is_watched || self.slips[0].is_none() || slips.any(looks_back)
     }
 
     /// What the way leaves behind.
@@ -257,27 +266,19 @@ impl Way {
         }
     }
 
-    #[track_caller]
-    fn add<V: Value>(
-        &mut self,
-        name: impl Into<Cow<'static, str>>,
-        unit: &'static str,
-        v: V,
-        is_told: bool,
-    ) -> V {
-        self.count();
-        let place = Place::here();
-        let v = match self.slip {
-            Some(Slip::Value(at, change)) if at == place => {
+    /// What a slip makes of the value of the step at a place.
+    fn slipped<V: Value>(&self, v: V, place: Place, slip: Slip) -> V {
+        match slip {
+            Slip::Value(at, change) if at == place => {
                 let mut value = v.numbers();
                 change.make(&mut value);
                 v.with(&value)
             }
-            Some(Slip::Other { at, of }) if at == place => {
+            Slip::Other { at, of } if at == place => {
                 let value = self.last(of, v.numbers().len());
                 value.map_or(v, |value| v.with(&value))
             }
-            Some(Slip::Mix { at, of, how, only }) if at == place => {
+            Slip::Mix { at, of, how, only } if at == place => {
                 let mut value = v.numbers();
                 let others = self.last(of, value.len()).into_iter().flatten();
                 for (i, (v, other)) in value.iter_mut().zip(others).enumerate() {
@@ -288,7 +289,21 @@ impl Way {
                 v.with(&value)
             }
             _ => v,
-        };
+        }
+    }
+
+    #[track_caller]
+    fn add<V: Value>(
+        &mut self,
+        name: impl Into<Cow<'static, str>>,
+        unit: &'static str,
+        v: V,
+        is_told: bool,
+    ) -> V {
+        self.count();
+        let place = Place::here();
+        let slips = self.slips.iter().flatten();
+        let v = slips.fold(v, |v, slip| self.slipped(v, place, *slip));
         if self.is_read() {
             self.steps.push(Step {
                 name: name.into(),

@@ -55,6 +55,19 @@ impl Graded for BoundsOf {
             answer: |q| bounds(q.points.iter().copied().take(q.points.len().max(2) - 1)),
         },
         Mistake {
+            name: "asks for the greatest only where it did not find a new least (else if)",
+            hint: "Bound a single point: which of your two conditions does it meet, and which should it?",
+            answer: |q| {
+                let empty = bounds([].into_iter());
+                q.points
+                    .iter()
+                    .fold(empty, |Corners { min, max }, p| Corners {
+                        min: min.min(*p),
+                        max: Vec3::select(p.cmplt(min), max, max.max(*p)),
+                    })
+            },
+        },
+        Mistake {
             name: "swaps the corners",
             hint: "Which of the two corners has the smaller coordinates?",
             answer: |q| {

@@ -58,6 +58,15 @@ impl Graded for MeshHit {
             answer: |q| hits(q).next(),
         },
         Mistake {
+            name: "ends at the first triangle that is missed",
+            hint: "Put a triangle that the ray misses in front of one that it hits: what becomes of your loop?",
+            answer: |q| {
+                let until = hits(q).zip(0..).take_while(|(hit, i)| hit.id == *i);
+                let hits = until.map(|(hit, _)| hit);
+                hits.min_by(|a, b| a.t.total_cmp(&b.t))
+            },
+        },
+        Mistake {
             name: "returns the last hit in the list",
             hint: "Put the near triangle first: is it still the one you return?",
             answer: |q| hits(q).last(),

@@ -76,9 +76,17 @@ impl Graded for TwoLevelWalk {
         } else {
             f32::INFINITY
         };
+        let ray = Ray::new(origin, Dir3::new_or(inside - origin, Dir3::X));
+        // Half of the rays are followed from near the point inside, or no further.
+        let at = ray.direction.dot(inside - origin).max(0.0);
+        let within = match rng.random_range(0..4) {
+            0 => Interval::new(at, f32::INFINITY),
+            1 => Interval::new(0.0, at.max(0.1)),
+            _ => Interval::new(0.0, end),
+        };
         TwoLevelWalk {
-            ray: Ray::new(origin, Dir3::new_or(inside - origin, Dir3::X)),
-            within: Interval::new(0.0, end),
+            ray,
+            within,
             min,
             max: min + size,
             coarse,
@@ -192,6 +200,18 @@ impl Graded for TwoLevelWalk {
                 Self::misread(q, |q| {
                     q.within = Interval::new(f32::NEG_INFINITY, f32::INFINITY);
                 })
+            },
+        },
+        Mistake {
+            name: "ends the walk through the fine cells where the coarse cell ends, not where the interval does",
+            hint: "The interval begins and ends within one coarse cell: which of its fine cells does the ray pass before, and which after?",
+            answer: |q| {
+                let met: Vec<_> = by_coarse_cell(q).into_iter().map(|group| group.0).collect();
+                let mut all = q.clone();
+                all.within = Interval::new(f32::NEG_INFINITY, f32::INFINITY);
+                let groups = by_coarse_cell(&all).into_iter();
+                let groups = groups.filter(|(first, ..)| met.contains(first));
+                groups.flat_map(|group| group.2).collect()
             },
         },
         Mistake {

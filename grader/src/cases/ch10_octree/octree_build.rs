@@ -91,21 +91,23 @@ impl Graded for OctreeBuild {
         let tolerance = 1e-4 * (q.max - q.min).max_element();
         for leaf in &leaves {
             let names = &got.names[leaf.names.clone()];
+            // Where its names begin is the cause of what they are.
+            let or_shared = |why: String| Err(shared(leaf, &leaves).unwrap_or(why));
             for (i, shape) in (0..).zip(&q.shapes) {
                 let deep =
                     (shape.max.min(leaf.cell.max) - shape.min.max(leaf.cell.min)).min_element();
                 let named = names.iter().filter(|&&name| name == i).count();
                 if named > 1 {
-                    return Err(format!("leaf {} names shape {i} twice", leaf.node));
+                    return or_shared(format!("leaf {} names shape {i} twice", leaf.node));
                 }
                 if named == 0 && deep > tolerance {
-                    return Err(format!(
+                    return or_shared(format!(
                         "shape {i} reaches leaf {}, which does not name it",
                         leaf.node
                     ));
                 }
                 if named == 1 && deep < -tolerance {
-                    return Err(format!(
+                    return or_shared(format!(
                         "leaf {} names shape {i}, which is not in it",
                         leaf.node
                     ));
@@ -151,7 +153,14 @@ impl Graded for OctreeBuild {
 
     /// The nodes by levels, and the names of each leaf sorted, where it is a tree.
     fn canonical(q: &OctreeBuild, tree: TreeRow) -> TreeRow {
-        if leaves(q, &tree).is_err() {
+        // Leaves that share names are told by it.
+        let Ok(leaves) = leaves(q, &tree) else {
+            return tree;
+        };
+        let mut names: Vec<_> = leaves.iter().map(|leaf| leaf.names.clone()).collect();
+        names.retain(|names| !names.is_empty());
+        names.sort_by_key(|names| names.start);
+        if names.windows(2).any(|two| two[0].end > two[1].start) {
             return tree;
         }
         let mut one = TreeRow {
@@ -196,6 +205,11 @@ impl Graded for OctreeBuild {
         },
         Flaw {
             complaint: "of a list of",
+            name: "lets leaves begin at the wrong place of the list of names",
+            hint: "How long is the list of names before a leaf's own are appended, and how long after that?",
+        },
+        Flaw {
+            complaint: "both name what is at place",
             name: "lets leaves begin at the wrong place of the list of names",
             hint: "How long is the list of names before a leaf's own are appended, and how long after that?",
         },
@@ -326,6 +340,17 @@ impl Graded for OctreeBuild {
             name: "swaps x and z in the children's numbers",
             hint: "Child 1 is in the upper half along one axis only: along which?",
             answer: |q| {
+                let swap = |p: &mut Vec3| std::mem::swap(&mut p.x, &mut p.z);
+                Self::misread(q, |q| {
+                    let corners = q.shapes.iter_mut().flat_map(|s| [&mut s.min, &mut s.max]);
+                    corners.chain([&mut q.min, &mut q.max]).for_each(swap);
+                })
+            },
+        },
+        Mistake {
+            name: "swaps x and z in the children's numbers, but not in their cells",
+            hint: "Child 1 is in the upper half along one axis only: along which? Do its cell and its shapes agree?",
+            answer: |q| {
                 built(
                     q,
                     |l| l,
@@ -382,6 +407,20 @@ struct LeafOf {
     node: usize,
     cell: Aabb,
     names: std::ops::Range<usize>,
+}
+
+/// What is wrong if a leaf's names are those of another leaf too.
+fn shared(leaf: &LeafOf, leaves: &[LeafOf]) -> Option<String> {
+    let shares = |other: &&LeafOf| {
+        let (a, b) = (&leaf.names, &other.names);
+        other.node != leaf.node && a.start < b.end && b.start < a.end
+    };
+    let other = leaves.iter().find(shares)?;
+    let at = leaf.names.start.max(other.names.start);
+    Some(format!(
+        "leaves {} and {} both name what is at place {at} of the list of names",
+        leaf.node, other.node
+    ))
 }
 
 /// The leaves of an answer, if it is a tree and no deeper than it may be.

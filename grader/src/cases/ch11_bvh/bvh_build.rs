@@ -314,7 +314,8 @@ fn tree_cost(q: &BvhBuild, tree: &BvhBuildAnswer) -> Result<f32, String> {
         ));
     }
     let mut used = vec![false; tree.nodes.len()];
-    let mut sum = 0.0;
+    // Where a node begins is the cause of what is wrong with its box: the boxes come last.
+    let mut holdings = Vec::new();
     let mut open = vec![0];
     while let Some(i) = open.pop() {
         let node = tree
@@ -359,6 +360,13 @@ fn tree_cost(q: &BvhBuild, tree: &BvhBuildAnswer) -> Result<f32, String> {
             }
             below.push((format!("box {shape}"), Aabb::from(row)));
         }
+        holdings.push((i, node, below));
+    }
+    if let Some(lost) = met.iter().position(|met| !met) {
+        return Err(format!("box {lost} is in no leaf"));
+    }
+    let mut sum = 0.0;
+    for (i, node, below) in holdings {
         let boxes = below.iter().map(|(_, bounds)| bounds);
         let whole = boxes.fold(Aabb::EMPTY, |whole, bounds| whole.union(bounds));
         let slack = 1e-4 * whole.size().abs().max_element().max(1e-3);
@@ -378,10 +386,7 @@ fn tree_cost(q: &BvhBuild, tree: &BvhBuildAnswer) -> Result<f32, String> {
                 whole.min, whole.max
             ));
         }
-        sum += node_area(node) * if count == 0 { 1.0 } else { count as f32 };
-    }
-    if let Some(lost) = met.iter().position(|met| !met) {
-        return Err(format!("box {lost} is in no leaf"));
+        sum += node_area(node) * node.count.max(1) as f32;
     }
     Ok(sum
         / tree

@@ -36,7 +36,14 @@ impl Graded for BvhClosest {
         search::counted("triangle tests", least.tests, got.tests)?;
         search::counted("box tests", least.boxes, got.boxes)?;
         few("triangle", golden.tests, got.tests)?;
-        few("box", golden.boxes, got.boxes)
+        few("box", golden.boxes, got.boxes)?;
+        if golden.hit.is_none() {
+            let without_hit = with_tree(q, |tree| search::without_hit(tree, &node(q, 0)));
+            few_without_hit("triangle", without_hit.tests, got.tests)?;
+            // Who asks the root's box too counts one more.
+            few_without_hit("box", without_hit.boxes + 1, got.boxes)?;
+        }
+        Ok(())
     }
 
     fn traits(_q: &BvhClosest, got: &BvhClosestAnswer) -> Vec<f64> {
@@ -111,6 +118,27 @@ impl Graded for BvhClosest {
             answer: |q| search(q, |how| how.order = Order::Stored),
         },
         Mistake {
+            name: "opens the second child first, whichever is nearer",
+            hint: "The last one on the stack is the first one off it: which one should that be?",
+            answer: |q| search(q, |how| how.order = Order::Backwards),
+        },
+        Mistake {
+            name: "tests no more triangles of a leaf after the first that is hit",
+            hint: "Two triangles of a leaf are hit: which one is tested first, and which one is nearer?",
+            answer: |q| search(q, |how| how.stops_in_leaf = true),
+        },
+        Mistake {
+            name: "begins to count the tests at 1",
+            hint: "A ray that misses all boxes: how many triangles does it test?",
+            answer: |q| {
+                let right = q.answer();
+                BvhClosestAnswer {
+                    tests: right.tests + 1,
+                    ..right
+                }
+            },
+        },
+        Mistake {
             name: "keeps the first hit that it finds",
             hint: "Boxes may overlap: can a triangle that is tested later be nearer?",
             answer: |q| search(q, |how| (how.shortens, how.keeps) = (false, Keeps::First)),
@@ -167,6 +195,17 @@ pub(super) fn few(what: &str, golden: u32, got: u32) -> Verdict {
     } else {
         Err(format!(
             "the hit is right, but it took {got} {what} tests; the reference needs {golden}"
+        ))
+    }
+}
+
+/// No more tests than there can be: where nothing is hit, no order matters.
+fn few_without_hit(what: &str, most: u32, got: u32) -> Verdict {
+    if got <= most {
+        Ok(())
+    } else {
+        Err(format!(
+            "the hit is right, but it took {got} {what} tests; where nothing is hit, every search makes {most}"
         ))
     }
 }

@@ -139,6 +139,14 @@ impl Graded for SahSplit {
             },
         },
         Mistake {
+            name: "returns places in the sorted row instead of the boxes' numbers",
+            hint: "After sorting, which box is at the first place, and what was its number before?",
+            answer: |q| {
+                let left = Self::misread(q, |_| {}).len() as u32;
+                (0..left).collect()
+            },
+        },
+        Mistake {
             name: "tries the longest axis only",
             hint: "Is the best cut always across the longest side?",
             answer: |q| {

@@ -29,6 +29,16 @@ impl Graded for PhongExercise {
             },
         },
         Mistake {
+            name: "lets the highlight shine from behind, mirrored with a cosine of 0",
+            hint: "Put the light below the surface: the diffuse part vanishes; does everything?",
+            answer: |q| {
+                let cosine = q.at.toward.dot(*q.at.normal).max(0.0);
+                let mirrored = 2.0 * cosine * *q.at.normal - *q.at.toward;
+                let highlight = q.at.specular * power(mirrored.dot(*q.at.view), &q.at);
+                (q.at.diffuse * cosine + highlight) * q.at.arriving
+            },
+        },
+        Mistake {
             name: "lets a light from behind take light away",
             hint: "Is any of your channels ever negative? There is no negative light.",
             answer: |q| {

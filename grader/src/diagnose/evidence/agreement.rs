@@ -10,6 +10,8 @@ pub struct Score {
     pub explained: usize,
     /// Wrong answers that are not.
     pub missed: usize,
+    /// Wrong answers that are as it says in the part that is looked at, and in another part neither right nor as it says.
+    pub strays: usize,
     /// How many answers are right although it says otherwise.
     pub contradicted: usize,
     /// How many of all answers are as it says to the last digits.
@@ -104,7 +106,7 @@ impl Evidence<'_> {
     }
 
     /// The same numbers, up to rounding.
-    fn alike(&self, item: &Item, prediction: &[f64]) -> bool {
+    pub(super) fn alike(&self, item: &Item, prediction: &[f64]) -> bool {
         if prediction.len() != item.got.len() {
             return false;
         }
@@ -133,6 +135,32 @@ impl Evidence<'_> {
         }
         let compare = |answer: &Vec<f64>| self.examiner.compare(&item.question, answer, prediction);
         item.answers.iter().any(|answer| compare(answer).is_ok())
+    }
+
+    /// Whether an answer that is right in all its parts speaks against a prediction that is wrong in one of those that are not
+    /// looked at: who makes a mistake makes it in the whole answer.
+    fn is_contradicted_elsewhere(&self, item: &Item, prediction: &[f64]) -> bool {
+        let compare = |answer: &Vec<f64>| self.examiner.compare(&item.question, answer, prediction);
+        self.scope != Scope::Whole
+            && item.entire
+            && !item.answers.iter().any(|answer| compare(answer).is_ok())
+    }
+
+    /// Whether a prediction of one part says of another what is neither right there nor the student's.
+    fn strays_elsewhere(&self, item: &Item, prediction: &[f64]) -> bool {
+        let Scope::Part(part) = self.scope else {
+            return false;
+        };
+        let golden = item.golden();
+        let compare =
+            |one: &[f64], other: &[f64]| self.examiner.compare(&item.question, one, other).is_ok();
+        let mut others = (0..self.parts.len()).filter(|other| *other != part);
+        others.any(|other| {
+            let said = self.projected(other, golden, prediction);
+            let made = self.projected(other, golden, &item.raw);
+            said.zip(made)
+                .is_some_and(|(said, made)| !compare(golden, &said) && !compare(&said, &made))
+        })
     }
 
     /// Whether an answer gives that of an item.
@@ -170,6 +198,11 @@ impl Evidence<'_> {
                 .as_ref()
                 .and_then(|prediction| self.seen(item, prediction));
             if item.right {
+                let elsewhere = |all: &Vec<f64>| self.is_contradicted_elsewhere(item, all);
+                if predicted.as_ref().is_some_and(elsewhere) {
+                    score.contradicted += 1;
+                    continue;
+                }
                 let Some(prediction) = prediction else {
                     // It is silent; or it says that there is nothing where the right answer has this part.
                     let has_part = || self.seen(item, item.golden()).is_some();
@@ -188,6 +221,8 @@ impl Evidence<'_> {
             if agrees {
                 rest.add(&item.got, prediction.as_deref().unwrap_or(&[]));
                 score.explained += 1;
+                let strays = |all: &Vec<f64>| self.strays_elsewhere(item, all);
+                score.strays += usize::from(predicted.as_ref().is_some_and(strays));
                 score.close += usize::from(close);
                 score.tells += item.tells;
             } else {

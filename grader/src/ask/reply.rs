@@ -70,7 +70,7 @@ impl Said {
     }
 
     /// Whether it was not asked.
-    pub(super) fn is_left_out(&self) -> bool {
+    pub(crate) fn is_left_out(&self) -> bool {
         matches!(self, Self::NotAsked(_) | Self::Over(_))
     }
 

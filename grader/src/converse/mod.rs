@@ -207,7 +207,10 @@ impl Process {
         let mut patience = waits.patience;
         self.clock.restart();
         // What a busy machine took does not count against a total limit, but a tenth of all time does.
-        let lost = |clock: &Clock| (clock.lost() - lost_before).min(start.elapsed() * 9 / 10);
+        let lost = |clock: &Clock| {
+            let lost = clock.lost().saturating_sub(lost_before);
+            lost.min(start.elapsed() * 9 / 10)
+        };
         let blamed = |clock: &Clock| start.elapsed().saturating_sub(lost(clock));
         let end = loop {
             if patience.is_none() {

@@ -65,8 +65,8 @@ impl Prepared {
         if leave_the_system().is_ok() {
             limit(Resource::Nproc, at_most(self.threads))?;
         }
-        for (resource, most) in &self.limits {
-            limit(*resource, most.clone())?;
+        for &(resource, most) in &self.limits {
+            limit(resource, most)?;
         }
         let none = CapabilitySets {
             effective: CapabilitySet::empty(),

@@ -43,6 +43,8 @@ fn what_was_given_out_is_linked_and_what_was_changed_is_compiled() {
     let words =
         "#error Killed signal terminated program cc1plus: No space left on device, signal: 9\n";
     workbook(&course, "pretends", &[("ch01_rays.cpp", words)]);
+    let embeds = "asm(\".data\\nt: .incbin \\\"/etc/passwd\\\"\\n.text\");\n";
+    workbook(&course, "embeds", &[("ch01_rays.cpp", embeds)]);
     workbook(
         &course,
         "main",
@@ -56,6 +58,7 @@ fn what_was_given_out_is_linked_and_what_was_changed_is_compiled() {
         ("wrong", "wrong"),
         ("elsewhere", "does not compile"),
         ("pretends", "does not compile"),
+        ("embeds", "does not compile"),
         ("main", "wrong"),
     ] {
         assert_eq!(

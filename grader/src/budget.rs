@@ -1,5 +1,6 @@
 //! What a program may use in all: time and bytes, for each exercise and for a whole check.
 
+use crate::ask::MORE_TIME;
 use crate::converse::Limits;
 use std::time::Duration;
 
@@ -39,7 +40,7 @@ impl Over {
         };
         match self {
             Self::Time(whole, limit) => format!(
-                "all answers of {} together may take {} s, and these are over (--time-limit gives more time; {})",
+                "all answers of {} together may take {} s, and these are over{MORE_TIME}; {})",
                 name(whole),
                 limit.as_secs_f32(),
                 match whole {

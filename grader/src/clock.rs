@@ -29,6 +29,10 @@ pub(crate) struct Clock {
     wall: Duration,
     /// What was used when a part of the time was over.
     noted: Option<Duration>,
+    /// The last look after that: when, since the beginning, and what was used.
+    looked: Option<(Duration, Duration)>,
+    /// How long, whenever it was looked at, the program was at work and did not have the processor.
+    lost: Duration,
 }
 
 impl Clock {
@@ -39,12 +43,22 @@ impl Clock {
             since: Instant::now(),
             wall: Duration::ZERO,
             noted: None,
+            looked: None,
+            lost: Duration::ZERO,
         }
     }
 
     /// Begins anew.
     pub(crate) fn restart(&mut self) {
-        *self = Self::new(self.group);
+        *self = Self {
+            lost: self.lost,
+            ..Self::new(self.group)
+        };
+    }
+
+    /// The time on the wall that a busy machine took from the program, in all its time.
+    pub(crate) fn lost(&self) -> Duration {
+        self.lost
     }
 
     /// When to look again whether the time is over.
@@ -69,9 +83,18 @@ impl Clock {
         let (elapsed, total) = (self.since.elapsed(), limit + start);
         let usage = self.usage();
         let Some(before) = self.noted else {
-            self.noted = Some(usage.map_or(Duration::ZERO, |usage| usage.time));
+            let used = usage.map_or(Duration::ZERO, |usage| usage.time);
+            self.noted = Some(used);
+            self.looked = Some((elapsed, used));
             return false;
         };
+        if let (Some(usage), Some((when, used))) = (usage, self.looked) {
+            self.looked = Some((elapsed, usage.time));
+            if usage.at_work {
+                let used = usage.time.saturating_sub(used);
+                self.lost += elapsed.saturating_sub(when).saturating_sub(used);
+            }
+        }
         // Where nothing is known, what passes on the wall is taken for work.
         let (used, at_work) = usage.map_or((elapsed, true), |usage| {
             // So is what was used before the first look.
@@ -148,5 +171,53 @@ impl Stat {
             group: words.get(2)?.parse().ok()?,
             ticks: ticks.filter_map(|word| word.parse::<u64>().ok()).sum(),
         })
+    }
+}
+
+#[cfg(all(test, target_os = "linux"))]
+mod tests {
+    use super::Clock;
+    use std::os::unix::process::CommandExt;
+    use std::process::Command;
+    use std::sync::atomic::{AtomicBool, Ordering};
+    use std::thread;
+    use std::time::{Duration, Instant};
+
+    /// How much of its time on the wall a shell script lost while it was measured, for a second.
+    fn lost(script: &str) -> f64 {
+        let mut child = Command::new("nice")
+            .args(["-n", "19", "sh", "-c", script])
+            .process_group(0)
+            .spawn()
+            .expect("a shell");
+        thread::sleep(Duration::from_millis(500)); // it has started then
+        let (start, mut clock) = (Instant::now(), Clock::new(Some(child.id())));
+        let limit = Duration::from_millis(100);
+        while !clock.is_over(limit, Duration::ZERO) {
+            thread::sleep(clock.next_look(limit).duration_since(Instant::now()));
+        }
+        let lost = clock.lost().as_secs_f64() / start.elapsed().as_secs_f64();
+        child.kill().expect("it is ended");
+        child.wait().expect("it ends");
+        lost
+    }
+
+    #[test]
+    fn what_a_busy_machine_takes_is_told_from_sleep() {
+        let sleeps = lost("exec sleep 100");
+        assert!(sleeps < 0.5, "of a program that sleeps: {sleeps}");
+        let stop = AtomicBool::new(false);
+        thread::scope(|scope| {
+            for _ in 0..4 * thread::available_parallelism().map_or(1, usize::from) {
+                scope.spawn(|| {
+                    while !stop.load(Ordering::Relaxed) {
+                        std::hint::spin_loop();
+                    }
+                });
+            }
+            let works = lost("while :; do :; done");
+            stop.store(true, Ordering::Relaxed);
+            assert!(works > 0.5, "of one that would work: {works}");
+        });
     }
 }

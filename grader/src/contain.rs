@@ -117,6 +117,7 @@ pub fn signal_name(status: ExitStatus) -> String {
             8 => " (arithmetic error)",
             9 => " (killed)",
             11 => " (segmentation fault: memory that is not yours, or endless recursion)",
+            24 => " (its processor time is used up)",
             _ => "",
         };
         return format!("signal {signal}{meaning}");

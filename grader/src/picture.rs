@@ -125,8 +125,7 @@ fn ask(
 
 /// Why not all was asked, if so: what was wrong before, and that.
 fn stopped(replies: &[Reply]) -> Option<String> {
-    let left = |reply: &Reply| matches!(reply.said, Said::NotAsked(_) | Said::Over(_));
-    let first = replies.iter().position(left)?;
+    let first = replies.iter().position(|reply| reply.said.is_left_out())?;
     let why = replies[first].said.why_none()?;
     let before = replies[..first].last();
     let before = before.and_then(|reply| reply.said.why_none());

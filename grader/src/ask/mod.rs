@@ -23,18 +23,16 @@ use std::time::{Duration, Instant};
 const SILENT: usize = 5;
 
 /// After the first two waits in vain for an answer to an exercise, each halves the time for its next answers, this number of times:
-/// a loop that ends in no case is seen in ten seconds instead of a minute.
+/// a loop that ends in no case is seen in ten seconds instead of a minute. Of a program that has not answered anything yet, the waits of
+/// all exercises count, and its start has less time too: one that only hangs takes three seconds of an exercise, and whoever hangs in
+/// the first exercises and is right in the last is found right.
 const HALVED: u32 = 4;
 
 /// Questions of pixels that are open at a time.
 const AHEAD: usize = 256;
 
-/// A program that hangs from its first question on, and has answered none, is asked the first question of the exercises after that,
-/// up to this number of exercises: minutes instead of an hour, for a program that waits for something that never comes.
-const MUTE: usize = 10;
-
 /// The grace for the start of a program that has not answered anything yet, in time limits for one answer.
-const START: u32 = 2;
+const START: u32 = 4;
 
 /// Parts in which a list of questions is asked again, if it was not answered as it should be.
 const PARTS: usize = 8;
@@ -64,14 +62,10 @@ pub struct Asker<'a> {
     /// Time for the program's start: at first more than is needed, and then as much as it was seen to need.
     start: Duration,
     process: Option<Process>,
-    /// Questions without an answer, and whether there was any answer, and whether any was waited for in vain.
-    unanswered: usize,
+    /// Whether there was any answer.
     has_answered: bool,
-    hangs: bool,
-    /// Waits in vain for an answer to this exercise.
+    /// Waits in vain for an answer: to this exercise, or since the beginning if there was none before it.
     waits: u32,
-    /// Exercises in a row, from the first on, in which it hangs and answers nothing.
-    mute: usize,
 }
 
 impl<'a> Asker<'a> {
@@ -85,11 +79,8 @@ impl<'a> Asker<'a> {
             patience: limits.time / 2,
             start: START * limits.time,
             process: None,
-            unanswered: 0,
             has_answered: false,
-            hangs: false,
             waits: 0,
-            mute: 0,
         }
     }
 
@@ -104,10 +95,9 @@ impl<'a> Asker<'a> {
     /// What is asked from now on is of another exercise, which has its own total limits.
     pub fn next_exercise(&mut self) {
         self.budget.next_exercise();
-        if self.hangs && !self.has_answered {
-            self.mute += 1;
+        if self.has_answered {
+            self.waits = 0;
         }
-        self.waits = 0;
     }
 
     /// What is asked from now on goes to a new process.
@@ -118,8 +108,7 @@ impl<'a> Asker<'a> {
     /// Asks all the questions, whatever happens, and returns a reply to each.
     ///
     /// One question is open at a time. Where it has no answer, it is asked again in a process of its own, and the others go to
-    /// a new process. After five questions in a row without an answer the rest is not asked, nor when a total limit is used up. Of a
-    /// program that only hangs, one question of an exercise is asked, and in the end none.
+    /// a new process. After five questions in a row without an answer the rest is not asked, nor when a total limit is used up.
     ///
     /// # Errors
     /// If the program cannot be started.
@@ -138,11 +127,7 @@ impl<'a> Asker<'a> {
     /// Asks all the questions; at most `ahead` of them are open at a time.
     fn ask_ahead(&mut self, questions: &[String], ahead: usize) -> io::Result<Vec<Reply>> {
         let replies = self.ask_each(questions, ahead)?;
-        for reply in &replies {
-            self.has_answered |= reply.said.is_line();
-            self.hangs |= matches!(reply.said, Said::TimedOut(_));
-            self.unanswered += usize::from(!reply.said.is_left_out());
-        }
+        self.has_answered |= replies.iter().any(|reply| reply.said.is_line());
         Ok(replies)
     }
 
@@ -208,24 +193,22 @@ impl<'a> Asker<'a> {
     /// Why no more is asked, if so.
     fn stops(&self, replies: &[Reply]) -> Option<Said> {
         let over = self.budget.over(Duration::ZERO, 0).map(Said::Over);
-        let has_answered = self.has_answered || replies.iter().any(|reply| reply.said.is_line());
-        let (borne, unanswered) = match self.mute {
-            1.. if !has_answered => (
-                usize::from(self.mute < MUTE),
-                self.unanswered + replies.len(),
-            ),
-            _ => (SILENT, SILENT),
-        };
-        over.or_else(|| ends_silent(replies, borne).then_some(Said::NotAsked(unanswered)))
+        over.or_else(|| ends_silent(replies).then_some(Said::NotAsked(SILENT)))
     }
 
-    /// What the next answers may use.
-    fn limits(&self) -> Limits {
-        let halved = self.waits.saturating_sub(1).min(HALVED);
-        Limits {
-            time: self.limits.time / (1 << halved),
+    /// What the next answers may use, and the time for the program's start.
+    fn limits(&self) -> (Limits, Duration) {
+        let part = 1 << self.waits.saturating_sub(1).min(HALVED);
+        let limits = Limits {
+            time: self.limits.time / part,
             ..self.limits
-        }
+        };
+        let start = if self.has_answered {
+            self.start
+        } else {
+            self.start / part
+        };
+        (limits, start)
     }
 
     /// Counts a wait in vain.
@@ -239,14 +222,14 @@ impl<'a> Asker<'a> {
             Some(process) => process,
             None => Process::start(self.program)?,
         };
+        let (limits, grace) = self.limits();
         let waits = Waits {
             patience: Some(self.patience),
-            start: self.start,
+            start: grace,
             // A second answer comes at once, or it is seen at the end of the list.
             breath: if last { BREATH } else { Duration::ZERO },
         };
         let (starts, start) = (!process.has_answered, Instant::now());
-        let limits = self.limits();
         let heard = process.converse(questions, &limits, waits, &mut self.budget);
         self.note(&heard);
         if starts && process.has_answered {
@@ -279,13 +262,13 @@ impl<'a> Asker<'a> {
         questions: &[String],
         replies: &mut Vec<Reply>,
     ) -> io::Result<()> {
+        let (limits, start) = self.limits();
         let waits = Waits {
             patience: None,
-            start: self.start,
+            start,
             breath: Duration::ZERO,
         };
         let mut process = Process::start(self.program)?;
-        let limits = self.limits();
         let heard = process.converse(questions, &limits, waits, &mut self.budget);
         self.note(&heard);
         let Conversation {
@@ -319,8 +302,8 @@ pub fn ask(program: &Program, questions: &[String], limits: Limits) -> io::Resul
     Asker::new(program, limits).ask(questions)
 }
 
-/// Whether the last replies, as many as are borne, are no answers.
-fn ends_silent(replies: &[Reply], borne: usize) -> bool {
-    let last = replies.len().checked_sub(borne);
+/// Whether there is no answer among the last replies.
+fn ends_silent(replies: &[Reply]) -> bool {
+    let last = replies.len().checked_sub(SILENT);
     last.is_some_and(|first| replies[first..].iter().all(|reply| !reply.said.is_line()))
 }

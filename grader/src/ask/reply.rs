@@ -41,8 +41,8 @@ pub enum Said {
     Over(Over),
 }
 
-/// What helps who checks their own program; in a class the course sets the limits.
-pub const MORE_TIME: &str = " (--time-limit gives more time)";
+/// Begins what helps who checks their own program, up to the next `)`; in a class the course sets the limits.
+pub const MORE_TIME: &str = " (--time-limit gives more time";
 
 impl Said {
     /// Why there is no answer, in words to whoever wrote the program; `None` if there is one.
@@ -55,7 +55,7 @@ impl Said {
             Self::Refused(why) => format!("your program could not read the question: {why}"),
             Self::Ended(how) => format!("your program ended without an answer: {how}"),
             Self::TimedOut(limit) => format!(
-                "no answer within {} s: does a loop never end?{MORE_TIME}",
+                "no answer within {} s: does a loop never end?{MORE_TIME})",
                 limit.as_secs_f32()
             ),
             Self::Flooded(bytes) => format!("your program printed {bytes} bytes and no answer"),
@@ -70,7 +70,7 @@ impl Said {
     }
 
     /// Whether it was not asked.
-    pub(super) fn is_left_out(&self) -> bool {
+    pub(crate) fn is_left_out(&self) -> bool {
         matches!(self, Self::NotAsked(_) | Self::Over(_))
     }
 

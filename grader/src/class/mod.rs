@@ -15,6 +15,7 @@ pub mod record;
 pub mod roll;
 pub mod run;
 pub mod settings;
+pub mod shortage;
 pub mod similar;
 pub mod stage;
 pub mod taken;

@@ -201,6 +201,16 @@ pub fn run(
     failed.map_or(Ok(()), Err)
 }
 
+/// The words without the remark on options that give more time.
+fn without_options(why: &str) -> String {
+    let parts = why.split_once(MORE_TIME);
+    let parts = parts.and_then(|(before, rest)| Some((before, rest.split_once(')')?.1)));
+    parts.map_or_else(
+        || why.to_owned(),
+        |(before, after)| before.to_owned() + after,
+    )
+}
+
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
@@ -309,8 +319,7 @@ impl Worker<'_> {
                 let mut result = Marked::of(&report, *examiner);
                 // Where it lies here, and options of a command, mean nothing to the student.
                 let place = program.folder.display().to_string();
-                let why = result.why.replace(&place, stage::PLACE);
-                result.why = why.replace(MORE_TIME, "");
+                result.why = without_options(&result.why.replace(&place, stage::PLACE));
                 self.told(report.exercise, result)
             },
         )
@@ -326,5 +335,27 @@ impl Worker<'_> {
             edition: self.exam.edition(exercise).unwrap_or_default().to_owned(),
             result,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::without_options;
+    use crate::ask::Said;
+    use crate::budget::{Over, Whole};
+    use std::time::Duration;
+
+    #[test]
+    fn students_are_told_of_no_option() {
+        let time = Duration::from_secs(2);
+        for said in [
+            Said::TimedOut(time),
+            Said::Over(Over::Time(Whole::Exercise, time)),
+        ] {
+            let why = said.why_none().expect("there is no answer");
+            assert!(why.contains("--time-limit"), "{why}");
+            let told = without_options(&format!("{why}!"));
+            assert!(!told.contains("--") && told.ends_with('!'), "{told}");
+        }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::files::Files;
 use super::prebuilt::Prebuilt;
+use super::shortage::Shortage;
 use crate::converse::Program;
 use crate::examine::Examiner;
 use crate::language::Language;
@@ -40,6 +41,8 @@ pub struct Stage {
     pub warm: Mutex<bool>,
     /// What is the same in all hand-ins in C++.
     pub prebuilt: Prebuilt,
+    /// What the system was short of in this run.
+    pub shortage: Shortage,
 }
 
 impl Stage {
@@ -81,12 +84,14 @@ impl Stage {
                     let mut ready = self.prebuilt.ready(&self.sandbox, files, &mut sources)?;
                     let compile =
                         |ready: &Ready| self.sandbox.compile_cpp(&folder, &sources, ready, &output);
-                    let mut compiled = compile(&ready);
-                    // What is included first must not be why it does not compile.
-                    if compiled.0.is_err() && ready.header.take().is_some() {
-                        compiled = compile(&ready);
-                    }
-                    built(&folder, compiled)?
+                    self.built(&folder, || {
+                        let compiled = compile(&ready);
+                        // What is included first must not be why it does not compile.
+                        if compiled.0.is_err() && ready.header.take().is_some() {
+                            return compile(&ready);
+                        }
+                        compiled
+                    })?
                 }
             };
             staged.push((program, exercises));
@@ -128,14 +133,18 @@ impl Stage {
             .iter()
             .partition(|examiner| super::is_own(examiner.name()));
         let is_asked = |path: &String| apart.iter().any(|of| of_own(of.name()) == *path);
-        let is_kept = |path: &&String| {
-            let is_program = path.starts_with("src/bin/");
-            path.starts_with("src/") && (!is_program || is_asked(path))
-        };
         let mut own: BTreeMap<&Path, &[u8]> = BTreeMap::new();
         let starter = starter::files(&starter::stub).map_err(|error| error.to_string())?;
         let is_source =
             |path: &Path| path.starts_with("src") && path.extension().is_some_and(|e| e == "rs");
+        let is_ours = |path: &String| {
+            let mut ours = starter.iter().filter(|(ours, _)| !is_source(ours));
+            ours.any(|(ours, _)| Path::new(path).starts_with(ours))
+        };
+        let is_kept = |path: &&String| {
+            let is_program = path.starts_with("src/bin/");
+            path.starts_with("src/") && (!is_program || is_asked(path)) && !is_ours(path)
+        };
         for (path, bytes) in &starter {
             if !is_source(path) {
                 own.insert(path, bytes);
@@ -148,7 +157,7 @@ impl Stage {
         write(folder, own.into_iter()).map_err(told("be filled", folder))?;
         copy_packages(&self.warm_folder().join("target"), &folder.join("target"))
             .map_err(told("be filled", folder))?;
-        let build = |binary: &str| built(folder, self.sandbox.build_told(folder, binary));
+        let build = |binary: &str| self.built(folder, || self.sandbox.build_told(folder, binary));
         let mut staged = Vec::new();
         if !course.is_empty() {
             staged.push((build(ANSWER)?, course));
@@ -162,6 +171,38 @@ impl Stage {
             staged.push((program, vec![examiner]));
         }
         Ok(staged)
+    }
+
+    /// The program that was compiled, or what the compiler said of the hand-in; what is no fault of the hand-in is trouble.
+    fn built(
+        &self,
+        folder: &Path,
+        mut compile: impl FnMut() -> (Result<Program, StudentError>, String),
+    ) -> Result<Result<Program, String>, Trouble> {
+        /// Words of a compiler that the system ended. A hand-in can have a compiler say them too.
+        const ENDED: [&str; 3] = ["signal: 9", "Killed signal", "No space left on device"];
+        let is_ended = |said: &str| ENDED.iter().any(|words| said.contains(words));
+        let (mut built, mut said) = compile();
+        if built.is_err() && is_ended(&said) && !self.shortage.is_there() {
+            // Was the system short of something, and is not any more?
+            (built, said) = compile();
+        }
+        let place = folder.display().to_string();
+        let lines = said
+            .lines()
+            .filter(|line| !line.starts_with("   Compiling"));
+        let said: String = lines
+            .flat_map(|line| [line.replace(&place, PLACE), "\n".to_owned()])
+            .collect();
+        match built {
+            Ok(program) => Ok(Ok(program)),
+            Err(StudentError::NoCargo(error)) => Err(error.to_string()),
+            Err(_) if is_ended(&said) && self.shortage.is_there() => {
+                Err(format!("the compiler was ended: {said}"))
+            }
+            Err(StudentError::DoesNotCompile) => Ok(Err(said)),
+            Err(error) => Ok(Err(error.to_string())),
+        }
     }
 
     fn warm_folder(&self) -> PathBuf {
@@ -274,31 +315,6 @@ fn programs(
     }
     apart.extend(programs);
     apart
-}
-
-/// The program that was built, or what the compiler said of the hand-in; what is no fault of the hand-in is trouble.
-fn built(
-    folder: &Path,
-    (built, said): (Result<Program, StudentError>, String),
-) -> Result<Result<Program, String>, Trouble> {
-    /// Words of a compiler that the system ended: it may not have been the hand-in's fault.
-    const ENDED: [&str; 3] = ["signal: 9", "Killed signal", "No space left on device"];
-    let place = folder.display().to_string();
-    let lines = said
-        .lines()
-        .filter(|line| !line.starts_with("   Compiling"));
-    let said: String = lines
-        .flat_map(|line| [line.replace(&place, PLACE), "\n".to_owned()])
-        .collect();
-    match built {
-        Ok(program) => Ok(Ok(program)),
-        Err(StudentError::NoCargo(error)) => Err(error.to_string()),
-        Err(_) if ENDED.iter().any(|words| said.contains(words)) => {
-            Err(format!("the compiler was ended: {said}"))
-        }
-        Err(StudentError::DoesNotCompile) => Ok(Err(said)),
-        Err(error) => Ok(Err(error.to_string())),
-    }
 }
 
 /// Writes files into a folder, which is made.

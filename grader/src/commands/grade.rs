@@ -16,6 +16,7 @@ use raybook_grader::class::prebuilt::Prebuilt;
 use raybook_grader::class::record::{Record, Standing};
 use raybook_grader::class::roll::{Class, Results, Roll};
 use raybook_grader::class::run::{Exam, Shard, open, run};
+use raybook_grader::class::shortage::Shortage;
 use raybook_grader::class::stage::{Stage, remove};
 use raybook_grader::class::{items, similar, times};
 use raybook_grader::sandbox::Sandbox;
@@ -99,6 +100,7 @@ impl Grade {
         let folder = self.out.canonicalize()?.join(STAGE);
         let stage = Stage {
             prebuilt: Prebuilt::new(folder.join("starter-cpp")),
+            shortage: Shortage::from_now_on(&self.out),
             folder,
             sandbox,
             warm: Mutex::new(false),

@@ -202,9 +202,16 @@ impl Process {
         let (mut answers, mut printed) = (Vec::new(), Printed::default());
         let (mut bytes, mut bytes_in_all) = (0, 0);
         let start = Instant::now();
+        let lost_before = self.clock.lost();
         let (mut heard, mut closed) = (start, None);
         let mut patience = waits.patience;
         self.clock.restart();
+        // What a busy machine took does not count against a total limit, but a tenth of all time does.
+        let lost = |clock: &Clock| {
+            let lost = clock.lost().saturating_sub(lost_before);
+            lost.min(start.elapsed() * 9 / 10)
+        };
+        let blamed = |clock: &Clock| start.elapsed().saturating_sub(lost(clock));
         let end = loop {
             if patience.is_none() {
                 self.questions = None;
@@ -225,7 +232,7 @@ impl Process {
                 (None, None) if complete => last_look + limit / AFTERWARDS,
                 (None, None) => self.clock.next_look(limit),
             };
-            let deadline = deadline.min(start + budget.time_left());
+            let deadline = deadline.min(start + lost(&self.clock) + budget.time_left());
             match self.next_until(deadline) {
                 Ok(Event::Answer(answer)) => {
                     bytes_in_all += answer.len() + 3;
@@ -257,7 +264,7 @@ impl Process {
                 Err(RecvTimeoutError::Timeout) if hurry && complete => break None,
                 Err(RecvTimeoutError::Timeout) => {
                     // Of two reasons the total limit is the one that stays.
-                    if let Some(over) = budget.over(start.elapsed(), bytes_in_all) {
+                    if let Some(over) = budget.over(blamed(&self.clock), bytes_in_all) {
                         break Some(End::Over(over));
                     }
                     let looked = Instant::now();
@@ -274,11 +281,11 @@ impl Process {
             if bytes > limits.output {
                 break Some(End::Flooded(bytes));
             }
-            if let Some(over) = budget.over(start.elapsed(), bytes_in_all) {
+            if let Some(over) = budget.over(blamed(&self.clock), bytes_in_all) {
                 break Some(End::Over(over));
             }
         };
-        budget.spend(start.elapsed(), bytes_in_all);
+        budget.spend(blamed(&self.clock), bytes_in_all);
         Conversation {
             answers,
             end,

@@ -35,7 +35,7 @@ impl Walk {
     }
 }
 
-/// The last decision that the questions with a wrong answer have in common, and no others.
+/// The last decision that the questions with a wrong answer have in common, and no others; some of those take it the other way.
 pub fn search(
     examiner: &dyn Examiner,
     cases: &[Case],
@@ -62,7 +62,9 @@ pub fn search(
     let mut outcomes = outcomes.flat_map(|one| [(one, true), (one, false)]);
     let (decision, holds) = outcomes.find(|(one, holds)| {
         let takes = |walk: &Walk| walk.takes(one.place, *holds);
-        wrong.iter().all(takes) && !right.iter().any(takes)
+        // Who comes to a decision and goes the other way tells more than who never comes to it.
+        let differs = |walk: &Walk| walk.takes(one.place, !holds);
+        wrong.iter().all(takes) && !right.iter().any(takes) && right.iter().any(differs)
     })?;
     let texts = answers.iter().filter(|(_, right)| !right);
     let texts: Vec<_> = texts.map(|(text, _)| text.as_deref()).collect();

@@ -1,6 +1,7 @@
 //! Building a stranger's workbook: the compiler, and what the workbook makes it run, in the sandbox.
 
-use super::{ANSWER, Sandbox, watch};
+use super::watch::{self, Bounds};
+use super::{ANSWER, Sandbox};
 use crate::contain;
 use crate::converse::Program;
 use crate::student::StudentError;
@@ -8,6 +9,7 @@ use raybook_chapters::kit::say::complain;
 use raybook_chapters::kit::untrusted::Untrusted;
 use std::env;
 use std::ffi::OsString;
+use std::fmt::Write;
 use std::io::{self, Read};
 use std::os::unix::fs::MetadataExt;
 use std::path::{Path, PathBuf};
@@ -15,18 +17,22 @@ use std::process::{Command, Stdio};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::channel;
 use std::thread;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
-/// A build that takes longer is ended.
+/// A build that takes longer is ended, and so is a compiler that computes longer: twenty times what one takes for a workbook.
 const LONGEST: Duration = Duration::from_secs(600);
+const COMPUTES: Duration = Duration::from_secs(120);
 
 /// What a compiler uses: gigabytes of memory, a file for each crate, and threads for each processor.
 const MEMORY: u64 = 4 << 30;
 const FILES: u64 = 4096;
 const THREADS: usize = 4096;
 
-/// Processes at one time: cargo starts one compiler for each processor, and each of these a few.
-const PROCESSES: usize = 512;
+/// Cargo starts one compiler for each processor, and each of these a few. A workbook and its packages take 200 megabytes.
+const BOUNDS: Bounds = Bounds {
+    processes: 512,
+    bytes: 2 << 30,
+};
 
 /// Bytes of the compiler's messages that are told.
 const TOLD: usize = 1 << 16;
@@ -126,7 +132,9 @@ impl Sandbox {
             .enclose_compiler(&mut command, &path, readable, written)
             .map_err(StudentError::NoCargo)?;
         let built;
-        (built, *said) = compiler.finish(command).map_err(StudentError::NoCargo)?;
+        (built, *said) = compiler
+            .finish(command, &[&target])
+            .map_err(StudentError::NoCargo)?;
         if !built {
             return Err(StudentError::DoesNotCompile);
         }
@@ -148,12 +156,16 @@ impl Sandbox {
         compiler.allowance.memory = MEMORY;
         compiler.allowance.files = FILES;
         compiler.allowance.threads = THREADS;
-        compiler.allowance.processor_time = LONGEST;
+        compiler.allowance.processor_time = COMPUTES;
         compiler
     }
 
-    /// Runs a compiler to its end, and ends all that it left: whether it succeeded, and what it said.
-    pub(super) fn finish(&self, mut command: Command) -> io::Result<(bool, String)> {
+    /// Runs a compiler, which writes into these folders, to its end, and ends all that it left: whether it succeeded, and what it said.
+    pub(super) fn finish(
+        &self,
+        mut command: Command,
+        written: &[&Path],
+    ) -> io::Result<(bool, String)> {
         let mut held = contain::start(&mut command, Some(self))?;
         let (sender, receiver) = channel();
         if let Some(stderr) = held.child.stderr.take() {
@@ -161,15 +173,21 @@ impl Sandbox {
         }
         let session = held.child.id();
         let ended = AtomicBool::new(false);
-        let status = thread::scope(|scope| {
-            scope.spawn(|| watch::processes(session, PROCESSES, &ended));
+        let start = Instant::now();
+        let (status, broken) = thread::scope(|scope| {
+            let watched = scope.spawn(|| watch::build(session, written, BOUNDS, &ended));
             let status = held.end(true, LONGEST);
             ended.store(true, Ordering::Relaxed);
-            status
+            (status, watched.join().ok().flatten())
         });
         // Whoever held the other end has been ended.
-        let said = receiver.recv().unwrap_or_default();
-        Ok((status.is_some_and(|status| status.success()), said))
+        let mut said = receiver.recv().unwrap_or_default();
+        let too_long = (start.elapsed() >= LONGEST).then_some("it took more than ten minutes");
+        if let Some(why) = broken.or(too_long) {
+            let _ = write!(said, "\nThe compiler was ended: {why}.\n");
+        }
+        let built = status.is_some_and(|status| status.success()) && broken.is_none();
+        Ok((built, said))
     }
 }
 

@@ -47,7 +47,7 @@ impl Sandbox {
         compiler
             .enclose_compiler(&mut command, &path, [workbook.to_owned()], &[&build])
             .map_err(cannot)?;
-        let (built, said) = compiler.finish(command).map_err(cannot)?;
+        let (built, said) = compiler.finish(command, &[&build]).map_err(cannot)?;
         for line in said.lines() {
             complain(Untrusted::from(line));
         }

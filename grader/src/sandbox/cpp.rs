@@ -112,7 +112,7 @@ impl Sandbox {
         let path = OsStr::new("/usr/bin:/bin");
         let ended = sandbox
             .enclose_compiler(&mut command, path, readable, &[&target.to_owned()])
-            .and_then(|()| sandbox.finish(command));
+            .and_then(|()| sandbox.finish(command, &[target]));
         match ended {
             Ok((true, said)) => (Ok(()), said),
             Ok((false, said)) => (Err(StudentError::DoesNotCompile), said),

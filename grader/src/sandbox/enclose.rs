@@ -1,11 +1,11 @@
 //! Making a command ready to start in the sandbox: what may be read, its environment, its limits.
 
 use super::calls::{self, Phase};
-use super::enter::{NOT_CONTAINED, Prepared, landlock_version, shut_in};
+use super::enter::{NOT_CONTAINED, Prepared, at_most, landlock_version, shut_in};
 use super::paths::{self, Readable};
 use super::{Sandbox, landlocked, python};
 use raybook::store;
-use rustix::process::{Resource, getrlimit};
+use rustix::process::{Resource, Rlimit, getrlimit};
 use std::ffi::{OsStr, OsString};
 use std::io::{self, Read};
 use std::os::fd::OwnedFd;
@@ -127,7 +127,7 @@ impl Sandbox {
     }
 
     /// The limits that a process keeps by itself, none above what the grader has.
-    fn limits(&self, longest_file: u64) -> Vec<(Resource, u64)> {
+    fn limits(&self, longest_file: u64) -> Vec<(Resource, Rlimit)> {
         let limits = [
             (
                 Resource::Cpu,
@@ -145,7 +145,15 @@ impl Sandbox {
             (Resource::Rtprio, 0),
         ];
         let most = |resource| getrlimit(resource).maximum.unwrap_or(u64::MAX);
-        let bounded = limits.map(|(resource, limit)| (resource, limit.min(most(resource))));
+        let bounded = limits.map(|(resource, limit)| {
+            let most = most(resource);
+            let mut limits = at_most(limit.min(most));
+            if resource == Resource::Cpu {
+                // First by a signal of its own, which a compiler tells of; by the one that cannot be caught a second later.
+                limits.maximum = Some(limit.saturating_add(1).min(most));
+            }
+            (resource, limits)
+        });
         bounded.into()
     }
 }

@@ -22,7 +22,7 @@ pub struct Prepared {
     /// The filters of seccomp.
     pub filters: Filters,
     /// Limits of use.
-    pub limits: Vec<(Resource, u64)>,
+    pub limits: Vec<(Resource, Rlimit)>,
     /// How many threads there may be, where they can be counted for this process alone.
     pub threads: u64,
     /// The grader's process.
@@ -63,7 +63,7 @@ impl Prepared {
         close_on_exec()?;
         // An extra: many systems do not allow it to everybody. Outside of a space of its own, all that its user runs would count.
         if leave_the_system().is_ok() {
-            limit(Resource::Nproc, self.threads)?;
+            limit(Resource::Nproc, at_most(self.threads))?;
         }
         for &(resource, most) in &self.limits {
             limit(resource, most)?;
@@ -101,12 +101,16 @@ impl Prepared {
     }
 }
 
-fn limit(resource: Resource, most: u64) -> io::Result<()> {
-    let limit = Rlimit {
+/// A limit that cannot be raised.
+pub fn at_most(most: u64) -> Rlimit {
+    Rlimit {
         current: Some(most),
         maximum: Some(most),
-    };
-    necessary(rustix::process::setrlimit(resource, limit))
+    }
+}
+
+fn limit(resource: Resource, most: Rlimit) -> io::Result<()> {
+    necessary(rustix::process::setrlimit(resource, most))
 }
 
 /// Own networks, System V memory and host name, without any right over those outside.

@@ -1,6 +1,9 @@
-//! Counting a program's threads, and a build's processes, from outside: no limit of the kernel does it for every user.
+//! Counting a program's threads, a build's processes and the bytes that it writes, from outside: no limit of the kernel does it for
+//! every user.
 
 use rustix::process::{Pid, PidfdFlags, Signal, kill_process_group, pidfd_open, pidfd_send_signal};
+use std::os::unix::fs::MetadataExt;
+use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::Duration;
@@ -8,7 +11,7 @@ use std::time::Duration;
 /// How often threads are counted. A program makes about a hundred in this time.
 const EVERY: Duration = Duration::from_millis(4);
 
-/// How often the processes of a build are counted, of all that the machine runs.
+/// How often the processes of a build are counted, of all that the machine runs, and the bytes in its folders.
 const BUILDS: Duration = Duration::from_millis(50);
 
 /// Ends the process when it has more threads than these. Goes on by itself until the process ends.
@@ -37,25 +40,55 @@ pub fn threads(process: u32, most: usize) {
     });
 }
 
-/// Ends a compiler's session when it has more processes than these. Goes on until it is told to stop.
-pub fn processes(session: u32, most: usize, stop: &AtomicBool) {
-    let Some(group) = i32::try_from(session).ok().and_then(Pid::from_raw) else {
-        return;
-    };
+/// What a build may use that is counted here.
+#[derive(Clone, Copy, Debug)]
+pub struct Bounds {
+    /// Processes at one time.
+    pub processes: usize,
+    /// Bytes on the disk that are there afterwards and were not before.
+    pub bytes: u64,
+}
+
+/// Ends a compiler's session when it breaks the bounds, and says how. Goes on until it is told to stop.
+pub fn build(
+    session: u32,
+    folders: &[&Path],
+    bounds: Bounds,
+    stop: &AtomicBool,
+) -> Option<&'static str> {
+    let group = i32::try_from(session).ok().and_then(Pid::from_raw)?;
+    let written = || folders.iter().map(|folder| bytes_in(folder)).sum::<u64>();
+    let before = written();
+    let mut broken = None;
     while !stop.load(Ordering::Relaxed) {
         let stats = std::fs::read_dir("/proc").into_iter().flatten().flatten();
         let stats =
             stats.filter_map(|entry| std::fs::read_to_string(entry.path().join("stat")).ok());
-        if stats
-            .filter(|stat| session_of(stat) == Some(session))
-            .count()
-            > most
-        {
+        let processes = stats.filter(|stat| session_of(stat) == Some(session));
+        if processes.count() > bounds.processes {
+            broken = Some("it started too many processes");
+        } else if written().saturating_sub(before) > bounds.bytes {
+            broken = Some("it wrote more onto the disk than a program needs");
+        }
+        if broken.is_some() {
             // No process of the session can leave its group, so all of them end at once. Nobody left is no error.
             let _ = kill_process_group(group, Signal::KILL);
         }
         thread::sleep(BUILDS);
     }
+    broken
+}
+
+/// The bytes that the files in a folder, and below it, take on the disk. What vanishes meanwhile takes none.
+fn bytes_in(folder: &Path) -> u64 {
+    const BLOCK: u64 = 512;
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    let bytes = entries.map(|entry| match entry.metadata() {
+        Ok(kind) if kind.is_dir() => bytes_in(&entry.path()),
+        Ok(file) => BLOCK * file.blocks(),
+        Err(_) => 0,
+    });
+    bytes.sum()
 }
 
 /// The session, in the text of `/proc/…/stat`.
@@ -82,7 +115,51 @@ fn count(stat: &str) -> Option<usize> {
 
 #[cfg(test)]
 mod tests {
-    use super::{count, session_of};
+    use super::{Bounds, build, count, session_of};
+    use std::os::unix::process::{CommandExt, ExitStatusExt};
+    use std::process::Command;
+    use std::sync::atomic::AtomicBool;
+    use std::thread;
+
+    /// How a shell script ends that is watched as a build, and what it broke.
+    fn watched(script: &str) -> (Option<i32>, Option<&'static str>) {
+        let bounds = Bounds {
+            processes: 20,
+            bytes: 4 << 20,
+        };
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        std::fs::write(folder.path().join("before"), vec![1; 8 << 20]).expect("a file");
+        let mut child = Command::new("sh")
+            .args(["-c", script])
+            .current_dir(folder.path())
+            .process_group(0)
+            .spawn()
+            .expect("a shell");
+        let (session, ended) = (child.id(), AtomicBool::new(false));
+        thread::scope(|scope| {
+            let watched = scope.spawn(|| build(session, &[folder.path()], bounds, &ended));
+            let status = child.wait().expect("it ends");
+            ended.store(true, std::sync::atomic::Ordering::Relaxed);
+            (status.signal(), watched.join().expect("it ends"))
+        })
+    }
+
+    #[test]
+    fn who_fills_the_disk_is_ended() {
+        let fills = "mkdir a; i=0; while i=$((i + 1)); do head -c 999999 /dev/zero > a/$i; done";
+        assert_eq!(
+            watched(fills),
+            (
+                Some(9),
+                Some("it wrote more onto the disk than a program needs")
+            )
+        );
+        assert_eq!(
+            watched("echo > x; sleep 0.2"),
+            (None, None),
+            "and nobody else"
+        );
+    }
 
     #[test]
     fn threads_are_counted_whatever_the_name() {

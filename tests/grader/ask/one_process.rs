@@ -10,7 +10,7 @@ use raybook_grader::picture::Pixels;
 use rayon::prelude::*;
 use std::fs;
 use std::path::PathBuf;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// Long enough on a machine that does other things too.
 const PATIENT: Limits = Limits {
@@ -160,61 +160,61 @@ fn what_it_does_not_know_is_skipped_and_the_rest_is_asked() {
     assert_eq!(said[2], [answer("c"), answer("d")], "and what it knows");
 }
 
-/// The replies to lists of questions, each of another exercise, of a script that has a tenth of a second for an answer.
-fn heard_in_a_hurry(script: &str, lists_asked: &[&[&str]]) -> (Vec<Vec<Said>>, usize) {
-    let counted = Counted::new(script);
-    let hurried = Limits::of(Duration::from_millis(100));
-    let mut asker = Asker::new(&counted.program, hurried);
-    let ask = |list: Vec<String>| {
+const HANGS: &str =
+    "while read q; do case $q in no*) exec sleep 100;; *) echo \"= $q\";; esac; done";
+
+/// The number of questions that were waited for in vain.
+fn hung(said: &[Said]) -> usize {
+    let hung = |said: &&Said| matches!(said, Said::TimedOut(_));
+    said.iter().filter(hung).count()
+}
+
+#[test]
+fn who_only_hangs_takes_less_and_less_time() {
+    let program = Counted::new("exec sleep 100");
+    let limit = Duration::from_millis(160);
+    let mut asker = Asker::new(&program.program, Limits::of(limit));
+    let six: Vec<String> = ["a", "b", "c", "d", "e", "f"].map(str::to_owned).into();
+    let mut took = Vec::new();
+    for _ in 0..12 {
         asker.next_exercise();
+        let start = Instant::now();
+        let replies = asker.ask(&six).expect("the shell can be started");
+        took.push(start.elapsed());
+        let said: Vec<_> = replies.into_iter().map(|reply| reply.said).collect();
+        assert_eq!(hung(&said), 5, "five questions of each exercise: {said:?}");
+        assert_eq!(said[5], Said::NotAsked(5));
+    }
+    // Five limits for each answer, start included; and a sixteenth of it from the sixth on.
+    assert!(took[0] >= 14 * limit, "{took:?}");
+    took[1..].sort();
+    assert!(took[6] < took[0] / 3, "{took:?}");
+}
+
+#[test]
+fn who_hangs_in_many_exercises_and_then_answers_is_found_right() {
+    let counted = Counted::new(HANGS);
+    let mut asker = Asker::new(&counted.program, Limits::of(Duration::from_millis(400)));
+    let mut ask = |list: &[&str]| -> Vec<Said> {
+        asker.next_exercise();
+        let list: Vec<_> = list.iter().map(|&question| question.to_owned()).collect();
         let replies = asker.ask(&list).expect("the shell can be started");
         replies.into_iter().map(|reply| reply.said).collect()
     };
-    (
-        lists(lists_asked).into_iter().map(ask).collect(),
-        counted.starts(),
-    )
-}
-
-#[test]
-fn who_hangs_from_the_first_question_on_is_asked_less_and_in_the_end_nothing() {
-    let six: &[&str] = &["a", "b", "c", "d", "e", "f"];
-    let (said, starts) = heard_in_a_hurry("exec sleep 100", &[six; 12]);
-    let asked = |list: &Vec<Said>| {
-        let hung = |said: &&Said| matches!(said, Said::TimedOut(_));
-        list.iter().filter(hung).count()
-    };
-    let counts: Vec<_> = said.iter().map(asked).collect();
-    assert_eq!(counts, [5, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0], "{said:?}");
-    assert_eq!(said[0][5], Said::NotAsked(5));
-    assert_eq!(
-        said[11],
-        vec![Said::NotAsked(14); 6],
-        "all of them are told"
-    );
-    assert!(starts <= 2 * 14, "{starts}");
-}
-
-#[test]
-fn who_answers_after_hanging_is_asked_everything_again() {
-    let script = "while read q; do case $q in no*) exec sleep 100;; *) echo \"= $q\";; esac; done";
-    let no = ["no 1", "no 2", "no 3", "no 4", "no 5", "no 6"];
-    let (said, _) = heard_in_a_hurry(script, &[&no, &no, &["a", "no 1", "b"], &no, &["c"]]);
-    let hung = |list: &[Said]| {
-        let hung = |said: &&Said| matches!(said, Said::TimedOut(_));
-        list.iter().filter(hung).count()
-    };
-    assert_eq!([hung(&said[0]), hung(&said[1])], [5, 1]);
-    assert_eq!([&said[2][0], &said[2][2]], [&answer("a"), &answer("b")]);
-    assert_eq!(hung(&said[3]), 5, "it has answered before");
-    assert_eq!(said[4], [answer("c")]);
+    for _ in 0..12 {
+        assert_eq!(
+            hung(&ask(&["no 1", "no 2", "no 3", "no 4", "no 5", "no 6"])),
+            5
+        );
+    }
+    let said = ask(&["no 1", "no 2", "a", "no 3", "b"]);
+    assert_eq!([&said[2], &said[4]], [&answer("a"), &answer("b")]);
+    assert_eq!(ask(&["c"]), [answer("c")]);
 }
 
 #[test]
 fn each_wait_in_vain_halves_the_time_for_the_next_answers_of_the_exercise() {
-    let counted = Counted::new(
-        "while read q; do case $q in no*) exec sleep 100;; *) echo \"= $q\";; esac; done",
-    );
+    let counted = Counted::new(HANGS);
     let milliseconds = |time| Said::TimedOut(Duration::from_millis(time));
     let mut asker = Asker::new(&counted.program, Limits::of(Duration::from_millis(480)));
     for _ in 0..2 {

@@ -169,6 +169,19 @@ fn refused_ones() -> Vec<(&'static str, Vec<u8>, &'static str)> {
             "twice",
         ),
         (
+            "both.zip",
+            zip(&[
+                (b"answer.py", 0o644, right),
+                (b"answer.py/x.py", 0o644, b"x"),
+            ]),
+            "both a file and a folder",
+        ),
+        (
+            "both2.tar.gz",
+            tar(&[(b"a/x.py/y.py", file, b"x"), (b"a/x.py", file, right)]),
+            "both a file and a folder",
+        ),
+        (
             "bomb.zip",
             zip(&[(b"answer.py", 0o644, &bomb)]),
             "more than 1048576 bytes",

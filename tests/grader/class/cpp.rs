@@ -39,6 +39,12 @@ fn what_was_given_out_is_linked_and_what_was_changed_is_compiled() {
         "elsewhere",
         &[("ch01_rays.cpp", &solved), ("ch02_hdr.cpp", broken)],
     );
+    // What a compiler says that the system ended.
+    let words =
+        "#error Killed signal terminated program cc1plus: No space left on device, signal: 9\n";
+    workbook(&course, "pretends", &[("ch01_rays.cpp", words)]);
+    let embeds = "asm(\".data\\nt: .incbin \\\"/etc/passwd\\\"\\n.text\");\n";
+    workbook(&course, "embeds", &[("ch01_rays.cpp", embeds)]);
     workbook(
         &course,
         "main",
@@ -51,6 +57,8 @@ fn what_was_given_out_is_linked_and_what_was_changed_is_compiled() {
         ("solved", "right"),
         ("wrong", "wrong"),
         ("elsewhere", "does not compile"),
+        ("pretends", "does not compile"),
+        ("embeds", "does not compile"),
         ("main", "wrong"),
     ] {
         assert_eq!(

@@ -4,7 +4,7 @@ use super::{Course, KEY, RIGHT, text, visible_only, wrong_sign};
 use rand::RngExt;
 use raybook::math::pcg;
 use raybook_grader::class::journal;
-use raybook_grader::class::record::Standing;
+use raybook_grader::class::record::{Record, Standing};
 use std::fs;
 
 const COURSE: &str = "term = 'now'\npartial = 0.5\n[[chapter]]\nchapter = 'ch01'\n";
@@ -60,7 +60,8 @@ fn hand_ins_are_graded_at_the_same_time() {
         let (code, said) = course.grade(&["--jobs", "2"]);
         assert_eq!(code, Some(0), "{said}");
         let told = journal::read(&course.path("results")).expect("the journal");
-        let standings = told.records.iter().map(|record| record.result.standing);
+        let records = told.records.iter().filter_map(Record::from_json);
+        let standings = records.map(|record| record.result.standing);
         let ended = standings.filter(|&standing| standing != Standing::NotStarted);
         assert_eq!(
             ended.collect::<Vec<_>>(),

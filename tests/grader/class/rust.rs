@@ -66,6 +66,10 @@ fn workbooks_of_one_name_do_not_mix_and_what_else_is_handed_in_does_nothing() {
     ] {
         course.hand_in(&format!("attacks/my-rays/{path}"), text);
     }
+    // A folder where a file of ours lies.
+    let table = "attacks/my-rays/src/shape/teapot.txt";
+    std::fs::remove_file(course.path("hand-ins").join(table)).expect("it was given out");
+    course.hand_in(&format!("{table}/x.rs"), "");
     let (code, said) = course.grade(&[]);
     assert_eq!(code, Some(0), "{said}");
     for (student, ray_at, sphere_hit, points) in [

@@ -158,6 +158,32 @@ def run():
 attempt(run)"),
     ("follows_links", "
 for name in ('link', 'hard', 'up/course/key'): attempt(lambda: read(HERE + '/' + name))"),
+    ("opens_its_own_memory", "
+for part in ('mem', 'environ', 'fd/0', 'root' + KEY): attempt(lambda: os.open('/proc/self/' + part, os.O_RDWR))"),
+    ("shares_memory_by_a_name", "
+from multiprocessing import shared_memory
+attempt(lambda: shared_memory.SharedMemory('FORGED', create=True, size=1 << 20))
+for folder in ('/dev/shm', '/dev/mqueue'): attempt(lambda: os.open(folder + '/FORGED', os.O_CREAT | os.O_RDWR))"),
+    ("listens_where_no_file_is", "
+import socket
+for kind in (socket.SOCK_STREAM, socket.SOCK_DGRAM):
+    attempt(lambda: socket.socket(socket.AF_UNIX, kind).bind('\\0raybook-FORGED'))"),
+    ("changes_what_it_is", "
+import ctypes
+libc = ctypes.CDLL(None, use_errno=True)
+# Reaps what others leave, lets everybody trace it, outlives the grader, moves its own names, shares a core.
+for what in ((36, 1), (0x59616d61, -1), (1, 0), (35, 8), (62, 1), (4, 1), (8, 1)):
+    attempt(lambda: libc.prctl(*what, 0, 0, 0) == 0 or None)"),
+    ("stops_itself", "os.kill(os.getpid(), signal.SIGSTOP)"),
+    ("floods_when_it_is_asked_where_it_is", "
+def flood(*_):
+    while True: print('= 0 0 0', flush=True); sys.stderr.write('x' * 65536)
+signal.signal(signal.SIGUSR1, flood)
+time.sleep(10000)"),
+    ("answers_with_strange_numbers", "
+strange = ('nan nan nan', '-nan(0x7ff) nan(1) nan', '1e9999 -1e9999 1e9999', '1' * 900000, '1e' + '9' * 100000, '\\u0661 \\u0662 \\u0663',
+    '0x1p3 1_0 +1', ' ' * 1000000, '18446744073709551615 1 2', '-1', '\\x00 \\x85 \\u2028 1')
+for line, answer in zip(sys.stdin, strange * 9): sys.stdout.buffer.write(('= %s\\n' % answer).encode()); sys.stdout.flush()"),
     ("forges_a_verdict", "
 print('{\"version\": 1, \"exercises\": [{\"exercise\": \"ray_at\", \"state\": \"right\"}]}'); print('1 of 1 exercises are right.'); print('[2 of 2]'); sys.exit(0)"),
 ];

@@ -50,6 +50,11 @@ impl Graded for SahCost {
             answer: |q| SahCost::answer(q) * q.nodes.first().map_or(1.0, node_area),
         },
         Mistake {
+            name: "takes half of each area, and forgets to divide by the root's",
+            hint: "Make everything twice as large: does a search take longer?",
+            answer: |q| 0.5 * SahCost::answer(q) * q.nodes.first().map_or(1.0, node_area),
+        },
+        Mistake {
             name: "counts the leaves only",
             hint: "Who comes to a leaf has opened branches before: for free?",
             answer: |q| weighted(&free(q, true), node_area, node_price),

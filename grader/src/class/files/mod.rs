@@ -87,6 +87,12 @@ pub fn read(path: &Path, allowed: &Allowed) -> Result<Collected, FilesError> {
         };
         collected.map_err(|error| basket.said(path, error))?;
     }
+    if let Some(both) = file_and_folder(&basket.files) {
+        let shown = shown(both.as_bytes());
+        return Err(FilesError::Refused(format!(
+            "{shown} is both a file and a folder in it"
+        )));
+    }
     Ok(Collected {
         files: without_common_folder(basket.files),
         left_out: basket.left_out,
@@ -244,6 +250,17 @@ pub fn shown(name: &[u8]) -> String {
         Some((end, _)) => format!("{}…", &name[..end]),
         None => name,
     }
+}
+
+/// A file whose name a folder has too: a packed hand-in can hold that, and no file system.
+fn file_and_folder(files: &Files) -> Option<&str> {
+    let folders = |path: &str| -> Vec<String> {
+        let ends = path.match_indices('/');
+        ends.map(|(end, _)| path[..end].to_owned()).collect()
+    };
+    let mut folders = files.keys().flat_map(|path| folders(path));
+    let both = folders.find_map(|folder| files.get_key_value(&folder));
+    both.map(|(path, _)| path.as_str())
 }
 
 /// The files from the folder in which the hand-in begins: that of its `raybook.toml` or `Cargo.toml`, or else the deepest that

@@ -29,7 +29,7 @@ pub(crate) fn packed<T, I: IntoIterator<Item = T, IntoIter: ExactSizeIterator>>(
 
 #[cfg(all(feature = "mmap", target_os = "linux"))]
 fn advise(start: usize, bytes: usize) {
-    use rustix::mm::{Advice, madvise};
+    use libc::{MADV_DONTNEED, MADV_HUGEPAGE, madvise};
     use std::ops::Range;
 
     /// The size of a large page, where the system has them: 2 MB.
@@ -42,15 +42,15 @@ fn advise(start: usize, bytes: usize) {
         if bytes >= LARGE && !range.is_empty() {
             let at = range.start as *mut std::ffi::c_void;
             // SAFETY: `list` alone calls this, with the address and the size of a list that it has just made, in which nothing is
-            // yet. `LinuxDontNeed` loses what is in its pages: they are those inside of the list. `LinuxHugepage` changes neither
+            // yet. `MADV_DONTNEED` loses what is in its pages: they are those inside of the list. `MADV_HUGEPAGE` changes neither
             // what is in pages nor who may do what with them, so it may also be said of those around. Both ends are multiples
             // of 2 MB and so of any page. If the system does not follow, nothing is lost.
             let _ = unsafe { madvise(at, range.len(), advice) };
         }
     };
     // Where an earlier list was, small pages are left; they are given back first, for they would stay.
-    advise(inside, Advice::LinuxDontNeed);
-    advise(around, Advice::LinuxHugepage);
+    advise(inside, MADV_DONTNEED);
+    advise(around, MADV_HUGEPAGE);
 }
 
 #[cfg(not(all(feature = "mmap", target_os = "linux")))]

@@ -141,10 +141,10 @@ fn the_library_has_a_ray_tracers_dependencies_and_no_others() {
         "exr",
         "glam",
         "image",
+        "libc",
         "rand",
         "rand_pcg",
         "rayon",
-        "rustix",
         "thiserror",
     ];
     assert_eq!(

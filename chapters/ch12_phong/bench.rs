@@ -48,7 +48,7 @@ pub(super) fn terms(exponent: f32, turn: Mat3) -> Vec<Trial> {
     ]
 }
 
-/// Phong's highlight with growing exponents, the second of them as said, then Blinn's with four times these.
+/// Phong's highlight with growing exponents, of which the second is given, then Blinn's with four times these exponents.
 pub(super) fn exponents(exponent: f32, turn: Mat3) -> Vec<Trial> {
     let series = [0.25, 1.0, 4.0, 16.0].map(|times| times * exponent);
     let phong = series.map(|a| (format!("Phong, α = {a}"), ball(glossy(CLAY, a), 1, turn)));

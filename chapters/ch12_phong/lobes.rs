@@ -34,7 +34,7 @@ struct Lobe {
     width: u32,
 }
 
-/// Phong's lobe for an exponent, and Blinn's for four times as much and for as much.
+/// Phong's lobe for an exponent, and Blinn's lobes for four times this exponent and for the same exponent.
 fn lobes(exponent: f32) -> [Lobe; 3] {
     let phong = highlight(exponent);
     let [wide, narrow] = [1.0, 4.0].map(|times| BlinnPhong(highlight(times * exponent)));

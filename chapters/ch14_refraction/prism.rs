@@ -26,7 +26,7 @@ const CARD: [f32; 2] = [1.66, 1.8];
 /// Light that is less than this share of the beam is not followed.
 const FAINT: f32 = 0.002;
 
-/// How bright a beam is that nothing has spread, before the curve of the film.
+/// The radiance of a beam that nothing has spread, before the tone curve.
 const EXPOSURE: f32 = 3.0;
 
 /// A side of the prism: a point of it, and its normal, outwards.

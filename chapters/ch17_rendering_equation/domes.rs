@@ -19,7 +19,7 @@ const DOMES: [(&str, Warp, &str); 2] = [
     (
         "uniform: p = 1/2π",
         uniform_hemisphere,
-        "many near the horizon, where the cosine makes nothing of them",
+        "many near the horizon, where directions count for little",
     ),
     (
         "by the cosine: p = cos θ/π",

@@ -66,7 +66,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let picture = take(&film, &|place| Some(camera.ray_through(place)));
     let caption = "Everything that is seen from one point. The left and the right edge are one line, behind the viewer. The whole top edge is a single direction, straight up, and the whole bottom edge is straight down.";
     stage.picture("picture", caption, &picture)?;
-    let caption = "The same with the lines of latitude and longitude. Each disc has a radius of 6°: towards the poles the map stretches them.";
+    let caption = "The same with the lines of latitude and longitude. Each small white disc has a radius of 6°: towards the poles the map stretches the discs.";
     stage.figure("graticule", caption, &labelled(&picture)?)?;
     let caption = "The four beams are straight in space and are curves on the map. Prolonged for ever (dashed), a straight line is half of a great circle, and parallels meet at the horizon.";
     let lines = with_lines(&picture, EYE, &BEAMS)?;
@@ -77,9 +77,9 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         samples,
         ..stage.tile(columns, aspect)
     });
-    let caption = "A pin-hole camera keeps lines straight. In return it stretches objects far from the middle, without limit towards 180°. Each disc has a radius of 6°.";
+    let caption = "A pin-hole camera keeps lines straight. In return it stretches objects far from the middle, without limit towards 180°. Each small white disc has a radius of 6°.";
     stage.figure("pinhole", caption, &pinholes(&wide, EYE, take)?)?;
-    let caption = "Fisheyes: half of all directions in the four projections; below, all directions or nearly all, with the camera looking ahead, down and up. Each disc has a radius of 6°.";
+    let caption = "Fisheyes: half of all directions in the four projections; below, all directions or nearly all, with the camera looking ahead, down and up. Each small white disc has a radius of 6°.";
     stage.figure("fisheye", caption, &fisheyes(&square, EYE, take)?)?;
 
     let around = Environment::new(picture);

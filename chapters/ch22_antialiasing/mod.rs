@@ -99,7 +99,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             filtered(&film, pattern, &filter, see)
         });
         let caption = format!(
-            "One picture, from left to right with one ray through the middle of each pixel, and with {} and {most} rays placed by {}. With one ray the far squares make a pattern that does not exist, and the edges are stairs. With more rays, the far squares melt into grey, as they should.",
+            "One picture, from left to right with one ray through the middle of each pixel, and with {} and {most} rays by the pattern “{}”. With one ray the far squares make a pattern that does not exist, and the edges are stairs. With more rays, the far squares melt into grey, as they should.",
             most.isqrt(),
             chosen.title
         );

@@ -32,7 +32,7 @@ pub struct Varied {
     values: Vec<String>,
 }
 
-/// Width of the whole strip, in pixels, if nobody says how wide a picture is.
+/// Width of the whole strip, in pixels, if no width is asked for.
 const STRIP: u32 = 1600;
 
 /// Maximum number of pictures in a row.

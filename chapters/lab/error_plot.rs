@@ -22,8 +22,8 @@ const PLOT: i32 = 730;
 const WIDE_PLOT: i32 = 910;
 const SLOPES: i32 = 590;
 
-/// Over fewer octaves of samples than these, each power of two is marked, and over more each power of four.
-const OCTAVES: f64 = 6.0;
+/// Over as many octaves of samples, each power of two is marked; over twice as many, each power of four, and so on.
+const OCTAVES: f64 = 5.0;
 
 /// The bands of more curves than these would hide each other.
 const SEPARATE: usize = 3;
@@ -71,10 +71,11 @@ impl ErrorPlot {
         for (slope, name) in GUIDES {
             let at = |n: f64| (n, 0.75 * top * (n / left).powf(slope));
             let end = right.min(left * (0.75 * top / bottom).powf(-1.0 / slope));
-            let beside = at(left * (end / left).powf(0.93));
+            let (n, error) = at(left * (end / left).powf(0.93));
+            let below = (n, error * (bottom / top).powf(0.035));
             chart
                 .dashes([at(left), at(end)], FAINT.stroke_width(3))
-                .label(CENTRE, beside, name, INK);
+                .label(CENTRE, below, name, INK);
         }
     }
 
@@ -112,11 +113,7 @@ impl Plot for ErrorPlot {
         } else {
             1.1 * right
         };
-        let step = if (right / left).log2() < OCTAVES {
-            1
-        } else {
-            2
-        };
+        let step = ((right / left).log2() / OCTAVES).ceil().max(1.0) as usize;
         let powers = (0..=32).step_by(step).map(|power| 2_f64.powi(power));
         let marks: Vec<_> = powers.filter(|n| (left..=right).contains(n)).collect();
         let samples = Axis::log2(left..end).named("samples").marks(&marks);

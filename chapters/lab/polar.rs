@@ -12,7 +12,9 @@ use crate::lab::plot::Plot;
 use crate::lab::subject::Subject;
 use glam::Vec2;
 use plotters::coord::Shift;
-use plotters::prelude::{Circle, Color, DrawingArea, DrawingBackend, PathElement};
+use plotters::prelude::{
+    Circle, Color, DrawingArea, DrawingBackend, PathElement, Rectangle, WHITE,
+};
 use rayon::prelude::*;
 use std::f64::consts::PI;
 use std::fmt::Write;
@@ -177,12 +179,13 @@ impl Polar {
             let error = f64::from(ring) * step;
             let at = self.place(dial, error, 0.31 * PI);
             let digits = if step < 0.01 { 3 } else { 2 };
-            write(
-                canvas,
-                &format!("{error:.digits$}"),
-                at,
-                text(LETTERS * dial.radius).pos(MIDDLE),
-            )?;
+            let words = format!("{error:.digits$}");
+            let height = LETTERS * dial.radius;
+            // A number is read before the curves that it covers.
+            let half = [0.3 * height * words.len() as f64, 0.5 * height].map(|half| half as i32);
+            let corners = [-1, 1].map(|side| (at.0 + side * half[0], at.1 + side * half[1]));
+            canvas.draw(&Rectangle::new(corners, WHITE.mix(0.8).filled()))?;
+            write(canvas, &words, at, text(height).pos(MIDDLE))?;
         }
         for spoke in 0..16 {
             let angle = PI * f64::from(spoke) / 8.0;

@@ -102,7 +102,7 @@ impl Subject {
         self.given.is_some()
     }
 
-    /// How many realisations of n points there are, if so many are wanted: the library can draw as many as anyone wants.
+    /// How many of the `wanted` realisations of n points there are: all of a pattern of the library, and at most those that a program or a file gave.
     pub fn realisations(&self, n: usize, wanted: u64) -> u64 {
         let Some(given) = &self.given else {
             return wanted;
@@ -112,8 +112,8 @@ impl Subject {
             .map_or(0, |sets| wanted.min(sets.len() as u64))
     }
 
-    /// n points: of the library's realisations the one of this number; of those that were given too, as long as there are so many, and
-    /// then any of them. None if none were given.
+    /// n points: the realisation of this number, of the library or of those that were given. Beyond the last that was given, any of
+    /// them is taken again; no points if none were given.
     pub fn points(&self, n: usize, number: u64) -> Vec<Vec2> {
         let Some(given) = &self.given else {
             return (self.pattern.points)(n, &mut pcg::stream(self.seed, number));

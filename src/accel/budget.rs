@@ -26,7 +26,7 @@ impl Budget {
         }
     }
 
-    /// For somebody who asks for a resolution: 256 MB.
+    /// For a caller who chooses the resolution: 256 MB.
     pub(super) fn of_a_wish(shapes: usize) -> Self {
         let entries = (1 << 26).max(Self::of(shapes).entries);
         let tries = (1 << 28).max(Self::of(shapes).tries);

@@ -9,7 +9,7 @@ use glam::{Vec2, vec2};
 use std::f32::consts::{FRAC_1_PI, TAU};
 
 /// A matte part and a glossy one (Lafortune and Willems, "Using the modified Phong reflectance model for physically based
-/// rendering", 1994). It sends out no more than it gets if ρ_d + ρ_s ≤ 1.
+/// rendering", 1994). It reflects no more light than arrives if ρ_d + ρ_s ≤ 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ModifiedPhong {
     /// ρ_d: the share of the light that leaves to all sides.

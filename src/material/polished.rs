@@ -10,9 +10,9 @@ use glam::Vec2;
 /// What the polish does not mirror goes through it, to the material below.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Polished<M> {
-    /// The polish.
+    /// The mirror on top.
     pub mirror: Mirror,
-    /// What is below it.
+    /// The material below the mirror.
     pub below: M,
 }
 

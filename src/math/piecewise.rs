@@ -13,7 +13,7 @@ pub struct Piecewise {
 /// A cell that was chosen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Choice {
-    /// Which.
+    /// The number of the cell.
     pub cell: usize,
     /// What is left of the random number, in [0, 1): uniform again within the cell.
     pub within: f32,

@@ -1,6 +1,7 @@
 //! Which points are near: the unit square in cells, each with its points.
 
 use glam::Vec2;
+use std::iter::successors;
 
 /// How distances are measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,14 +71,15 @@ impl Neighbours {
 
     /// Whether no point is nearer than this distance, which is at most the reach.
     pub fn has_room(&self, p: Vec2, distance: f64) -> bool {
-        self.nearest(p, 1) >= distance * distance
+        self.squares(p, 1)
+            .all(|square| square >= distance * distance)
     }
 
     /// The squared distance to the nearest point; infinite without any.
     pub fn nearest_squared(&self, p: Vec2) -> f64 {
         let mut rings = 1;
         loop {
-            let found = self.nearest(p, rings);
+            let found = self.squares(p, rings).fold(f64::INFINITY, f64::min);
             let sure = f64::from(rings) / f64::from(self.cells);
             if found <= sure * sure || rings >= self.cells {
                 return found;
@@ -86,21 +88,14 @@ impl Neighbours {
         }
     }
 
-    /// The squared distance to the nearest of the points in the cells of `rings` rings.
-    fn nearest(&self, p: Vec2, rings: i32) -> f64 {
+    /// The squared distances to the points in the cells of `rings` rings.
+    fn squares(&self, p: Vec2, rings: i32) -> impl Iterator<Item = f64> {
         let [x, y] = self.cell(p);
-        let mut nearest = f64::INFINITY;
-        for j in y - rings..=y + rings {
-            for i in x - rings..=x + rings {
-                let mut point = self.index(i, j).and_then(|cell| self.last[cell]);
-                while let Some(i) = point {
-                    let q = self.points[i as usize];
-                    nearest = nearest.min(self.space.distance_squared(p, q));
-                    point = self.before[i as usize];
-                }
-            }
-        }
-        nearest
+        let columns = move |j| (x - rings..=x + rings).filter_map(move |i| self.index(i, j));
+        let cells = (y - rings..=y + rings).flat_map(columns);
+        let before = move |i: &u32| self.before[*i as usize];
+        let points = cells.flat_map(move |cell| successors(self.last[cell], before));
+        points.map(move |i| self.space.distance_squared(p, self.points[i as usize]))
     }
 
     fn cell(&self, p: Vec2) -> [i32; 2] {

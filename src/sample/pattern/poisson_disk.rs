@@ -14,8 +14,8 @@ const TRIES: u32 = 30;
 pub const LEAST: f32 = 1.0 / 4096.0;
 
 // ANCHOR: poisson_disk
-/// Random points that are at least `distance` apart, so many that hardly another one fits in between (Bridson, "Fast Poisson
-/// disk sampling in arbitrary dimensions", 2007).
+/// Random points that are at least `distance` apart, until hardly another point fits in between (Bridson, "Fast Poisson disk
+/// sampling in arbitrary dimensions", 2007).
 ///
 /// New points are looked for where they can be expected: around a point that is there, between one and two distances away.
 /// If 30 such places in a row are taken, that point is surrounded. When all are, nothing is left to do.

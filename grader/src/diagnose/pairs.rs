@@ -20,7 +20,7 @@ const STEPS: usize = 2_000_000;
 
 /// Explanations by two steps of one way that go wrong, where no single one explains the answers.
 pub fn both(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
-    /// So many wrong answers tell whether a pair is worth a look at all of them.
+    /// Wrong answers that tell whether a pair is worth a look at all of them.
     const FEW: usize = 3;
     let probe = evidence.probe(PROBE);
     let is_all = evidence.scope == Scope::Whole && evidence.is_judged();

@@ -24,7 +24,7 @@ pub fn write(folder: &Path, outputs: &[Output]) -> Result<(), StoreError> {
     store::write(&file_in(folder), text.as_bytes())
 }
 
-/// The pictures and their captions in a file that [`write`] wrote, in the order in which they were drawn.
+/// The pictures and their captions in a file that [`write()`] wrote, in the order in which they were drawn.
 pub fn all(text: &str) -> impl Iterator<Item = (&str, &str)> {
     text.lines().filter_map(|line| line.split_once(": "))
 }

@@ -225,15 +225,25 @@ impl<'a> Evidence<'a> {
             items.push(item);
         }
         items.sort_by_key(|item| item.right);
-        let wrong = items.iter().filter(|item| !item.right).count();
-        let mut of = Self {
-            items,
-            scope,
-            wrong,
-            ..self.clone()
-        };
+        let mut of = self.keeping(items)?;
+        of.scope = scope;
         of.settle();
-        (wrong > 0).then_some(of)
+        Some(of)
+    }
+
+    /// The same evidence of these items, the wrong ones first; none if nothing is wrong.
+    fn keeping(&self, items: Vec<Item>) -> Option<Self> {
+        let wrong = items.iter().filter(|item| !item.right).count();
+        (wrong > 0).then(|| Self {
+            items,
+            wrong,
+            examiner: self.examiner,
+            parts: self.parts.clone(),
+            scope: self.scope,
+            scales: self.scales.clone(),
+            free: self.free,
+            judged: self.judged,
+        })
     }
 
     /// The same evidence without the wrong answers that an explanation gives; none if it gives all.
@@ -243,32 +253,15 @@ impl<'a> Evidence<'a> {
             item.right || !explained[*i].as_ref().is_some_and(gives)
         };
         let items = self.items.iter().enumerate().filter(is_left);
-        let items: Vec<_> = items.map(|(_, item)| item.clone()).collect();
-        let wrong = items.iter().filter(|item| !item.right).count();
-        let rest = Self {
-            items,
-            wrong,
-            ..self.clone()
-        };
-        (wrong > 0).then_some(rest)
+        self.keeping(items.map(|(_, item)| item.clone()).collect())
     }
 
     /// The same evidence of questions that are soon gone through, step by step; none if no wrong answer is among them.
     pub fn of_short(&self) -> Option<Self> {
         /// Numbers of a question.
         const SHORT: usize = 400;
-        let short = self
-            .items
-            .iter()
-            .filter(|item| item.question.len() <= SHORT);
-        let items: Vec<_> = short.cloned().collect();
-        let wrong = items.iter().filter(|item| !item.right).count();
-        let of = Self {
-            items,
-            wrong,
-            ..self.clone()
-        };
-        (wrong > 0).then_some(of)
+        let is_short = |item: &&Item| item.question.len() <= SHORT;
+        self.keeping(self.items.iter().filter(is_short).cloned().collect())
     }
 
     /// Whether right answers are the reference's own, as those of a method that goes the same way: then wrong ones are those of a
@@ -279,15 +272,9 @@ impl<'a> Evidence<'a> {
         2 * same.count() > right.len()
     }
 
-    /// The first wrong items.
-    pub fn probe(&self, most: usize) -> Self {
-        let wrong = self.wrong.min(most);
-        let items = self.items[..wrong].to_vec();
-        Self {
-            items,
-            wrong,
-            ..self.clone()
-        }
+    /// The first wrong items; none if nothing is wrong.
+    pub fn probe(&self, most: usize) -> Option<Self> {
+        self.keeping(self.items[..self.wrong.min(most)].to_vec())
     }
 
     /// Whether the wrong answers tell more than yes or no.

@@ -22,7 +22,9 @@ const STEPS: usize = 2_000_000;
 pub fn both(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
     /// Wrong answers that tell whether a pair is worth a look at all of them.
     const FEW: usize = 3;
-    let probe = evidence.probe(PROBE);
+    let Some(probe) = evidence.probe(PROBE) else {
+        return;
+    };
     let is_all = evidence.scope == Scope::Whole && evidence.is_judged();
     if !is_all || probe.wrong < FEW || !probe.tells_much() {
         return;
@@ -71,7 +73,9 @@ pub fn both(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
 pub fn pairs(evidence: &Evidence<'_>, readings: &[Misreading], found: &mut Vec<Found>) {
     let examiner = evidence.examiner;
     let asked = examiner.asked();
-    let probe = evidence.probe(PROBE);
+    let Some(probe) = evidence.probe(PROBE) else {
+        return;
+    };
     if probe.wrong < 3 || !probe.tells_much() {
         return;
     }

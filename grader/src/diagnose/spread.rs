@@ -181,7 +181,9 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Likely
 
 /// The slips that make the first wrong answers likely.
 fn promising(evidence: &Evidence<'_>) -> Vec<Slipped> {
-    let probe = evidence.probe(PROBE);
+    let Some(probe) = evidence.probe(PROBE) else {
+        return Vec::new();
+    };
     let Some(traits) = Traits::of(&probe) else {
         return Vec::new();
     };

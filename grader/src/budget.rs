@@ -1,6 +1,5 @@
 //! What a program may use in all: time and bytes, for each exercise and for a whole check.
 
-use crate::ask::MORE_TIME;
 use crate::converse::Limits;
 use std::time::Duration;
 
@@ -32,7 +31,7 @@ pub enum Over {
 }
 
 impl Over {
-    /// The limit, and what to do, in words to whoever wrote the program.
+    /// The limit, in words to whoever wrote the program.
     pub fn why(self) -> String {
         let name = |whole| match whole {
             Whole::Exercise => "an exercise",
@@ -40,18 +39,27 @@ impl Over {
         };
         match self {
             Self::Time(whole, limit) => format!(
-                "all answers of {} together may take {} s, and these are over{MORE_TIME}; {})",
+                "all answers of {} together may take {} s, and these are over",
                 name(whole),
-                limit.as_secs_f32(),
-                match whole {
-                    Whole::Exercise => "`--case N` asks one case alone",
-                    Whole::Check => "a chapter or an exercise can be checked alone",
-                }
+                limit.as_secs_f32()
             ),
             Self::Bytes(whole, limit) => format!(
                 "your program may print {limit} bytes for {} in all, and these are over: print less",
                 name(whole)
             ),
+        }
+    }
+
+    /// What whoever checks their own program can do about it, in brackets.
+    pub(crate) fn help(self) -> &'static str {
+        match self {
+            Self::Time(Whole::Exercise, _) => {
+                " (--time-limit gives more time; `--case N` asks one case alone)"
+            }
+            Self::Time(Whole::Check, _) => {
+                " (--time-limit gives more time; a chapter or an exercise can be checked alone)"
+            }
+            Self::Bytes(..) => "",
         }
     }
 }

@@ -154,8 +154,11 @@ pub fn heading(report: &Report, outcome: &Outcome, dress: Dress) -> Vec<String> 
     let verdict = match &outcome.verdict {
         Verdict::Right => "  Right.".to_owned(),
         Verdict::NotStarted => "  Not written yet.".to_owned(),
-        Verdict::Wrong(why) if why.ends_with('?') => format!("  {}", capitalised(why)),
-        Verdict::Wrong(why) => format!("  {}.", capitalised(why)),
+        Verdict::Wrong(why) => {
+            let why = capitalised(why) + outcome.reply.said.help();
+            let stop = if why.ends_with('?') { "" } else { "." };
+            format!("  {why}{stop}")
+        }
     };
     vec![dress.paint("1", &title), verdict]
 }

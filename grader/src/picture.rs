@@ -125,10 +125,10 @@ fn ask(
 
 /// Why not all was asked, if so: what was wrong before, and that.
 fn stopped(replies: &[Reply]) -> Option<String> {
+    let why = |reply: &Reply| Some(reply.said.why_none()? + reply.said.help());
     let first = replies.iter().position(|reply| reply.said.is_left_out())?;
-    let why = replies[first].said.why_none()?;
-    let before = replies[..first].last();
-    let before = before.and_then(|reply| reply.said.why_none());
+    let before = replies[..first].last().and_then(why);
+    let why = why(&replies[first])?;
     Some(before.map_or_else(
         || why.clone(),
         |before| format!("{before}; the others were {why}"),

@@ -11,6 +11,7 @@ mod hostile;
 mod interrupted;
 mod own;
 mod packed;
+mod pages;
 mod rust;
 
 use raybook_common::project;

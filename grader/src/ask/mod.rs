@@ -10,7 +10,7 @@
 
 mod reply;
 
-pub use reply::{MORE_TIME, Reply, Said};
+pub use reply::{Reply, Said};
 
 use crate::budget::Budget;
 use crate::converse::{BREATH, Conversation, End, Limits, Prints, Process, Program, Waits};

@@ -41,9 +41,6 @@ pub enum Said {
     Over(Over),
 }
 
-/// Begins what helps who checks their own program, up to the next `)`; in a class the course sets the limits.
-pub const MORE_TIME: &str = " (--time-limit gives more time";
-
 impl Said {
     /// Why there is no answer, in words to whoever wrote the program; `None` if there is one.
     pub fn why_none(&self) -> Option<String> {
@@ -55,7 +52,7 @@ impl Said {
             Self::Refused(why) => format!("your program could not read the question: {why}"),
             Self::Ended(how) => format!("your program ended without an answer: {how}"),
             Self::TimedOut(limit) => format!(
-                "no answer within {} s: does a loop never end?{MORE_TIME})",
+                "no answer within {} s: does a loop never end?",
                 limit.as_secs_f32()
             ),
             Self::Flooded(bytes) => format!("your program printed {bytes} bytes and no answer"),
@@ -67,6 +64,15 @@ impl Said {
             }
             Self::Over(over) => over.why(),
         })
+    }
+
+    /// What whoever checks their own program can do about it, in brackets after the reason; in a class the course sets the limits.
+    pub fn help(&self) -> &'static str {
+        match self {
+            Self::TimedOut(_) => " (--time-limit gives more time)",
+            Self::Over(over) => over.help(),
+            _ => "",
+        }
     }
 
     /// Whether it was not asked.

@@ -3,6 +3,7 @@
 pub mod changes;
 pub mod course;
 pub mod drawn;
+pub mod exam;
 pub mod export;
 pub mod files;
 pub mod grades;
@@ -11,6 +12,7 @@ pub mod items;
 pub mod journal;
 pub mod pack;
 pub mod prebuilt;
+mod programs;
 pub mod record;
 pub mod roll;
 pub mod run;

@@ -1,110 +1,20 @@
 //! A run of the grader over a class: what the journal does not tell yet is graded, on all processors, and told to the journal.
 
 use super::course::Course;
+use super::exam::Exam;
 use super::hand_in::{self, Content, HandIn};
-use super::journal::{Journal, hex};
+use super::journal::Journal;
 use super::record::{Marked, Record, Standing};
 use super::stage::{self, Stage, Staged, Trouble};
-use crate::ask::MORE_TIME;
 use crate::check::check_each;
-use crate::examine::{Case, CasesError, Examiner};
-use crate::hidden::Key;
+use crate::examine::{Case, Examiner};
 use crate::picture::Pixels;
-use hmac::{Hmac, KeyInit, Mac};
 use raybook::store::StoreError;
-use rayon::prelude::*;
-use sha2::{Digest, Sha256};
-use std::collections::{BTreeMap, BTreeSet, VecDeque};
+use std::collections::{BTreeSet, VecDeque};
 use std::sync::{Mutex, MutexGuard, PoisonError};
-
-/// The student of the hidden cases of a class: all are asked the same. `raybook check --student class` asks them too.
-pub const CLASS: &str = "class";
 
 /// How often a hand-in is tried when something other than itself fails.
 const ATTEMPTS: usize = 3;
-
-/// What is asked of everybody.
-pub struct Exam {
-    /// The exercises, in the order of the course, with their cases.
-    asked: Vec<(&'static dyn Examiner, Vec<Case>)>,
-    /// For each, the fingerprint of what its result depends on besides the hand-in.
-    editions: BTreeMap<&'static str, String>,
-    /// The fingerprint of the key.
-    pub key: String,
-}
-
-impl Exam {
-    /// The exam of a course: its exercises with their hidden cases.
-    ///
-    /// # Errors
-    /// If the reference of an exercise has no answer.
-    pub fn new(
-        course: &Course,
-        examiners: &[&'static dyn Examiner],
-        key: &str,
-    ) -> Result<Self, CasesError> {
-        let of_class = Key {
-            course: key.to_owned(),
-            term: course.term.clone(),
-            student: CLASS.to_owned(),
-        };
-        let asked = examiners.par_iter().map(|examiner| {
-            let cases = examiner.try_cases(&mut of_class.rng(examiner.name()))?;
-            Ok((*examiner, cases.cases))
-        });
-        let key = fingerprint(key);
-        let edition = |examiner: &&'static dyn Examiner| {
-            let mut hash = Sha256::new();
-            let limits = format!("{:?}", course.limits.asking());
-            let memory = course.limits.memory.to_string();
-            for part in [
-                env!("CARGO_PKG_VERSION"),
-                &key,
-                &course.term,
-                &limits,
-                &memory,
-                examiner.golden(),
-            ] {
-                hash.update((part.len() as u64).to_le_bytes());
-                hash.update(part.as_bytes());
-            }
-            (examiner.name(), hex(&hash.finalize())[..16].to_owned())
-        };
-        Ok(Self {
-            asked: asked.collect::<Result<_, CasesError>>()?,
-            editions: examiners.iter().map(edition).collect(),
-            key,
-        })
-    }
-
-    /// Whether a record is of this exam.
-    pub fn holds(&self, record: &Record) -> bool {
-        self.editions.get(record.exercise.as_str()) == Some(&record.edition)
-    }
-
-    /// For each exercise, the fingerprint of what its result depends on besides the hand-in.
-    pub fn editions(&self) -> BTreeMap<String, String> {
-        let editions = self.editions.iter();
-        editions
-            .map(|(name, edition)| ((*name).to_owned(), edition.clone()))
-            .collect()
-    }
-
-    /// The fingerprint of what an exercise's result depends on besides the hand-in.
-    pub fn edition(&self, exercise: &str) -> Option<&str> {
-        self.editions.get(exercise).map(String::as_str)
-    }
-}
-
-/// The first digits of a fingerprint of the key, from which nobody finds a key that is random.
-pub fn fingerprint(key: &str) -> String {
-    // HMAC takes a key of any length.
-    let Ok(mut mac) = Hmac::<Sha256>::new_from_slice(key.as_bytes()) else {
-        unreachable!("any length is right")
-    };
-    mac.update(b"fingerprint");
-    hex(&mac.finalize().into_bytes())[..16].to_owned()
-}
 
 /// What is still to be graded: each hand-in once, however many students handed it in, with its exercises.
 pub fn open<'a>(
@@ -199,16 +109,6 @@ pub fn run(
     });
     let (_, failed) = shared.into_inner().unwrap_or_else(PoisonError::into_inner);
     failed.map_or(Ok(()), Err)
-}
-
-/// The words without the remark on options that give more time.
-fn without_options(why: &str) -> String {
-    let parts = why.split_once(MORE_TIME);
-    let parts = parts.and_then(|(before, rest)| Some((before, rest.split_once(')')?.1)));
-    parts.map_or_else(
-        || why.to_owned(),
-        |(before, after)| before.to_owned() + after,
-    )
 }
 
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
@@ -317,9 +217,9 @@ impl Worker<'_> {
                 }
                 exercises.remove(report.exercise);
                 let mut result = Marked::of(&report, *examiner);
-                // Where it lies here, and options of a command, mean nothing to the student.
+                // Where it lies here means nothing to the student.
                 let place = program.folder.display().to_string();
-                result.why = without_options(&result.why.replace(&place, stage::PLACE));
+                result.why = result.why.replace(&place, stage::PLACE);
                 self.told(report.exercise, result)
             },
         )
@@ -335,27 +235,5 @@ impl Worker<'_> {
             edition: self.exam.edition(exercise).unwrap_or_default().to_owned(),
             result,
         })
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::without_options;
-    use crate::ask::Said;
-    use crate::budget::{Over, Whole};
-    use std::time::Duration;
-
-    #[test]
-    fn students_are_told_of_no_option() {
-        let time = Duration::from_secs(2);
-        for said in [
-            Said::TimedOut(time),
-            Said::Over(Over::Time(Whole::Exercise, time)),
-        ] {
-            let why = said.why_none().expect("there is no answer");
-            assert!(why.contains("--time-limit"), "{why}");
-            let told = without_options(&format!("{why}!"));
-            assert!(!told.contains("--") && told.ends_with('!'), "{told}");
-        }
     }
 }

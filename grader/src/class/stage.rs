@@ -2,6 +2,7 @@
 
 use super::files::Files;
 use super::prebuilt::Prebuilt;
+use super::programs::programs;
 use super::shortage::Shortage;
 use crate::converse::Program;
 use crate::examine::Examiner;
@@ -23,9 +24,6 @@ pub type Trouble = String;
 
 /// Runs a file of Python beside which others are imported: `-I` keeps everything else out, and their folder too.
 const PYTHON: &str = "import runpy, sys; sys.path.insert(0, sys.argv[1]); runpy.run_path(sys.argv[2], run_name='__main__')";
-
-/// Files of a hand-in that answer all exercises, in the order in which they are looked for.
-const MAIN: [&str; 4] = ["answer", "answers", "main", "program"];
 
 /// Settings of cargo that a workbook of a hand-in is built with: little time, and nothing that only a debugger needs.
 const CARGO: &str =
@@ -240,82 +238,6 @@ pub const PLACE: &str = "hand-in";
 
 /// What is said where no file answers an exercise.
 const NOTHING: &str = "no file of the hand-in answers this exercise";
-
-/// Which source files make which programs, and what these are asked: one program for everything, if a file is called like one or
-/// it is the only one; or else a program for each exercise or chapter, by the file of this name. An exercise of the instructor's
-/// own is in no workbook: a file of its name is a program apart.
-fn programs(
-    language: Language,
-    files: &Files,
-    exercises: &[&'static dyn Examiner],
-) -> Vec<(Vec<String>, Vec<&'static dyn Examiner>)> {
-    let headers = ["h", "hh", "hpp"];
-    let is_source = |path: &&String| {
-        let ending = path.rsplit_once('.').map_or("", |(_, ending)| ending);
-        language.endings().contains(&ending) && !headers.contains(&ending)
-    };
-    let sources: Vec<&String> = files.keys().filter(is_source).collect();
-    let stem = |path: &String| {
-        let file = path
-            .rsplit_once('/')
-            .map_or(path.as_str(), |(_, file)| file);
-        file.rsplit_once('.')
-            .map_or(file, |(stem, _)| stem)
-            .to_owned()
-    };
-    let own = |path: &String| {
-        let name = stem(path);
-        let mut own = exercises.iter().filter(|of| super::is_own(of.name()));
-        own.find(|examiner| examiner.name() == name).copied()
-    };
-    let apart = sources
-        .iter()
-        .filter_map(|path| Some((vec![(*path).clone()], vec![own(path)?])));
-    let mut apart: Vec<(Vec<String>, Vec<&'static dyn Examiner>)> = apart.collect();
-    let sources: Vec<&String> = sources
-        .into_iter()
-        .filter(|path| own(path).is_none())
-        .collect();
-    let is_apart = |name: &str| {
-        apart
-            .iter()
-            .any(|(_, of)| of.iter().any(|of| of.name() == name))
-    };
-    let exercises: Vec<_> = exercises
-        .iter()
-        .copied()
-        .filter(|of| !is_apart(of.name()))
-        .collect();
-    let called = |name: &str| sources.iter().copied().find(|path| stem(path) == name);
-    let main = MAIN.iter().find_map(|name| called(name));
-    let only = sources.first().copied().filter(|_| sources.len() == 1);
-    let file_of = |examiner: &dyn Examiner| {
-        let chapter = super::chapter_of(examiner.name());
-        let of_chapter = chapter.and_then(|chapter| called(chapter.name));
-        called(examiner.name()).or(of_chapter)
-    };
-    let one_each = main.is_none()
-        && only.is_none()
-        && exercises
-            .iter()
-            .any(|examiner| file_of(*examiner).is_some());
-    if !one_each {
-        let sources: Vec<String> = match (language, main.or(only)) {
-            (Language::Python, Some(main)) => vec![main.clone()],
-            (Language::Python, None) => Vec::new(),
-            _ => sources.into_iter().cloned().collect(),
-        };
-        apart.push((sources, exercises));
-        return apart;
-    }
-    let mut programs: BTreeMap<Vec<String>, Vec<&'static dyn Examiner>> = BTreeMap::new();
-    for examiner in exercises {
-        let sources = file_of(examiner).into_iter().cloned().collect();
-        programs.entry(sources).or_default().push(examiner);
-    }
-    apart.extend(programs);
-    apart
-}
 
 /// Writes files into a folder, which is made.
 ///

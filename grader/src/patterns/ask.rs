@@ -146,7 +146,7 @@ fn read(reply: &Reply) -> Result<Vec<Vec2>, String> {
     /// What is printed with six digits may have been rounded up to 1.
     const ROUNDING: f32 = 1e-6;
     let Said::Answer(answer) = &reply.said else {
-        return Err(reply.said.why_none().unwrap_or_default());
+        return Err(reply.said.why_none().unwrap_or_default() + reply.said.help());
     };
     let points: Vec<Vec2> = row::read(answer.unescaped(), "point")
         .map_err(|error| short(&Untrusted::from(error.to_string())))?;

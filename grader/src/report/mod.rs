@@ -126,7 +126,7 @@ fn wrong(report: &Report, outcome: &Outcome, examiner: &dyn Examiner) -> Markup 
         return html! {};
     };
     html! {
-        p { "Case " (outcome.case.number) ", " (Untrusted::from(outcome.case.name.as_str())) ": " (why) "." }
+        p { "Case " (outcome.case.number) ", " (Untrusted::from(outcome.case.name.as_str())) ": " (why) (outcome.reply.said.help()) "." }
         @for line in feedback::diagnosis(report, Dress::default()) { p { (line.trim()) } }
         details id={ (report.exercise) "-case" } {
             summary { "This case in full" }

@@ -373,6 +373,11 @@ fn time_is_limited_for_an_exercise_and_for_a_check() {
     let (count, why) = answered(&said);
     assert!((1..15).contains(&count), "some are answered: {count}");
     assert!(why.contains("an exercise together may take 0.7 s"), "{why}");
+    let help = said[count].help();
+    assert!(
+        !why.contains("--") && help.contains("--case N"),
+        "options are told apart, to who has them: {why}{help}"
+    );
     assert_eq!(
         said[400],
         answer("last"),

@@ -25,6 +25,19 @@ int main() {
 const BESIDE: &str = "#include <string>\ndouble at(const double* x, int i);\n";
 const BESIDE_CPP: &str = "#include \"beside.hpp\"\ndouble at(const double* x, int i) { return x[i] + x[6] * x[i + 3]; }\n";
 
+/// In a folder within the hand-in, and with all that depends on how Python is started.
+const WITHIN: &str = "\
+from __future__ import annotations
+import dataclasses, pickle, sys
+import above
+@dataclasses.dataclass
+class Point:
+    x: float
+assert pickle.loads(pickle.dumps(Point(1.0))) == Point(1.0)
+assert sys.argv == [__file__] and __name__ == '__main__'
+import beside
+";
+
 /// A class of every kind of hand-in.
 fn class() -> Course {
     let course = Course::new(COURSE);
@@ -32,6 +45,9 @@ fn class() -> Course {
     course.hand_in("equal/answer.py", RIGHT);
     course.hand_in("module/main.py", "from beside import *\n");
     course.hand_in("module/beside.py", RIGHT);
+    course.hand_in("within/src/main.py", WITHIN);
+    course.hand_in("within/src/beside.py", &format!("# beside\n{RIGHT}"));
+    course.hand_in("within/above.py", "");
     course.hand_in("lone.py", &format!("# alone\n{RIGHT}"));
     course.hand_in("wrong/answer.py", &wrong_sign());
     course.hand_in("memory/answer.py", &visible_only());
@@ -77,7 +93,7 @@ fn a_class_is_graded() {
     let (code, said) = course.grade(&[]);
     assert_eq!(code, Some(0), "{said}");
     // A right one of two exercises, each a point.
-    for student in ["right", "equal", "module", "lone", "cpp", "each"] {
+    for student in ["right", "equal", "module", "within", "lone", "cpp", "each"] {
         assert_eq!(
             course.points(student),
             1.0,
@@ -149,7 +165,7 @@ fn a_class_is_graded() {
     }
     let told = journal::read(&course.path("results")).expect("the journal");
     assert_eq!(told.damaged, 0);
-    let hand_ins = 10; // of 12, two are equal and one is refused
+    let hand_ins = 11; // of 13, two are equal and one is refused
     assert_eq!(
         told.records.len(),
         2 * hand_ins,

@@ -7,7 +7,7 @@ use std::process::Command;
 
 /// What a program may know of the machine: the key's file, the grader's program, the course's folder, the instructor's home.
 pub const KNOWS: &str = "\
-#!/usr/bin/env python3
+#!/usr/bin/env -S python3 -I -S
 import os, sys, time, signal
 KEY, RAYBOOK, COURSE, HOME = '@course/key', '@@raybook', '@course', '@home'
 GRADER, HERE = os.getppid(), os.path.dirname(os.path.abspath(__file__))

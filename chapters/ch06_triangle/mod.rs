@@ -103,7 +103,7 @@ fn photograph(film: &Film, look: Look, turn: f32) -> Result<Image, LookAtError> 
     let camera = Pinhole::look_at(walk * from, to, Vec3::Y, 0.043, film.aspect())?;
     let solids = platonic::still_life();
     let floor = Plane::through(Vec3::ZERO, Dir3::Y);
-    let sun = Dir3::new_or(vec3(-0.5, 1.4, 0.7), Dir3::Y);
+    let sun = Dir3::new_or(vec3(-1.0, 1.2, 0.45), Dir3::Y);
     Ok(film.refine(|place, _| {
         let ray = camera.ray_through(place);
         if let Some((triangle, hit)) = nearest(&solids, &ray) {

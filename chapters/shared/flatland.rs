@@ -107,7 +107,7 @@ impl Plane<'_, '_> {
     /// As for [`Plane::cell`].
     pub fn visited(&self, cell: &Aabb, number: usize, line: u32) -> Drawn {
         self.cell(cell, Some((ORANGE, 0.45)), line)?;
-        let size = (44.0 * cell.size().x).clamp(28.0, 44.0);
+        let size = (44.0 * cell.size().x).clamp(35.0, 44.0);
         let inset = 0.06 * cell.size().x.min(1.0);
         let corner = vec3(cell.min.x + inset, cell.max.y - inset, 0.0);
         write(self.0, &number.to_string(), pixel(corner), text(size))

@@ -138,13 +138,14 @@ pub fn stub(function: &Anchored<'_>) -> Option<String> {
     let asked = cases::find(function.name)?.asked();
     let indent =
         &function.signature[..function.signature.len() - function.signature.trim_start().len()];
-    let in_rust = match asked.in_rust {
-        "" => String::new(),
-        text => format!("{indent}/// In Rust: {text}\n"),
-    };
+    let comment = format!("{indent}/// ");
+    let mut task = stub::wrapped(asked.task, &comment, &comment);
+    if !asked.in_rust.is_empty() {
+        task += &stub::wrapped(&format!("In Rust: {}", asked.in_rust), &comment, &comment);
+    }
     Some(format!(
-        "{indent}/// {}\n{in_rust}{} {{\n{indent}    todo!(\"{}\")\n{indent}}}\n{indent}",
-        asked.task, function.signature, function.name
+        "{task}{} {{\n{indent}    todo!(\"{}\")\n{indent}}}\n{indent}",
+        function.signature, function.name
     ))
 }
 

@@ -154,14 +154,8 @@ impl Worker<'_> {
         if again != self.content.print {
             return Err("it was changed while it was graded; grade again".to_owned());
         }
-        let asked: Vec<_> = self
-            .exam
-            .asked
-            .iter()
-            .map(|(examiner, _)| *examiner)
-            .collect();
+        let asked = self.exam.asked.iter().map(|(examiner, _)| *examiner);
         let asked: Vec<_> = asked
-            .into_iter()
             .filter(|examiner| exercises.contains(examiner.name()))
             .collect();
         for staged in self

@@ -25,7 +25,7 @@ pub type Trouble = String;
 
 /// Runs the file of its third argument as Python itself would, with modules from its first two. `-I` keeps everything else out, and
 /// these too; the module `runpy` would take longer than the start of Python.
-const PYTHON: &str = "import sys; sys.path[:0] = sys.argv[1:3]; del sys.argv[:3]; __file__ = sys.argv[0]; exec(compile(open(__file__, 'rb').read(), __file__, 'exec'))";
+const PYTHON: &str = "import sys; sys.path[:0] = sys.argv[1:3]; del sys.argv[:3]; __file__ = sys.argv[0]; del sys; exec(compile(open(__file__, 'rb').read(), __file__, 'exec'))";
 
 /// Settings of cargo that a workbook of a hand-in is built with: little time, and nothing that only a debugger needs.
 const CARGO: &str =

@@ -28,6 +28,7 @@ const BESIDE_CPP: &str = "#include \"beside.hpp\"\ndouble at(const double* x, in
 /// In a folder within the hand-in, and with all that depends on how Python is started.
 const WITHIN: &str = "\
 from __future__ import annotations
+assert 'sys' not in globals()
 import dataclasses, pickle, sys
 import above
 @dataclasses.dataclass

@@ -6,6 +6,7 @@ mod answers;
 mod failures;
 mod ill_mannered;
 mod one_process;
+mod totals;
 
 use raybook_grader::ask::{Reply, Said, ask};
 use raybook_grader::converse::{Limits, Program};

@@ -2,10 +2,11 @@
 
 #![cfg(target_os = "linux")] // elsewhere no stranger's program is started
 
+pub mod attacks;
 mod build;
 mod honest;
 mod probes;
-pub mod programs;
+mod programs;
 
 use raybook_common::project;
 use std::collections::BTreeMap;

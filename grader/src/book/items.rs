@@ -265,7 +265,7 @@ mod tests {
     #[test]
     fn a_file_tells_its_public_items() {
         let text = "//! Balls.\n//!\n//! More.\n\n/// A ball, as [`Ball::new`] makes it,\n/// and [a page](https://x.y).\n///\n/// More.\n#[derive(Debug)]\npub struct Ball {\n    pub radius: f32,\n}\n\n\
-            impl<T: Fn(f32) -> bool> Ball {\n    /// A [`Ray`](crate::math::Ray).\n    pub const fn new(\n        radius: f32,\n    ) -> Self {\n        todo!()\n    }\n    fn hidden() {}\n}\n\n\
+            impl<T: Fn(f32) -> bool> Ball {\n    /// A [`Ray`](crate::math::Ray).\n    pub const fn new(\n        radius: f32,\n    ) -> Self {\n        radius.into()\n    }\n    fn hidden() {}\n}\n\n\
             impl Shape for Ball {\n    fn hit(&self) {}\n}\n\npub trait Shape {\n    /// Hits.\n    fn hit(&self) -> bool;\n}\n\n\
             /// Rolls.\npub fn roll<T>(ball: T) {\n}\n\npub const LARGEST: f32 = 1.0;\n\npub mod x;\n#[cfg(test)]\npub fn test() {}\n";
         let found = section("src/shape/ball.rs".to_owned(), text);

@@ -38,6 +38,8 @@ mod build;
 #[cfg(target_os = "linux")]
 mod build_by;
 #[cfg(target_os = "linux")]
+mod call_lists;
+#[cfg(target_os = "linux")]
 mod calls;
 #[cfg(target_os = "linux")]
 mod cpp;

@@ -1,7 +1,7 @@
 //! Attacks and honest hand-ins in one run: each has the verdict that it has alone, and nothing else happens.
 
 use super::{RIGHT, text};
-use crate::hostile::programs::{KNOWS, PYTHON};
+use crate::hostile::attacks::{KNOWS, PYTHON};
 use crate::hostile::{Desk, there_is};
 use std::fs;
 use std::process::Command;

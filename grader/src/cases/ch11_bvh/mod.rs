@@ -9,6 +9,8 @@ use raybook::math::{aabb::Aabb, pcg::Pcg};
 use raybook_workbook::exercises::ch11_bvh::BvhBuildAnswer;
 use raybook_workbook::tree_rows::{BoxRow, to_rows};
 
+mod bvh_tree;
+
 raybook_workbook::ch11_bvh!(graded);
 
 pub use bvh_closest::question;

@@ -3,6 +3,8 @@
 //! Time on the wall is what is waited for. When it is over, a program that is still at work, and has not had the processor for
 //! that long, goes on; one that sleeps, or waits for something, does not, unless it is still starting.
 
+#[cfg(target_os = "linux")]
+use crate::stat::Stat;
 use std::time::{Duration, Instant};
 
 /// The maximum time on the wall for an answer, however busy the machine is, in time limits.
@@ -146,32 +148,6 @@ pub fn usage(group: u32) -> Option<Usage> {
 #[cfg(not(target_os = "linux"))]
 pub fn usage(_group: u32) -> Option<Usage> {
     None
-}
-
-/// What Linux tells of a process or a thread (proc(5), `/proc/pid/stat`).
-#[cfg(target_os = "linux")]
-struct Stat {
-    state: u8,
-    group: u32,
-    /// Processor time, in ticks: its own and that of its children that have ended, for itself and for the system.
-    ticks: u64,
-}
-
-#[cfg(target_os = "linux")]
-impl Stat {
-    fn read(file: &std::path::Path) -> Option<Self> {
-        let text = std::fs::read(file).ok()?;
-        // The name before may hold anything, but no other bracket follows it.
-        let end = text.iter().rposition(|&byte| byte == b')')?;
-        let rest = String::from_utf8_lossy(&text[end + 1..]);
-        let words: Vec<_> = rest.split_ascii_whitespace().collect();
-        let ticks = words.get(11..15)?.iter();
-        Some(Self {
-            state: *words.first()?.as_bytes().first()?,
-            group: words.get(2)?.parse().ok()?,
-            ticks: ticks.filter_map(|word| word.parse::<u64>().ok()).sum(),
-        })
-    }
 }
 
 #[cfg(all(test, target_os = "linux"))]

@@ -2,6 +2,8 @@
 
 use crate::keys;
 use crate::sandbox::Sandbox;
+#[cfg(target_os = "linux")]
+use crate::stat::Stat;
 use std::io;
 use std::process::{Child, Command, ExitStatus};
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -67,7 +69,7 @@ impl Held {
         #[cfg(not(unix))]
         let _ = self.child.kill();
         let status = status.or_else(|| self.child.wait().ok());
-        kill_marked(&self.mark);
+        kill_left(self.child.id(), &self.mark);
         held().retain(|(_, mark)| *mark != self.mark);
         status
     }
@@ -96,7 +98,7 @@ pub fn end_all_on_signals() -> Result<(), ctrlc::Error> {
         let held = held();
         for (group, mark) in held.iter() {
             signal_group(*group, Signal::Kill);
-            kill_marked(mark);
+            kill_left(*group, mark);
         }
         keys::restore();
         std::process::exit(INTERRUPTED);
@@ -175,39 +177,52 @@ fn signal_group(group: u32, signal: Signal) {
     let _ = (group, signal);
 }
 
-/// Ends the processes that left the group, by `setsid` for example: on Linux, all that carry the mark.
-fn kill_marked(mark: &str) {
+/// Ends the processes that left the group, by `setsid` for example, and waits until nothing is left of them and of the group: a
+/// signal only asks a process to end, and a busy machine takes its time.
+fn kill_left(group: u32, mark: &str) {
     #[cfg(target_os = "linux")]
-    for _ in 0..LOOKS {
-        marked(mark).for_each(|process| {
-            // Already gone is no error.
-            let _ = rustix::process::kill_process(process, rustix::process::Signal::KILL);
-        });
-        std::thread::sleep(Duration::from_millis(1));
+    {
+        let deadline = Instant::now() + PATIENCE;
+        let mut nobody = 0;
+        while nobody < LOOKS && Instant::now() < deadline {
+            nobody += 1;
+            for process in left(group, mark) {
+                // Already gone is no error.
+                let _ = rustix::process::kill_process(process, rustix::process::Signal::KILL);
+                nobody = 0;
+            }
+            thread::sleep(Duration::from_millis(1));
+        }
     }
     #[cfg(not(target_os = "linux"))]
-    let _ = mark;
+    let _ = (group, mark);
 }
 
-/// A process that is just starting a program has no environment to be known by: a millisecond later it has.
+/// How often nobody is found before nobody is left. A process that is just starting a program has no environment to be known by: a
+/// millisecond later it has.
 #[cfg(target_os = "linux")]
 const LOOKS: usize = 3;
 
-/// The processes whose environment carries the mark.
+/// How long what was killed is waited for: a disk that does not answer may hold it longer.
 #[cfg(target_os = "linux")]
-fn marked(mark: &str) -> impl Iterator<Item = rustix::process::Pid> {
+const PATIENCE: Duration = Duration::from_secs(2);
+
+/// The processes of a group, and those whose environment carries the mark.
+#[cfg(target_os = "linux")]
+fn left(group: u32, mark: &str) -> impl Iterator<Item = rustix::process::Pid> {
+    use rustix::process::{Pid, test_kill_process_group};
     let variable = format!("{MARK}={mark}").into_bytes();
-    std::fs::read_dir("/proc")
-        .into_iter()
-        .flatten()
-        .flatten()
-        .filter_map(move |entry| {
-            let process =
-                rustix::process::Pid::from_raw(entry.file_name().to_str()?.parse().ok()?)?;
-            let environment = std::fs::read(entry.path().join("environ")).ok()?;
-            environment
-                .split(|&byte| byte == 0)
-                .any(|found| found == variable)
-                .then_some(process)
-        })
+    let pid = i32::try_from(group).ok().and_then(Pid::from_raw);
+    // Those that have ended are of it too, until somebody has asked how.
+    let has_members = pid.is_some_and(|group| test_kill_process_group(group).is_ok());
+    let is_member = move |stat: Stat| stat.group == group && !stat.has_ended();
+    let processes = std::fs::read_dir("/proc").into_iter().flatten().flatten();
+    processes.filter_map(move |entry| {
+        let process = Pid::from_raw(entry.file_name().to_str()?.parse().ok()?)?;
+        let environment = std::fs::read(entry.path().join("environ")).unwrap_or_default();
+        let mut variables = environment.split(|&byte| byte == 0);
+        let is_left = variables.any(|found| found == variable)
+            || has_members && Stat::read(&entry.path().join("stat")).is_some_and(is_member);
+        is_left.then_some(process)
+    })
 }

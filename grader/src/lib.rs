@@ -56,6 +56,8 @@ pub mod serve;
 pub mod shrink;
 pub mod stable;
 pub mod starter;
+#[cfg(target_os = "linux")]
+mod stat;
 pub mod student;
 pub mod together;
 pub mod traits;

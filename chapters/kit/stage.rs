@@ -11,7 +11,7 @@ use std::fmt;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// What drawing a chapter returns.
 pub type Drawn = Result<(), Box<dyn Error>>;
@@ -41,7 +41,7 @@ pub struct Stage {
     advance: Box<Progress<'static>>,
     bar: ProgressBar,
     rate: Arc<Rate>,
-    outputs: RefCell<Vec<Output>>,
+    outputs: Arc<Mutex<Vec<Output>>>,
     /// The pictures that the chapter has come to.
     passed: RefCell<Vec<String>>,
     last: Option<String>,
@@ -94,7 +94,7 @@ impl Stage {
             advance,
             bar,
             rate,
-            outputs: RefCell::default(),
+            outputs: Arc::default(),
             passed: RefCell::default(),
             last: None,
             stopped,
@@ -119,7 +119,7 @@ impl Stage {
     pub fn resting(self, while_held: Arc<Mutex<()>>) -> Self {
         let advance = self.advance;
         let advance = Box::new(move |done: Done| {
-            drop(while_held.lock().unwrap_or_else(PoisonError::into_inner));
+            drop(lock(&while_held));
             advance(done)
         });
         Self { advance, ..self }
@@ -209,7 +209,12 @@ impl Stage {
     /// What has been drawn.
     pub fn into_outputs(self) -> Vec<Output> {
         self.bar.finish();
-        self.outputs.into_inner()
+        lock(&self.outputs).clone()
+    }
+
+    /// What has been drawn so far, for another thread: it becomes more.
+    pub fn outputs(&self) -> Arc<Mutex<Vec<Output>>> {
+        Arc::clone(&self.outputs)
     }
 
     /// A picture that was stopped is black in places: it is not written.
@@ -236,7 +241,7 @@ impl Stage {
         if self.show {
             self.bar.suspend(|| terminal::print(picture))?;
         }
-        self.outputs.borrow_mut().push(Output {
+        lock(&self.outputs).push(Output {
             png,
             exr: beside.0,
             svg: beside.1,
@@ -249,6 +254,11 @@ impl Stage {
         }
         Ok(())
     }
+}
+
+/// What a drawing that panicked has left behind is as good as any.
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// The bar of one chapter; invisible where the errors do not go to a terminal.

@@ -63,8 +63,8 @@ impl Server {
         }
     }
 
-    /// Sends text, and reads to the end.
-    fn send(&self, text: &str) -> Answered {
+    /// Sends text, and reads the head of what is answered, and the rest.
+    fn exchange(&self, text: &str) -> (String, Vec<u8>) {
         let mut stream = TcpStream::connect(&self.host).expect("it listens");
         stream
             .write_all(text.as_bytes())
@@ -73,7 +73,12 @@ impl Server {
         stream.read_to_end(&mut bytes).expect("it answers");
         let end = bytes.windows(4).position(|four| four == b"\r\n\r\n");
         let body = bytes.split_off(end.expect("there is a head") + 4);
-        let head = String::from_utf8(bytes).expect("it is text");
+        (String::from_utf8(bytes).expect("it is text"), body)
+    }
+
+    /// Sends text, and reads the status and the rest.
+    fn send(&self, text: &str) -> Answered {
+        let (head, body) = self.exchange(text);
         let status = head.split(' ').nth(1).and_then(|code| code.parse().ok());
         (status.expect("a status"), body)
     }
@@ -263,6 +268,20 @@ fn a_chapter_that_is_drawn_for_good_rests_while_a_knob_is_followed_and_goes_on_t
     });
     let (status, _) = server.get("screens/ch07_mesh");
     assert_eq!(status, 200, "its captions are written");
+}
+
+#[test]
+fn a_caption_tells_of_the_picture_that_is_shown() {
+    let server = Server::start();
+    let (_, screens) = server.get("screens/ch22_antialiasing?first=1");
+    let screens = String::from_utf8(screens).expect("it is text");
+    assert!(screens.contains("with 1 and 2 rays"), "a sketch: {screens}");
+    for _ in ["while the rest is being drawn", "again"] {
+        let path = format!("/{}/picture/ch22_antialiasing/picture", server.token);
+        let host = &server.host;
+        let (head, _) = server.exchange(&format!("GET {path} HTTP/1.1\r\nHost: {host}\r\n\r\n"));
+        assert!(head.contains("with%201%20and%201%20rays"), "{head}");
+    }
 }
 
 #[test]

@@ -38,6 +38,8 @@ struct Place {
     easel: Arc<Mutex<()>>,
     /// How far the drawing is that goes on, or was the latest.
     bar: Mutex<ProgressBar>,
+    /// What that drawing has finished.
+    drawn: Mutex<Arc<Mutex<Vec<Output>>>>,
     /// How many drawings were asked for: the latest is the one that counts.
     asked: AtomicU64,
 }
@@ -48,6 +50,7 @@ impl Place {
             stopper: Mutex::default(),
             easel: Arc::default(),
             bar: Mutex::new(ProgressBar::hidden()),
+            drawn: Mutex::default(),
             asked: AtomicU64::default(),
         }
     }
@@ -152,10 +155,10 @@ impl Studio {
         let png = Path::new(lesson.name).join(name).with_extension("png");
         if turned.is_empty() && !asks("fresh") {
             let kept = self.options.out.join(&png);
-            return match store::read(&kept) {
-                Ok(bytes) => Answer::png(bytes),
-                Err(_) if grade == Grade::Quick => read(&self.scratch("sketches").join(&png)),
-                Err(_) => self.wait(lesson, &kept),
+            return match self.kept(&kept) {
+                Some(picture) => picture,
+                None if grade == Grade::Quick => read(&self.scratch("sketches").join(&png)),
+                None => self.wait(lesson, &kept),
             };
         }
         let told = |outputs: &[Output]| match outputs.last() {
@@ -177,12 +180,29 @@ impl Studio {
         Answer::json(&json!({ "share": (share < 1.0).then_some(share) }))
     }
 
+    /// A picture that was drawn for good, with its caption, which may tell how; none if it has none, or is not there.
+    fn kept(&self, png: &Path) -> Option<Answer> {
+        let drawn = Arc::clone(&lock(&self.for_good.drawn));
+        let is_it = |output: &&Output| output.png == png;
+        let now = lock(&drawn)
+            .iter()
+            .find(is_it)
+            .map(|output| output.caption.clone());
+        let before = || {
+            let text = store::read_text(&captions::file_in(png.parent()?)).ok()?;
+            captions::find(&text, png.file_stem()?.to_str()?).map(str::to_owned)
+        };
+        let caption = now.or_else(before)?;
+        let bytes = store::read(png).ok()?;
+        Some(Answer::png(bytes).captioned(&caption))
+    }
+
     /// Has a chapter's pictures drawn for good, if nobody does so yet, until this one is there.
     fn wait(self: &Arc<Self>, lesson: &'static Lesson, kept: &Path) -> Answer {
         let number = self.start(lesson);
         loop {
-            if let Ok(bytes) = store::read(kept) {
-                return Answer::png(bytes);
+            if let Some(picture) = self.kept(kept) {
+                return picture;
             }
             match &*lock(&self.going) {
                 Some(going) if going.number == number => {
@@ -263,6 +283,7 @@ impl Studio {
         let _easel = lock(&place.easel);
         let (stage, bar) = self.stage(lesson, what);
         *lock(&place.bar) = bar;
+        *lock(&place.drawn) = stage.outputs();
         let stopper = stage.stopper();
         *lock(&place.stopper) = Arc::clone(&stopper);
         // Asked after the stopper can be seen: who comes later stops this one.

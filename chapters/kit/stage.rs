@@ -212,7 +212,7 @@ impl Stage {
         lock(&self.outputs).clone()
     }
 
-    /// What has been drawn so far, for another thread: it becomes more.
+    /// The list of what has been drawn so far, for another thread: the stage appends to it.
     pub fn outputs(&self) -> Arc<Mutex<Vec<Output>>> {
         Arc::clone(&self.outputs)
     }

@@ -117,13 +117,8 @@ impl Clock {
 #[cfg(target_os = "linux")]
 pub fn usage(group: u32) -> Option<Usage> {
     let ticks = rustix::param::clock_ticks_per_second();
-    let processes = std::fs::read_dir("/proc").ok()?.flatten();
-    let stats = processes.filter_map(|process| {
-        let stat = Stat::read(&process.path().join("stat"))?;
-        (stat.group == group).then(|| (process.path(), stat))
-    });
     let mut usage = None;
-    for (process, stat) in stats {
+    for (process, stat) in Stat::of_all().filter(|(_, stat)| stat.group == group) {
         let threads = std::fs::read_dir(process.join("task"))
             .into_iter()
             .flatten();

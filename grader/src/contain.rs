@@ -4,6 +4,8 @@ use crate::keys;
 use crate::sandbox::Sandbox;
 #[cfg(target_os = "linux")]
 use crate::stat::Stat;
+#[cfg(target_os = "linux")]
+use rustix::process::Pid;
 use std::io;
 use std::process::{Child, Command, ExitStatus};
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -209,20 +211,15 @@ const PATIENCE: Duration = Duration::from_secs(2);
 
 /// The processes of a group, and those whose environment carries the mark.
 #[cfg(target_os = "linux")]
-fn left(group: u32, mark: &str) -> impl Iterator<Item = rustix::process::Pid> {
-    use rustix::process::{Pid, test_kill_process_group};
+fn left(group: u32, mark: &str) -> impl Iterator<Item = Pid> {
     let variable = format!("{MARK}={mark}").into_bytes();
-    let pid = i32::try_from(group).ok().and_then(Pid::from_raw);
-    // Those that have ended are of it too, until somebody has asked how.
-    let has_members = pid.is_some_and(|group| test_kill_process_group(group).is_ok());
-    let is_member = move |stat: Stat| stat.group == group && !stat.has_ended();
-    let processes = std::fs::read_dir("/proc").into_iter().flatten().flatten();
-    processes.filter_map(move |entry| {
-        let process = Pid::from_raw(entry.file_name().to_str()?.parse().ok()?)?;
-        let environment = std::fs::read(entry.path().join("environ")).unwrap_or_default();
+    Stat::of_all().filter_map(move |(folder, stat)| {
+        let environment = std::fs::read(folder.join("environ")).unwrap_or_default();
         let mut variables = environment.split(|&byte| byte == 0);
-        let is_left = variables.any(|found| found == variable)
-            || has_members && Stat::read(&entry.path().join("stat")).is_some_and(is_member);
-        is_left.then_some(process)
+        // Those that have ended are of the group too, until somebody has asked how.
+        let is_left =
+            stat.group == group && !stat.has_ended() || variables.any(|found| found == variable);
+        let number = folder.file_name()?.to_str()?.parse().ok()?;
+        is_left.then(|| Pid::from_raw(number)).flatten()
     })
 }

@@ -1,6 +1,6 @@
 //! What Linux tells of a process or a thread (proc(5), `/proc/pid/stat`).
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The part that the grader looks at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,6 +21,15 @@ impl Stat {
     /// What a file `stat` tells; `None` if the process is gone.
     pub(crate) fn read(file: &Path) -> Option<Self> {
         Self::of(&std::fs::read(file).ok()?)
+    }
+
+    /// Every process of the machine: its folder in `/proc`, and what that tells.
+    pub(crate) fn of_all() -> impl Iterator<Item = (PathBuf, Self)> {
+        let folders = std::fs::read_dir("/proc").into_iter().flatten().flatten();
+        folders.filter_map(|folder| {
+            let stat = Self::read(&folder.path().join("stat"))?;
+            Some((folder.path(), stat))
+        })
     }
 
     fn of(text: &[u8]) -> Option<Self> {

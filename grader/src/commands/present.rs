@@ -1,6 +1,7 @@
 //! `raybook present`: the course for a projector, a picture per screen, with the knobs of its chapter.
 
 mod drawing;
+mod place;
 mod screens;
 
 use super::{Done, browser, chapter};

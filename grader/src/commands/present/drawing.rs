@@ -1,6 +1,7 @@
 //! Drawing what the page asks for. Who asks for another picture is not interested in the one before: that ends at once. Only what is
 //! drawn for good rests while a sketch is drawn, or a picture of the same chapter with knobs that were turned, and goes on then.
 
+use super::place::{Place, lock};
 use super::screens;
 use indicatif::{ProgressBar, ProgressDrawTarget};
 use raybook::store;
@@ -14,8 +15,8 @@ use serde_json::json;
 use std::error::Error;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::atomic::Ordering;
+use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::Duration;
 
@@ -28,39 +29,6 @@ pub(super) struct Studio {
     at_once: Place,
     /// What is being drawn for good, or was.
     going: Mutex<Option<Going>>,
-}
-
-/// Where pictures are drawn, one at a time.
-struct Place {
-    /// What stops the drawing that goes on.
-    stopper: Mutex<Arc<AtomicBool>>,
-    /// Held by who draws.
-    easel: Arc<Mutex<()>>,
-    /// How far the drawing is that goes on, or was the latest.
-    bar: Mutex<ProgressBar>,
-    /// What that drawing has finished.
-    drawn: Mutex<Arc<Mutex<Vec<Output>>>>,
-    /// How many drawings were asked for: the latest is the one that counts.
-    asked: AtomicU64,
-}
-
-impl Place {
-    fn new() -> Self {
-        Self {
-            stopper: Mutex::default(),
-            easel: Arc::default(),
-            bar: Mutex::new(ProgressBar::hidden()),
-            drawn: Mutex::default(),
-            asked: AtomicU64::default(),
-        }
-    }
-
-    /// Stops what is being drawn, and what waits for that; returns a number for what comes next.
-    fn clear(&self) -> u64 {
-        let ticket = 1 + self.asked.fetch_add(1, Ordering::SeqCst);
-        lock(&self.stopper).store(true, Ordering::SeqCst);
-        ticket
-    }
 }
 
 /// A chapter's pictures that are being drawn for good.
@@ -175,24 +143,17 @@ impl Studio {
     pub(super) fn progress(&self) -> Answer {
         let rests = self.at_once.easel.try_lock().is_err();
         let place = if rests { &self.at_once } else { &self.for_good };
-        let bar = lock(&place.bar);
-        let share = bar.position() as f64 / bar.length().unwrap_or_default() as f64;
+        let share = place.share();
         Answer::json(&json!({ "share": (share < 1.0).then_some(share) }))
     }
 
     /// A picture that was drawn for good, with its caption, which may tell how; none if it has none, or is not there.
     fn kept(&self, png: &Path) -> Option<Answer> {
-        let drawn = Arc::clone(&lock(&self.for_good.drawn));
-        let is_it = |output: &&Output| output.png == png;
-        let now = lock(&drawn)
-            .iter()
-            .find(is_it)
-            .map(|output| output.caption.clone());
         let before = || {
             let text = store::read_text(&captions::file_in(png.parent()?)).ok()?;
             captions::find(&text, png.file_stem()?.to_str()?).map(str::to_owned)
         };
-        let caption = now.or_else(before)?;
+        let caption = self.for_good.caption(png).or_else(before)?;
         let bytes = store::read(png).ok()?;
         Some(Answer::png(bytes).captioned(&caption))
     }
@@ -282,16 +243,11 @@ impl Studio {
         let ticket = place.clear();
         let _easel = lock(&place.easel);
         let (stage, bar) = self.stage(lesson, what);
-        *lock(&place.bar) = bar;
-        *lock(&place.drawn) = stage.outputs();
-        let stopper = stage.stopper();
-        *lock(&place.stopper) = Arc::clone(&stopper);
-        // Asked after the stopper can be seen: who comes later stops this one.
-        if place.asked.load(Ordering::SeqCst) != ticket {
+        if !place.begin(&stage, bar, ticket) {
             return Err(Answer::outdated());
         }
         lesson.draw_turned(&stage, &knobs).map_err(wrong)?;
-        if stopper.load(Ordering::SeqCst) {
+        if stage.stopper().load(Ordering::SeqCst) {
             return Err(Answer::outdated());
         }
         Ok(then(&stage.into_outputs()))
@@ -335,11 +291,6 @@ impl Studio {
 
 fn read(png: &Path) -> Answer {
     store::read(png).map_or_else(|_| Answer::unknown(), Answer::png)
-}
-
-/// What a drawing that panicked has left behind is as good as any.
-fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// The arguments that turn the knobs of a query: those of the chapter that no file belongs to.

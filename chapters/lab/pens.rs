@@ -64,7 +64,63 @@ pub fn pens(subjects: &[Subject]) -> Vec<Pen> {
 #[cfg(test)]
 mod tests {
     use super::{known, pen};
+    use glam::{Mat3, Vec3};
     use raybook::image::rgb::Rgb;
+
+    /// What a display's red, green and blue look like to whom one kind of cones is missing, row by row in linear values
+    /// (Machado, Oliveira and Fernandes, "A physiologically-based model for simulation of color vision deficiency", 2009).
+    #[rustfmt::skip]
+    const MISSING_CONES: [(&str, [f32; 9]); 3] = [
+        ("protanopia", [0.152286, 1.052583, -0.204868, 0.114503, 0.786281, 0.099216, -0.003882, -0.048116, 1.051998]),
+        ("deuteranopia", [0.367322, 0.860646, -0.227968, 0.280085, 0.672501, 0.047413, -0.011820, 0.042940, 0.968881]),
+        ("tritanopia", [1.255528, -0.076749, -0.178779, -0.078411, 0.930809, 0.147602, 0.004733, 0.691367, 0.303900]),
+    ];
+
+    /// CIE L*a*b* of linear red, green and blue under daylight (D65).
+    fn lab(linear: Vec3) -> Vec3 {
+        #[rustfmt::skip]
+        let xyz = Mat3::from_cols_array(&[
+            0.4124, 0.3576, 0.1805,
+            0.2126, 0.7152, 0.0722,
+            0.0193, 0.1192, 0.9505,
+        ]).transpose() * linear / Vec3::new(0.95047, 1.0, 1.08883);
+        let f = |t: f32| {
+            if t > 216.0 / 24389.0 {
+                t.cbrt()
+            } else {
+                (24389.0 / 27.0 * t + 16.0) / 116.0
+            }
+        };
+        let [x, y, z] = xyz.to_array().map(f);
+        Vec3::new(116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z))
+    }
+
+    #[test]
+    fn the_colour_blind_tell_patterns_apart_in_two_ways() {
+        for (kind, matrix) in MISSING_CONES {
+            let matrix = Mat3::from_cols_array(&matrix).transpose();
+            let seen = |i: usize| {
+                let colour = pen(i).stroke.color;
+                let colour = super::RGBColor(colour.0, colour.1, colour.2);
+                let Rgb { r, g, b } = crate::kit::palette::linear(colour);
+                lab((matrix * Vec3::new(r, g, b)).clamp(Vec3::ZERO, Vec3::ONE))
+            };
+            for i in 0..known().count() {
+                for j in 0..i {
+                    let ways = [
+                        pen(i).dash != pen(j).dash,
+                        pen(i).mark != pen(j).mark,
+                        seen(i).distance(seen(j)) > 10.0, // 1 is just noticeable side by side
+                    ];
+                    let ways = ways.into_iter().filter(|&way| way).count();
+                    assert!(
+                        ways >= 2,
+                        "pens {i} and {j} with {kind}: {ways} of colour, dash, mark"
+                    );
+                }
+            }
+        }
+    }
 
     #[test]
     fn patterns_are_told_apart_without_colour() {

@@ -15,6 +15,7 @@ use raybook::store::{self, StoreError};
 use raybook_workbook::anchor::{self, AnchorError, Anchored};
 use raybook_workbook::curriculum::{CHAPTERS, Chapter};
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 
 /// The versions of all packages, those of the course among them: cargo leaves out what is not used.
 pub const LOCK: &str = include_str!("../../Cargo.lock");
@@ -60,15 +61,30 @@ pub enum StarterError {
 /// # Errors
 /// If there is something already, or a file cannot be written.
 pub fn create(folder: &Path, language: Language) -> Result<(), StarterError> {
-    let mut files = match language {
-        Language::Rust => files(&stub)?,
-        Language::Python => python::files(),
-        Language::Cpp => cpp::files(),
-    };
+    let mut files = of(language)?;
     files.extend(lesson::files()?);
     let tasks = include_bytes!("starter/tasks.json").to_vec();
     files.insert(0, (PathBuf::from(".vscode/tasks.json"), tasks));
     Ok(store::new_folder(folder, &files)?)
+}
+
+fn of(language: Language) -> Result<Vec<StarterFile>, StarterError> {
+    Ok(match language {
+        Language::Rust => files(&stub)?,
+        Language::Python => python::files(),
+        Language::Cpp => cpp::files(),
+    })
+}
+
+/// The starter as students are given it, but for its lessons: made once, and kept for a class.
+///
+/// # Errors
+/// If the library itself is wrong.
+pub fn given(language: Language) -> Result<&'static [StarterFile], &'static StarterError> {
+    static GIVEN: [OnceLock<Result<Vec<StarterFile>, StarterError>>; 3] =
+        [const { OnceLock::new() }; 3];
+    let given = GIVEN[language as usize].get_or_init(|| of(language));
+    given.as_deref()
 }
 
 /// The file in which a student writes an exercise, in a language that has a starter.

@@ -8,6 +8,7 @@ use super::similar::Prints;
 use super::tokens::tokens;
 use super::{similar, taken};
 use crate::language::Language;
+use crate::starter;
 use sha2::{Digest, Sha256};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -190,12 +191,17 @@ fn language(files: &Files) -> Result<Language, String> {
 
 fn content(language: Language, files: &Files) -> Content {
     let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+    let starter = starter::given(language).unwrap_or_default();
+    let is_given = |path: &str, bytes: &[u8]| {
+        let mut all = starter.iter();
+        all.any(|(given, text)| given.as_path() == Path::new(path) && text == bytes)
+    };
     let mut all = Vec::new();
     let mut found = BTreeSet::new();
     for (path, bytes) in files {
         if path == taken::FILE {
             found.extend(taken::recorded(&text(bytes)));
-        } else {
+        } else if !is_given(path, bytes) {
             all.extend(tokens(&text(bytes)));
         }
     }

@@ -2,13 +2,14 @@
 //!
 //! A hand-in is mostly what every student was given: the answer loop, and chapters that are not begun. Of a file that is byte for
 //! byte the starter's, and whose headers are too, the object is the same for everybody. Of a chapter that is begun, most of the
-//! time goes to the headers of the standard library that its own header includes: they are compiled before, too.
+//! time goes to the headers of the standard library: those that the starter includes, and those that students add, are compiled
+//! before, too.
 
 use super::files::Files;
 use super::stage::{Trouble, write};
+use crate::language::Language;
 use crate::sandbox::{Ready, Sandbox};
-use crate::starter::StarterFile;
-use crate::starter::cpp;
+use crate::starter::{self, StarterFile};
 use crate::student::StudentError;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -17,10 +18,26 @@ use std::sync::{Mutex, PoisonError};
 /// The header of the standard library's headers.
 const HEADER: &str = "given.hpp";
 
+/// Headers of the standard library that no chapter needs and many a solution includes: sorting, queues, sums, limits.
+const OFTEN_ADDED: [&str; 13] = [
+    "algorithm",
+    "array",
+    "cstddef",
+    "cstdint",
+    "functional",
+    "initializer_list",
+    "limits",
+    "memory",
+    "numeric",
+    "queue",
+    "random",
+    "tuple",
+    "utility",
+];
+
 /// Objects of the starter's sources, in a folder that hand-ins can only read.
 pub struct Prebuilt {
     folder: PathBuf,
-    starter: Vec<StarterFile>,
     /// Of which sources, and of which header, there are objects; one hand-in at a time adds what it needs.
     compiled: Mutex<BTreeSet<PathBuf>>,
 }
@@ -30,7 +47,6 @@ impl Prebuilt {
     pub fn new(folder: PathBuf) -> Self {
         Self {
             folder,
-            starter: cpp::files(),
             compiled: Mutex::new(BTreeSet::new()),
         }
     }
@@ -45,7 +61,8 @@ impl Prebuilt {
         files: &Files,
         sources: &mut Vec<String>,
     ) -> Result<Ready, Trouble> {
-        let given = unchanged(&self.starter, files);
+        let starter = starter::given(Language::Cpp).map_err(ToString::to_string)?;
+        let given = unchanged(starter, files);
         sources.retain(|source| !given.contains(&Path::new(source)));
         if given.is_empty() {
             return Ok(Ready::default());
@@ -55,9 +72,8 @@ impl Prebuilt {
             built.map_err(|error| format!("the starter in C++ cannot be compiled: {error}\n{said}"))
         };
         if compiled.is_empty() {
-            let header = standard_headers(&self.starter);
-            let texts = self
-                .starter
+            let header = standard_headers(starter);
+            let texts = starter
                 .iter()
                 .map(|(path, bytes)| (path.as_path(), &bytes[..]))
                 .chain([(Path::new(HEADER), header.as_bytes())]);
@@ -86,7 +102,7 @@ impl Prebuilt {
     }
 }
 
-/// What the header of any chapter includes of the standard library.
+/// What the header of any chapter includes of the standard library, and what students often add.
 fn standard_headers(starter: &[StarterFile]) -> String {
     let of_chapters = |path: &Path| {
         let name = path.file_name().and_then(|name| name.to_str());
@@ -97,7 +113,8 @@ fn standard_headers(starter: &[StarterFile]) -> String {
     let texts = starter.iter().filter(|(path, _)| of_chapters(path));
     let lines = texts.flat_map(|(_, text)| text.split(|&byte| byte == b'\n'));
     let lines = lines.filter(|line| line.starts_with(b"#include <"));
-    let lines: BTreeSet<_> = lines.map(String::from_utf8_lossy).collect();
+    let mut lines: BTreeSet<_> = lines.map(String::from_utf8_lossy).collect();
+    lines.extend(OFTEN_ADDED.map(|name| format!("#include <{name}>").into()));
     lines.iter().flat_map(|line| [line, "\n"]).collect()
 }
 
@@ -122,8 +139,9 @@ fn unchanged<'a>(starter: &'a [StarterFile], files: &Files) -> Vec<&'a Path> {
 
 #[cfg(test)]
 mod tests {
-    use super::{cpp, standard_headers, unchanged};
+    use super::{standard_headers, unchanged};
     use crate::class::files::Files;
+    use crate::starter::cpp;
 
     #[test]
     fn what_is_written_anew_is_not_taken_from_the_starter() {
@@ -151,10 +169,19 @@ mod tests {
     }
 
     #[test]
-    fn what_every_chapter_includes_is_compiled_before() {
-        assert_eq!(
-            standard_headers(&cpp::files()),
-            "#include <cmath>\n#include <optional>\n#include <string>\n#include <variant>\n#include <vector>\n"
-        );
+    fn what_chapters_and_many_students_include_is_compiled_before() {
+        let headers = standard_headers(&cpp::files());
+        for name in [
+            "cmath",
+            "optional",
+            "string",
+            "variant",
+            "vector",
+            "algorithm",
+            "queue",
+        ] {
+            let line = format!("#include <{name}>\n");
+            assert_eq!(headers.matches(&line).count(), 1, "{name} in\n{headers}");
+        }
     }
 }

@@ -116,20 +116,20 @@ fn winnow(tokens: &[Token]) -> Prints {
 fn given(language: Language) -> &'static BTreeSet<u64> {
     static GIVEN: [OnceLock<BTreeSet<u64>>; 3] = [const { OnceLock::new() }; 3];
     GIVEN[language as usize].get_or_init(|| {
+        let starter = starter::given(language).unwrap_or_default();
         let texts: Vec<String> = match language {
             Language::Rust => {
-                let starter = starter::files(&starter::stub).unwrap_or_default();
                 let rust = starter
-                    .into_iter()
+                    .iter()
                     .filter(|(path, _)| path.extension().is_some_and(|e| e == "rs"));
-                let starter = rust.map(|(_, bytes)| String::from_utf8_lossy(&bytes).into_owned());
+                let starter = rust.map(|(_, bytes)| String::from_utf8_lossy(bytes).into_owned());
                 let source = library::source().into_iter();
                 let references =
                     source.filter_map(|file| Some(library::without_anchors(file.contents_utf8()?)));
                 starter.chain(references).collect()
             }
-            Language::Python => others(language, python::program, starter::python::files()),
-            Language::Cpp => others(language, cpp::program, starter::cpp::files()),
+            Language::Python => others(language, python::program, starter),
+            Language::Cpp => others(language, cpp::program, starter),
         };
         let numbers = |text: String| {
             let tokens = tokens(&text);
@@ -147,7 +147,7 @@ fn given(language: Language) -> &'static BTreeSet<u64> {
 fn others(
     language: Language,
     reader: fn(&Asked) -> String,
-    starter: Vec<StarterFile>,
+    starter: &[StarterFile],
 ) -> Vec<String> {
     let all = cases::all().into_iter();
     let given = all.flat_map(|examiner| {
@@ -155,8 +155,8 @@ fn others(
         let reference = starter::reference(language, examiner.name());
         [Some(reader), reference].into_iter().flatten()
     });
-    let starter = starter.into_iter();
+    let starter = starter.iter();
     given
-        .chain(starter.map(|(_, bytes)| String::from_utf8_lossy(&bytes).into_owned()))
+        .chain(starter.map(|(_, bytes)| String::from_utf8_lossy(bytes).into_owned()))
         .collect()
 }

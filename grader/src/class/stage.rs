@@ -27,9 +27,8 @@ pub type Trouble = String;
 /// these too; the module `runpy` would take longer than the start of Python.
 const PYTHON: &str = "import sys; sys.path[:0] = sys.argv[1:3]; del sys.argv[:3]; __file__ = sys.argv[0]; del sys; exec(compile(open(__file__, 'rb').read(), __file__, 'exec'))";
 
-/// Settings of cargo that a workbook of a hand-in is built with: little time, and nothing that only a debugger needs.
-const CARGO: &str =
-    "[profile.dev]\nopt-level = 0\ndebug = false\nincremental = false\n\n[net]\noffline = true\n";
+/// Settings of cargo that a workbook of a hand-in is built with: little processor time, and nothing that only a debugger needs.
+const CARGO: &str = "[profile.dev]\nopt-level = 0\ndebug = false\nincremental = false\ncodegen-units = 1\n\n[net]\noffline = true\n";
 
 /// Where hand-ins are made ready.
 pub struct Stage {
@@ -133,7 +132,7 @@ impl Stage {
             .partition(|examiner| super::is_own(examiner.name()));
         let is_asked = |path: &String| apart.iter().any(|of| of_own(of.name()) == *path);
         let mut own: BTreeMap<&Path, &[u8]> = BTreeMap::new();
-        let starter = starter::files(&starter::stub).map_err(|error| error.to_string())?;
+        let starter = starter::given(Language::Rust).map_err(ToString::to_string)?;
         let is_source =
             |path: &Path| path.starts_with("src") && path.extension().is_some_and(|e| e == "rs");
         let is_ours = |path: &String| {
@@ -144,7 +143,7 @@ impl Stage {
             let is_program = path.starts_with("src/bin/");
             path.starts_with("src/") && (!is_program || is_asked(path)) && !is_ours(path)
         };
-        for (path, bytes) in &starter {
+        for (path, bytes) in starter {
             if !is_source(path) {
                 own.insert(path, bytes);
             }
@@ -218,7 +217,7 @@ impl Stage {
             return Ok(());
         }
         let folder = self.warm_folder();
-        let starter = starter::files(&starter::stub).map_err(|error| error.to_string())?;
+        let starter = starter::given(Language::Rust).map_err(ToString::to_string)?;
         let files = starter
             .iter()
             .map(|(path, bytes)| (path.as_path(), &bytes[..]));

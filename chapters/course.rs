@@ -1,7 +1,7 @@
 //! `cargo run --release -- …`: what a newcomer runs first.
 //!
-//! The tour needs the chapters only, and nothing else is compiled for it. Every other word is handed on to the command `raybook`,
-//! which has the grader too and is compiled when it is asked for.
+//! The tour needs the chapters only, and nothing else is compiled for it. All other words are passed to the command `raybook`,
+//! which also has the grader and is compiled when it is needed.
 
 use clap::Parser;
 use raybook_chapters::kit::chapter::{report, said_all};

@@ -1,4 +1,4 @@
-//! A chapter as it is drawn. What it says of itself stands once, at the top of its `mod.rs`.
+//! A chapter as it is drawn. Its description stands once, at the top of its `mod.rs`.
 
 use crate::kit::knobs;
 use crate::kit::stage::{Drawn, Enough, Stage};
@@ -32,7 +32,7 @@ impl Lesson {
         curriculum::find(self.name).expect("lessons and curriculum are made from one list")
     }
 
-    /// Draws its pictures with all knobs as they are if nobody turns them.
+    /// Draws its pictures with the default values of all knobs.
     ///
     /// # Errors
     /// If a picture cannot be drawn or written.

@@ -7,7 +7,7 @@
 //! | `shared/` | rooms, scenes and figures that a few chapters share |
 //! | `scenes/` | a package of its own: scene files, and a gallery of them |
 //! | `tour.rs` | every chapter's pictures in one run; `course.rs` is the binary that cargo runs first |
-//! | `lab/` | the sampling lab: what can be measured of a sampling pattern, and figures that show it |
+//! | `lab/` | the sampling lab: measurements of a sampling pattern, and figures that show them |
 
 #![warn(
     clippy::allow_attributes_without_reason,
@@ -43,7 +43,7 @@ macro_rules! lessons {
 
 for_each_chapter!(lessons);
 
-/// The figures that show measured times, and so are never the same twice; all others follow from the seed, bit for bit.
+/// The figures that show measured times, and so are never the same twice; all other figures follow from the seed, bit for bit.
 pub const MEASURED: [&str; 6] = [
     "ch06_triangle/cost.png",
     "ch08_grid/resolution.png",

@@ -23,7 +23,7 @@ pub struct Tour {
 }
 
 impl Tour {
-    /// Draws the chapters, one after the other, and after each the gallery of those so far.
+    /// Draws the chapters, one after the other. After each chapter, the gallery of all chapters so far is written.
     ///
     /// # Errors
     /// If `--only` names a chapter that does not exist, or a picture cannot be drawn or written.

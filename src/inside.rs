@@ -1,13 +1,13 @@
-//! What the course opens up of the library for its exercises, figures and tests: single steps of building and searching, and
+//! Internals of the library that the course's exercises, figures and tests need: single steps of building and searching, and
 //! the structures behind the accelerators.
 //!
-//! A user of the library has no need of it, and it is not a promise: it changes with what is inside. Whatever its functions
-//! are given, nothing undefined happens; where numbers do not make a tree, they may panic, search for ever or run out of stack.
+//! A user of the library does not need this module, and it is not stable: it changes with the internals. No arguments cause
+//! undefined behaviour. But functions that get numbers that do not make a tree may panic, never end or overflow the stack.
 
 pub use crate::accel::ray_box::RayBox;
 pub use crate::sample::pattern::neighbours::{Neighbours, Space};
 
-/// Of [`Grid`](crate::accel::grid::Grid), and what all grids share.
+/// Internals of [`Grid`](crate::accel::grid::Grid), and what all grids share.
 pub mod grid {
     pub use crate::accel::grid::build::voxels_of_triangle;
     pub use crate::accel::grid::resolution::grid_resolution;
@@ -19,13 +19,13 @@ pub mod grid {
     use crate::accel::grid::Grid;
     use crate::shape::Shape;
 
-    /// The cells' planes.
+    /// The lattice of the grid's cells.
     pub fn lattice<S: Shape>(grid: &Grid<S>) -> &Lattice {
         grid.lattice()
     }
 }
 
-/// Of [`TwoLevelGrid`](crate::accel::two_level_grid::TwoLevelGrid).
+/// Internals of [`TwoLevelGrid`](crate::accel::two_level_grid::TwoLevelGrid).
 pub mod two_level_grid {
     pub use crate::accel::two_level_grid::levels::{Cut, Levels};
     pub use crate::accel::two_level_grid::refine::{Refined, refine_cell};
@@ -34,13 +34,13 @@ pub mod two_level_grid {
     use crate::accel::two_level_grid::TwoLevelGrid;
     use crate::shape::Shape;
 
-    /// The cells.
+    /// The coarse and the fine cells.
     pub fn levels<S: Shape>(grid: &TwoLevelGrid<S>) -> &Levels {
         grid.levels()
     }
 }
 
-/// Of [`Octree`](crate::accel::octree::Octree).
+/// Internals of [`Octree`](crate::accel::octree::Octree).
 pub mod octree {
     pub use crate::accel::octree::tree::{Kind, Node, Place, Tree, child_at, child_cell};
     pub use crate::accel::octree::walk::Walk;
@@ -49,7 +49,8 @@ pub mod octree {
     use crate::math::aabb::Aabb;
     use crate::shape::Shape;
 
-    /// The tree of the shapes 0, 1, … count − 1 in a cell; `reached` says which of eight cells a shape reaches, one bit each.
+    /// The octree of the shapes 0, 1, … `count` − 1 in the cell `bounds`; `reached` returns which of eight cells a shape reaches,
+    /// one bit each.
     pub fn build(
         bounds: Aabb,
         count: u32,
@@ -70,7 +71,7 @@ pub mod octree {
     }
 }
 
-/// Of [`Bvh`](crate::accel::bvh::Bvh).
+/// Internals of [`Bvh`](crate::accel::bvh::Bvh).
 pub mod bvh {
     pub use crate::accel::bvh::build::cost::{Cost, sah_cost};
     pub use crate::accel::bvh::build::flat::{Flat, Node};
@@ -83,35 +84,35 @@ pub mod bvh {
     use crate::math::aabb::Aabb;
     use crate::shape::Shape;
 
-    /// What a step of its search costs.
+    /// The prices of the steps of a search.
     pub const COST: Cost = bvh::COST;
 
-    /// A tree over boxes: finite ones, within the [domain](crate::math::domain).
+    /// A tree over finite boxes within the [domain](crate::math::domain).
     pub fn build(boxes: &[Aabb], method: Method, cost: &Cost) -> Flat {
         bvh::build::build(boxes, method, cost)
     }
 
-    /// The accelerator of a tree that is there already, over the shapes whose boxes it was built from.
+    /// The accelerator of a tree that has been built from the boxes of these shapes.
     pub fn over<S: Shape>(flat: Flat, shapes: Vec<S>) -> Bvh<S> {
         Bvh::from_flat(flat, shapes)
     }
 
-    /// The node of all, and the pairs of all others, depth-first.
+    /// The root, and the pairs of all other nodes, depth-first.
     pub fn nodes<S: Shape>(bvh: &Bvh<S>) -> (Option<&Node>, &[Pair]) {
         bvh.nodes()
     }
 }
 
-/// Of [`WideBvh`](crate::accel::wide_bvh::WideBvh): the tree can be read, and made out of parts, which are checked.
+/// Internals of [`WideBvh`](crate::accel::wide_bvh::WideBvh): a tree can be read, and made out of parts, which are checked.
 ///
-/// On what stands in a tree and in a ray made ready, vector instructions rely: nobody else can write it. Links have no
+/// Vector instructions rely on the contents of trees and of prepared rays. So no other code can write them. Links have no
 /// bits to set,
 ///
 /// ```compile_fail,E0423
 /// let far = raybook::inside::wide_bvh::Link(3_000_000_000);
 /// ```
 ///
-/// a tree's lists cannot be changed, nor can what is in a node or a leaf,
+/// a tree's lists, its nodes and its leaves cannot be changed,
 ///
 /// ```compile_fail,E0616
 /// # use raybook::{accel::wide_bvh::WideBvh, inside::wide_bvh};
@@ -126,7 +127,7 @@ pub mod bvh {
 /// }
 /// ```
 ///
-/// and rays made ready, shears, stacks and the proofs that a processor has AVX2 or AVX-512 have no name outside.
+/// and prepared rays, shears, stacks and the proofs that a processor has AVX2 or AVX-512 have no public name.
 ///
 /// ```compile_fail,E0603
 /// use raybook::accel::wide_bvh::ray::WideRay;
@@ -158,15 +159,15 @@ pub mod wide_bvh {
     use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
     use crate::shape::{Hit, mesh::Facet};
 
-    /// What a step of its search costs.
+    /// The prices of the steps of a search.
     pub const COST: Cost = wide_bvh::build::COST;
 
-    /// The tree of facets with finite boxes; leaves have at most `cost.most` of them, and [`TRIANGLES`].
+    /// The tree of facets with finite boxes; a leaf has at most `cost.most` facets, and at most [`TRIANGLES`].
     pub fn build(facets: Vec<Facet>, method: Method, cost: &Cost) -> Tree {
         wide_bvh::build::build(facets, method, cost)
     }
 
-    /// The tree with cuts through triangles, also where they do not pay.
+    /// The tree with cuts through triangles, even if they do not pay.
     pub fn cut(facets: Vec<Facet>) -> WideBvh {
         WideBvh::cut(facets)
     }
@@ -176,7 +177,7 @@ pub mod wide_bvh {
         bvh.tree()
     }
 
-    /// The nearest hit of each ray, with several of them in flight, also where the tree is so small that it does not pay.
+    /// The nearest hit of each ray, with several rays in flight, even if the tree is so small that this does not pay.
     pub fn in_turns<'a>(
         bvh: &'a WideBvh,
         rays: &[Ray],
@@ -185,7 +186,7 @@ pub mod wide_bvh {
         bvh.in_turns(rays, within)
     }
 
-    /// Which of eight boxes a ray meets within an interval, as bits, and where it enters them.
+    /// The boxes that a ray meets within an interval, one bit each, and the distances at which it enters them.
     pub fn meets(boxes: &[Aabb; CHILDREN], ray: &Ray, within: Interval) -> (u32, [f32; CHILDREN]) {
         wide_bvh::eight_boxes(boxes, ray, within)
     }

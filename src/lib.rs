@@ -1,22 +1,23 @@
 //! raybook: a ray tracer to read, and the library of a course. One idea is one file.
 //!
-//! A shape, a light, a material, a camera or an accelerator is a type that answers the few questions of a trait; a film asks
-//! for the radiance of each of its samples, and an integrator follows the rays. What is public is what a ray tracer needs;
-//! [`inside`] is for the course.
+//! Shapes, lights, materials, cameras and accelerators are types that implement the few functions of a trait. A film asks for
+//! the radiance of each of its samples, and an integrator follows the rays. What a ray tracer needs is public; [`inside`] is
+//! for the course.
 //!
-//! The features `threads`, `files` and `mmap` are on by default. Without them there is one thread, there are no files and no
-//! large pages, and the answers are the same: so a browser can run it.
+//! The features `threads`, `files` and `mmap` are on by default. Without them there is one thread, and there are no files and no
+//! large pages, but the results are the same: so the library also runs in a browser.
 //!
 //! # Conventions
 //!
-//! The world is right-handed, y points up, lengths are metres, from 1e-9 to 1e9 (the [domain](math::domain)), numbers are `f32`. A [`Dir3`](math::dir3::Dir3) has
-//! length 1, so a ray's parameter t is a distance. A miss is `None`. Radiance is an [`Rgb`](image::rgb::Rgb), linear and
-//! without an upper limit. Every random number follows from a seed: the same seed gives the same picture, bit for bit,
-//! whatever the number of threads. A path names its file: `shape::sphere::Sphere` is in `src/shape/sphere.rs`.
+//! The world is right-handed, y points up, lengths are metres, from 1e-9 to 1e9 (the [domain](math::domain)), numbers are `f32`.
+//! A [`Dir3`](math::dir3::Dir3) has length 1, so a ray's parameter t is a distance. A miss is `None`. Radiance is an
+//! [`Rgb`](image::rgb::Rgb), linear and without an upper limit. Every random number follows from a seed: the same seed gives the
+//! same picture, bit for bit, whatever the number of threads. A path names its file: `shape::sphere::Sphere` is in
+//! `src/shape/sphere.rs`.
 //!
 //! # The map of floors
 //!
-//! A module uses only modules on lower floors, or to its left on its own (a test reads this table and checks).
+//! A module uses only modules on lower floors, or to its left on its own floor (a test reads this table and checks it).
 //!
 //! | floor | modules |
 //! |---|---|

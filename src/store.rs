@@ -1,7 +1,7 @@
-//! Files: what is read is a file of bounded size and nothing else, and what is written appears whole or not at all.
+//! Reading and writing files: only regular files of bounded size are read, and a written file appears whole or not at all.
 //!
-//! A file is written under a random name beside the place where it belongs. It is opened so that nothing that is there already
-//! is touched and no link is followed, and it lies on the disk before it gets its name.
+//! A file is first written under a random name in its folder. It is opened in a mode that does not touch existing files and does
+//! not follow links, and all bytes are on the disk before the file gets its final name.
 
 use crate::memory::{BUDGET, gigabytes};
 use std::fs::{self, File, FileType, Metadata, OpenOptions};
@@ -10,7 +10,7 @@ use std::io::{self, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 use std::thread;
 
-/// Why a file or a folder cannot be read or written; it is named.
+/// Why a file or a folder cannot be read or written; the error names it.
 #[derive(Debug, thiserror::Error)]
 #[error("{}: cannot {doing}: {reason}", path.display())]
 pub struct StoreError {
@@ -18,7 +18,7 @@ pub struct StoreError {
     pub path: PathBuf,
     /// "read this file", "write this file", "make this folder" or the like.
     pub doing: &'static str,
-    /// The system's answer, or what is there instead of a file.
+    /// The system's error, or what was found instead of a file.
     pub reason: io::Error,
 }
 
@@ -33,10 +33,10 @@ impl StoreError {
     }
 }
 
-/// The bytes of a file, at most [`BUDGET`]; of the file that a link leads to, where it is a link.
+/// The bytes of a file of at most [`BUDGET`] bytes. Links are followed.
 ///
 /// # Errors
-/// If it cannot be read, is a folder, a named pipe, a device or a socket, or is larger.
+/// If the file cannot be read, is a folder, a named pipe, a device or a socket, or is larger than the budget.
 pub fn read(path: &Path) -> Result<Vec<u8>, StoreError> {
     read_file(path).map_err(StoreError::of(path, "read this file"))
 }
@@ -44,7 +44,7 @@ pub fn read(path: &Path) -> Result<Vec<u8>, StoreError> {
 /// The text of a file, as [`read`] reads it.
 ///
 /// # Errors
-/// Those of [`read`]; and if it is not UTF-8.
+/// Those of [`read`]; and if the file is not UTF-8.
 pub fn read_text(path: &Path) -> Result<String, StoreError> {
     let not_text = |error| io::Error::new(ErrorKind::InvalidData, error);
     String::from_utf8(read(path)?)
@@ -52,16 +52,16 @@ pub fn read_text(path: &Path) -> Result<String, StoreError> {
         .map_err(StoreError::of(path, "read this file"))
 }
 
-/// Opens a file, or the one that a link leads to, to read it.
+/// Opens a file for reading. Links are followed.
 ///
 /// # Errors
-/// If it cannot be read, or is a folder, a named pipe, a device or a socket.
+/// If the file cannot be read, or is a folder, a named pipe, a device or a socket.
 pub fn open(path: &Path) -> Result<File, StoreError> {
     open_file(path).map_err(StoreError::of(path, "read this file"))
 }
 
 fn open_file(path: &Path) -> io::Result<File> {
-    // Before it is opened: a named pipe would wait for somebody who writes, and opening a device may do something.
+    // Checked before opening: opening a named pipe would wait for a writer, and opening a device may have an effect.
     expect_file(&fs::metadata(path)?)?;
     File::open(path)
 }
@@ -72,7 +72,7 @@ fn read_file(path: &Path) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     if length <= BUDGET {
         bytes.try_reserve_exact(length as usize)?;
-        // It may have grown since, or be one of the system's, which have no length.
+        // The file may have grown since, or be a file of the system, whose length is 0.
         file.take(BUDGET + 1).read_to_end(&mut bytes)?;
     }
     match length.max(bytes.len() as u64) {
@@ -96,7 +96,7 @@ fn expect_file(there: &Metadata) -> io::Result<()> {
     Err(io::Error::new(ErrorKind::InvalidInput, what))
 }
 
-/// What is no file.
+/// The kind of something that is not a regular file, for error messages.
 fn kind(of: FileType) -> &'static str {
     #[cfg(unix)]
     {
@@ -118,8 +118,8 @@ fn kind(of: FileType) -> &'static str {
     }
 }
 
-/// Writes a file so that it appears whole or not at all, in a folder that is made if need be. A file or a link that has this
-/// name is replaced.
+/// Writes a file so that it appears whole or not at all. Its folder is made if it does not exist. A file or a link of the same name
+/// is replaced.
 ///
 /// # Errors
 /// If the folder cannot be made, the file cannot be written, or the name is that of a folder, a named pipe, a device or a socket.
@@ -143,7 +143,7 @@ fn write_file(path: &Path, bytes: &[u8]) -> io::Result<()> {
     })?;
     let written = fill(file, bytes).and_then(|()| fs::rename(&partial, path));
     if written.is_err() {
-        // The first error is the one worth reporting.
+        // Only the first error is reported.
         let _ = fs::remove_file(&partial);
     }
     written?;
@@ -151,13 +151,13 @@ fn write_file(path: &Path, bytes: &[u8]) -> io::Result<()> {
     Ok(())
 }
 
-/// Makes a folder with these files in it, whose paths are relative to it.
+/// Makes a folder with these files in it; the paths of the files are relative to the folder.
 ///
-/// A new folder appears whole or not at all. In a folder that is there already, and empty, the files and folders appear one by
-/// one in the order of `files`, so that the last one says that all are there; if that was interrupted, this completes it.
+/// A new folder appears whole or not at all. In an existing empty folder, the files and folders appear one by one in the order of
+/// `files`, so that the last one shows that all are there. If this was interrupted, another call completes it.
 ///
 /// # Errors
-/// If there is something in the folder, there is a file of this name, or something cannot be written.
+/// If the folder is not empty, there is a file of this name, or something cannot be written.
 pub fn new_folder(folder: &Path, files: &[(PathBuf, Vec<u8>)]) -> Result<(), StoreError> {
     let made = match fs::metadata(folder) {
         Ok(there) if there.is_dir() => fill_folder(folder, files),
@@ -186,7 +186,7 @@ fn place_folder(folder: &Path, files: &[(PathBuf, Vec<u8>)]) -> io::Result<()> {
         let _ = fs::remove_dir_all(&partial);
     }
     placed.map_err(|error| match error.kind() {
-        // Somebody else was faster.
+        // Another program has made a folder of this name in the meantime.
         ErrorKind::DirectoryNotEmpty | ErrorKind::AlreadyExists => not_empty(),
         _ => error,
     })?;
@@ -194,10 +194,11 @@ fn place_folder(folder: &Path, files: &[(PathBuf, Vec<u8>)]) -> io::Result<()> {
     Ok(())
 }
 
-/// What an empty folder holds while it is being filled: as long as it is there, everything beside it is from here and whole.
+/// The name of a subfolder that is in a folder while the folder is being filled. As long as it exists, everything beside it was
+/// written by [`new_folder`], and is complete.
 const UNFINISHED: &str = ".raybook-new.partial";
 
-/// The folder itself stays: it may be somebody's present one, or another disk.
+/// Fills an existing empty folder. The folder itself is kept: it may be the current folder of a program, or another disk.
 fn fill_folder(folder: &Path, files: &[(PathBuf, Vec<u8>)]) -> io::Result<()> {
     let partial = folder.join(UNFINISHED);
     if partial.is_dir() {
@@ -230,7 +231,7 @@ fn not_empty() -> io::Error {
     )
 }
 
-/// How many files wait for the disk at the same time, which takes them together.
+/// Number of files that are written at the same time, because a disk syncs several files together.
 const AT_ONCE: usize = 16;
 
 fn write_all(folder: &Path, files: &[(PathBuf, Vec<u8>)]) -> io::Result<()> {
@@ -257,7 +258,7 @@ fn fill(mut file: File, bytes: &[u8]) -> io::Result<()> {
     file.sync_all()
 }
 
-/// Makes something in a folder under a random name that is still free; returns its path.
+/// Calls `make` with a path in a folder, under a random name that is still free; returns the path and the result.
 fn partial<T>(folder: &Path, make: impl Fn(&Path) -> io::Result<T>) -> io::Result<(PathBuf, T)> {
     loop {
         let number = RandomState::new().hash_one(std::process::id());
@@ -278,7 +279,7 @@ fn make_folders(folder: &Path) -> io::Result<()> {
     })
 }
 
-/// The folder in which a file or a folder is.
+/// The parent folder of a path.
 fn folder_of(path: &Path) -> &Path {
     match path.parent() {
         Some(folder) if folder != Path::new("") => folder,
@@ -286,7 +287,7 @@ fn folder_of(path: &Path) -> &Path {
     }
 }
 
-/// Sees to it that new names in a folder outlast a power cut, where the system can; the files themselves already do.
+/// Makes new names in a folder survive a power cut, if the system can do this; the contents of the files already do.
 fn remember_names(folder: &Path) {
     #[cfg(unix)]
     let _ = File::open(folder).and_then(|folder| folder.sync_all());

@@ -65,8 +65,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         .collect();
     stage.figure(
         "focal_lengths",
-        "The same view at four focal lengths: the farther the image plane is from the focal point, \
-         the less of the world fits through it.",
+        "The same view at four focal lengths f: the farther the image plane is from the focal point, the smaller the part of the \
+         world that the camera sees.",
         &sheet(2, &tiles)?,
     )
 }
@@ -79,7 +79,7 @@ impl Knobs {
     }
 }
 
-/// What the rays of a camera at the origin see: nothing but directions.
+/// What the rays of a camera at the origin see: there is no scene, so each ray shows its direction.
 fn directions(film: &Film, toward: Vec3, focal_length: f32) -> Result<Image, LookAtError> {
     let camera = Pinhole::look_at(Vec3::ZERO, toward, Vec3::Y, focal_length, film.aspect())?;
     Ok(film.sample(|place, _| {

@@ -12,10 +12,10 @@ pub const SUN_RADIUS: f32 = 4.0 * 0.004_65;
 /// The radiance in the middle of the sun; 1 is white paper in the shade.
 pub const SUN: Rgb = Rgb::new(100_000.0, 58_000.0, 24_000.0);
 
-/// u of the sun's limb darkening: its rim is this much darker than its middle, and most of all in blue.
+/// u of the sun's limb darkening: the rim is darker than the middle by this fraction, which is largest in blue.
 const DARKENING: Rgb = Rgb::new(0.45, 0.60, 0.75);
 
-/// How high the eye is above the water, in metres.
+/// Height of the eye above the water, in metres.
 const EYE: f32 = 14.0;
 
 /// Where the sun stands.
@@ -71,8 +71,8 @@ fn sky(d: Dir3) -> Rgb {
 
 /// The water mirrors the sky in its waves, shows a little of its own colour, and glitters under the sun.
 ///
-/// The facets that mirror the sun into the eye have the slopes of the half vector h; with the probability p of these
-/// slopes, normally distributed with ⟨|slope|²⟩ = σ², the glitter is F·E·p/(4 cos θ · h_y⁴)
+/// The facets that mirror the sun into the eye have the slopes of the half vector h. Slopes are normally distributed with
+/// ⟨|slope|²⟩ = σ²; p is the probability density of these slopes, and the glitter is F·E·p/(4 cos θ · h_y⁴)
 /// (Cox and Munk, "Measurement of the roughness of the sea surface", 1954).
 fn sea(d: Dir3) -> Rgb {
     /// σ² of the waves that are drawn one by one near the eye, and of the ripples that never are.
@@ -101,11 +101,11 @@ fn sea(d: Dir3) -> Rgb {
     own.lerp(sky, fresnel) + glitter
 }
 
-/// The slopes of the waves at a place, with a variance of 1 in the mean of both.
+/// The two slopes of the waves at a place; the mean of their variances is 1.
 fn waves(place: Vec2) -> Vec2 {
     /// Measured over a square kilometre: the inverse of the standard deviation of the slopes of `height`.
     const SCALE: f32 = 6.3;
-    /// Between the two heights of which a slope is the difference, in metres.
+    /// Distance between the two heights whose difference gives a slope, in metres.
     const STEP: f32 = 0.25;
     let height = |p: Vec2| layers(p * vec2(0.10, 0.22), 4) + 0.3 * noise(p * vec2(0.9, 1.6));
     let rises = vec2(

@@ -20,21 +20,21 @@ use std::process::ExitCode;
 /// A tone curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Curve {
-    /// At white; the EXR keeps it
+    /// Cut off at white in the PNG; the EXR keeps all radiance
     Clamp,
-    /// By Reinhard's curve
+    /// Reinhard's curve, L/(1 + L) for the luminance L
     Reinhard,
-    /// By a film-like curve
+    /// A film-like curve, an approximation of ACES
     Aces,
 }
 
 /// What the pictures depend on.
 #[derive(Args, Clone, Debug)]
 pub struct Knobs {
-    /// Exposure of the main picture: each stop more is twice as bright
+    /// Exposure of the main picture: one stop more doubles the brightness
     #[arg(long, value_name = "-20..10 stops", default_value_t = -2.0)]
     exposure: f32,
-    /// How what is brighter than white ends
+    /// Tone curve: how radiance above white is displayed
     #[arg(long, value_enum, default_value = "clamp")]
     curve: Curve,
 }
@@ -56,11 +56,12 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             picture,
         ),
         Curve::Reinhard => (
-            "Reinhard's curve bends all light below white; the EXR has it bent.",
+            "Reinhard's curve maps every luminance to less than white. The EXR file holds the mapped values.",
             picture.map(tone::reinhard),
         ),
         Curve::Aces => (
-            "The ACES curve bends all light below white; the EXR has it bent.",
+            "The ACES-like curve changes every radiance, and reaches white at a radiance of 7.2. The EXR file holds the mapped \
+            values.",
             picture.map(tone::aces),
         ),
     };
@@ -82,7 +83,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     ];
     stage.figure(
         "exposures",
-        "One picture of radiance at six exposures. Each exposure shows details that the others clamp to white or lose in black.",
+        "The same radiance at six exposures. Each exposure shows details that the others clamp to white or lose in black.",
         &sheet(3, &tiles)?,
     )?;
     let near = Film {
@@ -106,7 +107,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let tiles = tiles.map(|(name, tile)| (name, tile.enlarged(5)));
     stage.figure(
         "edges",
-        "The window's bars before the bright sky, pixel by pixel. The average of the light is right, and shows stairs. The average of the displayed values is wrong, and looks smooth.",
+        "The window's bars before the bright sky, pixel by pixel. Left: the average of the light is right, and shows stairs. \
+        Right: the average of the displayed values is wrong, and looks smooth.",
         &sheet(2, &tiles)?,
     )?;
 
@@ -123,7 +125,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     )?;
     stage.diagram(
         "curves",
-        "What each of the three tone curves makes of a grey: the byte of the file, over the radiance in stops.",
+        "Three tone curves for a grey: the byte in the PNG file against the radiance in stops.",
         &stops::curves()?,
     )?;
     let marks = [
@@ -135,7 +137,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let marks = marks.map(|(stops, name)| (stops + exposure, name));
     stage.diagram(
         "histogram",
-        "The number of pixels at each brightness, over more than twenty stops. A PNG holds only the shaded band.",
+        "The number of pixels at each brightness, over more than twenty stops. A PNG at 0 stops holds only the shaded band.",
         &stops::histogram(&picture, &marks)?,
     )
 }

@@ -16,7 +16,7 @@ const DARKEST: f32 = -12.7;
 /// Where the histogram's logarithmic axis begins, in percent of the pixels.
 const LEAST: f32 = 0.001;
 
-/// How many of the pixels are how bright, in half stops; `marks` name a brightness each, in stops.
+/// The share of the pixels in each half stop of brightness. Each of `marks` names a brightness, in stops.
 ///
 /// The band is what a PNG can show at the exposure of 0 stops.
 ///

@@ -1,7 +1,7 @@
 //! A dark room with a bright window: radiances over more than six orders of magnitude.
 //!
-//! The window is in the wall z = 0, and the room is where z > 0. What light the room receives is estimated in one step:
-//! from each pane, from the sun, and from the floor that the sun lights.
+//! The window is in the wall z = 0, and the room is where z > 0. The light that the room receives is estimated
+//! in one step: from each pane, from the sun, and from the floor that the sun lights.
 
 use super::evening;
 use glam::{Vec2, Vec3, vec2, vec3};
@@ -10,13 +10,13 @@ use raybook::math::{dir3::Dir3, ray::Ray};
 use raybook::scene::noise::{hash, layers, rise};
 use std::f32::consts::PI;
 
-/// The corners of the room, in metres; it has no wall behind the viewer that anyone could see.
+/// The corners of the room, in metres; the wall behind the viewer is never seen.
 const ROOM: [Vec3; 2] = [vec3(-2.6, 0.0, 0.0), vec3(2.6, 2.9, 9.0)];
 /// The lower left and the upper right corner of the window, in metres.
 const OPENING: [Vec2; 2] = [vec2(-1.65, 0.06), vec2(1.65, 2.45)];
-/// How thick the wall is, in metres; the bars stand in the middle of it.
+/// Thickness of the wall, in metres; the bars stand in the middle of the wall.
 const THICKNESS: f32 = 0.36;
-/// The edges of the panes: left and right, bottom and top.
+/// The edges of the panes, in metres: left and right, bottom and top.
 const COLUMNS: [[f32; 2]; 3] = [[-1.60, -0.585], [-0.515, 0.515], [0.585, 1.60]];
 const ROWS: [[f32; 2]; 3] = [[0.12, 0.80], [0.87, 1.60], [1.67, 2.40]];
 
@@ -26,17 +26,17 @@ const PLASTER: Rgb = Rgb::new(0.72, 0.70, 0.66);
 const PAPER: Rgb = Rgb::new(0.20, 0.31, 0.30);
 const WOOD: Rgb = Rgb::new(0.42, 0.24, 0.12);
 
-/// What the panes send on average, and what the floor sends where the sun lights it.
+/// The mean radiance of the panes, and the radiance of the floor where the sun lights it.
 const SKY: Rgb = Rgb::new(7.0, 5.2, 4.6);
 const LIT_FLOOR: Rgb = Rgb::new(2.2, 1.15, 0.45);
-/// What has been reflected so often that it comes from everywhere.
+/// Radiance after many reflections: the same from all sides.
 const AMBIENT: Rgb = Rgb::new(0.075, 0.06, 0.05);
-/// What the open air sends into the depth of the wall.
+/// Radiance that the open air sends into the opening of the wall.
 const OPEN_AIR: Rgb = Rgb::new(0.9, 0.75, 0.8);
 
-/// Where to stand: the sun is in an upper pane.
+/// The viewpoint, in metres; from here the sun is in an upper pane.
 pub const EYE: Vec3 = vec3(0.95, 1.42, 4.7);
-/// Where to look.
+/// The point that the camera looks at, in metres.
 pub const MIDDLE: Vec3 = vec3(0.12, 1.27, 0.0);
 
 /// The radiance that arrives along a ray from inside the room.
@@ -73,7 +73,7 @@ fn inside_of_box(ray: &Ray, min: Vec3, max: Vec3) -> (Vec3, Vec3) {
     (ray.at(nearest), -axis * d.signum())
 }
 
-/// Where a ray is so deep in the wall with the window.
+/// The point of a ray at this depth in the wall with the window, in metres.
 fn at_depth(ray: &Ray, depth: f32) -> Vec3 {
     ray.at((-depth - ray.origin.z) / ray.direction.z)
 }
@@ -82,7 +82,7 @@ fn is_open(p: Vec3) -> bool {
     p.truncate().cmpge(OPENING[0]).all() && p.truncate().cmple(OPENING[1]).all()
 }
 
-/// How much of a spot of this radius around a point in the plane of the bars is glass.
+/// The fraction of glass in a spot of this radius, in metres, around a point in the plane of the bars.
 fn panes(p: Vec3, radius: f32) -> f32 {
     let covered = |x: f32, edges: [[f32; 2]; 3]| -> f32 {
         let r = radius.max(1e-6);
@@ -102,13 +102,14 @@ fn light_on(p: Vec3, n: Vec3) -> Rgb {
     sky + LIT_FLOOR * from_floor + ambient + sun_on(p, n)
 }
 
-/// The part of the view from a point that a patch fills, weighted by the cosine: cos θ cos θ′ A/(π r² + A).
+/// View factor of a patch: the fraction of the hemisphere that the patch fills, weighted by the cosine:
+/// cos θ cos θ′ A/(π r² + A).
 fn patch(toward: Vec3, n: Vec3, its_normal: Vec3, area: f32) -> f32 {
     let r2 = toward.length_squared();
     n.dot(toward).max(0.0) * (-its_normal.dot(toward)).max(0.0) * area / (r2 * (PI * r2 + area))
 }
 
-/// What the panes send: the upper ones show the sky, the lower ones the darker sea.
+/// Light of the panes: the upper panes show the sky, the lower panes show the darker sea.
 fn panes_from(p: Vec3, n: Vec3) -> Rgb {
     let mut sum = Rgb::BLACK;
     for [left, right] in COLUMNS {
@@ -172,7 +173,7 @@ fn paper(along: f32, y: f32) -> Rgb {
         }
 }
 
-/// Varnished boards: each has its own tone and grain, and mirrors the window where one looks along it.
+/// Varnished boards: each has its own tone and grain, and mirrors the window at grazing angles.
 fn floor(ray: &Ray, p: Vec3) -> Rgb {
     /// Width and length of a board, in metres.
     const BOARD: Vec2 = vec2(0.17, 1.6);

@@ -44,7 +44,7 @@ pub(super) fn figure(film: Film, radius: f32) -> Sheet {
     sheet(DISTANCES.len(), &captions.zip(tiles).collect::<Vec<_>>())
 }
 
-/// The normal where a ray meets the sphere of a radius around the origin, by one method or another.
+/// A method that finds the normal where a ray meets the sphere of a radius around the origin.
 type Normal = fn(&Ray, f32) -> Option<Vec3>;
 
 /// −b/2 − √(b² − 4c)/2 with b = 2 o·d and c = o·o − r², all in `f32`, and the normal at o + t·d.
@@ -57,7 +57,7 @@ fn schoolbook(ray: &Ray, radius: f32) -> Option<Vec3> {
     ahead.then(|| ray.at(t).normalize_or_zero())
 }
 
-/// As the course does it.
+/// The normal by the method of the course, [`Sphere::hit`].
 fn ours(ray: &Ray, radius: f32) -> Option<Vec3> {
     let sphere = Sphere::new(Vec3::ZERO, radius);
     let hit = sphere.hit(ray, Interval::AHEAD)?;

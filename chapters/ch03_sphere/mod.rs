@@ -53,13 +53,14 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         stage.picture("picture", caption, &picture)?;
     }
 
-    let caption = "One sphere, three answers. The far root is the back: its normals point away from the eye. \
-        From inside, the near root is behind the eye, and the eye sees the far root.";
+    let caption = "One sphere, three answers. The near root is the front of the sphere. The far root is the back: its normals \
+        point away from the eye. From inside, the near root is behind the eye, and the eye sees the far root.";
     stage.figure("roots", caption, &roots(stage.tile(3, 1.0))?)?;
 
     let caption = format!(
-        "A sphere with a radius of {} m through a telescope. Top: the schoolbook formula loses the sphere as the sphere moves away. \
-        Middle: counted from the closest point, nothing is lost. Bottom: along a slanting direction, the numbers of the ray itself are rounded.",
+        "A sphere with a radius of {} m through a telescope. Top: the schoolbook formula loses the sphere as the sphere moves \
+        away. Middle: with distances counted from the point of the ray that is closest to the centre, nothing is lost. Bottom: \
+        along a slanting direction, the numbers of the ray itself are rounded.",
         knobs.sphere
     );
     let figure = cancellation::figure(stage.tile(5, 1.0), knobs.sphere)?;
@@ -84,7 +85,7 @@ fn nearest(spheres: &[Sphere], ray: &Ray) -> Option<Dir3> {
     normal
 }
 
-/// The near root, the far root, and the root that is left from inside.
+/// The near root, the far root, and the only root ahead of an eye inside the sphere.
 fn roots(film: Film) -> Sheet {
     let sphere = Sphere::new(Vec3::ZERO, 1.0);
     let outside = Pinhole::look_at(vec3(0.0, 1.6, 3.6), Vec3::ZERO, Vec3::Y, 0.035, 1.0)?;

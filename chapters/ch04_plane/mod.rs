@@ -56,8 +56,9 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let caption = "Tiles of one metre, out to the horizon. Haze hides the tiles that are smaller than a pixel. Each ray shows the nearest of its hits, on the floor or on a ball.";
     stage.picture("picture", caption, &picture)?;
 
-    let caption = "Left: the distance t along each ray; every step of colour is a doubling, from 2 m to over 1 km. \
-        Middle and right: more planes, whose normals are their colours; the nearest hit cuts them where they cross.";
+    let caption = "Left: the distance t along each ray; every step of colour is a doubling, from 2 m to over 1 km. Middle and \
+        right: several planes; the colour shows the normal. Only the nearest hit is seen, so planes cut each other where they \
+        cross.";
     stage.figure("planes", caption, &planes(stage.tile(3, 4.0 / 3.0))?)
 }
 
@@ -78,8 +79,8 @@ fn planes(film: Film) -> Sheet {
     let (from, to) = (vec3(4.0, 1.7, 6.0), vec3(0.0, 1.5, 0.0));
     let camera = Pinhole::look_at(from, to, Vec3::Y, 0.02, film.aspect())?;
     let tile = |normals: &[Vec3], paint: Paint| {
-        let square_to = |&n: &Vec3| Plane::through(Vec3::ZERO, Dir3::new_or(n, Dir3::Y));
-        let planes: Vec<_> = normals.iter().map(square_to).collect();
+        let perpendicular_to = |&n: &Vec3| Plane::through(Vec3::ZERO, Dir3::new_or(n, Dir3::Y));
+        let planes: Vec<_> = normals.iter().map(perpendicular_to).collect();
         let things: Vec<_> = planes.iter().map(|plane| (plane as _, paint)).collect();
         film.refine(|place, _| see(&camera.ray(place, Vec2::ZERO), &things))
     };

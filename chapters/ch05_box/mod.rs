@@ -40,17 +40,19 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let film = stage.film(16.0 / 9.0);
     let camera = Pinhole::look_at(walk * from, to, Vec3::Y, 0.042, film.aspect())?;
     let picture = view(&film, &camera, |ray| nearest(&rows, ray));
-    let caption = "More than two hundred boxes. The colour is the height of the box; the brightness tells which face was hit.";
+    let caption = "More than two hundred boxes. The colour shows the height of the box, and the brightness shows which face was \
+        hit.";
     stage.picture("picture", caption, &picture)?;
 
-    let caption = "One box. Each ray is inside from t_near to t_far; yellow is farther. The way inside is longest where the ray crosses from a face to the opposite face, and has no length at the silhouette.";
+    let caption = "One box. Each ray is inside the box from t_near to t_far; yellow is farther. The way inside is longest where \
+        the ray crosses from a face to the opposite face, and shrinks to 0 at the silhouette.";
     stage.figure("inside", caption, &inside(&stage.tile(2, 1.5), walk)?)?;
 
     let caption = "In the plane a box is two slabs. Each slab holds the part of the ray between two distances t. The ray hits the box if these intervals overlap.";
     stage.diagram("slabs", caption, &slabs::diagram()?)
 }
 
-/// Boxes side by side, and the box around all of them: a ray that misses it misses each.
+/// Boxes side by side, and the box around all of them: a ray that misses the box around them misses each of them.
 struct Row {
     boxes: Vec<Cuboid>,
     bounds: Aabb,
@@ -65,7 +67,7 @@ impl Row {
     }
 }
 
-/// One of a round field of columns, with waves that die away; there is none beyond the rim.
+/// A column of a round field, with waves that die away outwards; `None` beyond the rim.
 fn column(x: i32, z: i32, side: f32) -> Option<Cuboid> {
     let (x, z) = (x as f32, z as f32);
     let r = x.hypot(z);
@@ -98,7 +100,7 @@ fn nearest(rows: &[Row], ray: &Ray) -> Option<Rgb> {
     Some(Rgb::new(0.42, 0.47, 0.62).lerp(own, clear))
 }
 
-/// One box: the face that is hit, where the ray enters and leaves, and how long it is inside.
+/// One box: the face that is hit, where the ray enters and leaves the box, and the length of its way inside.
 fn inside(film: &Film, walk: Mat3) -> Sheet {
     let from = walk * vec3(2.6, 2.2, 4.0);
     let camera = Pinhole::look_at(from, Vec3::ZERO, Vec3::Y, 0.037, film.aspect())?;

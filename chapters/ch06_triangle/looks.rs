@@ -1,4 +1,4 @@
-//! What a picture may show of a surface in the place of light: numbers as colours.
+//! What a picture may show of a surface instead of light: numbers as colours.
 
 use crate::kit::palette::{BLUE, ORANGE, linear, viridis};
 use raybook::image::rgb::Rgb;

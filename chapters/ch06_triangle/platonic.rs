@@ -56,7 +56,7 @@ pub fn icosahedron(radius: f32, center: Vec3, turn: f32) -> Vec<Triangle> {
 
 /// A still life of the three, on the plane y = 0, for a camera that looks along −z from a little above.
 ///
-/// The icosahedron lacks a face: one sees the back side of others.
+/// The icosahedron lacks a face: through the hole, the back sides of other faces are seen.
 pub fn still_life() -> Vec<Triangle> {
     let mut all = icosahedron(1.05, vec3(0.0, 1.02, 0.0), 0.32);
     let at_viewer = vec3(0.0, 0.5, 0.86);

@@ -3,12 +3,13 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-/// How often each contestant answers all questions. The best round counts: whatever else the machine does only adds.
+/// Number of rounds, in each of which every contestant answers all questions. The best round counts: other work of the machine
+/// can only add time.
 const ROUNDS: usize = 60;
 
 /// Nanoseconds per question for each contestant, in their order.
 ///
-/// They take turns, so that a machine that slows down slows all of them.
+/// The contestants take turns, so that a machine that slows down slows all of them.
 pub(super) fn nanoseconds<Q, A>(questions: &[Q], contestants: &[fn(&Q) -> A]) -> Vec<f64> {
     let mut best = vec![f64::INFINITY; contestants.len()];
     for _ in 0..ROUNDS {

@@ -80,8 +80,8 @@ pub fn figure() -> Figure {
     }])
 }
 
-/// The share of rays that seem to hit a triangle without area, at whose two sides, which are the same, they are aimed, if nobody asks
-/// whether the determinant is larger than its rounding errors.
+/// The share of rays that seem to hit a triangle without area, if the determinant is not compared with its rounding errors. The
+/// triangle has e₁ = e₂, and each ray is aimed at this side.
 pub fn false_hits() -> f64 {
     let questions = questions(100_000, &mut pcg::stream(6, 1));
     let mut along = pcg::stream(6, 2);

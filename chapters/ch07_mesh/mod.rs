@@ -1,5 +1,5 @@
 //! Triangles that share their corners can follow any surface. Normals at the corners, interpolated in between, make it
-//! look smooth, and texture coordinates tell where on it we are. The search for the nearest triangle still asks them all.
+//! look smooth, and texture coordinates tell where on it we are. The search for the nearest triangle still tests every triangle.
 //!
 //! New: accel/mod.rs accel/list.rs shape/attributes.rs shape/mesh.rs shape/bezier.rs shape/teapot.rs
 //! New: shape/triangle_watertight.rs shape/mesh_file.rs shape/word.rs shape/obj.rs shape/stl.rs shape/ply/mod.rs
@@ -28,7 +28,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 pub struct Knobs {
     #[command(flatten)]
     own: MeshKnob,
-    /// Cells along the side of each of the teapot's 32 patches; twice as many are four times as many triangles, and take four times as long
+    /// Cells along each side of the teapot's 32 patches; twice as many cells make four times as many triangles, and take four
+    /// times as long
     #[arg(long, value_name = "1..24 cells", default_value_t = 5)]
     cells: usize,
 }
@@ -52,13 +53,14 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         (&format!("{n} × {n}"), finest),
     ];
     let caption = format!(
-        "The teapot's 32 patches cut into 4, 9 and {} quadrilaterals each. The interpolated normals look round from the start; the outline does not.",
+        "The teapot's 32 patches cut into 4, 9 and {} quadrilaterals each. With interpolated normals the surface looks round \
+        even with few triangles; the outline does not.",
         n * n
     );
     stage.figure("tessellation", &caption, &sheet(3, &tiles)?)
 }
 
-/// Says how long the search for a mesh of one's own takes, and what is faster where it is long.
+/// Says how long the search takes for a mesh of the user's own, and what is faster if that is long.
 fn warn_of_long_search(stage: &Stage, mesh: &Mesh) {
     own_mesh::warn_of_list(mesh);
     let film = own_mesh::film_of_list(stage, mesh);
@@ -69,7 +71,7 @@ fn warn_of_long_search(stage: &Stage, mesh: &Mesh) {
     });
 }
 
-/// Draws any mesh; the film of the small pictures, and the one with interpolated normals, are for more of them.
+/// Draws any mesh. Returns the film of the small pictures, and the small picture with interpolated normals, for further sheets.
 fn draw_mesh<'a>(stage: &'a Stage, mesh: &Mesh) -> Result<(Film<'a>, Image), Box<dyn Error>> {
     let triangles = mesh.triangles().len();
     let film = own_mesh::film_of_list(stage, mesh);
@@ -111,14 +113,14 @@ fn picture(film: &Film, mesh: &Mesh, look: Look) -> (Image, u64) {
     (image, tests.into_inner())
 }
 
-/// The nearest of a mesh's triangles: if the ray meets the mesh's box, all of them are asked.
+/// The nearest of a mesh's triangles: if the ray meets the mesh's box, all triangles are tested.
 fn nearest(shape: &Meshed<List<Facet>>, ray: &Ray, count: &mut Tests) -> Option<Hit> {
     slab::clip(&shape.bounds(), ray, Interval::AHEAD)?;
     let closest = shape.facets().closest_counted(ray, Interval::AHEAD, count);
     closest.map(|(_, hit)| hit)
 }
 
-/// Four looks of the same hits: the mesh is searched once for all of them.
+/// Four pictures of the same hits: the mesh is searched once for all four.
 fn attributes(film: &Film, mesh: &Mesh) -> [Image; 4] {
     use showroom::{FLAT, NORMALS, SMOOTH, TEXTURE};
     let room = Showroom::around(mesh, film.aspect());

@@ -20,12 +20,12 @@ const DENSITIES: [f32; 12] = [
     0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0, 300.0,
 ];
 
-/// How many rays each grid is asked.
+/// Number of rays for each grid.
 const RAYS: usize = 600;
 
-/// Rounds in which each grid is timed, at least.
+/// Minimum number of rounds in which each grid is timed.
 const ROUNDS: u32 = 3;
-/// Seconds for which each grid is timed, at least: what takes little time needs more rounds.
+/// Minimum time for which each grid is timed, in seconds: a fast grid gets more rounds.
 const ENOUGH: f64 = 0.01;
 
 /// What a ray costs, on average, in a grid of a given density, in cells per triangle.
@@ -44,7 +44,7 @@ pub(super) struct Cost {
 /// The costs over the densities of a showroom's rays, measured now.
 pub(super) fn measure(mesh: &Mesh) -> Vec<Cost> {
     let room = Showroom::around(mesh, 1.6);
-    // Evenly over the picture, but no neighbours in a row.
+    // Evenly over the picture; rays that follow each other are not neighbours.
     let place = |i: usize| vec2(i as f32 * 0.618_034 % 1.0, i as f32 / RAYS as f32);
     let rays: Vec<_> = (0..RAYS).map(|i| room.ray(place(i))).collect();
     let per_ray = |x: f64| (x / RAYS as f64) as f32;
@@ -82,7 +82,7 @@ pub(super) fn rate(costs: &[Cost]) -> f32 {
     best(costs).map_or(0.0, |best| 1e9 / best.time)
 }
 
-/// The one that takes the least time.
+/// The cost of the grid that takes the least time.
 fn best(costs: &[Cost]) -> Option<&Cost> {
     costs.iter().min_by(|a, b| a.time.total_cmp(&b.time))
 }
@@ -121,7 +121,7 @@ pub(super) fn plot(costs: &[Cost]) -> Figure {
             (0.006, 30.0, "too few cells:", INK),
             (0.006, 18.0, "nearly a list", INK),
             (30.0, 30.0 * best.time, "too many cells:", INK),
-            (30.0, 18.0 * best.time, "steps through nothing", INK),
+            (30.0, 18.0 * best.time, "steps through empty cells", INK),
         ] {
             chart.label(CENTRE, (x, y), words, colour);
         }

@@ -1,5 +1,5 @@
-//! Space cut into equal cells, each with a list of the triangles in it: a ray asks only the triangles in the cells that it
-//! passes through, one cell after the other, and stops at the first hit.
+//! Space cut into equal cells, each with a list of the triangles in it: a ray is tested only against the triangles in
+//! the cells that it passes through, one cell after the other, and stops at the first hit.
 //!
 //! New: accel/bounded.rs accel/ray_box.rs accel/lattice.rs accel/margin.rs accel/overlap.rs accel/walk.rs
 //! New: accel/grid/mod.rs accel/grid/build.rs accel/grid/lists.rs accel/grid/mailbox.rs accel/grid/resolution.rs accel/grid/validate.rs
@@ -75,7 +75,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         });
         let cells = lattice(&grid).resolution;
         let caption = format!(
-            "{} triangles in a grid of {} × {} × {} cells. A list would test each ray against all of them.",
+            "{} triangles in a grid of {} × {} × {} cells. A list would test each ray against all triangles.",
             grouped(crowd.mesh.triangles().len() as f64),
             cells.x,
             cells.y,
@@ -84,7 +84,9 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         stage.picture("picture", &caption, &picture)?;
     }
 
-    let caption = "The cells through which a ray passes, numbered in their order up to the first hit. The ray is tested only against the triangles of these cells, two of six, and against each of them once. The blue cells hold triangles too, but the ray does not pass through them.";
+    let caption = "The cells through which a ray passes, numbered in order up to the first hit. The ray is tested only against \
+        the triangles in these cells, two of six, and once against each. The blue cells hold triangles too, but the ray does not \
+        pass through them.";
     stage.diagram("walk", caption, &walk_figure::diagram()?)?;
 
     let small = showroom::small(&film);
@@ -94,18 +96,21 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
 
     let costs = grid_costs::measure(&teapot::mesh(20));
     let caption = format!(
-        "The same rays in grids of more and more cells: fewer triangles are tested, and more cells are visited. The best of these grids answers {:.1} million rays per second and thread, here and now.",
+        "The same 600 rays in grids of more and more cells: fewer triangles are tested, and more cells are visited. The fastest \
+        of these grids answers {:.1} million rays per second on one thread, measured while this figure was drawn.",
         grid_costs::rate(&costs) / 1e6
     );
     stage.diagram("resolution", &caption, &grid_costs::plot(&costs)?)?;
 
-    let caption = "A soup of N triangles, so thin that most rays leave it at the other end. Both counts run beside the cube root: a thousand times as many triangles cost ten times as much.";
+    let caption = "A soup of N triangles, so small that most rays leave the soup at the other end. Both counts grow with the \
+        cube root of N: a thousand times as many triangles cost ten times as much.";
     stage.diagram("law", caption, &growth::grid()?)?;
 
     let stadium = stadium(4);
     let grid = grid_of(&stadium.mesh);
     let caption = format!(
-        "The teapot in the stadium. A cell is {:.1} m wide, so that the teapot and the camera are in the same cell: every ray of the near view tests the whole teapot, even one that goes to the seats.",
+        "The teapot in the stadium. A cell is {:.1} m wide, so the teapot and the camera are in the same cell: every ray of the \
+        near view tests the whole teapot, even a ray that goes to the seats.",
         lattice(&grid).cell.x
     );
     let tiles = stadium_figure::figure(&small, &stadium, &grid, "cells visited")?;

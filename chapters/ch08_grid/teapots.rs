@@ -7,7 +7,7 @@ use std::f32::consts::TAU;
 /// Teapots on a square of ground.
 #[derive(Clone, Debug)]
 pub(super) struct Teapots {
-    /// All of it: the teapots one after the other, then the ground.
+    /// The whole scene: the teapots one after the other, then the ground.
     pub mesh: Mesh,
     /// Triangles per teapot.
     each: u32,
@@ -15,11 +15,11 @@ pub(super) struct Teapots {
     count: u32,
 }
 
-/// From one turn of the spiral to the next, a teapot is turned by this: 1/φ² of a circle.
+/// The angle from one teapot to the next, in radians: 1/φ² of a circle.
 const GOLDEN_ANGLE: f32 = 0.381_966 * TAU;
 
-/// `count` teapots, each as fine as [`teapot::mesh`] of `fineness`, in the spirals of a sunflower: the k-th one is √k out
-/// and a golden angle further than the one before, so that all have equally much room (Vogel 1979).
+/// `count` teapots, each as fine as [`teapot::mesh`] of `fineness`, in the spirals of a sunflower: the k-th teapot is √k out
+/// and a golden angle further than the teapot before, so that all have the same room (Vogel 1979).
 pub(super) fn teapots(count: u32, fineness: usize) -> Teapots {
     let pot = teapot::mesh(fineness);
     let vertices = pot.positions().len() as u32;

@@ -1,5 +1,5 @@
-//! A coarse grid, each of whose cells is a grid of its own: fine where there is much, absent where there is nothing. This is
-//! what the uniform grid lacks when a teapot stands in a stadium.
+//! A coarse grid, each of whose cells is a grid of its own: a fine grid where there are many triangles, and no
+//! grid where there are none. The uniform grid lacks this when a teapot stands in a stadium.
 //!
 //! New: accel/order.rs accel/two_level_grid/mod.rs accel/two_level_grid/levels.rs accel/two_level_grid/refine.rs
 //! New: accel/two_level_grid/build.rs accel/two_level_grid/walk.rs accel/two_level_grid/validate.rs
@@ -65,7 +65,9 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         stage.picture("picture", &caption, &picture)?;
     }
 
-    let caption = "A two-level grid in the plane: thick lines part coarse cells, thin lines fine ones. The number of fine cells in a coarse cell depends on its discs; an empty coarse cell has none. The numbers are the ray's steps.";
+    let caption = "A two-level grid in the plane: thick lines are the borders of coarse cells, thin lines are those of fine \
+        cells. The number of fine cells in a coarse cell depends on its discs; an empty coarse cell has none. The numbers are \
+        the ray's steps.";
     stage.diagram("walk", caption, &nested_cells::diagram()?)?;
 
     let tile = small(&film);
@@ -77,7 +79,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     };
     let ray = |place| camera.ray_through(place);
     let caption = format!(
-        "What each pixel's ray costs, with the same scale for all. λ is the number of coarse cells per triangle. In one thread, the uniform grid answers {} here, two levels with λ = {density} {}.",
+        "What each pixel's ray costs, with the same scale for all. λ is the number of coarse cells per triangle. One thread of \
+        this machine answers {} with the uniform grid, and {} with two levels and λ = {density}.",
         rays_a_second(&tiny, ray, &grid),
         rays_a_second(&tile, ray, &fine)
     );

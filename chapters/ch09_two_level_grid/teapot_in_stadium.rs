@@ -1,4 +1,4 @@
-//! The teapot in the stadium: who looks at it, what it looks like, and what each pixel costs.
+//! The teapot in the stadium: the camera that looks at the teapot, and what each pixel costs.
 
 use crate::kit::chart::{Chart, Corner};
 use crate::kit::numbers::whole;

@@ -1,5 +1,5 @@
-//! A cell with much in it is cut in eight, and each of these again, as long as it pays: small cells where there is much to
-//! tell apart, large ones where there is nothing. A ray walks from leaf to leaf, front to back.
+//! A cell with many triangles is cut in eight, and each of the eight again, as long as cutting pays: the cells are small where
+//! there is much to tell apart, and large where there is nothing. A ray walks from leaf to leaf, front to back.
 //!
 //! New: accel/octree/mod.rs accel/octree/tree.rs accel/octree/reach.rs accel/octree/build.rs accel/octree/walk.rs
 //! New: accel/octree/validate.rs
@@ -33,10 +33,10 @@ use std::process::ExitCode;
 pub struct Knobs {
     #[command(flatten)]
     own: MeshKnob,
-    /// Depth of the tree of the blocks: how often a cell is cut
+    /// Depth of the tree of the blocks: the maximum number of cuts from the root to a block
     #[arg(long, value_name = "3..7 cuts", default_value_t = 7)]
     depth: u32,
-    /// Cost of opening a node, in triangles tested: the higher, the larger the leaves, in `heat`
+    /// Cost of opening a node, in triangle tests: the higher the cost, the larger the leaves, in `heat`
     #[arg(long, value_name = "0..100 tests", default_value_t = 2.0)]
     opening: f32,
 }
@@ -59,7 +59,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let mesh = teapot::mesh(24);
     let octree = octree_of(&mesh);
     let film = stage.film_of(640, 4, 1.6);
-    // Finer than pays, so that a level shows all its cells.
+    // Finer than what pays, so that each level shows all its cells.
     let limits = Limits {
         opening: 0.0,
         copies: 500.0,
@@ -67,7 +67,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     };
     let fine = Octree::with(mesh.facets(), limits, by_triangle);
     if stage.wants("picture") {
-        let caption = "The teapot, and the cells that an octree makes of it: from left to right its triangles, then the cells after 7, 6, 5 and 4 cuts.";
+        let caption = "The teapot, and the cells that an octree makes of it: from left to right the triangles, then the cells \
+            after at most 7, 6, 5 and 4 cuts.";
         let (cells, kept) = blocks::dissolving(&mesh, &fine);
         stage.picture("picture", caption, &photograph(&film, &mesh, cells, kept))?;
     }
@@ -83,14 +84,16 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         stage.figure("levels", caption, &sheet(2, &tiles)?)?;
     }
 
-    let caption = "A quad-tree, which is an octree in the plane: a ray visits the leaves in the order of their numbers, and passes by those that are empty.";
+    let caption = "A quad-tree, which is an octree in the plane: a ray visits the leaves in the order of their numbers, and \
+        skips empty leaves.";
     stage.diagram("quadtree", caption, &quadtree::diagram()?)?;
 
     let room = Showroom::around(&mesh, film.aspect());
     let film = small(&film);
     let speed = rays_a_second(&film, |place| room.ray(place), &octree);
     let caption = format!(
-        "What each pixel's ray costs with an octree of {} triangles: nodes on the left, triangles on the right. One thread answers {speed} here.",
+        "What each pixel's ray costs with an octree of {} triangles: nodes visited on the left, triangles tested on the right. \
+        One thread of this machine answers {speed}.",
         mesh.triangles().len()
     );
     let map = heat(&film, |place| room.ray(place), &octree);
@@ -100,7 +103,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
 
 /// A picture of blocks, and of those facets of the mesh that are kept, all of clay.
 ///
-/// An octree over each finds the nearest; whatever facet is hit shortens the ray for the blocks.
+/// An octree over the facets and an octree over the blocks find the nearest hits; a facet that is hit shortens the ray for the
+/// blocks.
 fn photograph(film: &Film, mesh: &Mesh, blocks: Vec<Cuboid>, kept: Vec<Facet>) -> Image {
     let room = Showroom::around(mesh, film.aspect());
     let (blocks, kept) = (Octree::new(blocks), Octree::of_facets(kept));
@@ -116,7 +120,7 @@ fn photograph(film: &Film, mesh: &Mesh, blocks: Vec<Cuboid>, kept: Vec<Facet>) -
     })
 }
 
-/// What a ray costs by the number of triangles.
+/// The cost of a ray against the number of triangles.
 fn draw_law(stage: &Stage) -> Drawn {
     let counts = [100, 316, 1000, 3162, 10_000, 31_623, 100_000]
         .map(|n| (f64::from(n), mean_tests(n, Reach::Near, Octree::new)));
@@ -128,7 +132,7 @@ fn draw_law(stage: &Stage) -> Drawn {
             .named("N: triangles")
             .format(grouped),
         Axis::linear(0.0..1.25 * nodes[6].1)
-            .named("count")
+            .named("per ray")
             .labels(6),
     )
     .titled("A short ray in a soup, on average")
@@ -136,13 +140,14 @@ fn draw_law(stage: &Stage) -> Drawn {
     let name = format!("{a:.1} + {b:.2} log₁₀ N");
     chart.line(law, FAINT.stroke_width(3)).named(&name);
     for (points, name, colour) in [
-        (nodes, "nodes", BLUE),
+        (nodes, "nodes visited", BLUE),
         (tests, "triangles tested", VERMILION),
     ] {
         chart.line(points, colour.stroke_width(5)).named(name);
         chart.dots(points, 9, colour.filled());
     }
-    let caption = "A ray in a soup of N triangles that goes as far as from one triangle to the next: nodes grow with log N, the depth of the tree, and triangles tested do not grow.";
+    let caption = "A short ray in a soup of N triangles, as long as the distance from one triangle to the next. The number of \
+        nodes visited grows with log N, the depth of the tree; the number of triangles tested does not grow.";
     stage.diagram("law", caption, &chart.figure(900, 560)?)
 }
 

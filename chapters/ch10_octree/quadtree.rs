@@ -1,4 +1,4 @@
-//! A quad-tree: what the octree is in the plane.
+//! A quad-tree: an octree in the plane.
 
 use crate::kit::{figure::Figure, palette::SKY};
 use crate::shared::flatland::{SIDE, discs, plane, ray};
@@ -7,9 +7,9 @@ use raybook::accel::octree::build::Limits;
 use raybook::inside::octree::{Kind, Walk, build};
 use raybook::math::{aabb::Aabb, interval::Interval};
 
-/// The quad-tree of some discs, and the leaves that a ray visits, numbered in order; the darker, the deeper.
+/// The quad-tree of some discs, and the leaves that a ray visits, numbered in order; darker leaves are deeper.
 ///
-/// It is an octree of shapes at the bottom of its cube: of each cut, only the lower four children have anything in them.
+/// The tree is an octree of shapes at the bottom of its cube: of each cut, only the lower four children hold shapes.
 ///
 /// # Errors
 /// What plotters reports.

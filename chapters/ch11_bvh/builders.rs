@@ -14,13 +14,13 @@ use std::time::Instant;
 pub(super) enum Builder {
     /// Half of the boxes on either side
     Median,
-    /// Cut in the middle of space
+    /// Cut in the middle of the box around the centres
     Middle,
     /// The surface-area heuristic at all cuts
     Sweep,
     /// The surface-area heuristic at the borders of bins
     Binned,
-    /// Bottom-up: the two nearest first
+    /// Bottom-up: the nearest boxes are joined first
     BottomUp,
 }
 
@@ -66,7 +66,8 @@ pub(super) fn figure(facets: &[Facet]) -> Result<(Diagram, String), Box<dyn Erro
     };
     let (all, bins) = (of(ALL_CUTS), of(BINS));
     let caption = format!(
-        "Time to build a tree over the teapot, and what a search of it costs, for each of the builders. With bins, the tree is built {:.0} times as fast as with all cuts, and costs {:.1} % more.",
+        "Time to build a tree over the teapot, and the cost of a search in it, for each builder. With bins, building is {:.0} \
+        times as fast as with all cuts, and a search costs {:.1} % more.",
         all.0 / bins.0,
         100.0 * (bins.1 / all.1 - 1.0)
     );
@@ -87,7 +88,7 @@ pub(super) fn figure(facets: &[Facet]) -> Result<(Diagram, String), Box<dyn Erro
             title: "Cost of a search",
             unit: "",
             rows: &costs,
-            note: "branches opened and triangles tested by a random ray, as the heuristic sees it",
+            note: "branches opened and triangles tested by a random ray, as the heuristic estimates",
         },
     ])?;
     Ok((charts, caption))

@@ -1,5 +1,5 @@
-//! Boxes in boxes, and triangles in the smallest: a ray that misses a box misses all that is in it. The tree follows the
-//! triangles, not space, and how it is built decides how fast it is searched.
+//! Boxes in boxes, and triangles in the smallest boxes: a ray that misses a box misses everything in the box. The tree follows
+//! the triangles, not space, and how it is built decides how fast it is searched.
 //!
 //! New: accel/bvh/mod.rs accel/bvh/pair.rs accel/bvh/validate.rs accel/bvh/build/mod.rs accel/bvh/build/item.rs
 //! New: accel/bvh/build/tree.rs accel/bvh/build/top_down.rs accel/bvh/build/halves.rs accel/bvh/build/cost.rs
@@ -38,13 +38,13 @@ const AHEAD: Interval = Interval::AHEAD;
 pub struct Knobs {
     #[command(flatten)]
     own: MeshKnob,
-    /// Structure that is searched; bvh and wide-bvh are built by the method, bvh has leaves of this size, in `heat`
+    /// Structure to search; --method builds bvh and wide-bvh, --leaf limits the leaves of bvh, in `heat`
     #[arg(long, value_enum, default_value = "bvh")]
     structure: Structure,
-    /// How the trees are built, in `levels`
+    /// Method by which the trees are built, in `levels`
     #[arg(long, value_enum, default_value = "binned")]
     method: Builder,
-    /// Maximum number of triangles in a leaf; the heuristic makes smaller leaves where that costs less, in `heat`
+    /// Maximum number of triangles in a leaf; the heuristic makes smaller leaves where these cost less, in `heat`
     #[arg(long, value_name = "1..64 triangles", default_value_t = 8)]
     leaf: u32,
 }
@@ -72,7 +72,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     }
     let caption = "The three stages: a box around each triangle, boxes around boxes, and the tree as an array without pointers.";
     stage.diagram("stages", caption, &three_stages::draw()?)?;
-    let caption = "Two trees over the same 22 triangles. In the left tree, the boxes are large and long, and they overlap. The cost tells how much work this means.";
+    let caption = "Two trees over the same 22 triangles. In the left tree, the boxes are large and long, and they overlap. The \
+        cost is the expected work of a search.";
     stage.diagram("organisations", caption, &flat_boxes::two_organisations()?)?;
     let teapot = teapot::mesh(24);
     if stage.wants("builders") {
@@ -80,7 +81,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         stage.diagram("builders", &caption, &builders)?;
     }
     if stage.wants("growth") {
-        let caption = "The work for a ray in a soup of triangles: a list tests all triangles; with a tree, the number of tests grows with the logarithm of their number.";
+        let caption = "The work for a ray in a soup of triangles: a list tests all triangles; with a tree, the number of tests \
+            grows with the logarithm of the number of triangles.";
         stage.diagram("growth", caption, &growth::list_and_tree()?)?;
     }
     let film = showroom::small(&film);
@@ -104,7 +106,8 @@ fn draw_mountains(film: &Film, stage: &Stage, building: Building) -> Drawn {
         mountains::shade(&at, hit.t, in_sunlight)
     });
     let caption = format!(
-        "{} triangles in the evening sun. A ray is tested against a few dozen of them, and so is the shadow ray that goes from the hit towards the sun.",
+        "{} triangles in the evening sun. Each ray of the camera is tested against a few dozen triangles, and so is each shadow \
+        ray from the hit towards the sun.",
         grouped(mesh.triangles().len() as f64)
     );
     stage.picture("picture", &caption, &picture)
@@ -149,8 +152,7 @@ fn draw_teapot(
             mesh.triangles().len()
         ),
     )?;
-    let caption =
-        "How many rays of the camera each structure answers in a second, over the same teapot.";
+    let caption = "How many rays of the camera each structure answers per second on one thread, for the same teapot.";
     stage.diagram("speeds", caption, &figure)
 }
 

@@ -1,4 +1,4 @@
-//! A mountain range in the evening: what a tree of a million triangles looks like, with shadows.
+//! A mountain range of 320 000 triangles in the evening, searched by a tree, with shadows.
 
 use crate::shared::outdoors::haze;
 use glam::vec3;
@@ -22,7 +22,7 @@ pub(super) fn shade(at: &Surface, distance: f32, in_sunlight: bool) -> Rgb {
     haze(ground(at) * (sunlight + skylight), METRES * distance)
 }
 
-/// Grass in the valleys, rock where it is steep, snow on top.
+/// Grass in the valleys, rock on steep slopes, snow on top.
 fn ground(at: &Surface) -> Rgb {
     let smooth = |from: f32, to: f32, x: f32| {
         let x = ((x - from) / (to - from)).clamp(0.0, 1.0);

@@ -16,13 +16,13 @@ pub(super) enum Structure {
     List,
     /// Cells of equal size
     Grid,
-    /// Cells of equal size, and full cells have a grid of their own
+    /// Cells of equal size; cells with many triangles have a grid of their own
     TwoLevelGrid,
     /// Cells cut in eight where that pays
     Octree,
     /// Boxes in boxes, two by two
     Bvh,
-    /// Boxes in boxes, eight at once
+    /// Boxes in boxes, eight by eight, tested at once
     WideBvh,
 }
 
@@ -36,7 +36,7 @@ pub(super) struct Building {
 }
 
 impl Structure {
-    /// Those that have been taught by now.
+    /// The structures that have been taught by now.
     pub(super) const TAUGHT: [Self; 5] = [
         Self::List,
         Self::Grid,
@@ -70,13 +70,14 @@ impl Structure {
     pub(super) fn work(self) -> &'static str {
         match self {
             Self::List => {
-                "A list tests all triangles for every ray, also for one that hits nothing: no pixel is cheaper than another."
+                "A list tests all triangles for every ray, also for a ray that hits nothing: no pixel is cheaper than another."
             }
             Self::Grid => {
-                "A ray visits cells on its way through the empty space of the grid too. The triangles are tested where it comes close to the surface."
+                "A ray visits many cells, also in the empty space of the grid. The triangles are tested where the ray comes \
+                close to the surface."
             }
             Self::TwoLevelGrid => {
-                "Empty space costs a few large cells. The work is in the fine cells along the surface."
+                "In empty space a ray visits a few large cells. Most of the work is in the fine cells along the surface."
             }
             Self::Octree => {
                 "Empty space costs little, because its cells are large. The work is where rays pass close by the surface, through many small cells."

@@ -80,7 +80,7 @@ struct Diagram<'a, 'b, 'c> {
     tree: &'a Flat,
 }
 
-/// Between two leaves, and between two levels, in metres.
+/// Distance between two leaves, and between two levels, in metres.
 const APART: Vec2 = vec2(1.0, 0.88);
 
 impl Diagram<'_, '_, '_> {
@@ -141,7 +141,7 @@ impl Diagram<'_, '_, '_> {
     }
 
     fn cell(&self, number: usize, name: &str, colour: RGBColor) -> Drawn {
-        // A gap before each pair: it is one cache line.
+        // A gap before each pair: a pair is one cache line.
         let left = 55.0 * number as f32 + 12.0 * number.div_ceil(2) as f32 - 66.0;
         let corner = self.paper.origin + vec2(left, -40.0);
         let (x, y) = (corner.x as i32, corner.y as i32);

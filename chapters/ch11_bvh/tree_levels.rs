@@ -57,7 +57,8 @@ fn colour(bounds: &Aabb) -> Rgb {
     viridis(0.1 + 0.9 * chance.fract().abs())
 }
 
-/// The boxes of all nodes that have `level` branches above them, and of leaves that have fewer: together they hold all.
+/// The boxes of all nodes that have `level` branches above them, and of leaves that have fewer: together these boxes hold all
+/// shapes.
 pub(super) fn level<S: Shape>(tree: &Bvh<S>, level: u32) -> Vec<Aabb> {
     let (root, pairs) = bvh::nodes(tree);
     let mut boxes = Vec::new();

@@ -33,7 +33,7 @@ pub(super) fn matte(colour: Rgb) -> Phong {
     }
 }
 
-/// The terms of Phong's formula, one more in each scene, and then another light.
+/// The terms of Phong's formula, one more in each scene, and then a second light.
 pub(super) fn terms(exponent: f32, turn: Mat3) -> Vec<Trial> {
     let (matte, glossy) = (matte(CLAY), glossy(CLAY, exponent));
     let ambient = Phong {

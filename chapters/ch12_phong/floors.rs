@@ -13,7 +13,7 @@ use std::f32::consts::PI;
 /// The light of a lamp, before its strength.
 const WARM: Rgb = Rgb::new(1.0, 0.93, 0.8);
 
-/// A lamp between balls on tiles, so high above them.
+/// A lamp between balls on tiles, `height` metres above the tiles.
 pub(super) fn under_lamp(height: f32) -> Scene {
     let position = vec3(0.0, height, 0.3);
     let lamp = PointLight {
@@ -32,7 +32,7 @@ pub(super) fn under_sun() -> Scene {
     on_tiles(Box::new(sun), Vec::new())
 }
 
-/// Balls on tiles under a light, and what else there is.
+/// Balls on tiles under a light, and further things.
 fn on_tiles(light: Box<dyn Light>, mut things: Vec<Thing>) -> Scene {
     let tiles = Checkered(matte(Rgb::gray(0.75)), matte(Rgb::new(0.10, 0.32, 0.42)));
     things.push(floor(tiles));
@@ -71,7 +71,7 @@ fn floor(material: impl Material + 'static) -> Thing {
     Thing::new(Plane::through(Vec3::ZERO, Dir3::Y), material)
 }
 
-/// A point light has no extent and cannot be seen: a ball around it that sends out ambient light alone.
+/// A ball around a point light, which has no extent and cannot be seen. The ball sends out ambient light alone.
 fn bulb(position: Vec3, colour: Rgb) -> Thing {
     let material = Phong {
         ambient: colour * 20.0,

@@ -15,7 +15,8 @@ use raybook::math::dir3::Dir3;
 /// From the normal to the light in the right drawing, in degrees.
 const RIGHT: f32 = 70.0;
 
-/// How far the left drawing may reach to a side, and the length of its longest line with the letter at its end.
+/// How far the left drawing may reach to a side, and the length of its longest line with the letter at its end, in pixels of the
+/// canvas.
 const REACH: f32 = 476.0;
 const LONGEST: f32 = 740.0;
 
@@ -61,8 +62,8 @@ fn lobes(exponent: f32) -> [Lobe; 3] {
     ]
 }
 
-/// In polar coordinates in the plane of light and normal, where the light is `incidence` degrees from the normal, and over the angle
-/// out of that plane. Phong's highlight has this exponent.
+/// The lobes on the left in polar coordinates in the plane of light and normal, on the right over the angle out of that plane. On
+/// the left, the light is `incidence` degrees from the normal. Phong's highlight has this exponent.
 ///
 /// # Errors
 /// What plotters reports.
@@ -75,7 +76,7 @@ pub(super) fn draw(exponent: f32, incidence: f32) -> Figure {
     })
 }
 
-/// A highlight without a diffuse part, as bright as what arrives.
+/// A highlight without a diffuse part; its peak is as bright as the light that arrives.
 fn highlight(exponent: f32) -> Phong {
     Phong {
         ambient: Rgb::BLACK,
@@ -104,7 +105,7 @@ fn light(degrees: f32) -> LightSample {
     }
 }
 
-/// The lobes as curves around the point: the farther out, the more goes there.
+/// The lobes as curves around the point: the distance of the curve is the share of the light that goes in this direction.
 fn in_plane(canvas: &Canvas, lobes: &[Lobe], incidence: f32) -> Drawn {
     let at = |d: Vec3, length: f32| {
         (
@@ -163,7 +164,7 @@ fn across(canvas: &Canvas, lobes: &[Lobe]) -> Drawn {
             .labels(7)
             .format(|degrees| format!("{}°", whole(degrees))),
         Axis::linear(0.0..1.05)
-            .named("share at the highlight")
+            .named("fraction of the peak")
             .labels(6),
     )
     .titled(&format!(

@@ -25,7 +25,7 @@ use std::process::ExitCode;
 /// What the pictures depend on.
 #[derive(Args, Clone, Debug)]
 pub struct Knobs {
-    /// Exponent α of Phong's highlight; the rows have a quarter of it, it, and 4 and 16 times as much
+    /// Exponent α of Phong's highlight; the middle row has the exponents α/4, α, 4α and 16α
     #[arg(long, value_name = "1..1024", default_value_t = 16.0)]
     exponent: f32,
     /// Angle between light and normal, in `lobes`
@@ -57,12 +57,13 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         .iter()
         .map(|(name, ball)| (&**name, ball.clone()))
         .collect();
-    let caption = "Above, the terms added one by one. In the middle Phong's highlight with growing exponents; below it \
-        Blinn's with four times the exponent, which is about as large.";
+    let caption = "Top: the terms of Phong's formula added one by one, and then a second light. Middle: Phong's highlight with \
+        growing exponents α. Bottom: Blinn's highlight with four times the exponent, α′ = 4α, which is about as large.";
     stage.picture("picture", caption, &sheet(4, &balls)?)?;
 
-    let caption = "The light comes from the left. The curves tell how much of it a point sends into each direction. In the plane of light and normal, Blinn's lobe with \
-        four times the exponent is Phong's. Across that plane, under slanting light, it is much narrower.";
+    let caption = "The light L comes from the left. The curves show how much light a point sends into each direction. In the \
+        plane of light and normal (left), Blinn's lobe with four times the exponent is nearly the same as Phong's. Out of that \
+        plane, under slanting light (right), Blinn's lobe is much narrower.";
     stage.diagram(
         "lobes",
         caption,
@@ -81,12 +82,12 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         ("Phong, α = 64", tile(phong)),
         ("Blinn, α′ = 256", tile(blinn)),
     ];
-    let caption = "A lamp between balls, and the sun over them. Below, lamps far behind a dark, shining floor: Phong's \
-        highlights are round, Blinn's long and narrow, as on a wet road.";
+    let caption = "Top: a lamp between balls, and the sun over them. Bottom: lamps far behind on a dark, shining floor: Phong's \
+        highlights are round, and Blinn's are long and narrow, as on a wet road.";
     stage.figure("floors", caption, &sheet(2, &tiles)?)
 }
 
-/// What a camera sees by the lights alone, as if nothing were ever in their way.
+/// What a camera sees in the light of the lamps alone, without shadows.
 fn photograph(film: &Film, camera: &Pinhole, scene: &Scene) -> Image {
     let local = Local {
         samples: 1,

@@ -8,7 +8,7 @@ use raybook::math::ray::Ray;
 use raybook::scene::world::{Scene, Thing};
 use raybook::shape::sphere::Sphere;
 
-/// Where a camera sees the fourth through the gap of the other three, and where it looks.
+/// Where the camera stands, and where it looks: it sees the fourth ball through the gap between the other three.
 pub const VIEW: [Vec3; 2] = [vec3(0.0, 0.0, 5.2), Vec3::ZERO];
 
 /// The directions of three coloured lights in the backdrop, and their colours; there is a fourth behind the camera.

@@ -1,5 +1,5 @@
-//! What a mirror shows is what another ray sees. So the question of one ray becomes a question of several, a tree of them,
-//! and something must end it where mirrors face each other.
+//! What a mirror shows is what another ray sees. So one ray asks for further rays, and together they form
+//! a tree. Where mirrors face each other, a maximum depth must end the tree.
 //!
 //! New: material/mirror.rs material/polished.rs render/whitted.rs scene/marbles.rs
 
@@ -27,7 +27,7 @@ const PIXEL: Vec2 = vec2(0.432, 0.76);
 /// What the pictures depend on.
 #[derive(Args, Clone, Debug)]
 pub struct Knobs {
-    /// Depth of reflection: how many surfaces are followed in a row
+    /// Maximum depth: number of surfaces that are followed in a row
     #[arg(long, value_name = "1..64 surfaces", default_value_t = 8)]
     depth: u32,
 }
@@ -60,7 +60,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let above = Pinhole::look_at(from, to, Vec3::Y, 0.038, film.aspect())?;
     let view = photograph(&film, &above, &scene, depth);
     let tree = ray_tree::grow(&whitted(depth.min(5)), &scene, &camera.ray_through(PIXEL));
-    let caption = "The rays for one pixel of the picture, seen from above, and the same rays as a tree. Each circle has the colour that its ray sees; the numbers are the surfaces.";
+    let caption = "The rays for one pixel of the picture, seen from above, and the same rays as a tree. Each circle has the \
+        colour that its ray sees; the numbers stand for the surfaces that the rays meet.";
     stage.figure(
         "tree",
         caption,

@@ -1,4 +1,4 @@
-//! The plot of how much a surface reflects against the angle, both ways.
+//! The plot of the reflected fraction against the angle, into glass and out of glass.
 
 use crate::kit::axis::Axis;
 use crate::kit::chart::{Chart, Corner};

@@ -18,7 +18,7 @@ use std::f32::consts::PI;
 /// Where a camera sees the still life, where it looks, and its focal length.
 pub const VIEW: (Vec3, Vec3, f32) = (vec3(0.4, 4.3, 7.2), vec3(0.1, 0.62, 0.0), 0.043);
 
-/// Between things that only seem to touch, in metres.
+/// Gap between things that seem to touch, in metres.
 const GAP: f32 = 1e-3;
 
 /// Things on a floor of squares of a metre, under the sun, in a studio with a window.
@@ -61,7 +61,7 @@ pub struct Stuff {
     pub index: f32,
     /// The index of refraction of the liquid in the tank.
     pub liquid: f32,
-    /// Factor on the coloured glass's absorption; 1 is what the materials here have.
+    /// Factor on the absorption of the coloured glass; 1 is the absorption that is given below.
     pub absorption: f32,
 }
 
@@ -91,7 +91,7 @@ fn ball(x: f32, z: f32, radius: f32, medium: Medium) -> Thing {
     Thing::new(Sphere::new(center, radius), Glass::of(medium))
 }
 
-/// A ball of glass in a tank of a liquid; what the ball takes to be around it is said.
+/// A ball of glass in a tank of a liquid; `around_ball` is the medium that the ball takes to be around it.
 fn tank(x: f32, z: f32, around_ball: Medium, stuff: Stuff) -> [Thing; 2] {
     let water = Cuboid::between(vec3(x - 1.1, GAP, z - 1.0), vec3(x + 1.1, 1.9, z + 1.0));
     let in_water = Glass {
@@ -104,7 +104,7 @@ fn tank(x: f32, z: f32, around_ball: Medium, stuff: Stuff) -> [Thing; 2] {
     ]
 }
 
-/// A ball of glass, one with a large bubble, one in a tank of water, and coloured ones.
+/// A ball of glass, a ball with a large bubble, a ball in a tank of liquid, and three balls of coloured glass.
 pub fn still_life(stuff: Stuff) -> Scene {
     let bubble = [stuff.clear(), Medium::AIR];
     let mut things = vec![
@@ -150,7 +150,7 @@ fn studio(ray: &Ray) -> Rgb {
     let d = ray.direction;
     let wall =
         Rgb::new(0.78, 0.76, 0.74).lerp(Rgb::new(0.36, 0.50, 0.70), d.y.clamp(0.0, 1.0).sqrt());
-    // The window is a metre in front of the viewer of the direction that it is in.
+    // The window is in a plane at distance 1 in the direction `toward`.
     let toward = Dir3::new_or(vec3(-0.6, 0.75, 0.55), Dir3::Y);
     let basis = Basis::around(toward);
     let ahead = d.dot(*toward);

@@ -1,5 +1,5 @@
-//! Glass shows what is in front of it and what is behind it. Snell's law says where the second ray goes, Fresnel's equations
-//! how much light takes which way, and every surface knows the media on both of its sides.
+//! Glass shows what is in front of the glass and what is behind the glass. Snell's law says where the second ray goes, Fresnel's
+//! equations how much light takes which way, and every surface knows the media on both of its sides.
 //!
 //! New: material/refract.rs material/fresnel.rs material/glass.rs material/dispersion.rs image/spectrum.rs
 
@@ -32,13 +32,13 @@ pub struct Knobs {
     /// Index of refraction of the glass; diamond has 2.42
     #[arg(long, value_name = "1..3", default_value_t = 1.5)]
     index: f32,
-    /// Index of refraction of the liquid in the tank: water has 1.333, an oil as much as glass
+    /// Index of refraction of the liquid in the tank; water has 1.333, and some oils have that of glass
     #[arg(long, value_name = "1..3", default_value_t = 1.333)]
     liquid: f32,
-    /// Absorption of the coloured glass, in multiples of what it has in the pictures
+    /// Absorption of the coloured glass, as a multiple of the default
     #[arg(long, value_name = "0..20 ×", default_value_t = 1.0)]
     absorption: f32,
-    /// Depth: how many surfaces are followed in a row
+    /// Maximum depth: number of surfaces that are followed in a row
     #[arg(long, value_name = "1..64 surfaces", default_value_t = 12)]
     depth: u32,
     /// Angle at the top of the prisms, in `prism`
@@ -61,18 +61,24 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let film = stage.film_of(960, 9, 16.0 / 9.0);
     if stage.wants("picture") {
         let picture = photograph(&film, &scene, glassware::VIEW, depth)?;
-        let caption = "A ball of glass, one with a large bubble of air, one in a tank of water, and three of coloured glass: \
-            all of them mirror the window and show the floor. The floor is upside down in all of them but the bubble.";
+        let caption = "A ball of glass, a ball with a large bubble of air, a ball in a tank of water, and three balls of coloured \
+            glass mirror the window and show the floor. A solid ball in air shows the floor upside down; the bubble and the ball \
+            in water show the floor upright.";
         stage.picture("picture", caption, &picture)?;
     }
 
-    let caption = "Beams into glass and out of it, each as wide as it is strong. The reflected light is vermilion, and the light that goes through is blue. Out of glass at 55°, nothing goes through.";
+    let caption = "Beams into glass and out of glass. The width of a beam is its share of the light. The reflected light is \
+        vermilion, and the light that goes through is blue. Out of glass at 55°, nothing goes through.";
     stage.diagram("beams", caption, &refraction_fan::diagram()?)?;
-    let caption = "The fraction of the light that is reflected. At Brewster's angle, light that is polarised parallel to the plane of incidence is not reflected at all. Beyond the critical angle, all light is reflected.";
+    let caption = "The fraction of the light that is reflected, against the angle to the normal. At Brewster's angle, light that \
+        is polarised parallel to the plane of incidence is not reflected at all. Beyond the critical angle, all light is \
+        reflected.";
     stage.diagram("fresnel", caption, &fresnel_plot::plot(knobs.index)?)?;
 
     if stage.wants("prism") {
-        let caption = "White light from a slit through two prisms, calculated for 150 wavelengths. Each wavelength has an index of refraction of its own, so each leaves in a direction of its own. Flint glass refracts more than crown glass, and spreads the colours farther.";
+        let caption = "White light from a slit through a prism of crown glass and through one of flint glass, calculated for 150 \
+            wavelengths. Each wavelength has its own index of refraction, so each leaves in its own direction. Flint glass \
+            refracts more than crown glass, and spreads the colours farther.";
         stage.figure(
             "prism",
             caption,
@@ -101,13 +107,15 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         for (name, depth) in [("1 surface", 1), ("2", 2), ("3", 3), ("5", 5)] {
             tiles.push((name, photograph(&tile, &ball, close, depth)?));
         }
-        let caption = "A ball of glass, with rays that end at their first, second, third and fifth surface: what is missing is black.";
+        let caption = "A ball of glass, with rays that end at the first, second, third and fifth surface: the light of further \
+            surfaces is missing, and black.";
         stage.figure("depth", caption, &sheet(4, &tiles)?)?;
     }
 
     let view = (vec3(0.5, 5.6, 8.6), vec3(0.5, 1.15, -0.2), 0.041);
     let sizes = photograph(&small(1, 2.4), &glassware::sizes(stuff), view, depth)?;
-    let caption = "The same green glass in balls of 40 cm to 3.2 m: on a way twice as long, the fraction of the light that is left is squared.";
+    let caption = "The same green glass in balls of 40 cm to 3.2 m diameter. On a way twice as long, the fraction of light that \
+        is left is squared.";
     stage.picture("absorption", caption, &sizes)
 }
 

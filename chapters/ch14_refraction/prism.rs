@@ -18,12 +18,12 @@ const WAVELENGTHS: u16 = 150;
 const MIDDLE: Vec2 = Vec2::new(0.2, -0.3);
 const WIDTH: f32 = 3.2;
 
-/// The width of the beam, the height at which it enters, and where the white card stands that it falls on.
+/// The width of the beam, the height at which it enters the prism, and the near and far side of the white card that it falls on.
 const BEAM: f32 = 0.025;
 const HEIGHT: f32 = 0.04;
 const CARD: [f32; 2] = [1.66, 1.8];
 
-/// Light that is less than this share of the beam is not followed.
+/// A strip with less than this share of the beam's light is not followed.
 const FAINT: f32 = 0.002;
 
 /// The radiance of a beam that nothing has spread, before the tone curve.
@@ -45,14 +45,15 @@ struct Strip {
     width: f32,
     /// How much of the light it carries.
     power: f32,
-    /// The side that it comes to or from, if it is outside; it is inside otherwise.
+    /// The side that the strip comes to or from, if it is outside the prism; `None` inside.
     outside: Option<usize>,
 }
 
 /// Strips, each in the colour of its wavelength.
 type Beams = Vec<(Strip, Rgb)>;
 
-/// A prism of crown and one of flint glass, with this angle at the top, in degrees; the beam passes with the least deviation.
+/// A prism of crown glass and a prism of flint glass, with this angle at the top, in degrees; the beam passes with the least
+/// deviation.
 ///
 /// # Errors
 /// If a caption cannot be drawn.
@@ -215,13 +216,14 @@ impl Strip {
         [Some(mirrored), through]
     }
 
-    /// Whether a point that is outside or inside, as the strip is, may lie in it: outside, on the outer side of its side.
+    /// Whether a point may lie in the strip, if both are outside the prism or both inside. Outside, the point must be on the
+    /// outer side of the strip's side.
     fn reaches(&self, sides: &[Side; 3], p: Vec2) -> bool {
         self.outside
             .is_none_or(|side| (p - sides[side].at).dot(sides[side].normal) >= 0.0)
     }
 
-    /// The light at a point, of a beam as bright as the first is 1; the edge of a strip is as wide as a pixel.
+    /// The light at a point, where 1 is the light of the first beam; the edge of a strip is blurred over a pixel.
     fn density(&self, p: Vec2, pixel: f32) -> f32 {
         let beside = (p - self.at).perp_dot(self.toward).abs();
         let inside = ((0.5 * self.width - beside) / pixel + 0.5).clamp(0.0, 1.0);

@@ -18,7 +18,7 @@ const GLASS: f32 = 1.5;
 /// Angles to the normal, in degrees: into glass, and out of it.
 const ANGLES: [[f32; 4]; 2] = [[0.0, 35.0, 60.0, 80.0], [0.0, 25.0, 40.0, 55.0]];
 
-/// A panel, its middle, and how long a beam is in it, in pixels of the canvas.
+/// Size of a panel, its middle, and the length of a beam, in pixels of the canvas.
 const PANEL: [i32; 2] = [500, 440];
 const MIDDLE: Vec2 = Vec2::new(250.0, 240.0);
 const LENGTH: f32 = 148.0;
@@ -26,7 +26,7 @@ const LENGTH: f32 = 148.0;
 /// The width of a beam that holds all the light, in pixels of the canvas.
 const WIDEST: f32 = 26.0;
 
-/// Beams from above into glass, and from below out of it; each is as wide as it is strong.
+/// Beams from above into glass, and from below out of glass; the width of a beam is its share of the light.
 ///
 /// # Errors
 /// If plotters cannot draw.

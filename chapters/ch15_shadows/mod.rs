@@ -33,7 +33,7 @@ const CLOSE_UP: Vec3 = vec3(1.3, 0.4, 1.3);
 /// What the pictures depend on.
 #[derive(Args, Clone, Debug)]
 pub struct Knobs {
-    /// Distance from the surface at which the loose shadow rays start, in `wrong`
+    /// Distance from the surface at which the shadow rays of the third tile start, in `wrong`
     #[arg(long, value_name = "0..5 m", default_value_t = 1.0)]
     offset: f32,
     /// Cells along the side of each patch of the coarse teapot, in `terminator`
@@ -51,8 +51,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let camera = Pinhole::look_at(from, to, Vec3::Y, 0.042, film.aspect())?;
     let scene = marbles::scene();
     if stage.wants("picture") {
-        let caption = "The marbles of chapter 13 with two shadows each: one from the lamp, at the left, and one from the sun. \
-            Where both fall, only ambient light is left.";
+        let caption = "The marbles of chapter 13 with two shadows each: a shadow of the lamp, which is at the left, and a shadow \
+            of the sun. Where both shadows fall, only ambient light is left.";
         stage.picture(
             "picture",
             caption,
@@ -76,14 +76,14 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             ("does not end at the lamp", &without_end),
         ];
         let tiles = ways.map(|(name, arrives)| (name, photograph(&film, &near, &roofed, arrives)));
-        let caption = "One lamp below a roof, and three wrong shadow rays. Many points of a ball are computed to lie inside the ball, \
-            and so are in the shadow of the ball. Rays that start too far off miss objects that are close. \
-            Rays without an end are stopped by objects behind the lamp.";
+        let caption = "One lamp below a roof: the right shadow rays, and three wrong ones. Because of rounding, many points of a \
+            ball are computed to lie inside the ball, and so are in its shadow. Rays that start too far off miss objects that \
+            are close. Rays without an end are stopped by objects behind the lamp.";
         stage.figure("wrong", caption, &sheet(2, &tiles)?)?;
     }
 
-    let caption = "A coarse teapot, low in the sun. Left, the facets can be seen where the light ends, because each facet is in its own shadow as a whole. \
-        Right, shadow rays start where the round surface would be.";
+    let caption = "A coarse teapot under a low sun. Left: where the light ends, the facets can be seen as stairs, because each \
+        facet lies in its own shadow as a whole. Right: shadow rays start where the round surface would be.";
     stage.figure("terminator", caption, &stairs::figure(&tile, knobs.cells)?)?;
 
     let (width, height) = ray_tree_figure::PHOTOGRAPH;

@@ -1,4 +1,4 @@
-//! The line where light ends on a coarse mesh, before and after.
+//! The line where light ends on a coarse mesh, with shadow rays from the facets and from the round surface.
 
 use crate::kit::sheet::{Sheet, sheet};
 use glam::{Vec3, vec3};
@@ -13,8 +13,8 @@ use raybook::scene::world::{Scene, Thing};
 use raybook::shape::teapot;
 use std::f32::consts::FRAC_1_PI;
 
-/// A coarse teapot in the sun: shadow rays that start on its facets, and on the round surface that it pretends to be. Each of its
-/// patches has so few `cells` along its side.
+/// A coarse teapot in the sun: shadow rays that start on its facets, and shadow rays that start on the round surface that the
+/// facets stand for. Each patch has `cells` cells along each side.
 pub(super) fn figure(film: &Film, cells: usize) -> Sheet {
     let clay = Phong {
         ambient: Rgb::gray(0.8),

@@ -1,4 +1,4 @@
-//! Shadow rays as they should not be.
+//! Wrong shadow rays.
 
 use raybook::light::LightSample;
 use raybook::math::interval::Interval;
@@ -7,7 +7,7 @@ use raybook::render::shadow;
 use raybook::scene::world::Scene;
 use raybook::shape::Surface;
 
-/// Whether light arrives, by a shadow ray that may know more than a function.
+/// A way to decide whether light arrives: a function, or a closure with parameters of its own.
 pub(super) type Way<'a> = &'a (dyn Fn(&Scene, &Surface, &LightSample) -> bool + Sync);
 
 /// Whether light arrives by a shadow ray without an end, which a wall behind the lamp stops.

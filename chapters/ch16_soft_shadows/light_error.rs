@@ -19,7 +19,7 @@ use raybook::math::ray::Ray;
 use raybook::shape::Shape;
 use raybook::shape::sphere::Sphere;
 
-/// How often each error is measured.
+/// Number of estimates from which each error is measured.
 const REPEATS: u32 = 300;
 
 /// The numbers of samples, as powers of 2.
@@ -33,7 +33,7 @@ pub struct Setting {
 }
 
 impl Setting {
-    /// A square of 2 m, 1.2 m above the floor, seen from below its edge, with nothing in the way.
+    /// A square light with a side of 2 m, 1.2 m above the floor, seen from below its edge, with nothing in the way.
     pub fn open() -> Self {
         Self {
             light: RectLight::new(
@@ -59,7 +59,7 @@ impl Setting {
         }
     }
 
-    /// What a sample brings to the floor, in W/m²: the irradiance is its mean over u.
+    /// The contribution of a sample to the floor, in W/m²; its mean over u is the irradiance.
     fn arrives(&self, choose: Choose, u: Vec2) -> f64 {
         let Some(sample) = self.light.choosing(choose).sample(Vec3::ZERO, u) else {
             return 0.0;

@@ -1,5 +1,5 @@
 //! A light with an extent is seen in part from the edge of a shadow: between the umbra and full light lies the penumbra.
-//! Points of the light are chosen at random, by its area or by its solid angle, and each sends a shadow ray.
+//! Points of the light are chosen at random, by its area or by its solid angle, and a shadow ray goes to each point.
 //!
 //! New: light/extent.rs light/rect_light.rs light/sphere_light.rs render/soft_shadow.rs
 
@@ -22,8 +22,8 @@ use raybook::render::shadow;
 use raybook::render::whitted::Whitted;
 use std::process::ExitCode;
 
-/// The light from lights alone, by `samples` shadow rays to each light for each sample of a pixel. One is enough: the samples that
-/// smooth edges find the penumbrae too.
+/// Direct light alone, by `samples` shadow rays to each light for each sample of a pixel. One ray is enough: the samples of a
+/// pixel that smooth edges also smooth the penumbrae.
 const fn with_samples(samples: u32) -> Whitted {
     let local = Local {
         samples,
@@ -35,7 +35,7 @@ const fn with_samples(samples: u32) -> Whitted {
 /// What the pictures depend on.
 #[derive(Args, Clone, Debug)]
 pub struct Knobs {
-    /// Side of the square lamp; it sends as much light whatever its size
+    /// Side of the square lamp; the light that it sends straight down does not depend on its size
     #[arg(long, value_name = "0.05..4 m", default_value_t = 1.4)]
     lamp: f32,
     /// Shadow rays to the lamp for each sample of a pixel
@@ -56,7 +56,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     if stage.wants("picture") {
         let picture = film.render(&camera, &Sampler::Refined, &whitted, &scene);
         let caption = format!(
-            "Under a square light of {} m, shadows are sharp near the object that casts them, and the softer the farther away they fall.",
+            "Under a square light of {} m, shadows are sharp near the object that casts them, and become softer with the \
+            distance from it.",
             knobs.lamp
         );
         stage.picture("picture", &caption, &picture)?;
@@ -75,7 +76,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             let see = |place, rng: &mut Pcg| whitted.follow(&scene, &close.ray_through(place), rng);
             (name, one_ray.sample(see))
         });
-        let caption = "One, 4, 16 and 64 samples of the light per pixel: four times as many samples halve the noise. The noise is strongest where a part of the light is seen, and there is none in the umbra, where no part is seen.";
+        let caption = "One, 4, 16 and 64 samples of the light per pixel: four times as many samples halve the noise. The noise \
+            is strongest where a part of the light is seen. There is no noise in the umbra, where no part of the light is seen.";
         stage.figure("samples", caption, &sheet(4, &tiles)?)?;
     }
 
@@ -95,9 +97,12 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         stage.figure("lights", caption, &sheet(4, &tiles)?)?;
     }
 
-    let caption = "Where the umbra and the penumbra end follows from similar triangles (orange); the fraction of the light that is seen is measured by 2000 samples at each place (blue).";
+    let caption = "The ends of the umbra and of the penumbra follow from similar triangles (orange). The fraction of the light \
+        that is seen is estimated by 2000 random samples at each place (blue).";
     stage.diagram("penumbra", caption, &penumbra::diagram()?)?;
-    let caption = "The error of the irradiance, against the number of samples: a straight line of slope −½. Samples by solid angle are better for a near light. About obstacles they know no more than samples by area.";
+    let caption = "The relative RMS error of the irradiance against the number of samples, from 300 repetitions each: a straight \
+        line of slope −½. For a near light, samples by solid angle have a smaller error than samples by area. With an obstacle \
+        before the light, they are no better.";
     stage.diagram("error", caption, &light_error::plot()?)
 }
 

@@ -26,9 +26,10 @@ pub struct Shadow {
 }
 
 impl Shadow {
-    /// Where, along x, the umbra ends and where the penumbra ends: on the lines past the board's end from the light's end
-    /// on the same side, which is seen first, and from that on the other side, which is seen last. With light and board
-    /// w and b wide, H and h high, similar triangles give (b H ∓ w h)/(2 (H − h)). A negative umbra is none.
+    /// The x at which the umbra ends, and the x at which the penumbra ends. Both are on lines past an end of the board: from the
+    /// end of the light on the same side, which is seen first, and from the end on the other side, which is seen last. With light
+    /// and board w and b wide, H and h high, similar triangles give (b H ∓ w h)/(2 (H − h)). If the first x is negative, there is
+    /// no umbra.
     pub fn ends(&self) -> [f32; 2] {
         let (light, board) = (self.light, self.board);
         [-1.0, 1.0].map(|sign| {
@@ -125,7 +126,7 @@ fn profile(canvas: &Canvas, shadow: &Shadow) -> Drawn {
         .named("place on the floor, in metres")
         .format(|x| format!("{x:.0}").replace('-', "−"));
     let shares = Axis::linear(0.0_f32..1.05)
-        .named("of the light is seen")
+        .named("light that is seen")
         .labels(5)
         .format(|share| format!("{:.0} %", 100.0 * share));
     let mut chart = Chart::new(places, shares).text(32).left(BESIDE);

@@ -16,19 +16,20 @@ use raybook::shape::plane::Plane;
 use raybook::shape::sphere::Sphere;
 use std::f32::consts::PI;
 
-/// Where all of it is seen, and where some of the shadows are: a camera's place, where it looks, and its focal length.
+/// A view of the whole scene, and a view of some of the shadows: the camera's place, where it looks, and its focal length, in
+/// metres.
 pub const VIEWS: [(Vec3, Vec3, f32); 2] = [
     (vec3(0.5, 4.0, 7.6), vec3(0.1, 0.35, 0.1), 0.043),
     (vec3(0.5, 4.0, 7.6), vec3(-1.1, 0.35, -0.1), 0.066),
 ];
 
-/// The middle of where the light is.
+/// The middle of the light.
 const LIGHT: Vec3 = vec3(-3.6, 5.6, -4.2);
 
-/// What arrives on the floor straight below the light, in W/m², if the light is small.
+/// Irradiance of the floor straight below the light, in W/m², if the light is small.
 const STRENGTH: f32 = 3.6;
 
-/// I of any of the lights, straight down: what arrives, times the squared distance.
+/// Intensity of each of the lights straight down, in W/sr: the irradiance times the squared distance.
 const INTENSITY: Rgb = Rgb::gray(STRENGTH * LIGHT.y * LIGHT.y);
 
 /// A point light.
@@ -39,7 +40,7 @@ pub fn point() -> Box<dyn Light> {
     })
 }
 
-/// A square light that faces down; of all sizes it sends as much light straight down.
+/// A square light that faces down; its intensity straight down is the same for every size.
 pub fn square(side: f32) -> Box<dyn Light> {
     let corner = LIGHT - 0.5 * vec3(side, 0.0, side);
     let radiance = INTENSITY / (side * side);
@@ -47,7 +48,7 @@ pub fn square(side: f32) -> Box<dyn Light> {
     Box::new(RectLight::new(corner, a, b, radiance))
 }
 
-/// A spherical light; of all sizes it sends as much light to all sides.
+/// A spherical light; its intensity is the same for every size.
 pub fn sphere(radius: f32) -> Box<dyn Light> {
     Box::new(SphereLight {
         sphere: Sphere::new(LIGHT, radius),

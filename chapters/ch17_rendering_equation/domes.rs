@@ -14,7 +14,7 @@ use std::f32::consts::TAU;
 /// Directions in each dome.
 const POINTS: u32 = 600;
 
-/// The domes' names, their directions, and what is said of them.
+/// The domes' names, their directions, and the note below each dome.
 const DOMES: [(&str, Warp, &str); 2] = [
     (
         "uniform: p = 1/2π",
@@ -31,7 +31,7 @@ const DOMES: [(&str, Warp, &str); 2] = [
 /// Where the domes are seen from.
 const EYE: Vec3 = vec3(0.0, 2.6, 5.0);
 
-/// How high the disc with the shadows is: below the dome, which would hide them.
+/// Height of the disc with the shadows: below the dome, which would hide the shadows.
 const FLOOR: f32 = -0.95;
 
 type Warp = fn(Dir3, Vec2) -> Dir3;

@@ -1,5 +1,5 @@
 //! The light that a surface sends to the eye came from all sides, also from other surfaces. An integral over the hemisphere
-//! says how much of it there is, and path tracing estimates it by the mean over random paths, chosen with care.
+//! gives this light, and path tracing estimates the integral by the mean over random paths, chosen with care.
 //!
 //! New: sample/mod.rs sample/hemisphere.rs material/lambert.rs material/modified_phong.rs
 //! New: render/mis.rs render/path.rs render/reflection.rs scene/cornell.rs scene/plates.rs
@@ -19,34 +19,34 @@ use raybook::render::path::Path;
 use std::process::ExitCode;
 use strategies::View;
 
-/// Over as many surfaces as there are.
+/// Paths without a maximum depth; Russian roulette ends them.
 const ALL: Path = Path {
     depth: u32::MAX,
     roulette_after: 3,
     strategy: Strategy::Both,
 };
 
-/// Over one surface: straight from the lamp.
+/// Paths over one surface: light straight from the lamp.
 const DIRECT: Path = Path { depth: 1, ..ALL };
 
-/// How the light straight from the lamp is found.
+/// Strategy that finds the light straight from the lamp.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum By {
-    /// Where the surface reflects much
+    /// Directions into which the surface reflects much
     Surface,
-    /// By a place on the lamp
+    /// Directions towards random points of the lamp
     Light,
-    /// By both, weighted
+    /// Both, with weights (multiple importance sampling)
     Both,
 }
 
 /// What the pictures depend on.
 #[derive(Args, Clone, Debug)]
 pub struct Knobs {
-    /// Maximum number of surfaces along a path; without it, all of them
+    /// Maximum number of surfaces along a path; if not given, there is no limit
     #[arg(long, value_name = "1..1000 surfaces")]
     depth: Option<u32>,
-    /// How the light straight from the lamp is found
+    /// Strategy that finds the light straight from the lamp
     #[arg(long, value_enum, default_value = "both")]
     strategy: By,
 }
@@ -68,8 +68,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         ..ALL
     };
     let picture = denoised(&film, &cornell_box, path);
-    let caption = "The Cornell box. Red and green light on the white blocks has come from the walls; \
-        the ceiling gets no light from the lamp at all, only from the other surfaces. The remaining noise was averaged by a filter.";
+    let caption = "The Cornell box. The red and green light on the white blocks has come from the walls. The ceiling gets no \
+        light straight from the lamp, only from the other surfaces. A filter has averaged the remaining noise.";
     stage.picture("picture", caption, &picture)?;
 
     let few = Film {
@@ -86,8 +86,9 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let caption = "Local and global illumination: without the light from other surfaces, ceiling and shadows are black.";
     stage.figure("inter_reflections", caption, &sheet(2, &tiles)?)?;
 
-    let caption = "A mirror and glass in the box. The bright spot below the glass ball is a caustic: light of the lamp that the glass has gathered. \
-        No ray to the lamp finds this light, only paths that happen to go through the glass. Light that very few paths find is left out.";
+    let caption = "A mirror and glass in the box. The bright spot below the glass ball is a caustic: light of the lamp that the \
+        glass has gathered. No ray to the lamp finds this light, only paths that happen to go through the glass. A pixel that \
+        one rare path makes much brighter than its neighbours is limited.";
     let film = stage.film_of(320, 32, 1.0);
     stage.figure(
         "caustic",
@@ -95,11 +96,13 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         &denoised(&film, &View::with_balls()?, ALL),
     )?;
 
-    let caption = "600 directions of the hemisphere, and their shadows on the surface. Light counts in proportion to its cosine, so directions near the horizon are hardly worth their time.";
+    let caption = "600 directions of the hemisphere (blue), and their projections on the surface (orange): uniform on the left, \
+        by the cosine on the right. Light counts in proportion to cos θ, so directions near the horizon contribute little.";
     stage.diagram("hemisphere", caption, &domes::draw()?)?;
 
-    let caption = "Four plates, smooth behind and rough in front, mirror four lamps, small at the left and large at the right. \
-        Directions by the surface find the large lamps, and directions by the light find the small lamps. Both together, with weights, find all lamps.";
+    let caption = "Four plates, smooth behind and rough in front, mirror four lamps, small at the left and large at the right; \
+        the number of samples is the same in all tiles. Directions by the surface find the large lamps, and directions by the \
+        light find the small lamps. Both together, with weights, find all lamps.";
     let tile = stage.tile(3, 1.5);
     let tile = Film {
         samples: tile.samples.div_ceil(2),
@@ -107,11 +110,13 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     };
     stage.figure("strategies", caption, &strategies::figure(&tile)?)?;
 
-    let caption = "What the strategies cost, measured while this was drawn. Looking for the lamp itself pays in the box, and both together pay on the plates, also for the time that they take.";
+    let caption = "The relative RMS error of each strategy, against the samples and against the time, measured while this figure \
+        was drawn. In the box (top), directions by the light pay; on the plates (bottom), both together pay, also for equal \
+        time.";
     stage.diagram("error", caption, &path_error::plot(&tile)?)
 }
 
-/// A picture by paths, ready to be displayed: each ray of the camera begins a path, and what it finds is exposed.
+/// A path-traced picture, ready to be displayed: each ray of the camera begins a path, and the radiance of the path is exposed.
 fn photograph(film: &Film, view: &View, path: Path) -> Image {
     film.evenly(|place, numbers| {
         let ray = view.camera.ray_through(place);
@@ -119,7 +124,7 @@ fn photograph(film: &Film, view: &View, path: Path) -> Image {
     })
 }
 
-/// The same without the noise.
+/// The same picture, denoised by a filter.
 fn denoised(film: &Film, view: &View, path: Path) -> Image {
     film.denoised(|film| photograph(film, view, path))
 }

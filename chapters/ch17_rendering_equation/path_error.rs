@@ -14,7 +14,7 @@ use std::time::Instant;
 /// Samples per pixel, as powers of 2.
 const POWERS: std::ops::RangeInclusive<u32> = 0..=5;
 
-/// Samples per pixel, milliseconds for a picture, and the error of it.
+/// Samples per pixel, milliseconds for a picture, and the error of the picture.
 type Measured = [f64; 3];
 
 /// Error against samples and error against time, of each strategy; above the Cornell box, below the plates.
@@ -72,7 +72,8 @@ fn measure(view: &View, film: &Film, depth: u32) -> Vec<Vec<Measured>> {
                 (samples as f64, error)
             })
             .collect();
-        // Two pictures each. A sample costs the same in all of them; timed one by one, the shortest would be off the most.
+        // Two pictures for each number of samples. A sample costs the same in all pictures, so all are timed together: timed
+        // alone, the shortest would have the largest error.
         let all: f64 = errors.iter().map(|(samples, _)| 2.0 * samples).sum();
         let cost = 1000.0 * start.elapsed().as_secs_f64() / all;
         let point = |(samples, error)| [samples, samples * cost, error];

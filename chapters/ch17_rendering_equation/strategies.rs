@@ -1,4 +1,4 @@
-//! Scenes for path tracing, each with its camera, and how much a strategy's pictures scatter.
+//! Scenes for path tracing, each with its camera, and the error of a strategy's pictures.
 
 use crate::kit::sheet::sheet;
 use crate::lab::sheets::named;
@@ -27,14 +27,14 @@ pub(super) struct View {
     pub scene: Scene,
     /// The camera.
     pub camera: Pinhole,
-    /// What makes a display's light of the radiance.
+    /// Factor from radiance to the light of a display.
     pub exposure: Rgb,
 }
 
 impl View {
     /// The Cornell box from where it was photographed.
     ///
-    /// Its lamp is yellow, and so would be the picture; eyes and cameras take most of that off.
+    /// The lamp is yellow, and so would be the picture; the exposure takes off most of the yellow, as eyes and cameras do.
     ///
     /// # Errors
     /// If there is no such camera.
@@ -74,15 +74,16 @@ impl View {
         })
     }
 
-    /// A picture by paths with all that chance does, ready to be displayed.
+    /// A path-traced picture with its noise, ready to be displayed.
     fn roll(&self, film: &Film, path: Path) -> Image {
         let ray = |place| self.camera.ray_through(place);
         let picture = film.sample(|at, rng| path.follow(&self.scene, &ray(at), rng));
         picture.map(|v| v * self.exposure)
     }
 
-    /// The mean of two pictures with different seeds, and how much one of the two scatters: half of the mean square difference
-    /// between them is the mean square error of either. Relative to the mean, of what a display shows, which ends at 1.
+    /// The mean of two pictures with different seeds, and the relative RMS error of one of them: half of the mean square
+    /// difference between the two is the mean square error of either. The error is relative to the mean value; values are those
+    /// that a display shows, at most 1.
     pub(super) fn scatter(&self, film: &Film, path: Path) -> (Image, f64) {
         let other = Film {
             seed: !film.seed,
@@ -103,7 +104,7 @@ impl View {
     }
 }
 
-/// The plates by the three strategies, at as many samples each, with how much they scatter.
+/// The plates by the three strategies, with the same number of samples, and the error of each picture.
 ///
 /// # Errors
 /// If a caption cannot be drawn.

@@ -91,11 +91,11 @@ pub(super) fn quarters(four: &[Image; 4]) -> Image {
     })
 }
 
-/// How many directions are chosen each way.
+/// Number of directions that are chosen in each of the two ways.
 pub(super) const DIRECTIONS: u16 = 256;
 
-/// A map twice, for a display, with equally many directions as dots: chosen uniformly, and by their light. Beside it, how many of the
-/// latter see at least half of the greatest radiance.
+/// A map twice, for a display, with the same number of directions as dots: chosen uniformly, and by their light. Also returns how
+/// many of the directions by their light see more than half of the greatest radiance.
 ///
 /// # Errors
 /// If a caption cannot be drawn.

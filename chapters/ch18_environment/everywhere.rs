@@ -1,4 +1,4 @@
-//! An environment that is asked in the wrong way, to show what the right one is good for.
+//! An environment that is sampled uniformly, to show what sampling by light is good for.
 
 use glam::{Vec2, Vec3};
 use raybook::light::environment::Environment;

@@ -21,7 +21,7 @@ use raybook::shape::sphere::Sphere;
 
 /// The columns, from left to right.
 const METALS: [Metal; 4] = [Metal::GOLD, Metal::COPPER, Metal::SILVER, Metal::ALUMINIUM];
-/// α of the row in the middle; above it is a row of smooth ones.
+/// α of the row in the middle; the row above is smooth.
 const ROUGH: f32 = 0.15;
 
 /// Balls of four metals in three rows: smooth, rough, and with this α.
@@ -53,7 +53,8 @@ pub(super) fn draw(film: &Film, sky: Box<dyn Light>, alpha: f32) -> Result<Image
     Ok(film.denoised(|film| film.render(&camera, &Sampler::Even, &path, &scene)))
 }
 
-/// The share of the light that a rough metal of this α sends on, against the same metal with hardly any roughness, seen from all sides under an even sky.
+/// The light that rough silver of this α reflects, as a share of the light that nearly smooth silver (α = 0.01) reflects, seen
+/// from all sides under an even sky.
 pub(super) fn kept(alpha: f32) -> f64 {
     let sent = |alpha| {
         let metal = Metal::SILVER;

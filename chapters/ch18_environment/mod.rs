@@ -1,5 +1,5 @@
-//! Light from all around, kept in a picture of all directions: every pixel of it is a light, and the bright ones are asked
-//! more often.
+//! Light from all around, kept in a picture of all directions: every pixel of the picture is a light, and bright pixels are
+//! sampled more often.
 //!
 //! New: math/piecewise.rs light/environment/mod.rs light/environment/latlong.rs light/environment/cube.rs
 //! New: light/environment/angular.rs light/environment/convert.rs scene/still_life.rs
@@ -35,7 +35,7 @@ pub struct Knobs {
     /// Light the scene with this map (.exr, .hdr or .png) instead of the four skies
     #[arg(long, value_name = "FILE", visible_alias = "map")]
     environment: Option<PathBuf>,
-    /// How the directions lie on it
+    /// Layout of the map: how directions are placed on it
     #[arg(long, value_enum, default_value = "latlong", requires = "environment")]
     layout: Layouts,
     /// Roughness α of the metals in the lowest row, in `metals`
@@ -52,7 +52,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         let map = knobs.layout.unfold(&file::load(file)?);
         let film = stage.film_of(960, 64, 1.6);
         let caption = format!(
-            "Nothing shines here but {}.",
+            "All light comes from the map {}.",
             Untrusted::from(file.as_path())
         );
         let picture = denoised(&film, Box::new(Environment::new(map)))?;
@@ -71,7 +71,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             under(overcast)?,
             under(studio)?,
         ];
-        let caption = "All light comes from the map: a clear day, a sunset, an overcast sky, a studio with two softboxes. The remaining noise was averaged by a filter.";
+        let caption = "All light comes from the map: a clear day, a sunset, an overcast sky, a studio with two softboxes. A \
+            filter has averaged the remaining noise.";
         stage.picture("picture", caption, &quarters(&lit))?;
     }
 
@@ -80,7 +81,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
 
     let (chosen, in_the_sun) = environments::chosen(day)?;
     let caption = format!(
-        "{DIRECTIONS} directions of the clear day, once chosen uniformly and once by their light. On the right, {in_the_sun} of them lie in the sun: one dot, as the sun is so small."
+        "{DIRECTIONS} directions of the clear day, chosen uniformly on the left and by their light on the right. On the right, \
+        {in_the_sun} of them lie in the sun: they look like one dot, because the sun is so small."
     );
     stage.figure("chosen", &caption, &chosen)?;
 
@@ -88,7 +90,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let light = Box::new(Environment::new(studio.clone()));
     let metals = metals::draw(&film, light, knobs.roughness)?;
     let caption = format!(
-        "Gold, copper, silver and aluminium, each smooth and, below, with facets that scatter: α = 0.15 and {0}. Rough silver with α = {0} sends on {1:.0} % of the light that smooth silver sends on.",
+        "Gold, copper, silver and aluminium. Top row: smooth. Rows below: rough, with a roughness α of 0.15 and of {0}. In this \
+        model, rough silver with α = {0} reflects {1:.0} % of the light that smooth silver reflects.",
         knobs.roughness,
         100.0 * metals::kept(knobs.roughness)
     );
@@ -102,7 +105,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         ("uniform directions", picture(&few, uniform)?),
         ("directions by their light", picture(&few, by_light)?),
     ];
-    let caption = "Equally many samples of the clear day. More than half of the light on level ground is the sun's, which uniform directions hardly ever meet.";
+    let caption = "The clear day with the same number of samples. More than half of the light on level ground comes from the \
+        sun, which uniform directions hardly ever meet.";
     stage.figure("importance", caption, &sheet(2, &tiles)?)
 }
 
@@ -111,7 +115,7 @@ fn picture(film: &Film, light: Box<dyn Light>) -> Result<Image, LookAtError> {
     Ok(still_life_under(light, film.aspect())?(film))
 }
 
-/// The same without the noise.
+/// The same picture, denoised by a filter.
 fn denoised(film: &Film, light: Box<dyn Light>) -> Result<Image, LookAtError> {
     Ok(film.denoised(still_life_under(light, film.aspect())?))
 }

@@ -7,7 +7,7 @@ use raybook::light::environment::latlong;
 use raybook::math::dir3::Dir3;
 use raybook::scene::noise;
 
-/// The sun's radius as we see it, in radians: 0.2665°.
+/// Angular radius of the sun, in radians: 0.2665°.
 pub const SUN: f32 = 0.2665 * std::f32::consts::PI / 180.0;
 
 /// Radiance by direction.
@@ -16,8 +16,9 @@ pub type Sky = fn(Dir3) -> Rgb;
 /// The skies of this file.
 pub const FOUR: [Sky; 4] = [clear_day, sunset, overcast, studio];
 
-/// A latitude–longitude map of a sky, twice as wide as it is high; each texel is the mean of 2 × 2 points, or around the sun
-/// of so many that their steps are small beside it, so that the map holds as much light as the formula.
+/// A latitude–longitude map of a sky, twice as wide as it is high; each texel is the mean of 2 × 2 points. Around the sun, a
+/// texel is the mean of more points, with steps that are small beside the sun, so that the map holds as much light as the
+/// formula.
 pub fn map(sky: Sky, width: usize) -> Image {
     let height = (width / 2).max(1);
     let texel_height = std::f32::consts::PI / height as f32;
@@ -47,8 +48,8 @@ pub fn sun_of_day() -> Dir3 {
     Dir3::new_or(vec3(-0.6, 0.75, -0.35), Dir3::Y)
 }
 
-/// A blue sky with a sun as large as ours; more than half of the light on level ground comes from its 1/185 000 of
-/// all directions.
+/// A blue sky with a sun of the true size; more than half of the light on level ground comes from the sun, which fills 1/185 000
+/// of all directions.
 pub fn clear_day(d: Dir3) -> Rgb {
     let to_sun = d.dot(*sun_of_day());
     if to_sun > SUN.cos() {
@@ -101,19 +102,19 @@ pub fn studio(d: Dir3) -> Rgb {
     walls + warm + cold + strip
 }
 
-/// What is below the horizon, and above it.
+/// The ground below the horizon, and the sky above it.
 fn ground(d: Dir3, sky: Rgb, ground: Rgb) -> Rgb {
     sky.lerp(ground, noise::rise(0.005, -0.005, d.y))
 }
 
-/// How much cloud there is in a direction: none below one height, all above another.
+/// Fraction of cloud in a direction: none below the height `none`, all of the clouds above the height `all`.
 fn clouds_above(none: f32, all: f32, d: Dir3) -> f32 {
     let share = noise::rise(none, all, d.y);
-    // The noise takes longer than all the rest, and half of the directions have no use for it.
+    // The noise takes longer than everything else, and half of the directions do not need it.
     if share > 0.0 { cloud(d) * share } else { 0.0 }
 }
 
-/// How much cloud there is in a direction, 0 to 1: noise on a ceiling 1 above the eye.
+/// Fraction of cloud in a direction, 0 to 1: noise on a ceiling at height 1 above the eye.
 fn cloud(d: Dir3) -> f32 {
     let place = vec2(d.x, d.z) / (d.y.abs() + 0.12);
     noise::rise(0.5, 0.8, noise::layers(1.3 * place + 40.0, 5))

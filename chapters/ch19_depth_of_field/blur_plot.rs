@@ -1,4 +1,4 @@
-//! How wide the disc of a point is, against its distance, and which distances are sharp enough.
+//! The diameter of the disc that a point becomes, against the distance of the point, and which distances are sharp enough.
 
 use crate::kit::axis::Axis;
 use crate::kit::chart::{Chart, Corner};
@@ -12,7 +12,7 @@ use raybook::camera::lens::{Lens, LensError};
 const FOCAL_LENGTH: f32 = 0.05;
 const FOCUS: f32 = 2.0;
 
-/// A pixel of a sensor of 36 mm with 960 pixels side by side, in metres.
+/// Width of a pixel of a sensor of 36 mm with 960 pixels side by side, in metres.
 pub(super) const PIXEL: f32 = 0.036 / 960.0;
 
 /// The f-numbers and their colours, the widest aperture last: its range is the narrowest, and lies on top.
@@ -32,7 +32,7 @@ const MOST: f32 = 3.0;
 /// If plotters cannot draw.
 pub(super) fn plot() -> Figure {
     let distances = Axis::log2(NEAREST..FARTHEST).named("distance of the point, in metres");
-    let widths = Axis::log(LEAST..MOST).named("its disc on the sensor, in mm");
+    let widths = Axis::log(LEAST..MOST).named("diameter of its disc on the sensor, in mm");
     let mut chart = Chart::new(distances, widths).legend(Corner::LowerRight);
     for (f_number, colour) in STOPS {
         let [near, far] = lens(f_number)?.depth_of_field(PIXEL);

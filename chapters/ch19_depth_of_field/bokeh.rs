@@ -15,10 +15,10 @@ use std::error::Error;
 /// Where the lamps hang.
 const AT: Vec3 = vec3(0.1, 0.62, -4.0);
 
-/// How many times as bright as at the table: this lens spreads their light over larger discs.
+/// The lamps are brighter than at the table by this factor: this lens spreads their light over larger discs.
 const BRIGHTER: f32 = 1.8;
 
-/// The focal length, the f-number and the focus.
+/// The focal length in metres, the f-number and the distance in focus in metres.
 const LENS: (f32, f32, f32) = (0.085, 1.8, 0.9);
 
 /// The lamps before the evening sky, once for each aperture.

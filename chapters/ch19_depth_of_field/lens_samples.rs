@@ -1,4 +1,5 @@
-//! The noise of few samples of a lens: a detail of the tea table with 4 and with 128 random points, and with 4 that are spread.
+//! The noise of few samples of a lens: a detail of the tea table with 4 and with 128 random points, and with 4 points that are
+//! spread evenly.
 
 use super::tea_table::{DETAIL, EYE, FOCAL_LENGTH};
 use crate::kit::sheet::sheet;
@@ -18,7 +19,7 @@ use std::error::Error;
 /// How much of the film is shown, in width and height.
 const PART: f32 = 0.5;
 
-/// Focused at 1 m.
+/// The three pictures, with a lens that is focused at 1 m.
 ///
 /// # Errors
 /// If the tiles' names cannot be drawn.

@@ -1,5 +1,5 @@
-//! A lens gathers light with all of its opening, and unites it again for one distance only. What is nearer or farther becomes
-//! a blurred disc, whose size a formula tells.
+//! A lens gathers light with all of its opening, and unites the light again for one distance only. A point that is nearer or
+//! farther becomes a blurred disc; a formula tells its size.
 //!
 //! New: shape/placed.rs sample/disk.rs sample/polygon.rs camera/aperture.rs camera/lens.rs camera/thin_lens.rs
 //! New: render/through_lens.rs render/glints.rs
@@ -32,16 +32,16 @@ use tea_table::{ALONG, EYE, FAR, FOCAL_LENGTH, NARROW_VIEW, POTS, VIEW, lamps, t
 /// What the pictures depend on.
 #[derive(Args, Clone, Debug)]
 pub struct Knobs {
-    /// F-number: the focal length of 50 mm over the width of the hole
+    /// F-number: the focal length of 50 mm divided by the diameter of the aperture
     #[arg(long, value_name = "0.7..128", default_value_t = 1.4)]
     f_number: f32,
-    /// Aperture: the width of the hole, instead of an f-number
+    /// Diameter of the aperture, instead of an f-number
     #[arg(long, value_name = "0.4..70 mm", conflicts_with = "f_number")]
     aperture: Option<f32>,
-    /// Distance in focus: at first the red teapot's
+    /// Distance in focus; the default is the distance of the red teapot
     #[arg(long, value_name = "0.2..100 m", default_value_t = 1.01)]
     focus: f32,
-    /// Blades that leave the hole open
+    /// Number of aperture blades: the hole that they leave is a polygon with this number of sides
     #[arg(long, value_name = "3..32 blades", default_value_t = 6)]
     blades: u32,
 }
@@ -75,14 +75,16 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let focus = knobs.focus;
     if stage.wants("picture") {
         let caption = format!(
-            "A lens of 50 mm at f/{f_number}, focused at {focus} m. Objects that are nearer or farther are blurred, and every lamp becomes the hole that {blades} blades leave open."
+            "A lens of 50 mm at f/{f_number}, focused at {focus} m. Objects that are nearer or farther are blurred, and every \
+            lamp out of focus shows the shape of the aperture, a polygon with {blades} sides."
         );
         let picture = photograph(&film, &through(&body, focus, f_number, blades)?);
         stage.picture("picture", &caption, &picture)?;
     }
 
     if stage.wants("samples") {
-        let caption = "With few random points on the lens there is noise where the picture is blurred, and hardly any where the picture is sharp. Points that are spread evenly over the lens give less noise.";
+        let caption = "With few random points on the lens, there is noise where the picture is blurred, and hardly any noise \
+            where it is sharp. Points that are spread evenly over the lens give less noise.";
         let figure = lens_samples::draw(&stage.tile(3, 1.6), &scene, &whitted)?;
         stage.figure("samples", caption, &figure)?;
     }
@@ -95,7 +97,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             tiles.push((format!("f/{f_number}"), photograph(&tile, &camera)));
         }
         tiles[0].0 = String::from("a pin-hole: f/∞");
-        let caption = "The same focus with four apertures: the larger one blurs more. Through a pin-hole everything is sharp, and a lamp is no larger than a pixel.";
+        let caption = "The same focus with four apertures: a larger aperture blurs more. Through a pin-hole everything is sharp, \
+            and a lamp is no larger than a pixel.";
         stage.figure("apertures", caption, &sheet(2, &named(&tiles))?)?;
     }
 
@@ -114,19 +117,20 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
 
     let caption = "Lamps out of focus, seen through a round hole and through 5, 6 and 8 blades.";
     stage.figure("bokeh", caption, &bokeh::draw(&stage.tile(4, 1.0))?)?;
-    let caption = "The circle of confusion of a 50 mm lens that is focused at 2 m. A circle that is smaller than a pixel cannot be seen: the shaded ranges are the depth of field.";
+    let caption = "The circle of confusion of a 50 mm lens that is focused at 2 m: the disc on the sensor that a point becomes. \
+        A disc smaller than a pixel looks sharp: the shaded ranges are the depth of field.";
     stage.diagram("blur", caption, &blur_plot::plot()?)
 }
 
 impl Knobs {
-    /// The focal length over the width of the hole, to two digits after the point.
+    /// The focal length divided by the diameter of the aperture, to two digits after the point.
     fn f_number(&self) -> f32 {
         let of_width = |millimetres: f32| (1e5 * FOCAL_LENGTH / millimetres).round() / 100.0;
         self.aperture.map_or(self.f_number, of_width)
     }
 }
 
-/// How far ahead of the camera the plane is in which a point lies.
+/// Distance from the camera to the plane in which a point lies, along the camera's axis, in metres.
 fn distance(body: &Pinhole, at: Vec3) -> f32 {
     (at - body.focal_point).dot(*body.forward)
 }

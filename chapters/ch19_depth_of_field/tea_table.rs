@@ -22,22 +22,22 @@ use std::sync::Arc;
 /// Where the table is seen from, in metres.
 pub const EYE: Vec3 = vec3(0.0, 0.30, 0.0);
 
-/// Where a camera looks that sees all of it.
+/// The point that the camera of the main picture looks at.
 pub const VIEW: Vec3 = vec3(0.0, 0.19, -1.0);
 
 /// Where the table is seen from for a narrow picture of all teapots: the row is shorter from there.
 pub const ALONG: Vec3 = vec3(0.16, 0.30, 0.0);
 
-/// Where that picture's camera looks.
+/// The point that the camera of the narrow picture looks at.
 pub const NARROW_VIEW: Vec3 = vec3(-0.02, 0.19, -1.0);
 
-/// Where one looks that sees some teapots from nearer.
+/// The point that the camera looks at for a detail with some of the teapots.
 pub const DETAIL: Vec3 = vec3(-0.20, 0.11, -1.0);
 
 /// The camera's focal length, in metres.
 pub const FOCAL_LENGTH: f32 = 0.05;
 
-/// Among the lamps that are far behind.
+/// A point among the lamps that are far behind.
 pub const FAR: Vec3 = vec3(0.0, 0.4, -9.0);
 
 /// The middle of each teapot's foot, the nearest first.
@@ -58,7 +58,7 @@ const GLAZES: [Rgb; 5] = [
     Rgb::new(0.12, 0.20, 0.45),
 ];
 
-/// How high a teapot is, in metres; Newell's is 3.15 of his units.
+/// Height of a teapot, in metres; Newell's teapot is 3.15 of his units high.
 const HEIGHT: f32 = 0.15;
 
 /// The table, the teapots and a soft light from the left.
@@ -95,7 +95,7 @@ pub fn lamps() -> Vec<PointLight> {
         warm,
         Rgb::new(0.15, 0.62, 0.68),
     ];
-    // The brighter the farther: out of a focus at 1 m, all discs are about as bright.
+    // Farther lamps are brighter: with the focus at 1 m, all discs are about equally bright.
     let lamp = |position: Vec3, colour: Rgb| PointLight {
         position,
         intensity: colour * (0.000_8 * (position.z + 1.0).powi(2)),

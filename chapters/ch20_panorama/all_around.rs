@@ -11,7 +11,7 @@ use raybook::math::ray::Ray;
 use raybook::render::film::Film;
 use std::error::Error;
 
-/// The ray of each place of a film; none where no light falls.
+/// The ray of each place of a film; `None` where no light falls on the film.
 pub(super) type Rays<'a> = &'a (dyn Fn(Vec2) -> Option<Ray> + Sync);
 
 /// A pin-hole camera of this horizontal field of view, in degrees.
@@ -50,7 +50,7 @@ pub(super) fn pinholes(
     sheet(3, &tiles)
 }
 
-/// Half the space in the four projections; and more than that, level, down and up.
+/// Half of all directions in the four projections; below, all directions or nearly all, looking ahead, down and up.
 ///
 /// # Errors
 /// If a caption cannot be drawn.
@@ -87,7 +87,7 @@ pub(super) fn fisheyes(
     ];
     let mut tiles = Vec::new();
     for (name, projection, view, toward) in views {
-        // Ahead is above where one looks down, and below where one looks up.
+        // In a view downwards, "ahead" is above the middle; in a view upwards, below.
         let above = if toward == ahead {
             Vec3::Y
         } else {

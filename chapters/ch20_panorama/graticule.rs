@@ -6,18 +6,18 @@ use raybook::image::rgb::Rgb;
 use raybook::image::{Image, tone};
 use raybook::math::dir3::Dir3;
 
-/// From one line to the next, in degrees.
+/// Angle from one line to the next, in degrees.
 pub(super) const STEP: f32 = 30.0;
 
 /// Half the width of a line, and the radius of a disc with its rim, in degrees.
 const LINE: f32 = 0.25;
 const DISC: f32 = 6.0;
 
-/// Points per pixel, in each direction, that are looked at.
+/// Points per pixel along each axis.
 const POINTS: usize = 4;
 
 /// The picture with the lines and discs of the world (such discs stand for N. A. Tissot's indicatrix, 1859); `toward` tells which
-/// direction a place of the picture shows, and where there is none, the picture becomes white.
+/// direction a place of the picture shows; where there is no direction, the picture becomes white.
 pub(super) fn over(picture: &Image, toward: impl Fn(Vec2) -> Option<Dir3>) -> Image {
     let size = vec2(picture.width() as f32, picture.height() as f32);
     Image::from_fn(picture.width(), picture.height(), |x, y| {

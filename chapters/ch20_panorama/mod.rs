@@ -1,5 +1,5 @@
-//! A ray can start anywhere and go anywhere, so a camera need not have an image plane. One whose film holds all directions
-//! takes a picture that is an environment map; a fisheye sees nearly as much, in a disc.
+//! A ray can start anywhere and go anywhere, so a camera need not have an image plane. A camera whose film holds all
+//! directions takes an environment map; a fisheye sees nearly as much, in a disc.
 //!
 //! New: camera/pose.rs camera/panorama.rs camera/fisheye.rs
 
@@ -37,7 +37,7 @@ pub struct Knobs {
     /// Take the picture with a fisheye of this projection
     #[arg(long, value_enum)]
     projection: Option<projections::Named>,
-    /// Angle that the fisheye sees from rim to rim
+    /// Angle of view of the fisheye, from rim to rim
     #[arg(
         long,
         value_name = "1..360 °",
@@ -57,7 +57,10 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         let film = stage.film_of(720, 9, 1.0);
         let camera = Fisheye::new(pose, projection, knobs.view, film.aspect())?;
         let picture = photograph(&scene, &film, &|place| camera.ray_through(place));
-        let caption = format!("{} degrees by a fisheye.", knobs.view);
+        let caption = format!(
+            "A picture by a fisheye that sees {}° from rim to rim.",
+            knobs.view
+        );
         return stage.picture("picture", &caption, &picture);
     }
     let camera = Panorama { pose };
@@ -66,9 +69,11 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let picture = take(&film, &|place| Some(camera.ray_through(place)));
     let caption = "Everything that is seen from one point. The left and the right edge are one line, behind the viewer. The whole top edge is a single direction, straight up, and the whole bottom edge is straight down.";
     stage.picture("picture", caption, &picture)?;
-    let caption = "The same with the lines of latitude and longitude. Each small white disc has a radius of 6°: towards the poles the map stretches the discs.";
+    let caption = "The same panorama with lines of latitude and longitude, every 30°. Each small white disc has a radius of 6°: \
+        towards the poles, the map stretches the discs.";
     stage.figure("graticule", caption, &labelled(&picture)?)?;
-    let caption = "The four beams are straight in space and are curves on the map. Prolonged for ever (dashed), a straight line is half of a great circle, and parallels meet at the horizon.";
+    let caption = "The four beams are straight in space, and are curves on the map. Prolonged without end (dashed), a straight \
+        line is half of a great circle, and parallel lines meet at the horizon.";
     let lines = with_lines(&picture, EYE, &BEAMS)?;
     stage.figure("lines", caption, &lines)?;
 
@@ -83,13 +88,15 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     stage.figure("fisheye", caption, &fisheyes(&square, EYE, take)?)?;
 
     let around = Environment::new(picture);
-    let caption = "The panorama as an environment map, seen from the point where it was taken, and the scene itself. They differ along edges, by less than a pixel of the map.";
+    let caption = "Top: the scene itself. Middle: the panorama as an environment map, seen from the point where it was taken. \
+        Bottom: the difference, which lies along edges and is narrower than a pixel of the map.";
     stage.figure("looks", caption, &looks(&wide, EYE, &around, take)?)?;
-    let caption = "Chapter 18's still life in the light of the panorama. On the right its sun is no brighter than white: there is next to no sunlight, and no shadow.";
+    let caption = "Chapter 18's still life in the light of the panorama. On the right, the map is cut off at white, and so is \
+        its sun: there is next to no sunlight, and no shadow.";
     stage.figure("light", caption, &lit(&stage.tile(2, 1.5), &around)?)
 }
 
-/// What of a scene is seen along the rays of a camera; where it has none, the film stays black.
+/// What is seen of a scene along the rays of a camera; where the camera has no ray, the film stays black.
 fn photograph(scene: &Scene, film: &Film, rays: Rays) -> Image {
     let local = Local {
         samples: 1,

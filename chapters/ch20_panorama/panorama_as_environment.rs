@@ -1,4 +1,4 @@
-//! What a panorama is good for as an environment map: it shows its scene again, and it lights others.
+//! Uses of a panorama as an environment map: the panorama shows its scene again, and it lights other scenes.
 
 use super::all_around::{Rays, wide};
 use crate::kit::sheet::sheet;
@@ -45,7 +45,7 @@ pub(super) fn looks(
     sheet(3, &[rendered, cut, off].concat())
 }
 
-/// White where two pictures are the same for a display, darker where they are not.
+/// White where two pictures are the same on a display, darker where they differ.
 fn difference(a: &Image, b: &Image) -> Image {
     Image::from_fn(a.width(), a.height(), |x, y| {
         let [a, b] = [a, b].map(|image| tone::clamp(image.at(x, y)));
@@ -54,7 +54,7 @@ fn difference(a: &Image, b: &Image) -> Image {
     })
 }
 
-/// The still life with nothing but the panorama around it: as it is, and with all that is brighter than white cut off.
+/// The still life in the light of the panorama alone: as it is, and with all radiance cut off at white.
 ///
 /// # Errors
 /// If a caption cannot be drawn.

@@ -23,14 +23,14 @@ type Pixel<'a> = &'a dyn Fn(Vec2) -> Vec2;
 /// Width and height of the map, in pixels of the figure.
 const MAP: (usize, usize) = (880, 440);
 
-/// What is left free around the map, and for labels at its left and below it.
+/// Free space around the map, and for labels at its left and below it, in pixels of the figure.
 const RIM: usize = 16;
 const LABELS: usize = 64;
 
 /// Height of the letters, in pixels of the canvas.
 const TEXT: i32 = 30;
 
-/// The panorama with lines of latitude and longitude and what they are called.
+/// The panorama with labelled lines of latitude and longitude.
 ///
 /// # Errors
 /// What plotters reports.
@@ -73,8 +73,8 @@ pub(super) fn labelled(panorama: &Image) -> Result<Image, Box<dyn Error>> {
     })
 }
 
-/// The panorama, pale, with lines as they are seen from a point: the two ends of each part that there is, and its name.
-/// Beyond its ends a line goes on in dashes, to where it vanishes at both sides; where the first one does is said.
+/// The panorama, pale, with lines as they are seen from a point; each line has a name and the two ends of the part that exists in
+/// the scene. Beyond its ends a line goes on in dashes to its two vanishing points, which are named for the first line.
 ///
 /// # Errors
 /// What plotters reports.
@@ -108,7 +108,7 @@ pub(super) fn with_lines(
     })
 }
 
-/// A line of the world: its points are followed by the angle at which they are seen, so that both ends reach the horizon.
+/// A line of the world, drawn in steps of the angle at which its points are seen, so that both ends reach the horizon.
 fn line(canvas: &Canvas, pixel: Pixel, eye: Vec3, [a, b]: [Vec3; 2], colour: RGBColor) -> Drawn {
     /// Points along half of a circle around the viewer.
     const POINTS: i32 = 360;

@@ -18,16 +18,16 @@ use raybook::shape::{Shape, teapot};
 use std::f32::consts::{FRAC_1_PI, FRAC_PI_2};
 use std::sync::Arc;
 
-/// Where one sees all of it: in the middle, at a person's height.
+/// The viewpoint: in the middle, at a person's height.
 pub const EYE: Vec3 = vec3(0.0, 1.6, 0.0);
 
 /// Half the side of the square in which the posts stand, in metres.
 const HALF: f32 = 3.7;
 
-/// The height of the beams that they carry, from below to above, in metres.
+/// Heights of the lower and the upper side of the beams that the posts carry, in metres.
 const BEAM: (f32, f32) = (2.9, 3.2);
 
-/// The lower inner edges of the four beams as one sees them: a name, and where the edge begins and ends.
+/// The lower inner edges of the four beams, as seen from the viewpoint: a name, and where the edge begins and ends.
 pub const BEAMS: [(&str, [Vec3; 2]); 4] = {
     const SIDE: f32 = HALF - THICK;
     const Y: f32 = BEAM.0;
@@ -39,7 +39,7 @@ pub const BEAMS: [(&str, [Vec3; 2]); 4] = {
     ]
 };
 
-/// Half the width of such a beam.
+/// Half the width of a beam, in metres.
 const THICK: f32 = 0.1;
 
 /// Half the side of the tiled floor, in metres; a tile has a side of 1 m.
@@ -111,7 +111,7 @@ fn frame(things: &mut Vec<Thing>) {
     }
 }
 
-/// What stands around: mirror and glass ahead, a teapot at the right, balls behind, a bench at the left, a gilded ball above.
+/// The objects: mirror and glass ahead, a teapot at the right, balls behind, a bench at the left, a gilded ball above.
 fn on_show(things: &mut Vec<Thing>) {
     let mirror = |r, g, b| Mirror {
         share: Rgb::new(r, g, b),
@@ -141,7 +141,7 @@ fn on_show(things: &mut Vec<Thing>) {
     ]);
 }
 
-/// The teapot, half a metre wide and a little more, its spout to the viewer's right.
+/// The teapot, 0.95 m long from handle to spout, with the spout to the viewer's right.
 fn pot(to: Vec3) -> Placed {
     let mesh = teapot::mesh(8);
     let scale = 0.95 / mesh.bounds().size().x;

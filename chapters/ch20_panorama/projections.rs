@@ -19,15 +19,18 @@ impl ValueEnum for Named {
 
     fn to_possible_value(&self) -> Option<PossibleValue> {
         let (name, help) = match self.0 {
-            Projection::Equidistant => ("equidistant", "Equal angles are equally long"),
+            Projection::Equidistant => (
+                "equidistant",
+                "Equal angles from the axis are equal lengths on the film",
+            ),
             Projection::Equisolid => (
                 "equisolid",
                 "Equal solid angles have equal areas, as in a mirror ball seen from far away",
             ),
-            Projection::Stereographic => ("stereographic", "Small things keep their shapes"),
+            Projection::Stereographic => ("stereographic", "Small objects keep their shapes"),
             Projection::Orthographic => (
                 "orthographic",
-                "As a globe looks from far away; at most 180°",
+                "As a globe seen from far away; at most 180°",
             ),
         };
         Some(PossibleValue::new(name).help(help))

@@ -8,7 +8,7 @@ use raybook::math::ray::Ray;
 use raybook::scene::noise::{layers, rise};
 use std::f32::consts::PI;
 
-/// What the sun sends on a surface that faces it, in W/m².
+/// Irradiance by the sun on a surface that faces it, in W/m².
 pub const SUNLIGHT: Rgb = Rgb::new(2.9, 2.65, 2.25);
 
 /// The sun's radius in radians: 2.5°, nearly ten times the true one, so that pixels of a third of a degree show a disc.
@@ -27,8 +27,8 @@ pub fn sun() -> DirectionalLight {
     }
 }
 
-/// The sky with its clouds, a glow around the sun, and hills along the horizon; and the sun itself, as bright as what it
-/// sends.
+/// The sky with its clouds, a glow around the sun, and hills along the horizon; and the sun's disc, whose radiance
+/// gives the irradiance [`SUNLIGHT`].
 pub fn outdoors(ray: &Ray) -> Rgb {
     let d = ray.direction;
     let sky = Rgb::new(0.80, 0.86, 0.90).lerp(Rgb::new(0.20, 0.40, 0.74), d.y.max(0.0).powf(0.6));

@@ -18,10 +18,10 @@ const MIDDLE: DVec2 = DVec2::new(960.0, 560.0);
 /// Pixels of the canvas per radius of the hole.
 const SCALE: f64 = 96.0;
 
-/// How far to the left the rays begin.
+/// The x at which the rays begin, in radii of the hole.
 const LEFT: f64 = -60.0;
 
-/// Between the impact parameters of neighbours, the first being half of it.
+/// Difference between the impact parameters of neighbouring rays, in radii of the hole; the first ray has half of it.
 const APART: f64 = 0.4;
 
 /// Points of the curve in each piece of a ray.
@@ -39,7 +39,7 @@ pub(super) fn draw() -> Figure {
                 ray(canvas, side)?;
             }
         }
-        // The one that goes around: a hair outside the critical impact parameter.
+        // The ray that goes around the hole: a hair outside the critical impact parameter.
         ray(canvas, 2.5981)?;
         let centre = pixel(DVec3::ZERO);
         let radius = |r: f64| (SCALE * r) as i32;
@@ -58,7 +58,7 @@ pub(super) fn draw() -> Figure {
     })
 }
 
-/// One ray: blue if it escapes; if it falls, orange and down to the horizon.
+/// One ray: blue if it escapes; if it falls, vermilion, and drawn down to the horizon.
 fn ray(canvas: &Canvas, b: f64) -> Drawn {
     let mut points = Vec::new();
     let mut last = Photon {

@@ -60,7 +60,7 @@ pub fn draw() -> Figure {
     chart.figure(960, 520)
 }
 
-/// The angle, in radians, by which a ray from far away is turned that is followed step by step; `None` if it falls.
+/// The angle, in radians, by which a ray from far away is turned, followed step by step; `None` if the ray falls into the hole.
 pub fn followed(b: f64) -> Option<f64> {
     let start = Photon {
         x: dvec3(-3e5, b, 0.0),

@@ -13,10 +13,10 @@ use raybook::render::film::Film;
 use std::error::Error;
 use std::f32::consts::{FRAC_PI_2, PI};
 
-/// How far from the middle they stand, in radii of the hole.
+/// Distances of the observers from the middle of the hole, in radii of the hole.
 const RADII: [f32; 4] = [10.0, 3.0, 2.0, 1.5];
 
-/// Half of the sky as each of them sees it, looking at the hole: the distance from the middle is the angle.
+/// Half of the sky as each observer sees it, looking at the hole: the distance from the middle of a tile is the angle.
 ///
 /// # Errors
 /// If a caption cannot be drawn.

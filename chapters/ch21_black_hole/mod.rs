@@ -1,5 +1,5 @@
-//! Rays need not be straight. Around a black hole they obey a differential equation, and a picture is made by solving it for
-//! every pixel, step by step, as carefully as needed and no more.
+//! Rays need not be straight. Around a black hole they obey a differential equation, and a picture is made by solving this
+//! equation step by step, as carefully as needed and no more.
 //!
 //! New: render/curved/mod.rs render/curved/geodesic.rs render/curved/follow.rs render/curved/deflection.rs
 //! New: render/curved/fan.rs render/curved/observer.rs render/curved/doppler.rs render/curved/black_hole.rs
@@ -60,7 +60,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     draw_before(stage, knobs, &|toward| map.radiance(toward))
 }
 
-/// With this radiance by direction behind everything.
+/// Draws the pictures with this sky behind everything: radiance by direction.
 fn draw_before(stage: &Stage, knobs: &Knobs, sky: &(dyn Fn(Dir3) -> Rgb + Sync)) -> Drawn {
     let film = stage.film_of(960, 4, 1.78);
     let spin = Mat3::from_rotation_z(knobs.spin.to_radians());
@@ -86,18 +86,22 @@ fn draw_before(stage: &Stage, knobs: &Knobs, sky: &(dyn Fn(Dir3) -> Rgb + Sync))
         ..stage.tile(columns, aspect)
     };
     let caption = format!(
-        "The same ball and disc without gravity and with it: the far side appears above the hole and below it, and the shadow \
-        is larger than the ball. All rays at one angle to the hole are one curve, turned: {} curves were followed for the picture, step by step.",
+        "The same ball and disc without gravity and with it: the far side appears above the hole and below it, and the shadow is \
+        larger than the ball. All rays at the same angle to the hole follow one curve, turned around the axis from the eye to \
+        the hole: {} curves were followed step by step for the picture.",
         fan.curves()
     );
     let figure = straight_hole::compare(&tile(2, 1.78), &camera, &hole, &fan, EXPOSURE)?;
     stage.figure("straight_and_bent", &caption, &figure)?;
 
-    let caption = "Rays from the left at many distances from the middle: the hole swallows those below 2.598 radii (orange). The next ones turn back or go around before they leave.";
+    let caption = "Parallel rays from the left. The hole swallows rays with an impact parameter b, the distance from the axis, \
+        below 2.598 radii of the hole (vermilion). The next rays turn back or go around the hole before they leave.";
     stage.diagram("rays", caption, &bent_rays::draw()?)?;
-    let caption = "The angle by which a ray is turned. Far away it is 2/b; towards 2.598 it grows without limit. The dots are rays followed step by step.";
+    let caption = "The angle by which the hole turns a ray with the impact parameter b. For large b the angle is 2/b radians \
+        (dashed); towards b = 2.598 it grows without limit. The dots are rays that were followed step by step.";
     stage.diagram("deflection", caption, &deflection_plot::draw()?)?;
-    let caption = "Half of the sky, towards the hole, for observers who stand nearer and nearer. The dashed circles are the shadow's edge by the formula.";
+    let caption = "Half of the sky, towards the hole, for observers nearer and nearer to the hole; r is in radii of the hole. \
+        The dashed circle and the angle are the edge of the shadow by the formula.";
     stage.figure("shadows", caption, &hole_shadows::draw(&tile(4, 1.0))?)
 }
 

@@ -13,11 +13,11 @@ pub fn starry_sky(d: Dir3) -> Rgb {
     bright + faint + milky_way(d)
 }
 
-/// Stars in cubic cells, a number of which lie along the radius of the sphere of all directions, each with a share of the
-/// cells' width as its radius.
+/// Stars in cubic cells: `cells` cells lie along the radius of the sphere of all directions, and `radius` is the radius of a
+/// star, as a share of the width of a cell.
 ///
-/// A star is a ball at a random place in its cell; it is seen where the sphere cuts it, so most are not seen at all and few are
-/// seen whole.
+/// A star is a ball at a random place in its cell. A star is seen where the sphere of directions cuts the ball, so most stars are
+/// not seen at all, and few are seen whole.
 fn stars(d: Dir3, cells: f32, radius: f32, brightness: f32) -> Rgb {
     let p = cells * *d;
     let cell = p.floor();

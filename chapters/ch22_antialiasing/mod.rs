@@ -43,13 +43,13 @@ const DIRECT: Whitted = Whitted {
 /// A reconstruction filter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum By {
-    /// A pixel's own samples alike
+    /// The pixel's own samples, all with the same weight
     Box,
-    /// Less, the farther away
+    /// The weight falls linearly with the distance
     Tent,
-    /// A bell
+    /// The weight is a bell curve
     Gaussian,
-    /// Mitchell's cubic, which goes below 0
+    /// Mitchell and Netravali's cubic, which goes below 0
     Mitchell,
 }
 
@@ -99,7 +99,9 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             filtered(&film, pattern, &filter, see)
         });
         let caption = format!(
-            "One picture, from left to right with one ray through the middle of each pixel, and with {} and {most} rays by the pattern “{}”. With one ray the far squares make a pattern that does not exist, and the edges are stairs. With more rays, the far squares melt into grey, as they should.",
+            "One picture in three bands: left, one ray through the middle of each pixel; middle and right, {} and {most} rays \
+            per pixel by the pattern “{}”. With one ray, the far squares make a pattern that does not exist, and the edges are \
+            stairs. With more rays, the far squares melt into grey, as they should.",
             most.isqrt(),
             chosen.title
         );
@@ -113,7 +115,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         columns: 4,
     };
     let caption = format!(
-        "{} points in a pixel, placed in different ways. Random points crowd and leave gaps. All other patterns avoid gaps, each at another price.",
+        "{} points in a pixel, placed in different ways: one realisation of each pattern, seed 1. Random points crowd and leave \
+        gaps. Every other pattern limits this in its own way: by cells, by rows and columns, or by the distance between points.",
         knobs.count
     );
     stage.diagram("patterns", &caption, &all.figure()?)?;
@@ -123,18 +126,24 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     if stage.wants("zone_plates") {
         let tile = stage.tile(named.len() as u32, 1.0);
         let (columns, tiles) = sheets::zone_plates(&tile, &named, &[1, 4, 16]);
-        let caption = "Rings that become finer to the right and downwards, from one to sixteen samples. A grid shows rings that do not exist, as bright as the true rings. Randomness turns the false rings into noise, and the better patterns leave little of both.";
+        let caption = "Rings that become finer to the right and downwards, with 1, 4 and 16 samples per pixel. Regular patterns \
+            show rings that do not exist; with the regular grid they are as bright as the true rings. Randomness turns the false \
+            rings into noise, and the better patterns leave little of both.";
         let figure = sheet(columns, &sheets::named(&tiles))?;
         stage.figure("zone_plates", caption, &figure)?;
     }
 
     if stage.wants("edges") {
-        let caption = "The average error of four samples when an edge at this angle passes through the pixel. On average, the rotated grid is not better than the regular grid. But its worst angles are far from the axes, and most edges of pictures are close to the axes.";
+        let caption = "The RMS error of four samples when an edge at this angle passes through the pixel (256 positions of the \
+            edge, 100 realisations, seed 1). On average, the rotated grid is not better than the regular grid. But its worst \
+            angles are far from the axes, and most edges in pictures are close to the axes.";
         let figure = Polar::measure(&named[..5], 4, 100).figure()?;
         stage.diagram("edges", caption, &figure)?;
     }
 
-    let caption = "The same sixteen samples a pixel, averaged by four filters: the wider filters use samples of the neighbouring pixels too. Below are the filters themselves. Mitchell's filter goes below 0, which makes edges crisp.";
+    let caption = "The same sixteen samples per pixel, averaged by four filters. The wider filters also use samples of the \
+        neighbouring pixels. Below are the weights of each filter along a line; the grey lines are centres of pixels. Mitchell's \
+        filter goes below 0, which makes edges crisp.";
     let figure = sheets::filters(&stage.tile(4, 1.0), jittered)?;
     stage.figure("filters", caption, &figure)
 }

@@ -1,5 +1,5 @@
-//! Most pixels show one surface, and a few rays are enough for them; edges and fine patterns need many. So look a few times
-//! everywhere, and again where the samples differ.
+//! Most pixels show one surface, and a few rays are enough for them; edges and fine patterns need many. So a few rays
+//! go through every pixel, and further rays where the samples differ.
 //!
 //! New: render/needs_more.rs render/budget.rs render/adaptive.rs
 
@@ -34,13 +34,13 @@ const DIRECT: Whitted = Whitted {
 /// What the pictures depend on.
 #[derive(Args, Clone, Debug)]
 pub struct Knobs {
-    /// Rays through each pixel before their differences are looked at
+    /// Rays through each pixel before the program looks at their differences
     #[arg(long, value_name = "2..64 rays", default_value_t = 4)]
     first: usize,
-    /// Threshold of the error of a pixel's mean: above it, more rays follow, in `spent`
+    /// Threshold for the error of a pixel's mean: above the threshold, more rays follow, in `spent`
     #[arg(long, value_name = "0.0005..1", default_value_t = 0.01)]
     threshold: f32,
-    /// Budget of rays per pixel, on average, where it is a budget that decides, in `spent`
+    /// Budget: average number of rays per pixel, for the picture by a budget, in `spent`
     #[arg(long, value_name = "2..256 rays", default_value_t = 12)]
     budget: usize,
 }
@@ -63,7 +63,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         let mean = film.samples.max(6).max(limits.first);
         let done = by_budget(&film, limits.first, mean, see);
         let caption = format!(
-            "The scene of chapter 22 with {} on average: {} at first, and further rays where these differ.",
+            "The scene of chapter 22 with {} on average: {} rays at first, and further rays where these differ.",
             spent(&done),
             limits.first
         );
@@ -95,8 +95,9 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         .iter()
         .map(|(name, tile)| (name.as_str(), tile.clone()))
         .collect();
-    let caption = "The number of rays of each pixel, from dark blue for the fewest to yellow for the most. The contrast rule sees the edges of dark squares as well as \
-        those of bright squares; the rule of variance prefers bright edges; a budget spends exactly the rays that it is given.";
+    let caption = "The number of rays of each pixel, from dark blue for the fewest to yellow for the most. The contrast rule \
+        sees the edges of dark squares as well as those of bright squares; the rule of variance prefers bright edges; a budget \
+        spends exactly the given number of rays.";
     stage.figure("spent", caption, &sheet(2, &tiles)?)?;
 
     let sobol = find("sobol-owen").ok_or("there is Sobol's pattern")?;
@@ -107,7 +108,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     };
     let plot = measure(&film, sobol, 256, &see);
     let caption = format!(
-        "The error of the whole picture against the rays per pixel. {} Pixels whose first four samples agree by chance stay wrong, however many rays the others get.",
+        "The RMS error of the whole picture, compared with 256 rays per pixel, against the rays per pixel. {} Pixels whose first \
+        four samples agree by chance stay wrong, no matter how many rays the other pixels get.",
         outcome(&plot)
     );
     stage.diagram("error", &caption, &plot.figure()?)

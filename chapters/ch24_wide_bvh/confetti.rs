@@ -20,7 +20,7 @@ use std::f32::consts::TAU;
 
 /// A teapot, and pieces of paper on and around it.
 pub(super) struct Confetti {
-    /// All of it, in metres; the floor is at y = 0.
+    /// The teapot and all pieces, in metres; the floor is at y = 0.
     pub mesh: Mesh,
     /// Facets with a lower number belong to the teapot.
     teapot: u32,
@@ -65,8 +65,8 @@ impl Confetti {
         }
     }
 
-    /// What a ray sees: paper, porcelain or floor, in the light of the sun and of `sky_rays` rays towards the sky; and how many rays
-    /// that takes.
+    /// What a ray sees: paper, porcelain or floor, in the light of the sun and of `sky_rays` rays towards the sky; and the number
+    /// of rays that were needed.
     pub(super) fn follow(
         &self,
         ray: &Ray,
@@ -91,7 +91,7 @@ impl Confetti {
         let normal = if inward { -at.normal } else { at.normal };
         let open = |toward: Dir3| !accel.any(&at.leave(toward), Interval::AHEAD);
         let mut light = Rgb::BLACK;
-        // Side by side in one number and by the golden section in the other: spread more evenly than by chance.
+        // Evenly in one number, and by the golden section in the other: more even than random numbers.
         let (first, turn): (f32, f32) = (rng.random(), rng.random());
         for i in (0..sky_rays).map(f32::from) {
             let u = vec2(
@@ -127,7 +127,7 @@ impl Confetti {
 }
 
 fn shading(at: &Surface, inward: bool) -> Dir3 {
-    // Paper has no normals of its own: those of its corners only say up.
+    // The corners of paper have no normals of their own: all of them point up.
     let smooth = if at.shading_normal == Dir3::Y {
         at.normal
     } else {

@@ -1,4 +1,4 @@
-//! Eight boxes, one ray, and the sums that tell which of them it meets.
+//! Eight boxes, one ray, and the sums that tell which of the boxes the ray meets.
 
 use crate::kit::figure::{CENTRE, Canvas, Figure, coloured, figure, write};
 use crate::kit::palette::{BLUE, FAINT, GREEN, INK, VERMILION};
@@ -65,7 +65,7 @@ pub(super) fn draw() -> Figure {
     })
 }
 
-/// A row of the table: its name, and what it has for each lane.
+/// A row of the table: its name, and its text for each lane.
 type Row<'a> = (&'a str, &'a dyn Fn(usize) -> String);
 
 /// The lanes' sums, a column for each.

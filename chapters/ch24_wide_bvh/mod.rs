@@ -1,5 +1,5 @@
 //! A processor does eight sums in the time of one. So a node gets eight children, whose boxes are tested at once, and a
-//! leaf eight triangles; the tree becomes a third as high, and its search more than twice as fast.
+//! leaf gets eight triangles. The tree becomes a third as high, and a search more than twice as fast.
 //!
 //! New: accel/wide_bvh/mod.rs accel/wide_bvh/avx2.rs accel/wide_bvh/avx512.rs accel/wide_bvh/batch.rs accel/wide_bvh/build.rs
 //! New: accel/wide_bvh/collapse.rs accel/wide_bvh/kernel.rs accel/wide_bvh/lanes.rs accel/wide_bvh/nearest.rs accel/wide_bvh/node.rs
@@ -29,7 +29,7 @@ use std::sync::atomic::Ordering::Relaxed;
 pub struct Knobs {
     #[command(flatten)]
     own: MeshKnob,
-    /// Pieces of confetti, a triangle each
+    /// Pieces of confetti; each piece is a triangle
     #[arg(long, value_name = "100..2000000 pieces", default_value_t = 120_000)]
     pieces: u32,
     /// Rays towards the sky from each point that is seen
@@ -57,25 +57,28 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         seen
     });
     let caption = format!(
-        "A teapot in a heap of confetti, {} triangles. {:.1} million rays make this picture: each point looks for the sky in {} directions, and for the sun.",
+        "A teapot in a heap of confetti, {} triangles. {:.1} million rays make this picture: from each point that is seen, rays \
+        go towards the sky in {} directions, and one ray goes towards the sun.",
         grouped(confetti.mesh.triangles().len() as f64),
         rays.into_inner() as f64 / 1e6,
         knobs.sky_rays
     );
     stage.picture("picture", &caption, &picture)?;
 
-    let caption = "How a binary tree becomes a wide one. The blue branches stay. The white branches give way to their children, the largest branch first.";
+    let caption = "How a binary tree becomes a wide one. The blue branches stay. The white branches are replaced by their \
+        children, the branch with the largest box first.";
     stage.diagram("collapse", caption, &wide_trees::draw()?)?;
-    let caption = "Eight boxes and one ray. All lanes do the same sums at once; a box is met where the largest distance of entry is below the smallest distance of leaving. The column “turn” tells the order in which the boxes are visited.";
+    let caption = "Eight boxes and one ray. All lanes do the same sums at once; a box is met where the largest distance of entry is not above the smallest distance of leaving. The column “turn” tells the order in which the boxes are visited.";
     stage.diagram("boxes", caption, &eight_boxes::draw()?)?;
 
     let mesh = &confetti.mesh;
     let two = Bvh::new(mesh.facets());
     let rays = wide_gain::rays(mesh, 60_000);
-    let caption = "The same triangles, the same rays. A wide tree has far fewer steps, and tests a few more triangles, eight at a time.";
+    let caption = "The same triangles and the same 60 000 rays. In a wide tree a ray takes far fewer steps, and tests a few more \
+        triangles, eight at a time.";
     stage.diagram("steps", caption, &wide_gain::steps(&rays, &two, &tree)?)?;
     let note = format!(
-        "rays from anywhere to anywhere, {} triangles",
+        "rays between random points of a sphere, {} triangles",
         mesh.triangles().len()
     );
     let caption = "The speed after each step, measured when this figure was drawn: the wide tree with plain arithmetic, with vector instructions, and with sixteen rays that take turns.";

@@ -12,11 +12,11 @@ use raybook::shape::mesh::{Facet, Mesh};
 use std::hint::black_box;
 use std::time::Instant;
 
-/// Number of rays in a turn, and of turns; the best turn counts: whatever else the machine does only adds.
+/// Number of rays in a turn, and number of turns. The best turn counts: other work of the machine can only add time.
 const TURN: usize = 5000;
 const ROUNDS: usize = 5;
 
-/// Rays that go their own ways: from a point of a ball around the mesh to another.
+/// Incoherent rays: each from a random point of a sphere around the mesh towards another.
 pub(super) fn rays(mesh: &Mesh, n: usize) -> Vec<Ray> {
     use glam::Vec3;
     use rand::RngExt;
@@ -62,7 +62,7 @@ pub(super) fn steps(rays: &[Ray], two: &Bvh<Facet>, eight: &WideBvh) -> Figure {
     }])
 }
 
-/// A name, and what follows all of some rays.
+/// A name, and a function that follows a list of rays.
 type Contestant<'a> = (&'a str, &'a dyn Fn(&[Ray]));
 
 /// Million rays per second for each step of the way, on one thread.

@@ -21,7 +21,7 @@ const HEIGHT: u32 = 1500;
 const TOP: [i32; 2] = [190, 1040];
 const STEP: [i32; 2] = [82, 130];
 
-/// Above the binary tree, the branches that stay in blue; below what becomes of it.
+/// Above, the binary tree, with blue branches where a branch stays; below, the wide tree that is made of it.
 ///
 /// # Errors
 /// If plotters cannot draw.
@@ -82,7 +82,7 @@ struct Picture<'a, 'b> {
 }
 
 impl Picture<'_, '_> {
-    /// Draws what is below a node, and it; returns where it is.
+    /// Draws everything below a node, and then the node; returns the place of the node.
     fn node(&mut self, i: u32, depth: i32) -> Result<(i32, i32), Box<dyn Error>> {
         let y = self.top + depth * self.step;
         if self.nodes[i as usize].link.count > 0 {

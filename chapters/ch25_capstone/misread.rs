@@ -1,4 +1,4 @@
-//! What a ray tracer shows if it is wrong: some mistakes come down to another scene, here in the four scenes.
+//! What a wrong ray tracer shows: some mistakes are the same as a change of the scene, here for the four scenes.
 
 use crate::kit::{palette, sheet};
 use raybook::camera::pinhole::LookAtError;
@@ -11,11 +11,11 @@ use std::error::Error;
 
 /// A mistake.
 struct Misread {
-    /// What it does.
+    /// What the wrong ray tracer does.
     name: &'static str,
-    /// The number of the scene in which it is seen best.
+    /// The number of the scene in which the mistake is seen best.
     scene: usize,
-    /// Turns the scene and its depth into those that a right ray tracer would have to be asked for the same picture.
+    /// Changes the scene and its depth so that a correct ray tracer draws the same wrong picture.
     how: fn(&mut Description, &mut u32),
 }
 
@@ -49,7 +49,7 @@ const MISREAD: [Misread; 4] = [
     },
 ];
 
-/// Takes a picture of a scene with a maximum number of surfaces in a row, as the scene of this stage is seen.
+/// Takes a picture of a scene with a maximum number of surfaces in a row, by the camera of this stage.
 pub(super) type Photograph<'a> =
     dyn Fn(&Staged, &Description, u32) -> Result<Image, LookAtError> + 'a;
 

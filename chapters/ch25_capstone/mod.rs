@@ -1,5 +1,5 @@
-//! A whole ray tracer in one function: the radiance of a ray through a scene that is described on a line, in pictures of four
-//! scenes of rising difficulty.
+//! A whole ray tracer in one function: the radiance along a ray through a scene that is described in one line of text. Pictures
+//! of four scenes of rising difficulty test it.
 //!
 //! New: image/rms.rs scene/description.rs scene/four_scenes.rs render/trace.rs
 
@@ -24,7 +24,7 @@ use std::process::ExitCode;
 /// What the pictures depend on.
 #[derive(Args, Clone, Debug)]
 pub struct Knobs {
-    /// Maximum number of surfaces in a row; without it, that of each scene
+    /// Maximum number of surfaces in a row; if not given, each scene has its own
     #[arg(long, value_name = "1..64 surfaces")]
     depth: Option<u32>,
     /// Scene that is described, in `description`
@@ -52,7 +52,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     }
     stage.picture(
         "picture",
-        "Four scenes that a whole ray tracer is tried on: one lamp on balls and a plane; three lamps and their shadows; mirrors in mirrors; glass, with a bubble in the ball on the right.",
+        "Four scenes that test a whole ray tracer: one lamp on balls and a plane; three lamps and their shadows; mirrors in \
+        mirrors; glass, with a bubble in the ball on the right.",
         &sheet(2, &tiles)?,
     )?;
     let chosen = FOUR.iter().position(|staged| staged.name == knobs.scene);
@@ -66,7 +67,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let words = described::words(shown.width(), shown.height(), &question)?;
     stage.figure(
         "description",
-        "A scene, and the line that describes it with the ray through its middle.",
+        "A scene, and the line of text that describes the scene and the ray through the middle of the picture.",
         &sheet(2, &[("the picture", shown), ("the question", words)])?,
     )?;
     let small = stage.tile(3, ASPECT);
@@ -74,7 +75,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let small = Film { samples, ..small };
     stage.figure(
         "mistakes",
-        "What a mistake looks like: the right picture; the wrong picture, with its error on a scale from 0 to 1; and the places where the wrong picture is too bright (orange) or too dark (blue).",
+        "What a mistake looks like: the right picture; the wrong picture, with its RMS error on a scale from 0 to 1; and the \
+        places where the wrong picture is too bright (orange) or too dark (blue).",
         &misread::sheet(&|staged, scene, depth| photograph(&small, staged, scene, depth))?,
     )
 }

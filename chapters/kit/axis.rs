@@ -1,4 +1,4 @@
-//! An axis of a chart: from where to where, evenly or by powers, and what is written beside it.
+//! An axis of a chart: its range, its scale (linear or logarithmic), and what is written beside it.
 
 use plotters::coord::combinators::{IntoLogRange, LogCoord};
 use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
@@ -6,7 +6,7 @@ use plotters::coord::types::RangedCoordf64;
 use std::fmt;
 use std::ops::Range;
 
-/// Labels of an axis, at most, unless a chart asks for another number.
+/// Maximum number of labels of an axis, unless a chart sets another number.
 const LABELS: usize = 10;
 
 /// An axis of a [`Chart`](crate::kit::chart::Chart).
@@ -57,7 +57,7 @@ impl Axis {
                 marks: Vec::new(),
             },
             labels: LABELS,
-            // As f32: what is computed as 0.30000000000000004 is 0.3.
+            // As f32: a number that is computed as 0.30000000000000004 is written as 0.3.
             format: Box::new(|v| (v as f32).to_string()),
             is_drawn: true,
         }
@@ -105,7 +105,7 @@ impl Axis {
     }
 }
 
-/// Where on an axis a number is.
+/// The place of a number on an axis.
 pub(super) struct Scale {
     spacing: Spacing,
     /// Where the labels are; if empty, plotters chooses.

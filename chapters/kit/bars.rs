@@ -5,7 +5,7 @@ use crate::kit::palette::{BLUE, FAINT};
 use crate::kit::stage::Drawn;
 use plotters::prelude::{Color, PathElement, Rectangle};
 
-/// Height of a bar, and the space it stands in, in pixels of the canvas.
+/// Height of a bar, and of the space for a bar, in pixels of the canvas.
 const BAR: i32 = 76;
 const ROW: i32 = 120;
 /// Where the bars begin and the longest one ends, in pixels of the canvas.

@@ -1,5 +1,5 @@
-//! The captions of a chapter's pictures, kept beside them: the gallery and the book have one caption, and a caption may tell what the run
-//! has measured.
+//! The captions of a chapter's pictures, kept beside them: the gallery and the book have the same caption, and a caption may
+//! contain what the run has measured.
 
 use crate::kit::stage::Output;
 use raybook::store::{self, StoreError};

@@ -21,7 +21,7 @@ use std::sync::Mutex;
 struct Shared {
     #[command(flatten)]
     options: Options,
-    /// Draw the pictures in the terminal too, if standard output is one that has colours
+    /// Draw the pictures in the terminal too, if standard output is a terminal with colours
     #[arg(long)]
     show: bool,
     #[command(flatten)]
@@ -67,7 +67,7 @@ fn drawn(chapter: &str) -> Result<Vec<Output>, Box<dyn Error>> {
     Ok(stage.into_outputs())
 }
 
-/// The command of a chapter: what all of them take, then its own knobs, and examples.
+/// The command of a chapter: the options of all chapters, then its own knobs, and examples.
 pub fn command(lesson: &Lesson) -> Command {
     let command = Command::new(lesson.name).next_help_heading("Pictures");
     let command = Shared::augment_args(command).next_help_heading(lesson.chapter().title);
@@ -135,19 +135,19 @@ fn end_at_what_is_unwritten() {
     }));
 }
 
-/// Prints an error and what caused it. There may be text from outside in them: their lines are lines, and all else is shown.
+/// Prints an error and its causes. They may contain text from outside: line ends stay, and every other hidden character is shown.
 pub fn report(error: &dyn Error) {
     complain(format_args!("error: {}", error_text(error)));
 }
 
-/// An error and what caused it, in lines that can be shown.
+/// An error and its causes, in lines that can be shown.
 pub fn error_text(error: &dyn Error) -> String {
     let causes = successors(error.source(), |cause| (*cause).source());
     let causes = causes.map(|cause| format!("\n  because: {}", lines(cause)));
     lines(error) + &causes.collect::<String>()
 }
 
-/// The exit code of work that is done: 2, with the reason, if not all that was said arrived.
+/// The exit code of finished work: 2, with the reason, if not all output could be written.
 pub fn said_all(done: ExitCode) -> ExitCode {
     match lost() {
         None => done,

@@ -1,4 +1,4 @@
-//! Diagrams and plots, drawn by plotters with the font that comes along.
+//! Diagrams and plots, drawn by plotters with the font of this package.
 
 use crate::kit::{palette::INK, paper::Paper, stage::Drawn};
 use plotters::coord::Shift;
@@ -28,7 +28,7 @@ pub type Figure = Result<Diagram, Box<dyn Error>>;
 /// The font family of every figure: `DejaVu` Sans, which knows Greek and mathematics.
 const FONT: &str = "sans-serif";
 
-/// How many pixels of the canvas make one of the figure, in each direction; their mean smooths the edges.
+/// Pixels of the canvas per pixel of the figure, in each direction; their mean smooths the edges.
 pub const SCALE: u32 = 2;
 
 /// A figure of this width and height in pixels, drawn on white.
@@ -43,7 +43,7 @@ pub fn figure(width: u32, height: u32, draw: impl FnOnce(&Canvas) -> Drawn) -> F
     Ok(Diagram { pixels, svg })
 }
 
-/// A pixel for each block of a canvas: its mean.
+/// A picture with a pixel for each block of a canvas: the mean of the block.
 pub fn smoothed(canvas: &Image) -> Image {
     let scale = SCALE as usize;
     Image::from_fn(canvas.width() / scale, canvas.height() / scale, |x, y| {

@@ -63,8 +63,8 @@ fn section(folder: &Path, drawing: &Drawing) -> Markup {
     }
 }
 
-/// A picture that is also a link to the picture alone, and what to see. Its size is told, so that a page whose pictures are still on
-/// their way is as long as later.
+/// A picture that is also a link to the picture alone, and its caption. The page states the size of the picture, so that the page
+/// does not grow while its pictures are loaded.
 fn picture(folder: &Path, output: &Output) -> Markup {
     let file = link(folder, output.svg.as_ref().unwrap_or(&output.png));
     let (width, height) = output.size;

@@ -43,12 +43,12 @@ pub fn page(title: &str, body: &Markup) -> String {
     page.into_string()
 }
 
-/// A table that is scrolled where it is wider than the window, by keys too.
+/// A table. If it is wider than the window, it can be scrolled, by keys too.
 pub fn table(label: &str, rows: &Markup) -> Markup {
     html! { div class="scroll" tabindex="0" role="region" aria-label=(label) { table { (rows) } } }
 }
 
-/// A picture that is also a link to the picture alone, and below it what to see.
+/// A picture that is also a link to the picture alone, and below it the caption.
 pub fn figure(file: &str, alt: &str, caption: &Markup) -> Markup {
     html! { figure {
         a href=(file) { img src=(file) alt=(alt) loading="lazy"; }

@@ -1,6 +1,6 @@
 //! Knobs: what a chapter's pictures depend on, as options of its command.
 //!
-//! A chapter declares its knobs once, as clap's [`Args`]. What a person or a page must know of them is read from clap's own
+//! A chapter declares its knobs once, as clap's [`Args`]. What a person or a page must know about them is read from clap's own
 //! description. The name of a number's value is its range and its unit: `value_name = "5..200 mm"`. Where a knob changes another picture
 //! than the main one, its sentence ends with that picture's name: "Points of each pattern, in `patterns`".
 
@@ -18,11 +18,11 @@ pub struct Knob {
     pub help: String,
     /// The picture that it changes, by its file's name.
     pub picture: String,
-    /// Its value if nobody turns it; none if the chapter then does without.
+    /// Its default value; `None` if the chapter then draws without a value.
     pub default: Option<String>,
     /// What values it takes.
     pub kind: Kind,
-    /// The knobs of which only one can be turned, this one or the other: focal length or field of view.
+    /// The knobs that cannot be turned together with this knob: focal length or field of view.
     pub instead_of: Vec<String>,
 }
 
@@ -115,7 +115,7 @@ pub fn check(knobs: &Command, matches: &ArgMatches) -> Result<(), Error> {
 }
 
 impl Knob {
-    /// Another value than the default, for an example; none if only the user knows one.
+    /// Another value than the default, for an example; `None` if only the user knows a value.
     pub fn example(&self) -> Option<String> {
         match &self.kind {
             Kind::Number(range, _) => {
@@ -149,7 +149,7 @@ fn name(arg: &Arg) -> String {
     arg.get_long().unwrap_or(arg.get_id().as_str()).to_owned()
 }
 
-/// What a knob is, and the picture that it changes: the parts of its sentence.
+/// The parts of a knob's sentence: what the knob is, and the picture that it changes.
 fn picture(sentence: &str) -> (&str, &str) {
     let named = sentence.strip_suffix('`');
     named

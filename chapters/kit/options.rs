@@ -6,22 +6,23 @@ use raybook::memory::{BUDGET, gigabytes};
 use std::path::PathBuf;
 use std::thread;
 
-/// Widest picture, in pixels: also if it is square it can be read again, which takes at most [`BUDGET`].
+/// Width of the widest picture, in pixels: even a square picture of this width can be read again, which takes at most [`BUDGET`].
 pub const WIDEST: u32 = 8192;
 
 /// The options that every chapter and the tour share.
 #[derive(Args, Clone, Debug)]
 pub struct Options {
-    /// Width of the pictures in pixels, 8 to 8192; a square one of 8192 takes 0.8 GB of memory, and about as much again while it is written [default: 960, or what the chapter can draw in a few seconds]
+    /// Width of the pictures in pixels, 8 to 8192; a square picture of 8192 takes 0.8 GB of memory, and about as much again while
+    /// it is written [default: 960, or what the chapter can draw in a few seconds]
     #[arg(long, value_parser = width)]
     pub width: Option<u32>,
     /// Samples per pixel [default: 16, or what the chapter can draw in a few seconds]
     #[arg(long, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub samples: Option<u32>,
-    /// What every random number follows from: the same seed draws the same pictures, but for the few that show measured times
+    /// Seed of all random numbers: the same seed draws the same pictures, except the few that show measured times
     #[arg(long, default_value_t = 1)]
     pub seed: u64,
-    /// How many threads draw; the pictures do not depend on it [default: one per core]
+    /// Number of threads that draw; the pictures do not depend on this number [default: one per core]
     #[arg(long, value_parser = clap::value_parser!(u32).range(1..=1024))]
     pub threads: Option<u32>,
     /// The folder for the pictures; each chapter has a folder of its own in it
@@ -30,7 +31,7 @@ pub struct Options {
 }
 
 impl Options {
-    /// How many threads draw: what was asked for, or one per core.
+    /// Number of threads that draw: the option, or one per core.
     pub fn threads(&self) -> usize {
         let cores = || thread::available_parallelism().map_or(1, std::num::NonZeroUsize::get);
         self.threads.map_or_else(cores, |threads| threads as usize)
@@ -50,7 +51,7 @@ fn width(text: &str) -> Result<u32, String> {
         Ok(width @ 8..=WIDEST) => Ok(width),
         Ok(0..8) => Err("a picture is at least 8 pixels wide".to_owned()),
         _ => Err(format!(
-            "a square picture so wide takes {} of memory, and a picture may take {}: at most {WIDEST} pixels, {}",
+            "a square picture of this width takes {} of memory, and a picture may take {}: at most {WIDEST} pixels, {}",
             memory(width),
             gigabytes(BUDGET),
             memory(WIDEST.into()),

@@ -1,4 +1,4 @@
-//! Colours that the colour-blind can tell apart.
+//! Colours that colour-blind people can tell apart.
 
 use glam::Vec3;
 use plotters::style::{
@@ -21,7 +21,7 @@ pub const PURPLE: RGBColor = RGBColor(204, 121, 167);
 pub const SKY: RGBColor = RGBColor(86, 180, 233);
 /// Text and axes.
 pub const INK: RGBColor = RGBColor(40, 40, 40);
-/// Guides and what is of no importance.
+/// Guides, and lines of little importance.
 pub const FAINT: RGBColor = RGBColor(190, 190, 190);
 
 /// The colour of a number from 0 to 1, from dark blue to yellow: viridis, whose lightness rises evenly.
@@ -41,12 +41,12 @@ pub fn direction(d: Vec3) -> Rgb {
     Rgb::new(d.x, d.y, d.z).map(|v| tone::decode_srgb(0.5 + 0.5 * v))
 }
 
-/// What is behind everything, from 0 at the top of a picture to 1 at its bottom: a soft gradient.
+/// The backdrop: a soft gradient, from y = 0 at the top of a picture to y = 1 at its bottom.
 pub fn backdrop(y: f32) -> Rgb {
     Rgb::new(0.80, 0.86, 0.95).lerp(Rgb::new(0.98, 0.95, 0.90), y)
 }
 
-/// A difference: white for 0, towards orange above, towards blue below; full colour from a difference of a quarter on.
+/// A difference: white for 0, towards orange above, towards blue below; full colour from a difference of 0.25 on.
 pub fn signed(difference: f32) -> Rgb {
     let amount = (4.0 * difference.abs()).clamp(0.0, 1.0).sqrt();
     let full = if difference > 0.0 {

@@ -1,4 +1,4 @@
-//! Pens: a colour, a dash and a mark, so that curves are told apart in colour, in grey and by the colour-blind.
+//! Pens: a colour, a dash and a mark, so that curves can be told apart in colour, in grey and by colour-blind people.
 
 use crate::kit::stage::Drawn;
 use plotters::coord::Shift;
@@ -25,7 +25,7 @@ pub enum Mark {
 pub struct Pen {
     /// Colour and width.
     pub stroke: ShapeStyle,
-    /// Pixels on and off, in turns; none for a line without gaps.
+    /// Lengths of dashes and gaps in turns, in pixels; empty for a line without gaps.
     pub dash: &'static [f64],
     /// What stands at its points.
     pub mark: Mark,

@@ -17,8 +17,8 @@ pub struct Rate {
 }
 
 impl Rate {
-    /// A tile is done, on this thread, with this number of rays. A thread's first one does not count: nobody knows when it was
-    /// begun.
+    /// A tile is done, on this thread, with this number of rays. The first tile of a thread does not count, because its start
+    /// time is not known.
     pub fn tile(&self, rays: u64) {
         let now = Instant::now();
         if let Some(before) = BEFORE.replace(Some(now)) {
@@ -28,7 +28,7 @@ impl Rate {
         }
     }
 
-    /// Rays per second of all threads together, since last asked; `None` if there were none.
+    /// Rays per second of all threads together, since the last call; `None` if there were no rays.
     pub fn take(&self, threads: usize) -> Option<f64> {
         let rays = self.rays.swap(0, Relaxed) as f64;
         let seconds = 1e-9 * self.nanoseconds.swap(0, Relaxed) as f64;

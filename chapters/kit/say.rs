@@ -4,11 +4,11 @@ use std::fmt::Display;
 use std::io::{self, ErrorKind, Write};
 use std::sync::OnceLock;
 
-/// Why something that was said did not arrive: the first reason.
+/// The first reason why some output could not be written.
 static LOST: OnceLock<io::Error> = OnceLock::new();
 
-/// Prints a text and a line end. That nobody reads any more (`raybook exercise | head`) is no error; what else goes wrong is
-/// kept for [`lost`], so that the work goes on and only its end says so.
+/// Prints a text and a line end. If nobody reads the output any more (`raybook exercise | head`), this is no error. Any other
+/// error is kept for [`lost`], so that the work goes on and the error is reported at its end.
 pub fn say(text: impl Display) {
     let mut stdout = io::stdout().lock();
     keep(writeln!(stdout, "{text}").and_then(|()| stdout.flush()));
@@ -19,7 +19,7 @@ pub fn complain(text: impl Display) {
     let _ = writeln!(io::stderr(), "{text}");
 }
 
-/// Why something that was said did not arrive, if so: a full disk, say. The program's exit code must tell it.
+/// Why some output could not be written, if any: for example a full disk. The program's exit code must report it.
 pub fn lost() -> Option<&'static io::Error> {
     LOST.get()
 }

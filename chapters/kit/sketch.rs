@@ -8,13 +8,14 @@ use raybook::camera::pinhole::Pinhole;
 use std::f32::consts::TAU;
 use std::fmt;
 
-/// A canvas, and the camera that looks at what is drawn on it.
+/// A canvas, and the camera that looks at the things that are drawn on it.
 ///
-/// Nothing is hidden by what is nearer: draw the farthest first. Widths, radii and sizes are in pixels of the canvas.
+/// Nearer things do not hide farther things by themselves: draw the farthest first. Widths, radii and sizes are in pixels of the
+/// canvas.
 pub struct Sketch<'a, 'b> {
     /// What is drawn on.
     pub canvas: &'a Canvas<'b>,
-    /// Who looks.
+    /// The camera that looks.
     pub viewer: Pinhole,
 }
 

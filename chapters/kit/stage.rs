@@ -21,15 +21,15 @@ pub type Drawn = Result<(), Box<dyn Error>>;
 pub struct Output {
     /// The PNG.
     pub png: PathBuf,
-    /// The linear radiance, where the picture has any.
+    /// The EXR with linear radiance, if the picture has any.
     pub exr: Option<PathBuf>,
-    /// The drawing, where the picture is one.
+    /// The SVG, if the picture is a drawing.
     pub svg: Option<PathBuf>,
     /// Its width and height, in pixels.
     pub size: (usize, usize),
     /// What it shows, in a sentence or two.
     pub caption: String,
-    /// How many rays a second were followed for it, where a scene was.
+    /// Rays per second that were followed for it, if a scene was followed.
     pub rays: Option<f64>,
 }
 
@@ -48,7 +48,8 @@ pub struct Stage {
     stopped: Arc<AtomicBool>,
 }
 
-/// All that is wanted is drawn, or nothing is wanted any more: it ends a chapter early, and is no fault.
+/// The end of a chapter before its last picture: everything that is wanted is drawn, or nothing is wanted any more. This is no
+/// fault.
 #[derive(Debug)]
 pub struct Enough;
 
@@ -114,7 +115,7 @@ impl Stage {
         Self { last, ..self }
     }
 
-    /// The same, where films rest between two tiles as long as somebody else holds this.
+    /// The same, where films rest between two tiles as long as another thread holds this lock.
     #[must_use]
     pub fn resting(self, while_held: Arc<Mutex<()>>) -> Self {
         let advance = self.advance;
@@ -125,7 +126,7 @@ impl Stage {
         Self { advance, ..self }
     }
 
-    /// Whether this picture is to be drawn: every one, unless drawing ends after another. A chapter asks before what takes long.
+    /// Whether this picture is to be drawn: true, unless drawing ends after another picture. A chapter asks before slow work.
     pub fn wants(&self, name: &str) -> bool {
         self.passed.borrow_mut().push(name.to_owned());
         self.last.as_deref().is_none_or(|last| last == name)
@@ -138,7 +139,8 @@ impl Stage {
         names
     }
 
-    /// What stops the drawing, from another thread, as soon as it is true: the film within a tile, the chapter at its next picture.
+    /// A flag that stops the drawing from another thread as soon as it is true: the film within a tile, the chapter at its next
+    /// picture.
     pub fn stopper(&self) -> Arc<AtomicBool> {
         Arc::clone(&self.stopped)
     }
@@ -225,7 +227,7 @@ impl Stage {
         Ok(())
     }
 
-    /// Writes the PNG, and keeps in mind what was drawn; `beside` are the EXR and the SVG that are written already.
+    /// Writes the PNG, and adds the picture to the list; `beside` are the EXR and the SVG that are written already.
     fn write(
         &self,
         name: &str,
@@ -256,12 +258,12 @@ impl Stage {
     }
 }
 
-/// What a drawing that panicked has left behind is as good as any.
+/// Locks a mutex, also after a drawing that panicked: what it has left behind is still valid.
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// The bar of one chapter; invisible where the errors do not go to a terminal.
+/// The progress bar of one chapter; invisible if standard error is not a terminal.
 pub fn progress_bar() -> ProgressBar {
     let style = ProgressStyle::with_template("{prefix:<16} {bar:32} {percent:>3} %  {elapsed}")
         .unwrap_or_else(|_| ProgressStyle::default_bar());

@@ -6,7 +6,7 @@ use std::env;
 use std::ffi::OsStr;
 use std::io::{self, IsTerminal, Write};
 
-/// Why standard output cannot show colours; nothing if it can.
+/// Why standard output cannot show colours; `None` if it can.
 pub fn colourless() -> Option<&'static str> {
     let variable = |name| env::var_os(name);
     why_colourless(
@@ -69,7 +69,7 @@ pub fn characters(picture: &Image, columns: usize) -> String {
     text
 }
 
-/// The mean of what falls on a pixel when the picture is made so small.
+/// The mean of the part of the picture that falls on a pixel when the picture is reduced to this size.
 fn mean(picture: &Image, pixel: [usize; 2], size: [usize; 2]) -> Rgb {
     let of = [picture.width(), picture.height()];
     let part = |axis: usize| {

@@ -14,13 +14,13 @@ use std::path::Path;
 /// What is varied, and what is made of it.
 #[derive(Args, Debug)]
 pub struct Vary {
-    /// Draw the picture that a knob changes at several values of it, side by side
+    /// Draw the picture that a knob changes at several values of this knob, side by side
     #[arg(long, value_name = "KNOB=A,B,…", value_parser = varied)]
     pub vary: Option<Varied>,
     /// Another picture to vary, by its file's name
     #[arg(long, requires = "vary")]
     pub picture: Option<String>,
-    /// Make an animation of it (APNG), two pictures a second
+    /// Make an animation (APNG) of these pictures, two pictures a second
     #[arg(long, requires = "vary")]
     pub animate: bool,
 }
@@ -38,7 +38,7 @@ const STRIP: u32 = 1600;
 /// Maximum number of pictures in a row.
 const COLUMNS: usize = 4;
 
-/// Maximum number of values: an hour of drawing is a slip of the fingers.
+/// Maximum number of values: more are a typing error, which must not cost an hour of drawing.
 const MOST: usize = 64;
 
 fn varied(text: &str) -> Result<Varied, String> {
@@ -69,7 +69,7 @@ pub fn draw(
 ) -> Result<Output, Box<dyn Error>> {
     let knob = find(lesson, &what.name)?;
     let name = vary.picture.as_ref().unwrap_or(&knob.picture);
-    // As many rows as are needed, and all of them as long: six values are two rows of three.
+    // As few rows as possible, all of the same length: six values are two rows of three.
     let rows = what.values.len().div_ceil(COLUMNS);
     let columns = what.values.len().div_ceil(rows);
     let width = options.width.unwrap_or(STRIP / columns as u32);
@@ -85,7 +85,7 @@ pub fn draw(
             .cloned();
         lesson.turn(&others.chain([format!("{turn}{value}")]).collect::<Vec<_>>())
     };
-    // All values are looked at before any is drawn.
+    // All values are checked before the first picture is drawn.
     let knobs = what
         .values
         .iter()

@@ -1,4 +1,4 @@
-//! What adaptive supersampling saves: the error against the rays that were spent.
+//! What adaptive supersampling saves: the error against the number of rays.
 
 use crate::kit::palette::viridis;
 use crate::lab::error_plot::{Curve, ErrorPlot};
@@ -12,7 +12,7 @@ use raybook::render::needs_more::Enough;
 use raybook::render::supersample::{Radiance, supersample};
 use raybook::sample::pattern::Pattern;
 
-/// The map of samples spent: dark blue for the least, yellow for the most, each doubling a step.
+/// The map of samples spent, on a logarithmic scale: dark blue for the fewest, yellow for the most.
 pub fn map(spent: &Image, limits: Limits) -> Image {
     let [first, most] = [limits.first, limits.most].map(|n| (n.max(1) as f32).log2());
     spent.map(|p| viridis((p.r.log2() - first) / (most - first).max(1.0)))
@@ -27,7 +27,7 @@ pub fn rms(one: &Image, other: &Image) -> f64 {
 
 /// Error against rays: the same number for every pixel, by a budget, and by contrast.
 ///
-/// `see` is asked for every ray; the reference has `reference` samples a pixel.
+/// `see` follows each ray; the reference picture has `reference` samples per pixel.
 pub fn measure(
     film: &Film,
     pattern: &Pattern,
@@ -68,8 +68,8 @@ pub fn measure(
     }
 }
 
-/// What the curves of [`measure`] say, in words: which share of the rays a budget needs for the error of 16 rays everywhere, and from how many
-/// rays on the contrast rule is worse than the same number everywhere.
+/// What the curves of [`measure`] say, in words: which share of the rays a budget needs for the error of 16 rays everywhere, and
+/// the number of rays from which on the contrast rule is worse than the same number everywhere.
 pub fn outcome(plot: &ErrorPlot) -> String {
     let [same, budget, contrast] = [0, 1, 2].map(|i| &plot.curves[i].errors[..]);
     let with_16 = error_at(same, 16.0);
@@ -84,12 +84,13 @@ pub fn outcome(plot: &ErrorPlot) -> String {
         format!("With a budget, {percent:.0} % of the rays give the error of 16 rays everywhere.")
     });
     let worse = worse.map(|n| {
-        format!("By contrast alone, the error is larger than that of the same number of rays everywhere, from {n:.0} rays on.")
+        format!("From {n:.0} rays on, the rule by contrast has a larger error than the same number of rays everywhere.")
     });
     share.into_iter().chain(worse).collect::<Vec<_>>().join(" ")
 }
 
-/// The error of a curve at `n` rays, on the straight lines between its points where both axes are logarithmic; beyond its ends, the error of the end.
+/// The error of a curve at `n` rays, on the straight lines between its points on logarithmic axes; beyond an end, the error of
+/// that end.
 fn error_at(errors: &[Error], n: f64) -> f64 {
     let between = errors.windows(2).find(|pair| n <= pair[1].n as f64);
     let Some([left, right]) = between else {
@@ -99,7 +100,7 @@ fn error_at(errors: &[Error], n: f64) -> f64 {
     left.rms * (right.rms / left.rms).powf(along.clamp(0.0, 1.0))
 }
 
-/// The rays that a pixel got, as text for a caption: "7.3 rays per pixel".
+/// The mean number of rays per pixel, as text for a caption: "7.3 rays per pixel".
 pub fn spent(done: &Adaptive) -> String {
     format!("{:.1} rays per pixel", done.mean())
 }
@@ -127,8 +128,8 @@ mod tests {
         };
         assert_eq!(
             outcome(&plot),
-            "With a budget, 50 % of the rays give the error of 16 rays everywhere. By contrast alone, the error is larger than that of \
-             the same number of rays everywhere, from 8 rays on."
+            "With a budget, 50 % of the rays give the error of 16 rays everywhere. From 8 rays on, the rule by contrast has a \
+             larger error than the same number of rays everywhere."
         );
     }
 }

@@ -5,8 +5,9 @@ use glam::DVec2;
 
 /// The area of the part of a disc that is in the unit square.
 ///
-/// The disc is integrated along x: between two neighbouring places at which its rim or a side of the square begins or ends to count, the upper and the
-/// lower border are each either the rim, whose integral is ½(u·√(r² − u²) + r² asin(u/r)), or a side.
+/// The disc is integrated along x. The places where its rim crosses a side of the square cut the way into pieces. In each piece,
+/// the upper and the lower border are each either the rim, whose integral is ½(u·√(r² − u²) + r² asin(u/r)), or a side of the
+/// square.
 pub fn of_disc(centre: DVec2, radius: f64) -> f64 {
     let (low, high) = (-centre, DVec2::ONE - centre); // the square, seen from the centre
     let rim = |u: f64| (radius * radius - u * u).max(0.0).sqrt();

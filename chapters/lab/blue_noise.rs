@@ -12,10 +12,11 @@ pub const SIDE: usize = 512;
 /// How many points are kept.
 pub const COUNT: usize = 4096;
 
-/// Points of the first pattern, which is relaxed; all others are added one by one.
+/// Number of points of the first pattern, which is relaxed; all other points are added one by one.
 const FIRST: usize = 32;
 
-/// The reference as a pattern: the first n points of the set, of 4096 at most, all mirrored, transposed and moved together by chance, over the edges too.
+/// The reference as a pattern: the first n points of the set, at most 4096. All points together are mirrored, transposed and
+/// moved at random; points that leave the square come in again at the other side.
 pub const BLUE_NOISE: Pattern = Pattern {
     name: "blue-noise",
     title: "blue noise",
@@ -49,10 +50,11 @@ fn place(cell: usize) -> Vec2 {
 
 /// Makes the set: the cells of `count` points, so that the first n are blue noise for every n.
 ///
-/// Void and cluster (Ulichney, *The void-and-cluster method for dither array generation*, 1993). A Gaussian around every point says how crowded a
-/// place is. A few random points are relaxed first: the point in the tightest cluster goes to the largest void, until it is in the
-/// void that it left. These are put in order by taking out the tightest again and again. Then every further point goes to the largest void. The Gaussian is as wide as half the distance between points, and so becomes
-/// narrower whenever their number has doubled.
+/// Void and cluster (Ulichney, *The void-and-cluster method for dither array generation*, 1993). A Gaussian around every point
+/// says how crowded a place is. A few random points are relaxed first: the point in the tightest cluster goes to the largest
+/// void, until this void is the place that the point has left. These points are put in order: the point in the tightest cluster
+/// is taken out, again and again. Then every further point goes to the largest void. The Gaussian has a standard deviation of
+/// half the distance between points, and so becomes narrower whenever the number of points has doubled.
 pub fn make(count: usize, seed: u64) -> Vec<usize> {
     let rng = &mut pcg::stream(seed, 0);
     let mut crowd = Crowd::new(FIRST);
@@ -79,7 +81,7 @@ pub fn make(count: usize, seed: u64) -> Vec<usize> {
     crowd.cells
 }
 
-/// Points in such an order that the first of them are as even as they can: the tightest cluster's is last, and so on.
+/// Points in an order in which the first points are as even as possible: the point in the tightest cluster is last, and so on.
 fn in_order(mut cells: Vec<usize>) -> Vec<usize> {
     let mut last_first = Vec::new();
     while !cells.is_empty() {
@@ -94,7 +96,7 @@ fn in_order(mut cells: Vec<usize>) -> Vec<usize> {
 struct Crowd {
     cells: Vec<usize>,
     density: Vec<f32>,
-    /// exp(−d²/2σ²) by the distance along an axis, 0 … as far as it counts.
+    /// exp(−d²/2σ²) for each distance d along an axis, from 0 to 4σ, in cells.
     gauss: Vec<f32>,
 }
 
@@ -132,7 +134,7 @@ impl Crowd {
         cell
     }
 
-    /// Adds the Gaussian around a cell, multiplied by `times`, over the edges too.
+    /// Adds the Gaussian around a cell, multiplied by `times`; beyond an edge it goes on at the other side.
     fn spread(&mut self, cell: usize, times: f32) {
         let reach = self.gauss.len() - 1;
         for dy in 0..=2 * reach {

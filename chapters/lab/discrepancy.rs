@@ -22,8 +22,8 @@ pub fn l2_star_squared(points: &[Vec2]) -> f64 {
 
 /// The star discrepancy: the largest |share of points in a box from the origin − its area|.
 ///
-/// The largest is at a box whose right side and whose top pass through points, with them or without; so N² boxes are looked
-/// at (Niederreiter 1972).
+/// The largest difference is at a box whose right side and top pass through points, which count or do not count; so N² boxes are
+/// compared (Niederreiter 1972).
 pub fn star(points: &[Vec2]) -> f64 {
     let n = points.len() as f64;
     let mut by_x: Vec<_> = points.iter().map(|p| p.as_dvec2()).collect();

@@ -1,4 +1,4 @@
-//! How far points are from their nearest neighbours, over the edges too.
+//! Distances of points to their nearest neighbours, measured over the edges too, as on a torus.
 
 use glam::Vec2;
 use raybook::inside::Space;
@@ -20,9 +20,10 @@ pub fn nearest(points: &[Vec2]) -> Vec<f64> {
 /// The least and the mean distance to the nearest neighbour, as shares of √(2/(√3·n)), the largest least distance that n points can
 /// have: that of a hexagonal lattice.
 ///
-/// Random points have a mean distance of 1/(2√n), which is 0.465 of it (Clark and Evans, *Distance to nearest neighbor as a measure
-/// of spatial relationships in populations*, 1954). The least distance is the relative radius of Lagae and Dutré, *A comparison of
-/// methods for generating Poisson disk distributions*, 2008: for a good Poisson disk 0.65 to 0.85. A single point has 0 of both.
+/// Random points have a mean distance of 1/(2√n), which is 0.465 of this distance (Clark and Evans, *Distance to nearest neighbor
+/// as a measure of spatial relationships in populations*, 1954). The least distance is the relative radius of Lagae and Dutré, *A
+/// comparison of methods for generating Poisson disk distributions*, 2008: for a good Poisson disk 0.65 to 0.85. A single point
+/// has 0 of both.
 pub fn relative(points: &[Vec2]) -> [f64; 2] {
     if points.len() < 2 {
         return [0.0; 2];

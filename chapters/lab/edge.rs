@@ -1,8 +1,8 @@
-//! An edge through a pixel: how much of it is covered, and how far a pattern is off.
+//! An edge through a pixel: the share of the pixel that is covered, and the error of a pattern.
 
 use glam::{DVec2, Vec2};
 
-/// Steps in which an edge is moved through the pixel.
+/// Number of positions at which an edge passes through the pixel.
 const STEPS: u32 = 256;
 
 /// The half plane of points p with n·p < d, where n points at an angle, in radians, and d counts from the pixel's centre.

@@ -22,20 +22,20 @@ const PLOT: i32 = 730;
 const WIDE_PLOT: i32 = 910;
 const SLOPES: i32 = 590;
 
-/// Over as many octaves of samples, each power of two is marked; over twice as many, each power of four, and so on.
+/// Up to this number of octaves of samples, each power of two is marked; up to twice this number, each power of four, and so on.
 const OCTAVES: f64 = 5.0;
 
-/// The bands of more curves than these would hide each other.
+/// Maximum number of curves with bands: more bands would hide each other.
 const SEPARATE: usize = 3;
 
 /// The curve of one pattern.
 #[derive(Debug)]
 pub struct Curve {
-    /// Its name, as a word.
+    /// The pattern's name as a word.
     pub key: String,
-    /// Its name, as people write it.
+    /// The pattern's name as people write it.
     pub title: String,
-    /// Its line and its marks.
+    /// The curve's line and marks.
     pub pen: Pen,
     /// The errors, by number of samples.
     pub errors: Vec<Error>,
@@ -104,7 +104,7 @@ impl Plot for ErrorPlot {
         B::ErrorType: 'static,
     {
         let [left, right, bottom, top] = self.range();
-        // Beyond the last number of samples stands the middle 80 % of each curve, where it was measured more than once.
+        // To the right of the last number of samples, a bar shows the middle 80 % of each curve that was measured more than once.
         let beyond = |i: usize| right * 1.35_f64.powi(i as i32 + 1);
         let mut measured = self.curves.iter().flat_map(|curve| &curve.errors);
         let is_spread = measured.any(|e| e.low < e.high);

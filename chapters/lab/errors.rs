@@ -4,7 +4,7 @@ use crate::lab::integrands::Integrand;
 use crate::lab::subject::Subject;
 use rayon::prelude::*;
 
-/// How many functions of a class see each realisation of a pattern.
+/// Number of functions of a class that each realisation of a pattern sees.
 pub const EACH: usize = 8;
 
 /// From this number of samples on an error is taken to fall by a power law.
@@ -74,7 +74,7 @@ pub fn errors(subject: &Subject, n: usize, classes: &[Vec<Integrand>], draws: us
 pub struct Slope {
     /// b in error ∝ nᵇ.
     pub slope: f64,
-    /// The true b differs from it by at most this with a probability of 95 %, if only chance bends the curve.
+    /// Half of the 95 % confidence interval of b, if only chance bends the curve.
     pub within: f64,
 }
 

@@ -63,12 +63,12 @@ pub struct Integrand {
 pub struct Class {
     /// What its members are.
     pub name: &'static str,
-    /// What there is to say of them.
+    /// A description of the members.
     pub text: &'static str,
     draw: fn(&mut Pcg) -> Form,
 }
 
-/// Edges of discs, straight edges, something smooth, and checkerboards: at random places, of random sizes and at random angles.
+/// Edges of discs, straight edges, smooth waves, and checkerboards: at random places, of random sizes and at random angles.
 pub const CLASSES: [Class; 4] = [
     Class {
         name: "disc edge",
@@ -113,7 +113,7 @@ fn anywhere(rng: &mut Pcg) -> DVec2 {
 }
 
 impl Class {
-    /// `count` members of the class, by chance.
+    /// `count` random members of the class.
     pub fn members(&self, count: usize, rng: &mut Pcg) -> Vec<Integrand> {
         (0..count).map(|_| (self.draw)(rng).into()).collect()
     }

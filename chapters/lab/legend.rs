@@ -16,7 +16,8 @@ const SAMPLE: i32 = 90;
 /// A line of the legend: a pen, a name, and numbers.
 pub type Entry = (Pen, String, Vec<String>);
 
-/// Draws a legend with its top left at a place; `columns` are the distances of the right ends of the columns of numbers from it.
+/// Draws a legend with its top left at a place; `columns` are the distances from this place to the right ends of the columns of
+/// numbers.
 ///
 /// # Errors
 /// What the backend reports.

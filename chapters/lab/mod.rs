@@ -1,4 +1,4 @@
-//! The sampling lab: what can be measured of a sampling pattern, and figures that show it.
+//! The sampling lab: measurements of a sampling pattern, and figures that show them.
 
 pub mod adaptive_gain;
 pub mod area;

@@ -1,12 +1,12 @@
 //! Two numbers that sum up a radial power spectrum (Heck, Schlömer and Deussen, *Blue noise sampling with controlled aliasing*, 2013).
 
-/// The share of the power of random points that counts as none.
+/// A mean power up to this share of that of random points counts as none.
 const QUIET: f64 = 0.1;
 
 /// The share at which the quiet part of the spectrum has ended.
 const LOUD: f64 = 0.5;
 
-/// The power at which the curve has come up to 1.
+/// The power from which on the curve counts as having reached 1.
 const RISEN: f64 = 0.98;
 
 /// The effective Nyquist frequency, in units of that of a regular grid of as many points, √n/2.
@@ -36,7 +36,8 @@ pub fn effective_nyquist(radial: &[(f64, f64)], n: usize) -> f64 {
 /// The oscillation Ω: ten times the root mean squared difference of P from 1, from the frequency at which P first reaches 1 to the end of
 /// the spectrum.
 ///
-/// Random points have 0 but for chance. A high Ω is a sharp ring of aliases: waves of that frequency come out as others, in order, where noise would be harmless.
+/// Random points have 0, up to chance. A high Ω means a sharp ring in the spectrum: waves of that frequency come out as regular
+/// aliases, which are seen more than noise.
 pub fn oscillation(radial: &[(f64, f64)]) -> f64 {
     let risen = radial.iter().position(|(_, p)| *p >= RISEN);
     let rest = &radial[risen.unwrap_or(radial.len())..];

@@ -29,7 +29,7 @@ pub struct Page {
     saving: Option<JoinHandle<Result<(), FileError>>>,
 }
 
-/// Pictures of one target: of each pattern its word and its name, and the numbers of samples.
+/// Pictures of one target: the words and the names of the patterns, and the numbers of samples.
 #[derive(Debug)]
 pub struct Tiles<'a> {
     /// The name of the target as a word.
@@ -55,12 +55,12 @@ impl Page {
         }
     }
 
-    /// Begins a section: its title, and what to see in it.
+    /// Begins a section: its title, and a text about what is seen in the section.
     pub fn section(&mut self, title: &'static str, text: Markup) {
         self.sections.push((title, text, Vec::new()));
     }
 
-    /// Writes a plot as PNG, SVG and CSV, and shows it: what it shows, and how it was measured.
+    /// Writes a plot as PNG, SVG and CSV, and shows the plot: `alt` says what it shows, and `how` says how it was measured.
     ///
     /// # Errors
     /// If it cannot be drawn or written.
@@ -79,12 +79,13 @@ impl Page {
         Ok(())
     }
 
-    /// How something was measured, and the command that does it again.
+    /// How something was measured, and the command that measures it again.
     fn how(&self, how: &str) -> Markup {
         html! { (how) ". " code { (self.command) } }
     }
 
-    /// Writes one picture as PNG, on a thread of its own: what comes next is measured meanwhile. There is one such thread at a time.
+    /// Writes one picture as PNG, on a thread of its own: the next measurement runs meanwhile. There is one such thread at a
+    /// time.
     ///
     /// # Errors
     /// If the picture before it could not be written.
@@ -156,7 +157,7 @@ impl Page {
                     td { (row.five) }
                 } } }
             } }
-            p { "A heading sorts by its column. " (self.how(how)) " " a href={ (name) ".csv" } { "CSV" } }
+            p { "A click on a heading sorts by its column. " (self.how(how)) " " a href={ (name) ".csv" } { "CSV" } }
         } });
         self.add(html! { div {
             dl { @for (_, heading, meaning, _) in &COLUMNS { dt { (heading) } dd { (meaning) "." } } }
@@ -164,7 +165,7 @@ impl Page {
         Ok(())
     }
 
-    /// Writes the page itself, and returns its path; all pictures are written then.
+    /// Writes the page itself, after all its pictures, and returns its path.
     ///
     /// # Errors
     /// If it cannot be written.
@@ -174,7 +175,8 @@ impl Page {
             style { (PreEscaped(STYLE)) }
             section class="screen" {
                 h1 { "The sampling lab" }
-                p { "Patterns that place samples in a pixel, and what can be measured of them. Everything here was drawn and measured on this machine, by " code { (self.command) } "." }
+                p { "Patterns that place samples in a pixel, and what can be measured of these patterns. Everything here was \
+                    drawn and measured on this machine, by the command " code { (self.command) } "." }
                 @if !self.remarks.is_empty() { ul { @for remark in &self.remarks { li { (remark) } } } }
             }
             @for (title, text, parts) in &self.sections {

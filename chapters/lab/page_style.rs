@@ -1,6 +1,7 @@
 //! How the lab's page looks, and what it does when it is clicked or a key is pressed.
 
-/// Figures keep their size, so that their text does; what is wider than the window is scrolled. Pictures of pixels are never scaled.
+/// Figures keep their size, and so does their text; a figure that is wider than the window is scrolled. Pictures of pixels are
+/// never scaled.
 pub const STYLE: &str = "
 body { max-width: 1420px }
 .figures { display: flex; flex-wrap: wrap; gap: 1.5rem }
@@ -21,8 +22,8 @@ html:has(body.slides) { scroll-snap-type: y proximity } body.slides .screen { sc
 body.slides table { font-size: 17px } body.slides th, body.slides td { padding: .3em .5em } body.slides td:first-child { white-space: nowrap }
 body.slides th:last-child, body.slides td:last-child { display: none } body.slides dl { columns: 2; font-size: 19px } body.slides dd { break-before: avoid }";
 
-/// One screen pixel for each pixel of a picture, whatever the screen's ratio; a table that is sorted by its headings; two pictures in turns; and
-/// in slides the arrow keys.
+/// One screen pixel for each pixel of a picture, whatever the screen's ratio; a table that is sorted by a click on a heading; two
+/// pictures in turns; and the arrow keys in slides.
 pub const SCRIPT: &str = "
 const exact = i => { const fit = () => { i.style.width = i.naturalWidth / devicePixelRatio + 'px'; }; if (i.complete) fit(); i.addEventListener('load', fit); addEventListener('resize', fit); };
 document.querySelectorAll('.pixels img, .flip img').forEach(exact);

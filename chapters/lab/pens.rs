@@ -1,4 +1,4 @@
-//! Which pen draws which pattern: the same one on every page, whatever it is compared with.
+//! The pen of each pattern: the same pen on every page, whatever the pattern is compared with.
 
 use crate::kit::palette::{BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILION};
 use crate::kit::pen::{Mark, Pen, pale};
@@ -28,7 +28,7 @@ pub fn colour(i: usize) -> RGBColor {
     }
 }
 
-/// The pen of number i: its colour, its dash and its mark together are no other pen's.
+/// The pen of number i: no other pen has the same colour, dash and mark.
 pub fn pen(i: usize) -> Pen {
     Pen {
         stroke: colour(i).stroke_width(5),
@@ -40,8 +40,8 @@ pub fn pen(i: usize) -> Pen {
 
 /// The pens of some subjects, which are compared.
 ///
-/// A pattern has its pen. Somebody's own curve has it too: the library's is then a broad pale line, on which the own one lies if
-/// it is right. Where a pattern comes with several seeds, the later ones are pale.
+/// Every pattern has a pen. A user's own version of the pattern has the same pen; the library's curve is then a broad pale line,
+/// and the user's curve lies on it if it is right. If a pattern comes with several seeds, the later curves are pale.
 pub fn pens(subjects: &[Subject]) -> Vec<Pen> {
     let of = |(i, subject): (usize, &Subject)| {
         let name = subject.pattern.name;
@@ -67,7 +67,7 @@ mod tests {
     use glam::{Mat3, Vec3};
     use raybook::image::rgb::Rgb;
 
-    /// What a display's red, green and blue look like to whom one kind of cones is missing, row by row in linear values
+    /// What a display's red, green and blue look like to people without one kind of cones, row by row in linear values
     /// (Machado, Oliveira and Fernandes, "A physiologically-based model for simulation of color vision deficiency", 2009).
     #[rustfmt::skip]
     const MISSING_CONES: [(&str, [f32; 9]); 3] = [

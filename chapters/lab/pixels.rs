@@ -6,9 +6,9 @@ use rayon::prelude::*;
 
 /// ρ = Σ e·e' / Σ ½(e² + e'²), where e and e' are the errors of two neighbouring pixels that see the same function.
 ///
-/// 1: all pixels have the same points, and the same error; along an edge it becomes a stair. 0: the errors have nothing to do
-/// with each other; they are noise, which the eye averages. Below 0: neighbours make opposite errors, as dithering wants it
-/// (Georgiev and Fajardo, *Blue-noise dithered sampling*, 2016). As the pixels of one picture are, realisations number 2k and 2k + 1 are neighbours.
+/// 1: all pixels have the same points, and the same error; along an edge these errors become stairs. 0: the errors are not
+/// correlated; they are noise, which the eye averages. Below 0: neighbours make opposite errors, as in dithering (Georgiev and
+/// Fajardo, *Blue-noise dithered sampling*, 2016). Realisations 2k and 2k + 1 stand for two neighbouring pixels.
 pub fn correlation(subject: &Subject, n: usize, functions: &[Integrand]) -> f64 {
     let pair = |(k, function): (usize, &Integrand)| {
         let first = 2 * k as u64;

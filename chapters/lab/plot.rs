@@ -6,12 +6,12 @@ use crate::lab::raster::Raster;
 use plotters::coord::Shift;
 use plotters::prelude::{DrawingArea, DrawingBackend};
 
-/// Something to be looked at, in whatever form.
+/// A figure of the lab, in every form in which it is written.
 pub trait Plot {
     /// Width and height in pixels; the canvas has twice as many.
     fn size(&self) -> (u32, u32);
 
-    /// Draws it, but for what is made of pixels.
+    /// Draws the figure, except the parts that are made of pixels.
     ///
     /// # Errors
     /// What the backend reports.
@@ -19,7 +19,7 @@ pub trait Plot {
     where
         B::ErrorType: 'static;
 
-    /// What is made of pixels; nothing is drawn over it.
+    /// The parts that are made of pixels; nothing is drawn over them.
     fn rasters(&self) -> Vec<Raster> {
         Vec::new()
     }

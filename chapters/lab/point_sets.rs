@@ -18,7 +18,7 @@ const SIDE: i32 = 420;
 const GAP: i32 = 36;
 const TITLE: i32 = 64;
 
-/// Finer cells than this along each side would only be grey.
+/// Maximum number of cells along each side that are drawn: more would only be grey.
 const FINEST: usize = 64;
 
 /// Patterns with n points each.

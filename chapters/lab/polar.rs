@@ -34,7 +34,7 @@ pub struct Dial {
     pub radius: f64,
 }
 
-/// Beside a legend.
+/// The polar plot that has a legend at its right.
 const DIAL: Dial = Dial {
     centre: (350, 400),
     radius: 280.0,
@@ -50,7 +50,7 @@ const COLUMNS: [i32; 2] = [490, 600];
 /// A curve for each pattern.
 #[derive(Debug)]
 pub struct Polar {
-    /// How many points a pixel.
+    /// Points per pixel.
     n: usize,
     /// The curves.
     pub curves: Vec<Curve>,
@@ -77,7 +77,7 @@ impl Curve {
         self.errors.iter().copied().fold(0.0, f64::max)
     }
 
-    /// The error at edges that are nearly along an axis, at most 2° off it.
+    /// The mean error at edges that are at most 2° off an axis.
     pub fn along_axes(&self) -> f64 {
         let near = (0..ANGLES).filter(|i| (i % 90).min(90 - i % 90) <= 2);
         let all: Vec<_> = near.map(|i| self.errors[i]).collect();
@@ -86,13 +86,13 @@ impl Curve {
 }
 
 impl Polar {
-    /// Measures the patterns, random ones by this number of realisations.
+    /// Measures the patterns by this number of realisations.
     pub fn measure(subjects: &[Subject], n: usize, realisations: u64) -> Self {
         let curve = |(subject, pen): (&Subject, Pen)| {
             let count = subject.realisations(n, realisations);
             let drawn = (0..count).into_par_iter().map(|k| subject.points(n, k));
             let mut drawn: Vec<Vec<Vec2>> = drawn.collect();
-            drawn.dedup(); // of a grid all are the same
+            drawn.dedup(); // all realisations of a grid are the same
             let angle = |i: usize| PI * i as f64 / ANGLES as f64;
             let errors = (0..ANGLES).into_par_iter();
             Curve {
@@ -181,7 +181,7 @@ impl Polar {
             let digits = if step < 0.01 { 3 } else { 2 };
             let words = format!("{error:.digits$}");
             let height = LETTERS * dial.radius;
-            // A number is read before the curves that it covers.
+            // The number must be legible, even where it covers curves.
             let half = [0.3 * height * words.len() as f64, 0.5 * height].map(|half| half as i32);
             let corners = [-1, 1].map(|side| (at.0 + side * half[0], at.1 + side * half[1]));
             canvas.draw(&Rectangle::new(corners, WHITE.mix(0.8).filled()))?;

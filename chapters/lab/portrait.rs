@@ -29,7 +29,7 @@ const BAR: (i32, i32) = (26, 30);
 /// The power that is white, where random points have 1.
 const WHITE_POWER: f64 = 2.0;
 
-/// More points than this in one interval are counted as this many.
+/// More points than this in one interval are counted as this number.
 const CROWDED: usize = 5;
 
 /// What is measured of one pattern.
@@ -142,7 +142,7 @@ impl Portrait {
         chart
     }
 
-    /// The power of the points' projections: the spectrum along its axes.
+    /// The power of the points' projections on the axes: the spectrum along its own axes.
     fn projected(&self) -> Chart {
         const MOST: f64 = 3.0;
         let mut chart = self.over_frequency("power on x ——, on y – – –", [0.0, MOST]);
@@ -170,7 +170,7 @@ impl Portrait {
     fn strata(&self) -> Chart {
         let title = format!("points in each of {} intervals", self.n);
         let counts = Axis::linear(-0.5..(CROWDED as f64 + 0.5))
-            .named("points in an interval of x (left) or of y")
+            .named("points in an interval of x (blue) or of y")
             .format(|v| {
                 let more = if v as usize == CROWDED { " +" } else { "" };
                 format!("{v:.0}{more}")
@@ -203,7 +203,7 @@ impl Portrait {
         )?;
         let limit = self.spectrum.limit as f64;
         let root = (self.n as f64).sqrt().round();
-        // Of many points, only the lower frequencies are looked at.
+        // For many points, only the lower frequencies are drawn.
         let shown = root.min(limit);
         for f in [-shown, 0.0, shown] {
             let along = (f64::from(SIDE) * (0.5 + f / (2.0 * limit + 1.0))) as i32;

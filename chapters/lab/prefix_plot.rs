@@ -25,7 +25,7 @@ pub struct PrefixPlot {
     curves: Vec<Curve>,
 }
 
-/// Of a pattern its word, its name, its pen, and the discrepancy by the number of points.
+/// A pattern's word, its name, its pen, and the discrepancy by the number of points.
 type Curve = (String, String, Pen, Vec<(usize, f64)>);
 
 impl PrefixPlot {
@@ -40,7 +40,7 @@ impl PrefixPlot {
     }
 }
 
-/// What k independent points have.
+/// The discrepancy of k independent random points.
 fn by_chance(k: f64) -> f64 {
     (5.0 / (36.0 * k)).sqrt()
 }
@@ -73,7 +73,7 @@ impl Plot for PrefixPlot {
         chart.draw(&plot)?;
         let entry = |curve: &Curve| (curve.2, curve.1.clone(), Vec::new());
         let mut entries: Vec<_> = self.curves.iter().map(entry).collect();
-        entries.push((chance, "√(5/(36k)), by chance".to_owned(), Vec::new()));
+        entries.push((chance, "√(5/(36k)), random".to_owned(), Vec::new()));
         legend::draw(&beside, (10, 60), &[], &[], &entries)
     }
 

@@ -15,9 +15,9 @@ pub fn cuts(n: usize) -> Vec<usize> {
 
 /// The root of the mean squared L₂ star discrepancy of the first k of n points, at every cut.
 ///
-/// k independent points have √(5/(36k)). A pattern that stays below for every k is progressive: a renderer may stop after any sample
-/// (Christensen, Kensler and Kilpatrick, *Progressive multi-jittered sample sequences*, 2018). A grid in rows is not: its first points
-/// are all at the top.
+/// k independent points have √(5/(36k)). A pattern with a smaller discrepancy for every k is progressive: a renderer may stop
+/// after any sample (Christensen, Kensler and Kilpatrick, *Progressive multi-jittered sample sequences*, 2018). A grid in rows is
+/// not: its first points are all at the top.
 pub fn discrepancy(subject: &Subject, n: usize, realisations: u64) -> Vec<(usize, f64)> {
     let realisations = subject.realisations(n, realisations);
     let all: Vec<_> = (0..realisations)

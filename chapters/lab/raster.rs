@@ -16,7 +16,7 @@ pub struct Raster {
 }
 
 impl Raster {
-    /// Copies it into the pixels of a canvas.
+    /// Copies the picture into the pixels of a canvas.
     ///
     /// # Panics
     /// If it reaches beyond the canvas.

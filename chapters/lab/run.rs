@@ -22,16 +22,16 @@ use std::error::Error;
 use std::path::PathBuf;
 use std::thread;
 
-/// Realisations of what takes long and is known well by few: discrepancies.
+/// Number of realisations for what takes long and is known well from few: discrepancies and the table.
 const FEW_TIMES: u64 = 20;
 
-/// Pairs of pixels whose errors are compared.
+/// Number of pairs of pixels whose errors are compared.
 const PAIRS: usize = 500;
 
-/// Points of all draws of one number of samples, at the most: of more samples there are fewer draws.
+/// Maximum number of points in all realisations of n samples: for large n there are fewer realisations.
 const EFFORT: usize = 100 * 1024;
 
-/// Fewer draws than these say nothing of a median.
+/// Minimum number of realisations: fewer say nothing about a median.
 const FEWEST: usize = 25;
 
 /// Measures and draws everything, and returns the page's path.
@@ -74,7 +74,7 @@ impl Lab<'_> {
         (0..).zip(&CLASSES).map(class).collect()
     }
 
-    /// "256 points, 100 realisations, seed 1": how something was measured.
+    /// "n = 256, 100 realisations, seed 1": how something was measured.
     fn how(&self, points: &str, realisations: u64) -> String {
         let times = if realisations == 1 {
             "realisation"
@@ -88,7 +88,8 @@ impl Lab<'_> {
     }
 
     fn point_sets(&mut self) -> Drawn {
-        let text = html! { p { "What each pattern looks like; thin lines are the cells that have a point each." } };
+        let text = html! { p { "A square for each pattern, with its points. Thin lines are the cells, or the rows and columns, \
+        that hold one point each." } };
         self.page.section("Points", text);
         for n in [FEW, self.settings.points] {
             let alt = format!("{n} points of each pattern.");
@@ -105,8 +106,13 @@ impl Lab<'_> {
 
     fn errors(&mut self) -> Drawn {
         let text = html! {
-            p { "A curve is the median error of the mean over the samples: half of all draws are better. The bars on the right, at the largest number of samples, are from the best tenth of the draws to the worst tenth (of three curves or fewer, the bands are too). Every draw is another function of the class, and another realisation of the pattern; all patterns see the same functions. "
-                "The slope is fitted from 64 samples on, and ± is its 95 % confidence interval: −½ is chance, −¾ is what cells of their own for all samples do at edges, −1 for smooth functions; dashed lines have these slopes." }
+            p { "The error is |mean over the samples − exact mean|. A curve shows the median error: half of all draws have a \
+                smaller error. A bar on the right shows the middle 80 % of the draws at the largest number of samples; with \
+                three curves or fewer, bands show the middle 80 % everywhere. A draw is one function of the class with one \
+                realisation of the pattern; each realisation sees eight functions, and all patterns see the same functions. "
+                "The slope is fitted to the medians from 64 samples on, and ± is its 95 % confidence interval. Dashed lines have \
+                the slopes −½ (random samples), −¾ (a cell for each sample, at edges), −1 (a cell for each sample, smooth \
+                functions) and −3/2 (scrambled Sobol points, smooth functions)." }
         };
         self.page.section("Error against samples", text);
         let wanted = self.settings.realisations as usize;
@@ -139,7 +145,7 @@ impl Lab<'_> {
             let name = format!("error_{}", plot.title.replace(' ', "_"));
             let alt = format!("Error against samples. {}.", class.text);
             let draws = format!("{range}, {} functions", EACH * wanted);
-            let how = self.how(&draws, wanted as u64) + ", fewer of many samples";
+            let how = self.how(&draws, wanted as u64) + ", fewer for large n";
             self.page.plot(&name, &alt, &how, plot)?;
         }
         Ok(())
@@ -147,9 +153,16 @@ impl Lab<'_> {
 
     fn errors_by_angle(&mut self) -> Drawn {
         let text = html! {
-            p { "How to read it: turn a straight edge. Take the direction in which it faces; the small squares around the plot show a pixel with an edge at that angle. Push the edge through the pixel from one side to the other. At every position compare the share of samples that it covers with the share of area that it covers. "
-                "The root of the mean squared difference is the distance of the curve from the centre: far out is bad." }
-            p { "A circle means that the pattern does not care how the edge is turned. A regular grid is worst along the axes, where whole rows of samples are covered at once and where pictures have most of their edges: walls, windows, horizons. The rotated grid is not better on average. Its bad angles are elsewhere. Random patterns have no bad angle, but with few samples a larger error at every angle." }
+            p { "How to read the plot: the direction from the centre is the direction in which a straight edge faces; the small \
+                squares around the plot show a pixel with an edge at that angle. The edge is moved through the pixel from one \
+                side to the other. At every position, the share of samples that the edge covers is compared with the share of \
+                area that it covers. "
+                "The distance of the curve from the centre is the root of the mean squared difference (RMS error): far out is \
+                bad." }
+            p { "A circle means that the error does not depend on the angle. A regular grid is worst along the axes: there, \
+                whole rows of samples are covered at once, and pictures have most of their edges at these angles: walls, \
+                windows, horizons. The rotated grid is not better on average, but its bad angles are elsewhere. Random samples \
+                have no bad angle, but a larger error at every angle." }
         };
         self.page.section("Error by the edge's angle", text);
         for &n in &self.settings.samples {
@@ -158,7 +171,8 @@ impl Lab<'_> {
             let polar = Polar::measure(&self.settings.subjects, n, realisations);
             let samples = if n == 1 { "sample" } else { "samples" };
             let alt = format!(
-                "The error at edges by {n} {samples} a pixel: 180 angles, 256 positions of the edge each."
+                "RMS error of the share that an edge covers, by {n} {samples} per pixel: 180 angles, 256 positions of the edge \
+                at each."
             );
             let how = self.how(&format!("n = {n}"), realisations);
             self.page.plot(&format!("edges_{n}"), &alt, &how, &polar)?;
@@ -169,9 +183,16 @@ impl Lab<'_> {
 
     fn portraits(&mut self) -> Drawn {
         let text = html! {
-            p { "The power spectrum says what becomes of a wave. Dark is a frequency whose waves disappear in the mean, as they should; bright is one whose waves come out as others. Random points have the power 1 (grey) everywhere; 0 is in the middle. Bands are 95 % confidence intervals by the jackknife. The dashed line is at √n, the frequency of a regular grid." }
-            p { "Anisotropy is how much the power varies with the direction: 0 dB is as much as the power itself, and the more realisations, the deeper lies what chance alone leaves; what sticks out is a preferred direction. The pair correlation compares how often two points are at a distance with random points: 0 is a distance that never occurs. "
-                "Projections are what an edge along an axis sees: the best pattern has one point in every one of n columns, and no power up to n." }
+            p { "The power spectrum shows what becomes of a wave of each frequency; frequency 0 is in the middle. Dark: waves of \
+                this frequency disappear in the mean over the samples, as they should. Bright: they come out as waves of other \
+                frequencies (aliases). Random points have the power 1 (grey) everywhere. Bands are 95 % confidence intervals by \
+                the jackknife. The dashed line is at √n, the frequency of a regular grid." }
+            p { "Anisotropy is the variance of the power over all directions, divided by the squared mean power: at 0 dB, the \
+                power varies as much as its mean. With m realisations, chance alone gives 1/m: −20 dB for 100. A peak above this \
+                level is a preferred direction. The pair correlation is the number of pairs of points at a distance, divided by \
+                that of random points: at 0, this distance never occurs. "
+                "Projections on an axis are what an edge along the other axis sees: the best patterns have one point in each of \
+                n intervals, and hardly any power at frequencies far below n." }
         };
         self.page
             .section("Spectra, distances and projections", text);
@@ -181,7 +202,7 @@ impl Lab<'_> {
             let realisations = self.settings.realisations;
             let portrait = Portrait::measure(subject, n, realisations);
             let alt = format!(
-                "Spectrum, pair correlation and projections: {}.",
+                "Power spectrum, pair correlation and projections: {}.",
                 subject.title
             );
             let how = self.how(&format!("n = {n}"), subject.realisations(n, realisations));
@@ -194,7 +215,9 @@ impl Lab<'_> {
     }
 
     fn prefixes(&mut self) -> Drawn {
-        let text = html! { p { "A renderer that stops early has only the first samples of a pattern. Below the grey line they are more even than chance; a grid or a jittered pattern in rows is far above it, because its first samples are all at the top." } };
+        let text = html! { p { "A renderer that stops early has only the first k samples of a pattern. Where a curve is below \
+        the grey line, these are more even than random samples. A grid or a jittered pattern in rows is far above the line, \
+        because its first samples are all at the top." } };
         self.page.section("The first samples", text);
         let n = self.settings.points;
         let plot = PrefixPlot::measure(&self.settings.subjects, n, FEW_TIMES);
@@ -204,7 +227,9 @@ impl Lab<'_> {
     }
 
     fn pictures(&mut self) -> Drawn {
-        let text = html! { p { "Pictures that alias: rings that become as fine as the pixels, a plane to the horizon, and edges at many angles. One pixel of the screen is one pixel of the picture: scaling would alias once more." } };
+        let text = html! { p { "Pictures that alias: rings that become as fine as the pixels, a checkered plane that reaches to \
+        the horizon, and edges at many angles. One pixel of the screen is one pixel of the picture, because scaling would \
+        alias once more." } };
         self.page.section("Pictures", text);
         let film = Film {
             width: self.settings.width,
@@ -254,7 +279,7 @@ impl Lab<'_> {
     }
 
     fn table(&mut self) -> Drawn {
-        let text = html! { p { "What sums up a pattern in one number each." } };
+        let text = html! { p { "Each column sums up a pattern in one number." } };
         self.page.section("Numbers", text);
         let edges = &self.classes(PAIRS)[1];
         let samples = self.settings.samples.last().map_or(1, |n| *n);

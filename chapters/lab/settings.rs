@@ -8,7 +8,7 @@ use std::path::PathBuf;
 pub struct Settings {
     /// What is compared.
     pub subjects: Vec<Subject>,
-    /// What there is to say of them, sentences.
+    /// Remarks on the subjects, in sentences.
     pub remarks: Vec<String>,
     /// Points in the point sets, the spectra and the table.
     pub points: usize,
@@ -41,11 +41,11 @@ pub fn counts(most: usize) -> Vec<usize> {
     powers.filter(|n| *n <= most).collect()
 }
 
-/// The most points for which the error is measured.
+/// The largest number of points for which the error is measured.
 pub const MOST: usize = 4096;
 
 impl Settings {
-    /// The numbers of points without which there is no figure of a pattern, and those that only make its error curves longer.
+    /// The numbers of points that every figure of a pattern needs, and the numbers that only make its error curves longer.
     pub fn sizes(&self) -> [Vec<usize>; 2] {
         let needed = [&[FEW, self.points], &self.samples[..]].concat();
         let further = self.counts.iter().copied();

@@ -18,7 +18,7 @@ use raybook::sample::pattern::Pattern;
 use rayon::prelude::*;
 use std::error::Error;
 
-/// Pictures of the same size as bands of one, from left to right, white lines between them.
+/// Pictures of the same size as vertical bands of one picture, from left to right, with white lines between the bands.
 pub fn bands(pictures: &[Image]) -> Image {
     let (width, height) = (pictures[0].width(), pictures[0].height());
     let line = width.div_ceil(480);
@@ -33,15 +33,15 @@ pub fn bands(pictures: &[Image]) -> Image {
     })
 }
 
-/// Realisations of which each pixel has one, chosen by its number: so many that the eye finds none again.
+/// Number of realisations. Each pixel has one, chosen by the pixel's number: the eye sees no repetition.
 const POOL: u64 = 256;
 
-/// A target as a film sees it through a pattern: in each pixel one of many realisations.
+/// A target as a film sees it with a pattern: each pixel has one of many realisations.
 pub fn view(film: &Film, subject: &Subject, target: Target) -> Image {
     views(film, subject, &[target]).remove(0)
 }
 
-/// Several targets, of which the same realisations see each.
+/// Several targets, all seen by the same realisations.
 pub fn views(film: &Film, subject: &Subject, targets: &[Target]) -> Vec<Image> {
     let pixels = film.width as f32;
     let draw = |k| subject.points(film.samples, k);

@@ -1,4 +1,4 @@
-//! The power spectrum: which waves a pattern takes for others.
+//! The power spectrum: which waves a pattern takes for other waves (aliases).
 
 use crate::lab::errors::student_t;
 use crate::lab::subject::Subject;
@@ -27,15 +27,15 @@ pub struct Known {
     pub frequency: f64,
     /// What was measured.
     pub value: f64,
-    /// Its true value differs from it by at most this with a probability of about 95 %.
+    /// Half of the 95 % confidence interval of the value.
     pub within: f64,
 }
 
 impl Spectrum {
     /// |Σ exp(−2πi f·p)|²/n, the mean over realisations.
     ///
-    /// Independent points have 1 at every whole frequency but 0. Where it is 0, a wave of that frequency disappears in the mean,
-    /// as it should; where it is high, it turns up as another one.
+    /// Independent points have 1 at every whole frequency but 0. Where the power is 0, a wave of that frequency disappears in the
+    /// mean, as it should; where the power is high, the wave turns up as another wave.
     pub fn of(subject: &Subject, n: usize, limit: usize, realisations: u64) -> Self {
         let side = 2 * limit + 1;
         let realisations = subject.realisations(n, realisations);
@@ -90,7 +90,7 @@ impl Spectrum {
 
     /// How much the power varies within each ring: its variance over its mean squared (Ulichney, *Digital halftoning*, 1987).
     ///
-    /// 0 is the same in all directions; of m realisations even that leaves 1/m.
+    /// 0 means that the power is the same in all directions; with m realisations, chance alone gives 1/m.
     pub fn anisotropy(&self) -> Vec<Known> {
         self.known(|[count, sum, squares]| {
             let mean = sum / count;
@@ -99,8 +99,9 @@ impl Spectrum {
         })
     }
 
-    /// A number for every ring, made of how many frequencies are in it, the sum of their powers, and the sum of their squares; and
-    /// how well it is known, by the jackknife (Tukey 1958): from the numbers that come out without each of the batches.
+    /// A number for every ring, computed from the number of frequencies in the ring, the sum of their powers, and the sum of the
+    /// squared powers. Its confidence interval is found by the jackknife (Tukey 1958): from the numbers without each of the
+    /// batches.
     fn known(&self, of: impl Fn([f64; 3]) -> f64) -> Vec<Known> {
         let values =
             |power: &[f64]| -> Vec<f64> { rings(power, self.limit).into_iter().map(&of).collect() };
@@ -125,7 +126,8 @@ impl Spectrum {
     }
 }
 
-/// Of every ring from 1 to the limit how many frequencies are in it, the sum of their powers, and the sum of their squares.
+/// For every ring from 1 to the limit: the number of frequencies in it, the sum of their powers, and the sum of the squared
+/// powers.
 fn rings(power: &[f64], limit: usize) -> Vec<[f64; 3]> {
     let side = 2 * limit + 1;
     let mut rings = vec![[0.0; 3]; limit + 1];
@@ -157,7 +159,7 @@ fn add_power(power: &mut [f64], points: &[Vec2], limit: usize) {
         let (fx, fy) = (i % side, i / side);
         power[(fy + limit) * side + fx] += one;
         if fy > 0 {
-            power[(limit - fy) * side + side - 1 - fx] += one; // the power at −f is that at f
+            power[(limit - fy) * side + side - 1 - fx] += one; // the power at −f is the power at f
         }
     }
 }

@@ -1,4 +1,4 @@
-//! How far the lab is.
+//! The progress of the lab.
 
 use crate::kit::say::say;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -27,12 +27,12 @@ impl Steps {
         self.bar.set_message(what);
     }
 
-    /// One more is done.
+    /// One more step is done.
     pub fn done(&self) {
         self.bar.inc(1);
     }
 
-    /// All are done.
+    /// All steps are done.
     pub fn finish(&self) {
         self.bar.finish();
     }

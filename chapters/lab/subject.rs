@@ -23,11 +23,11 @@ pub struct Subject {
     pub pattern: Pattern,
     /// The seed from which the library's realisations follow.
     seed: u64,
-    /// The points, where they are not the library's.
+    /// The points, if they are not from the library.
     given: Option<Realisations>,
 }
 
-/// Points from a file: no pattern that has a name.
+/// Points from a file, which are no named pattern.
 const FROM_A_FILE: Pattern = Pattern {
     name: "file",
     title: "points of a file",
@@ -52,7 +52,7 @@ impl Subject {
         }
     }
 
-    /// Somebody's own: points that are meant to be this pattern.
+    /// A user's own points, which are meant to be this pattern.
     pub fn own(pattern: &Pattern, given: Realisations) -> Self {
         Self {
             key: format!("my-{}", pattern.name),
@@ -74,7 +74,7 @@ impl Subject {
         }
     }
 
-    /// The same pattern by another seed; it has the seed in its name if there are `several`.
+    /// The same pattern with another seed; the seed is in its name if there are `several` seeds.
     #[must_use]
     pub fn by_seed(&self, seed: u64, several: bool) -> Self {
         let mut other = Self {
@@ -97,12 +97,13 @@ impl Subject {
         }
     }
 
-    /// Whether it is somebody's own.
+    /// Whether the points come from a user: from a program or a file.
     pub fn is_own(&self) -> bool {
         self.given.is_some()
     }
 
-    /// How many of the `wanted` realisations of n points there are: all of a pattern of the library, and at most those that a program or a file gave.
+    /// The number of realisations of n points, at most `wanted`: a pattern of the library has all, a program or a file has those
+    /// that it gave.
     pub fn realisations(&self, n: usize, wanted: u64) -> u64 {
         let Some(given) = &self.given else {
             return wanted;
@@ -112,8 +113,8 @@ impl Subject {
             .map_or(0, |sets| wanted.min(sets.len() as u64))
     }
 
-    /// n points: the realisation of this number, of the library or of those that were given. Beyond the last that was given, any of
-    /// them is taken again; no points if none were given.
+    /// n points: the realisation `number`, from the library or from the given ones. Beyond the last given realisation, one of
+    /// them is taken again at random; no points if none were given.
     pub fn points(&self, n: usize, number: u64) -> Vec<Vec2> {
         let Some(given) = &self.given else {
             return (self.pattern.points)(n, &mut pcg::stream(self.seed, number));

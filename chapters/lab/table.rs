@@ -17,66 +17,70 @@ pub const COLUMNS: [(&str, &str, &str, usize); 10] = [
     (
         "star_discrepancy",
         "star discrepancy",
-        "the largest difference between the share of points in a box from the corner and its area; small is even",
+        "largest difference between the share of points in a box and the area of the box, over all boxes from the corner (0, 0); \
+        small means even",
         4,
     ),
     (
         "l2_star_discrepancy",
         "L₂ star discrepancy",
-        "the same, root mean square over all boxes; random points have √(5/(36n))",
+        "root mean square of this difference over all boxes; random points have √(5/(36n))",
         5,
     ),
     (
         "least_distance",
         "least distance",
-        "between two points, as a share of the largest that so many can have (that of a hexagonal lattice)",
+        "smallest distance between two points, divided by the largest possible for n points (that of a hexagonal lattice)",
         2,
     ),
     (
         "mean_nearest_distance",
         "mean distance",
-        "to the nearest neighbour, as the same share; random points have 0.47",
+        "mean distance to the nearest neighbour, divided by the same largest distance; random points have 0.47",
         2,
     ),
     (
         "effective_nyquist",
         "effective Nyquist",
-        "frequency up to which waves are hardly disturbed; a regular grid has 1, random points have 0 (Heck and others 2013)",
+        "frequency up to which waves are hardly disturbed, in units of √n/2; a regular grid has 1, random points have 0 (Heck \
+        and others 2013)",
         2,
     ),
     (
         "oscillation",
         "oscillation Ω",
-        "ten times the root mean squared difference of the power from 1 beyond that: large is orderly aliases, small is noise",
+        "ten times the root mean squared difference of the power from 1, from the frequency at which the power first reaches 1: \
+        large means strong aliases, small means noise",
         1,
     ),
     (
         "filled_columns",
         "columns with a point",
-        "of n columns as narrow as a point's share; 1 is best for nearly vertical edges",
+        "share of n equal columns that hold a point; 1 is best for nearly vertical edges",
         2,
     ),
     (
         "filled_rows",
         "rows with a point",
-        "the same of rows, for nearly horizontal edges",
+        "share of n equal rows that hold a point; 1 is best for nearly horizontal edges",
         2,
     ),
     (
         "pixel_correlation",
         "pixel to pixel",
-        "correlation of the errors of two neighbouring pixels at edges: 1 repeats itself (stairs), 0 is noise",
+        "correlation of the errors of two neighbouring pixels at edges: 1 means the same error in both (stairs), 0 means noise",
         2,
     ),
     (
         "nanoseconds_per_point",
         "ns a point",
-        "measured on this machine while the page was made, and not the same twice",
+        "nanoseconds per point of the fastest realisation, measured on this machine while the page was made; never the same \
+        twice",
         0,
     ),
 ];
 
-/// What is measured of a pattern, each the mean over realisations.
+/// What is measured of a pattern: means over realisations.
 #[derive(Clone, Debug)]
 pub struct Row {
     /// The pattern's name as a word.
@@ -90,7 +94,8 @@ pub struct Row {
 }
 
 impl Row {
-    /// Measures n points of a pattern, whose spectrum is known; its pixels by a number of samples each, at some edges.
+    /// Measures n points of a pattern, whose spectrum is known. Neighbouring pixels are compared with `samples` samples each, at
+    /// `edges`.
     pub fn measure(
         subject: &Subject,
         n: usize,

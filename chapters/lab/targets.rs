@@ -4,7 +4,7 @@ use glam::{Vec2, vec2};
 use raybook::image::rgb::Rgb;
 use std::f32::consts::PI;
 
-/// What is seen at a place on the film, in [0, 1]² from the top left, with `pixels` pixels along each side.
+/// The colour at a place on the film, in [0, 1]² from the top left, with `pixels` pixels along each side.
 pub type Target = fn(place: Vec2, pixels: f32) -> Rgb;
 
 /// All targets, by name.
@@ -14,8 +14,8 @@ pub const TARGETS: [(&str, Target); 3] = [
     ("slanted edge", slanted_edge),
 ];
 
-/// Rings around the top left whose frequency grows with the distance, to one wave per pixel at the other corners:
-/// half way there they are as fine as pixels can show.
+/// Rings around the top left. Their frequency grows with the distance, to one wave per pixel at a distance of one side: half way
+/// there, the rings are as fine as pixels can show.
 pub fn zone_plate(place: Vec2, pixels: f32) -> Rgb {
     Rgb::gray(0.5 + 0.5 * (PI * pixels * place.length_squared()).cos())
 }

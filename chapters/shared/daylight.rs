@@ -25,7 +25,7 @@ pub fn shade(at: &Surface, paint: Paint, seen: &Ray, accel: &impl Accel<Facet>) 
 
 /// The light on a surface: the sun's, where nothing is in its way, and the sky's.
 ///
-/// `normal` is the one to shade with; it is turned to the side that is seen.
+/// `normal` is the normal for shading; it is turned to the side that is seen.
 fn light(at: &Surface, normal: Dir3, seen: &Ray, accel: &impl Accel<Facet>) -> Rgb {
     let sun = Dir3::new_or(vec3(-0.62, 0.75, 0.42), Dir3::Y);
     let away = at.normal.dot(*seen.direction) > 0.0;

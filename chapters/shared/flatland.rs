@@ -1,5 +1,5 @@
-//! Discs in the plane, some of them in a crowd, cells around them, and a ray that passes through: for grids and octrees. (Trees
-//! of boxes in the plane are in `flat_boxes.rs`.)
+//! Discs in the plane, most of them in two crowds, cells around them, and a ray that passes through: for grids and octrees.
+//! (Trees of boxes in the plane are in `flat_boxes.rs`.)
 
 use crate::kit::figure::{Canvas, Figure, SCALE, figure, text, write};
 use crate::kit::palette::{BLUE, INK, ORANGE};
@@ -11,18 +11,18 @@ use raybook::math::pcg;
 use raybook::math::{aabb::Aabb, dir3::Dir3, ray::Ray};
 use std::fmt;
 
-/// The scene is the square from 0 to this, in metres, at z = 0.
+/// Side of the square scene, from 0 to `SIDE` along x and y, in metres, at z = 0.
 pub const SIDE: f32 = 16.0;
 
-/// A disc's radius.
+/// Radius of a disc, in metres.
 const RADIUS: f32 = 0.07;
 
-/// The discs' boxes: a crowd at two places, and a few discs anywhere, none of them on the ray's way. They are as thick as a
+/// The discs' boxes: crowds at two places, and a few discs anywhere. No disc is on the ray's way. They are as thick as a
 /// sheet of paper.
 pub fn discs() -> Vec<Aabb> {
     let mut rng = pcg::stream(5, 1);
     let mut disc = |center: Vec3, spread: f32| {
-        // The sum of three is nearly a normal distribution.
+        // The sum of three uniform numbers has nearly a normal distribution.
         let mut wide = || (0..3).map(|_| rng.random::<f32>() - 0.5).sum::<f32>() * spread;
         let p = center + vec3(wide(), wide(), 0.0);
         let half = vec3(RADIUS, RADIUS, 0.0);

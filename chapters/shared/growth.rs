@@ -9,7 +9,7 @@ use crate::shared::law::{Reach, mean_tests};
 use plotters::prelude::{Color, RGBColor};
 use raybook::accel::{bvh::Bvh, grid::Grid};
 
-/// Tests per ray against triangles: the list, the tree.
+/// Tests per ray against the number of triangles, for the list and the tree.
 ///
 /// # Errors
 /// What plotters reports.
@@ -27,7 +27,7 @@ pub fn list_and_tree() -> Figure {
     plot("boxes and triangles tested per ray", &curves)
 }
 
-/// Cells and tests of a ray across a grid, against triangles.
+/// Cells visited and triangles tested by a ray across a grid, against the number of triangles.
 ///
 /// # Errors
 /// What plotters reports.
@@ -38,7 +38,7 @@ pub fn grid() -> Figure {
         (f64::from(n), tests)
     });
     let [cells, tests] = [0, 1].map(|i| counts.map(|(n, count)| (n, count[i])));
-    // Between the two, so that either can be compared with it.
+    // Between the two curves, so that both can be compared with the law.
     let between = (cells[0].1 * tests[0].1).sqrt();
     let cube_root = sizes
         .map(f64::from)
@@ -56,10 +56,10 @@ pub fn grid() -> Figure {
             (15_000.0, 0.6 * tests[2].1),
         ),
     ];
-    plot("per ray", &curves)
+    plot("count per ray", &curves)
 }
 
-/// A curve, and where its name stands.
+/// A curve, and the place of its name.
 struct Curve<'a> {
     points: &'a [(f64, f64)],
     name: &'a str,

@@ -12,7 +12,7 @@ use raybook::math::{interval::Interval, ray::Ray};
 use raybook::render::film::Film;
 use raybook::shape::mesh::Facet;
 
-/// The count that has the last colour; the scale is logarithmic, for a ray can cost a few tests or thousands.
+/// The count of the last colour. The scale is logarithmic, because a ray can cost a few tests or thousands.
 const MOST: f32 = 1000.0;
 
 /// What one ray through the middle of each pixel costs.
@@ -34,7 +34,7 @@ pub fn heat(film: &Film, ray: impl Fn(Vec2) -> Ray + Sync, accel: &impl Accel<Fa
     Heat { counts }
 }
 
-/// As [`heat`], with one ray for each square of 8 × 8 pixels: for a search that costs the same everywhere, and much.
+/// As [`heat`], with one ray for each square of 8 × 8 pixels: for a search that is expensive and costs the same everywhere.
 pub fn coarse(film: &Film, ray: impl Fn(Vec2) -> Ray + Sync, accel: &impl Accel<Facet>) -> Heat {
     const SIDE: usize = 8;
     let film = Film {
@@ -64,7 +64,7 @@ impl Heat {
         self.counts.pixels().len()
     }
 
-    /// The boxes' map, with a label that says how many there are per ray; `boxes` says what they are: "cells visited".
+    /// The boxes' map, with a label that says how many there are per ray; `boxes` names them: "cells visited".
     pub fn of_boxes(&self, boxes: &str) -> (String, Image) {
         self.map(boxes, |p| p.r)
     }

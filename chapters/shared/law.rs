@@ -10,7 +10,7 @@ use raybook::shape::mesh::Facet;
 /// How far the rays of a question go in a soup of N triangles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reach {
-    /// From a point in the soup, as far as from one triangle to the next: 1/∛N.
+    /// From a point in the soup, for the mean distance from one triangle to the next: 1/∛N.
     Near,
     /// From a point in the soup to the first hit, which is a few such distances away.
     Inside,

@@ -23,7 +23,7 @@ pub fn haze(colour: Rgb, t: f32) -> Rgb {
 
 /// The share of a white sky's light that balls leave to a point of the floor they lie on.
 ///
-/// A ball takes (r/|c − p|)²·cos θ of it, where θ is the angle from the zenith to its centre:
+/// A ball takes the share (r/|c − p|)²·cos θ, where θ is the angle from the zenith to its centre:
 /// the sphere's view factor. Balls in the same part of the sky hide each other, so the product is an estimate.
 pub fn open_sky(balls: &[Sphere], p: Vec3) -> f32 {
     let left = |ball: &Sphere| {
@@ -33,7 +33,7 @@ pub fn open_sky(balls: &[Sphere], p: Vec3) -> f32 {
     balls.iter().map(left).product()
 }
 
-/// One of two, as on a chess board whose squares have edges of length 1.
+/// One of two values, as on a chess board whose squares have a side of length 1.
 pub fn checker<T>(place: Vec2, even: T, odd: T) -> T {
     if place.floor().element_sum() % 2.0 == 0.0 {
         even

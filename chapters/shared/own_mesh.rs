@@ -1,4 +1,4 @@
-//! A mesh of one's own in the showroom, found by the structure that a chapter is about.
+//! A user's own mesh in the showroom, searched by the structure that a chapter is about.
 
 use crate::kit::say::complain;
 use crate::kit::stage::{Drawn, Stage};
@@ -53,7 +53,8 @@ pub fn draw<A: Accel<Facet>>(
     draw_heat(stage, &map, boxes)
 }
 
-/// As [`draw`], by a list: small enough that it does not take long, and with a warning where it does all the same.
+/// As [`draw`], by a list. The picture is so small that it does not take long; if it takes long all the same, a warning is
+/// printed.
 ///
 /// # Errors
 /// As for [`draw`].
@@ -66,13 +67,13 @@ pub fn draw_by_list(stage: &Stage, path: &Path) -> Drawn {
     draw_heat(stage, &map, "boxes tested")
 }
 
-/// Says what is faster, where a mesh is large for a list.
+/// Says what is faster, if a mesh is too large for a list.
 pub fn warn_of_list(mesh: &Mesh) {
     /// A teapot has some thousands of triangles; the scans that people have, some hundred thousand and more.
     const MANY: usize = 100_000;
     if mesh.triangles().len() >= MANY {
         complain(
-            "note: a list asks every triangle, for each ray; `ch11_bvh --mesh` draws the same mesh with a tree, in seconds",
+            "note: a list tests every triangle for each ray; `ch11_bvh --mesh` draws the same mesh with a tree, in seconds",
         );
     }
 }
@@ -128,14 +129,14 @@ fn draw_heat(stage: &Stage, map: &Heat, boxes: &str) -> Drawn {
     stage.figure("heat", &caption, &map.figure(boxes)?)
 }
 
-/// How many rays are tried before a picture is drawn.
+/// Number of rays that are tried before a picture is drawn.
 const TRIED: u16 = 64;
 
-/// Tries a few rays, evenly over the picture, and says about how long all of them take.
+/// Tries a few rays, evenly over the picture, and prints an estimate of the time for all rays.
 pub fn say_estimate(film: &Film, mut follow: impl FnMut(Vec2)) {
     let start = Instant::now();
     for i in 0..TRIED {
-        // Evenly over the picture, but no neighbours in a row.
+        // Evenly over the picture; rays that follow each other are not neighbours.
         let across = f32::from(i) * 0.618_034 % 1.0;
         follow(vec2(across, f32::from(i) / f32::from(TRIED)));
     }

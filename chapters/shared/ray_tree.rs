@@ -28,7 +28,7 @@ pub enum End {
     Surface,
     /// Nowhere: it sees the backdrop.
     Backdrop,
-    /// Here, because there have been enough.
+    /// At the maximum depth.
     Limit,
     /// At a light.
     Light,
@@ -36,7 +36,7 @@ pub enum End {
     Shadow,
 }
 
-/// A ray, and those that it asks.
+/// A ray, and the rays that it asks for.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Branch {
     /// How it came to be.
@@ -49,15 +49,15 @@ pub struct Branch {
     pub distance: f32,
     /// Where it ended.
     pub end: End,
-    /// What it sees; of a ray to a light, what the surface makes of that light.
+    /// The radiance that the ray sees; for a ray to a light, the light that the surface reflects.
     pub sees: Rgb,
-    /// What it asked, in order.
+    /// The rays that it asked for, in order.
     pub asks: Vec<Branch>,
 }
 
-/// The tree of a ray from the camera, as [`Whitted::radiance`] follows it; of lights with an extent, the middle is asked.
+/// The tree of a ray from the camera, as [`Whitted::radiance`] follows it; a light with an extent is sampled at its middle.
 ///
-/// A material asks for what is beyond it by a closure: here the closure keeps what it was asked.
+/// A material gets the radiance along further rays by a closure: here the closure keeps these rays.
 pub fn grow(whitted: &Whitted, scene: &Scene, ray: &Ray) -> Branch {
     follow(whitted, scene, ray, (Kind::Camera, whitted.depth))
 }
@@ -114,7 +114,7 @@ fn follow(whitted: &Whitted, scene: &Scene, ray: &Ray, (kind, left): (Kind, u32)
     branch(seen.t, End::Surface, ambient + lit + beyond, asks)
 }
 
-/// The ray to a light, and what the surface makes of it if it arrives.
+/// The ray to a light, and the light that the surface reflects if the light arrives.
 fn toward_light(seen: &Seen, light: &LightSample, lit: Option<Rgb>) -> Branch {
     Branch {
         kind: Kind::Light,

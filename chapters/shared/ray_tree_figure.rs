@@ -18,10 +18,10 @@ pub const PHOTOGRAPH: (usize, usize) = (560, 520);
 /// Width of the tree beside it, in pixels of the figure.
 const TREE: u32 = 420;
 
-/// What is left free at the right of the tree, for the name of the last line, in pixels of the canvas.
+/// Free space at the right of the tree, for the name of the last line, in pixels of the canvas.
 const MARGIN: f32 = 120.0;
 
-/// A ray that goes on for ever, and the one from the camera, are drawn for this length, in metres.
+/// Drawn length of a ray that goes on for ever, and of the camera ray, in metres.
 const SHOWN: f32 = 1.6;
 
 /// Draws the rays on a photograph that `viewer` took of their scene, and beside it the tree.
@@ -125,7 +125,7 @@ struct Layout<'a, 'b> {
 }
 
 impl Layout<'_, '_> {
-    /// Draws what is below a place, then the place's node over the lines; returns the node's place.
+    /// Draws everything below a node, then the node over the lines; returns the place of the node.
     fn branch(
         &self,
         branch: &Branch,

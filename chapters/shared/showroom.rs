@@ -55,7 +55,7 @@ impl Showroom {
         let Some(hit) = ground.hit(ray, Interval::AHEAD) else {
             return sky;
         };
-        // Not a shadow, but it looks as if the mesh stood on the ground; it falls away from the light of `clay`.
+        // Not a true shadow, but the mesh looks as if it stood on the ground; the dark side is away from the light of `clay`.
         let from_center = 2.0 * (ray.at(hit.t) - self.bounds.center()) / self.bounds.size();
         let squared = (from_center - vec3(0.15, 0.0, -0.2))
             .with_y(0.0)
@@ -65,7 +65,7 @@ impl Showroom {
     }
 }
 
-/// A film two fifths as large, for one of several pictures on a sheet.
+/// A film with two fifths of the width and height, for one of several pictures on a sheet.
 pub fn small<'a>(film: &Film<'a>) -> Film<'a> {
     Film {
         width: film.width * 2 / 5,

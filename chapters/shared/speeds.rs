@@ -15,10 +15,10 @@ use std::time::Instant;
 /// A structure's name, and its search: whether the ray hits anything.
 pub type Searcher<'a> = (&'a str, &'a dyn Fn(&Ray) -> bool);
 
-/// Rounds, in each of which everybody has a turn; the best counts.
+/// Number of rounds, in each of which every structure has a turn; the best turn counts.
 const ROUNDS: usize = 4;
 
-/// Length of a turn in seconds: slow structures do not get through all rays.
+/// Length of a turn, in seconds: a slow structure does not follow all rays in a turn.
 const TURN: f64 = 0.015;
 
 /// A ray through the middle of each pixel of the film, row by row.
@@ -51,7 +51,7 @@ pub fn millions(rays: &[Ray], structures: &[Searcher]) -> Vec<f64> {
     best
 }
 
-/// What one structure does with the rays of a film: "1.23 million rays a second".
+/// The speed of one structure with the rays of a film: "1.23 million rays a second".
 pub fn rays_a_second(film: &Film, ray: impl Fn(Vec2) -> Ray, accel: &impl Accel<Facet>) -> String {
     let search = |ray: &Ray| accel.closest(ray, Interval::AHEAD).is_some();
     let millions = millions(&rays(film, ray), &[("", &search)]);

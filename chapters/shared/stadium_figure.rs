@@ -13,8 +13,8 @@ use raybook::render::film::Film;
 use raybook::scene::stadium::{Part, Stadium};
 use raybook::shape::mesh::Facet;
 
-/// The stadium, the teapot close by, and for the second view the boxes and the triangles tested; `boxes` is what the
-/// accelerator calls its boxes: "cells visited".
+/// The stadium, a near view of the teapot, and for the near view the boxes and the triangles tested; `boxes` is the name of the
+/// accelerator's boxes: "cells visited".
 ///
 /// # Errors
 /// If a label cannot be drawn.
@@ -22,7 +22,7 @@ pub fn figure(film: &Film, stadium: &Stadium, accel: &impl Accel<Facet>, boxes: 
     let camera = |from, to| Pinhole::look_at(from, to, Vec3::Y, 0.035, film.aspect());
     let far = camera(vec3(-40.0, 15.0, 38.0), vec3(4.0, -2.0, -4.0))?;
     let near = camera(vec3(0.32, 0.36, 0.9), vec3(0.02, 0.17, 0.0))?;
-    // The pictures are the same by any structure; what they cost is shown for the one in question.
+    // The pictures are the same with any structure; the heat maps are those of `accel`.
     let tree = WideBvh::new(stadium.mesh.facets());
     let shown = |camera: &Pinhole| {
         film.refine(|place, _| {

@@ -13,12 +13,12 @@ pub const FLAWS: &[Flaw] = &[
     Flaw {
         complaint: "count each",
         name: "does not count all of its work",
-        hint: "Is each test counted, one that finds nothing too?",
+        hint: "Is each test counted, a test that finds nothing too?",
     },
     Flaw {
         complaint: "the hit is right, but",
         name: "finds the right hit with more work than needed",
-        hint: "Which boxes and triangles behind a hit are still asked? Which child is opened first? Are the same ones counted twice?",
+        hint: "Which boxes and triangles behind a hit are still asked? Which child is opened first? Are the same tests counted twice?",
     },
     Flaw {
         complaint: "you returned triangle",

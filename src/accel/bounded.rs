@@ -4,8 +4,8 @@ use crate::accel::list::List;
 use crate::math::{aabb::Aabb, domain::LARGEST};
 use crate::shape::Shape;
 
-/// The shapes with a box within the [domain](crate::math::domain), for a structure to sort, and all others, such as planes, in
-/// a list to be searched beside it.
+/// Splits the shapes in two. Those with a box within the [domain](crate::math::domain) are for a structure to sort; all others,
+/// such as planes, are in a list, which is searched beside the structure.
 pub(super) fn bounded<S: Shape>(shapes: Vec<S>) -> (Vec<S>, List<S>) {
     let (bounded, unbounded) = shapes
         .into_iter()

@@ -5,20 +5,20 @@ use crate::math::aabb::Aabb;
 
 /// The limits of one build.
 ///
-/// A grid of ordinary shapes stays far below them: it has 5 cells and 4 to 20 references per shape. Many shapes in the same
-/// place, or many that are as long as the scene, would take a cell or a reference for each shape and each cell, that is N².
-/// Such a grid is made coarser until it keeps to the limits; at last it is a single cell, which always does.
+/// An ordinary grid keeps to them: it has 5 cells per shape, and usually about as many references. Many shapes in the same
+/// place, or many that are as long as the scene, would take a reference for each shape in each cell: O(N²) for N shapes.
+/// Such a grid is made coarser until it keeps to the limits. A single cell always does.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Budget {
     /// Cells and references together; each takes 4 bytes.
     pub entries: usize,
-    /// Pairs of a shape and a cell that are tried.
+    /// Tests of a shape against a cell.
     pub tries: usize,
 }
 
 impl Budget {
-    /// For N shapes: at most 400 bytes each, or 92 where they are many, which leaves room for lists that grow while
-    /// they are sorted in; and O(N) of time.
+    /// The limits for a grid of `shapes` shapes whose resolution is our choice: at most 400 bytes per shape, or about 92 where
+    /// there are many (the lists take more while they grow), and 256 tests per shape, which is O(N) of time.
     pub(super) fn of(shapes: usize) -> Self {
         Self {
             entries: (100 * shapes).min(23 * shapes + 4096).max(2),
@@ -26,15 +26,16 @@ impl Budget {
         }
     }
 
-    /// For a caller who chooses the resolution: 256 MB.
+    /// The limits for a grid whose resolution the caller chooses: 256 MB, or those of [`Budget::of`] if they are higher.
     pub(super) fn of_a_wish(shapes: usize) -> Self {
         let entries = (1 << 26).max(Self::of(shapes).entries);
         let tries = (1 << 28).max(Self::of(shapes).tries);
         Self { entries, tries }
     }
 
-    /// Takes the cells of a lattice and the pairs that shapes with these bounds, grown by a margin, have with them; false if
-    /// they are too many.
+    /// Whether the lattice's cells, and the tests of shapes against them, are within the limits; takes the tests off.
+    ///
+    /// A shape is tested against each cell that its bounds, grown by the margin, meet.
     pub(super) fn allows(
         &mut self,
         lattice: &Lattice,
@@ -50,7 +51,7 @@ impl Budget {
         })
     }
 
-    /// Takes this number of entries; false if they are too many.
+    /// Takes `entries` cells and references off; false if there are not enough left.
     pub(super) fn take(&mut self, entries: usize) -> bool {
         take(&mut self.entries, entries)
     }

@@ -12,12 +12,12 @@ pub struct Lattice {
     pub min: Vec3,
     /// The extent of one cell along each axis, in metres.
     pub cell: Vec3,
-    /// How many cells there are along each axis; at least 1.
+    /// Number of cells along each axis; at least 1 each.
     pub resolution: UVec3,
 }
 
 impl Lattice {
-    /// A box cut into `resolution` cells along each axis, at least 1.
+    /// A box cut into `resolution` cells along each axis, at least 1 each.
     pub fn new(bounds: &Aabb, resolution: UVec3) -> Self {
         let resolution = resolution.max(UVec3::ONE);
         Self {
@@ -27,22 +27,22 @@ impl Lattice {
         }
     }
 
-    /// How many cells there are.
+    /// Number of cells.
     pub fn cells(&self) -> usize {
         self.resolution.as_usizevec3().element_product()
     }
 
-    /// How many cells there are from `first` to `last`, both included.
+    /// Number of cells from `first` to `last`, both included; no coordinate of `first` is greater than that of `last`.
     pub fn cells_between(&self, first: UVec3, last: UVec3) -> usize {
         (last - first + UVec3::ONE).as_usizevec3().element_product()
     }
 
-    /// All cells together.
+    /// The box of all cells.
     pub fn bounds(&self) -> Aabb {
         self.bounds_of(UVec3::ZERO, self.resolution - UVec3::ONE)
     }
 
-    /// The cells from `first` to `last`, both included.
+    /// The box of the cells from `first` to `last`, both included.
     pub fn bounds_of(&self, first: UVec3, last: UVec3) -> Aabb {
         Aabb {
             min: self.min + first.as_vec3() * self.cell,
@@ -65,18 +65,18 @@ impl Lattice {
         }
     }
 
-    /// The cell that holds a point, or the one that is nearest to it along each axis.
+    /// The cell that holds a point; for a point outside, the nearest cell along each axis.
     ///
-    /// A point on a plane, or as near to it as rounding can tell, may be in either cell.
+    /// A point on a plane between two cells, up to rounding, may be in either cell.
     pub fn cell_at(&self, p: Vec3) -> UVec3 {
-        // A conversion to an integer rounds down, takes what is negative or NaN (0/0: a box without extent) for 0,
-        // and keeps what is too large within the integers.
+        // The conversion to an integer rounds down, makes 0 of negative numbers and of NaN (0/0: a box without extent),
+        // and the largest integer of numbers that are too large.
         ((p - self.min) / self.cell)
             .as_uvec3()
             .min(self.resolution - UVec3::ONE)
     }
 
-    /// The first and the last cell along each axis of those that hold a box, or are nearest to it.
+    /// The first and the last of the cells that a box meets, along each axis; for a box outside, the nearest cells.
     pub fn cells_of(&self, bounds: &Aabb) -> (UVec3, UVec3) {
         (self.cell_at(bounds.min), self.cell_at(bounds.max))
     }

@@ -1,10 +1,11 @@
-//! The linear search: every ray asks every shape.
+//! The linear search: every ray tests every shape.
 
 use crate::accel::{Accel, Count};
 use crate::math::{interval::Interval, ray::Ray};
 use crate::shape::{Hit, Shape};
 
-/// Shapes in no order, all of them tested: right by inspection, and the judge of every faster structure.
+/// Shapes in no special order, all of which are tested: simple enough to be right by reading, and the reference that every
+/// faster structure is tested against.
 #[derive(Clone, Debug)]
 pub struct List<S> {
     shapes: Vec<S>,
@@ -19,7 +20,7 @@ impl<S: Shape> List<S> {
 
 impl<S: Shape> Accel<S> for List<S> {
     // ANCHOR: mesh_hit
-    /// Whatever is hit shortens the interval for the shapes after it.
+    /// Tests all shapes; each hit shortens the interval for the shapes that follow.
     fn closest_counted(
         &self,
         ray: &Ray,

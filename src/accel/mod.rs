@@ -20,9 +20,9 @@ use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use crate::shape::mesh::{Facet, Mesh};
 use crate::shape::{Hit, Shape, Surface};
 
-/// Many shapes, searched for the one that a ray hits.
+/// An acceleration structure: many shapes, searched for the one that a ray hits.
 pub trait Accel<S: Shape>: Send + Sync {
-    /// The nearest shape that the ray hits within the interval, and the hit; counts the work.
+    /// The nearest shape that the ray hits within the interval, and the hit; `count` counts the work.
     fn closest_counted(
         &self,
         ray: &Ray,
@@ -30,7 +30,7 @@ pub trait Accel<S: Shape>: Send + Sync {
         count: &mut impl Count,
     ) -> Option<(&S, Hit)>;
 
-    /// The same, uncounted.
+    /// As [`Accel::closest_counted`], without counting.
     fn closest(&self, ray: &Ray, within: Interval) -> Option<(&S, Hit)> {
         self.closest_counted(ray, within, &mut ())
     }

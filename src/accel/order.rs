@@ -1,7 +1,10 @@
 //! Shapes in the order in which a structure names them.
 
-/// Renumbers shapes in the order in which `named` names them first, and sorts them so: what a ray asks for one after the other
-/// then lies side by side in memory. Shapes that are not named come last.
+/// Sorts shapes by the place at which `named` first names them, and renumbers `named`: so shapes that a ray tests one after
+/// another are side by side in memory. Shapes that are not named come last.
+///
+/// # Panics
+/// If `named` names a shape that does not exist.
 pub fn by_first_use<S>(shapes: &mut Vec<S>, named: &mut [u32]) {
     const NONE: u32 = u32::MAX;
     let mut numbers = vec![NONE; shapes.len()];

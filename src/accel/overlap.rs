@@ -1,28 +1,29 @@
-//! Whether a triangle reaches into a box.
+//! The overlap of a triangle and a box, by separating axes.
 
 use crate::math::aabb::Aabb;
 use glam::Vec3;
 
-/// A triangle made ready to be tested against many boxes of one size.
+/// A triangle, prepared for tests against many boxes of one size.
 ///
-/// Two convex bodies do not meet if and only if there is a direction along which one lies beyond the other, and for a
-/// triangle and a box it suffices to try 13 (Akenine-Möller 2001): the normals of the box, which compare the box with
-/// the triangle's bounds; the triangle's normal; and the 9 products of an edge of the one and an edge of the other.
-/// This type has the last 10. Along a direction a, the triangle covers the interval from min a·pᵢ to max a·pᵢ, and a box
-/// with centre c and half its extents h the interval a·c ± |a|·h.
+/// Two convex bodies do not meet if and only if there is a direction along which one is entirely beyond the other: a separating
+/// axis. For a triangle and a box it suffices to try 13 (Akenine-Möller, "Fast 3D triangle-box overlap testing", 2001): the 3
+/// normals of the box, which compare the box with the triangle's bounds; the triangle's normal; and the 9 cross products of an
+/// edge of the box and an edge of the triangle. This type has the last 10. Along a direction a, the triangle covers the interval
+/// from min a·pᵢ to max a·pᵢ, and a box with centre c and half extents h covers the interval a·c ± |a|·h.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Separation {
-    /// p₀: all is measured from here, so that numbers are as small as the triangle.
+    /// p₀: all places are relative to this corner, so that numbers are as small as the triangle.
     origin: Vec3,
     /// Directions a, and the least and the greatest a·(c − p₀) of a box that the triangle reaches.
     directions: [(Vec3, f32, f32); 10],
 }
 
-/// a·(c − p₀) has at most 5 roundings in a row, each of 2⁻²⁴ of a term; so has a·(pᵢ − p₀), and there is the sum |a|·h.
+/// The bound on rounding: a·(c − p₀) has at most 5 roundings in a row, each of 2⁻²⁴ of a term, a·(pᵢ − p₀) has as many, and the
+/// sum |a|·h has a few.
 const SLACK: f32 = 16.0 * (f32::EPSILON / 2.0);
 
 impl Separation {
-    /// A triangle, and half the extents of the boxes.
+    /// Prepares a triangle, for boxes with the half extents `half`, in metres.
     pub(crate) fn new(corners: &[Vec3; 3], half: Vec3) -> Self {
         let [p0, p1, p2] = *corners;
         // Scaled, so that no product of edges overflows or vanishes.
@@ -44,20 +45,20 @@ impl Separation {
         }
     }
 
-    /// Whether one of the directions separates the triangle from the box around this centre.
+    /// Whether one of the 10 directions separates the triangle from the box around this centre.
     ///
-    /// A yes is certain. A no means that they meet, or nearly do, if the box meets the bounds of the triangle.
+    /// `true` is certain. `false` means: if the box meets the bounds of the triangle, the triangle meets the box, up to rounding.
     pub(crate) fn separates(&self, center: Vec3) -> bool {
         let c = center - self.origin;
         self.directions.iter().any(|&(a, least, greatest)| {
             let place = a.dot(c);
-            // False for a NaN, which says nothing.
+            // False for a NaN, which separates nothing.
             place < least || place > greatest
         })
     }
 }
 
-/// Whether a triangle reaches into a box or touches it; by rounding, a yes may be wrong by a hair, a no never is.
+/// Whether a triangle reaches into a box or touches it. A `false` is certain; a `true` may be wrong by rounding errors.
 pub fn triangle_meets_box(corners: &[Vec3; 3], bounds: &Aabb) -> bool {
     let around = Aabb::of(*corners);
     if bounds.max.cmplt(around.min).any() || bounds.min.cmpgt(around.max).any() {

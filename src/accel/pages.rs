@@ -7,17 +7,17 @@
     )
 )]
 
-/// A list with room for n items, in large pages if it is long.
+/// An empty list with room for n items, in large pages (2 MB) if it is long.
 ///
-/// A processor keeps the addresses of a few thousand pages at hand; in pages of 4 KB that is a few megabytes, less than a tree
-/// of a hundred thousand triangles. Rays that go anywhere then look up an address for nearly every node.
+/// A processor caches the addresses of a few thousand pages (TLB). With pages of 4 KB these are a few megabytes, less than the
+/// tree of a hundred thousand triangles, and random rays must look up an address for nearly every node.
 pub(crate) fn list<T>(n: usize) -> Vec<T> {
     let list = Vec::with_capacity(n);
     advise(list.as_ptr() as usize, n * size_of::<T>());
     list
 }
 
-/// These items as a list in large pages, if it is long; it has no room for more.
+/// The items as a list without room for more, in large pages if the list is long.
 pub(crate) fn packed<T, I: IntoIterator<Item = T, IntoIter: ExactSizeIterator>>(
     items: I,
 ) -> Vec<T> {
@@ -36,19 +36,19 @@ fn advise(start: usize, bytes: usize) {
     const LARGE: usize = 2 << 20;
     let end = start + bytes;
     let inside = start.next_multiple_of(LARGE)..end / LARGE * LARGE;
-    // A list of some megabytes is seldom at the begin of a page: its first and its last one are shared with what is beside it.
+    // A list seldom begins at the beginning of a large page: its first and its last page are shared with neighbouring data.
     let around = start / LARGE * LARGE..end.next_multiple_of(LARGE);
     let advise = |range: Range<usize>, advice| {
         if bytes >= LARGE && !range.is_empty() {
             let at = range.start as *mut std::ffi::c_void;
-            // SAFETY: `list` alone calls this, with the address and the size of a list that it has just made, in which nothing is
-            // yet. `MADV_DONTNEED` loses what is in its pages: they are those inside of the list. `MADV_HUGEPAGE` changes neither
-            // what is in pages nor who may do what with them, so it may also be said of those around. Both ends are multiples
-            // of 2 MB and so of any page. If the system does not follow, nothing is lost.
+            // SAFETY: only `list` calls this, with the address and the size of a list that it has just made and that is still
+            // empty. `MADV_DONTNEED` discards the contents of the pages `inside`, all of which belong to the list.
+            // `MADV_HUGEPAGE` changes neither the contents of pages nor the rights to them, so it is allowed for the pages
+            // `around` too. Both ends are multiples of 2 MB, and so of any page. If the system refuses, nothing is lost.
             let _ = unsafe { madvise(at, range.len(), advice) };
         }
     };
-    // Where an earlier list was, small pages are left; they are given back first, for they would stay.
+    // An earlier list at this place may have left small pages, which would stay small: they are given back first.
     advise(inside, MADV_DONTNEED);
     advise(around, MADV_HUGEPAGE);
 }

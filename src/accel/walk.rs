@@ -7,15 +7,16 @@ use std::ops::ControlFlow;
 
 // ANCHOR: grid_walk
 /// Visits the cells of the lattice that the ray passes through within the interval, in order, each with the distances
-/// at which the ray enters and leaves it, until `visit` breaks off (a 3D-DDA: Amanatides and Woo 1987).
+/// at which the ray enters and leaves the cell, until `visit` returns `Break` (3D-DDA: Amanatides and Woo, "A fast voxel traversal
+/// algorithm for ray tracing", 1987).
 ///
-/// Per axis, the ray meets the next plane, number i, at tᵢ = (min − o)/d + i·(cell/d). The least of the three distances
-/// says through which face the ray leaves the cell; one step along that axis, and the next plane there comes one cell/d later.
-/// tᵢ is computed from i and not by adding cell/d over and over, for the errors would add up too.
+/// Per axis, the ray meets the next plane, number i, at tᵢ = (min − o)/d + i·(cell/d). The least of the three distances tells
+/// through which face the ray leaves the cell: one step along that axis follows, and the next plane there is cell/d further on.
+/// tᵢ is computed from i, not by adding cell/d again and again, because then the rounding errors would add up too.
 ///
-/// Every visit but the last makes one step, and a step never goes back, so there are at most as many visits as the
-/// resolutions add up to, whatever the numbers are. A ray through an edge or a corner makes its steps one after the other,
-/// in either order. By rounding, a cell may be visited that the ray only touches; then enter ≥ leave.
+/// Every visit but the last is followed by one step, and no step goes back. So the number of visits is at most the sum of the
+/// three resolutions, whatever the numbers are. A ray through an edge or a corner makes its steps one after the other, in any
+/// order. By rounding, a cell may be visited that the ray only touches; then enter ≥ leave.
 pub fn walk(
     lattice: &Lattice,
     ray: &Ray,
@@ -33,7 +34,7 @@ pub fn walk(
     let plane_ahead = |axis: usize, cell: u32| {
         let plane = cell + u32::from(!backward(axis));
         let t = first[axis] + plane as f32 * apart[axis];
-        // ∞, −∞ or ∞ − ∞ where the ray does not move along this axis, or next to nothing: it never meets a plane.
+        // ∞, −∞ or ∞ − ∞ where the ray does not move along this axis, or hardly: then it never meets a plane.
         if t.is_finite() { t } else { f32::INFINITY }
     };
     let mut next = vec3(
@@ -64,7 +65,7 @@ pub fn walk(
         if seen.is_break() || leave >= within.max {
             return;
         }
-        // Constants for the axis: so nothing is looked up in memory.
+        // The axes are constants, so that the compiler keeps the vectors in registers.
         let inside = if next.x < next.y && next.x < next.z {
             step(0, &mut cell, &mut next)
         } else if next.y < next.z {
@@ -80,12 +81,12 @@ pub fn walk(
 }
 // ANCHOR_END: grid_walk
 
-/// The lesser of two numbers, neither of which is NaN: one instruction, where `f32::min` has to ask.
+/// The lesser of two numbers that are not NaN: one instruction, whereas `f32::min` needs more to handle NaN.
 fn lesser(a: f32, b: f32) -> f32 {
     if a < b { a } else { b }
 }
 
-/// Ends a walk, or lets it go on.
+/// `Break`, which ends a walk, if `done`; else `Continue`.
 pub(crate) fn break_if(done: bool) -> ControlFlow<()> {
     if done {
         ControlFlow::Break(())

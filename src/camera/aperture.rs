@@ -1,19 +1,19 @@
-//! The aperture: the hole that the blades leave to the light.
+//! The aperture: the opening of the lens.
 
 use crate::sample::{disk::concentric_disk, polygon::regular_polygon};
 use glam::Vec2;
 
-/// The shape of the hole, in the unit circle, whose diameter is f/N. With blades the corners are on that circle, and the hole is
-/// a little smaller: of six it lets through 17 % less light.
+/// The shape of the aperture, in units of its radius, which is f/2N. The corners of a polygon are on the unit circle, so its area
+/// is smaller than that of the disc: six blades let through 17 % less light.
 ///
-/// A point of light out of focus has this shape in the picture.
+/// A point light that is out of focus has this shape in the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Aperture {
     /// A disc.
     Round,
     /// A regular polygon, whose corners are on the unit circle.
     Blades {
-        /// How many blades, and so corners; at least 3.
+        /// Number of blades, and of corners; fewer than 3 count as 3.
         count: u32,
         /// The angle of the first corner, in radians, from the camera's right towards its up.
         turn: f32,
@@ -21,7 +21,7 @@ pub enum Aperture {
 }
 
 impl Aperture {
-    /// The point that belongs to u in [0, 1)², uniform by area.
+    /// The point of the aperture for u in [0, 1)², uniform over the area.
     pub fn point(&self, u: Vec2) -> Vec2 {
         match *self {
             Self::Round => concentric_disk(u),

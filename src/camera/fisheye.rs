@@ -1,28 +1,29 @@
-//! The fisheye: a view of up to 360°, as a disc.
+//! The fisheye: a view of up to 360°, drawn as a disc.
 
 use crate::camera::pose::Pose;
 use crate::math::{dir3::Dir3, ray::Ray};
 use glam::{Vec2, vec2};
 use std::f32::consts::TAU;
 
-/// How far from the middle of the disc a direction is, by its angle θ to the middle, for a focal length of 1.
+/// The function r(θ) of a fisheye: the distance from the middle of the disc, in focal lengths, at which a direction is drawn that
+/// makes the angle θ with the optical axis.
 ///
 /// (The four are compared in Kannala and Brandt, "A generic camera model and calibration method for conventional,
 /// wide-angle, and fish-eye lenses", 2006.)
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Projection {
-    /// r = θ: equal angles are equally long on the way out.
+    /// r = θ: equal angles are equal distances along a radius.
     Equidistant,
     /// r = 2 sin(θ/2): equal solid angles have equal areas, as in a mirror ball seen from far away.
     Equisolid,
-    /// r = 2 tan(θ/2): small things keep their shapes.
+    /// r = 2 tan(θ/2): angles are kept, so small things keep their shapes.
     Stereographic,
-    /// r = sin θ: half of all directions, as a globe looks from far away; areas are solid angle times cosine.
+    /// r = sin θ: at most a hemisphere, as a globe looks from far away; areas are solid angle times cosine.
     Orthographic,
 }
 
 impl Projection {
-    /// All of them.
+    /// All four projections.
     pub const ALL: [Self; 4] = [
         Self::Equidistant,
         Self::Equisolid,
@@ -31,7 +32,7 @@ impl Projection {
     ];
 
     // ANCHOR: fisheye_radius
-    /// r of an angle θ in radians.
+    /// r, in focal lengths, of an angle θ in radians.
     pub fn radius(self, theta: f32) -> f32 {
         match self {
             Self::Equidistant => theta,
@@ -41,7 +42,7 @@ impl Projection {
         }
     }
 
-    /// θ in radians of a radius r.
+    /// θ, in radians, of a radius r in focal lengths: the inverse of [`Projection::radius`].
     pub fn angle(self, r: f32) -> f32 {
         match self {
             Self::Equidistant => r,
@@ -52,7 +53,8 @@ impl Projection {
     }
     // ANCHOR_END: fisheye_radius
 
-    /// The widest view in degrees. A stereographic one of 360° would be infinitely large; of 350°, its middle is small.
+    /// The widest view, in degrees. A stereographic picture of 360° would be infinitely large; at 350° the middle of the view is
+    /// already small.
     pub fn widest(self) -> f32 {
         match self {
             Self::Equidistant | Self::Equisolid => 360.0,
@@ -64,12 +66,12 @@ impl Projection {
 
 /// A camera whose view is a cone, drawn as a disc that touches the nearer edges of the film.
 ///
-/// It is no [`Camera`](crate::camera::Camera): beside the disc, where the film stays dark, it has no ray.
+/// It is not a [`Camera`](crate::camera::Camera), because it has no ray for a place beside the disc, where the film stays dark.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fisheye {
     pose: Pose,
     projection: Projection,
-    /// r at the rim of the disc: half of its diameter in focal lengths.
+    /// r at the rim of the disc: the disc's radius in focal lengths.
     rim: f32,
     aspect: f32,
 }
@@ -88,10 +90,10 @@ pub struct ViewError {
 }
 
 impl Fisheye {
-    /// A fisheye that sees a cone of this angle, in degrees, from rim to rim; `aspect` is the film's width over its height.
+    /// A fisheye that sees a cone whose full angle is `view`, in degrees; `aspect` is the film's width over its height.
     ///
     /// # Errors
-    /// If the projection cannot show that view.
+    /// If `view` is not above 0°, or is above the projection's [widest](Projection::widest).
     pub fn new(
         pose: Pose,
         projection: Projection,
@@ -113,8 +115,8 @@ impl Fisheye {
     // ANCHOR: fisheye_ray
     /// The ray of a place on the film, in [0, 1]² from the top left; `None` beside the disc.
     ///
-    /// With ρ the distance from the film's middle, 1 at the rim, θ is the angle of the radius ρ·r(view/2). It is turned
-    /// away from forward in the direction in which the place lies.
+    /// ρ is the distance of the place from the film's middle, 1 at the rim; θ is the angle of the radius ρ·r(view/2). The ray's
+    /// direction is forward, turned by θ towards the side on which the place is.
     pub fn ray_through(&self, film: Vec2) -> Option<Ray> {
         let stretch = vec2(self.aspect.max(1.0), (1.0 / self.aspect).max(1.0));
         let p = vec2(2.0 * film.x - 1.0, 1.0 - 2.0 * film.y) * stretch;

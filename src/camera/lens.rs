@@ -1,9 +1,9 @@
-//! The numbers on a lens, and what they make of a point that is out of focus.
+//! The numbers on a lens, and how it blurs a point that is out of focus.
 
 /// A thin lens: focal length, f-number and focus.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lens {
-    /// f: where the lens unites the light of a star, in metres.
+    /// f: the distance behind the lens at which parallel light meets in a point, in metres.
     pub focal_length: f32,
     /// N: the focal length over the aperture's diameter; ∞ for a pin-hole.
     pub f_number: f32,
@@ -14,10 +14,10 @@ pub struct Lens {
 /// Why a lens makes no picture.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum LensError {
-    /// No lens has such a focal length.
+    /// The focal length is not a finite number above 0.
     #[error("a focal length of {0} m: it needs one above 0")]
     FocalLength(f32),
-    /// No aperture is so large.
+    /// The f-number is not above 0.
     #[error("an f-number of {0}: it needs one above 0")]
     FNumber(f32),
     /// The film would be infinitely far away, or in front of the lens.
@@ -25,18 +25,18 @@ pub enum LensError {
         "a lens of {focal_length} m cannot focus at {focus} m: it needs a finite distance above its focal length"
     )]
     Focus {
-        /// The focal length.
+        /// The focal length, in metres.
         focal_length: f32,
-        /// The distance that was asked for.
+        /// The distance that was asked for, in metres.
         focus: f32,
     },
 }
 
 impl Lens {
-    /// A lens.
+    /// A lens of the focal length f, the f-number N and the focus s.
     ///
     /// # Errors
-    /// If f or N is not above 0, or s is not finite and above f.
+    /// If f is not finite and above 0, N is not above 0, or s is not finite and above f.
     pub fn new(focal_length: f32, f_number: f32, focus: f32) -> Result<Self, LensError> {
         if !(focal_length > 0.0 && focal_length.is_finite()) {
             return Err(LensError::FocalLength(focal_length));
@@ -62,16 +62,17 @@ impl Lens {
         self.focal_length / self.f_number
     }
 
-    /// f s/(s − f): how far behind the lens the film is, in metres, for 1/film + 1/s = 1/f (the thin-lens equation).
+    /// v = f s/(s − f): the distance from the lens to the film, in metres, by the thin-lens equation 1/v + 1/s = 1/f.
     pub fn film_distance(&self) -> f32 {
         self.focal_length * self.focus / (self.focus - self.focal_length)
     }
 
     // ANCHOR: circle_of_confusion
-    /// c = A |x − s|/x · f/(s − f): the diameter, in metres, of the disc on the film that a point at the distance x becomes.
+    /// c = A |x − s|/x · f/(s − f): the circle of confusion, the disc on the film that a point at the distance x becomes; c is its
+    /// diameter in metres.
     ///
-    /// Seen from the point, the aperture has the shadow A |x − s|/x in the plane in focus, and the film shows that plane
-    /// f/(s − f) times as large. Both distances are measured along the axis; x may be ∞.
+    /// The rays from the point to the aperture meet the plane in focus in a disc of the diameter A |x − s|/x. The film shows this
+    /// plane f/(s − f) times as large. Both distances are in metres along the axis; x > 0 may be ∞.
     pub fn circle_of_confusion(&self, x: f32) -> f32 {
         let (f, s) = (self.focal_length, self.focus);
         self.aperture() * (1.0 - s / x).abs() * f / (s - f)
@@ -79,10 +80,10 @@ impl Lens {
     // ANCHOR_END: circle_of_confusion
 
     // ANCHOR: depth_of_field
-    /// The distances, in metres, between which no circle of confusion is larger than c: x = s/(1 ± k), where
-    /// k = c (s − f)/(A f).
+    /// The depth of field: the nearest and the farthest distance, in metres, between which no circle of confusion is larger than
+    /// c (in metres): x = s/(1 ± k), where k = c (s − f)/(A f).
     ///
-    /// From k = 1 on, all that is far away is sharp enough, and the second is ∞.
+    /// From k = 1 on, everything far away is sharp enough, and the farthest distance is ∞.
     pub fn depth_of_field(&self, c: f32) -> [f32; 2] {
         let (f, s) = (self.focal_length, self.focus);
         let k = c * (s - f) / (self.aperture() * f);
@@ -95,9 +96,10 @@ impl Lens {
     }
     // ANCHOR_END: depth_of_field
 
-    /// f + A f/c: the nearest focus, in metres, for which no distant point has a circle of confusion larger than c.
+    /// f + A f/c: the hyperfocal distance, in metres: the nearest focus for which no point behind the focus has a circle of
+    /// confusion larger than c (in metres).
     ///
-    /// All is sharp enough then from half of it on.
+    /// With this focus, everything from half of this distance on is sharp enough.
     pub fn hyperfocal(&self, c: f32) -> f32 {
         self.focal_length + self.aperture() * self.focal_length / c
     }

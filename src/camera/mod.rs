@@ -11,15 +11,15 @@ pub mod thin_lens;
 use crate::math::ray::Ray;
 use glam::Vec2;
 
-/// Something that takes a picture.
+/// A camera: a ray for each place on the film.
 pub trait Camera: Send + Sync {
-    /// The ray whose light arrives at a place on the film.
+    /// The ray along which a place on the film sees the scene.
     ///
-    /// `film` is in [0, 1]², from the picture's top left to its bottom right; `lens`, in [0, 1)², chooses a point of the
-    /// lens where the camera has one.
+    /// `film` is in [0, 1]², from the picture's top left to its bottom right. `lens`, in [0, 1)², chooses a point of the lens, if
+    /// the camera has a lens.
     fn ray(&self, film: Vec2, lens: Vec2) -> Ray;
 
-    /// Whether the ray depends on the point of the lens.
+    /// Whether the ray depends on `lens`.
     fn has_lens(&self) -> bool {
         false
     }

@@ -8,16 +8,16 @@ use glam::Vec2;
 /// A camera whose film is a latitude–longitude map.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Panorama {
-    /// Where it is, and how it is turned.
+    /// The camera's place and axes.
     pub pose: Pose,
 }
 
 impl Panorama {
     // ANCHOR: panorama_ray
-    /// The ray in the direction that a place on the film is for; `film` as for [`Camera::ray`].
+    /// The ray of a place (u, v) on the film; `film` as for [`Camera::ray`].
     ///
-    /// Across the film, φ = 2π·(u − ½) goes around, from forward in the middle to right; down the film, θ = π·v goes from
-    /// up to down. Then d = sin θ·(cos φ·forward + sin φ·right) + cos θ·up. For a level pose it is the
+    /// Across the film, φ = 2π·(u − ½) goes around, from forward in the middle (φ = 0) to the right (φ = ½π). Down the film,
+    /// θ = π·v goes from up to down. Then d = sin θ·(cos φ·forward + sin φ·right) + cos θ·up. For a level pose, the mapping is the
     /// inverse of [`latlong::place`], and the picture is an environment map.
     pub fn ray_through(&self, film: Vec2) -> Ray {
         self.pose.ray(latlong::direction(film))

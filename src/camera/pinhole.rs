@@ -4,27 +4,27 @@ use crate::camera::Camera;
 use crate::math::{dir3::Dir3, ray::Ray};
 use glam::{Vec2, Vec3};
 
-/// The height of the image plane, in metres: that of the 35 mm film of photographers, whose focal lengths then apply.
+/// The height of the image plane, in metres: that of a photographer's 35 mm film, so that the usual focal lengths apply.
 pub const PLANE_HEIGHT: f32 = 0.024;
 
-/// The focal length, in metres, of a picture whose vertical field of view is v: h/(2 tan(v/2)).
+/// The focal length, in metres, for the vertical field of view v in degrees: h/(2 tan(v/2)), h = [`PLANE_HEIGHT`].
 pub fn focal_length(vertical_degrees: f32) -> f32 {
     0.5 * PLANE_HEIGHT / (0.5 * vertical_degrees).to_radians().tan()
 }
 
-/// A focal point, and an image plane in front of it at the focal length.
+/// A pin-hole camera: a focal point, and an image plane in front of this point, at the focal length.
 ///
-/// The plane of a real pin-hole camera is behind the hole, and its picture upside down; in front, at the same distance,
-/// the same rays make it upright.
+/// In a real pin-hole camera the plane is behind the hole, and the picture on it is upside down. On a plane in front of the hole,
+/// at the same distance, the same rays make an upright picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pinhole {
-    /// Where all rays start.
+    /// Where all rays start, in metres.
     pub focal_point: Vec3,
     /// Where the camera looks: perpendicular to the image plane.
     pub forward: Dir3,
     /// Along the rows of the picture.
     pub right: Dir3,
-    /// Against the columns of the picture.
+    /// Upwards in the picture; its rows are counted downwards.
     pub up: Dir3,
     /// From the focal point to the image plane, in metres.
     pub focal_length: f32,
@@ -35,7 +35,7 @@ pub struct Pinhole {
 /// Why a camera cannot be placed.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum LookAtError {
-    /// There is no direction from the camera to where it looks.
+    /// The camera is at the point that it looks at, or a coordinate is not finite.
     #[error("the camera at {from} looks at {to}: it needs two different, finite points")]
     SamePoint {
         /// Where the camera is.
@@ -43,7 +43,7 @@ pub enum LookAtError {
         /// Where it looks.
         to: Vec3,
     },
-    /// The picture could be turned anyhow.
+    /// Up is parallel to forward: the picture could be turned by any angle.
     #[error(
         "the camera looks along {forward}, and its up, {up}, is zero or parallel to that: choose another up"
     )]
@@ -57,15 +57,15 @@ pub enum LookAtError {
 
 impl Pinhole {
     // ANCHOR: look_at
-    /// A camera at `from` that sees `to` in the middle of its picture, and `up` towards the top.
+    /// A camera at `from` that sees `to` in the middle of its picture, and the direction `up` towards the top.
     ///
-    /// The axes are forward = (to − from)/|to − from|, right ∥ forward × up and, perpendicular to both, right × forward,
-    /// which is as near to `up` as the view allows.
+    /// The axes are forward = (to − from)/|to − from|, right = (forward × up)/|forward × up|, and up = right × forward, which is
+    /// the direction nearest to `up` that is perpendicular to forward.
     /// `focal_length` is in metres and positive: 0.05 for the photographer's 50 mm, whose view is 2·atan(12/50) = 27° high.
     /// `aspect` is the picture's width over its height.
     ///
     /// # Errors
-    /// If `from` and `to` are the same point, or `up` is zero or parallel to the view.
+    /// If `from` and `to` are the same point, `up` is zero or parallel to the view, or a coordinate is not finite.
     pub fn look_at(
         from: Vec3,
         to: Vec3,
@@ -73,7 +73,7 @@ impl Pinhole {
         focal_length: f32,
         aspect: f32,
     ) -> Result<Self, LookAtError> {
-        /// Below this sine of the angle to the view, `up` says too little: the cross product has lost most of its digits.
+        /// The least sine of the angle between `up` and the view: below it, the cross product has lost most of its digits.
         const SMALLEST_SINE: f32 = 1e-4;
         let forward = Dir3::new(to - from).ok_or(LookAtError::SamePoint { from, to })?;
         let parallel = LookAtError::UpParallelToView {

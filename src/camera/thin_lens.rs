@@ -1,4 +1,4 @@
-//! The thin-lens camera: the rays of a place on the film pass through all of a lens, and meet in the plane in focus.
+//! The thin-lens camera: the rays of a place on the film pass through all points of a lens, and meet in the plane in focus.
 
 use crate::camera::lens::{Lens, LensError};
 use crate::camera::{Camera, aperture::Aperture, pinhole::Pinhole};
@@ -8,33 +8,33 @@ use glam::{Vec2, Vec3, vec2};
 /// A lens in front of a film.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ThinLens {
-    /// The pin-hole camera with the same view: its hole is the middle of the lens, its plane the film.
+    /// The pin-hole camera with the same view: the hole is the middle of the lens, the image plane is the film.
     pub view: Pinhole,
     /// The lens.
     pub lens: Lens,
-    /// The shape of its opening.
+    /// The shape of the lens' opening.
     pub aperture: Aperture,
 }
 
-/// Where light from a point arrives.
+/// The arrival on the film of light from a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Arrival {
-    /// The place on the film; `film` as for [`Camera::ray`], and outside [0, 1]² beside the film.
+    /// The place on the film, in [0, 1]² as for [`Camera::ray`], or outside [0, 1]² if the light misses the film.
     pub film: Vec2,
-    /// The area on the film per area of the point's surroundings that face the ray, for one point of the lens.
+    /// (v/x)²/cos θ: area on the film over area at the light's point, perpendicular to the ray, for one point of the lens.
     pub magnified: f32,
-    /// From the point of the lens to where the light comes from.
+    /// The ray from the point of the lens to the point that the light comes from.
     pub ray: Ray,
-    /// How far that is, in metres.
+    /// The distance between these two points, in metres.
     pub distance: f32,
 }
 
 impl ThinLens {
-    /// The camera that has a lens instead of a hole.
+    /// The pin-hole camera `body`, with a lens instead of its hole.
     ///
-    /// The pin-hole's focal length becomes that of the lens. The film keeps its size, and is f s/(s − f) behind the lens, where
-    /// what is s away is sharp. So the view gets narrower when the focus comes nearer, as with a real lens that moves as a
-    /// whole.
+    /// The pin-hole's focal length becomes that of the lens. The film keeps its size, and is f s/(s − f) behind the lens, so that
+    /// the plane at the distance s = `focus` (in metres) is sharp. So the view gets narrower when the focus comes nearer, as with
+    /// a real lens that is moved as a whole.
     ///
     /// # Errors
     /// As for [`Lens::new`].
@@ -56,9 +56,9 @@ impl ThinLens {
         })
     }
 
-    /// The camera that sees what a pin-hole camera sees, through a lens of this diameter, in metres.
+    /// A camera with the view of the pin-hole camera `view`, through an aperture of the given `diameter`, in metres.
     ///
-    /// The film stays where it is, v behind the lens, and f = v s/(v + s) follows from the thin-lens equation.
+    /// The film stays at the distance v behind the lens, and f = v s/(v + s) follows from the thin-lens equation.
     ///
     /// # Errors
     /// As for [`Lens::new`].
@@ -78,11 +78,11 @@ impl ThinLens {
     }
 
     // ANCHOR: thin_lens_ray
-    /// The ray from a point of the lens to what a place on the film shows sharply; `film` as for [`Camera::ray`].
+    /// The ray from a point of the lens to the point in focus that belongs to a place on the film; `film` as for [`Camera::ray`].
     ///
-    /// The ray through the middle of the lens goes straight on, as through a pin-hole, and meets the plane at the distance s
-    /// along `forward`: at t = s/cos θ. There all rays from the same place of the film meet. `on_lens` is in the unit disc:
-    /// (1, 0) is the lens' edge to the camera's right, A/2 from its middle.
+    /// The ray through the middle of the lens goes straight on, as through a pin-hole. It meets the plane in focus, at the
+    /// distance s along `forward`, at t = s/cos θ. All rays from the same place on the film meet there. `on_lens` is in the unit
+    /// disc: (1, 0) is the edge of the lens on the camera's right, A/2 from the middle.
     pub fn ray_through(&self, film: Vec2, on_lens: Vec2) -> Ray {
         let Pinhole {
             forward, right, up, ..
@@ -96,9 +96,9 @@ impl ThinLens {
     // ANCHOR_END: thin_lens_ray
 
     // ANCHOR: arrival
-    /// Where on the film light from p arrives through a point of the lens: [`ThinLens::ray_through`] backwards.
+    /// The place on the film where light from p arrives through a point of the lens: the inverse of [`ThinLens::ray_through`].
     ///
-    /// `None` from behind the lens.
+    /// `None` if p is behind the lens.
     pub fn arrival(&self, p: Vec3, on_lens: Vec2) -> Option<Arrival> {
         let Pinhole {
             focal_point,

@@ -10,8 +10,8 @@ use image::{ImageDecoder, ImageEncoder, ImageError, ImageResult, Limits};
 use std::io::Cursor;
 use std::thread;
 
-/// No EXR file packs more pixels into a byte: its densest blocks, of 256 rows, take tens of bytes each.
-/// A damaged header may claim any size, and memory for it must not be asked for before it is known to be a lie.
+/// Maximum number of pixels per byte of an EXR file: its densest blocks, of 256 rows, take tens of bytes each.
+/// A damaged header may claim any size, and no memory must be allocated for a size that the file cannot hold.
 const PIXELS_PER_BYTE: usize = 1 << 14;
 
 pub(super) fn encode_exr(picture: &Image) -> Result<Vec<u8>, String> {
@@ -22,13 +22,13 @@ pub(super) fn encode_exr(picture: &Image) -> Result<Vec<u8>, String> {
     });
     exr::prelude::Image::from_channels((picture.width(), picture.height()), channels)
         .write()
-        .non_parallel() // in parallel, the blocks are written in the order in which they get ready
+        .non_parallel() // in parallel, the order of the blocks would depend on the threads
         .to_buffered(&mut bytes)
         .map_err(|e| e.to_string())?;
     Ok(bytes.into_inner())
 }
 
-/// Refuses a picture that would take more than the [`BUDGET`]: this many bytes while it is decoded, and the pixels themselves.
+/// Refuses a picture whose pixels, and `decoding` bytes while it is decoded, would take more memory than the [`BUDGET`].
 fn afford(width: u64, height: u64, decoding: u64) -> Result<(), String> {
     let pixels = width.saturating_mul(height);
     let needed = pixels
@@ -73,7 +73,7 @@ pub(super) fn decode_exr(bytes: &[u8]) -> Result<Image, String> {
         .map_err(|e| e.to_string())
 }
 
-/// Bytes of the blocks that the decoder holds at the same time, packed and unpacked.
+/// Size of the blocks that the decoder holds at the same time, packed and unpacked, in bytes.
 fn blocks_of_exr(header: &Header) -> u64 {
     let [width, height] = [header.layer_size.width(), header.layer_size.height()];
     let lines = header.compression.scan_lines_per_block();
@@ -84,7 +84,7 @@ fn blocks_of_exr(header: &Header) -> u64 {
             across.saturating_mul(down)
         }
     };
-    // One for each thread, and two that wait (`ParallelBlockDecompressor`), but no more than there are.
+    // One block for each thread, and two that wait (`ParallelBlockDecompressor`), but no more than the picture has.
     let threads = thread::available_parallelism().map_or(1, usize::from);
     let blocks = (width.saturating_mul(height) / block.max(1) + 1).min(threads + 2);
     let bytes = block.saturating_mul(header.channels.bytes_per_pixel);
@@ -92,8 +92,8 @@ fn blocks_of_exr(header: &Header) -> u64 {
 }
 
 pub(super) fn encode_hdr(picture: &Image) -> Result<Vec<u8>, String> {
-    /// The exponent is a byte, and the encoder lets it overflow: from 2¹²⁷ on white would turn black,
-    /// and below 2⁻¹²⁸ black would turn white.
+    /// The largest value that is written. The exponent is a byte, and the encoder lets it overflow: from 2¹²⁷ on, white would
+    /// turn black, and below 2⁻¹²⁸, black would turn white.
     const LARGEST: f32 = 1.7e38;
     let representable = |v: f32| {
         if v >= f32::MIN_POSITIVE {
@@ -118,7 +118,7 @@ pub(super) fn encode_png(picture: &Image) -> Result<Vec<u8>, String> {
     let mut bytes = Cursor::new(Vec::new());
     let (width, height) = (picture.width() as u32, picture.height() as u32);
     let colour = image::ExtendedColorType::Rgb8;
-    // A quarter smaller than by the encoder's own choice, and still written in some hundredths of a second.
+    // A quarter smaller than with the encoder's default, and still written in some hundredths of a second.
     PngEncoder::new_with_quality(&mut bytes, CompressionType::Default, FilterType::Adaptive)
         .write_image(&tone::to_bytes(picture), width, height, colour)
         .map_err(|e| e.to_string())?;
@@ -134,14 +134,14 @@ pub(super) fn decode_hdr(bytes: &[u8]) -> Result<Image, String> {
 
 /// The linear radiance of a PNG's code values, without their opacity.
 pub(super) fn decode_png(bytes: &[u8]) -> Result<Image, String> {
-    // For what is beside the pixels: colour profiles and texts.
+    // This limits the memory for colour profiles and texts; `afford` limits that for the pixels.
     let mut limits = Limits::default();
     limits.max_alloc = Some(BUDGET);
     let decoder = image::codecs::png::PngDecoder::with_limits(Cursor::new(bytes), limits);
     decode(decoder, tone::decode_srgb)
 }
 
-/// What a decoder found.
+/// The message for a decoder's error.
 fn told(error: &ImageError) -> String {
     match error {
         ImageError::Limits(_) => format!(
@@ -152,7 +152,7 @@ fn told(error: &ImageError) -> String {
     }
 }
 
-/// The picture of a decoder; memory is asked for when its header has been found affordable.
+/// The picture of a decoder, as linear radiance; memory is allocated only after the header's size has been checked.
 fn decode<D: ImageDecoder>(
     decoder: ImageResult<D>,
     to_linear: fn(f32) -> f32,

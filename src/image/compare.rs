@@ -1,31 +1,31 @@
-//! Whether two pictures show the same: a gate, then tolerances that each catch another kind of error.
+//! Whether two pictures show the same: their sizes, then tolerances, each of which catches another kind of error.
 
 use crate::image::Image;
 
-/// How far a picture may stray from the expected one.
+/// How much a picture may differ from the expected one.
 #[derive(Clone, Copy, Debug)]
 pub struct Tolerance {
     /// A channel may differ by this fraction of the expected value …
     pub relative: f32,
     /// … plus this much, before its pixel counts as an outlier.
     pub absolute: f32,
-    /// At most this fraction of the pixels may be outliers: a silhouette that another processor rounds otherwise.
+    /// Maximum fraction of the pixels that are outliers: on a silhouette, another processor may round differently.
     pub outliers: f32,
-    /// Outliers that touch (also at corners) form a cluster; at most this many pixels in one.
+    /// Maximum number of pixels in a cluster. Outliers that touch, also at corners, form a cluster.
     pub cluster: usize,
-    /// The means of the two pictures may differ by this fraction: it sees what is small but everywhere.
+    /// Maximum difference of the two pictures' means, as a fraction: it finds errors that are small but everywhere.
     pub mean: f32,
 }
 
 impl Tolerance {
     /// For a picture rendered again by the same program, perhaps on another processor, whose `sin` or `pow` may differ
-    /// in the last bit and turn a ray on a silhouette.
+    /// in the last bit, so that a ray on a silhouette hits something else.
     ///
     /// Measured with every ray's direction moved by an ulp, which is worse: in chapter 2's scene half of the channels
     /// change by less than 1e-7, 99 % by less than 5e-4, and the worst, waves at kilometres' distance, by 4e-3.
-    /// From the other side, 1 % in a part of the picture, or radiance that was rounded to bytes on its way, must be seen:
-    /// that needs a sum of `relative` and `absolute` below 0.004 (`tests/ch02_hdr.rs` has the table).
-    /// A pixel or two may sit on a silhouette, three in a row along an edge; a dead column is more.
+    /// On the other hand, an error of 1 % in a part of the picture, or radiance that was rounded to bytes, must be found:
+    /// for this the sum of `relative` and `absolute` must be below 0.004 (`tests/library/ch02_hdr` has the table).
+    /// A pixel or two may differ on a silhouette, or three in a row along an edge; a dead column is more.
     pub const RENDERED_AGAIN: Self = Self {
         relative: 0.002,
         absolute: 0.001,
@@ -46,7 +46,7 @@ pub enum Difference {
         /// Width and height found.
         actual: (usize, usize),
     },
-    /// NaN or infinite, in either picture: nothing can be said of how far apart they are.
+    /// A channel is NaN or infinite, in either picture: then a difference means nothing.
     #[error("pixel ({x}, {y}) is not a finite number")]
     NotFinite {
         /// Column.
@@ -148,7 +148,7 @@ pub fn compare(expected: &Image, actual: &Image, tolerance: &Tolerance) -> Resul
     Ok(())
 }
 
-/// Mean over all channels of all pixels; summed in `f64`, where millions of pixels lose nothing.
+/// Mean over all channels of all pixels; summed in `f64`, so that the sum of millions of pixels loses no digits.
 fn mean(picture: &Image) -> f32 {
     let sum: f64 = picture
         .pixels()

@@ -1,38 +1,41 @@
-//! Less noise in a picture of random samples: each pixel becomes a mean of those around it that differ by no more than noise.
+//! Denoising a picture of random samples: each pixel becomes a mean of the pixels around it that differ from it by noise only.
 
 use crate::image::{Image, rgb::Rgb};
 use crate::threads;
 use std::ops::Range;
 
-/// How far, in pixels, alike pixels are looked for in each direction.
+/// How far around a pixel similar pixels are looked for, in pixels, in each direction.
 const WINDOW: isize = 5;
 
-/// How far, in pixels, the patches reach by which two pixels are compared.
+/// How far around a pixel its patch reaches, in pixels, in each direction. Two pixels are compared by their patches.
 const PATCH: usize = 2;
 
-/// The square of how far two pixels may differ, in units of the variance of their difference, beyond what noise explains.
+/// k²: the squared difference of two pixels, beyond what noise explains, at which the weight is 1/e; in units of the variance of
+/// their difference.
 const STRENGTH: f32 = 0.2;
 
-/// The variance of a pixel q counts no more than this number of times that of p: a single bright path, which has made both its pixel and
-/// its variance large, would else be alike to everything around it.
+/// The variance of a pixel q counts as at most `NOISIER` times the variance of p. Without this limit, a pixel with a single
+/// bright path, which makes both the pixel and its variance large, would be similar to everything around it.
 const NOISIER: f32 = 8.0;
 
-/// Differences of radiance, squared, that nobody sees.
+/// A squared difference of radiance that is too small to be seen; it keeps the denominator above 0.
 const UNSEEN: f32 = 1e-6;
 
-/// A pixel may be brighter than all that the other picture has around it by this factor; more is a path that very few find.
+/// Maximum brightness of a pixel, in units of the brightest pixel that the other picture has around it. A brighter pixel comes
+/// from a very rare path.
 const BRIGHTEST: f32 = 2.0;
 
 // ANCHOR: denoise
-/// The mean of two pictures of the same view by different random numbers, with less noise and with its edges.
+/// The mean of two pictures of the same view, made with different random numbers, with less noise and sharp edges.
 ///
 /// Non-local means (Rousselle, Knaus and Zwicker, "Adaptive rendering with non-local means filtering", 2012): a pixel p becomes
-/// Σ w(p, q)·q/Σ w(p, q) over the pixels q around it, with w = exp(−max(0, d²)), where d² is the mean over the patches around
-/// p and q of ((p − q)² − (V(p) + min(V(p), V(q))))/(k²·(V(p) + min(V(q), 8 V(p)))). V is the variance of a pixel, which the difference
-/// of the two pictures tells. Each picture is averaged with the weights of the other one, so that noise does not choose its own weights.
+/// Σ w(p, q)·q/Σ w(p, q) over the pixels q around p, with w = exp(−max(0, d²)), where d² is the mean over the patches around
+/// p and q of ((p − q)² − (V(p) + min(V(p), V(q))))/(ε + k²·(V(p) + min(V(q), 8 V(p)))), with k² = 0.2 and ε = 10⁻⁶. V is the
+/// variance of a pixel, estimated from the difference of the two pictures. Each picture is averaged with the weights of the other
+/// one, so that noise does not choose its own weights.
 ///
-/// The result is a little too dark where few paths bring very much: what only one of the pictures has, and nothing around it,
-/// counts no more than twice the brightest of its surroundings.
+/// The result is biased: a little too dark where a few rare paths bring much light. A pixel that is bright in only one of the
+/// pictures counts no more than twice the brightest pixel around it in the other.
 ///
 /// # Panics
 /// If the pictures differ in size.
@@ -51,7 +54,7 @@ pub fn denoise(pictures: &[Image; 2]) -> Image {
     }
 }
 
-/// The pixels of `picture`, each averaged with those around it, by the weights of `other`.
+/// The pixels of `picture`, each averaged with the pixels around it, with the weights of `other`.
 fn averaged(picture: &Image, other: &Image, variance: &Image) -> Vec<Rgb> {
     let mut sums = vec![(Rgb::BLACK, 0.0); picture.pixels.len()];
     for step in around(WINDOW) {
@@ -76,16 +79,16 @@ fn averaged(picture: &Image, other: &Image, variance: &Image) -> Vec<Rgb> {
 
 /// The pixels p of a picture that have a pixel q a step away: a rectangle, row by row.
 struct Pairs {
-    /// Numbers of the first p and of the first q.
+    /// The indices of the first p and of the first q.
     first: [usize; 2],
-    /// Pixels in a row, and rows.
+    /// Width and height of the rectangle, in pixels.
     size: [usize; 2],
-    /// Pixels in a row of the picture.
+    /// Width of the picture, in pixels.
     stride: usize,
 }
 
 impl Pairs {
-    /// None if no pixel has another one there.
+    /// `None` if no pixel has another pixel at this step.
     fn new(picture: &Image, (dx, dy): (isize, isize)) -> Option<Self> {
         let along = |step: isize, size: usize| {
             let left = size.checked_sub(step.unsigned_abs())?;
@@ -102,14 +105,14 @@ impl Pairs {
         })
     }
 
-    /// The numbers of the pixels p of each row, and of their q.
+    /// The indices of the pixels p of each row, and of their q.
     fn rows(&self) -> impl Iterator<Item = (Range<usize>, Range<usize>)> {
         let ([p, q], [width, height]) = (self.first, self.size);
         let row = move |first: usize| first..first + width;
         (0..height).map(move |y| (row(p + y * self.stride), row(q + y * self.stride)))
     }
 
-    /// How much more each p differs from its q than by noise.
+    /// d² of each p and its q, before the mean over the patches: how much more they differ than by noise.
     fn distances(&self, picture: &Image, variance: &Image) -> Vec<f32> {
         let noise = |p: f32, q: f32, of_p: f32, of_q: f32| {
             ((p - q).powi(2) - (of_p + of_p.min(of_q)))
@@ -155,7 +158,7 @@ impl Pairs {
     }
 }
 
-/// The variance of each pixel of one of two pictures: half of their difference's square, which is averaged over the neighbours.
+/// The variance of each pixel in one picture: half the squared difference of the two pictures, averaged over 3 × 3 pixels.
 fn variance(a: &Image, b: &Image) -> Image {
     let squares = a.pixels.iter().zip(&b.pixels);
     let pixels = squares.map(|(a, b)| {
@@ -172,7 +175,7 @@ fn variance(a: &Image, b: &Image) -> Image {
     })
 }
 
-/// The picture, nowhere brighter than [`BRIGHTEST`] times the brightest that the other one has around the pixel.
+/// The picture, with each channel at most [`BRIGHTEST`] times the brightest that `other` has in the 3 × 3 pixels around.
 fn clamped(picture: &Image, other: &Image) -> Image {
     let most = neighbours(other, |around| {
         let brighter = |a: Rgb, b: Rgb| Rgb::new(a.r.max(b.r), a.g.max(b.g), a.b.max(b.b));
@@ -186,7 +189,7 @@ fn clamped(picture: &Image, other: &Image) -> Image {
     }
 }
 
-/// A picture of f of each pixel and the eight around it.
+/// The picture whose pixels are f of each pixel and the eight around it.
 fn neighbours(picture: &Image, f: impl Fn(&mut dyn Iterator<Item = Rgb>) -> Rgb) -> Image {
     let near = |i: usize, n: usize| i.saturating_sub(1)..(i + 2).min(n);
     Image::from_fn(picture.width, picture.height, |x, y| {

@@ -8,16 +8,16 @@ use std::path::{Path, PathBuf};
 /// Why a picture could not be read or written; every kind names the file.
 #[derive(Debug, thiserror::Error)]
 pub enum FileError {
-    /// The system refused, or it is no file.
+    /// The system refused, or the path is not that of a file.
     #[error(transparent)]
     Store(#[from] StoreError),
-    /// The name does not end like a picture's.
+    /// The name does not end in .exr, .hdr or .png.
     #[error("{}: a picture's name must end in .exr, .hdr or .png", path.display())]
     Format {
         /// The file.
         path: PathBuf,
     },
-    /// There is nothing to write.
+    /// The picture to be written has no pixels.
     #[error("{}: a picture of {width} × {height} pixels cannot be written: it needs at least one pixel", path.display())]
     Empty {
         /// The file.
@@ -46,22 +46,22 @@ enum Format {
     Png,
 }
 
-/// Whether a picture can be written under this name: before the work for it, and not after.
+/// Checks that a picture can be written under this name: to be called before the rendering, not after.
 ///
 /// # Errors
-/// If the name does not end like a picture's.
+/// If the name does not end in .exr, .hdr or .png.
 pub fn expect_name(path: &Path) -> Result<(), FileError> {
     format_of(path).map(|_| ())
 }
 
-/// Writes a picture in the format that its name ends in.
+/// Writes a picture in the format that the end of its name tells.
 ///
-/// `.exr` keeps each `f32` as it is, bit for bit; `.hdr` keeps 8 bits a channel with one exponent for the three, so that
-/// each is right to 1/128 of the largest; `.png` keeps 8 bits of the sRGB encoding and clamps to [0, 1].
-/// The folder is made if need be, and the file appears whole or not at all.
+/// `.exr` keeps each `f32` as it is, bit for bit. `.hdr` keeps 8 bits per channel with one exponent for all three, so that
+/// each channel is right to 1/128 of the largest. `.png` keeps 8 bits of the sRGB code and clamps to [0, 1].
+/// The folder is made if it does not exist, and the file appears whole or not at all.
 ///
 /// # Errors
-/// If the name ends otherwise, the picture has no pixels, or the file cannot be written.
+/// If the name has another end, the picture has no pixels, or the file cannot be written.
 pub fn save(path: &Path, picture: &Image) -> Result<(), FileError> {
     let format = format_of(path)?;
     if picture.pixels().is_empty() {
@@ -81,7 +81,7 @@ pub fn save(path: &Path, picture: &Image) -> Result<(), FileError> {
     Ok(store::write(path, &bytes)?)
 }
 
-/// The bytes of a PNG file, for a page that holds its pictures itself.
+/// The bytes of a PNG file, for a page that contains its pictures.
 ///
 /// # Errors
 /// If the picture has no pixels.
@@ -102,8 +102,8 @@ pub fn to_png(picture: &Image) -> io::Result<Vec<u8>> {
 /// Reads a picture of linear radiance; a PNG's code values are decoded from sRGB.
 ///
 /// # Errors
-/// If the file cannot be read, holds something else than its name promises, no pixels, or so many that decoding them would take
-/// more memory than the [budget](crate::memory::BUDGET): its header is asked first.
+/// If the name does not end in .exr, .hdr or .png, the file cannot be read, its content is of another format, it has no pixels,
+/// or decoding it would take more memory than the [budget](crate::memory::BUDGET), which its header tells.
 pub fn load(path: &Path) -> Result<Image, FileError> {
     let format = format_of(path)?;
     let bytes = store::read(path)?;

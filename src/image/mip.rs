@@ -1,19 +1,20 @@
-//! A picture to be looked up between its pixels, and less sharply where many of them would fall into one.
+//! A picture that can be looked up between its pixels, and blurred where many of them would fall into one pixel (a mip map).
 
 use crate::image::{Image, rgb::Rgb};
 use glam::Vec2;
 
-/// A picture, the same at half its width and height, and so on down to one pixel (Williams, "Pyramidal parametrics", 1983).
+/// A mip map: a picture, the same picture at half its width and height, and so on down to one pixel (Williams, "Pyramidal
+/// parametrics", 1983).
 ///
-/// Places are texture coordinates: (0, 0) is the lower left corner of the picture, (1, 1) the upper right one, and beyond
-/// them the picture is repeated.
+/// Places are texture coordinates: (0, 0) is the lower left corner of the picture, (1, 1) the upper right corner. Outside
+/// [0, 1]² the picture is repeated.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MipMap {
     levels: Vec<Image>,
 }
 
 impl MipMap {
-    /// A picture; a channel that is not finite counts as 0.
+    /// The mip map of a picture; a channel that is not finite counts as 0.
     ///
     /// # Panics
     /// If the picture has no pixel.
@@ -27,17 +28,20 @@ impl MipMap {
         Self { levels }
     }
 
-    /// The pictures, from the largest to a single pixel.
+    /// The levels, from the whole picture to a single pixel.
     pub fn levels(&self) -> &[Image] {
         &self.levels
     }
 
     // ANCHOR: bilinear
-    /// The colour at a place between the middles of four pixels: each counts as much as the place is near to it.
+    /// Bilinear interpolation between the middles of the four pixels around a place: with x and y the place's distances from the
+    /// left column and from the upper row, in pixels, the weights are (1 − x)(1 − y), x(1 − y), (1 − x)y and xy.
+    ///
+    /// A level beyond the last counts as the last.
     pub fn bilinear(&self, level: usize, place: Vec2) -> Rgb {
         let picture = &self.levels[level.min(self.levels.len() - 1)];
         let (width, height) = (picture.width(), picture.height());
-        // Half a pixel before the middle of the first one begins the last one: the picture is repeated.
+        // The picture is repeated: the pixel before the first is the last.
         let between = |v: f32, n: usize| {
             let v = if v.is_finite() { v - v.floor() } else { 0.0 };
             let at = v * n as f32 + n as f32 - 0.5;
@@ -52,8 +56,8 @@ impl MipMap {
     // ANCHOR_END: bilinear
 
     // ANCHOR: mip_map
-    /// The mean colour about a place, over a square of so large a width in texture coordinates: between the two levels whose
-    /// pixels are about as large. A width of 0 is the picture itself.
+    /// The mean colour over a square around a place, `width` wide in texture coordinates (trilinear interpolation): the two levels
+    /// whose pixels are just smaller and just larger than the square are interpolated. A width of 0 gives the sharp picture.
     pub fn at(&self, place: Vec2, width: f32) -> Rgb {
         let (first, last) = (&self.levels[0], self.levels.len() - 1);
         let pixels = width * first.width().max(first.height()) as f32;
@@ -68,7 +72,7 @@ impl MipMap {
     // ANCHOR_END: mip_map
 }
 
-/// The picture at half its width and height, rounded down: each pixel is the mean of what it covers.
+/// The picture at half its width and height, rounded down: each pixel is the mean of the area that it covers.
 fn halved(picture: &Image) -> Image {
     let (width, height) = (picture.width(), picture.height());
     let (half_width, half_height) = ((width / 2).max(1), (height / 2).max(1));
@@ -83,9 +87,9 @@ fn halved(picture: &Image) -> Image {
     })
 }
 
-/// Which of n pixels in a row pixel i of m covers, and how much of it each of them is.
+/// A row of n pixels is shrunk to m: the pixels that pixel i of the m covers, each with its share of pixel i.
 fn covered(i: usize, n: usize, m: usize) -> impl Iterator<Item = (usize, f32)> {
-    // In m-ths of a pixel all numbers are whole.
+    // In units of 1/m of a pixel, all numbers are whole.
     let (begin, end) = (i * n, (i + 1) * n);
     (begin / m..end.div_ceil(m)).map(move |pixel| {
         let part = end.min((pixel + 1) * m) - begin.max(pixel * m);

@@ -82,7 +82,7 @@ impl Image {
         self.pixels[y * self.width + x] = colour;
     }
 
-    /// The picture with f applied to each pixel: an exposure, a tone curve.
+    /// The picture with f applied to each pixel; f may be an exposure or a tone curve.
     #[must_use]
     pub fn map(&self, f: impl Fn(Rgb) -> Rgb) -> Self {
         Self {
@@ -91,7 +91,7 @@ impl Image {
         }
     }
 
-    /// The picture with each pixel as a square, `times` pixels wide: for looking at single pixels.
+    /// The picture with each pixel as a square of `times` × `times` pixels: to show single pixels.
     #[must_use]
     pub fn enlarged(&self, times: usize) -> Self {
         Self::from_fn(self.width * times, self.height * times, |x, y| {
@@ -101,7 +101,7 @@ impl Image {
 
     /// Whether the other picture has the same size and the same bits in every channel.
     ///
-    /// This is stricter than `==`, for which 0 is −0, and laxer, for here NaN is itself.
+    /// This differs from `==` in two cases: here 0 and −0 are different, and a NaN equals a NaN with the same bits.
     pub fn same_bits(&self, other: &Self) -> bool {
         let bits = |picture: &Self| -> Vec<u32> {
             let channels = picture.pixels.iter().flat_map(|p| p.channels());

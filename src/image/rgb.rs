@@ -42,7 +42,7 @@ impl Rgb {
         Self::new(f(self.r), f(self.g), f(self.b))
     }
 
-    /// How bright the eye finds it: Y = 0.2126 R + 0.7152 G + 0.0722 B (ITU-R BT.709).
+    /// The luminance, the brightness for the eye: Y = 0.2126 R + 0.7152 G + 0.0722 B (ITU-R BT.709).
     #[inline]
     pub fn luminance(self) -> f32 {
         0.2126 * self.r + 0.7152 * self.g + 0.0722 * self.b

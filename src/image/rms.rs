@@ -1,12 +1,15 @@
-//! How far apart two pictures are, in one number.
+//! The difference of two pictures in one number.
 
 use crate::image::{Image, tone};
 
 // ANCHOR: rms
-/// √(mean of (a − e)²) over the channels of those pixels that count, as a display shows them: clamped, in sRGB's code.
+/// The root of the mean square (RMS) difference, √(mean of (a − e)²), over all channels of the pixels (x, y) for which `counts` is
+/// true. a and e are sRGB code values in [0, 1], as a display shows them.
 ///
-/// 0 for equal pictures, 1 for black and white; 1/255 is one step of a display's brightness. NaN counts as black. The
-/// pictures have one size.
+/// 0 for equal pictures, 1 for black and white; 1/255 is one step of a display's brightness. NaN counts as black.
+///
+/// # Panics
+/// If a pixel of `expected` counts that `actual` does not have.
 pub fn rms(expected: &Image, actual: &Image, counts: impl Fn(usize, usize) -> bool) -> f32 {
     let (mut sum, mut n) = (0.0, 0_u32);
     for y in 0..expected.height() {

@@ -1,10 +1,10 @@
-//! The colours of light of one wavelength, as the eye sees them and as a display can show them.
+//! The colour of light of one wavelength, as the eye sees it and in the primaries of a display.
 //!
 //! ```
 //! use raybook::image::spectrum;
 //!
 //! let green = spectrum::rgb(550.0);
-//! assert!(green.g > 0.5 && green.r < green.g && green.b < 0.0); // no display shows it: its blue would be negative
+//! assert!(green.g > 0.5 && green.r < green.g && green.b < 0.0); // no display can show it: the blue would be negative
 //! ```
 
 use crate::image::rgb::Rgb;
@@ -13,8 +13,8 @@ use glam::{Mat3, Vec3, vec3};
 /// The colour-matching functions x̄, ȳ, z̄ of the standard observer (CIE 1931) at a wavelength in nanometres; ȳ is the luminous
 /// efficiency, 1 at 555 nm.
 ///
-/// Sums of bells with two widths each, within 1 % of the greatest value of the tables (Wyman, Sloan and Shirley, "Simple Analytic
-/// Approximations to the CIE XYZ Color Matching Functions", JCGT 2013).
+/// Sums of bell curves with two widths each; the error against the tables is within 1 % of the greatest value (Wyman, Sloan and
+/// Shirley, "Simple Analytic Approximations to the CIE XYZ Color Matching Functions", JCGT 2013).
 pub fn xyz(nanometres: f32) -> Vec3 {
     let bell = |height: f32, middle: f32, below: f32, above: f32| {
         let width = if nanometres < middle { below } else { above };
@@ -28,7 +28,8 @@ pub fn xyz(nanometres: f32) -> Vec3 {
     )
 }
 
-/// Linear sRGB of light of one wavelength, in nanometres. A part is negative where the light is purer than the display's primaries.
+/// The linear sRGB colour of light of one wavelength, in nanometres. A channel is negative where the light is more saturated than
+/// the display's primaries can show.
 pub fn rgb(nanometres: f32) -> Rgb {
     /// From XYZ to linear sRGB (IEC 61966-2-1), by columns.
     const TO_SRGB: Mat3 = Mat3::from_cols(

@@ -1,26 +1,25 @@
-//! From radiance without a limit to a display that ends at one.
+//! From radiance, which has no upper limit, to a display, which shows at most 1.
 
 use crate::image::{Image, rgb::Rgb};
 use std::sync::LazyLock;
 
 // ANCHOR: expose
-/// The radiance after an exposure: L·2^stops. One stop more is twice the light.
+/// The radiance L after an exposure: L·2^`stops`. One stop more is twice the light.
 pub fn expose(radiance: Rgb, stops: f32) -> Rgb {
     radiance * stops.exp2()
 }
 // ANCHOR_END: expose
 
-/// What a sensor does with too much light: every channel stops at 1, and the hue changes with it.
+/// Each channel clamped to [0, 1], as in a sensor with too much light. The hue changes where only some channels are clamped.
 pub fn clamp(radiance: Rgb) -> Rgb {
     radiance.map(|v| v.clamp(0.0, 1.0))
 }
 
 // ANCHOR: tone_map
-/// Reinhard's curve on the luminance, L′ = L/(1 + L), with the colour kept:
-/// all of [0, ∞) fits below 1 (Reinhard et al., "Photographic tone reproduction for digital images", 2002).
+/// Reinhard's curve on the luminance L, L′ = L/(1 + L), which maps [0, ∞) to [0, 1)
+/// (Reinhard et al., "Photographic tone reproduction for digital images", 2002).
 ///
-/// L is the luminance. Every channel is scaled by L′/L = 1/(1 + L), which keeps the hue, so a channel of a saturated
-/// colour may still exceed 1.
+/// Every channel is scaled by L′/L = 1/(1 + L), which keeps the hue. A channel of a saturated colour may still exceed 1.
 pub fn reinhard(radiance: Rgb) -> Rgb {
     radiance / (1.0 + radiance.luminance())
 }
@@ -61,8 +60,8 @@ pub fn decode_srgb(code: f32) -> f32 {
     }
 }
 
-/// The byte that a PNG stores for a linear value: round(255 · [`encode_srgb`]), by looking where v lies among the values
-/// at which the byte changes. NaN is stored as 0.
+/// The byte that a PNG stores for a linear value v: round(255 · [`encode_srgb`]), found by a binary search for v among the 255
+/// values at which the byte changes. NaN is stored as 0.
 pub fn to_byte(v: f32) -> u8 {
     static CHANGES: LazyLock<[f32; 255]> =
         LazyLock::new(|| std::array::from_fn(|byte| decode_srgb((byte as f32 + 0.5) / 255.0)));
@@ -71,7 +70,7 @@ pub fn to_byte(v: f32) -> u8 {
 
 /// The picture as a display shows it: clamped, encoded as sRGB, three bytes a pixel, row by row from the top left.
 pub fn to_bytes(picture: &Image) -> Vec<u8> {
-    // A figure is white for long stretches.
+    // Figures have long runs of equal pixels, so the bytes of the last pixel are kept.
     let mut last = (Rgb::BLACK, [0; 3]);
     let code = |&p: &Rgb| {
         if p != last.0 {

@@ -1,17 +1,17 @@
-//! The light of what is hot: from red to blue-white.
+//! The light of hot bodies: from red to blue-white.
 
 use crate::image::rgb::Rgb;
 use glam::{Mat3, Vec3, vec3};
 
-/// The wavelengths that the eye sees, in nanometres, and how finely they are summed.
+/// The first and the last visible wavelength, and the step of the sum over them, in nanometres.
 const FIRST: u32 = 380;
 const LAST: u32 = 780;
 const STEP: usize = 5;
 
-/// The colour of a black body at a temperature in kelvin, scaled so that one at 6500 K has luminance 1.
+/// The colour of a black body at a temperature in kelvin, scaled so that a black body at 6500 K has luminance 1.
 ///
-/// Planck's law B ∝ λ⁻⁵/(exp(c₂/(λT)) − 1), c₂ = hc/k, summed with the eye's sensitivities, in the sRGB primaries. A colour
-/// outside of them, as below 1900 K, loses the channel that would be negative.
+/// Planck's law (1900) B ∝ λ⁻⁵/(exp(c₂/(λT)) − 1), c₂ = hc/k, summed with the colour-matching functions of the eye, in linear
+/// sRGB. A channel that would be negative, as below 1900 K, is set to 0.
 pub fn black_body(kelvin: f32) -> Rgb {
     let white = eye(6500.0).y;
     // From XYZ to linear sRGB (IEC 61966-2-1), column by column.
@@ -24,7 +24,7 @@ pub fn black_body(kelvin: f32) -> Rgb {
     Rgb::new(rgb.x, rgb.y, rgb.z)
 }
 
-/// X, Y and Z, up to a common factor.
+/// X, Y and Z of a black body at a temperature in kelvin, up to a common factor.
 fn eye(kelvin: f32) -> Vec3 {
     /// hc/k in nm·K.
     const C2: f32 = 1.438_777e7;
@@ -32,14 +32,14 @@ fn eye(kelvin: f32) -> Vec3 {
         .step_by(STEP)
         .map(|nanometres| {
             let wavelength = nanometres as f32;
-            // By the power of 500/λ, and not of 1/λ, which would be too small for a number.
+            // (500/λ)⁵ is near 1, whereas λ⁻⁵ in nanometres is 1e-14: with it, the sum would vanish in `f32` for cool bodies.
             let planck = (500.0 / wavelength).powi(5) / (C2 / (wavelength * kelvin)).exp_m1();
             planck * sensitivity(wavelength)
         })
         .sum()
 }
 
-/// The CIE 1931 observer at a wavelength in nanometres, by a few bell curves (Wyman, Sloan and Shirley 2013).
+/// The colour-matching functions of the CIE 1931 observer at a wavelength in nanometres (fit of Wyman, Sloan and Shirley 2013).
 fn sensitivity(wavelength: f32) -> Vec3 {
     let bell = |middle: f32, below: f32, above: f32| {
         let width = if wavelength < middle { below } else { above };

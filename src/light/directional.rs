@@ -5,12 +5,12 @@ use crate::light::{Light, LightSample};
 use crate::math::dir3::Dir3;
 use glam::{Vec2, Vec3};
 
-/// A light so far away that it comes from the same direction everywhere, and does not fall off: the sun without its disc.
+/// A light at infinity: its light comes from the same direction everywhere and does not fall off. It is the sun without the disc.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DirectionalLight {
-    /// Towards the light.
+    /// The direction towards the light.
     pub toward: Dir3,
-    /// What arrives on a surface that faces it, in W/m².
+    /// The irradiance of a surface that faces the light, in W/m².
     pub irradiance: Rgb,
 }
 

@@ -13,19 +13,21 @@ use crate::math::{dir3::Dir3, ray::Ray};
 use glam::{Vec2, Vec3};
 
 // ANCHOR: light
-/// Something that shines.
+/// A light source.
 pub trait Light: Send + Sync {
-    /// Light that would arrive at a point if nothing were in the way; `None` where none would.
+    /// A sample of the light that would arrive at the point `at` if nothing were in the way; `None` if no light would.
     ///
-    /// u, uniform in [0, 1)², chooses a place on a light that has an extent; the mean over u is the light that arrives.
+    /// u, uniform in [0, 1)², chooses a point of an area light. The average of f cos θ · `arriving` over u is the reflected
+    /// radiance without shadows.
     fn sample(&self, at: Vec3, u: Vec2) -> Option<LightSample>;
 
-    /// What a ray that meets the light itself finds at a distance of at most `farthest`, in metres; `None` for a light without extent.
+    /// What a ray that meets the light itself finds, at a distance of at most `farthest`, in metres; `None` for a light without an
+    /// extent.
     fn seen(&self, _ray: &Ray, _farthest: f32) -> Option<LightHit> {
         None
     }
 
-    /// The density per steradian with which [`Light::sample`] chooses a direction; 0 for a light without extent.
+    /// The density per steradian with which [`Light::sample`] chooses a direction; 0 for a light without an extent.
     fn pdf(&self, at: Vec3, toward: Dir3) -> f32 {
         let hit = self.seen(&Ray::new(at, toward), f32::INFINITY);
         hit.map_or(0.0, |hit| hit.pdf)
@@ -36,24 +38,24 @@ pub trait Light: Send + Sync {
 /// Light on its way to a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LightSample {
-    /// From the point to where the light comes from.
+    /// The direction from the point to the light.
     pub toward: Dir3,
-    /// How far that is, in metres; ∞ for a light that is not of this world.
+    /// The distance to the light, in metres; ∞ for a light at infinity.
     pub distance: f32,
-    /// What arrives on a surface that faces the light, in W/m²; for a light with an extent, its radiance over `pdf`.
+    /// The irradiance of a surface that faces the light, in W/m²; for an area light, its estimate, radiance over `pdf`.
     pub arriving: Rgb,
-    /// The density of this direction, per steradian; ∞ for a light without extent, whose direction is no choice.
+    /// The density of this direction, per steradian; ∞ for a light without an extent, whose direction is not chosen.
     pub pdf: f32,
 }
 
-/// A light, where a ray meets it.
+/// The hit of a ray on a light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LightHit {
-    /// Distance along the ray, in metres; ∞ for a light that is not of this world.
+    /// Distance along the ray, in metres; ∞ for a light at infinity.
     pub t: f32,
     /// The radiance that comes along the ray, in W·m⁻²·sr⁻¹.
     pub radiance: Rgb,
-    /// The density per steradian with which [`Light::sample`] chooses the ray's direction, seen from where the ray begins.
+    /// The density per steradian with which [`Light::sample`], at the ray's origin, chooses the ray's direction.
     pub pdf: f32,
 }
 

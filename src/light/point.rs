@@ -5,20 +5,21 @@ use crate::light::{Light, LightSample};
 use crate::math::dir3::Dir3;
 use glam::{Vec2, Vec3};
 
-/// A light so small that only its place matters, equally bright to all sides.
+/// A light without an extent that shines equally to all sides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointLight {
-    /// Where it is.
+    /// The light's place, in metres.
     pub position: Vec3,
-    /// I: what it sends out, in W/sr; 4π of them are its power.
+    /// I: the radiant intensity, in W/sr; the light's power is 4π I.
     pub intensity: Rgb,
 }
 
 impl Light for PointLight {
     // ANCHOR: point_light
-    /// With r the vector from the point to the light, E = I/|r|² arrives from r/|r|: the same power on ever larger spheres.
+    /// The irradiance E = I/|r|² from the direction r/|r|, where r is the vector from the point to the light: the same power is
+    /// spread over a sphere whose area grows as |r|².
     ///
-    /// `None` at the light itself, where there is no direction.
+    /// `None` at the light itself, where r has no direction.
     fn sample(&self, at: Vec3, _u: Vec2) -> Option<LightSample> {
         let r = self.position - at;
         Some(LightSample {

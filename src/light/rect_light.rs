@@ -6,7 +6,7 @@ use crate::light::{Light, LightHit, LightSample};
 use crate::math::{dir3::Dir3, interval::Interval, ray::Ray};
 use glam::{DVec3, Vec2, Vec3};
 
-/// A rectangle that shines to the side where its normal a × b points, with the same radiance from everywhere to everywhere.
+/// A rectangle that shines to the side where its normal a × b points, with the same radiance from all points in all directions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RectLight {
     corner: Vec3,
@@ -19,21 +19,22 @@ pub struct RectLight {
     choose: Choose,
 }
 
-/// What a rectangle's view is the same in from everywhere; one without area has none.
+/// The axes and side lengths of a rectangle, which do not depend on the viewer; a rectangle without area has none.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Sides {
-    /// Along a, along b, and to where the light does not shine.
+    /// Unit vectors along a, along b, and along the normal of the dark side.
     axes: [DVec3; 3],
     /// |a| and |b|, in metres.
     lengths: [f64; 2],
 }
 
-/// The smallest solid angle, in steradians, by which points are chosen: below, the sum of four terms that gives it has
-/// lost more than 8 of its 16 digits, and the rectangle is so small that its area does as well.
+/// The smallest solid angle, in steradians, over which points are chosen. A smaller one, as a sum of four terms, has lost more than
+/// 8 of its 16 digits; but then the rectangle looks so small that choosing by area is as good.
 const LEAST: f64 = 1e-8;
 
 impl RectLight {
-    /// A rectangle from a corner and two sides, whose points are chosen by area; of `b`, what is perpendicular to `a` counts.
+    /// A rectangle from a corner and two sides, in metres, of the given `radiance`, in W·m⁻²·sr⁻¹; only the part of `b` that is
+    /// perpendicular to `a` counts. Points are chosen by area.
     ///
     /// A rectangle without area sheds no light.
     pub fn new(corner: Vec3, a: Vec3, b: Vec3, radiance: Rgb) -> Self {
@@ -50,13 +51,13 @@ impl RectLight {
         }
     }
 
-    /// The same light, with its points chosen in this way.
+    /// The same light, with its points chosen by `choose`.
     #[must_use]
     pub fn choosing(self, choose: Choose) -> Self {
         Self { choose, ..self }
     }
 
-    /// The point at u of the way along a and b, each in [0, 1].
+    /// The point corner + u.x·a + u.y·b, for u in [0, 1]².
     pub fn point(&self, u: Vec2) -> Vec3 {
         self.corner + u.x * self.a + u.y * self.b
     }
@@ -67,9 +68,9 @@ impl RectLight {
     }
 
     // ANCHOR: sample_rect
-    /// The point p = corner + u.x·a + u.y·b, uniform over the area A = |a|·|b|: per area, its density is 1/A.
+    /// The point p = corner + u.x·a + u.y·b, uniform over the area A = |a|·|b|: the density per area is 1/A.
     ///
-    /// `None` where p turns its back.
+    /// `None` if `at` is behind the light or in its plane.
     fn sample_area(&self, at: Vec3, u: Vec2) -> Option<LightSample> {
         let r = self.corner + u.x * self.a + u.y * self.b - at;
         let pdf = per_steradian(1.0 / self.area, r, self.normal);
@@ -77,7 +78,7 @@ impl RectLight {
     }
     // ANCHOR_END: sample_rect
 
-    /// The view in which points are chosen by solid angle; `None` where they are chosen by area.
+    /// The rectangle as seen from `at`, for points chosen by solid angle; `None` if they are chosen by area.
     fn view(&self, at: Vec3) -> Option<View> {
         let by_solid_angle = self.choose == Choose::BySolidAngle;
         let view = by_solid_angle.then(|| View::from(self, at)).flatten();
@@ -128,24 +129,25 @@ impl Sides {
     }
 }
 
-/// A rectangle in the coordinates of a viewer, who is at the origin: x and y run along its sides, and its plane is z = h.
+/// A rectangle in coordinates with the viewer at the origin: x and y run along the sides, and the rectangle's plane is z = h.
 ///
-/// Numbers are `f64`: a small rectangle's solid angle is a small difference of angles.
+/// Numbers are `f64`, because the solid angle of a small rectangle is a small difference of angles. Below, the plumb line is the
+/// perpendicular from the viewer to the plane, h long.
 struct View {
     axes: [DVec3; 3],
     x: [f64; 2],
     y: [f64; 2],
     h: f64,
-    /// s(y) of both.
+    /// s(y) of both sides across: s₀ and s₁.
     sines: [f64; 2],
-    /// The solid angle from the plumb line to the first side.
+    /// The signed solid angle of the strip from the plumb line to the side at `x[0]`.
     before: f64,
     /// Ω, in steradians.
     solid_angle: f64,
 }
 
 impl View {
-    /// `None` from behind, from within the plane, and if there is no rectangle.
+    /// `None` if `at` is behind the light or in its plane, or if the rectangle has no area.
     fn from(light: &RectLight, at: Vec3) -> Option<Self> {
         let Sides { axes, lengths } = light.sides?;
         let corner = (light.corner - at).as_dvec3();
@@ -174,9 +176,10 @@ impl View {
     /// The vector to a point of the rectangle, uniform over the solid angle Ω (Ureña, Fajardo and King, "An area-preserving
     /// parametrization for spherical rectangles", 2013).
     ///
-    /// First the x up to which there is u.x·Ω. With φ the solid angle from the plumb line to x, asin(s·s₁) − asin(s·s₀) = φ
-    /// has the solution s = sin φ/√(s₀² − 2 s₀ s₁ cos φ + s₁²), where s is the sine that belongs to x, and s₀ and s₁ those
-    /// of the sides across. On the line at x, which is d = √(x² + h²) away, the sine of the angle is uniform.
+    /// First, x is chosen so that the part of the rectangle up to x has the solid angle u.x·Ω. With φ the solid angle from the
+    /// plumb line to x, the equation asin(s·s₁) − asin(s·s₀) = φ has the solution s = sin φ/√(s₀² − 2 s₀ s₁ cos φ + s₁²). Here
+    /// s = s(x), and s₀ and s₁ are the sines of the sides across. Then y is chosen on the line at x, at the distance
+    /// d = √(x² + h²): there the sine of the angle is uniform.
     fn sample(&self, u: Vec2) -> DVec3 {
         let back = |s: f64, d: f64| d * s / (1.0 - s * s).max(0.0).sqrt();
         let (u, [s0, s1]) = (u.as_dvec2(), self.sines);
@@ -191,15 +194,15 @@ impl View {
 }
 
 // ANCHOR: rect_solid_angle
-/// s(v) = v/√(v² + h²): the sine of the angle between the plumb line, h long, and the line to v.
+/// s(v) = v/√(v² + h²): the sine of the angle between the plumb line, h long, and the line from the viewer to v.
 fn sine(v: f64, h: f64) -> f64 {
     v / v.hypot(h)
 }
 
-/// The solid angle between the plumb line and x, by the sines of x and of the sides across.
+/// The solid angle, in steradians, of the strip between the plumb line and x, from the sines of x and of the sides across.
 ///
-/// The rectangle from the foot of the plumb line to (x, y) has asin(s(x)·s(y)), and this one is the difference of two. The part
-/// between two x is the difference of two such strips.
+/// The rectangle from the foot of the plumb line to (x, y) has the solid angle asin(s(x)·s(y)). The strip is the difference of two
+/// such rectangles, and the whole light is the difference of two strips.
 fn strip(x: f64, [low, high]: [f64; 2]) -> f64 {
     (x * high).asin() - (x * low).asin()
 }

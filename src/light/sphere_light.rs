@@ -8,23 +8,25 @@ use crate::shape::{Shape, sphere::Sphere};
 use glam::{Vec2, Vec3, vec3};
 use std::f32::consts::TAU;
 
-/// A sphere that shines, outwards and inwards, with the same radiance from everywhere to everywhere.
+/// A sphere that shines, outwards and inwards, with the same radiance from all points in all directions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SphereLight {
     /// The sphere.
     pub sphere: Sphere,
-    /// L, in W·m⁻²·sr⁻¹.
+    /// L: the radiance, in W·m⁻²·sr⁻¹.
     pub radiance: Rgb,
-    /// How its points are chosen.
+    /// How the points of the light are chosen.
     pub choose: Choose,
 }
 
 impl SphereLight {
     // ANCHOR: sample_sphere_light
-    /// A direction uniform over the cone of half angle α in which the sphere is seen: sin α = r/d, at a distance d of its centre.
+    /// A direction, uniform over the cone in which the sphere is seen. Its half angle is α, sin α = r/d, with d the distance to the
+    /// centre.
     ///
-    /// On the unit sphere the cone cuts off a cap of area Ω = 2π(1 − cos α), and areas between parallel planes are as their
-    /// distances (Archimedes): 1 − cos θ is uniform, from 0 to 1 − cos α. From inside, the light is everywhere: Ω = 4π.
+    /// The cone cuts off a cap of the unit sphere with the area Ω = 2π(1 − cos α). The area between two parallel planes is
+    /// proportional to their distance (Archimedes), so 1 − cos θ is uniform, from 0 to 1 − cos α. From inside, the light is in
+    /// all directions: Ω = 4π.
     fn sample_cone(&self, at: Vec3, u: Vec2) -> Option<LightSample> {
         let (c, r) = (self.sphere.center - at, self.sphere.radius);
         let (d, height) = (c.length(), self.cap(at));
@@ -33,7 +35,7 @@ impl SphereLight {
         let (sin_phi, cos_phi) = (TAU * u.y).sin_cos();
         let around = Basis::around(Dir3::new_or(c, Dir3::Y));
         let toward = around.to_world(vec3(sine * cos_phi, sine * sin_phi, cosine));
-        // The line meets the sphere at d cos θ ± half its chord: first at the −, or from inside at the +.
+        // The line meets the sphere at d cos θ ± half the chord: first at the minus sign, or from inside at the plus sign.
         let half_chord = (r * r - d * d * sine * sine).max(0.0).sqrt();
         let side = if self.holds(at) { 1.0 } else { -1.0 };
         let distance = d * cosine + side * half_chord;
@@ -48,7 +50,7 @@ impl SphereLight {
 
     /// 1 − cos α of the cone in which the sphere is seen; 2 from inside.
     ///
-    /// A small sphere has cos α = 1 in `f32`; sin²α/(1 + cos α) is the same without cancellation.
+    /// For a small sphere, cos α rounds to 1 in `f32`; sin²α/(1 + cos α) is the same number without cancellation.
     fn cap(&self, at: Vec3) -> f32 {
         if self.holds(at) {
             return 2.0;
@@ -57,7 +59,7 @@ impl SphereLight {
         squared / (1.0 + (1.0 - squared).max(0.0).sqrt())
     }
 
-    /// A point uniform over the area that is seen: from outside a cap too, of height r − r²/d; from inside the whole sphere.
+    /// A point, uniform over the area that is seen: from outside a cap of the height r − r²/d, from inside the whole sphere.
     fn sample_area(&self, at: Vec3, u: Vec2) -> Option<LightSample> {
         let x = u.x * self.seen_height(at);
         let (cosine, sine) = (1.0 - x, (x * (2.0 - x)).max(0.0).sqrt());
@@ -69,14 +71,14 @@ impl SphereLight {
         shine(Dir3::new(r)?, r.length(), self.radiance, pdf)
     }
 
-    /// The density per steradian of a point, at r from the viewer, that was chosen by area.
+    /// The density per steradian of a point that was chosen by area; `r` is the vector from `at` to the point.
     fn area_pdf(&self, at: Vec3, r: Vec3, outward: Dir3) -> f32 {
         let area = TAU * self.sphere.radius.powi(2) * self.seen_height(at);
         let facing = if self.holds(at) { -outward } else { outward };
         per_steradian(1.0 / area, r, facing)
     }
 
-    /// The height of what is seen of the sphere, in radii: 1 − r/d from outside, 2 from inside.
+    /// The height of the part of the sphere that is seen, in radii: 1 − r/d from outside, 2 from inside.
     fn seen_height(&self, at: Vec3) -> f32 {
         if self.holds(at) {
             return 2.0;
@@ -85,7 +87,7 @@ impl SphereLight {
         (d - self.sphere.radius) / d
     }
 
-    /// Whether a point is inside.
+    /// Whether a point is inside the sphere or on it.
     fn holds(&self, at: Vec3) -> bool {
         at.distance(self.sphere.center) <= self.sphere.radius
     }

@@ -8,16 +8,17 @@ use crate::sample::hemisphere::{cosine_hemisphere, cosine_pdf};
 use crate::shape::Surface;
 use glam::Vec2;
 
-/// As [`Phong`], with (N·H)^α in the place of (R·V)^α (Blinn, "Models of light reflection for computer synthesized
+/// [`Phong`]'s model with (N·H)^α instead of (R·V)^α (Blinn, "Models of light reflection for computer synthesized
 /// pictures", 1977).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BlinnPhong(pub Phong);
 
 impl BlinnPhong {
     // ANCHOR: blinn_phong
-    /// k_d (L·N) i + k_s (N·H)^α i for one light, with H = (L + V)/|L + V|, half way between light and viewer.
+    /// The radiance k_d (L·N) i + k_s (N·H)^α i for one light. i is the irradiance that arrives from L, and H = (L + V)/|L + V| the
+    /// halfway vector between light and viewer.
     ///
-    /// If L = −V there is no H and no highlight.
+    /// Behind the surface, L·N ≤ 0, the radiance is 0. If L = −V there is no H, and no highlight.
     pub fn reflect(&self, normal: Dir3, view: Dir3, light: &LightSample) -> Rgb {
         let cosine = light.toward.dot(*normal);
         if cosine <= 0.0 {
@@ -31,7 +32,7 @@ impl BlinnPhong {
 }
 
 impl Material for BlinnPhong {
-    /// As Phong's.
+    /// [`BlinnPhong::reflect`] for 1 W/m², over the cosine L·N that it contains.
     fn eval(&self, at: &Surface, view: Dir3, toward: Dir3) -> Rgb {
         let cosine = at.facing(view).dot(*toward);
         if cosine <= 0.0 {
@@ -40,7 +41,7 @@ impl Material for BlinnPhong {
         self.lit(at, view, &LightSample::unit(toward)) / cosine
     }
 
-    /// By the cosine: right for the matte part, and possible for the highlight.
+    /// A direction with a density proportional to the cosine: the best for the matte part, and unbiased for the highlight.
     fn sample(&self, at: &Surface, view: Dir3, u: Vec2) -> Option<Dir3> {
         Some(cosine_hemisphere(at.facing(view), u))
     }
@@ -49,7 +50,7 @@ impl Material for BlinnPhong {
         cosine_pdf(at.facing(view).dot(*toward))
     }
 
-    /// The model itself: what arrives comes multiplied by the cosine where the model says so.
+    /// The model itself: it multiplies the matte part by the cosine, but not the highlight.
     fn lit(&self, at: &Surface, view: Dir3, light: &LightSample) -> Rgb {
         self.reflect(at.facing(view), view, light)
     }

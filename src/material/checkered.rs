@@ -3,7 +3,7 @@
 use crate::material::{Material, texture::Texture};
 use crate::shape::Surface;
 
-/// Squares of two materials, side 1 in texture coordinates, as on a chess board.
+/// A chess board of two materials, whose squares have the side 1 in texture coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Checkered<M>(pub M, pub M);
 

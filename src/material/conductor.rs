@@ -1,4 +1,4 @@
-//! Metals: light does not come through, and what is reflected has the metal's colour.
+//! Metals: no light comes through, and the reflected light has the metal's colour.
 
 use crate::image::rgb::Rgb;
 use crate::material::{Delta, Material, mirror::Mirror};
@@ -7,14 +7,14 @@ use crate::shape::Surface;
 
 /// The complex index of refraction n + ik of a metal, for the red, green and blue of sRGB.
 ///
-/// The constants are means of measured spectra, weighted by the eye's curves: gold, silver and copper of Johnson and Christy,
-/// "Optical constants of the noble metals" (1972), aluminium of Rakić et al., "Optical properties of metallic films for
-/// vertical-cavity optoelectronic devices" (1998).
+/// The constants are means of measured spectra, weighted by the eye's colour-matching functions: gold, silver and copper from
+/// Johnson and Christy, "Optical constants of the noble metals" (1972), aluminium from Rakić et al., "Optical properties of
+/// metallic films for vertical-cavity optoelectronic devices" (1998).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Metal {
     /// n: the index of refraction.
     pub n: Rgb,
-    /// k: the extinction. In the metal, light fades by e^(−4πk/λ) a metre: it is gone after some ten nanometres.
+    /// k: the extinction coefficient. After x metres in the metal, e^(−4πkx/λ) of the light is left: 1/e after 10 to 20 nm.
     pub k: Rgb,
 }
 
@@ -40,7 +40,7 @@ impl Metal {
         k: Rgb::new(9.224, 6.270, 4.837),
     };
 
-    /// The share of unpolarised light that is reflected, of light that comes at an angle of this cosine to the normal.
+    /// The reflectance R for unpolarised light, per channel; `cosine` is that of the angle between the light and the normal.
     pub fn reflectance(&self, cosine: f32) -> Rgb {
         let of = |n: f32, k: f32| fresnel_conductor(cosine, n, k);
         Rgb::new(
@@ -52,7 +52,7 @@ impl Metal {
 }
 
 // ANCHOR: fresnel_conductor
-/// R = (Rs + Rp)/2 of a metal with index n + ik in air: Fresnel's equations with a complex index.
+/// The reflectance R = (Rs + Rp)/2 of a metal with the index n + ik in air: Fresnel's equations with a complex index.
 ///
 /// With s = sin²θ, p² = ½(√((n² − k² − s)² + 4n²k²) + n² − k² − s) and q² = p² − (n² − k² − s):
 /// Rs = ((p − cos θ)² + q²)/((p + cos θ)² + q²) and Rp = Rs·((p − sin θ tan θ)² + q²)/((p + sin θ tan θ)² + q²)
@@ -63,7 +63,7 @@ pub fn fresnel_conductor(cosine: f32, n: f32, k: f32) -> f32 {
     let real = n * n - k * k - s;
     let length = real.hypot(2.0 * n * k);
     let p = (0.5 * (length + real)).max(0.0).sqrt();
-    // p² + q² = length; the fractions of Rp are taken cos θ times, so that there is no tangent at the horizon.
+    // p² + q² = length. Both sides of Rp's fraction are multiplied by cos²θ, so that there is no tangent at the horizon.
     let share = |a: f32, b: f32| (a - b) / (a + b);
     let rs = share(length + cosine * cosine, 2.0 * p * cosine);
     let rp = rs * share(length * cosine * cosine + s * s, 2.0 * p * cosine * s);
@@ -71,7 +71,7 @@ pub fn fresnel_conductor(cosine: f32, n: f32, k: f32) -> f32 {
 }
 // ANCHOR_END: fresnel_conductor
 
-/// A smooth surface of a metal: a mirror whose share depends on the angle.
+/// A smooth metal surface: a mirror whose reflectance depends on the angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Conductor(pub Metal);
 

@@ -1,23 +1,23 @@
 //! Fresnel's equations: how much light a smooth surface between two media reflects.
 
-/// The share of the light that is reflected; the rest goes through.
+/// The reflectance, the share of the light that is reflected; the rest goes through.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reflectance {
-    /// Rs: of light that swings perpendicular to the plane of incidence (German *senkrecht*).
+    /// Rs: of light polarised perpendicular to the plane of incidence (s is for German *senkrecht*).
     pub s: f32,
-    /// Rp: of light that swings parallel to it.
+    /// Rp: of light polarised parallel to the plane of incidence.
     pub p: f32,
-    /// R: of light that swings in all directions, as that of lamps and the sun.
+    /// R: of unpolarised light, such as that of lamps and of the sun.
     pub unpolarised: f32,
 }
 
 impl Reflectance {
-    /// All is reflected.
+    /// All light is reflected.
     pub const ALL: Self = Self::both(1.0, 1.0);
-    /// Nothing is.
+    /// No light is reflected.
     pub const NOTHING: Self = Self::both(0.0, 0.0);
 
-    /// R = (Rs + Rp)/2: half of unpolarised light swings in each way.
+    /// R = (Rs + Rp)/2: unpolarised light is half of the one and half of the other.
     const fn both(s: f32, p: f32) -> Self {
         Self {
             s,
@@ -28,15 +28,15 @@ impl Reflectance {
 }
 
 // ANCHOR: fresnel
-/// Rs = ((n₁ cos θ₁ − n₂ cos θ₂)/(n₁ cos θ₁ + n₂ cos θ₂))², Rp = ((n₁ cos θ₂ − n₂ cos θ₁)/(n₁ cos θ₂ + n₂ cos θ₁))²
-/// and R = (Rs + Rp)/2, for light that comes through n₁ at an angle θ₁ to the normal and goes on through n₂ at θ₂
-/// (Fresnel 1823).
+/// Fresnel's equations: Rs = ((n₁ cos θ₁ − n₂ cos θ₂)/(n₁ cos θ₁ + n₂ cos θ₂))²,
+/// Rp = ((n₁ cos θ₂ − n₂ cos θ₁)/(n₁ cos θ₂ + n₂ cos θ₁))² and R = (Rs + Rp)/2, for light that comes through a medium of the
+/// index n₁ at an angle θ₁ to the normal, and goes on through n₂ at θ₂ (Fresnel 1823). `cos1` is cos θ₁.
 ///
-/// θ₂ follows from Snell's law, sin θ₂ = (n₁/n₂) sin θ₁; if that is more than 1, all is reflected.
-/// Nothing is reflected where nothing changes, n₁ = n₂.
+/// θ₂ follows from Snell's law, sin θ₂ = (n₁/n₂) sin θ₁. If this is 1 or more, all light is reflected (total internal
+/// reflection). If n₁ = n₂, nothing is reflected.
 pub fn fresnel(cos1: f32, n1: f32, n2: f32) -> Reflectance {
     if n1 == n2 {
-        return Reflectance::NOTHING; // also along the surface, where the fractions are 0/0
+        return Reflectance::NOTHING; // also at grazing incidence, where the fractions are 0/0
     }
     let cos2_squared = 1.0 - (n1 / n2).powi(2) * (1.0 - cos1 * cos1);
     if cos2_squared <= 0.0 {
@@ -48,9 +48,9 @@ pub fn fresnel(cos1: f32, n1: f32, n2: f32) -> Reflectance {
 }
 // ANCHOR_END: fresnel
 
-/// R₀ + (1 − R₀)(1 − cos θ)⁵ with R₀ = ((n₁ − n₂)/(n₁ + n₂))², an approximation of R that is cheap and never more than
-/// a few hundredths off for glass; θ is the angle on the side of the smaller index (Schlick, "An inexpensive BRDF model
-/// for physically-based rendering", 1994).
+/// Schlick's approximation of R: R₀ + (1 − R₀)(1 − cos θ)⁵ with R₀ = ((n₁ − n₂)/(n₁ + n₂))². It is cheap, and for glass its error
+/// is at most 0.04. θ is the angle on the side of the smaller index (Schlick, "An inexpensive BRDF model for physically-based
+/// rendering", 1994).
 pub fn schlick(cos1: f32, n1: f32, n2: f32) -> f32 {
     let cos2_squared = 1.0 - (n1 / n2).powi(2) * (1.0 - cos1 * cos1);
     let cosine = if n1 > n2 {

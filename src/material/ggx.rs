@@ -1,4 +1,4 @@
-//! Rough metal: a surface of mirrors too small to see.
+//! Rough metal: a surface of mirrors that are too small to be seen (microfacets).
 
 use crate::image::rgb::Rgb;
 use crate::material::Material;
@@ -9,25 +9,25 @@ use crate::shape::Surface;
 use glam::{Vec2, Vec3, vec3};
 use std::f32::consts::{PI, TAU};
 
-/// A metal whose surface consists of facets, their normals spread by GGX (Walter et al., "Microfacet models for refraction through
-/// rough surfaces", 2007; the same as Trowbridge and Reitz 1975).
+/// A metal whose surface consists of microfacets, with normals distributed by GGX (Walter et al., "Microfacet models for refraction
+/// through rough surfaces", 2007; the same as Trowbridge and Reitz 1975).
 ///
-/// Light that one facet sends to another is lost, for the model follows one reflection only: from straight above 1 % of it at
-/// α = 0.1, 31 % at 0.5 and ln 2, or 69 %, at 1.
+/// The model follows only one reflection, so the light that one facet sends to another is lost: of light from straight above, 1 %
+/// for α = 0.1, 31 % for 0.5, and ln 2 = 69 % for 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ggx {
-    /// What the facets are made of.
+    /// The metal of the facets.
     pub metal: Metal,
     /// α: the roughness, from [`Ggx::SMOOTHEST`] to 1.
     pub alpha: f32,
 }
 
 impl Ggx {
-    /// Below this roughness single precision cannot hold the peak: take [`crate::material::conductor::Conductor`].
+    /// The smallest roughness. Below it, single precision cannot represent the peak: use [`crate::material::conductor::Conductor`].
     pub const SMOOTHEST: f32 = 1e-3;
 
     // ANCHOR: ggx
-    /// D(h) = α²/(π ((n·h)² (α² − 1) + 1)²): the density of the facets' normals, in 1/sr; ∫ D (n·h) dω = 1.
+    /// D(h) = α²/(π ((n·h)² (α² − 1) + 1)²): the distribution of the facets' normals h, in 1/sr; ∫ D (n·h) dω = 1. `cosine` is n·h.
     pub fn normals(&self, cosine: f32) -> f32 {
         let squared = self.alpha * self.alpha;
         // 1 − (1 − α²) cos² without cancellation where cos is nearly 1
@@ -35,7 +35,8 @@ impl Ggx {
         squared / (PI * spread * spread)
     }
 
-    /// Λ = (√(1 + α² tan²θ) − 1)/2: the area of hidden facets per visible one, as seen at an angle of this cosine (Smith 1967).
+    /// Λ = (√(1 + α² tan²θ) − 1)/2: the area of hidden facets per area of visible facets, as seen at the angle θ to the normal
+    /// (Smith 1967). `cosine` is cos θ.
     pub fn hidden(&self, cosine: f32) -> f32 {
         let squared = cosine * cosine;
         let tangent = (1.0 - squared).max(0.0) / squared;
@@ -45,7 +46,7 @@ impl Ggx {
 }
 
 impl Ggx {
-    /// The cosines of view, light and the facet's normal h to the surface's, and of view to h; `None` behind the surface.
+    /// The cosines n·v, n·l, n·h and v·h, where h is the facet's normal; `None` if viewer or light is behind the surface.
     fn cosines(at: &Surface, view: Dir3, toward: Dir3) -> Option<[f32; 4]> {
         let normal = at.facing(view);
         let (out, into) = (normal.dot(*view), normal.dot(*toward));
@@ -55,7 +56,8 @@ impl Ggx {
 }
 
 impl Material for Ggx {
-    /// f = F(v·h) D(h) G/(4 (n·l)(n·v)) with G = 1/(1 + Λ(v) + Λ(l)): of the facets that mirror l to v, those that both see.
+    /// f = F(v·h) D(h) G/(4 (n·l)(n·v)) with G = 1/(1 + Λ(v) + Λ(l)): the facets that mirror l to v, times the share G of them that
+    /// both viewer and light see.
     fn eval(&self, at: &Surface, view: Dir3, toward: Dir3) -> Rgb {
         let Some([out, into, half, facet]) = Self::cosines(at, view, toward) else {
             return Rgb::BLACK;
@@ -65,11 +67,11 @@ impl Material for Ggx {
     }
 
     // ANCHOR: visible_normals
-    /// The mirror direction of one of the facets that the viewer sees, each as likely as it is large to him
-    /// (Heitz, "Sampling the GGX distribution of visible normals", 2018).
+    /// The mirror direction of one of the facets that the viewer sees, chosen with a probability proportional to the facet's
+    /// visible area (Heitz, "Sampling the GGX distribution of visible normals", 2018).
     ///
-    /// Squeezed by α, the facets are those of a hemisphere. A point of the disc that the viewer sees of it, all equally likely,
-    /// is a facet; stretched again, it has its place on the surface.
+    /// Scaled by 1/α in height, the facets have the normals of a hemisphere. The viewer sees the hemisphere as a disc, of which a
+    /// point is chosen uniformly: it is a facet. Its normal is scaled back.
     fn sample(&self, at: &Surface, view: Dir3, u: Vec2) -> Option<Dir3> {
         let normal = at.facing(view);
         let basis = Basis::around(normal);
@@ -83,7 +85,7 @@ impl Material for Ggx {
         let up = seen_from.cross(*across);
         let (r, phi) = (u.x.sqrt(), TAU * u.y);
         let x = r * phi.cos();
-        // The disc's far half is seen foreshortened: from y in ±√(1 − x²) to what of it is in sight.
+        // The half of the disc beyond its middle is foreshortened: y in ±√(1 − x²) is mapped to the part that is seen.
         let share = 0.5 * (1.0 + seen_from.z);
         let y = (1.0 - share) * (1.0 - x * x).max(0.0).sqrt() + share * r * phi.sin();
         let z = (1.0 - x * x - y * y).max(0.0).sqrt();
@@ -99,7 +101,8 @@ impl Material for Ggx {
     }
     // ANCHOR_END: visible_normals
 
-    /// D(h)/(4 (n·v)(1 + Λ(v))): a facet's share of what the viewer sees, and 4 (v·h) for the step from h to the mirror direction.
+    /// p = D(h)/(4 (n·v)(1 + Λ(v))), in 1/sr: the density of visible normals, D(h) (v·h)/((n·v)(1 + Λ(v))), over the factor 4 (v·h)
+    /// between solid angles of h and of the mirror direction.
     fn pdf(&self, at: &Surface, view: Dir3, toward: Dir3) -> f32 {
         Self::cosines(at, view, toward).map_or(0.0, |[out, _, half, _]| {
             self.normals(half) / (4.0 * out * (1.0 + self.hidden(out)))

@@ -1,4 +1,4 @@
-//! Glass, water and air: media that light goes through, and the surfaces between them.
+//! Glass, water and air: media that light passes through, and the surfaces between them.
 
 use crate::image::rgb::Rgb;
 use crate::material::fresnel::fresnel;
@@ -7,12 +7,12 @@ use crate::material::{Delta, Material, mirror::reflect};
 use crate::math::dir3::Dir3;
 use crate::shape::Surface;
 
-/// What is on one side of a surface.
+/// The medium on one side of a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Medium {
     /// Index of refraction n: the speed of light in a vacuum over that in the material.
     pub index: f32,
-    /// σ, in 1/m: of light of each colour, the share σ·dx gets lost on a way dx.
+    /// σ: the absorption coefficient per channel, in 1/m; over a distance dx the share σ·dx of the light is lost.
     pub absorption: Rgb,
 }
 
@@ -33,9 +33,10 @@ impl Medium {
     }
 
     // ANCHOR: transmittance
-    /// e^(−σx), what is left of the light after x metres: the share that is lost is the same on every metre (Beer and Lambert).
+    /// e^(−σx): the share of the light that is left after x metres, because every metre takes the same share (the Beer–Lambert
+    /// law: Bouguer 1729, Lambert 1760, Beer 1852).
     pub fn transmittance(&self, x: f32) -> Rgb {
-        // 0·∞ is NaN: a ray that meets nothing goes on for ever.
+        // 0·∞ is NaN, and x is ∞ for a ray that meets nothing.
         self.absorption.map(|sigma| {
             if sigma == 0.0 {
                 1.0
@@ -47,16 +48,17 @@ impl Medium {
     // ANCHOR_END: transmittance
 }
 
-/// A smooth surface between two media. Both belong to the surface: a glass ball in water is told so, and a bubble in
+/// A smooth surface between two media. The surface stores both: a glass ball in water has water outside, and a bubble in
 /// glass has glass outside and air inside.
 ///
-/// Of a beam that enters a denser medium the radiance grows by (n₂/n₁)², for the same light goes on in a narrower cone,
-/// and shrinks again when it leaves. Rays that end in the medium where they began need not count that, and here all do.
+/// Where a beam enters a denser medium, its radiance grows by the factor (n₂/n₁)², because the same light goes on in a narrower
+/// cone. Where the beam leaves, its radiance shrinks by the same factor. Camera and lights are assumed to be in the same medium:
+/// then the factors cancel, and are left out.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Glass {
-    /// On the side to which the normal points.
+    /// The medium on the side to which the normal points.
     pub outside: Medium,
-    /// On the other.
+    /// The medium on the other side.
     pub inside: Medium,
 }
 
@@ -72,7 +74,8 @@ impl Glass {
 
 impl Material for Glass {
     // ANCHOR: glass
-    /// R·(what is seen in the surface) + (1 − R)·(what is seen through it), each less what the medium on the way absorbs.
+    /// A reflected ray with the share R, and a refracted ray with the share 1 − R, R by Fresnel's equations; each with the medium
+    /// that it goes through.
     fn deltas(&self, at: &Surface, view: Dir3, tell: &mut dyn FnMut(Delta)) {
         let normal = at.facing(view);
         let (here, there) = if at.normal.dot(*view) < 0.0 {

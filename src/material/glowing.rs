@@ -1,16 +1,16 @@
-//! A surface that shines by itself.
+//! A surface that emits light.
 
 use crate::image::rgb::Rgb;
 use crate::material::Material;
 use crate::math::dir3::Dir3;
 use crate::shape::Surface;
 
-/// A surface that sends out light by itself to all sides, and reflects none.
+/// A surface that emits light to all sides, and reflects none.
 ///
-/// A path finds it only by chance; a small bright one is better made a [`Light`](crate::light::Light).
+/// A path finds it only by chance, so a small bright surface should be a [`Light`](crate::light::Light) instead.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Glowing {
-    /// L_e, in W·m⁻²·sr⁻¹.
+    /// L_e: the emitted radiance, in W·m⁻²·sr⁻¹.
     pub radiance: Rgb,
 }
 

@@ -6,7 +6,7 @@ use crate::shape::Surface;
 use std::fmt;
 use std::sync::Arc;
 
-/// A material made of the colour of a picture, by the surface's texture coordinates (Catmull 1974; Blinn and Newell 1976).
+/// A material that depends on the colour of a picture at the surface's texture coordinates (Catmull 1974; Blinn and Newell 1976).
 ///
 /// ```
 /// use raybook::prelude::*;
@@ -18,14 +18,14 @@ use std::sync::Arc;
 pub struct ImageTexture<M> {
     /// The picture. Materials may share it.
     pub map: Arc<MipMap>,
-    /// The least width, in texture coordinates, over which colours are averaged; 0 for as sharp as pixels can show.
+    /// The least width, in texture coordinates, over which colours are averaged; 0 for the sharpest picture without aliasing.
     pub width: f32,
-    /// What a surface of this colour is made of.
+    /// The material for a colour.
     pub make: Box<dyn Fn(Rgb) -> M + Send + Sync>,
 }
 
 impl<M> ImageTexture<M> {
-    /// The sharp picture, on a surface that is made of the colour.
+    /// The picture with the least `width` 0, on a surface whose material `make` returns for a colour.
     pub fn new(
         map: impl Into<Arc<MipMap>>,
         make: impl Fn(Rgb) -> M + Send + Sync + 'static,

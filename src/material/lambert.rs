@@ -8,16 +8,16 @@ use crate::shape::Surface;
 use glam::Vec2;
 use std::f32::consts::FRAC_1_PI;
 
-/// A surface that looks equally bright from everywhere (Lambert, *Photometria*, 1760).
+/// A surface that looks equally bright from all directions (Lambert, *Photometria*, 1760).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lambert {
-    /// ρ: the share of the light that it reflects, from 0 to 1.
+    /// ρ: the albedo, the share of the light that is reflected, from 0 to 1.
     pub albedo: Rgb,
 }
 
 impl Material for Lambert {
     // ANCHOR: lambert
-    /// ρ/π: the hemisphere's ∫ cos θ dω is π, so that a share ρ of what arrives leaves again.
+    /// f = ρ/π, in 1/sr: ∫ cos θ dω over the hemisphere is π, so that the share ρ of the light that arrives leaves again.
     fn eval(&self, at: &Surface, view: Dir3, toward: Dir3) -> Rgb {
         if at.facing(view).dot(*toward) > 0.0 {
             self.albedo * FRAC_1_PI

@@ -5,17 +5,17 @@ use crate::material::{Delta, Material, glass::Medium};
 use crate::math::dir3::Dir3;
 use crate::shape::Surface;
 
-/// A surface so smooth that every ray leaves in one direction only.
+/// A perfectly smooth surface: every ray leaves in one direction only.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mirror {
-    /// The share of the light that is reflected, per channel: at most 1. Silver 0.96 0.95 0.92, say.
+    /// The share of the light that is reflected, per channel, at most 1; for example 0.96, 0.95, 0.92 for silver.
     pub share: Rgb,
 }
 
 // ANCHOR: reflect
-/// r = i − 2 (i·n) n, the mirror direction of i, which points to the surface; n may point to either side.
+/// r = i − 2 (i·n) n: the mirror direction of i. i points to the surface; n may point to either side.
 ///
-/// What of i is parallel to the surface stays, and what is perpendicular to it, (i·n) n, turns round.
+/// The part of i that is parallel to the surface stays, and the perpendicular part, (i·n) n, changes its sign.
 pub fn reflect(incoming: Dir3, normal: Dir3) -> Dir3 {
     let reflected = *incoming - 2.0 * incoming.dot(*normal) * *normal;
     Dir3::new_or(reflected, -incoming)
@@ -24,9 +24,9 @@ pub fn reflect(incoming: Dir3, normal: Dir3) -> Dir3 {
 
 impl Material for Mirror {
     // ANCHOR: mirror
-    /// The share of what the mirrored ray sees.
+    /// One mirrored ray, with the mirror's share.
     ///
-    /// At a grazing angle an interpolated normal may send it below the surface; then the surface's own normal is asked.
+    /// At a grazing angle, an interpolated normal may send the ray below the surface; then the geometric normal is used.
     fn deltas(&self, at: &Surface, view: Dir3, tell: &mut dyn FnMut(Delta)) {
         let side = |d: Dir3| at.normal.dot(*d) < 0.0;
         let mut toward = reflect(-view, at.shading_normal);

@@ -1,4 +1,4 @@
-//! Floor 4: what surfaces make of light.
+//! Floor 4: how surfaces reflect, refract and emit light.
 
 pub mod blinn_phong;
 pub mod checkered;
@@ -27,35 +27,36 @@ use glam::Vec2;
 use glass::Medium;
 
 // ANCHOR: material
-/// What a surface makes of light: its lobes, and what it sends out by itself.
+/// A material: how a surface scatters light, and the light that it emits.
 ///
-/// Every integrator asks this one interface. `view` is the direction from the surface to the viewer, `toward` the one to where the
-/// light comes from; a surface takes the side on which the viewer is for its front ([`Surface::facing`]). Two kinds of lobe add up:
+/// All integrators use this interface. `view` is the direction from the surface to the viewer, `toward` the direction to where
+/// the light comes from. The viewer's side of the surface counts as its front ([`Surface::facing`]). Two kinds of lobe add up:
 ///
-/// * what goes to a range of directions, by f = dL_o/dE, the bidirectional reflectance distribution function, in 1/sr (Nicodemus et
-///   al. 1977): `eval`, `sample` and `pdf`. The cosine of the light's direction is not in f: who integrates multiplies by it.
-///   A BRDF of nature is reciprocal, f(ω_i, ω_o) = f(ω_o, ω_i), and sends out no more than it gets: ∫ f cos θ dω ≤ 1.
-/// * what goes to one direction only, in a mirror or through smooth glass: `deltas`. Their f is infinite there and 0 elsewhere,
-///   so that they are followed, never evaluated.
+/// * Light that is scattered to a range of directions, by f = dL_o/dE, the bidirectional reflectance distribution function
+///   (BRDF), in 1/sr (Nicodemus et al. 1977): `eval`, `sample` and `pdf`. f does not contain the cosine of the light's direction:
+///   the integrator multiplies by it. A physical BRDF is reciprocal, f(ω_i, ω_o) = f(ω_o, ω_i), and conserves energy:
+///   ∫ f cos θ dω ≤ 1.
+/// * Light that goes to one direction only, in a mirror or through smooth glass (a delta lobe): `deltas`. f is infinite in this
+///   direction and 0 elsewhere, so these lobes are followed, never evaluated.
 pub trait Material: Send + Sync {
-    /// f, in 1/sr; 0 where light or viewer is behind the surface.
+    /// f, in 1/sr; 0 where light and viewer are on different sides of the surface.
     fn eval(&self, _at: &Surface, _view: Dir3, _toward: Dir3) -> Rgb {
         Rgb::BLACK
     }
 
-    /// A direction from which much of the light that the viewer gets may come: about as likely as f cos θ.
+    /// A direction towards light, chosen with a density about proportional to f cos θ (importance sampling).
     ///
-    /// u is uniform in [0, 1)². `None`: behind the surface, from where nothing comes.
+    /// u is uniform in [0, 1)². `None` if the direction is behind the surface, from where no light comes.
     fn sample(&self, _at: &Surface, _view: Dir3, _u: Vec2) -> Option<Dir3> {
         None
     }
 
-    /// The density with which [`Material::sample`] chooses a direction, in 1/sr.
+    /// The density, in 1/sr, with which [`Material::sample`] chooses the direction `toward`.
     fn pdf(&self, _at: &Surface, _view: Dir3, _toward: Dir3) -> f32 {
         0.0
     }
 
-    /// A direction by [`Material::sample`], with what the other two say of it: all that a path wants to know, in one question.
+    /// A direction by [`Material::sample`], with its `pdf` and its f: all that a path needs, in one call.
     fn scatter(&self, at: &Surface, view: Dir3, u: Vec2) -> Option<Scatter> {
         let toward = self.sample(at, view, u)?;
         Some(Scatter {
@@ -65,25 +66,26 @@ pub trait Material: Send + Sync {
         })
     }
 
-    /// L_e: the radiance that the surface sends out by itself, in W·m⁻²·sr⁻¹.
+    /// L_e: the radiance that the surface emits, in W·m⁻²·sr⁻¹.
     fn emitted(&self, _at: &Surface, _view: Dir3) -> Rgb {
         Rgb::BLACK
     }
 
-    /// k_a: the share of the scene's ambient light that is sent on, where no light is followed from surface to surface.
+    /// k_a: the share of the scene's ambient light that is reflected. Integrators for local illumination use it in place of
+    /// indirect light.
     fn ambient(&self, _at: &Surface) -> Rgb {
         Rgb::BLACK
     }
 
-    /// Tells every lobe of one direction only.
+    /// Calls `tell` with every delta lobe.
     fn deltas(&self, _at: &Surface, _view: Dir3, _tell: &mut dyn FnMut(Delta)) {}
 
-    /// Whether f is more than 0 anywhere: a mirror has no other lobe than its own.
+    /// Whether f is above 0 anywhere; `false` for a mirror, which has only a delta lobe.
     fn scatters(&self, _at: &Surface) -> bool {
         true
     }
 
-    /// f cos θ E: the radiance that light from a lamp becomes.
+    /// f cos θ E: the reflected radiance, in W·m⁻²·sr⁻¹, for a sample of a light with the irradiance E.
     fn lit(&self, at: &Surface, view: Dir3, light: &LightSample) -> Rgb {
         let cosine = at.facing(view).dot(*light.toward).max(0.0);
         self.eval(at, view, light.toward) * light.arriving * cosine
@@ -91,35 +93,36 @@ pub trait Material: Send + Sync {
 }
 // ANCHOR_END: material
 
-/// A direction from which light may come, out of a range of them.
+/// A sampled direction from which light may come.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scatter {
     /// Where the light comes from.
     pub toward: Dir3,
-    /// The density with which it was chosen, in 1/sr.
+    /// The density with which the direction was chosen, in 1/sr.
     pub pdf: f32,
     /// f, in 1/sr.
     pub f: Rgb,
 }
 
-/// A lobe of one direction: the light of one ray, and nothing beside it.
+/// A delta lobe: light that comes from one direction only.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Delta {
     /// Where the light comes from.
     pub toward: Dir3,
-    /// The share of its radiance that goes on to the viewer.
+    /// The share of the light's radiance that goes on to the viewer.
     pub share: Rgb,
-    /// What the light comes through on its way to the surface.
+    /// The medium that the light passes through on its way to the surface.
     pub medium: Medium,
 }
 
-/// The lobes of one direction that a material has, at most: polish over glass has three.
+/// Maximum number of delta lobes that [`beyond`] follows; polish over glass has three.
 const LOBES: usize = 4;
 
 // ANCHOR: beyond
-/// The radiance of what is seen in a surface and through it; `see` tells what a ray sees.
+/// The radiance that a surface shows by its delta lobes, mirrored and refracted; `see` returns what a ray sees.
 ///
-/// Where one ray becomes several, each is told its share: a tree of rays has twigs that hardly count, a chain has none.
+/// Where one ray becomes several, `see` gets the share of each ray, so that it can leave out rays with a small share. A single
+/// ray has the share 1: a chain of rays does not grow into a tree, however long it is.
 pub fn beyond(material: &dyn Material, at: &Surface, view: Dir3, see: &mut See) -> Rgb {
     let (mut lobes, mut count) = ([None; LOBES], 0);
     material.deltas(at, view, &mut |lobe| {
@@ -142,7 +145,7 @@ pub fn beyond(material: &dyn Material, at: &Surface, view: Dir3, see: &mut See) 
 }
 // ANCHOR_END: beyond
 
-/// Tells what a ray sees, if at most this share of it counts: what counts for nearly nothing need not be looked at.
+/// Returns what a ray sees. The number is the share of it that counts, at most: rays with a very small share may be left out.
 pub type See<'a> = dyn FnMut(&Ray, f32) -> Sight + 'a;
 
 /// What a ray sees.
@@ -150,11 +153,11 @@ pub type See<'a> = dyn FnMut(&Ray, f32) -> Sight + 'a;
 pub struct Sight {
     /// The radiance that comes along the ray.
     pub radiance: Rgb,
-    /// How far away what is seen is, in metres; ∞ if the ray meets nothing.
+    /// The distance of the surface that is seen, in metres; ∞ if the ray meets nothing.
     pub distance: f32,
 }
 
-/// Made of nothing that sends on any light: black. For scenes in which only shadows are asked for.
+/// A black material, which reflects no light: for scenes in which only shadows matter.
 impl Material for () {
     fn scatters(&self, _at: &Surface) -> bool {
         false

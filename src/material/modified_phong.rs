@@ -1,4 +1,4 @@
-//! Phong's model as a BRDF that keeps the laws of nature.
+//! Phong's model as a physical BRDF: reciprocal and energy-conserving.
 
 use crate::image::rgb::Rgb;
 use crate::material::Material;
@@ -12,11 +12,11 @@ use std::f32::consts::{FRAC_1_PI, TAU};
 /// rendering", 1994). It reflects no more light than arrives if ρ_d + ρ_s ≤ 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ModifiedPhong {
-    /// ρ_d: the share of the light that leaves to all sides.
+    /// ρ_d: the share of the light that is scattered to all sides.
     pub diffuse: Rgb,
-    /// ρ_s: the share that leaves in the highlight, of light from straight above; of slanting light, part of it is lost.
+    /// ρ_s: the share that leaves in the highlight, for light from straight above; for oblique light it is less.
     pub specular: Rgb,
-    /// n: the larger, the smaller and sharper the highlight.
+    /// n: the exponent; the larger n, the smaller and sharper the highlight.
     pub exponent: f32,
 }
 
@@ -24,9 +24,9 @@ impl ModifiedPhong {
     // ANCHOR: brdf_phong
     /// f = ρ_d/π + ρ_s (n + 2)/2π cosⁿα, in 1/sr; α is the angle between the viewer and the mirror direction R = 2 (L·N) N − L.
     ///
-    /// From straight above, ∫ cosⁿα cos θ dω = 2π/(n + 2), so that a share ρ_s leaves in the highlight; from elsewhere less,
-    /// for part of the lobe is below the surface. There is no cosine in f: it belongs to the light that arrives.
-    /// 0 if L or V is not above the surface; no highlight if α ≥ 90°.
+    /// For light from straight above, ∫ cosⁿα cos θ dω = 2π/(n + 2), so that the share ρ_s leaves in the highlight. For oblique
+    /// light it is less, because part of the lobe is below the surface. f does not contain the cosine of the light's direction,
+    /// which belongs to the irradiance. f is 0 if L or V is not above the surface; there is no highlight if α ≥ 90°.
     pub fn value(&self, normal: Dir3, view: Dir3, toward: Dir3) -> Rgb {
         let cosine = normal.dot(*toward);
         if cosine <= 0.0 || normal.dot(*view) <= 0.0 {
@@ -42,14 +42,14 @@ impl ModifiedPhong {
     }
     // ANCHOR_END: brdf_phong
 
-    /// The probability with which a direction is chosen for the highlight: its share of the light.
+    /// The probability with which a direction is chosen from the highlight: ρ_s/(ρ_d + ρ_s), by luminance.
     fn glossy(&self) -> f32 {
         let [matte, glossy] = [self.diffuse, self.specular].map(Rgb::luminance);
         glossy / (matte + glossy).max(f32::MIN_POSITIVE)
     }
 }
 
-/// The direction in which a viewer sees the surface's mirror image.
+/// The mirror direction of the viewer, 2 (V·N) N − V.
 fn mirrored(normal: Dir3, view: Dir3) -> Dir3 {
     Dir3::new_or(2.0 * view.dot(*normal) * *normal - *view, normal)
 }
@@ -59,7 +59,7 @@ impl Material for ModifiedPhong {
         self.value(at.facing(view), view, toward)
     }
 
-    /// One of the two parts is chosen by u.x, whose rest is as uniform as u.x was.
+    /// u.x chooses one of the two parts; what is left of u.x is scaled to [0, 1), where it is uniform again.
     fn sample(&self, at: &Surface, view: Dir3, u: Vec2) -> Option<Dir3> {
         let (normal, glossy) = (at.facing(view), self.glossy());
         let toward = if u.x < glossy {
@@ -72,7 +72,7 @@ impl Material for ModifiedPhong {
         (toward.dot(*normal) > 0.0).then_some(toward)
     }
 
-    /// What the two parts add up to: the same direction may have been chosen for either.
+    /// The weighted sum of both parts' densities, because the same direction may be chosen from either.
     fn pdf(&self, at: &Surface, view: Dir3, toward: Dir3) -> f32 {
         let (normal, glossy) = (at.facing(view), self.glossy());
         let cosine = normal.dot(*toward);

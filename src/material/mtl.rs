@@ -1,4 +1,4 @@
-//! MTL files: the materials of a Wavefront OBJ, a line for each of their properties.
+//! MTL files: the materials of a Wavefront OBJ, one line for each property.
 
 use crate::image::{mip::MipMap, rgb::Rgb};
 use crate::material::glass::{Glass, Medium};
@@ -12,29 +12,29 @@ use std::sync::Arc;
 /// A material as the file describes it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mtl {
-    /// Its name (`newmtl`).
+    /// The material's name (`newmtl`).
     pub name: String,
-    /// The share of the light that leaves to all sides (`Kd`), from 0 to 1.
+    /// The share of the light that is scattered to all sides (`Kd`), from 0 to 1.
     pub diffuse: Rgb,
     /// The share that leaves in the highlight or in the mirror (`Ks`), from 0 to 1.
     pub specular: Rgb,
     /// The highlight's exponent (`Ns`).
     pub exponent: f32,
-    /// The radiance that it sends out by itself (`Ke`), in W·m⁻²·sr⁻¹.
+    /// The emitted radiance (`Ke`), in W·m⁻²·sr⁻¹.
     pub emitted: Rgb,
     /// The index of refraction (`Ni`).
     pub index: f32,
-    /// How much is not seen through it (`d`, or 1 − `Tr`), from 0 to 1.
+    /// The opacity (`d`, or 1 − `Tr`), from 0 to 1.
     pub opacity: f32,
-    /// The number of the model by which it is shaded (`illum`).
+    /// The number of the illumination model (`illum`).
     pub model: u32,
-    /// The picture that `diffuse` is multiplied with (`map_Kd`).
+    /// The file of the picture that `diffuse` is multiplied by (`map_Kd`).
     pub diffuse_map: Option<String>,
-    /// The picture of its normals (`norm`).
+    /// The file of the normal map (`norm`).
     pub normal_map: Option<String>,
 }
 
-/// Where a `Kd` or the like has no numbers.
+/// What a colour (`Kd`, `Ks`, `Ke`) needs, for error messages.
 const COLOUR: &str = "1 number, or 3 for red, green and blue";
 
 impl Mtl {
@@ -53,10 +53,11 @@ impl Mtl {
         }
     }
 
-    /// The material, with the picture of `diffuse_map` where there is one.
+    /// The material; `map` is the picture of `diffuse_map`, if there is one.
     ///
-    /// What shines only shines. What is not opaque (`d` < 1, or `illum` 4, 6, 7 or 9) is smooth glass, `illum` 3 and 5 a mirror over
-    /// a matte ground, and all else is matte, with a highlight where the model has one.
+    /// A material with `Ke` above 0 only emits light. A transparent one (`d` < 0.99, or `illum` 4, 6, 7 or 9) is smooth glass.
+    /// `illum` 3 and 5 are a mirror over a matte ground. `illum` 2 with a `Ks` above 0 is matte with a highlight. All others are
+    /// matte.
     pub fn material(&self, map: Option<Arc<MipMap>>) -> Arc<dyn Material> {
         if self.emitted != Rgb::BLACK {
             return Arc::new(Glowing {
@@ -73,7 +74,7 @@ impl Mtl {
                 below: Lambert { albedo },
             }),
             2 if specular != Rgb::BLACK => coloured(map, diffuse, move |albedo| ModifiedPhong {
-                // No more leaves than arrives.
+                // So no more light leaves than arrives.
                 diffuse: albedo * (1.0 - specular.max_channel()),
                 specular,
                 exponent,
@@ -83,7 +84,7 @@ impl Mtl {
     }
 }
 
-/// A material of one colour, or of the colours of a picture.
+/// A material of one colour, or of the colours of a picture times this colour.
 fn coloured<M: Material + 'static>(
     map: Option<Arc<MipMap>>,
     colour: Rgb,
@@ -98,10 +99,11 @@ fn coloured<M: Material + 'static>(
     }
 }
 
-/// The materials of an MTL text. Keywords that are not in [`Mtl`] are passed over, and shares beyond 0 and 1 are cut off there.
+/// The materials of an MTL text. Keywords that are not in [`Mtl`] are ignored. Numbers are clamped: shares to [0, 1], `Ns` to
+/// [0, 10⁶], `Ni` to [1, 4], and a negative `Ke` to 0.
 ///
 /// # Errors
-/// The first line that is wrong, with its line and column.
+/// The first error, with its line and column.
 pub fn parse(text: &str) -> Result<Vec<Mtl>, Wrong> {
     let mut all: Vec<Mtl> = Vec::new();
     for words in word::lines(text) {
@@ -151,7 +153,7 @@ fn colour(words: &[Word], what: &'static str) -> Result<Rgb, Wrong> {
     }
 }
 
-/// The name of a file: all that follows the keyword, or the last word where there are options, as in `-s 1 1 1 wood.png`.
+/// The name of a file: all words after the keyword, or the last word if there are options, as in `-s 1 1 1 wood.png`.
 fn file(words: &[Word], what: &'static str) -> Result<String, Wrong> {
     let name = match words.get(1) {
         Some(first) if first.text.starts_with('-') => words[words.len() - 1].text.to_owned(),

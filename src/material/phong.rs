@@ -1,4 +1,4 @@
-//! The reflection model of Phong.
+//! Phong's reflection model.
 
 use crate::image::rgb::Rgb;
 use crate::light::LightSample;
@@ -11,28 +11,29 @@ use glam::Vec2;
 /// Ambient, diffuse and specular reflection (Phong, "Illumination for computer generated pictures", 1975).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Phong {
-    /// k_a: the share of the ambient light.
+    /// k_a: the share of the ambient light that is reflected.
     pub ambient: Rgb,
-    /// k_d, in 1/sr: radiance per irradiance, the same to all sides; at most 1/π.
+    /// k_d, in 1/sr: reflected radiance per irradiance, the same to all sides; at most 1/π.
     pub diffuse: Rgb,
-    /// k_s, in 1/sr: the same at the middle of the highlight.
+    /// k_s, in 1/sr: reflected radiance per irradiance in the middle of the highlight.
     pub specular: Rgb,
-    /// α: the larger, the smaller and sharper the highlight.
+    /// α: the exponent; the larger α, the smaller and sharper the highlight.
     pub exponent: f32,
 }
 
 impl Phong {
     // ANCHOR: phong
-    /// k_d (L·N) i + k_s (R·V)^α i for one light, with i what arrives from L, and R = 2 (L·N) N − L its mirror direction.
+    /// The radiance k_d (L·N) i + k_s (R·V)^α i for one light. i is the irradiance that arrives from L, and R = 2 (L·N) N − L the
+    /// mirror direction of L.
     ///
-    /// A cosine below 0 counts as 0; and behind the surface, where L·N ≤ 0, there is no highlight either.
+    /// A cosine below 0 counts as 0. Behind the surface, where L·N ≤ 0, there is no highlight either.
     pub fn reflect(&self, normal: Dir3, view: Dir3, light: &LightSample) -> Rgb {
         let cosine = light.toward.dot(*normal);
         if cosine <= 0.0 {
             return Rgb::BLACK;
         }
         let mut reflected = self.diffuse * cosine;
-        // The power takes longer than all the rest, and a matte surface has no use for it.
+        // The power takes longer than everything else, and a matte surface does not need it.
         if self.specular != Rgb::BLACK {
             let mirrored = 2.0 * cosine * *normal - *light.toward;
             reflected += self.specular * mirrored.dot(*view).max(0.0).powf(self.exponent);
@@ -43,8 +44,8 @@ impl Phong {
 }
 
 impl Material for Phong {
-    /// f is what light of 1 W/m² becomes, over the cosine that is in it. It grows without bound at the horizon, and the model
-    /// sends out more than it gets if k_s is large: it was made to look right, before anybody asked for energy.
+    /// f is the reflected radiance for 1 W/m², over the cosine L·N. It grows without bound at the horizon, and for a large k_s the
+    /// model reflects more energy than arrives: it is an empirical model, not a physical one.
     fn eval(&self, at: &Surface, view: Dir3, toward: Dir3) -> Rgb {
         let cosine = at.facing(view).dot(*toward);
         if cosine <= 0.0 {
@@ -53,7 +54,7 @@ impl Material for Phong {
         self.lit(at, view, &LightSample::unit(toward)) / cosine
     }
 
-    /// By the cosine: right for the matte part, and possible for the highlight.
+    /// A direction with a density proportional to the cosine: the best for the matte part, and unbiased for the highlight.
     fn sample(&self, at: &Surface, view: Dir3, u: Vec2) -> Option<Dir3> {
         Some(cosine_hemisphere(at.facing(view), u))
     }
@@ -62,7 +63,7 @@ impl Material for Phong {
         cosine_pdf(at.facing(view).dot(*toward))
     }
 
-    /// The model itself: what arrives comes multiplied by the cosine where the model says so.
+    /// The model itself: it multiplies the matte part by the cosine, but not the highlight.
     fn lit(&self, at: &Surface, view: Dir3, light: &LightSample) -> Rgb {
         self.reflect(at.facing(view), view, light)
     }

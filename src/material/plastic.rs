@@ -9,22 +9,22 @@ use crate::shape::Surface;
 use glam::Vec2;
 use std::f32::consts::FRAC_1_PI;
 
-/// A coat that mirrors a share R of the light, by Fresnel's equations, over a ground that scatters the rest.
+/// A clear coat that mirrors the share R of the light, by Fresnel's equations, over a matte ground that scatters the rest.
 ///
-/// Light that the ground sends up is in part mirrored back to it by the coat, again and again: all of that is in f. A white
-/// one sends out all that it gets.
+/// The coat mirrors a part of the light from the ground back to the ground, again and again. f contains the sum of all these
+/// reflections (as in Saunderson, "Calculation of the color of pigmented plastics", 1942). With ρ = 1, no energy is lost.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plastic {
-    /// ρ: the ground's share, from 0 to 1.
+    /// ρ: the ground's albedo, from 0 to 1.
     pub albedo: Rgb,
     /// n: the coat's index of refraction.
     index: f32,
-    /// R̄: the share of the ground's light that the coat mirrors back.
+    /// R̄: the share of the ground's light that the coat mirrors back to the ground.
     inner: f32,
 }
 
 impl Plastic {
-    /// A ground under a coat of an index of refraction from 1; 1.5 is that of most plastics.
+    /// A ground under a coat with this index of refraction, about 1.5 for most plastics; an index below 1 counts as 1.
     pub fn new(albedo: Rgb, index: f32) -> Self {
         let index = index.max(1.0);
         Self {
@@ -34,21 +34,22 @@ impl Plastic {
         }
     }
 
-    /// The same coat over another ground.
+    /// The same coat over a ground of this albedo.
     #[must_use]
     pub const fn of(self, albedo: Rgb) -> Self {
         Self { albedo, ..self }
     }
 
-    /// R of light that comes at an angle of this cosine from outside.
+    /// R for light from outside, at an angle of this cosine to the normal.
     fn mirrored(&self, cosine: f32) -> f32 {
         fresnel(cosine, 1.0, self.index).unpolarised
     }
 }
 
-/// R̄ = 2 ∫ R cos θ d(cos θ): of light that comes from below the coat, equally bright from everywhere; 0.596 for n = 1.5.
+/// R̄ = 2 ∫ R cos θ d(cos θ): the share that the coat reflects of light from below that is equally bright in all directions; 0.596
+/// for n = 1.5.
 fn mirrored_back(index: f32) -> f32 {
-    /// With this number of steps the sum is right to 1e-5.
+    /// Steps of the sum; its error is below 1e-5.
     const STEPS: u16 = 2000;
     let middle = |i: u16| (f32::from(i) + 0.5) / f32::from(STEPS);
     let part = |cosine: f32| f64::from(2.0 * cosine * fresnel(cosine, index, 1.0).unpolarised);
@@ -58,9 +59,10 @@ fn mirrored_back(index: f32) -> f32 {
 
 impl Material for Plastic {
     // ANCHOR: plastic
-    /// f = (1 − R(l)) (1 − R(v)) ρ/(π n² (1 − ρ R̄)): through the coat, to and fro below it, and out again.
+    /// f = (1 − R(l)) (1 − R(v)) ρ/(π n² (1 − ρ R̄)), in 1/sr: through the coat, to and fro below it, and out again.
     ///
-    /// n² is how much wider the cone of light becomes when it leaves.
+    /// Division by n², because the cone of light becomes wider by n² when the light leaves. 1/(1 − ρ R̄) is the sum of the series
+    /// 1 + ρR̄ + (ρR̄)² + … of reflections below the coat.
     fn eval(&self, at: &Surface, view: Dir3, toward: Dir3) -> Rgb {
         let normal = at.facing(view);
         let (out, into) = (normal.dot(*view), normal.dot(*toward));

@@ -7,7 +7,7 @@ use crate::math::dir3::Dir3;
 use crate::shape::Surface;
 use glam::Vec2;
 
-/// What the polish does not mirror goes through it, to the material below.
+/// A mirror over another material: the light that is not mirrored goes through to the material below.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Polished<M> {
     /// The mirror on top.
@@ -17,7 +17,7 @@ pub struct Polished<M> {
 }
 
 impl<M> Polished<M> {
-    /// The share of the light that the polish lets through.
+    /// The share of the light that goes through the mirror, per channel.
     fn through(&self) -> Rgb {
         self.mirror.share.map(|share| 1.0 - share)
     }

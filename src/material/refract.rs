@@ -3,12 +3,12 @@
 use crate::math::dir3::Dir3;
 
 // ANCHOR: refract
-/// The direction in which a ray with direction i goes on behind a surface; `None` if it is totally reflected.
+/// The direction t in which a ray of the direction i goes on behind a surface; `None` for total internal reflection.
 ///
-/// `outside` is the index of refraction on the side to which the normal points, `inside` that on the other. A ray against the
-/// normal enters, one along the normal leaves: so n, the normal on the ray's side, and η = n₁/n₂ follow from the side.
-/// With cos θ₁ = −i·n, the part of i along the surface is i + cos θ₁ n, and sin θ₁ long. Snell's law n₁ sin θ₁ = n₂ sin θ₂
-/// shortens or stretches it to t∥ = η (i + cos θ₁ n), and what a unit vector still lacks goes into the surface:
+/// `outside` is the index of refraction on the side to which the normal points, `inside` that on the other side. A ray against
+/// the normal enters, and a ray along the normal leaves: so n, the normal on the ray's side, and η = n₁/n₂ are known.
+/// With cos θ₁ = −i·n, the part of i along the surface is i + cos θ₁ n, and its length is sin θ₁. By Snell's law
+/// n₁ sin θ₁ = n₂ sin θ₂ it becomes t∥ = η (i + cos θ₁ n). The perpendicular part makes the length 1:
 /// t = t∥ − √(1 − |t∥|²) n. If t∥ is longer than 1, there is no such direction.
 pub fn refract(i: Dir3, normal: Dir3, outside: f32, inside: f32) -> Option<Dir3> {
     let (n, eta) = if i.dot(*normal) < 0.0 {

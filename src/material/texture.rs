@@ -8,12 +8,12 @@ use crate::shape::Surface;
 use glam::Vec2;
 
 // ANCHOR: texture
-/// A material for each place of a surface: what the place is made of answers for it.
+/// A material for each place of a surface. A texture is itself a [`Material`]: it asks the material of the place.
 pub trait Texture: Send + Sync {
-    /// What it is made of.
+    /// The type of the materials.
     type Material: Material;
 
-    /// The material at a place, by its texture coordinates or its position.
+    /// The material at a place, found by the texture coordinates or the position of the surface.
     fn at(&self, surface: &Surface) -> Self::Material;
 }
 // ANCHOR_END: texture

@@ -1,4 +1,4 @@
-//! The axis-aligned bounding box.
+//! The axis-aligned bounding box (AABB).
 
 use glam::Vec3;
 
@@ -32,9 +32,9 @@ impl Aabb {
     // ANCHOR: bounds_of
     /// The smallest box that holds all the points; [`Aabb::EMPTY`] for none.
     ///
-    /// A NaN coordinate is passed over.
+    /// A NaN coordinate is ignored.
     pub fn of(points: impl IntoIterator<Item = Vec3>) -> Self {
-        // p first: where a comparison is false, as with NaN, glam's a.min(b) and a.max(b) are b.
+        // p first: if a comparison is false, as with NaN, glam's a.min(b) and a.max(b) are b.
         points.into_iter().fold(Self::EMPTY, |bounds, p| Self {
             min: p.min(bounds.min),
             max: p.max(bounds.max),
@@ -51,7 +51,7 @@ impl Aabb {
         }
     }
 
-    /// The box that reaches `margin` further on each side.
+    /// The box that reaches `margin` metres further on each side.
     #[must_use]
     pub fn grown(&self, margin: f32) -> Self {
         Self {

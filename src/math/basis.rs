@@ -3,7 +3,7 @@
 use crate::math::dir3::Dir3;
 use glam::{Vec3, vec3};
 
-/// Three directions at right angles, x × y = z.
+/// Three perpendicular directions with x × y = z.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Basis {
     /// The first tangent.
@@ -15,7 +15,7 @@ pub struct Basis {
 }
 
 impl Basis {
-    /// A basis whose z is the given direction, without a branch and without a degenerate direction
+    /// A basis whose z is the given direction, computed without a branch, for every direction
     /// (Duff et al., "Building an orthonormal basis, revisited", 2017).
     #[inline]
     pub fn around(z: Dir3) -> Self {
@@ -31,7 +31,7 @@ impl Basis {
         }
     }
 
-    /// The world's vector for coordinates in this basis: x·v.x + y·v.y + z·v.z.
+    /// The vector in world coordinates for the coordinates v in this basis: x·v.x + y·v.y + z·v.z.
     #[inline]
     pub fn to_world(&self, v: Vec3) -> Vec3 {
         v.x * *self.x + v.y * *self.y + v.z * *self.z

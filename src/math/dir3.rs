@@ -5,7 +5,7 @@ use std::ops::{Deref, Neg};
 
 /// A direction: a [`Vec3`] of length 1.
 ///
-/// Whoever holds a `Dir3` need not ask whether it is normalised; this is why a ray's parameter is a distance.
+/// Code that gets a `Dir3` need not check that it is normalised. Therefore a ray's parameter is a distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dir3(Vec3);
 
@@ -14,7 +14,7 @@ impl Dir3 {
     pub const X: Self = Self(Vec3::X);
     /// The world's y axis, which points up.
     pub const Y: Self = Self(Vec3::Y);
-    /// The world's z axis, which points at the viewer of a picture whose x points right: the world is right-handed.
+    /// The world's z axis. The world is right-handed: if x points to the right and y up, z points towards the viewer.
     pub const Z: Self = Self(Vec3::Z);
 
     // ANCHOR: direction
@@ -30,7 +30,7 @@ impl Dir3 {
     }
     // ANCHOR_END: direction
 
-    /// v, which has length 1 already, up to rounding: where a formula has made it so.
+    /// v as a direction, where a formula has given it length 1, up to rounding.
     #[inline]
     pub(crate) fn of_length_1(v: Vec3) -> Self {
         debug_assert!((v.length_squared() - 1.0).abs() < 1e-5, "{v} has length 1");

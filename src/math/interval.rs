@@ -1,14 +1,14 @@
-//! The stretch of a ray on which an answer counts.
+//! The interval of distances along a ray in which a hit counts.
 
 /// An open interval of distances along a ray: min < t < max, in metres.
 ///
-/// Open at both ends: a ray that starts on a surface does not hit it at t = 0,
-/// and of two hits at the same distance the one found first stays.
+/// It is open at both ends: a ray that starts on a surface does not hit the surface at t = 0,
+/// and of two hits at the same distance the one that was found first is kept.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
-    /// Nothing at or before this distance counts.
+    /// Hits at or before this distance do not count.
     pub min: f32,
-    /// Nothing at or beyond this distance counts.
+    /// Hits at or beyond this distance do not count.
     pub max: f32,
 }
 
@@ -21,13 +21,13 @@ impl Interval {
         Self { min, max }
     }
 
-    /// Whether t counts; never for NaN.
+    /// Whether min < t < max; `false` for NaN.
     #[inline]
     pub fn contains(&self, t: f32) -> bool {
         self.min < t && t < self.max
     }
 
-    /// The same interval, ending at t: what is left once something was hit there.
+    /// The same interval, but ending at t: what is left after a hit at t.
     #[must_use]
     #[inline]
     pub fn before(&self, t: f32) -> Self {

@@ -1,12 +1,12 @@
-//! The one random number generator, and one stream of it per pixel.
+//! The random number generator, with one stream per pixel.
 
-/// The generator of every random number in this book: PCG-XSH-RR, 64 bits of state (O'Neill 2014).
+/// The generator of all random numbers in this course: PCG-XSH-RR, with 64 bits of state (O'Neill 2014).
 ///
 /// Its numbers are the same on every machine and in every version, which `StdRng` does not promise.
 pub type Pcg = rand_pcg::Pcg32;
 
 // ANCHOR: stream
-/// The generator of stream number `stream` (a pixel, say) under `seed`.
+/// The generator of stream number `stream`, for example a pixel's, for the seed `seed`.
 ///
 /// Each stream depends on these two numbers only, so a picture is the same whichever thread draws which pixel.
 /// Both numbers are mixed first: neighbouring pixels must not start with similar states.
@@ -15,7 +15,7 @@ pub fn stream(seed: u64, stream: u64) -> Pcg {
 }
 // ANCHOR_END: stream
 
-/// `SplitMix64`'s finaliser (Steele, Lea and Flood 2014): every bit of the input changes half the bits of the output.
+/// `SplitMix64`'s finaliser (Steele, Lea and Flood 2014): a change of any input bit changes about half of the output bits.
 #[inline]
 pub fn mix(x: u64) -> u64 {
     let x = x.wrapping_add(0x9e37_79b9_7f4a_7c15);

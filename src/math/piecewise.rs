@@ -1,16 +1,16 @@
-//! Choosing at random among weighted things.
+//! Choosing at random among cells with weights.
 
-/// A probability for each of n cells, in proportion to its weight: a piecewise-constant density.
+/// A piecewise-constant density: each of n cells has a probability that is proportional to its weight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Piecewise {
-    /// The sums of the weights before each cell, and of all; in `f64`, because a map has millions of texels.
+    /// n + 1 sums: of the weights before each cell, and of all weights; in `f64`, because a map has millions of texels.
     sums: Vec<f64>,
-    /// How many sums are at most 0, 1/n, 2/n, … of all the weight: between two of them a search is short (Chen and Asau,
-    /// "On generating random variates from an empirical distribution", 1974).
+    /// The guide table: the number of sums that are at most 0, 1/n, 2/n, … of the total. It makes the search in `sums` short (Chen
+    /// and Asau, "On generating random variates from an empirical distribution", 1974).
     guide: Vec<u32>,
 }
 
-/// A cell that was chosen.
+/// The result of a choice.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Choice {
     /// The number of the cell.
@@ -20,7 +20,7 @@ pub struct Choice {
 }
 
 impl Piecewise {
-    /// Cells with these weights; one that is negative or not finite counts as 0.
+    /// The density for these weights; a weight that is negative or not finite counts as 0.
     pub fn new(weights: impl IntoIterator<Item = f64>) -> Self {
         let mut sums = vec![0.0];
         let mut sum = 0.0;
@@ -49,24 +49,25 @@ impl Piecewise {
     }
 
     // ANCHOR: choose
-    /// The cell that holds u of all the weight, u in [0, 1): the inverse of the cumulated weights.
+    /// The cell in which the running sum of the weights reaches u times the total, u in [0, 1) (inversion of the cumulative
+    /// distribution).
     ///
-    /// A cell without weight is never chosen. `None` if no cell has any.
+    /// A cell with weight 0 is never chosen. `None` if all weights are 0.
     pub fn choose(&self, u: f32) -> Option<Choice> {
         let target = f64::from(u) * self.total();
-        // The first sum above the target ends the cell; equal sums, those of cells without weight, are passed over.
+        // The first sum above the target ends the cell; so cells with weight 0, where two sums are equal, are skipped.
         let end = self.above(target, u);
         let cell = end.checked_sub(1).filter(|_| end < self.sums.len())?;
         let weight = self.sums[end] - self.sums[cell];
         let within = ((target - self.sums[cell]) / weight) as f32;
         Some(Choice {
             cell,
-            within: within.min(1.0 - f32::EPSILON / 2.0), // it may have been rounded to 1
+            within: within.min(1.0 - f32::EPSILON / 2.0), // the conversion may have rounded up to 1
         })
     }
     // ANCHOR_END: choose
 
-    /// How many sums are at most a target, which is u of all the weight.
+    /// The number of sums that are at most `target`, which is u times the total.
     fn above(&self, target: f64, u: f32) -> usize {
         let part = (f64::from(u) * (self.sums.len() - 1) as f64) as usize;
         let guide = |part: usize| {
@@ -77,14 +78,14 @@ impl Piecewise {
         let begin = guide(part).saturating_sub(1).min(self.sums.len());
         let near = &self.sums[begin..(guide(part + 1) + 1).min(self.sums.len())];
         match near.partition_point(|&sum| sum <= target) {
-            // Rounding may have led to the part before or after.
+            // By rounding, the answer may be in the part before or after.
             0 => self.sums.partition_point(|&sum| sum <= target),
             found if found == near.len() => self.sums.partition_point(|&sum| sum <= target),
             found => begin + found,
         }
     }
 
-    /// The probability of a cell; 0 for one that does not exist, or if no cell has any weight.
+    /// The probability of a cell; 0 if the cell does not exist, or if all weights are 0.
     pub fn probability(&self, cell: usize) -> f64 {
         match (self.sums.get(cell), self.sums.get(cell + 1)) {
             (Some(before), Some(after)) if self.total() > 0.0 => (after - before) / self.total(),

@@ -1,13 +1,13 @@
 //! The quadratic equation, solved without cancellation.
 
 // ANCHOR: solve_quadratic
-/// Solves a·t² + b·t + c = 0 for t₀ ≤ t₁; `None` without a real root, or if a = 0.
+/// The roots t₀ ≤ t₁ of a·t² + b·t + c = 0; `None` if there is no real root, or if a = 0.
 ///
-/// The schoolbook's −b + √(b² − 4ac) subtracts nearly equal numbers when b² ≫ 4ac, and its digits are lost.
-/// So the root in which both terms have the same sign is computed first, and the other from t₀·t₁ = c/a:
+/// For b > 0, the schoolbook formula's −b + √(b² − 4ac) subtracts nearly equal numbers if b² ≫ 4ac, and the digits are lost.
+/// So the root in which both terms have the same sign is computed first, and the other root from t₀·t₁ = c/a:
 /// with q = −(b + sign(b)·√(b² − 4ac))/2 the roots are q/a and c/q (Press et al., *Numerical Recipes*, §5.6).
 pub fn solve(a: f32, b: f32, c: f32) -> Option<(f32, f32)> {
-    // b² − 4ac too subtracts nearly equal numbers, near a double root; in f64 the two products are exact.
+    // Near a double root, b² − 4ac also subtracts nearly equal numbers; in f64 both products are exact.
     let [a, b, c] = [a, b, c].map(f64::from);
     let discriminant = b * b - 4.0 * a * c;
     if a == 0.0 || discriminant < 0.0 || discriminant.is_nan() {

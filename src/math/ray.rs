@@ -10,7 +10,7 @@ use glam::Vec3;
 pub struct Ray {
     /// o: where the ray starts, in metres.
     pub origin: Vec3,
-    /// d: where it goes.
+    /// d: the direction in which it goes.
     pub direction: Dir3,
 }
 
@@ -22,7 +22,7 @@ impl Ray {
     }
 
     // ANCHOR: ray_at
-    /// The point at distance t: r(t) = o + t·d.
+    /// The point at the distance t, in metres: r(t) = o + t·d.
     #[inline]
     pub fn at(&self, t: f32) -> Vec3 {
         self.origin + t * *self.direction

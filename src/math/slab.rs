@@ -1,16 +1,16 @@
-//! A ray clipped by a box: the interval of distances on which it is inside.
+//! A ray clipped by a box: the interval of distances in which the ray is inside the box.
 
 use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
 
 // ANCHOR: box_clip
-/// The part of `within` on which the ray is inside the box, or `None` if it never is.
+/// The part of `within` in which the ray is inside the box; `None` if it is never inside.
 ///
 /// A box is three slabs. Along axis i the ray is inside the slab from t = (nearᵢ − oᵢ)/dᵢ to t = (farᵢ − oᵢ)/dᵢ,
 /// where near and far are the slab's two planes in the order in which the ray meets them.
-/// The box is where the three intervals and `within` overlap (Kay and Kajiya 1986).
+/// The ray is inside the box where the three intervals and `within` overlap (Kay and Kajiya 1986).
 ///
-/// A ray in a face, along an edge or through a corner touches the box; there the interval may be a single distance.
-/// Along an axis in which the ray does not move, it is inside from −∞ to ∞, or never: division by 0 says so by itself.
+/// A ray in a face, along an edge or through a corner touches the box; then the interval may be a single distance.
+/// If the ray does not move along an axis, it is inside the slab from −∞ to ∞, or never: division by 0 gives this result.
 pub fn clip(bounds: &Aabb, ray: &Ray, within: Interval) -> Option<Interval> {
     let Interval { mut min, mut max } = within;
     for axis in 0..3 {
@@ -24,7 +24,7 @@ pub fn clip(bounds: &Aabb, ray: &Ray, within: Interval) -> Option<Interval> {
         min = min.max((near - o) / d);
         max = max.min((far - o) / d);
     }
-    // Not min <= max: along a box without end, but beside it, both are ∞, or both −∞; their difference is NaN.
+    // Not min <= max: for a ray beside an infinite box, both may be ∞, or both −∞; then their difference is NaN.
     (max - min >= 0.0).then_some(Interval { min, max })
 }
 // ANCHOR_END: box_clip

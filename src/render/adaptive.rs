@@ -1,4 +1,4 @@
-//! Adaptive supersampling: a few samples everywhere, more where they differ.
+//! Adaptive supersampling: a few samples in each pixel, and more where these samples differ.
 
 use crate::image::{Image, rgb::Rgb};
 use crate::render::budget::spend_budget;
@@ -10,36 +10,39 @@ use crate::sample::pattern::owen::sequence;
 use glam::{Vec2, vec2};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// A picture, and what it took.
+/// A picture, and the number of samples of each pixel.
 #[derive(Clone, Debug)]
 pub struct Adaptive {
     /// The picture.
     pub picture: Image,
-    /// How many samples each pixel got, in every channel.
+    /// The number of samples of each pixel, the same in every channel.
     pub spent: Image,
 }
 
 impl Adaptive {
-    /// The mean number of samples a pixel.
+    /// The mean number of samples per pixel.
     pub fn mean(&self) -> f64 {
         let counts = self.spent.pixels().iter().map(|p| f64::from(p.r));
         counts.sum::<f64>() / self.spent.pixels().len().max(1) as f64
     }
 }
 
-/// As few samples as a pixel gets, and as many.
+/// Minimum and maximum number of samples per pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
-    /// Minimum number of samples per pixel, taken first; at least 2, for one says nothing of its neighbours.
+    /// Minimum number of samples per pixel, which are taken first. 2 or more are useful: a single sample shows no difference, so
+    /// a pixel with `first` = 1 always gets a second sample.
     pub first: usize,
-    /// Maximum number of samples per pixel.
+    /// Maximum number of samples per pixel; 0 counts as 1.
     pub most: usize,
 }
 
 // ANCHOR: adaptive
-/// Each pixel gets a few samples, and twice as many again for as long as they are not enough (Whitted 1980; Mitchell 1987).
+/// Each pixel gets `limits.first` samples, and their number is doubled as long as it is not [`Enough`] (Whitted 1980; Mitchell
+/// 1987).
 ///
-/// They are the beginning of one sequence, Sobol's by Owen, so that all of them together are as even as if they had been planned.
+/// The samples of a pixel are the beginning of one Sobol sequence, scrambled by Owen's method: so all of them together are as even
+/// as if their number had been known before.
 pub fn adaptive<S: Into<Followed>>(
     film: &Film,
     limits: Limits,
@@ -75,9 +78,10 @@ pub fn adaptive<S: Into<Followed>>(
 // ANCHOR_END: adaptive
 
 // ANCHOR: by_budget
-/// The film's samples per pixel on average, shared out by how much the first few of each pixel differ.
+/// A picture with `mean` samples per pixel on average, distributed by the standard deviation of the `first` samples of each pixel
+/// (at least 2).
 ///
-/// A pixel counts as much as the most restless of its neighbours: an edge may have slipped through between its own few.
+/// A pixel's standard deviation is the largest among its 3 × 3 neighbourhood, because its own few samples may have missed an edge.
 pub fn by_budget<S: Into<Followed>>(
     film: &Film,
     first: usize,
@@ -107,7 +111,7 @@ pub fn by_budget<S: Into<Followed>>(
         .collect();
     let counts = spend_budget(&deviations, first as u32, (mean * deviations.len()) as u32);
     let count = |x: usize, y: usize| counts[y * film.width + x] as usize;
-    // Every pixel was told to be done when it was begun.
+    // The first pass has already reported every pixel as done.
     let again = Film {
         progress: &|done| (film.progress)(Done { pixels: 0, ..done }),
         ..*film
@@ -143,7 +147,7 @@ fn deviation(seen: &[Followed]) -> f32 {
     (squares / (n - 1.0)).sqrt()
 }
 
-/// The place on the film of a point of a pixel.
+/// The place on the film, in [0, 1]², of the point p, in [0, 1)², of pixel (x, y).
 fn place(film: &Film, x: usize, y: usize, p: Vec2) -> Vec2 {
     (vec2(x as f32, y as f32) + p) / vec2(film.width as f32, film.height as f32)
 }

@@ -1,9 +1,9 @@
-//! A given number of samples, shared out among pixels.
+//! A given number of samples, distributed among pixels.
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-/// A pixel, and what one more sample would take off its variance.
+/// A pixel, and by how much one more sample would reduce the variance of its mean.
 #[derive(PartialEq)]
 struct Gain {
     gain: f32,
@@ -19,7 +19,7 @@ impl PartialOrd for Gain {
 }
 
 impl Ord for Gain {
-    /// The largest gain is the greatest; of equal ones, the first pixel, so that the result is always the same.
+    /// Orders by gain; of equal gains, the first pixel is the greatest, so that the result is always the same.
     fn cmp(&self, other: &Self) -> Ordering {
         let by_gain = self.gain.total_cmp(&other.gain);
         by_gain.then(other.pixel.cmp(&self.pixel))
@@ -27,11 +27,11 @@ impl Ord for Gain {
 }
 
 // ANCHOR: spend_budget
-/// How many samples each pixel gets of `budget`, at least `least` each, so that Σ σ²/n is as small as it can be.
+/// The number n of samples for each pixel, at least `least` each and `budget` in all, for which Σ σ²/n is smallest.
 ///
-/// σ are the standard deviations of the pixels' samples. The n are then about in proportion to them (Neyman 1934), and
-/// exactly right if each sample in turn goes where it takes off most, σ²/n − σ²/(n + 1) (Fox 1966). If the budget is not
-/// enough for the least, the least it is.
+/// σ is the standard deviation of a pixel's samples, from `deviations`. The best n is about proportional to σ (Neyman 1934). It is
+/// exact if the samples are given away one by one, each to the pixel where it reduces the sum most, by σ²/n − σ²/(n + 1) (Fox
+/// 1966). If the budget is too small, each pixel still gets `least` samples, and at least 1.
 pub fn spend_budget(deviations: &[f32], least: u32, budget: u32) -> Vec<u32> {
     let least = least.max(1);
     let mut counts = most_worthwhile(deviations, least, budget);
@@ -56,10 +56,10 @@ pub fn spend_budget(deviations: &[f32], least: u32, budget: u32) -> Vec<u32> {
 }
 // ANCHOR_END: spend_budget
 
-/// The samples that take off at least a limit each, with the lowest limit that the budget allows: nearly all of them, found
-/// without asking for one after the other.
+/// The number of samples per pixel that each reduce the sum by at least a limit, with the lowest limit that the budget allows:
+/// nearly all samples of the budget, found without giving them away one by one.
 ///
-/// Sample n takes off σ²/((n − 1) n), which is the limit for n = ½ + √(¼ + σ²/limit).
+/// Sample n reduces the sum by σ²/((n − 1) n), which equals the limit for n = ½ + √(¼ + σ²/limit).
 fn most_worthwhile(deviations: &[f32], least: u32, budget: u32) -> Vec<u32> {
     let squares = || deviations.iter().map(|d| f64::from(*d).powi(2));
     let counts = |limit: f64| squares().map(move |s| (0.5 + (0.25 + s / limit).sqrt()) as u32);

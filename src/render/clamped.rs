@@ -1,20 +1,20 @@
-//! Light that is cut off sample by sample: no fireflies, and smooth edges of lamps.
+//! Samples clamped to a maximum: no fireflies, and smooth edges of lamps.
 
 use crate::math::ray::Ray;
 use crate::render::{cone::Cone, followed::Followed, sampler::Integrator};
 use crate::scene::world::Scene;
 use rand::Rng;
 
-/// An integrator that cuts off what one sample brings.
+/// An integrator that clamps the radiance of each sample.
 ///
-/// Cut off before the mean is taken, a lamp of radiance 50 that fills a tenth of a pixel is a tenth of what a display shows, and its
-/// edge is smooth; cut off afterwards, the pixel is white, and the edge has stairs. And a rare path that finds very much
-/// light becomes no white dot. What is cut off is lost: a caustic gets darker, and a picture of radiance is no longer right.
+/// Take a lamp of radiance 50 that fills a tenth of a pixel. Clamped to 1 before the mean is taken, the pixel is 0.1, and the
+/// lamp's edge is smooth. Clamped afterwards, the pixel is white, and the edge has stairs. Also, a rare path that finds very much
+/// light does not become a white dot (a firefly). But the picture is biased: the clamped light is lost, and caustics get darker.
 #[derive(Clone, Copy, Debug)]
 pub struct Clamped<I> {
-    /// Finds the light.
+    /// The integrator whose samples are clamped.
     pub integrator: I,
-    /// The brightest channel that a sample may have, in W·m⁻²·sr⁻¹; brighter ones keep their colour.
+    /// Maximum of a sample's brightest channel, in W·m⁻²·sr⁻¹; a brighter sample is scaled down, which keeps its hue.
     pub brightest: f32,
 }
 

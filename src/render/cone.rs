@@ -1,4 +1,4 @@
-//! How wide the beam is that a sample of a pixel sees: what a texture's colour is averaged over.
+//! The width of the beam that a sample of a pixel sees, over which a texture's colour is averaged.
 
 use crate::camera::Camera;
 use crate::math::dir3::Dir3;
@@ -8,25 +8,25 @@ use glam::{Vec2, vec2};
 
 /// A cone around a ray (Akenine-Möller et al., "Texture level of detail strategies for real-time ray tracing", 2019).
 ///
-/// It goes on in a mirror and through glass as the ray does, as if all surfaces were flat: in a mirror ball that shows more
-/// of a texture in a pixel, the texture is sharper than it need be.
+/// The cone follows the ray by mirrors and through glass as if all surfaces were flat. A mirror ball shows more of a texture in a
+/// pixel than the cone covers, so the texture there is not averaged enough.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cone {
-    /// How wide it is where the ray starts, in metres.
+    /// The width where the ray starts, in metres.
     pub width: f32,
-    /// How much wider it is after each metre, in metres: an angle in radians.
+    /// The growth of the width per metre: an angle in radians.
     pub spread: f32,
 }
 
 impl Cone {
-    /// A ray without width, which sees a single place of a texture.
+    /// A cone without width, which sees a single point of a texture.
     pub const THIN: Self = Self {
         width: 0.0,
         spread: 0.0,
     };
 
-    /// The cone of a pixel's sample in the middle of a film: the pixel's angle over √N for N samples, as the others see the rest
-    /// of the pixel; at least an eighth of the pixel's.
+    /// The cone of one of N samples of a pixel in the film's middle: its angle is that of the pixel over √N, because the other
+    /// samples see the rest of the pixel; at least an eighth of the pixel's angle.
     pub fn of_sample(camera: &dyn Camera, film: &Film) -> Self {
         let toward = |pixels: Vec2| {
             let place = 0.5 + pixels / vec2(film.width as f32, film.height as f32);
@@ -50,7 +50,8 @@ impl Cone {
     }
 
     // ANCHOR: cone_on
-    /// Tells a surface the width w/|n·v| that the cone covers there, in texture coordinates: more at a grazing view.
+    /// Sets the surface's `texture_width` to the width that the cone covers there, w/|n·v| in metres, converted to texture
+    /// coordinates. It is larger at a grazing view.
     pub fn cover(self, at: &mut Surface, view: Dir3) {
         let covered = self.width / at.normal.dot(*view).abs();
         at.texture_width = covered * at.texture_per_metre;

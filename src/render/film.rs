@@ -13,10 +13,10 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread::available_parallelism;
 
-/// Edge of a tile in pixels: small enough to share the work evenly, large enough to fetch seldom.
+/// Edge of a tile in pixels: small enough to distribute the work evenly, large enough that threads seldom fetch a tile.
 const TILE: usize = 16;
 
-/// What a picture is taken on.
+/// The size of a picture, its samples per pixel, and how the work is done.
 #[derive(Clone, Copy)]
 pub struct Film<'a> {
     /// Columns.
@@ -25,18 +25,19 @@ pub struct Film<'a> {
     pub height: usize,
     /// Samples per pixel, at least 1.
     pub samples: usize,
-    /// What every random number follows from.
+    /// The seed of all random numbers.
     pub seed: u64,
-    /// How many threads work; the picture does not depend on it.
+    /// Number of threads, at least 1; the picture does not depend on it.
     pub threads: usize,
-    /// Told whenever some pixels are done, from any thread; says whether to go on.
+    /// Called from any thread whenever some pixels are done; returns whether to go on.
     pub progress: &'a Progress<'a>,
 }
 
-/// Is told what is done, and says whether to go on. After a `Break` no tile is begun any more, and what is missing stays black.
+/// Gets the part of the picture that has just been done, and returns whether to go on. After a `Break` no more tiles are begun, and
+/// missing pixels stay black.
 pub type Progress<'a> = dyn Fn(Done) -> ControlFlow<()> + Sync + 'a;
 
-/// Tells nobody how far it is, and goes on to the end.
+/// Reports nothing, and goes on to the end.
 pub const SILENT: &Progress<'static> = &|_| ControlFlow::Continue(());
 
 impl fmt::Debug for Film<'_> {
@@ -54,17 +55,18 @@ impl fmt::Debug for Film<'_> {
 /// A part of a picture that is done.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Done {
-    /// Its pixels.
+    /// Number of pixels in it.
     pub pixels: usize,
-    /// The rays that were followed for them, as far as they were counted.
+    /// Number of rays that were followed for these pixels, as far as they were counted.
     pub rays: u64,
 }
 
-/// What a pixel is, by column, row and its random numbers; and the rays that it took.
+/// Computes a pixel from its column, its row and its random numbers; also returns the number of rays that were followed.
 pub type Pixel<'a, T> = dyn Fn(usize, usize, &mut Pcg) -> (T, u64) + Sync + 'a;
 
 impl Film<'_> {
-    /// A film that is drawn by all processors, from the seed 0, and tells nobody how far it is.
+    /// A film of `width` × `height` pixels with `samples` samples each, for all processors, with the seed 0 and without progress
+    /// reports.
     pub fn new(width: usize, height: usize, samples: usize) -> Self {
         Self {
             width,
@@ -76,8 +78,8 @@ impl Film<'_> {
         }
     }
 
-    /// A picture with less noise: drawn twice, each time with half of the samples and other random numbers, and then denoised
-    /// ([`denoise`]).
+    /// A denoised picture: `draw` is called twice, each time with half of the samples and other random numbers, and [`denoise`]
+    /// combines the two pictures.
     pub fn denoised(&self, draw: impl Fn(&Self) -> Image) -> Image {
         let half = |seed| {
             let samples = self.samples.div_ceil(2);
@@ -119,8 +121,8 @@ impl Film<'_> {
 
     /// The picture whose pixel in column x and row y is `pixel(x, y, its random numbers)`.
     ///
-    /// The threads fetch tiles one by one until none is left; each pixel has its own stream of random numbers,
-    /// so the picture does not depend on which thread draws which.
+    /// The threads fetch tiles one by one until none is left. Each pixel has its own stream of random numbers,
+    /// so the picture does not depend on which thread draws which pixel.
     pub fn render_pixels<S: Into<Followed>>(
         &self,
         pixel: impl Fn(usize, usize, &mut Pcg) -> S + Sync,
@@ -131,16 +133,16 @@ impl Film<'_> {
         })
     }
 
-    // What follows asks `pixel` through a pointer, so that it is compiled once, not once for each picture of the course.
+    // From here on, `pixel` is called through a pointer, so that the loop is compiled once, not once for each closure.
 
     fn draw(&self, pixel: &Pixel<Rgb>) -> Image {
         let pixels = self.each_pixel(pixel);
         Image::from_fn(self.width, self.height, |x, y| pixels[y * self.width + x])
     }
 
-    /// Whatever `pixel` says of each pixel, row by row; the second thing it says is the rays that it took.
+    /// The first result of `pixel` for each pixel, row by row; the second result is the number of rays that were followed.
     ///
-    /// Where [`Film::progress`] ended the work too early, it is the default.
+    /// Pixels that are missing, because [`Film::progress`] ended the work, have the default value.
     pub fn each_pixel<T: Clone + Default + Send>(&self, pixel: &Pixel<T>) -> Vec<T> {
         let all = Mutex::new(vec![T::default(); self.width * self.height]);
         self.each_tile(&|columns, rows| {
@@ -162,7 +164,7 @@ impl Film<'_> {
         all.into_inner().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Has every tile drawn, given by its columns and rows, by all threads.
+    /// Calls `draw` for every tile, with the tile's columns and rows, by all threads.
     fn each_tile(&self, draw: &(dyn Fn(Range<usize>, Range<usize>) -> Done + Sync)) {
         let (columns, rows) = (self.width.div_ceil(TILE), self.height.div_ceil(TILE));
         let next = AtomicUsize::new(0);
@@ -183,11 +185,12 @@ impl Film<'_> {
     }
 }
 
-/// Where in its pixel each sample falls, in [0, 1)².
+/// The place of each sample in its pixel, in [0, 1)².
 ///
-/// One sample is at the centre. More of them are Sobol's points, of which every number fills the pixel evenly, and a power
-/// of 2 most evenly. The bits of their coordinates are flipped at random, the same ones for all points of a pixel, so that
-/// their mean has no bias (Kollig and Keller, "Efficient multidimensional sampling", 2002). Chapter 22 compares patterns.
+/// A single sample is at the centre. Several samples are Sobol's points: any number of them fills the pixel evenly, and powers of
+/// 2 most evenly. Bits of the coordinates are flipped at random, the same bits for all points of a pixel, so that the mean is
+/// unbiased (random digit scrambling: Kollig and Keller, "Efficient multidimensional sampling", 2002). Chapter 22 compares
+/// patterns.
 pub fn place_in_pixel(samples: usize, rng: &mut Pcg) -> impl Fn(usize) -> Vec2 + use<> {
     let flipped: [u32; 2] = [rng.random(), rng.random()];
     move |i| {
@@ -195,7 +198,7 @@ pub fn place_in_pixel(samples: usize, rng: &mut Pcg) -> impl Fn(usize) -> Vec2 +
             return Vec2::splat(0.5);
         }
         let [x, y] = sobol(i as u32);
-        // f32 has 24 digits: with more, this could round to 1
+        // An `f32` has 24 binary digits: with more, this could round to 1.
         let unit = |bits: u32| (bits >> 8) as f32 / (1 << 24) as f32;
         vec2(unit(x ^ flipped[0]), unit(y ^ flipped[1]))
     }

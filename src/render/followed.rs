@@ -1,19 +1,19 @@
-//! What is seen along a ray, and the rays that were followed for it: the unit in which a ray tracer's work is told.
+//! The radiance along a ray, and the number of rays that were followed for it, which measures a ray tracer's work.
 
 use crate::image::rgb::Rgb;
 use std::iter::Sum;
 
-/// Radiance, and its price.
+/// Radiance, and the number of rays that it took.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Followed {
-    /// What is seen, in W·m⁻²·sr⁻¹.
+    /// The radiance, in W·m⁻²·sr⁻¹.
     pub radiance: Rgb,
-    /// The rays that were followed for it: to surfaces, and to lights.
+    /// Number of rays that were followed for it, to surfaces and to lights.
     pub rays: u64,
 }
 
 impl Followed {
-    /// The mean of n of which this is the sum, and the rays of all of them.
+    /// The mean radiance of n samples of which this is the sum, and the rays of all n.
     #[must_use]
     pub fn mean_of(self, n: usize) -> Self {
         Self {
@@ -23,7 +23,7 @@ impl Followed {
     }
 }
 
-/// Radiance whose rays nobody counted.
+/// Radiance whose rays were not counted.
 impl From<Rgb> for Followed {
     fn from(radiance: Rgb) -> Self {
         Self { radiance, rays: 0 }

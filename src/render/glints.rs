@@ -1,4 +1,4 @@
-//! Small bright lights through a lens: they are too small for rays from the camera to find.
+//! Small bright lights through a lens, which rays from the camera cannot find.
 
 use crate::camera::thin_lens::ThinLens;
 use crate::image::Image;
@@ -7,18 +7,19 @@ use crate::math::{pcg, ray::Ray};
 use crate::render::film::{Film, place_in_pixel};
 use std::f32::consts::FRAC_PI_4;
 
-/// Rays for each pixel that a light's disc covers: with this number their even spread shows no grain.
+/// Number of rays for each pixel that a light's disc covers: enough that the disc shows no grain.
 const PER_PIXEL: f32 = 40.0;
 
-/// The fewest rays for a light, and the most.
+/// Minimum and maximum number of rays for a light.
 const RAYS: [f32; 2] = [256.0, 4e6];
 
 // ANCHOR: glints
-/// Adds what point lights send through the lens.
+/// Adds to the picture the light of point lights that comes straight through the lens.
 ///
-/// A ray from the camera meets a point with probability 0. So the rays start at the light: each goes through a point of the
-/// lens to a place on the film, and brings a share of I · (area on the film)/(area around the light) to the pixel it meets,
-/// which is the mean radiance there. `open` tells whether nothing is on a ray from the lens up to a distance.
+/// A ray from the camera meets a point with probability 0. So the rays start at the light: each of N rays goes through a point of
+/// the lens to a place on the film, and adds the radiance I·m/(N·A) to the pixel that it meets. I is the light's intensity, m the
+/// magnification ([`magnified`](crate::camera::thin_lens::Arrival::magnified)), and A the area of a pixel on the film, in m².
+/// `open` returns whether the way along a ray from the lens, up to a distance in metres, is free.
 pub fn add_glints(
     picture: &mut Image,
     film: &Film,
@@ -31,7 +32,7 @@ pub fn add_glints(
     for (light, i) in lights.iter().zip(0..) {
         let depth = (light.position - camera.view.focal_point).dot(*camera.view.forward);
         if depth <= 0.0 {
-            continue; // beside the lens or behind it: none of its light comes in
+            continue; // beside the lens or behind it: no light comes in
         }
         let covered = FRAC_PI_4 * camera.lens.circle_of_confusion(depth).powi(2) / pixel;
         let rays = (PER_PIXEL * covered).clamp(RAYS[0], RAYS[1]) as usize;

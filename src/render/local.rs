@@ -9,24 +9,26 @@ use crate::shape::Surface;
 use glam::vec2;
 use rand::{Rng, RngExt};
 
-/// Whether light on its way to a surface arrives there.
+/// Whether a sample of a light arrives at a surface.
 pub type Arrives = fn(&Scene, &Surface, &LightSample) -> bool;
 
-/// Nothing is in the way, ever: the world without shadows, in which no ray to a light need be followed.
+/// All light arrives: a world without shadows, in which no shadow rays are followed.
 pub const ALWAYS: Option<Arrives> = None;
 
-/// How light from the lights is gathered. Whether it arrives is asked of a function, or of a closure `A`.
+/// Local illumination: how the light of the light sources is gathered. `A` is a function or a closure that tells whether light
+/// arrives.
 #[derive(Clone, Copy, Debug)]
 pub struct Local<A = Arrives> {
-    /// Samples of every light.
+    /// Number of samples per light; at least 1.
     pub samples: u32,
-    /// Whether a sample arrives, by following a ray to the light; [`ALWAYS`] if there is no need to.
+    /// Returns whether a sample arrives, by following a shadow ray; [`ALWAYS`] for a world without shadows.
     pub arrives: Option<A>,
 }
 
 impl<A: Fn(&Scene, &Surface, &LightSample) -> bool> Local<A> {
     // ANCHOR: local
-    /// I = k_a i_a + Σ over the lights: the mean, over a light's samples, of what the material makes of them.
+    /// I = k_a i_a + Σ of the lights' contributions. A light's contribution is the mean over its samples of the radiance that the
+    /// material reflects, [`Material::lit`](crate::material::Material::lit), where the sample arrives.
     pub fn follow(&self, scene: &Scene, seen: &Seen, view: Dir3, rng: &mut dyn Rng) -> Followed {
         let mut rays = 0;
         let mut arrives = |sample: &LightSample| {
@@ -44,7 +46,7 @@ impl<A: Fn(&Scene, &Surface, &LightSample) -> bool> Local<A> {
                     continue;
                 };
                 let lit = seen.material.lit(&seen.surface, view, &sample);
-                // A mirror makes nothing of a lamp, nor does a surface that is turned away: then nobody need look.
+                // A mirror does not reflect a lamp's sample, nor does a surface that is turned away: then no shadow ray is needed.
                 if lit != Rgb::BLACK && arrives(&sample) {
                     of_light += lit;
                 }

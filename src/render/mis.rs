@@ -1,18 +1,19 @@
-//! Two ways to choose a direction, and how much each counts.
+//! Two strategies to sample the direct light, and their weights (multiple importance sampling, MIS).
 
-/// How the directions are chosen from which light may come straight from a light.
+/// How directions are chosen for direct light, which comes straight from a light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Strategy {
-    /// By the surface: where it reflects much, for whatever light is there. Lights without extent are chosen themselves.
+    /// By the surface: more often where its BRDF is large. A light without an extent is still sampled by the light.
     Surface,
-    /// By the light: a place on it, however little the surface makes of it.
+    /// By the light: a point on the light, whatever the BRDF is in its direction.
     Light,
-    /// Both, each weighted by what it is good at: multiple importance sampling.
+    /// By both, weighted by their densities: multiple importance sampling.
     Both,
 }
 
 impl Strategy {
-    /// How much a direction counts that was chosen by the light, with its density there and with the surface's.
+    /// The weight of a direction that was chosen by the light with the density `light`, where the surface has the density `surface`,
+    /// both per steradian.
     pub fn of_light(self, light: f32, surface: f32) -> f32 {
         match self {
             Self::Both => power(light, surface),
@@ -21,9 +22,11 @@ impl Strategy {
         }
     }
 
-    /// How much a direction counts that was chosen by the surface, with its density there and with the light's.
+    /// The weight of a direction that was chosen by the surface with the density `surface`, where the light has the density `light`,
+    /// both per steradian.
     ///
-    /// What the eye sees straight is no choice: its density is ∞. Nor can a light be chosen that has no density.
+    /// Camera rays and delta lobes are not chosen by a density: for them `surface` is ∞, and the weight is 1. A `light` of 0 means
+    /// that the light could not have chosen the direction: then the weight is 1 too.
     pub fn of_surface(self, surface: f32, light: f32) -> f32 {
         match self {
             Self::Both => power(surface, light),
@@ -34,11 +37,12 @@ impl Strategy {
 }
 
 // ANCHOR: power_heuristic
-/// p²/(p² + q²): the weight of a direction that was chosen with density p, and could have been chosen with density q.
+/// The power heuristic p²/(p² + q²): the weight of a direction that was chosen with the density p, and could have been chosen with
+/// the density q by the other strategy.
 ///
-/// The two weights of a direction add up to 1, so nothing is counted twice and nothing is left out; and each estimate is
-/// small where the other one is good (the power heuristic: Veach and Guibas, "Optimally combining sampling techniques for
-/// Monte Carlo rendering", 1995). p is positive; ∞ is no choice, and has weight 1.
+/// The two weights of a direction add up to 1, so no light is counted twice and none is left out. The strategy with the larger
+/// density gets most of the weight, because it has less variance there (Veach and Guibas, "Optimally combining sampling techniques
+/// for Monte Carlo rendering", 1995). p is positive; p = ∞, for a direction that is not chosen by a density, has the weight 1.
 pub fn power(p: f32, q: f32) -> f32 {
     1.0 / (1.0 + (q / p).powi(2))
 }

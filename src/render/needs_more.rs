@@ -1,13 +1,13 @@
-//! Whether a pixel has been looked at often enough.
+//! Whether a pixel has enough samples.
 
 use crate::image::rgb::Rgb;
 
-/// When a pixel is done: both limits must be kept.
+/// When a pixel has enough samples: when both limits are kept.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Enough {
-    /// The largest contrast in each channel; ∞ for none.
+    /// Maximum contrast per channel; ∞ for no limit.
     pub contrast: Rgb,
-    /// The largest standard error of the mean luminance; ∞ for none.
+    /// Maximum standard error of the mean luminance, in W·m⁻²·sr⁻¹; ∞ for no limit.
     pub error: f32,
 }
 
@@ -31,7 +31,8 @@ impl Enough {
     /// Whether the samples differ so much that the pixel needs more of them.
     ///
     /// The contrast of a channel is (max − min)/(max + min), 0 if all are black. The standard error of the mean is s/√n, where
-    /// s² = Σ (Y − mean)²/(n − 1) is the variance of the samples' luminance. One sample knows nothing of the others: it needs more.
+    /// s² = Σ (Y − mean)²/(n − 1) is the variance of the samples' luminance. Fewer than two samples always need more, because they
+    /// show no difference.
     pub fn needs_more(&self, samples: &[Rgb]) -> bool {
         let n = samples.len() as f32;
         if samples.len() < 2 {

@@ -1,4 +1,4 @@
-//! Path tracing: the rendering equation, by following one path of light at a time from the eye.
+//! Path tracing: the rendering equation, estimated by following one path of light at a time from the eye.
 
 use crate::image::rgb::Rgb;
 use crate::material::{Delta, Scatter, glass::Medium};
@@ -8,22 +8,22 @@ use crate::scene::world::{Scene, Seen};
 use glam::vec2;
 use rand::{Rng, RngExt};
 
-/// Follows light from surface to surface (Kajiya, "The rendering equation", 1986).
+/// A path tracer (Kajiya, "The rendering equation", 1986).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Path {
-    /// Maximum number of bounces over which light is followed: 1 is light straight from the lights, [`u32::MAX`] is all there is.
+    /// Maximum number of bounces: 0 shows emitted light only, 1 adds direct light, and [`u32::MAX`] shows all light.
     pub depth: u32,
     /// Number of bounces after which Russian roulette may end the path.
     pub roulette_after: u32,
-    /// How directions are chosen in which light may come straight from a light.
+    /// How directions are chosen for direct light.
     pub strategy: Strategy,
 }
 
-/// The highest probability with which a path goes on in Russian roulette: between white walls it must end some day too.
+/// Maximum probability with which a path survives Russian roulette: so it also ends between white walls.
 const LUCKIEST: f32 = 0.95;
 
 impl Path {
-    /// All the light there is, the directions chosen in both ways; from the fourth surface on, Russian roulette.
+    /// All light, by both strategies, with Russian roulette from the fourth bounce on.
     pub const WHOLE: Self = Self {
         depth: u32::MAX,
         roulette_after: 3,
@@ -31,12 +31,12 @@ impl Path {
     };
 
     // ANCHOR: path
-    /// An estimate of what a ray sees: L_o = L_e + ∫ f L_i cos θ dω, where L_i asks the same question of the next surface.
+    /// An estimate of the radiance that a ray sees: L_o = L_e + ∫ f L_i cos θ dω, where L_i is the L_o of the next surface.
     ///
-    /// `weight` is the product of f cos θ/p so far. Light straight from a light is looked for twice: towards the light (next
-    /// event estimation) and by the ray that goes on; the strategy shares it out. L_i of the rest is followed by one ray. In a
-    /// mirror or through glass no light can be looked for: only the ray that goes on finds it.
-    /// The mean over all random numbers is exact, but for what `depth` cuts off.
+    /// `weight` is the product of f cos θ/p, and of the media's transmittance, along the path so far. Direct light is estimated in
+    /// two ways: by a shadow ray towards the light (next event estimation), and by the ray that continues the path; the strategy
+    /// weights the two. All other light is estimated by the ray that continues the path, and so is all light in a mirror or
+    /// through glass. The estimate is unbiased, except for the light that `depth` cuts off.
     pub fn follow(&self, scene: &Scene, ray: &Ray, rng: &mut dyn Rng) -> Followed {
         self.follow_cone(scene, ray, Cone::THIN, rng)
     }
@@ -88,15 +88,15 @@ impl Path {
     }
     // ANCHOR_END: path
 
-    /// The same, uncounted.
+    /// The radiance of [`Path::follow`], without the number of rays.
     pub fn radiance(&self, scene: &Scene, ray: &Ray, rng: &mut dyn Rng) -> Rgb {
         self.follow(scene, ray, rng).radiance
     }
 
     // ANCHOR: next_event
-    /// The radiance towards the viewer of light that comes straight from the lights: a place on each is asked.
+    /// Next event estimation: an estimate of the direct light that is reflected to the viewer, by one sample of each light.
     ///
-    /// `to_scatter` is the probability with which the path goes on by f, so that its ray may find the same light.
+    /// `to_scatter` is the probability with which the path is continued by f, so that its ray may find the same light.
     fn next_event(
         &self,
         scene: &Scene,
@@ -117,7 +117,7 @@ impl Path {
             }
             let surface = seen.material.pdf(&seen.surface, view, sample.toward) * to_scatter;
             let light = all * self.strategy.of_light(sample.pdf, surface);
-            // The shadow ray costs more than all the rest: only for light that would count.
+            // The shadow ray costs more than everything else, so it is only followed for light that counts.
             if light == Rgb::BLACK {
                 continue;
             }
@@ -130,9 +130,10 @@ impl Path {
     }
     // ANCHOR_END: next_event
 
-    /// How far away is the light that a ray finds before it meets a surface at t, and our share of its radiance; else `None`.
+    /// The distance of the light that a ray meets before a surface at the distance t, and the light's radiance times its weight;
+    /// `None` if it meets the surface first.
     ///
-    /// A ray that meets no surface always finds something: the backdrop, and all lights at infinity.
+    /// A ray that meets no surface always finds light: the backdrop, and all lights at infinity.
     fn found(&self, scene: &Scene, ray: &Ray, t: Option<f32>, pdf: f32) -> Option<(f32, Rgb)> {
         let mut nearest = t.unwrap_or(f32::INFINITY);
         let mut found = t.is_none().then(|| (scene.backdrop)(ray));
@@ -154,28 +155,28 @@ impl Integrator for Path {
     }
 }
 
-/// Where a path goes on.
+/// The direction in which a path is continued.
 struct Next {
     toward: Dir3,
-    /// p, in 1/sr; ∞ for a lobe of one direction.
+    /// p, in 1/sr; ∞ for a delta lobe.
     pdf: f32,
     /// f cos θ/p.
     weight: Rgb,
-    /// What it goes through from here on, if that is something else.
+    /// The medium that the ray goes through, for a delta lobe; `None` if the medium stays the same.
     medium: Option<Medium>,
 }
 
-/// The lobes of a surface, one of which a path follows, each about as often as it has light to send.
+/// The lobes of a surface. A path follows one of them, with a probability about proportional to the light that the lobe brings.
 struct Lobes {
     scatters: bool,
-    /// The shares of the lobes of one direction, added up.
+    /// The sum of the delta lobes' shares.
     deltas: f32,
-    /// The share that is left to f; of what it really sends, nothing is known here.
+    /// The share that is left for f: an upper bound if the material conserves energy.
     rest: f32,
 }
 
 impl Lobes {
-    /// A share below which f is not asked less often: it may send more than what the others leave.
+    /// Minimum of `rest` for a surface that scatters, because f may reflect more than the delta lobes leave.
     const LEAST: f32 = 0.1;
 
     fn of(seen: &Seen, view: Dir3) -> Self {
@@ -194,12 +195,12 @@ impl Lobes {
         }
     }
 
-    /// The probability with which f is followed.
+    /// The probability with which the path is continued by f.
     fn to_scatter(&self) -> f32 {
         self.rest / (self.deltas + self.rest)
     }
 
-    /// A direction of one of the lobes; `None` where it leads nowhere.
+    /// A direction of one of the lobes; `None` ends the path.
     fn sample(&self, seen: &Seen, view: Dir3, rng: &mut dyn Rng) -> Option<Next> {
         if self.deltas == 0.0 {
             return self.scatter(seen, view, rng);
@@ -224,7 +225,7 @@ impl Lobes {
         self.scatter(seen, view, rng)
     }
 
-    /// A direction that f chooses.
+    /// A direction chosen by f.
     fn scatter(&self, seen: &Seen, view: Dir3, rng: &mut dyn Rng) -> Option<Next> {
         let (at, u) = (&seen.surface, vec2(rng.random(), rng.random()));
         let Scatter { toward, pdf, f } = seen.material.scatter(at, view, u)?;
@@ -241,8 +242,9 @@ impl Lobes {
 }
 
 // ANCHOR: roulette
-/// Ends a path with a probability 1 − q and divides what survives by q: right in the mean, and less work for little light
-/// (Arvo and Kirk, "Particle transport and image synthesis", 1990).
+/// Russian roulette: ends a path with the probability 1 − q, and divides the weight of a survivor by q. The estimate stays unbiased,
+/// and less work is spent on little light (Arvo and Kirk, "Particle transport and image synthesis", 1990). q is the largest channel
+/// of the weight, at most [`LUCKIEST`].
 fn roulette(weight: Rgb, rng: &mut dyn Rng) -> Option<Rgb> {
     let [r, g, b] = weight.channels();
     let q = r.max(g).max(b).min(LUCKIEST);

@@ -1,4 +1,4 @@
-//! The film loop that spares work: few samples where they are alike, all of them where they differ.
+//! The film loop with fewer samples: few where they are similar, all of them where they differ.
 
 use crate::image::Image;
 use crate::math::pcg::Pcg;
@@ -8,29 +8,30 @@ use crate::sample::even::Even;
 use glam::{Vec2, vec2};
 use rand::RngExt;
 
-/// The first samples of every pixel: four, or half of all where these are few, but two at least, for one knows no deviation.
+/// Number of first samples of every pixel, for `all` samples per pixel: 4, or half of `all` below 8, but at least 2, because one
+/// sample has no deviation.
 fn first_of(all: usize) -> usize {
     (all / 2).clamp(2, 4).min(all)
 }
 
-/// The standard deviation, in what a display shows, from which on a pixel gets all its samples.
+/// The standard deviation of the displayed brightness, in [0, 1], from which on a pixel gets all samples.
 const RESTLESS: f32 = 0.2;
 
-/// What is seen at a place on the film, by a sample's random numbers.
+/// The radiance at a place on the film, by a sample's random numbers.
 type Radiance<'a> = dyn Fn(Vec2, &mut Even) -> Followed + Sync + 'a;
 
-/// What the first samples of a pixel tell.
+/// The result of the first samples of a pixel.
 #[derive(Clone, Copy, Default)]
 struct Begun {
     sum: Followed,
-    /// Of what a display shows, in the channel that has most.
+    /// The variance of the displayed brightness, of the channel with the largest variance.
     variance: f32,
 }
 
 impl Film<'_> {
-    /// The picture whose pixels are the mean of `radiance` over all samples, by numbers that are spread evenly.
+    /// The picture whose pixels are the mean of `radiance` over all samples, with low-discrepancy numbers ([`Even`]).
     ///
-    /// `radiance` is given the place on the film, in [0, 1]² from the top left, and the sample's random numbers.
+    /// `radiance` gets the place on the film, in [0, 1]² from the top left, and the sample's random numbers.
     pub fn evenly<S: Into<Followed>>(
         &self,
         radiance: impl Fn(Vec2, &mut Even) -> S + Sync,
@@ -38,12 +39,13 @@ impl Film<'_> {
         all(self, &|place, numbers| radiance(place, numbers).into())
     }
 
-    /// As [`Film::evenly`], but a pixel gets all samples only where they differ most, and fewer, down to four, in proportion to
-    /// their standard deviation (Whitted 1980; Neyman 1934).
+    /// As [`Film::evenly`], but a pixel gets all samples only if its first samples differ much; otherwise its number of samples is
+    /// proportional to their standard deviation, rounded up to a power of two, and at least 4 (2 if the film has fewer than 8
+    /// samples per pixel) (Whitted 1980; Neyman 1934).
     ///
-    /// The deviation is that of the pixel and its eight neighbours, for an edge may have slipped through between its own few.
-    /// What is so small and so rare that they all miss it is not found: where light comes by chance, as in path tracing and
-    /// through a lens, take [`Film::evenly`].
+    /// The standard deviation is that of the pixel and its eight neighbours, because the pixel's first samples may have missed an
+    /// edge. Details that all first samples miss are not found. So for light that is found by chance, as in path tracing and
+    /// through a lens, use [`Film::evenly`].
     pub fn refine<S: Into<Followed>>(
         &self,
         radiance: impl Fn(Vec2, &mut Even) -> S + Sync,
@@ -94,7 +96,7 @@ struct Sample<'a> {
     film: &'a Film<'a>,
     /// The pixel's top left corner, in pixels.
     corner: Vec2,
-    /// What all its numbers follow from.
+    /// The key of the pixel's random numbers.
     key: u64,
 }
 
@@ -107,7 +109,7 @@ impl<'a> Sample<'a> {
         }
     }
 
-    /// What sample i sees. A single one is in the middle of the pixel.
+    /// The radiance of sample i. A single sample is in the middle of the pixel.
     fn seen(&self, i: usize, radiance: &Radiance) -> Followed {
         let film = self.film;
         let mut numbers = Even::new(self.key, i, film.samples);
@@ -125,7 +127,7 @@ impl<'a> Sample<'a> {
 impl Begun {
     fn by(seen: &[Followed]) -> Self {
         let n = seen.len() as f32;
-        // The square root is near to the curve by which a display shows light.
+        // The square root approximates the sRGB curve of a display.
         let shown = |channel: usize| {
             let values = seen.iter().map(move |s| s.radiance.channels()[channel]);
             values.map(|v| v.clamp(0.0, 1.0).sqrt())
@@ -141,7 +143,7 @@ impl Begun {
     }
 }
 
-/// The standard deviation of a pixel's samples and its neighbours', each around their own mean.
+/// The root of the mean variance of a pixel and its neighbours, each variance around the pixel's own mean.
 fn deviation(film: &Film, begun: &[Begun], x: usize, y: usize) -> f32 {
     let near = |v: usize, end: usize| v.saturating_sub(1)..(v + 2).min(end);
     let (xs, ys) = (near(x, film.width), near(y, film.height));

@@ -1,4 +1,4 @@
-//! The integral over the hemisphere that turns light from everywhere into light towards a viewer.
+//! The reflection integral: from the light that arrives from the hemisphere to the light that leaves towards the viewer.
 
 use crate::image::rgb::Rgb;
 use crate::material::Material;
@@ -8,10 +8,11 @@ use glam::vec2;
 use rand::RngExt;
 
 // ANCHOR: reflected_radiance
-/// L_o = ∫ f L_i cos θ dω over the hemisphere, estimated by (1/N) Σ f L_i cos θ/p over N directions of density p.
+/// L_o = ∫ f L_i cos θ dω over the hemisphere, estimated by (1/N) Σ f L_i cos θ/p over N = `samples` directions of density p.
 ///
-/// `incoming` is L_i: the radiance that arrives from a direction. Its mean over all random numbers is exact for any density
-/// that is positive wherever f L_i cos θ is; the more alike they are, the less it scatters. Here p is that of the BRDF.
+/// `incoming` is L_i: the radiance that arrives from a direction, in W·m⁻²·sr⁻¹. The estimate is unbiased for any density p that is
+/// positive wherever f L_i cos θ is. The more similar the shapes of p and f L_i cos θ, the less noise (importance sampling). Here p
+/// is the density of [`Material::sample`]. `samples` is at least 1.
 pub fn reflected_radiance(
     brdf: &dyn Material,
     at: &Surface,

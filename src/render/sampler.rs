@@ -1,4 +1,4 @@
-//! The one loop from a scene to a picture, and its samplers: how many samples each pixel gets, and where they are.
+//! The loop from a scene to a picture, and its samplers: the number of samples of each pixel, and their places.
 
 use crate::camera::Camera;
 use crate::image::Image;
@@ -12,37 +12,39 @@ use glam::{Vec2, vec2};
 use rand::{Rng, RngExt};
 
 // ANCHOR: integrator
-/// A way to find the radiance that comes along a ray through a scene.
+/// An integrator: a method to estimate the radiance that comes along a ray through a scene.
 pub trait Integrator: Sync {
-    /// An estimate of the radiance, whose mean over all random numbers counts, and the rays that were followed for it.
+    /// An estimate of the radiance, and the number of rays that were followed for it. The average of the estimate over all random
+    /// numbers is the result of the integrator.
     ///
-    /// `cone` says how wide the ray is meant to be: textures are averaged over that.
+    /// `cone` is the width of the ray, over which textures are averaged.
     fn follow(&self, scene: &Scene, ray: &Ray, cone: Cone, numbers: &mut dyn Rng) -> Followed;
 }
 // ANCHOR_END: integrator
 
-/// How many samples each pixel gets, and where they are. The numbers of a pixel follow from the film's seed and its place.
+/// The number of samples of each pixel, and their places. A pixel's random numbers follow from the film's seed and the pixel's
+/// place.
 #[derive(Clone, Copy, Debug, Default)]
 pub enum Sampler<'a> {
-    /// All samples of the film, by Sobol's points as Owen scrambles them, for every choice of a sample ([`Film::evenly`]).
+    /// All samples of the film, with Owen-scrambled Sobol points for every random choice of a sample ([`Film::evenly`]).
     #[default]
     Even,
-    /// The same numbers, but fewer samples where they are alike ([`Film::refine`]): for light that does not come by chance.
+    /// The same points, but fewer samples where they are similar ([`Film::refine`]): for pictures without noise.
     Refined,
-    /// All samples, at places of the pixel that a pattern chooses; all else is left to chance ([`supersample`]).
+    /// All samples, at places in the pixel that a pattern chooses; all other choices are random ([`supersample`]).
     Pattern(&'a Pattern),
-    /// Samples until they are enough, within limits ([`adaptive`]).
+    /// Within limits, as many samples as a pixel needs ([`adaptive`]).
     Adaptive(Limits, Enough),
-    /// All samples of the film on average, shared out by what the first few of each pixel say ([`by_budget`]).
+    /// The film's samples per pixel on average, distributed by the deviation of the first samples of each pixel ([`by_budget`]).
     Budget {
-        /// The first few of each pixel.
+        /// Number of first samples of each pixel; at least 2.
         first: usize,
     },
 }
 
 impl Film<'_> {
     // ANCHOR: render
-    /// The picture that a camera takes of a scene: the mean of what the rays of each pixel's samples bring.
+    /// The picture that a camera takes of a scene: the mean radiance over the samples of each pixel.
     ///
     /// ```
     /// use raybook::prelude::*;
@@ -63,7 +65,7 @@ impl Film<'_> {
         scene: &Scene,
     ) -> Image {
         let cone = Cone::of_sample(camera, self);
-        // A pin-hole takes no number for its lens: of Sobol's points, the first ones are the most even.
+        // A pin-hole camera needs no numbers for a lens: making them would cost time.
         let see = |place: Vec2, numbers: &mut dyn Rng| {
             let lens = if camera.has_lens() {
                 vec2(numbers.random(), numbers.random())

@@ -1,4 +1,4 @@
-//! Soft shadows: how much of a light is seen from a surface.
+//! Soft shadows: the fraction of a light that is seen from a surface.
 
 use crate::light::Light;
 use crate::math::pcg::Pcg;
@@ -9,11 +9,11 @@ use glam::vec2;
 use rand::RngExt;
 
 // ANCHOR: visible_fraction
-/// An estimate of how much of a light is seen from a surface: the share of n random samples that arrive.
+/// An estimate of the fraction f of a light that is seen from a surface: the share of n = `samples` random samples that arrive.
 ///
-/// 0 in the umbra, 1 in full light, and in between in the penumbra. Of n samples, each arrives with the probability f that
-/// is asked for, so the estimate is off by √(f(1 − f)/n), in the root of the mean square.
-/// A light that is chosen by area is measured by its area.
+/// 0 in the umbra, 1 in full light, and in between in the penumbra. Each sample arrives with the probability f, so the root of the
+/// mean square (RMS) error is √(f(1 − f)/n). f is a fraction of the area if the light chooses its points by area, and of the solid
+/// angle if it chooses them by solid angle. 0 if `samples` is 0.
 pub fn visible_fraction(
     scene: &Scene,
     at: &Surface,

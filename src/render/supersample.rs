@@ -8,15 +8,15 @@ use crate::sample::filter::{Filter, Sample, pixel_average};
 use crate::sample::pattern::Pattern;
 use glam::{Vec2, vec2};
 
-/// What a ray through a place on the film, in [0, 1]² from the top left, sees.
+/// A function that returns what a ray through a place on the film, in [0, 1]² from the top left, sees.
 pub trait Radiance<S>: Fn(Vec2, &mut Pcg) -> S + Sync {}
 
 impl<S, F: Fn(Vec2, &mut Pcg) -> S + Sync> Radiance<S> for F {}
 
 // ANCHOR: supersample
-/// The picture whose pixels are the mean of as many samples as the film asks for, placed by a pattern: a box filter.
+/// The picture whose pixels are the mean of `film.samples` samples each, placed by a pattern: a box filter.
 ///
-/// Every pixel has its own random numbers, and so its own pattern where the pattern has any.
+/// Every pixel has its own random numbers, and so its own points if the pattern is random.
 pub fn supersample<S: Into<Followed>>(
     film: &Film,
     pattern: &Pattern,
@@ -34,9 +34,12 @@ pub fn supersample<S: Into<Followed>>(
 }
 // ANCHOR_END: supersample
 
-/// The same samples, each counted by a filter for all pixels in its reach.
+/// As [`supersample`], but each sample counts for all pixels within the filter's radius, with the filter's weight.
 ///
-/// A pixel near the picture's edge has fewer samples, and their weights are still divided by their sum.
+/// A pixel near the picture's edge has fewer samples; their weights are divided by their sum there too.
+///
+/// # Panics
+/// If `pattern.points` returns fewer than `film.samples` points.
 pub fn filtered<S: Into<Followed>>(
     film: &Film,
     pattern: &Pattern,
@@ -50,7 +53,7 @@ pub fn filtered<S: Into<Followed>>(
     };
     let points = silent.each_pixel(&|_, _, rng| ((pattern.points)(n, rng), 0));
     let points = |x: usize, y: usize| &points[y * film.width + x];
-    // First what each ray sees, the samples of a pixel side by side.
+    // First, a wide picture of what each ray sees, the samples of a pixel side by side.
     let wide = Film {
         width: film.width * n,
         progress: &|Done { pixels, rays }| {

@@ -1,4 +1,4 @@
-//! A whole ray tracer, assembled: the radiance of a ray through a described scene.
+//! A complete ray tracer: the radiance along a ray through a described scene.
 
 use crate::image::rgb::Rgb;
 use crate::light::Light;
@@ -11,11 +11,11 @@ use crate::shape::Shape;
 use glam::Vec2;
 
 // ANCHOR: trace
-/// The radiance that comes along a ray: of the nearest surface, of the backdrop, or black when `depth` surfaces were met.
+/// The radiance that comes along a ray: that of the nearest surface, or of the backdrop if there is none; black if `depth` is 0.
 ///
-/// Phong's surface shows k_a i_a + Σ (k_d (L·N) + k_s (R·V)^α) I/r² over the lamps that nothing hides, a mirror its share of
-/// what the mirrored ray sees, glass R·(what is mirrored) + (1 − R)·(what is refracted): both ask the same question again,
-/// with one surface less to go (Whitted 1980).
+/// A Phong surface shows k_a i_a + Σ (k_d (L·N) + k_s (R·V)^α) I/r², summed over the lamps that nothing hides. A mirror shows its
+/// share of what the mirrored ray sees. Glass shows R·(what the mirrored ray sees) + (1 − R)·(what the refracted ray sees). Mirror
+/// and glass call this function again, with `depth` − 1 (Whitted 1980).
 pub fn trace(scene: &Description, ray: &Ray, depth: u32) -> Rgb {
     if depth == 0 {
         return Rgb::BLACK;

@@ -1,4 +1,4 @@
-//! Whitted's ray tracing: what a surface shows in itself or through itself is seen by another ray.
+//! Whitted's ray tracing: mirrors and glass show what further rays see.
 
 use crate::image::rgb::Rgb;
 use crate::light::LightSample;
@@ -10,34 +10,35 @@ use crate::scene::world::Scene;
 use crate::shape::Surface;
 use rand::Rng;
 
-/// Follows rays from surface to surface (Whitted, "An improved illumination model for shaded display", 1980).
+/// Recursive ray tracing (Whitted, "An improved illumination model for shaded display", 1980).
 #[derive(Clone, Copy, Debug)]
 pub struct Whitted<A = Arrives> {
-    /// How light from the lights is gathered at each surface.
+    /// The local illumination at each surface.
     pub local: Local<A>,
-    /// Maximum number of surfaces in a row that are followed; what the last one would show of others is black.
+    /// Maximum number of surfaces in a row; what a mirror or glass would show after the last one is black.
     pub depth: u32,
 }
 
-/// What counts for less than this share of a picture's light is not looked at either: at a ray tree's hundreds of twigs
-/// (Hall and Greenberg, "A testbed for realistic image synthesis", 1983).
+/// Rays whose contribution to the pixel is below this share are not traced (adaptive tree-depth control: Hall and Greenberg, "A
+/// testbed for realistic image synthesis", 1983).
 const LEAST: f32 = 1.0 / 512.0;
 
-/// A ray of the tree, and those that follow from it.
+/// A ray of the tree of rays, with its limits.
 struct Twig {
-    /// Number of surfaces that are still followed in a row.
+    /// Number of surfaces in a row that may still be met.
     left: u32,
-    /// The share of the picture's light that it counts for.
+    /// The ray's share of the pixel's radiance, from 0 to 1.
     share: f32,
-    /// How wide it is.
+    /// The width of the ray.
     cone: Cone,
 }
 
 impl<A: Fn(&Scene, &Surface, &LightSample) -> bool> Whitted<A> {
     // ANCHOR: whitted
-    /// What a ray sees: L = local illumination + what the material sees beyond, which asks the same question again.
+    /// The radiance that a ray sees: L = local illumination + the radiance of the mirrored and refracted rays ([`beyond`]), which
+    /// are followed in the same way.
     ///
-    /// Two facing mirrors would ask for ever. Each question has one surface less to go, and at 0 the answer is black.
+    /// Between two facing mirrors this would never end. So each further ray has one surface less left, and at 0 it is black.
     pub fn follow(&self, scene: &Scene, ray: &Ray, rng: &mut dyn Rng) -> Followed {
         self.follow_cone(scene, ray, Cone::THIN, rng)
     }
@@ -80,7 +81,7 @@ impl<A: Fn(&Scene, &Surface, &LightSample) -> bool> Whitted<A> {
     }
     // ANCHOR_END: whitted
 
-    /// The whole tree of rays, for a first ray as wide as this.
+    /// The root of the tree of rays, with a first ray of this width.
     fn trunk(&self, cone: Cone) -> Twig {
         Twig {
             left: self.depth,
@@ -89,7 +90,7 @@ impl<A: Fn(&Scene, &Surface, &LightSample) -> bool> Whitted<A> {
         }
     }
 
-    /// The same, for a first ray as wide as this.
+    /// As [`Whitted::follow`], with a first ray of this width.
     fn follow_cone(&self, scene: &Scene, ray: &Ray, cone: Cone, rng: &mut dyn Rng) -> Followed {
         let mut rays = 0;
         let sight = self.sight(scene, ray, self.trunk(cone), rng, &mut rays);
@@ -99,7 +100,7 @@ impl<A: Fn(&Scene, &Surface, &LightSample) -> bool> Whitted<A> {
         }
     }
 
-    /// The same, uncounted.
+    /// The radiance of [`Whitted::follow`], without the number of rays.
     pub fn radiance(&self, scene: &Scene, ray: &Ray, rng: &mut dyn Rng) -> Rgb {
         self.follow(scene, ray, rng).radiance
     }

@@ -1,14 +1,14 @@
-//! Points of a disc, all of them equally likely.
+//! Points of a disc, uniform over its area.
 
 use glam::Vec2;
 use std::f32::consts::{FRAC_PI_2, FRAC_PI_4};
 
 // ANCHOR: concentric_disk
-/// The point of the unit disc that belongs to u in [0, 1]²: squares around the middle become circles around the middle
+/// The point of the unit disc for u in [0, 1]²: squares around the middle become circles around the middle
 /// (Shirley and Chiu, "A low distortion map between disk and square", 1997).
 ///
-/// With (a, b) = 2u − 1, the square through it has the half side r = max(|a|, |b|) and becomes the circle of radius r: both
-/// grow as r². On the circle, equal steps along a side are equal angles: φ = π/4 · b/a on the sides |a| ≥ |b|, and
+/// With (a, b) = 2u − 1, the square through (a, b) has the half side r = max(|a|, |b|), and becomes the circle of radius r: both
+/// areas grow as r². Equal steps along a side become equal angles: φ = π/4 · b/a on the sides with |a| ≥ |b|, and
 /// φ = π/2 − π/4 · a/b on the others. A negative r turns φ by π. So equal areas become equal areas, neighbours stay
 /// neighbours, and a pattern that fills the square evenly fills the disc evenly.
 pub fn concentric_disk(u: Vec2) -> Vec2 {

@@ -1,4 +1,4 @@
-//! Random numbers that are spread evenly over the samples of a pixel: less noise for the same work.
+//! Low-discrepancy random numbers: they are spread evenly over the samples of a pixel, which gives less noise for the same work.
 
 use crate::math::pcg::mix;
 use crate::sample::pattern::sobol::sobol;
@@ -8,26 +8,26 @@ use std::convert::Infallible;
 
 /// The random numbers of one sample of a pixel, pair after pair.
 ///
-/// The first pair of all samples of a pixel, the second pair, and so on, are each the beginning of a Sobol sequence, scrambled as
-/// Owen does it, in an order of its own. So any power of two of the samples fill the square of each pair evenly, and which
-/// point of one pair meets which point of another is left to chance. A single sample is as random as ever: means stay what
-/// they are (Burley, "Practical hash-based Owen scrambling", 2020).
+/// The first pairs of all samples of a pixel are the beginning of a Sobol sequence with Owen's scrambling, in a random order; so
+/// are the second pairs, with another order, and so on. So the first 2ᵏ samples fill the square of each pair evenly, and the points
+/// of different pairs are combined at random. Each single sample is uniform, so the estimates stay unbiased (Burley, "Practical
+/// hash-based Owen scrambling", 2020).
 #[derive(Clone, Debug)]
 pub struct Even {
-    /// What all numbers of the pixel follow from.
+    /// The pixel's key, from which all numbers of the pixel follow.
     pixel: u64,
-    /// Number of the sample.
+    /// The sample's number, from 0.
     index: u32,
-    /// The digits of the largest index.
+    /// A mask of the binary digits that indices have: a power of two minus 1.
     digits: u32,
-    /// Pairs made so far.
+    /// Number of pairs made so far.
     pairs: u64,
-    /// The second number of the last pair, while nobody has taken it.
+    /// The second number of the last pair, until it is used.
     second: Option<u32>,
 }
 
 impl Even {
-    /// The numbers of sample `index` of `samples`, in the pixel that has this key.
+    /// The numbers of sample `index` of `samples`, in the pixel with the key `pixel`.
     #[inline]
     pub fn new(pixel: u64, index: usize, samples: usize) -> Self {
         Self {
@@ -59,7 +59,7 @@ impl TryRng for Even {
         }
         let [order, keys] = [0, 1].map(|i| mix(self.pixel ^ mix(2 * self.pairs + i)));
         self.pairs += 1;
-        // Index and mask have the same leading zeros: the order is that of a piece of the sequence.
+        // The mask keeps the index below the power of two: the samples are a permutation of this part of the sequence.
         let [x, y] = sobol(scramble(self.index, order as u32) & self.digits);
         self.second = Some(scramble(y, (keys >> 32) as u32));
         Ok(scramble(x, keys as u32))
@@ -78,9 +78,9 @@ impl TryRng for Even {
     }
 }
 
-/// A scramble like [`owen::scramble`](crate::sample::pattern::owen::scramble), whose coins are not drawn one by one: products
-/// carry a digit to higher ones only, so each digit of the mirrored number depends on those below it and on the key
-/// (Laine and Karras 2011, with the constants of Vegdahl, "Building a better LK hash", 2021).
+/// A scramble like [`owen::scramble`](crate::sample::pattern::owen::scramble), but for all digits at once. A product carries digits
+/// only to higher places, so each digit of the mirrored number depends only on lower digits and on the key (Laine and Karras
+/// 2011, with the constants of Vegdahl, "Building a better LK hash", 2021).
 #[inline]
 fn scramble(bits: u32, key: u32) -> u32 {
     let mut x = bits.reverse_bits();
@@ -144,7 +144,7 @@ mod tests {
 
     #[test]
     fn one_pair_says_nothing_about_the_next() {
-        // The mean product of what is above and below one half in two pairs: 0 if they know nothing of each other.
+        // The mean product of two pairs' deviations from one half: 0 if the pairs are independent.
         let pixels = 2000_u64;
         let mut sum = 0.0;
         for pixel in 0..pixels {

@@ -1,27 +1,28 @@
-//! Reconstruction filters: what a sample counts for a pixel, by its place.
+//! Reconstruction filters: the weight of a sample for a pixel, by the sample's place.
 
 use crate::image::rgb::Rgb;
 use glam::Vec2;
 
-/// A filter w(x, y) = f(x/r)·f(y/r), in pixels from the pixel's centre; 0 beyond its radius r along either axis.
+/// A separable filter w(x, y) = f(x/r)·f(y/r), with x and y in pixels from the pixel's centre; 0 beyond the radius r along either
+/// axis.
 #[derive(Clone, Copy, Debug)]
 pub struct Filter {
-    /// Its name, for figures.
+    /// The filter's name, for figures.
     pub name: &'static str,
     /// r, in pixels.
     pub radius: f32,
-    /// f, on [−1, 1). Its height does not matter: weights are divided by their sum.
+    /// f, on [−1, 1). A constant factor does not matter, because weights are divided by their sum.
     pub profile: fn(f32) -> f32,
 }
 
 impl Filter {
-    /// All of a pixel's own samples alike, and no others.
+    /// The box filter: all samples in the pixel count equally, and no others.
     pub const BOX: Self = Self {
         name: "box",
         radius: 0.5,
         profile: |_| 1.0,
     };
-    /// 1 − |t|: less, the farther away.
+    /// The tent filter, 1 − |t|: the weight falls linearly.
     pub const TENT: Self = Self {
         name: "tent",
         radius: 1.0,
@@ -33,19 +34,19 @@ impl Filter {
         radius: 1.5,
         profile: |t| (-4.5 * t * t).exp() - (-4.5_f32).exp(),
     };
-    /// Mitchell's cubic: sharper than a bell, by weights below 0 beyond the next pixel's centre.
+    /// Mitchell's cubic: sharper than a Gaussian, because weights beyond the next pixel's centre are negative.
     pub const MITCHELL: Self = Self {
         name: "Mitchell",
         radius: 2.0,
         profile: |t| mitchell(2.0 * t),
     };
-    /// All of them.
+    /// All four filters.
     pub const ALL: [Self; 4] = [Self::BOX, Self::TENT, Self::GAUSSIAN, Self::MITCHELL];
 
-    /// What a sample counts that is so far from the pixel's centre.
+    /// The weight w of a sample at `offset` from the pixel's centre, in pixels.
     pub fn weight(&self, offset: Vec2) -> f32 {
         let t = offset / self.radius;
-        // Half open: a sample between two pixels belongs to one of them.
+        // Half open, so that a sample on the edge between two pixels belongs to one of them.
         let inside = |t: f32| (-1.0..1.0).contains(&t);
         if inside(t.x) && inside(t.y) {
             (self.profile)(t.x) * (self.profile)(t.y)
@@ -65,19 +66,19 @@ fn mitchell(x: f32) -> f32 {
     }
 }
 
-/// What a ray saw, and where its pixel's centre was passed.
+/// A sample: the radiance, and the place relative to a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
-    /// From the pixel's centre, in pixels.
+    /// The place relative to the pixel's centre, in pixels.
     pub offset: Vec2,
-    /// What was seen there.
+    /// The radiance, in W·m⁻²·sr⁻¹.
     pub radiance: Rgb,
 }
 
 // ANCHOR: pixel_average
-/// The pixel's colour, Σ w L/Σ w: the average of the samples, each counted by the filter.
+/// The pixel's radiance, Σ w L/Σ w: the average of the samples, weighted by the filter.
 ///
-/// Black if they count nothing together.
+/// Black if the sum of the weights is 0.
 pub fn pixel_average(filter: &Filter, samples: &[Sample]) -> Rgb {
     let (mut light, mut weights) = (Rgb::BLACK, 0.0);
     for sample in samples {

@@ -1,29 +1,29 @@
-//! Directions of a hemisphere: all equally likely, by the cosine, or by a power of it.
+//! Random directions of a hemisphere: uniform, or with a density proportional to the cosine or to a power of the cosine.
 //!
-//! Each makes a direction out of u, uniform in [0, 1)², and has a density per steradian, which integrates to 1.
+//! Each function makes a direction from u, uniform in [0, 1)². Its density is per steradian, and integrates to 1.
 
 use crate::math::{basis::Basis, dir3::Dir3};
 use glam::{Vec2, vec3};
 use std::f32::consts::{FRAC_1_PI, TAU};
 
-/// The density of [`uniform_hemisphere`]: 1/2π, in 1/sr, for the hemisphere has 2π steradians.
+/// The density of [`uniform_hemisphere`]: 1/2π, in 1/sr, because a hemisphere has 2π steradians.
 pub const UNIFORM: f32 = 1.0 / TAU;
 
 // ANCHOR: uniform_hemisphere
-/// A direction of the hemisphere around a normal, all equally likely.
+/// A direction, uniform over the hemisphere around a normal.
 ///
-/// Slices of a sphere have areas in the ratio of their heights (Archimedes), so cos θ is uniform: cos θ = 1 − u.x.
+/// The areas of a sphere's zones are proportional to their heights (Archimedes), so cos θ is uniform: cos θ = 1 − u.x.
 pub fn uniform_hemisphere(normal: Dir3, u: Vec2) -> Dir3 {
     at_height(normal, 1.0 - u.x, u.y)
 }
 // ANCHOR_END: uniform_hemisphere
 
 // ANCHOR: cosine_hemisphere
-/// A direction of the hemisphere around a normal, with the density cos θ/π per steradian.
+/// A direction of the hemisphere around a normal, with the density cos θ/π per steradian (Malley 1988).
 ///
-/// A point of the unit disc, all of them equally likely: r = √u.x, φ = 2π u.y. Straight above it, at height √(1 − r²), is a
-/// direction of the hemisphere. There a piece of area is larger than its shadow on the disc by 1/cos θ, and so its
-/// points are fewer by cos θ (Malley 1988).
+/// A point is chosen uniformly on the unit disc: r = √u.x, φ = 2π u.y. Straight above the point, at the height √(1 − r²), is a
+/// direction of the hemisphere. An area of the hemisphere is larger by 1/cos θ than its projection to the disc. So the density of
+/// the directions is the density on the disc, 1/π, times cos θ.
 pub fn cosine_hemisphere(normal: Dir3, u: Vec2) -> Dir3 {
     let (r, phi) = (u.x.sqrt(), TAU * u.y);
     let above_disc = vec3(r * phi.cos(), r * phi.sin(), (1.0 - u.x).sqrt());
@@ -37,9 +37,10 @@ pub fn cosine_pdf(cosine: f32) -> f32 {
 }
 
 // ANCHOR: lobe
-/// A direction around an axis, with the density (n + 1)/2π cosⁿα per steradian: uniform for n = 0, by the cosine for n = 1.
+/// A direction of the hemisphere around an axis, with the density (n + 1)/2π cosⁿα per steradian: uniform for n = 0, proportional to
+/// the cosine for n = 1.
 ///
-/// Of all directions the share 1 − cosⁿ⁺¹α is within α of the axis; u.x is that share.
+/// The probability of an angle below α to the axis is 1 − cosⁿ⁺¹α. It is set equal to u.x, and solved for cos α.
 pub fn lobe(axis: Dir3, n: f32, u: Vec2) -> Dir3 {
     at_height(axis, (1.0 - u.x).powf(1.0 / (n + 1.0)), u.y)
 }
@@ -54,7 +55,7 @@ pub fn lobe_pdf(cosine: f32, n: f32) -> f32 {
     }
 }
 
-/// The direction at an angle of this cosine to the axis, a share of the way around it.
+/// The direction at an angle of this cosine to the axis, turned around the axis by the fraction `around` of a full turn.
 fn at_height(axis: Dir3, cosine: f32, around: f32) -> Dir3 {
     let (r, phi) = ((1.0 - cosine * cosine).max(0.0).sqrt(), TAU * around);
     let v = vec3(r * phi.cos(), r * phi.sin(), cosine);

@@ -1,15 +1,15 @@
-//! Points of a regular polygon, all of them equally likely.
+//! Points of a regular polygon, uniform over its area.
 
 use glam::Vec2;
 use std::f32::consts::TAU;
 
 // ANCHOR: regular_polygon
-/// The point of the regular polygon with n corners on the unit circle, the first of them at the angle `turn`, that belongs to
-/// u in [0, 1]².
+/// The point, for u in [0, 1]², of the regular polygon with n corners on the unit circle. The first corner is at the angle `turn`, in
+/// radians. Fewer than three corners count as three.
 ///
-/// u.y goes around: n·u.y is the number of a corner and the share v of the way to the next, whose corners are p and q.
-/// u.x goes outwards: of a triangle with a corner in the middle, the part up to the share √u.x has the share u.x of its area
-/// (Turk, "Generating random points in triangles", 1990). Fewer than three corners count as three.
+/// u.y goes around the polygon: the whole part of n·u.y is the number of a corner, and the rest is the share of the way to the next
+/// corner. u.x goes outwards: the part of a triangle up to the share √u.x of the way from the middle has the share u.x of the
+/// triangle's area (Turk, "Generating random points in triangles", 1990).
 pub fn regular_polygon(n: u32, turn: f32, u: Vec2) -> Vec2 {
     let n = n.max(3) as f32;
     let around = (n * u.y).min(n);

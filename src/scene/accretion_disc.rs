@@ -5,24 +5,24 @@ use crate::light::black_body::black_body;
 use crate::scene::noise;
 use glam::{Vec2, Vec3, vec2};
 
-/// Gas in the plane y = 0, turning about +y; lengths in radii of the hole.
+/// A disc of gas in the plane y = 0 that rotates about +y; lengths are in radii of the hole.
 #[derive(Clone, Debug)]
 pub struct AccretionDisc {
     inner: f64,
     outer: f64,
     hottest: f32,
-    /// Colours of black bodies, evenly spaced from 0 K.
+    /// Colours of black bodies, every [`SPACING`] from 0 K.
     colours: Vec<Rgb>,
 }
 
-/// Between two entries of the table of colours, in kelvin.
+/// Step between two entries of the table of colours, in kelvin.
 const SPACING: f32 = 50.0;
 
-/// A shift to the blue makes gas seem this much hotter at most.
+/// Maximum factor by which a blueshift makes the gas look hotter.
 const BLUEST: f32 = 3.0;
 
 impl AccretionDisc {
-    /// From the last stable orbit, at 3 radii, to `outer`; the hottest gas has this temperature, in kelvin.
+    /// A disc from the last stable orbit, at 3 radii, to the radius `outer`; `hottest` is the highest temperature, in kelvin.
     pub fn new(outer: f64, hottest: f32) -> Self {
         let count = (BLUEST * hottest / SPACING) as u32 + 2;
         Self {
@@ -47,10 +47,10 @@ impl AccretionDisc {
         self.hottest * profile(self.inner as f32 / r) / profile(36.0 / 49.0)
     }
 
-    /// The radiance and the opacity of the gas at a place, its frequencies changed by the factor `shift`.
+    /// The radiance and the opacity of the gas at a place, with all frequencies multiplied by g = `shift`.
     ///
-    /// A black body of temperature T whose frequencies are all changed by g looks, in colour and brightness, like one of g·T.
-    /// So gas that comes towards the eye is bluer, and brighter by about g⁴.
+    /// A black body of the temperature T whose frequencies are all multiplied by g has the colour and the radiance of a black body
+    /// of the temperature g·T. So gas that moves towards the eye is bluer, and brighter by about g⁴.
     pub fn glow(&self, at: Vec3, shift: f32) -> (Rgb, f32) {
         let (r, p) = (at.length(), vec2(at.x, at.z));
         let strand = strands(p);
@@ -68,7 +68,7 @@ impl AccretionDisc {
     }
 }
 
-/// Clouds of gas drawn out to strands, since the inner ones go around faster; 0 to 1.
+/// A pattern of clouds that are drawn out to strands, because the inner gas circles faster; from 0 to 1.
 fn strands(p: Vec2) -> f32 {
     let turned = Vec2::from_angle(40.0 / p.length()).rotate(p);
     noise::rise(0.25, 0.75, noise::layers(1.5 * turned + 60.0, 5))

@@ -1,12 +1,12 @@
-//! The Cornell box: the most often drawn room of computer graphics.
+//! The Cornell box: the best-known test scene of computer graphics.
 //!
-//! A real box of painted boards, measured and photographed so that pictures could be held against it (Goral et al. 1984;
-//! this is the later one, with two blocks). The corners, the reflectance spectra of the paints and the lamp's spectrum are
+//! A real box of painted boards, which was measured and photographed so that pictures could be compared with it (Goral et al.
+//! 1984; this is the later box, with two blocks). The corners, the reflectance spectra of the paints and the lamp's spectrum are
 //! from Cornell University Program of Computer Graphics, *Cornell Box Data*, www.graphics.cornell.edu/online/box/data.html.
 //!
-//! The spectra have become linear sRGB: those of the paints in daylight (D65), relative to a perfectly white paint, the
-//! lamp's as it is, all of them with the eye's curves of 1931, as fitted by Wyman, Sloan and Shirley (2013).
-//! `tests/ch17_rendering_equation` does so again.
+//! The spectra are converted to linear sRGB with the colour-matching functions of 1931, as fitted by Wyman, Sloan and Shirley
+//! (2013): those of the paints in daylight (D65), relative to a perfectly white paint, that of the lamp as it is.
+//! `tests/library/ch17_rendering_equation` repeats the conversion.
 
 use crate::accel::Meshed;
 use crate::accel::bvh::build::Method;
@@ -32,7 +32,7 @@ pub const LAMP: Rgb = Rgb::new(20.66, 10.90, 2.766);
 
 /// Where the published camera stands, in metres; it looks along +z.
 pub const EYE: Vec3 = vec3(0.278, 0.273, -0.8);
-/// Its focal length over the width and height of its square film: 35 mm over 25 mm.
+/// The published camera's focal length over the width of its square film: 35 mm over 25 mm.
 pub const ZOOM: f32 = 35.0 / 25.0;
 
 /// Four corners in millimetres: x points left, y up, z away from the camera.
@@ -72,12 +72,13 @@ const LEFT: [Quad; 1] = [quad(
     [556.0, 548.8, 0.0],
 )];
 
-/// The blocks stand on the floor: their height, and x and z of the corners, counter-clockwise seen from above.
+/// The short block, which stands on the floor: its height, and x and z of the corners, counter-clockwise as seen from above, in
+/// millimetres.
 const SHORT: (f32, [[f32; 2]; 4]) = (
     165.0,
     [[130.0, 65.0], [82.0, 225.0], [240.0, 272.0], [290.0, 114.0]],
 );
-/// The same of the tall one.
+/// The tall block, likewise.
 const TALL: (f32, [[f32; 2]; 4]) = (
     330.0,
     [
@@ -91,7 +92,7 @@ const TALL: (f32, [[f32; 2]; 4]) = (
 /// The lamp: x and z of its sides, in millimetres.
 const LAMP_X: [f32; 2] = [213.0, 343.0];
 const LAMP_Z: [f32; 2] = [227.0, 332.0];
-/// Its height, in millimetres. In the data it is as high as the ceiling; half a millimetre lower it is in front.
+/// The lamp's height, in millimetres. In the data it is that of the ceiling; here it is half a millimetre below the ceiling.
 const LAMP_Y: f32 = 548.3;
 
 const fn quad(a: [f32; 3], b: [f32; 3], c: [f32; 3], d: [f32; 3]) -> Quad {
@@ -100,15 +101,15 @@ const fn quad(a: [f32; 3], b: [f32; 3], c: [f32; 3], d: [f32; 3]) -> Quad {
 
 /// The box with its two blocks. The lamp reflects nothing.
 pub fn cornell_box() -> Scene {
-    // All that is white is one mesh: a ray asks one tree, and not three.
+    // Everything white is one mesh, so that a ray searches one tree, not three.
     let white = [&WALLS[..], &block(SHORT), &block(TALL)].concat();
     let things = [(&white[..], WHITE), (&RIGHT, GREEN), (&LEFT, RED)];
     let things = things.map(|(quads, albedo)| painted(quads, albedo));
     Scene::new(things.into(), vec![Box::new(lamp())])
 }
 
-/// The box without its blocks: a mirror ball stands at the back, a glass ball in front, whose light is gathered to a caustic on the
-/// floor and on the wall.
+/// The box with two balls instead of the blocks: a mirror ball at the back, and a glass ball in front, which focuses light to
+/// caustics on the floor and on the wall.
 pub fn with_balls() -> Scene {
     let ball = |x: f32, z: f32| Sphere::new(vec3(x, RADIUS, z), RADIUS);
     let silver = Conductor(Metal::SILVER);
@@ -148,7 +149,7 @@ fn painted(quads: &[Quad], albedo: Rgb) -> Thing {
     Thing::new(mesh, Lambert { albedo })
 }
 
-/// The top and the four sides.
+/// The quads of a block: the top and the four sides.
 fn block((height, corners): (f32, [[f32; 2]; 4])) -> [Quad; 5] {
     let at = |y: f32, i: usize| [corners[i % 4][0], y, corners[i % 4][1]];
     let side = |i: usize| [at(0.0, i), at(height, i), at(height, i + 1), at(0.0, i + 1)];

@@ -1,4 +1,4 @@
-//! A scene described by what is in it: a list that fits on a line, in any language.
+//! A scene described by numbers only: a list that fits on one line, in any language.
 
 use crate::image::rgb::Rgb;
 use crate::light::point::PointLight;
@@ -7,20 +7,20 @@ use crate::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray};
 use crate::shape::{Hit, Shape, Surface, plane::Plane, sphere::Sphere, triangle::Triangle};
 use glam::Vec3;
 
-/// Everything that a ray tracer has to know of a scene.
+/// A described scene: everything that a ray tracer must know.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Description {
     /// i_a: light from everywhere, in W·m⁻²·sr⁻¹.
     pub ambient: Rgb,
-    /// What a ray sees that meets nothing.
+    /// The radiance for rays that meet nothing.
     pub backdrop: Backdrop,
     /// The point lights.
     pub lamps: Vec<PointLight>,
-    /// The things.
+    /// The objects.
     pub objects: Vec<Object>,
 }
 
-/// A sky that changes with height only.
+/// A sky whose radiance depends only on the height of the direction, in W·m⁻²·sr⁻¹.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Backdrop {
     /// Its radiance straight below.
@@ -29,7 +29,7 @@ pub struct Backdrop {
     pub above: Rgb,
 }
 
-/// A thing: what it looks like, and what it is made of.
+/// An object: a shape and its material.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Object {
     /// Its shape.
@@ -38,14 +38,14 @@ pub struct Object {
     pub matter: Matter,
 }
 
-/// A shape by its kind. All three have an outside, and can be hit from both sides.
+/// A shape by its kind. All three kinds have an outside, and can be hit from both sides.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Form {
     /// All points p with |p − c| = r.
     Sphere(Sphere),
-    /// All points p with n·p = c; n points outside.
+    /// All points p with n·p = c; n points to the outside.
     Plane(Plane),
-    /// The points between three corners; outside is where they run counter-clockwise.
+    /// The points between three corners; on the outside, the corners are seen counter-clockwise.
     Triangle(Corners),
 }
 
@@ -65,9 +65,9 @@ pub struct Corners {
 pub enum Matter {
     /// Ambient, diffuse and specular reflection of the lamps' light.
     Phong(Phong),
-    /// Shows what the mirrored ray sees, times its share.
+    /// A mirror: what the mirrored ray sees, times the mirror's share.
     Mirror(Mirror),
-    /// Shows what the mirrored ray and the refracted one see, by Fresnel's shares; air is outside.
+    /// Glass in air: what the mirrored ray and the refracted ray see, with the shares R and 1 − R of Fresnel's equations.
     Glass(Clear),
 }
 
@@ -79,7 +79,7 @@ pub struct Clear {
 }
 
 impl Backdrop {
-    /// below + (above − below)·(d_y + 1)/2, with d the direction of the ray.
+    /// The radiance below + (above − below)·(d_y + 1)/2, with d the direction of the ray.
     pub fn seen(&self, direction: Dir3) -> Rgb {
         self.below.lerp(self.above, 0.5 * (direction.y + 1.0))
     }
@@ -106,7 +106,7 @@ impl Object {
 }
 
 impl Matter {
-    /// The same share of ambient light and of diffuse, and a white highlight.
+    /// Phong's material with k_a = k_d = `colour`, and a white highlight with k_s = `specular`.
     pub fn phong(colour: Rgb, specular: f32, exponent: f32) -> Self {
         Self::Phong(Phong {
             ambient: colour,

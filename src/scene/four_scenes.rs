@@ -1,4 +1,4 @@
-//! Four described scenes of rising difficulty, on which a whole ray tracer is tried.
+//! Four described scenes of increasing difficulty, to test a complete ray tracer.
 
 use crate::image::rgb::Rgb;
 use crate::light::point::PointLight;
@@ -6,20 +6,20 @@ use crate::math::dir3::Dir3;
 use crate::scene::description::{Backdrop, Description, Matter, Object};
 use glam::{Vec3, vec3};
 
-/// A scene, and how it is looked at.
+/// A scene with its camera.
 #[derive(Clone, Copy, Debug)]
 pub struct Staged {
-    /// What it is about.
+    /// The scene's name.
     pub name: &'static str,
-    /// What there is to see, for those who cannot see it.
+    /// The alternative text of the picture, for people who cannot see it.
     pub alt: &'static str,
     /// The scene.
     pub scene: fn() -> Description,
     /// The maximum number of surfaces along one path.
     pub depth: u32,
-    /// Where the camera is, and what is in the middle of its picture.
+    /// The camera's place, and the point in the middle of its picture, in metres.
     pub view: [Vec3; 2],
-    /// Of the camera's lens, in metres.
+    /// The camera's focal length, in metres.
     pub focal_length: f32,
 }
 

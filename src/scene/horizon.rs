@@ -9,7 +9,7 @@ use crate::shape::{plane::Plane, sphere::Sphere};
 use glam::{Vec3, vec3};
 use std::f32::consts::FRAC_1_PI;
 
-/// Where a camera sees it, just above the plane, and where it looks.
+/// The camera's place, just above the plane, and the point that it looks at, in metres.
 pub const VIEW: [Vec3; 2] = [vec3(0.0, 1.5, 6.5), vec3(0.0, 0.85, 0.0)];
 
 /// That camera's focal length, in metres.

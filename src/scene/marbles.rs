@@ -1,4 +1,4 @@
-//! Marbles on a polished chessboard of a floor, between a lamp and the sun.
+//! Marbles on a polished floor of a chessboard pattern, in the light of a lamp and the sun.
 
 use crate::image::rgb::Rgb;
 use crate::light::{Light, directional::DirectionalLight, point::PointLight};
@@ -9,13 +9,13 @@ use crate::shape::{plane::Plane, sphere::Sphere};
 use glam::{Vec3, vec3};
 use std::f32::consts::FRAC_1_PI;
 
-/// Where a camera sees all of them, and where it looks.
+/// A camera's place from which all marbles are seen, and the point that it looks at, in metres.
 pub const VIEW: [Vec3; 2] = [vec3(0.3, 3.1, 7.4), vec3(0.05, 0.55, 0.0)];
 
-/// The same from above and the left, where the balls hide little of each other.
+/// Another view, from above and the left, in which the balls hide little of each other.
 pub const FROM_ABOVE: [Vec3; 2] = [vec3(-2.6, 4.8, 6.0), vec3(-0.35, 0.45, 0.9)];
 
-/// Where the lamp hangs.
+/// The lamp's place, in metres.
 pub const LAMP: Vec3 = vec3(-3.0, 4.5, 2.5);
 
 /// Ambient light.
@@ -24,7 +24,7 @@ const AMBIENT: Rgb = Rgb::new(0.15, 0.17, 0.20);
 /// The middle of a ball's highlight, in 1/sr.
 const SHINE: f32 = 0.25;
 
-/// Two mirrors and seven coloured marbles: places on the floor, radii, colours.
+/// Two mirrors and seven coloured marbles: x and z on the floor and the radius, in metres, and the colour.
 const MIRRORS: [(f32, f32, f32, Rgb); 2] = [
     (-1.05, -0.7, 1.15, Rgb::new(0.96, 0.95, 0.92)),
     (1.35, -0.2, 0.8, Rgb::new(0.95, 0.72, 0.32)),
@@ -48,7 +48,7 @@ pub fn scene() -> Scene {
     Scene::new(things(), vec![lamp(), Box::new(sun)]).surrounded_by(AMBIENT, sky)
 }
 
-/// The same with the lamp alone, below a roof.
+/// The scene with the lamp only, under a roof.
 pub fn under_roof() -> Scene {
     let roof = Plane::through(vec3(0.0, 7.0, 0.0), -Dir3::Y);
     let white = glossy(Rgb::new(0.80, 0.78, 0.72), 0.0, 1.0);

@@ -1,4 +1,4 @@
-//! Models: an OBJ file with its materials and their pictures, as things of a scene.
+//! Models: an OBJ file with its materials and their pictures, as the things of a scene.
 
 use crate::accel::{Meshed, wide_bvh::WideBvh};
 use crate::image::file::{self, FileError};
@@ -15,10 +15,10 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Why a file does not give a model; every kind names the file.
+/// Why a model cannot be loaded; every kind names the file.
 #[derive(Debug, thiserror::Error)]
 pub enum ModelError {
-    /// The mesh.
+    /// The mesh cannot be loaded.
     #[error(transparent)]
     Mesh(#[from] LoadError),
     /// A file of materials cannot be read.
@@ -35,14 +35,14 @@ pub enum ModelError {
     /// A picture cannot be read.
     #[error(transparent)]
     Picture(#[from] FileError),
-    /// Faces are made of something that no file describes.
+    /// Faces use a material that no file describes.
     #[error("{}: its faces use the material `{}`, which its files of materials (mtllib) do not describe; they describe {}", path.display(), name.escape_debug(), known(described))]
     Unknown {
         /// The OBJ file.
         path: PathBuf,
         /// The name that the faces use.
         name: String,
-        /// The names that there are.
+        /// The names of the materials that are described.
         described: Vec<String>,
     },
 }
@@ -58,10 +58,10 @@ fn known(names: &[String]) -> String {
     names.join(", ")
 }
 
-/// Reads a model: a thing for each material of an OBJ file; an STL or PLY file, and faces without a material, are light grey.
+/// Reads a model: one thing for each material of an OBJ file. An STL or PLY file, and faces without a material, are light grey.
 ///
-/// The files of materials, and the pictures that they name, are looked for beside the file that names them. Pictures of colours
-/// are PNG, EXR or HDR; those of normals are PNG.
+/// The paths of files of materials, and of the pictures that they name, are relative to the file that names them. Pictures of
+/// colours are PNG, EXR or HDR; pictures of normals are PNG.
 ///
 /// # Errors
 /// If a file cannot be read or is wrong, or a material is missing.
@@ -109,12 +109,12 @@ fn thing(mesh: Mesh, material: Arc<dyn Material>) -> Thing {
     }
 }
 
-/// The file that another one names.
+/// The path of a file that another file names.
 fn beside(file: &Path, name: &str) -> PathBuf {
     file.parent().unwrap_or(Path::new("")).join(name)
 }
 
-/// Every picture is read once, however many materials use it.
+/// The pictures that have been read: each is read once, even if several materials use it.
 #[derive(Default)]
 struct Pictures {
     colours: HashMap<PathBuf, Arc<MipMap>>,

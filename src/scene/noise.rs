@@ -1,4 +1,4 @@
-//! Smooth randomness for patterns that nobody wants to draw: clouds, waves, wood.
+//! Smooth random functions, for patterns such as clouds, waves and wood.
 
 use glam::Vec2;
 
@@ -13,9 +13,10 @@ pub fn noise(p: Vec2) -> f32 {
     across(0) + (across(1) - across(0)) * blend.y
 }
 
-/// Noise in layers, each twice as fine and half as strong as the one before; in [0, 1].
+/// The sum of `count` layers of noise, each twice as fine and half as strong as the layer before, scaled to [0, 1] (fractal noise).
+/// `count` is at least 1.
 pub fn layers(p: Vec2, count: u32) -> f32 {
-    /// Turns and doubles, so that the lattices of the layers do not lie on each other.
+    /// Turns by 37° and doubles, so that the lattices of the layers do not coincide.
     const FINER: Vec2 = Vec2::new(1.6, 1.2);
     let (mut sum, mut weight, mut strength, mut place) = (0.0, 0.0, 1.0, p);
     for _ in 0..count {
@@ -27,7 +28,7 @@ pub fn layers(p: Vec2, count: u32) -> f32 {
     sum / weight
 }
 
-/// The largest whole number that is not above v: `f32::floor` would be a call of a function.
+/// The largest whole number that is not above v. It is faster than `f32::floor`, which is a function call.
 fn below(v: f32) -> i32 {
     let toward_zero = v as i32;
     toward_zero.wrapping_sub(i32::from(v < toward_zero as f32))
@@ -41,7 +42,7 @@ pub fn hash(x: i32, y: i32) -> f32 {
     (h ^ (h >> 15)) as f32 / u32::MAX as f32
 }
 
-/// 0 below `from`, 1 above `to`, and a smooth rise between.
+/// A smooth step: 0 up to `from`, 1 from `to` on, and 3f² − 2f³ at the fraction f between. `from` may be greater than `to`.
 pub fn rise(from: f32, to: f32, x: f32) -> f32 {
     let f = ((x - from) / (to - from)).clamp(0.0, 1.0);
     f * f * (3.0 - 2.0 * f)

@@ -1,4 +1,4 @@
-//! Four plates and four lamps: neither the surface nor the light knows best from where the light comes.
+//! Four plates and four lamps: a test of multiple importance sampling, in which neither strategy is best everywhere.
 
 use crate::accel::{Meshed, list::List};
 use crate::image::rgb::Rgb;
@@ -12,10 +12,10 @@ use glam::{Vec2, Vec3, vec2, vec3};
 
 /// Where the camera stands, in metres.
 pub const EYE: Vec3 = vec3(0.0, 2.0, 15.0);
-/// Where it looks.
+/// The point that the camera looks at, in metres.
 pub const AT: Vec3 = vec3(0.0, -1.6, 1.5);
 
-/// y and z of each plate's middle, in metres, and the exponent of its highlight: the smoothest one behind.
+/// y and z of each plate's middle, in metres, and the exponent of its highlight; the smoothest plate is at the back.
 const PLATES: [(Vec2, f32); 4] = [
     (vec2(-2.4, -0.1), 20_000.0),
     (vec2(-3.1, 1.0), 2000.0),
@@ -25,13 +25,13 @@ const PLATES: [(Vec2, f32); 4] = [
 /// Half the depth and half the width of a plate, in metres.
 const HALF: Vec2 = vec2(0.5, 4.0);
 
-/// The lamps' radii, in metres. All of them send out the same power, the small ones from less area.
+/// The lamps' radii, in metres. All lamps have the same power, so the smaller a lamp, the larger its radiance.
 const RADII: [f32; 4] = [0.04, 0.12, 0.36, 0.9];
-/// Radiance times r² of each.
+/// Radiance times r² of each lamp, in W/sr.
 const POWER: Rgb = Rgb::new(1.0, 0.92, 0.78);
 
-/// Lamps from small to large, in a row; below them plates from smooth to rough, each tilted so that the eye sees the lamps
-/// in it (after Veach and Guibas 1995).
+/// A row of lamps from small to large, and below them plates from smooth to rough, each tilted so that the lamps are seen in it
+/// (after Veach and Guibas 1995).
 pub fn plates() -> Scene {
     let mut things: Vec<Thing> = PLATES.map(|(at, exponent)| plate(at, exponent)).into();
     let room = Lambert {

@@ -1,13 +1,14 @@
-//! A soup: triangles that have nothing to do with each other.
+//! A triangle soup: random triangles that are not connected.
 
 use crate::math::pcg;
 use crate::shape::mesh::Mesh;
 use glam::Vec3;
 use rand::RngExt;
 
-/// A cube of side 1, uniformly filled with n small triangles, each about as large as a cube of 1/n of the volume.
+/// A cube of side 1 m, uniformly filled with n small random triangles, each in a cube of the volume 1/n.
 ///
-/// All grids and trees can be compared with theory here: it is the one scene in which every place is like every other.
+/// On this scene, grids and trees can be compared with theory, because every place is like every other. The same `seed` gives the
+/// same triangles.
 pub fn soup(n: u32, seed: u64) -> Mesh {
     let mut rng = pcg::stream(seed, 0);
     let size = 0.5 / (n.max(1) as f32).cbrt();

@@ -1,20 +1,20 @@
-//! The teapot in a stadium: a little thing of many triangles in the middle of a large one.
+//! The teapot in a stadium: a small object of many triangles in the middle of a large one.
 
 use crate::shape::mesh::Mesh;
 use crate::shape::teapot;
 use glam::{Vec3, vec3};
 use std::f32::consts::TAU;
 
-/// A teapot of life's size on the centre spot of a stadium.
+/// A life-size teapot on the centre spot of a stadium.
 #[derive(Clone, Debug)]
 pub struct Stadium {
-    /// All of it, in metres.
+    /// Teapot and stadium, in metres.
     pub mesh: Mesh,
-    /// Each part with the number of the first triangle after it, in order.
+    /// The parts in order, each with the number of the first triangle after it.
     ends: Vec<(Part, u32)>,
 }
 
-/// What a triangle of the stadium belongs to.
+/// The part of the stadium to which a triangle belongs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
     /// The teapot.
@@ -23,7 +23,7 @@ pub enum Part {
     Ground,
     /// The white lines on the field.
     Lines,
-    /// The steps on which the seats are, and the wall behind the last.
+    /// The steps on which the seats are, and the wall behind the last step.
     Steps,
     /// The seats.
     Seats,
@@ -34,19 +34,19 @@ pub enum Part {
 /// The teapot's width from spout to handle, in metres.
 const TEAPOT: f32 = 0.4;
 
-/// Half the length and the width of what the seats surround, in metres.
+/// Half the length and half the width of the area that the seats surround, in metres.
 const FIELD: (f32, f32) = (58.0, 40.0);
 
-/// Rows of seats.
+/// Number of rows of seats.
 const ROWS: u16 = 24;
 
-/// From one row to the next, in metres.
+/// Distance from one row to the next, in metres.
 const DEPTH: f32 = 0.85;
 
-/// The stadium whose teapot is [`teapot::mesh`] of `fineness`, with 40·`fineness` seats in a row: about 70·n² + 6000·n
-/// triangles, that is 30 000 for n = 5 and 100 000 for n = 14.
+/// The stadium whose teapot is [`teapot::mesh`] of n = `fineness`, from 1 to 100, with 38·n seats and 2·n aisles in a row: about
+/// 64·n² + 8000·n triangles, that is 40 000 for n = 5 and 120 000 for n = 14.
 ///
-/// It is the classical example for a uniform grid at its worst: a cell that suits the seats swallows the teapot whole.
+/// It is the classical bad case for a uniform grid: a cell whose size suits the seats holds the whole teapot.
 pub fn stadium(fineness: u32) -> Stadium {
     let fineness = fineness.clamp(1, 100);
     let columns = 40 * fineness;
@@ -115,16 +115,16 @@ pub fn stadium(fineness: u32) -> Stadium {
 }
 
 impl Stadium {
-    /// What a triangle belongs to.
+    /// The part to which a triangle belongs.
     pub fn part(&self, triangle: u32) -> Part {
         let found = self.ends.iter().find(|&&(_, end)| triangle < end);
         found.map_or(Part::Ground, |&(part, _)| part)
     }
 }
 
-/// A place around the field: `turn` of the whole way, s metres behind the first seat and at the height y.
+/// A place around the field: at the fraction `turn` of a full turn, s metres outside the field, at the height y, in metres.
 ///
-/// The way is |x/a|³ + |z/b|³ = 1, which is between an ellipse and a rectangle.
+/// The curve is |x/a|³ + |z/b|³ = 1 (a superellipse), which is between an ellipse and a rectangle.
 fn around(turn: f32, s: f32, y: f32) -> Vec3 {
     let (sin, cos) = (TAU * turn).sin_cos();
     let (a, b) = (FIELD.0 + s, FIELD.1 + s);
@@ -132,7 +132,7 @@ fn around(turn: f32, s: f32, y: f32) -> Vec3 {
     vec3(r * cos, y, r * sin)
 }
 
-/// Triangles, as they come.
+/// A list of triangles, part by part.
 #[derive(Default)]
 struct Builder {
     positions: Vec<Vec3>,
@@ -141,12 +141,12 @@ struct Builder {
 }
 
 impl Builder {
-    /// Whatever came since the last end belongs to this part.
+    /// Ends a part: all triangles since the last end belong to `part`.
     fn end(&mut self, part: Part) {
         self.ends.push((part, self.triangles.len() as u32));
     }
 
-    /// Four corners, counter-clockwise.
+    /// Adds a quadrilateral from four corners, counter-clockwise.
     fn quad(&mut self, corners: [Vec3; 4]) {
         let first = self.positions.len() as u32;
         self.positions.extend(corners);
@@ -154,7 +154,7 @@ impl Builder {
             .extend([[0, 1, 2], [0, 2, 3]].map(|t| t.map(|i| first + i)));
     }
 
-    /// The field's markings: its edge, the halfway line and the centre circle, 12 cm wide.
+    /// Adds the field's markings: its edge, the halfway line and the centre circle, 12 cm wide.
     fn lines(&mut self) {
         let mut stripe = |x0: f32, z0: f32, x1: f32, z1: f32| {
             self.quad([(x0, z1), (x1, z1), (x1, z0), (x0, z0)].map(|(x, z)| vec3(x, 0.01, z)));
@@ -179,7 +179,7 @@ impl Builder {
         }
     }
 
-    /// A line of points (s, y), swept around the field in this number of columns.
+    /// Adds the surface of a line of points (s, y) that is swept around the field, in `columns` columns.
     fn sweep(&mut self, line: &[(f32, f32)], columns: u32) {
         let first = self.positions.len() as u32;
         for column in 0..columns {

@@ -1,4 +1,4 @@
-//! Three balls on a plinth, which show what light does: one is matte, one is glossy, one is nearly a mirror.
+//! Three balls on a plinth, to compare lights: one ball is matte, one is glossy, one is nearly a mirror.
 
 use crate::image::rgb::Rgb;
 use crate::light::Light;
@@ -8,9 +8,9 @@ use crate::shape::{Shape, cuboid::Cuboid, sphere::Sphere};
 use glam::{Vec3, vec3};
 use std::sync::Arc;
 
-/// Where a camera sees them all, in metres.
+/// A camera's place from which all balls are seen, in metres.
 pub const EYE: Vec3 = vec3(0.8, 1.6, 8.8);
-/// Where it looks.
+/// The point that the camera looks at, in metres.
 pub const AT: Vec3 = vec3(0.0, 0.66, 0.0);
 
 /// The balls and the plinth under one light.

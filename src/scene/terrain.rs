@@ -4,7 +4,7 @@ use crate::scene::noise;
 use crate::shape::mesh::Mesh;
 use glam::{Vec2, Vec3, vec2};
 
-/// A square of mountains, 10 m by 10 m and up to 2 m high, of 2n² triangles.
+/// A square of mountains, 10 m by 10 m and up to 2 m high, of 2n² triangles; n = 0 counts as 1.
 pub fn terrain(n: u32) -> Mesh {
     let n = n.max(1);
     let place = |i: u32, j: u32| 10.0 * vec2(i as f32, j as f32) / n as f32;
@@ -24,7 +24,7 @@ pub fn terrain(n: u32) -> Mesh {
         .unwrap_or_else(|error| unreachable!("a terrain is finite: {error}"))
 }
 
-/// Valleys are smoother than peaks.
+/// The height at p, in metres: noise squared, so that valleys are smoother than peaks.
 fn height(p: Vec2) -> f32 {
     2.0 * noise::layers(0.7 * p, 7).powi(2)
 }

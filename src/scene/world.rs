@@ -1,4 +1,4 @@
-//! A scene: things of some material, and lights.
+//! A scene: things, which are shapes with materials, and lights.
 
 use crate::accel::Accel;
 use crate::accel::bvh::{Bvh, build::Method};
@@ -10,21 +10,21 @@ use crate::shape::{Hit, Shape, Surface};
 use std::fmt;
 use std::sync::Arc;
 
-/// Things and lights, which every integrator renders.
+/// A scene of things and lights, for every integrator.
 pub struct Scene {
     things: Bvh<Thing>,
-    /// What shines. An environment is a light at infinity.
+    /// The lights. An environment is a light at infinity.
     pub lights: Vec<Box<dyn Light>>,
-    /// i_a: light from everywhere, in W·m⁻²·sr⁻¹: what an integrator that follows no light from surface to surface takes for it.
+    /// i_a: the ambient light, in W·m⁻²·sr⁻¹. Integrators for local illumination use it in place of indirect light.
     pub ambient: Rgb,
-    /// What a ray that meets nothing sees, beside lights at infinity.
+    /// The radiance for rays that meet nothing; lights at infinity are added to it.
     pub backdrop: Backdrop,
 }
 
 /// The radiance that comes along a ray that meets nothing.
 pub type Backdrop = Box<dyn Fn(&Ray) -> Rgb + Send + Sync>;
 
-/// A shape and what it is made of. Things may share both.
+/// A shape and its material. Several things may share a shape or a material.
 #[derive(Clone)]
 pub struct Thing {
     /// The shape.
@@ -33,13 +33,13 @@ pub struct Thing {
     pub material: Arc<dyn Material>,
 }
 
-/// What a ray sees first.
+/// The first surface along a ray.
 pub struct Seen<'a> {
-    /// How far away it is, in metres.
+    /// The distance of the surface, in metres.
     pub t: f32,
     /// The surface.
     pub surface: Surface,
-    /// What it is made of.
+    /// The surface's material.
     pub material: &'a dyn Material,
 }
 
@@ -70,9 +70,9 @@ impl fmt::Debug for Seen<'_> {
 }
 
 impl Scene {
-    /// A scene of things and lights, without ambient light, before a black backdrop.
+    /// A scene of things and lights, without ambient light, with a black backdrop.
     ///
-    /// Things are few, so that the tree over them may be built by the method that takes longest and gives the best one.
+    /// There are few things, so the tree over them is built by the slowest method, which gives the best tree.
     pub fn new(things: Vec<Thing>, lights: Vec<Box<dyn Light>>) -> Self {
         Self {
             things: Bvh::build(things, Method::BottomUp),
@@ -82,7 +82,7 @@ impl Scene {
         }
     }
 
-    /// The scene in ambient light, before a backdrop.
+    /// The scene with this ambient light and this backdrop.
     #[must_use]
     pub fn surrounded_by(
         self,
@@ -96,7 +96,7 @@ impl Scene {
         }
     }
 
-    /// The first surface along a ray.
+    /// The first surface along a ray; `None` if the ray meets nothing.
     pub fn closest(&self, ray: &Ray) -> Option<Seen<'_>> {
         let (thing, hit) = self.things.closest(ray, Interval::AHEAD)?;
         Some(Seen {
@@ -106,12 +106,12 @@ impl Scene {
         })
     }
 
-    /// Whether anything is in the way on a stretch of a ray.
+    /// Whether a thing is hit within an interval of a ray.
     pub fn blocks(&self, ray: &Ray, within: Interval) -> bool {
         self.things.any(ray, within)
     }
 
-    /// The radiance that comes along a ray that meets nothing: the backdrop's, and that of lights at infinity.
+    /// The radiance for a ray that meets nothing: that of the backdrop plus that of lights at infinity.
     pub fn behind_everything(&self, ray: &Ray) -> Rgb {
         let lights = self.lights.iter();
         let far = lights.filter_map(|light| light.seen(ray, f32::INFINITY));
@@ -121,7 +121,7 @@ impl Scene {
 }
 
 impl Thing {
-    /// A shape of a material.
+    /// A thing of this shape and this material.
     pub fn new(shape: impl Shape + 'static, material: impl Material + 'static) -> Self {
         Self {
             shape: Arc::new(shape),

@@ -1,10 +1,10 @@
-//! The box whose faces are parallel to the axes.
+//! The axis-aligned box.
 
 use crate::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray, slab};
 use crate::shape::{Hit, ROUNDING, Shape, Surface};
 use glam::{Vec2, Vec3};
 
-/// The six faces of an axis-aligned box. (`Box` is Rust's word for something else.)
+/// The six faces of an axis-aligned box. (In Rust, `Box` is the name of a pointer.)
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cuboid {
     /// The box.
@@ -12,7 +12,7 @@ pub struct Cuboid {
 }
 
 impl Cuboid {
-    /// The box between two opposite corners, whichever they are.
+    /// The box between any two opposite corners, in metres.
     pub fn between(a: Vec3, b: Vec3) -> Self {
         Self {
             bounds: Aabb::of([a, b]),
@@ -25,7 +25,7 @@ impl Shape for Cuboid {
         self.bounds
     }
 
-    /// Clips the whole line by the box; the ray hits where it enters or, from inside, where it leaves.
+    /// Clips the whole line by the box. The ray hits the box where the line enters or, from inside, where it leaves.
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         let line = Interval::new(f32::NEG_INFINITY, f32::INFINITY);
         let inside = slab::clip(&self.bounds, ray, line)?;
@@ -39,10 +39,10 @@ impl Shape for Cuboid {
         })
     }
 
-    /// The face is the one whose plane the ray meets nearest to t; texture coordinates run over it from 0 to 1.
+    /// The surface of the face whose plane the ray meets nearest to t. Texture coordinates run over each face from 0 to 1.
     fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
         let Aabb { min, max } = self.bounds;
-        // 0/0: the ray runs in this face, and hit another; glam's a.min(∞) is ∞ for NaN.
+        // 0/0: the ray runs in this face's plane, and has hit another face; glam's a.min(∞) is ∞ for NaN.
         let off = |planes: Vec3| {
             let t = (planes - ray.origin) / *ray.direction;
             (t - hit.t).abs().min(Vec3::INFINITY)

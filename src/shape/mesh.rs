@@ -1,4 +1,4 @@
-//! A triangle mesh: shared vertices, their attributes, and triangles that name three of them.
+//! A triangle mesh: shared vertices, their attributes, and triangles that name three vertices each.
 
 use crate::math::domain::{LARGEST, SMALLEST};
 use crate::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray};
@@ -30,7 +30,7 @@ pub enum MeshError {
     Index {
         /// Which triangle, from 0.
         triangle: usize,
-        /// The index it holds.
+        /// The index of the vertex.
         index: u32,
         /// How many vertices there are.
         vertices: usize,
@@ -49,7 +49,7 @@ pub enum MeshError {
         /// Which vertex, from 0.
         vertex: usize,
     },
-    /// All triangles together are outside the domain.
+    /// The whole mesh is smaller than the domain allows.
     #[error("the mesh is less than {SMALLEST:e} m long along every axis: make it larger")]
     TooSmall,
     /// Attributes must be given for every vertex, or not at all.
@@ -65,14 +65,14 @@ pub enum MeshError {
 }
 
 impl Mesh {
-    /// A mesh of n vertices, with n normals and n texture coordinates where there are any, and triangles that are
-    /// counter-clockwise seen from outside.
+    /// A mesh of n vertices with positions in metres, n normals and n texture coordinates, and of triangles whose corners are
+    /// counter-clockwise as seen from outside.
     ///
-    /// Without normals, they are averaged from the triangles ([`vertex_normals`]); without texture coordinates, they are 0.
+    /// If `normals` is `None`, they are averaged from the triangles ([`vertex_normals`]). If `textures` is `None`, all are 0.
     ///
     /// # Errors
-    /// If an index is out of range, a coordinate is not finite, the mesh is outside the [domain](crate::math::domain), or an
-    /// attribute is missing for some vertices.
+    /// If an index is out of range, a position is not finite, the mesh is outside the [domain](crate::math::domain), or the number
+    /// of normals or texture coordinates is not that of the vertices.
     pub fn new(
         positions: Vec<Vec3>,
         triangles: Vec<[u32; 3]>,
@@ -169,7 +169,10 @@ impl Mesh {
         self.triangles.iter().zip(0..).map(facet).collect()
     }
 
-    /// The surface where a ray hit one of the facets: `hit.id` says which, `hit.uv` where on it.
+    /// The surface where a ray hit one of the facets: `hit.id` is the facet's id, `hit.uv` are the barycentric coordinates.
+    ///
+    /// # Panics
+    /// If the mesh has no facet with this id.
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
         let (Some(triangle), Some(corners)) =
             (self.triangle(hit.id), self.triangles.get(hit.id as usize))
@@ -193,7 +196,7 @@ impl Mesh {
             shading_normal = bumps.tilt(shading_normal, edges, along, texture);
         }
         let flat = triangle.surface(ray, hit);
-        // The unit triangle has the texture coordinates (0, 0), (1, 0) and (0, 1).
+        // `flat` has the texture coordinates (0, 0), (1, 0) and (0, 1): `share` is the ratio of the areas.
         let share = (textures[1] - textures[0]).perp_dot(textures[2] - textures[0]);
         Surface {
             shading_normal,
@@ -215,18 +218,18 @@ impl Mesh {
 
 /// One triangle of a mesh; its hits carry its number.
 ///
-/// It keeps the corners as they are, and not p₀, e₁, e₂: p₀ + e₁ is rounded, and neighbours must share p₁ to the last digit
-/// for no ray to slip through between them.
+/// A facet stores the corners, not p₀, e₁, e₂, because p₀ + e₁ is rounded. Neighbours must share p₁ to the last digit, so that no
+/// ray slips through between them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Facet {
     /// p₀, p₁, p₂.
     pub corners: [Vec3; 3],
-    /// Its place in [`Mesh::triangles`].
+    /// The facet's place in [`Mesh::triangles`].
     pub id: u32,
 }
 
 impl Facet {
-    /// The triangle.
+    /// The facet as a [`Triangle`].
     pub fn triangle(&self) -> Triangle {
         let [p0, p1, p2] = self.corners;
         Triangle::new(p0, p1, p2)

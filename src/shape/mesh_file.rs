@@ -1,4 +1,4 @@
-//! Meshes from files: which reader a file's name asks for, and what to say if it fails.
+//! Meshes from files: the reader for a file's name, and the errors.
 
 use crate::shape::mesh::Mesh;
 use crate::shape::obj::{self, Part, Parts};
@@ -8,13 +8,13 @@ use crate::shape::word::{Reason, Wrong};
 use crate::store::{self, StoreError};
 use std::path::{Path, PathBuf};
 
-/// Why a file does not give a mesh; every kind names the file.
+/// Why a mesh cannot be loaded; every kind names the file.
 #[derive(Debug, thiserror::Error)]
 pub enum LoadError {
-    /// The system refused, or it is no file.
+    /// The system refused, or the path is not that of a file.
     #[error(transparent)]
     Store(#[from] StoreError),
-    /// The name does not end like a mesh's.
+    /// The name does not end in .obj, .stl or .ply.
     #[error("{}: a mesh's name must end in .obj, .stl or .ply", path.display())]
     Format {
         /// The file.
@@ -46,7 +46,7 @@ pub enum LoadError {
         /// What is wrong there.
         reason: Reason,
     },
-    /// Nothing to see.
+    /// The file has no faces.
     #[error("{}: there is no face in this file; is it a mesh?", path.display())]
     Empty {
         /// The file.
@@ -61,13 +61,13 @@ enum Format {
     Ply,
 }
 
-/// Reads a mesh: Wavefront OBJ, STL or PLY, as the end of the file's name says.
+/// Reads a mesh: Wavefront OBJ, STL or PLY, as the end of the file's name tells.
 ///
-/// Takes time and memory in proportion to the file, which may have 1 GiB; the faces of an OBJ may take as much. Bytes that are not UTF-8 do no harm in names and comments;
-/// in a number they are refused like other letters.
+/// Time and memory are proportional to the size of the file, which is at most 1 GiB; the faces of an OBJ may take another 1 GiB.
+/// Bytes that are not UTF-8 are allowed in names and comments; in a number they are an error, like letters.
 ///
 /// # Errors
-/// If the file cannot be read, is not what its name says, or has no face.
+/// If the name has another end, the file cannot be read, its content is wrong or of another format, or it has no faces.
 pub fn load(path: &Path) -> Result<Mesh, LoadError> {
     load_by(
         path,
@@ -77,7 +77,7 @@ pub fn load(path: &Path) -> Result<Mesh, LoadError> {
     )
 }
 
-/// As [`load`], with a mesh for each material of an OBJ; the other formats know none.
+/// As [`load`], with a mesh for each material of an OBJ; the other formats have no materials, and give one mesh.
 ///
 /// # Errors
 /// Those of [`load`].
@@ -98,7 +98,7 @@ pub fn load_parts(path: &Path) -> Result<Parts, LoadError> {
     load_by(path, obj::parse_parts, one, nothing)
 }
 
-/// Reads an OBJ by `parse_obj`; the other formats give a mesh, which becomes the same.
+/// Reads an OBJ by `parse_obj`; a mesh of another format is converted by `of_mesh`.
 fn load_by<T>(
     path: &Path,
     parse_obj: impl Fn(&str) -> Result<T, Wrong>,

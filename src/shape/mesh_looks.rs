@@ -1,4 +1,4 @@
-//! Flat and smooth meshes: the same triangles, shaded each for itself or as one round surface. A normal map is put on afterwards.
+//! Flat and smooth meshes: the same triangles, shaded as flat faces or as one round surface. A normal map must be added afterwards.
 
 use crate::math::dir3::Dir3;
 use crate::shape::attributes::vertex_normals;
@@ -7,7 +7,7 @@ use glam::{Vec2, Vec3};
 use std::collections::HashMap;
 
 impl Mesh {
-    /// The mesh with its edges to be seen: each triangle has vertices of its own, with its own normal.
+    /// The mesh with flat shading, which shows the edges: each triangle has its own vertices, with the triangle's normal.
     #[must_use]
     pub fn flat(&self) -> Self {
         let corners = self.triangles().iter().flatten().map(|&i| i as usize);
@@ -17,8 +17,8 @@ impl Mesh {
         of_parts(positions, triangles.collect(), None, textures)
     }
 
-    /// The mesh as one round surface: wherever vertices are at the same place, they have the same normal, the mean of all
-    /// triangles around the place.
+    /// The mesh with smooth shading, as one round surface: vertices at the same place have the same normal, the mean of all triangles
+    /// around the place ([`vertex_normals`]).
     #[must_use]
     pub fn smooth(&self) -> Self {
         let mut first = HashMap::new();
@@ -43,7 +43,7 @@ impl Mesh {
     }
 }
 
-/// The mesh of what was a mesh before.
+/// The mesh of parts that come from a valid mesh.
 fn of_parts(
     positions: Vec<Vec3>,
     triangles: Vec<[u32; 3]>,

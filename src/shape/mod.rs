@@ -25,9 +25,9 @@ use crate::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray};
 use glam::{Vec2, Vec3};
 
 // ANCHOR: shape
-/// Something with a surface that a ray can hit.
+/// A shape: something with a surface that a ray can hit.
 ///
-/// No ray makes a shape panic, not even one with NaN or infinite coordinates; its answer then means nothing.
+/// A shape must not panic for any ray. For a ray with NaN or infinite coordinates, its answer has no meaning.
 pub trait Shape: Send + Sync {
     /// A box that holds the whole shape; infinite for a plane.
     fn bounds(&self) -> Aabb;
@@ -35,12 +35,12 @@ pub trait Shape: Send + Sync {
     /// The nearest hit whose distance lies in the interval.
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit>;
 
-    /// Whether there is any hit in the interval: all that a shadow needs to know.
+    /// Whether there is any hit in the interval, which is all that a shadow ray needs.
     fn blocks(&self, ray: &Ray, within: Interval) -> bool {
         self.hit(ray, within).is_some()
     }
 
-    /// [`Shape::hit`] of one ray, for many shapes: what is the same for all of them is computed once.
+    /// [`Shape::hit`] of one ray, for many shapes: what is the same for all shapes is computed once.
     fn hit_by(ray: &Ray) -> impl Fn(&Self, Interval) -> Option<Hit>
     where
         Self: Sized,
@@ -56,47 +56,48 @@ pub trait Shape: Send + Sync {
         |shape, within| shape.blocks(ray, within)
     }
 
-    /// The surface where this ray hit it; asked once, for the nearest hit of all.
+    /// The surface where this ray hit the shape; it is computed once, for the nearest of all hits.
     fn surface(&self, ray: &Ray, hit: &Hit) -> Surface;
 }
 // ANCHOR_END: shape
 
-/// The little that a candidate for the nearest hit must carry.
+/// A hit: the few numbers that a candidate for the nearest hit must carry.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {
     /// Distance along the ray, in metres.
     pub t: f32,
-    /// Where on the shape, in the shape's own coordinates: barycentrics on a triangle.
+    /// The place on the shape, in the shape's own coordinates; on a triangle, the barycentric coordinates (b₁, b₂).
     pub uv: Vec2,
-    /// Which shape of an aggregate, else 0.
+    /// The number of the shape in an aggregate, else 0.
     pub id: u32,
 }
 
-/// A point of a surface, as shading wants to know it.
+/// A point of a surface, with all that shading needs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surface {
-    /// The point.
+    /// The point, in metres.
     pub position: Vec3,
-    /// How far the true surface may be from `position`, at most, along each axis, in metres.
+    /// Maximum distance of the true surface from `position`, along each axis, in metres.
     pub error: f32,
     /// The direction perpendicular to the surface, on the side that the shape calls outside.
     pub normal: Dir3,
-    /// The direction that shading takes for the normal: interpolated on a mesh.
+    /// The normal for shading; on a mesh it is interpolated.
     pub shading_normal: Dir3,
     /// Texture coordinates.
     pub texture: Vec2,
-    /// How much the texture coordinates change along the surface, per metre; 0 where they are the same everywhere.
+    /// The change of the texture coordinates along the surface, per metre; 0 if they are constant.
     pub texture_per_metre: f32,
-    /// The width over which a texture is averaged, in texture coordinates; 0 for the place alone.
+    /// The width over which a texture is averaged, in texture coordinates; 0 for a single point.
     pub texture_width: f32,
-    /// From the point to the round surface that a mesh pretends to be, in metres; 0 where a surface is what it seems.
+    /// The vector from the point to the round surface that a smooth mesh imitates, in metres; 0 for other surfaces.
     pub lift: Vec3,
-    /// From the point to where rays start on the side from which it was seen ([`Surface::seen_along`]); 0 if nobody saw it.
+    /// The vector from the point to where rays start on the side from which the point was seen ([`Surface::seen_along`]), in metres;
+    /// 0 if it was not seen by a ray.
     pub clear: Vec3,
 }
 
 impl Surface {
-    /// A surface that is what it seems, with the same texture coordinates everywhere.
+    /// A surface without a shading normal of its own, and with constant texture coordinates.
     pub fn flat(position: Vec3, error: f32, normal: Dir3) -> Self {
         Self {
             position,
@@ -112,13 +113,13 @@ impl Surface {
     }
 
     // ANCHOR: leave
-    /// A ray that leaves this point in a direction and does not find this surface again.
+    /// A ray that leaves this point in a direction and does not hit this surface again.
     ///
-    /// This is the one rule against self-intersection: `position` is not exactly on the surface, but at most
-    /// e = `error` away along each axis, that is e·(|nₓ| + |n_y| + |n_z|) along the normal n. The ray starts so far off,
-    /// on the side to which it leaves (Pharr, Jakob and Humphreys, *Physically Based Rendering*, §3.9).
-    /// So it is certainly on that side, at any scale of the scene, and AHEAD needs no 0.001. To the side from which the
-    /// point was seen, `clear` is as far off, and better where two surfaces meet.
+    /// This is the only rule against self-intersection. `position` is not exactly on the surface, but at most
+    /// e = `error` away along each axis, that is e·(|nₓ| + |n_y| + |n_z|) along the normal n. The ray starts at this distance,
+    /// on the side to which it leaves (Pharr, Jakob and Humphreys, *Physically Based Rendering*, 3rd edition, 2016, §3.9).
+    /// So its origin is certainly on this side, at any scale of the scene, and AHEAD needs no 0.001. On the side from which the
+    /// point was seen, `clear` is used instead, which is as far off the surface, and better where two surfaces meet.
     #[inline]
     pub fn leave(&self, direction: Dir3) -> Ray {
         let side = self.normal.dot(*direction);
@@ -133,19 +134,20 @@ impl Surface {
     }
     // ANCHOR_END: leave
 
-    /// e·(|nₓ| + |n_y| + |n_z|): how far the true surface may be from `position`, along the normal.
+    /// e·(|nₓ| + |n_y| + |n_z|): the maximum distance of the true surface from `position`, along the normal, in metres.
     fn off(&self) -> f32 {
         self.error * self.normal.abs().element_sum()
     }
 
     // ANCHOR: seen_along
-    /// The same surface, with `clear` for the ray that found it at the distance t.
+    /// The same surface, with `clear` for the ray that hit it at the distance t.
     ///
-    /// Where two surfaces meet, a point of the one may be rounded to behind the other, and a start that is off along the normal
-    /// is behind it still: no light arrives, or light from behind does. But the way on which the point was seen is free.
-    /// So the start is back on this way, until it is off the surface four times as far as [`Surface::leave`] needs, for the other
-    /// surface may be seen at a more grazing angle, and as far as the way itself is rounded; but not more than a hundred times as
-    /// far, nor half of the way. What is missing is along the normal.
+    /// Where two surfaces meet, a point of one surface may be rounded to a place behind the other. A ray that starts off the first
+    /// surface along the normal may still start behind the second: then light is blocked, or arrives from behind. But the way along
+    /// which the point was seen is free. So rays start on this way, back from the point, four times as far off the surface as
+    /// [`Surface::leave`] needs, because the other surface may be seen at a more grazing angle. The distance along the way is at
+    /// least the rounding error of the way itself, but at most a hundred times the needed distance, and at most half of the way. If
+    /// the start is then too close to the surface, the rest is added along the normal.
     #[must_use]
     #[inline]
     pub fn seen_along(self, ray: &Ray, t: f32) -> Self {
@@ -160,10 +162,11 @@ impl Surface {
     // ANCHOR_END: seen_along
 
     // ANCHOR: leave_smooth
-    /// A ray that leaves the surface that the shading pretends: to the outside it starts `lift` off.
+    /// A ray that leaves the round surface that a smooth mesh imitates: to the outside, it starts at `lift` from the point.
     ///
-    /// A facet that turns away from the light lies in its own shadow, as a whole, where the round surface would still see a little
-    /// light. From there the ray passes over the facet (Hanika, "Hacking the shadow terminator", 2021).
+    /// A facet that is turned away from the light is entirely in its own shadow, where the round surface would still get a little
+    /// light (the shadow terminator). From the lifted start, the ray passes over the facet (Hanika, "Hacking the shadow
+    /// terminator", 2021).
     pub fn leave_smooth(&self, direction: Dir3) -> Ray {
         if self.lift == Vec3::ZERO || self.shading_normal.dot(*direction) <= 0.0 {
             return self.leave(direction);
@@ -174,12 +177,12 @@ impl Surface {
     // ANCHOR_END: leave_smooth
 }
 
-/// The bound on rounding errors that a shape states as [`Surface::error`], in units of the largest number
-/// that went into the position.
+/// The bound on rounding errors from which a shape computes [`Surface::error`], as a part of the largest number that the position
+/// was computed from.
 ///
-/// An `f32` operation is right to 2⁻²⁴ = 6.0e-8 of its result. The shapes here need fewer than ten in a row for a
+/// An `f32` operation is right to 2⁻²⁴ = 6.0e-8 of its result. The shapes here need fewer than ten operations in a row for a
 /// position, and a hit test on the way back adds about as many; most of their errors cancel. Measured over 2 million rays
-/// per shape at scales from 1e-6 to 1e6: with 2 of them up to 30 rays find the surface that they left, with 4 none.
-/// 32 leave a margin of 8 (`tests/library/laws/leave.rs` sees none fail with 32, and some with 1), and Embree, which rounds otherwise,
-/// agrees about rays that start there (`tests/embree`): with 16 it found a plane again.
+/// per shape at scales from 1e-6 to 1e6: with a bound of 2 roundings, up to 30 rays hit the surface that they left, with 4 none.
+/// 32 roundings leave a factor of 8 as a margin (`tests/library/laws/leave.rs` sees no ray fail with 32, and some with 1). Embree,
+/// which rounds differently, agrees about rays that start there (`tests/embree`); with 16, Embree hit a plane again.
 pub const ROUNDING: f32 = 32.0 * (f32::EPSILON / 2.0);

@@ -1,21 +1,21 @@
-//! Normal maps: small bumps that only the shading knows, kept in a picture.
+//! Normal maps: small bumps for shading only, stored in a picture.
 
 use crate::image::{Image, mip::MipMap};
 use crate::math::dir3::Dir3;
 use glam::{Vec2, Vec3, vec3};
 
-/// A picture of normals, as they lean where a surface is flat: red along u, green along v, blue off the surface, each from −1
-/// to 1 (Cohen, Olano and Manocha, "Appearance-preserving simplification", 1998).
+/// A picture of normals relative to the smooth surface: red is the component along u, green along v, and blue along the surface's
+/// normal, each from −1 to 1 (Cohen, Olano and Manocha, "Appearance-preserving simplification", 1998).
 #[derive(Clone, Debug, PartialEq)]
 pub struct NormalMap {
     map: MipMap,
 }
 
 impl NormalMap {
-    /// The map of a picture whose channels go from 0 to 1, and 0.5 means 0.
+    /// The map of a picture whose channels are from 0 to 1, where 0.5 means the component 0.
     ///
-    /// The values are those that a PNG stores: [`file::load`](crate::image::file::load) has decoded them from sRGB, and
-    /// [`encode_srgb`](crate::image::tone::encode_srgb) makes them what they were.
+    /// The values must be those that a PNG stores. [`file::load`](crate::image::file::load) decodes them from sRGB, so they must be
+    /// encoded again by [`encode_srgb`](crate::image::tone::encode_srgb).
     ///
     /// # Panics
     /// If the picture has no pixel.
@@ -26,10 +26,12 @@ impl NormalMap {
     }
 
     // ANCHOR: normal_map
-    /// The normal at a place: x·t + y·b + z·n, normalised, with n the smooth normal, t along u and b along v.
+    /// The normal at a place: x·t + y·b + z·n, normalised. (x, y, z) is the map's value, n = `normal` the smooth normal, t the
+    /// tangent along u and b the tangent along v.
     ///
-    /// t is where u grows in the triangle, made perpendicular to n; b is perpendicular to both, on the side where v grows. Where
-    /// the texture coordinates of a triangle do not say it, or the bump would lean below the surface, n stays.
+    /// t is the direction in which u grows in the triangle, made perpendicular to n; b is perpendicular to both, on the side where v
+    /// grows. `edges` are e₁ and e₂ of the triangle, and `along` the changes of the texture coordinates along them. The result is n
+    /// if the texture coordinates give no such directions, or if z ≤ 0.
     pub fn tilt(&self, normal: Dir3, edges: [Vec3; 2], along: [Vec2; 2], place: Vec2) -> Dir3 {
         let turned = along[0].perp_dot(along[1]);
         let u = (edges[0] * along[1].y - edges[1] * along[0].y) * turned.signum();

@@ -1,7 +1,7 @@
 //! Wavefront OBJ files: a line per vertex, a line per face.
 //!
-//! A reader of its own, though crates for it exist: `tobj` 4 reports no line, takes NaN for a number and the index 0 for
-//! a missing one, and shifts the normals where only some corners have one. The tests compare the two on sound files.
+//! This reader exists although there are crates for OBJ: `tobj` 4 reports no line, accepts NaN as a number and the index 0 as a
+//! missing index, and shifts the normals if only some corners have one. The tests compare the two readers on valid files.
 
 use crate::math::dir3::Dir3;
 use crate::memory::BUDGET;
@@ -11,7 +11,7 @@ use crate::shape::word::{self, MOST_WORDS, Reason, Word, Wrong};
 use glam::{Vec2, Vec3, vec2, vec3};
 use std::collections::HashMap;
 
-/// What a face says of one of its corners, counted from 0.
+/// A corner of a face: indices from 0.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 struct Corner {
     position: u32,
@@ -22,7 +22,7 @@ struct Corner {
 /// The faces of an OBJ text that are made of one material.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Part {
-    /// The material's name; empty where none was named.
+    /// The material's name; empty if none was named.
     pub material: String,
     /// The faces.
     pub mesh: Mesh,
@@ -31,9 +31,9 @@ pub struct Part {
 /// An OBJ text, part by part.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Parts {
-    /// The files that hold the materials (`mtllib`), as they are named, relative to the OBJ file.
+    /// The names of the files with the materials (`mtllib`), relative to the OBJ file.
     pub libraries: Vec<String>,
-    /// A part for each material that faces are made of, in the order in which they are named.
+    /// One part for each material that faces use, in the order in which the materials are first named.
     pub parts: Vec<Part>,
 }
 
@@ -41,26 +41,26 @@ pub struct Parts {
 struct Obj {
     positions: Vec<Vec3>,
     textures: Vec<Vec2>,
-    /// `None` for a normal of length 0, which some programs write: it counts as missing.
+    /// `None` for a normal of length 0, which some programs write; it counts as missing.
     normals: Vec<Option<Dir3>>,
     triangles: Vec<[Corner; 3]>,
     /// The place in `materials` of each triangle's material.
     made_of: Vec<u32>,
     materials: Vec<String>,
-    /// The place of the material of the faces that follow.
+    /// The place in `materials` of the material for the next faces.
     current: u32,
     libraries: Vec<String>,
 }
 
 /// The mesh of all faces of an OBJ text.
 ///
-/// Read are `v` (a weight or colour after x, y, z is passed over), `vt`, `vn` and `f`, with indices that count from the
-/// first, 1, or back from the last, −1; what stands further down cannot be used yet. Other keywords are passed over.
-/// A face of more than three corners becomes a fan of triangles around its first one, which is right for convex faces; so a face
-/// `f 1 1 1 1 …` makes a triangle of two bytes of text.
+/// The keywords `v` (a weight or colour after x, y, z is ignored), `vt`, `vn` and `f` are read. Indices count from the first, 1, or
+/// back from the last, −1; a face can only use what is above it in the text. Other keywords are ignored.
+/// A face of more than three corners becomes a fan of triangles around its first corner, which is right for convex faces. So in a
+/// face `f 1 1 1 1 …`, every two bytes of text make a triangle.
 ///
 /// # Errors
-/// The first thing that is wrong, with its line and column, such as more faces than the [budget](crate::memory::BUDGET) allows;
+/// The first error, with its line and column, for example more faces than the [budget](crate::memory::BUDGET) allows;
 /// line 1 if the mesh as a whole is outside the [domain](crate::math::domain).
 pub fn parse(text: &str) -> Result<Mesh, Wrong> {
     let obj = read(text)?;
@@ -68,7 +68,7 @@ pub fn parse(text: &str) -> Result<Mesh, Wrong> {
     mesh.map_err(Wrong::as_mesh)
 }
 
-/// The faces of an OBJ text, a mesh for each material (`usemtl`) that they are made of.
+/// The faces of an OBJ text, as one mesh for each material (`usemtl`) that they use.
 ///
 /// # Errors
 /// Those of [`parse`].
@@ -141,9 +141,9 @@ fn read(text: &str) -> Result<Obj, Wrong> {
 }
 
 impl Obj {
-    /// Bytes of what was read; a triangle stands here, and twice as three indices while the mesh is made.
+    /// Size of what was read, in bytes. A triangle counts as stored here, plus twice three indices while the mesh is made.
     fn bytes(&self) -> u64 {
-        /// A name, and its place among the others.
+        /// Estimate for a name and its entry in the table of names, in bytes.
         const NAME: usize = 200;
         let triangle = size_of::<[Corner; 3]>() + 2 * size_of::<[u32; 3]>() + size_of::<u32>();
         let bytes = self.triangles.len() * triangle
@@ -200,7 +200,7 @@ impl Obj {
         }
     }
 
-    /// The mean normal of the faces around each position. A seam of the texture or between materials does not show in it.
+    /// The mean normal of the faces around each position. So shading has no seam where texture coordinates or materials have one.
     fn averaged(&self) -> Vec<Dir3> {
         let by_position: Vec<_> = self
             .triangles
@@ -210,7 +210,7 @@ impl Obj {
         vertex_normals(&self.positions, &by_position)
     }
 
-    /// One vertex for each different corner: a position with two normals, at a sharp edge, becomes two vertices.
+    /// The mesh with one vertex for each different corner: a position with two normals, at a sharp edge, becomes two vertices.
     fn to_mesh(&self, averaged: &[Dir3], triangles: &[[Corner; 3]]) -> Result<Mesh, MeshError> {
         let (mut positions, mut normals, mut textures) = (Vec::new(), Vec::new(), Vec::new());
         let mut vertices = HashMap::new();

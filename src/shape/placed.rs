@@ -1,4 +1,4 @@
-//! A shape somewhere else: as large, turned and placed as one wants it, without a copy of it.
+//! Instances: a shape that is scaled, rotated and moved, without a copy of it.
 
 use crate::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray};
 use crate::shape::{Hit, ROUNDING, Shape, Surface};
@@ -6,18 +6,18 @@ use glam::{Mat3, Vec3};
 use std::fmt;
 use std::sync::Arc;
 
-/// A shape whose points p are seen at `to` + `scale` · `turn` · p.
+/// An instance of a shape: the point p of the shape is at `to` + `scale` · `turn` · p.
 ///
-/// Many may share one shape: 350 pots are one, and 350 places.
+/// Many instances may share one shape: 350 pots are one shape and 350 places.
 #[derive(Clone)]
 pub struct Placed {
-    /// The shape where it was made.
+    /// The original shape.
     pub shape: Arc<dyn Shape>,
-    /// How many times as large it becomes: more than 0.
+    /// The scale factor, above 0.
     pub scale: f32,
-    /// How it is turned: a rotation.
+    /// The rotation: an orthogonal matrix with determinant 1.
     pub turn: Mat3,
-    /// Where its origin is put, in metres.
+    /// The new place of the shape's origin, in metres.
     pub to: Vec3,
 }
 
@@ -33,7 +33,7 @@ impl fmt::Debug for Placed {
 
 impl Placed {
     // ANCHOR: placed
-    /// The ray as the shape sees it, where it was made. A way along it is 1/`scale` times as long.
+    /// The ray in the coordinates of the original shape. Distances along it are 1/`scale` times as long.
     fn back(&self, ray: &Ray) -> Ray {
         let turned = self.turn.transpose();
         Ray::new(
@@ -43,8 +43,8 @@ impl Placed {
     }
     // ANCHOR_END: placed
 
-    /// A stretch of the ray as the shape sees it, and an ulp or two more: to and fro, its ends are rounded. 0 is not, and what is
-    /// ahead stays ahead: structures are fastest there.
+    /// An interval of the ray in the coordinates of the original shape, widened by two ulps at each end, because the conversions
+    /// there and back are rounded. A `min` of 0 or more does not become negative: structures are fastest for intervals from 0 on.
     fn stretch(&self, within: Interval) -> Interval {
         let min = (within.min / self.scale).next_down().next_down();
         let max = (within.max / self.scale).next_up().next_up();
@@ -52,14 +52,14 @@ impl Placed {
         Interval::new(min.max(least), max)
     }
 
-    /// A direction of the shape as it is seen.
+    /// A direction of the original shape, rotated.
     fn turned(&self, direction: Dir3) -> Dir3 {
         Dir3::new_or(self.turn * *direction, direction)
     }
 }
 
 impl Shape for Placed {
-    /// The box of the eight corners of the shape's box.
+    /// The box around the eight corners of the original shape's box, plus a bound on rounding.
     fn bounds(&self) -> Aabb {
         let Aabb { min, max } = self.shape.bounds();
         if !(min.is_finite() && max.is_finite()) {
@@ -79,7 +79,7 @@ impl Shape for Placed {
             self.to + self.scale * (self.turn * Vec3::new(of(0), of(1), of(2)))
         };
         let Aabb { min, max } = Aabb::of((0..8).map(corner));
-        // A corner is rounded three times, and what is in the box is rounded otherwise.
+        // A corner is rounded three times, and points in the box are rounded differently.
         let pad = Vec3::splat(ROUNDING * min.abs().max(max.abs()).max(self.to.abs()).max_element());
         Aabb {
             min: min - pad,
@@ -95,7 +95,7 @@ impl Shape for Placed {
             if within.contains(t) || t >= within.max {
                 return within.contains(t).then_some(Hit { t, ..hit });
             }
-            stretch.min = hit.t; // it was before the true stretch: on to the next
+            stretch.min = hit.t; // this hit is before the exact interval: look for the next
         }
     }
 

@@ -4,17 +4,17 @@ use crate::math::{aabb::Aabb, basis::Basis, dir3::Dir3, interval::Interval, ray:
 use crate::shape::{Hit, ROUNDING, Shape, Surface};
 use glam::{Vec2, Vec3, vec2};
 
-/// All points p with n·p = c. Its outside is where n points.
+/// All points p with n·p = c. The outside is the side to which n points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plane {
-    /// n: the side that is outside.
+    /// n: the normal, which points to the outside.
     pub normal: Dir3,
     /// c: the distance from the world's origin along n, in metres.
     pub offset: f32,
 }
 
 impl Plane {
-    /// The plane through a point, perpendicular to a direction.
+    /// The plane through a point, in metres, perpendicular to `normal`.
     pub fn through(point: Vec3, normal: Dir3) -> Self {
         Self {
             normal,
@@ -31,7 +31,7 @@ impl Shape for Plane {
     // ANCHOR: plane_hit
     /// Solves n·(o + t·d) = c for t: t = (c − n·o)/(n·d).
     ///
-    /// A ray along the plane divides by zero: t is infinite or, in the plane itself, NaN, and neither is in the interval.
+    /// For a ray parallel to the plane, n·d = 0: t is infinite or, in the plane itself, NaN. Neither is in the interval.
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         let t = (self.offset - self.normal.dot(ray.origin)) / self.normal.dot(*ray.direction);
         within.contains(t).then_some(Hit {
@@ -42,7 +42,7 @@ impl Shape for Plane {
     }
     // ANCHOR_END: plane_hit
 
-    /// The texture coordinates are metres along two directions in the plane.
+    /// The surface at the hit; the texture coordinates are metres along two perpendicular directions in the plane.
     fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
         let near = ray.at(hit.t);
         let position = near + (self.offset - self.normal.dot(near)) * *self.normal;

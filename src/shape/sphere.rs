@@ -6,7 +6,7 @@ use crate::shape::{Hit, ROUNDING, Shape, Surface};
 use glam::{Vec2, Vec3, vec2};
 use std::f32::consts::{PI, TAU};
 
-/// All points p with |p − c| = r. Its outside is the outside.
+/// All points p with |p − c| = r. The normal points outwards, away from c.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphere {
     /// c, in metres.
@@ -18,24 +18,24 @@ pub struct Sphere {
 /// Why numbers do not make a sphere.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum SphereError {
-    /// The centre is outside the domain, or no number.
+    /// The centre is outside the domain, or NaN.
     #[error("a sphere's centre must be at most {LARGEST:e} m from 0 along each axis, and is {0}")]
     Center(Vec3),
-    /// The radius is negative, outside the domain, or no number.
+    /// The radius is negative, outside the domain, or NaN.
     #[error("a sphere's radius must be from 0 to {LARGEST:e} m, and is {0}")]
     Radius(f32),
 }
 
 impl Sphere {
-    /// A sphere from its centre and radius.
+    /// A sphere from its centre and radius, in metres.
     ///
     /// # Panics
-    /// If they are outside the [domain](crate::math::domain). Numbers that come from a file go to [`Sphere::checked`].
+    /// If they are outside the [domain](crate::math::domain). For numbers from a file, use [`Sphere::checked`].
     pub fn new(center: Vec3, radius: f32) -> Self {
         Self::checked(center, radius).unwrap_or_else(|error| panic!("{error}"))
     }
 
-    /// A sphere from its centre and radius.
+    /// A sphere from its centre and radius, in metres.
     ///
     /// # Errors
     /// If they are outside the [domain](crate::math::domain).
@@ -69,10 +69,10 @@ impl Shape for Sphere {
     // ANCHOR: sphere_hit
     /// Solves |o + t·d − c|² = r² for t.
     ///
-    /// From far away, r² would be the difference of two huge squares, and its digits would be lost.
-    /// So t is counted from the point p where the ray passes closest to the centre: t = (c − o)·d + s,
-    /// and s² + 2(p − c)·d s + |p − c|² − r² = 0 has numbers no larger than they need be (after Haines et al. 2019).
-    /// (p − c)·d would be 0 without rounding; keeping it makes up for the rounding of p along the ray.
+    /// From far away, the discriminant of this equation is the difference of two huge squares, and its digits are lost.
+    /// So t is measured from the point p where the ray passes closest to the centre: t = (c − o)·d + s. The equation
+    /// s² + 2(p − c)·d s + |p − c|² − r² = 0 has no larger numbers than necessary (after Haines et al. 2019).
+    /// Without rounding, (p − c)·d would be 0; keeping this term corrects the rounding of p along the ray.
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         let from_center = ray.origin - self.center;
         let closest = -from_center.dot(*ray.direction);
@@ -94,8 +94,8 @@ impl Shape for Sphere {
     // ANCHOR_END: sphere_hit
 
     fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
-        // t's last digit may be larger than the whole sphere. So t only tells before or behind the point where the ray
-        // passes closest to the centre; how far, Pythagoras does.
+        // t's last digit may be larger than the whole sphere. So t only tells whether the hit is before or behind the point
+        // where the ray passes closest to the centre; the distance from this point follows from Pythagoras' theorem.
         let from_center = ray.origin - self.center;
         let closest = -from_center.dot(*ray.direction);
         let p = from_center + closest * *ray.direction;
@@ -110,7 +110,7 @@ impl Shape for Sphere {
         let normal = Dir3::new_or(p + s * *ray.direction, Dir3::Y);
         let position = self.center + self.radius * *normal;
         let error = ROUNDING * (self.center.abs().max_element() + self.radius);
-        // 1 is 2πr cos φ to the east, at the latitude φ, and πr to the north.
+        // At the latitude φ, u grows by 1 over 2πr cos φ metres to the east, and v by 1 over πr metres to the north.
         let cosine = (1.0 - normal.y * normal.y).max(f32::EPSILON).sqrt();
         Surface {
             texture: longitude_latitude(normal),
@@ -120,7 +120,8 @@ impl Shape for Sphere {
     }
 }
 
-/// Longitude and latitude as texture coordinates in [0, 1]²: u eastward from +z, v from the south pole (−y) to the north.
+/// Longitude and latitude as texture coordinates in [0, 1]²: u = ½ at +z, growing to the east, towards +x; v from the south pole
+/// (−y), 0, to the north pole, 1.
 fn longitude_latitude(n: Dir3) -> Vec2 {
     vec2(
         n.x.atan2(n.z) / TAU + 0.5,

@@ -1,7 +1,7 @@
 //! STL files, as 3D printers read them: every triangle on its own, in text or in binary.
 //!
-//! Corners at the same place become one vertex, whose normal is averaged; the normals in the file, one per triangle and
-//! often wrong, are passed over. An own reader, because a wrong number is to be reported with its line or byte.
+//! Corners at the same place become one vertex, whose normal is averaged. The normals in the file, one per triangle and
+//! often wrong, are ignored. This reader reports each error with its line or byte.
 
 use crate::math::domain::LARGEST;
 use crate::shape::mesh::{Mesh, MeshError};
@@ -9,15 +9,15 @@ use crate::shape::word::{self, Reason, Wrong};
 use glam::{Vec3, vec3};
 use std::collections::HashMap;
 
-/// A binary file begins with 80 bytes of anything, then the number of triangles.
+/// Size of a binary file's header, in bytes: 80 arbitrary bytes, then the number of triangles.
 const HEADER: usize = 84;
-/// A triangle in a binary file: 12 numbers (the normal and three corners), and 2 bytes of anything.
+/// Size of a triangle in a binary file, in bytes: 12 numbers (the normal and three corners) and 2 arbitrary bytes.
 const RECORD: usize = 50;
 
-/// What can be wrong with a binary file.
+/// An error in a binary file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum BinaryError {
-    /// Cut short, something else altogether, or text that does not begin with `solid`.
+    /// The file is cut off, or of another format, or text that does not begin with `solid`.
     #[error(
         "this is neither STL text (there is no `solid`) nor binary STL: {found} bytes cannot hold a header of 84"
     )]
@@ -25,19 +25,19 @@ pub enum BinaryError {
         /// How many bytes there are.
         found: usize,
     },
-    /// Cut short, or too long.
+    /// The file is too short or too long.
     #[error(
         "byte 80 promises {triangles} triangles, that is a file of {needed} bytes, but it has {found}"
     )]
     Size {
-        /// How many triangles the header promises.
+        /// Number of triangles that the header promises.
         triangles: u32,
-        /// How many bytes they need.
+        /// Size of a file with this number of triangles, in bytes.
         needed: u64,
         /// How many bytes there are.
         found: usize,
     },
-    /// NaN or infinity.
+    /// A coordinate is NaN or infinite.
     #[error(
         "byte {byte}: a corner of triangle {triangle} (the first is 0) is not at a finite place"
     )]
@@ -47,7 +47,7 @@ pub enum BinaryError {
         /// Which triangle, from 0.
         triangle: usize,
     },
-    /// A coordinate outside the domain.
+    /// A coordinate is outside the domain.
     #[error(
         "byte {byte}: a corner of triangle {triangle} (the first is 0) is more than {LARGEST:e} m from 0 along an axis; make the mesh smaller"
     )]
@@ -62,9 +62,9 @@ pub enum BinaryError {
     Mesh(#[from] MeshError),
 }
 
-/// Whether the bytes are of the binary kind: the size fits the number of triangles, or they do not begin with `solid`.
+/// Whether the bytes are binary STL: their number fits the number of triangles, or they do not begin with `solid`.
 ///
-/// Some programs begin a binary file with `solid` too, so the size is asked first.
+/// Some programs begin a binary file with `solid` too, so the size is tested first.
 pub fn is_binary(bytes: &[u8]) -> bool {
     promised(bytes).is_some_and(|(_, needed)| needed == bytes.len() as u64)
         || !bytes.trim_ascii_start().starts_with(b"solid")
@@ -119,9 +119,9 @@ pub fn parse_binary(bytes: &[u8]) -> Result<Mesh, BinaryError> {
 /// The mesh of an STL text.
 ///
 /// # Errors
-/// The first thing that is wrong, with its line and column.
+/// The first error, with its line and column; line 1 if the mesh as a whole is outside the [domain](crate::math::domain).
 pub fn parse(text: &str) -> Result<Mesh, Wrong> {
-    /// What may come next; a name follows `solid`, and may be anything.
+    /// The order of the keywords, each with what the error message expects; any name may follow `solid`.
     const GRAMMAR: [(&str, &str); 7] = [
         ("facet", "`facet normal …` or `endsolid`"),
         ("outer", "`outer loop`"),
@@ -163,17 +163,17 @@ pub fn parse(text: &str) -> Result<Mesh, Wrong> {
     }
 }
 
-/// Triangles that know nothing of each other, while they are being welded together.
+/// Unconnected triangles while they are welded: corners at the same place become one vertex.
 #[derive(Default)]
 struct Soup {
     positions: Vec<Vec3>,
-    /// Three after another are a triangle.
+    /// The vertex of each corner; three consecutive corners are a triangle.
     corners: Vec<u32>,
     vertices: HashMap<[u32; 3], u32>,
 }
 
 impl Soup {
-    /// The next corner; the vertex that is exactly there already, or a new one.
+    /// Adds a corner: with the vertex that is exactly at this place, or with a new vertex.
     fn add(&mut self, place: Vec3) {
         let place = place + Vec3::ZERO; // −0.0 becomes 0.0: the same place, but other bits
         let vertex = *self

@@ -1,4 +1,4 @@
-//! The Utah teapot (Newell 1975), as fine as you like.
+//! The Utah teapot (Newell 1975), as a mesh of any fineness.
 
 use crate::math::dir3::Dir3;
 use crate::shape::bezier::Patch;
@@ -8,27 +8,27 @@ use crate::shape::word::{self, Wrong};
 use glam::{Vec2, Vec3, vec2, vec3};
 use std::num::NonZeroUsize;
 
-/// The control points and patches of `teapot.txt`, which explains itself.
+/// The text of `teapot.txt`: control points and patches, in a format that its comments explain.
 pub const DATA: &str = include_str!("teapot.txt");
 
-/// Newell's lid has the radius 1.3, and lies in a rim of radius 1.4.
+/// The radius of Newell's lid, and the radius of the rim in which it lies.
 const LID_RADIUS: (f32, f32) = (1.3, 1.4);
 
-/// Patches side by side: rows of them along a part of the teapot, columns of them around it.
+/// A part of the teapot: a grid of patches, with rows along the part and columns around it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Part {
-    /// What it is: "lid".
+    /// The part's name, for example "lid".
     pub name: String,
-    /// How many patches go around it.
+    /// Number of patches around the part.
     pub columns: NonZeroUsize,
     /// The patches, row by row.
     pub patches: Vec<Patch>,
 }
 
-/// The parts in a text like [`DATA`], with y up: (x, y, z) there is (x, z, −y) here.
+/// The parts in a text like [`DATA`]. In the text z points up, here y: (x, y, z) in the text becomes (x, z, −y).
 ///
 /// # Errors
-/// The first thing that is wrong, with its line and column.
+/// The first error, with its line and column.
 pub fn parts(text: &str) -> Result<Vec<Part>, Wrong> {
     let (mut points, mut parts) = (Vec::new(), Vec::<Part>::new());
     for words in word::lines(text) {
@@ -63,13 +63,13 @@ pub fn parts(text: &str) -> Result<Vec<Part>, Wrong> {
     Ok(parts)
 }
 
-/// The teapot, each of its 32 patches cut into n × n quadrilaterals, which is 64n² − 8n triangles from n = 2.
+/// The teapot, each of its 32 patches cut into n × n quadrilaterals: 64n² − 8n triangles for n ≥ 2. n = 0 counts as 1.
 ///
-/// Its axis is the y axis, from the middle of the bottom at y = 0 to the top of the knob at 3.15; the spout points to +x.
-/// The lid is widened until it meets the rim, so that body and lid together are watertight; the handle and the spout
+/// Its axis is the y axis, from the middle of the bottom at y = 0 to the top of the knob at y = 3.15; the spout points to +x.
+/// The lid is widened to meet the rim, so that body and lid together are watertight. The handle and the spout
 /// are tubes that end inside the body.
-/// The normals are those of the patches, not averages. The texture coordinates count patches: x around a part,
-/// y along it, so their fractions run from 0 to 1 on each patch. Patches side by side share their vertices.
+/// The normals are those of the patches, not averages. The texture coordinates count patches, x around a part and
+/// y along it, so their fractional parts run from 0 to 1 on each patch. Neighbouring patches share their vertices.
 pub fn mesh(n: usize) -> Mesh {
     let parts = parts(DATA).unwrap_or_else(|wrong| unreachable!("teapot.txt:{wrong}"));
     let mut pot = Pot::default();
@@ -109,7 +109,7 @@ impl Pot {
         let first = self.positions.len() as u32;
         for i in 0..=high {
             for j in 0..=wide {
-                // The last vertices belong to the last patch, at its end.
+                // The last vertices belong to the end of the last patch.
                 let (row, column) = ((i / n).min(rows - 1), (j / n).min(columns - 1));
                 let patch = &part.patches[row * columns + column];
                 let u = (i - row * n) as f32 / n as f32;
@@ -133,7 +133,7 @@ impl Pot {
         }
     }
 
-    /// False at the poles of lid and bottom, where one side of a patch is a single point.
+    /// Whether a triangle has an area: not at the poles of lid and bottom, where one side of a patch is a single point.
     fn has_area(&self, corners: [u32; 3]) -> bool {
         let [p0, p1, p2] = corners.map(|i| self.positions[i as usize]);
         Triangle::new(p0, p1, p2).normal().is_some()

@@ -6,7 +6,7 @@ use glam::{Vec3, vec2};
 
 /// The points p₀ + b₁·e₁ + b₂·e₂ with b₁ ≥ 0, b₂ ≥ 0, b₁ + b₂ ≤ 1.
 ///
-/// Its outside is the side from which p₀, p₁, p₂ run counter-clockwise. Both sides can be hit.
+/// The outside is the side from which p₀, p₁, p₂ are seen counter-clockwise. Both sides can be hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Triangle {
     /// The first corner.
@@ -43,11 +43,12 @@ impl Triangle {
     /// Whether the determinant |−d e₁ e₂| is more than the rounding errors of its six products, whose sizes add up to
     /// at most ‖e₁‖₁·‖e₂‖₁, where ‖e‖₁ = |eₓ| + |e_y| + |e_z|.
     ///
-    /// It is 0 for a triangle without area, and for a ray in its plane. But products that should cancel are rounded, and
-    /// what is left of them is a number like any other: divided by it, noise looks like a hit. And a triangle so small that the
-    /// numerators have lost their digits is outside the [domain](crate::math::domain).
+    /// The exact determinant is 0 for a triangle without area, and for a ray in the triangle's plane. But products that should
+    /// cancel are rounded, and a rest remains: a division by this rest makes hits out of noise. A determinant below `AREA_MIN` is
+    /// refused too, because then the numerators have lost their digits (see the [domain](crate::math::domain)).
     pub fn solvable(&self, determinant: f32) -> bool {
-        /// Five roundings of 2⁻²⁴ in a row, and the products' sizes add up to less than their bound where they should cancel.
+        /// At most five roundings of 2⁻²⁴ in a row; four are enough, because the sizes of products that cancel add up to less
+        /// than their bound.
         const ROUNDINGS: f32 = 4.0 * (f32::EPSILON / 2.0);
         let products = self.e1.abs().element_sum() * self.e2.abs().element_sum();
         determinant.abs() > (ROUNDINGS * products).max(AREA_MIN)
@@ -66,8 +67,8 @@ impl Shape for Triangle {
     /// By Cramer's rule with |a b c| = (a × b)·c, and s₁ = d × e₂, s = o − p₀, s₂ = s × e₁:
     /// (t, b₁, b₂) = (s₂·e₂, s₁·s, s₂·d) / s₁·e₁ (Möller and Trumbore 1997).
     ///
-    /// Without area, or with the ray in its plane, s₁·e₁ is 0 or a rounding error of 0, and the quotients are
-    /// infinite, NaN or noise: one of the comparisons is false, or [`Triangle::solvable`] is.
+    /// For a triangle without area, or a ray in the triangle's plane, s₁·e₁ is 0 or a rounding error of 0, and the quotients are
+    /// infinite, NaN or noise. Then one of the comparisons is false, or [`Triangle::solvable`] is false.
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         let s1 = ray.direction.cross(self.e2);
         let determinant = s1.dot(self.e1);
@@ -88,10 +89,10 @@ impl Shape for Triangle {
 
     fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
         let normal = self.normal().unwrap_or(-ray.direction);
-        // |e₁ × e₂|, without a square of it that may vanish.
+        // |e₁ × e₂|, without its square, which may underflow.
         let twice_area = self.e1.cross(self.e2).dot(*normal).abs();
         let (a, b) = (self.e1.length(), self.e2.length());
-        // `hit` loses digits of the distance to the plane as e₁ and e₂ get parallel: 1/sin of the angle between them.
+        // The more parallel e₁ and e₂ are, the more digits of the distance to the plane `hit` loses: a factor 1/sin of their angle.
         let lost = (a * b / twice_area).max(1.0);
         let longest = a.max(b);
         let position = self.p0 + hit.uv.x * self.e1 + hit.uv.y * self.e2;

@@ -1,4 +1,4 @@
-//! A triangle hit by Cramer's rule, with its four determinants written out.
+//! The hit of a triangle by Cramer's rule, with its four determinants written out.
 
 use crate::math::{interval::Interval, ray::Ray};
 use crate::shape::{Hit, triangle::Triangle};

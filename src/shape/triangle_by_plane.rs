@@ -1,14 +1,14 @@
-//! A triangle hit in two steps: the plane first, then whether the point is inside.
+//! The hit of a triangle in two steps: first the hit of its plane, then the test whether the point is inside.
 
 use crate::math::{interval::Interval, ray::Ray};
 use crate::shape::{Hit, triangle::Triangle};
 use glam::vec2;
 
 // ANCHOR: hit_by_plane
-/// The same answer as [`Triangle::hit`](crate::shape::Shape::hit): where the ray meets the plane n·p = n·p₀ with n = e₁ × e₂,
-/// and whether that point p lies to the left of all three edges.
+/// The same answer as [`Triangle::hit`](crate::shape::Shape::hit): the point p where the ray meets the plane n·p = n·p₀ with
+/// n = e₁ × e₂, if p is to the left of all three edges, as seen from outside.
 ///
-/// With q = p − p₀, twice the area of (p₀, p, p₂) is (q × e₂)·n/|n|, so b₁ = (q × e₂)·n/n·n, and b₂ = (e₁ × q)·n/n·n.
+/// With q = p − p₀, twice the area of (p₀, p, p₂) is (q × e₂)·n/|n|. So b₁ = (q × e₂)·n/(n·n), and b₂ = (e₁ × q)·n/(n·n).
 pub fn hit(triangle: &Triangle, ray: &Ray, within: Interval) -> Option<Hit> {
     let Triangle { p0, e1, e2 } = *triangle;
     let n = e1.cross(e2);

@@ -1,4 +1,4 @@
-//! A triangle of a closed mesh, hit so that no ray slips through between it and its neighbours.
+//! The watertight hit of a triangle: no ray slips through between the triangles of a closed mesh.
 
 use crate::math::{
     domain::{AREA_MAX, AREA_MIN},
@@ -8,23 +8,24 @@ use crate::math::{
 use crate::shape::Hit;
 use glam::{DVec3, Vec3, Vec3A, Vec3Swizzles, vec2};
 
-/// The same answer as [`Triangle::hit`](crate::shape::Shape::hit), but for rays within rounding errors of an edge:
-/// of two triangles that share the edge exactly, one or both are hit, never neither (Woop, Benthin and Wald 2013).
+/// The same answer as [`Triangle::hit`](crate::shape::Shape::hit), except for rays within rounding errors of an edge: if two
+/// triangles share the edge exactly, at least one of them is hit (Woop, Benthin and Wald, "Watertight ray/triangle intersection",
+/// 2013).
 #[inline]
 pub fn hit(corners: &[Vec3; 3], ray: &Ray, within: Interval) -> Option<Hit> {
     hit_sheared(corners, ray, &Shear::along(ray), within)
 }
 
 // ANCHOR: hit_watertight
-/// The hit of a ray whose shear is known: all triangles that the ray is tested with share it.
+/// The watertight hit of a ray whose shear is known; all triangles that are tested against the ray share the shear.
 ///
-/// The corners are moved so that the ray starts at 0, and sheared so that it runs along one axis. What is left is a
-/// question in the plane: is 0 inside the triangle a, b, c? It is if the areas u = c × b, v = a × c and w = b × a,
-/// of the triangles that 0 forms with the edges, have the same sign. Neighbours move a shared corner to the same place
-/// and compute the same products for a shared edge, so they see 0 on the same side of it. A rounded difference of rounded
-/// products never has the wrong sign, but it may be 0: then double precision, in which the products are exact, decides.
-/// The vectors x, y and z hold these coordinates of a, b and c, so one operation does the same for all three.
-/// Double precision also takes over where areas are so small or so large that areas · z vanishes or overflows.
+/// The corners are moved so that the ray starts at 0, and sheared so that the ray runs along one axis. What is left is a
+/// question in the plane: is 0 inside the triangle a, b, c? The answer is yes if u = c × b, v = a × c and w = b × a have the same
+/// sign. These are twice the areas of the triangles between 0 and the edges. Neighbours move a shared corner to the same place
+/// and compute the same products for a shared edge, so for both, 0 is on the same side of the edge. A rounded difference of
+/// rounded products never has the wrong sign, but it may be 0: then double precision, in which the products are exact, decides.
+/// The vectors x, y and z hold these coordinates of a, b and c, so that one operation computes with all three corners.
+/// Double precision is also used if the areas are very small or very large, because then areas · z would vanish or overflow.
 #[inline]
 pub(crate) fn hit_sheared(
     corners: &[Vec3; 3],
@@ -51,7 +52,7 @@ pub(crate) fn hit_sheared(
 }
 // ANCHOR_END: hit_watertight
 
-/// The same sums, with areas in double precision; and where areas are extreme, in a unit of length as large as the numbers.
+/// As [`hit_sheared`], but with areas in double precision, and if areas are extreme, in a unit of length that suits the numbers.
 #[cold]
 fn hit_in_double(corners: [Vec3A; 3], within: Interval) -> Option<Hit> {
     let [x, y, z] = corners.map(Vec3A::as_dvec3);
@@ -66,7 +67,7 @@ fn hit_in_double(corners: [Vec3A; 3], within: Interval) -> Option<Hit> {
         x.abs().max(y.abs()).max(z.abs()).max_element()
     };
     let (areas, z) = ((areas / (unit * unit)).as_vec3a(), (z / unit).as_vec3a());
-    // 0 if the triangle is seen from its edge, or has no area; t is then infinite or NaN and does not count.
+    // The sum is 0 if the triangle is seen from its edge, or has no area. Then t is infinite or NaN, and is no hit.
     let inverse = 1.0 / (areas.x + areas.y + areas.z);
     let t = areas.dot(z) * inverse * unit as f32;
     within.contains(t).then_some(Hit {
@@ -76,7 +77,7 @@ fn hit_in_double(corners: [Vec3A; 3], within: Interval) -> Option<Hit> {
     })
 }
 
-/// The shear that turns a ray from 0 into a ray along +z, with t as z.
+/// The shear that maps a ray from 0 to a ray along +z, such that z is the distance t.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Shear {
     /// 0, 1 and 2 in some order. Only [`Shear::along`] writes it.
@@ -88,14 +89,14 @@ impl Shear {
     /// The shear of a ray.
     #[inline]
     pub(crate) fn along(ray: &Ray) -> Self {
-        /// By the axis that becomes z.
+        /// The axes that become x, y and z, by the axis that becomes z.
         const AXES: [[usize; 3]; 3] = [[1, 2, 0], [2, 0, 1], [0, 1, 2]];
         let Vec3 { x, y, z } = ray.direction.abs();
-        // Sums of comparisons, not `if`: which axis it is cannot be guessed, and a wrong guess takes longer than the whole test.
+        // Sums of comparisons, not `if`: a processor cannot predict the axis, and a wrong prediction costs more than the whole test.
         let x_is_less = usize::from(x < y) | usize::from(x < z);
         let axes = AXES[x_is_less * (1 + usize::from(y < z))];
         let d = ray.direction.to_array();
-        // One by one: `axes.map` stays a call, and every ray through a mesh comes by here.
+        // One by one: `axes.map` remains a function call, and this code runs for every ray through a mesh.
         let (dx, dy, dz) = (d[axes[0]], d[axes[1]], d[axes[2]]);
         let inverse = 1.0 / dz;
         Self {
@@ -104,7 +105,7 @@ impl Shear {
         }
     }
 
-    /// The axes that become x, y and z: 0, 1 and 2 in some order; the last is the one along which the ray moves most.
+    /// The axes that become x, y and z: 0, 1 and 2 in some order. The last one is the axis along which the ray moves most.
     #[inline]
     pub(crate) fn axes(&self) -> [usize; 3] {
         self.axes
@@ -116,7 +117,7 @@ impl Shear {
         self.slopes
     }
 
-    /// The x, the y and the z of all three corners.
+    /// The x coordinates of the three moved and sheared corners, their y coordinates and their z coordinates.
     #[inline]
     fn apply(&self, [a, b, c]: &[Vec3; 3], origin: Vec3) -> [Vec3A; 3] {
         let all = |i: usize| Vec3A::new(a[i], b[i], c[i]) - Vec3A::splat(origin[i]);

@@ -1,14 +1,15 @@
-//! Text as lines of words that know where they stand, for files that people write and break.
+//! Text as lines of words that know their places, for files that are written by hand and may contain errors.
 
 use crate::math::domain::LARGEST;
 use crate::memory::{BUDGET, gigabytes};
 use crate::shape::mesh::MeshError;
 use glam::Vec3;
 
-/// What a corner of a face looks like.
+/// The form of a face's corner, for error messages.
 pub const INDICES: &str = "indices, as in 3, 3/1, 3//2 or 3/1/2";
 
-/// Most words of a line: what follows is not looked at, for words take many times the memory of their text.
+/// Maximum number of words after a line's first word. Further words are ignored, because words take many times the memory of
+/// their text.
 pub const MOST_WORDS: usize = 1 << 20;
 
 /// A word of a text.
@@ -16,13 +17,13 @@ pub const MOST_WORDS: usize = 1 << 20;
 pub struct Word<'a> {
     /// The word itself, without white space.
     pub text: &'a str,
-    /// Its line, from 1.
+    /// The word's line, from 1.
     pub line: usize,
-    /// Where it begins, in characters from 1.
+    /// The column where the word begins, in characters from 1.
     pub column: usize,
 }
 
-/// Something wrong in a text, and where.
+/// An error in a text, with its place.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{line}:{column}: {reason}")]
 pub struct Wrong {
@@ -34,7 +35,7 @@ pub struct Wrong {
     pub reason: Reason,
 }
 
-/// What can be wrong with a line of a mesh.
+/// The reason of an error in a mesh file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Reason {
     /// Letters where a number should be.
@@ -49,17 +50,17 @@ pub enum Reason {
     /// The whole text does not make a mesh.
     #[error("{0}")]
     Mesh(MeshError),
-    /// Too few or too many numbers or words after a keyword.
+    /// There are too few or too many numbers or words after a keyword.
     #[error("{what} needs {needs}, and here are {found}")]
     Count {
         /// What the line describes.
         what: &'static str,
-        /// How many it needs, in words.
+        /// The number that is needed, as text.
         needs: &'static str,
-        /// How many there are.
+        /// The number that was found.
         found: usize,
     },
-    /// Not the form of an index.
+    /// Another word is expected here.
     #[error("expected {expected}, found `{found}`")]
     Expected {
         /// What should stand here.
@@ -67,25 +68,25 @@ pub enum Reason {
         /// What stands here.
         found: String,
     },
-    /// A number that is given to nothing.
+    /// An index, counted from 1 or back from −1, without an object.
     #[error("there is no {what} {index}: above this line are {given}, counted from 1")]
     Index {
-        /// What is numbered.
+        /// The kind of objects that are counted.
         what: &'static str,
-        /// The number.
+        /// The index.
         index: i64,
-        /// How many there are so far.
+        /// Number of objects so far.
         given: usize,
     },
-    /// A number of a vertex, counted from 0, that is given to none.
+    /// An index, counted from 0, without a vertex.
     #[error("there is no vertex {index}: the file has {given}, and the first is 0")]
     FromZero {
-        /// The number, as it stands there.
+        /// The index, as in the file.
         index: String,
-        /// How many vertices there are.
+        /// Number of vertices.
         given: u64,
     },
-    /// More faces and vertices than the budget of memory allows.
+    /// The faces and vertices take more memory, in bytes, than the budget allows.
     #[error("up to here the mesh takes {} of memory, and a mesh may take {}; make it coarser, or cut it up", gigabytes(*.0), gigabytes(BUDGET))]
     TooLarge(u64),
     /// The text ends too early.
@@ -94,7 +95,7 @@ pub enum Reason {
 }
 
 impl Wrong {
-    /// The whole text is wrong: it does not make a mesh.
+    /// The error that the whole text does not make a mesh.
     pub(crate) fn as_mesh(error: MeshError) -> Self {
         Self {
             line: 1,
@@ -105,7 +106,7 @@ impl Wrong {
 }
 
 impl Word<'_> {
-    /// What is wrong with this word.
+    /// The error that this word is wrong, with the reason.
     pub fn wrong(&self, reason: Reason) -> Wrong {
         Wrong {
             line: self.line,
@@ -114,7 +115,7 @@ impl Word<'_> {
         }
     }
 
-    /// What should have stood here instead.
+    /// The error that something else is expected in place of this word.
     pub fn expected(&self, expected: &'static str) -> Wrong {
         self.wrong(Reason::Expected {
             expected,
@@ -125,7 +126,7 @@ impl Word<'_> {
     /// The word as a finite number.
     ///
     /// # Errors
-    /// If it is something else; NaN and infinity have spellings that Rust reads, so they are looked for.
+    /// If the word is not a number, or is NaN or infinite: Rust also parses words such as `nan` and `inf`.
     pub fn number(&self) -> Result<f32, Wrong> {
         let number: f32 = self
             .text
@@ -138,10 +139,11 @@ impl Word<'_> {
         }
     }
 
-    /// A part of the word as an index from 0 into `given` things that are counted from 1; −1 is the last of them.
+    /// A part of the word as an index, converted to count from 0. In the text, the `given` objects are counted from 1, or back from
+    /// the last, −1.
     ///
     /// # Errors
-    /// If it is not a whole number, or counts to nothing.
+    /// If it is not a whole number, or there is no such object.
     pub fn index(&self, part: &str, what: &'static str, given: usize) -> Result<usize, Wrong> {
         let index: i64 = part.parse().map_err(|_| self.expected(INDICES))?;
         let from_zero = if index < 0 {
@@ -156,9 +158,10 @@ impl Word<'_> {
     }
 }
 
-/// The lines that hold words, without what follows a `#`; a `\` at its end joins a line with the next.
+/// The words of each line that has words, without comments, which begin with `#`; a line that ends with `\` is continued by the
+/// next line.
 pub fn lines(text: &str) -> impl Iterator<Item = Vec<Word<'_>>> {
-    // Some editors begin a file with this mark, and the first word would not be known.
+    // Some editors begin a file with this byte order mark, which would become a part of the first word.
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let mut numbered = (1..).zip(text.lines());
     std::iter::from_fn(move || {
@@ -175,7 +178,7 @@ pub fn lines(text: &str) -> impl Iterator<Item = Vec<Word<'_>>> {
     })
 }
 
-/// The words of one line, whose number is given.
+/// The words of one line, which has the line number `number`.
 pub fn words(line: &str, number: usize) -> Vec<Word<'_>> {
     let mut words = Vec::new();
     push_words(line, number, &mut words);
@@ -200,13 +203,13 @@ fn push_words<'a>(line: &'a str, number: usize, words: &mut Vec<Word<'a>>) {
     }
 }
 
-/// The name that follows a keyword: all that follows, for there may be spaces in it.
+/// The name after a keyword: all following words, because a name may contain spaces.
 pub fn name(words: &[Word]) -> String {
     let words: Vec<_> = words[1..].iter().map(|word| word.text).collect();
     words.join(" ")
 }
 
-/// The place of a vertex: the first three of the numbers that follow a keyword.
+/// The place of a vertex, in metres: the first three numbers after a keyword.
 ///
 /// # Errors
 /// Those of [`numbers`]; and if a coordinate is outside the [domain](crate::math::domain).
@@ -227,7 +230,7 @@ pub fn place(
     }
 }
 
-/// The finite numbers that follow a keyword: as many as `allowed`.
+/// The finite numbers after a keyword; their number must be in `allowed`.
 ///
 /// # Errors
 /// If there are fewer or more, or a word is not a finite number.

@@ -73,7 +73,7 @@ fn a_width_that_is_refused_says_what_memory_it_takes() {
     for (width, part) in [
         (
             "16384",
-            "a square picture so wide takes 3.2 GB of memory, and a picture may take 1.1 GB: at most 8192 pixels, 0.8 GB",
+            "a square picture of this width takes 3.2 GB of memory, and a picture may take 1.1 GB: at most 8192 pixels, 0.8 GB",
         ),
         ("8193", "at most 8192 pixels"),
         ("99999999999999999999", "from 8 to 8192"),

@@ -9,7 +9,7 @@ const TEXTS: &[(&str, &str)] = &[
     ("", "test.toml:1:1: a scene needs `camera`"),
     (
         "x = ",
-        "test.toml:1:5: this is no TOML: string values must be quoted, expected literal string",
+        "test.toml:1:5: this is not valid TOML: string values must be quoted, expected literal string",
     ),
     (
         "[camera]\nfrom_m = [0, 0, 5]\n",
@@ -205,6 +205,10 @@ fn a_file_that_is_none_is_refused_at_once() {
 #[test]
 fn tables_in_tables_without_end_are_refused() {
     let deep = format!("x = {}1{}", "[".repeat(100_000), "]".repeat(100_000));
-    assert!(error(&deep).contains("this is no TOML"), "{}", error(&deep));
+    assert!(
+        error(&deep).contains("this is not valid TOML"),
+        "{}",
+        error(&deep)
+    );
     assert!(parse(CAMERA).is_ok(), "the smallest scene is one");
 }

@@ -10,7 +10,8 @@ row! {
     pub struct NodeRow {
         /// 1 for a node with eight children, 0 for a leaf.
         pub inner: u32,
-        /// The number of its first child; or the place in the list of names where the leaf's names begin.
+        /// Of a node with children: the number of its first child. Of a leaf: the place in the list of names
+        /// where its names begin.
         pub first: u32,
         /// The number of shapes that a leaf names; 0 for a node with children.
         pub count: u32,

@@ -13,7 +13,7 @@ use std::fmt;
 
 pub use plotters::prelude::SeriesLabelPosition as Corner;
 
-/// A chart, made by adding what is to be drawn, and drawn at the end: a later thing covers an earlier one.
+/// A chart. Things are added one after the other, and drawn at the end: a later thing covers an earlier thing.
 ///
 /// Widths, radii and sizes of text are in pixels of the canvas, places are in the numbers of the axes.
 pub struct Chart {
@@ -75,14 +75,14 @@ impl Chart {
         self
     }
 
-    /// With text of another size than 34 pixels.
+    /// With this size of text in pixels, instead of 34.
     #[must_use]
     pub fn text(mut self, size: i32) -> Self {
         self.text = size;
         self
     }
 
-    /// With the names of what is [named](Chart::named), in a corner.
+    /// With a legend in a corner: the names of the lines that are [named](Chart::named).
     #[must_use]
     pub fn legend(mut self, corner: Corner) -> Self {
         self.legend = Some(corner);
@@ -151,7 +151,7 @@ impl Chart {
         self.add(Form::Area(places(corners)), style)
     }
 
-    /// Words, of which this part is at a place.
+    /// Words, anchored at a place by this part of them.
     pub fn label<T: Into<f64>>(
         &mut self,
         part: Pos,

@@ -1,4 +1,4 @@
-//! What is measured of the compared patterns, and which of them is the best and the worst at it.
+//! What is measured of the compared patterns, and which pattern is the best and the worst in each measure.
 
 use super::MANY;
 use crate::lab::errors::{EACH, errors};
@@ -10,7 +10,7 @@ use crate::lab::spectrum::Spectrum;
 use crate::lab::subject::Subject;
 use raybook::math::pcg;
 
-/// A measure that is better the smaller it is: its name, and a number for each pattern.
+/// A measure, of which a smaller number is better: its name, and a number for each pattern.
 #[derive(Clone, Debug)]
 pub struct Measure {
     /// What is measured.
@@ -22,7 +22,7 @@ pub struct Measure {
 }
 
 impl Measure {
-    /// The number of the pattern that is best; none if another one is about as good.
+    /// The index of the best pattern; `None` if another pattern is about as good.
     pub fn winner(&self) -> Option<usize> {
         let [first, next, ..] = self.in_order()[..] else {
             return None;
@@ -30,7 +30,7 @@ impl Measure {
         (self.numbers[first] < ALIKE * self.numbers[next]).then_some(first)
     }
 
-    /// The number of the pattern that is worst; none if another one is about as bad.
+    /// The index of the worst pattern; `None` if another pattern is about as bad.
     pub fn loser(&self) -> Option<usize> {
         let [.., next, last] = self.in_order()[..] else {
             return None;
@@ -46,7 +46,7 @@ impl Measure {
     }
 }
 
-/// A number that is at least this share of another is about as large.
+/// Two numbers are alike if the smaller is at least this share of the larger.
 const ALIKE: f64 = 0.97;
 
 /// The lines of the table.
@@ -115,7 +115,7 @@ pub fn measures(
             spectra.iter().map(highest).collect(),
         ),
         line(
-            "same error in neighbouring pixels: ρ, 16 samples",
+            "same error in neighbouring pixels: |ρ|, 16 samples",
             2,
             subjects
                 .iter()

@@ -36,11 +36,12 @@ const COMPARED: [&str; 3] = ["rotated-grid", "jittered", "poisson-disk"];
 const SHOWN: usize = 16;
 const MANY: usize = 256;
 
-/// Side of the picture of rings, and how many pixels of the canvas each of its pixels takes: one of the slide.
+/// Side of the picture of rings, in pixels, and pixels of the canvas per pixel of the picture, which make one pixel of the slide.
 const CROP: usize = 350;
 const TIMES: i32 = 2;
 
-/// Columns for the patterns: the first one's left, their distance, and the sides of what is in them, in pixels of the canvas.
+/// Columns for the patterns: the left of the first column, the distance of the columns, and places and sizes in a column, in
+/// pixels of the canvas.
 const FIRST: i32 = 60;
 const STEP: i32 = 736;
 const SMALL: i32 = 330;

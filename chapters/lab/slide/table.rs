@@ -1,4 +1,4 @@
-//! The slide's table: a line for each measure, the best pattern marked, and how often each is the best and the worst.
+//! The slide's table: a line for each measure, the best pattern marked, and how often each pattern is the best and the worst.
 
 use super::FIRST;
 use super::measure::Measure;
@@ -9,8 +9,8 @@ use crate::lab::legend::number;
 use plotters::coord::Shift;
 use plotters::prelude::{Color, DrawingArea, DrawingBackend, Rectangle};
 
-/// Where it is, in pixels of the canvas: its first line, the distance of its lines, the right end of its first column of numbers, and the distance of
-/// the columns.
+/// Where the table is, in pixels of the canvas: its first line, the distance of its lines, the right end of its first column of
+/// numbers, and the distance of the columns.
 const TOP: i32 = 1510;
 const LINE: i32 = 54;
 const NUMBERS: i32 = 1400;

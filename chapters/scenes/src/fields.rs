@@ -1,4 +1,4 @@
-//! A table of a scene file: what is asked for is checked, and what nobody asked for is an error.
+//! A table of a scene file: every field that is read is checked, and a field that nobody reads is an error.
 
 use crate::values::{colour, described, number, three, whole};
 use crate::wrong::{SceneError, Source, did_you_mean, listed, shown};
@@ -10,10 +10,10 @@ use std::ops::RangeInclusive;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// The brightest light that may be asked for.
+/// The brightest light that a scene may have.
 const BRIGHTEST: f32 = 1e12;
 
-/// A table, and the names that it was asked for.
+/// A table, and the names of the fields that were read.
 #[derive(Debug)]
 pub struct Fields<'a> {
     source: Source<'a>,
@@ -41,7 +41,7 @@ impl<'a> Fields<'a> {
         self.source
     }
 
-    /// The same, describing something more special.
+    /// Gives the table a more special description.
     pub fn named(&mut self, what: impl Into<String>) {
         self.what = what.into();
     }
@@ -69,7 +69,7 @@ impl<'a> Fields<'a> {
         self.source.wrong(at, message)
     }
 
-    /// What is there, or the error that it is missing.
+    /// The value that was found, or the error that the field is missing.
     ///
     /// # Errors
     /// If it is missing.
@@ -262,10 +262,10 @@ impl<'a> Fields<'a> {
         Ok(Self::new(self.source, what, start, table))
     }
 
-    /// The end: every field was asked for.
+    /// The end: every field was read.
     ///
     /// # Errors
-    /// The first one that was not.
+    /// The first field that was not read.
     pub fn finish(self) -> Result<(), SceneError> {
         let asked = self.asked.borrow();
         let unknown = |name: &&Spanned<_>| {

@@ -30,7 +30,7 @@ pub const LONGEST: usize = 1 << 24;
 pub struct Shot {
     /// The scene.
     pub scene: Scene,
-    /// The camera, for a picture of the size that the file asks for.
+    /// The camera, for a picture of the size in the file.
     pub camera: Box<dyn Camera>,
     /// Integrator and sampler.
     pub rendering: Rendering,
@@ -49,7 +49,7 @@ impl fmt::Debug for Shot {
 }
 
 impl Shot {
-    /// The radiance of the picture on a film, which says the number of samples and who is told of the progress.
+    /// The radiance of the picture on a film, which has the number of samples and the callback for the progress.
     pub fn render(&self, film: &Film) -> Image {
         let Rendering {
             sampler,
@@ -59,9 +59,9 @@ impl Shot {
     }
 }
 
-/// Reads a scene file, and the meshes and pictures that it names, which are beside it.
+/// Reads a scene file, and the meshes and pictures that it names; their places are relative to the scene file.
 ///
-/// `width` is the width of the picture in pixels, if it is to be another one than the file says; its height follows.
+/// `width` is the width of the picture in pixels, if it differs from the width in the file; the height follows.
 ///
 /// # Errors
 /// If a file cannot be read, or is wrong; where and why.
@@ -75,7 +75,7 @@ pub fn load(path: &Path, width: Option<usize>) -> Result<Shot, SceneError> {
     parse(path, &text, width)
 }
 
-/// The scene of a text; `path` is where it stands, to find other files and for errors.
+/// The scene of a text; `path` is the file of the text, to find other files and for error messages.
 ///
 /// # Errors
 /// Those of [`load`].
@@ -84,7 +84,7 @@ pub fn parse(path: &Path, text: &str, width: Option<usize>) -> Result<Shot, Scen
     let table = DeTable::parse(text).map_err(|error| {
         let at = error.span().map_or(0, |span| span.start);
         let message = error.message().trim_end().replace('\n', "; ");
-        source.wrong(at, format!("this is no TOML: {message}"))
+        source.wrong(at, format!("this is not valid TOML: {message}"))
     })?;
     let fields = Fields::new(source, "a scene", 0, table.get_ref());
     let mut picture = rendering::picture(fields.table("picture", "the picture")?)?;

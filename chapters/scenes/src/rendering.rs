@@ -15,7 +15,7 @@ use std::fmt;
 /// The widest and highest picture, in pixels.
 pub const WIDEST: u64 = 8192;
 
-/// The size of a picture, and how it is shown.
+/// The size of a picture, and how it is displayed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Picture {
     /// Columns.
@@ -24,7 +24,7 @@ pub struct Picture {
     pub height: usize,
     /// Samples per pixel.
     pub samples: usize,
-    /// What every random number follows from.
+    /// Seed of all random numbers.
     pub seed: u64,
     /// Stops by which the picture is brightened for the display.
     pub exposure: f32,
@@ -90,7 +90,7 @@ pub(crate) fn picture(fields: Option<Fields>) -> Result<Picture, SceneError> {
     Ok(picture)
 }
 
-/// How light is followed, and where the samples are.
+/// The integrator, which follows light, and the sampler, which places the samples.
 pub struct Rendering {
     /// How light is followed.
     pub integrator: Box<dyn Integrator>,

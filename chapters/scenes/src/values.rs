@@ -4,7 +4,7 @@ use glam::{Vec3, vec3};
 use raybook::image::rgb::Rgb;
 use toml::de::DeValue;
 
-/// What a value is, for people.
+/// A description of a value, for error messages.
 pub(crate) fn described(value: &DeValue) -> String {
     match value {
         DeValue::String(text) => {

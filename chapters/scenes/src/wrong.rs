@@ -3,10 +3,10 @@
 use raybook::store::StoreError;
 use std::path::{Path, PathBuf};
 
-/// Why a file is no scene.
+/// Why a file is not a scene.
 #[derive(Debug, thiserror::Error)]
 pub enum SceneError {
-    /// The system refused, or it is no file.
+    /// The file could not be read, or it is not a file.
     #[error(transparent)]
     Store(#[from] StoreError),
     /// Something in the text is wrong.
@@ -45,19 +45,19 @@ impl Source<'_> {
         }
     }
 
-    /// A file that the text names; its place is relative to the text's.
+    /// A file that the text names; its place is relative to the file of the text.
     pub fn beside(&self, name: &str) -> PathBuf {
         self.path.parent().unwrap_or(Path::new("")).join(name)
     }
 }
 
-/// The words between back-ticks, with commas.
+/// The words, each between back-ticks, separated by commas.
 pub fn listed<'a>(words: impl IntoIterator<Item = &'a str>) -> String {
     let words: Vec<_> = words.into_iter().map(shown).collect();
     words.join(", ")
 }
 
-/// A word of the text between back-ticks, with nothing hidden in it.
+/// A word of the text between back-ticks; hidden characters are escaped.
 pub fn shown(word: &str) -> String {
     format!("`{}`", word.escape_debug())
 }
@@ -72,9 +72,9 @@ pub fn did_you_mean<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) ->
         })
 }
 
-/// How many characters must be put in, taken out or replaced to make one word of the other (Levenshtein 1966).
+/// The number of characters that must be inserted, removed or replaced to make one word from the other (Levenshtein 1966).
 fn distance(a: &str, b: &str) -> usize {
-    /// Nobody means a word by one that is longer.
+    /// Maximum number of characters that are compared: no known word is longer.
     const LONGEST: usize = 64;
     let b: Vec<char> = b.chars().collect();
     let mut row: Vec<usize> = (0..=b.len()).collect();

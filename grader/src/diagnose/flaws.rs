@@ -12,13 +12,13 @@ const SOME: f64 = 0.25;
 const COMMON: &[Flaw] = &[
     Flaw {
         complaint: "is NaN",
-        name: "returns what is not a number (NaN)",
+        name: "returns NaN, which is not a number",
         hint: "Look for 0/0, ∞ − ∞ or the root of a negative number. Print the ingredients.",
     },
     Flaw {
         complaint: "a direction has length 1",
         name: "returns a direction whose length is not 1",
-        hint: "How long is a direction? Which lengths have its ingredients?",
+        hint: "How long must a direction be? How long are the vectors that yours is made of?",
     },
     Flaw {
         complaint: "but you returned none",

@@ -23,15 +23,15 @@ macro_rules! functions {
 }
 
 functions! {
-    9 "has the sign of the answer wrong", "Which sign should your answer have, and which has it?": |v| -v;
+    9 "has the sign of the answer wrong", "Which sign should your answer have, and which sign does it have?": |v| -v;
     11 "returns degrees instead of radians", "In which unit is the angle that is asked for?": f64::to_degrees;
     11 "converts the answer from degrees to radians although it is in radians already", "In which unit is the angle that you have calculated?": f64::to_radians;
     10 "returns the square of the answer: a missing root, or a square too many", "Check the unit of your answer: is a square root missing, or is something squared twice?": |v| v * v;
     10 "returns the square root of the answer: a root too many, or a missing square", "Check the unit of your answer: is there a root too many?": |v| v.max(0.0).sqrt();
     10 "returns the reciprocal, 1 over the answer", "Which way round is your fraction?": |v| 1.0 / v;
-    11 "returns the negative reciprocal, −1 over the answer", "Which way round is your fraction, and which sign has it?": |v| -1.0 / v;
+    11 "returns the negative reciprocal, −1 over the answer", "Which way round is your fraction, and what is its sign?": |v| -1.0 / v;
     10 "returns 1 minus the answer: the other way round", "Do you answer the opposite of what is asked?": |v| 1.0 - v;
-    11 "returns the size of the answer without its sign", "May the answer be negative? What does its sign mean?": f64::abs;
+    11 "returns the absolute value of the answer", "May the answer be negative? What does its sign mean?": f64::abs;
     11 "clamps the answer to the range from 0 to 1", "Is there an upper limit to what is asked for?": |v| v.clamp(0.0, 1.0);
     11 "never returns less than 0", "May the answer be negative?": |v| v.max(0.0);
     11 "never returns more than 1", "Is there an upper limit to what is asked for?": |v| v.min(1.0);
@@ -56,7 +56,7 @@ functions! {
     13 "returns 2π minus the answer", "In which sense is the angle measured?": |v| TAU - v;
     14 "is half a turn off: the answer plus π", "Where is the angle 0?": |v| v + PI;
     14 "is half a turn off: the answer minus π", "Where is the angle 0?": |v| v - PI;
-    14 "is half of the width off", "Where does the range from 0 to 1 begin?": |v| (v + 0.5) - (v + 0.5).floor();
+    14 "is half of the range from 0 to 1 off", "Where does the range from 0 to 1 begin?": |v| (v + 0.5) - (v + 0.5).floor();
     14 "returns the answer in the range from −1 to 1 instead of 0 to 1", "In which range is the answer?": |v| 2.0 * v - 1.0;
     14 "returns the answer in the range from 0 to 1 instead of −1 to 1", "In which range is the answer?": |v| 0.5 * v + 0.5;
     15 "cubes the answer", "Check the unit of your answer.": |v| v * v * v;

@@ -65,7 +65,7 @@ const DEATHS: &[Death] = &[
             "math range error",
             "Result too large",
         ],
-        name: "makes a whole number of one that is infinite, not a number, or beyond its range",
+        name: "makes a whole number of a number that is infinite, NaN, or too large",
         hint: "Which number is it in the first case that stops with this error, and what is it allowed to be?",
     },
 ];

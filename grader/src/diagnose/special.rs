@@ -177,13 +177,13 @@ pub fn explanations(evidence: &Evidence<'_>, base: &Answers) -> Vec<Explanation>
             ),
             (
                 13,
-                "begins the list with its second, and ends with its first",
+                "begins the list with its second element, and ends it with the first",
                 "Where does your loop begin?",
                 |n| (1..n).chain(0..n.min(1)).collect(),
             ),
             (
                 13,
-                "begins the list with its last",
+                "begins the list with its last element",
                 "Where does your loop begin?",
                 |n| {
                     (n.saturating_sub(1)..n)

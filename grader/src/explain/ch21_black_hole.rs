@@ -12,7 +12,7 @@ use raybook_workbook::exercises::ch21_black_hole::{
 };
 use std::f64::consts::PI;
 
-/// How position and velocity change: dx/dt = v, dv/dt = −(3/2) h² x/|x|⁵.
+/// How position and velocity change: dx/dλ = v, dv/dλ = −(3/2) h² x/|x|⁵.
 fn slope(p: Photon) -> Photon {
     let h = p.angular_momentum();
     Photon {
@@ -37,7 +37,7 @@ fn slope_by_steps(way: &mut Way, p: Photon, told: fn(&mut Way, DVec3) -> DVec3) 
     let r = way.part("|x|", p.x.length());
     let power = way.part("|x|⁵", r.powi(5));
     let factor = way.part("−3/2", -1.5);
-    let x = way.part("dx/dt = v", p.v);
+    let x = way.part("dx/dλ = v", p.v);
     let bend = factor * square / power * p.x;
     Photon {
         x,
@@ -67,16 +67,16 @@ impl Explained for GeodesicStep {
         let step = way.part("step", f64::from(self.step));
         let half = way.part("half a step", 0.5 * step);
         let k1 = slope_by_steps(way, start, |way, v| {
-            way.vector("k₁ = dv/dt at the start", "", v)
+            way.vector("k₁ = dv/dλ at the start", "", v)
         });
         let k2 = slope_by_steps(way, start + k1 * half, |way, v| {
-            way.vector("k₂ = dv/dt half a step along k₁", "", v)
+            way.vector("k₂ = dv/dλ half a step along k₁", "", v)
         });
         let k3 = slope_by_steps(way, start + k2 * half, |way, v| {
-            way.vector("k₃ = dv/dt half a step along k₂", "", v)
+            way.vector("k₃ = dv/dλ half a step along k₂", "", v)
         });
         let k4 = slope_by_steps(way, start + k3 * step, |way, v| {
-            way.vector("k₄ = dv/dt a step along k₃", "", v)
+            way.vector("k₄ = dv/dλ a step along k₃", "", v)
         });
         let twice = way.part("the weight 2 of k₂ and k₃", 2.0);
         let share = way.part("step/6", step / 6.0);

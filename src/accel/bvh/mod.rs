@@ -1,4 +1,4 @@
-//! The bounding volume hierarchy: boxes in boxes, and shapes in the smallest.
+//! The bounding volume hierarchy (BVH): boxes in boxes, and shapes in the smallest boxes.
 
 pub mod build;
 pub(crate) mod pair;
@@ -15,9 +15,9 @@ use crate::shape::{Hit, Shape};
 use crate::threads;
 use arrayvec::ArrayVec;
 
-/// A tree of boxes: a ray that misses a box misses all that is in it.
+/// A bounding volume hierarchy, a tree of boxes: a ray that misses a box misses everything in the box.
 ///
-/// Two boxes are counted for each branch that a search opens: those of its children.
+/// For each branch that a search opens, two boxes are counted: those of its children.
 #[derive(Clone, Debug)]
 pub struct Bvh<S> {
     root: Option<Node>,
@@ -27,7 +27,7 @@ pub struct Bvh<S> {
     unbounded: List<S>,
 }
 
-/// What a step costs here: testing a shape takes as long as testing the two boxes of a pair.
+/// The prices of this tree's steps: testing a shape takes as long as testing the two boxes of a pair.
 pub(crate) const COST: Cost = Cost {
     branch: 1.0,
     block: 1.0,
@@ -35,22 +35,22 @@ pub(crate) const COST: Cost = Cost {
     most: 8,
 };
 
-/// How many boxes may wait: one for each branch on the way down, and the first.
+/// Size of the stack of nodes that wait: one for each branch on the way down, and the root.
 const STACK: usize = 1 + MAX_DEPTH as usize;
 
 impl<S: Shape> Bvh<S> {
-    /// A tree by the best method for its time: the surface-area heuristic with many bins.
+    /// A tree built by [`Method::Fine`], the best method for its time: the surface-area heuristic with many bins.
     pub fn new(shapes: Vec<S>) -> Self {
         Self::build(shapes, Method::Fine)
     }
 
-    /// A tree by a method of one's choice.
+    /// A tree built by this method.
     pub fn build(shapes: Vec<S>, method: Method) -> Self {
         Self::with_leaves(shapes, method, COST.most)
     }
 
-    /// A tree whose leaves have at most `most` shapes each, and at least one. The surface-area heuristic makes smaller leaves
-    /// wherever that costs less.
+    /// A tree whose leaves hold at most `most` shapes each; a `most` of 0 counts as 1. The surface-area heuristic makes smaller
+    /// leaves wherever they cost less.
     pub fn with_leaves(shapes: Vec<S>, method: Method, most: u32) -> Self {
         let (shapes, unbounded) = bounded(shapes);
         let boxes = threads::list(shapes.len(), |i| shapes[i].bounds());
@@ -62,7 +62,7 @@ impl<S: Shape> Bvh<S> {
         }
     }
 
-    /// A tree that is there already, over the shapes whose boxes it was built from.
+    /// The accelerator of a tree that has been built from the boxes of these shapes.
     pub(crate) fn from_flat(flat: Flat, shapes: Vec<S>) -> Self {
         let mut shapes: Vec<_> = shapes.into_iter().map(Some).collect();
         let mut in_order = pages::list(shapes.len());
@@ -75,12 +75,13 @@ impl<S: Shape> Bvh<S> {
         }
     }
 
-    /// The node of all, and the pairs of all others, depth-first.
+    /// The root, and the pairs of all other nodes, depth-first.
     pub(crate) fn nodes(&self) -> (Option<&Node>, &[Pair]) {
         (self.root.as_ref(), &self.pairs)
     }
 
-    /// The cost of a search by the surface-area heuristic, if pairs and shapes take as long as each other.
+    /// The expected cost of a search by the surface-area heuristic, in tests: testing a pair of boxes costs 1, and testing a
+    /// shape costs 1.
     pub fn sah_cost(&self) -> f32 {
         cost::sah_cost(self.root.as_ref(), &self.pairs, &COST)
     }
@@ -88,13 +89,13 @@ impl<S: Shape> Bvh<S> {
     /// Checks the invariants that `accel/bvh/validate.rs` states.
     ///
     /// # Errors
-    /// Says which one is broken, and where.
+    /// Says which invariant is broken, and where.
     pub fn validate(&self) -> Result<(), String> {
         let boxes: Vec<_> = self.shapes.iter().map(Shape::bounds).collect();
         validate::validate(self.root.as_ref(), &self.pairs, &boxes)
     }
 
-    /// Memory in use, with the shapes, in bytes.
+    /// Memory of the tree and of the shapes in it, in bytes.
     pub fn bytes(&self) -> usize {
         size_of::<Self>() + size_of_val(&*self.pairs) + size_of_val(&*self.shapes)
     }
@@ -102,9 +103,9 @@ impl<S: Shape> Bvh<S> {
 
 impl<S: Shape> Accel<S> for Bvh<S> {
     // ANCHOR: bvh_closest
-    /// Opens boxes from the root on, always the nearer one of a pair first.
+    /// Descends from the root, always into the nearer node of a pair first.
     ///
-    /// The farther one waits on a stack. A hit ends the interval there, and who waits beyond it is dropped.
+    /// The farther node waits on a stack. A hit shortens the interval, and a waiting node that begins beyond the hit is dropped.
     fn closest_counted(
         &self,
         ray: &Ray,
@@ -157,7 +158,7 @@ impl<S: Shape> Accel<S> for Bvh<S> {
     }
     // ANCHOR_END: bvh_closest
 
-    /// The same without distances: any hit is enough.
+    /// As [`Accel::closest_counted`], but without distances: any hit is enough.
     fn any(&self, ray: &Ray, within: Interval) -> bool {
         let Some(root) = self.root else {
             return self.unbounded.any(ray, within);

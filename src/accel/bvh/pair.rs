@@ -1,4 +1,4 @@
-//! Two boxes side by side, and a ray made ready to be tested against both at once.
+//! Two boxes side by side, and a ray prepared for testing both at once.
 
 use crate::accel::bvh::build::flat::Node;
 use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
@@ -6,27 +6,27 @@ use glam::{Vec2, Vec3, Vec4, Vec4Swizzles, vec2, vec4};
 
 /// The two children of a branch: two nodes of 32 bytes, in one cache line of 64.
 ///
-/// Their coordinates are interleaved, for a processor does with four numbers side by side what it does with one.
+/// Their coordinates are interleaved, because a processor computes with four neighbouring numbers at once (SIMD).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C, align(64))]
 pub struct Pair {
-    /// Per axis, the least coordinates of the left and the right box, and their greatest.
+    /// `[axis][end][side]`: the least coordinates of the left and the right box (`end` 0), and their greatest (`end` 1).
     planes: [[Vec2; 2]; 3],
-    /// What is in the left and in the right one.
+    /// What is below the left and below the right node.
     pub links: [Link; 2],
 }
 
 /// What is below a node.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Link {
-    /// Of a branch: which pair its children are. Of a leaf: its first shape, in the order of the leaves.
+    /// For a branch, the number of its children's pair. For a leaf, the number of its first shape, in the order of the leaves.
     pub first: u32,
-    /// How many shapes a leaf has; 0 for a branch.
+    /// The number of shapes of a leaf; 0 for a branch.
     pub count: u32,
 }
 
 impl Link {
-    /// A place for a link.
+    /// A placeholder for a link.
     pub const NONE: Self = Self { first: 0, count: 0 };
 }
 
@@ -59,39 +59,40 @@ impl Pair {
     }
 }
 
-/// A ray with what its tests of pairs share.
+/// A ray, with the numbers that its tests of all pairs share.
 ///
-/// The same test as that of [`RayBox`](crate::accel::ray_box::RayBox), but of four planes at a time, the two near ones and
-/// the two far ones of an axis. The far ones are negated, so that one maximum takes the last of the near ones and the first of
-/// the far ones.
+/// The test is that of [`RayBox`](crate::accel::ray_box::RayBox), but for four planes at a time: the two near and the two far
+/// planes of an axis. The distances to the far planes are negated, so that one maximum finds the last near plane and the first
+/// far plane.
 ///
-/// No box is missed by rounding: the near planes are moved towards the ray and the far ones away from it, by
+/// No box is missed by rounding: near planes are moved towards the ray's origin, and far planes away from it, by
 ///
 /// step = k·u·(largest |b| of the scene + |o|), u = 2⁻²⁴.
 #[derive(Clone, Copy, Debug)]
 pub struct RayPair {
     /// Per axis, whether the ray meets the greatest coordinates first.
     falls: [bool; 3],
-    /// The ray's origin, a step further on for the near planes and a step further back for the far ones.
+    /// The ray's origin, moved a step forwards for the near planes, and a step backwards for the far planes.
     origin: [Vec4; 3],
-    /// 1/d for the near planes, −1/d for the far ones.
+    /// 1/d for the near planes, −1/d for the far planes.
     inverse: [Vec4; 3],
-    /// Where the interval begins, for the near planes, and minus where it ends, for the far ones.
+    /// The interval's `min` for the near planes, and minus its `max` for the far planes.
     within: Vec4,
 }
 
-/// k. A distance (b − o)·(1/d) has three roundings of u of the result (Ize 2013), so the plane seems moved by up to
-/// 3u·(|b| + |o|). The triangle's own test moves its corners by up to 8u·(|b| + |o|), and the distance that it finds is off by
-/// as much: a ray that starts that near behind a wall may still hit it, at a distance just above 0. 16 holds all.
+/// k. A distance (b − o)·(1/d) has three roundings, each of u of the result (Ize, "Robust BVH ray traversal", 2013), so the
+/// plane seems moved by up to 3u·(|b| + |o|). A triangle's test moves the corners by up to 8u·(|b| + |o|), and its distance has
+/// an error of the same size: a ray that starts so close behind a wall may still hit the wall, at a distance just above 0.
+/// k = 16 covers the sum.
 const ROUNDINGS: f32 = 16.0;
 
 impl RayPair {
-    /// Makes a ray ready for the boxes in a box.
+    /// Prepares a ray for the boxes inside the box `all`.
     #[inline]
     pub fn new(ray: &Ray, within: Interval, all: &Aabb) -> Self {
         let (o, d) = (ray.origin, *ray.direction);
-        // A ray that runs in a plane is moved off it, to the box's side: 0·∞ does not happen there. Where it happens beside
-        // the box, so near that the move matters, `max` drops the NaN, and the box is opened in vain.
+        // A ray that runs in a face of a box is moved off the plane, to the side of the box, so 0·∞ does not happen there. Just
+        // beside the box, the move may put the ray into the plane: then `max` drops the NaN, and the box is opened in vain.
         let sizes = o.abs() + all.min.abs().max(all.max.abs());
         let step = (ROUNDINGS * 0.5 * f32::EPSILON * sizes + f32::MIN_POSITIVE).copysign(d);
         let (near, far, inverse) = (o + step, o - step, d.recip());
@@ -113,14 +114,14 @@ impl RayPair {
         }
     }
 
-    /// Ends the interval at t.
+    /// Ends the interval at distance t.
     #[inline]
     pub fn shorten(&mut self, t: f32) {
         self.within = vec4(self.within.x, self.within.y, -t, -t);
     }
 
-    /// Where the ray enters the left and the right box, up to rounding; `None` for a box that it certainly does not meet
-    /// within the interval.
+    /// The distances, up to rounding, at which the ray enters the left and the right box, or where the interval begins if that is
+    /// later; `None` for a box that the ray certainly does not meet within the interval.
     #[inline]
     pub fn enters(&self, pair: &Pair) -> [Option<f32>; 2] {
         let t = |axis: usize| {

@@ -1,4 +1,4 @@
-//! What every tree keeps to.
+//! The invariants of every tree.
 
 use crate::accel::bvh::build::flat::Node;
 use crate::accel::bvh::build::tree::MAX_DEPTH;
@@ -7,9 +7,9 @@ use crate::math::aabb::Aabb;
 
 /// Checks a tree over boxes, which are in the order of its leaves:
 ///
-/// - the leaves hold all boxes, one leaf after the other, none empty;
-/// - every node's box is the smallest that holds what is below;
-/// - the pairs lie depth-first, each the children of one branch;
+/// - the leaves hold all boxes, one leaf after the other, and no leaf is empty;
+/// - every node's box is the smallest that holds everything below the node;
+/// - the pairs are in depth-first order, each the children of one branch;
 /// - no leaf is deeper than `MAX_DEPTH`.
 ///
 /// # Errors

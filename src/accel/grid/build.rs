@@ -13,7 +13,7 @@ pub(crate) struct Parts<S> {
     pub shapes: Vec<S>,
     /// The cells' planes.
     pub lattice: Lattice,
-    /// How far a cell looks beyond its planes.
+    /// How far a cell looks beyond its planes, in metres.
     pub margin: f32,
     /// Cell i holds the references from `starts[i]` to `starts[i + 1]`.
     pub starts: Vec<u32>,
@@ -21,13 +21,13 @@ pub(crate) struct Parts<S> {
     pub references: Vec<u32>,
 }
 
-/// Sorts shapes with finite bounds into cells: `resolution` is told the extents of the box of all shapes and their number,
-/// and `cells_of` which cells a shape is in.
+/// Sorts shapes with finite bounds into cells. `resolution` gets the extents of the box of all shapes, in metres, and their
+/// number. `cells_of` returns the cells that a shape is in.
 ///
 /// A counting sort: the first pass counts the shapes of each cell, the sums of the counts are where the lists begin, and the
-/// second pass writes each shape into its lists. So there are two arrays, and not a list of its own for each cell.
+/// second pass writes each shape into its lists. So there are two arrays, and not a separate list for each cell.
 ///
-/// Where there is too much to sort for the budget, the resolution is halved until there is not.
+/// If the work or the memory exceeds the budget, the resolution is halved until it does not.
 pub(crate) fn build<S: Shape>(
     shapes: Vec<S>,
     resolution: impl FnOnce(Vec3, usize) -> UVec3,
@@ -38,7 +38,7 @@ pub(crate) fn build<S: Shape>(
     let bounds = all.unwrap_or(Aabb::of([Vec3::ZERO]));
     let margin = margin(&bounds);
     let grown = bounds.grown(margin);
-    // No cell is smaller than what it looks beyond its planes.
+    // No cell is smaller than the margin.
     let most = (bounds.size() / margin).as_uvec3();
     let mut lattice = Lattice::new(&grown, resolution(bounds.size(), shapes.len()).min(most));
     let lists = loop {
@@ -83,7 +83,7 @@ pub(crate) fn build<S: Shape>(
     }
 }
 
-/// The cells of each shape, by their places in an array of all cells; `None` if there are too many.
+/// The cells of each shape, as places in an array of all cells; `None` if there are too many for the budget.
 fn lists<S>(
     shapes: &[S],
     lattice: &Lattice,
@@ -97,7 +97,7 @@ fn lists<S>(
     let list = |shape| {
         let cells = cells_of(shape);
         let allowed = budget.take(cells.len());
-        // Not collected, for then the list would stay as large as that of the cells, which takes three times as much.
+        // Not collected: `collect` would reuse the memory of the list of cells, which is three times as large.
         let mut list = Vec::with_capacity(cells.len());
         list.extend(cells.into_iter().map(index));
         allowed.then_some(list)
@@ -111,16 +111,17 @@ pub(crate) fn by_bounds<S: Shape>(lattice: &Lattice, margin: f32, shape: &S) -> 
     range(first, last).collect()
 }
 
-/// The cells that the triangle itself reaches.
+/// The cells that the triangle itself reaches, not only its bounding box.
 pub(crate) fn by_triangle(lattice: &Lattice, margin: f32, facet: &Facet) -> Vec<UVec3> {
     voxels_of_triangle(lattice, margin, &facet.corners)
 }
 
 // ANCHOR: voxels_of_triangle
-/// The cells of the lattice that a triangle reaches, with a margin: those whose box, grown by the margin on every side,
-/// meets it. Cells that it only touches, as far as rounding can tell, may be among them.
+/// The cells of the lattice that a triangle reaches: those whose box, grown by `margin` metres on every side, meets the
+/// triangle. Cells that the triangle only touches, up to rounding, may be among them.
 ///
-/// The cells of its bounding box are tried one by one with the separating axes: most lie off its plane.
+/// The cells of the triangle's bounding box are tested one by one by the separating axes (Akenine-Möller 2001): most of them
+/// are off the triangle's plane. The cells are returned in the order of [`range`].
 pub fn voxels_of_triangle(lattice: &Lattice, margin: f32, corners: &[Vec3; 3]) -> Vec<UVec3> {
     let (reach, whole) = (Aabb::of(*corners).grown(margin), lattice.bounds());
     if reach.max.cmplt(whole.min).any() || reach.min.cmpgt(whole.max).any() {

@@ -1,17 +1,17 @@
-//! The shapes of one list after another, each asked only once.
+//! The shapes of one list after another, each tested only once per ray.
 
 use crate::accel::{Count, grid::mailbox::Mailbox};
 use crate::math::interval::Interval;
 use crate::shape::{Hit, Shape};
 
-/// The shapes in the lists of cells, and which of them a ray has asked.
+/// The shapes that the lists name, and which of them a ray has tested.
 pub(crate) struct Lists<'a, S> {
     shapes: &'a [S],
     asked: Mailbox,
 }
 
 impl<'a, S: Shape> Lists<'a, S> {
-    /// Before the first list; lists hold places in `shapes`.
+    /// The state before the first list; lists hold places in `shapes`.
     pub(crate) fn new(shapes: &'a [S]) -> Self {
         Self {
             shapes,
@@ -19,7 +19,8 @@ impl<'a, S: Shape> Lists<'a, S> {
         }
     }
 
-    /// The nearest hit, by [`Shape::hit_by`], of the shapes in a list that no earlier list had; the interval ends there.
+    /// The nearest hit, by [`Shape::hit_by`], of the shapes in this list that were in no earlier list; `within` is shortened to
+    /// end at the hit.
     #[inline]
     pub(crate) fn nearest(
         &mut self,
@@ -42,7 +43,7 @@ impl<'a, S: Shape> Lists<'a, S> {
         nearest
     }
 
-    /// Whether any of the shapes in a list that no earlier list had is in the way, by [`Shape::blocked_by`].
+    /// Whether any shape in this list that was in no earlier list is in the way, by [`Shape::blocked_by`].
     #[inline]
     pub(crate) fn block(&mut self, list: &[u32], blocks: impl Fn(&S) -> bool) -> bool {
         list.iter()

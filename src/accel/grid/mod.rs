@@ -1,4 +1,4 @@
-//! The uniform grid: space cut into equal cells, each with a list of the shapes in it.
+//! The uniform grid: space cut into equal cells, each with a list of the shapes that reach it.
 
 pub(crate) mod build;
 pub(crate) mod lists;
@@ -25,11 +25,12 @@ use crate::shape::{Hit, Shape, mesh::Facet};
 use glam::UVec3;
 use std::ops::ControlFlow;
 
-/// A uniform grid. As boxes it counts the cells that it visits.
+/// A uniform grid (Fujimoto, Tanaka and Iwata, "ARTS: accelerated ray-tracing system", 1986). The boxes that a search counts are
+/// the cells that it visits.
 #[derive(Clone, Debug)]
 pub struct Grid<S> {
     parts: Parts<S>,
-    /// The shapes without a finite box, asked by every ray.
+    /// The shapes without a box in the domain: every ray tests them.
     unbounded: List<S>,
 }
 
@@ -39,7 +40,8 @@ impl<S: Shape> Grid<S> {
         Self::built(shapes, None, build::by_bounds)
     }
 
-    /// A grid of `resolution` cells along each axis; of fewer where cells and references would take more than 256 MB.
+    /// A grid of `resolution` cells along each axis, at least 1 each; of fewer if cells and references would take more than
+    /// 256 MB.
     pub fn with_resolution(shapes: Vec<S>, resolution: UVec3) -> Self {
         Self::built(shapes, Some(resolution), build::by_bounds)
     }
@@ -49,12 +51,12 @@ impl<S: Shape> Grid<S> {
         &self.parts.lattice
     }
 
-    /// How many places in all lists: the shapes, each as often as there are cells in which it is.
+    /// The total length of the cells' lists: each shape counts once for each cell that it is in.
     pub fn references(&self) -> usize {
         self.parts.references.len()
     }
 
-    /// The memory that the grid takes, with its shapes, in bytes.
+    /// Memory of the cells, of their lists and of the shapes in them, in bytes.
     pub fn bytes(&self) -> usize {
         size_of_val(&*self.parts.shapes)
             + size_of_val(&*self.parts.starts)
@@ -99,12 +101,12 @@ impl<S: Shape> Grid<S> {
 }
 
 impl Grid<Facet> {
-    /// A grid with the resolution of [`grid_resolution`]; a facet is only in the cells that it itself meets.
+    /// A grid with the resolution of [`grid_resolution`]; a facet is only in the cells that the triangle itself meets.
     pub fn of_facets(facets: Vec<Facet>) -> Self {
         Self::built(facets, None, build::by_triangle)
     }
 
-    /// The same, with `resolution` cells along each axis.
+    /// As [`Grid::of_facets`], with `resolution` cells along each axis, and the limits of [`Grid::with_resolution`].
     pub fn of_facets_with_resolution(facets: Vec<Facet>, resolution: UVec3) -> Self {
         Self::built(facets, Some(resolution), build::by_triangle)
     }
@@ -127,7 +129,7 @@ impl<S: Shape> Accel<S> for Grid<S> {
             if let Some(nearer) = lists.nearest(places, &hit_by_ray, &mut within, count) {
                 closest = Some(nearer);
             }
-            // The hit may be in a later cell, where something nearer may be too.
+            // A hit beyond this cell does not end the walk: a shape of a later cell may be nearer.
             break_if(within.max <= leave)
         });
         closest

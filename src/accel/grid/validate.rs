@@ -1,4 +1,4 @@
-//! What must be true of a grid.
+//! The invariants of a grid.
 
 use crate::accel::grid::Grid;
 use crate::math::aabb::Aabb;
@@ -8,7 +8,7 @@ impl<S: Shape> Grid<S> {
     /// Checks the grid's invariants.
     ///
     /// # Errors
-    /// The first one that does not hold, in words.
+    /// The first invariant that does not hold, in words.
     pub fn validate(&self) -> Result<(), String> {
         let parts = &self.parts;
         let (cells, shapes) = (parts.lattice.cells(), parts.shapes.len());

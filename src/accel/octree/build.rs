@@ -1,24 +1,24 @@
-//! Cutting cells in eight, as long as it pays.
+//! Building an octree: cells are cut in eight, as long as cutting pays.
 
 use crate::accel::octree::tree::{Node, Tree, child_cell};
 use crate::math::aabb::Aabb;
 
-/// When cutting ends.
+/// When a cell is not cut any more.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
-    /// The cost of opening a node, in tests of shapes.
+    /// The cost of opening a node; the unit is the test of one shape.
     pub opening: f32,
-    /// Maximum number of leaves that name a shape, on average: the bound on memory.
+    /// Maximum number of leaves that name a shape, on average over the shapes: the bound on memory.
     pub copies: f32,
     /// Maximum depth: the number of cuts between the root and a leaf.
     pub depth: u32,
 }
 
 impl Limits {
-    /// The most [`Limits::depth`] that a walk can follow: cells down to a 65,536th of the root.
+    /// The largest [`Limits::depth`] that a walk can follow: cells down to 1/65,536 of the root's side.
     pub const DEEPEST: u32 = 16;
 
-    /// Measured, see the chapter's page: from 1 to 3, the cost of opening hardly matters; up to 8, copies pay.
+    /// Measured on this course's scenes: a cost of opening from 1 to 3 makes little difference, and up to 8 copies per shape pay.
     pub const USUAL: Self = Self {
         opening: 2.0,
         copies: 8.0,
@@ -27,22 +27,25 @@ impl Limits {
 }
 
 // ANCHOR: octree_build
-/// The tree of the shapes 0, 1, … count − 1 in a cell; `reached` says which of eight cells a shape reaches, one bit each.
+/// The octree of the shapes 0, 1, … `count` − 1 in the cell `bounds`; `reached` returns which of eight cells a shape reaches, one
+/// bit each.
 ///
-/// A leaf of n shapes costs a ray that enters it n tests. Cut in eight, it costs the opening of the node, and the tests in
-/// the children that the ray enters. A child has a quarter of the cell's surface, so of four rays through the cell one goes
-/// through the child (the surface-area heuristic: MacDonald and Booth 1990). With nᵢ shapes in child i, cutting pays if
+/// A leaf of n shapes costs a ray that enters it n tests. If the leaf is cut in eight, the ray pays for opening the node and for
+/// the tests in the children that it enters. A child has a quarter of the cell's surface, so one of four rays through the cell
+/// goes through the child (the surface-area heuristic: MacDonald and Booth 1990). With nᵢ shapes in child i, cutting pays if
 ///
 /// > opening + ¼ Σ nᵢ < n.
 ///
-/// It never does where most shapes reach four children or more: a corner that they share, a triangle as large as the cell.
+/// Cutting never pays where shapes reach four children or more on average: triangles with a common corner in the cell's middle
+/// lie in all eight.
 pub(crate) fn build(
     bounds: Aabb,
     count: u32,
     limits: Limits,
     reached: &impl Fn(u32, &[Aabb; 8]) -> u8,
 ) -> Tree {
-    /// 128 bytes, and three times as many while the list grows. Only shapes that lie in threes, far from all others, would ever take more.
+    /// 128 bytes per shape, and three times as many while the list grows. Only shapes that lie in groups of three, far from all
+    /// others, would need more nodes.
     const NODES_PER_SHAPE: usize = 16;
     let most = NODES_PER_SHAPE * count as usize + 4096;
     let mut tree = Tree {
@@ -70,13 +73,13 @@ pub(crate) fn build(
         let occupied = reached.iter().fold(0, |all, bits| all | bits);
         tree.nodes[node] = Node::inner(children as u32, occupied);
         tree.nodes.extend([Node::leaf(0, 0); 8]);
-        // What is left of the limit on copies: the shapes in the children may still be named so often.
+        // The limit on copies, divided by the copies that this cut makes: what is left for the cuts below.
         let limits = Limits {
             depth: limits.depth - 1,
             copies: limits.copies / copies.max(1.0),
             ..limits
         };
-        // The last is done first: child 0's children shall be the next in the array.
+        // In reverse, because the last one pushed is cut first: child 0's children are to be the next in the array.
         for i in (0..8).rev().filter(|i| occupied >> i & 1 != 0) {
             let inside = shapes.iter().zip(&reached);
             let inside = inside

@@ -1,4 +1,4 @@
-//! The octree: cells cut in eight where there is much in them.
+//! The octree: cells that hold many shapes are cut in eight.
 
 pub mod build;
 pub mod reach;
@@ -18,9 +18,9 @@ use walk::Walk;
 #[derive(Clone, Debug)]
 pub struct Octree<S> {
     tree: Tree,
-    /// The shapes that the leaves name, in the order in which leaves name them first: neighbours are near in memory too.
+    /// The shapes, in the order in which the leaves first name them: so neighbours in space are near in memory too.
     shapes: Vec<S>,
-    /// Shapes without a finite box.
+    /// The shapes without a box in the domain: every ray tests them.
     unbounded: List<S>,
 }
 
@@ -30,7 +30,8 @@ impl<S: Shape> Octree<S> {
         Self::with(shapes, Limits::USUAL, reach::by_bounds)
     }
 
-    /// An octree with limits of one's own; `reached` says which of eight cells a shape reaches, one bit each.
+    /// An octree with these limits; `reached` returns which of eight cells a shape reaches, one bit each. A depth above
+    /// [`Limits::DEEPEST`] counts as that.
     pub fn with(shapes: Vec<S>, limits: Limits, reached: impl Fn(&S, &[Aabb; 8]) -> u8) -> Self {
         let (mut shapes, unbounded) = bounded(shapes);
         let limits = Limits {
@@ -66,21 +67,21 @@ impl<S: Shape> Octree<S> {
         &self.shapes
     }
 
-    /// The memory that it needs, with its shapes, in bytes.
+    /// Memory of the tree and of the shapes in it, in bytes.
     pub fn bytes(&self) -> usize {
         size_of_val(&*self.tree.nodes) + size_of_val(&*self.tree.named) + size_of_val(&*self.shapes)
     }
 }
 
 impl Octree<Facet> {
-    /// An octree of facets, each only in the leaves that it itself reaches, not in all those that its box reaches.
+    /// An octree of facets, each only in the leaves that the triangle itself reaches, not in all those that its box reaches.
     pub fn of_facets(facets: Vec<Facet>) -> Self {
         Self::with(facets, Limits::USUAL, reach::by_triangle)
     }
 }
 
 impl<S: Shape> Accel<S> for Octree<S> {
-    /// The boxes that are counted are the nodes that the ray enters.
+    /// The boxes that are counted are the nodes that the ray enters, leaves included.
     fn closest_counted(
         &self,
         ray: &Ray,
@@ -117,13 +118,13 @@ impl<S: Shape> Accel<S> for Octree<S> {
     }
 }
 
-/// Shapes thinner than this part of their length are a strip or a sheet.
+/// Shapes whose common box is thinner than this part of its length are a strip or a sheet.
 const THIN: f32 = 1.0 / 64.0;
 
-/// A smallest cube around shapes: cut in halves, its cells remain cubes.
+/// A smallest cube around the shapes: cut in halves along each axis, a cube gives cubes.
 ///
-/// The shapes are in its middle; but where they are thin along an axis, they begin at its lower face. In the middle, all of a
-/// long strip would lie on both sides of two planes, in four children of every cell, and no cut would ever pay.
+/// The shapes are in the cube's middle. But along an axis in which they are thin, they begin at the cube's lower face. In the
+/// middle, a long strip would lie across two middle planes, and so in four children of every cell: no cut would pay.
 fn cube_around<S: Shape>(shapes: &[S]) -> Aabb {
     let all = shapes.iter().map(Shape::bounds).reduce(|a, b| a.union(&b));
     let bounds = all.unwrap_or(Aabb::of([Vec3::ZERO]));
@@ -132,6 +133,6 @@ fn cube_around<S: Shape>(shapes: &[S]) -> Aabb {
     let thin = size.cmplt(Vec3::splat(THIN * side));
     let min = Vec3::select(thin, bounds.min, bounds.center() - 0.5 * side);
     let max = Vec3::select(thin, bounds.min + side, bounds.center() + 0.5 * side);
-    // The union: a centre is rounded.
+    // The union with the shapes' box, because the centre is rounded.
     bounds.union(&Aabb { min, max })
 }

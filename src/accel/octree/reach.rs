@@ -13,7 +13,7 @@ pub fn by_bounds<S: Shape>(shape: &S, cells: &[Aabb; 8]) -> u8 {
     })
 }
 
-/// The cells that the triangle itself reaches or touches.
+/// The cells that the triangle itself reaches or touches, up to rounding, one bit each.
 pub fn by_triangle(facet: &Facet, cells: &[Aabb; 8]) -> u8 {
     let by_bounds = by_bounds(facet, cells);
     if by_bounds.is_power_of_two() {
@@ -28,7 +28,7 @@ pub fn by_triangle(facet: &Facet, cells: &[Aabb; 8]) -> u8 {
     bits(by_bounds, |i| !separation.separates(cells[i].center()))
 }
 
-/// Those of the bits that are still set where `keep` says so.
+/// The bits `of` without those for which `keep` is false.
 fn bits(of: u8, keep: impl Fn(usize) -> bool) -> u8 {
     (0..8)
         .filter(|&i| of >> i & 1 != 0 && keep(i))

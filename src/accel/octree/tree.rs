@@ -1,20 +1,20 @@
-//! The tree alone: cells in cells, and in the smallest ones the numbers of shapes.
+//! The octree without the shapes: cells in cells, and in the smallest cells the numbers of shapes.
 
 use crate::math::aabb::Aabb;
 use glam::{BVec3, Vec3};
 use std::ops::Range;
 
-/// A tree of cells, all of it in two arrays: no node points to another by an address.
+/// A tree of cells in two arrays: a node refers to another node by its number, not by an address.
 ///
-/// Node 0 is the root. The eight children of a node stand side by side, 64 bytes in all: child number 4·z + 2·y + x, where
-/// x is 0 in the lower half of the cell along x and 1 in the upper half, and so on.
+/// Node 0 is the root. The eight children of a node are side by side, 64 bytes in all. The child's number is 4·z + 2·y + x,
+/// where x is 0 in the lower half of the cell along x and 1 in the upper half; y and z likewise.
 #[derive(Clone, Debug)]
 pub struct Tree {
     /// The root's cell.
     pub bounds: Aabb,
     /// The nodes; a node's children come after it.
     pub nodes: Vec<Node>,
-    /// The shapes of the leaves, leaf after leaf. A shape that lies in several leaves is named in each.
+    /// The numbers of the leaves' shapes, leaf after leaf. A shape that lies in several leaves is named in each of them.
     pub named: Vec<u32>,
 }
 
@@ -37,11 +37,11 @@ pub enum Kind {
         /// Bit i is set if child i is not an empty leaf.
         occupied: u8,
     },
-    /// A cell that is not cut, and its shapes: which part of [`Tree::named`].
+    /// A cell that is not cut. Its shapes are a part of [`Tree::named`].
     Leaf {
-        /// Where its shapes begin.
+        /// Where the leaf's shapes begin.
         first: u32,
-        /// How many they are.
+        /// Number of shapes.
         count: u32,
     },
 }
@@ -63,7 +63,7 @@ impl Node {
         }
     }
 
-    /// What it is.
+    /// The kind of the node.
     pub fn kind(self) -> Kind {
         let Self { first, rest } = self;
         if rest & Self::INNER == 0 {
@@ -89,7 +89,7 @@ pub fn child_at(cell: &Aabb, p: Vec3) -> usize {
 
 /// The cell of child i.
 ///
-/// The middle planes are the very numbers that [`child_at`] and the walk compare with, so the eight cells leave no gap.
+/// [`child_at`] and the walk compare with the same middle planes, to the last bit, so the eight cells leave no gap.
 pub fn child_cell(cell: &Aabb, i: usize) -> Aabb {
     let middle = cell.center();
     let above = BVec3::new(i & 1 != 0, i & 2 != 0, i & 4 != 0);
@@ -99,14 +99,14 @@ pub fn child_cell(cell: &Aabb, i: usize) -> Aabb {
     }
 }
 
-/// A node with where it is.
+/// A node, with its cell and its depth.
 #[derive(Clone, Copy, Debug)]
 pub struct Place {
-    /// Its number.
+    /// The node's number.
     pub node: u32,
-    /// Its cell.
+    /// The node's cell.
     pub cell: Aabb,
-    /// How often the root was cut to get there.
+    /// Number of cuts between the root and the node.
     pub depth: u32,
 }
 

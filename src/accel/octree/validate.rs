@@ -1,4 +1,4 @@
-//! What must be true of an octree.
+//! The invariants of an octree.
 
 use crate::accel::octree::Octree;
 use crate::accel::octree::tree::Kind;
@@ -9,7 +9,7 @@ impl<S: Shape> Octree<S> {
     /// Checks the octree's invariants.
     ///
     /// # Errors
-    /// The first one that does not hold, in words.
+    /// The first invariant that does not hold, in words.
     pub fn validate(&self) -> Result<(), String> {
         let (tree, shapes) = (&self.tree, &self.shapes);
         let mut parents = vec![0; tree.nodes.len()];

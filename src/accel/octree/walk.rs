@@ -1,4 +1,4 @@
-//! A ray's way through the leaves, front to back.
+//! A ray's traversal of the leaves, front to back.
 
 use crate::accel::Count;
 use crate::accel::octree::build::Limits;
@@ -7,29 +7,29 @@ use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use arrayvec::ArrayVec;
 use glam::Vec3;
 
-/// k: a plane is crossed k·u·(largest |b| of the tree + |o|) later than computed, u = 2⁻²⁴, and the next cell entered as much
-/// earlier. A distance (b − o)·(1/d) has three roundings of u, and a shape's own test sees the ray a few roundings off too.
+/// k: a cell is left later than computed, as if its plane were k·u·(largest |b| of the tree + |o|) metres away, u = 2⁻²⁴, and the
+/// next cell is entered as much earlier. A distance (b − o)·(1/d) has three roundings of u, and a shape's test has a few more.
 const ROUNDINGS: f32 = 16.0;
 
-/// For each axis, the children in the lower half, one bit each.
+/// For each axis, the four children in the lower half, one bit each.
 const LOWER: [u8; 3] = [0b0101_0101, 0b0011_0011, 0b0000_1111];
 
 /// A ray on its way through a tree.
 #[derive(Clone, Debug)]
 pub struct Walk<'a> {
     tree: &'a Tree,
-    /// The ray's origin, moved on by its roundings: so a plane is met earlier.
+    /// The ray's origin, moved forwards by the bound on rounding, so that a plane is met earlier.
     ahead: Vec3,
-    /// The ray's origin, moved back by as much: so a plane is met later.
+    /// The ray's origin, moved backwards by the same bound, so that a plane is met later.
     behind: Vec3,
     /// 1/d per axis; ±∞ where the ray does not move.
     inverse: Vec3,
-    /// Bit i is set if the ray moves down along axis i. A child's number with these bits flipped counts as the ray goes:
-    /// 0 for the half that it meets first, 1 for the other.
+    /// Bit i is set if the ray moves down along axis i. A child's number with these bits flipped is its number in the order of
+    /// the ray: along each axis, 0 for the half that the ray meets first, 1 for the other.
     mirror: usize,
-    /// The root, before it was visited.
+    /// The root, until it has been visited.
     root: Option<Visit>,
-    /// The open nodes, each a child of the one before: one per depth at most, from the root on.
+    /// The open nodes, from the root on; each is a child of the node before it.
     open: ArrayVec<Open, { Limits::DEEPEST as usize }>,
 }
 
@@ -46,17 +46,17 @@ struct Visit {
 #[derive(Clone, Copy, Debug)]
 struct Open {
     children: u32,
-    /// The children to be visited, as the ray counts them, one bit each.
+    /// The children still to be visited, in the order of the ray, one bit each.
     waiting: u8,
     /// Per axis the lower face, the middle plane and the upper face.
     planes: [[f32; 3]; 3],
-    /// Where the ray enters and leaves each child, as it counts them.
+    /// The distances at which the ray enters and leaves each child, in the order of the ray.
     enter: [f32; 8],
     leave: [f32; 8],
 }
 
 impl<'a> Walk<'a> {
-    /// Starts a ray's walk.
+    /// Starts the walk of a ray.
     pub fn new(tree: &'a Tree, ray: &Ray, within: Interval) -> Self {
         let sizes = ray.origin.abs() + tree.bounds.min.abs().max(tree.bounds.max.abs());
         let step = ROUNDINGS * 0.5 * f32::EPSILON * sizes + f32::MIN_POSITIVE;
@@ -76,15 +76,15 @@ impl<'a> Walk<'a> {
     }
 
     // ANCHOR: octree_walk
-    /// The next leaf that is not empty and that the ray enters before `limit`; front to back.
+    /// The next leaf, front to back, that is not empty and that the ray enters before `limit`; `None` at the end.
     ///
-    /// The children of a node are counted as the ray goes: 0 is the one before all three middle planes, 7 the one behind all.
-    /// A ray crosses each plane once, so it is never in child 1 before child 0, nor in 3 before 1 or 2: for every ray the
-    /// order of the numbers is an order from front to back, and nothing needs to be sorted. (A ray that runs in a plane is in the
-    /// children on both sides at once; they are visited one after the other.)
+    /// The children of a node are numbered in the order of the ray: child 0 is before all three middle planes, child 7 behind
+    /// all three (mirrored as in Revelles, Ureña and Lastra 2000). A ray crosses each plane once, so it is never in child 1 before
+    /// child 0, nor in child 3 before 1 or 2. So for every ray the numbers are an order from front to back, and nothing needs to
+    /// be sorted. (A ray that runs in a plane is in the children on both sides; they are visited one after the other.)
     ///
-    /// A child is entered where the ray has crossed all the planes that the child lies behind, and left where it crosses the
-    /// first of those that the child lies in front of. If it is left before it is entered, the ray is never in it.
+    /// The ray enters a child where it has crossed all middle planes that the child is behind. The ray leaves the child where it
+    /// crosses the first of the planes that the child is in front of. If it leaves before it enters, it is never in the child.
     pub fn next_leaf(&mut self, limit: f32, count: &mut impl Count) -> Option<u32> {
         loop {
             let visit = match self.root.take() {
@@ -102,7 +102,7 @@ impl<'a> Walk<'a> {
             for axis in 0..3 {
                 let (t, later) = (earlier[axis], later[axis]);
                 for i in 0..8 {
-                    // 0·∞: the ray runs in this plane. The comparisons are false for the NaN, and it is in both halves.
+                    // 0·∞: the ray runs in this plane. Comparisons with the NaN are false, so the ray is in both halves.
                     if i >> axis & 1 != 0 {
                         enter[i] = if t > enter[i] { t } else { enter[i] };
                     } else {
@@ -124,7 +124,7 @@ impl<'a> Walk<'a> {
     }
     // ANCHOR_END: octree_walk
 
-    /// The next child of the deepest open node that has one left.
+    /// The next child of the deepest open node that has a child left.
     #[inline]
     fn next_child(&mut self, limit: f32) -> Option<Visit> {
         while let Some(open) = self.open.last_mut() {
@@ -154,13 +154,13 @@ impl<'a> Walk<'a> {
         None
     }
 
-    /// Where the ray meets the three planes through a point, at the earliest.
+    /// The least distances at which the ray may meet the three planes through a point.
     #[inline]
     fn earlier(&self, planes: Vec3) -> Vec3 {
         (planes - self.ahead) * self.inverse
     }
 
-    /// Where the ray meets the three planes through a point, at the latest.
+    /// The greatest distances at which the ray may meet the three planes through a point.
     #[inline]
     fn later(&self, planes: Vec3) -> Vec3 {
         (planes - self.behind) * self.inverse
@@ -174,7 +174,7 @@ impl<'a> Walk<'a> {
             let down = self.mirror >> axis & 1 != 0;
             let (near, far) = if down { (max, min) } else { (min, max) };
             let (near, far) = (self.earlier(near)[axis], self.later(far)[axis]);
-            // 0·∞: the ray runs in this face. The comparisons are false for the NaN, and the other face decides.
+            // 0·∞: the ray runs in this face. Comparisons with the NaN are false, so the other face decides.
             enter = if near > enter { near } else { enter };
             leave = if far < leave { far } else { leave };
         }
@@ -188,7 +188,7 @@ impl<'a> Walk<'a> {
     }
 }
 
-/// The bits of eight children, moved to where the ray counts the children.
+/// The bits of eight children, moved to the children's numbers in the order of the ray.
 fn mirrored(mut bits: u8, mirror: usize) -> u8 {
     for (axis, lower) in LOWER.into_iter().enumerate() {
         if mirror >> axis & 1 != 0 {

@@ -1,4 +1,4 @@
-//! Sorting shapes into coarse cells, and those of each coarse cell into its fine cells.
+//! Sorting shapes into coarse cells, and the shapes of each coarse cell into its fine cells.
 
 use crate::accel::two_level_grid::{
     levels::Levels,
@@ -15,7 +15,7 @@ use std::cell::Cell;
 /// The parts of a two-level grid.
 #[derive(Clone, Debug)]
 pub struct Parts<S> {
-    /// The shapes, in the order of the first fine cell in which they are.
+    /// The shapes, in the order of the first fine cell that lists them.
     pub shapes: Vec<S>,
     /// The cells.
     pub levels: Levels,
@@ -27,7 +27,7 @@ pub struct Parts<S> {
     pub references: Vec<u32>,
 }
 
-/// λ, cells per shape, of both levels.
+/// λ, the number of cells per shape, for both levels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Densities {
     /// Coarse cells per shape.
@@ -37,16 +37,17 @@ pub struct Densities {
 }
 
 impl Densities {
-    /// The coarse one of Kalojanov, Billeter and Slusallek (2011), and the fine one of a uniform grid.
+    /// The coarse density of Kalojanov, Billeter and Slusallek (2011), and the fine density of a uniform grid.
     pub const USUAL: Self = Self {
         coarse: 1.0 / 8.0,
         fine: 5.0,
     };
 }
 
-/// Sorts shapes with finite bounds; `cells_of` tells which cells of a lattice a shape reaches, with a margin.
+/// Sorts shapes with finite bounds into the cells of both levels; `cells_of` returns the cells of a lattice that a shape
+/// reaches, with a margin.
 ///
-/// Where there is too much to sort for the budget, there are fewer cells, at last a single one.
+/// If the work or the memory exceeds the budget, both densities are lowered until it does not; at last there is a single cell.
 pub(crate) fn build<S: Shape>(
     mut shapes: Vec<S>,
     mut densities: Densities,
@@ -60,7 +61,7 @@ pub(crate) fn build<S: Shape>(
     let boxes: Vec<_> = shapes.iter().map(Shape::bounds).collect();
     let cells_of =
         |shape: u32, lattice: &Lattice| cells_of(lattice, margin, &shapes[shape as usize]);
-    // No cell is smaller than what it looks beyond its planes.
+    // No coarse cell is smaller than the margin.
     let most = (bounds.size() / margin).as_uvec3();
     let (levels, starts, mut references) = loop {
         let resolution = grid_resolution(bounds.size(), shapes.len(), densities.coarse);
@@ -87,15 +88,15 @@ pub(crate) fn build<S: Shape>(
     }
 }
 
-/// Where shapes are.
+/// The places of the shapes.
 struct Reach<'a, F> {
     boxes: &'a [Aabb],
     margin: f32,
-    /// Which cells of a lattice a shape reaches.
+    /// The cells of a lattice that a shape reaches, from the shape's number.
     cells_of: &'a F,
 }
 
-/// The cells, where the lists of the fine ones begin, and the lists; `None` if there is too much for the budget.
+/// The cells of both levels, the places where the fine cells' lists begin, and the lists; `None` if they exceed the budget.
 fn sort_in(
     top: Lattice,
     density: f32,
@@ -118,7 +119,7 @@ fn sort_in(
             lists[top.index(cell)].push(shape);
         }
     }
-    // All that there is to try, before anything is tried.
+    // First, all tests are counted against the budget, before any is made.
     for cell in top.all() {
         let shapes = &lists[top.index(cell)];
         let fine = fine_cells(&top.only(cell), shapes.len(), density);
@@ -132,7 +133,7 @@ fn sort_in(
         left.set(if enough { left.get() - entries } else { 0 });
         enough
     };
-    // Once there are too many references, no more are made.
+    // Once the budget of references is used up, no more are made.
     let cells_of = |shape: u32, fine: &Lattice| {
         let cells = if left.get() > 0 {
             cells_of(shape, fine)
@@ -161,7 +162,8 @@ fn sort_in(
     Some((Levels::new(top, resolutions), starts, references))
 }
 
-/// A quarter of the margin of the uniform grid, whose cells are larger: 2⁻¹⁵ of the extent.
+/// How far a cell looks beyond its planes, in metres: 2⁻¹⁵ of the extent, a quarter of a uniform grid's
+/// [`margin`](crate::accel::margin::margin), because the cells are smaller, and the same part of the coordinates.
 fn margin(bounds: &Aabb) -> f32 {
     let largest = bounds.min.abs().max(bounds.max.abs()).max_element();
     bounds.size().max_element() / 32768.0 + 4.0 * f32::EPSILON * largest + SMALLEST / 32768.0

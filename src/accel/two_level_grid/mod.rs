@@ -17,11 +17,12 @@ use levels::Levels;
 use std::ops::ControlFlow;
 use walk::walk_two_levels;
 
-/// A two-level grid (Kalojanov, Billeter and Slusallek 2011). As boxes it counts the cells that it visits, coarse and fine.
+/// A two-level grid (Kalojanov, Billeter and Slusallek, "Two-level grids for ray tracing on GPUs", 2011). The boxes that a search
+/// counts are the cells that it visits, coarse and fine.
 #[derive(Clone, Debug)]
 pub struct TwoLevelGrid<S> {
     parts: Parts<S>,
-    /// The shapes without a finite box, asked by every ray.
+    /// The shapes without a box in the domain: every ray tests them.
     unbounded: List<S>,
 }
 
@@ -41,12 +42,12 @@ impl<S: Shape> TwoLevelGrid<S> {
         &self.parts.levels
     }
 
-    /// How many places in all lists: the shapes, each as often as there are fine cells in which it is.
+    /// The total length of the fine cells' lists: each shape counts once for each fine cell that it is in.
     pub fn references(&self) -> usize {
         self.parts.references.len()
     }
 
-    /// The memory that the grid takes, with its shapes, in bytes.
+    /// Memory of the cells, of their lists and of the shapes in them, in bytes.
     pub fn bytes(&self) -> usize {
         size_of_val(&*self.parts.shapes)
             + size_of_val(&*self.parts.levels.cuts)
@@ -54,8 +55,8 @@ impl<S: Shape> TwoLevelGrid<S> {
             + size_of_val(&*self.parts.references)
     }
 
-    /// Visits the cells along the ray: the coarse ones with no list, the fine ones with theirs, each with the distance at
-    /// which the ray leaves the cell.
+    /// Visits the cells along the ray, coarse cells with `None`, fine cells with their lists, each with the distance at which the
+    /// ray leaves the cell.
     fn visit(
         &self,
         ray: &Ray,
@@ -81,13 +82,13 @@ impl<S: Shape> TwoLevelGrid<S> {
 }
 
 impl TwoLevelGrid<Facet> {
-    /// A two-level grid of the usual densities; a facet is only in the cells that it itself meets.
+    /// A two-level grid of the usual densities; a facet is only in the cells that the triangle itself meets.
     pub fn of_facets(facets: Vec<Facet>) -> Self {
         let budget = Budget::of(facets.len());
         Self::built(facets, Densities::USUAL, budget)
     }
 
-    /// The same, with densities of one's own; with lower ones where cells and references would take more than 256 MB.
+    /// As [`TwoLevelGrid::of_facets`], with these densities, or lower ones if cells and references would take more than 256 MB.
     pub fn of_facets_with(facets: Vec<Facet>, densities: Densities) -> Self {
         let budget = Budget::of_a_wish(facets.len());
         Self::built(facets, densities, budget)
@@ -121,7 +122,7 @@ impl<S: Shape> Accel<S> for TwoLevelGrid<S> {
             {
                 closest = Some(nearer);
             }
-            // A coarse cell is visited before its fine cells: only these can end the walk.
+            // A coarse cell is visited before its fine cells, so only the fine cells can end the walk.
             break_if(places.is_some() && within.max <= leave)
         });
         closest

@@ -1,4 +1,4 @@
-//! How finely a coarse cell is cut, and what lies where in it.
+//! Cutting a coarse cell into fine cells, and sorting its shapes into them.
 
 use crate::accel::{grid::resolution::grid_resolution, lattice::Lattice};
 use glam::{U8Vec3, UVec3};
@@ -6,18 +6,19 @@ use glam::{U8Vec3, UVec3};
 /// The fine cells of a coarse cell, and the shapes in them.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Refined {
-    /// How many fine cells there are along each axis; 0 × 0 × 0 for a cell without shapes.
+    /// Number of fine cells along each axis; 0 × 0 × 0 for a coarse cell without shapes.
     pub resolution: U8Vec3,
-    /// A fine cell, by its [`Lattice::index`], and a shape that reaches it: sorted.
+    /// Pairs of a fine cell, by its [`Lattice::index`], and a shape that reaches it, sorted.
     pub entries: Vec<(u32, u32)>,
 }
 
 // ANCHOR: refine_cell
-/// Cuts a coarse cell, a lattice of one cell, for the shapes that reach it, and sorts them in.
+/// Cuts `coarse`, a lattice of one cell, into fine cells, and sorts the shapes that reach it into them.
 ///
-/// The rule is that of the uniform grid, with the cell's own extents and the number of shapes in it: `density` fine cells per
-/// shape (Kalojanov, Billeter and Slusallek 2011). So a crowded cell gets many, a lonely shape a few, and an empty cell none
-/// at all; along each axis at most 255, which fit into a byte. `cells_of` tells which cells of a lattice a shape reaches.
+/// The rule is that of the uniform grid, with the extents of the coarse cell and the number of its shapes: `density` fine cells
+/// per shape (Kalojanov, Billeter and Slusallek 2011). So a crowded cell gets many fine cells, a cell with one shape a few, and
+/// an empty cell none; at most 255 along each axis, which fits into a byte. `cells_of` returns the cells of a lattice that a
+/// shape reaches.
 pub fn refine_cell(
     coarse: &Lattice,
     shapes: &[u32],

@@ -1,4 +1,4 @@
-//! What must be true of a two-level grid.
+//! The invariants of a two-level grid.
 
 use crate::accel::two_level_grid::TwoLevelGrid;
 use crate::math::aabb::Aabb;
@@ -8,7 +8,7 @@ impl<S: Shape> TwoLevelGrid<S> {
     /// Checks the grid's invariants.
     ///
     /// # Errors
-    /// The first one that does not hold, in words.
+    /// The first invariant that does not hold, in words.
     pub fn validate(&self) -> Result<(), String> {
         let parts = &self.parts;
         let (levels, shapes) = (&parts.levels, &parts.shapes);

@@ -1,4 +1,4 @@
-//! A walk through coarse cells, and in each that is not empty through its fine cells.
+//! A walk through coarse cells, and through the fine cells of those that are not empty.
 
 use crate::accel::{lattice::index, two_level_grid::levels::Levels, walk::walk};
 use crate::math::{interval::Interval, ray::Ray};
@@ -6,15 +6,15 @@ use glam::UVec3;
 use std::ops::ControlFlow;
 
 // ANCHOR: two_level_walk
-/// Visits the cells that the ray passes through within the interval, in order, until `visit` breaks off: each coarse cell,
-/// as `None`, and after it, unless it is empty, those of its fine cells that the ray passes through, by their places in the
-/// row of all.
+/// Visits the cells that the ray passes through within the interval, in order, until `visit` returns `Break`: each coarse cell
+/// as `None`, and after it the fine cells of this coarse cell that the ray passes through, by their places in the row of all
+/// fine cells.
 ///
-/// It is the grid's walk twice. The inner walk begins and ends where the outer one enters and leaves the coarse cell, and goes
-/// through the whole grid, cut everywhere as finely as this coarse cell. For a ray that runs in a plane between two coarse
-/// cells, up to rounding, either may be its cell: the outer walk alone decides. Were the inner one to ask again whether the
-/// ray is in that cell, it would sometimes say no, and hits would be lost. So a fine cell beyond the plane stands for the
-/// nearest one of this coarse cell.
+/// The walk of the uniform grid is used twice. The inner walk begins and ends where the outer walk enters and leaves the coarse
+/// cell. It goes through the whole grid, as if all coarse cells were cut like this one. A ray that runs in a plane between two
+/// coarse cells may be in either of them, by rounding: only the outer walk decides. If the inner walk decided again whether the
+/// ray is in the coarse cell, the answer would sometimes be no, and hits would be lost. So a fine cell beyond the plane is
+/// replaced by the nearest fine cell of this coarse cell.
 pub fn walk_two_levels(
     levels: &Levels,
     ray: &Ray,

@@ -21,7 +21,7 @@ proof! {
     Avx2: "avx2", "fma"
 }
 
-/// Asks the memory for a child, into the cache that `HINT` names: for the six cache lines of a leaf, which are more than a node has.
+/// Prefetches a child into the cache that `HINT` names: the six cache lines of a leaf, which are more than a node has.
 #[inline(always)]
 pub(super) fn prefetch<const HINT: i32>(tree: &Tree, link: Link) {
     let node = tree.nodes.as_ptr().wrapping_add(link.index()).cast::<i8>();

@@ -22,10 +22,10 @@ pub(crate) const COST: Cost = Cost {
     most: TRIANGLES as u32,
 };
 
-/// The most that nodes and leaves may take per facet, in bytes; with the facet itself, and the plan by which they are made, it is 500.
+/// Maximum size of nodes and leaves per facet, in bytes; with the facet itself, and the plan by which they are made, it is 500.
 ///
-/// Facets that are tiny, and far from each other, get a leaf each. Where nodes then are badly filled too, halves fill leaves
-/// better.
+/// Facets that are tiny, and far from each other, get a leaf each. If nodes are badly filled too, splits at the median fill the
+/// leaves better.
 const MOST_BYTES: usize = 300;
 
 /// The best tree of facets with finite boxes: with cuts where they pay.

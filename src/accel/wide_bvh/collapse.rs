@@ -24,7 +24,7 @@ pub fn children(branch: &Node) -> [u32; 2] {
     [1, 2].map(|side| 2 * branch.link.first + side)
 }
 
-/// Half the surface area of a node's box, in square metres: the probability that a ray meets the box is in proportion to this area.
+/// Half the surface area of a node's box, in square metres; the probability that a ray meets the box is proportional to it.
 pub fn half_area(node: &Node) -> f32 {
     let size = node.bounds.size();
     size.x * size.y + size.y * size.z + size.z * size.x

@@ -34,7 +34,7 @@ pub(super) trait Work {
 pub(super) struct Struck {
     /// Bit i: triangle i.
     pub mask: u32,
-    /// Bit i: triangle i is hit so near an edge, or is so small or so large, that only the test of one triangle can tell.
+    /// Bit i: triangle i is hit too near an edge, or is too small or too large: only the test of one triangle can tell.
     pub unsure: u32,
     /// Distances.
     pub t: [f32; TRIANGLES],

@@ -120,9 +120,9 @@ impl WideBvh {
     /// The same tree over facets that have moved: as many as before, and in the same order.
     ///
     /// It takes a small part of the time of a build, and the answers are those of a new tree, bit for bit. But neighbours stay
-    /// together even when they drift apart: a ray then takes more steps, and some day a new tree pays. Triangles that were cut are
-    /// whole again, in all of their leaves: long thin ones that will move are better built by [`WideBvh::build`]. Where the
-    /// number of facets differs, or one has no finite box, before or now, the tree is built anew.
+    /// together even when they drift apart: a ray then takes more steps, and after a while a new tree pays. Triangles that were
+    /// cut are whole again, in all of their leaves: long thin triangles that will move are better built by [`WideBvh::build`]. If
+    /// the number of facets differs, or a facet has no finite box, before or now, the tree is built anew.
     ///
     /// ```
     /// use raybook::accel::{Accel, wide_bvh::WideBvh};

@@ -1,7 +1,8 @@
 //! Proofs that a processor has the instructions that a kernel is compiled for.
 
-/// Makes a type that proves that this processor has some instructions: only its `detect` makes one. With the proof, the functions
-/// `boxes` and `triangles` of the module, which are compiled for no more than these instructions, are [`Lanes`](super::lanes::Lanes).
+/// Makes a type that proves that this processor has some instructions: only its `detect` makes a value. With the proof, the
+/// functions `boxes` and `triangles` of the module, which are compiled for these instructions only, are
+/// [`Lanes`](super::lanes::Lanes).
 macro_rules! proof {
     ($(#[$doc:meta])* $name:ident: $($feature:tt),+) => {
         $(#[$doc])*

@@ -8,8 +8,8 @@ use crate::threads;
 
 /// Gives a tree the facets as they are now, as many as before and in the same order, and makes all boxes fit again.
 ///
-/// Who is in which leaf stays as it is. Children come after their node in the list, so the nodes are done from the last to
-/// the first: then the boxes below each are known.
+/// Each leaf keeps its facets. Children come after their node in the list, so the nodes are done from the last to the first:
+/// then the boxes of a node's children are known.
 pub(super) fn refit(tree: &mut Tree, facets: Vec<Facet>) {
     let members = threads::list(tree.leaves.len(), |i| tree.leaves[i].facets);
     let leaf = |i: usize| {

@@ -11,7 +11,7 @@ use crate::accel::Count;
 /// The nearest hit at or below the node or leaf `link`, if it is nearer than what was found so far.
 ///
 /// Eight boxes are tested at once. Of the children met, the nearest is next and the others wait, the farthest at the bottom
-/// of the stack; whoever comes up after a hit that is nearer than its box has waited in vain.
+/// of the stack; a child whose box begins beyond the nearest hit so far is dropped.
 #[inline(always)]
 pub(super) fn closest<L: Lanes>(
     lanes: L,

@@ -1,16 +1,18 @@
-//! The angular map: all directions, evenly by their angle; what a mirror ball shows is converted into it (Debevec 1998).
+//! The angular map: all directions in a disc, where equal angles are equal distances from the middle; pictures of mirror balls are
+//! converted into it (Debevec 1998).
 
 use crate::light::environment::convert::Layout;
 use crate::math::dir3::Dir3;
 use glam::{Vec2, vec2};
 use std::f32::consts::PI;
 
-/// A disc: the distance from its middle, −z, is the angle to it, and the rim is +z all around.
+/// The layout of an angular map: a disc whose middle is −z. The distance from the middle is proportional to the angle between the
+/// direction and −z; the whole rim is +z.
 #[derive(Clone, Copy, Debug)]
 pub struct Angular;
 
 impl Layout for Angular {
-    /// `None` in the corners, outside the disc.
+    /// The direction at a place; `None` outside the disc, in the corners of the picture.
     fn direction(&self, place: Vec2) -> Option<Dir3> {
         let p = vec2(2.0 * place.x - 1.0, 1.0 - 2.0 * place.y);
         let radius = p.length();

@@ -1,11 +1,11 @@
-//! From one layout of an environment's picture to another.
+//! Conversion between layouts of an environment's picture.
 
 use crate::image::{Image, rgb::Rgb};
 use crate::light::environment::latlong;
 use crate::math::dir3::Dir3;
 use glam::{Vec2, vec2};
 
-/// How the directions lie on a picture; places are in [0, 1]² from the top left.
+/// The layout of an environment's picture: a place for each direction. Places are in [0, 1]² from the top left.
 pub trait Layout {
     /// The direction at a place; `None` where the picture shows nothing.
     fn direction(&self, place: Vec2) -> Option<Dir3>;
@@ -28,14 +28,18 @@ impl Layout for LatLong {
     }
 }
 
-/// Points per texel, in each direction, that are averaged.
+/// Number of points per texel that are averaged, along each axis.
 const POINTS: usize = 4;
 
 // ANCHOR: convert
-/// The same light in another layout: each texel is the mean of what its points see in the other picture.
+/// The environment `map` in another layout, `width` × `height` texels large: each texel is the mean of 4 × 4 points, looked up in
+/// `map`.
 ///
 /// Texel (x, y) of w × h covers the places from (x/w, y/h) to ((x + 1)/w, (y + 1)/h), in both pictures, so nothing moves by
-/// half a texel. A direction finds its texel on whichever face it is, so there is no seam. Black where nothing is shown.
+/// half a texel. A direction finds its texel on whichever face it is, so there is no seam. A texel without a direction is black.
+///
+/// # Panics
+/// If `map` has no pixel and the result has some.
 pub fn convert(
     map: &Image,
     from: &impl Layout,

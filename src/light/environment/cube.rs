@@ -5,11 +5,11 @@ use crate::math::dir3::Dir3;
 use glam::{UVec2, Vec2, uvec2, vec2, vec3};
 
 // ANCHOR: direction_to_cube
-/// The face that a direction points at, 0 to 5 for +x, −x, +y, −y, +z, −z, and where on it, in [0, 1]² from the top left.
+/// The face that a direction points at, 0 to 5 for +x, −x, +y, −y, +z, −z, and the place on it, in [0, 1]² from the top left.
 ///
-/// The face belongs to the component of largest size, m. The others, divided by |m|, are in [−1, 1]. Each face is as one
-/// sees it from inside: +y is up on the four walls; on the ceiling +y, −z is down, and on the floor −y, −z is up.
-/// (OpenGL's faces are the mirror images of these: they are seen from outside.)
+/// The face belongs to the component m with the largest absolute value. The other two, divided by |m|, are in [−1, 1]. Each face
+/// is drawn as seen from inside: +y is up on the four walls; on the ceiling +y, −z is down, and on the floor −y, −z is up.
+/// (OpenGL's faces are mirror images of these, as seen from outside.)
 pub fn place(direction: Dir3) -> (usize, Vec2) {
     let d = *direction;
     let axis = d.abs().max_position();
@@ -27,7 +27,7 @@ pub fn place(direction: Dir3) -> (usize, Vec2) {
 }
 // ANCHOR_END: direction_to_cube
 
-/// The direction at a place on a face.
+/// The direction at a place on a face, 0 to 5: the inverse of [`place`].
 pub fn direction(face: usize, place: Vec2) -> Dir3 {
     let Vec2 { x: right, y: down } = 2.0 * place - 1.0;
     let toward = match face {
@@ -41,11 +41,12 @@ pub fn direction(face: usize, place: Vec2) -> Dir3 {
     Dir3::new_or(toward, Dir3::Z)
 }
 
-/// The six faces unfolded to a cross, four wide and three high, with −z in the middle of the three.
+/// The layout of a cross: the six faces unfolded in a picture of 4 × 3 squares, with −z where the column and the row of the cross
+/// meet.
 #[derive(Clone, Copy, Debug)]
 pub struct Cross;
 
-/// In which square of the cross each face is, from the top left.
+/// The square of the cross, column and row from the top left, for each face.
 const SQUARES: [UVec2; 6] = [
     uvec2(2, 1),
     uvec2(0, 1),
@@ -64,7 +65,7 @@ impl Layout for Cross {
     }
 
     fn place(&self, direction: Dir3) -> Vec2 {
-        /// The largest `f32` below 1: the far edge of a face is still on it.
+        /// The largest `f32` below 1: so the far edge of a face still belongs to the face.
         const LAST: Vec2 = Vec2::splat(1.0 - f32::EPSILON / 2.0);
         let (face, on_face) = place(direction);
         (SQUARES[face].as_vec2() + on_face.min(LAST)) / vec2(4.0, 3.0)

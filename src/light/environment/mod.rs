@@ -1,4 +1,4 @@
-//! Light from all around, kept in a picture.
+//! Light from all directions, stored in a picture.
 
 pub mod angular;
 pub mod convert;
@@ -12,20 +12,20 @@ use crate::math::{dir3::Dir3, ray::Ray};
 use glam::{Vec2, Vec3};
 use std::f64::consts::TAU;
 
-/// A picture of all directions, infinitely far away: every texel is a light.
+/// An environment light: a picture of all directions, infinitely far away. Every texel is a light (Blinn and Newell 1976).
 ///
-/// The picture is laid out as [`latlong`] says. A texel's radiance is the same all over it, so that what is seen and what
-/// is sampled are the same function.
+/// The layout of the picture is that of [`latlong`]. The radiance is constant within a texel, so that the radiance that is seen
+/// and the density of the samples are exactly proportional.
 #[derive(Clone, Debug)]
 pub struct Environment {
     map: Image,
-    /// The share of each row in all the light.
+    /// The probability of each row: its share of all light.
     rows: Piecewise,
-    /// The share of each texel in its row's light.
+    /// The probability of each texel in its row: its share of the row's light.
     columns: Vec<Piecewise>,
     /// cos θ at the rows' edges, from 1 to −1.
     edges: Vec<f64>,
-    /// The luminance of all directions, ∫ L dω; more than 0 in the dark too, so that one may divide by it.
+    /// The luminance of all directions, ∫ L dω; above 0 even for a black map, because it is a divisor.
     light: f64,
 }
 
@@ -62,24 +62,24 @@ impl Environment {
         }
     }
 
-    /// The picture.
+    /// The map.
     pub fn map(&self) -> &Image {
         &self.map
     }
 
-    /// The radiance that comes from a direction.
+    /// The radiance that comes from a direction, in W·m⁻²·sr⁻¹.
     pub fn radiance(&self, toward: Dir3) -> Rgb {
         let (x, y) = self.texel(toward);
         self.map.at(x, y)
     }
 
     // ANCHOR: sample_environment
-    /// A direction for u in [0, 1)², the brighter the likelier; `None` in the dark.
+    /// A direction for u in [0, 1)², with a density proportional to the luminance; `None` if the map is black.
     ///
-    /// u.y chooses a row by its light, that is the sum of its luminances times the solid angle of one of its texels, and u.x
-    /// a texel of the row by its luminance. What the choices leave of u places the direction in the texel, uniformly by
-    /// solid angle: φ goes evenly through a texel, and so does cos θ, not θ (Archimedes: a sphere's zones have the areas
-    /// of the cylinder's around it).
+    /// u.y chooses a row, with a probability proportional to the sum of its luminances times the solid angle of one of its
+    /// texels. u.x chooses a texel of the row by its luminance. What the choices leave of u places the direction in the texel,
+    /// uniformly over its solid angle: φ and cos θ are uniform, not θ (Archimedes: a zone of a sphere has the same area as the
+    /// zone of the same height on the cylinder around the sphere).
     pub fn choose(&self, u: Vec2) -> Option<Dir3> {
         let row = self.rows.choose(u.y)?;
         let column = self.columns[row.cell].choose(u.x)?;
@@ -91,8 +91,8 @@ impl Environment {
     // ANCHOR_END: sample_environment
 
     // ANCHOR: environment_pdf
-    /// The density per steradian with which [`Environment::choose`] takes a direction: the probability of its texel over the
-    /// texel's solid angle.
+    /// The density, per steradian, with which [`Environment::choose`] chooses a direction: the probability of the direction's texel
+    /// over the texel's solid angle.
     pub fn density(&self, toward: Dir3) -> f32 {
         let (x, y) = self.texel(toward);
         (self.probability(x, y) / self.solid_angle(y)) as f32
@@ -104,14 +104,14 @@ impl Environment {
         self.rows.probability(y) * self.columns[y].probability(x)
     }
 
-    /// The solid angle of a texel in a row, in steradians: its share of a zone between two circles of latitude,
-    /// 2π (cos θ₀ − cos θ₁).
+    /// The solid angle of one texel of a row, in steradians: 2π (cos θ₀ − cos θ₁)/width, its share of the zone between two circles
+    /// of latitude.
     fn solid_angle(&self, row: usize) -> f64 {
         TAU * (self.edges[row] - self.edges[row + 1]) / self.map.width() as f64
     }
 
-    /// The radiance that comes from a direction, and its density, [`Environment::density`]. A texel's solid angle is in its
-    /// probability too, and cancels: what is left is its luminance over that of all directions, ∫ L dω.
+    /// The radiance that comes from a direction, and the density of the direction, [`Environment::density`]. The texel's solid angle
+    /// is a factor of its probability too, and cancels: the density is the texel's luminance over ∫ L dω of all directions.
     fn shines(&self, toward: Dir3) -> (Rgb, f32) {
         let (x, y) = self.texel(toward);
         let radiance = self.map.at(x, y);
@@ -128,8 +128,8 @@ impl Environment {
 }
 
 impl Light for Environment {
-    /// Radiance and density are those of the texel that is seen in this direction. At a texel's edge rounding may make it
-    /// the neighbour of the one that was chosen: the sun's radiance over a dark neighbour's density would be a firefly.
+    /// Radiance and density are both looked up for the direction. At a texel's edge, by rounding, the direction may belong to the
+    /// neighbour of the texel that was chosen: the sun's radiance over a dark neighbour's density would be a firefly.
     fn sample(&self, _at: Vec3, u: Vec2) -> Option<LightSample> {
         let toward = self.choose(u)?;
         let (radiance, pdf) = self.shines(toward);

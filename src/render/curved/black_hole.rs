@@ -1,4 +1,4 @@
-//! A black hole before the stars, with or without a disc of gas around it.
+//! A black hole in front of the stars, with or without a disc of gas around it.
 
 use crate::image::rgb::Rgb;
 use crate::math::dir3::Dir3;
@@ -11,11 +11,11 @@ use glam::{DVec3, Vec3};
 use std::fmt;
 use std::ops::ControlFlow;
 
-/// What there is to be seen around the hole.
+/// A black hole at the origin, and what is around it. Lengths are in radii of the hole.
 pub struct BlackHole<'a> {
-    /// The gas, in the plane y = 0.
+    /// The disc of gas, in the plane y = 0.
     pub disc: Option<&'a AccretionDisc>,
-    /// Radiance by direction, from infinitely far away.
+    /// The radiance of the sky by direction, infinitely far away.
     pub sky: &'a (dyn Fn(Dir3) -> Rgb + Sync),
 }
 
@@ -27,13 +27,14 @@ impl fmt::Debug for BlackHole<'_> {
     }
 }
 
-/// Of a step. What is seen moves by less than a thousandth of a radian then, unless the ray has gone around the hole.
+/// The relative error that a step may have. Then what is seen moves by less than a thousandth of a radian, unless the ray has gone
+/// around the hole.
 const TOLERANCE: f64 = 1e-5;
 
 impl BlackHole<'_> {
-    /// The radiance that an observer at rest sees, outside the horizon.
+    /// The radiance that an observer at rest at `eye`, outside the horizon, sees in the direction `toward`.
     ///
-    /// The ray is followed backwards, from the eye: light takes the same way in both directions.
+    /// The ray is followed backwards, from the eye: light takes the same path in both directions.
     pub fn radiance(&self, eye: Vec3, toward: Dir3) -> Rgb {
         let start = observer::seen(eye.as_dvec3(), toward.as_dvec3());
         let mut seen = Layers::NONE;
@@ -53,7 +54,7 @@ impl BlackHole<'_> {
         }
     }
 
-    /// The same by curves that have been followed before: for a picture, which has far more rays than curves.
+    /// As [`BlackHole::radiance`] for the eye of a [`Fan`], by the fan's curves: for a picture, which has far more rays than curves.
     pub fn radiance_by(&self, fan: &Fan, toward: Dir3) -> Rgb {
         let start = observer::seen(fan.eye().as_dvec3(), toward.as_dvec3());
         let ray = fan.ray(toward);
@@ -69,24 +70,24 @@ impl BlackHole<'_> {
         }
     }
 
-    /// The glow of the gas, and its opacity, where a ray passes through the plane of the disc.
+    /// The radiance of the gas and its opacity where a ray crosses the plane of the disc; `None` where there is no gas.
     fn gas(&self, at: DVec3, start: &Photon) -> Option<(Rgb, f32)> {
         let disc = self.disc?;
         let r = at.length();
         if !disc.holds(r) {
             return None;
         }
-        // The light runs towards the eye, against the ray.
+        // The minus sign: the light runs towards the eye, against the ray.
         let axial = -start.x.cross(start.v).y / start.energy();
         let shift = shift(r, axial, start.x.length());
         Some(disc.glow(at.as_vec3(), shift as f32))
     }
 }
 
-/// What is seen along a ray, from front to back.
+/// The light along a ray, collected from front to back.
 struct Layers {
     light: Rgb,
-    /// The share of what is behind that comes through.
+    /// The share of the light from behind that comes through.
     through: f32,
 }
 
@@ -103,14 +104,14 @@ impl Layers {
         }
     }
 
-    /// With the sky behind.
+    /// The radiance with the sky behind the layers.
     fn before(&self, sky: &(dyn Fn(Dir3) -> Rgb + Sync), toward: DVec3) -> Rgb {
         let toward = Dir3::new_or(toward.as_vec3(), Dir3::Y);
         self.light + sky(toward) * self.through
     }
 }
 
-/// Where a piece of a ray passes through the plane y = 0: by halving.
+/// The point where a piece of a ray crosses the plane y = 0, found by bisection; `None` if it does not.
 fn crossing(piece: &Piece) -> Option<DVec3> {
     let above = |p: DVec3| p.y > 0.0;
     let at = |s| between(&piece.from, &piece.to, piece.step, s);

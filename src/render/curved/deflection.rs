@@ -1,19 +1,20 @@
-//! By how much a black hole bends a ray that comes from afar and goes away again.
+//! The angle by which a black hole bends a ray that comes from far away and escapes.
 
 use crate::render::curved::CRITICAL;
 use std::f64::consts::PI;
 
 // ANCHOR: deflection_angle
-/// The angle, in radians, between the directions in which a ray comes and goes, by its impact parameter b > 0; `None` if it
-/// falls in.
+/// The deflection angle, in radians, between the directions in which a ray comes and goes, for the impact parameter b > 0 in radii
+/// of the hole; `None` if the ray falls in (Darwin 1959).
 ///
-/// With u = 1/r, the ray obeys (du/dφ)² = 1/b² − u² + u³. It turns at u₀ = 1/r₀, where that is zero, and
-/// r₀ = (2b/√3) cos(⅓ arccos(−b_c/b)). There and back it sweeps 2 ∫ du/√(1/b² − u² + u³) from 0 to u₀; straight on would be π.
+/// With u = 1/r, the ray obeys (du/dφ)² = 1/b² − u² + u³. It is nearest to the hole at u₀ = 1/r₀, where this is zero:
+/// r₀ = (2b/√3) cos(⅓ arccos(−b_c/b)). There and back the ray sweeps the angle 2 ∫ du/√(1/b² − u² + u³) from 0 to u₀; a straight
+/// line sweeps π.
 ///
-/// At u₀ the integrand is infinite. u = u₀(1 − s²) takes the root out of it:
-/// ∫ 2√u₀ ds/√(u₀(1 − u₀) + (1 − u₀)u − u²) from 0 to 1, which Simpson's rule is good at.
+/// At u₀ the integrand is infinite. The substitution u = u₀(1 − s²) removes the singularity:
+/// ∫ 2√u₀ ds/√(u₀(1 − u₀) + (1 − u₀)u − u²) from 0 to 1 is a smooth integral for Simpson's rule.
 pub fn deflection_angle(b: f64) -> Option<f64> {
-    /// Even. Next to b_c the integrand has a peak as narrow as the distance to b_c.
+    /// Number of intervals, which must be even. Near b = b_c the integrand has a peak as narrow as b − b_c.
     const INTERVALS: u32 = 4000;
     if b <= CRITICAL {
         return None;

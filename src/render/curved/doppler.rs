@@ -1,10 +1,10 @@
-//! What motion and gravity do to the colour of light.
+//! The shift of light's frequencies by motion and gravity.
 
-/// g: by which factor an observer at rest at radius r_eye finds the frequencies of light changed that gas has emitted which
-/// circles the hole at radius r > 3/2.
+/// g = ν_observed/ν_emitted: the shift of the frequencies of light. The light is emitted by gas that circles the hole at the radius
+/// r > 3/2, and observed by an observer at rest at the radius `r_eye`, both in radii of the hole.
 ///
-/// `axial` is the light's angular momentum about the axis of the orbit over its energy: positive if the gas moves towards the
-/// observer. The gas needs 2π/Ω for an orbit, Ω = √(1/(2r³)), and its clock runs slow by √(1 − 3/(2r)):
+/// `axial` is the light's angular momentum about the axis of the orbit, over its energy: positive if the gas moves towards the
+/// observer. The gas needs the time 2π/Ω for an orbit, Ω = √(1/(2r³)), and its clock is slow by the factor √(1 − 3/(2r)):
 /// g = √(1 − 3/(2r))/((1 − Ω·axial)·√(1 − 1/r_eye)) (Luminet 1979).
 pub fn shift(r: f64, axial: f64, r_eye: f64) -> f64 {
     let omega = (0.5 / (r * r * r)).sqrt();

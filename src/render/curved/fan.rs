@@ -1,4 +1,4 @@
-//! All rays of one eye around a black hole, by a few of them.
+//! All rays of one eye around a black hole, interpolated between a few that are followed.
 
 use crate::math::dir3::Dir3;
 use crate::render::curved::follow::{Fate, Piece, follow};
@@ -8,12 +8,12 @@ use glam::{DVec3, Vec3, dvec3};
 use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
 
-/// The rays of an observer at rest, as curves by the angle to the direction of the hole.
+/// The rays of an observer at rest: one curve for each of a row of angles α to the direction of the hole.
 ///
-/// The hole looks the same from all sides. So rays of one eye that leave it at the same angle α to the hole are one curve,
-/// turned around the line from the eye to the hole: a curve is followed for every α of an even row, and the rays between two
-/// of them are interpolated. A shadow's edge, where one of the two falls and the other escapes, is half of
-/// their distance off at most.
+/// The hole is symmetric. So all rays that leave the eye at the same angle α to the hole are one curve, turned around the line
+/// from the eye to the hole. Curves are followed for equally spaced angles α, and rays between two curves are interpolated. At the
+/// edge of the shadow, one of the two falls in and the other escapes: there the error of the angle is at most half of their
+/// distance.
 #[derive(Clone, Debug)]
 pub struct Fan {
     eye: DVec3,
@@ -22,37 +22,38 @@ pub struct Fan {
     curves: Vec<Curve>,
 }
 
-/// A ray in its plane: the eye is at the angle φ = 0, and the ray leaves it towards larger φ.
+/// A ray in its plane: the eye is at the angle φ = 0, and along the ray φ grows.
 #[derive(Clone, Debug)]
 struct Curve {
-    /// 1/r at φ = 0, Δφ, 2Δφ, …, as long as the ray is neither lost nor far away.
+    /// 1/r at φ = 0, Δφ, 2Δφ, …, until the ray has fallen in or is far away.
     inverse_radii: Vec<f64>,
-    /// The angle from the direction of the eye to the direction in which the ray escapes; `None` if it falls.
+    /// The angle, in radians, from the direction of the eye to the direction in which the ray escapes; `None` if it falls in.
     escapes: Option<f64>,
 }
 
-/// Δφ: linear between two of them, 1/r is off by Δφ²/8 of itself, which is less than 1e-4.
+/// Δφ, in radians. Linear interpolation of 1/r has a relative error of Δφ²/8, which is below 1e-4.
 const STEP: f64 = TAU / 256.0;
 
-/// A ray is forgotten after two turns: of what it meets then, a picture shows a ring less than a ten-thousandth as wide as the shadow.
+/// Maximum number of steps Δφ that are stored: two turns. What a ray meets later would be a ring in the picture that is less than a
+/// ten-thousandth as wide as the shadow.
 const FARTHEST: usize = 512;
 
-/// Of a step along a curve.
+/// The relative error that a step along a curve may have.
 const TOLERANCE: f64 = 1e-7;
 
-/// The ray of a direction: it lies in a plane through the hole, between two curves of the fan.
+/// The ray of a direction: it is in a plane through the hole, and interpolated between two curves of the fan.
 #[derive(Clone, Copy, Debug)]
 pub struct Bent<'a> {
-    /// Towards the eye, and perpendicular to that, towards where the ray leaves it.
+    /// The axes of the plane: from the hole to the eye, and perpendicular to it, to the side to which the ray leaves the eye.
     axes: [DVec3; 2],
     /// The two curves, the nearer one first.
     curves: [&'a Curve; 2],
-    /// The share of the second one.
+    /// The share of the second curve.
     share: f64,
 }
 
 impl Fan {
-    /// Follows curves at most `apart` radians from each other, for rays up to `widest` radians off the direction of the hole.
+    /// Follows curves for angles α from 0 to `widest` radians (at most π), not more than `apart` radians from each other.
     pub fn new(eye: Vec3, widest: f64, apart: f64) -> Self {
         let eye = eye.as_dvec3();
         let widest = widest.min(PI);
@@ -66,12 +67,12 @@ impl Fan {
         }
     }
 
-    /// How many curves were followed.
+    /// Number of curves that were followed.
     pub fn curves(&self) -> usize {
         self.curves.len()
     }
 
-    /// Where the observer is.
+    /// The observer's place, in radii of the hole.
     pub fn eye(&self) -> Vec3 {
         self.eye.as_vec3()
     }
@@ -97,15 +98,15 @@ impl Fan {
 }
 
 impl Bent<'_> {
-    /// The direction in which the ray escapes; `None` if it falls.
+    /// The direction in which the ray escapes; `None` if it falls in.
     pub fn escapes(&self) -> Option<DVec3> {
         let angle = self.interpolated(|curve| curve.escapes)?;
         Some(self.at_angle(angle))
     }
 
-    /// Where the ray passes through a plane through the hole, in order.
+    /// The points where the ray crosses the plane through the hole with this normal, in order, within two turns.
     pub fn crossings(&self, normal: DVec3) -> impl Iterator<Item = DVec3> {
-        // a cos φ + b sin φ = 0 at one angle of every half turn.
+        // a cos φ + b sin φ = 0 has one solution in every half turn.
         let [a, b] = self.axes.map(|axis| axis.dot(normal));
         let first = (-a).atan2(b).rem_euclid(PI);
         let angles = (0..).map(move |i| first + PI * f64::from(i));
@@ -122,7 +123,7 @@ impl Bent<'_> {
         angle.cos() * self.axes[0] + angle.sin() * self.axes[1]
     }
 
-    /// Between the two curves, or that of the nearer one where the other has none.
+    /// The value of `of`, interpolated between the two curves; that of the nearer curve if the other has none.
     fn interpolated(&self, of: impl Fn(&Curve) -> Option<f64>) -> Option<f64> {
         let [nearer, other] = self.curves;
         let value = of(nearer)?;
@@ -158,12 +159,12 @@ impl Curve {
     }
 }
 
-/// The angle from one vector in the plane z = 0 to another, counter-clockwise.
+/// The angle from one vector in the plane z = 0 to another, counter-clockwise, in radians.
 fn turn(from: DVec3, to: DVec3) -> f64 {
     from.cross(to).z.atan2(from.dot(to))
 }
 
-/// How far from the hole a piece of a curve passes through an angle: by halving.
+/// The radius r at which a piece of a curve crosses the angle φ = `angle`, found by bisection.
 fn radius(piece: &Piece, angle: f64) -> f64 {
     let (sin, cos) = angle.sin_cos();
     let at = |s| between(&piece.from, &piece.to, piece.step, s);

@@ -1,45 +1,47 @@
-//! A whole ray, in steps as long as their error allows.
+//! A whole ray, in steps that are as long as the tolerance allows.
 
 use crate::render::curved::{HORIZON, PHOTON_SPHERE, Photon, geodesic::geodesic_step};
 use glam::DVec3;
 use std::ops::ControlFlow;
 
-/// What becomes of a ray.
+/// The end of a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fate {
-    /// It falls into the hole, or circles until nobody waits for it any longer.
+    /// The ray falls into the hole, or circles it until the maximum number of steps is reached.
     Fell,
-    /// It gets away, in this direction.
+    /// The ray escapes, in this direction.
     Escaped(DVec3),
-    /// It was told to stop.
+    /// The ray was stopped by `visit`.
     Stopped,
 }
 
 /// Two photons of a ray and the step dλ from one to the other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece {
-    /// Where the step begins.
+    /// The photon where the step begins.
     pub from: Photon,
-    /// Where it ends.
+    /// The photon where the step ends.
     pub to: Photon,
-    /// Its length in λ.
+    /// dλ: the length of the step.
     pub step: f64,
 }
 
-/// Beyond this radius a ray that leaves is bent by less than 2e-4 radians more, if it has passed the hole at 10 radii or less.
+/// The radius from which an outward ray counts as escaped. If it has passed the hole at 10 radii or less, it would be bent by less
+/// than 2e-4 radians more.
 pub const FAR: f64 = 200.0;
 
-/// A ray that needs more steps circles the photon sphere, and will do so for ever or fall.
+/// Maximum number of steps. A ray that needs more circles the photon sphere, and counts as fallen.
 const MOST_STEPS: usize = 100_000;
 
 // ANCHOR: follow
-/// Follows a ray until it falls or escapes, or `visit`, which sees each piece of it, breaks off.
+/// Follows a ray until it falls in or escapes, or until `visit`, which gets each piece of the ray, returns `Break`.
 ///
-/// A step whose estimated error is above the tolerance is made again, shorter. The error of a step grows with its third
-/// power, so the next one is longer or shorter by ∛(tolerance/error), and a little less to be sure.
+/// A step whose estimated error is above `tolerance` (relative, see [`geodesic_step`]) is repeated with a shorter length. The
+/// estimated error grows as the third power of the step. So the length of the next step is multiplied by ∛(tolerance/error), and
+/// by 0.9 to be on the safe side.
 ///
-/// No step is longer than a quarter of the radius, and inside the photon sphere an inward ray is lost: nothing there turns it
-/// back. So no step crosses the horizon, where the coordinates end.
+/// No step is longer than a quarter of the radius. Inside the photon sphere, an inward ray is lost, because nothing there turns it
+/// outwards. So no step crosses the horizon, where the coordinates end.
 pub fn follow(
     mut photon: Photon,
     tolerance: f64,

@@ -4,13 +4,13 @@ use crate::render::curved::Photon;
 use glam::DVec3;
 
 // ANCHOR: geodesic_step
-/// The photon after a step dλ, and an estimate of how wrong it is: the larger of |Δx|/|x| and |Δv|/|v|.
+/// The photon after a step dλ, and an estimate of its relative error: the larger of |Δx|/|x| and |Δv|/|v|.
 ///
-/// Around a black hole light moves as if it were pulled: dx/dλ = v, dv/dλ = −(3/2) h² x/|x|⁵, with h² = |x × v|². A ray that
+/// Around a black hole, light moves as if a force pulled it: dx/dλ = v, dv/dλ = −(3/2) h² x/|x|⁵, with h² = |x × v|². A ray that
 /// aims at the middle has h = 0 and goes straight on.
 ///
-/// Four slopes make two results, one of third order and one of second (Bogacki and Shampine 1989). The step takes the better
-/// one; their difference says how good the other is, which is the estimate.
+/// Four slopes give two results, one of third order and one of second order (Bogacki and Shampine 1989). The step uses the
+/// third-order result. The difference of the two, Δx and Δv, estimates the error of the second-order result.
 pub fn geodesic_step(photon: Photon, step: f64) -> (Photon, f64) {
     let slope = |p: Photon| {
         let h_squared = p.x.cross(p.v).length_squared();
@@ -36,7 +36,8 @@ pub fn geodesic_step(photon: Photon, step: f64) -> (Photon, f64) {
 }
 // ANCHOR_END: geodesic_step
 
-/// Where the ray is a fraction s of a step between two photons: the cubic with their places and velocities (Hermite).
+/// The point of the ray at the fraction s of a step between two photons: the cubic with the places and velocities of both photons
+/// (Hermite interpolation).
 pub fn between(from: &Photon, to: &Photon, step: f64, s: f64) -> DVec3 {
     let (s2, s3) = (s * s, s * s * s);
     (2.0 * s3 - 3.0 * s2 + 1.0) * from.x

@@ -1,6 +1,6 @@
-//! Light around a black hole that does not turn (Schwarzschild 1916): its rays are curved.
+//! Curved light rays around a black hole that does not rotate (Schwarzschild 1916).
 //!
-//! The hole is at the origin. Lengths are in its radii, r_s = 2GM/c² = 1, and times are lengths too: c = 1.
+//! The hole is at the origin. The unit of length is the radius of the hole, r_s = 2GM/c² = 1, and times are lengths too: c = 1.
 
 pub mod black_hole;
 pub mod deflection;
@@ -13,21 +13,21 @@ pub mod observer;
 use glam::DVec3;
 use std::ops::{Add, Mul};
 
-/// Nothing comes back from behind this radius.
+/// The radius of the horizon: nothing comes back from inside.
 pub const HORIZON: f64 = 1.0;
 
-/// At this radius light can circle, if nothing disturbs it.
+/// The radius of the photon sphere, on which light can circle, but not stably.
 pub const PHOTON_SPHERE: f64 = 1.5;
 
-/// b_c = 3√3/2: light that aims nearer to the middle falls in.
+/// b_c = 3√3/2: the critical impact parameter. Light from far away with a smaller impact parameter falls in.
 pub const CRITICAL: f64 = 2.598_076_211_353_316;
 
-/// A place on a light ray, and how the ray goes on there.
+/// A point of a light ray, and the ray's velocity there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Photon {
-    /// Where it is.
+    /// The point, in radii of the hole.
     pub x: DVec3,
-    /// dx/dλ. How fast the parameter λ runs is arbitrary: twice the velocity is the same ray.
+    /// dx/dλ. The scale of the parameter λ is arbitrary: with twice the velocity, the ray is the same.
     pub v: DVec3,
 }
 
@@ -37,14 +37,14 @@ impl Photon {
         self.x.cross(self.v).length()
     }
 
-    /// E, with E² = |v|² − h²/r³, which does not change along the ray either.
+    /// E = √(|v|² − h²/r³): the energy, which does not change along the ray either.
     pub fn energy(&self) -> f64 {
         let h = self.angular_momentum();
         let r = self.x.length();
         (self.v.length_squared() - h * h / (r * r * r)).sqrt()
     }
 
-    /// b = h/E: how far from the hole's middle the ray would have passed if it were straight.
+    /// b = h/E: the impact parameter, the distance from the hole's middle at which a straight ray would pass, in radii of the hole.
     pub fn impact_parameter(&self) -> f64 {
         self.angular_momentum() / self.energy()
     }

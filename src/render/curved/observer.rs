@@ -1,12 +1,13 @@
-//! What an observer sees who stands still above the hole.
+//! The view of an observer at rest above the hole.
 
 use crate::render::curved::{CRITICAL, PHOTON_SPHERE, Photon};
 use glam::DVec3;
 
-/// The ray that such an observer, outside the horizon, sees in a direction (of length 1), followed backwards from the eye.
+/// The ray that an observer at rest at `at`, outside the horizon, sees in the direction `toward` (of length 1), followed backwards
+/// from the eye.
 ///
-/// A yardstick along the radius is longer than the difference of the radii at its ends, by 1/√(1 − 1/r): so the radial part
-/// of the direction counts less in coordinates.
+/// A length along the radius is larger than the difference of the radii at its ends, by the factor 1/√(1 − 1/r). So in
+/// coordinates, the radial part of the direction is multiplied by √(1 − 1/r).
 pub fn seen(at: DVec3, toward: DVec3) -> Photon {
     let up = at.normalize();
     let radial = toward.dot(up);
@@ -17,8 +18,8 @@ pub fn seen(at: DVec3, toward: DVec3) -> Photon {
     }
 }
 
-/// The angle, in radians, between the middle and the edge of the hole's shadow, for r > 1: sin α = b_c √(1 − 1/r)/r
-/// (Synge 1966).
+/// The angle α, in radians, between the middle and the edge of the hole's shadow, for an observer at rest at the radius r > 1:
+/// sin α = b_c √(1 − 1/r)/r (Synge 1966).
 ///
 /// On the photon sphere half of the sky is black, and nearer to the hole more than half.
 pub fn shadow_half_angle(r: f64) -> f64 {

@@ -1,4 +1,4 @@
-//! Best candidate: of several random points, the one that is farthest from all others.
+//! Best candidate: of several random points, the one whose nearest neighbour is farthest away.
 
 use crate::math::pcg::Pcg;
 use crate::sample::pattern::dart_throwing::largest_distance;
@@ -10,10 +10,10 @@ use rand::RngExt;
 const MOST: usize = 16;
 
 // ANCHOR: best_candidate
-/// n points, each the best of several random candidates: the one whose nearest neighbour is farthest away, over the edges too
-/// (Mitchell, "Spectrally optimal sampling for distribution ray tracing", 1991).
+/// n points, each the best of several random candidates: the candidate whose nearest neighbour is farthest away, measured over the
+/// edges of the square too (Mitchell, "Spectrally optimal sampling for distribution ray tracing", 1991).
 ///
-/// There is one candidate more for each point, up to 16, after which more would cost much and show little.
+/// The i-th point is chosen from i candidates, but from at most 16: more would cost much and improve little.
 pub fn best_candidate(n: usize, rng: &mut Pcg) -> Vec<Vec2> {
     let mut near = Neighbours::new(largest_distance(n), Space::Torus);
     for i in 0..n {

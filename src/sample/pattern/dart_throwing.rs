@@ -5,25 +5,25 @@ use crate::sample::pattern::neighbours::{Neighbours, Space};
 use glam::{Vec2, vec2};
 use rand::RngExt;
 
-/// Darts in a row that may miss before the distance shrinks.
+/// Number of darts in a row that miss before the distance shrinks.
 const MISSES: u32 = 100;
 
 /// The factor by which the distance shrinks then.
 const SHRINK: f64 = 0.97;
 
-/// The largest distance that n points of the torus can keep from each other: that of a honeycomb, √(2/(√3 n)).
+/// The largest distance that n points of the torus can have from each other: that of a triangular lattice, √(2/(√3 n)).
 ///
-/// The packing radius is half of it.
+/// The packing radius is half of this distance.
 pub fn largest_distance(n: usize) -> f64 {
     (2.0 / (3.0_f64.sqrt() * n as f64)).sqrt()
 }
 
 // ANCHOR: fill
-/// Adds points until there are n: each is a dart that fell no nearer to another than a distance.
+/// Adds random points (darts) to `points` until there are n. A dart is kept if no other point is nearer than a distance.
 ///
-/// The distance begins where hardly any dart finds room (¾ of the largest possible one), and shrinks whenever a hundred have
-/// missed in a row (Dippé and Wold 1985; the shrinking is McCool and Fiume's, "Hierarchical Poisson disk sampling
-/// distributions", 1992).
+/// The distance begins with ¾ of the largest possible distance, where hardly any dart finds room, and shrinks by 3 % whenever a
+/// hundred darts in a row have missed (Dippé and Wold 1985; the shrinking is by McCool and Fiume, "Hierarchical Poisson disk
+/// sampling distributions", 1992).
 pub fn fill(points: Vec<Vec2>, n: usize, space: Space, rng: &mut Pcg) -> Vec<Vec2> {
     let mut distance = 0.75 * largest_distance(n);
     let mut near = Neighbours::new(distance, space);

@@ -5,8 +5,8 @@ use glam::{Vec2, vec2};
 use rand::RngExt;
 
 // ANCHOR: halton
-/// The first n points (φ₂(i), φ₃(i)) of Halton's sequence (1960), all shifted by the same random vector, whatever leaves the
-/// square coming in again on the other side (Cranley and Patterson 1976).
+/// The first n points (φ₂(i), φ₃(i)) of Halton's sequence (1960), all shifted by the same random vector. A point that leaves the
+/// square enters it again on the other side (Cranley and Patterson 1976).
 pub fn halton(n: usize, rng: &mut Pcg) -> Vec<Vec2> {
     let shift: [f64; 2] = [rng.random(), rng.random()];
     let along =
@@ -18,9 +18,13 @@ pub fn halton(n: usize, rng: &mut Pcg) -> Vec<Vec2> {
 // ANCHOR_END: halton
 
 // ANCHOR: radical_inverse
-/// φ_b(i): the digits of i in base b, mirrored at the point; 6 = 110₂ becomes 0.011₂ = 3/8 (van der Corput 1935).
+/// The radical inverse φ_b(i): the digits of i in the base b, mirrored at the point; 6 = 110₂ becomes 0.011₂ = 3/8 (van der Corput
+/// 1935). `base` is at least 2.
 ///
-/// Each bᵏ points that follow one another have one in each of bᵏ equal parts.
+/// Of any bᵏ consecutive numbers, there is one in each of bᵏ equal parts of [0, 1).
+///
+/// # Panics
+/// If `base` is 0 and i is not.
 pub fn radical_inverse(base: u64, mut i: u64) -> f64 {
     let (mut mirrored, mut digit) = (0.0, 1.0);
     while i > 0 {
@@ -32,7 +36,7 @@ pub fn radical_inverse(base: u64, mut i: u64) -> f64 {
 }
 // ANCHOR_END: radical_inverse
 
-/// The number in `f32`, and below 1 even if it must be rounded down for that.
+/// The number as an `f32`, but below 1 even if it would be rounded up to 1.
 pub fn below_one(x: f64) -> f32 {
     (x as f32).min(1.0_f32.next_down())
 }

@@ -1,4 +1,4 @@
-//! Jittered points: the grid's cells, with a random point in each.
+//! Jittered (stratified) points: a random point in each cell of a grid.
 
 use crate::math::pcg::Pcg;
 use crate::sample::pattern::rows::place;

@@ -19,22 +19,22 @@ pub mod sobol;
 use crate::math::pcg::Pcg;
 use glam::Vec2;
 
-/// A way to place any number of points in [0, 1)², 0 and a million of them included.
+/// A way to place any number of points in [0, 1)²; 0 and a million are allowed.
 ///
-/// The same random numbers give the same points: a pixel whose stream is `pcg::stream(seed, pixel)` always has the same ones.
+/// The same random numbers give the same points: a pixel whose stream is `pcg::stream(seed, pixel)` always has the same points.
 #[derive(Clone, Copy, Debug)]
 pub struct Pattern {
-    /// Its name, as a word on the command line.
+    /// The pattern's name, as a word on the command line.
     pub name: &'static str,
-    /// Its name, as people write it.
+    /// The pattern's name in texts.
     pub title: &'static str,
-    /// What it does with a number of points that does not suit it; 5, say.
+    /// What the pattern does with 5 points, a number that does not suit all patterns.
     pub five: &'static str,
-    /// The n points.
+    /// Returns n points.
     pub points: fn(n: usize, rng: &mut Pcg) -> Vec<Vec2>,
 }
 
-/// All patterns, the lecture's first.
+/// All patterns, those of the lecture first.
 pub const PATTERNS: &[Pattern] = &[
     Pattern {
         name: "regular-grid",
@@ -113,7 +113,7 @@ pub const PATTERNS: &[Pattern] = &[
     },
 ];
 
-/// The pattern of this name.
+/// The pattern with this `name`; `None` if there is none.
 pub fn find(name: &str) -> Option<&'static Pattern> {
     PATTERNS.iter().find(|pattern| pattern.name == name)
 }

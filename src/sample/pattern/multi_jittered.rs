@@ -7,10 +7,10 @@ use rand::RngExt;
 use rand::seq::SliceRandom;
 
 // ANCHOR: multi_jittered
-/// A random point in each of columns × rows equal cells, such that none shares one of n = columns · rows narrow columns, or
-/// one of n low rows, with another (Chiu, Shirley and Wang, "Multi-jittered sampling", 1994).
+/// A random point in each of columns × rows equal cells, such that each of n = columns · rows narrow columns, and each of n low
+/// rows, has exactly one point (Chiu, Shirley and Wang, "Multi-jittered sampling", 1994).
 ///
-/// The cells of a column share its narrow columns out at random, those of a row its low rows.
+/// The narrow columns of a column of cells are assigned to its cells at random; so are the low rows of a row of cells.
 pub fn multi_jittered(columns: usize, rows: usize, rng: &mut Pcg) -> Vec<Vec2> {
     let n = columns * rows;
     let mut shares = |groups: usize, of: usize| -> Vec<Vec<usize>> {

@@ -1,4 +1,4 @@
-//! N-rooks: as many rooks on a chess board as it has rows, none of which attacks another.
+//! N-rooks: n rooks on a board of n × n squares, none of which attacks another.
 
 use crate::math::pcg::Pcg;
 use crate::sample::pattern::rows::place;
@@ -7,10 +7,10 @@ use rand::RngExt;
 use rand::seq::SliceRandom;
 
 // ANCHOR: n_rooks
-/// n points of which each has one of n columns and one of n rows for itself (Shirley, "Discrepancy as a quality measure for
-/// sample distributions", 1991; statisticians call it a Latin hypercube: McKay, Beckman and Conover 1979).
+/// n points, one in each of n columns and one in each of n rows (Shirley, "Discrepancy as a quality measure for sample
+/// distributions", 1991; in statistics, Latin hypercube sampling: McKay, Beckman and Conover 1979).
 ///
-/// It is as good as can be along the axes, and hardly better than random across.
+/// Along each axis the points are as even as jittered ones; in two dimensions they are hardly better than random points.
 pub fn n_rooks(n: usize, rng: &mut Pcg) -> Vec<Vec2> {
     let mut row: Vec<_> = (0..n).collect();
     row.shuffle(rng);

@@ -1,4 +1,4 @@
-//! Which points are near: the unit square in cells, each with its points.
+//! Finding near points: the unit square is cut into cells, each with a list of its points.
 
 use glam::Vec2;
 use std::iter::successors;
@@ -8,12 +8,12 @@ use std::iter::successors;
 pub enum Space {
     /// In the plane.
     Square,
-    /// Over the edges too: what leaves the square comes in on the other side, so that copies of it side by side fit.
+    /// On a torus, over the edges too: the left edge is next to the right one, so that copies of the square fit side by side.
     Torus,
 }
 
 impl Space {
-    /// |p − q|², exact but for the last digit of an `f64`.
+    /// |p − q|², up to the rounding of an `f64`.
     pub fn distance_squared(self, p: Vec2, q: Vec2) -> f64 {
         let apart = (p.as_dvec2() - q.as_dvec2()).abs();
         let apart = match self {
@@ -24,21 +24,21 @@ impl Space {
     }
 }
 
-/// Points in cells, each cell a list.
+/// Points in cells; each cell is a linked list.
 #[derive(Clone, Debug)]
 pub struct Neighbours {
     space: Space,
-    /// Cells along each side.
+    /// Number of cells along each side.
     cells: i32,
     /// The last point of each cell.
     last: Vec<Option<u32>>,
-    /// The point before each, in its cell.
+    /// For each point, the point before it in the same cell.
     before: Vec<Option<u32>>,
     points: Vec<Vec2>,
 }
 
 impl Neighbours {
-    /// No points yet; whatever is within `reach` of a point will be found in the 3 × 3 cells around it.
+    /// No points yet. Points within the distance `reach` (above 0) of a point will be in the 3 × 3 cells around it.
     pub fn new(reach: f64, space: Space) -> Self {
         let cells = (1.0 / reach).clamp(1.0, 2048.0) as i32; // more cells would cost more than they save
         Self {
@@ -50,17 +50,17 @@ impl Neighbours {
         }
     }
 
-    /// All points, in the order in which they came.
+    /// All points, in the order in which they were added.
     pub fn points(&self) -> &[Vec2] {
         &self.points
     }
 
-    /// The points themselves.
+    /// All points, in the order in which they were added.
     pub fn into_points(self) -> Vec<Vec2> {
         self.points
     }
 
-    /// One more point.
+    /// Adds a point of [0, 1)².
     pub fn push(&mut self, p: Vec2) {
         let [x, y] = self.cell(p);
         let cell = (y * self.cells + x) as usize;
@@ -69,13 +69,13 @@ impl Neighbours {
         self.points.push(p);
     }
 
-    /// Whether no point is nearer than this distance, which is at most the reach.
+    /// Whether no point is nearer to p than `distance`, which is at most the reach.
     pub fn has_room(&self, p: Vec2, distance: f64) -> bool {
         self.squares(p, 1)
             .all(|square| square >= distance * distance)
     }
 
-    /// The squared distance to the nearest point; infinite without any.
+    /// The squared distance from p to the nearest point; ∞ if there are no points.
     pub fn nearest_squared(&self, p: Vec2) -> f64 {
         let mut rings = 1;
         loop {
@@ -88,7 +88,7 @@ impl Neighbours {
         }
     }
 
-    /// The squared distances to the points in the cells of `rings` rings.
+    /// The squared distances from p to the points in p's cell and in `rings` rings of cells around it.
     fn squares(&self, p: Vec2, rings: i32) -> impl Iterator<Item = f64> {
         let [x, y] = self.cell(p);
         let columns = move |j| (x - rings..=x + rings).filter_map(move |i| self.index(i, j));
@@ -103,7 +103,7 @@ impl Neighbours {
         [along(p.x), along(p.y)]
     }
 
-    /// The cell in column i and row j, on the torus counted on over the edges; in the plane `None` outside.
+    /// The index of the cell in column i and row j. On the torus, i and j continue over the edges; in the plane, `None` outside.
     fn index(&self, i: i32, j: i32) -> Option<usize> {
         let inside = |i: i32| (0..self.cells).contains(&i);
         let (i, j) = match self.space {

@@ -1,21 +1,21 @@
-//! Sobol's points, scrambled as Owen does it.
+//! Sobol's points with Owen's scrambling.
 
 use crate::math::pcg::{Pcg, mix};
 use crate::sample::pattern::sobol::sobol;
 use glam::{Vec2, vec2};
 use rand::RngExt;
 
-/// Number of binary digits that are kept: `f32` has 24 below 1, and with more it could round to 1.
+/// Number of binary digits that are kept: an `f32` has 24, and with more digits a number could round to 1.
 const DIGITS: u32 = 24;
 
 /// The first n points of Sobol's sequence, each coordinate scrambled.
 ///
-/// The mean over them has no bias, and for a smooth function its error falls like n^−3/2.
+/// The mean of a function over the points is unbiased, and for a smooth function its error falls like n^−3/2 (Owen 1997).
 pub fn sobol_owen(n: usize, rng: &mut Pcg) -> Vec<Vec2> {
     (0..n as u32).map(sequence(rng)).collect()
 }
 
-/// The points of a scrambled Sobol sequence by their numbers, each made when it is asked for: most pixels of an adaptive picture need few.
+/// The points of a scrambled Sobol sequence, as a function of the point's number: most pixels of an adaptive picture need only a few.
 pub fn sequence(rng: &mut Pcg) -> impl Fn(u32) -> Vec2 + use<> {
     let seeds: [u64; 2] = [rng.random(), rng.random()];
     let along = |bits, seed| (scramble(bits, seed) >> (32 - DIGITS)) as f32 / (1 << DIGITS) as f32;
@@ -26,11 +26,12 @@ pub fn sequence(rng: &mut Pcg) -> impl Fn(u32) -> Vec2 + use<> {
 }
 
 // ANCHOR: owen
-/// Exchanges the halves of [0, 1) or does not, then those of each half, of each quarter, and so on, each by a coin of its own
-/// (Owen, "Randomly permuted (t, m, s)-nets and (t, s)-sequences", 1995).
+/// Owen's scrambling: a coin decides whether to exchange the halves of [0, 1); then, for each half, another coin decides whether to
+/// exchange its halves, and so on (Owen, "Randomly permuted (t, m, s)-nets and (t, s)-sequences", 1995). `bits` is the number in
+/// units of 2⁻³².
 ///
-/// A number's digits above a digit say in which piece it is, and so which coin decides. Points in different pieces stay in
-/// different pieces: a net stays a net.
+/// The digits before a digit tell the number's piece, and so which coin decides about the digit. Points in different pieces stay
+/// in different pieces: a net stays a net.
 pub fn scramble(bits: u32, seed: u64) -> u32 {
     (0..DIGITS).fold(bits, |scrambled, digit| {
         let piece = (1 << digit) | (u64::from(bits) >> (32 - digit)); // the 1 says how many digits follow

@@ -1,4 +1,4 @@
-//! A Poisson disk: random points, none too close to another, and no room left.
+//! Poisson-disk points: random points, none too close to another, with no room left.
 
 use crate::math::pcg::Pcg;
 use crate::sample::pattern::dart_throwing::{fill, largest_distance};
@@ -7,18 +7,19 @@ use glam::{Vec2, vec2};
 use rand::RngExt;
 use std::f32::consts::TAU;
 
-/// Places that are tried around a point before it is taken to be surrounded.
+/// Number of places that are tried around a point before the point counts as surrounded.
 const TRIES: u32 = 30;
 
-/// A smaller distance counts as this one, or the points would not fit into memory.
+/// Minimum distance between points; a smaller one counts as this, because the points would not fit into memory.
 pub const LEAST: f32 = 1.0 / 4096.0;
 
 // ANCHOR: poisson_disk
 /// Random points that are at least `distance` apart, until hardly another point fits in between (Bridson, "Fast Poisson disk
 /// sampling in arbitrary dimensions", 2007).
 ///
-/// New points are looked for where they can be expected: around a point that is there, between one and two distances away.
-/// If 30 such places in a row are taken, that point is surrounded. When all are, nothing is left to do.
+/// New points are tried around an existing point, between one and two distances away. If 30 such places in a row are too close to
+/// other points, the point is surrounded. The method ends when all points are surrounded. A `distance` below [`LEAST`] counts as
+/// that.
 pub fn poisson_disk(distance: f32, space: Space, rng: &mut Pcg) -> Vec<Vec2> {
     let distance = distance.max(LEAST);
     let mut near = Neighbours::new(distance.into(), space);
@@ -54,10 +55,10 @@ fn beside(p: Vec2, distance: f32, space: Space, rng: &mut Pcg) -> Option<Vec2> {
     (inside(q.x) && inside(q.y)).then_some(q)
 }
 
-/// The distance at which Bridson's method finds nearly n points: 97 % of them, or so.
+/// The distance d at which Bridson's method finds nearly n points, about 97 % of n.
 ///
-/// On the torus it finds 0.615/d² points. In the plane points may gather along the edges, which nothing beyond them keeps
-/// free: as many as on a torus whose sides are longer by 0.48 d (measured from 2 to 200 points).
+/// On the torus it finds 0.615/d² points. In the plane there are more points along the edges, because no points beyond the edges
+/// keep them away: as many as on a torus whose sides are longer by 0.48 d (measured from 2 to 200 points).
 pub fn distance_for(n: usize, space: Space) -> f64 {
     const SHARE: f64 = 0.74;
     const LONGER: f64 = 0.48;
@@ -68,13 +69,13 @@ pub fn distance_for(n: usize, space: Space) -> f64 {
     }
 }
 
-/// A Poisson disk of exactly n points: nearly as many by Bridson's method, and darts for the last ones.
+/// Exactly n Poisson-disk points: nearly all of them by Bridson's method, and the last ones by dart throwing.
 pub fn of(n: usize, space: Space, rng: &mut Pcg) -> Vec<Vec2> {
     if n < 2 {
         return fill(Vec::new(), n, space, rng);
     }
     let points = poisson_disk(distance_for(n, space) as f32, space, rng);
-    // Of few points there are sometimes too many.
+    // For a small n, Bridson's method sometimes finds more than n points.
     if points.len() > n {
         return fill(Vec::new(), n, space, rng);
     }

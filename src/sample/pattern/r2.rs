@@ -1,4 +1,4 @@
-//! R₂: a lattice of irrational steps.
+//! R₂: a low-discrepancy sequence of irrational steps.
 
 use crate::math::pcg::Pcg;
 use crate::sample::pattern::halton::below_one;
@@ -6,10 +6,10 @@ use glam::{Vec2, vec2};
 use rand::RngExt;
 
 // ANCHOR: r2
-/// n steps of (1/ρ, 1/ρ²) around the torus from a random start, where ρ³ = ρ + 1 (Roberts, "The unreasonable effectiveness of
-/// quasirandom sequences", 2018).
+/// n points of the R₂ sequence: steps of (1/ρ, 1/ρ²) around the torus from a random start, where ρ³ = ρ + 1 (Roberts, "The
+/// unreasonable effectiveness of quasirandom sequences", 2018).
 ///
-/// ρ does for two dimensions what the golden ratio does for one: the steps never come close to where they were.
+/// ρ, the plastic ratio, is for two dimensions what the golden ratio is for one: no two of the points are very close.
 pub fn r2(n: usize, rng: &mut Pcg) -> Vec<Vec2> {
     const RHO: f64 = 1.324_717_957_244_746;
     let start: [f64; 2] = [rng.random(), rng.random()];

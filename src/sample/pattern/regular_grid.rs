@@ -6,8 +6,8 @@ use glam::{Vec2, vec2};
 // ANCHOR: regular_grid
 /// The middles of columns × rows equal cells of the unit square: ((i + ½)/columns, (j + ½)/rows).
 ///
-/// It shows a vertical edge with only as many steps of grey as it has columns, and it takes stripes that are finer than its cells for broad
-/// ones.
+/// A vertical edge shows only `columns` + 1 levels of grey, and stripes that are finer than the cells look like broad stripes
+/// (aliasing).
 pub fn regular_grid(columns: usize, rows: usize) -> Vec<Vec2> {
     let cells = (0..rows).flat_map(|j| (0..columns).map(move |i| (i, j)));
     let middle = |(i, j)| vec2(place(i, 1, 0.5, columns), place(j, 1, 0.5, rows));

@@ -1,14 +1,14 @@
-//! The rotated grid: a square lattice turned by arctan ½, so that none of its rows is along an edge of the pixel.
+//! The rotated grid: a square lattice turned by arctan ½, so that none of its rows is parallel to an edge of the pixel.
 
 use glam::{Vec2, vec2};
 
 // ANCHOR: rotated_grid
-/// The points ½ + spacing · R (i + offset.x, j + offset.y) of the unit square, i and j whole: a square lattice around its middle,
-/// turned by arctan ½ = 26.565°.
+/// The points ½ + spacing · R (i + offset.x, j + offset.y) in the unit square, for all integers i and j: a square lattice, turned
+/// around the square's middle by arctan ½ = 26.565°. `spacing` is above 0.
 ///
-/// R = (2 −1; 1 2)/√5. Few edges of a picture run along this lattice's rows, and many along the axes. Of four points in two
-/// rows, a vertical edge passes two at once; of the rotated four it passes one by one, and shows five steps of grey instead
-/// of three (in hardware: 3dfx, 2000).
+/// R = (2 −1; 1 2)/√5. Few edges of a picture are parallel to this lattice's rows, and many are parallel to the axes. A vertical
+/// edge that moves over four points in two rows passes two points at once; it passes the rotated four one by one, and shows five
+/// levels of grey instead of three (in hardware: 3dfx, 2000).
 pub fn rotated_grid(spacing: f32, offset: Vec2) -> Vec<Vec2> {
     let reach = (0.5 * 2.0_f32.sqrt() / spacing).ceil() as i32 + 1;
     let lattice =
@@ -25,24 +25,24 @@ fn turned(q: Vec2) -> Vec2 {
     vec2(2.0 * q.x - q.y, q.x + 2.0 * q.y) / 5.0_f32.sqrt()
 }
 
-/// Where the middle of the square can be: in the middle of four points, on a point, or between two.
+/// The possible places of the square's middle in the lattice: in the middle of four points, on a point, or between two points.
 ///
-/// The points come in fours, in ones and fours, and in twos.
+/// By symmetry, the number of points is then a multiple of 4, a multiple of 4 plus 1, or a multiple of 2.
 const MIDDLES: [Vec2; 3] = [Vec2::splat(0.5), Vec2::ZERO, vec2(0.5, 0.0)];
 
 /// The rotated grid of n points.
 ///
-/// The lattice is magnified until n of its points are inside, those next to the square's edge as far from it as the next ones
-/// outside. Four are then at eighths, 1, 3, 5 and 7, the pattern known from graphics hardware; five repeat seamlessly. Where
-/// several points arrive at the edge at once and are too many, the last in the corners are left out. `grid` returns all points for
-/// a spacing and an offset, in any order.
+/// The spacing is chosen so that n points are inside, and that the outermost of them are as far from the square's edge as the next
+/// points outside. With n = 4 the coordinates are 1, 3, 5 and 7 eighths, the pattern known from graphics hardware; n = 5 repeats
+/// seamlessly. If several points reach the edge at once, and are more than n, those farthest from the middle are left out. `grid`
+/// returns all points for a spacing and an offset, in any order.
 pub fn of(n: usize, grid: impl FnOnce(f32, Vec2) -> Vec<Vec2>) -> Vec<Vec2> {
     let fits = MIDDLES.iter().filter_map(|&offset| Fit::of(n, offset));
     let Some(best) = fits.min_by_key(|fit| fit.too_many) else {
         return Vec::new();
     };
     let mut points = grid(best.spacing, best.offset);
-    // Of those equally far out, but for rounding, the same ones are left out in whatever order they come, and opposite ones together.
+    // Of points equally far out, up to rounding, the same ones are left out whatever their order, and opposite points together.
     let coarse = |v: Vec2| ((1e4 * v.y).round() as i64, (1e4 * v.x).round() as i64);
     let out = |p: &Vec2| {
         let from_middle = *p - 0.5;
@@ -55,7 +55,7 @@ pub fn of(n: usize, grid: impl FnOnce(f32, Vec2) -> Vec<Vec2>) -> Vec<Vec2> {
     points
 }
 
-/// A lattice of which at least n points are inside.
+/// A lattice with at least n points inside the square.
 struct Fit {
     spacing: f32,
     offset: Vec2,
@@ -63,7 +63,7 @@ struct Fit {
 }
 
 impl Fit {
-    /// With the square's middle there; `None` for no points.
+    /// The lattice with this offset; `None` for n = 0.
     fn of(n: usize, offset: Vec2) -> Option<Self> {
         let reach = (n as f32).sqrt() as i32 + 3;
         let lattice =

@@ -2,17 +2,17 @@
 
 use glam::{Vec2, vec2};
 
-/// How many cells each of the rows has: about √n rows of about √n cells, n together; 5 are 2 and 3.
+/// The number of cells of each row: about √n rows with about √n cells each, n cells in all; for n = 5, rows of 2 and 3.
 pub fn rows(n: usize) -> impl Iterator<Item = usize> {
     let rows = (n as f64).sqrt().round() as usize;
     (0..rows).map(move |row| (row + 1) * n / rows - row * n / rows)
 }
 
-/// n points, in cells of equal area: `grid` places one in each cell of columns × rows equal ones of the unit square.
+/// n points in cells of equal area. `grid(columns, rows)` returns one point in each of columns × rows equal cells of the unit square.
 ///
-/// A row is as high as it has cells: a row of m is m/n high and its cells are 1/m wide, so that every cell, of whichever row, has
-/// the area 1/n, and the mean over the points has no bias. Rows alike that follow one another are one grid; if n is a
-/// square, there is only one, of √n × √n cells.
+/// The height of a row is proportional to the number of its cells: a row of m cells is m/n high, and its cells are 1/m wide. So
+/// every cell has the area 1/n, and the mean over the points is unbiased. Consecutive rows with equally many cells are one grid; if
+/// n is a square, there is only one grid, of √n × √n cells.
 pub fn in_rows(n: usize, mut grid: impl FnMut(usize, usize) -> Vec<Vec2>) -> Vec<Vec2> {
     let rows: Vec<_> = rows(n).collect();
     let mut above = 0;
@@ -26,10 +26,10 @@ pub fn in_rows(n: usize, mut grid: impl FnMut(usize, usize) -> Vec<Vec2>) -> Vec
     points
 }
 
-/// The place a fraction u of the way through `count` of n equal parts of [0, 1), from part number `first` on:
-/// (first + u·count)/n.
+/// The place (first + u·count)/n: [0, 1) is cut into n equal parts, and the place is the fraction u of the way through `count` parts
+/// from part number `first` on.
 ///
-/// Rounding never takes it out of these parts, least of all to 1.
+/// By rounding, the place never leaves these parts, and never becomes 1.
 pub fn place(first: usize, count: usize, u: f64, n: usize) -> f32 {
     let exact = (first as f64 + u * count as f64) / n as f64;
     let x = exact as f32;

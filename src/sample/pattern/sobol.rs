@@ -3,12 +3,12 @@
 // ANCHOR: sobol
 /// Point i of Sobol's sequence (1967), both coordinates in units of 2⁻³².
 ///
-/// The first is i mirrored, as in van der Corput's. The second is the sum without carry of a fixed number for each bit of i:
-/// the rows of Pascal's triangle modulo 2. Any 2ᵏ points that follow one another from a multiple of 2ᵏ have one in each box of
-/// the area 2⁻ᵏ, whatever power of ½ its width is: a (0, 2)-net.
+/// The first coordinate is i with its bits mirrored, as in van der Corput's sequence. The second is a sum without carry (XOR) of
+/// one number for each bit of i that is 1: the rows of Pascal's triangle modulo 2. If m is a multiple of 2ᵏ, the points m to
+/// m + 2ᵏ − 1 have one point in each box of the area 2⁻ᵏ whose width is any power of ½: they are a (0, k, 2)-net in base 2.
 ///
-/// Number k of the triangle's row n is odd if n has all the binary digits that k has (Lucas 1878). So five steps, one for each
-/// digit of a bit's place, add up the rows of all bits at once: no loop, and no bit that a processor would have to guess.
+/// Entry k of the triangle's row n is odd if every binary digit that is 1 in k is also 1 in n (Lucas 1878). So five steps, one for
+/// each binary digit of a bit's place, add the rows of all bits at once, without a loop or a branch.
 #[inline]
 pub fn sobol(i: u32) -> [u32; 2] {
     let mut sum = i;

@@ -9,22 +9,22 @@ use std::str::Lines;
 
 /// Rows of numbers, read one after another.
 pub(super) trait Body {
-    /// Goes to the next row.
+    /// Goes to the next row; an error if there is none.
     fn begin_row(&mut self) -> Result<(), PlyError>;
-    /// The next number of the row.
+    /// The next number of the row; an error if there is none.
     fn number(&mut self, kind: Kind) -> Result<f64, PlyError>;
-    /// Whether the row is at its end.
+    /// An error if the row is not at its end.
     fn end_row(&self) -> Result<(), PlyError>;
-    /// Whether the file is at its end.
+    /// An error if the file is not at its end.
     fn end(&mut self) -> Result<(), PlyError>;
-    /// The number that was read last is wrong.
+    /// The error that the number that was read last is wrong.
     fn wrong(&self, reason: Reason) -> PlyError;
 }
 
-/// Takes the number of a property, or each number of its list.
+/// Calls `take` with the number of a property, or with each number of its list.
 ///
 /// # Errors
-/// If there are fewer, a list's length is not a whole number, or `take` refuses one.
+/// If there are too few numbers, the length of a list is not a whole number from 0, or `take` returns an error.
 pub(super) fn each_number<B: Body>(
     property: &Property,
     body: &mut B,
@@ -47,10 +47,10 @@ pub(super) fn each_number<B: Body>(
     Ok(())
 }
 
-/// Rows of a text: each is a line.
+/// The rows of a text: each row is a line.
 pub(super) struct Text<'a> {
     lines: Zip<RangeFrom<usize>, Lines<'a>>,
-    /// The line of the row.
+    /// The line number of the row.
     line: usize,
     row: Vec<Word<'a>>,
     /// The number of words of the row that were read.
@@ -58,7 +58,7 @@ pub(super) struct Text<'a> {
 }
 
 impl<'a> Text<'a> {
-    /// The text that begins with the line of this number.
+    /// The rows of a text whose first line has the number `first_line`.
     pub(super) fn new(text: &'a str, first_line: usize) -> Self {
         Self {
             lines: (first_line..).zip(text.lines()),
@@ -68,7 +68,7 @@ impl<'a> Text<'a> {
         }
     }
 
-    /// The words of the next line that has any.
+    /// The words of the next line that is not empty.
     fn next_line(&mut self) -> Option<Vec<Word<'a>>> {
         let mut rows = self.lines.by_ref().map(|(n, line)| word::words(line, n));
         rows.find(|row| !row.is_empty())
@@ -122,7 +122,7 @@ impl Body for Text<'_> {
     }
 }
 
-/// Rows of a binary file: nothing stands between them.
+/// The rows of a binary file, with nothing between them.
 pub(super) struct Binary<'a> {
     /// The whole file.
     bytes: &'a [u8],
@@ -134,7 +134,7 @@ pub(super) struct Binary<'a> {
 }
 
 impl<'a> Binary<'a> {
-    /// The `rest` of a file's `bytes`.
+    /// The rows in `rest`, the last part of a file's `bytes`.
     pub(super) fn new(bytes: &'a [u8], rest: &[u8], order: Order) -> Self {
         let next = bytes.len() - rest.len();
         Self {

@@ -3,13 +3,13 @@
 use crate::shape::ply::PlyError;
 use crate::shape::word::{self, Reason, Word, Wrong};
 
-/// Most bytes of a header; what is longer is no mesh.
+/// Maximum length of a header, in bytes; a longer header is an error.
 const LONGEST: usize = 1 << 20;
 
-/// The numbers of a vertex that are read.
+/// Number of values that are read for a vertex: x, y, z, the normal's x, y, z, u and v.
 pub(super) const SLOTS: usize = 8;
 
-/// The names of these numbers; programs do not agree on those of the texture coordinates.
+/// The names of these numbers; programs use different names for the texture coordinates.
 const NAMES: [&[&str]; SLOTS] = [
     &["x"],
     &["y"],
@@ -30,18 +30,18 @@ pub(super) enum Order {
     Big,
 }
 
-/// What a file says of itself.
+/// The contents of a header.
 #[derive(Debug)]
 pub(super) struct Header {
-    /// The order of bytes in what follows; `None` if that is text.
+    /// The order of the bytes in the body; `None` if the body is text.
     pub order: Option<Order>,
-    /// The kinds of rows, in the order in which they follow.
+    /// The elements, in the order of their rows in the body.
     pub elements: Vec<Element>,
-    /// The number of its lines.
+    /// Number of lines of the header.
     pub lines: usize,
 }
 
-/// A kind of rows.
+/// An element: a kind of rows.
 #[derive(Debug)]
 pub(super) struct Element {
     /// `vertex`, `face`, or something else.
@@ -52,42 +52,42 @@ pub(super) struct Element {
     pub properties: Vec<Property>,
 }
 
-/// A number of a row, or a list of numbers.
+/// A property: a number in each row, or a list of numbers.
 #[derive(Debug)]
 pub(super) struct Property {
     /// The type of each number.
     pub kind: Kind,
-    /// The type of a list's length; `None` if it is a single number.
+    /// The type of a list's length; `None` for a single number.
     pub list: Option<Kind>,
-    /// What the numbers are read as.
+    /// The meaning of the numbers.
     pub role: Role,
 }
 
-/// What a property is read as.
+/// The meaning of a property.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Role {
-    /// x, y, z, the normal's x, y, z, u or v of a vertex.
+    /// A number of a vertex: one of x, y, z, the normal's x, y, z, u and v.
     Slot(usize),
     /// The vertices of a face.
     Corners,
-    /// Nothing.
+    /// No meaning: the numbers are ignored.
     Unused,
 }
 
 /// The type of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
-    /// A whole number of 8 bits.
+    /// A signed whole number of 8 bits.
     Char,
-    /// The same from 0.
+    /// An unsigned whole number of 8 bits.
     Uchar,
-    /// A whole number of 16 bits.
+    /// A signed whole number of 16 bits.
     Short,
-    /// The same from 0.
+    /// An unsigned whole number of 16 bits.
     Ushort,
-    /// A whole number of 32 bits.
+    /// A signed whole number of 32 bits.
     Int,
-    /// The same from 0.
+    /// An unsigned whole number of 32 bits.
     Uint,
     /// A floating-point number of 32 bits.
     Float,
@@ -176,7 +176,7 @@ impl Header {
         .into())
     }
 
-    /// Adds the property of a line to the element above.
+    /// Adds the property of a line to the last element.
     fn property(&mut self, words: &[Word]) -> Result<(), PlyError> {
         let Some(element) = self.elements.last_mut() else {
             return Err(words[0].expected(EXPECTED).into());
@@ -204,7 +204,7 @@ impl Header {
         Ok(())
     }
 
-    /// Whether vertices have places, and faces corners; `end` is the header's last word.
+    /// Checks that vertices have x, y and z, and that faces have corners; `end` is the header's last word.
     fn complete(&self, end: &Word) -> Result<(), Wrong> {
         for element in &self.elements {
             let has = |role| element.properties.iter().any(|p| p.role == role);

@@ -1,7 +1,6 @@
 //! PLY files, as 3D scanners write them: a header that describes what follows, then vertices and faces, in text or in binary.
 //!
-//! Greg Turk, "The PLY Polygon File Format", Stanford University, 1994. An own reader, because a wrong number is to be reported
-//! with its line or byte.
+//! Greg Turk, "The PLY Polygon File Format", Stanford University, 1994. This reader reports each error with its line or byte.
 
 mod body;
 mod header;
@@ -18,10 +17,10 @@ use header::{Element, Header, Role, SLOTS};
 /// What is wrong with a file, and where.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum PlyError {
-    /// A line of the header or of a text.
+    /// An error in a line of the header or of a text.
     #[error(transparent)]
     Text(#[from] Wrong),
-    /// A number of a binary file.
+    /// An error in a number of a binary file.
     #[error("byte {byte}: {reason}")]
     Binary {
         /// Where the number begins, from 0.
@@ -33,12 +32,12 @@ pub enum PlyError {
 
 /// The mesh of a PLY file.
 ///
-/// Read are the vertices with their normals (`nx`, `ny`, `nz`) and texture coordinates (`u`, `v` or `s`, `t`), and the corners of
-/// the faces; other elements and properties are passed over. If a normal is missing or has no length, all are averaged from the
-/// triangles. A face of more than three corners becomes a fan of triangles around its first one, which is right for convex faces.
+/// The vertices with their normals (`nx`, `ny`, `nz`) and texture coordinates (`u`, `v` or `s`, `t`) are read, and the corners of
+/// the faces. Other elements and properties are ignored. If a normal is missing or is 0, all normals are averaged from the
+/// triangles. A face of more than three corners becomes a fan of triangles around its first corner, which is right for convex faces.
 ///
 /// # Errors
-/// The first thing that is wrong, with its line or its byte, such as more faces than the [budget](crate::memory::BUDGET) allows;
+/// The first error, with its line or its byte, for example more faces than the [budget](crate::memory::BUDGET) allows;
 /// line 1 if the mesh as a whole is outside the [domain](crate::math::domain).
 pub fn parse(bytes: &[u8]) -> Result<Mesh, PlyError> {
     let (header, rest) = Header::parse(bytes)?;
@@ -55,7 +54,7 @@ fn read(header: &Header, mut body: impl Body) -> Result<Mesh, PlyError> {
     let vertices = header.count("vertex");
     let mut parts = Parts::default();
     for element in &header.elements {
-        // An element without properties takes no place in the file, whatever its number of rows.
+        // An element without properties takes no space in the file, whatever its number of rows.
         let rows = if element.properties.is_empty() {
             0
         } else {
@@ -85,14 +84,14 @@ fn read(header: &Header, mut body: impl Body) -> Result<Mesh, PlyError> {
 #[derive(Default)]
 struct Parts {
     positions: Vec<Vec3>,
-    /// `None` for a normal that is missing or has no length.
+    /// `None` for a normal that is missing or is 0.
     normals: Vec<Option<Dir3>>,
     textures: Vec<Vec2>,
     triangles: Vec<[u32; 3]>,
 }
 
 impl Parts {
-    /// The next row of vertices.
+    /// Reads a row of vertices.
     fn vertex(&mut self, element: &Element, body: &mut impl Body) -> Result<(), PlyError> {
         let mut slots = [0.0; SLOTS];
         for property in &element.properties {
@@ -116,7 +115,7 @@ impl Parts {
         self.within_budget(body)
     }
 
-    /// The next row of faces, or of another element, of which no number has a role.
+    /// Reads a row of faces, or of another element, whose numbers are ignored.
     fn face(
         &mut self,
         element: &Element,
@@ -162,7 +161,7 @@ impl Parts {
     }
 }
 
-/// A number as the index of one of `vertices`, counted from 0.
+/// A number as an index, from 0, of one of the `vertices` vertices.
 fn index(body: &impl Body, number: f64, vertices: u64) -> Result<u32, PlyError> {
     let index = number as u32;
     if f64::from(index) == number && u64::from(index) < vertices {

@@ -53,7 +53,7 @@ const TOO_MUCH_WORK: &[(&str, &str)] = &[
     ("bvh_closest", "begins to count the tests at 1"),
     (
         "bvh_closest",
-        "does not ask again when a waiting node's turn comes",
+        "opens a waiting node without asking again whether it is behind the hit",
     ),
     ("wide_closest", "opens every child"),
     (

@@ -11,7 +11,7 @@ exercises! { ($) ch01_rays
     RayAt: ray_at(
         /// The ray.
         ray: Ray,
-        /// The distance along it, in metres.
+        /// The distance along the ray, in metres; negative behind the origin.
         t: f32,
     ) -> (
         /// The point at that distance, in metres.
@@ -31,7 +31,7 @@ exercises! { ($) ch01_rays
         right: Dir3,
         /// Upwards along the columns of the picture.
         up: Dir3,
-        /// The distance from the focal point to the image plane, in metres.
+        /// The distance from the focal point to the image plane, in metres, above 0.
         focal_length: f32,
         /// The width and the height of the image plane, in metres.
         plane: Vec2,

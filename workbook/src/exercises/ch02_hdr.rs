@@ -8,7 +8,7 @@ exercises! { ($) ch02_hdr
     Expose: expose(
         /// The radiance, in W·m⁻²·sr⁻¹.
         radiance: Rgb,
-        /// The number of stops; negative for less light.
+        /// The number of stops, any number; negative for less light.
         stops: f32,
     ) -> (
         /// The radiance after the exposure, in W·m⁻²·sr⁻¹.
@@ -31,7 +31,7 @@ exercises! { ($) ch02_hdr
     /// Return the sRGB code value, from 0 to 1, of a linear value: 12.92 v up to 0.0031308, then 1.055 v^(1/2.4) −
     /// 0.055; values outside 0 to 1 are clamped.
     EncodeSrgb: encode_srgb(
-        /// The linear value; from 0 to 1 it can be shown.
+        /// The linear value, without a unit; a display shows values from 0 to 1.
         v: f32,
     ) -> (
         /// The code value, from 0 to 1.

@@ -9,14 +9,14 @@ exercises! { ($) ch03_sphere
     /// Return both real roots of a·t² + b·t + c = 0, the smaller one first. There is no answer where no root is real,
     /// or where a is 0. Lose no digits where b² is much larger than 4ac.
     SolveQuadratic: solve_quadratic(
-        /// The factor of t².
+        /// The coefficient of t².
         a: f32,
-        /// The factor of t.
+        /// The coefficient of t.
         b: f32,
-        /// The constant.
+        /// The constant term.
         c: f32,
     ) -> (
-        /// Both roots, the smaller one first; none where there is none.
+        /// Both roots, the smaller one first; none if no root is real, or a is 0.
         t: Option<Vec2>,
     ) {
         quadratic::solve(a, b, c).map(Vec2::from)
@@ -48,7 +48,7 @@ exercises! { ($) ch03_sphere
         center: Vec3,
         /// The sphere's radius, in metres, above 0.
         radius: f32,
-        /// A point of the sphere, in metres.
+        /// A point on the sphere's surface, in metres.
         p: Vec3,
     ) -> (
         /// The normal at p, of length 1, outwards.

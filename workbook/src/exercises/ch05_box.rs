@@ -6,12 +6,12 @@ use glam::Vec3;
 use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray, slab};
 
 exercises! { ($) ch05_box
-    /// Return the part of the interval on which the ray is inside the box; there is no answer if it never is. A ray
-    /// that runs in a face touches the box.
+    /// Return the part of the interval on which the ray is inside the box; there is no answer if the ray never is. A
+    /// ray that only touches the box, or runs in a face, counts as inside.
     BoxClip: box_clip(
         /// The ray.
         ray: Ray,
-        /// The distances that count, in metres.
+        /// The distances that count: min ≤ t ≤ max, in metres.
         within: Interval,
         /// The box's least corner, in metres.
         min: Vec3,
@@ -24,8 +24,8 @@ exercises! { ($) ch05_box
         slab::clip(&Aabb { min, max }, &ray, within)
     }
 
-    /// Return the smallest axis-aligned box that holds all the points, by its least and its greatest corner. Of no
-    /// points this is the empty box: its least corner is at +∞ and its greatest at −∞ along each axis.
+    /// Return the smallest axis-aligned box that holds all the points, by its least and its greatest corner. For no
+    /// points, return the empty box: its least corner at +∞ and its greatest corner at −∞ along each axis.
     BoundsOf: bounds_of(
         /// The points, in metres.
         points: Vec<Vec3>,

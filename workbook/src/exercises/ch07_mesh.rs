@@ -45,7 +45,7 @@ exercises! { ($) ch07_mesh
     }
 
     /// Return a unit normal per vertex: the average of the normals of its triangles, weighted by their areas; +y where
-    /// that is zero.
+    /// that average is zero.
     VertexNormals: vertex_normals(
         /// The vertices, in metres.
         positions: Vec<Vec3>,
@@ -62,8 +62,8 @@ exercises! { ($) ch07_mesh
             .collect()
     }
 
-    /// Return the nearest shape of the list that the ray hits with min < t < max: its distance and its number. There is
-    /// no answer if it hits none; of two at the same distance either is right.
+    /// Return the nearest triangle of the list that the ray hits with min < t < max: its distance and its number. There
+    /// is no answer if the ray hits none. Of two triangles at the same distance, either is right.
     ///
     /// In Rust: the shape and its `Hit`.
     MeshHit: mesh_hit(

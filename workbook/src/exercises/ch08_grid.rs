@@ -10,13 +10,13 @@ use std::ops::ControlFlow;
 exercises! { ($) ch08_grid
     /// Return how many cells a grid has along each axis. There are density times shapes cells in all, each about a
     /// cube: e·∛(cells/volume) cells along an axis of extent e, rounded. An axis that would get less than one cell has
-    /// 1 and is left out of the volume, so that the others share all the cells.
+    /// 1 and is left out; two others then share all cells: e·√(cells/area) along each.
     GridResolution: grid_resolution(
         /// The extents of the box, in metres.
         extents: Vec3,
         /// The number of shapes in it.
         shapes: u32,
-        /// The number of cells per shape.
+        /// The number of cells per shape, above 0.
         density: f32,
     ) -> (
         /// The number of cells along each axis, 1 or more.

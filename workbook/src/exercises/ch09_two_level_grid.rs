@@ -12,7 +12,7 @@ use std::ops::ControlFlow;
 exercises! { ($) ch09_two_level_grid
     /// Cut a coarse cell into fine ones: along each axis as many as grid_resolution gives for its extents, its number
     /// of shapes and the density, but at most 255, and 0 without shapes. Return the resolution, and all pairs of a fine
-    /// cell and a shape that reaches it, in any order.
+    /// cell and a shape whose box reaches it, in any order.
     RefineCell: refine_cell(
         /// The coarse cell's least corner, in metres.
         min: Vec3,
@@ -53,8 +53,8 @@ exercises! { ($) ch09_two_level_grid
     /// of all fine cells: those of the first coarse cell, then those of the next; in each along x first, then y, then
     /// z.
     ///
-    /// In Rust: call `visit` for each coarse cell with None, and after one that is not empty for each of its fine cells
-    /// with Some of its place, until it breaks off.
+    /// In Rust: call `visit` with None for each coarse cell. If the cell is not empty, call `visit` also for each of its
+    /// fine cells on the ray's way, with Some of its place. End when `visit` breaks off.
     TwoLevelWalk: two_level_walk(
         /// The ray.
         ray: Ray,
@@ -66,8 +66,8 @@ exercises! { ($) ch09_two_level_grid
         max: Vec3,
         /// The number of coarse cells along each axis.
         coarse: Resolution,
-        /// The number of fine cells along each axis of each coarse cell, those along x first, then y, then z; 0
-        /// 0 0 in an empty one.
+        /// For each coarse cell, along x first, then y, then z: the number of fine cells along each axis; 0 0 0 for
+        /// an empty coarse cell.
         fine: Vec<Resolution>,
     ) -> (
         /// The places of the visited fine cells in the row of all fine cells, from 0, in order.

@@ -26,18 +26,18 @@ exercises! { ($) ch10_octree
     }
 
     /// Build the octree of the shapes. Cut a cell in eight if that lowers the expected cost: if opening + ¼ Σ nᵢ < n,
-    /// where n is the number of shapes in the cell and nᵢ in its children. Stop where the limits allow no more depth or
-    /// no more copies. A shape is listed in every leaf that it reaches.
+    /// where n is the number of shapes in the cell and nᵢ that in child i. Stop where the limits allow no more depth or
+    /// no more copies. A shape is listed in every leaf that its box reaches.
     OctreeBuild: octree_build(
         /// The root's least corner, in metres.
         min: Vec3,
         /// The root's greatest corner, in metres.
         max: Vec3,
-        /// The cost of opening a node, in tests of shapes.
+        /// The cost of opening a node, where testing one shape costs 1.
         opening: f32,
-        /// How often the leaves may name each shape, on average.
+        /// The maximum number of leaves that name a shape, on average over all shapes.
         copies: f32,
-        /// How often the root may be cut.
+        /// The maximum number of cuts between the root and a leaf.
         depth: u32,
         /// The shapes' boxes; their numbers count from 0.
         shapes: Vec<Corners>,
@@ -70,11 +70,11 @@ exercises! { ($) ch10_octree
         min: Vec3,
         /// The root's greatest corner, in metres.
         max: Vec3,
-        /// The nodes: the root first, the eight children of a node side by side, each node's after itself.
+        /// The nodes: the root first, the eight children of a node side by side, after the node itself.
         nodes: Vec<NodeRow>,
     ) -> (
-        /// The numbers of the nodes that are the leaves on the ray's way, from 0, in order; empty ones are left
-        /// out.
+        /// The leaves on the ray's way, by their numbers in the list of nodes, from 0, in order; empty leaves are
+        /// left out.
         leaf: Vec<u32>,
     ) |q| {
         let tree = q.tree();

@@ -11,17 +11,17 @@ use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use raybook::shape::mesh::Facet;
 
 exercises! { ($) ch11_bvh
-    /// Return the cost of a search by the surface-area heuristic: over all nodes, the area of the node's box by the
-    /// root's, times the price of opening a branch or of testing all shapes of a leaf.
+    /// Return the cost of a search by the surface-area heuristic: over all nodes, the area of the node's box
+    /// divided by the root's, times the cost of opening a branch or of testing all shapes of a leaf.
     SahCost: sah_cost(
-        /// The price of opening a branch.
+        /// The cost of opening a branch, in any unit.
         branch: f32,
-        /// The price of testing a shape, in the same unit.
+        /// The cost of testing a shape, in the same unit.
         shape: f32,
         /// The tree: the root, then pairs of children.
         nodes: Vec<NodeRow>,
     ) -> (
-        /// The cost of a search, in the unit of the prices.
+        /// The cost of a search, in the same unit.
         cost: f32,
     ) {
         let tree = to_flat(&nodes, 0);
@@ -74,8 +74,8 @@ exercises! { ($) ch11_bvh
         }
     }
 
-    /// Return the nearest shape of the tree that the ray hits with min < t < max: its distance and its number. Count
-    /// every box and every shape that you test, and test as few as you can.
+    /// Return the nearest triangle of the tree that the ray hits with min < t < max: its distance and its number. Count
+    /// every box and every triangle that you test, and test as few as you can.
     BvhClosest: bvh_closest(
         /// The ray.
         ray: Ray,

@@ -29,7 +29,7 @@ exercises! { ($) ch14_refraction
     /// Return the fractions Rs, Rp and R of s-polarised, p-polarised and unpolarised light that a surface reflects,
     /// from the cosine of the angle at which the light arrives through n1, and the index n2 behind the surface.
     Fresnel: fresnel(
-        /// cos θ₁: of the angle between the light and the normal, on the side from which the light comes.
+        /// cos θ₁, from 0 to 1: of the angle between the light and the normal, on the side from which the light comes.
         cos1: f32,
         /// The index of refraction on that side, without a unit.
         n1: f32,

@@ -48,7 +48,7 @@ exercises! { ($) ch16_soft_shadows
         at: Vec3,
         /// The light's centre, in metres.
         center: Vec3,
-        /// The light's radius, in metres.
+        /// The light's radius, in metres, above 0.
         radius: f32,
         /// The light's radiance, outwards and inwards, in W·m⁻²·sr⁻¹.
         radiance: f32,
@@ -79,7 +79,7 @@ exercises! { ($) ch16_soft_shadows
         points: Vec<Vec3>,
         /// The balls that may be in the way.
         balls: Vec<Ball>,
-        /// The number of samples for each point.
+        /// The number of samples for each point, 1 or more.
         samples: u32,
     ) -> (
         /// The fraction of the light's area that is seen from each point, from 0 to 1, in their order.
@@ -132,7 +132,7 @@ row! {
     pub struct Ball {
         /// The centre, in metres.
         pub center: Vec3,
-        /// The radius, in metres.
+        /// The radius, in metres, above 0.
         pub radius: f32,
     }
 }

@@ -56,12 +56,12 @@ exercises! { ($) ch17_rendering_equation
     }
 
     /// Estimate the radiance that a surface like that of brdf_phong reflects towards the viewer: the average of f ·
-    /// incoming · cos θ/p over random directions of density p above it. The light comes from a sky of radiance · (1 +
-    /// cos γ)/2 at the angle γ from its zenith.
+    /// incoming · cos θ/p over random directions of density p above the surface. The light comes from a sky of
+    /// radiance · (1 + cos γ)/2 at the angle γ from its zenith.
     ReflectedRadiance: reflected_radiance(
         /// The normal.
         normal: Dir3,
-        /// From the surface to the viewer, who is above it.
+        /// The direction to the viewer, which is above the surface.
         view: Dir3,
         /// The albedo of the matte part, from 0 to 1.
         diffuse: Rgb,
@@ -73,7 +73,7 @@ exercises! { ($) ch17_rendering_equation
         zenith: Dir3,
         /// The sky's radiance at the zenith, in W·m⁻²·sr⁻¹.
         radiance: Rgb,
-        /// The number of samples.
+        /// The number of samples, 1 or more.
         samples: u32,
     ) -> (
         /// An estimate of the radiance to the viewer, in W·m⁻²·sr⁻¹.

@@ -17,7 +17,7 @@ exercises! { ($) ch19_depth_of_field
     ConcentricDisk: concentric_disk(
         /// The number of points of the unit square.
         n: u32,
-        /// By how much all of them are moved, around the square's edges; from −1 to 1.
+        /// By how much all points are moved, from −1 to 1; a point that leaves the square comes in on the other side.
         shift: Vec2,
     ) -> (
         /// The n points of the unit disc, in the order of the points u.
@@ -27,7 +27,7 @@ exercises! { ($) ch19_depth_of_field
     }
 
     /// Return the ray from the point `on_lens` of the aperture, whose diameter is focal_length/f_number, to the point
-    /// that the place `film` shows sharply. That is where the ray from `film` through the middle of the lens meets the
+    /// that the place `film` shows sharply. That is where the ray from the middle of the lens through `film` meets the
     /// plane at the distance `focus` along `forward`.
     ThinLensRay: thin_lens_ray(
         /// The middle of the lens, in metres.
@@ -44,8 +44,8 @@ exercises! { ($) ch19_depth_of_field
         f_number: f32,
         /// The distance from the lens to the plane in focus, in metres.
         focus: f32,
-        /// The width and the height of the film, in metres. It is at the distance f·s/(s − f) in front of the lens, as in
-        /// camera_ray, with the focal length f and the focus s > f.
+        /// The width and the height of the film, in metres. The film is at the distance f·s/(s − f) in front of the
+        /// lens, as in camera_ray, with the focal length f and the focus s > f.
         plane: Vec2,
         /// The place on the film, in [0, 1]² from the top left, without a unit.
         film: Vec2,

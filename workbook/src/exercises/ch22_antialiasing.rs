@@ -19,9 +19,9 @@ exercises! { ($) ch22_antialiasing
         x: u32,
         /// The pixel's row in the picture, from 0.
         y: u32,
-        /// The number of cells side by side.
+        /// The number of cells side by side, along x.
         columns: u32,
-        /// The number of cells one under the other.
+        /// The number of cells one under the other, along y.
         rows: u32,
     ) -> (
         /// The points, in pixels from the picture's top left, in any order.
@@ -32,12 +32,12 @@ exercises! { ($) ch22_antialiasing
         points.into_iter().map(moved).collect()
     }
 
-    /// Return all points of a rotated grid that lie in [0, 1)², in any order: (½, ½) + spacing · (i + offset.x, j +
-    /// offset.y) for all whole numbers i and j, rotated by arctan ½ about the origin, in either sense.
+    /// Return all points of a rotated grid that lie in [0, 1)², in any order: (½, ½) + spacing · R (i + offset.x, j +
+    /// offset.y) for all whole numbers i and j, where R rotates by arctan ½ about (0, 0), in either sense.
     RotatedGrid: rotated_grid(
         /// The distance from a point to its nearest neighbours, in sides of the square.
         spacing: f32,
-        /// Where on the lattice the middle of the square is, in spacings along the lattice.
+        /// From the middle of the square to the lattice's point i = j = 0, in spacings along the lattice.
         offset: Vec2,
     ) -> (
         /// The points, in the unit square, in any order.
@@ -51,7 +51,7 @@ exercises! { ($) ch22_antialiasing
     RandomPattern: random_pattern(
         /// The number of points.
         n: u32,
-        /// What the random numbers follow from: another seed, other points.
+        /// The seed of the random numbers: another seed gives other points.
         seed: u32,
     ) -> (
         /// The points, in the unit square.
@@ -63,11 +63,11 @@ exercises! { ($) ch22_antialiasing
     /// Return a random point in each of columns × rows equal cells of the unit square, in any order, each anywhere in
     /// its cell with the same probability and independent of the others; any generator will do.
     Jittered: jittered(
-        /// The number of cells side by side.
+        /// The number of cells side by side, along x.
         columns: u32,
-        /// The number of cells one under the other.
+        /// The number of cells one under the other, along y.
         rows: u32,
-        /// What the random numbers follow from: another seed, other points.
+        /// The seed of the random numbers: another seed gives other points.
         seed: u32,
     ) -> (
         /// The points, in the unit square, in any order.
@@ -83,7 +83,7 @@ exercises! { ($) ch22_antialiasing
     PoissonDisk: poisson_disk(
         /// The least distance between two points, in sides of the square.
         distance: f32,
-        /// What the random numbers follow from: another seed, other points.
+        /// The seed of the random numbers: another seed gives other points.
         seed: u32,
     ) -> (
         /// The points, in the unit square, in any order.
@@ -97,7 +97,7 @@ exercises! { ($) ch22_antialiasing
     /// Σ w L/Σ w, or black if the weights sum up to 0. The filter is a tent: w = (1 − |x|/radius) · (1 − |y|/radius),
     /// and 0 where either factor would be negative.
     PixelAverage: pixel_average(
-        /// The tent filter's radius, in pixels.
+        /// The tent filter's radius, in pixels, above 0.
         radius: f32,
         /// The samples.
         samples: Vec<Seen>,

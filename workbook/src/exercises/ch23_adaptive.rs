@@ -25,9 +25,9 @@ exercises! { ($) ch23_adaptive
         u32::from(q.enough().needs_more(&q.samples))
     }
 
-    /// Return how many samples each pixel gets: the whole budget together, and at least the least for each. The sum of
-    /// σ²/n over the pixels is to be as small as it can be, where σ is a pixel's standard deviation and n its number of
-    /// samples. A sum that is at most 3 % larger will do.
+    /// Return how many samples each pixel gets: all pixels together exactly the budget, and each pixel at least the
+    /// minimum. The sum of σ²/n over the pixels is to be as small as it can be, where σ is a pixel's standard deviation
+    /// and n its number of samples. A sum that is at most 3 % larger will do.
     SpendBudget: spend_budget(
         /// σ: the standard deviation of each pixel's samples, in any unit.
         deviations: Vec<f32>,

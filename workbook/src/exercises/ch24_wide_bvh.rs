@@ -11,9 +11,9 @@ use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use raybook::shape::mesh::Facet;
 
 exercises! { ($) ch24_wide_bvh
-    /// Make a tree of up to eight children per branch out of a binary one: give a branch the children of its largest
-    /// branch in place of that branch, until it has eight children or no branch among them. Return each branch that
-    /// stays, with its new children.
+    /// Make a tree of up to eight children per branch out of a binary tree: among a branch's children, replace the
+    /// branch whose box has the largest area by its own two children, until there are eight children or no branch is
+    /// left among them. Return each branch that stays, with its new children.
     Collapse: collapse(
         /// The binary tree: the root, then pairs of children.
         nodes: Vec<NodeRow>,
@@ -30,7 +30,7 @@ exercises! { ($) ch24_wide_bvh
     }
 
     /// Return the nearest triangle of the tree that the ray hits with min < t < max: its distance and its number. Count
-    /// every node that you open and every triangle that you test; few are enough.
+    /// every node that you open and every triangle that you test, and open and test as few as you can.
     WideClosest: wide_closest(
         /// The ray.
         ray: Ray,

@@ -45,7 +45,7 @@ impl Graded for CameraRay {
         },
         Mistake {
             name: "takes the plane to be twice as large",
-            hint: "From the middle of the plane to its edge is how much of its width?",
+            hint: "How much of the plane's width lies between its middle and its edge?",
             answer: |q| Self::misread(q, |q| q.plane *= 2.0),
         },
         Mistake {
@@ -109,8 +109,8 @@ impl Graded for CameraRay {
             },
         },
         Mistake {
-            name: "does not multiply the film by the size of the plane",
-            hint: "The film goes from 0 to 1: how many metres of the plane is that?",
+            name: "subtracts half of the plane's size, in metres, from film, which is a fraction",
+            hint: "`film` goes from 0 to 1: how many metres of the plane is that?",
             answer: |q| Self::misread(q, |q| q.film /= q.plane),
         },
     ];

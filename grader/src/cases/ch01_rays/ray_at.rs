@@ -35,7 +35,7 @@ impl Graded for RayAt {
         },
         Mistake {
             name: "goes backwards",
-            hint: "A positive t lies ahead.",
+            hint: "Does the point of a positive t lie ahead of the origin, or behind the origin?",
             answer: |q| q.ray.origin - q.t * *q.ray.direction,
         },
         Mistake {
@@ -49,8 +49,8 @@ impl Graded for RayAt {
             answer: |q| q.t * q.ray.origin + *q.ray.direction,
         },
         Mistake {
-            name: "clamps t to what lies ahead",
-            hint: "The line goes on behind the origin: which point is 2 m behind it?",
+            name: "takes 0 for a negative t",
+            hint: "The line goes on behind the ray's origin: which point belongs to t = −2?",
             answer: |q| q.ray.at(q.t.max(0.0)),
         },
     ];

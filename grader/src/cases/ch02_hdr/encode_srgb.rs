@@ -27,7 +27,7 @@ impl Graded for EncodeSrgb {
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
-            name: "takes sRGB for a gamma of 2.2",
+            name: "uses a pure power, a gamma of 2.2, in place of sRGB's curve",
             hint: "sRGB is not a pure power: what is it near black?",
             answer: |q| q.v.clamp(0.0, 1.0).powf(1.0 / 2.2),
         },
@@ -53,7 +53,7 @@ impl Graded for EncodeSrgb {
         },
         Mistake {
             name: "leaves v as it is",
-            hint: "Is 0.5 half as bright to the eye?",
+            hint: "Does half of the light look half as bright to the eye?",
             answer: |q| q.v.clamp(0.0, 1.0),
         },
         Mistake {
@@ -63,12 +63,12 @@ impl Graded for EncodeSrgb {
         },
         Mistake {
             name: "takes the threshold of the inverse curve",
-            hint: "Two numbers stand in the standard, one for encoding and one for decoding: is yours a linear value or a code value?",
+            hint: "The standard has two thresholds, one for encoding and one for decoding: is yours a linear value or a code value?",
             answer: |q| curve(q.v.clamp(0.0, 1.0), 0.040_45, 1.0 / 2.4, 0.055),
         },
         Mistake {
             name: "takes 1/2.2 for the exponent of the curve",
-            hint: "Try v = 0.5: is the exponent the one in the formula?",
+            hint: "Which exponent stands in the formula, and which in your program?",
             answer: |q| curve(q.v.clamp(0.0, 1.0), 0.003_130_8, 1.0 / 2.2, 0.055),
         },
     ];

@@ -31,7 +31,7 @@ impl Graded for Expose {
             answer: |q| q.radiance * (-q.stops).exp2(),
         },
         Mistake {
-            name: "takes e for the base",
+            name: "takes e for the base of the power",
             hint: "By what factor does one stop change the light?",
             answer: |q| q.radiance * q.stops.exp(),
         },
@@ -46,22 +46,22 @@ impl Graded for Expose {
             answer: |q| q.radiance.map(|v| v + q.stops),
         },
         Mistake {
-            name: "doubles once for any number of stops",
+            name: "doubles or halves once, whatever the number of stops",
             hint: "Two stops more: how many times the light?",
             answer: |q| q.radiance * if q.stops > 0.0 { 2.0 } else { 0.5 },
         },
         Mistake {
-            name: "takes 10 for the base",
+            name: "takes 10 for the base of the power",
             hint: "By what factor does one stop change the light?",
             answer: |q| q.radiance * 10_f32.powf(q.stops),
         },
         Mistake {
-            name: "squares the number of stops",
+            name: "squares the number of stops in the exponent",
             hint: "Two stops more: how many times the light? And two stops less?",
             answer: |q| q.radiance * (q.stops * q.stops).exp2(),
         },
         Mistake {
-            name: "takes the square of the number of stops for a power of 2",
+            name: "multiplies by the square of the number of stops, not by a power of 2",
             hint: "Three stops: is that 3², or 2³?",
             answer: |q| q.radiance * (q.stops * q.stops),
         },

@@ -20,7 +20,7 @@ impl Graded for ToneMap {
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "maps each channel by itself",
-            hint: "Tone map a pure red and look at its hue: is it scaled by its luminance, or by its channel?",
+            hint: "Tone map the orange (4, 2, 0): is there still twice as much red as green?",
             answer: |q| q.radiance.map(|v| v / (1.0 + v)),
         },
         Mistake {
@@ -35,22 +35,22 @@ impl Graded for ToneMap {
         },
         Mistake {
             name: "divides by the luminance alone",
-            hint: "What should become of something dark?",
+            hint: "A dark colour should stay dark: does yours?",
             answer: |q| q.radiance / q.radiance.luminance(),
         },
         Mistake {
             name: "multiplies by the new luminance",
-            hint: "You want the luminance to become L/(1 + L): by which factor must it be scaled?",
+            hint: "The luminance L must become L/(1 + L): by which factor must the colour be scaled?",
             answer: |q| q.radiance * (q.radiance.luminance() / (1.0 + q.radiance.luminance())),
         },
         Mistake {
-            name: "clamps",
+            name: "clamps each channel to the range from 0 to 1",
             hint: "Two bright colours, one twice as bright: can they still be told apart?",
             answer: |q| q.radiance.map(|v| v.clamp(0.0, 1.0)),
         },
         Mistake {
             name: "takes the weights of Rec. 601 for the luminance",
-            hint: "0.299, 0.587 and 0.114 are those of old television; whose primaries has sRGB?",
+            hint: "0.299, 0.587 and 0.114 are the weights of old television: which weights belong to the primaries of sRGB?",
             answer: |q| {
                 q.radiance
                     / (1.0 + (0.299 * q.radiance.r + 0.587 * q.radiance.g + 0.114 * q.radiance.b))
@@ -63,12 +63,12 @@ impl Graded for ToneMap {
         },
         Mistake {
             name: "takes 1 − e^(−v) of each channel",
-            hint: "That is another curve, which photographers use too: which one was asked for?",
+            hint: "That is another curve, a film's: which curve does the task name?",
             answer: |q| q.radiance.map(|v| 1.0 - (-v).exp()),
         },
         Mistake {
             name: "takes the sum of the channels for the luminance",
-            hint: "How bright is white, and which weights add up to that?",
+            hint: "White, (1, 1, 1), has the luminance 1: what do your weights add up to?",
             answer: |q| q.radiance / (1.0 + q.radiance.r + q.radiance.g + q.radiance.b),
         },
         Mistake {

@@ -77,7 +77,7 @@ impl Graded for SolveQuadratic {
             answer: |q| SolveQuadratic::answer(q).map(|t| vec2(-t.y, -t.x)),
         },
         Mistake {
-            name: "takes a double root for none",
+            name: "returns none for a double root",
             hint: "When b² = 4ac the parabola touches zero: how often?",
             answer: |q| SolveQuadratic::answer(q).filter(|t| t.x != t.y),
         },
@@ -130,7 +130,7 @@ impl Graded for SolveQuadratic {
             answer: |q| under(q, 0.25 * q.b * q.b - q.a * q.c),
         },
         Mistake {
-            name: "returns the root of the larger size first",
+            name: "returns the root of the larger absolute value first",
             hint: "Which of the two roots is the smaller one, if both are negative?",
             answer: |q| {
                 SolveQuadratic::answer(q).map(|t| {
@@ -144,16 +144,16 @@ impl Graded for SolveQuadratic {
         },
         Mistake {
             name: "forgets the ½ in −½ (b ± √(b² − 4ac)), from which both roots are made",
-            hint: "Of the stable formula: with q = −½ (b ± √(b² − 4ac)), one root is q/a. What is the other, and is your q so large?",
+            hint: "In the stable formula one root is q/a, with q = −½ (b ± √(b² − 4ac)). What is the other root, and how large is your q?",
             answer: |q| stable(q, 2.0, 0.5),
         },
         Mistake {
-            name: "forgets the 2 under the fraction line of the root of the larger size",
+            name: "forgets the 2 under the fraction line of the root of the larger absolute value",
             hint: "One of the two roots is right: put the other back into the equation.",
             answer: |q| stable(q, 2.0, 1.0),
         },
         Mistake {
-            name: "forgets the 2 above the fraction line of the root of the smaller size",
+            name: "forgets the 2 above the fraction line of the root of the smaller absolute value",
             hint: "The product of both roots is c/a: is yours?",
             answer: |q| stable(q, 1.0, 0.5),
         },

@@ -113,8 +113,8 @@ impl Graded for SphereHit {
             },
         },
         Mistake {
-            name: "returns the point nearest to the centre",
-            hint: "There the ray is deep inside: how far before is the surface?",
+            name: "returns the distance of the point nearest to the centre",
+            hint: "There the ray is deep inside the sphere: how far before that point is the surface?",
             answer: |q| {
                 both(q)
                     .map(|t| 0.5 * (t.x + t.y))
@@ -127,8 +127,8 @@ impl Graded for SphereHit {
             answer: |q| pick(q, |near, far| Some(if near > 0.0 { near } else { far })),
         },
         Mistake {
-            name: "forgets the root of half the chord",
-            hint: "You have the square of half the chord: which unit has it, and what do you subtract it from?",
+            name: "takes the square of half the chord for half the chord",
+            hint: "What is the unit of the square of half the chord, and of the number that you subtract this square from?",
             answer: |q| {
                 let (near, far) = both(q)?.into();
                 let (middle, half) = (0.5 * (near + far), 0.25 * (far - near).powi(2));
@@ -142,7 +142,7 @@ impl Graded for SphereHit {
             answer: |q| Self::misread(q, |q| q.ray.direction = -q.ray.direction),
         },
         Mistake {
-            name: "goes only half of the half chord back and forth from the middle",
+            name: "goes only a quarter of the chord back and forth from its middle",
             hint: "From the middle of the chord, how far is it to its ends?",
             answer: |q| {
                 let t = both(q)?;
@@ -153,7 +153,7 @@ impl Graded for SphereHit {
             },
         },
         Mistake {
-            name: "takes the distance of the centre from the origin for that from the ray",
+            name: "takes the centre's distance from the origin for its distance from the ray",
             hint: "Draw the right triangle in the sphere: which of its sides is the radius, and how near does the ray come to the centre?",
             answer: |q| {
                 let to_center = q.center - q.ray.origin;
@@ -166,7 +166,7 @@ impl Graded for SphereHit {
             },
         },
         Mistake {
-            name: "adds the square of the distance from the axis to that of the radius",
+            name: "adds the square of the centre's distance from the ray to r² instead of subtracting it",
             hint: "Half of the chord, the radius and the distance of the ray from the centre make a right triangle: which side is the longest?",
             answer: |q| {
                 let way = q.center - q.ray.origin;

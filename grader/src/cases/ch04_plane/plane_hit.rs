@@ -43,7 +43,7 @@ impl Graded for PlaneHit {
             answer: |q| Self::misread(q, |q| q.offset = -q.offset),
         },
         Mistake {
-            name: "takes the plane through the world's origin",
+            name: "takes the plane to go through the world's origin",
             hint: "Move the plane by one metre along its normal: does your t change?",
             answer: |q| Self::misread(q, |q| q.offset = 0.0),
         },
@@ -63,13 +63,13 @@ impl Graded for PlaneHit {
             answer: |q| line(q).filter(|t| t.is_finite() && *t > q.within.min),
         },
         Mistake {
-            name: "returns a negative distance",
+            name: "turns the sign of t round after the interval has been checked",
             hint: "What is the sign of (offset − n·o)/(n·d) for a plane that lies ahead?",
             answer: |q| PlaneHit::answer(q).map(|t| -t),
         },
         Mistake {
             name: "returns the distance along the normal",
-            hint: "A slanted ray takes longer to the plane than the straight way.",
+            hint: "Does a slanted ray go as far to the plane as a ray along the normal?",
             answer: |q| PlaneHit::answer(q).map(|t| (t * q.normal.dot(*q.ray.direction)).abs()),
         },
         Mistake {
@@ -86,13 +86,13 @@ impl Graded for PlaneHit {
             },
         },
         Mistake {
-            name: "has the sign of t wrong",
-            hint: "Put the origin one metre in front of a wall and look at it: which sign has your t?",
+            name: "has the sign of t wrong, and hits planes that are behind the origin",
+            hint: "Put the origin one metre in front of a wall and look at the wall: what is the sign of your t?",
             answer: |q| Self::misread(q, |q| q.ray.direction = -q.ray.direction),
         },
         Mistake {
-            name: "takes the size of t",
-            hint: "What does a negative t mean?",
+            name: "takes |t| for t",
+            hint: "Where is the point of a negative t: ahead of the origin, or behind it?",
             answer: |q| {
                 Self::misread(q, |q| q.within = sample::LINE)
                     .map(f32::abs)

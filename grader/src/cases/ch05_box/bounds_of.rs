@@ -55,7 +55,7 @@ impl Graded for BoundsOf {
             answer: |q| bounds(q.points.iter().copied().take(q.points.len().max(2) - 1)),
         },
         Mistake {
-            name: "asks for the greatest only where it did not find a new least (else if)",
+            name: "looks for a new greatest coordinate only if there was no new least one (else if)",
             hint: "Bound a single point: which of your two conditions does it meet, and which should it?",
             answer: |q| {
                 let empty = bounds([].into_iter());
@@ -81,7 +81,7 @@ impl Graded for BoundsOf {
             answer: |q| bounds(q.points.first().into_iter().chain(q.points.last()).copied()),
         },
         Mistake {
-            name: "takes the smallest positive number for the smallest number",
+            name: "starts the greatest corner at the smallest positive number",
             hint: "Try points whose coordinates are all negative; what is your box's max before the first point?",
             answer: |q| {
                 let Corners { min, max } = BoundsOf::answer(q);
@@ -115,7 +115,7 @@ impl Graded for BoundsOf {
         },
         Mistake {
             name: "returns the size for the greatest corner",
-            hint: "Is the second point a corner, or the way from the first one?",
+            hint: "Is your second point a corner, or the way from the first corner?",
             answer: |q| {
                 let Corners { min, max } = BoundsOf::answer(q);
                 Corners {

@@ -72,6 +72,22 @@ impl Graded for BoxClip {
             },
         },
         Mistake {
+            name: "keeps the earliest of the entries",
+            hint: "At the first plane that the ray meets, is it inside the other two slabs already?",
+            answer: |q| {
+                let (near, far) = nears_and_fars(q);
+                finish(near.min_element().min(q.within.min), far.min_element().min(q.within.max))
+            },
+        },
+        Mistake {
+            name: "keeps the latest of the exits",
+            hint: "Once the ray has left one slab, is it still in the box?",
+            answer: |q| {
+                let (near, far) = nears_and_fars(q);
+                finish(near.max_element().max(q.within.min), far.max_element().max(q.within.max))
+            },
+        },
+        Mistake {
             name: "divides 0 by 0 for a ray in a face",
             hint: "A ray that runs in a face has o − min = 0 and d = 0: what is 0/0, and what does a comparison make of it?",
             answer: |q| {
@@ -102,14 +118,14 @@ impl Graded for BoxClip {
             answer: |q| Self::misread(q, |q| q.within = sample::LINE),
         },
         Mistake {
-            name: "wants the ray to start outside",
+            name: "finds nothing if the ray starts inside the box",
             hint: "Put the origin inside the box: on which part of the ray is it inside?",
             answer: |q| {
                 BoxClip::answer(q).filter(|_| (0..3).any(|axis| slab(q, axis).0 >= q.within.min))
             },
         },
         Mistake {
-            name: "takes the box for one around the origin",
+            name: "takes the box to be around the world's origin",
             hint: "Move the box and the ray by one metre: the answer must not change.",
             answer: |q| {
                 let half = 0.5 * (q.max - q.min);
@@ -122,7 +138,7 @@ impl Graded for BoxClip {
             answer: |q| Self::misread(q, |q| (q.min.z, q.max.z) = (-1e9, 1e9)),
         },
         Mistake {
-            name: "calls a ray along a face a miss",
+            name: "calls every ray that is parallel to a face a miss",
             hint: "A ray that never leaves the slab between two faces: what does that slab cut off?",
             answer: |q| {
                 BoxClip::answer(q).filter(|_| q.ray.direction.to_array().iter().all(|d| *d != 0.0))
@@ -159,7 +175,6 @@ impl Graded for BoxClip {
     }];
 }
 
-/// Where the whole line enters and leaves the slab of an axis; by the right rule.
 /// A ray close to an edge that is part of the box's outline as the ray sees it: it leaves one slab about where it enters another.
 fn beside_an_edge(rng: &mut Pcg, center: Vec3, half: Vec3) -> Ray {
     let direction = sample::direction(rng);
@@ -173,10 +188,17 @@ fn beside_an_edge(rng: &mut Pcg, center: Vec3, half: Vec3) -> Ray {
     Ray::new(aim - sample::number(rng, 1.0, 6.0) * *direction, direction)
 }
 
+/// Where the whole line enters and leaves the slab of an axis; by the right rule.
 fn slab(q: &BoxClip, axis: usize) -> (f32, f32) {
     let (o, d) = (q.ray.origin[axis], q.ray.direction[axis]);
     let (a, b) = ((q.min[axis] - o) / d, (q.max[axis] - o) / d);
     if d.is_sign_negative() { (b, a) } else { (a, b) }
+}
+
+/// Where the whole line enters and leaves the slabs of the three axes.
+fn nears_and_fars(q: &BoxClip) -> (Vec3, Vec3) {
+    let [x, y, z] = [0, 1, 2].map(|axis| slab(q, axis));
+    (vec3(x.0, y.0, z.0), vec3(x.1, y.1, z.1))
 }
 
 /// Clips by three slabs, by a rule for the order of the planes and one for when there is anything left.

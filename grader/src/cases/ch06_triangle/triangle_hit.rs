@@ -98,7 +98,7 @@ impl Graded for TriangleHit {
             },
         },
         Mistake {
-            name: "returns the weight of the first corner for b1",
+            name: "returns the weights of the first and the second corner for b1 and b2",
             hint: "The three weights add up to 1; which two are b1 and b2?",
             answer: |q| {
                 TriangleHit::answer(q).map(|hit| TriangleHitAnswer {
@@ -133,7 +133,7 @@ impl Graded for TriangleHit {
             },
         },
         Mistake {
-            name: "takes the distance without its sign",
+            name: "takes |t| for the distance t",
             hint: "What if the triangle is behind the origin?",
             answer: |q| {
                 let hit = Self::misread(q, |q| q.within = sample::LINE)?;

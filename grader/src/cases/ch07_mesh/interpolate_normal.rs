@@ -45,7 +45,7 @@ impl Graded for InterpolateNormal {
             answer: |q| mix(q, 1.0 - q.b.x - q.b.y, q.b.y, q.b.x).normalize_or_zero(),
         },
         Mistake {
-            name: "takes the mean of the corners anywhere",
+            name: "takes the mean of the three normals, wherever the point is",
             hint: "Move the point towards a corner: the normal should turn towards that corner's.",
             answer: |q| mix(q, 1.0, 1.0, 1.0).normalize_or_zero(),
         },

@@ -54,18 +54,18 @@ impl Graded for InterpolateTexture {
             },
         },
         Mistake {
-            name: "normalises as if it were a direction",
+            name: "normalises the coordinates as if they were a direction",
             hint: "Texture coordinates have no length that matters.",
             answer: |q| InterpolateTexture::answer(q).normalize_or_zero(),
         },
         Mistake {
-            name: "wraps them into [0, 1)",
-            hint: "A texture may repeat: whose decision is that?",
+            name: "wraps the coordinates into [0, 1)",
+            hint: "A texture may repeat: is that decided here, or where the texture is looked up?",
             answer: |q| InterpolateTexture::answer(q).fract_gl(),
         },
         Mistake {
             name: "returns (b1, b2)",
-            hint: "Those say where in the triangle; where in the texture?",
+            hint: "b1 and b2 say where the point is in the triangle: where is the point in the texture?",
             answer: |q| q.b,
         },
         Mistake {
@@ -79,7 +79,7 @@ impl Graded for InterpolateTexture {
             answer: |q| (1.0 - q.b.x) * q.t0 + q.b.x * q.t1 + q.b.y * q.t2,
         },
         Mistake {
-            name: "takes the mean of the corners anywhere",
+            name: "takes the mean of the three corners' coordinates, wherever the point is",
             hint: "Move the point towards a corner: the coordinates should move towards that corner's.",
             answer: |q| (q.t0 + q.t1 + q.t2) / 3.0,
         },

@@ -54,7 +54,7 @@ impl Graded for VertexNormals {
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "gives every triangle the same weight",
-            hint: "Cut one triangle in two: should the normals at its other corners' neighbours change?",
+            hint: "Cut a triangle in two, from a vertex to the opposite side: should the normal at this vertex change?",
             answer: |q| normals(q, |e1, e2| e1.cross(e2).normalize_or_zero()),
         },
         Mistake {
@@ -82,7 +82,7 @@ impl Graded for VertexNormals {
         },
         Mistake {
             name: "adds to the first corner only",
-            hint: "Each triangle has three corners: who gets its normal?",
+            hint: "Each triangle has three corners: to how many of them do you add its normal?",
             answer: |q| {
                 let mut sums = vec![Vec3::ZERO; q.positions.len()];
                 for ([first, ..], twice_area) in faces(q, Vec3::cross) {

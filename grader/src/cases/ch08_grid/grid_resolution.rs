@@ -29,7 +29,7 @@ impl Graded for GridResolution {
         ] {
             if golden != got {
                 return Err(format!(
-                    "there are {got} cells along {axis}, and should be {golden}: {} cells of about one size in each direction",
+                    "there are {got} cells along {axis}, and should be {golden}: {} cells in all, each about a cube",
                     cells(q)
                 ));
             }
@@ -39,7 +39,7 @@ impl Graded for GridResolution {
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
-            name: "gives every axis the same number",
+            name: "cuts every axis into ∛(λN) cells, a thin one too",
             hint: "Should a long side be cut into as many pieces as a short one?",
             answer: |q| whole(Vec3::splat(cells(q).cbrt()), f32::round),
         },
@@ -49,8 +49,8 @@ impl Graded for GridResolution {
             answer: |q| Self::misread(q, |q| q.density = 1.0),
         },
         Mistake {
-            name: "cuts the longest side into ∛(λN)",
-            hint: "Multiply your three numbers: how many cells are that in all?",
+            name: "cuts the longest side into ∛(λN) cells",
+            hint: "Multiply your three numbers: how many cells is that in all?",
             answer: |q| {
                 let longest = q.extents.max_element().max(f32::MIN_POSITIVE);
                 whole(q.extents / longest * cells(q).cbrt(), f32::round)
@@ -75,7 +75,7 @@ impl Graded for GridResolution {
             },
         },
         Mistake {
-            name: "gives a thin axis no cell",
+            name: "gives an axis of extent 0 no cell",
             hint: "How many cells are there in all if one of your numbers is 0?",
             answer: |q| {
                 let right = GridResolution::answer(q);
@@ -126,8 +126,8 @@ impl Graded for GridResolution {
             },
         },
         Mistake {
-            name: "cuts all axes into equally many cells",
-            hint: "A box is twice as long as it is wide: are cells that are as long as they are wide as many along both?",
+            name: "cuts all axes but the thin ones into equally many cells",
+            hint: "A box is twice as long as it is wide, and its cells are about cubes: are there as many cells along both sides?",
             answer: |q| {
                 let right = share(q);
                 let count = right.to_array().iter().filter(|n| **n > 0.0).count();
@@ -138,7 +138,7 @@ impl Graded for GridResolution {
         },
         Mistake {
             name: "takes the square root of the cells for their cube root",
-            hint: "Nine cells on a square are three along each side; how many are 27 cells in a cube?",
+            hint: "Nine cells in a square are three along each side: how many along each side are 27 cells in a cube?",
             answer: |q| {
                 let right = share(q);
                 let thick = right.map(|n| f32::from(u8::from(n > 0.0)));
@@ -151,7 +151,7 @@ impl Graded for GridResolution {
         },
         Mistake {
             name: "returns 0 for an axis that gets less than one cell",
-            hint: "How many cells has a flat box along its thin axis: can it be none?",
+            hint: "How many cells are there in all if there is none along one axis?",
             answer: |q| {
                 let along = share(q);
                 let Cell { x, y, z } = GridResolution::answer(q);

@@ -98,17 +98,17 @@ impl Graded for GridWalk {
         Flaw {
             complaint: "is not in the lattice",
             name: "walks out of the lattice",
-            hint: "Which numbers have the first cell and the last one along each axis, and what does your loop do behind them?",
+            hint: "What are the numbers of the first and the last cell along each axis, and what does your loop do beyond them?",
         },
         Flaw {
             complaint: "which is not in cell",
-            name: "names cells in which the ray is not where it should leave them",
+            name: "gives a cell and a distance at which the ray is not in that cell",
             hint: "Take the first cell of the first wrong case: between which two planes does it lie along each axis, and where is the ray when it enters?",
         },
         Flaw {
             complaint: "the distance at which it leaves",
             name: "gives wrong distances for the right cells",
-            hint: "From where is t measured, and is it that of the plane at which the ray leaves a cell?",
+            hint: "From where is t measured, and at which plane does the ray leave the cell?",
         },
     ];
 
@@ -144,15 +144,25 @@ impl Graded for GridWalk {
             answer: |q| walked(q, Interval::new(0.0, q.within.max)),
         },
         Mistake {
-            name: "looks at the plane behind when it goes backwards",
+            name: "begins in the cell that is nearest to the ray's origin",
+            hint: "The origin may lie outside the lattice: at which t does the ray enter, and which cell is there?",
+            answer: |q| student(q, |_| 0.0, ahead, least),
+        },
+        Mistake {
+            name: "begins in the cell where the interval begins, inside the lattice or not",
+            hint: "Where the interval begins the ray may still be outside the lattice: at which t does it enter, and which cell is there?",
+            answer: |q| student(q, |q| q.within.min, ahead, least),
+        },
+        Mistake {
+            name: "looks at a cell's upper plane even where the ray goes backwards",
             hint: "A ray that goes left leaves its cell through the left face: which of the cell's two planes is that?",
-            answer: |q| student(q, |_, i| i + 1, least),
+            answer: |q| student(q, start, |_, i| i + 1, least),
         },
         Mistake {
             name: "crosses the farthest plane first",
             hint: "The ray leaves the cell through the face that it meets first.",
             answer: |q| {
-                student(q, ahead, |next| {
+                student(q, start, ahead, |next| {
                     (0..3)
                         .filter(|&i| next[i].is_finite())
                         .max_by(|&a, &b| next[a].total_cmp(&next[b]))
@@ -188,7 +198,7 @@ impl Graded for GridWalk {
             },
         },
         Mistake {
-            name: "steps along all axes at once",
+            name: "skips every second cell, as if it stepped along two axes at once",
             hint: "A ray leaves a cell through one face: which of the three numbers changes then?",
             answer: |q| {
                 let visits = GridWalk::answer(q);
@@ -327,13 +337,18 @@ fn least(next: [f32; 3]) -> usize {
         .unwrap_or(0)
 }
 
-/// A walk with a plane and an axis of the student's choice.
-fn student(q: &GridWalk, plane: fn(bool, i64) -> i64, choose: fn([f32; 3]) -> usize) -> Vec<Visit> {
+/// A walk with a beginning, a plane and an axis of the student's choice.
+fn student(
+    q: &GridWalk,
+    begin: fn(&GridWalk) -> f32,
+    plane: fn(bool, i64) -> i64,
+    choose: fn([f32; 3]) -> usize,
+) -> Vec<Visit> {
     let lattice: Lattice = q.lattice();
-    let Some(inside) = slab::clip(&lattice.bounds(), &q.ray, q.within) else {
+    if slab::clip(&lattice.bounds(), &q.ray, q.within).is_none() {
         return Vec::new();
-    };
-    let mut cell = lattice.cell_at(q.ray.at(inside.min));
+    }
+    let mut cell = lattice.cell_at(q.ray.at(begin(q)));
     let mut visits = Vec::new();
     for _ in 0..lattice.resolution.element_sum() {
         let next = [0, 1, 2].map(|axis| {

@@ -3,7 +3,7 @@
 use crate::{Flaw, Graded, Mistake, Verdict, sample};
 use glam::{UVec3, Vec3, uvec3, vec3};
 use rand::RngExt;
-use raybook::inside::grid::{self, range};
+use raybook::inside::grid::{self, range, triangle_meets_box};
 use raybook::math::{aabb::Aabb, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch08_grid::{Cell, VoxelsOfTriangle};
@@ -80,7 +80,7 @@ impl Graded for VoxelsOfTriangle {
         Flaw {
             complaint: "is not in the lattice",
             name: "names cells outside of the lattice",
-            hint: "Which numbers have the first cell and the last one along each axis?",
+            hint: "What are the numbers of the first and the last cell along each axis?",
         },
         Flaw {
             complaint: "one too many",
@@ -90,7 +90,7 @@ impl Graded for VoxelsOfTriangle {
         Flaw {
             complaint: "is missing: the triangle",
             name: "leaves out cells that the triangle reaches",
-            hint: "A long triangle passes through cells in which none of its corners is: do you find them, and those that it reaches only with the margin?",
+            hint: "A long triangle passes through cells that hold none of its corners: do you find these cells, and the cells that reach the triangle by their margin only?",
         },
     ];
 
@@ -120,8 +120,8 @@ impl Graded for VoxelsOfTriangle {
             },
         },
         Mistake {
-            name: "takes all cells of the box that the plane cuts",
-            hint: "The plane goes on beyond the triangle's edges: which directions can tell a box that lies past an edge?",
+            name: "takes all cells of the bounding box that the triangle's plane cuts",
+            hint: "The plane goes on beyond the triangle's edges: along which directions can you tell that a box lies past an edge?",
             answer: |q| {
                 kept(q, |bounds, [p0, p1, p2]| {
                     let n = (p1 - p0).cross(p2 - p0);
@@ -131,7 +131,7 @@ impl Graded for VoxelsOfTriangle {
             },
         },
         Mistake {
-            name: "takes only cells whose centre is near the plane's",
+            name: "takes only cells whose centre is near the triangle's plane",
             hint: "How far from its centre does a box reach along the triangle's normal: to a face, or to a corner?",
             answer: |q| {
                 let all = VoxelsOfTriangle::answer(q);
@@ -142,6 +142,17 @@ impl Graded for VoxelsOfTriangle {
                     n.dot(center - q.p0).abs() <= 0.5 * q.cell.min_element()
                 };
                 all.into_iter().filter(near).collect()
+            },
+        },
+        Mistake {
+            name: "takes a cell for twice as large as it is",
+            hint: "A box reaches from its centre by half of its size along each axis: what do you add up along the normal and along each cross product?",
+            answer: |q| {
+                kept(q, |bounds, corners| {
+                    let half = 0.5 * bounds.size();
+                    let around = Aabb::new(bounds.min - half, bounds.max + half).grown(q.margin);
+                    triangle_meets_box(&corners, &around)
+                })
             },
         },
         Mistake {

@@ -133,7 +133,7 @@ impl Graded for RefineCell {
         Flaw {
             complaint: "there is no cell",
             name: "names cells that are not there",
-            hint: "Which numbers have the first cell and the last one along each axis?",
+            hint: "What are the numbers of the first and the last cell along each axis?",
         },
         Flaw {
             complaint: "is twice in cell",
@@ -155,7 +155,7 @@ impl Graded for RefineCell {
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "ignores the density",
-            hint: "Twice the density: how many more fine cells are there?",
+            hint: "Twice the density: how many times as many fine cells are there?",
             answer: |q| Self::misread(q, |q| q.density = 1.0),
         },
         Mistake {
@@ -165,7 +165,7 @@ impl Graded for RefineCell {
         },
         Mistake {
             name: "names a shape only where its middle is",
-            hint: "A ray can hit a shape far from its middle: in which cell does it look for it?",
+            hint: "A ray can hit a shape far from the shape's middle: in which cells must the ray find the shape?",
             answer: |q| {
                 with_shapes(q, |shape| {
                     let middle = 0.5 * (shape.min + shape.max);
@@ -239,7 +239,7 @@ impl Graded for RefineCell {
             },
         },
         Mistake {
-            name: "cuts an axis into more than 255",
+            name: "cuts an axis into more than 255 cells",
             hint: "A resolution is kept in a byte: which is the largest number in it?",
             answer: |q| {
                 let counted = GridResolution {
@@ -257,7 +257,7 @@ impl Graded for RefineCell {
         },
         Mistake {
             name: "names only shapes that lie within a cell as a whole",
-            hint: "A shape that sticks out of a cell: who finds the part inside?",
+            hint: "A shape that sticks out of a cell: which list finds the part inside?",
             answer: |q| {
                 let mut answer = RefineCell::answer(q);
                 let n = UVec3::new(answer.nx, answer.ny, answer.nz).as_vec3();

@@ -167,12 +167,12 @@ impl Graded for TwoLevelWalk {
             },
         },
         Mistake {
-            name: "goes on behind the end of the interval",
+            name: "goes on beyond the end of the interval",
             hint: "What is the interval's max for?",
             answer: |q| Self::misread(q, |q| q.within.max = f32::INFINITY),
         },
         Mistake {
-            name: "takes the first cell's resolution for all",
+            name: "takes the first coarse cell's resolution for all",
             hint: "Each coarse cell is cut in its own way: where is that stored?",
             answer: |q| {
                 let first = q.fine.iter().find(|r| r.nx > 0).cloned();
@@ -185,13 +185,28 @@ impl Graded for TwoLevelWalk {
         },
         Mistake {
             name: "numbers the fine cells along z first",
-            hint: "In each coarse cell those along x come first: by how much does the place grow with x, with y and with z?",
-            answer: |q| numbered(q, |[x, y, z], [_, ny, nz]| (x * ny + y) * nz + z),
+            hint: "In each coarse cell the fine cells along x come first: by how much does the place grow with x, with y and with z?",
+            answer: |q| numbered(q, |_, [x, y, z], [_, ny, nz]| (x * ny + y) * nz + z),
         },
         Mistake {
             name: "numbers the fine cells along y first",
-            hint: "In each coarse cell those along x come first: by how much does the place grow with x, with y and with z?",
-            answer: |q| numbered(q, |[x, y, z], [nx, ny, _]| y + ny * (x + nx * z)),
+            hint: "In each coarse cell the fine cells along x come first: by how much does the place grow with x, with y and with z?",
+            answer: |q| numbered(q, |_, [x, y, z], [nx, ny, _]| y + ny * (x + nx * z)),
+        },
+        Mistake {
+            name: "numbers the fine cells with the coarse grid's resolution",
+            hint: "How many fine cells has this coarse cell along x, and how many along y?",
+            answer: |q| numbered(q, |q, [x, y, z], _| x + q.coarse.nx * (y + q.coarse.ny * z)),
+        },
+        Mistake {
+            name: "goes to the next row of fine cells by the number of rows, not by that of cells in a row",
+            hint: "By how much does the place grow from a cell to the one above it along y: by the number of cells along x, or along y?",
+            answer: |q| numbered(q, |_, [x, y, z], [_, ny, nz]| x + ny * (y + nz * z)),
+        },
+        Mistake {
+            name: "goes to the next layer of fine cells by one row, not by all rows of a layer",
+            hint: "How many fine cells lie in one layer of equal z?",
+            answer: |q| numbered(q, |_, [x, y, z], [nx, _, _]| x + nx * (y + z)),
         },
         Mistake {
             name: "ignores the interval",
@@ -203,7 +218,7 @@ impl Graded for TwoLevelWalk {
             },
         },
         Mistake {
-            name: "ends the walk through the fine cells where the coarse cell ends, not where the interval does",
+            name: "walks through a whole coarse cell, even where the interval begins or ends in it",
             hint: "The interval begins and ends within one coarse cell: which of its fine cells does the ray pass before, and which after?",
             answer: |q| {
                 let met: Vec<_> = by_coarse_cell(q).into_iter().map(|group| group.0).collect();
@@ -242,7 +257,10 @@ impl Graded for TwoLevelWalk {
 }
 
 /// The walk with another number for the fine cell x, y, z of nx × ny × nz.
-fn numbered(q: &TwoLevelWalk, number: fn([u32; 3], [u32; 3]) -> u32) -> Vec<u32> {
+fn numbered(
+    q: &TwoLevelWalk,
+    number: fn(&TwoLevelWalk, [u32; 3], [u32; 3]) -> u32,
+) -> Vec<u32> {
     let levels = q.levels();
     let renumbered = |place: u32| {
         let mut cuts = levels.cuts.iter();
@@ -251,7 +269,7 @@ fn numbered(q: &TwoLevelWalk, number: fn([u32; 3], [u32; 3]) -> u32) -> Vec<u32>
         };
         let n = cut.resolution.as_uvec3().to_array();
         let at = place - cut.first;
-        cut.first + number([at % n[0], at / n[0] % n[1], at / n[0] / n[1]], n)
+        cut.first + number(q, [at % n[0], at / n[0] % n[1], at / n[0] / n[1]], n)
     };
     TwoLevelWalk::answer(q)
         .into_iter()

@@ -5,7 +5,7 @@ use crate::{Flaw, Graded, Mistake, Verdict, sample, traits};
 use glam::Vec3;
 use rand::RngExt;
 use raybook::accel::octree::build::Limits;
-use raybook::inside::octree::build;
+use raybook::inside::octree::{build, child_cell};
 use raybook::math::{aabb::Aabb, pcg::Pcg};
 use raybook_workbook::exercises::ch05_box::Corners;
 use raybook_workbook::exercises::ch10_octree::{OctreeBuild, reached};
@@ -259,7 +259,7 @@ impl Graded for OctreeBuild {
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "names a shape only where its middle is",
-            hint: "A ray can hit a shape far from its middle: in which leaf does it look for it?",
+            hint: "A ray can hit a shape far from the shape's middle: in which leaves must the ray find the shape?",
             answer: |q| {
                 built(
                     q,
@@ -324,7 +324,7 @@ impl Graded for OctreeBuild {
             },
         },
         Mistake {
-            name: "cuts once too often",
+            name: "cuts one level deeper than the depth allows",
             hint: "With a depth of 0, how many nodes may there be?",
             answer: |q| {
                 built(
@@ -338,7 +338,7 @@ impl Graded for OctreeBuild {
             },
         },
         Mistake {
-            name: "swaps x and z in the children's numbers",
+            name: "swaps x and z in the children's numbers and in their cells",
             hint: "Child 1 is in the upper half along one axis only: along which?",
             answer: |q| {
                 let swap = |p: &mut Vec3| std::mem::swap(&mut p.x, &mut p.z);
@@ -363,6 +363,18 @@ impl Graded for OctreeBuild {
             },
         },
         Mistake {
+            name: "compares shapes with the middle of the whole scene in every cell",
+            hint: "Which point parts the children of a cell that has been cut before: the root's middle, or its own?",
+            answer: |q| {
+                let root = Aabb {
+                    min: q.min,
+                    max: q.max,
+                };
+                let cells = std::array::from_fn(|i| child_cell(&root, i));
+                built(q, |l| l, |shape, _| reached(shape, &cells))
+            },
+        },
+        Mistake {
             name: "ignores the limit on copies",
             hint: "How often are large shapes named in all leaves together?",
             answer: |q| {
@@ -382,7 +394,7 @@ impl Graded for OctreeBuild {
             answer: |q| built(q, |l| Limits { opening: 0.0, ..l }, reached),
         },
         Mistake {
-            name: "cuts once less than the depth allows",
+            name: "stops one level before the depth allows",
             hint: "With a depth of 1, how many nodes may there be?",
             answer: |q| {
                 built(
@@ -397,7 +409,7 @@ impl Graded for OctreeBuild {
         },
         Mistake {
             name: "allows half as many copies as the limit does",
-            hint: "A cell with n shapes may be named how often in all by its leaves?",
+            hint: "A cell has n shapes: how many names may all leaves in this cell have together?",
             answer: |q| Self::misread(q, |q| q.copies *= 0.5),
         },
     ];

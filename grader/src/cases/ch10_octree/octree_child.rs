@@ -66,7 +66,7 @@ impl Graded for OctreeChild {
             answer: |q| 7 - OctreeChild::answer(q),
         },
         Mistake {
-            name: "takes a point on a middle plane for below",
+            name: "puts a point on a middle plane into the lower half",
             hint: "The middle plane belongs to one of the two halves: to which?",
             answer: |q| bits(q.p.cmpgt(0.5 * (q.min + q.max))),
         },

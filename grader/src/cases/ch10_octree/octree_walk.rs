@@ -143,8 +143,8 @@ impl Graded for OctreeWalk {
             answer: |q| OctreeWalk::answer(q).into_iter().take(1).collect(),
         },
         Mistake {
-            name: "goes on behind the end of the interval",
-            hint: "Something nearer may already have been hit: what is `limit` for?",
+            name: "goes on beyond the end of the interval",
+            hint: "Something nearer may already have been hit: what is the interval's max for?",
             answer: |q| walked(q, q.ray, Interval::new(q.within.min, f32::INFINITY)),
         },
         Mistake {
@@ -153,7 +153,7 @@ impl Graded for OctreeWalk {
             answer: |q| walked(q, q.ray, Interval::new(f32::NEG_INFINITY, q.within.max)),
         },
         Mistake {
-            name: "loses rays that run along an axis",
+            name: "loses rays that do not move along some axis",
             hint: "If the ray does not move along x, how far is it to the middle plane in x, and what is 0 · ∞?",
             answer: |q| {
                 let along = q.ray.direction.to_array().contains(&0.0);

@@ -2,7 +2,7 @@
 
 use super::bvh_tree::{tree_cost, wrong_choice};
 use super::sah_cost::node_area;
-use super::{around, center, crowd, cube, heaps, no_dearer, tree};
+use super::{area, around, center, crowd, cube, heaps, no_dearer, tree};
 use crate::{Flaw, Graded, Mistake, Verdict, sample, traits};
 use raybook::accel::bvh::build::Method;
 use raybook::math::{aabb::Aabb, pcg::Pcg};
@@ -200,7 +200,7 @@ impl Graded for BvhBuild {
         Flaw {
             complaint: "half of its boxes on each side",
             name: "puts half of the boxes on each side of every cut",
-            hint: "One box far away from nine others: who should share a side with it?",
+            hint: "One box lies far away from nine others: should any of the nine share a side with it?",
         },
         Flaw {
             complaint: "a leaf, and a cut would be cheaper",
@@ -221,8 +221,8 @@ impl Graded for BvhBuild {
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
-            name: "splits by number",
-            hint: "One box far away from nine others: who should share a side with it?",
+            name: "cuts every node into halves by the number of boxes",
+            hint: "One box lies far away from nine others: should any of the nine share a side with it?",
             answer: |q| tree(&q.boxes, Method::Median, q.most),
         },
         Mistake {
@@ -260,7 +260,7 @@ impl Graded for BvhBuild {
             },
         },
         Mistake {
-            name: "puts the first box into every leaf",
+            name: "lets every leaf begin at the start of the order",
             hint: "Where does the second leaf begin in the order?",
             answer: |q| {
                 let mut tree = BvhBuild::answer(q);
@@ -271,8 +271,13 @@ impl Graded for BvhBuild {
             },
         },
         Mistake {
-            name: "makes boxes around the centres",
-            hint: "A shape reaches beyond its centre: who finds the part outside the box?",
+            name: "leaves the numbers of boxes out of the cost of a cut",
+            hint: "A ray that enters a side tests what is in it: does a side of nine boxes cost as much as a side of one?",
+            answer: by_areas,
+        },
+        Mistake {
+            name: "makes a node's box around the centres of its boxes",
+            hint: "A shape reaches beyond its centre: which node finds the part outside the box?",
             answer: |q| {
                 let points = q.boxes.iter().map(|row| cube(center(row), 0.0));
                 let boxes: Vec<_> = points.collect();
@@ -296,4 +301,70 @@ fn one_leaf(q: &BvhBuild) -> BvhBuildAnswer {
         nodes: vec![leaf],
         order,
     }
+}
+
+/// The tree that takes the sum of the areas of its two sides for the cost of a cut. What a leaf can hold is not cut.
+fn by_areas(q: &BvhBuild) -> BvhBuildAnswer {
+    let node = |which: &[u32]| {
+        let Aabb { min, max } = around(&q.boxes, which);
+        NodeRow {
+            min,
+            max,
+            first: 0,
+            count: 0,
+        }
+    };
+    let all: Vec<_> = (0..q.boxes.len() as u32).collect();
+    let mut tree = BvhBuildAnswer {
+        nodes: vec![node(&all)],
+        order: Vec::new(),
+    };
+    let mut open = vec![(0, all)];
+    while let Some((at, which)) = open.pop() {
+        if which.len() <= q.most.max(1) as usize {
+            tree.nodes[at].first = tree.order.len() as u32;
+            tree.nodes[at].count = which.len() as u32;
+            tree.order.extend(which);
+            continue;
+        }
+        let sides = smallest(q, which);
+        tree.nodes[at].first = tree.nodes.len() as u32;
+        for side in sides {
+            open.push((tree.nodes.len(), side.clone()));
+            tree.nodes.push(node(&side));
+        }
+    }
+    tree
+}
+
+/// The two sides of the cut between the sorted centres, along any axis, whose areas add up to the least.
+fn smallest(q: &BvhBuild, which: Vec<u32>) -> [Vec<u32>; 2] {
+    let n = which.len();
+    let mut best = (f32::INFINITY, which, n / 2);
+    for axis in 0..3 {
+        let mut sorted = best.1.clone();
+        let place = |&i: &u32| center(&q.boxes[i as usize])[axis];
+        sorted.sort_by(|a, b| place(a).total_cmp(&place(b)));
+        let areas = |order: &mut dyn Iterator<Item = &u32>| -> Vec<f32> {
+            let mut bounds = Aabb::EMPTY;
+            let grown = order.map(|&i| {
+                bounds = bounds.union(&Aabb::from(&q.boxes[i as usize]));
+                area(bounds.min, bounds.max)
+            });
+            grown.collect()
+        };
+        let (below, above) = (
+            areas(&mut sorted.iter()),
+            areas(&mut sorted.iter().rev()),
+        );
+        for cut in 1..n {
+            let sum = below[cut - 1] + above[n - cut - 1];
+            if sum < best.0 {
+                best = (sum, sorted.clone(), cut);
+            }
+        }
+    }
+    let (_, mut below, cut) = best;
+    let above = below.split_off(cut);
+    [below, above]
 }

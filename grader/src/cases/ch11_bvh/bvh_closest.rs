@@ -106,7 +106,7 @@ impl Graded for BvhClosest {
             answer: |q| Self::misread(q, |q| q.within.min = f32::NEG_INFINITY),
         },
         Mistake {
-            name: "does not ask again when a waiting node's turn comes",
+            name: "opens a waiting node without asking again whether it is behind the hit",
             hint: "Something was hit since the node was put aside: can anything in it still be nearer?",
             answer: |q| search(q, |how| how.drops = false),
         },
@@ -117,7 +117,7 @@ impl Graded for BvhClosest {
         },
         Mistake {
             name: "opens the second child first, whichever is nearer",
-            hint: "The last one on the stack is the first one off it: which one should that be?",
+            hint: "The child that is put on the stack last is taken off first: which child should that be?",
             answer: |q| search(q, |how| how.order = Order::Backwards),
         },
         Mistake {

@@ -50,13 +50,21 @@ impl Graded for SahCost {
             answer: |q| SahCost::answer(q) * q.nodes.first().map_or(1.0, node_area),
         },
         Mistake {
+            name: "divides by the number of nodes, not by the root's area",
+            hint: "The chance that a ray which meets the root also meets a node is a ratio of two areas: of which?",
+            answer: |q| {
+                SahCost::answer(q) * q.nodes.first().map_or(1.0, node_area)
+                    / q.nodes.len().max(1) as f32
+            },
+        },
+        Mistake {
             name: "takes half of each area, and forgets to divide by the root's",
             hint: "Make everything twice as large: does a search take longer?",
             answer: |q| 0.5 * SahCost::answer(q) * q.nodes.first().map_or(1.0, node_area),
         },
         Mistake {
             name: "counts the leaves only",
-            hint: "Who comes to a leaf has opened branches before: for free?",
+            hint: "A ray that comes to a leaf has opened branches before: for free?",
             answer: |q| weighted(&free(q, true), node_area, node_price),
         },
         Mistake {
@@ -65,7 +73,7 @@ impl Graded for SahCost {
             answer: |q| weighted(&free(q, false), node_area, node_price),
         },
         Mistake {
-            name: "gives every leaf the price of one shape",
+            name: "gives every leaf the cost of one shape",
             hint: "Does a leaf of five shapes cost as much as a leaf of one?",
             answer: |q| {
                 weighted(
@@ -84,21 +92,21 @@ impl Graded for SahCost {
         },
         Mistake {
             name: "leaves out the root",
-            hint: "A ray that meets the root's box opens the root, with what probability?",
+            hint: "With what probability does a ray that meets the root's box open the root?",
             answer: |q| SahCost::answer(q) - q.nodes.first().map_or(0.0, |n| node_price(q, n)),
         },
         Mistake {
-            name: "counts every node as often as another",
+            name: "weighs every node alike, whatever its area",
             hint: "Do as many rays meet a small box as a large one?",
             answer: |q| weighted(q, |_| 1.0, node_price),
         },
         Mistake {
             name: "weighs by the longest side",
-            hint: "Lines through a box are counted by its surface, not by a length.",
+            hint: "How many lines meet a box depends on its surface area, not on a length: what do you weigh by?",
             answer: |q| weighted(q, |n| (n.max - n.min).max_element(), node_price),
         },
         Mistake {
-            name: "adds the price of a branch to leaves too",
+            name: "adds the cost of a branch to leaves too",
             hint: "A ray that enters a leaf opens no children: what does it pay for?",
             answer: |q| {
                 weighted(q, node_area, |q, n| {
@@ -117,7 +125,7 @@ impl Graded for SahCost {
         },
         Mistake {
             name: "asks the first child of each branch twice, and the second never",
-            hint: "A branch has two children: which numbers have they?",
+            hint: "A branch has two children: what are their numbers?",
             answer: |q| {
                 let root = q.nodes.first().map_or(1.0, node_area);
                 first_times(q, 0, 2.0) / root
@@ -125,7 +133,7 @@ impl Graded for SahCost {
         },
         Mistake {
             name: "leaves out the second child of each branch",
-            hint: "A branch has two children, side by side: which numbers have they?",
+            hint: "A branch has two children, side by side: what are their numbers?",
             answer: |q| {
                 let root = q.nodes.first().map_or(1.0, node_area);
                 first_times(q, 0, 1.0) / root
@@ -133,7 +141,7 @@ impl Graded for SahCost {
         },
         Mistake {
             name: "weighs by the sum of the sides",
-            hint: "Lines through a box are counted by its surface, not by a length.",
+            hint: "How many lines meet a box depends on its surface area, not on a length: what do you weigh by?",
             answer: |q| weighted(q, |n| (n.max - n.min).element_sum(), node_price),
         },
     ];

@@ -130,7 +130,7 @@ impl Graded for SahSplit {
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "puts half of the boxes on each side",
-            hint: "One box far away from nine others: who should share a side with it?",
+            hint: "One box lies far away from nine others: should any of the nine share a side with it?",
             answer: |q| {
                 cut_with(q, |axis, [left, right]| {
                     let off = left.len().abs_diff(right.len());
@@ -180,11 +180,11 @@ impl Graded for SahSplit {
         },
         Mistake {
             name: "weighs by the longest side",
-            hint: "Lines through a box are counted by its surface, not by a length.",
+            hint: "How many lines meet a box depends on its surface area, not on a length: what do you weigh by?",
             answer: |q| least(q, |bounds, count| bounds.size().max_element() * count),
         },
         Mistake {
-            name: "takes the dearest cut",
+            name: "takes the most expensive cut",
             hint: "A cost is something to keep small: which way round do you compare?",
             answer: |q| least(q, |bounds, count| -sah(bounds, count)),
         },

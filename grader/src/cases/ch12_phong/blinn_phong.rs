@@ -30,7 +30,7 @@ impl Graded for BlinnPhongExercise {
             },
         },
         Mistake {
-            name: "halves L + V",
+            name: "halves L + V instead of normalising it",
             hint: "The middle of two points on a circle is not on the circle: how long is your H?",
             answer: |q| {
                 with_highlight(
@@ -40,17 +40,17 @@ impl Graded for BlinnPhongExercise {
             },
         },
         Mistake {
-            name: "takes R·V",
+            name: "takes R·V for N·H",
             hint: "That is Phong's highlight: which two directions does Blinn compare?",
             answer: |q| with_highlight(&q.at, power(mirrored(&q.at).dot(*q.at.view), &q.at)),
         },
         Mistake {
-            name: "takes V·H",
+            name: "takes V·H for N·H",
             hint: "V·H is the same on every surface, however it is turned: what is missing?",
             answer: |q| with_highlight(&q.at, power(half(&q.at).dot(*q.at.view), &q.at)),
         },
         Mistake {
-            name: "takes the difference of L and V",
+            name: "takes the difference of L and V for H",
             hint: "Let light and viewer be in the same place, straight above: where does H point?",
             answer: |q| {
                 let across = (*q.at.toward - *q.at.view).normalize_or_zero();
@@ -80,7 +80,7 @@ impl Graded for BlinnPhongExercise {
             },
         },
         Mistake {
-            name: "normalises a vector without direction",
+            name: "divides by 0 where L + V is 0",
             hint: "What is L + V if light and viewer are opposite each other, both at the horizon?",
             answer: |q| {
                 let half = (*q.at.toward + *q.at.view) / (*q.at.toward + *q.at.view).length();
@@ -94,13 +94,13 @@ impl Graded for BlinnPhongExercise {
             },
         },
         Mistake {
-            name: "takes N·V",
+            name: "takes N·V for N·H",
             hint: "Walk around the lamp at the same height: should the highlight follow you?",
             answer: |q| with_highlight(&q.at, power(q.at.normal.dot(*q.at.view), &q.at)),
         },
         Mistake {
             name: "exchanges k_d and k_s",
-            hint: "Which of the two colours has the matte part, and which the highlight?",
+            hint: "Which of the two colours belongs to the matte part, and which to the highlight?",
             answer: |q| Self::misread(q, |q| std::mem::swap(&mut q.at.diffuse, &mut q.at.specular)),
         },
         Mistake {
@@ -109,7 +109,7 @@ impl Graded for BlinnPhongExercise {
             answer: |q| Self::misread(q, |q| q.at.exponent = 1.0),
         },
         Mistake {
-            name: "forgets what arrives in the matte part",
+            name: "forgets the light i in the matte part",
             hint: "Switch the light off: is the matte part gone?",
             answer: |q| {
                 let highlight = power(half(&q.at).dot(*q.at.normal), &q.at);
@@ -122,7 +122,7 @@ impl Graded for BlinnPhongExercise {
             },
         },
         Mistake {
-            name: "forgets what arrives in the highlight",
+            name: "forgets the light i in the highlight",
             hint: "Switch the light off: is your highlight gone?",
             answer: |q| highlight_without_light(&q.at, power(half(&q.at).dot(*q.at.normal), &q.at)),
         },
@@ -142,7 +142,7 @@ impl Graded for BlinnPhongExercise {
             answer: |q| matte_without_cosine(&q.at, power(half(&q.at).dot(*q.at.normal), &q.at)),
         },
         Mistake {
-            name: "multiplies by the exponent",
+            name: "multiplies by the exponent instead of raising to it",
             hint: "Raise α: the highlight should become smaller, and stay as bright in its middle.",
             answer: |q| {
                 with_highlight(

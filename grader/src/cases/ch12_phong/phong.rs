@@ -58,7 +58,7 @@ impl Graded for PhongExercise {
             answer: |q| with_highlight(&q.at, power(q.at.toward.dot(*q.at.view), &q.at)),
         },
         Mistake {
-            name: "takes N·H",
+            name: "takes N·H for R·V",
             hint: "That is Blinn's highlight: which two directions does Phong compare?",
             answer: |q| with_highlight(&q.at, power(half(&q.at).dot(*q.at.normal), &q.at)),
         },
@@ -73,7 +73,7 @@ impl Graded for PhongExercise {
             },
         },
         Mistake {
-            name: "multiplies by the exponent",
+            name: "multiplies by the exponent instead of raising to it",
             hint: "Raise α: the highlight should become smaller, and stay as bright in its middle.",
             answer: |q| {
                 with_highlight(
@@ -93,7 +93,7 @@ impl Graded for PhongExercise {
             },
         },
         Mistake {
-            name: "forgets what arrives in the highlight",
+            name: "forgets the light i in the highlight",
             hint: "Switch the light off: is your highlight gone?",
             answer: |q| {
                 highlight_without_light(&q.at, power(mirrored(&q.at).dot(*q.at.view), &q.at))
@@ -105,13 +105,13 @@ impl Graded for PhongExercise {
             answer: |q| matte_without_cosine(&q.at, power(mirrored(&q.at).dot(*q.at.view), &q.at)),
         },
         Mistake {
-            name: "takes N·V",
+            name: "takes N·V for R·V",
             hint: "Walk around the lamp at the same height: should the highlight follow you?",
             answer: |q| with_highlight(&q.at, power(q.at.normal.dot(*q.at.view), &q.at)),
         },
         Mistake {
             name: "exchanges k_d and k_s",
-            hint: "Which of the two colours has the matte part, and which the highlight?",
+            hint: "Which of the two colours belongs to the matte part, and which to the highlight?",
             answer: |q| Self::misread(q, |q| std::mem::swap(&mut q.at.diffuse, &mut q.at.specular)),
         },
         Mistake {
@@ -128,7 +128,7 @@ impl Graded for PhongExercise {
             },
         },
         Mistake {
-            name: "multiplies the highlight by (n + 2)/2",
+            name: "multiplies the highlight by (α + 2)/2",
             hint: "Is the highlight to conserve energy here, or to be as in the formula?",
             answer: |q| {
                 let highlight = power(mirrored(&q.at).dot(*q.at.view), &q.at);
@@ -136,7 +136,7 @@ impl Graded for PhongExercise {
             },
         },
         Mistake {
-            name: "multiplies the highlight by (n + 2)/2π",
+            name: "multiplies the highlight by (α + 2)/2π",
             hint: "Is the highlight to conserve energy here, or to be as in the formula?",
             answer: |q| {
                 let highlight = power(mirrored(&q.at).dot(*q.at.view), &q.at);
@@ -147,7 +147,7 @@ impl Graded for PhongExercise {
             },
         },
         Mistake {
-            name: "forgets what arrives in the matte part",
+            name: "forgets the light i in the matte part",
             hint: "Switch the light off: is the matte part gone?",
             answer: |q| {
                 let highlight = power(mirrored(&q.at).dot(*q.at.view), &q.at);

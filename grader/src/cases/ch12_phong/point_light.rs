@@ -62,7 +62,7 @@ impl Graded for PointLightExercise {
             answer: |q| falling_off(q, |r| 1.0 / r),
         },
         Mistake {
-            name: "takes the intensity for a power",
+            name: "divides by 4π, as if the intensity were a power",
             hint: "The intensity is given per steradian already: is there a 4π left to divide by?",
             answer: |q| falling_off(q, |r| 1.0 / (4.0 * std::f32::consts::PI * r * r)),
         },

@@ -26,7 +26,7 @@ impl Graded for Reflect {
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
-            name: "sends the ray back through the surface's other side",
+            name: "turns round the part of i along the surface, not the part along the normal",
             hint: "Which part of i turns round at the mirror: the one along the surface, or the one perpendicular to it?",
             answer: |q| -Reflect::answer(q),
         },
@@ -36,12 +36,12 @@ impl Graded for Reflect {
             answer: |q| (*q.incoming - square(q)).normalize_or_zero(),
         },
         Mistake {
-            name: "adds in the place of subtracting",
+            name: "adds 2 (i·n) n instead of subtracting it",
             hint: "Let the ray fall straight down: how long is your answer?",
             answer: |q| *q.incoming + 2.0 * square(q),
         },
         Mistake {
-            name: "takes the size of i·n",
+            name: "adds 2 |i·n| n to i",
             hint: "Turn the normal round: it is the same mirror. Does your answer change?",
             answer: |q| *q.incoming + 2.0 * q.incoming.dot(*q.normal).abs() * *q.normal,
         },
@@ -68,8 +68,8 @@ impl Graded for Reflect {
             },
         },
         Mistake {
-            name: "takes the size of i·n, and takes it away",
-            hint: "From which side does the ray come, and does the formula care?",
+            name: "subtracts 2 |i·n| n from i",
+            hint: "From which side does the ray come, and does the formula need to know?",
             answer: |q| *q.incoming - 2.0 * q.incoming.dot(*q.normal).abs() * *q.normal,
         },
         Mistake {

@@ -26,7 +26,7 @@ impl Graded for Fresnel {
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
-            name: "returns Schlick's approximation",
+            name: "returns Schlick's approximation for Rs, Rp and R",
             hint: "One of Rs and Rp is zero at Brewster's angle: which of yours is?",
             answer: |q| {
                 let r = fresnel::schlick(q.cos1, q.n1, q.n2);
@@ -43,15 +43,15 @@ impl Graded for Fresnel {
             },
         },
         Mistake {
-            name: "forgets to square",
-            hint: "The fractions are those of the field; the light's power goes with its square.",
+            name: "forgets to square both amplitudes",
+            hint: "Your fractions are those of the field's amplitude: with which power of the amplitude does the light's power go?",
             answer: |q| {
                 let FresnelAnswer { rs, rp, .. } = Fresnel::answer(q);
                 mean(rs.sqrt(), rp.sqrt())
             },
         },
         Mistake {
-            name: "reflects nothing behind the critical angle",
+            name: "reflects nothing beyond the critical angle",
             hint: "Where no light goes through, where does it all go?",
             answer: |q| {
                 if cos2(q).is_some() {
@@ -102,14 +102,14 @@ impl Graded for Fresnel {
         },
         Mistake {
             name: "leaves Rp out of R",
-            hint: "Is lamplight polarised?",
+            hint: "Unpolarised light is half of one kind and half of the other: where is the other half in yours?",
             answer: |q| {
                 let FresnelAnswer { rs, rp, .. } = Fresnel::answer(q);
                 FresnelAnswer { rs, rp, r: rs }
             },
         },
         Mistake {
-            name: "multiplies Rs and Rp",
+            name: "takes the product of Rs and Rp for R",
             hint: "Unpolarised light is half of one kind and half of the other: what is the mean of both?",
             answer: |q| {
                 let FresnelAnswer { rs, rp, .. } = Fresnel::answer(q);
@@ -145,7 +145,7 @@ impl Graded for Fresnel {
             },
         },
         Mistake {
-            name: "divides both by the same sum",
+            name: "divides Rp by the sum that belongs to Rs",
             hint: "Below the fraction line of Rp: which index goes with which cosine?",
             answer: |q| {
                 cos2(q).map_or_else(

@@ -33,7 +33,7 @@ impl Graded for Refract {
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "never turns the normal",
-            hint: "On which side of the surface is a ray that leaves the glass? Your formula wants the normal on the ray's side.",
+            hint: "On which side of the surface does a ray start that leaves the glass? Your formula needs the normal on that side.",
             answer: |q| snell(q, *q.normal, -q.direction.dot(*q.normal), ratio(q)),
         },
         Mistake {
@@ -54,7 +54,7 @@ impl Graded for Refract {
         },
         Mistake {
             name: "has the sign of the cosine wrong",
-            hint: "The ray runs against the normal: which sign does their dot product have?",
+            hint: "The ray runs against the normal: what is the sign of their dot product?",
             answer: |q| {
                 let n = facing(q);
                 snell(q, n, q.direction.dot(n), ratio(q))

@@ -88,7 +88,7 @@ impl Graded for Lit {
         },
         Mistake {
             name: "starts on the surface itself",
-            hint: "The point may lie a hair below the surface: who is in the way then?",
+            hint: "The point may lie a hair below the surface: which surface is in the way then?",
             answer: |q| u32::from(!blocked(q, &q.spheres, Interval::new(0.0, q.distance))),
         },
         Mistake {
@@ -97,7 +97,7 @@ impl Graded for Lit {
             answer: |q| Self::misread(q, |q| q.distance = f32::INFINITY),
         },
         Mistake {
-            name: "takes what is behind the point for an obstacle",
+            name: "takes another sphere behind the point for an obstacle",
             hint: "A hit at a negative t is not between the point and the light.",
             answer: |q| {
                 let behind = Interval::new(f32::NEG_INFINITY, -0.1);
@@ -153,8 +153,8 @@ impl Graded for Lit {
             },
         },
         Mistake {
-            name: "takes the whole line through the point and the light, behind the point too",
-            hint: "From the point, in which direction is the light? What lies in the other one?",
+            name: "takes any sphere behind the point for an obstacle, its own sphere too",
+            hint: "In which direction from the point is the light? What lies in the opposite direction?",
             answer: |q| {
                 let behind = Interval::new(f32::NEG_INFINITY, -2.0 * q.error);
                 Lit::answer(q) * u32::from(!blocked(q, &q.spheres, behind))
@@ -172,7 +172,7 @@ impl Graded for Lit {
         },
         Mistake {
             name: "takes twice the radius of each sphere",
-            hint: "Is the number that you compare the distance from the centre with a radius or a diameter?",
+            hint: "You compare a distance from the centre with a number: is that number a radius or a diameter?",
             answer: |q| {
                 Self::misread(q, |q| {
                     q.spheres.iter_mut().for_each(|ball| ball.radius *= 2.0);
@@ -181,7 +181,7 @@ impl Graded for Lit {
         },
         Mistake {
             name: "takes half the radius of each sphere",
-            hint: "Is the number that you compare the distance from the centre with a radius or a diameter?",
+            hint: "You compare a distance from the centre with a number: is that number a radius or a diameter?",
             answer: |q| {
                 Self::misread(q, |q| {
                     q.spheres.iter_mut().for_each(|ball| ball.radius *= 0.5);

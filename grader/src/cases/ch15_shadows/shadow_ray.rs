@@ -66,13 +66,13 @@ impl Graded for ShadowRay {
         },
         Flaw {
             complaint: "on the wrong side of the point",
-            name: "starts on the other side of the surface than the light",
+            name: "starts on the side of the surface away from the light",
             hint: "On which side of the surface is the light, and to which side do you step?",
         },
         Flaw {
             complaint: "m off the point",
             name: "does not step far enough off the surface",
-            hint: "By how much may the surface be somewhere else than the point says?",
+            hint: "How far may the true surface be from the point?",
         },
         Flaw {
             complaint: "what is in between throws no shadow",
@@ -92,7 +92,7 @@ impl Graded for ShadowRay {
         Flaw {
             complaint: "behind the light, and not before it",
             name: "ends the interval at the light or behind it",
-            hint: "The light itself may be a surface in the scene: who finds it, if the interval ends behind it?",
+            hint: "The light itself may be a surface in the scene: does the ray find it, if the interval ends behind it?",
         },
         Flaw {
             complaint: "before the light, too soon",
@@ -114,7 +114,7 @@ impl Graded for ShadowRay {
         },
         Mistake {
             name: "starts a fixed millimetre along the ray",
-            hint: "Is a millimetre much or little? On a grain of sand, on a planet? Which number in the question knows?",
+            hint: "Is a millimetre much on a grain of sand, and on a planet? Which number in the question says how far is enough?",
             answer: |q| starting(q, q.position, 1e-3),
         },
         Mistake {
@@ -127,7 +127,7 @@ impl Graded for ShadowRay {
         },
         Mistake {
             name: "skips a quarter of the way",
-            hint: "What stands close to the surface throws no shadow any more: how far off need the ray start?",
+            hint: "What stands close to the surface throws no shadow any more: how far off the surface must the ray start?",
             answer: |q| {
                 let far = if q.distance.is_finite() {
                     q.distance
@@ -138,17 +138,17 @@ impl Graded for ShadowRay {
             },
         },
         Mistake {
-            name: "never ends",
+            name: "sets no end to the interval",
             hint: "There is a wall behind the lamp: does it throw a shadow on you?",
             answer: |q| ending(q, f32::INFINITY),
         },
         Mistake {
-            name: "ends as far behind the light as it is away",
+            name: "ends the interval at twice the light's distance",
             hint: "How far is the light, and how far does your interval reach?",
             answer: |q| ending(q, 2.0 * q.distance),
         },
         Mistake {
-            name: "takes the way for the unit",
+            name: "gives the ray the length of the whole way, and lets the interval end at 1",
             hint: "A direction has length 1, so t is in metres: at which t is the light?",
             answer: |q| {
                 let right = ShadowRay::answer(q);

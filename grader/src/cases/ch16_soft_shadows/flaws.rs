@@ -13,7 +13,7 @@ pub(super) const COUNT: Flaw = Flaw {
 pub(super) const LENGTH: Flaw = Flaw {
     complaint: "the direction has length",
     name: "returns directions whose length is not 1",
-    hint: "How long is a direction? And do your answer's fields stand in the order of the task?",
+    hint: "How long must a direction be? And do the fields of your answer stand in the order of the task?",
 };
 
 /// What is wrong where a judge complains of the density.

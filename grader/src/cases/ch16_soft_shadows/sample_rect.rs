@@ -100,7 +100,7 @@ impl Graded for SampleRect {
             answer: |q| spoil_rect(q, |cosine, chosen| chosen.pdf * cosine),
         },
         Mistake {
-            name: "forgets the distance",
+            name: "forgets the distance in the density",
             hint: "Twice as far away, how much smaller does the light look?",
             answer: |q| spoil_rect(q, |_, chosen| chosen.pdf / chosen.distance.powi(2)),
         },
@@ -127,8 +127,8 @@ impl Graded for SampleRect {
             },
         },
         Mistake {
-            name: "takes the corner for the middle",
-            hint: "Which points do u = (0, 0) and u = (1, 1) belong to?",
+            name: "takes the light's corner for its middle",
+            hint: "Which points of the light belong to u = (0, 0) and to u = (1, 1)?",
             answer: |q| Self::misread(q, |q| q.corner -= 0.5 * (q.a + q.b)),
         },
         Mistake {
@@ -164,7 +164,7 @@ impl Graded for SampleRect {
             answer: |q| chosen_rect(q, |u| u - 0.5 / N as f32),
         },
         Mistake {
-            name: "squares a uniform number",
+            name: "squares one of the two uniform numbers",
             hint: "Is every part of the light chosen as often as every other?",
             answer: |q| chosen_rect(q, |u| glam::vec2(u.x * u.x, u.y)),
         },

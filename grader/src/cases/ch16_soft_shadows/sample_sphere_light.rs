@@ -121,7 +121,7 @@ impl Graded for SampleSphereLight {
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "makes θ uniform in the place of cos θ",
-            hint: "A ring around the cone's axis has the more directions the wider it is: do your samples crowd the middle?",
+            hint: "The wider a ring around the cone's axis, the more directions it holds: do your samples crowd in the middle?",
             answer: |q| {
                 cone(q, |u, cap| {
                     let angle = (1.0 - cap).clamp(-1.0, 1.0).acos();
@@ -145,13 +145,13 @@ impl Graded for SampleSphereLight {
             answer: |q| cone(q, |u, cap| (u.x * cap, TAU * u.y, 1.0 / cap)),
         },
         Mistake {
-            name: "goes half way round only",
+            name: "goes only half way round the axis",
             hint: "Look along the axis of the cone: on which sides of it are your samples?",
             answer: |q| cone(q, |u, cap| (u.x * cap, PI * u.y, 1.0 / (TAU * cap))),
         },
         Mistake {
             name: "lets 1 − cos α cancel",
-            hint: "For a small, distant light cos α is 1 in 32 bits: write 1 − cos α with sin²α.",
+            hint: "For a small, distant light cos α is rounded to 1: how can you get 1 − cos α from sin²α?",
             answer: |q| {
                 let squared = (q.radius / q.at.distance(q.center)).powi(2);
                 let cap = 1.0 - (1.0 - squared).max(0.0).sqrt();
@@ -160,7 +160,7 @@ impl Graded for SampleSphereLight {
             },
         },
         Mistake {
-            name: "returns the far side of the sphere",
+            name: "returns the distance of the sphere's far side",
             hint: "Which of the two points where the line meets the sphere is seen?",
             answer: |q| {
                 let mut all = SampleSphereLight::answer(q);
@@ -184,7 +184,7 @@ impl Graded for SampleSphereLight {
             },
         },
         Mistake {
-            name: "sees only half of a sphere from inside",
+            name: "chooses only half of all directions from inside the light",
             hint: "Inside the light, from which directions does no light come?",
             answer: |q| {
                 let inside = q.at.distance(q.center) <= q.radius;
@@ -216,7 +216,7 @@ impl Graded for SampleSphereLight {
         },
         Mistake {
             name: "forgets the root in the cosine of the cone",
-            hint: "The sine of the cone is the radius over the distance: which function of it is the cosine?",
+            hint: "The sine of the cone's angle is the radius over the distance: how do you get the cosine from the sine?",
             answer: |q| {
                 let far = q.at.distance(q.center);
                 let squared = (q.radius / far).powi(2);
@@ -228,7 +228,7 @@ impl Graded for SampleSphereLight {
             },
         },
         Mistake {
-            name: "takes the tangent of the cone for its sine",
+            name: "takes the radius over the distance for the tangent of the cone, not for its sine",
             hint: "Draw the cone and the radius to where it touches the sphere: where is the right angle?",
             answer: |q| {
                 let far = q.at.distance(q.center);

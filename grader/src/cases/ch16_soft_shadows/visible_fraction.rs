@@ -101,7 +101,7 @@ impl Graded for VisibleFraction {
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
-            name: "asks for the middle of the light only",
+            name: "samples the middle of the light only",
             hint: "What is the width of your penumbra?",
             answer: |q| seen(q, 1, |u| u, 1.0),
         },
@@ -116,22 +116,22 @@ impl Graded for VisibleFraction {
             answer: |q| seen(q, 16, |u| u, f32::INFINITY),
         },
         Mistake {
-            name: "asks for one quarter of the light only",
+            name: "samples one quarter of the light only",
             hint: "Which points of the light do the numbers from 0 to 1 reach?",
             answer: |q| seen(q, 16, |u| 0.5 * u, 1.0),
         },
         Mistake {
-            name: "asks for one diagonal of the light only",
+            name: "samples one diagonal of the light only",
             hint: "Does each sample have two random numbers of its own?",
             answer: |q| seen(q, 16, |u| Vec2::splat(u.x + (u.y - 0.5) / 16.0), 1.0),
         },
         Mistake {
-            name: "asks for the four corners only",
+            name: "samples the light's four corners only",
             hint: "In the penumbra, how many different fractions do you get?",
             answer: |q| seen(q, 2, |u| 2.0 * u - 0.5, 1.0),
         },
         Mistake {
-            name: "calls every penumbra shadow",
+            name: "takes every penumbra for full shadow",
             hint: "Something in the way of one sample is not in the way of all.",
             answer: |q| {
                 let all = VisibleFraction::answer(q);
@@ -215,13 +215,13 @@ impl Graded for VisibleFraction {
             answer: |q| Self::misread(q, |q| q.balls.truncate(q.balls.len().saturating_sub(1))),
         },
         Mistake {
-            name: "asks for one half of the light only",
+            name: "samples one half of the light only",
             hint: "Which points of the light do the numbers from 0 to 1 reach, along each side?",
             answer: |q| seen(q, 16, |u| Vec2::new(0.5 * u.x, u.y), 1.0),
         },
         Mistake {
             name: "takes half the radius of each ball",
-            hint: "Is the number that you compare the distance from the centre with a radius or a diameter?",
+            hint: "You compare a distance from the centre with a number: is that number a radius or a diameter?",
             answer: |q| {
                 Self::misread(q, |q| {
                     q.balls.iter_mut().for_each(|ball| ball.radius *= 0.5);

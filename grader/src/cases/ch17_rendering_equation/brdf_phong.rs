@@ -62,12 +62,12 @@ impl Graded for BrdfPhong {
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
-            name: "multiplies by the cosine",
+            name: "multiplies the whole BRDF by the cosine",
             hint: "Exchange light and viewer: a BRDF stays the same. To what does the cosine belong?",
             answer: |q| BrdfPhong::answer(q) * q.normal.dot(*q.toward),
         },
         Mistake {
-            name: "divides by the cosine",
+            name: "divides the whole BRDF by the cosine",
             hint: "What happens to your BRDF when the light goes down to the horizon?",
             answer: |q| {
                 let cosine = q.normal.dot(*q.toward);
@@ -79,12 +79,12 @@ impl Graded for BrdfPhong {
             },
         },
         Mistake {
-            name: "leaves the highlight without its factor",
+            name: "forgets the factor of the highlight",
             hint: "The sharper a highlight, the brighter it must be in its middle to send out the same light.",
             answer: |q| phong(q, cos_alpha(q), 1.0 / PI, 1.0),
         },
         Mistake {
-            name: "takes the factor of the lobe alone",
+            name: "takes (n + 1)/2π for the factor",
             hint: "Which integral should be 1: of cosⁿα, or of cosⁿα cos θ?",
             answer: |q| phong(q, cos_alpha(q), 1.0 / PI, (q.exponent + 1.0) / TAU),
         },
@@ -104,7 +104,7 @@ impl Graded for BrdfPhong {
             answer: |q| phong(q, -cos_alpha(q), 1.0 / PI, norm(q)),
         },
         Mistake {
-            name: "takes the half vector",
+            name: "takes the half vector's N·H for cos α",
             hint: "That is Blinn's model: which two vectors make the angle in Phong's?",
             answer: |q| {
                 let half = Dir3::new_or(*q.toward + *q.view, q.normal);
@@ -118,7 +118,7 @@ impl Graded for BrdfPhong {
         },
         Mistake {
             name: "lights the surface from behind",
-            hint: "What does a lamp do to the top of a table that it hangs under?",
+            hint: "A lamp hangs under a table: what does its light do to the table's top?",
             answer: |q| {
                 let highlight = cos_alpha(q).max(0.0).powf(q.exponent);
                 q.diffuse * (1.0 / PI) + q.specular * (norm(q) * highlight)

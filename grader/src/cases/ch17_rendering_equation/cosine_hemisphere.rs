@@ -106,11 +106,11 @@ impl Graded for CosineHemisphere {
         Flaw {
             complaint: "into the surface",
             name: "points into the surface",
-            hint: "Is your third axis the normal, or something else? Is the square root of the height positive?",
+            hint: "Is your third axis the normal, or something else? Is your height along the normal positive?",
         },
         Flaw {
             complaint: "the mean to",
-            name: "does not go all the way round the normal, or around something else",
+            name: "does not go all the way round the normal, or goes around another axis",
             hint: "Seen from above, are there as many directions to each side? From where to where does your angle go, and are your axes perpendicular to the normal?",
         },
         Flaw {
@@ -142,7 +142,7 @@ impl Graded for CosineHemisphere {
             answer: |q| around(q, |u| at_height(1.0 - u.x, TAU * u.y)),
         },
         Mistake {
-            name: "takes the radius on the disc itself for the uniform number",
+            name: "takes a uniform number itself for the radius on the disc",
             hint: "The inner half of a disc's radius holds only a quarter of its area: does it get only a quarter of your points?",
             answer: |q| around(q, |u| at_height((1.0 - u.x * u.x).sqrt(), TAU * u.y)),
         },
@@ -182,7 +182,7 @@ impl Graded for CosineHemisphere {
             answer: |q| around(q, |u| at_height((1.0 - u.x).sqrt(), TAU * u.x)),
         },
         Mistake {
-            name: "is of the density of cos²θ",
+            name: "has a density in proportion to cos²θ",
             hint: "Which power of u is the cosine, if the density shall be cos θ/π?",
             answer: |q| around(q, |u| at_height((1.0 - u.x).cbrt(), TAU * u.y)),
         },

@@ -114,13 +114,13 @@ impl Graded for ReflectedRadiance {
             answer: |q| weighted(q, |cosine| 1.0 / cosine),
         },
         Mistake {
-            name: "forgets to divide by the density",
+            name: "chooses directions uniformly and forgets to divide by the density",
             hint: "The mean over the hemisphere is not yet the integral: how large is the hemisphere?",
             answer: |q| weighted(q, |_| hemisphere::UNIFORM),
         },
         Mistake {
-            name: "takes the density of the whole sphere",
-            hint: "How many steradians do your directions share?",
+            name: "chooses directions of the hemisphere and divides by the density of the whole sphere",
+            hint: "Over how many steradians are your directions spread?",
             answer: |q| weighted(q, |_| 2.0),
         },
         Mistake {
@@ -145,11 +145,11 @@ impl Graded for ReflectedRadiance {
         },
         Mistake {
             name: "multiplies by π once more",
-            hint: "A white surface under a white sky of radiance 1: how bright is it? It disappears.",
+            hint: "A white surface under a sky of the same radiance everywhere looks as bright as the sky: does yours?",
             answer: |q| weighted(q, |_| PI),
         },
         Mistake {
-            name: "takes samples below the surface too",
+            name: "chooses directions of the whole sphere and divides by the density of the hemisphere",
             hint: "Half of a sphere is below the surface, and no light comes from there: what do such samples add, and to what density do they belong?",
             answer: |q| weighted(q, |_| 0.5),
         },

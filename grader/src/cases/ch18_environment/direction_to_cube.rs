@@ -69,7 +69,7 @@ impl Graded for DirectionToCube {
             },
         },
         Mistake {
-            name: "takes the largest component, whatever its sign",
+            name: "takes the component that is largest with its sign, not the one of the largest absolute value",
             hint: "Which component of (-0.9, 0.1, 0.2) decides?",
             answer: |q| CubePlace {
                 face: 2 * q.direction.max_position() as u32,
@@ -88,7 +88,7 @@ impl Graded for DirectionToCube {
             },
         },
         Mistake {
-            name: "divides by the component with its sign",
+            name: "divides by the largest component with its sign, not by its absolute value",
             hint: "On the face -x the largest component is negative: what does dividing by it do to the other two?",
             answer: |q| {
                 let right = Self::answer(q);

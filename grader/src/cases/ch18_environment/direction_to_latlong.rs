@@ -66,12 +66,12 @@ impl Graded for DirectionToLatlong {
             answer: |q| Self::answer(&turned(q, |d| vec3(d.z, d.y, -d.x))),
         },
         Mistake {
-            name: "takes the height for the angle",
-            hint: "v is an angle divided by pi. Half way up the sky, at 45 degrees, v is 0.25: what is yours?",
+            name: "takes the height for the angle from +y",
+            hint: "v is an angle divided by π. Half way up the sky, at 45 degrees, v is 0.25: what is yours?",
             answer: |q| vec2(Self::answer(q).x, 0.5 - 0.5 * q.direction.y),
         },
         Mistake {
-            name: "divides both angles by 2 pi",
+            name: "divides both angles by 2π",
             hint: "How large can the angle from +y get, and how large the one around it?",
             answer: |q| {
                 let right = Self::answer(q);

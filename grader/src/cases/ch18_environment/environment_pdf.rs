@@ -77,7 +77,7 @@ impl Graded for EnvironmentPdf {
         },
         Mistake {
             name: "takes the sine at the direction for the whole texel",
-            hint: "Directions are uniform inside a texel: does your density differ between two of the same texel?",
+            hint: "Directions are uniform inside a texel: does your density differ between two directions of the same texel?",
             answer: |q| {
                 let sine = f64::from(q.direction.x.hypot(q.direction.z)).max(1e-6);
                 let on_map = q.share().0 * f64::from(q.width * q.height);
@@ -86,7 +86,7 @@ impl Graded for EnvironmentPdf {
         },
         Mistake {
             name: "forgets that rows differ in solid angle when it chooses them",
-            hint: "For a constant map the density must be 1/(4 pi) everywhere: is it, near a pole?",
+            hint: "For a constant map the density must be 1/(4π) everywhere: is it, near a pole?",
             answer: |q| {
                 let (map, (x, y)) = (q.map(), q.texel());
                 let sum: f64 = q.texels.iter().map(|t| f64::from(*t)).sum();
@@ -98,7 +98,7 @@ impl Graded for EnvironmentPdf {
             },
         },
         Mistake {
-            name: "gives all texels the solid angle of 4 pi over their number",
+            name: "gives all texels the solid angle of 4π over their number",
             hint: "Texels at the equator and at a pole: which is larger on the sphere?",
             answer: |q| (q.share().0 * f64::from(q.width * q.height) / (4.0 * PI)) as f32,
         },
@@ -133,7 +133,7 @@ impl Graded for EnvironmentPdf {
             },
         },
         Mistake {
-            name: "divides by the sum of the texels",
+            name: "divides the radiance by the sum of the texels",
             hint: "In which unit is the integral of the map? What is a texel multiplied by in it?",
             answer: |q| {
                 let map = q.map();
@@ -163,7 +163,7 @@ impl Graded for EnvironmentPdf {
         },
         Mistake {
             name: "exchanges rows and columns of the map",
-            hint: "Which comes first in the list: a row, or a column?",
+            hint: "Which texel is the second of the list: the one to the right of the first, or the one below the first?",
             answer: |q| {
                 let (x, y) = q.texel();
                 let right = Self::answer(q);
@@ -216,7 +216,7 @@ impl Graded for EnvironmentPdf {
             },
         },
         Mistake {
-            name: "divides by the brightest texel",
+            name: "divides the radiance by the brightest texel",
             hint: "A density's integral over all directions is 1: what is that of yours?",
             answer: |q| {
                 let (map, (x, y)) = (q.map(), q.texel());

@@ -141,7 +141,7 @@ impl Graded for SampleEnvironment {
         Flaw {
             complaint: "has length",
             name: "does not return directions of length 1",
-            hint: "What makes the sine of the cosine?",
+            hint: "How do you get the sine from the cosine?",
         },
         Flaw {
             complaint: "the black texel",
@@ -156,7 +156,7 @@ impl Graded for SampleEnvironment {
         Flaw {
             complaint: "of +y",
             name: "does not spread the directions evenly within a row",
-            hint: "Within a row of texels, does the cosine go evenly, or the angle?",
+            hint: "Within a row of texels, which must be spread evenly: the cosine of the angle from +y, or the angle?",
         },
         Flaw {
             complaint: "on the map",
@@ -172,7 +172,7 @@ impl Graded for SampleEnvironment {
             answer: |q| q.sampled(SampleEnvironment::texel, by_solid_angle),
         },
         Mistake {
-            name: "goes through a row evenly by its angle",
+            name: "spreads the directions of a row evenly by angle, not by area",
             hint: "Equal steps of the angle from a pole sweep unequal areas of the sphere: what does sweep equal ones?",
             answer: |q| q.sampled(|q, x, y| q.texel(x, y) * q.solid_angle(y), by_angle),
         },
@@ -183,7 +183,7 @@ impl Graded for SampleEnvironment {
         },
         Mistake {
             name: "chooses all texels equally often",
-            hint: "Neither the radiance nor the area of a texel seems to matter to you: both do.",
+            hint: "Does a bright texel get more directions than a dark one, and a large texel more than a small one?",
             answer: |q| q.sampled(|_, _, _| 1.0, by_solid_angle),
         },
         Mistake {
@@ -266,7 +266,7 @@ impl Graded for SampleEnvironment {
             },
         },
         Mistake {
-            name: "takes the middle of the row, not of the column",
+            name: "always takes the middle between a texel's upper and lower edge",
             hint: "Can a direction be anywhere in its texel, near the upper edge too?",
             answer: |q| {
                 q.sampled(

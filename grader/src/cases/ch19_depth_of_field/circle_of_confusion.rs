@@ -53,7 +53,7 @@ impl Graded for CircleOfConfusion {
         },
         Mistake {
             name: "returns the radius",
-            hint: "From the disc's middle to its edge is how much of its diameter?",
+            hint: "How much of the disc's diameter lies between its middle and its edge?",
             answer: |q| 0.5 * Self::answer(q),
         },
         Mistake {
@@ -72,7 +72,7 @@ impl Graded for CircleOfConfusion {
             answer: |q| Self::misread(q, |q| q.f_number = 1.0),
         },
         Mistake {
-            name: "takes the film to be at the focal length",
+            name: "takes the focal length for the film's distance in the magnification",
             hint: "Where is the film when the focus is near? 1/film + 1/s = 1/f.",
             answer: |q| Self::answer(q) / q.magnification() * (q.focal_length / q.focus),
         },
@@ -89,7 +89,7 @@ impl Graded for CircleOfConfusion {
             },
         },
         Mistake {
-            name: "divides by the focal length instead of where the point is sharp",
+            name: "divides by the focal length instead of the distance at which the point is sharp",
             hint: "Behind the lens, the cone's tip is where the point would be sharp: how far from the lens is that?",
             answer: |q| {
                 let sharp = |x: f32| 1.0 / (1.0 / q.focal_length - 1.0 / x);
@@ -98,7 +98,7 @@ impl Graded for CircleOfConfusion {
             },
         },
         Mistake {
-            name: "has no answer for a star",
+            name: "returns NaN for a star",
             hint: "What is ∞/∞? Try to divide before you subtract.",
             answer: |q| {
                 if q.distance.is_finite() {
@@ -110,11 +110,11 @@ impl Graded for CircleOfConfusion {
         },
         Mistake {
             name: "returns millimetres",
-            hint: "By how many times are you off?",
+            hint: "By which factor are you off?",
             answer: |q| 1e3 * Self::answer(q),
         },
         Mistake {
-            name: "leaves the film at the focal length",
+            name: "leaves the film at the focal length, focused at infinity",
             hint: "Where must the film be, if something near is to be sharp?",
             answer: |q| (q.focal_length * q.focal_length / (q.f_number * q.distance)).abs(),
         },

@@ -218,12 +218,12 @@ impl Graded for ConcentricDisk {
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
-            name: "takes the radius itself for a uniform number",
+            name: "takes a uniform number itself for the radius",
             hint: "The inner half of the radius holds a quarter of the area: how many of your points?",
             answer: |q| q.mapped(|u| u.x * Vec2::from_angle(TAU * u.y)),
         },
         Mistake {
-            name: "returns the square",
+            name: "returns the points of a square, from −1 to 1",
             hint: "How far from the middle are the square's corners?",
             answer: |q| q.mapped(|u| 2.0 * u - 1.0),
         },
@@ -259,7 +259,7 @@ impl Graded for ConcentricDisk {
         },
         Mistake {
             name: "has the wrong angle above and below",
-            hint: "The sides on the right and on the left are right; on the others, from which axis does the angle count?",
+            hint: "On the square's left and right sides your angle is correct: from which axis is the angle measured on the other two?",
             answer: |q| {
                 q.mapped(|u| {
                     let (a, b) = (2.0 * u - 1.0).into();

@@ -135,7 +135,7 @@ impl Graded for ThinLensRay {
             },
         },
         Mistake {
-            name: "goes through the middle of the lens always",
+            name: "ignores on_lens: all rays go through the middle of the lens",
             hint: "Is there any blur? What is `on_lens` for?",
             answer: ThinLensRay::central,
         },
@@ -159,7 +159,7 @@ impl Graded for ThinLensRay {
             answer: |q| Self::misread(q, |q| q.f_number = 1.0 / q.f_number),
         },
         Mistake {
-            name: "mirrors the lens",
+            name: "takes the opposite point of the lens",
             hint: "(1, 0) is the edge of the lens on the right, (0, 1) the upper one: where do your rays start?",
             answer: |q| Self::misread(q, |q| q.on_lens = -q.on_lens),
         },
@@ -170,7 +170,7 @@ impl Graded for ThinLensRay {
         },
         Mistake {
             name: "takes the f-number for the radius",
-            hint: "The aperture's diameter is the focal length over the f-number: in metres?",
+            hint: "The aperture's diameter is the focal length over the f-number: how many metres is that?",
             answer: |q| Self::misread(q, |q| q.f_number = 0.5 * q.focal_length / q.f_number),
         },
         Mistake {
@@ -179,7 +179,7 @@ impl Graded for ThinLensRay {
             answer: |q| Self::misread(q, |q| q.on_lens /= q.focal_length),
         },
         Mistake {
-            name: "does not enlarge the film where the focus is",
+            name: "does not enlarge the film to its size in the plane in focus",
             hint: "Through the middle of the lens, the film is thrown on the plane in focus: how much larger is it there?",
             answer: |q| {
                 Self::misread(q, |q| {
@@ -189,7 +189,7 @@ impl Graded for ThinLensRay {
         },
         Mistake {
             name: "takes f·s/(s + f) for the distance of the film",
-            hint: "1/f = 1/s + 1/film: which sign has s in it? Is your film behind the focal length or before it?",
+            hint: "1/f = 1/s + 1/film: solve for the film's distance. Is your film farther from the lens than the focal length, or nearer?",
             answer: |q| {
                 Self::misread(q, |q| {
                     q.plane *= (q.focus + q.focal_length) / (q.focus - q.focal_length);
@@ -198,7 +198,7 @@ impl Graded for ThinLensRay {
         },
         Mistake {
             name: "counts the film from its middle, and not from its corner",
-            hint: "Which film is straight ahead of the lens: (0, 0), or (½, ½)?",
+            hint: "Which place of the film is straight ahead of the lens: (0, 0), or (½, ½)?",
             answer: |q| Self::misread(q, |q| q.film += 0.5),
         },
     ];

@@ -38,12 +38,12 @@ impl Graded for PanoramaRay {
         },
         Mistake {
             name: "looks backwards in the middle",
-            hint: "For which film.x is the angle around up 0, and where is that on the picture?",
+            hint: "For which film.x is the angle around `up` 0, and where in the picture is that place?",
             answer: |q| Self::misread(q, |q| q.film.x += 0.5),
         },
         Mistake {
             name: "has right in the middle",
-            hint: "At the angle 0 around up, which of the camera's axes do you get?",
+            hint: "Which of the camera's axes do you get where the angle around `up` is 0?",
             answer: |q| Self::misread(q, |q| q.film.x += 0.25),
         },
         Mistake {
@@ -52,7 +52,7 @@ impl Graded for PanoramaRay {
             answer: |q| Self::misread(q, |q| q.film.x = 0.25 + 0.5 * q.film.x),
         },
         Mistake {
-            name: "goes down twice as far",
+            name: "lets the angle from up grow to 2π at the bottom edge",
             hint: "What is the angle between straight up and straight down?",
             answer: |q| along(q, TAU * (q.film.x - 0.5), TAU * q.film.y),
         },
@@ -62,7 +62,7 @@ impl Graded for PanoramaRay {
             answer: |q| along(q, TAU * (q.film.x - 0.5), PI * q.film.y + 0.5 * PI),
         },
         Mistake {
-            name: "takes the height for the angle",
+            name: "lets the height fall evenly down the picture, not the angle grow",
             hint: "A quarter of the way down the picture the direction is 45 degrees high: how high is yours?",
             answer: |q| along(q, TAU * (q.film.x - 0.5), (1.0 - 2.0 * q.film.y).acos()),
         },
@@ -76,7 +76,7 @@ impl Graded for PanoramaRay {
             },
         },
         Mistake {
-            name: "takes degrees for radians",
+            name: "calculates the angle from up and the angle around it in degrees",
             hint: "In which unit does your sine expect its angle?",
             answer: |q| along(q, 360.0 * (q.film.x - 0.5), 180.0 * q.film.y),
         },
@@ -95,7 +95,7 @@ impl Graded for PanoramaRay {
             answer: |q| Self::misread(q, |q| std::mem::swap(&mut q.up, &mut q.forward)),
         },
         Mistake {
-            name: "goes around from the first pixel to the last",
+            name: "leaves out a narrow strip at each edge of the picture",
             hint: "The left edge and the right edge of the picture are one direction; where are the top and the bottom?",
             answer: |q| Self::misread(q, |q| q.film = 0.01 + 0.98 * q.film),
         },
@@ -123,7 +123,7 @@ impl Graded for PanoramaRay {
             },
         },
         Mistake {
-            name: "goes from pole to pole twice",
+            name: "lets the latitude go from π to −π, twice from pole to pole",
             hint: "Straight up is at the top and straight down at the bottom: how large is the angle between them?",
             answer: |q| {
                 let latitude = PI - TAU * q.film.y;
@@ -131,7 +131,7 @@ impl Graded for PanoramaRay {
             },
         },
         Mistake {
-            name: "calculates the angles in degrees",
+            name: "calculates longitude and latitude in degrees",
             hint: "In which unit do sine and cosine take their angle?",
             answer: |q| {
                 let (longitude, latitude) = (360.0 * q.film.x - 180.0, 90.0 - 180.0 * q.film.y);

@@ -29,7 +29,7 @@ impl Graded for DeflectionAngle {
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
             name: "takes 2/b, which is right far away only",
-            hint: "At b = 10 the ray is bent by 15 % more than 2/b.",
+            hint: "At b = 10 the ray is turned by 18 % more than 2/b: what is missing in yours?",
             answer: |q| escapes(q).map(|b| 2.0 / b),
         },
         Mistake {
@@ -48,7 +48,7 @@ impl Graded for DeflectionAngle {
             answer: |q| DeflectionAngle::answer(q).map(|angle| 0.5 * angle),
         },
         Mistake {
-            name: "takes the hole's mass for its radius",
+            name: "takes 1 for the hole's mass, not for its radius",
             hint: "Here the radius is 1, and the mass is half of it: which rays does your hole swallow?",
             answer: |q| deflection(0.5 * q.impact_parameter),
         },
@@ -59,7 +59,7 @@ impl Graded for DeflectionAngle {
         },
         Mistake {
             name: "takes the angle from infinity to the turning point only",
-            hint: "The ray comes, and it goes away again.",
+            hint: "The ray comes, and then goes away again: which of the two ways is in your angle?",
             answer: |q| DeflectionAngle::answer(q).map(|angle| 0.5 * (angle - PI)),
         },
         Mistake {
@@ -68,7 +68,7 @@ impl Graded for DeflectionAngle {
             answer: |q| DeflectionAngle::answer(q).map(f32::to_degrees),
         },
         Mistake {
-            name: "counts full turns for nothing",
+            name: "folds an angle above π back below π",
             hint: "A ray may go around the hole before it leaves: the angle may be more than π.",
             answer: |q| {
                 let angle = DeflectionAngle::answer(q)?;
@@ -76,13 +76,13 @@ impl Graded for DeflectionAngle {
             },
         },
         Mistake {
-            name: "lets rays through that fall in",
+            name: "returns an angle for rays that fall in",
             hint: "Which is the smallest impact parameter of a ray that comes back?",
             answer: |q| DeflectionAngle::answer(q).or(Some(PI)),
         },
         Mistake {
             name: "lets rays fall in up to b = 3",
-            hint: "The impact parameter of the ray that circles for ever is 3√3/2.",
+            hint: "Between the rays that fall in and those that get away lies a ray that circles for ever: what is its b?",
             answer: |q| DeflectionAngle::answer(q).filter(|_| q.impact_parameter >= 3.0),
         },
     ];

@@ -42,13 +42,13 @@ impl Graded for GeodesicStep {
             answer: |q| pulled(q, |x, v| -h2(x, v) * x / x.length().powi(5)),
         },
         Mistake {
-            name: "takes the hole's mass for its radius",
+            name: "takes 1 for the hole's mass, not for its radius",
             hint: "Here the radius is 1, and the mass is half of it: where would your ray go around in a circle?",
             answer: |q| pulled(q, |x, v| -3.0 * h2(x, v) * x / x.length().powi(5)),
         },
         Mistake {
-            name: "takes h for its square",
-            hint: "Twice the velocity and half the step are the same ray: are they in your formula?",
+            name: "takes h for h²",
+            hint: "Twice the velocity and half the step give the same ray: do they in your formula?",
             answer: |q| pulled(q, |x, v| -1.5 * h2(x, v).sqrt() * x / x.length().powi(5)),
         },
         Mistake {
@@ -99,7 +99,7 @@ impl Graded for GeodesicStep {
         },
         Mistake {
             name: "squares h² once more",
-            hint: "h² has one square: is it a length of x × v, or its square, that you square?",
+            hint: "Do you square the length of x × v, or its square?",
             answer: |q| pulled(q, |x, v| -1.5 * h2(x, v).powi(2) * x / x.length().powi(5)),
         },
     ];

@@ -168,7 +168,7 @@ impl Graded for Jittered {
             answer: |q| cells(q, |cell, count, _| (cell + 0.5) / count),
         },
         Mistake {
-            name: "throws anywhere in the square",
+            name: "puts points anywhere in the square, not one into each cell",
             hint: "How many of your points are in the first cell? And in the last?",
             answer: |q| cells(q, |_, _, u| u),
         },
@@ -182,8 +182,8 @@ impl Graded for Jittered {
             },
         },
         Mistake {
-            name: "moves all points by the same",
-            hint: "Do all your points have the same place in their cells? One throw is not enough for all.",
+            name: "moves all points by the same amount",
+            hint: "Do all your points have the same place in their cells? How many random numbers does each point need?",
             answer: |q| {
                 let u: Vec2 = {
                     let rng = &mut pcg::stream(22, q.seed.into());

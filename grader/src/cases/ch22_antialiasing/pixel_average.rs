@@ -72,7 +72,7 @@ impl Graded for PixelAverage {
             },
         },
         Mistake {
-            name: "does not divide",
+            name: "does not divide by the sum of the weights",
             hint: "Take every sample twice: does the pixel become brighter?",
             answer: |q| {
                 q.samples
@@ -103,7 +103,7 @@ impl Graded for PixelAverage {
             },
         },
         Mistake {
-            name: "forgets that left and right are alike",
+            name: "takes x for |x| and y for |y|, so that weights stay 1 on one side",
             hint: "Is a sample to the left of the centre worth as much as one equally far to its right?",
             answer: |q| {
                 average(q, |s| {
@@ -114,7 +114,7 @@ impl Graded for PixelAverage {
             },
         },
         Mistake {
-            name: "averages what the display is sent",
+            name: "averages sRGB code values instead of radiance",
             hint: "Light adds up; do the numbers that go to a display? When is the picture encoded?",
             answer: |q| {
                 let encoded = PixelAverage {
@@ -132,12 +132,12 @@ impl Graded for PixelAverage {
             },
         },
         Mistake {
-            name: "counts the samples more the farther they are",
+            name: "gives samples more weight the farther they are",
             hint: "Which sample tells most about the pixel: one in its middle, or one at the edge of the filter?",
             answer: |q| average(q, |s| (s.offset.abs() / q.radius).element_product()),
         },
         Mistake {
-            name: "adds the weights along x and along y",
+            name: "adds the factors along x and along y instead of multiplying them",
             hint: "A sample that is too far away along x: what does it count for, whatever y is?",
             answer: |q| {
                 average(q, |s| {
@@ -148,7 +148,7 @@ impl Graded for PixelAverage {
             },
         },
         Mistake {
-            name: "takes x and y for their sizes, so that weights grow above 1 on one side",
+            name: "takes x for |x| and y for |y|, so that weights grow above 1 on one side",
             hint: "Is a sample to the left of the centre worth as much as one equally far to its right?",
             answer: |q| {
                 average(q, |s| {

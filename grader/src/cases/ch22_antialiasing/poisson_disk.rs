@@ -71,7 +71,7 @@ impl Graded for PoissonDisk {
         let most = CROWDED * ((1.0 + d) / d).powi(2);
         if got.len() as f32 > most.max(4.0) {
             return Err(format!(
-                "{} points have room only in a regular lattice; at random about {:.0} have",
+                "{} points have room only in a regular lattice; of random points about {:.0} have room",
                 got.len(),
                 0.7 * most
             ));
@@ -109,7 +109,7 @@ impl Graded for PoissonDisk {
         let (close, within) = close_pairs(&many);
         if close >= 300 && within == 0 {
             return Err(
-                "of no two points are both the steps along x and along y below the distance: two points aslant of each other may be that near"
+                "no two points are nearer than the distance along both x and y: two points aslant of each other may be that near"
                     .to_owned(),
             );
         }
@@ -196,13 +196,13 @@ impl Graded for PoissonDisk {
             answer: |q| apart(q, |way| way.length_squared() >= q.distance),
         },
         Mistake {
-            name: "takes the distance for a diameter",
-            hint: "Discs of that radius would overlap: is it the distance of two points that you compare?",
+            name: "keeps the points only half of the distance apart",
+            hint: "How near may two points come: half of the distance, or the whole? What do you compare?",
             answer: |q| apart(q, |way| way.length() >= 0.5 * q.distance),
         },
         Mistake {
-            name: "takes the distance for a radius",
-            hint: "How near may two points come: once or twice the distance?",
+            name: "keeps the points twice the distance apart",
+            hint: "How near may two points come: once the distance, or twice?",
             answer: |q| apart(q, |way| way.length() >= 2.0 * q.distance),
         },
         Mistake {
@@ -230,15 +230,15 @@ impl Graded for PoissonDisk {
             },
         },
         Mistake {
-            name: "jitters",
-            hint: "Can two of your points be on both sides of a cell's edge, close to each other?",
+            name: "jitters: puts a point into each cell of a grid",
+            hint: "Can two of your points lie close to each other, on the two sides of a cell's edge?",
             answer: |q| {
                 let cells = (0.8 / q.distance).ceil() as usize;
                 jittered::jittered(cells, cells, &mut pcg::stream(22, q.seed.into()))
             },
         },
         Mistake {
-            name: "throws without looking",
+            name: "puts points anywhere without comparing them",
             hint: "How near are your nearest two points?",
             answer: |q| {
                 let n = (0.65 / (q.distance * q.distance)).ceil() as usize;

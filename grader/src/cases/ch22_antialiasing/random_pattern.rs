@@ -108,8 +108,8 @@ impl Graded for RandomPattern {
             answer: |q| rows::in_rows(q.n as usize, regular_grid::regular_grid),
         },
         Mistake {
-            name: "jitters",
-            hint: "May a point of yours fall anywhere, or has it a cell? Independent points leave gaps and make crowds.",
+            name: "jitters: puts a point into each cell of a grid",
+            hint: "May each of your points fall anywhere, or only in its own cell? Independent points leave gaps and make crowds.",
             answer: |q| {
                 let rng = &mut pcg::stream(22, q.seed.into());
                 rows::in_rows(q.n as usize, |columns, rows| {

@@ -78,7 +78,7 @@ impl Graded for RotatedGrid {
         Flaw {
             complaint: "is outside the square",
             name: "keeps what is outside",
-            hint: "Are all your points in the pixel?",
+            hint: "Are all your points in the square?",
         },
         Flaw {
             complaint: "on this lattice it would be",
@@ -145,7 +145,7 @@ impl Graded for RotatedGrid {
         },
         Mistake {
             name: "rotates without the root of 5",
-            hint: "How long are the sides of a triangle with the tangent ½, and how long is the third one? Are your points as far apart as asked?",
+            hint: "A right triangle has the sides 2 and 1: how long is its third side? Are your points as far apart as asked?",
             answer: |q| inside(lattice(q, |p| turned(p, 1.0) * 5.0_f32.sqrt() / 2.0)),
         },
         Mistake {
@@ -172,7 +172,7 @@ impl Graded for RotatedGrid {
         },
         Mistake {
             name: "keeps what is outside",
-            hint: "Are all your points in the pixel?",
+            hint: "Are all your points in the square?",
             answer: |q| lattice(q, |p| turned(p, 1.0)),
         },
     ];

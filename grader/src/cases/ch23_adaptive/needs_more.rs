@@ -71,7 +71,7 @@ impl Graded for NeedsMore {
         },
         Mistake {
             name: "looks at the error only",
-            hint: "Before there is any error to speak of: what does the contrast say?",
+            hint: "A pixel with a small error may still have too much contrast: what is the first rule?",
             answer: |q| decide(q, false, standard_error(q)),
         },
         Mistake {
@@ -146,7 +146,7 @@ impl Graded for NeedsMore {
         },
         Mistake {
             name: "divides the squares by n instead of n − 1",
-            hint: "Two samples: what do you divide the sum of the squares by? Is it n in the text?",
+            hint: "Two samples: by what do you divide the sum of the squares, and by what does the task?",
             answer: |q| {
                 let n = q.samples.len() as f32;
                 decide(

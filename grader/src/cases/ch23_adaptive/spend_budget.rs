@@ -116,23 +116,23 @@ impl Graded for SpendBudget {
         },
         Flaw {
             complaint: "; the least is",
-            name: "gives some pixels less than the least",
-            hint: "Has every one of your pixels its least, even one whose samples are all alike?",
+            name: "gives some pixels fewer samples than the minimum",
+            hint: "Does each of your pixels get its minimum, even a pixel whose samples are all alike?",
         },
         Flaw {
             complaint: "which is too many",
             name: "spends more than the budget",
-            hint: "Add up your samples: is it the budget? Does the least come out of the budget or on top of it, and which way do you round?",
+            hint: "Add up your samples: is the sum the budget? Does the minimum come out of the budget or on top of it, and which way do you round?",
         },
         Flaw {
             complaint: "which is too few",
             name: "does not spend all of the budget",
-            hint: "Add up your samples: is it the budget? Who gets what is lost by rounding down?",
+            hint: "Add up your samples: is the sum the budget? Which pixels get what is lost by rounding down?",
         },
         Flaw {
             complaint: "larger than it could be",
-            name: "does not share in proportion to the deviation, the least included",
-            hint: "Twice the deviation wants twice the samples. A pixel that gets the least although its share would be smaller has taken from the others: have you shared again what is left for them?",
+            name: "does not share in proportion to the deviation, the minimum included",
+            hint: "Twice the deviation wants twice the samples. A pixel that gets the minimum although its share would be smaller takes from the others: do you share again what is left for them?",
         },
     ];
 
@@ -153,12 +153,12 @@ impl Graded for SpendBudget {
             answer: |q| shares(q, q.least, f32::sqrt),
         },
         Mistake {
-            name: "gives quiet pixels nothing",
-            hint: "Has every one of your pixels its least?",
+            name: "shares without the minimum, so that quiet pixels get too little",
+            hint: "Does each of your pixels get its minimum?",
             answer: |q| shares(q, 0, |d| d),
         },
         Mistake {
-            name: "gives everything to the worst pixel",
+            name: "gives all that is left to the pixel of the largest deviation",
             hint: "When the worst pixel has ten times as many samples as the others, is it still the worst?",
             answer: |q| {
                 let mut counts = vec![q.least; q.deviations.len()];
@@ -173,12 +173,12 @@ impl Graded for SpendBudget {
         },
         Mistake {
             name: "loses what it rounds down",
-            hint: "Add up your samples: is it the budget?",
+            hint: "Add up your samples: is the sum the budget?",
             answer: |q| rounded_down(q, q.least, |d| d),
         },
         Mistake {
             name: "gives all that rounding leaves to one pixel",
-            hint: "Each share was rounded down by less than one: how much of the rest is whose?",
+            hint: "Each share was rounded down by less than one sample: how many of the samples left over should one pixel get?",
             answer: |q| {
                 let mut counts = rounded_down(q, q.least, |d| d);
                 let left = q.budget.saturating_sub(counts.iter().sum());
@@ -189,8 +189,8 @@ impl Graded for SpendBudget {
             },
         },
         Mistake {
-            name: "adds the least to the budget",
-            hint: "Add up your samples: is it the budget?",
+            name: "gives each pixel its minimum on top of the budget",
+            hint: "Add up your samples: is the sum the budget?",
             answer: |q| {
                 let counts = shares(q, 0, |d| d);
                 counts.into_iter().map(|n| n + q.least).collect()

@@ -161,7 +161,7 @@ impl Graded for Collapse {
         Flaw {
             complaint: "are in the tree that begins at node 0",
             name: "keeps lists of branches that have been opened, or of leaves",
-            hint: "A branch whose children have moved up is no member any more: who asks for its list?",
+            hint: "A branch whose children have moved up is no member any more: does it still need a list?",
         },
         Flaw {
             complaint: "nodes",
@@ -169,7 +169,7 @@ impl Graded for Collapse {
             hint: "Are the children's numbers those of the binary tree's nodes, from 0?",
         },
         Flaw {
-            complaint: "lanes",
+            complaint: "are allowed",
             name: "gives a branch more than eight children",
             hint: "Opening a branch takes one member away and brings two: when must you stop?",
         },
@@ -181,7 +181,7 @@ impl Graded for Collapse {
         Flaw {
             complaint: "is below another child",
             name: "names a child twice, or a branch beside its own children",
-            hint: "Once a branch's children are members, is the branch still one?",
+            hint: "Once a branch's children are in the list, should the branch itself be there too?",
         },
         Flaw {
             complaint: "could be opened",
@@ -203,7 +203,7 @@ impl Graded for Collapse {
         },
         Mistake {
             name: "opens the branches in the order of the list",
-            hint: "Not all branches are worth opening alike: what says how often one is entered?",
+            hint: "Not every branch is equally worth opening: what tells how often rays enter it?",
             answer: |q| families(q, while_fewer(MOST, |_, i| -(i as f32))),
         },
         Mistake {
@@ -243,7 +243,7 @@ impl Graded for Collapse {
         },
         Mistake {
             name: "stops at four children",
-            hint: "How many lanes does a node have?",
+            hint: "How many children may a branch have?",
             answer: |q| families(q, while_fewer(4, half_area)),
         },
         Mistake {
@@ -269,8 +269,8 @@ impl Graded for Collapse {
             },
         },
         Mistake {
-            name: "keeps the branches that it opened",
-            hint: "Once a branch's children are members, is the branch still one?",
+            name: "names a branch among its own children",
+            hint: "Once a branch's children are in the list, should the branch itself be there too?",
             answer: |q| {
                 let mut right = Collapse::answer(q);
                 for family in &mut right {
@@ -304,7 +304,7 @@ fn judge_family(q: &Collapse, family: &FamilyRow) -> Verdict {
     }
     if children.len() > MOST {
         return Err(format!(
-            "branch {branch} has {} children; there are {MOST} lanes",
+            "branch {branch} has {} children; at most {MOST} are allowed",
             children.len()
         ));
     }

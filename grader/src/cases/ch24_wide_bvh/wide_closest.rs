@@ -102,12 +102,12 @@ impl Graded for WideClosest {
         },
         Mistake {
             name: "opens the farthest child first, or asks every box as if nothing had been hit yet",
-            hint: "The last one on the stack is the first one off it: which one should that be? And once something is hit, how far does the ray still have to be followed?",
+            hint: "The child that is put on the stack last is taken off first: which child should that be? And once something is hit, how far does the ray still have to be followed?",
             answer: |q| search(q, |how| how.order = Order::Farthest),
         },
         Mistake {
             name: "opens children that wait behind the hit",
-            hint: "A child was put aside, then something was hit before its box: is it still worth opening?",
+            hint: "A child was put aside, then something was hit nearer than the child's box: is the child still worth opening?",
             answer: |q| search(q, |how| how.drops = false),
         },
         Mistake {
@@ -121,7 +121,7 @@ impl Graded for WideClosest {
             answer: |q| search(q, |how| how.opens = 1),
         },
         Mistake {
-            name: "looks at four lanes of eight",
+            name: "looks at four of eight children only",
             hint: "How many children can a node have?",
             answer: |q| search(q, |how| how.looks_at = 4),
         },

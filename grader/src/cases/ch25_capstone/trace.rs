@@ -161,7 +161,7 @@ impl Graded for Trace {
         },
         Mistake {
             name: "takes the parallelogram for the triangle",
-            hint: "A hit in the plane can be right in u and right in v and still be outside: what do they have together?",
+            hint: "A hit can have its u and its v between 0 and 1 and still be outside: which condition must u and v meet together?",
             answer: |q| answer(q, Slip::Parallelogram),
         },
         Mistake {
@@ -181,7 +181,7 @@ impl Graded for Trace {
         },
         Mistake {
             name: "only asks the first lamp",
-            hint: "The light of all the lamps adds up.",
+            hint: "The light of all the lamps adds up: how many lamps does your loop ask?",
             answer: |q| answer(q, Slip::OneLamp),
         },
         Mistake {
@@ -261,12 +261,12 @@ impl Graded for Trace {
         },
         Mistake {
             name: "lets everything through glass that is not totally reflected",
-            hint: "Glass mirrors a little of everything, and much of what comes along it: how much, say Fresnel's equations.",
+            hint: "Glass mirrors a little of the light that comes straight, and most of the light that grazes it: which equations say how much?",
             answer: |q| answer(q, Slip::AllRefracted),
         },
         Mistake {
             name: "forgets what is mirrored in glass",
-            hint: "Of the two parts R and 1 − R you show one.",
+            hint: "Glass shows two parts, R and 1 − R: which of them does yours show?",
             answer: |q| answer(q, Slip::NothingMirroredInGlass),
         },
         Mistake {
@@ -290,7 +290,7 @@ impl Graded for Trace {
             answer: |q| answer(q, Slip::Gamma),
         },
         Mistake {
-            name: "takes the height of the direction for the share of the backdrop above",
+            name: "takes the direction's y itself for the share of the backdrop above",
             hint: "The direction's y goes from −1 to 1: from where to where must a share go?",
             answer: |q| answer(q, Slip::HeightForShare),
         },
@@ -300,7 +300,7 @@ impl Graded for Trace {
             answer: |q| answer(q, Slip::SharesExchanged),
         },
         Mistake {
-            name: "asks Fresnel always as if the light came from outside",
+            name: "uses Fresnel's equations as if the light always came from outside",
             hint: "Inside of the glass, which index is on the side from which the ray comes?",
             answer: |q| answer(q, Slip::FresnelFromOutside),
         },
@@ -331,16 +331,16 @@ impl Graded for Trace {
         },
         Mistake {
             name: "gives Fresnel's equations a cosine below 0",
-            hint: "The ray runs against the normal: which sign has their dot product? How bright is glass that you look at straight?",
+            hint: "The ray runs against the normal: what is the sign of their dot product? How bright is glass that you look at straight?",
             answer: |q| answer(q, Slip::FresnelBackwards),
         },
         Mistake {
             name: "takes Schlick's approximation for Fresnel's equations",
-            hint: "Look along the surface of the glass from inside: how far is the approximation from the equations?",
+            hint: "Look from inside the glass, just before all is reflected: how far is the approximation from the equations?",
             answer: |q| answer(q, Slip::Schlick),
         },
         Mistake {
-            name: "shows the backdrop's lower colour everywhere below the horizon",
+            name: "takes the direction's y, and 0 below the horizon, for the share of the backdrop above",
             hint: "The direction's y goes from −1 to 1: from where to where must a share go?",
             answer: |q| answer(q, Slip::HeightAboveTheHorizon),
         },
@@ -361,7 +361,7 @@ impl Graded for Trace {
         },
         Mistake {
             name: "takes Rs for the share that glass mirrors",
-            hint: "Is lamplight polarised?",
+            hint: "The light here is not polarised: of which two shares is R the mean?",
             answer: |q| answer(q, Slip::OnePolarisation),
         },
         Mistake {

@@ -1,13 +1,14 @@
-//! The best split between a few bins: nearly as good as the best of all, and much faster.
+//! The best split between a few bins: nearly as good as the best of all splits, and found much faster.
 
 use crate::accel::bvh::build::cost::Cost;
 use crate::accel::bvh::build::halves::partition;
 use crate::accel::bvh::build::item::{Bounds, Extent, Item};
 
-/// From this number of items on, all three axes are tried with 16 bins each; else the widest one with 8.
+/// From `MANY` items on, all three axes are tried, with 16 bins each. Below, only the widest axis is tried, with 8 bins.
 const MANY: usize = 64;
 
-/// Splits the items between two bins, where the surface-area heuristic is least, if that is better than a leaf (Wald 2007).
+/// Splits the items between two bins, where the cost by the surface-area heuristic is least; `None` if a leaf costs no more
+/// (Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007).
 pub(super) fn split(items: &mut [Item], extent: &Extent, cost: &Cost) -> Option<usize> {
     let cut = if items.len() < MANY {
         Cut::best_along::<8>(extent.widest(), items, extent, cost)
@@ -17,7 +18,7 @@ pub(super) fn split(items: &mut [Item], extent: &Extent, cost: &Cost) -> Option<
     cut.split(items, extent, cost)
 }
 
-/// The box of all centres cut into slices of the same thickness along an axis.
+/// The box of all centres, cut into slices of the same thickness along an axis.
 #[derive(Clone, Copy)]
 struct Slices {
     axis: usize,
@@ -32,7 +33,7 @@ impl Slices {
         Self {
             axis,
             min,
-            // A little less than the count: the greatest centre belongs to the last slice.
+            // A little less than `count`, so that the greatest centre is in the last slice, not beyond it.
             scale: count as f32 * 0.9999 / (max - min).max(f32::MIN_POSITIVE),
             last: count - 1,
         }
@@ -73,7 +74,7 @@ pub(super) struct Cut {
     slices: Slices,
     /// The first slice on the right.
     before: usize,
-    /// The cost of both sides.
+    /// The cost of both sides: Σ half surface area · price of the shapes.
     pub(super) cost: f32,
 }
 
@@ -86,14 +87,14 @@ impl Cut {
         if z.cost < xy.cost { z } else { xy }
     }
 
-    /// Splits the items there, if that is better than a leaf.
+    /// Splits the items at this cut, if that costs less than a leaf; returns how many are on the left.
     pub(super) fn split(&self, items: &mut [Item], extent: &Extent, cost: &Cost) -> Option<usize> {
         let parent = extent.bounds.half_area();
         let better = cost.branch * parent + self.cost < cost.shapes(items.len()) * parent;
         better.then(|| self.apply(items))
     }
 
-    /// Splits the items there.
+    /// Splits the items at this cut; returns how many are on the left.
     pub(super) fn apply(&self, items: &mut [Item]) -> usize {
         partition(items, |item| self.slices.of(item) < self.before)
     }

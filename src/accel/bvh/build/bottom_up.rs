@@ -1,4 +1,5 @@
-//! Stage 2, bottom-up: merge neighbours until one tree is left (Meister and Bittner 2018).
+//! Stage 2, bottom-up: merge neighbours until one tree is left (Meister and Bittner, "Parallel locally-ordered clustering for
+//! bounding volume hierarchy construction", 2018).
 
 use crate::accel::bvh::build::cost::Cost;
 use crate::accel::bvh::build::flat::Flat;
@@ -7,14 +8,14 @@ use crate::accel::bvh::build::tree::{Inside, MAX_DEPTH, Tree, halvings};
 use crate::threads;
 use glam::Vec3A;
 
-/// How far along the curve a subtree looks for a partner, to either side.
+/// A subtree looks for a partner among this many subtrees before it on the curve, and as many after it.
 const RADIUS: usize = 14;
 
 /// Builds a tree over the items.
 ///
-/// They are ordered along a curve that visits neighbours in space one soon after the other. Each of them starts as a
-/// subtree of its own. In each round every subtree looks at those that are near on the curve for the one with which it
-/// would have the smallest box; two that choose each other are merged, and the result takes the place of the first.
+/// The items are ordered along a curve on which neighbours in space are mostly near each other. Each item starts as a
+/// subtree of its own. In each round, every subtree looks for a partner among the subtrees near it on the curve: the one with
+/// which its common box is smallest. Two subtrees that choose each other are merged, in the place of the first.
 pub(super) fn build(mut items: Vec<Item>, cost: &Cost) -> Flat {
     sort_along_curve(&mut items);
     let mut trees: Vec<_> = items.iter().map(single).collect();
@@ -27,7 +28,7 @@ pub(super) fn build(mut items: Vec<Item>, cost: &Cost) -> Flat {
             .count()
             / 2;
         if halvings(trees.len() - merges) > levels {
-            // No room in the tree for another round like this: everybody merges with the next.
+            // The levels that are left only suffice for halving: every subtree merges with its neighbour.
             partners = (0..trees.len())
                 .map(|i| (i ^ 1).min(trees.len() - 1))
                 .collect();
@@ -47,7 +48,7 @@ const EMPTY: Tree = Tree {
     inside: Inside::Leaf(0),
 };
 
-/// While trees grow, a leaf holds one shape, and its number instead of the count.
+/// The leaf of one item. While trees grow, [`Inside::Leaf`] holds the number of the shape, not the count of shapes.
 fn single(item: &Item) -> Tree {
     Tree {
         bounds: item.bounds,
@@ -55,10 +56,10 @@ fn single(item: &Item) -> Tree {
     }
 }
 
-/// For each subtree, the one within reach with which it would have the smallest surface.
+/// For each subtree, the partner: the subtree within [`RADIUS`] with which its common box has the smallest surface.
 ///
-/// Of equal ones the sibling is taken, else the first: so somebody is always chosen by whom they choose, and equal boxes
-/// merge all at once.
+/// Of equally good ones, `i ^ 1` is chosen if it is among them, else the first. So in every round at least two subtrees choose
+/// each other, and equal boxes merge in pairs, all in one round.
 fn partners(trees: &[Tree]) -> Vec<usize> {
     let of = |i: usize| {
         let (from, to) = (i.saturating_sub(RADIUS), (i + RADIUS + 1).min(trees.len()));
@@ -75,13 +76,13 @@ fn partners(trees: &[Tree]) -> Vec<usize> {
     threads::list(trees.len(), of)
 }
 
-/// Merges all subtrees that are each other's partners; the others stay.
+/// Merges all pairs of subtrees that are each other's partners; the others stay as they are.
 fn merge(mut trees: Vec<Tree>, partners: &[usize]) -> Vec<Tree> {
     let mut merged = Vec::with_capacity(trees.len());
     for (i, &j) in partners.iter().enumerate() {
         let mutual = i != j && partners[j] == i;
         if mutual && j < i {
-            continue; // it went with its partner
+            continue; // it has been merged with its partner
         }
         let tree = std::mem::replace(&mut trees[i], EMPTY);
         merged.push(if mutual {
@@ -97,8 +98,8 @@ fn merge(mut trees: Vec<Tree>, partners: &[usize]) -> Vec<Tree> {
     merged
 }
 
-/// Makes a leaf of every subtree that is better as one, and appends the numbers of its shapes; returns the search's cost
-/// below it times the area of its box.
+/// Turns every subtree that costs no more as a leaf into a leaf, and appends the numbers of its shapes to `order`; returns
+/// the subtree and its cost: the sum over its nodes of half the surface area times the price.
 fn gather(tree: Tree, cost: &Cost, order: &mut Vec<u32>) -> (Tree, f32) {
     let (bounds, area, start) = (tree.bounds, tree.bounds.half_area(), order.len());
     let (inside, below) = match tree.inside {
@@ -122,7 +123,7 @@ fn gather(tree: Tree, cost: &Cost, order: &mut Vec<u32>) -> (Tree, f32) {
     }
 }
 
-/// Sorts the items by the Morton codes of their centres: 21 bits per axis, one of each axis in turn.
+/// Sorts the items by the Morton codes of their centres (Morton 1966): 21 bits per axis, interleaved.
 fn sort_along_curve(items: &mut [Item]) {
     let centers2 = Extent::of(items).centers2;
     let size = (centers2.max - centers2.min).max(Vec3A::splat(f32::MIN_POSITIVE));
@@ -134,7 +135,7 @@ fn sort_along_curve(items: &mut [Item]) {
     threads::sort_by_cached_key(items, |item| (code(item), item.index));
 }
 
-/// Moves bit i of 21 to place 3·i.
+/// Moves each of the lowest 21 bits, bit i, to place 3·i.
 fn spread(bits: u64) -> u64 {
     const STEPS: [(u32, u64); 5] = [
         (32, 0x001f_0000_0000_ffff),

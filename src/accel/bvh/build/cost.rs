@@ -3,21 +3,21 @@
 use crate::accel::bvh::build::flat::Node;
 use crate::accel::bvh::pair::Pair;
 
-/// The price of a ray's steps through a tree; only their ratio matters.
+/// The prices of a ray's steps through a tree, in any unit: only their ratio matters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cost {
-    /// Testing the boxes of a branch's children.
+    /// The price of testing the boxes of a branch's children.
     pub branch: f32,
-    /// Testing a block of shapes.
+    /// The price of testing a block of shapes.
     pub block: f32,
-    /// Shapes in a block, which are tested at once: a power of two.
+    /// Number of shapes in a block, which are tested at once: a power of two.
     pub block_size: u32,
     /// Maximum number of shapes in a leaf.
     pub most: u32,
 }
 
 impl Cost {
-    /// The price of testing `count` shapes.
+    /// The price of testing `count` shapes: ⌈`count`/`block_size`⌉ · `block`.
     pub fn shapes(&self, count: usize) -> f32 {
         let last = self.block_size as usize - 1;
         self.block * ((count + last) >> last.count_ones()) as f32
@@ -25,10 +25,12 @@ impl Cost {
 }
 
 // ANCHOR: sah_cost
-/// The price of a search by a ray that meets the root's box, from a random place in a random direction.
+/// The expected price of a search by a random ray that crosses the root's box: the surface-area heuristic (SAH; MacDonald and
+/// Booth 1990). 0 for a tree without a root.
 ///
-/// Such a ray meets a convex body inside another with the probability of their surface areas' ratio. So the price is
-/// Σ A(n)/A(root)·c(n) over all nodes n: c is [`Cost::branch`] for a branch and the price of its shapes for a leaf.
+/// A random line that meets a convex body meets a convex body inside it with a probability that is the ratio of their surface
+/// areas A. So the price is Σ A(n)/A(root)·c(n) over all nodes n: c is [`Cost::branch`] for a branch, and for a leaf the
+/// price of its shapes.
 pub fn sah_cost(root: Option<&Node>, pairs: &[Pair], cost: &Cost) -> f32 {
     let price = |node: &Node| {
         let size = node.bounds.size();

@@ -1,16 +1,17 @@
-//! Between bins as long as there are many items, and the best of all cuts where few are left.
+//! The best split between bins while there are many items, and the best of all splits where few are left.
 
 use crate::accel::bvh::build::binned::Cut;
 use crate::accel::bvh::build::cost::Cost;
 use crate::accel::bvh::build::item::{Extent, Item};
 use crate::accel::bvh::build::sweep;
 
-/// So few items are split by trying all cuts.
+/// Up to `FEW` items, all splits are tried.
 ///
-/// Most splits of a tree are at its bottom, where bins are too coarse: a leaf of eight is then filled with six or seven.
+/// Most splits of a tree are at its bottom, where bins are too coarse: a leaf for eight shapes then gets six or seven.
 const FEW: usize = 32;
 
-/// Splits the items where the surface-area heuristic is least, as well as sweeping does and in a quarter of its time.
+/// Splits the items where the cost by the surface-area heuristic is least; `None` if a leaf costs no more. The trees are as
+/// good as those of [`sweep`], and take a quarter of the time.
 pub(super) fn split(items: &mut [Item], extent: &Extent, cost: &Cost) -> Option<usize> {
     if items.len() <= FEW {
         sweep::split(items, extent, cost)
@@ -19,7 +20,8 @@ pub(super) fn split(items: &mut [Item], extent: &Extent, cost: &Cost) -> Option<
     }
 }
 
-/// Reorders the items by the cut that [`split`] takes; returns how many are on the left, and the price of both sides.
+/// Reorders the items by the split that [`split`] chooses, even if a leaf costs less; returns how many are on the left, and the
+/// price of both sides.
 pub(crate) fn best(items: &mut [Item], extent: &Extent, cost: &Cost) -> (usize, f32) {
     if items.len() <= FEW {
         sweep::sah_split(items, cost)

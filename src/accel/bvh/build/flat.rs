@@ -4,17 +4,17 @@ use crate::accel::bvh::build::tree::{Inside, Tree};
 use crate::accel::bvh::pair::{Link, Pair};
 use crate::math::aabb::Aabb;
 
-/// A box with either two children or some shapes, in 32 bytes.
+/// A node in 32 bytes: a box, with either two children or some shapes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Node {
-    /// Holds all that is below.
+    /// The box that holds everything below the node.
     pub bounds: Aabb,
-    /// What is below.
+    /// The children or the shapes.
     pub link: Link,
 }
 
 impl Node {
-    /// A place for a node.
+    /// A placeholder for a node.
     pub const NONE: Self = Self {
         bounds: Aabb::EMPTY,
         link: Link::NONE,
@@ -24,7 +24,7 @@ impl Node {
 /// A tree as an array of pairs of nodes, depth-first: a branch's left subtree comes right after its pair.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Flat {
-    /// The node of all; none without shapes.
+    /// The root; `None` if there are no shapes.
     pub root: Option<Node>,
     /// All other nodes.
     pub pairs: Vec<Pair>,
@@ -33,7 +33,7 @@ pub struct Flat {
 }
 
 impl Flat {
-    /// Flattens a tree whose leaves hold the shapes in this order.
+    /// Flattens a tree; `order` lists the shapes as its leaves hold them, one leaf after another.
     pub fn new(tree: &Tree, order: Vec<u32>) -> Self {
         let mut pairs = Vec::with_capacity(order.len());
         let root = (!order.is_empty()).then(|| place(tree, &mut pairs, &mut 0));
@@ -41,7 +41,8 @@ impl Flat {
     }
 }
 
-/// Appends all that is below a subtree, and returns its node; `shapes` counts those in the leaves so far.
+/// Appends the nodes below a subtree to `pairs`, and returns the subtree's own node; `shapes` counts the shapes in the leaves
+/// so far.
 fn place(tree: &Tree, pairs: &mut Vec<Pair>, shapes: &mut u32) -> Node {
     let bounds = tree.bounds.into();
     let (first, count) = match &tree.inside {
@@ -52,7 +53,7 @@ fn place(tree: &Tree, pairs: &mut Vec<Pair>, shapes: &mut u32) -> Node {
         }
         Inside::Branch(children) => {
             let at = pairs.len();
-            pairs.push(Pair::new([Node::NONE; 2])); // its place is before its children's
+            pairs.push(Pair::new([Node::NONE; 2])); // reserved: a pair comes before those of its children
             let [left, right] = &**children;
             pairs[at] = Pair::new([place(left, pairs, shapes), place(right, pairs, shapes)]);
             (at as u32, 0)

@@ -1,9 +1,10 @@
-//! Stage 1: all that a builder knows of a shape.
+//! Stage 1: what a builder knows of a shape.
 
 use crate::math::aabb::Aabb;
 use glam::Vec3A;
 
-/// A box whose corners are four floats wide, for the builders: they unite boxes by the million.
+/// A box whose corners are four floats wide. It is for the builders, which take millions of unions: a corner is one vector
+/// register.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
     /// The least corner.
@@ -28,7 +29,7 @@ impl Bounds {
         }
     }
 
-    /// What both boxes hold.
+    /// The box of the points that are in both boxes; [`Bounds::EMPTY`] if there are none.
     #[must_use]
     pub fn intersection(&self, other: &Self) -> Self {
         let (min, max) = (self.min.max(other.min), self.max.min(other.max));
@@ -39,7 +40,7 @@ impl Bounds {
         }
     }
 
-    /// Whether it holds no point.
+    /// Whether the box holds no point.
     pub fn is_empty(&self) -> bool {
         !self.min.cmple(self.max).all()
     }
@@ -69,17 +70,17 @@ impl From<Bounds> for Aabb {
     }
 }
 
-/// A shape as a builder sees it: its box, and which one it is.
+/// A shape as a builder sees it: its box and its number.
 #[derive(Clone, Copy, Debug)]
 pub struct Item {
-    /// The box.
+    /// The shape's box.
     pub(crate) bounds: Bounds,
-    /// Which shape.
+    /// The shape's number, from 0.
     pub index: u32,
 }
 
 impl Item {
-    /// The item of a box and its place.
+    /// The item of shape number `index`, whose box is `bounds`.
     pub fn new((index, bounds): (usize, &Aabb)) -> Self {
         Self {
             bounds: bounds.into(),
@@ -92,9 +93,9 @@ impl Item {
         self.bounds.min + self.bounds.max
     }
 
-    /// The same along one axis.
+    /// Twice the centre of the box along one axis.
     pub fn center2_along(&self, axis: usize) -> f32 {
-        // A reference, for glam's `[axis]` asks which axis it is: a branch, in the innermost loop.
+        // As arrays: glam's own `[axis]` compares `axis` with each axis, which is a branch in the innermost loop.
         let (min, max): (&[f32; 3], &[f32; 3]) =
             (self.bounds.min.as_ref(), self.bounds.max.as_ref());
         min[axis] + max[axis]
@@ -104,14 +105,14 @@ impl Item {
 /// How far items extend.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Extent {
-    /// The smallest box that holds their boxes.
+    /// The smallest box that holds the items' boxes.
     pub bounds: Bounds,
-    /// The smallest box that holds twice their centres.
+    /// The smallest box that holds twice the items' centres.
     pub centers2: Bounds,
 }
 
 impl Extent {
-    /// How far these items extend.
+    /// The extent of these items.
     pub(crate) fn of(items: &[Item]) -> Self {
         let mut all = Self {
             bounds: Bounds::EMPTY,

@@ -22,21 +22,21 @@ use crate::threads;
 /// How stage 2 makes a tree.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
-    /// Top-down: half of the shapes to each side.
+    /// Top-down: split at the median, half of the shapes to each side.
     Median,
-    /// Top-down: cut the box of the centres in the middle.
+    /// Top-down: split in the middle of the box of the centres.
     Middle,
-    /// Top-down: the best of all cuts by the surface-area heuristic.
+    /// Top-down: the best of all splits by the surface-area heuristic (SAH).
     Sweep,
-    /// Top-down: the best cut between bins, by the same heuristic.
+    /// Top-down: the best split between 8 or 16 bins, by the same heuristic.
     Binned,
-    /// Top-down: the best cut between more bins, and the best of all where few shapes are left.
+    /// Top-down: the best split between 32 bins, and the best of all splits where few shapes are left.
     Fine,
-    /// Bottom-up: the neighbours that fit together best are merged, again and again.
+    /// Bottom-up: neighbours that have the smallest box together are merged, round after round.
     BottomUp,
 }
 
-/// Builds a tree over boxes: finite ones, within the [domain](crate::math::domain).
+/// Builds a tree over finite boxes within the [domain](crate::math::domain).
 ///
 /// The same boxes give the same tree, whatever the number of threads.
 pub(crate) fn build(boxes: &[Aabb], method: Method, cost: &Cost) -> Flat {

@@ -3,7 +3,7 @@
 use crate::accel::bvh::build::cost::Cost;
 use crate::accel::bvh::build::item::{Bounds, Extent, Item};
 
-/// Splits the items where it is best, if that is better than a leaf.
+/// Splits the items where the cost is least, and returns how many are on the left; `None` if a leaf costs no more.
 pub(crate) fn split(items: &mut [Item], extent: &Extent, cost: &Cost) -> Option<usize> {
     let (left, both) = sah_split(items, cost);
     let parent = extent.bounds.half_area();
@@ -12,12 +12,11 @@ pub(crate) fn split(items: &mut [Item], extent: &Extent, cost: &Cost) -> Option<
 }
 
 // ANCHOR: sah_split
-/// Finds the best place to split the items; returns how many of them are on the left, after reordering them, and the
-/// cost.
+/// Reorders the items by the best split; returns how many are on the left, and the cost of the split.
 ///
-/// A split is a cut between two centres that follow each other along an axis. Its cost is A(L)·c(L) + A(R)·c(R): A is half
-/// the surface area of a side's box, to which the number of rays that meet it is proportional, and c the price of testing
-/// all of its shapes (Goldsmith and Salmon 1987, MacDonald and Booth 1990).
+/// A split is a cut between two neighbouring centres along an axis. Its cost is A(L)·c(L) + A(R)·c(R). A is half the surface
+/// area of a side's box, in m²: the number of rays that meet the box is proportional to A. c is the price of testing all
+/// shapes of the side, [`Cost::shapes`] (Goldsmith and Salmon 1987; MacDonald and Booth 1990).
 pub fn sah_split(items: &mut [Item], cost: &Cost) -> (usize, f32) {
     let n = items.len();
     let (mut axis, mut left, mut least) = (0, n / 2, f32::INFINITY);
@@ -43,7 +42,7 @@ pub fn sah_split(items: &mut [Item], cost: &Cost) -> (usize, f32) {
 }
 // ANCHOR_END: sah_split
 
-/// Sorts by the centres along an axis; equal ones by their numbers.
+/// Sorts the items by their centres along an axis, and those with equal centres by their numbers.
 fn sort_along(items: &mut [Item], axis: usize) {
     items.sort_unstable_by(|a, b| {
         let by_center = a.center2_along(axis).total_cmp(&b.center2_along(axis));

@@ -6,15 +6,13 @@ use crate::accel::bvh::build::item::{Extent, Item};
 use crate::accel::bvh::build::tree::{Inside, MAX_DEPTH, Tree, halvings};
 use crate::threads;
 
-/// A way to split: reorders the items and says how many are on the left, or `None` if a leaf is better.
-///
-/// It is given at least two items, and how far they extend.
+/// A way to split at least two items: reorders them and returns how many are on the left, or `None` if a leaf is better.
 pub(super) type Split = fn(&mut [Item], &Extent, &Cost) -> Option<usize>;
 
-/// Fewer items than this are not worth another thread.
+/// Below this number of items, another thread does not pay.
 const ALONE: usize = 1 << 12;
 
-/// Builds a tree over the items; reorders them as they follow each other in its leaves.
+/// Builds a tree over the items, and puts the items into the order of its leaves.
 pub(super) fn top_down(items: &mut [Item], cost: &Cost, split: Split) -> Tree {
     bvh_build(items, MAX_DEPTH, cost, split)
 }
@@ -22,8 +20,9 @@ pub(super) fn top_down(items: &mut [Item], cost: &Cost, split: Split) -> Tree {
 // ANCHOR: bvh_build
 /// Builds the subtree over the items, with at most `levels` branches above any leaf.
 ///
-/// `split` reorders the items into a left and a right side, or says that a leaf is better. It is overruled where a leaf
-/// would be too large, and where a side would be too large to be halved in the levels that are left.
+/// `split` reorders the items into a left and a right side, or says that a leaf is better. It is overruled by a split at the
+/// median in two cases: the leaf would be too large, or a side would have too many items to be halved in the levels that are
+/// left.
 fn bvh_build(items: &mut [Item], levels: u32, cost: &Cost, split: Split) -> Tree {
     let (n, extent) = (items.len(), Extent::of(items));
     let bounds = extent.bounds;

@@ -7,25 +7,25 @@ use crate::accel::bvh::build::item::Bounds;
 pub struct Tree {
     /// The smallest box that holds all of its shapes.
     pub bounds: Bounds,
-    /// What is in it.
+    /// Its shapes or its two children.
     pub inside: Inside,
 }
 
 /// What a subtree consists of.
 #[derive(Clone, Debug)]
 pub enum Inside {
-    /// A number of shapes: the next ones in the order of the leaves.
+    /// A leaf with this number of shapes, which are the next ones in the order of the leaves.
     Leaf(u32),
     /// Two subtrees.
     Branch(Box<[Tree; 2]>),
 }
 
-/// No way from the root to a leaf passes more than this many branches: a search needs a stack of this size, and no more.
+/// Maximum number of branches on the way from the root to a leaf, so that a search's stack has a fixed size.
 pub(crate) const MAX_DEPTH: u32 = 64;
 
-/// The branches on the way to any of n shapes if they are halved again and again: ⌈log₂ n⌉.
+/// The number of branches above each of n shapes if the shapes are halved again and again: ⌈log₂ n⌉.
 ///
-/// A builder may cut as unevenly as it likes while `MAX_DEPTH` leaves room for that.
+/// A builder may split unevenly as long as [`MAX_DEPTH`] leaves room for these halvings.
 pub(crate) fn halvings(n: usize) -> u32 {
     usize::BITS - n.saturating_sub(1).leading_zeros()
 }

@@ -18,7 +18,7 @@ use glam::Vec3;
 /// next to nothing, and would take most of the time.
 const OVERLAP: f32 = 1e-4;
 
-/// Fewer items than this are not worth another thread.
+/// Below this number of items, another thread does not pay.
 const ALONE: usize = 1 << 12;
 
 /// The boxes of long thin triangles are mostly empty: this many times as large as the triangles, on the whole.

@@ -70,7 +70,7 @@ pub(super) fn interval(i: usize, name: &str, all: &mut Vec<Misreading>) {
         |v| v.swap(0, 1),
     );
     value(
-        format!("turns {name} round"),
+        format!("mirrors {name} at 0: from −max to −min"),
         16,
         "Which end of `{}` comes first, and with which sign?",
         |v| {

@@ -72,7 +72,7 @@ pub(super) fn numbers(name: &str, each: &mut impl FnMut(String, u32, &str, fn(f6
         |v| 0.5 * v,
     );
     each(
-        format!("takes the size of {name} without its sign, |{name}|"),
+        format!("takes the absolute value |{name}| for {name}"),
         16,
         "What if `{}` is negative?",
         f64::abs,
@@ -84,7 +84,7 @@ pub(super) fn numbers(name: &str, each: &mut impl FnMut(String, u32, &str, fn(f6
         |v| 1.0 - v,
     );
     each(format!("adds 1 to {name}"), 17, factor, |v| v + 1.0);
-    each(format!("takes 1 from {name}"), 17, factor, |v| v - 1.0);
+    each(format!("subtracts 1 from {name}"), 17, factor, |v| v - 1.0);
     each(format!("adds 2 to {name}"), 18, factor, |v| v + 2.0);
     each(
         format!("clamps {name} to the range from 0 to 1"),

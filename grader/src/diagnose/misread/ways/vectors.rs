@@ -49,7 +49,7 @@ pub(super) fn vector(
             Box::new(|v| v.fill(0.0)),
         );
         value(
-            format!("takes 1 for all of {name}, as if it were ignored"),
+            format!("takes 1 for each component of {name}, as if it were ignored"),
             14,
             ignored,
             Box::new(|v| v.fill(1.0)),
@@ -87,7 +87,7 @@ pub(super) fn vector(
             }),
         );
         value(
-            format!("takes the size of each component of {name}, without its sign"),
+            format!("takes the absolute value of each component of {name}"),
             18,
             "What if a component of `{}` is negative?",
             Box::new(|v| each(v, |v| *v = v.abs())),

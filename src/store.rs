@@ -118,8 +118,8 @@ fn kind(of: FileType) -> &'static str {
     }
 }
 
-/// Writes a file so that it appears whole or not at all. Its folder is made if it does not exist. A file or a link of the same name
-/// is replaced.
+/// Writes a file so that it appears whole or not at all. Its folder is made if it does not exist. A file or a link of the same
+/// name is replaced.
 ///
 /// # Errors
 /// If the folder cannot be made, the file cannot be written, or the name is that of a folder, a named pipe, a device or a socket.

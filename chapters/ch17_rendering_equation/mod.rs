@@ -111,8 +111,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     stage.figure("strategies", caption, &strategies::figure(&tile)?)?;
 
     let caption = "The relative RMS error of each strategy, against the samples and against the time, measured while this figure \
-        was drawn. In the box (top), directions by the light pay; on the plates (bottom), both together pay, also for equal \
-        time.";
+        was drawn. In the box (top), directions by the light are as good as both together. On the plates (bottom), both together \
+        have the smallest error, also for equal time.";
     stage.diagram("error", caption, &path_error::plot(&tile)?)
 }
 

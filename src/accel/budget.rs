@@ -5,9 +5,9 @@ use crate::math::aabb::Aabb;
 
 /// The limits of one build.
 ///
-/// An ordinary grid keeps to them: it has 5 cells per shape, and usually about as many references. Many shapes in the same
-/// place, or many that are as long as the scene, would take a reference for each shape in each cell: O(N²) for N shapes.
-/// Such a grid is made coarser until it keeps to the limits. A single cell always does.
+/// An ordinary grid usually keeps to them: it has 5 cells and 4 to 20 references per shape. Many shapes in the same place, or
+/// many that are as long as the scene, would take a reference for each shape in each cell: O(N²) for N shapes. Such a grid is
+/// made coarser until it keeps to the limits. A single cell always does.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Budget {
     /// Cells and references together; each takes 4 bytes.
@@ -17,8 +17,8 @@ pub(crate) struct Budget {
 }
 
 impl Budget {
-    /// The limits for a grid of `shapes` shapes whose resolution is our choice: at most 400 bytes per shape, or about 92 where
-    /// there are many (the lists take more while they grow), and 256 tests per shape, which is O(N) of time.
+    /// The limits for a grid of `shapes` shapes whose resolution the library chooses: at most 400 bytes per shape, or about 92
+    /// where there are many (the lists take more while they grow), and 256 tests per shape, which is O(N) of time.
     pub(super) fn of(shapes: usize) -> Self {
         Self {
             entries: (100 * shapes).min(23 * shapes + 4096).max(2),

@@ -38,8 +38,8 @@ impl RayBox {
         }
     }
 
-    /// The distance, up to rounding, at which the ray enters the box, or where the interval begins if that is later; `None` if the
-    /// ray certainly does not meet the box within the interval.
+    /// The distance, up to rounding, at which the ray enters the box, or where the interval begins if that is later; `None` if
+    /// the ray certainly does not meet the box within the interval.
     ///
     /// The box must be finite. The interval may be empty or inverted: then the answer is `None`.
     pub fn enters(&self, bounds: &Aabb, within: Interval) -> Option<f32> {

@@ -6,8 +6,8 @@ use glam::{UVec3, Vec3, vec3};
 use std::ops::ControlFlow;
 
 // ANCHOR: grid_walk
-/// Visits the cells of the lattice that the ray passes through within the interval, in order, each with the distances
-/// at which the ray enters and leaves the cell, until `visit` returns `Break` (3D-DDA: Amanatides and Woo, "A fast voxel traversal
+/// Visits the cells of the lattice that the ray passes through within the interval, in order, each with the distances at which
+/// the ray enters and leaves the cell, until `visit` returns `Break` (3D-DDA: Amanatides and Woo, "A fast voxel traversal
 /// algorithm for ray tracing", 1987).
 ///
 /// Per axis, the ray meets the next plane, number i, at tᵢ = (min − o)/d + i·(cell/d). The least of the three distances tells

@@ -68,8 +68,8 @@ impl Lens {
     }
 
     // ANCHOR: circle_of_confusion
-    /// c = A |x − s|/x · f/(s − f): the circle of confusion, the disc on the film that a point at the distance x becomes; c is its
-    /// diameter in metres.
+    /// c = A |x − s|/x · f/(s − f): the circle of confusion, the disc on the film that a point at the distance x becomes; c is
+    /// its diameter in metres.
     ///
     /// The rays from the point to the aperture meet the plane in focus in a disc of the diameter A |x − s|/x. The film shows this
     /// plane f/(s − f) times as large. Both distances are in metres along the axis; x > 0 may be ∞.

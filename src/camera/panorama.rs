@@ -17,8 +17,8 @@ impl Panorama {
     /// The ray of a place (u, v) on the film; `film` as for [`Camera::ray`].
     ///
     /// Across the film, φ = 2π·(u − ½) goes around, from forward in the middle (φ = 0) to the right (φ = ½π). Down the film,
-    /// θ = π·v goes from up to down. Then d = sin θ·(cos φ·forward + sin φ·right) + cos θ·up. For a level pose, the mapping is the
-    /// inverse of [`latlong::place`], and the picture is an environment map.
+    /// θ = π·v goes from up to down. Then d = sin θ·(cos φ·forward + sin φ·right) + cos θ·up. For a level pose, the mapping is
+    /// the inverse of [`latlong::place`], and the picture is an environment map.
     pub fn ray_through(&self, film: Vec2) -> Ray {
         self.pose.ray(latlong::direction(film))
     }

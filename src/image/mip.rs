@@ -56,8 +56,9 @@ impl MipMap {
     // ANCHOR_END: bilinear
 
     // ANCHOR: mip_map
-    /// The mean colour over a square around a place, `width` wide in texture coordinates (trilinear interpolation): the two levels
-    /// whose pixels are just smaller and just larger than the square are interpolated. A width of 0 gives the sharp picture.
+    /// The mean colour over a square around a place, `width` wide in texture coordinates (trilinear interpolation): the two
+    /// levels whose pixels are just smaller and just larger than the square are interpolated. A width of 0 gives the sharp
+    /// picture.
     pub fn at(&self, place: Vec2, width: f32) -> Rgb {
         let (first, last) = (&self.levels[0], self.levels.len() - 1);
         let pixels = width * first.width().max(first.height()) as f32;

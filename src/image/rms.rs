@@ -3,8 +3,8 @@
 use crate::image::{Image, tone};
 
 // ANCHOR: rms
-/// The root of the mean square (RMS) difference, √(mean of (a − e)²), over all channels of the pixels (x, y) for which `counts` is
-/// true. a and e are sRGB code values in [0, 1], as a display shows them.
+/// The root of the mean square (RMS) difference, √(mean of (a − e)²), over all channels of the pixels (x, y) for which `counts`
+/// is true. a and e are sRGB code values in [0, 1], as a display shows them.
 ///
 /// 0 for equal pictures, 1 for black and white; 1/255 is one step of a display's brightness. NaN counts as black.
 ///

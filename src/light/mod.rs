@@ -21,8 +21,8 @@ pub trait Light: Send + Sync {
     /// radiance without shadows.
     fn sample(&self, at: Vec3, u: Vec2) -> Option<LightSample>;
 
-    /// What a ray that meets the light itself finds, at a distance of at most `farthest`, in metres; `None` for a light without an
-    /// extent.
+    /// What a ray that meets the light itself finds, at a distance of at most `farthest`, in metres; `None` for a light without
+    /// an extent.
     fn seen(&self, _ray: &Ray, _farthest: f32) -> Option<LightHit> {
         None
     }

@@ -28,8 +28,8 @@ struct Sides {
     lengths: [f64; 2],
 }
 
-/// The smallest solid angle, in steradians, over which points are chosen. A smaller one, as a sum of four terms, has lost more than
-/// 8 of its 16 digits; but then the rectangle looks so small that choosing by area is as good.
+/// The smallest solid angle, in steradians, over which points are chosen. A smaller one, as a sum of four terms, has lost more
+/// than 8 of its 16 digits; but then the rectangle looks so small that choosing by area is as good.
 const LEAST: f64 = 1e-8;
 
 impl RectLight {
@@ -201,8 +201,8 @@ fn sine(v: f64, h: f64) -> f64 {
 
 /// The solid angle, in steradians, of the strip between the plumb line and x, from the sines of x and of the sides across.
 ///
-/// The rectangle from the foot of the plumb line to (x, y) has the solid angle asin(s(x)·s(y)). The strip is the difference of two
-/// such rectangles, and the whole light is the difference of two strips.
+/// The rectangle from the foot of the plumb line to (x, y) has the solid angle asin(s(x)·s(y)). The strip is the difference of
+/// two such rectangles, and the whole light is the difference of two strips.
 fn strip(x: f64, [low, high]: [f64; 2]) -> f64 {
     (x * high).asin() - (x * low).asin()
 }

@@ -21,8 +21,8 @@ pub struct SphereLight {
 
 impl SphereLight {
     // ANCHOR: sample_sphere_light
-    /// A direction, uniform over the cone in which the sphere is seen. Its half angle is α, sin α = r/d, with d the distance to the
-    /// centre.
+    /// A direction, uniform over the cone in which the sphere is seen. Its half angle is α, sin α = r/d, with d the distance to
+    /// the centre.
     ///
     /// The cone cuts off a cap of the unit sphere with the area Ω = 2π(1 − cos α). The area between two parallel planes is
     /// proportional to their distance (Archimedes), so 1 − cos θ is uniform, from 0 to 1 − cos α. From inside, the light is in

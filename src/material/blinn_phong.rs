@@ -15,8 +15,8 @@ pub struct BlinnPhong(pub Phong);
 
 impl BlinnPhong {
     // ANCHOR: blinn_phong
-    /// The radiance k_d (L·N) i + k_s (N·H)^α i for one light. i is the irradiance that arrives from L, and H = (L + V)/|L + V| the
-    /// halfway vector between light and viewer.
+    /// The radiance k_d (L·N) i + k_s (N·H)^α i for one light. i is the irradiance that arrives from L, and H = (L + V)/|L + V|
+    /// the halfway vector between light and viewer.
     ///
     /// Behind the surface, L·N ≤ 0, the radiance is 0. If L = −V there is no H, and no highlight.
     pub fn reflect(&self, normal: Dir3, view: Dir3, light: &LightSample) -> Rgb {

@@ -9,8 +9,8 @@ use crate::shape::Surface;
 use glam::{Vec2, Vec3, vec3};
 use std::f32::consts::{PI, TAU};
 
-/// A metal whose surface consists of microfacets, with normals distributed by GGX (Walter et al., "Microfacet models for refraction
-/// through rough surfaces", 2007; the same as Trowbridge and Reitz 1975).
+/// A metal whose surface consists of microfacets, with normals distributed by GGX (Walter et al., "Microfacet models for
+/// refraction through rough surfaces", 2007; the same as Trowbridge and Reitz 1975).
 ///
 /// The model follows only one reflection, so the light that one facet sends to another is lost: of light from straight above, 1 %
 /// for α = 0.1, 31 % for 0.5, and ln 2 = 69 % for 1.
@@ -23,11 +23,13 @@ pub struct Ggx {
 }
 
 impl Ggx {
-    /// The smallest roughness. Below it, single precision cannot represent the peak: use [`crate::material::conductor::Conductor`].
+    /// The smallest roughness. Below it, single precision cannot represent the peak: use
+    /// [`crate::material::conductor::Conductor`].
     pub const SMOOTHEST: f32 = 1e-3;
 
     // ANCHOR: ggx
-    /// D(h) = α²/(π ((n·h)² (α² − 1) + 1)²): the distribution of the facets' normals h, in 1/sr; ∫ D (n·h) dω = 1. `cosine` is n·h.
+    /// D(h) = α²/(π ((n·h)² (α² − 1) + 1)²): the distribution of the facets' normals h, in 1/sr; ∫ D (n·h) dω = 1. `cosine` is
+    /// n·h.
     pub fn normals(&self, cosine: f32) -> f32 {
         let squared = self.alpha * self.alpha;
         // 1 − (1 − α²) cos² without cancellation where cos is nearly 1
@@ -56,8 +58,8 @@ impl Ggx {
 }
 
 impl Material for Ggx {
-    /// f = F(v·h) D(h) G/(4 (n·l)(n·v)) with G = 1/(1 + Λ(v) + Λ(l)): the facets that mirror l to v, times the share G of them that
-    /// both viewer and light see.
+    /// f = F(v·h) D(h) G/(4 (n·l)(n·v)) with G = 1/(1 + Λ(v) + Λ(l)): the facets that mirror l to v, times the share G of them
+    /// that both viewer and light see.
     fn eval(&self, at: &Surface, view: Dir3, toward: Dir3) -> Rgb {
         let Some([out, into, half, facet]) = Self::cosines(at, view, toward) else {
             return Rgb::BLACK;
@@ -101,8 +103,8 @@ impl Material for Ggx {
     }
     // ANCHOR_END: visible_normals
 
-    /// p = D(h)/(4 (n·v)(1 + Λ(v))), in 1/sr: the density of visible normals, D(h) (v·h)/((n·v)(1 + Λ(v))), over the factor 4 (v·h)
-    /// between solid angles of h and of the mirror direction.
+    /// p = D(h)/(4 (n·v)(1 + Λ(v))), in 1/sr: the density of visible normals, D(h) (v·h)/((n·v)(1 + Λ(v))), over the factor 4
+    /// (v·h) between solid angles of h and of the mirror direction.
     fn pdf(&self, at: &Surface, view: Dir3, toward: Dir3) -> f32 {
         Self::cosines(at, view, toward).map_or(0.0, |[out, _, half, _]| {
             self.normals(half) / (4.0 * out * (1.0 + self.hidden(out)))

@@ -44,8 +44,8 @@ impl Phong {
 }
 
 impl Material for Phong {
-    /// f is the reflected radiance for 1 W/m², over the cosine L·N. It grows without bound at the horizon, and for a large k_s the
-    /// model reflects more energy than arrives: it is an empirical model, not a physical one.
+    /// f is the reflected radiance for 1 W/m², over the cosine L·N. It grows without bound at the horizon, and for a large k_s
+    /// the model reflects more energy than arrives: it is an empirical model, not a physical one.
     fn eval(&self, at: &Surface, view: Dir3, toward: Dir3) -> Rgb {
         let cosine = at.facing(view).dot(*toward);
         if cosine <= 0.0 {

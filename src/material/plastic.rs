@@ -46,8 +46,8 @@ impl Plastic {
     }
 }
 
-/// R̄ = 2 ∫ R cos θ d(cos θ): the share that the coat reflects of light from below that is equally bright in all directions; 0.596
-/// for n = 1.5.
+/// R̄ = 2 ∫ R cos θ d(cos θ): the share that the coat reflects of light from below that is equally bright in all directions;
+/// 0.596 for n = 1.5.
 fn mirrored_back(index: f32) -> f32 {
     /// Steps of the sum; its error is below 1e-5.
     const STEPS: u16 = 2000;

@@ -5,8 +5,8 @@
 pub struct Piecewise {
     /// n + 1 sums: of the weights before each cell, and of all weights; in `f64`, because a map has millions of texels.
     sums: Vec<f64>,
-    /// The guide table: the number of sums that are at most 0, 1/n, 2/n, … of the total. It makes the search in `sums` short (Chen
-    /// and Asau, "On generating random variates from an empirical distribution", 1974).
+    /// The guide table: the number of sums that are at most 0, 1/n, 2/n, … of the total. It makes the search in `sums` short
+    /// (Chen and Asau, "On generating random variates from an empirical distribution", 1974).
     guide: Vec<u32>,
 }
 

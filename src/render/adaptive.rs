@@ -41,8 +41,8 @@ pub struct Limits {
 /// Each pixel gets `limits.first` samples, and their number is doubled as long as it is not [`Enough`] (Whitted 1980; Mitchell
 /// 1987).
 ///
-/// The samples of a pixel are the beginning of one Sobol sequence, scrambled by Owen's method: so all of them together are as even
-/// as if their number had been known before.
+/// The samples of a pixel are the beginning of one Sobol sequence, scrambled by Owen's method: so all of them together are as
+/// even as if their number had been known before.
 pub fn adaptive<S: Into<Followed>>(
     film: &Film,
     limits: Limits,
@@ -81,7 +81,8 @@ pub fn adaptive<S: Into<Followed>>(
 /// A picture with `mean` samples per pixel on average, distributed by the standard deviation of the `first` samples of each pixel
 /// (at least 2).
 ///
-/// A pixel's standard deviation is the largest among its 3 × 3 neighbourhood, because its own few samples may have missed an edge.
+/// A pixel's standard deviation is the largest among its 3 × 3 neighbourhood, because its own few samples may have missed an
+/// edge.
 pub fn by_budget<S: Into<Followed>>(
     film: &Film,
     first: usize,

@@ -29,8 +29,8 @@ impl Ord for Gain {
 // ANCHOR: spend_budget
 /// The number n of samples for each pixel, at least `least` each and `budget` in all, for which Σ σ²/n is smallest.
 ///
-/// σ is the standard deviation of a pixel's samples, from `deviations`. The best n is about proportional to σ (Neyman 1934). It is
-/// exact if the samples are given away one by one, each to the pixel where it reduces the sum most, by σ²/n − σ²/(n + 1) (Fox
+/// σ is the standard deviation of a pixel's samples, from `deviations`. The best n is about proportional to σ (Neyman 1934). It
+/// is exact if the samples are given away one by one, each to the pixel where it reduces the sum most, by σ²/n − σ²/(n + 1) (Fox
 /// 1966). If the budget is too small, each pixel still gets `least` samples, and at least 1.
 pub fn spend_budget(deviations: &[f32], least: u32, budget: u32) -> Vec<u32> {
     let least = least.max(1);

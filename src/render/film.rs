@@ -33,8 +33,8 @@ pub struct Film<'a> {
     pub progress: &'a Progress<'a>,
 }
 
-/// Gets the part of the picture that has just been done, and returns whether to go on. After a `Break` no more tiles are begun, and
-/// missing pixels stay black.
+/// Gets the part of the picture that has just been done, and returns whether to go on. After a `Break` no more tiles are begun,
+/// and missing pixels stay black.
 pub type Progress<'a> = dyn Fn(Done) -> ControlFlow<()> + Sync + 'a;
 
 /// Reports nothing, and goes on to the end.

@@ -46,7 +46,8 @@ impl<A: Fn(&Scene, &Surface, &LightSample) -> bool> Local<A> {
                     continue;
                 };
                 let lit = seen.material.lit(&seen.surface, view, &sample);
-                // A mirror does not reflect a lamp's sample, nor does a surface that is turned away: then no shadow ray is needed.
+                // A mirror does not reflect a lamp's sample, nor does a surface that is turned away: then no shadow ray is
+                // needed.
                 if lit != Rgb::BLACK && arrives(&sample) {
                     of_light += lit;
                 }

@@ -12,8 +12,8 @@ pub enum Strategy {
 }
 
 impl Strategy {
-    /// The weight of a direction that was chosen by the light with the density `light`, where the surface has the density `surface`,
-    /// both per steradian.
+    /// The weight of a direction that was chosen by the light with the density `light`, where the surface has the density
+    /// `surface`, both per steradian.
     pub fn of_light(self, light: f32, surface: f32) -> f32 {
         match self {
             Self::Both => power(light, surface),
@@ -22,11 +22,11 @@ impl Strategy {
         }
     }
 
-    /// The weight of a direction that was chosen by the surface with the density `surface`, where the light has the density `light`,
-    /// both per steradian.
+    /// The weight of a direction that was chosen by the surface with the density `surface`, where the light has the density
+    /// `light`, both per steradian.
     ///
-    /// Camera rays and delta lobes are not chosen by a density: for them `surface` is ∞, and the weight is 1. A `light` of 0 means
-    /// that the light could not have chosen the direction: then the weight is 1 too.
+    /// Camera rays and delta lobes are not chosen by a density: for them `surface` is ∞, and the weight is 1. A `light` of 0
+    /// means that the light could not have chosen the direction: then the weight is 1 too.
     pub fn of_surface(self, surface: f32, light: f32) -> f32 {
         match self {
             Self::Both => power(surface, light),
@@ -37,12 +37,13 @@ impl Strategy {
 }
 
 // ANCHOR: power_heuristic
-/// The power heuristic p²/(p² + q²): the weight of a direction that was chosen with the density p, and could have been chosen with
-/// the density q by the other strategy.
+/// The power heuristic p²/(p² + q²): the weight of a direction that was chosen with the density p, and could have been chosen
+/// with the density q by the other strategy.
 ///
 /// The two weights of a direction add up to 1, so no light is counted twice and none is left out. The strategy with the larger
-/// density gets most of the weight, because it has less variance there (Veach and Guibas, "Optimally combining sampling techniques
-/// for Monte Carlo rendering", 1995). p is positive; p = ∞, for a direction that is not chosen by a density, has the weight 1.
+/// density gets most of the weight, because it has less variance there (Veach and Guibas, "Optimally combining sampling
+/// techniques for Monte Carlo rendering", 1995). p is positive; p = ∞, for a direction that is not chosen by a density, has the
+/// weight 1.
 pub fn power(p: f32, q: f32) -> f32 {
     1.0 / (1.0 + (q / p).powi(2))
 }

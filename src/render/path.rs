@@ -33,10 +33,10 @@ impl Path {
     // ANCHOR: path
     /// An estimate of the radiance that a ray sees: L_o = L_e + ∫ f L_i cos θ dω, where L_i is the L_o of the next surface.
     ///
-    /// `weight` is the product of f cos θ/p, and of the media's transmittance, along the path so far. Direct light is estimated in
-    /// two ways: by a shadow ray towards the light (next event estimation), and by the ray that continues the path; the strategy
-    /// weights the two. All other light is estimated by the ray that continues the path, and so is all light in a mirror or
-    /// through glass. The estimate is unbiased, except for the light that `depth` cuts off.
+    /// `weight` is the product of f cos θ/p, and of the media's transmittance, along the path so far. Direct light is estimated
+    /// in two ways: by a shadow ray towards the light (next event estimation), and by the ray that continues the path; the
+    /// strategy weights the two. All other light is estimated by the ray that continues the path, and so is all light in a mirror
+    /// or through glass. The estimate is unbiased, except for the light that `depth` cuts off.
     pub fn follow(&self, scene: &Scene, ray: &Ray, rng: &mut dyn Rng) -> Followed {
         self.follow_cone(scene, ray, Cone::THIN, rng)
     }
@@ -242,9 +242,9 @@ impl Lobes {
 }
 
 // ANCHOR: roulette
-/// Russian roulette: ends a path with the probability 1 − q, and divides the weight of a survivor by q. The estimate stays unbiased,
-/// and less work is spent on little light (Arvo and Kirk, "Particle transport and image synthesis", 1990). q is the largest channel
-/// of the weight, at most [`LUCKIEST`].
+/// Russian roulette: ends a path with the probability 1 − q, and divides the weight of a survivor by q. The estimate stays
+/// unbiased, and less work is spent on little light (Arvo and Kirk, "Particle transport and image synthesis", 1990). q is the
+/// largest channel of the weight, at most [`LUCKIEST`].
 fn roulette(weight: Rgb, rng: &mut dyn Rng) -> Option<Rgb> {
     let [r, g, b] = weight.channels();
     let q = r.max(g).max(b).min(LUCKIEST);

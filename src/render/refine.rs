@@ -39,8 +39,8 @@ impl Film<'_> {
         all(self, &|place, numbers| radiance(place, numbers).into())
     }
 
-    /// As [`Film::evenly`], but a pixel gets all samples only if its first samples differ much; otherwise its number of samples is
-    /// proportional to their standard deviation, rounded up to a power of two, and at least 4 (2 if the film has fewer than 8
+    /// As [`Film::evenly`], but a pixel gets all samples only if its first samples differ much; otherwise its number of samples
+    /// is proportional to their standard deviation, rounded up to a power of two, and at least 4 (2 if the film has fewer than 8
     /// samples per pixel) (Whitted 1980; Neyman 1934).
     ///
     /// The standard deviation is that of the pixel and its eight neighbours, because the pixel's first samples may have missed an

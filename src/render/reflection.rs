@@ -10,9 +10,9 @@ use rand::RngExt;
 // ANCHOR: reflected_radiance
 /// L_o = ∫ f L_i cos θ dω over the hemisphere, estimated by (1/N) Σ f L_i cos θ/p over N = `samples` directions of density p.
 ///
-/// `incoming` is L_i: the radiance that arrives from a direction, in W·m⁻²·sr⁻¹. The estimate is unbiased for any density p that is
-/// positive wherever f L_i cos θ is. The more similar the shapes of p and f L_i cos θ, the less noise (importance sampling). Here p
-/// is the density of [`Material::sample`]. `samples` is at least 1.
+/// `incoming` is L_i: the radiance that arrives from a direction, in W·m⁻²·sr⁻¹. The estimate is unbiased for any density p that
+/// is positive wherever f L_i cos θ is. The more similar the shapes of p and f L_i cos θ, the less noise (importance sampling).
+/// Here p is the density of [`Material::sample`]. `samples` is at least 1.
 pub fn reflected_radiance(
     brdf: &dyn Material,
     at: &Surface,

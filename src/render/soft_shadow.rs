@@ -11,9 +11,9 @@ use rand::RngExt;
 // ANCHOR: visible_fraction
 /// An estimate of the fraction f of a light that is seen from a surface: the share of n = `samples` random samples that arrive.
 ///
-/// 0 in the umbra, 1 in full light, and in between in the penumbra. Each sample arrives with the probability f, so the root of the
-/// mean square (RMS) error is √(f(1 − f)/n). f is a fraction of the area if the light chooses its points by area, and of the solid
-/// angle if it chooses them by solid angle. 0 if `samples` is 0.
+/// 0 in the umbra, 1 in full light, and in between in the penumbra. Each sample arrives with the probability f, so the root of
+/// the mean square (RMS) error is √(f(1 − f)/n). f is a fraction of the area if the light chooses its points by area, and of the
+/// solid angle if it chooses them by solid angle. 0 if `samples` is 0.
 pub fn visible_fraction(
     scene: &Scene,
     at: &Surface,

@@ -9,9 +9,9 @@ use crate::sample::even::Even;
 // ANCHOR: through_lens
 /// The picture whose pixels are the mean radiance of rays from all points of the lens.
 ///
-/// A pixel's samples fill the pixel evenly, and they fill the lens evenly. Places in the pixel and points of the lens are paired at
-/// random: otherwise the left of the pixel would be seen from the left of the lens only (Cook, Porter and Carpenter, "Distributed
-/// ray tracing", 1984).
+/// A pixel's samples fill the pixel evenly, and they fill the lens evenly. Places in the pixel and points of the lens are paired
+/// at random: otherwise the left of the pixel would be seen from the left of the lens only (Cook, Porter and Carpenter,
+/// "Distributed ray tracing", 1984).
 pub fn through_lens<S: Into<Followed>>(
     film: &Film,
     camera: &impl Camera,

@@ -14,8 +14,8 @@ use glam::Vec2;
 /// The radiance that comes along a ray: that of the nearest surface, or of the backdrop if there is none; black if `depth` is 0.
 ///
 /// A Phong surface shows k_a i_a + Σ (k_d (L·N) + k_s (R·V)^α) I/r², summed over the lamps that nothing hides. A mirror shows its
-/// share of what the mirrored ray sees. Glass shows R·(what the mirrored ray sees) + (1 − R)·(what the refracted ray sees). Mirror
-/// and glass call this function again, with `depth` − 1 (Whitted 1980).
+/// share of what the mirrored ray sees. Glass shows R·(what the mirrored ray sees) + (1 − R)·(what the refracted ray sees).
+/// Mirror and glass call this function again, with `depth` − 1 (Whitted 1980).
 pub fn trace(scene: &Description, ray: &Ray, depth: u32) -> Rgb {
     if depth == 0 {
         return Rgb::BLACK;

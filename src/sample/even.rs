@@ -9,9 +9,9 @@ use std::convert::Infallible;
 /// The random numbers of one sample of a pixel, pair after pair.
 ///
 /// The first pairs of all samples of a pixel are the beginning of a Sobol sequence with Owen's scrambling, in a random order; so
-/// are the second pairs, with another order, and so on. So the first 2ᵏ samples fill the square of each pair evenly, and the points
-/// of different pairs are combined at random. Each single sample is uniform, so the estimates stay unbiased (Burley, "Practical
-/// hash-based Owen scrambling", 2020).
+/// are the second pairs, with another order, and so on. So the first 2ᵏ samples fill the square of each pair evenly, and the
+/// points of different pairs are combined at random. Each single sample is uniform, so the estimates stay unbiased (Burley,
+/// "Practical hash-based Owen scrambling", 2020).
 #[derive(Clone, Debug)]
 pub struct Even {
     /// The pixel's key, from which all numbers of the pixel follow.
@@ -78,9 +78,9 @@ impl TryRng for Even {
     }
 }
 
-/// A scramble like [`owen::scramble`](crate::sample::pattern::owen::scramble), but for all digits at once. A product carries digits
-/// only to higher places, so each digit of the mirrored number depends only on lower digits and on the key (Laine and Karras
-/// 2011, with the constants of Vegdahl, "Building a better LK hash", 2021).
+/// A scramble like [`owen::scramble`](crate::sample::pattern::owen::scramble), but for all digits at once. A product carries
+/// digits only to higher places, so each digit of the mirrored number depends only on lower digits and on the key (Laine and
+/// Karras 2011, with the constants of Vegdahl, "Building a better LK hash", 2021).
 #[inline]
 fn scramble(bits: u32, key: u32) -> u32 {
     let mut x = bits.reverse_bits();

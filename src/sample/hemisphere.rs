@@ -37,8 +37,8 @@ pub fn cosine_pdf(cosine: f32) -> f32 {
 }
 
 // ANCHOR: lobe
-/// A direction of the hemisphere around an axis, with the density (n + 1)/2π cosⁿα per steradian: uniform for n = 0, proportional to
-/// the cosine for n = 1.
+/// A direction of the hemisphere around an axis, with the density (n + 1)/2π cosⁿα per steradian: uniform for n = 0, proportional
+/// to the cosine for n = 1.
 ///
 /// The probability of an angle below α to the axis is 1 − cosⁿ⁺¹α. It is set equal to u.x, and solved for cos α.
 pub fn lobe(axis: Dir3, n: f32, u: Vec2) -> Dir3 {

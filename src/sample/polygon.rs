@@ -4,12 +4,12 @@ use glam::Vec2;
 use std::f32::consts::TAU;
 
 // ANCHOR: regular_polygon
-/// The point, for u in [0, 1]², of the regular polygon with n corners on the unit circle. The first corner is at the angle `turn`, in
-/// radians. Fewer than three corners count as three.
+/// The point, for u in [0, 1]², of the regular polygon with n corners on the unit circle. The first corner is at the angle
+/// `turn`, in radians. Fewer than three corners count as three.
 ///
-/// u.y goes around the polygon: the whole part of n·u.y is the number of a corner, and the rest is the share of the way to the next
-/// corner. u.x goes outwards: the part of a triangle up to the share √u.x of the way from the middle has the share u.x of the
-/// triangle's area (Turk, "Generating random points in triangles", 1990).
+/// u.y goes around the polygon: the whole part of n·u.y is the number of a corner, and the rest is the share of the way to the
+/// next corner. u.x goes outwards: the part of a triangle up to the share √u.x of the way from the middle has the share u.x of
+/// the triangle's area (Turk, "Generating random points in triangles", 1990).
 pub fn regular_polygon(n: u32, turn: f32, u: Vec2) -> Vec2 {
     let n = n.max(3) as f32;
     let around = (n * u.y).min(n);

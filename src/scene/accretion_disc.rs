@@ -49,8 +49,8 @@ impl AccretionDisc {
 
     /// The radiance and the opacity of the gas at a place, with all frequencies multiplied by g = `shift`.
     ///
-    /// A black body of the temperature T whose frequencies are all multiplied by g has the colour and the radiance of a black body
-    /// of the temperature g·T. So gas that moves towards the eye is bluer, and brighter by about g⁴.
+    /// A black body of the temperature T whose frequencies are all multiplied by g has the colour and the radiance of a black
+    /// body of the temperature g·T. So gas that moves towards the eye is bluer, and brighter by about g⁴.
     pub fn glow(&self, at: Vec3, shift: f32) -> (Rgb, f32) {
         let (r, p) = (at.length(), vec2(at.x, at.z));
         let strand = strands(p);

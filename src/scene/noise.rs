@@ -13,8 +13,8 @@ pub fn noise(p: Vec2) -> f32 {
     across(0) + (across(1) - across(0)) * blend.y
 }
 
-/// The sum of `count` layers of noise, each twice as fine and half as strong as the layer before, scaled to [0, 1] (fractal noise).
-/// `count` is at least 1.
+/// The sum of `count` layers of noise, each twice as fine and half as strong as the layer before, scaled to [0, 1] (fractal
+/// noise). `count` is at least 1.
 pub fn layers(p: Vec2, count: u32) -> f32 {
     /// Turns by 37° and doubles, so that the lattices of the layers do not coincide.
     const FINER: Vec2 = Vec2::new(1.6, 1.2);

@@ -7,8 +7,8 @@ use glam::{Vec2, Vec3};
 /// One normal per vertex: the sum of e₁ × e₂ over the triangles around the vertex, normalised (after Gouraud 1971).
 ///
 /// |e₁ × e₂| is twice a triangle's area, so large triangles have more weight. This has two advantages. A triangle without
-/// area adds 0, although its normal would be NaN. And if a triangle is cut in two, from the vertex to the opposite side, the normal
-/// at this vertex stays the same. A vertex whose sum is 0, or that has no triangle, gets +y.
+/// area adds 0, although its normal would be NaN. And if a triangle is cut in two, from the vertex to the opposite side, the
+/// normal at this vertex stays the same. A vertex whose sum is 0, or that has no triangle, gets +y.
 ///
 /// # Panics
 /// If a triangle names a vertex that does not exist.
@@ -37,11 +37,11 @@ pub fn interpolate_normal(normals: [Dir3; 3], b: Vec2) -> Dir3 {
 // ANCHOR_END: interpolate_normal
 
 // ANCHOR: lift
-/// The vector from a point p of a triangle to the round surface that the normals describe: −Σ bᵢ min(0, (p − pᵢ)·nᵢ) nᵢ, in metres,
-/// with b₀ = 1 − b₁ − b₂.
+/// The vector from a point p of a triangle to the round surface that the normals describe: −Σ bᵢ min(0, (p − pᵢ)·nᵢ) nᵢ, in
+/// metres, with b₀ = 1 − b₁ − b₂.
 ///
-/// At corner pᵢ, the round surface has a tangent plane, perpendicular to nᵢ. If p is below this plane, p is lifted onto the plane.
-/// The three lifts are averaged with the barycentric weights (Hanika 2021). On a flat mesh and in hollows the result is 0.
+/// At corner pᵢ, the round surface has a tangent plane, perpendicular to nᵢ. If p is below this plane, p is lifted onto the
+/// plane. The three lifts are averaged with the barycentric weights (Hanika 2021). On a flat mesh and in hollows the result is 0.
 pub fn lift(p: Vec3, corners: [Vec3; 3], normals: [Dir3; 3], b: Vec2) -> Vec3 {
     let shares = [1.0 - b.x - b.y, b.x, b.y];
     let below = |i: usize| (p - corners[i]).dot(*normals[i]).min(0.0);

@@ -37,8 +37,8 @@ impl Patch {
 
 /// The cubic Bézier curve r³·p₀ + 3r²t·p₁ + 3rt²·p₂ + t³·p₃ with r = 1 − t.
 ///
-/// The four weights add up to 1, so it suffices to weight the differences from the nearer end. The result is exact at both ends, so
-/// that neighbouring patches fit without a gap, and exact if all points are the same.
+/// The four weights add up to 1, so it suffices to weight the differences from the nearer end. The result is exact at both ends,
+/// so that neighbouring patches fit without a gap, and exact if all points are the same.
 fn curve([p0, p1, p2, p3]: [Vec3; 4], t: f32) -> Vec3 {
     if t > 0.5 {
         return curve([p3, p2, p1, p0], 1.0 - t);

@@ -71,8 +71,8 @@ impl Mesh {
     /// If `normals` is `None`, they are averaged from the triangles ([`vertex_normals`]). If `textures` is `None`, all are 0.
     ///
     /// # Errors
-    /// If an index is out of range, a position is not finite, the mesh is outside the [domain](crate::math::domain), or the number
-    /// of normals or texture coordinates is not that of the vertices.
+    /// If an index is out of range, a position is not finite, the mesh is outside the [domain](crate::math::domain), or the
+    /// number of normals or texture coordinates is not that of the vertices.
     pub fn new(
         positions: Vec<Vec3>,
         triangles: Vec<[u32; 3]>,

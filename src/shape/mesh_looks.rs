@@ -1,4 +1,5 @@
-//! Flat and smooth meshes: the same triangles, shaded as flat faces or as one round surface. A normal map must be added afterwards.
+//! Flat and smooth meshes: the same triangles, shaded as flat faces or as one round surface. A normal map must be added
+//! afterwards.
 
 use crate::math::dir3::Dir3;
 use crate::shape::attributes::vertex_normals;
@@ -17,8 +18,8 @@ impl Mesh {
         of_parts(positions, triangles.collect(), None, textures)
     }
 
-    /// The mesh with smooth shading, as one round surface: vertices at the same place have the same normal, the mean of all triangles
-    /// around the place ([`vertex_normals`]).
+    /// The mesh with smooth shading, as one round surface: vertices at the same place have the same normal, the mean of all
+    /// triangles around the place ([`vertex_normals`]).
     #[must_use]
     pub fn smooth(&self) -> Self {
         let mut first = HashMap::new();

@@ -91,8 +91,8 @@ pub struct Surface {
     pub texture_width: f32,
     /// The vector from the point to the round surface that a smooth mesh imitates, in metres; 0 for other surfaces.
     pub lift: Vec3,
-    /// The vector from the point to where rays start on the side from which the point was seen ([`Surface::seen_along`]), in metres;
-    /// 0 if it was not seen by a ray.
+    /// The vector from the point to where rays start on the side from which the point was seen ([`Surface::seen_along`]), in
+    /// metres; 0 if it was not seen by a ray.
     pub clear: Vec3,
 }
 
@@ -142,12 +142,12 @@ impl Surface {
     // ANCHOR: seen_along
     /// The same surface, with `clear` for the ray that hit it at the distance t.
     ///
-    /// Where two surfaces meet, a point of one surface may be rounded to a place behind the other. A ray that starts off the first
-    /// surface along the normal may still start behind the second: then light is blocked, or arrives from behind. But the way along
-    /// which the point was seen is free. So rays start on this way, back from the point, four times as far off the surface as
-    /// [`Surface::leave`] needs, because the other surface may be seen at a more grazing angle. The distance along the way is at
-    /// least the rounding error of the way itself, but at most a hundred times the needed distance, and at most half of the way. If
-    /// the start is then too close to the surface, the rest is added along the normal.
+    /// Where two surfaces meet, a point of one surface may be rounded to a place behind the other. A ray that starts off the
+    /// first surface along the normal may still start behind the second: then light is blocked, or arrives from behind. But the
+    /// way along which the point was seen is free. So rays start on this way, back from the point, four times as far off the
+    /// surface as [`Surface::leave`] needs, because the other surface may be seen at a more grazing angle. The distance along the
+    /// way is at least the rounding error of the way itself, but at most a hundred times the needed distance, and at most half of
+    /// the way. If the start is then too close to the surface, the rest is added along the normal.
     #[must_use]
     #[inline]
     pub fn seen_along(self, ray: &Ray, t: f32) -> Self {
@@ -181,8 +181,8 @@ impl Surface {
 /// was computed from.
 ///
 /// An `f32` operation is right to 2⁻²⁴ = 6.0e-8 of its result. The shapes here need fewer than ten operations in a row for a
-/// position, and a hit test on the way back adds about as many; most of their errors cancel. Measured over 2 million rays
-/// per shape at scales from 1e-6 to 1e6: with a bound of 2 roundings, up to 30 rays hit the surface that they left, with 4 none.
-/// 32 roundings leave a factor of 8 as a margin (`tests/library/laws/leave.rs` sees no ray fail with 32, and some with 1). Embree,
+/// position, and a hit test on the way back adds about as many; most of their errors cancel. Measured over 2 million rays per
+/// shape at scales from 1e-6 to 1e6: with a bound of 2 roundings, up to 30 rays hit the surface that they left, with 4 none. 32
+/// roundings leave a factor of 8 as a margin (`tests/library/laws/leave.rs` sees no ray fail with 32, and some with 1). Embree,
 /// which rounds differently, agrees about rays that start there (`tests/embree`); with 16, Embree hit a plane again.
 pub const ROUNDING: f32 = 32.0 * (f32::EPSILON / 2.0);

@@ -14,8 +14,8 @@ pub struct NormalMap {
 impl NormalMap {
     /// The map of a picture whose channels are from 0 to 1, where 0.5 means the component 0.
     ///
-    /// The values must be those that a PNG stores. [`file::load`](crate::image::file::load) decodes them from sRGB, so they must be
-    /// encoded again by [`encode_srgb`](crate::image::tone::encode_srgb).
+    /// The values must be those that a PNG stores. [`file::load`](crate::image::file::load) decodes them from sRGB, so they must
+    /// be encoded again by [`encode_srgb`](crate::image::tone::encode_srgb).
     ///
     /// # Panics
     /// If the picture has no pixel.
@@ -29,9 +29,9 @@ impl NormalMap {
     /// The normal at a place: x·t + y·b + z·n, normalised. (x, y, z) is the map's value, n = `normal` the smooth normal, t the
     /// tangent along u and b the tangent along v.
     ///
-    /// t is the direction in which u grows in the triangle, made perpendicular to n; b is perpendicular to both, on the side where v
-    /// grows. `edges` are e₁ and e₂ of the triangle, and `along` the changes of the texture coordinates along them. The result is n
-    /// if the texture coordinates give no such directions, or if z ≤ 0.
+    /// t is the direction in which u grows in the triangle, made perpendicular to n; b is perpendicular to both, on the side
+    /// where v grows. `edges` are e₁ and e₂ of the triangle, and `along` the changes of the texture coordinates along them. The
+    /// result is n if the texture coordinates give no such directions, or if z ≤ 0.
     pub fn tilt(&self, normal: Dir3, edges: [Vec3; 2], along: [Vec2; 2], place: Vec2) -> Dir3 {
         let turned = along[0].perp_dot(along[1]);
         let u = (edges[0] * along[1].y - edges[1] * along[0].y) * turned.signum();

@@ -54,10 +54,10 @@ struct Obj {
 
 /// The mesh of all faces of an OBJ text.
 ///
-/// The keywords `v` (a weight or colour after x, y, z is ignored), `vt`, `vn` and `f` are read. Indices count from the first, 1, or
-/// back from the last, −1; a face can only use what is above it in the text. Other keywords are ignored.
-/// A face of more than three corners becomes a fan of triangles around its first corner, which is right for convex faces. So in a
-/// face `f 1 1 1 1 …`, every two bytes of text make a triangle.
+/// The keywords `v` (a weight or colour after x, y, z is ignored), `vt`, `vn` and `f` are read. Indices count from the first, 1,
+/// or back from the last, −1; a face can only use what is above it in the text. Other keywords are ignored. A face of more than
+/// three corners becomes a fan of triangles around its first corner, which is right for convex faces. So in a face `f 1 1 1 1 …`,
+/// every two bytes of text make a triangle.
 ///
 /// # Errors
 /// The first error, with its line and column, for example more faces than the [budget](crate::memory::BUDGET) allows;

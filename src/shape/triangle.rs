@@ -92,7 +92,8 @@ impl Shape for Triangle {
         // |e₁ × e₂|, without its square, which may underflow.
         let twice_area = self.e1.cross(self.e2).dot(*normal).abs();
         let (a, b) = (self.e1.length(), self.e2.length());
-        // The more parallel e₁ and e₂ are, the more digits of the distance to the plane `hit` loses: a factor 1/sin of their angle.
+        // The more parallel e₁ and e₂ are, the more digits of the distance to the plane `hit` loses: a factor 1/sin of their
+        // angle.
         let lost = (a * b / twice_area).max(1.0);
         let longest = a.max(b);
         let position = self.p0 + hit.uv.x * self.e1 + hit.uv.y * self.e2;

@@ -92,7 +92,8 @@ impl Shear {
         /// The axes that become x, y and z, by the axis that becomes z.
         const AXES: [[usize; 3]; 3] = [[1, 2, 0], [2, 0, 1], [0, 1, 2]];
         let Vec3 { x, y, z } = ray.direction.abs();
-        // Sums of comparisons, not `if`: a processor cannot predict the axis, and a wrong prediction costs more than the whole test.
+        // Sums of comparisons, not `if`: a processor cannot predict the axis, and a wrong prediction costs more than the whole
+        // test.
         let x_is_less = usize::from(x < y) | usize::from(x < z);
         let axes = AXES[x_is_less * (1 + usize::from(y < z))];
         let d = ray.direction.to_array();

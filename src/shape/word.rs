@@ -139,8 +139,8 @@ impl Word<'_> {
         }
     }
 
-    /// A part of the word as an index, converted to count from 0. In the text, the `given` objects are counted from 1, or back from
-    /// the last, −1.
+    /// A part of the word as an index, converted to count from 0. In the text, the `given` objects are counted from 1, or back
+    /// from the last, −1.
     ///
     /// # Errors
     /// If it is not a whole number, or there is no such object.

@@ -78,8 +78,8 @@ impl<'a> Walk<'a> {
     // ANCHOR: octree_walk
     /// The next leaf, front to back, that is not empty and that the ray enters before `limit`; `None` at the end.
     ///
-    /// The children of a node are numbered in the order of the ray: child 0 is before all three middle planes, child 7 behind
-    /// all three (mirrored as in Revelles, Ureña and Lastra 2000). A ray crosses each plane once, so it is never in child 1 before
+    /// The children of a node are numbered in the order of the ray: child 0 is before all three middle planes, child 7 behind all
+    /// three (mirrored as in Revelles, Ureña and Lastra 2000). A ray crosses each plane once, so it is never in child 1 before
     /// child 0, nor in child 3 before 1 or 2. So for every ray the numbers are an order from front to back, and nothing needs to
     /// be sorted. (A ray that runs in a plane is in the children on both sides; they are visited one after the other.)
     ///

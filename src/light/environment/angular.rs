@@ -1,5 +1,5 @@
-//! The angular map: all directions in a disc, where equal angles are equal distances from the middle; pictures of mirror balls are
-//! converted into it (Debevec 1998).
+//! The angular map: all directions in a disc, where equal angles are equal distances from the middle; pictures of mirror balls
+//! are converted into it (Debevec 1998).
 
 use crate::light::environment::convert::Layout;
 use crate::math::dir3::Dir3;

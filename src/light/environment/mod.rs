@@ -14,8 +14,8 @@ use std::f64::consts::TAU;
 
 /// An environment light: a picture of all directions, infinitely far away. Every texel is a light (Blinn and Newell 1976).
 ///
-/// The layout of the picture is that of [`latlong`]. The radiance is constant within a texel, so that the radiance that is seen
-/// and the density of the samples are exactly proportional.
+/// The layout of the picture is that of [`latlong`]. The radiance is constant within a texel, so that the luminance that is
+/// seen and the density of the samples are exactly proportional.
 #[derive(Clone, Debug)]
 pub struct Environment {
     map: Image,
@@ -91,8 +91,8 @@ impl Environment {
     // ANCHOR_END: sample_environment
 
     // ANCHOR: environment_pdf
-    /// The density, per steradian, with which [`Environment::choose`] chooses a direction: the probability of the direction's texel
-    /// over the texel's solid angle.
+    /// The density, per steradian, with which [`Environment::choose`] chooses a direction: the probability of the direction's
+    /// texel over the texel's solid angle.
     pub fn density(&self, toward: Dir3) -> f32 {
         let (x, y) = self.texel(toward);
         (self.probability(x, y) / self.solid_angle(y)) as f32
@@ -104,14 +104,14 @@ impl Environment {
         self.rows.probability(y) * self.columns[y].probability(x)
     }
 
-    /// The solid angle of one texel of a row, in steradians: 2π (cos θ₀ − cos θ₁)/width, its share of the zone between two circles
-    /// of latitude.
+    /// The solid angle of one texel of a row, in steradians: 2π (cos θ₀ − cos θ₁)/width, its share of the zone between two
+    /// circles of latitude.
     fn solid_angle(&self, row: usize) -> f64 {
         TAU * (self.edges[row] - self.edges[row + 1]) / self.map.width() as f64
     }
 
-    /// The radiance that comes from a direction, and the density of the direction, [`Environment::density`]. The texel's solid angle
-    /// is a factor of its probability too, and cancels: the density is the texel's luminance over ∫ L dω of all directions.
+    /// The radiance that comes from a direction, and the density of the direction, [`Environment::density`]. The texel's solid
+    /// angle is a factor of its probability too, and cancels: the density is the texel's luminance over ∫ L dω of all directions.
     fn shines(&self, toward: Dir3) -> (Rgb, f32) {
         let (x, y) = self.texel(toward);
         let radiance = self.map.at(x, y);

@@ -27,8 +27,8 @@ impl fmt::Debug for BlackHole<'_> {
     }
 }
 
-/// The relative error that a step may have. Then what is seen moves by less than a thousandth of a radian, unless the ray has gone
-/// around the hole.
+/// The relative error that a step may have. Then what is seen moves by less than a thousandth of a radian, unless the ray has
+/// gone around the hole.
 const TOLERANCE: f64 = 1e-5;
 
 impl BlackHole<'_> {
@@ -54,7 +54,8 @@ impl BlackHole<'_> {
         }
     }
 
-    /// As [`BlackHole::radiance`] for the eye of a [`Fan`], by the fan's curves: for a picture, which has far more rays than curves.
+    /// As [`BlackHole::radiance`] for the eye of a [`Fan`], by the fan's curves: for a picture, which has far more rays than
+    /// curves.
     pub fn radiance_by(&self, fan: &Fan, toward: Dir3) -> Rgb {
         let start = observer::seen(fan.eye().as_dvec3(), toward.as_dvec3());
         let ray = fan.ray(toward);

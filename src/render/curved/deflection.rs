@@ -4,8 +4,8 @@ use crate::render::curved::CRITICAL;
 use std::f64::consts::PI;
 
 // ANCHOR: deflection_angle
-/// The deflection angle, in radians, between the directions in which a ray comes and goes, for the impact parameter b > 0 in radii
-/// of the hole; `None` if the ray falls in (Darwin 1959).
+/// The deflection angle, in radians, between the directions in which a ray comes and goes, for the impact parameter b > 0 in
+/// radii of the hole; `None` if the ray falls in (Darwin 1959).
 ///
 /// With u = 1/r, the ray obeys (du/dφ)² = 1/b² − u² + u³. It is nearest to the hole at u₀ = 1/r₀, where this is zero:
 /// r₀ = (2b/√3) cos(⅓ arccos(−b_c/b)). There and back the ray sweeps the angle 2 ∫ du/√(1/b² − u² + u³) from 0 to u₀; a straight

@@ -1,7 +1,7 @@
 //! The shift of light's frequencies by motion and gravity.
 
-/// g = ν_observed/ν_emitted: the shift of the frequencies of light. The light is emitted by gas that circles the hole at the radius
-/// r > 3/2, and observed by an observer at rest at the radius `r_eye`, both in radii of the hole.
+/// g = ν_observed/ν_emitted: the shift of the frequencies of light. The light is emitted by gas that circles the hole at the
+/// radius r > 3/2, and observed by an observer at rest at the radius `r_eye`, both in radii of the hole.
 ///
 /// `axial` is the light's angular momentum about the axis of the orbit, over its energy: positive if the gas moves towards the
 /// observer. The gas needs the time 2π/Ω for an orbit, Ω = √(1/(2r³)), and its clock is slow by the factor √(1 − 3/(2r)):

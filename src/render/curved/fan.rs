@@ -11,8 +11,8 @@ use std::ops::ControlFlow;
 /// The rays of an observer at rest: one curve for each of a row of angles α to the direction of the hole.
 ///
 /// The hole is symmetric. So all rays that leave the eye at the same angle α to the hole are one curve, turned around the line
-/// from the eye to the hole. Curves are followed for equally spaced angles α, and rays between two curves are interpolated. At the
-/// edge of the shadow, one of the two falls in and the other escapes: there the error of the angle is at most half of their
+/// from the eye to the hole. Curves are followed for equally spaced angles α, and rays between two curves are interpolated. At
+/// the edge of the shadow, one of the two falls in and the other escapes: there the error of the angle is at most half of their
 /// distance.
 #[derive(Clone, Debug)]
 pub struct Fan {
@@ -34,8 +34,8 @@ struct Curve {
 /// Δφ, in radians. Linear interpolation of 1/r has a relative error of Δφ²/8, which is below 1e-4.
 const STEP: f64 = TAU / 256.0;
 
-/// Maximum number of steps Δφ that are stored: two turns. What a ray meets later would be a ring in the picture that is less than a
-/// ten-thousandth as wide as the shadow.
+/// Maximum number of steps Δφ that are stored: two turns. What a ray meets later would be a ring in the picture that is less than
+/// a ten-thousandth as wide as the shadow.
 const FARTHEST: usize = 512;
 
 /// The relative error that a step along a curve may have.

@@ -26,8 +26,8 @@ pub struct Piece {
     pub step: f64,
 }
 
-/// The radius from which an outward ray counts as escaped. If it has passed the hole at 10 radii or less, it would be bent by less
-/// than 2e-4 radians more.
+/// The radius from which an outward ray counts as escaped. If it has passed the hole at 10 radii or less, it would be bent by
+/// less than 2e-4 radians more.
 pub const FAR: f64 = 200.0;
 
 /// Maximum number of steps. A ray that needs more circles the photon sphere, and counts as fallen.
@@ -40,8 +40,8 @@ const MOST_STEPS: usize = 100_000;
 /// estimated error grows as the third power of the step. So the length of the next step is multiplied by ∛(tolerance/error), and
 /// by 0.9 to be on the safe side.
 ///
-/// No step is longer than a quarter of the radius. Inside the photon sphere, an inward ray is lost, because nothing there turns it
-/// outwards. So no step crosses the horizon, where the coordinates end.
+/// No step is longer than a quarter of the radius. Inside the photon sphere, an inward ray is lost, because nothing there turns
+/// it outwards. So no step crosses the horizon, where the coordinates end.
 pub fn follow(
     mut photon: Photon,
     tolerance: f64,

@@ -44,7 +44,8 @@ impl Photon {
         (self.v.length_squared() - h * h / (r * r * r)).sqrt()
     }
 
-    /// b = h/E: the impact parameter, the distance from the hole's middle at which a straight ray would pass, in radii of the hole.
+    /// b = h/E: the impact parameter, the distance from the hole's middle at which a straight ray would pass, in radii of the
+    /// hole.
     pub fn impact_parameter(&self) -> f64 {
         self.angular_momentum() / self.energy()
     }

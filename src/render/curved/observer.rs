@@ -3,8 +3,8 @@
 use crate::render::curved::{CRITICAL, PHOTON_SPHERE, Photon};
 use glam::DVec3;
 
-/// The ray that an observer at rest at `at`, outside the horizon, sees in the direction `toward` (of length 1), followed backwards
-/// from the eye.
+/// The ray that an observer at rest at `at`, outside the horizon, sees in the direction `toward` (of length 1), followed
+/// backwards from the eye.
 ///
 /// A length along the radius is larger than the difference of the radii at its ends, by the factor 1/√(1 − 1/r). So in
 /// coordinates, the radial part of the direction is multiplied by √(1 − 1/r).

@@ -10,8 +10,8 @@ use rand::RngExt;
 const MOST: usize = 16;
 
 // ANCHOR: best_candidate
-/// n points, each the best of several random candidates: the candidate whose nearest neighbour is farthest away, measured over the
-/// edges of the square too (Mitchell, "Spectrally optimal sampling for distribution ray tracing", 1991).
+/// n points, each the best of several random candidates: the candidate whose nearest neighbour is farthest away, measured over
+/// the edges of the square too (Mitchell, "Spectrally optimal sampling for distribution ray tracing", 1991).
 ///
 /// The i-th point is chosen from i candidates, but from at most 16: more would cost much and improve little.
 pub fn best_candidate(n: usize, rng: &mut Pcg) -> Vec<Vec2> {

@@ -15,7 +15,8 @@ pub fn sobol_owen(n: usize, rng: &mut Pcg) -> Vec<Vec2> {
     (0..n as u32).map(sequence(rng)).collect()
 }
 
-/// The points of a scrambled Sobol sequence, as a function of the point's number: most pixels of an adaptive picture need only a few.
+/// The points of a scrambled Sobol sequence, as a function of the point's number: most pixels of an adaptive picture need only a
+/// few.
 pub fn sequence(rng: &mut Pcg) -> impl Fn(u32) -> Vec2 + use<> {
     let seeds: [u64; 2] = [rng.random(), rng.random()];
     let along = |bits, seed| (scramble(bits, seed) >> (32 - DIGITS)) as f32 / (1 << DIGITS) as f32;
@@ -26,9 +27,9 @@ pub fn sequence(rng: &mut Pcg) -> impl Fn(u32) -> Vec2 + use<> {
 }
 
 // ANCHOR: owen
-/// Owen's scrambling: a coin decides whether to exchange the halves of [0, 1); then, for each half, another coin decides whether to
-/// exchange its halves, and so on (Owen, "Randomly permuted (t, m, s)-nets and (t, s)-sequences", 1995). `bits` is the number in
-/// units of 2⁻³².
+/// Owen's scrambling: a coin decides whether to exchange the halves of [0, 1); then, for each half, another coin decides whether
+/// to exchange its halves, and so on (Owen, "Randomly permuted (t, m, s)-nets and (t, s)-sequences", 1995). `bits` is the number
+/// in units of 2⁻³².
 ///
 /// The digits before a digit tell the number's piece, and so which coin decides about the digit. Points in different pieces stay
 /// in different pieces: a net stays a net.

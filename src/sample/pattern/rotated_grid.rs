@@ -32,10 +32,10 @@ const MIDDLES: [Vec2; 3] = [Vec2::splat(0.5), Vec2::ZERO, vec2(0.5, 0.0)];
 
 /// The rotated grid of n points.
 ///
-/// The spacing is chosen so that n points are inside, and that the outermost of them are as far from the square's edge as the next
-/// points outside. With n = 4 the coordinates are 1, 3, 5 and 7 eighths, the pattern known from graphics hardware; n = 5 repeats
-/// seamlessly. If several points reach the edge at once, and are more than n, those farthest from the middle are left out. `grid`
-/// returns all points for a spacing and an offset, in any order.
+/// The spacing is chosen so that n points are inside, and that the outermost of them are as far from the square's edge as the
+/// next points outside. With n = 4 the coordinates are 1, 3, 5 and 7 eighths, the pattern known from graphics hardware; n = 5
+/// repeats seamlessly. If several points reach the edge at once, and are more than n, those farthest from the middle are left
+/// out. `grid` returns all points for a spacing and an offset, in any order.
 pub fn of(n: usize, grid: impl FnOnce(f32, Vec2) -> Vec<Vec2>) -> Vec<Vec2> {
     let fits = MIDDLES.iter().filter_map(|&offset| Fit::of(n, offset));
     let Some(best) = fits.min_by_key(|fit| fit.too_many) else {

@@ -8,11 +8,12 @@ pub fn rows(n: usize) -> impl Iterator<Item = usize> {
     (0..rows).map(move |row| (row + 1) * n / rows - row * n / rows)
 }
 
-/// n points in cells of equal area. `grid(columns, rows)` returns one point in each of columns × rows equal cells of the unit square.
+/// n points in cells of equal area. `grid(columns, rows)` returns one point in each of columns × rows equal cells of the unit
+/// square.
 ///
 /// The height of a row is proportional to the number of its cells: a row of m cells is m/n high, and its cells are 1/m wide. So
-/// every cell has the area 1/n, and the mean over the points is unbiased. Consecutive rows with equally many cells are one grid; if
-/// n is a square, there is only one grid, of √n × √n cells.
+/// every cell has the area 1/n, and the mean over the points is unbiased. Consecutive rows with equally many cells are one grid;
+/// if n is a square, there is only one grid, of √n × √n cells.
 pub fn in_rows(n: usize, mut grid: impl FnMut(usize, usize) -> Vec<Vec2>) -> Vec<Vec2> {
     let rows: Vec<_> = rows(n).collect();
     let mut above = 0;
@@ -26,8 +27,8 @@ pub fn in_rows(n: usize, mut grid: impl FnMut(usize, usize) -> Vec<Vec2>) -> Vec
     points
 }
 
-/// The place (first + u·count)/n: [0, 1) is cut into n equal parts, and the place is the fraction u of the way through `count` parts
-/// from part number `first` on.
+/// The place (first + u·count)/n: [0, 1) is cut into n equal parts, and the place is the fraction u of the way through `count`
+/// parts from part number `first` on.
 ///
 /// By rounding, the place never leaves these parts, and never becomes 1.
 pub fn place(first: usize, count: usize, u: f64, n: usize) -> f32 {

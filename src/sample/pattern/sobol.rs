@@ -7,8 +7,8 @@
 /// one number for each bit of i that is 1: the rows of Pascal's triangle modulo 2. If m is a multiple of 2ᵏ, the points m to
 /// m + 2ᵏ − 1 have one point in each box of the area 2⁻ᵏ whose width is any power of ½: they are a (0, k, 2)-net in base 2.
 ///
-/// Entry k of the triangle's row n is odd if every binary digit that is 1 in k is also 1 in n (Lucas 1878). So five steps, one for
-/// each binary digit of a bit's place, add the rows of all bits at once, without a loop or a branch.
+/// Entry k of the triangle's row n is odd if every binary digit that is 1 in k is also 1 in n (Lucas 1878). So five steps, one
+/// for each binary digit of a bit's place, add the rows of all bits at once, without a loop or a branch.
 #[inline]
 pub fn sobol(i: u32) -> [u32; 2] {
     let mut sum = i;

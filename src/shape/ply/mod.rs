@@ -34,7 +34,8 @@ pub enum PlyError {
 ///
 /// The vertices with their normals (`nx`, `ny`, `nz`) and texture coordinates (`u`, `v` or `s`, `t`) are read, and the corners of
 /// the faces. Other elements and properties are ignored. If a normal is missing or is 0, all normals are averaged from the
-/// triangles. A face of more than three corners becomes a fan of triangles around its first corner, which is right for convex faces.
+/// triangles. A face of more than three corners becomes a fan of triangles around its first corner, which is right for convex
+/// faces.
 ///
 /// # Errors
 /// The first error, with its line or its byte, for example more faces than the [budget](crate::memory::BUDGET) allows;

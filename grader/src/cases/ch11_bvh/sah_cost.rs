@@ -58,6 +58,11 @@ impl Graded for SahCost {
             },
         },
         Mistake {
+            name: "divides the area of each node by that of its parent",
+            hint: "Half of all rays meet a node, and half of these meet its child: what part of all rays is that?",
+            answer: |q| by_parents(q, 0, 1.0),
+        },
+        Mistake {
             name: "takes half of each area, and forgets to divide by the root's",
             hint: "Make everything twice as large: does a search take longer?",
             answer: |q| 0.5 * SahCost::answer(q) * q.nodes.first().map_or(1.0, node_area),
@@ -145,6 +150,23 @@ impl Graded for SahCost {
             answer: |q| weighted(q, |n| (n.max - n.min).element_sum(), node_price),
         },
     ];
+}
+
+/// What a node and all below it cost if the node counts by its share, and each node below by its share of its parent only.
+fn by_parents(q: &SahCost, node: usize, share: f32) -> f32 {
+    let Some(node) = q.nodes.get(node) else {
+        return 0.0;
+    };
+    let own = share * node_price(q, node);
+    if node.count > 0 {
+        return own;
+    }
+    let below = [0, 1].map(|k| {
+        let child = node.first as usize + k;
+        let area = q.nodes.get(child).map_or(0.0, node_area);
+        by_parents(q, child, area / node_area(node))
+    });
+    own + below[0] + below[1]
 }
 
 /// The question where branches, or shapes, cost nothing.

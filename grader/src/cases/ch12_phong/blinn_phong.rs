@@ -7,6 +7,7 @@ use super::highlight::{
 use crate::{Graded, Mistake, Picture, Verdict};
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
+use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch12_phong::BlinnPhongExercise;
 
 impl Graded for BlinnPhongExercise {
@@ -77,6 +78,14 @@ impl Graded for BlinnPhongExercise {
                 let diffuse = q.at.diffuse * q.at.toward.dot(*q.at.normal).max(0.0);
                 (diffuse + q.at.specular * power(half(&q.at).dot(*q.at.normal), &q.at))
                     * q.at.arriving
+            },
+        },
+        Mistake {
+            name: "lights the matte part from both sides",
+            hint: "Put the light below the surface: how much of its light arrives at the upper side?",
+            answer: |q| {
+                let behind = (-q.at.toward.dot(*q.at.normal)).max(0.0);
+                BlinnPhongExercise::answer(q) + q.at.diffuse * behind * q.at.arriving
             },
         },
         Mistake {

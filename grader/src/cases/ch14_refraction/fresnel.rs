@@ -43,6 +43,22 @@ impl Graded for Fresnel {
             },
         },
         Mistake {
+            name: "uses the formula of Rs for Rp too",
+            hint: "At Brewster's angle one of the two is zero: is one of yours?",
+            answer: |q| {
+                let FresnelAnswer { rs, .. } = Fresnel::answer(q);
+                mean(rs, rs)
+            },
+        },
+        Mistake {
+            name: "uses the formula of Rp for Rs too",
+            hint: "At Brewster's angle only one of the two is zero: is the other one of yours above 0?",
+            answer: |q| {
+                let FresnelAnswer { rp, .. } = Fresnel::answer(q);
+                mean(rp, rp)
+            },
+        },
+        Mistake {
             name: "forgets to square both amplitudes",
             hint: "Your fractions are those of the field's amplitude: with which power of the amplitude does the light's power go?",
             answer: |q| {

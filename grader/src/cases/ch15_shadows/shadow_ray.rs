@@ -118,6 +118,15 @@ impl Graded for ShadowRay {
             answer: |q| starting(q, q.position, 1e-3),
         },
         Mistake {
+            name: "steps a fixed millimetre along the normal",
+            hint: "Is a millimetre much on a grain of sand, and on a planet? Which number in the question says how far is enough?",
+            answer: |q| {
+                let right = ShadowRay::answer(q);
+                let side = right.direction.dot(*q.normal).signum();
+                starting(q, q.position + 1e-3 * side * *q.normal, 0.0)
+            },
+        },
+        Mistake {
             name: "steps to the normal's side, wherever the light is",
             hint: "A sheet may be lit from behind: on which side of it does the ray leave?",
             answer: |q| {

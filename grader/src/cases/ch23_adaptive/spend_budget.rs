@@ -158,6 +158,11 @@ impl Graded for SpendBudget {
             answer: |q| shares(q, 0, |d| d),
         },
         Mistake {
+            name: "gives each pixel its minimum, and shares only the rest in proportion",
+            hint: "Two pixels, one with twice the deviation of the other, and a small minimum: has the noisier one twice the samples, all counted?",
+            answer: |q| shares(q, q.least, |d| d),
+        },
+        Mistake {
             name: "gives all that is left to the pixel of the largest deviation",
             hint: "When the worst pixel has ten times as many samples as the others, is it still the worst?",
             answer: |q| {

@@ -105,13 +105,13 @@ pub fn plot() -> Figure {
         let (open, shaded) = canvas.split_horizontally(1000);
         panel(
             &open,
-            "all of a near light is seen",
+            "the whole of a near light is seen",
             &Setting::open(),
             false,
         )?;
         panel(
             &shaded,
-            "half of it is behind a ball",
+            "half of a light is behind a ball",
             &Setting::shaded(),
             true,
         )
@@ -128,9 +128,7 @@ fn panel(canvas: &Canvas, title: &str, setting: &Setting, legend: bool) -> Drawn
     let guide = POWERS
         .map(|p| f64::from(1_u32 << p))
         .map(|n| (n, 1.3 / n.sqrt()));
-    chart
-        .line(guide, FAINT.stroke_width(5))
-        .named("slope −½: half the error by four times the samples");
+    chart.line(guide, FAINT.stroke_width(5)).named("slope −½");
     for (name, choose, colour) in [
         ("by area", Choose::ByArea, VERMILION),
         ("by solid angle", Choose::BySolidAngle, BLUE),

@@ -116,7 +116,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     };
     let caption = format!(
         "{} points in a pixel, placed in different ways: one realisation of each pattern, seed 1. Random points crowd and leave \
-        gaps. Every other pattern limits this in its own way: by cells, by rows and columns, or by the distance between points.",
+        gaps. Every other pattern limits this in its own way, for example by cells, by rows and columns, or by the distance \
+        between points.",
         knobs.count
     );
     stage.diagram("patterns", &caption, &all.figure()?)?;

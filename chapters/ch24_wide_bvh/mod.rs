@@ -68,7 +68,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let caption = "How a binary tree becomes a wide one. The blue branches stay. The white branches are replaced by their \
         children, the branch with the largest box first.";
     stage.diagram("collapse", caption, &wide_trees::draw()?)?;
-    let caption = "Eight boxes and one ray. All lanes do the same sums at once; a box is met where the largest distance of entry is not above the smallest distance of leaving. The column “turn” tells the order in which the boxes are visited.";
+    let caption = "Eight boxes and one ray. All lanes do the same sums at once. A box is met where the largest distance of entry \
+        is not above the smallest distance of leaving. The row “turn” tells the order in which the boxes are visited.";
     stage.diagram("boxes", caption, &eight_boxes::draw()?)?;
 
     let mesh = &confetti.mesh;

@@ -8,8 +8,8 @@ use std::f64::consts::PI;
 /// Bins for each mean distance 1/√n.
 const BINS: usize = 16;
 
-/// The longest distance, in mean distances 1/√n. Over the edges, a circle with a radius of more than half a side of the square would
-/// overlap itself.
+/// The longest distance, in mean distances 1/√n. Over the edges, a circle with a radius of more than half a side of the square
+/// would overlap itself.
 const REACH: f64 = 4.0;
 
 /// g(r): the number of pairs of points at the distance r, divided by the number that independent points have.

@@ -92,7 +92,7 @@ impl Lab<'_> {
         that hold one point each." } };
         self.page.section("Points", text);
         for n in [FEW, self.settings.points] {
-            let alt = format!("{n} points of each pattern.");
+            let alt = format!("{n} points of each pattern, in a square for each pattern.");
             let how = self.how(&format!("n = {n}"), 1);
             let sets = PointSets {
                 subjects: &self.settings.subjects,
@@ -143,7 +143,10 @@ impl Lab<'_> {
         let range = format!("n = {} to {}", least.unwrap_or(&1), most.unwrap_or(&1));
         for (plot, class) in plots.iter().zip(CLASSES) {
             let name = format!("error_{}", plot.title.replace(' ', "_"));
-            let alt = format!("Error against samples. {}.", class.text);
+            let alt = format!(
+                "Error against samples, a curve for each pattern. {}.",
+                class.text
+            );
             let draws = format!("{range}, {} functions", EACH * wanted);
             let how = self.how(&draws, wanted as u64) + ", fewer for large n";
             self.page.plot(&name, &alt, &how, plot)?;
@@ -171,8 +174,8 @@ impl Lab<'_> {
             let polar = Polar::measure(&self.settings.subjects, n, realisations);
             let samples = if n == 1 { "sample" } else { "samples" };
             let alt = format!(
-                "RMS error of the share that an edge covers, by {n} {samples} per pixel: 180 angles, 256 positions of the edge \
-                at each."
+                "RMS error of the share that an edge covers, by {n} {samples} per pixel: a curve for each pattern, 180 angles, \
+                256 positions of the edge at each."
             );
             let how = self.how(&format!("n = {n}"), realisations);
             self.page.plot(&format!("edges_{n}"), &alt, &how, &polar)?;
@@ -221,7 +224,9 @@ impl Lab<'_> {
         self.page.section("The first samples", text);
         let n = self.settings.points;
         let plot = PrefixPlot::measure(&self.settings.subjects, n, FEW_TIMES);
-        let alt = format!("L₂ star discrepancy of the first k of {n} points.");
+        let alt = format!(
+            "L₂ star discrepancy of the first k of {n} points, a curve for each pattern; grey: random points."
+        );
         let how = self.how(&format!("n = {n}"), FEW_TIMES);
         self.page.plot("prefixes", &alt, &how, &plot)
     }

@@ -30,9 +30,9 @@ impl Enough {
     // ANCHOR: needs_more
     /// Whether the samples differ so much that the pixel needs more of them.
     ///
-    /// The contrast of a channel is (max − min)/(max + min), 0 if all are black. The standard error of the mean is s/√n, where s²
-    /// = Σ (Y − mean)²/(n − 1) is the variance of the samples' luminance. Fewer than two samples always need more, because they
-    /// show no difference.
+    /// The contrast of a channel is (max − min)/(max + min), 0 if all are black. The standard error of the mean is s/√n, where
+    /// s² = Σ (Y − mean)²/(n − 1) is the variance of the samples' luminance. Fewer than two samples always need more, because
+    /// they show no difference.
     pub fn needs_more(&self, samples: &[Rgb]) -> bool {
         let n = samples.len() as f32;
         if samples.len() < 2 {

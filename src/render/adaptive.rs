@@ -110,7 +110,8 @@ pub fn by_budget<S: Into<Followed>>(
                 .fold(0.0, f32::max)
         })
         .collect();
-    let counts = spend_budget(&deviations, first as u32, (mean * deviations.len()) as u32);
+    let budget = u32::try_from(mean.saturating_mul(deviations.len())).unwrap_or(u32::MAX);
+    let counts = spend_budget(&deviations, first as u32, budget);
     let count = |x: usize, y: usize| counts[y * film.width + x] as usize;
     // The first pass has already reported every pixel as done.
     let again = Film {

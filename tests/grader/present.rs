@@ -275,12 +275,15 @@ fn a_caption_tells_of_the_picture_that_is_shown() {
     let server = Server::start();
     let (_, screens) = server.get("screens/ch22_antialiasing?first=1");
     let screens = String::from_utf8(screens).expect("it is text");
-    assert!(screens.contains("with 1 and 2 rays"), "a sketch: {screens}");
+    assert!(
+        screens.contains("1 and 2 rays per pixel"),
+        "a sketch: {screens}"
+    );
     for _ in ["while the rest is being drawn", "again"] {
         let path = format!("/{}/picture/ch22_antialiasing/picture", server.token);
         let host = &server.host;
         let (head, _) = server.exchange(&format!("GET {path} HTTP/1.1\r\nHost: {host}\r\n\r\n"));
-        assert!(head.contains("with%201%20and%201%20rays"), "{head}");
+        assert!(head.contains("1%20and%201%20rays%20per%20pixel"), "{head}");
     }
 }
 

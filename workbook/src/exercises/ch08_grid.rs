@@ -8,9 +8,9 @@ use raybook::math::{interval::Interval, ray::Ray};
 use std::ops::ControlFlow;
 
 exercises! { ($) ch08_grid
-    /// Return how many cells a grid has along each axis. There are density times shapes cells in all, each about a
-    /// cube: e·∛(cells/volume) cells along an axis of extent e, rounded. An axis that would get less than one cell has
-    /// 1 and is left out; two others then share all cells: e·√(cells/area) along each.
+    /// Return how many cells a grid has along each axis. There are density times shapes cells in all, each about a cube:
+    /// e·∛(cells/volume) cells along an axis of extent e, rounded. An axis that would get less than one cell has 1 and
+    /// is left out; the other two then share all cells: e·√(cells/area).
     GridResolution: grid_resolution(
         /// The extents of the box, in metres.
         extents: Vec3,

@@ -35,24 +35,24 @@
 //! | what | where in `src/` |
 //! |---|---|
 //! | what most programs use, in one line | `prelude.rs` |
-//! | rays, unit directions, the stretch of a ray that counts | `math/ray.rs` `math/dir3.rs` `math/interval.rs` |
-//! | boxes, and a ray's way through one by slabs | `math/aabb.rs` `math/slab.rs` |
-//! | the lengths for which all of this holds | `math/domain.rs` |
+//! | rays, unit directions, intervals of distances along a ray | `math/ray.rs` `math/dir3.rs` `math/interval.rs` |
+//! | boxes, and the clipping of a ray by a box (slabs) | `math/aabb.rs` `math/slab.rs` |
+//! | the lengths for which every answer holds | `math/domain.rs` |
 //! | the quadratic equation without cancellation | `math/quadratic.rs` |
 //! | random numbers: a stream for each pixel | `math/pcg.rs` |
 //! | sampling a tabulated density | `math/piecewise.rs` |
 //! | radiance, exposure, tone curves, sRGB | `image/rgb.rs` `image/tone.rs` |
 //! | EXR, HDR and PNG files | `image/file.rs` |
-//! | files that appear whole or not at all, and how large they may be | `store.rs` `memory.rs` |
-//! | pictures looked up between their pixels, and blurred: textures | `image/mip.rs` |
-//! | pictures with less noise | `image/denoise.rs` |
-//! | how wide a ray is meant to be, and so how far a texture is blurred | `render/cone.rs` |
-//! | how much two pictures differ | `image/compare.rs` `image/rms.rs` |
+//! | files that appear whole or not at all, and their maximum size | `store.rs` `memory.rs` |
+//! | pictures looked up between their pixels, and blurred: mip maps for textures | `image/mip.rs` |
+//! | denoising | `image/denoise.rs` |
+//! | the width of a ray, which tells how much a texture is blurred (ray cones) | `render/cone.rs` |
+//! | the difference of two pictures | `image/compare.rs` `image/rms.rs` |
 //! | what a shape must answer; leaving a surface without hitting it again | `shape/mod.rs` |
 //! | sphere, plane, box | `shape/sphere.rs` `shape/plane.rs` `shape/cuboid.rs` |
 //! | triangle: Möller–Trumbore, plane first, determinants, watertight | `shape/triangle.rs` `shape/triangle_by_plane.rs` `shape/triangle_by_determinants.rs` `shape/triangle_watertight.rs` |
-//! | a shape seen elsewhere: instances | `shape/placed.rs` |
-//! | meshes, their normals and texture coordinates, where light ends on them; OBJ, STL and PLY files | `shape/mesh.rs` `shape/attributes.rs` `shape/mesh_file.rs` |
+//! | instances: a shape at another place | `shape/placed.rs` |
+//! | meshes, their normals and texture coordinates, the shadow terminator; OBJ, STL and PLY files | `shape/mesh.rs` `shape/attributes.rs` `shape/mesh_file.rs` |
 //! | flat and smooth meshes; normal maps | `shape/mesh_looks.rs` `shape/normal_map.rs` |
 //! | Bézier patches and the teapot | `shape/bezier.rs` `shape/teapot.rs` |
 //! | sampling patterns of a pixel | `sample/pattern/mod.rs` |
@@ -63,23 +63,23 @@
 //! | grid, two-level grid, the walk from cell to cell | `accel/grid/mod.rs` `accel/two_level_grid/mod.rs` `accel/walk.rs` |
 //! | octree | `accel/octree/mod.rs` |
 //! | bounding volume hierarchy, the surface-area heuristic | `accel/bvh/mod.rs` `accel/bvh/build/cost.rs` |
-//! | eight boxes at once, vector instructions, long triangles in parts | `accel/wide_bvh/mod.rs` `accel/wide_bvh/avx2.rs` `accel/wide_bvh/avx512.rs` `accel/wide_bvh/spatial/mod.rs` |
+//! | wide BVH: eight boxes at once, vector instructions, spatial splits | `accel/wide_bvh/mod.rs` `accel/wide_bvh/avx2.rs` `accel/wide_bvh/avx512.rs` `accel/wide_bvh/spatial/mod.rs` |
 //! | what a light must answer; point, directional, rectangular and spherical lights | `light/mod.rs` `light/point.rs` `light/directional.rs` `light/rect_light.rs` `light/sphere_light.rs` |
 //! | light from everywhere: cube maps and sphere maps | `light/environment/mod.rs` |
 //! | what a material must answer, and its lobes; Phong, Blinn, mirror, glass | `material/mod.rs` `material/phong.rs` `material/blinn_phong.rs` `material/mirror.rs` `material/glass.rs` |
 //! | Snell's law, Fresnel's equations | `material/refract.rs` `material/fresnel.rs` |
-//! | matte and glossy surfaces that keep the laws of nature: Lambert, modified Phong | `material/lambert.rs` `material/modified_phong.rs` |
+//! | matte and glossy surfaces that conserve energy and are reciprocal: Lambert, modified Phong | `material/lambert.rs` `material/modified_phong.rs` |
 //! | metals, smooth and rough (GGX); plastic | `material/conductor.rs` `material/ggx.rs` `material/plastic.rs` |
 //! | the index of a glass by wavelength, and the colour of a wavelength | `material/dispersion.rs` `image/spectrum.rs` |
-//! | textures: another material at each place; from a picture | `material/texture.rs` `material/checkered.rs` `material/image_texture.rs` |
+//! | textures: a material for each place of a surface, also from a picture | `material/texture.rs` `material/checkered.rs` `material/image_texture.rs` |
 //! | a model from an OBJ file: its materials (MTL), their pictures | `material/mtl.rs` `scene/model.rs` |
-//! | scenes; scenes described by numbers; a picture for a backdrop | `scene/world.rs` `scene/description.rs` `scene/backdrop.rs` |
+//! | scenes; scenes described by numbers; a backdrop from a picture | `scene/world.rs` `scene/description.rs` `scene/backdrop.rs` |
 //! | pin-hole, thin lens, fisheye, panorama | `camera/pinhole.rs` `camera/thin_lens.rs` `camera/fisheye.rs` `camera/panorama.rs` |
-//! | the film loop; from a scene to a picture, and its samplers; how many rays were followed | `render/film.rs` `render/sampler.rs` `render/followed.rs` |
+//! | the film loop; from a scene to a picture, and its samplers; the number of rays followed | `render/film.rs` `render/sampler.rs` `render/followed.rs` |
 //! | local illumination, shadows, soft shadows | `render/local.rs` `render/shadow.rs` `render/soft_shadow.rs` |
 //! | Whitted's ray tracing | `render/whitted.rs` |
 //! | path tracing, multiple importance sampling | `render/path.rs` `render/mis.rs` |
-//! | light cut off sample by sample: fireflies, edges of lamps | `render/clamped.rs` |
+//! | samples clamped to a maximum: no fireflies, smooth edges of lamps | `render/clamped.rs` |
 //! | supersampling, adaptive supersampling | `render/supersample.rs` `render/adaptive.rs` |
 //! | curved rays, the black hole | `render/curved/mod.rs` |
 

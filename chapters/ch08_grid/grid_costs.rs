@@ -21,7 +21,7 @@ const DENSITIES: [f32; 12] = [
 ];
 
 /// Number of rays for each grid.
-const RAYS: usize = 600;
+pub(super) const RAYS: usize = 600;
 
 /// Minimum number of rounds in which each grid is timed.
 const ROUNDS: u32 = 3;

@@ -96,8 +96,9 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
 
     let costs = grid_costs::measure(&teapot::mesh(20));
     let caption = format!(
-        "The same 600 rays in grids of more and more cells: fewer triangles are tested, and more cells are visited. The fastest \
+        "The same {} rays in grids of more and more cells: fewer triangles are tested, and more cells are visited. The fastest \
         of these grids answers {:.1} million rays per second on one thread, measured while this figure was drawn.",
+        grid_costs::RAYS,
         grid_costs::rate(&costs) / 1e6
     );
     stage.diagram("resolution", &caption, &grid_costs::plot(&costs)?)?;

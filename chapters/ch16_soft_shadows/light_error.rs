@@ -20,7 +20,7 @@ use raybook::shape::Shape;
 use raybook::shape::sphere::Sphere;
 
 /// Number of estimates from which each error is measured.
-const REPEATS: u32 = 300;
+pub(super) const REPEATS: u32 = 300;
 
 /// The numbers of samples, as powers of 2.
 const POWERS: std::ops::RangeInclusive<u32> = 0..=10;

@@ -100,10 +100,13 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let caption = "The ends of the umbra and of the penumbra follow from similar triangles (orange). The fraction of the light \
         that is seen is estimated by 2000 random samples at each place (blue).";
     stage.diagram("penumbra", caption, &penumbra::diagram()?)?;
-    let caption = "The relative RMS error of the irradiance against the number of samples, from 300 repetitions each: a straight \
+    let caption = format!(
+        "The relative RMS error of the irradiance against the number of samples, from {} repetitions each: a straight \
         line of slope −½. For a near light, samples by solid angle have a smaller error than samples by area. With an obstacle \
-        before the light, they are no better.";
-    stage.diagram("error", caption, &light_error::plot()?)
+        before the light, they are no better.",
+        light_error::REPEATS
+    );
+    stage.diagram("error", &caption, &light_error::plot()?)
 }
 
 /// The camera of a view.

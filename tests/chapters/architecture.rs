@@ -223,3 +223,29 @@ fn uses_are_taken_apart() {
         "each path on its own"
     );
 }
+
+/// Nobody builds it in a test: it downloads another path tracer.
+#[test]
+fn the_race_of_pictures_locks_what_the_library_depends_on() {
+    let manifest = read("Cargo.toml");
+    let sections = manifest.split("\n[");
+    let sections = sections.filter_map(|section| section.split_once("dependencies]\n"));
+    let sections = sections.filter(|(of, _)| !of.ends_with("dev-") && *of != "workspace.");
+    let lines = sections.flat_map(|(_, lines)| lines.lines());
+    let depends: BTreeSet<_> = lines
+        .filter_map(|line| line.split([' ', '.', '=']).next())
+        .filter(|name| !name.is_empty() && !name.starts_with('#'))
+        .collect();
+    let lock = read("benches/peers/pictures/Cargo.lock");
+    let (_, locked) = lock
+        .split_once("name = \"raybook\"\n")
+        .expect("raybook is locked");
+    let (_, locked) = locked.split_once("dependencies = [\n").expect("a list");
+    let (locked, _) = locked.split_once(']').expect("its end");
+    let names = locked.split('"').skip(1).step_by(2);
+    let locked: BTreeSet<_> = names.filter_map(|name| name.split(' ').next()).collect();
+    assert_eq!(
+        locked, depends,
+        "benches/peers/run pictures cannot start: run `cargo metadata` in benches/peers/pictures, which writes its Cargo.lock anew"
+    );
+}

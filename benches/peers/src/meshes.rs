@@ -34,7 +34,7 @@ pub(crate) fn scene(name: &str) -> Result<Scene, String> {
         "bunny" => scans::bunny()?,
         "dragon" => scans::dragon()?,
         "terrain" => terrain::terrain(707), // 999,698 triangles
-        "stadium" => stadium::stadium(14).mesh, // about 100,000 triangles
+        "stadium" => stadium::stadium(14).mesh, // 124,124 triangles
         "soup" => soup::soup(1_000_000, 1),
         "interior" => generated::interior(1).map_err(|error| error.to_string())?,
         "hair" => generated::hair_ball(1).map_err(|error| error.to_string())?,

@@ -57,7 +57,7 @@ impl Book {
              such a folder; a workbook has the lessons as text",
         )?;
         say(format!(
-            "There is no built book here; --folder names one. The lesson as text: {}",
+            "There is no built book here: `book/build` in the course's repository builds one, and --folder names it. The lesson as text: {}",
             Untrusted::from(lesson.as_path())
         ));
         Ok(false)

@@ -30,10 +30,10 @@ pub struct Render {
     /// Samples per pixel [default: what the file says]
     #[arg(long, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     samples: Option<u32>,
-    /// What every random number follows from [default: what the file says]
+    /// The seed of all random numbers [default: what the file says]
     #[arg(long)]
     seed: Option<u64>,
-    /// How many threads draw; the picture does not depend on it [default: one per core]
+    /// The number of threads; the picture does not depend on it [default: one per core]
     #[arg(long, value_parser = clap::value_parser!(u32).range(1..=1024))]
     threads: Option<u32>,
     /// Show the picture while it becomes better, and draw it again whenever the scene file is saved

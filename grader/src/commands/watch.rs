@@ -64,12 +64,18 @@ impl Watch {
             page = Some(served);
         }
         let mut seen = Seen::of(&folder);
-        let mut names = self.names(&folder, &[]);
+        let mut asked = self.asked();
+        let mut names = Self::names(&asked, &folder, &[]);
         self.check(&names, page.as_mut())?;
         loop {
             match keys::wait(PAUSE) {
                 Pressed::Key('q') | Pressed::Closed => return Ok(true),
-                Pressed::Key(key) => self.answer(key, &folder, &mut names, page.as_mut())?,
+                Pressed::Key('n') => {
+                    asked.clear(); // who goes on leaves what was asked for
+                    names = next(&folder, &names);
+                    self.check(&names, page.as_mut())?;
+                }
+                Pressed::Key(key) => self.answer(key, &folder, &names)?,
                 Pressed::Nothing => {}
             }
             let now = Seen::of(&folder);
@@ -85,29 +91,19 @@ impl Watch {
             }
             seen = later;
             say(format!("\n── {} changed ──", told(&files)));
-            names = self.names(&folder, &files);
+            names = Self::names(&asked, &folder, &files);
             self.check(&names, page.as_mut())?;
         }
     }
 
-    /// Does what a key asks for: with the exercises that were checked last, or with the next.
-    fn answer(
-        &self,
-        key: char,
-        folder: &Path,
-        names: &mut Vec<String>,
-        page: Option<&mut Page>,
-    ) -> Result<(), Box<dyn Error>> {
+    /// Does what a key asks for with the exercises that were checked last.
+    fn answer(&self, key: char, folder: &Path, names: &[String]) -> Result<(), Box<dyn Error>> {
         match key {
             'h' => {
                 self.command("hint", names)?;
             }
             'e' => {
                 self.command("explain", &[open(folder, names)])?;
-            }
-            'n' => {
-                *names = next(folder, names);
-                return self.check(names, page);
             }
             'l' => {
                 if let Err(error) = map::print(folder) {
@@ -159,13 +155,17 @@ impl Watch {
         Ok(Line::try_parse_from(words)?.task)
     }
 
-    /// What to check: what was asked for; else the chapters of the files; else the first chapter that is not right yet.
-    fn names(&self, folder: &Path, files: &[PathBuf]) -> Vec<String> {
+    /// The exercises and chapters that were named when the watch began.
+    fn asked(&self) -> Vec<String> {
         let asked = self.target.what.iter().map(String::as_str);
         let asked = asked.filter(|word| Some(*word) != self.target.folder());
-        let asked: Vec<_> = asked.map(str::to_owned).collect();
+        asked.map(str::to_owned).collect()
+    }
+
+    /// What to check: what was asked for; else the chapters of the files; else the first chapter that is not right yet.
+    fn names(asked: &[String], folder: &Path, files: &[PathBuf]) -> Vec<String> {
         if !asked.is_empty() {
-            return asked;
+            return asked.to_vec();
         }
         let is_changed = |chapter: &&Chapter| {
             let mut places = chapter.exercises().iter();

@@ -63,7 +63,7 @@ pub const PATTERNS: &[Pattern] = &[
     Pattern {
         name: "dart-throwing",
         title: "dart throwing",
-        five: "any number suits it: the distance shrinks until so many darts have room",
+        five: "any number suits it: the distance shrinks until that many darts have room",
         points: |n, rng| dart_throwing::fill(Vec::new(), n, neighbours::Space::Torus, rng),
     },
     Pattern {
@@ -81,7 +81,7 @@ pub const PATTERNS: &[Pattern] = &[
     Pattern {
         name: "multi-jittered",
         title: "multi-jittered",
-        five: "a prime number has only itself for columns: rooks, and nothing more",
+        five: "for a prime number there is one column: n-rooks, and nothing more",
         points: |n, rng| {
             let columns = multi_jittered::columns(n);
             multi_jittered::multi_jittered(columns, n / columns, rng)

@@ -109,6 +109,11 @@ impl Graded for CameraRay {
             },
         },
         Mistake {
+            name: "measures the place on the film from the middle, although it is counted from the top left",
+            hint: "Where on the plane is film = (0, 0), and where does your ray go for it?",
+            answer: |q| Self::misread(q, |q| q.film += 0.5),
+        },
+        Mistake {
             name: "subtracts half of the plane's size, in metres, from film, which is a fraction",
             hint: "`film` goes from 0 to 1: how many metres of the plane is that?",
             answer: |q| Self::misread(q, |q| q.film /= q.plane),

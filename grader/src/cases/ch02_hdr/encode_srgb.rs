@@ -67,6 +67,11 @@ impl Graded for EncodeSrgb {
             answer: |q| curve(q.v.clamp(0.0, 1.0), 0.040_45, 1.0 / 2.4, 0.055),
         },
         Mistake {
+            name: "takes ten times the threshold",
+            hint: "Count the zeros of your threshold: below which linear value is the curve a straight line?",
+            answer: |q| curve(q.v.clamp(0.0, 1.0), 0.031_308, 1.0 / 2.4, 0.055),
+        },
+        Mistake {
             name: "takes 1/2.2 for the exponent of the curve",
             hint: "Which exponent stands in the formula, and which in your program?",
             answer: |q| curve(q.v.clamp(0.0, 1.0), 0.003_130_8, 1.0 / 2.2, 0.055),

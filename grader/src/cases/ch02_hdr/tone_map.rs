@@ -39,6 +39,14 @@ impl Graded for ToneMap {
             answer: |q| q.radiance / q.radiance.luminance(),
         },
         Mistake {
+            name: "divides by the luminance, which is 0 for black",
+            hint: "What is 0/0, and which colour should black become?",
+            answer: |q| {
+                let luminance = q.radiance.luminance();
+                q.radiance * (luminance / (1.0 + luminance) / luminance)
+            },
+        },
+        Mistake {
             name: "multiplies by the new luminance",
             hint: "The luminance L must become L/(1 + L): by which factor must the colour be scaled?",
             answer: |q| q.radiance * (q.radiance.luminance() / (1.0 + q.radiance.luminance())),

@@ -76,7 +76,10 @@ impl Graded for BoxClip {
             hint: "At the first plane that the ray meets, is it inside the other two slabs already?",
             answer: |q| {
                 let (near, far) = nears_and_fars(q);
-                finish(near.min_element().min(q.within.min), far.min_element().min(q.within.max))
+                finish(
+                    near.min_element().min(q.within.min),
+                    far.min_element().min(q.within.max),
+                )
             },
         },
         Mistake {
@@ -84,7 +87,10 @@ impl Graded for BoxClip {
             hint: "Once the ray has left one slab, is it still in the box?",
             answer: |q| {
                 let (near, far) = nears_and_fars(q);
-                finish(near.max_element().max(q.within.min), far.max_element().max(q.within.max))
+                finish(
+                    near.max_element().max(q.within.min),
+                    far.max_element().max(q.within.max),
+                )
             },
         },
         Mistake {

@@ -257,10 +257,7 @@ impl Graded for TwoLevelWalk {
 }
 
 /// The walk with another number for the fine cell x, y, z of nx × ny × nz.
-fn numbered(
-    q: &TwoLevelWalk,
-    number: fn(&TwoLevelWalk, [u32; 3], [u32; 3]) -> u32,
-) -> Vec<u32> {
+fn numbered(q: &TwoLevelWalk, number: fn(&TwoLevelWalk, [u32; 3], [u32; 3]) -> u32) -> Vec<u32> {
     let levels = q.levels();
     let renumbered = |place: u32| {
         let mut cuts = levels.cuts.iter();

@@ -271,9 +271,18 @@ impl Graded for BvhBuild {
             },
         },
         Mistake {
+            name: "makes a leaf of all that a leaf can hold, without asking whether a cut is cheaper",
+            hint: "A leaf of four costs four tests wherever the ray is in it: what would two leaves of two cost, and how often would each be opened?",
+            answer: |q| {
+                cut_by(q, |areas, counts| {
+                    areas[0] * counts[0] as f32 + areas[1] * counts[1] as f32
+                })
+            },
+        },
+        Mistake {
             name: "leaves the numbers of boxes out of the cost of a cut",
             hint: "A ray that enters a side tests what is in it: does a side of nine boxes cost as much as a side of one?",
-            answer: by_areas,
+            answer: |q| cut_by(q, |areas, _| areas[0] + areas[1]),
         },
         Mistake {
             name: "makes a node's box around the centres of its boxes",
@@ -303,8 +312,11 @@ fn one_leaf(q: &BvhBuild) -> BvhBuildAnswer {
     }
 }
 
-/// The tree that takes the sum of the areas of its two sides for the cost of a cut. What a leaf can hold is not cut.
-fn by_areas(q: &BvhBuild) -> BvhBuildAnswer {
+/// What a cut is said to cost, from the areas of its two sides and the numbers of boxes in them.
+type CutCost = fn([f32; 2], [usize; 2]) -> f32;
+
+/// The tree of the cuts that cost least. What a leaf can hold is not cut.
+fn cut_by(q: &BvhBuild, cost: CutCost) -> BvhBuildAnswer {
     let node = |which: &[u32]| {
         let Aabb { min, max } = around(&q.boxes, which);
         NodeRow {
@@ -327,7 +339,7 @@ fn by_areas(q: &BvhBuild) -> BvhBuildAnswer {
             tree.order.extend(which);
             continue;
         }
-        let sides = smallest(q, which);
+        let sides = cheapest(q, which, cost);
         tree.nodes[at].first = tree.nodes.len() as u32;
         for side in sides {
             open.push((tree.nodes.len(), side.clone()));
@@ -337,8 +349,8 @@ fn by_areas(q: &BvhBuild) -> BvhBuildAnswer {
     tree
 }
 
-/// The two sides of the cut between the sorted centres, along any axis, whose areas add up to the least.
-fn smallest(q: &BvhBuild, which: Vec<u32>) -> [Vec<u32>; 2] {
+/// The two sides of the cheapest cut between the sorted centres, along any axis.
+fn cheapest(q: &BvhBuild, which: Vec<u32>, cost: CutCost) -> [Vec<u32>; 2] {
     let n = which.len();
     let mut best = (f32::INFINITY, which, n / 2);
     for axis in 0..3 {
@@ -353,14 +365,11 @@ fn smallest(q: &BvhBuild, which: Vec<u32>) -> [Vec<u32>; 2] {
             });
             grown.collect()
         };
-        let (below, above) = (
-            areas(&mut sorted.iter()),
-            areas(&mut sorted.iter().rev()),
-        );
+        let (below, above) = (areas(&mut sorted.iter()), areas(&mut sorted.iter().rev()));
         for cut in 1..n {
-            let sum = below[cut - 1] + above[n - cut - 1];
-            if sum < best.0 {
-                best = (sum, sorted.clone(), cut);
+            let cost = cost([below[cut - 1], above[n - cut - 1]], [cut, n - cut]);
+            if cost < best.0 {
+                best = (cost, sorted.clone(), cut);
             }
         }
     }

@@ -4,14 +4,14 @@ use super::{new, there_is};
 use raybook_grader::language::Language;
 use std::process::Command;
 
-/// Presses each key when the watch waits, and says what it printed, how it ended and whether the terminal was left as it was.
+/// Presses each key when the watch waits, or saves the file of that name, and says what it printed, how it ended and whether the terminal was left as it was.
 const PRESS: &str = r#"
 import fcntl, os, pty, signal, sys, termios
 if waited_for := os.fork():
     sys.exit(os.waitstatus_to_exitcode(os.waitpid(waited_for, 0)[1]))
 # As a shell does it: a session with a terminal, and in it a group of its own that has the terminal.
 os.setsid()
-command, keys = sys.argv[1], sys.argv[2:]
+command, words, keys = sys.argv[1], sys.argv[2].split(), sys.argv[3:]
 ours, theirs = pty.openpty()
 fcntl.ioctl(theirs, termios.TIOCSCTTY, 0)
 signal.signal(signal.SIGTTOU, signal.SIG_IGN)
@@ -23,7 +23,7 @@ if child == 0:
     signal.signal(signal.SIGTTOU, signal.SIG_DFL)
     for fd in (0, 1, 2):
         os.dup2(theirs, fd)
-    os.execv(command, [command, "watch", "--plain"])
+    os.execv(command, [command, "watch", "--plain", *words])
 said = b""
 def wait(times):
     global said
@@ -38,6 +38,9 @@ for times, key in enumerate(keys, 1):
         assert termios.tcgetattr(theirs) == before, "as it was, while it is stopped"
         os.kill(child, signal.SIGCONT)
         said += b"Ctrl-C ends"
+    elif key.endswith(".py"):
+        with open(key, "a") as file:
+            file.write("\n# saved\n")
     else:
         os.write(ours, b"\x03" if key == "C" else key.encode())
 _, status = os.waitpid(child, 0)
@@ -51,14 +54,14 @@ print("code", os.waitstatus_to_exitcode(status))
 print("as it was" if termios.tcgetattr(theirs) == before else "changed")
 "#;
 
-fn press(keys: &[&str]) -> Option<String> {
+fn press(watched: &str, keys: &[&str]) -> Option<String> {
     if !there_is("python3") {
         return None;
     }
     let home = tempfile::tempdir().expect("a temporary folder");
     let folder = new(home.path(), "rays", Language::Python);
     let output = Command::new("python3")
-        .args(["-c", PRESS, env!("CARGO_BIN_EXE_raybook")])
+        .args(["-c", PRESS, env!("CARGO_BIN_EXE_raybook"), watched])
         .args(keys)
         .current_dir(folder)
         .output()
@@ -72,7 +75,7 @@ fn press(keys: &[&str]) -> Option<String> {
 #[cfg(target_os = "linux")]
 #[test]
 fn keys_hint_explain_go_on_list_and_quit() {
-    let Some(said) = press(&["h", "e", "n", "l", "Z", "q"]) else {
+    let Some(said) = press("", &["h", "e", "n", "l", "Z", "q"]) else {
         return;
     };
     for part in [
@@ -89,8 +92,25 @@ fn keys_hint_explain_go_on_list_and_quit() {
 
 #[cfg(target_os = "linux")]
 #[test]
+fn who_goes_on_is_followed_to_the_next_chapter() {
+    let Some(said) = press("ch01", &["n", "ch02_hdr.py", "q"]) else {
+        return;
+    };
+    let (_, after) = said
+        .split_once("ch02_hdr.py changed")
+        .unwrap_or_else(|| panic!("the file is seen: {said}"));
+    assert!(
+        after.contains("Next: write expose") && !after.contains("camera_ray"),
+        "the chapter that n leads to is checked: {after}"
+    );
+}
+
+#[cfg(target_os = "linux")]
+#[test]
 fn ctrl_c_leaves_the_terminal_as_it_was() {
-    let Some(said) = press(&["C"]) else { return };
+    let Some(said) = press("", &["C"]) else {
+        return;
+    };
     assert!(
         said.contains("code 130") && said.contains("as it was"),
         "{said}"

@@ -76,7 +76,12 @@ pub const ALTERNATIVES: &[Alternative] = &[
         answer: |q| {
             let radiance = q.vector();
             let old = radiance.dot(DVec3::new(0.2126, 0.7152, 0.0722));
-            vector(radiance / old * (old / (1.0 + old)))
+            let new = old / (1.0 + old);
+            vector(if old > 0.0 {
+                radiance * (new / old)
+            } else {
+                radiance
+            })
         },
     },
     Alternative {

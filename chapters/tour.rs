@@ -23,7 +23,7 @@ pub struct Tour {
 }
 
 impl Tour {
-    /// Draws the chapters, one after the other. After each chapter, the gallery of all chapters so far is written.
+    /// Draws the chapters, one after the other. After each chapter, the gallery of the chapters that are drawn is written.
     ///
     /// # Errors
     /// If `--only` names a chapter that does not exist, or a picture cannot be drawn or written.

@@ -214,7 +214,7 @@ impl Stage {
         lock(&self.outputs).clone()
     }
 
-    /// The list of what has been drawn so far, for another thread: the stage appends to it.
+    /// The list of the pictures that are finished, for another thread: the stage appends to it.
     pub fn outputs(&self) -> Arc<Mutex<Vec<Output>>> {
         Arc::clone(&self.outputs)
     }

@@ -33,7 +33,7 @@ impl Path {
     // ANCHOR: path
     /// An estimate of the radiance that a ray sees: L_o = L_e + ∫ f L_i cos θ dω, where L_i is the L_o of the next surface.
     ///
-    /// `weight` is the product of f cos θ/p, and of the media's transmittance, along the path so far. Direct light is estimated
+    /// `weight` is the product of f cos θ/p, and of the media's transmittance, along the path up to the ray. Direct light is estimated
     /// in two ways: by a shadow ray towards the light (next event estimation), and by the ray that continues the path; the
     /// strategy weights the two. All other light is estimated by the ray that continues the path, and so is all light in a mirror
     /// or through glass. The estimate is unbiased, except for the light that `depth` cuts off.

@@ -20,7 +20,7 @@ pub struct Even {
     index: u32,
     /// A mask of the binary digits that indices have: a power of two minus 1.
     digits: u32,
-    /// Number of pairs made so far.
+    /// Number of pairs made.
     pairs: u64,
     /// The second number of the last pair, until it is used.
     second: Option<u32>,

@@ -75,7 +75,7 @@ pub enum Reason {
         what: &'static str,
         /// The index.
         index: i64,
-        /// Number of objects so far.
+        /// Number of objects that were read before.
         given: usize,
     },
     /// An index, counted from 0, without a vertex.

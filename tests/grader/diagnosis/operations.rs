@@ -115,3 +115,39 @@ fn the_same_wrong_answer_in_one_branch_is_told_with_it() {
         found.name
     );
 }
+
+#[test]
+fn an_end_of_the_interval_that_counts_is_named_in_every_exercise() {
+    for exercise in ["sphere_hit", "plane_hit", "triangle_hit", "mesh_hit"] {
+        let call = cases::find(exercise).expect("it exists").asked().call;
+        for (min, max, told) in [
+            (
+                false,
+                true,
+                "takes within.max itself to be inside the interval",
+            ),
+            (
+                true,
+                false,
+                "takes within.min itself to be inside the interval",
+            ),
+            (
+                true,
+                true,
+                "takes both ends of within to be inside the interval",
+            ),
+        ] {
+            let found = diagnosed(exercise, |q| {
+                let mut q = q.to_vec();
+                if min {
+                    q[6] = f64::from((q[6] as f32).next_down());
+                }
+                if max {
+                    q[7] = f64::from((q[7] as f32).next_up());
+                }
+                Some(call(&q))
+            });
+            assert_eq!(found.name, told, "{exercise}");
+        }
+    }
+}

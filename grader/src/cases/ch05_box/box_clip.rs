@@ -74,24 +74,12 @@ impl Graded for BoxClip {
         Mistake {
             name: "keeps the earliest of the entries",
             hint: "At the first plane that the ray meets, is it inside the other two slabs already?",
-            answer: |q| {
-                let (near, far) = nears_and_fars(q);
-                finish(
-                    near.min_element().min(q.within.min),
-                    far.min_element().min(q.within.max),
-                )
-            },
+            answer: |q| folded(q, f32::min, f32::min),
         },
         Mistake {
             name: "keeps the latest of the exits",
             hint: "Once the ray has left one slab, is it still in the box?",
-            answer: |q| {
-                let (near, far) = nears_and_fars(q);
-                finish(
-                    near.max_element().max(q.within.min),
-                    far.max_element().max(q.within.max),
-                )
-            },
+            answer: |q| folded(q, f32::max, f32::max),
         },
         Mistake {
             name: "divides 0 by 0 for a ray in a face",
@@ -201,10 +189,13 @@ fn slab(q: &BoxClip, axis: usize) -> (f32, f32) {
     if d.is_sign_negative() { (b, a) } else { (a, b) }
 }
 
-/// Where the whole line enters and leaves the slabs of the three axes.
-fn nears_and_fars(q: &BoxClip) -> (Vec3, Vec3) {
-    let [x, y, z] = [0, 1, 2].map(|axis| slab(q, axis));
-    (vec3(x.0, y.0, z.0), vec3(x.1, y.1, z.1))
+/// Clips by three slabs, with a rule for the entries and the interval's min, and one for the exits and its max.
+fn folded(q: &BoxClip, enter: fn(f32, f32) -> f32, leave: fn(f32, f32) -> f32) -> Option<Interval> {
+    let slabs = (0..3).map(|axis| slab(q, axis));
+    let (min, max) = slabs.fold((q.within.min, q.within.max), |(min, max), (near, far)| {
+        (enter(min, near), leave(max, far))
+    });
+    finish(min, max)
 }
 
 /// Clips by three slabs, by a rule for the order of the planes and one for when there is anything left.

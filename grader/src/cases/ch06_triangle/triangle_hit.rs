@@ -109,26 +109,6 @@ impl Graded for TriangleHit {
             },
         },
         Mistake {
-            name: "counts a hit at max, where the interval ends",
-            hint: "Both ends of the interval are excluded: what does your comparison do with t = max?",
-            answer: |q| Self::misread(q, |q| q.within.max = q.within.max.next_up()),
-        },
-        Mistake {
-            name: "counts a hit at min, where the interval begins",
-            hint: "Both ends of the interval are excluded: what does your comparison do with t = min?",
-            answer: |q| Self::misread(q, |q| q.within.min = q.within.min.next_down()),
-        },
-        Mistake {
-            name: "counts hits at both ends of the interval",
-            hint: "Both ends of the interval are excluded: what do your comparisons do with t = min and with t = max?",
-            answer: |q| {
-                Self::misread(q, |q| {
-                    let Interval { min, max } = q.within;
-                    q.within = Interval::new(min.next_down(), max.next_up());
-                })
-            },
-        },
-        Mistake {
             name: "ignores the interval",
             hint: "Is every t you return between min and max?",
             answer: |q| Self::misread(q, |q| q.within = sample::LINE),

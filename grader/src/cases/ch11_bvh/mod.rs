@@ -9,6 +9,7 @@ use raybook::math::{aabb::Aabb, pcg::Pcg};
 use raybook_workbook::exercises::ch11_bvh::BvhBuildAnswer;
 use raybook_workbook::tree_rows::{BoxRow, to_rows};
 
+mod builders;
 mod bvh_tree;
 
 raybook_workbook::ch11_bvh!(graded);

@@ -47,6 +47,11 @@ pub(super) fn matte_without_cosine(q: &Highlight, highlight: f32) -> Rgb {
     }
 }
 
+/// The light that would reach the matte part from below the surface.
+pub(super) fn matte_from_below(q: &Highlight) -> Rgb {
+    q.diffuse * (-q.toward.dot(*q.normal)).max(0.0) * q.arriving
+}
+
 pub(super) fn power(cosine: f32, q: &Highlight) -> f32 {
     cosine.max(0.0).powf(q.exponent)
 }

@@ -1,8 +1,8 @@
 //! `phong`: random questions, judge and mistakes.
 
 use super::highlight::{
-    BALL, half, highlight_without_light, matte_without_cosine, mirrored, on_ball, power, radiance,
-    random, with_highlight,
+    BALL, half, highlight_without_light, matte_from_below, matte_without_cosine, mirrored, on_ball,
+    power, radiance, random, with_highlight,
 };
 use crate::{Graded, Mistake, Picture, Verdict};
 use raybook::image::rgb::Rgb;
@@ -51,10 +51,7 @@ impl Graded for PhongExercise {
         Mistake {
             name: "lights the matte part from both sides",
             hint: "Put the light below the surface: how much of its light arrives at the upper side?",
-            answer: |q| {
-                let behind = (-q.at.toward.dot(*q.at.normal)).max(0.0);
-                PhongExercise::answer(q) + q.at.diffuse * behind * q.at.arriving
-            },
+            answer: |q| PhongExercise::answer(q) + matte_from_below(&q.at),
         },
         Mistake {
             name: "mirrors the wrong way",

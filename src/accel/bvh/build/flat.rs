@@ -42,7 +42,7 @@ impl Flat {
 }
 
 /// Appends the nodes below a subtree to `pairs`, and returns the subtree's own node; `shapes` counts the shapes in the leaves
-/// so far.
+/// before.
 fn place(tree: &Tree, pairs: &mut Vec<Pair>, shapes: &mut u32) -> Node {
     let bounds = tree.bounds.into();
     let (first, count) = match &tree.inside {

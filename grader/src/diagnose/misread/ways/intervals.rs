@@ -14,6 +14,28 @@ pub(super) fn interval(i: usize, name: &str, all: &mut Vec<Misreading>) {
         ));
     };
     let is_inside = "Is every distance in your answer between the ends of `{}`?";
+    let is_excluded = "Both ends of `{}` are excluded: what do your comparisons do with a distance that is just there?";
+    value(
+        format!("takes {name}.max itself to be inside the interval"),
+        9,
+        is_excluded,
+        |v| v[1] = after(v[1]),
+    );
+    value(
+        format!("takes {name}.min itself to be inside the interval"),
+        9,
+        is_excluded,
+        |v| v[0] = before(v[0]),
+    );
+    value(
+        format!("takes both ends of {name} to be inside the interval"),
+        9,
+        is_excluded,
+        |v| {
+            v[0] = before(v[0]);
+            v[1] = after(v[1]);
+        },
+    );
     value(
         format!("ignores {name}.max"),
         10,
@@ -78,4 +100,14 @@ pub(super) fn interval(i: usize, name: &str, all: &mut Vec<Misreading>) {
             each(v, |v| *v = -*v);
         },
     );
+}
+
+/// The number of the library's precision that comes next.
+fn after(v: f64) -> f64 {
+    (v as f32).next_up().into()
+}
+
+/// The number of the library's precision that comes before.
+fn before(v: f64) -> f64 {
+    (v as f32).next_down().into()
 }

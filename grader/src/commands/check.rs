@@ -38,7 +38,7 @@ pub struct Check {
     asking: Asking,
     #[command(flatten)]
     hidden: Hidden,
-    /// Write the pictures that the answers make into this folder; without it, those of the workbook in which you are are kept in its .raybook. Elsewhere a few pixels are asked, and all if one of these is wrong: pictures count like cases
+    /// Write the pictures that the answers make into this folder; without it, a workbook keeps them in its .raybook. Elsewhere a few pixels are asked, and all if one of these is wrong: pictures count like cases
     #[arg(long, value_name = "FOLDER")]
     pictures: Option<PathBuf>,
     #[command(flatten)]

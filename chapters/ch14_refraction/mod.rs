@@ -61,9 +61,9 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let film = stage.film_of(960, 9, 16.0 / 9.0);
     if stage.wants("picture") {
         let picture = photograph(&film, &scene, glassware::VIEW, depth)?;
-        let caption = "From the left, a ball with a large bubble of air, a solid ball of glass and a ball in a tank of water; in front, three balls of \
-            coloured glass. All mirror the window and show the floor. A solid ball in air shows the floor upside down; the bubble and the ball \
-            in water show the floor upright.";
+        let caption = "From the left, a ball with a large bubble of air, a solid ball of glass and a ball in a tank of water; in front, \
+            three balls of coloured glass. All mirror the window and show the floor. A solid ball in air shows the floor upside down; the \
+            bubble and the ball in water show the floor upright.";
         stage.picture("picture", caption, &picture)?;
     }
 

@@ -90,17 +90,17 @@ pub fn by_budget<S: Into<Followed>>(
     radiance: impl Radiance<S>,
 ) -> Adaptive {
     let first = first.max(2);
-    let restless = Counts::new(film);
+    let deviations = Counts::new(film);
     let begun = film.render_pixels(|x, y, rng| {
         let points = (0..first as u32).map(sequence(rng));
         let see = |p| radiance(place(film, x, y, p), rng).into();
         let seen: Vec<Followed> = points.map(see).collect();
-        restless.set(x, y, deviation(&seen).to_bits() as usize);
+        deviations.set(x, y, deviation(&seen).to_bits() as usize);
         seen.into_iter().sum::<Followed>()
     });
     let near = |v: usize, end: usize| v.saturating_sub(1)..(v + 2).min(end);
-    let of = |x: usize, y: usize| f32::from_bits(restless.get(x, y) as u32);
-    let deviations: Vec<_> = (0..film.width * film.height)
+    let of = |x: usize, y: usize| f32::from_bits(deviations.get(x, y) as u32);
+    let largest: Vec<_> = (0..film.width * film.height)
         .map(|i| {
             let (xs, ys) = (
                 near(i % film.width, film.width),
@@ -110,8 +110,8 @@ pub fn by_budget<S: Into<Followed>>(
                 .fold(0.0, f32::max)
         })
         .collect();
-    let budget = u32::try_from(mean.saturating_mul(deviations.len())).unwrap_or(u32::MAX);
-    let counts = spend_budget(&deviations, first as u32, budget);
+    let budget = u32::try_from(mean.saturating_mul(largest.len())).unwrap_or(u32::MAX);
+    let counts = spend_budget(&largest, first as u32, budget);
     let count = |x: usize, y: usize| counts[y * film.width + x] as usize;
     // The first pass has already reported every pixel as done.
     let again = Film {

@@ -20,7 +20,7 @@ pub struct Path {
 }
 
 /// Maximum probability with which a path survives Russian roulette: so it also ends between white walls.
-const LUCKIEST: f32 = 0.95;
+const MAX_SURVIVAL: f32 = 0.95;
 
 impl Path {
     /// All light, by both strategies, with Russian roulette from the fourth bounce on.
@@ -244,10 +244,10 @@ impl Lobes {
 // ANCHOR: roulette
 /// Russian roulette: ends a path with the probability 1 − q, and divides the weight of a survivor by q. The estimate stays
 /// unbiased, and less work is spent on little light (Arvo and Kirk, "Particle transport and image synthesis", 1990). q is the
-/// largest channel of the weight, at most [`LUCKIEST`].
+/// largest channel of the weight, at most [`MAX_SURVIVAL`].
 fn roulette(weight: Rgb, rng: &mut dyn Rng) -> Option<Rgb> {
     let [r, g, b] = weight.channels();
-    let q = r.max(g).max(b).min(LUCKIEST);
+    let q = r.max(g).max(b).min(MAX_SURVIVAL);
     (rng.random::<f32>() < q).then(|| weight / q)
 }
 // ANCHOR_END: roulette

@@ -76,9 +76,9 @@ pub fn fresnel_conductor(cosine: f32, n: f32, k: f32) -> f32 {
 pub struct Conductor(pub Metal);
 
 impl Material for Conductor {
-    fn deltas(&self, at: &Surface, view: Dir3, tell: &mut dyn FnMut(Delta)) {
+    fn delta_lobes(&self, at: &Surface, view: Dir3, visit: &mut dyn FnMut(Delta)) {
         let share = self.0.reflectance(at.facing(view).dot(*view));
-        Mirror { share }.deltas(at, view, tell);
+        Mirror { share }.delta_lobes(at, view, visit);
     }
 
     fn scatters(&self, _at: &Surface) -> bool {

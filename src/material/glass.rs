@@ -76,7 +76,7 @@ impl Material for Glass {
     // ANCHOR: glass
     /// A reflected ray with the share R, and a refracted ray with the share 1 − R, R by Fresnel's equations; each with the medium
     /// that it goes through.
-    fn deltas(&self, at: &Surface, view: Dir3, tell: &mut dyn FnMut(Delta)) {
+    fn delta_lobes(&self, at: &Surface, view: Dir3, visit: &mut dyn FnMut(Delta)) {
         let normal = at.facing(view);
         let (here, there) = if at.normal.dot(*view) < 0.0 {
             (self.inside, self.outside)
@@ -86,7 +86,7 @@ impl Material for Glass {
         let cosine = normal.dot(*view);
         let share = fresnel(cosine, here.index, there.index).unpolarised;
         let mut lobe = |toward: Dir3, share: f32, medium: Medium| {
-            tell(Delta {
+            visit(Delta {
                 toward,
                 share: Rgb::gray(share),
                 medium,

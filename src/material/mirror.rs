@@ -27,13 +27,13 @@ impl Material for Mirror {
     /// One mirrored ray, with the mirror's share.
     ///
     /// At a grazing angle, an interpolated normal may send the ray below the surface; then the geometric normal is used.
-    fn deltas(&self, at: &Surface, view: Dir3, tell: &mut dyn FnMut(Delta)) {
+    fn delta_lobes(&self, at: &Surface, view: Dir3, visit: &mut dyn FnMut(Delta)) {
         let side = |d: Dir3| at.normal.dot(*d) < 0.0;
         let mut toward = reflect(-view, at.shading_normal);
         if side(toward) != side(view) {
             toward = reflect(-view, at.normal);
         }
-        tell(Delta {
+        visit(Delta {
             toward,
             share: self.share,
             medium: Medium::AIR,

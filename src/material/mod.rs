@@ -36,7 +36,7 @@ use glass::Medium;
 ///   (BRDF), in 1/sr (Nicodemus et al. 1977): `eval`, `sample` and `pdf`. f does not contain the cosine of the light's direction:
 ///   the integrator multiplies by it. A physical BRDF is reciprocal, f(ω_i, ω_o) = f(ω_o, ω_i), and conserves energy:
 ///   ∫ f cos θ dω ≤ 1.
-/// * Light that goes to one direction only, in a mirror or through smooth glass (a delta lobe): `deltas`. f is infinite in this
+/// * Light that goes to one direction only, in a mirror or through smooth glass (a delta lobe): `delta_lobes`. f is infinite in this
 ///   direction and 0 elsewhere, so these lobes are followed, never evaluated.
 pub trait Material: Send + Sync {
     /// f, in 1/sr; 0 where light and viewer are on different sides of the surface.
@@ -77,8 +77,8 @@ pub trait Material: Send + Sync {
         Rgb::BLACK
     }
 
-    /// Calls `tell` with every delta lobe.
-    fn deltas(&self, _at: &Surface, _view: Dir3, _tell: &mut dyn FnMut(Delta)) {}
+    /// Calls `visit` with every delta lobe.
+    fn delta_lobes(&self, _at: &Surface, _view: Dir3, _visit: &mut dyn FnMut(Delta)) {}
 
     /// Whether f is above 0 anywhere; `false` for a mirror, which has only a delta lobe.
     fn scatters(&self, _at: &Surface) -> bool {
@@ -125,7 +125,7 @@ const LOBES: usize = 4;
 /// ray has the share 1: a chain of rays does not grow into a tree, however long it is.
 pub fn beyond(material: &dyn Material, at: &Surface, view: Dir3, see: &mut See) -> Rgb {
     let (mut lobes, mut count) = ([None; LOBES], 0);
-    material.deltas(at, view, &mut |lobe| {
+    material.delta_lobes(at, view, &mut |lobe| {
         if let Some(place) = lobes.get_mut(count) {
             *place = Some(lobe);
         }

@@ -87,8 +87,8 @@ impl Material for Plastic {
         self.albedo
     }
 
-    fn deltas(&self, at: &Surface, view: Dir3, tell: &mut dyn FnMut(Delta)) {
+    fn delta_lobes(&self, at: &Surface, view: Dir3, visit: &mut dyn FnMut(Delta)) {
         let share = Rgb::gray(self.mirrored(at.facing(view).dot(*view)));
-        Mirror { share }.deltas(at, view, tell);
+        Mirror { share }.delta_lobes(at, view, visit);
     }
 }

@@ -44,11 +44,11 @@ impl<M: Material> Material for Polished<M> {
         self.through() * self.below.ambient(at)
     }
 
-    fn deltas(&self, at: &Surface, view: Dir3, tell: &mut dyn FnMut(Delta)) {
-        self.mirror.deltas(at, view, tell);
-        self.below.deltas(at, view, &mut |lobe| {
+    fn delta_lobes(&self, at: &Surface, view: Dir3, visit: &mut dyn FnMut(Delta)) {
+        self.mirror.delta_lobes(at, view, visit);
+        self.below.delta_lobes(at, view, &mut |lobe| {
             let share = self.through() * lobe.share;
-            tell(Delta { share, ..lobe });
+            visit(Delta { share, ..lobe });
         });
     }
 

@@ -43,8 +43,8 @@ impl<T: Texture> Material for T {
         self.at(at).ambient(at)
     }
 
-    fn deltas(&self, at: &Surface, view: Dir3, tell: &mut dyn FnMut(Delta)) {
-        self.at(at).deltas(at, view, tell);
+    fn delta_lobes(&self, at: &Surface, view: Dir3, visit: &mut dyn FnMut(Delta)) {
+        self.at(at).delta_lobes(at, view, visit);
     }
 
     fn scatters(&self, at: &Surface) -> bool {

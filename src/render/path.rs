@@ -170,7 +170,7 @@ struct Next {
 struct Lobes {
     scatters: bool,
     /// The sum of the delta lobes' shares.
-    deltas: f32,
+    delta_share: f32,
     /// The share that is left for f: an upper bound if the material conserves energy.
     rest: f32,
 }
@@ -180,34 +180,34 @@ impl Lobes {
     const LEAST: f32 = 0.1;
 
     fn of(seen: &Seen, view: Dir3) -> Self {
-        let (mut deltas, scatters) = (0.0, seen.material.scatters(&seen.surface));
-        let mut add = |lobe: Delta| deltas += lobe.share.max_channel();
-        seen.material.deltas(&seen.surface, view, &mut add);
+        let (mut delta_share, scatters) = (0.0, seen.material.scatters(&seen.surface));
+        let mut add = |lobe: Delta| delta_share += lobe.share.max_channel();
+        seen.material.delta_lobes(&seen.surface, view, &mut add);
         let rest = if scatters {
-            (1.0 - deltas).max(Self::LEAST)
+            (1.0 - delta_share).max(Self::LEAST)
         } else {
             0.0
         };
         Self {
             scatters,
-            deltas,
+            delta_share,
             rest,
         }
     }
 
     /// The probability with which the path is continued by f.
     fn to_scatter(&self) -> f32 {
-        self.rest / (self.deltas + self.rest)
+        self.rest / (self.delta_share + self.rest)
     }
 
     /// A direction of one of the lobes; `None` ends the path.
     fn sample(&self, seen: &Seen, view: Dir3, rng: &mut dyn Rng) -> Option<Next> {
-        if self.deltas == 0.0 {
+        if self.delta_share == 0.0 {
             return self.scatter(seen, view, rng);
         }
-        let all = self.deltas + self.rest;
+        let all = self.delta_share + self.rest;
         let (mut left, mut next) = (rng.random::<f32>() * all, None);
-        seen.material.deltas(&seen.surface, view, &mut |lobe| {
+        seen.material.delta_lobes(&seen.surface, view, &mut |lobe| {
             let share = lobe.share.max_channel();
             if next.is_none() && left < share {
                 next = Some(Next {

@@ -2,7 +2,7 @@
 
 mod brdf;
 mod cornell;
-mod deltas;
+mod delta_lobes;
 mod furnace;
 mod hemisphere;
 mod integrators;

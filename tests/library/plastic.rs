@@ -44,7 +44,7 @@ fn it_is_reciprocal_and_black_plastic_only_mirrors() {
     assert_eq!(red.eval(&flat(), a, below), Rgb::BLACK);
     // Straight down a coat of n = 1.5 mirrors ((n − 1)/(n + 1))² = 4 %.
     let mut share = Rgb::BLACK;
-    red.deltas(&flat(), Dir3::Y, &mut |lobe| share = lobe.share);
+    red.delta_lobes(&flat(), Dir3::Y, &mut |lobe| share = lobe.share);
     assert!((share.g - 0.04).abs() < 1e-5, "{share:?}");
 }
 

@@ -139,7 +139,7 @@ fn ground(material: Lambert) -> Thing {
 struct BookGlass(f32);
 
 impl Material for BookGlass {
-    fn deltas(&self, at: &Surface, view: Dir3, tell: &mut dyn FnMut(Delta)) {
+    fn delta_lobes(&self, at: &Surface, view: Dir3, visit: &mut dyn FnMut(Delta)) {
         let normal = at.facing(view);
         let ratio = if at.normal.dot(*view) < 0.0 {
             self.0
@@ -151,7 +151,7 @@ impl Material for BookGlass {
         let refracted = refract(-view, normal, ratio, 1.0);
         let share = refracted.map_or(1.0, |_| r0 + (1.0 - r0) * (1.0 - cosine).powi(5));
         let mut lobe = |toward: Dir3, share: f32| {
-            tell(Delta {
+            visit(Delta {
                 toward,
                 share: Rgb::gray(share),
                 medium: Medium::AIR,

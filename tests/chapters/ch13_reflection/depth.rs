@@ -30,9 +30,9 @@ impl Material for Dusty {
         Rgb::gray(0.1)
     }
 
-    fn deltas(&self, at: &Surface, view: Dir3, tell: &mut dyn FnMut(Delta)) {
+    fn delta_lobes(&self, at: &Surface, view: Dir3, visit: &mut dyn FnMut(Delta)) {
         let share = Rgb::gray(SHARE);
-        Mirror { share }.deltas(at, view, tell);
+        Mirror { share }.delta_lobes(at, view, visit);
     }
 }
 

@@ -24,11 +24,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         strategy: Strategy::Surface,
     };
     for frame in 0..FRAMES {
-        let turned = Placed {
+        let turned = Instance {
             shape: pot.clone(),
             scale: 1.0,
-            turn: Mat3::from_rotation_y(TAU * frame as f32 / FRAMES as f32),
-            to: Vec3::ZERO,
+            rotation: Mat3::from_rotation_y(TAU * frame as f32 / FRAMES as f32),
+            translation: Vec3::ZERO,
         };
         let clay = Lambert {
             albedo: Rgb::new(0.7, 0.4, 0.25),

@@ -51,7 +51,7 @@
 //! | what a shape must answer; leaving a surface without hitting it again | `shape/mod.rs` |
 //! | sphere, plane, box | `shape/sphere.rs` `shape/plane.rs` `shape/cuboid.rs` |
 //! | triangle: Möller–Trumbore, plane first, determinants, watertight | `shape/triangle.rs` `shape/triangle_by_plane.rs` `shape/triangle_by_determinants.rs` `shape/triangle_watertight.rs` |
-//! | instances: a shape at another place | `shape/placed.rs` |
+//! | instances: a shape at another place | `shape/instance.rs` |
 //! | meshes, their normals and texture coordinates, the shadow terminator; OBJ, STL and PLY files | `shape/mesh.rs` `shape/attributes.rs` `shape/mesh_file.rs` |
 //! | flat and smooth meshes; normal maps | `shape/mesh_looks.rs` `shape/normal_map.rs` |
 //! | Bézier patches and the teapot | `shape/bezier.rs` `shape/teapot.rs` |

@@ -20,6 +20,6 @@ pub use crate::render::clamped::Clamped;
 pub use crate::render::sampler::{Integrator, Sampler};
 pub use crate::render::{film::Film, mis::Strategy, path::Path, whitted::Whitted};
 pub use crate::scene::world::{Scene, Thing};
-pub use crate::shape::{Hit, Shape, Surface, cuboid::Cuboid, mesh::Mesh, placed::Placed};
+pub use crate::shape::{Hit, Shape, Surface, cuboid::Cuboid, instance::Instance, mesh::Mesh};
 pub use crate::shape::{plane::Plane, sphere::Sphere, triangle::Triangle};
 pub use glam::{Vec2, Vec3, vec2, vec3};

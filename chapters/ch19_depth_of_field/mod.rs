@@ -1,7 +1,7 @@
 //! A lens gathers light with all of its opening, and unites the light again for one distance only. A point that is nearer or
 //! farther becomes a blurred disc; a formula tells its size.
 //!
-//! New: shape/placed.rs sample/disk.rs sample/polygon.rs camera/aperture.rs camera/lens.rs camera/thin_lens.rs
+//! New: shape/instance.rs sample/disk.rs sample/polygon.rs camera/aperture.rs camera/lens.rs camera/thin_lens.rs
 //! New: render/through_lens.rs render/glints.rs
 
 mod blur_plot;

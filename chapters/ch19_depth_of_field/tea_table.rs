@@ -14,7 +14,7 @@ use raybook::math::ray::Ray;
 use raybook::scene::noise::{hash, rise};
 use raybook::scene::world::{Scene, Thing};
 use raybook::shape::cuboid::Cuboid;
-use raybook::shape::placed::Placed;
+use raybook::shape::instance::Instance;
 use raybook::shape::{Shape, Surface, teapot};
 use std::f32::consts::PI;
 use std::sync::Arc;
@@ -67,11 +67,11 @@ pub fn tea_table() -> Scene {
     let mut things = vec![Thing::new(cloth, Gingham)];
     let pot: Arc<dyn Shape> = Arc::new(Meshed::new(teapot::mesh(10), WideBvh::new));
     for (i, (foot, glaze)) in POTS.into_iter().zip(GLAZES).enumerate() {
-        let shape = Placed {
+        let shape = Instance {
             shape: pot.clone(),
             scale: HEIGHT / 3.15,
-            turn: Mat3::from_rotation_y(-0.35 - 0.5 * i as f32),
-            to: foot,
+            rotation: Mat3::from_rotation_y(-0.35 - 0.5 * i as f32),
+            translation: foot,
         };
         things.push(Thing::new(shape, glazed(glaze)));
     }

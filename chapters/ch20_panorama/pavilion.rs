@@ -11,7 +11,7 @@ use raybook::material::phong::Phong;
 use raybook::math::dir3::Dir3;
 use raybook::scene::world::{Scene, Thing};
 use raybook::shape::cuboid::Cuboid;
-use raybook::shape::placed::Placed;
+use raybook::shape::instance::Instance;
 use raybook::shape::plane::Plane;
 use raybook::shape::sphere::Sphere;
 use raybook::shape::{Shape, teapot};
@@ -142,14 +142,14 @@ fn on_show(things: &mut Vec<Thing>) {
 }
 
 /// The teapot, 0.95 m long from handle to spout, with the spout to the viewer's right.
-fn pot(to: Vec3) -> Placed {
+fn pot(translation: Vec3) -> Instance {
     let mesh = teapot::mesh(8);
     let scale = 0.95 / mesh.bounds().size().x;
-    Placed {
+    Instance {
         shape: Arc::new(Meshed::new(mesh, WideBvh::new)),
         scale,
-        turn: Mat3::from_rotation_y(-FRAC_PI_2),
-        to,
+        rotation: Mat3::from_rotation_y(-FRAC_PI_2),
+        translation,
     }
 }
 

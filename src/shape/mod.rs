@@ -9,7 +9,7 @@ pub mod mesh_file;
 pub mod mesh_looks;
 pub mod normal_map;
 pub mod obj;
-pub mod placed;
+pub mod instance;
 pub mod plane;
 pub mod ply;
 pub mod sphere;

@@ -13,7 +13,7 @@ use raybook::scene::{model, world::Thing};
 use raybook::shape::cuboid::Cuboid;
 use raybook::shape::mesh::Mesh;
 use raybook::shape::normal_map::NormalMap;
-use raybook::shape::{Shape, mesh_file, placed::Placed, plane::Plane, sphere::Sphere, teapot};
+use raybook::shape::{Shape, instance::Instance, mesh_file, plane::Plane, sphere::Sphere, teapot};
 use std::sync::Arc;
 
 pub(crate) fn things(all: Vec<Fields>, materials: &Materials) -> Result<Vec<Thing>, SceneError> {
@@ -130,11 +130,11 @@ impl Placing {
             return shape;
         }
         let Vec3 { x, y, z } = self.turn * (std::f32::consts::PI / 180.0);
-        Arc::new(Placed {
+        Arc::new(Instance {
             shape,
             scale: self.scale,
-            turn: Mat3::from_euler(EulerRot::ZYX, z, y, x),
-            to: self.to,
+            rotation: Mat3::from_euler(EulerRot::ZYX, z, y, x),
+            translation: self.to,
         })
     }
 }

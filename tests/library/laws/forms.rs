@@ -6,7 +6,7 @@ use proptest::test_runner::RngSeed;
 use raybook::accel::{Meshed, list::List};
 use raybook::math::{dir3::Dir3, ray::Ray};
 use raybook::shape::mesh::{Facet, Mesh};
-use raybook::shape::placed::Placed;
+use raybook::shape::instance::Instance;
 use raybook::shape::{Shape, cuboid::Cuboid, plane::Plane, sphere::Sphere, triangle::Triangle};
 use std::sync::Arc;
 
@@ -34,7 +34,7 @@ pub(crate) enum Form {
     /// The corners of a tetrahedron: a mesh of four triangles in a list.
     Mesh([Vec3; 4]),
     /// The corners of a tetrahedron that was made elsewhere, smaller and turned, and is placed here.
-    Placed([Vec3; 4]),
+    Instance([Vec3; 4]),
 }
 
 /// p ↦ turn·(scale·p) + shift.
@@ -63,18 +63,18 @@ impl Form {
             Self::Cuboid(a, b) => Box::new(Cuboid::between(a, b)),
             Self::Triangle([p0, p1, p2]) => Box::new(Triangle::new(p0, p1, p2)),
             Self::Mesh(corners) => Box::new(tetrahedron(corners)),
-            Self::Placed(corners) => {
+            Self::Instance(corners) => {
                 let (scale, turn) = (
                     2.5,
                     DMat3::from_rotation_x(1.1) * DMat3::from_rotation_y(0.7),
                 );
                 let to = corners[0].as_dvec3();
                 let made = |p: Vec3| (turn.transpose() * (p.as_dvec3() - to) / scale).as_vec3();
-                Box::new(Placed {
+                Box::new(Instance {
                     shape: Arc::new(tetrahedron(corners.map(made))),
                     scale: scale as f32,
-                    turn: turn.as_mat3(),
-                    to: corners[0],
+                    rotation: turn.as_mat3(),
+                    translation: corners[0],
                 })
             }
         }
@@ -89,7 +89,7 @@ impl Form {
             Self::Cuboid(a, b) => Self::Cuboid(point(a), point(b)),
             Self::Triangle(corners) => Self::Triangle(corners.map(point)),
             Self::Mesh(corners) => Self::Mesh(corners.map(point)),
-            Self::Placed(corners) => Self::Placed(corners.map(point)),
+            Self::Instance(corners) => Self::Instance(corners.map(point)),
         }
     }
 
@@ -103,7 +103,7 @@ impl Form {
                 let b = 1.0 / 3.0 + 0.16 * (u - u.element_sum() / 3.0);
                 b.x * p0 + b.y * p1 + b.z * p2
             }
-            Self::Mesh([p0, p1, p2, p3]) | Self::Placed([p0, p1, p2, p3]) => {
+            Self::Mesh([p0, p1, p2, p3]) | Self::Instance([p0, p1, p2, p3]) => {
                 let b = 0.25 + 0.08 * u;
                 b.x * p0 + b.y * p1 + b.z * p2 + (1.0 - b.element_sum()) * p3
             }
@@ -141,7 +141,7 @@ impl Form {
                 }
             }
             Self::Triangle([p0, p1, p2]) => to_triangle(p, &Triangle::new(p0, p1, p2)),
-            Self::Mesh([p0, p1, p2, p3]) | Self::Placed([p0, p1, p2, p3]) => {
+            Self::Mesh([p0, p1, p2, p3]) | Self::Instance([p0, p1, p2, p3]) => {
                 [[p0, p1, p2], [p0, p2, p3], [p0, p3, p1], [p1, p3, p2]]
                     .map(|[a, b, c]| to_triangle(p, &Triangle::new(a, b, c)))
                     .into_iter()
@@ -200,7 +200,7 @@ pub(crate) fn form() -> impl Strategy<Value = Form> {
             2 if (b - a).abs().min_element() > 0.05 => Form::Cuboid(center + a, center + b),
             3 if twice_area.length() > 0.05 => Form::Triangle([a, b, c].map(|p| center + p)),
             4 if six_volumes > 0.05 => Form::Mesh([a, b, c, d].map(|p| center + p)),
-            5 if six_volumes > 0.05 => Form::Placed([a, b, c, d].map(|p| center + p)),
+            5 if six_volumes > 0.05 => Form::Instance([a, b, c, d].map(|p| center + p)),
             _ => return None,
         })
     })

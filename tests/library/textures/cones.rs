@@ -97,11 +97,11 @@ fn more_samples_are_narrower_and_a_leaning_or_larger_wall_is_what_it_is() {
         );
         near(got, alone * share, &format!("{samples} samples"));
     }
-    let placed = |scale: f32, degrees: f32| Placed {
+    let placed = |scale: f32, degrees: f32| Instance {
         shape: Arc::new(wall(1.0)),
         scale,
-        turn: Mat3::from_rotation_x(degrees.to_radians()),
-        to: Vec3::ZERO,
+        rotation: Mat3::from_rotation_x(degrees.to_radians()),
+        translation: Vec3::ZERO,
     };
     let twice = Thing::new(placed(2.0, 0.0), Width);
     near(
@@ -120,11 +120,11 @@ fn more_samples_are_narrower_and_a_leaning_or_larger_wall_is_what_it_is() {
 #[test]
 fn in_a_mirror_the_way_goes_on() {
     // The eye is at 1, the mirror at 0, and the wall behind the eye at 5: six metres of way.
-    let turned = Placed {
+    let turned = Instance {
         shape: Arc::new(wall(2.0)),
         scale: 1.0,
-        turn: Mat3::from_rotation_y(std::f32::consts::PI),
-        to: vec3(0.0, 0.0, 5.0),
+        rotation: Mat3::from_rotation_y(std::f32::consts::PI),
+        translation: vec3(0.0, 0.0, 5.0),
     };
     let thing = Thing::new(turned, Width);
     let mirror = Thing::new(wall(1.0), Mirror { share: Rgb::WHITE });

@@ -6,42 +6,42 @@ use glam::{Mat3, Vec3};
 use std::fmt;
 use std::sync::Arc;
 
-/// An instance of a shape: the point p of the shape is at `to` + `scale` · `turn` · p.
+/// An instance of a shape: the point p of the shape is at `translation` + `scale` · `rotation` · p.
 ///
 /// Many instances may share one shape: 350 pots are one shape and 350 places.
 #[derive(Clone)]
-pub struct Placed {
+pub struct Instance {
     /// The original shape.
     pub shape: Arc<dyn Shape>,
     /// The scale factor, above 0.
     pub scale: f32,
     /// The rotation: an orthogonal matrix with determinant 1.
-    pub turn: Mat3,
+    pub rotation: Mat3,
     /// The new place of the shape's origin, in metres.
-    pub to: Vec3,
+    pub translation: Vec3,
 }
 
-impl fmt::Debug for Placed {
+impl fmt::Debug for Instance {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        f.debug_struct("Placed")
+        f.debug_struct("Instance")
             .field("scale", &self.scale)
-            .field("turn", &self.turn)
-            .field("to", &self.to)
+            .field("rotation", &self.rotation)
+            .field("translation", &self.translation)
             .finish_non_exhaustive()
     }
 }
 
-impl Placed {
-    // ANCHOR: placed
+impl Instance {
+    // ANCHOR: instance
     /// The ray in the coordinates of the original shape. Distances along it are 1/`scale` times as long.
     fn back(&self, ray: &Ray) -> Ray {
-        let turned = self.turn.transpose();
+        let turned = self.rotation.transpose();
         Ray::new(
-            turned * (ray.origin - self.to) / self.scale,
+            turned * (ray.origin - self.translation) / self.scale,
             Dir3::new_or(turned * *ray.direction, ray.direction),
         )
     }
-    // ANCHOR_END: placed
+    // ANCHOR_END: instance
 
     /// An interval of the ray in the coordinates of the original shape, widened by two ulps at each end, because the conversions
     /// there and back are rounded. A `min` of 0 or more does not become negative: structures are fastest for intervals from 0 on.
@@ -54,11 +54,11 @@ impl Placed {
 
     /// A direction of the original shape, rotated.
     fn turned(&self, direction: Dir3) -> Dir3 {
-        Dir3::new_or(self.turn * *direction, direction)
+        Dir3::new_or(self.rotation * *direction, direction)
     }
 }
 
-impl Shape for Placed {
+impl Shape for Instance {
     /// The box around the eight corners of the original shape's box, plus a bound on rounding.
     fn bounds(&self) -> Aabb {
         let Aabb { min, max } = self.shape.bounds();
@@ -76,11 +76,11 @@ impl Shape for Placed {
                     max[axis]
                 }
             };
-            self.to + self.scale * (self.turn * Vec3::new(of(0), of(1), of(2)))
+            self.translation + self.scale * (self.rotation * Vec3::new(of(0), of(1), of(2)))
         };
         let Aabb { min, max } = Aabb::of((0..8).map(corner));
         // A corner is rounded three times, and points in the box are rounded differently.
-        let pad = Vec3::splat(ROUNDING * min.abs().max(max.abs()).max(self.to.abs()).max_element());
+        let pad = Vec3::splat(ROUNDING * min.abs().max(max.abs()).max(self.translation.abs()).max_element());
         Aabb {
             min: min - pad,
             max: max + pad,
@@ -110,15 +110,15 @@ impl Shape for Placed {
             ..*hit
         };
         let surface = self.shape.surface(&self.back(ray), &local);
-        let position = self.to + self.scale * (self.turn * surface.position);
-        let largest = position.abs().max(self.to.abs()).max(ray.origin.abs());
+        let position = self.translation + self.scale * (self.rotation * surface.position);
+        let largest = position.abs().max(self.translation.abs()).max(ray.origin.abs());
         Surface {
             position,
             error: 2.0 * self.scale * surface.error + ROUNDING * largest.max_element(),
             normal: self.turned(surface.normal),
             shading_normal: self.turned(surface.shading_normal),
             texture_per_metre: surface.texture_per_metre / self.scale,
-            lift: self.scale * (self.turn * surface.lift),
+            lift: self.scale * (self.rotation * surface.lift),
             ..surface
         }
     }

@@ -5,9 +5,9 @@
 //! New: light/environment/angular.rs light/environment/convert.rs scene/still_life.rs
 
 mod environments;
-pub mod everywhere;
 mod metals;
 pub mod skies;
+pub mod uniform_environment;
 
 use crate::kit::chapter;
 use crate::kit::sheet::sheet;
@@ -15,7 +15,6 @@ use crate::kit::stage::{Drawn, Stage};
 use crate::kit::untrusted::Untrusted;
 use clap::Args;
 use environments::{DIRECTIONS, Layouts, layouts, quarters};
-use everywhere::Everywhere;
 use glam::Vec3;
 use raybook::camera::pinhole::{LookAtError, Pinhole};
 use raybook::image::{Image, file, tone};
@@ -28,6 +27,7 @@ use raybook::render::sampler::Sampler;
 use raybook::scene::still_life::{AT, EYE, still_life};
 use std::path::PathBuf;
 use std::process::ExitCode;
+use uniform_environment::UniformEnvironment;
 
 /// What the pictures depend on.
 #[derive(Args, Clone, Debug)]
@@ -99,7 +99,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
 
     let samples = tile.samples.div_ceil(2);
     let few = Film { samples, ..tile };
-    let uniform = Box::new(Everywhere(Environment::new(day.clone())));
+    let uniform = Box::new(UniformEnvironment(Environment::new(day.clone())));
     let by_light = Box::new(Environment::new(day.clone()));
     let tiles = [
         ("uniform directions", picture(&few, uniform)?),

@@ -11,8 +11,8 @@ use raybook::scene::{marbles, world::Scene};
 use raybook_chapters::ch13_reflection::kissing_balls;
 use raybook_chapters::ch14_refraction::glassware::{self, Stuff};
 use raybook_chapters::ch16_soft_shadows::posts;
-use raybook_chapters::ch18_environment::everywhere::Everywhere;
 use raybook_chapters::ch18_environment::skies;
+use raybook_chapters::ch18_environment::uniform_environment::UniformEnvironment;
 use raybook_common::counting::{Counting, allocations};
 use raybook_common::rays::{random_direction, ray};
 use std::hint::black_box;
@@ -117,7 +117,7 @@ fn integrators() -> Vec<(&'static str, Vec3, Integrator)> {
             "paths under a sky that is asked everywhere",
             still_life::EYE,
             path(
-                still_life::still_life(Box::new(Everywhere(sky()))),
+                still_life::still_life(Box::new(UniformEnvironment(sky()))),
                 Strategy::Light,
             ),
         ),

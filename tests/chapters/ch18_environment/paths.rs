@@ -15,8 +15,8 @@ use raybook::render::{
 use raybook::scene::still_life::{AT, EYE, still_life};
 use raybook::scene::world::{Scene, Thing};
 use raybook::shape::sphere::Sphere;
-use raybook_chapters::ch18_environment::everywhere::Everywhere;
 use raybook_chapters::ch18_environment::skies;
+use raybook_chapters::ch18_environment::uniform_environment::UniformEnvironment;
 use raybook_common::statistics::Mean;
 
 const STRATEGIES: [Strategy; 3] = [Strategy::Surface, Strategy::Light, Strategy::Both];
@@ -74,7 +74,7 @@ fn directions_by_their_light_and_uniform_ones_bring_the_same_light() {
     };
     let by_light = seen(&balls(0.6, sky()), path(Strategy::Both), 4000);
     for strategy in STRATEGIES {
-        let uniform = seen(&balls(0.6, Everywhere(sky())), path(strategy), 4000);
+        let uniform = seen(&balls(0.6, UniformEnvironment(sky())), path(strategy), 4000);
         by_light.assert_same(&uniform, &format!("{strategy:?}, everywhere"));
         let other = seen(&balls(0.6, sky()), path(strategy), 4000);
         by_light.assert_same(&other, &format!("{strategy:?}, by the light"));
@@ -97,7 +97,7 @@ fn a_strong_sun_pays_for_being_asked() {
         Mean::sampled(192, 300, |rng| path.radiance(&scene, &ray, rng).g).error
     };
     let by_light = direct(Box::new(sky()), Strategy::Both);
-    let uniform = direct(Box::new(Everywhere(sky())), Strategy::Both);
+    let uniform = direct(Box::new(UniformEnvironment(sky())), Strategy::Both);
     assert!(
         uniform > 4.0 * by_light,
         "in the sun: an error of {by_light} by the light, of {uniform} everywhere"

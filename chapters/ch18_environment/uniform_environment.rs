@@ -8,14 +8,14 @@ use raybook::math::dir3::Dir3;
 use raybook::math::ray::Ray;
 use std::f32::consts::PI;
 
-/// An environment whose directions are chosen without looking: each is as likely as any other.
+/// An environment whose directions are chosen uniformly: each is as likely as any other.
 #[derive(Debug)]
-pub struct Everywhere(pub Environment);
+pub struct UniformEnvironment(pub Environment);
 
 /// One over the solid angle of all directions, per steradian.
 const PDF: f32 = 0.25 / PI;
 
-impl Light for Everywhere {
+impl Light for UniformEnvironment {
     fn sample(&self, _at: Vec3, u: Vec2) -> Option<LightSample> {
         let (cosine, (sin, cos)) = (1.0 - 2.0 * u.y, (2.0 * PI * u.x).sin_cos());
         let sine = (1.0 - cosine * cosine).sqrt();

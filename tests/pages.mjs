@@ -1,8 +1,9 @@
 // Looks at pages in Chromium. Called by `tests/pages`: Chromium's file, the address of a watch, the file that is wrong in it, that file without the
 // mistake, a folder for pictures (or nothing), and more addresses or files.
 import puppeteer from "puppeteer-core";
-import { copyFileSync, mkdirSync, readFileSync } from "node:fs";
+import { copyFileSync, mkdirSync, readdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
+import { dirname, join } from "node:path";
 import { pathToFileURL } from "node:url";
 
 const [chromium, watch, wrong, right, shots, ...others] = process.argv.slice(2);
@@ -85,18 +86,24 @@ await page.waitForFunction(() => document.body.textContent.includes("sphere_hit:
 check(await page.evaluate(() => window.same), "the page is renewed without being loaded again");
 check(await page.$eval("#sphere_hit-0-slider", one => one.checked), "what was chosen stays");
 
-// Pages of the book as slides, by the keyboard alone: every part of the page is on one screen, and no screen is wider than the window.
-for (const other of others.filter(other => /\/book\/book\/ch/.test(other))) {
-  const { page, fault } = await open(`${pathToFileURL(other).href}?slides`, 1280, "light");
+// All lessons of the book as slides, by the keyboard alone: every part of a page is on one screen, and no screen is larger than the window.
+const book = others.filter(other => /\/book\/book\//.test(other)).map(dirname)[0];
+const lessons = book ? readdirSync(book).filter(name => /^ch\d/.test(name)).map(name => join(book, name)) : [];
+for (const lesson of lessons) {
+  const { page, fault } = await open(`${pathToFileURL(lesson).href}?slides`, 1280, "light");
+  await page.setViewport({ width: 1280, height: 720 });
   await page.waitForSelector(".slides");
   const screens = Number((await page.$eval(".slide-number", one => one.value)).split(" / ")[1]);
   await page.evaluate(() => { window.shown = new Map(); });
   for (let screen = 1; screen <= screens; screen++) {
+    await page.waitForFunction(() => [...document.querySelectorAll("main .on img")].every(image => image.complete || !image.checkVisibility()));
     const wrong = await page.evaluate(screen => {
       for (const part of document.querySelectorAll("main .on")) window.shown.set(part, [...window.shown.get(part) ?? [], screen]);
-      return document.querySelector(".slide-number").value.startsWith(`${screen} / `) ? document.documentElement.scrollWidth - innerWidth : "another number";
+      const { scrollWidth, scrollHeight } = document.documentElement, over = [scrollWidth - innerWidth, scrollHeight - innerHeight];
+      if (!document.querySelector(".slide-number").value.startsWith(`${screen} / `)) return "another number";
+      return over.some(pixels => pixels > 0) && `${over[0]} pixels too wide, ${over[1]} too high`;
     }, screen);
-    if (wrong) fault(`slide ${screen}: ${wrong} too wide`);
+    if (wrong) fault(`slide ${screen}: ${wrong}`);
     if (screen < screens) await page.keyboard.press("ArrowRight");
   }
   const lost = await page.evaluate(() => [...document.querySelectorAll("main > :not(.gallery), .gallery > *")]
@@ -106,6 +113,15 @@ for (const other of others.filter(other => /\/book\/book\/ch/.test(other))) {
   if (!(await page.$eval(".slide-number", one => one.value)).startsWith("1 / ")) fault("Home does not lead to the first slide");
   await page.keyboard.press("Escape");
   if (await page.$eval("html", one => one.classList.contains("slides"))) fault("Escape does not lead back to the page");
+  await page.close();
+}
+// Who searches the book for a word of the field is led to a lesson first.
+for (const word of book ? ["AABB", "aliasing", "radiance", "bounding box"] : []) {
+  const { page, fault } = await open(`${pathToFileURL(join(book, "introduction.html")).href}?search=${encodeURIComponent(word)}`, 1280, "light");
+  const first = "#mdbook-searchresults li a";
+  await page.waitForSelector(first, { timeout: 60_000 });
+  const found = await page.$eval(first, one => one.getAttribute("href"));
+  if (!/^(ch\d|radiometry|monte_carlo|glossary)/.test(found)) fault(`a search for "${word}" leads to ${found} first`);
   await page.close();
 }
 await browser.close();

@@ -39,11 +39,21 @@
     return cuts;
   }
 
-  // The screen is made as small as its contents need, down to half; what is still longer is scrolled.
+  // The screen is made as small as its contents need, down to two fifths; what is still longer, such as a long listing that was unfolded, is
+  // scrolled. Lines break elsewhere on a smaller screen, so the size is found by halving.
   function fit() {
-    main.style.zoom = 1;
-    const needed = main.getBoundingClientRect().height;
-    if (needed > innerHeight) main.style.zoom = Math.max(0.5, innerHeight / needed);
+    const fits = zoom => {
+      main.style.zoom = zoom;
+      return root.scrollHeight <= innerHeight;
+    };
+    let small = 0.4, large = 1;
+    if (fits(large)) return;
+    while (large - small > 0.005) {
+      const middle = (small + large) / 2;
+      if (fits(middle)) small = middle;
+      else large = middle;
+    }
+    fits(small);
   }
 
   function show(number) {

@@ -30,6 +30,37 @@ fn no_listing_is_typed_by_hand() {
     }
 }
 
+#[test]
+fn vectors_are_written_as_the_notation_page_says() {
+    // A letter of macros.txt is written by its name, in every page but the table of the letters.
+    let macros = fs::read_to_string(project("book/macros.txt")).expect("the macros are there");
+    let named = macros.lines().filter_map(|line| line.split_once(':'));
+    let named: Vec<_> = named.filter(|(name, _)| name.starts_with('\\')).collect();
+    assert!(named.len() > 2, "the macros were read: {named:?}");
+    for (page, text) in pages() {
+        for (mark, instead) in [
+            ("\\hat", "\\mathbf"),
+            ("\\vec", "\\mathbf"),
+            ("\u{302}", "font-weight=\"bold\""),
+        ] {
+            assert!(
+                !text.contains(mark),
+                "book/src/{page} has a vector with {mark}; all vectors are bold: {instead}"
+            );
+        }
+        for (name, letter) in &named {
+            let letter = letter.trim_matches(['{', '}']);
+            let is_vector = letter.starts_with("\\mathbf");
+            let ends = |at: usize| !text[at + letter.len()..].starts_with(char::is_alphabetic);
+            let typed = text.match_indices(letter).any(|(at, _)| ends(at));
+            assert!(
+                !(is_vector && typed),
+                "book/src/{page} has {letter}, which is called {name}"
+            );
+        }
+    }
+}
+
 /// The text of a page.
 fn page(name: &str) -> String {
     let path = project("book/src").join(name);

@@ -10,15 +10,15 @@ use glam::vec2;
 use rand::{Rng, RngExt};
 
 /// Whether a sample of a light arrives at a surface.
-pub type Arrives = fn(&Scene, &Surface, &LightSample) -> bool;
+pub type Visibility = fn(&Scene, &Surface, &LightSample) -> bool;
 
 /// All light arrives: a world without shadows, in which no shadow rays are followed.
-pub const ALWAYS: Option<Arrives> = None;
+pub const ALWAYS: Option<Visibility> = None;
 
 /// Local illumination: how the light of the light sources is gathered. `A` is a function or a closure that tells whether light
 /// arrives.
 #[derive(Clone, Copy, Debug)]
-pub struct Local<A = Arrives> {
+pub struct Local<A = Visibility> {
     /// Number of samples per light; at least 1.
     pub samples: u32,
     /// Returns whether a sample arrives, by following a shadow ray; [`ALWAYS`] for a world without shadows.

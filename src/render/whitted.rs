@@ -4,7 +4,7 @@ use crate::image::rgb::Rgb;
 use crate::light::LightSample;
 use crate::material::{See, Sight, beyond};
 use crate::math::ray::Ray;
-use crate::render::local::{Arrives, Local};
+use crate::render::local::{Local, Visibility};
 use crate::render::{cone::Cone, followed::Followed, sampler::Integrator};
 use crate::scene::world::Scene;
 use crate::shape::Surface;
@@ -12,7 +12,7 @@ use rand::Rng;
 
 /// Recursive ray tracing (Whitted, "An improved illumination model for shaded display", 1980).
 #[derive(Clone, Copy, Debug)]
-pub struct Whitted<A = Arrives> {
+pub struct Whitted<A = Visibility> {
     /// The local illumination at each surface.
     pub local: Local<A>,
     /// Maximum number of surfaces in a row; what a mirror or glass would show after the last one is black.

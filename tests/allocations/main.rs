@@ -4,7 +4,7 @@ use glam::{Vec3, vec3};
 use raybook::image::rgb::Rgb;
 use raybook::light::environment::Environment;
 use raybook::math::{pcg, pcg::Pcg, ray::Ray};
-use raybook::render::local::{ALWAYS, Arrives, Local};
+use raybook::render::local::{ALWAYS, Local, Visibility};
 use raybook::render::{mis::Strategy, path::Path, shadow, whitted::Whitted};
 use raybook::scene::{cornell, plates, still_life};
 use raybook::scene::{marbles, world::Scene};
@@ -34,7 +34,7 @@ const RAYS: u32 = 3000;
 type Integrator = Box<dyn Fn(&Ray, &mut Pcg) -> Rgb>;
 
 /// Whitted's ray tracing of a scene, with a number of samples of each light.
-fn whitted(scene: Scene, depth: u32, (samples, arrives): (u32, Option<Arrives>)) -> Integrator {
+fn whitted(scene: Scene, depth: u32, (samples, arrives): (u32, Option<Visibility>)) -> Integrator {
     let local = Local { samples, arrives };
     let whitted = Whitted { local, depth };
     Box::new(move |ray, rng| whitted.radiance(&scene, ray, rng))
@@ -59,8 +59,8 @@ fn sky() -> Environment {
 fn integrators() -> Vec<(&'static str, Vec3, Integrator)> {
     let (bare, shadows, soft) = (
         (1, ALWAYS),
-        (1, Some(shadow::lit as Arrives)),
-        (8, Some(shadow::lit as Arrives)),
+        (1, Some(shadow::lit as Visibility)),
+        (8, Some(shadow::lit as Visibility)),
     );
     let above = vec3(0.4, 4.3, 7.2);
     let inside = vec3(0.28, 0.27, 0.1);

@@ -5,7 +5,7 @@ use glam::{Vec3, vec3};
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::{Image, rgb::Rgb};
 use raybook::light::{Light, extent::Choose, rect_light::RectLight, sphere_light::SphereLight};
-use raybook::render::local::{Arrives, Local};
+use raybook::render::local::{Local, Visibility};
 use raybook::render::{
     film::{Film, SILENT},
     shadow,
@@ -31,7 +31,7 @@ fn sphere(radiance: f32, choose: Choose) -> Box<dyn Light> {
 }
 
 /// 16 batches of the posts under a light; the first seed tells them from others.
-fn render(light: Box<dyn Light>, arrives: Arrives, first_seed: u64) -> Noisy {
+fn render(light: Box<dyn Light>, arrives: Visibility, first_seed: u64) -> Noisy {
     let scene = posts::under(light);
     let [(from, to, focal_length), _] = posts::VIEWS;
     let camera = Pinhole::look_at(from, to, Vec3::Y, focal_length, 1.6).expect("a camera");
@@ -69,7 +69,7 @@ fn other_random_numbers_and_another_choice_show_the_same() {
 #[test]
 fn a_wrong_light_shows() {
     let reference = render(square(10.0, Choose::ByArea), shadow::lit, 0);
-    let late: Arrives = |scene, at, light| {
+    let late: Visibility = |scene, at, light| {
         let (ray, _) = shadow::shadow_ray(at, light);
         !scene.blocks(
             &ray,

@@ -6,7 +6,7 @@ use raybook::image::rgb::Rgb;
 use raybook::light::{Light, LightSample, directional::DirectionalLight, point::PointLight};
 use raybook::material::{Material, checkered::Checkered, phong::Phong};
 use raybook::math::{dir3::Dir3, interval::Interval, pcg, ray::Ray};
-use raybook::render::local::{ALWAYS, Arrives, Local};
+use raybook::render::local::{ALWAYS, Local, Visibility};
 use raybook::scene::world::{Scene, Thing};
 use raybook::shape::{Surface, plane::Plane, sphere::Sphere};
 
@@ -34,7 +34,7 @@ fn sun() -> Box<dyn Light> {
 }
 
 /// What is seen of the ground at the origin from straight above.
-fn radiance(lights: Vec<Box<dyn Light>>, samples: u32, arrives: Option<Arrives>) -> Rgb {
+fn radiance(lights: Vec<Box<dyn Light>>, samples: u32, arrives: Option<Visibility>) -> Rgb {
     let ground = Thing::new(Plane::through(Vec3::ZERO, Dir3::Y), PHONG);
     let scene = Scene::new(vec![ground], lights).surrounded_by(Rgb::gray(0.2), |_| Rgb::BLACK);
     let seen = scene.closest(&ray(vec3(0.0, 9.0, 0.0), Vec3::NEG_Y));

@@ -43,7 +43,7 @@ const TOLERANCE: f64 = 1e-7;
 
 /// The ray of a direction: it is in a plane through the hole, and interpolated between two curves of the fan.
 #[derive(Clone, Copy, Debug)]
-pub struct Bent<'a> {
+pub struct CurvedRay<'a> {
     /// The axes of the plane: from the hole to the eye, and perpendicular to it, to the side to which the ray leaves the eye.
     axes: [DVec3; 2],
     /// The two curves, the nearer one first.
@@ -78,7 +78,7 @@ impl Fan {
     }
 
     /// The ray that the observer sees in a direction.
-    pub fn ray(&self, toward: Dir3) -> Bent<'_> {
+    pub fn ray(&self, toward: Dir3) -> CurvedRay<'_> {
         let (toward, out) = (toward.as_dvec3(), self.eye.normalize());
         let aside = toward - toward.dot(out) * out;
         let place = aside.length().atan2(-toward.dot(out)) / self.apart;
@@ -89,7 +89,7 @@ impl Fan {
         } else {
             (nearest + 1).min(last)
         };
-        Bent {
+        CurvedRay {
             axes: [out, aside.normalize_or(out.any_orthonormal_vector())],
             curves: [nearest, other].map(|i| &self.curves[i]),
             share: (place - nearest as f64).abs(),
@@ -97,7 +97,7 @@ impl Fan {
     }
 }
 
-impl Bent<'_> {
+impl CurvedRay<'_> {
     /// The direction in which the ray escapes; `None` if it falls in.
     pub fn escapes(&self) -> Option<DVec3> {
         let angle = self.interpolated(|curve| curve.escapes)?;

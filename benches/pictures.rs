@@ -83,7 +83,7 @@ fn many_balls(criterion: &mut Criterion) {
     let sun = SphereLight {
         sphere: Sphere::new(vec3(30.0, 50.0, 30.0), 6.0),
         radiance: Rgb::gray(80.0),
-        choose: Choose::BySolidAngle,
+        choose: LightSampling::BySolidAngle,
     };
     let scene = Scene::new(things, vec![Box::new(sun)]).surrounded_by(Rgb::BLACK, |ray| {
         Rgb::gray(0.5 + 0.5 * ray.direction.y.abs())
@@ -126,7 +126,7 @@ fn teapot(criterion: &mut Criterion) {
     ];
     let corner = bounds.center() + size * vec3(-0.5, 1.2, -0.5);
     let lamp = RectLight::new(corner, size * Vec3::X, size * Vec3::Z, Rgb::gray(8.0))
-        .choosing(Choose::BySolidAngle);
+        .choosing(LightSampling::BySolidAngle);
     let scene = Scene::new(things, vec![Box::new(lamp)]);
     let eye = bounds.center() + size * vec3(0.4, 0.5, 1.2);
     bench(criterion, "teapot", &view(eye, bounds.center()), &scene);

@@ -41,7 +41,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let sun = SphereLight {
         sphere: Sphere::new(vec3(30.0, 50.0, 30.0), 6.0),
         radiance: Rgb::new(85.0, 78.0, 65.0),
-        choose: Choose::BySolidAngle,
+        choose: LightSampling::BySolidAngle,
     };
     let (pale, blue) = (Rgb::new(0.75, 0.8, 0.85), Rgb::new(0.2, 0.4, 0.8));
     let sky = move |ray: &Ray| pale.lerp(blue, ray.direction.y.abs());

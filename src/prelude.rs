@@ -7,7 +7,7 @@ pub use crate::camera::{Camera, thin_lens::ThinLens};
 pub use crate::image::{Image, file, mip::MipMap, rgb::Rgb, tone};
 pub use crate::light::{Light, directional::DirectionalLight, environment::Environment};
 pub use crate::light::{
-    extent::Choose, point::PointLight, rect_light::RectLight, sphere_light::SphereLight,
+    extent::LightSampling, point::PointLight, rect_light::RectLight, sphere_light::SphereLight,
 };
 pub use crate::material::conductor::{Conductor, Metal};
 pub use crate::material::glass::{Glass, Medium};

@@ -10,7 +10,7 @@ use plotters::prelude::Color;
 use rand::RngExt;
 use raybook::image::rgb::Rgb;
 use raybook::light::Light;
-use raybook::light::extent::Choose;
+use raybook::light::extent::LightSampling;
 use raybook::light::rect_light::RectLight;
 use raybook::math::interval::Interval;
 use raybook::math::pcg;
@@ -60,7 +60,7 @@ impl Setting {
     }
 
     /// The contribution of a sample to the floor, in W/m²; its mean over u is the irradiance.
-    fn arrives(&self, choose: Choose, u: Vec2) -> f64 {
+    fn arrives(&self, choose: LightSampling, u: Vec2) -> f64 {
         let Some(sample) = self.light.choosing(choose).sample(Vec3::ZERO, u) else {
             return 0.0;
         };
@@ -76,13 +76,13 @@ impl Setting {
         let n = 1000;
         let place = |i: u32| (vec2((i % n) as f32, (i / n) as f32) + 0.5) / n as f32;
         let sum: f64 = (0..n * n)
-            .map(|i| self.arrives(Choose::BySolidAngle, place(i)))
+            .map(|i| self.arrives(LightSampling::BySolidAngle, place(i)))
             .sum();
         sum / f64::from(n * n)
     }
 
     /// The root of the mean square error of an estimate by `samples` samples, relative to the exact value.
-    pub fn error(&self, choose: Choose, samples: u32, exact: f64, rng: &mut Pcg) -> f64 {
+    pub fn error(&self, choose: LightSampling, samples: u32, exact: f64, rng: &mut Pcg) -> f64 {
         let mut estimate = || {
             let sum: f64 = (0..samples)
                 .map(|_| self.arrives(choose, vec2(rng.random(), rng.random())))
@@ -130,8 +130,8 @@ fn panel(canvas: &Canvas, title: &str, setting: &Setting, legend: bool) -> Drawn
         .map(|n| (n, 1.3 / n.sqrt()));
     chart.line(guide, FAINT.stroke_width(5)).named("slope −½");
     for (name, choose, colour) in [
-        ("by area", Choose::ByArea, VERMILION),
-        ("by solid angle", Choose::BySolidAngle, BLUE),
+        ("by area", LightSampling::ByArea, VERMILION),
+        ("by solid angle", LightSampling::BySolidAngle, BLUE),
     ] {
         let measured: Vec<_> = POWERS
             .map(|p| 1_u32 << p)

@@ -3,7 +3,7 @@
 use glam::{Vec3, vec3};
 use raybook::image::rgb::Rgb;
 use raybook::light::Light;
-use raybook::light::extent::Choose;
+use raybook::light::extent::LightSampling;
 use raybook::light::point::PointLight;
 use raybook::light::rect_light::RectLight;
 use raybook::light::sphere_light::SphereLight;
@@ -53,7 +53,7 @@ pub fn sphere(radius: f32) -> Box<dyn Light> {
     Box::new(SphereLight {
         sphere: Sphere::new(LIGHT, radius),
         radiance: INTENSITY / (PI * radius * radius),
-        choose: Choose::BySolidAngle,
+        choose: LightSampling::BySolidAngle,
     })
 }
 

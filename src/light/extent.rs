@@ -7,7 +7,7 @@ use glam::Vec3;
 
 /// How an area light chooses one of its points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Choose {
+pub enum LightSampling {
     /// Uniformly over the area. [`LightSample::arriving`] then varies with cos θ/r² from point to point.
     ByArea,
     /// Uniformly over the solid angle as seen from the surface. [`LightSample::arriving`] is then the same for all points.

@@ -1,7 +1,7 @@
 //! The rectangular light.
 
 use crate::image::rgb::Rgb;
-use crate::light::extent::{Choose, per_steradian, shine};
+use crate::light::extent::{LightSampling, per_steradian, shine};
 use crate::light::{Light, LightHit, LightSample};
 use crate::math::{dir3::Dir3, interval::Interval, ray::Ray};
 use glam::{DVec3, Vec2, Vec3};
@@ -16,7 +16,7 @@ pub struct RectLight {
     area: f32,
     sides: Option<Sides>,
     radiance: Rgb,
-    choose: Choose,
+    choose: LightSampling,
 }
 
 /// The axes and side lengths of a rectangle, which do not depend on the viewer; a rectangle without area has none.
@@ -47,13 +47,13 @@ impl RectLight {
             area: a.length() * b.length(),
             sides: Sides::of(a.as_dvec3(), b.as_dvec3()),
             radiance,
-            choose: Choose::ByArea,
+            choose: LightSampling::ByArea,
         }
     }
 
     /// The same light, with its points chosen by `choose`.
     #[must_use]
-    pub fn choosing(self, choose: Choose) -> Self {
+    pub fn choosing(self, choose: LightSampling) -> Self {
         Self { choose, ..self }
     }
 
@@ -80,7 +80,7 @@ impl RectLight {
 
     /// The rectangle as seen from `at`, for points chosen by solid angle; `None` if they are chosen by area.
     fn view(&self, at: Vec3) -> Option<View> {
-        let by_solid_angle = self.choose == Choose::BySolidAngle;
+        let by_solid_angle = self.choose == LightSampling::BySolidAngle;
         let view = by_solid_angle.then(|| View::from(self, at)).flatten();
         view.filter(|view| view.solid_angle >= LEAST)
     }

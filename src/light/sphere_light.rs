@@ -1,7 +1,7 @@
 //! The spherical light.
 
 use crate::image::rgb::Rgb;
-use crate::light::extent::{Choose, per_steradian, shine};
+use crate::light::extent::{LightSampling, per_steradian, shine};
 use crate::light::{Light, LightHit, LightSample};
 use crate::math::{basis::Basis, dir3::Dir3, interval::Interval, ray::Ray};
 use crate::shape::{Shape, sphere::Sphere};
@@ -16,7 +16,7 @@ pub struct SphereLight {
     /// L: the radiance, in W·m⁻²·sr⁻¹.
     pub radiance: Rgb,
     /// How the points of the light are chosen.
-    pub choose: Choose,
+    pub choose: LightSampling,
 }
 
 impl SphereLight {
@@ -96,8 +96,8 @@ impl SphereLight {
 impl Light for SphereLight {
     fn sample(&self, at: Vec3, u: Vec2) -> Option<LightSample> {
         match self.choose {
-            Choose::ByArea => self.sample_area(at, u),
-            Choose::BySolidAngle => self.sample_cone(at, u),
+            LightSampling::ByArea => self.sample_area(at, u),
+            LightSampling::BySolidAngle => self.sample_cone(at, u),
         }
     }
 
@@ -108,8 +108,8 @@ impl Light for SphereLight {
         }
         let (at, r) = (ray.origin, t * *ray.direction);
         let pdf = match self.choose {
-            Choose::ByArea => self.area_pdf(at, r, self.sphere.normal_at(at + r)),
-            Choose::BySolidAngle => 1.0 / (TAU * self.cap(at)),
+            LightSampling::ByArea => self.area_pdf(at, r, self.sphere.normal_at(at + r)),
+            LightSampling::BySolidAngle => 1.0 / (TAU * self.cap(at)),
         };
         Some(LightHit {
             t,

@@ -12,7 +12,7 @@ use crate::accel::Meshed;
 use crate::accel::bvh::build::Method;
 use crate::accel::wide_bvh::WideBvh;
 use crate::image::rgb::Rgb;
-use crate::light::{extent::Choose, rect_light::RectLight};
+use crate::light::{extent::LightSampling, rect_light::RectLight};
 use crate::material::conductor::{Conductor, Metal};
 use crate::material::glass::{Glass, Medium};
 use crate::material::lambert::Lambert;
@@ -131,7 +131,7 @@ pub fn lamp() -> RectLight {
     let corner = vec3(LAMP_X[0], LAMP_Y, LAMP_Z[0]) / 1000.0;
     let (width, depth) = (LAMP_X[1] - LAMP_X[0], LAMP_Z[1] - LAMP_Z[0]);
     let (a, b) = (Vec3::X * width / 1000.0, Vec3::Z * depth / 1000.0);
-    RectLight::new(corner, a, b, LAMP).choosing(Choose::ByArea)
+    RectLight::new(corner, a, b, LAMP).choosing(LightSampling::ByArea)
 }
 
 /// Quads of one colour.

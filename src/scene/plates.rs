@@ -2,7 +2,7 @@
 
 use crate::accel::{Meshed, list::List};
 use crate::image::rgb::Rgb;
-use crate::light::{Light, extent::Choose, sphere_light::SphereLight};
+use crate::light::{Light, extent::LightSampling, sphere_light::SphereLight};
 use crate::material::{lambert::Lambert, modified_phong::ModifiedPhong};
 use crate::math::dir3::Dir3;
 use crate::scene::world::{Scene, Thing};
@@ -46,7 +46,7 @@ pub fn plates() -> Scene {
         Box::new(SphereLight {
             sphere: Sphere::new(vec3(x, 0.0, 0.0), r),
             radiance: POWER / (r * r),
-            choose: Choose::BySolidAngle,
+            choose: LightSampling::BySolidAngle,
         }) as Box<dyn Light>
     });
     Scene::new(things, lights.collect())

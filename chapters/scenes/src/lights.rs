@@ -7,7 +7,7 @@ use raybook::image::{Image, file, mip::MipMap, rgb::Rgb};
 use raybook::light::Light;
 use raybook::light::directional::DirectionalLight;
 use raybook::light::environment::Environment;
-use raybook::light::extent::Choose;
+use raybook::light::extent::LightSampling;
 use raybook::light::point::PointLight;
 use raybook::light::rect_light::RectLight;
 use raybook::light::sphere_light::SphereLight;
@@ -40,7 +40,7 @@ fn light(mut fields: Fields) -> Result<Box<dyn Light>, SceneError> {
             Box::new(SphereLight {
                 sphere: sphere.map_err(|error| fields.wrong("radius_m", error.to_string()))?,
                 radiance: light("radiance")?,
-                choose: Choose::BySolidAngle,
+                choose: LightSampling::BySolidAngle,
             })
         }
         "point" => Box::new(PointLight {

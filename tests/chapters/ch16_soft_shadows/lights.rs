@@ -3,7 +3,7 @@
 use crate::ch16_soft_shadows::support::{BOTH, lattice, rect, sphere};
 use glam::{Vec3, vec3};
 use raybook::light::Light;
-use raybook::light::extent::Choose;
+use raybook::light::extent::LightSampling;
 use raybook::math::dir3::Dir3;
 use raybook::math::domain::LARGEST;
 use std::f32::consts::{PI, TAU};
@@ -73,7 +73,7 @@ fn tiny_huge_and_distant_lights_keep_their_solid_angle() {
     for scale in [1e-6_f32, 1e-3, 1.0, 1e3, 1e6] {
         for choose in BOTH {
             for (size, away) in [(1.0, 1.0), (1e-3, 1.0), (1.0, 1e4), (1e3, 1.0)] {
-                if choose == Choose::ByArea && size > away {
+                if choose == LightSampling::ByArea && size > away {
                     continue; // few of a huge light's points are near
                 }
                 let (size, away) = (size * scale, away * scale);

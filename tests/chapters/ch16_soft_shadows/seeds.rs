@@ -4,7 +4,9 @@ use crate::ch16_soft_shadows::noisy::{BATCHES, Noisy};
 use glam::{Vec3, vec3};
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::{Image, rgb::Rgb};
-use raybook::light::{Light, extent::Choose, rect_light::RectLight, sphere_light::SphereLight};
+use raybook::light::{
+    Light, extent::LightSampling, rect_light::RectLight, sphere_light::SphereLight,
+};
 use raybook::render::local::{Local, Visibility};
 use raybook::render::{
     film::{Film, SILENT},
@@ -16,13 +18,13 @@ use raybook_chapters::ch16_soft_shadows::posts;
 
 const MIDDLE: Vec3 = vec3(-3.0, 4.0, -3.0);
 
-fn square(radiance: f32, choose: Choose) -> Box<dyn Light> {
+fn square(radiance: f32, choose: LightSampling) -> Box<dyn Light> {
     let corner = MIDDLE - vec3(1.0, 0.0, 1.0);
     let light = RectLight::new(corner, 2.0 * Vec3::X, 2.0 * Vec3::Z, Rgb::gray(radiance));
     Box::new(light.choosing(choose))
 }
 
-fn sphere(radiance: f32, choose: Choose) -> Box<dyn Light> {
+fn sphere(radiance: f32, choose: LightSampling) -> Box<dyn Light> {
     Box::new(SphereLight {
         sphere: Sphere::new(MIDDLE, 0.8),
         radiance: Rgb::gray(radiance),
@@ -58,8 +60,8 @@ fn render(light: Box<dyn Light>, arrives: Visibility, first_seed: u64) -> Noisy 
 #[test]
 fn other_random_numbers_and_another_choice_show_the_same() {
     for light in [square, sphere] {
-        let reference = render(light(10.0, Choose::ByArea), shadow::lit, 0);
-        for choose in [Choose::ByArea, Choose::BySolidAngle] {
+        let reference = render(light(10.0, LightSampling::ByArea), shadow::lit, 0);
+        for choose in [LightSampling::ByArea, LightSampling::BySolidAngle] {
             let other = render(light(10.0, choose), shadow::lit, 1000);
             assert_eq!(reference.compare(&other.image()), Ok(()), "{choose:?}");
         }
@@ -68,7 +70,7 @@ fn other_random_numbers_and_another_choice_show_the_same() {
 
 #[test]
 fn a_wrong_light_shows() {
-    let reference = render(square(10.0, Choose::ByArea), shadow::lit, 0);
+    let reference = render(square(10.0, LightSampling::ByArea), shadow::lit, 0);
     let late: Visibility = |scene, at, light| {
         let (ray, _) = shadow::shadow_ray(at, light);
         !scene.blocks(
@@ -79,11 +81,11 @@ fn a_wrong_light_shows() {
     for (what, other) in [
         (
             "1 % stronger",
-            render(square(10.1, Choose::ByArea), shadow::lit, 2000),
+            render(square(10.1, LightSampling::ByArea), shadow::lit, 2000),
         ),
         (
             "a shadow ray that skips a metre",
-            render(square(10.0, Choose::ByArea), late, 3000),
+            render(square(10.0, LightSampling::ByArea), late, 3000),
         ),
     ] {
         assert!(

@@ -1,7 +1,7 @@
 //! Umbra and penumbra, where geometry says; and errors as large as statistics say.
 
 use glam::vec2;
-use raybook::light::extent::Choose;
+use raybook::light::extent::LightSampling;
 use raybook::math::pcg;
 use raybook_chapters::ch16_soft_shadows::light_error::Setting;
 use raybook_chapters::ch16_soft_shadows::penumbra::Shadow;
@@ -87,7 +87,7 @@ fn the_fraction_that_is_seen_is_that_of_the_light_past_the_board() {
 fn four_times_as_many_samples_halve_the_error() {
     for setting in [Setting::open(), Setting::shaded()] {
         let exact = setting.exact();
-        for choose in [Choose::ByArea, Choose::BySolidAngle] {
+        for choose in [LightSampling::ByArea, LightSampling::BySolidAngle] {
             let mut rng = pcg::stream(16, 2);
             let errors = [16, 64, 256].map(|n| setting.error(choose, n, exact, &mut rng));
             for pair in errors.windows(2) {
@@ -104,7 +104,7 @@ fn choosing_by_solid_angle_pays_near_a_light_and_not_in_its_penumbra() {
     let ratio = |setting: &Setting| {
         let exact = setting.exact();
         let error = |choose| setting.error(choose, 64, exact, &mut pcg::stream(16, 3));
-        error(Choose::ByArea) / error(Choose::BySolidAngle)
+        error(LightSampling::ByArea) / error(LightSampling::BySolidAngle)
     };
     let (open, shaded) = (ratio(&Setting::open()), ratio(&Setting::shaded()));
     assert!(

@@ -3,14 +3,14 @@
 use glam::{Vec2, Vec3, vec2, vec3};
 use raybook::image::rgb::Rgb;
 use raybook::light::Light;
-use raybook::light::extent::Choose;
+use raybook::light::extent::LightSampling;
 use raybook::light::rect_light::RectLight;
 use raybook::light::sphere_light::SphereLight;
 use raybook::math::dir3::Dir3;
 use raybook::shape::sphere::Sphere;
 use std::f32::consts::TAU;
 
-pub(super) const BOTH: [Choose; 2] = [Choose::ByArea, Choose::BySolidAngle];
+pub(super) const BOTH: [LightSampling; 2] = [LightSampling::ByArea, LightSampling::BySolidAngle];
 
 /// The middle of each cell of an n × n lattice of the unit square.
 pub(super) fn lattice(n: u32) -> impl Iterator<Item = Vec2> {
@@ -24,11 +24,11 @@ pub(super) fn on_sphere(u: Vec2) -> Dir3 {
     Dir3::new(vec3(sine * phi.cos(), sine * phi.sin(), z)).expect("it has length 1")
 }
 
-pub(super) fn rect(corner: Vec3, a: Vec3, b: Vec3, choose: Choose) -> RectLight {
+pub(super) fn rect(corner: Vec3, a: Vec3, b: Vec3, choose: LightSampling) -> RectLight {
     RectLight::new(corner, a, b, Rgb::WHITE).choosing(choose)
 }
 
-pub(super) fn sphere(center: Vec3, radius: f32, choose: Choose) -> SphereLight {
+pub(super) fn sphere(center: Vec3, radius: f32, choose: LightSampling) -> SphereLight {
     SphereLight {
         sphere: Sphere::new(center, radius),
         radiance: Rgb::WHITE,
@@ -50,7 +50,7 @@ fn everywhere(n: u32) -> Vec<(Dir3, f64)> {
 /// Not too close: in the last thousandth, the last digit of a direction decides on its density.
 fn dense_at_the_rim(light: SphereLight) -> Directions {
     let cone = SphereLight {
-        choose: Choose::BySolidAngle,
+        choose: LightSampling::BySolidAngle,
         ..light
     };
     Box::new(move |n| {
@@ -90,8 +90,8 @@ pub(super) fn lights() -> Vec<(String, Box<dyn Light>, Directions)> {
         ] {
             let light = sphere(center, radius, choose);
             let directions = match choose {
-                Choose::ByArea => dense_at_the_rim(light),
-                Choose::BySolidAngle => Box::new(everywhere),
+                LightSampling::ByArea => dense_at_the_rim(light),
+                LightSampling::BySolidAngle => Box::new(everywhere),
             };
             lights.push((format!("{name}, {choose:?}"), Box::new(light), directions));
         }

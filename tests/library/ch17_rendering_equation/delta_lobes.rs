@@ -4,7 +4,7 @@ use crate::ch17_rendering_equation::{ALL, direction, square, thing};
 use glam::{Vec3, vec3};
 use raybook::image::rgb::Rgb;
 use raybook::light::sphere_light::SphereLight;
-use raybook::light::{Light, extent::Choose};
+use raybook::light::{Light, extent::LightSampling};
 use raybook::material::conductor::{Conductor, Metal, fresnel_conductor};
 use raybook::material::fresnel::fresnel;
 use raybook::material::ggx::Ggx;
@@ -114,7 +114,7 @@ fn a_lamp_in_invisible_glass_gives_the_same_light() {
         vec![Box::new(SphereLight {
             sphere: Sphere::new(vec3(0.0, 2.0, 0.0), 0.7),
             radiance: Rgb::gray(3.0),
-            choose: Choose::BySolidAngle,
+            choose: LightSampling::BySolidAngle,
         })]
     };
     let floor = || {

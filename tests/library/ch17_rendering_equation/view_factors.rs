@@ -3,7 +3,7 @@
 use crate::ch17_rendering_equation::{ALL, square, thing};
 use glam::{Vec2, Vec3, vec3};
 use raybook::image::rgb::Rgb;
-use raybook::light::{extent::Choose, rect_light::RectLight};
+use raybook::light::{extent::LightSampling, rect_light::RectLight};
 use raybook::material::lambert::Lambert;
 use raybook::math::{dir3::Dir3, ray::Ray};
 use raybook::render::{mis::Strategy, path::Path};
@@ -37,7 +37,7 @@ fn the_view_factors_of_two_squares_are_as_published() {
     let opposed = RectLight::new(vec3(0.0, 1.0, 0.0), Vec3::X, Vec3::Z, Rgb::WHITE);
     let corner = RectLight::new(Vec3::ZERO, Vec3::Y, Vec3::Z, Rgb::WHITE);
     let turned = RectLight::new(Vec3::ZERO, Vec3::Z, Vec3::Y, Rgb::WHITE);
-    for choose in [Choose::ByArea, Choose::BySolidAngle] {
+    for choose in [LightSampling::ByArea, LightSampling::BySolidAngle] {
         for (strategy, samples) in [
             (Strategy::Light, 4000),
             (Strategy::Both, 4000),
@@ -48,7 +48,7 @@ fn the_view_factors_of_two_squares_are_as_published() {
             let [one, other] =
                 [corner, turned].map(|lamp| floor(lamp.choosing(choose), strategy, samples));
             let lit = if one.mean > other.mean { one } else { other };
-            if choose == Choose::BySolidAngle || strategy != Strategy::Light {
+            if choose == LightSampling::BySolidAngle || strategy != Strategy::Light {
                 lit.assert_is(0.200_043_8, &format!("perpendicular, {name}"));
             }
             let dark = one.mean.min(other.mean);

@@ -4,7 +4,7 @@ use crate::exercise::exercises;
 use crate::record::row;
 use glam::{Vec2, Vec3, vec2};
 use raybook::image::rgb::Rgb;
-use raybook::light::extent::Choose;
+use raybook::light::extent::LightSampling;
 use raybook::light::rect_light::RectLight;
 use raybook::light::sphere_light::SphereLight;
 use raybook::light::{Light, LightSample};
@@ -37,7 +37,7 @@ exercises! { ($) ch16_soft_shadows
         answer: Option<Vec<Chosen>>,
     ) {
         let light = RectLight::new(corner, a, b, Rgb::gray(radiance));
-        choose(&light.choosing(Choose::ByArea), at, n)
+        choose(&light.choosing(LightSampling::ByArea), at, n)
     }
 
     /// For each of the n·n pairs u = ((i + ½)/n, (j + ½)/n), return a sample of the spherical light, uniform over the
@@ -61,7 +61,7 @@ exercises! { ($) ch16_soft_shadows
         let light = SphereLight {
             sphere: Sphere { center, radius },
             radiance: Rgb::gray(radiance),
-            choose: Choose::BySolidAngle,
+            choose: LightSampling::BySolidAngle,
         };
         choose(&light, at, n).unwrap_or_default()
     }

@@ -15,7 +15,7 @@ use raybook::math::pcg::Pcg;
 use raybook::render::adaptive::{Limits, adaptive, by_budget};
 use raybook::render::film::Film;
 use raybook::render::local::Local;
-use raybook::render::needs_more::Enough;
+use raybook::render::needs_more::StoppingRule;
 use raybook::render::shadow;
 use raybook::render::whitted::Whitted;
 use raybook::sample::pattern::find;
@@ -76,11 +76,16 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let rules = [
         (
             "by contrast",
-            adaptive(&small, limits, &Enough::BY_CONTRAST, see),
+            adaptive(&small, limits, &StoppingRule::BY_CONTRAST, see),
         ),
         (
             "by variance",
-            adaptive(&small, limits, &Enough::by_variance(knobs.threshold), see),
+            adaptive(
+                &small,
+                limits,
+                &StoppingRule::by_variance(knobs.threshold),
+                see,
+            ),
         ),
         (
             of_budget.as_str(),

@@ -8,7 +8,7 @@ use raybook::image::Image;
 use raybook::render::adaptive::{Adaptive, Limits, adaptive, by_budget};
 use raybook::render::film::Film;
 use raybook::render::followed::Followed;
-use raybook::render::needs_more::Enough;
+use raybook::render::needs_more::StoppingRule;
 use raybook::render::supersample::{Radiance, supersample};
 use raybook::sample::pattern::Pattern;
 
@@ -50,7 +50,7 @@ pub fn measure(
     let budget = [6, 8, 16, 32].map(|mean| of(by_budget(film, 4, mean, see)));
     let contrast = [16, 32, 64, 128].map(|most| {
         let limits = Limits { first: 4, most };
-        of(adaptive(film, limits, &Enough::BY_CONTRAST, see))
+        of(adaptive(film, limits, &StoppingRule::BY_CONTRAST, see))
     });
     let curve = |i, key: &str, title: &str, errors: &[Error]| Curve {
         key: key.to_owned(),

@@ -4,7 +4,7 @@ use crate::image::{Image, rgb::Rgb};
 use crate::render::budget::spend_budget;
 use crate::render::film::{Done, Film};
 use crate::render::followed::Followed;
-use crate::render::needs_more::Enough;
+use crate::render::needs_more::StoppingRule;
 use crate::render::supersample::Radiance;
 use crate::sample::pattern::owen::sequence;
 use glam::{Vec2, vec2};
@@ -38,7 +38,7 @@ pub struct Limits {
 }
 
 // ANCHOR: adaptive
-/// Each pixel gets `limits.first` samples, and their number is doubled as long as it is not [`Enough`] (Whitted 1980; Mitchell
+/// Each pixel gets `limits.first` samples, and their number is doubled until the [`StoppingRule`] is kept (Whitted 1980; Mitchell
 /// 1987).
 ///
 /// The samples of a pixel are the beginning of one Sobol sequence, scrambled by Owen's method: so all of them together are as
@@ -46,7 +46,7 @@ pub struct Limits {
 pub fn adaptive<S: Into<Followed>>(
     film: &Film,
     limits: Limits,
-    enough: &Enough,
+    enough: &StoppingRule,
     radiance: impl Radiance<S>,
 ) -> Adaptive {
     let most = limits.most.max(1);

@@ -4,14 +4,14 @@ use crate::image::rgb::Rgb;
 
 /// When a pixel has enough samples: when both limits are kept.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Enough {
+pub struct StoppingRule {
     /// Maximum contrast per channel; ∞ for no limit.
     pub contrast: Rgb,
     /// Maximum standard error of the mean luminance, in W·m⁻²·sr⁻¹; ∞ for no limit.
     pub error: f32,
 }
 
-impl Enough {
+impl StoppingRule {
     /// By contrast alone, with the limits that suit the eye: it is most sensitive to green and least to blue (Mitchell,
     /// "Generating antialiased images at low sampling densities", 1987).
     pub const BY_CONTRAST: Self = Self {

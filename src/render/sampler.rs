@@ -5,7 +5,7 @@ use crate::image::Image;
 use crate::math::{pcg::Pcg, ray::Ray};
 use crate::render::adaptive::{Limits, adaptive, by_budget};
 use crate::render::{cone::Cone, film::Film, followed::Followed};
-use crate::render::{needs_more::Enough, supersample::supersample};
+use crate::render::{needs_more::StoppingRule, supersample::supersample};
 use crate::sample::pattern::Pattern;
 use crate::scene::world::Scene;
 use glam::{Vec2, vec2};
@@ -34,7 +34,7 @@ pub enum Sampler<'a> {
     /// All samples, at places in the pixel that a pattern chooses; all other choices are random ([`supersample`]).
     Pattern(&'a Pattern),
     /// Within limits, as many samples as a pixel needs ([`adaptive`]).
-    Adaptive(Limits, Enough),
+    Adaptive(Limits, StoppingRule),
     /// The film's samples per pixel on average, distributed by the deviation of the first samples of each pixel ([`by_budget`]).
     Budget {
         /// Number of first samples of each pixel; at least 2.

@@ -7,7 +7,7 @@ use raybook::math::pcg::Pcg;
 use raybook::render::adaptive::{Limits, adaptive, by_budget};
 use raybook::render::budget::spend_budget;
 use raybook::render::film::{Film, SILENT};
-use raybook::render::needs_more::Enough;
+use raybook::render::needs_more::StoppingRule;
 use raybook::render::supersample::supersample;
 use raybook::sample::pattern::find;
 use raybook_chapters::lab::adaptive_gain::rms;
@@ -36,7 +36,7 @@ fn edge(place: Vec2, _: &mut Pcg) -> Rgb {
 
 #[test]
 fn like_samples_are_enough_and_unlike_ones_are_not() {
-    let rule = Enough::BY_CONTRAST;
+    let rule = StoppingRule::BY_CONTRAST;
     assert!(!rule.needs_more(&[Rgb::BLACK; 4]), "0/0 is no contrast");
     assert!(!rule.needs_more(&[Rgb::gray(0.5); 2]), "all the same");
     assert!(rule.needs_more(&[Rgb::gray(0.5)]), "one knows nothing");
@@ -47,7 +47,7 @@ fn like_samples_are_enough_and_unlike_ones_are_not() {
     );
     let blue = [Rgb::new(0.1, 0.1, 0.1), Rgb::new(0.1, 0.1, 0.38)];
     assert!(!rule.needs_more(&blue), "0.58 of blue is allowed");
-    let variance = Enough::by_variance(0.1);
+    let variance = StoppingRule::by_variance(0.1);
     let noisy = [0.0, 1.0].map(Rgb::gray);
     assert!(variance.needs_more(&noisy.repeat(2)), "0.29 of 4 samples");
     assert!(
@@ -58,7 +58,7 @@ fn like_samples_are_enough_and_unlike_ones_are_not() {
 
 #[test]
 fn edges_get_the_samples_and_walls_get_the_least() {
-    let done = adaptive(&film(1, 2), LIMITS, &Enough::BY_CONTRAST, edge);
+    let done = adaptive(&film(1, 2), LIMITS, &StoppingRule::BY_CONTRAST, edge);
     for y in 0..32 {
         for x in 0..48 {
             let corners = [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(i, j)| {
@@ -105,7 +105,7 @@ fn one_thread_and_three_make_the_same_picture() {
         edge(place, rng) * (0.9 + 0.2 * rng.random::<f32>())
     };
     let of = |threads| {
-        let rule = Enough::by_variance(0.01);
+        let rule = StoppingRule::by_variance(0.01);
         let one = adaptive(&film(1, threads), LIMITS, &rule, noisy);
         let other = by_budget(&film(1, threads), 4, 9, noisy);
         [one.picture, one.spent, other.picture, other.spent]

@@ -6,7 +6,7 @@ use raybook::image::{Image, tone};
 use raybook::render::adaptive::Limits;
 use raybook::render::clamped::Clamped;
 use raybook::render::local::{ALWAYS, Local};
-use raybook::render::needs_more::Enough;
+use raybook::render::needs_more::StoppingRule;
 use raybook::render::sampler::{Integrator, Sampler};
 use raybook::render::{path::Path, shadow, whitted::Whitted};
 use raybook::sample::pattern::{self, PATTERNS};
@@ -175,7 +175,7 @@ fn sampler(mut fields: Fields) -> Result<Sampler<'static>, SceneError> {
             let first = fields.whole("first", 2..=1024)?.unwrap_or(4) as usize;
             let most = fields.whole("most", 2..=1_000_000)?.unwrap_or(256) as usize;
             let error = fields.number("error", 0.0..=1e9)?;
-            let enough = error.map_or(Enough::BY_CONTRAST, Enough::by_variance);
+            let enough = error.map_or(StoppingRule::BY_CONTRAST, StoppingRule::by_variance);
             Sampler::Adaptive(Limits { first, most }, enough)
         }
         ("budget", _) => {

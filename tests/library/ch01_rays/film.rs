@@ -6,7 +6,7 @@ use raybook::prelude::*;
 use raybook::render::adaptive::Limits;
 use raybook::render::film::{Done, SILENT};
 use raybook::render::followed::Followed;
-use raybook::render::needs_more::Enough;
+use raybook::render::needs_more::StoppingRule;
 use raybook::sample::pattern;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
@@ -221,7 +221,7 @@ fn every_sampler_draws_the_same_picture_but_for_its_noise() {
         Sampler::Even,
         Sampler::Refined,
         Sampler::Pattern(pattern::find("jittered").unwrap()),
-        Sampler::Adaptive(limits, Enough::BY_CONTRAST),
+        Sampler::Adaptive(limits, StoppingRule::BY_CONTRAST),
         Sampler::Budget { first: 4 },
     ];
     for sampler in samplers {

@@ -2,7 +2,7 @@
 
 use crate::exercise::exercises;
 use raybook::image::rgb::Rgb;
-use raybook::render::{budget, needs_more::Enough};
+use raybook::render::{budget, needs_more::StoppingRule};
 
 exercises! { ($) ch23_adaptive
     /// Return whether a pixel needs more samples: if there are fewer than two, if a channel's contrast (max − min)/(max
@@ -45,8 +45,8 @@ exercises! { ($) ch23_adaptive
 
 impl NeedsMore {
     /// The limits.
-    pub fn enough(&self) -> Enough {
-        Enough {
+    pub fn enough(&self) -> StoppingRule {
+        StoppingRule {
             contrast: self.contrast,
             error: self.error,
         }

@@ -1,6 +1,7 @@
 //! Chapter 10: the octree.
 
 mod laws;
+mod repeats;
 use raybook_common::rays;
 mod walk;
 use raybook_common::whole;

@@ -1,15 +1,14 @@
 //! How good the grader is, as a table that the book shows lecturers: of each exercise's mistakes, how many are caught and named.
 //!
-//! `RAYBOOK_BLESS=1 cargo test -p raybook-grader --test grader proof` writes `golden/proof.md` anew.
+//! `RAYBOOK_BLESS=1 cargo test -p raybook-grader --test grader proof` writes `golden/measured/proof.md` anew.
 
-use raybook_common::project;
+use raybook_common::{STALE, measured};
 use raybook_grader::cases;
 use raybook_grader::diagnose::diagnose;
 use raybook_grader::examine::{Case, Examiner, visible_rng};
 use raybook_grader::hidden::Key;
 use rayon::prelude::*;
 use std::fmt::Write;
-use std::fs;
 
 /// Number of students whose hidden cases are asked.
 const KEYS: usize = 20;
@@ -131,10 +130,5 @@ fn table(proofs: &[Proof]) -> String {
 fn the_table_of_mistakes_caught_and_named_is_that_of_today() {
     let proofs: Vec<_> = cases::all().par_iter().map(|e| Proof::of(*e)).collect();
     let today = table(&proofs);
-    let file = project("golden/proof.md");
-    if std::env::var_os("RAYBOOK_BLESS").is_some() {
-        fs::write(&file, &today).expect("golden/proof.md can be written");
-    }
-    let kept = fs::read_to_string(&file).expect("golden/proof.md can be read");
-    assert_eq!(kept, today, "RAYBOOK_BLESS=1 writes golden/proof.md anew");
+    assert_eq!(measured("proof", &today), today, "{STALE}");
 }

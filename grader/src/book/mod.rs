@@ -14,7 +14,7 @@
 //! | `{{index glossary.md}}` | the terms of the glossary, with the pages on which each occurs |
 //! | `{{library src}}` | the library's files, with their public items |
 //! | `{{commands raybook}}` | the commands, with their parameters |
-//! | `{{table proof}}` | the table that a test writes: what became of each exercise's mistakes |
+//! | `{{measured proof}}` | what a test measured and wrote down in `golden/measured`: a table, or a sentence of a paragraph |
 //!
 //! Besides, `chapter 7` and `Kajiya 1986` in a text become links, and so do names in back quotes: exercises, commands, files and items of the
 //! library. In a listing, the library's names are links. Above a lesson stands how long it takes to read, and which lessons it needs.
@@ -30,6 +30,7 @@ mod index;
 mod items;
 mod kept;
 mod listing;
+mod measured;
 mod mistakes;
 mod names;
 mod order;
@@ -45,9 +46,6 @@ use text::Links;
 
 pub use fit::WIDEST;
 pub use listing::listing;
-
-/// What became of each exercise's mistakes, as `tests/grader/proof.rs` writes it.
-const PROOF: &str = include_str!("../../../golden/proof.md");
 
 /// What is wrong with a page, and where.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -131,10 +129,9 @@ impl Book {
             "index" => index::expand(name, &self.pages),
             "library" => items::expand(page, name, links),
             "commands" => commands::expand(name, &self.command),
-            "table" if name == "proof" => Ok(PROOF.to_owned()),
-            "table" => Err(format!("there is no table `{name}`; there is proof")),
+            "measured" => measured::expand(name),
             _ => Err(format!(
-                "there is no directive `{word}`; there are figure, example, turn, reference, listing, mistakes, path, index, library, commands and table"
+                "there is no directive `{word}`; there are figure, example, turn, reference, listing, mistakes, path, index, library, commands and measured"
             )),
         }
     }

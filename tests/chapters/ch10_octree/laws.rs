@@ -5,6 +5,7 @@ use proptest::prelude::*;
 use raybook::accel::octree::Octree;
 use raybook::inside::octree::Kind;
 use raybook_chapters::shared::{law::Reach, law::fit, law::mean_tests};
+use raybook_common::{STALE, measured};
 
 /// The law of this chapter, from 10² to 10⁶ triangles. What it costs to find a place in the tree is its depth, and that is
 /// log₈ N plus what small leaves add. A ray through the whole soup also passes through leaves on its way, ∛N of them at
@@ -35,6 +36,17 @@ fn nodes_grow_with_the_logarithm_of_the_number_of_triangles() {
         most < 1.5 * least,
         "triangles tested do not grow: {least:.1} to {most:.1}"
     );
+}
+
+#[test]
+fn rays_that_go_as_far_as_they_can_visit_few_more_nodes_of_an_opaque_soup() {
+    let [small, large] = [10_000, 1_000_000].map(|n| mean_tests(n, Reach::Inside, Octree::new)[0]);
+    assert!(large < 2.0 * small, "{small:.1} nodes, and {large:.1}");
+    let told = format!(
+        "From a point in a soup to its first hit, a ray visits {small:.0} nodes if the soup has 10\u{a0}000 triangles, and {large:.0} if it has a \
+        million, where $\\sqrt[3]{{N}}$ is 4.6 times as large.\n"
+    );
+    assert_eq!(measured("octree_soup", &told), told, "{STALE}");
 }
 
 proptest! {

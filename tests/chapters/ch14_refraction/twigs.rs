@@ -7,6 +7,7 @@ use raybook::render::local::{ALWAYS, Local};
 use raybook::render::whitted::Whitted;
 use raybook_chapters::ch14_refraction::glassware::{self, Stuff};
 use raybook_chapters::shared::{ray_tree::Branch, ray_tree::Kind, ray_tree::grow};
+use raybook_common::{STALE, measured};
 
 /// What the glass of the chapter's pictures is made of.
 const STUFF: Stuff = Stuff {
@@ -42,9 +43,11 @@ fn most_rays_of_the_whole_tree_count_for_nearly_nothing() {
         worst = worst.max((tree.sees.g - seen.radiance.g).abs());
     }
     let times = whole as f64 / followed as f64;
-    println!(
-        "{whole} rays in whole trees, {followed} are followed: {times:.1} times fewer; off by {worst}"
+    let told = format!(
+        "Of the whole trees of the first picture, one ray in {times:.0} is traced, and no pixel loses more than {:.1} % of white.\n",
+        100.0 * worst
     );
+    assert_eq!(measured("twigs", &told), told, "{STALE}");
     assert!(times > 2.0, "{times} times fewer rays");
     assert!(worst < 0.05, "no pixel loses more light than {worst}");
 }

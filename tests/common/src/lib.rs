@@ -25,6 +25,36 @@ pub fn project(path: &str) -> PathBuf {
     PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join(path)
 }
 
+/// What to do when [`measured`] is not what is measured today.
+pub const STALE: &str = "RAYBOOK_BLESS=1 before the command writes golden/measured anew";
+
+/// What the book says about a measurement: `golden/measured/<name>.md`, which its directive `{{measured name}}` shows. With RAYBOOK_BLESS
+/// in the environment, what is measured today is written there first.
+///
+/// # Panics
+/// If the file cannot be written or read.
+pub fn measured(name: &str, today: &str) -> String {
+    let file = project(&format!("golden/measured/{name}.md"));
+    if std::env::var_os("RAYBOOK_BLESS").is_some() {
+        std::fs::write(&file, today).unwrap_or_else(|e| panic!("{}: {e}", file.display()));
+    }
+    std::fs::read_to_string(&file).unwrap_or_else(|e| panic!("{}: {e}\n{STALE}", file.display()))
+}
+
+/// A whole number in the book: 20000 as `20 000`, with a space that does not break.
+pub fn grouped(number: u64) -> String {
+    let digits = number.to_string();
+    if digits.len() < 5 {
+        return digits;
+    }
+    let groups = digits
+        .as_bytes()
+        .rchunks(3)
+        .rev()
+        .map(String::from_utf8_lossy);
+    groups.collect::<Vec<_>>().join("\u{a0}")
+}
+
 /// Compares a table with its snapshot in `golden/snapshots` (`cargo insta review`, or INSTA_UPDATE=always, accepts a new one).
 #[track_caller]
 pub fn snapshot(name: &str, table: &str) {

@@ -103,14 +103,7 @@ impl Campaign {
                 );
             }
         }
-        let [fast, robust] = [0, 1].map(|mode| {
-            let mut all = Tally::default();
-            for row in rows {
-                all.merge(&row[mode]);
-            }
-            all
-        });
-        for all in [fast, robust] {
+        for all in self.modes() {
             assert!(all.rays >= rays, "{name}: {} rays are too few", all.rays);
             assert!(
                 2 * all.sharp >= all.hits,
@@ -125,6 +118,27 @@ impl Campaign {
                 all.rays
             );
         }
+    }
+}
+
+impl Campaign {
+    /// The counts of all kinds of rays, in each mode of Embree.
+    fn modes(&self) -> [Tally; MODES.len()] {
+        std::array::from_fn(|mode| {
+            let mut all = Tally::default();
+            for row in &self.rows {
+                all.merge(&row[mode]);
+            }
+            all
+        })
+    }
+
+    /// The rows of the book's table.
+    pub fn table(&self) -> String {
+        let modes = MODES.iter().zip(self.modes());
+        let row =
+            |(mode, all): (&Mode, Tally)| all.row(&self.name, &format!("{mode:?}").to_lowercase());
+        modes.map(row).collect()
     }
 }
 

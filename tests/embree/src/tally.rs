@@ -1,5 +1,6 @@
 //! Counting what comes of many comparisons, for one row of a table.
 
+use raybook_common::grouped;
 use raybook_common::oracle::judge::{Excuse, Verdict};
 use std::fmt;
 
@@ -54,11 +55,23 @@ impl Tally {
         self.wrong.extend_from_slice(&other.wrong);
     }
 
+    /// The row of a shape in the book's table, below [`COLUMNS`].
+    pub fn row(&self, shape: &str, mode: &str) -> String {
+        let wrong = self.wrong.len() as u64;
+        let missed = self.rays - self.hits - self.excused() - wrong;
+        let [rays, hits, missed, excused] =
+            [self.rays, self.hits, missed, self.excused()].map(grouped);
+        format!("| {shape} | {mode} | {rays} | {hits} | {missed} | {excused} | {wrong} |\n")
+    }
+
     /// The comparisons in which the two differ and may.
     pub fn excused(&self) -> u64 {
         self.edge + self.end + self.tie
     }
 }
+
+/// The columns of the book's table.
+pub const COLUMNS: &str = "| shape | Embree's mode | rays | both hit the same | both miss | differ where rounding decides | wrong |\n|---|---|---|---|---|---|---|\n";
 
 /// The head of the table.
 pub const HEAD: &str =

@@ -12,14 +12,14 @@ const faults = [];
 const browser = await puppeteer.launch({ executablePath: chromium, args: ["--no-sandbox", "--disable-gpu"] });
 
 // A window on an address, whose console is listened to.
-async function open(address, width, scheme) {
+async function open(address, width, scheme, height = 900) {
   const page = await browser.newPage(), where = `${address.split("/").slice(-2).join("/")} at ${width} pixels, ${scheme}`;
   const fault = what => faults.push(`${where}: ${what}`);
   page.on("console", said => ["error", "warn"].includes(said.type()) && fault(`console: ${said.text()}`));
   page.on("pageerror", error => fault(`script: ${error.message}`));
   page.on("requestfailed", request => fault(`not loaded: ${request.url()}`));
   await page.setBypassCSP(true); // or axe could not be run in a page that runs its own script only
-  await page.setViewport({ width, height: 900 });
+  await page.setViewport({ width, height });
   await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: scheme }]);
   await page.goto(address, { waitUntil: "load", timeout: 120_000 });
   return { page, fault };
@@ -90,13 +90,13 @@ check(await page.$eval("#sphere_hit-0-slider", one => one.checked), "what was ch
 const book = others.filter(other => /\/book\/book\//.test(other)).map(dirname)[0];
 const lessons = book ? readdirSync(book).filter(name => /^ch\d/.test(name)).map(name => join(book, name)) : [];
 for (const lesson of lessons) {
-  const { page, fault } = await open(`${pathToFileURL(lesson).href}?slides`, 1280, "light");
-  await page.setViewport({ width: 1280, height: 720 });
+  const { page, fault } = await open(`${pathToFileURL(lesson).href}?slides`, 1280, "light", 720);
   await page.waitForSelector(".slides");
   const screens = Number((await page.$eval(".slide-number", one => one.value)).split(" / ")[1]);
   await page.evaluate(() => { window.shown = new Map(); });
   for (let screen = 1; screen <= screens; screen++) {
     await page.waitForFunction(() => [...document.querySelectorAll("main .on img")].every(image => image.complete || !image.checkVisibility()));
+    await page.evaluate(() => new Promise(drawn => requestAnimationFrame(() => requestAnimationFrame(drawn)))); // a picture that came is fitted
     const wrong = await page.evaluate(screen => {
       for (const part of document.querySelectorAll("main .on")) window.shown.set(part, [...window.shown.get(part) ?? [], screen]);
       const { scrollWidth, scrollHeight } = document.documentElement, over = [scrollWidth - innerWidth, scrollHeight - innerHeight];

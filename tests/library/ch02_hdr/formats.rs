@@ -1,7 +1,11 @@
 //! Picture files: what each format keeps.
 
 use super::{lights, no_partial_file_in};
+use image::codecs::png::{CompressionType, FilterType, PngEncoder};
+use image::{ExtendedColorType, ImageEncoder};
+use rand::RngExt;
 use raybook::image::{Image, file, rgb::Rgb, tone};
+use raybook::math::pcg;
 
 /// A picture with every kind of number that a file has to keep.
 fn extremes() -> Image {
@@ -120,5 +124,41 @@ fn png_keeps_bytes() {
         clamped,
         Rgb::new(0.0, 1.0, 0.0),
         "what no display can show is clamped"
+    );
+}
+
+/// Without filters, drawings are smaller; with filters, rendered pictures are. The smaller of both files is written.
+#[test]
+fn png_is_as_small_as_the_better_of_two_filters() {
+    let mut rng = pcg::stream(2, 1);
+    let drawing = Image::from_fn(96, 96, |_, _| {
+        Rgb::gray(f32::from(u8::from(rng.random_bool(0.2))))
+    });
+    let rendered = Image::from_fn(96, 96, |x, y| {
+        let [x, y] = [x, y].map(|v| v as f32 / 96.0);
+        Rgb::new(x * y, 0.5 * (x + y), (x - 0.3).powi(2))
+    });
+    let filters = [FilterType::Adaptive, FilterType::NoFilter];
+    let better = [drawing, rendered].map(|picture| {
+        let sizes = filters.map(|filter| {
+            let (mut bytes, (w, h)) = (Vec::new(), (picture.width(), picture.height()));
+            PngEncoder::new_with_quality(&mut bytes, CompressionType::Default, filter)
+                .write_image(
+                    &tone::to_bytes(&picture),
+                    w as u32,
+                    h as u32,
+                    ExtendedColorType::Rgb8,
+                )
+                .expect("it can be written");
+            bytes.len()
+        });
+        let written = file::to_png(&picture).expect("it has pixels").len();
+        assert_eq!(written, sizes[0].min(sizes[1]), "of {sizes:?}");
+        sizes[1] < sizes[0]
+    });
+    assert_eq!(
+        better,
+        [true, false],
+        "each filter is better for one of them"
     );
 }

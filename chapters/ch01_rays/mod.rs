@@ -16,7 +16,7 @@ use raybook::camera::{
 };
 use raybook::image::{Image, rgb::Rgb};
 use raybook::math::dir3::Dir3;
-use raybook::render::film::{Film, SILENT};
+use raybook::render::film::Film;
 use std::process::ExitCode;
 
 /// What the pictures depend on.
@@ -36,21 +36,25 @@ pub struct Knobs {
 /// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let film = stage.film(16.0 / 9.0);
-    stage.picture(
-        "picture",
-        "The direction of every pixel's ray as a colour, under lines of equal azimuth and elevation every 10°; \
-         the horizon is the thickest. The angle between the lines is the same at the edges as in the middle, but the flat image plane stretches the picture at its edges.",
-        &directions(&film, vec3(0.0, 0.3, 1.0), knobs.focal_length())?,
-    )?;
+    if stage.wants("picture") {
+        stage.picture(
+            "picture",
+            "The direction of every pixel's ray as a colour, under lines of equal azimuth and elevation every 10°; \
+             the horizon is the thickest. The angle between the lines is the same at the edges as in the middle, but the flat image plane stretches the picture at its edges.",
+            &directions(&film, vec3(0.0, 0.3, 1.0), knobs.focal_length())?,
+        )?;
+    }
     stage.diagram(
         "camera",
         "The camera of this chapter: every ray starts at the focal point and leaves through the centre of a pixel. The first object that the ray meets gives the pixel its colour.",
         &camera_diagram::draw()?,
     )?;
+    if !stage.wants("focal_lengths") {
+        return Ok(());
+    }
     let tile = Film {
         width: 400,
         height: 225,
-        progress: SILENT,
         ..film
     };
     let views = [14.0_f32, 24.0, 50.0, 100.0].map(|millimetres| -> Result<_, LookAtError> {

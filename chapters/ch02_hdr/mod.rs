@@ -15,6 +15,7 @@ use glam::{Vec2, Vec3};
 use raybook::camera::{Camera, pinhole::Pinhole};
 use raybook::image::{Image, file, rgb::Rgb, tone};
 use raybook::render::film::Film;
+use std::cell::LazyCell;
 use std::process::ExitCode;
 
 /// A tone curve.
@@ -46,88 +47,101 @@ pub struct Knobs {
 pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let film = stage.film_of(960, 24, 16.0 / 9.0);
     let camera = Pinhole::look_at(window::EYE, window::MIDDLE, Vec3::Y, 0.024, film.aspect())?;
-    let radiance = film.refine(|place, _| window::radiance(&camera.ray(place, Vec2::ZERO)));
+    let radiance =
+        LazyCell::new(|| film.refine(|place, _| window::radiance(&camera.ray(place, Vec2::ZERO))));
     let exposure = knobs.exposure;
-    let picture = radiance.map(|p| tone::expose(p, exposure));
     let room = format!("An evening room at {exposure} stops.").replace('-', "−");
-    let (ends, toned) = match knobs.curve {
+    let (ends, curve): (_, fn(Rgb) -> Rgb) = match knobs.curve {
         Curve::Clamp => (
             "The display clamps the sky at white. The EXR file keeps the radiance of the sky.",
-            picture,
+            |p| p,
         ),
         Curve::Reinhard => (
             "Reinhard's curve maps every luminance to less than white. The EXR file holds the mapped values.",
-            picture.map(tone::reinhard),
+            tone::reinhard,
         ),
         Curve::Aces => (
             "The ACES-like curve changes every radiance, and reaches white at a radiance of 7.2. The EXR file holds the mapped \
             values.",
-            picture.map(tone::aces),
+            tone::aces,
         ),
     };
-    let picture = toned;
-    stage.picture("picture", &format!("{room} {ends}"), &picture)?;
-    if !file::load(&stage.folder().join("picture.exr"))?.same_bits(&picture) {
-        return Err("picture.exr does not hold the radiance that was written".into());
+    let picture = LazyCell::new(|| radiance.map(|p| curve(tone::expose(p, exposure))));
+    if stage.wants("picture") {
+        stage.picture("picture", &format!("{room} {ends}"), &picture)?;
+        if !file::load(&stage.folder().join("picture.exr"))?.same_bits(&picture) {
+            return Err("picture.exr does not hold the radiance that was written".into());
+        }
     }
 
-    let small = halved(&radiance);
+    let small = LazyCell::new(|| halved(&radiance));
     let exposed = |stops: f32| small.map(|p| tone::expose(p, stops));
-    let tiles = [
-        ("+3 stops", exposed(3.0)),
-        ("0 stops", exposed(0.0)),
-        ("−3 stops", exposed(-3.0)),
-        ("−6 stops", exposed(-6.0)),
-        ("−10 stops", exposed(-10.0)),
-        ("−17 stops", exposed(-17.0)),
-    ];
-    stage.figure(
+    if stage.wants("exposures") {
+        let tiles = [
+            ("+3 stops", exposed(3.0)),
+            ("0 stops", exposed(0.0)),
+            ("−3 stops", exposed(-3.0)),
+            ("−6 stops", exposed(-6.0)),
+            ("−10 stops", exposed(-10.0)),
+            ("−17 stops", exposed(-17.0)),
+        ];
+        stage.figure(
         "exposures",
         "The same radiance at six exposures. Each exposure shows details that the others clamp to white or lose in black.",
         &sheet(3, &tiles)?,
     )?;
-    let near = Film {
-        width: 90,
-        height: 60,
-        ..film
-    };
-    let close = Pinhole::look_at(window::EYE, window::MIDDLE, Vec3::Y, 0.07, near.aspect())?;
-    let seen = |place| window::radiance(&close.ray(place, Vec2::ZERO));
-    let shown = |radiance| tone::clamp(tone::expose(radiance, exposure));
-    let tiles = [
-        (
-            "clamped after the mean",
-            near.evenly(|place, _| seen(place)).map(shown),
-        ),
-        (
-            "clamped before the mean",
-            near.evenly(|place, _| shown(seen(place))),
-        ),
-    ];
-    let tiles = tiles.map(|(name, tile)| (name, tile.enlarged(5)));
-    stage.figure(
+    }
+
+    if stage.wants("edges") {
+        let near = Film {
+            width: 90,
+            height: 60,
+            ..film
+        };
+        let close = Pinhole::look_at(window::EYE, window::MIDDLE, Vec3::Y, 0.07, near.aspect())?;
+        let seen = |place| window::radiance(&close.ray(place, Vec2::ZERO));
+        let shown = |radiance| tone::clamp(tone::expose(radiance, exposure));
+        let tiles = [
+            (
+                "clamped after the mean",
+                near.evenly(|place, _| seen(place)).map(shown),
+            ),
+            (
+                "clamped before the mean",
+                near.evenly(|place, _| shown(seen(place))),
+            ),
+        ];
+        let tiles = tiles.map(|(name, tile)| (name, tile.enlarged(5)));
+        stage.figure(
         "edges",
         "The window's bars before the bright sky, pixel by pixel. Left: the average of the light is right, and shows stairs. \
         Right: the average of the displayed values is wrong, and looks smooth.",
         &sheet(2, &tiles)?,
     )?;
+    }
 
-    let toned = |name, curve: fn(Rgb) -> Rgb| (name, exposed(exposure).map(curve));
-    let tiles = [
-        toned("clamped", tone::clamp),
-        toned("Reinhard", tone::reinhard),
-        toned("ACES-like", tone::aces),
-    ];
-    stage.figure(
+    if stage.wants("tone") {
+        let toned = |name, curve: fn(Rgb) -> Rgb| (name, exposed(exposure).map(curve));
+        let tiles = [
+            toned("clamped", tone::clamp),
+            toned("Reinhard", tone::reinhard),
+            toned("ACES-like", tone::aces),
+        ];
+        stage.figure(
         "tone",
         "One exposure, three ways to end at white: clamping loses the sky; Reinhard's curve keeps the sky, but looks pale; the film-like curve keeps the contrast and fades to white.",
         &sheet(3, &tiles)?,
     )?;
+    }
+
     stage.diagram(
         "curves",
         "Three tone curves for a grey: the byte in the PNG file against the radiance in stops.",
         &stops::curves()?,
     )?;
+    if !stage.wants("histogram") {
+        return Ok(());
+    }
     let marks = [
         (-5.5, "far wall"),
         (-2.5, "room"),

@@ -53,10 +53,15 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         stage.picture("picture", caption, &picture)?;
     }
 
-    let caption = "One sphere, three answers. The near root is the front of the sphere. The far root is the back: its normals \
-        point away from the eye. From inside, the near root is behind the eye, and the eye sees the far root.";
-    stage.figure("roots", caption, &roots(stage.tile(3, 1.0))?)?;
+    if stage.wants("roots") {
+        let caption = "One sphere, three answers. The near root is the front of the sphere. The far root is the back: its normals \
+            point away from the eye. From inside, the near root is behind the eye, and the eye sees the far root.";
+        stage.figure("roots", caption, &roots(stage.tile(3, 1.0))?)?;
+    }
 
+    if !stage.wants("cancellation") {
+        return Ok(());
+    }
     let caption = format!(
         "A sphere with a radius of {} m through a telescope. Top: the schoolbook formula loses the sphere as the sphere moves \
         away. Middle: with distances counted from the point of the ray that is closest to the centre, nothing is lost. Bottom: \

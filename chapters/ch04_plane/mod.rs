@@ -52,10 +52,15 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let normal = |at: &Surface, t: f32| haze(palette::direction(*at.normal), t);
     let mut things: Vec<(&dyn Shape, Paint)> = vec![(&floor, &stone)];
     things.extend(balls.iter().map(|ball| (ball as _, &normal as _)));
-    let picture = film.refine(|place, _| see(&camera.ray(place, Vec2::ZERO), &things));
-    let caption = "Tiles of one metre, out to the horizon. Haze hides the tiles that are smaller than a pixel. Each ray shows the nearest of its hits, on the floor or on a ball.";
-    stage.picture("picture", caption, &picture)?;
+    if stage.wants("picture") {
+        let picture = film.refine(|place, _| see(&camera.ray(place, Vec2::ZERO), &things));
+        let caption = "Tiles of one metre, out to the horizon. Haze hides the tiles that are smaller than a pixel. Each ray shows the nearest of its hits, on the floor or on a ball.";
+        stage.picture("picture", caption, &picture)?;
+    }
 
+    if !stage.wants("planes") {
+        return Ok(());
+    }
     let caption = "Left: the distance t along each ray; every step of colour is a doubling, from 2 m to over 1 km. Middle and \
         right: several planes; the colour shows the normal. Only the nearest hit is seen, so planes cut each other where they \
         cross.";

@@ -39,14 +39,18 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let walk = Mat3::from_rotation_y(knobs.turn.to_radians());
     let film = stage.film(16.0 / 9.0);
     let camera = Pinhole::look_at(walk * from, to, Vec3::Y, 0.042, film.aspect())?;
-    let picture = view(&film, &camera, |ray| nearest(&rows, ray));
-    let caption = "More than two hundred boxes. The colour shows the height of the box, and the brightness shows which face was \
-        hit.";
-    stage.picture("picture", caption, &picture)?;
+    if stage.wants("picture") {
+        let picture = view(&film, &camera, |ray| nearest(&rows, ray));
+        let caption = "More than two hundred boxes. The colour shows the height of the box, and the brightness shows which face was \
+            hit.";
+        stage.picture("picture", caption, &picture)?;
+    }
 
-    let caption = "One box. Each ray is inside the box from t_near to t_far; yellow is farther. The way inside is longest where \
-        the ray crosses from a face to the opposite face, and shrinks to 0 at the silhouette.";
-    stage.figure("inside", caption, &inside(&stage.tile(2, 1.5), walk)?)?;
+    if stage.wants("inside") {
+        let caption = "One box. Each ray is inside the box from t_near to t_far; yellow is farther. The way inside is longest where \
+            the ray crosses from a face to the opposite face, and shrinks to 0 at the silhouette.";
+        stage.figure("inside", caption, &inside(&stage.tile(2, 1.5), walk)?)?;
+    }
 
     let caption = "In the plane a box is two slabs. Each slab holds the part of the ray between two distances t. The ray hits the box if these intervals overlap.";
     stage.diagram("slabs", caption, &slabs::diagram()?)

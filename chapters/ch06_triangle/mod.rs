@@ -61,29 +61,36 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         Shown::Side => looks::side,
     };
     let photograph = |film: &Film, look| photograph(film, look, knobs.turn);
-    let picture = photograph(&stage.film(16.0 / 9.0), look)?;
-    let caption = "Where on its triangle each ray ends: b₀ as red, b₁ as green, b₂ as blue.";
-    stage.picture("picture", caption, &picture)?;
+    if stage.wants("picture") {
+        let picture = photograph(&stage.film(16.0 / 9.0), look)?;
+        let caption = "Where on its triangle each ray ends: b₀ as red, b₁ as green, b₂ as blue.";
+        stage.picture("picture", caption, &picture)?;
+    }
 
-    let mut film = stage.film(16.0 / 9.0);
-    (film.width, film.height) = (film.width / 2, film.height / 2);
-    let tiles = [
-        ("distance t", photograph(&film, looks::distance)?),
-        (
-            "lines of equal b₀, b₁, b₂",
-            photograph(&film, looks::barycentric_lines)?,
-        ),
-        ("geometric normal", photograph(&film, looks::normal)?),
-        (
-            "front side blue, back side orange",
-            photograph(&film, looks::side)?,
-        ),
-    ];
-    let caption = "Four things that a hit tells: the distance, the place on the triangle, the normal, and the side of the triangle.";
-    stage.figure("sheet", caption, &sheet(2, &tiles)?)?;
+    if stage.wants("sheet") {
+        let mut film = stage.film(16.0 / 9.0);
+        (film.width, film.height) = (film.width / 2, film.height / 2);
+        let tiles = [
+            ("distance t", photograph(&film, looks::distance)?),
+            (
+                "lines of equal b₀, b₁, b₂",
+                photograph(&film, looks::barycentric_lines)?,
+            ),
+            ("geometric normal", photograph(&film, looks::normal)?),
+            (
+                "front side blue, back side orange",
+                photograph(&film, looks::side)?,
+            ),
+        ];
+        let caption = "Four things that a hit tells: the distance, the place on the triangle, the normal, and the side of the triangle.";
+        stage.figure("sheet", caption, &sheet(2, &tiles)?)?;
+    }
     let caption = "Barycentric coordinates: b₁ grows from 0 on the side p₀p₂ to 1 at p₁, and b₂ grows from 0 on the side p₀p₁ to \
         1 at p₂.";
     stage.diagram("barycentrics", caption, &barycentrics::draw()?)?;
+    if !stage.wants("cost") {
+        return Ok(());
+    }
     let caption = format!(
         "Three ways to find the same hits, timed on the same 10 000 rays while this figure was drawn. A triangle with e₁ = e₂ \
         has no area: if the determinant were not tested, {:.1} % of the rays aimed at such triangles would count as hits.",

@@ -45,12 +45,15 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         return draw_mesh(stage, &mesh).map(|_| ());
     }
     let n = knobs.cells;
-    let (film, finest) = draw_mesh(stage, &teapot::mesh(n))?;
+    let film = draw_mesh(stage, &teapot::mesh(n))?;
+    if !stage.wants("tessellation") {
+        return Ok(());
+    }
     let tile = |n| picture(&film, &teapot::mesh(n), showroom::SMOOTH).0;
     let tiles = [
         ("2 × 2 per patch", tile(2)),
         ("3 × 3", tile(3)),
-        (&format!("{n} × {n}"), finest),
+        (&format!("{n} × {n}"), tile(n)),
     ];
     let caption = format!(
         "The teapot's 32 patches cut into 4, 9 and {} quadrilaterals each. With interpolated normals the surface looks round \
@@ -71,16 +74,18 @@ fn warn_of_long_search(stage: &Stage, mesh: &Mesh) {
     });
 }
 
-/// Draws any mesh. Returns the film of the small pictures, and the small picture with interpolated normals, for further sheets.
-fn draw_mesh<'a>(stage: &'a Stage, mesh: &Mesh) -> Result<(Film<'a>, Image), Box<dyn Error>> {
+/// Draws any mesh. Returns the film of the small pictures, for further sheets.
+fn draw_mesh<'a>(stage: &'a Stage, mesh: &Mesh) -> Result<Film<'a>, Box<dyn Error>> {
     let triangles = mesh.triangles().len();
     let film = own_mesh::film_of_list(stage, mesh);
-    let (main, tests) = picture(&film, mesh, showroom::SMOOTH);
-    let caption = format!(
-        "A mesh of {triangles} triangles. Every ray that meets the mesh's box is tested against all triangles: {} million tests.",
-        tests / 1_000_000
-    );
-    stage.picture("picture", &caption, &main)?;
+    if stage.wants("picture") {
+        let (main, tests) = picture(&film, mesh, showroom::SMOOTH);
+        let caption = format!(
+            "A mesh of {triangles} triangles. Every ray that meets the mesh's box is tested against all triangles: {} million tests.",
+            tests / 1_000_000
+        );
+        stage.picture("picture", &caption, &main)?;
+    }
     let names = [
         "one normal per triangle",
         "normals interpolated",
@@ -88,11 +93,12 @@ fn draw_mesh<'a>(stage: &'a Stage, mesh: &Mesh) -> Result<(Film<'a>, Image), Box
         "texture coordinates",
     ];
     let film = showroom::small(&film);
-    let tiles: Vec<_> = names.into_iter().zip(attributes(&film, mesh)).collect();
-    let smooth = tiles[1].1.clone();
-    let caption = "The same triangles four times: with the normal of each triangle, with interpolated vertex normals, with these normals as colours, and with a checkerboard on the texture coordinates.";
-    stage.figure("attributes", caption, &sheet(2, &tiles)?)?;
-    Ok((film, smooth))
+    if stage.wants("attributes") {
+        let tiles: Vec<_> = names.into_iter().zip(attributes(&film, mesh)).collect();
+        let caption = "The same triangles four times: with the normal of each triangle, with interpolated vertex normals, with these normals as colours, and with a checkerboard on the texture coordinates.";
+        stage.figure("attributes", caption, &sheet(2, &tiles)?)?;
+    }
+    Ok(film)
 }
 
 /// The picture of a mesh, and how many triangles were tested for it.

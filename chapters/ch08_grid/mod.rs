@@ -90,23 +90,32 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     stage.diagram("walk", caption, &walk_figure::diagram()?)?;
 
     let small = showroom::small(&film);
-    let heat = heat::heat(&small, |place| camera.ray_through(place), &grid);
-    let caption = "What each ray of the picture costs. A ray visits many cells, and most of them are empty. The triangle tests come at the end, around the hit.";
-    stage.figure("heat", caption, &heat.figure("cells visited")?)?;
+    if stage.wants("heat") {
+        let heat = heat::heat(&small, |place| camera.ray_through(place), &grid);
+        let caption = "What each ray of the picture costs. A ray visits many cells, and most of them are empty. The triangle tests come at the end, around the hit.";
+        stage.figure("heat", caption, &heat.figure("cells visited")?)?;
+    }
 
-    let costs = grid_costs::measure(&teapot::mesh(20));
-    let caption = format!(
-        "The same {} rays in grids of more and more cells: fewer triangles are tested, and more cells are visited. The fastest \
-        of these grids answers {:.1} million rays per second on one thread, measured while this figure was drawn.",
-        grid_costs::RAYS,
-        grid_costs::rate(&costs) / 1e6
-    );
-    stage.diagram("resolution", &caption, &grid_costs::plot(&costs)?)?;
+    if stage.wants("resolution") {
+        let costs = grid_costs::measure(&teapot::mesh(20));
+        let caption = format!(
+            "The same {} rays in grids of more and more cells: fewer triangles are tested, and more cells are visited. The fastest \
+            of these grids answers {:.1} million rays per second on one thread, measured while this figure was drawn.",
+            grid_costs::RAYS,
+            grid_costs::rate(&costs) / 1e6
+        );
+        stage.diagram("resolution", &caption, &grid_costs::plot(&costs)?)?;
+    }
 
-    let caption = "A soup of N triangles, so small that most rays leave the soup at the other end. Both counts grow with the \
-        cube root of N: a thousand times as many triangles cost ten times as much.";
-    stage.diagram("law", caption, &growth::grid()?)?;
+    if stage.wants("law") {
+        let caption = "A soup of N triangles, so small that most rays leave the soup at the other end. Both counts grow with the \
+            cube root of N: a thousand times as many triangles cost ten times as much.";
+        stage.diagram("law", caption, &growth::grid()?)?;
+    }
 
+    if !stage.wants("stadium") {
+        return Ok(());
+    }
     let stadium = stadium(4);
     let grid = grid_of(&stadium.mesh);
     let caption = format!(

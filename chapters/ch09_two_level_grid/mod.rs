@@ -78,18 +78,23 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         ..tile
     };
     let ray = |place| camera.ray_through(place);
-    let caption = format!(
-        "What each pixel's ray costs, with the same scale for all. λ is the number of coarse cells per triangle. One thread of \
-        this machine answers {} with the uniform grid, and {} with two levels and λ = {density}.",
-        rays_a_second(&tiny, ray, &grid),
-        rays_a_second(&tile, ray, &fine)
-    );
-    stage.figure(
-        "heat",
-        &caption,
-        &maps(&tile, &camera, &stadium, &grid, (density, &fine))?,
-    )?;
+    if stage.wants("heat") {
+        let caption = format!(
+            "What each pixel's ray costs, with the same scale for all. λ is the number of coarse cells per triangle. One thread of \
+            this machine answers {} with the uniform grid, and {} with two levels and λ = {density}.",
+            rays_a_second(&tiny, ray, &grid),
+            rays_a_second(&tile, ray, &fine)
+        );
+        stage.figure(
+            "heat",
+            &caption,
+            &maps(&tile, &camera, &stadium, &grid, (density, &fine))?,
+        )?;
+    }
 
+    if !stage.wants("densities") {
+        return Ok(());
+    }
     let caption = "The same view with more and more coarse cells: each cell holds a smaller part of the teapot, but a ray walks through more cells. Where triangles are spread evenly, fewer coarse cells are faster.";
     stage.diagram("densities", caption, &densities(&tiny, &camera, &stadium)?)
 }

@@ -88,16 +88,21 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         skips empty leaves.";
     stage.diagram("quadtree", caption, &quadtree::diagram()?)?;
 
-    let room = Showroom::around(&mesh, film.aspect());
-    let film = small(&film);
-    let speed = rays_a_second(&film, |place| room.ray(place), &octree);
-    let caption = format!(
-        "What each pixel's ray costs with an octree of {} triangles: nodes visited on the left, triangles tested on the right. \
-        One thread of this machine answers {speed}.",
-        mesh.triangles().len()
-    );
-    let map = heat(&film, |place| room.ray(place), &octree);
-    stage.figure("heat", &caption, &map.figure("nodes visited")?)?;
+    if stage.wants("heat") {
+        let room = Showroom::around(&mesh, film.aspect());
+        let film = small(&film);
+        let speed = rays_a_second(&film, |place| room.ray(place), &octree);
+        let caption = format!(
+            "What each pixel's ray costs with an octree of {} triangles: nodes visited on the left, triangles tested on the right. \
+            One thread of this machine answers {speed}.",
+            mesh.triangles().len()
+        );
+        let map = heat(&film, |place| room.ray(place), &octree);
+        stage.figure("heat", &caption, &map.figure("nodes visited")?)?;
+    }
+    if !stage.wants("law") {
+        return Ok(());
+    }
     draw_law(stage)
 }
 

@@ -137,6 +137,9 @@ fn draw_teapot(
         stage.figure("heat", &caption, &map.figure(structure.boxes())?)?;
     }
 
+    if !stage.wants("speeds") {
+        return Ok(());
+    }
     let built = Structure::TAUGHT.map(|one| (one.name(), one.build(mesh.facets(), building)));
     let searches = built
         .each_ref()

@@ -47,29 +47,36 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let turn = Mat3::from_rotation_y(knobs.turn.to_radians());
     let film = stage.tile(4, 1.0);
     let camera = Pinhole::look_at(vec3(0.0, 0.0, 7.0), Vec3::ZERO, Vec3::Y, 0.072, 1.0)?;
-    let balls = bench::terms(knobs.exponent, turn)
-        .into_iter()
-        .chain(bench::exponents(knobs.exponent, turn));
-    let balls: Vec<_> = balls
-        .map(|(name, scene)| (name, photograph(&film, &camera, &scene)))
-        .collect();
-    let balls: Vec<_> = balls
-        .iter()
-        .map(|(name, ball)| (&**name, ball.clone()))
-        .collect();
-    let caption = "Top: the terms of Phong's formula added one by one, and then a second light. Middle: Phong's highlight with \
-        growing exponents α. Bottom: Blinn's highlight with four times the exponent, α′ = 4α, which is about as large.";
-    stage.picture("picture", caption, &sheet(4, &balls)?)?;
+    if stage.wants("picture") {
+        let balls = bench::terms(knobs.exponent, turn)
+            .into_iter()
+            .chain(bench::exponents(knobs.exponent, turn));
+        let balls: Vec<_> = balls
+            .map(|(name, scene)| (name, photograph(&film, &camera, &scene)))
+            .collect();
+        let balls: Vec<_> = balls
+            .iter()
+            .map(|(name, ball)| (&**name, ball.clone()))
+            .collect();
+        let caption = "Top: the terms of Phong's formula added one by one, and then a second light. Middle: Phong's highlight with \
+            growing exponents α. Bottom: Blinn's highlight with four times the exponent, α′ = 4α, which is about as large.";
+        stage.picture("picture", caption, &sheet(4, &balls)?)?;
+    }
 
-    let caption = "The light L comes from the left. The curves show how much light a point sends into each direction. In the \
-        plane of light and normal (left), Blinn's lobe with four times the exponent is nearly the same as Phong's. Out of that \
-        plane, under slanting light (right), Blinn's lobe is much narrower.";
-    stage.diagram(
-        "lobes",
-        caption,
-        &lobes::draw(knobs.exponent, knobs.incidence)?,
-    )?;
+    if stage.wants("lobes") {
+        let caption = "The light L comes from the left. The curves show how much light a point sends into each direction. In the \
+            plane of light and normal (left), Blinn's lobe with four times the exponent is nearly the same as Phong's. Out of that \
+            plane, under slanting light (right), Blinn's lobe is much narrower.";
+        stage.diagram(
+            "lobes",
+            caption,
+            &lobes::draw(knobs.exponent, knobs.incidence)?,
+        )?;
+    }
 
+    if !stage.wants("floors") {
+        return Ok(());
+    }
     let film = stage.tile(2, 1.6);
     let (from, to) = (vec3(0.0, 1.6, 5.5), vec3(0.0, 0.4, 0.0));
     let camera = Pinhole::look_at(from, to, Vec3::Y, 0.03, film.aspect())?;

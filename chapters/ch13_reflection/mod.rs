@@ -42,32 +42,39 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let camera = Pinhole::look_at(from, to, Vec3::Y, 0.042, film.aspect())?;
     let scene = marbles::scene();
     let depth = knobs.depth;
-    let caption = format!(
-        "Two mirrors, seven marbles, and a floor that reflects a little less than a quarter of what it receives. \
-        Up to {depth} surfaces are followed in a row. There are no shadows yet."
-    );
-    let picture = photograph(&film, &camera, &scene, depth);
-    stage.picture("picture", &caption, &picture)?;
+    if stage.wants("picture") {
+        let caption = format!(
+            "Two mirrors, seven marbles, and a floor that reflects a little less than a quarter of what it receives. \
+            Up to {depth} surfaces are followed in a row. There are no shadows yet."
+        );
+        let picture = photograph(&film, &camera, &scene, depth);
+        stage.picture("picture", &caption, &picture)?;
+    }
 
-    let (width, height) = ray_tree_figure::PHOTOGRAPH;
-    let film = Film {
-        width,
-        height,
-        samples: 4,
-        ..stage.tile(2, 1.0)
-    };
-    let [from, to] = marbles::FROM_ABOVE;
-    let above = Pinhole::look_at(from, to, Vec3::Y, 0.038, film.aspect())?;
-    let view = photograph(&film, &above, &scene, depth);
-    let tree = ray_tree::grow(&whitted(depth.min(5)), &scene, &camera.ray_through(PIXEL));
-    let caption = "The rays for one pixel of the picture, seen from above, and the same rays as a tree. Each circle has the \
-        colour that its ray sees; the numbers stand for the surfaces that the rays meet.";
-    stage.figure(
-        "tree",
-        caption,
-        &ray_tree_figure::draw(&tree, &view, above)?,
-    )?;
+    if stage.wants("tree") {
+        let (width, height) = ray_tree_figure::PHOTOGRAPH;
+        let film = Film {
+            width,
+            height,
+            samples: 4,
+            ..stage.tile(2, 1.0)
+        };
+        let [from, to] = marbles::FROM_ABOVE;
+        let above = Pinhole::look_at(from, to, Vec3::Y, 0.038, film.aspect())?;
+        let view = photograph(&film, &above, &scene, depth);
+        let tree = ray_tree::grow(&whitted(depth.min(5)), &scene, &camera.ray_through(PIXEL));
+        let caption = "The rays for one pixel of the picture, seen from above, and the same rays as a tree. Each circle has the \
+            colour that its ray sees; the numbers stand for the surfaces that the rays meet.";
+        stage.figure(
+            "tree",
+            caption,
+            &ray_tree_figure::draw(&tree, &view, above)?,
+        )?;
+    }
 
+    if !stage.wants("depth") {
+        return Ok(());
+    }
     let film = stage.tile(3, 1.0);
     let [from, to] = kissing_balls::VIEW;
     let camera = Pinhole::look_at(from, to, Vec3::Y, 0.055, film.aspect())?;

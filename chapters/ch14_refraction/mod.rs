@@ -112,6 +112,9 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         stage.figure("depth", caption, &sheet(4, &tiles)?)?;
     }
 
+    if !stage.wants("absorption") {
+        return Ok(());
+    }
     let view = (vec3(0.5, 5.6, 8.6), vec3(0.5, 1.15, -0.2), 0.041);
     let sizes = photograph(&small(1, 2.4), &glassware::sizes(stuff), view, depth)?;
     let caption = "The same green glass in balls of 40 cm to 3.2 m diameter. On a way twice as long, the fraction of light that \

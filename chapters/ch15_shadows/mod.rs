@@ -82,10 +82,15 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         stage.figure("wrong", caption, &sheet(2, &tiles)?)?;
     }
 
-    let caption = "A coarse teapot under a low sun. Left: where the light ends, the facets can be seen as stairs, because each \
-        facet lies in its own shadow as a whole. Right: shadow rays start where the round surface would be.";
-    stage.figure("terminator", caption, &stairs::figure(&tile, knobs.cells)?)?;
+    if stage.wants("terminator") {
+        let caption = "A coarse teapot under a low sun. Left: where the light ends, the facets can be seen as stairs, because each \
+            facet lies in its own shadow as a whole. Right: shadow rays start where the round surface would be.";
+        stage.figure("terminator", caption, &stairs::figure(&tile, knobs.cells)?)?;
+    }
 
+    if !stage.wants("tree") {
+        return Ok(());
+    }
     let (width, height) = ray_tree_figure::PHOTOGRAPH;
     let film = Film {
         width,

@@ -16,6 +16,7 @@ use raybook::image::Image;
 use raybook::render::film::Film;
 use raybook::render::mis::Strategy;
 use raybook::render::path::Path;
+use std::cell::LazyCell;
 use std::process::ExitCode;
 use strategies::View;
 
@@ -67,49 +68,60 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         },
         ..ALL
     };
-    let picture = denoised(&film, &cornell_box, path);
-    let caption = "The Cornell box. The red and green light on the white blocks has come from the walls. The ceiling gets no \
-        light straight from the lamp, only from the other surfaces. A filter has averaged the remaining noise.";
-    stage.picture("picture", caption, &picture)?;
+    let picture = LazyCell::new(|| denoised(&film, &cornell_box, path));
+    if stage.wants("picture") {
+        let caption = "The Cornell box. The red and green light on the white blocks has come from the walls. The ceiling gets no \
+            light straight from the lamp, only from the other surfaces. A filter has averaged the remaining noise.";
+        stage.picture("picture", caption, &picture)?;
+    }
 
-    let few = Film {
-        samples: film.samples.div_ceil(4),
-        ..film
-    };
-    let tiles = [
-        (
-            "light straight from the lamp",
-            denoised(&few, &cornell_box, DIRECT),
-        ),
-        ("with inter-reflections", picture),
-    ];
-    let caption = "Local and global illumination: without the light from other surfaces, ceiling and shadows are black.";
-    stage.figure("inter_reflections", caption, &sheet(2, &tiles)?)?;
+    if stage.wants("inter_reflections") {
+        let few = Film {
+            samples: film.samples.div_ceil(4),
+            ..film
+        };
+        let tiles = [
+            (
+                "light straight from the lamp",
+                denoised(&few, &cornell_box, DIRECT),
+            ),
+            ("with inter-reflections", picture.clone()),
+        ];
+        let caption = "Local and global illumination: without the light from other surfaces, ceiling and shadows are black.";
+        stage.figure("inter_reflections", caption, &sheet(2, &tiles)?)?;
+    }
 
-    let caption = "A mirror and glass in the box. The bright spot below the glass ball is a caustic: light of the lamp that the \
-        glass has gathered. No ray to the lamp finds this light, only paths that happen to go through the glass. A pixel that \
-        one rare path makes much brighter than its neighbours is limited.";
-    let film = stage.film_of(320, 32, 1.0);
-    stage.figure(
-        "caustic",
-        caption,
-        &denoised(&film, &View::with_balls()?, ALL),
-    )?;
+    if stage.wants("caustic") {
+        let caption = "A mirror and glass in the box. The bright spot below the glass ball is a caustic: light of the lamp that the \
+            glass has gathered. No ray to the lamp finds this light, only paths that happen to go through the glass. A pixel that \
+            one rare path makes much brighter than its neighbours is limited.";
+        let film = stage.film_of(320, 32, 1.0);
+        stage.figure(
+            "caustic",
+            caption,
+            &denoised(&film, &View::with_balls()?, ALL),
+        )?;
+    }
 
     let caption = "600 directions of the hemisphere (blue), and their projections on the surface (orange): uniform on the left, \
         by the cosine on the right. Light counts in proportion to cos θ, so directions near the horizon contribute little.";
     stage.diagram("hemisphere", caption, &domes::draw()?)?;
 
-    let caption = "Four plates, smooth behind and rough in front, mirror four lamps, small at the left and large at the right; \
-        the number of samples is the same in all tiles. Directions by the surface find the large lamps, and directions by the \
-        light find the small lamps. Both together, with weights, find all lamps.";
     let tile = stage.tile(3, 1.5);
     let tile = Film {
         samples: tile.samples.div_ceil(2),
         ..tile
     };
-    stage.figure("strategies", caption, &strategies::figure(&tile)?)?;
+    if stage.wants("strategies") {
+        let caption = "Four plates, smooth behind and rough in front, mirror four lamps, small at the left and large at the right; \
+            the number of samples is the same in all tiles. Directions by the surface find the large lamps, and directions by the \
+            light find the small lamps. Both together, with weights, find all lamps.";
+        stage.figure("strategies", caption, &strategies::figure(&tile)?)?;
+    }
 
+    if !stage.wants("error") {
+        return Ok(());
+    }
     let caption = "The relative RMS error of each strategy, against the samples and against the time, measured while this figure \
         was drawn. In the box (top), directions by the light are as good as both together. On the plates (bottom), both together \
         have the smallest error, also for equal time.";

@@ -76,27 +76,36 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         stage.picture("picture", caption, &quarters(&lit))?;
     }
 
-    let caption = "The clear day in three layouts: latitude and longitude, a cube unfolded to a cross, and the angular map.";
-    stage.figure("layouts", caption, &layouts(day)?)?;
+    if stage.wants("layouts") {
+        let caption = "The clear day in three layouts: latitude and longitude, a cube unfolded to a cross, and the angular map.";
+        stage.figure("layouts", caption, &layouts(day)?)?;
+    }
 
-    let (chosen, in_the_sun) = environments::chosen(day)?;
-    let caption = format!(
-        "{DIRECTIONS} directions of the clear day, chosen uniformly on the left and by their light on the right. On the right, \
-        {in_the_sun} of them lie in the sun: they look like one dot, because the sun is so small."
-    );
-    stage.figure("chosen", &caption, &chosen)?;
+    if stage.wants("chosen") {
+        let (chosen, in_the_sun) = environments::chosen(day)?;
+        let caption = format!(
+            "{DIRECTIONS} directions of the clear day, chosen uniformly on the left and by their light on the right. On the right, \
+            {in_the_sun} of them lie in the sun: they look like one dot, because the sun is so small."
+        );
+        stage.figure("chosen", &caption, &chosen)?;
+    }
 
-    let film = stage.film_of(480, 32, 4.0 / 3.0);
-    let light = Box::new(Environment::new(studio.clone()));
-    let metals = metals::draw(&film, light, knobs.roughness)?;
-    let caption = format!(
-        "Gold, copper, silver and aluminium. Top row: smooth. Rows below: rough, with a roughness α of 0.15 and of {0}. In this \
-        model, rough silver with α = {0} reflects {1:.0} % of the light that smooth silver reflects.",
-        knobs.roughness,
-        100.0 * metals::kept(knobs.roughness)
-    );
-    stage.figure("metals", &caption, &metals.map(tone::aces))?;
+    if stage.wants("metals") {
+        let film = stage.film_of(480, 32, 4.0 / 3.0);
+        let light = Box::new(Environment::new(studio.clone()));
+        let metals = metals::draw(&film, light, knobs.roughness)?;
+        let caption = format!(
+            "Gold, copper, silver and aluminium. Top row: smooth. Rows below: rough, with a roughness α of 0.15 and of {0}. In this \
+            model, rough silver with α = {0} reflects {1:.0} % of the light that smooth silver reflects.",
+            knobs.roughness,
+            100.0 * metals::kept(knobs.roughness)
+        );
+        stage.figure("metals", &caption, &metals.map(tone::aces))?;
+    }
 
+    if !stage.wants("importance") {
+        return Ok(());
+    }
     let samples = tile.samples.div_ceil(2);
     let few = Film { samples, ..tile };
     let uniform = Box::new(UniformEnvironment(Environment::new(day.clone())));

@@ -115,8 +115,11 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         stage.figure("focus_pull", caption, &sheet(6, &named(&tiles))?)?;
     }
 
-    let caption = "Lamps out of focus, seen through a round hole and through 5, 6 and 8 blades.";
-    stage.figure("bokeh", caption, &bokeh::draw(&stage.tile(4, 1.0))?)?;
+    if stage.wants("bokeh") {
+        let caption =
+            "Lamps out of focus, seen through a round hole and through 5, 6 and 8 blades.";
+        stage.figure("bokeh", caption, &bokeh::draw(&stage.tile(4, 1.0))?)?;
+    }
     let caption = "The circle of confusion of a 50 mm lens that is focused at 2 m: the disc on the sensor that a point becomes. \
         A disc smaller than a pixel looks sharp: the shaded ranges are the depth of field.";
     stage.diagram("blur", caption, &blur_plot::plot()?)

@@ -29,6 +29,7 @@ use raybook::render::local::Local;
 use raybook::render::shadow;
 use raybook::render::whitted::Whitted;
 use raybook::scene::world::Scene;
+use std::cell::LazyCell;
 use std::process::ExitCode;
 
 /// What the pictures depend on.
@@ -66,31 +67,46 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let camera = Panorama { pose };
     let take = |film: &Film, rays: Rays| photograph(&scene, film, rays);
     let film = stage.film_of(960, 9, 2.0);
-    let picture = take(&film, &|place| Some(camera.ray_through(place)));
-    let caption = "Everything that is seen from one point. The left and the right edge are one line, behind the viewer. The whole top edge is a single direction, straight up, and the whole bottom edge is straight down.";
-    stage.picture("picture", caption, &picture)?;
-    let caption = "The same panorama with lines of latitude and longitude, every 30°. Each small white disc has a radius of 6°: \
-        towards the poles, the map stretches the discs.";
-    stage.figure("graticule", caption, &labelled(&picture)?)?;
-    let caption = "The four beams are straight in space, and are curves on the map. Prolonged without end (dashed), a straight \
-        line is half of a great circle, and parallel lines meet at the horizon.";
-    let lines = with_lines(&picture, EYE, &BEAMS)?;
-    stage.figure("lines", caption, &lines)?;
+    let picture = LazyCell::new(|| take(&film, &|place| Some(camera.ray_through(place))));
+    if stage.wants("picture") {
+        let caption = "Everything that is seen from one point. The left and the right edge are one line, behind the viewer. The whole top edge is a single direction, straight up, and the whole bottom edge is straight down.";
+        stage.picture("picture", caption, &picture)?;
+    }
+    if stage.wants("graticule") {
+        let caption = "The same panorama with lines of latitude and longitude, every 30°. Each small white disc has a radius of 6°: \
+            towards the poles, the map stretches the discs.";
+        stage.figure("graticule", caption, &labelled(&picture)?)?;
+    }
+    if stage.wants("lines") {
+        let caption = "The four beams are straight in space, and are curves on the map. Prolonged without end (dashed), a straight \
+            line is half of a great circle, and parallel lines meet at the horizon.";
+        let lines = with_lines(&picture, EYE, &BEAMS)?;
+        stage.figure("lines", caption, &lines)?;
+    }
 
     let samples = film.samples.min(4);
     let [wide, square] = [(3, 1.5), (4, 1.0)].map(|(columns, aspect)| Film {
         samples,
         ..stage.tile(columns, aspect)
     });
-    let caption = "A pin-hole camera keeps lines straight. In return it stretches objects far from the middle, without limit towards 180°. Each small white disc has a radius of 6°.";
-    stage.figure("pinhole", caption, &pinholes(&wide, EYE, take)?)?;
-    let caption = "Fisheyes: half of all directions in the four projections; below, all directions or nearly all, with the camera looking ahead, down and up. Each small white disc has a radius of 6°.";
-    stage.figure("fisheye", caption, &fisheyes(&square, EYE, take)?)?;
+    if stage.wants("pinhole") {
+        let caption = "A pin-hole camera keeps lines straight. In return it stretches objects far from the middle, without limit towards 180°. Each small white disc has a radius of 6°.";
+        stage.figure("pinhole", caption, &pinholes(&wide, EYE, take)?)?;
+    }
+    if stage.wants("fisheye") {
+        let caption = "Fisheyes: half of all directions in the four projections; below, all directions or nearly all, with the camera looking ahead, down and up. Each small white disc has a radius of 6°.";
+        stage.figure("fisheye", caption, &fisheyes(&square, EYE, take)?)?;
+    }
 
-    let around = Environment::new(picture);
-    let caption = "Top: the scene itself. Middle: the panorama as an environment map, seen from the point where it was taken. \
-        Bottom: the difference, which lies along edges and is narrower than a pixel of the map.";
-    stage.figure("looks", caption, &looks(&wide, EYE, &around, take)?)?;
+    let around = LazyCell::new(|| Environment::new(picture.clone()));
+    if stage.wants("looks") {
+        let caption = "Top: the scene itself. Middle: the panorama as an environment map, seen from the point where it was taken. \
+            Bottom: the difference, which lies along edges and is narrower than a pixel of the map.";
+        stage.figure("looks", caption, &looks(&wide, EYE, &around, take)?)?;
+    }
+    if !stage.wants("light") {
+        return Ok(());
+    }
     let caption = "Chapter 18's still life in the light of the panorama. On the right, the map is cut off at white, and so is \
         its sun: there is next to no sunlight, and no shadow.";
     stage.figure("light", caption, &lit(&stage.tile(2, 1.5), &around)?)

@@ -76,23 +76,28 @@ fn draw_before(stage: &Stage, knobs: &Knobs, sky: &(dyn Fn(Dir3) -> Rgb + Sync))
         sky,
     };
     let fan = fan(&camera, &film);
-    let picture = film
-        .refine(|place, _| hole.radiance_by(&fan, camera.ray_through(place).direction) * EXPOSURE);
-    let caption = "A black hole and a disc of hot gas. The arch above the shadow is the far side of the disc, whose light is bent over the hole. The left side of the disc comes towards us, and is bluer and brighter.";
-    stage.picture("picture", caption, &picture)?;
+    if stage.wants("picture") {
+        let picture = film.refine(|place, _| {
+            hole.radiance_by(&fan, camera.ray_through(place).direction) * EXPOSURE
+        });
+        let caption = "A black hole and a disc of hot gas. The arch above the shadow is the far side of the disc, whose light is bent over the hole. The left side of the disc comes towards us, and is bluer and brighter.";
+        stage.picture("picture", caption, &picture)?;
+    }
 
     let tile = |columns, aspect| Film {
         samples: film.samples,
         ..stage.tile(columns, aspect)
     };
-    let caption = format!(
-        "The same ball and disc without gravity and with it: the far side appears above the hole and below it, and the shadow is \
-        larger than the ball. All rays at the same angle to the hole follow one curve, turned around the axis from the eye to \
-        the hole: {} curves were followed step by step for the picture.",
-        fan.curves()
-    );
-    let figure = straight_hole::compare(&tile(2, 1.78), &camera, &hole, &fan, EXPOSURE)?;
-    stage.figure("straight_and_bent", &caption, &figure)?;
+    if stage.wants("straight_and_bent") {
+        let caption = format!(
+            "The same ball and disc without gravity and with it: the far side appears above the hole and below it, and the shadow is \
+            larger than the ball. All rays at the same angle to the hole follow one curve, turned around the axis from the eye to \
+            the hole: {} curves were followed step by step for the picture.",
+            fan.curves()
+        );
+        let figure = straight_hole::compare(&tile(2, 1.78), &camera, &hole, &fan, EXPOSURE)?;
+        stage.figure("straight_and_bent", &caption, &figure)?;
+    }
 
     let caption = "Parallel rays from the left. The hole swallows rays with an impact parameter b, the distance from the axis, \
         below 2.598 radii of the hole (vermilion). The next rays turn back or go around the hole before they leave.";
@@ -100,6 +105,9 @@ fn draw_before(stage: &Stage, knobs: &Knobs, sky: &(dyn Fn(Dir3) -> Rgb + Sync))
     let caption = "The angle by which the hole turns a ray with the impact parameter b. For large b the angle is 2/b radians \
         (dashed); towards b = 2.598 it grows without limit. The dots are rays that were followed step by step.";
     stage.diagram("deflection", caption, &deflection_plot::draw()?)?;
+    if !stage.wants("shadows") {
+        return Ok(());
+    }
     let caption = "Half of the sky, towards the hole, for observers nearer and nearer to the hole; r is in radii of the hole. \
         The dashed circle and the angle are the edge of the shadow by the formula.";
     stage.figure("shadows", caption, &hole_shadows::draw(&tile(4, 1.0))?)

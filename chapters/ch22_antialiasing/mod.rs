@@ -21,7 +21,6 @@ use clap::{Args, ValueEnum};
 use glam::Vec3;
 use raybook::camera::pinhole::Pinhole;
 use raybook::math::pcg::Pcg;
-use raybook::render::film::Film;
 use raybook::render::local::Local;
 use raybook::render::shadow;
 use raybook::render::supersample::{filtered, supersample};
@@ -88,16 +87,16 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         let most = film.samples;
         let chosen = find(&knobs.pattern).ok_or("the knob has a pattern's name")?;
         let ways = [(1, grid), (most.isqrt(), chosen), (most, chosen)];
-        let views = ways.map(|(samples, pattern)| {
-            let film = Film { samples, ..film };
-            let filter = match knobs.filter {
-                By::Box => return supersample(&film, pattern, see),
-                By::Tent => Filter::TENT,
-                By::Gaussian => Filter::GAUSSIAN,
-                By::Mitchell => Filter::MITCHELL,
-            };
-            filtered(&film, pattern, &filter, see)
-        });
+        let points = |x: usize, _: usize, rng: &mut Pcg| {
+            let (samples, pattern) = ways[sheets::band(x, ways.len(), film.width)];
+            (pattern.points)(samples, rng)
+        };
+        let view = match knobs.filter {
+            By::Box => supersample(&film, points, see),
+            By::Tent => filtered(&film, points, &Filter::TENT, see),
+            By::Gaussian => filtered(&film, points, &Filter::GAUSSIAN, see),
+            By::Mitchell => filtered(&film, points, &Filter::MITCHELL, see),
+        };
         let caption = format!(
             "One picture in three bands: left, one ray through the middle of each pixel; middle and right, {} and {most} rays \
             per pixel by the pattern “{}”. With one ray, the far squares make a pattern that does not exist, and the edges are \
@@ -105,7 +104,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             most.isqrt(),
             chosen.title
         );
-        stage.picture("picture", &caption, &sheets::bands(&views))?;
+        stage.picture("picture", &caption, &sheets::ruled(&view, ways.len()))?;
     }
 
     let subjects: Vec<_> = PATTERNS.iter().map(Subject::of).collect();
@@ -114,13 +113,15 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         n: knobs.count,
         columns: 4,
     };
-    let caption = format!(
-        "{} points in a pixel, placed in different ways: one realisation of each pattern, seed 1. Random points crowd and leave \
-        gaps. Every other pattern limits this in its own way, for example by cells, by rows and columns, or by the distance \
-        between points.",
-        knobs.count
-    );
-    stage.diagram("patterns", &caption, &all.figure()?)?;
+    if stage.wants("patterns") {
+        let caption = format!(
+            "{} points in a pixel, placed in different ways: one realisation of each pattern, seed 1. Random points crowd and leave \
+            gaps. Every other pattern limits this in its own way, for example by cells, by rows and columns, or by the distance \
+            between points.",
+            knobs.count
+        );
+        stage.diagram("patterns", &caption, &all.figure()?)?;
+    }
 
     let named = "regular-grid rotated-grid random jittered poisson-disk sobol-owen".split(' ');
     let named: Vec<_> = named.filter_map(find).map(Subject::of).collect();
@@ -142,6 +143,9 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         stage.diagram("edges", caption, &figure)?;
     }
 
+    if !stage.wants("filters") {
+        return Ok(());
+    }
     let caption = "The same sixteen samples per pixel, averaged by four filters. The wider filters also use samples of the \
         neighbouring pixels. Below are the weights of each filter along a line; the grey lines are centres of pixels. Mitchell's \
         filter goes below 0, which makes edges crisp.";

@@ -70,41 +70,46 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         stage.picture("picture", &caption, &done.picture)?;
     }
 
-    let budget = knobs.budget.max(limits.first);
-    let of_budget = format!("a budget of {budget}");
-    let small = stage.tile(2, 16.0 / 9.0);
-    let rules = [
-        (
-            "by contrast",
-            adaptive(&small, limits, &StoppingRule::BY_CONTRAST, see),
-        ),
-        (
-            "by variance",
-            adaptive(
-                &small,
-                limits,
-                &StoppingRule::by_variance(knobs.threshold),
-                see,
+    if stage.wants("spent") {
+        let budget = knobs.budget.max(limits.first);
+        let of_budget = format!("a budget of {budget}");
+        let small = stage.tile(2, 16.0 / 9.0);
+        let rules = [
+            (
+                "by contrast",
+                adaptive(&small, limits, &StoppingRule::BY_CONTRAST, see),
             ),
-        ),
-        (
-            of_budget.as_str(),
-            by_budget(&small, limits.first, budget, see),
-        ),
-    ];
-    let mut tiles = vec![("the picture".to_owned(), rules[2].1.picture.clone())];
-    for (name, done) in &rules {
-        tiles.push((format!("{name}: {}", spent(done)), map(&done.spent, limits)));
+            (
+                "by variance",
+                adaptive(
+                    &small,
+                    limits,
+                    &StoppingRule::by_variance(knobs.threshold),
+                    see,
+                ),
+            ),
+            (
+                of_budget.as_str(),
+                by_budget(&small, limits.first, budget, see),
+            ),
+        ];
+        let mut tiles = vec![("the picture".to_owned(), rules[2].1.picture.clone())];
+        for (name, done) in &rules {
+            tiles.push((format!("{name}: {}", spent(done)), map(&done.spent, limits)));
+        }
+        let tiles: Vec<_> = tiles
+            .iter()
+            .map(|(name, tile)| (name.as_str(), tile.clone()))
+            .collect();
+        let caption = "The number of rays of each pixel, from dark blue for the fewest to yellow for the most. The contrast rule \
+            sees the edges of dark squares as well as those of bright squares; the rule of variance prefers bright edges; a budget \
+            spends exactly the given number of rays.";
+        stage.figure("spent", caption, &sheet(2, &tiles)?)?;
     }
-    let tiles: Vec<_> = tiles
-        .iter()
-        .map(|(name, tile)| (name.as_str(), tile.clone()))
-        .collect();
-    let caption = "The number of rays of each pixel, from dark blue for the fewest to yellow for the most. The contrast rule \
-        sees the edges of dark squares as well as those of bright squares; the rule of variance prefers bright edges; a budget \
-        spends exactly the given number of rays.";
-    stage.figure("spent", caption, &sheet(2, &tiles)?)?;
 
+    if !stage.wants("error") {
+        return Ok(());
+    }
     let sobol = find("sobol-owen").ok_or("there is Sobol's pattern")?;
     let film = Film {
         width: 160,

@@ -20,6 +20,7 @@ use confetti::Confetti;
 use raybook::accel::bvh::Bvh;
 use raybook::accel::wide_bvh::WideBvh;
 use raybook::shape::mesh::Mesh;
+use std::cell::LazyCell;
 use std::process::ExitCode;
 use std::sync::atomic::AtomicU64;
 use std::sync::atomic::Ordering::Relaxed;
@@ -50,20 +51,22 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let confetti = Confetti::new(knobs.pieces);
     let tree = WideBvh::new(confetti.mesh.facets());
     let camera = confetti::camera(film.aspect());
-    let rays = AtomicU64::new(0);
-    let picture = film.refine(|place, numbers| {
-        let seen = confetti.follow(&camera.ray_through(place), &tree, knobs.sky_rays, numbers);
-        rays.fetch_add(seen.rays, Relaxed);
-        seen
-    });
-    let caption = format!(
-        "A teapot in a heap of confetti, {} triangles. {:.1} million rays make this picture: from each point that is seen, rays \
-        go towards the sky in {} directions, and one ray goes towards the sun.",
-        grouped(confetti.mesh.triangles().len() as f64),
-        rays.into_inner() as f64 / 1e6,
-        knobs.sky_rays
-    );
-    stage.picture("picture", &caption, &picture)?;
+    if stage.wants("picture") {
+        let rays = AtomicU64::new(0);
+        let picture = film.refine(|place, numbers| {
+            let seen = confetti.follow(&camera.ray_through(place), &tree, knobs.sky_rays, numbers);
+            rays.fetch_add(seen.rays, Relaxed);
+            seen
+        });
+        let caption = format!(
+            "A teapot in a heap of confetti, {} triangles. {:.1} million rays make this picture: from each point that is seen, rays \
+            go towards the sky in {} directions, and one ray goes towards the sun.",
+            grouped(confetti.mesh.triangles().len() as f64),
+            rays.into_inner() as f64 / 1e6,
+            knobs.sky_rays
+        );
+        stage.picture("picture", &caption, &picture)?;
+    }
 
     let caption = "How a binary tree becomes a wide one. The blue branches stay. The white branches are replaced by their \
         children, the branch with the largest box first.";
@@ -73,21 +76,30 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     stage.diagram("boxes", caption, &eight_boxes::draw()?)?;
 
     let mesh = &confetti.mesh;
-    let two = Bvh::new(mesh.facets());
-    let rays = wide_gain::rays(mesh, 60_000);
-    let caption = "The same triangles and the same 60 000 rays. In a wide tree a ray takes far fewer steps, and tests a few more \
-        triangles, eight at a time.";
-    stage.diagram("steps", caption, &wide_gain::steps(&rays, &two, &tree)?)?;
-    let note = format!(
-        "rays between random points of a sphere, {} triangles",
-        mesh.triangles().len()
+    let (two, rays) = (
+        LazyCell::new(|| Bvh::new(mesh.facets())),
+        LazyCell::new(|| wide_gain::rays(mesh, 60_000)),
     );
-    let caption = "The speed after each step, measured when this figure was drawn: the wide tree with plain arithmetic, with vector instructions, and with sixteen rays that take turns.";
-    stage.diagram(
-        "gain",
-        caption,
-        &wide_gain::gain(&rays, &two, &tree, &note)?,
-    )?;
+    if stage.wants("steps") {
+        let caption = "The same triangles and the same 60 000 rays. In a wide tree a ray takes far fewer steps, and tests a few more \
+            triangles, eight at a time.";
+        stage.diagram("steps", caption, &wide_gain::steps(&rays, &two, &tree)?)?;
+    }
+    if stage.wants("gain") {
+        let note = format!(
+            "rays between random points of a sphere, {} triangles",
+            mesh.triangles().len()
+        );
+        let caption = "The speed after each step, measured when this figure was drawn: the wide tree with plain arithmetic, with vector instructions, and with sixteen rays that take turns.";
+        stage.diagram(
+            "gain",
+            caption,
+            &wide_gain::gain(&rays, &two, &tree, &note)?,
+        )?;
+    }
+    if !stage.wants("heat") {
+        return Ok(());
+    }
     let caption = "The work for each ray of the camera, on the same scale as the maps of the other structures.";
     let heat = heat::heat(&showroom::small(&film), |p| camera.ray_through(p), &tree);
     stage.figure("heat", caption, &heat.figure("nodes visited")?)

@@ -40,36 +40,42 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let tile = stage.tile(2, ASPECT);
     let samples = tile.samples.min(9);
     let film = Film { samples, ..tile };
-    let mut tiles = Vec::new();
-    for staged in &FOUR {
-        let picture = photograph(
-            &film,
-            staged,
-            &(staged.scene)(),
-            knobs.depth.unwrap_or(staged.depth),
-        )?;
-        tiles.push((staged.name, picture));
-    }
-    stage.picture(
+    let see = |staged: &Staged| {
+        let depth = knobs.depth.unwrap_or(staged.depth);
+        photograph(&film, staged, &(staged.scene)(), depth)
+    };
+    if stage.wants("picture") {
+        let mut tiles = Vec::new();
+        for staged in &FOUR {
+            tiles.push((staged.name, see(staged)?));
+        }
+        stage.picture(
         "picture",
         "Four scenes that test a whole ray tracer: one lamp on balls and a plane; three lamps and their shadows; mirrors in \
         mirrors; glass, with a bubble in the ball on the right.",
         &sheet(2, &tiles)?,
     )?;
+    }
     let chosen = FOUR.iter().position(|staged| staged.name == knobs.scene);
     let chosen = chosen.ok_or("the knob has a scene's name")?;
-    let (chosen, shown) = (&FOUR[chosen], tiles.swap_remove(chosen).1);
-    let question = Trace {
-        depth: chosen.depth,
-        ray: camera(chosen)?.ray_through(Vec2::splat(0.5)),
-        scene: (chosen.scene)(),
-    };
-    let words = described::words(shown.width(), shown.height(), &question)?;
-    stage.figure(
+    let chosen = &FOUR[chosen];
+    if stage.wants("description") {
+        let shown = see(chosen)?;
+        let question = Trace {
+            depth: chosen.depth,
+            ray: camera(chosen)?.ray_through(Vec2::splat(0.5)),
+            scene: (chosen.scene)(),
+        };
+        let words = described::words(shown.width(), shown.height(), &question)?;
+        stage.figure(
         "description",
         "A scene, and the line of text that describes the scene and the ray through the middle of the picture.",
         &sheet(2, &[("the picture", shown), ("the question", words)])?,
     )?;
+    }
+    if !stage.wants("mistakes") {
+        return Ok(());
+    }
     let small = stage.tile(3, ASPECT);
     let samples = small.samples.min(4);
     let small = Film { samples, ..small };

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use std::time::Instant;
 
 thread_local! {
-    /// When this thread was last done with a tile.
+    /// When this thread was last done with some pixels.
     static BEFORE: Cell<Option<Instant>> = const { Cell::new(None) };
 }
 
@@ -17,9 +17,9 @@ pub struct Rate {
 }
 
 impl Rate {
-    /// A tile is done, on this thread, with this number of rays. The first tile of a thread does not count, because its start
+    /// Some pixels are done, on this thread, with this number of rays. The first ones of a thread do not count, because their start
     /// time is not known.
-    pub fn tile(&self, rays: u64) {
+    pub fn done(&self, rays: u64) {
         let now = Instant::now();
         if let Some(before) = BEFORE.replace(Some(now)) {
             self.rays.fetch_add(rays, Relaxed);

@@ -79,7 +79,7 @@ impl Stage {
         let advance = Box::new({
             let (bar, rate, stopped) = (bar.clone(), Arc::clone(&rate), Arc::clone(&stopped));
             move |done: Done| {
-                rate.tile(done.rays);
+                rate.done(done.rays);
                 bar.inc(done.pixels as u64);
                 if stopped.load(Ordering::Relaxed) {
                     ControlFlow::Break(())
@@ -108,14 +108,14 @@ impl Stage {
         Self { folder, ..self }
     }
 
-    /// The same, where drawing ends after the picture of this name.
+    /// The same, where only the picture of this name is wanted, and drawing ends after it.
     #[must_use]
     pub fn until(self, name: &str) -> Self {
         let last = Some(name.to_owned());
         Self { last, ..self }
     }
 
-    /// The same, where films rest between two tiles as long as another thread holds this lock.
+    /// The same, where films rest between two rows of pixels as long as another thread holds this lock.
     #[must_use]
     pub fn resting(self, while_held: Arc<Mutex<()>>) -> Self {
         let advance = self.advance;
@@ -126,10 +126,12 @@ impl Stage {
         Self { advance, ..self }
     }
 
-    /// Whether this picture is to be drawn: true, unless drawing ends after another picture. A chapter asks before slow work.
+    /// Whether this picture is to be drawn: true, unless drawing ends after another picture, or was stopped. A chapter asks before
+    /// work that takes long.
     pub fn wants(&self, name: &str) -> bool {
         self.passed.borrow_mut().push(name.to_owned());
-        self.last.as_deref().is_none_or(|last| last == name)
+        let is_the_last = self.last.as_deref().is_none_or(|last| last == name);
+        is_the_last && self.go_on().is_ok()
     }
 
     /// The names of the pictures that the chapter has come to, drawn or not.
@@ -139,8 +141,8 @@ impl Stage {
         names
     }
 
-    /// A flag that stops the drawing from another thread as soon as it is true: the film within a tile, the chapter at its next
-    /// picture.
+    /// A flag that stops the drawing from another thread as soon as it is true: the film within 16 pixels, the chapter at
+    /// its next picture.
     pub fn stopper(&self) -> Arc<AtomicBool> {
         Arc::clone(&self.stopped)
     }
@@ -178,34 +180,36 @@ impl Stage {
         film
     }
 
-    /// Writes a picture of radiance: `name.exr` keeps it, `name.png` clamps it to what a display shows.
+    /// Writes a picture of radiance, if it is wanted: `name.exr` keeps it, `name.png` clamps it to what a display shows.
     ///
     /// # Errors
     /// If a file cannot be written.
     pub fn picture(&self, name: &str, caption: &str, radiance: &Image) -> Drawn {
-        self.go_on()?;
-        let exr = self.folder.join(name).with_extension("exr");
-        file::save(&exr, radiance)?;
-        self.write(name, caption, radiance, (Some(exr), None))
+        self.write(name, caption, radiance, || {
+            let exr = self.folder.join(name).with_extension("exr");
+            file::save(&exr, radiance)?;
+            Ok((Some(exr), None))
+        })
     }
 
-    /// Writes a figure, which is made for the display only: `name.png`.
+    /// Writes a figure, which is made for the display only, if it is wanted: `name.png`.
     ///
     /// # Errors
     /// If the file cannot be written.
     pub fn figure(&self, name: &str, caption: &str, figure: &Image) -> Drawn {
-        self.write(name, caption, figure, (None, None))
+        self.write(name, caption, figure, || Ok((None, None)))
     }
 
-    /// Writes a drawing: `name.svg`, sharp at every size, and `name.png` for where pixels are needed.
+    /// Writes a drawing, if it is wanted: `name.svg`, sharp at every size, and `name.png` for where pixels are needed.
     ///
     /// # Errors
     /// If a file cannot be written.
     pub fn diagram(&self, name: &str, caption: &str, diagram: &Diagram) -> Drawn {
-        self.go_on()?;
-        let svg = self.folder.join(name).with_extension("svg");
-        store::write(&svg, diagram.svg.as_bytes())?;
-        self.write(name, caption, &diagram.pixels, (None, Some(svg)))
+        self.write(name, caption, &diagram.pixels, || {
+            let svg = self.folder.join(name).with_extension("svg");
+            store::write(&svg, diagram.svg.as_bytes())?;
+            Ok((None, Some(svg)))
+        })
     }
 
     /// What has been drawn.
@@ -227,16 +231,19 @@ impl Stage {
         Ok(())
     }
 
-    /// Writes the PNG, and adds the picture to the list; `beside` are the EXR and the SVG that are written already.
+    /// Writes a picture that is wanted, and adds it to the list; `beside` writes the EXR or the SVG, and returns their names.
     fn write(
         &self,
         name: &str,
         caption: &str,
         picture: &Image,
-        beside: (Option<PathBuf>, Option<PathBuf>),
+        beside: impl FnOnce() -> Result<(Option<PathBuf>, Option<PathBuf>), Box<dyn Error>>,
     ) -> Drawn {
         self.go_on()?;
-        self.passed.borrow_mut().push(name.to_owned());
+        if !self.wants(name) {
+            return Ok(());
+        }
+        let (exr, svg) = beside()?;
         let rays = self.rate.take(self.options.threads());
         let png = self.folder.join(name).with_extension("png");
         file::save(&png, picture)?;
@@ -245,8 +252,8 @@ impl Stage {
         }
         lock(&self.outputs).push(Output {
             png,
-            exr: beside.0,
-            svg: beside.1,
+            exr,
+            svg,
             size: (picture.width(), picture.height()),
             caption: caption.to_owned(),
             rays,

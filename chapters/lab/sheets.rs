@@ -18,17 +18,21 @@ use raybook::sample::pattern::Pattern;
 use rayon::prelude::*;
 use std::error::Error;
 
-/// Pictures of the same size as vertical bands of one picture, from left to right, with white lines between the bands.
-pub fn bands(pictures: &[Image]) -> Image {
-    let (width, height) = (pictures[0].width(), pictures[0].height());
+/// The band of n bands, side by side, that a column of a picture of this width is in.
+pub fn band(column: usize, n: usize, width: usize) -> usize {
+    column * n / width
+}
+
+/// The same picture, with white lines between its n bands.
+pub fn ruled(picture: &Image, n: usize) -> Image {
+    let width = picture.width();
     let line = width.div_ceil(480);
-    Image::from_fn(width, height, |x, y| {
-        let band = x * pictures.len() / width;
-        let left = (band * width).div_ceil(pictures.len());
-        if band > 0 && x - left < line {
+    Image::from_fn(width, picture.height(), |x, y| {
+        let is_line = x >= line && band(x, n, width) != band(x - line, n, width);
+        if is_line {
             Rgb::WHITE
         } else {
-            pictures[band].at(x, y)
+            picture.at(x, y)
         }
     })
 }

@@ -33,8 +33,8 @@ pub struct Film<'a> {
     pub progress: &'a Progress<'a>,
 }
 
-/// Gets the part of the picture that has just been done, and returns whether to go on. After a `Break` no more tiles are begun,
-/// and missing pixels stay black.
+/// Gets the pixels that have just been done, 16 at most, and returns whether to go on. After a `Break` the thread that asked ends,
+/// no more tiles are begun, and missing pixels stay black.
 pub type Progress<'a> = dyn Fn(Done) -> ControlFlow<()> + Sync + 'a;
 
 /// Reports nothing, and goes on to the end.
@@ -145,27 +145,27 @@ impl Film<'_> {
     /// Pixels that are missing, because [`Film::progress`] ended the work, have the default value.
     pub fn each_pixel<T: Clone + Default + Send>(&self, pixel: &Pixel<T>) -> Vec<T> {
         let all = Mutex::new(vec![T::default(); self.width * self.height]);
-        self.each_tile(&|columns, rows| {
-            let mut done = Vec::with_capacity(TILE * TILE);
+        self.each_row(&|columns, y| {
+            let mut done = Vec::with_capacity(TILE);
             let mut part = Done::default();
-            for (x, y) in rows.flat_map(|y| columns.clone().map(move |x| (x, y))) {
+            for x in columns.clone() {
                 let place = y * self.width + x;
                 let (what, rays) = pixel(x, y, &mut pcg::stream(self.seed, place as u64));
-                done.push((place, what));
+                done.push(what);
                 part.pixels += 1;
                 part.rays += rays;
             }
             let mut all: MutexGuard<Vec<_>> = all.lock().unwrap_or_else(PoisonError::into_inner);
-            for (place, what) in done {
-                all[place] = what;
+            for (x, what) in columns.zip(done) {
+                all[y * self.width + x] = what;
             }
             part
         });
         all.into_inner().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Calls `draw` for every tile, with the tile's columns and rows, by all threads.
-    fn each_tile(&self, draw: &(dyn Fn(Range<usize>, Range<usize>) -> Done + Sync)) {
+    /// Calls `draw` for every row of every tile, with the row's columns and its place, by all threads.
+    fn each_row(&self, draw: &(dyn Fn(Range<usize>, usize) -> Done + Sync)) {
         let (columns, rows) = (self.width.div_ceil(TILE), self.height.div_ceil(TILE));
         let next = AtomicUsize::new(0);
         threads::workers(self.threads.clamp(1, (columns * rows).max(1)), &|| {
@@ -177,8 +177,11 @@ impl Film<'_> {
                 let (left, top) = (tile % columns * TILE, tile / columns * TILE);
                 let (right, bottom) =
                     ((left + TILE).min(self.width), (top + TILE).min(self.height));
-                if (self.progress)(draw(left..right, top..bottom)).is_break() {
-                    next.store(columns * rows, Ordering::Relaxed);
+                for y in top..bottom {
+                    if (self.progress)(draw(left..right, y)).is_break() {
+                        next.store(columns * rows, Ordering::Relaxed);
+                        return;
+                    }
                 }
             }
         });

@@ -2,7 +2,7 @@
 
 use crate::image::Image;
 use crate::math::pcg::Pcg;
-use crate::render::film::{Done, Film, SILENT};
+use crate::render::film::{Done, Film};
 use crate::render::followed::Followed;
 use crate::sample::filter::{Filter, Sample, pixel_average};
 use crate::sample::pattern::Pattern;
@@ -13,23 +13,42 @@ pub trait Radiance<S>: Fn(Vec2, &mut Pcg) -> S + Sync {}
 
 impl<S, F: Fn(Vec2, &mut Pcg) -> S + Sync> Radiance<S> for F {}
 
+/// The points of each pixel, in [0, 1)²: `film.samples` points of a [`Pattern`], or those that a function places, which gets the
+/// pixel's column, its row and its random numbers.
+pub trait Points: Sync {
+    /// The points of the pixel in column x and row y.
+    fn in_pixel(&self, film: &Film, x: usize, y: usize, rng: &mut Pcg) -> Vec<Vec2>;
+}
+
+impl Points for &Pattern {
+    fn in_pixel(&self, film: &Film, _: usize, _: usize, rng: &mut Pcg) -> Vec<Vec2> {
+        (self.points)(film.samples, rng)
+    }
+}
+
+impl<F: Fn(usize, usize, &mut Pcg) -> Vec<Vec2> + Sync> Points for F {
+    fn in_pixel(&self, _: &Film, x: usize, y: usize, rng: &mut Pcg) -> Vec<Vec2> {
+        self(x, y, rng)
+    }
+}
+
 // ANCHOR: supersample
-/// The picture whose pixels are the mean of `film.samples` samples each, placed by a pattern: a box filter.
+/// The picture whose pixels are the mean of their samples, which are placed by a pattern: a box filter.
 ///
 /// Every pixel has its own random numbers, and so its own points if the pattern is random.
 pub fn supersample<S: Into<Followed>>(
     film: &Film,
-    pattern: &Pattern,
+    points: impl Points,
     radiance: impl Radiance<S>,
 ) -> Image {
     let size = vec2(film.width as f32, film.height as f32);
     film.render_pixels(|x, y, rng| {
-        let points = (pattern.points)(film.samples, rng);
+        let points = points.in_pixel(film, x, y, rng);
         let corner = vec2(x as f32, y as f32);
         let seen = points
             .iter()
             .map(|p| radiance((corner + *p) / size, rng).into());
-        seen.sum::<Followed>().mean_of(film.samples)
+        seen.sum::<Followed>().mean_of(points.len().max(1))
     })
 }
 // ANCHOR_END: supersample
@@ -37,47 +56,39 @@ pub fn supersample<S: Into<Followed>>(
 /// As [`supersample`], but each sample counts for all pixels within the filter's radius, with the filter's weight.
 ///
 /// A pixel near the picture's edge has fewer samples; their weights are divided by their sum there too.
-///
-/// # Panics
-/// If `pattern.points` returns fewer than `film.samples` points.
 pub fn filtered<S: Into<Followed>>(
     film: &Film,
-    pattern: &Pattern,
+    points: impl Points,
     filter: &Filter,
     radiance: impl Radiance<S>,
 ) -> Image {
-    let (n, size) = (film.samples, vec2(film.width as f32, film.height as f32));
-    let silent = Film {
-        progress: SILENT,
-        ..*film
-    };
-    let points = silent.each_pixel(&|_, _, rng| ((pattern.points)(n, rng), 0));
-    let points = |x: usize, y: usize| &points[y * film.width + x];
-    // First, a wide picture of what each ray sees, the samples of a pixel side by side.
-    let wide = Film {
-        width: film.width * n,
-        progress: &|Done { pixels, rays }| {
-            let pixels = pixels / n.max(1);
-            (film.progress)(Done { pixels, rays })
-        },
-        ..*film
-    };
-    let seen = wide.render_pixels(|column, y, rng| {
-        let (x, i) = (column / n, column % n);
-        let p = points(x, y)[i];
-        radiance((vec2(x as f32, y as f32) + p) / size, rng)
+    let size = vec2(film.width as f32, film.height as f32);
+    let seen = film.each_pixel(&|x, y, rng| {
+        let corner = vec2(x as f32, y as f32);
+        let placed = points.in_pixel(film, x, y, rng);
+        let mut rays = 0;
+        let see = |p| {
+            let seen: Followed = radiance((corner + p) / size, rng).into();
+            rays += seen.rays;
+            (p, seen.radiance)
+        };
+        let samples: Vec<_> = placed.into_iter().map(see).collect();
+        (samples, rays)
     });
+    // Its pixels are counted already; it goes on as long as the film does.
+    let average = Film {
+        progress: &|_| (film.progress)(Done::default()),
+        ..*film
+    };
     let reach = (filter.radius + 0.5).floor() as usize;
     let near = |v: usize, end: usize| v.saturating_sub(reach)..(v + reach + 1).min(end);
-    silent.render_pixels(|x, y, _| {
+    average.render_pixels(|x, y, _| {
         let mut samples = Vec::new();
         for (i, j) in near(y, film.height).flat_map(|j| near(x, film.width).map(move |i| (i, j))) {
             let corner = vec2(i as f32 - x as f32, j as f32 - y as f32) - 0.5;
-            for (p, sample) in points(i, j).iter().zip(0..) {
-                samples.push(Sample {
-                    offset: corner + *p,
-                    radiance: seen.at(i * n + sample, j),
-                });
+            for &(p, radiance) in &seen[j * film.width + i] {
+                let offset = corner + p;
+                samples.push(Sample { offset, radiance });
             }
         }
         pixel_average(filter, &samples)

@@ -84,18 +84,32 @@ fn every_structure_draws_the_same_mesh_at_its_own_cost() {
 }
 
 #[test]
-fn what_comes_before_the_wanted_picture_and_takes_long_is_not_drawn() {
+fn the_pictures_before_the_wanted_one_are_named_and_not_drawn() {
     let out = tempfile::tempdir().expect("a temporary folder");
     let chapter = find("ch11_bvh").expect("there is this chapter");
     let stage = Stage::new(chapter.name, small(out.path()), false, progress_bar()).until("heat");
     chapter.draw(&stage).expect("it can be drawn");
-    let passed = stage.passed();
-    let drawn: Vec<_> = stage.into_outputs();
-    let drawn = drawn.iter().filter_map(|output| output.png.file_stem());
-    let drawn: Vec<_> = drawn.map(|stem| stem.to_string_lossy()).collect();
-    assert_eq!(drawn, ["stages", "organisations", "heat"]);
+    let passed = stage.passed().join(" ");
     let all = "picture stages organisations builders growth levels heat";
-    assert_eq!(passed.join(" "), all, "each is named, once");
+    assert_eq!(passed, all, "each is named, once");
+    assert_eq!(stage.into_outputs().len(), 1);
+}
+
+#[test]
+fn what_is_not_wanted_costs_no_pixel() {
+    for lesson in LESSONS {
+        let out = tempfile::tempdir().expect("a temporary folder");
+        let bar = progress_bar();
+        let stage = Stage::new(lesson.name, small(out.path()), false, bar.clone()).until("none");
+        lesson.draw(&stage).expect("it can be drawn");
+        assert!(
+            stage.passed().len() > 1,
+            "{} names its pictures",
+            lesson.name
+        );
+        assert_eq!(bar.position(), 0, "{} draws no pixel", lesson.name);
+        assert!(stage.into_outputs().is_empty(), "{}", lesson.name);
+    }
 }
 
 #[test]

@@ -90,9 +90,8 @@ impl Neighbours {
 
     /// The squared distances from p to the points in p's cell and in `rings` rings of cells around it.
     fn squares(&self, p: Vec2, rings: i32) -> impl Iterator<Item = f64> {
-        let [x, y] = self.cell(p);
-        let columns = move |j| (x - rings..=x + rings).filter_map(move |i| self.index(i, j));
-        let cells = (y - rings..=y + rings).flat_map(columns);
+        let [x, y] = self.cell(p).map(|along| self.around(along, rings));
+        let cells = y.flat_map(move |j| x.clone().map(move |i| (j * self.cells + i) as usize));
         let before = move |i: &u32| self.before[*i as usize];
         let points = cells.flat_map(move |cell| successors(self.last[cell], before));
         points.map(move |i| self.space.distance_squared(p, self.points[i as usize]))
@@ -103,14 +102,56 @@ impl Neighbours {
         [along(p.x), along(p.y)]
     }
 
-    /// The index of the cell in column i and row j. On the torus, i and j continue over the edges; in the plane, `None` outside.
-    fn index(&self, i: i32, j: i32) -> Option<usize> {
-        let inside = |i: i32| (0..self.cells).contains(&i);
-        let (i, j) = match self.space {
-            Space::Torus => (i.rem_euclid(self.cells), j.rem_euclid(self.cells)),
-            Space::Square if inside(i) && inside(j) => (i, j),
-            Space::Square => return None,
+    /// The cells within `rings` cells of a cell along one axis, each once, the nearest first: who looks for a near point finds it
+    /// early. On the torus, cells continue over the edges; in the plane, they end there.
+    fn around(&self, along: i32, rings: i32) -> impl Iterator<Item = i32> + Clone + use<> {
+        let (space, cells) = (self.space, self.cells);
+        let all = 2 * rings + 1;
+        let count = match space {
+            Space::Torus => all.min(cells),
+            Space::Square => all,
         };
-        Some((j * self.cells + i) as usize)
+        (0..count).filter_map(move |k| {
+            let i = along + if k % 2 == 0 { k / 2 } else { -(k + 1) / 2 };
+            match space {
+                // `rem_euclid` would be a division for each cell.
+                Space::Torus if i < 0 => Some(i + cells),
+                Space::Torus if i >= cells => Some(i - cells),
+                _ => (0..cells).contains(&i).then_some(i),
+            }
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Neighbours, Space};
+    use crate::math::pcg;
+    use glam::vec2;
+    use rand::RngExt;
+
+    #[test]
+    fn no_point_is_looked_at_twice_and_none_near_is_missed() {
+        let mut rng = pcg::stream(1, 1);
+        for space in [Space::Torus, Space::Square] {
+            for cells in 1..12 {
+                let reach = 1.0 / (f64::from(cells) + 0.01);
+                let mut near = Neighbours::new(reach, space);
+                (0..40).for_each(|_| near.push(vec2(rng.random(), rng.random())));
+                for rings in 1..2 * cells {
+                    let p = vec2(rng.random(), rng.random());
+                    let mut found: Vec<_> = near.squares(p, rings).collect();
+                    assert!(found.len() <= 40, "{cells} cells, {rings} rings: each once");
+                    let all = near.points().iter();
+                    let mut all: Vec<_> = all.map(|q| space.distance_squared(p, *q)).collect();
+                    let sure = (f64::from(rings) / f64::from(cells)).powi(2);
+                    for list in [&mut found, &mut all] {
+                        list.retain(|square| *square < sure);
+                        list.sort_by(f64::total_cmp);
+                    }
+                    assert_eq!(found, all, "{space:?}: {cells} cells, {rings} rings");
+                }
+            }
+        }
     }
 }

@@ -2,12 +2,16 @@
 
 use super::pattern;
 use glam::{Vec2, vec2};
-use raybook::image::rgb::Rgb;
+use raybook::image::{Image, rgb::Rgb};
+use raybook::math::pcg::Pcg;
 use raybook::render::{
     film::{Film, SILENT},
+    followed::Followed,
     supersample,
 };
 use raybook::sample::filter::{Filter, Sample, pixel_average};
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 fn film(samples: usize) -> Film<'static> {
     Film {
@@ -164,4 +168,52 @@ fn one_thread_and_four_make_the_same_picture() {
     let one = supersample::supersample(&with(1), pattern("poisson-disk"), noise);
     let four = supersample::supersample(&with(4), pattern("poisson-disk"), noise);
     assert!(one.same_bits(&four), "bit for bit");
+}
+
+#[test]
+fn a_filtered_picture_that_is_no_longer_wanted_places_no_more_points() {
+    let placed = AtomicUsize::new(0);
+    let points = |_: usize, _: usize, _: &mut Pcg| {
+        placed.fetch_add(1, Ordering::Relaxed);
+        vec![Vec2::splat(0.5)]
+    };
+    let stopped = Film {
+        progress: &|_| ControlFlow::Break(()),
+        ..film(1)
+    };
+    let picture = supersample::filtered(&stopped, points, &Filter::MITCHELL, |_, _| Rgb::WHITE);
+    let placed = placed.into_inner();
+    assert!(placed <= 16 * stopped.threads, "{placed} pixels");
+    let drawn = picture.pixels().iter().filter(|p| **p != Rgb::BLACK);
+    assert!(drawn.count() <= 16 * stopped.threads, "nor does it filter");
+}
+
+#[test]
+fn every_pixel_may_have_points_of_its_own() {
+    // One sample at the left, four at the right: each counts by itself.
+    let right = |x: usize| 2 * x >= film(1).width;
+    let points =
+        |x: usize, _: usize, _: &mut Pcg| vec![Vec2::splat(0.5); if right(x) { 4 } else { 1 }];
+    let counted = |_: Vec2, _: &mut Pcg| Followed {
+        radiance: Rgb::WHITE,
+        rays: 1,
+    };
+    let rays = AtomicUsize::new(0);
+    let film = Film {
+        progress: &|done| {
+            rays.fetch_add(done.rays as usize, Ordering::Relaxed);
+            ControlFlow::Continue(())
+        },
+        ..film(1)
+    };
+    let expected = film.height
+        * (0..film.width)
+            .map(|x| if right(x) { 4 } else { 1 })
+            .sum::<usize>();
+    let check = |picture: Image| {
+        assert_eq!(rays.swap(0, Ordering::Relaxed), expected);
+        assert!(picture.pixels().iter().all(|p| *p == Rgb::WHITE));
+    };
+    check(supersample::supersample(&film, points, counted));
+    check(supersample::filtered(&film, points, &Filter::BOX, counted));
 }

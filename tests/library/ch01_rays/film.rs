@@ -172,11 +172,12 @@ fn an_edge_through_pixels_is_found_by_the_mean() {
 }
 
 #[test]
-fn a_film_that_is_told_to_stop_begins_no_tile_any_more() {
+fn a_film_that_is_told_to_stop_ends_after_a_row_of_pixels() {
     for threads in [1, 3] {
-        let tiles = AtomicUsize::new(0);
-        let stop = |_| {
-            tiles.fetch_add(1, Ordering::Relaxed);
+        let rows = AtomicUsize::new(0);
+        let stop = |done: Done| {
+            assert_eq!(done.pixels, 16, "a row of a tile");
+            rows.fetch_add(1, Ordering::Relaxed);
             ControlFlow::Break(())
         };
         let film = Film {
@@ -184,13 +185,13 @@ fn a_film_that_is_told_to_stop_begins_no_tile_any_more() {
             ..film(160, 160, 1, threads)
         };
         let picture = film.sample(|_, _| Rgb::WHITE);
-        let tiles = tiles.into_inner();
+        let rows = rows.into_inner();
         assert!(
-            (1..=threads).contains(&tiles),
-            "{tiles} tiles on {threads} threads"
+            (1..=threads).contains(&rows),
+            "{rows} rows on {threads} threads"
         );
         let drawn = picture.pixels().iter().filter(|p| **p == Rgb::WHITE);
-        assert_eq!(drawn.count(), tiles * 256, "what is drawn is kept");
+        assert_eq!(drawn.count(), rows * 16, "what is drawn is kept");
     }
 }
 

@@ -53,17 +53,31 @@ pub struct Knobs {
 /// # Errors
 /// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
-    let look = match knobs.look {
-        Shown::Coordinates => coordinates,
-        Shown::Lines => looks::barycentric_lines,
-        Shown::Distance => looks::distance,
-        Shown::Normal => looks::normal,
-        Shown::Side => looks::side,
+    let (look, caption): (Look, _) = match knobs.look {
+        Shown::Coordinates => (
+            coordinates,
+            "Where on its triangle each ray ends: b₀ as red, b₁ as green, b₂ as blue.",
+        ),
+        Shown::Lines => (
+            looks::barycentric_lines,
+            "Where on its triangle each ray ends: lines where b₀, b₁ or b₂ is a multiple of a quarter.",
+        ),
+        Shown::Distance => (
+            looks::distance,
+            "The distance along each ray: yellow is near, dark blue is far.",
+        ),
+        Shown::Normal => (
+            looks::normal,
+            "The geometric normal at each hit: x, y and z, from −1 to 1, as red, green and blue.",
+        ),
+        Shown::Side => (
+            looks::side,
+            "The side of its triangle that each ray hits: blue for the front, orange for the back.",
+        ),
     };
     let photograph = |film: &Film, look| photograph(film, look, knobs.turn);
     if stage.wants("picture") {
         let picture = photograph(&stage.film(16.0 / 9.0), look)?;
-        let caption = "Where on its triangle each ray ends: b₀ as red, b₁ as green, b₂ as blue.";
         stage.picture("picture", caption, &picture)?;
     }
 

@@ -120,7 +120,7 @@ pub(super) fn diagram() -> Figure {
             label(&number.to_string(), corner, 52, INK)?;
         }
         canvas.draw(&Circle::new(at(ray.at(hit)), 17, VERMILION.filled()))?;
-        label("hit", ray.at(hit) + vec3(0.32, -0.08, 0.0), 46, VERMILION)?;
+        label("hit", ray.at(hit) + vec3(0.0, 0.36, 0.0), 46, VERMILION)?;
 
         legend(canvas, at)
     })

@@ -35,15 +35,18 @@ pub(super) fn shade(block: &Cuboid, ray: &Ray, hit: &Hit) -> Rgb {
     SMOOTH(ray, hit, &smooth) * if near_two_faces { 0.6 } else { 1.0 }
 }
 
-/// The mesh turning into blocks from left to right, after 7, 6, 5 and 4 cuts: the blocks, and the facets that are kept.
+/// The number of cuts of the blocks of [`dissolving`], from left to right.
+pub(super) const CUTS: [u32; 4] = [7, 6, 5, 4];
+
+/// The mesh turning into blocks from left to right, after [`CUTS`] cuts: the blocks, and the facets that are kept.
 pub(super) fn dissolving(mesh: &Mesh, octree: &Octree<Facet>) -> (Vec<Cuboid>, Vec<Facet>) {
-    /// The first of 16 columns, and the number of cuts from there on.
-    const COLUMNS: [(f32, u32); 4] = [(14.0, 4), (12.0, 5), (10.0, 6), (7.0, 7)];
+    /// The first of 16 columns for each number of cuts.
+    const FROM: [f32; 4] = [7.0, 10.0, 12.0, 14.0];
     let root = octree::tree(octree).bounds;
     let column = |p: Vec3| 16.0 * (p.x - root.min.x) / root.size().x;
     let depth = |p: Vec3| {
-        let found = COLUMNS.iter().find(|(from, _)| column(p) >= *from);
-        found.map_or(0, |&(_, depth)| depth)
+        let found = FROM.iter().rposition(|from| column(p) >= *from);
+        found.map_or(0, |i| CUTS[i])
     };
     let is_kept = |facet: &Facet| depth(facet.corners.iter().sum::<Vec3>() / 3.0) == 0;
     let kept = mesh.facets().into_iter().filter(is_kept).collect();

@@ -67,20 +67,27 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     };
     let fine = Octree::with(mesh.facets(), limits, by_triangle);
     if stage.wants("picture") {
-        let caption = "The teapot, and the cells that an octree makes of it: from left to right the triangles, then the cells \
-            after at most 7, 6, 5 and 4 cuts.";
+        let mut cuts = blocks::CUTS.map(|cuts| cuts.min(knobs.depth)).to_vec();
+        cuts.dedup();
+        let cuts: Vec<_> = cuts.iter().map(u32::to_string).collect();
+        let caption = format!(
+            "The teapot, and the cells that an octree makes of it: from left to right the triangles, then the cells after at most \
+            {} cuts.",
+            cuts.join(", ")
+        );
         let (cells, kept) = blocks::dissolving(&mesh, &fine);
-        stage.picture("picture", caption, &photograph(&film, &mesh, cells, kept))?;
+        stage.picture("picture", &caption, &photograph(&film, &mesh, cells, kept))?;
     }
 
     if stage.wants("levels") {
-        let tiles = [3, 4, 5, 6].map(|depth| {
+        let deepest = knobs.depth.min(6);
+        let tiles = [3, 2, 1, 0].map(|up| deepest - up).map(|depth| {
             let cells = blocks::cells(&fine, |_| depth);
             let name = format!("{depth} cuts: {} cells", cells.len());
             (name, photograph(&small(&film), &mesh, cells, Vec::new()))
         });
         let tiles = tiles.each_ref().map(|(name, tile)| (&**name, tile.clone()));
-        let caption = "The cells that are not empty, level by level. A surface goes through about four of a cell's eight children, so each level has about four times as many cells as the level above.";
+        let caption = "The cells that are not empty, level by level. A surface goes through about four of a small cell's eight children: then each level has about four times as many cells as the level above.";
         stage.figure("levels", caption, &sheet(2, &tiles)?)?;
     }
 

@@ -14,6 +14,7 @@ mod three_stages;
 mod tree_levels;
 
 use crate::kit::chapter;
+use crate::kit::knobs;
 use crate::kit::numbers::grouped;
 use crate::kit::stage::{Drawn, Stage};
 use crate::shared::own_mesh::{self, MeshKnob};
@@ -86,7 +87,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         stage.diagram("growth", caption, &growth::list_and_tree()?)?;
     }
     let film = showroom::small(&film);
-    draw_teapot(&film, stage, &teapot, structure, building)
+    draw_teapot(&film, stage, &teapot, knobs)
 }
 
 fn draw_mountains(film: &Film, stage: &Stage, building: Building) -> Drawn {
@@ -117,15 +118,26 @@ fn draw_teapot(
     film: &Film,
     stage: &Stage,
     mesh: &Mesh,
-    structure: Structure,
-    building: Building,
+    &Knobs {
+        structure,
+        method,
+        leaf,
+        ..
+    }: &Knobs,
 ) -> Drawn {
+    let building = Building {
+        method: method.into(),
+        leaf,
+    };
     let room = Showroom::around(mesh, film.aspect());
     if stage.wants("levels") {
         let tree = Bvh::with_leaves(mesh.facets(), building.method, building.leaf);
-        let caption = "The boxes of some levels of the teapot's tree. The deeper the level, the closer the boxes follow the shape of the teapot.";
+        let caption = format!(
+            "The boxes of some levels of the teapot's tree, built by the method “{}”. The deeper the level, the closer the boxes follow the shape of the teapot.",
+            knobs::word(method)
+        );
         let figure = tree_levels::figure(film, &room, &tree, &[2, 5, 8, 11])?;
-        stage.figure("levels", caption, &figure)?;
+        stage.figure("levels", &caption, &figure)?;
     }
     if stage.wants("heat") {
         let accel = structure.build(mesh.facets(), building);

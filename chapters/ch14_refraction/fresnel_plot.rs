@@ -8,6 +8,9 @@ use crate::kit::stage::Drawn;
 use plotters::prelude::{Color, RGBColor};
 use raybook::material::fresnel::{fresnel, schlick};
 
+/// From this angle on, in degrees, there is room for words at its left.
+const ROOM: f32 = 43.0;
+
 /// Points per degree.
 const FINE: i32 = 8;
 
@@ -39,21 +42,30 @@ fn panel(canvas: &Canvas, title: &str, n1: f32, n2: f32) -> Drawn {
         .named("angle to the normal")
         .labels(10)
         .format(|angle| format!("{angle:.0}°"));
-    let shares = Axis::linear(0.0_f32..1.04).format(|share| format!("{:.0} %", 100.0 * share));
+    let shares = Axis::linear(0.0_f32..1.04)
+        .named("reflected share of the light")
+        .format(|share| format!("{:.0} %", 100.0 * share));
     let mut chart = Chart::new(angles, shares).titled(title);
     let critical = (n2 < n1).then(|| (n2 / n1).asin().to_degrees());
-    let brewster = (n2 / n1).atan().to_degrees();
+    // Without a surface there is no such angle.
+    let brewster = (n2 != n1).then(|| (n2 / n1).atan().to_degrees());
     // A line up to a height with its name beside it, and a dot where the curve touches the axis.
     let marks = [
-        (Some(brewster), "Brewster's angle", 0.0, RIGHT, 0.5, 4.0),
-        (critical, "critical angle", 1.0, LEFT, 0.6, 1.5),
+        (brewster, "Brewster's angle", 0.0, 0.5),
+        (critical, "critical angle", 1.0, 0.6),
     ];
-    for (angle, name, share, end, top, aside) in marks {
+    for (angle, name, share, top) in marks {
         let Some(angle) = angle else { continue };
         let words = format!("{name} {angle:.1}°");
+        // At the side where there is room; at the right, beyond the critical angle, where the curves are above.
+        let (end, at) = if angle < ROOM {
+            (LEFT, angle.max(critical.unwrap_or(angle)) + 1.5)
+        } else {
+            (RIGHT, angle - 1.5)
+        };
         chart
             .line([(angle, 0.0), (angle, top - 0.03)], FAINT.stroke_width(4))
-            .label(end, (angle + aside, top), &words, INK)
+            .label(end, (at, top), &words, INK)
             .dots([(angle, share)], 9, INK.filled());
     }
     let points = |height: fn(f32, f32, f32) -> f32| {
@@ -70,7 +82,7 @@ fn panel(canvas: &Canvas, title: &str, n1: f32, n2: f32) -> Drawn {
     chart
         .dashes(points(schlick), GREEN.stroke_width(5))
         .named("Schlick's approximation");
-    if n1 < n2 {
+    if n1 <= n2 {
         chart = chart.legend(Corner::UpperLeft);
     }
     chart.draw(canvas)

@@ -127,11 +127,11 @@ pub fn nested(stuff: Stuff) -> [(&'static str, Scene); 4] {
         ("glass in air", vec![ball(0.0, 0.0, 1.0, stuff.clear())]),
         ("air in glass", bubble.into()),
         (
-            "glass in water",
+            "glass in the liquid",
             tank(0.0, 0.0, stuff.liquid(), stuff).into(),
         ),
         (
-            "wrong: takes the water for air",
+            "wrong: takes the liquid for air",
             tank(0.0, 0.0, Medium::AIR, stuff).into(),
         ),
     ]

@@ -61,19 +61,40 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let film = stage.film_of(960, 9, 16.0 / 9.0);
     if stage.wants("picture") {
         let picture = photograph(&film, &scene, glassware::VIEW, depth)?;
-        let caption = "From the left, a ball with a large bubble of air, a solid ball of glass and a ball in a tank of water; in front, \
-            three balls of coloured glass. All mirror the window and show the floor. A solid ball in air shows the floor upside down; the \
-            bubble and the ball in water show the floor upright.";
-        stage.picture("picture", caption, &picture)?;
+        let caption = format!(
+            "From the left, a ball with a large bubble of air, a solid ball of glass and a ball in a tank; in front, three balls of \
+            coloured glass. The glass has an index of refraction of {}, the liquid of {}. With an index of 1.5, a solid ball in \
+            air shows the floor upside down; with the index of what is around it, a ball bends no ray.",
+            knobs.index, knobs.liquid
+        );
+        stage.picture("picture", &caption, &picture)?;
     }
 
-    let caption = "Beams into glass and out of glass. The width of a beam is its share of the light. The reflected light is \
-        vermilion, and the light that goes through is blue. Out of glass at 55°, nothing goes through.";
-    stage.diagram("beams", caption, &refraction_fan::diagram()?)?;
-    let caption = "The fraction of the light that is reflected, against the angle to the normal. At Brewster's angle, light that \
-        is polarised parallel to the plane of incidence is not reflected at all. Beyond the critical angle, all light is \
-        reflected.";
-    stage.diagram("fresnel", caption, &fresnel_plot::plot(knobs.index)?)?;
+    // Beyond this angle, in degrees, no light leaves the glass; into glass of index 1, all light goes straight on.
+    let critical = (knobs.index > 1.0).then(|| (1.0 / knobs.index).asin().to_degrees());
+    let (leaves, reflected) = match critical {
+        Some(angle) => (
+            format!("Out of glass, nothing goes through beyond {angle:.1}°."),
+            "At Brewster's angle, light that is polarised parallel to the plane of incidence is not reflected at all. Beyond the \
+            critical angle, all light is reflected.",
+        ),
+        None => (
+            "This index is that of air: nothing is reflected.".to_owned(),
+            "This index is that of air: nothing is reflected, at any angle; here Schlick's approximation fails.",
+        ),
+    };
+    let caption = format!(
+        "Beams into glass and out of glass with an index of refraction of {}. The width of a beam is its share of the light. The \
+        reflected light is vermilion, and the light that goes through is blue. {leaves}",
+        knobs.index
+    );
+    stage.diagram("beams", &caption, &refraction_fan::diagram(knobs.index)?)?;
+    let caption = format!(
+        "The fraction of the light that is reflected by glass with an index of refraction of {}, against the angle to the \
+        normal. {reflected}",
+        knobs.index
+    );
+    stage.diagram("fresnel", &caption, &fresnel_plot::plot(knobs.index)?)?;
 
     if stage.wants("prism") {
         let caption = "White light from a slit through a prism of crown glass and through one of flint glass, calculated for 150 \
@@ -97,8 +118,15 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         for (name, scene) in glassware::nested(stuff) {
             tiles.push((name, photograph(&tile, &scene, close, depth)?));
         }
-        let caption = "A surface has a medium on either side. In water, a ball of glass is a weak lens. If the program takes the water for air, the ball is a strong lens, which is wrong.";
-        stage.figure("nested", caption, &sheet(4, &tiles)?)?;
+        let caption = format!(
+            "A surface has a medium on either side, and the ratio of their indices bends a ray. The glass has an index of {}. In \
+            the liquid of index {}, the ratio at a ball of glass is {:.2}. If the program takes the liquid for air, the ratio is \
+            {0}.",
+            knobs.index,
+            knobs.liquid,
+            knobs.index / knobs.liquid
+        );
+        stage.figure("nested", &caption, &sheet(4, &tiles)?)?;
     }
 
     if stage.wants("depth") {

@@ -11,9 +11,8 @@ use raybook::material::fresnel::fresnel;
 use raybook::material::refract::refract;
 use raybook::math::dir3::Dir3;
 
-/// The indices of air, above, and window glass, below.
+/// The index of air, above; glass is below.
 const AIR: f32 = 1.0;
-const GLASS: f32 = 1.5;
 
 /// Angles to the normal, in degrees: into glass, and out of it.
 const ANGLES: [[f32; 4]; 2] = [[0.0, 35.0, 60.0, 80.0], [0.0, 25.0, 40.0, 55.0]];
@@ -26,40 +25,40 @@ const LENGTH: f32 = 148.0;
 /// The width of a beam that holds all the light, in pixels of the canvas.
 const WIDEST: f32 = 26.0;
 
-/// Beams from above into glass, and from below out of glass; the width of a beam is its share of the light.
+/// Beams from above into glass of an index, and from below out of it; the width of a beam is its share of the light.
 ///
 /// # Errors
 /// If plotters cannot draw.
-pub(super) fn diagram() -> Figure {
+pub(super) fn diagram(glass: f32) -> Figure {
     let (width, height) = (2 * PANEL[0] as u32, PANEL[1] as u32);
     figure(width, height, |canvas| {
         let panels = canvas.split_evenly((2, 4));
         for (i, panel) in panels.iter().enumerate() {
-            draw(panel, ANGLES[i / 4][i % 4], i >= 4)?;
+            draw(panel, glass, ANGLES[i / 4][i % 4], i >= 4)?;
         }
         Ok(())
     })
 }
 
 /// One beam; `out` if it comes from below.
-fn draw(canvas: &Canvas, degrees: f32, out: bool) -> Drawn {
+fn draw(canvas: &Canvas, glass: f32, degrees: f32, out: bool) -> Drawn {
     let (up, n1, n2) = if out {
-        (1.0, GLASS, AIR)
+        (1.0, glass, AIR)
     } else {
-        (-1.0, AIR, GLASS)
+        (-1.0, AIR, glass)
     };
     let (sine, cosine) = degrees.to_radians().sin_cos();
     let share = fresnel(cosine, n1, n2).unpolarised;
     let surface = MIDDLE.y as i32;
-    let glass = [(10, surface), (PANEL[0] - 10, PANEL[1] - 14)];
-    canvas.draw(&Rectangle::new(glass, SKY.mix(0.3).filled()))?;
+    let below = [(10, surface), (PANEL[0] - 10, PANEL[1] - 14)];
+    canvas.draw(&Rectangle::new(below, SKY.mix(0.3).filled()))?;
     let normal = vec![
         (MIDDLE.x as i32, surface - 175),
         (MIDDLE.x as i32, surface + 175),
     ];
     canvas.draw(&PathElement::new(normal, FAINT.stroke_width(3)))?;
     let incoming = Dir3::new_or(vec3(sine, up * cosine, 0.0), Dir3::Y);
-    let refracted = refract(incoming, Dir3::Y, AIR, GLASS);
+    let refracted = refract(incoming, Dir3::Y, AIR, glass);
     beam(canvas, -*incoming, 1.0, INK)?;
     if let Some(refracted) = refracted {
         beam(canvas, *refracted, 1.0 - share, BLUE)?;

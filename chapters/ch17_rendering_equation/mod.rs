@@ -27,9 +27,6 @@ const ALL: Path = Path {
     strategy: Strategy::Both,
 };
 
-/// Paths over one surface: light straight from the lamp.
-const DIRECT: Path = Path { depth: 1, ..ALL };
-
 /// Strategy that finds the light straight from the lamp.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum By {
@@ -68,11 +65,27 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         },
         ..ALL
     };
+    let limit = knobs.depth.map_or_else(String::new, |depth| {
+        format!(" The maximum depth of a path is {depth}.")
+    });
     let picture = LazyCell::new(|| denoised(&film, &cornell_box, path));
     if stage.wants("picture") {
-        let caption = "The Cornell box. The red and green light on the white blocks has come from the walls. The ceiling gets no \
-            light straight from the lamp, only from the other surfaces. A filter has averaged the remaining noise.";
-        stage.picture("picture", caption, &picture)?;
+        let arrived = match path.depth {
+            1 => "All light has come straight from the lamp, and the ceiling gets none.",
+            _ => {
+                "The red and green light on the white blocks has come from the walls. The ceiling gets no light straight from the \
+                 lamp, only from the other surfaces."
+            }
+        };
+        let by = match knobs.strategy {
+            By::Surface => "directions into which the surfaces reflect much",
+            By::Light => "directions towards the lamp",
+            By::Both => "directions of both strategies, by the surface and by the light",
+        };
+        let caption = format!(
+            "The Cornell box.{limit} {arrived} The lamp is found by {by}. A filter has averaged the remaining noise."
+        );
+        stage.picture("picture", &caption, &picture)?;
     }
 
     if stage.wants("inter_reflections") {
@@ -80,26 +93,33 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             samples: film.samples.div_ceil(4),
             ..film
         };
+        let global = knobs.depth.map_or_else(
+            || "with inter-reflections".to_owned(),
+            |depth| format!("with a maximum depth of {depth}"),
+        );
+        let global = global.as_str();
         let tiles = [
             (
                 "light straight from the lamp",
-                denoised(&few, &cornell_box, DIRECT),
+                denoised(&few, &cornell_box, Path { depth: 1, ..path }),
             ),
-            ("with inter-reflections", picture.clone()),
+            (global, picture.clone()),
         ];
         let caption = "Local and global illumination: without the light from other surfaces, ceiling and shadows are black.";
         stage.figure("inter_reflections", caption, &sheet(2, &tiles)?)?;
     }
 
     if stage.wants("caustic") {
-        let caption = "A mirror and glass in the box. The bright spot below the glass ball is a caustic: light of the lamp that the \
-            glass has gathered. No ray to the lamp finds this light, only paths that happen to go through the glass. A pixel that \
-            one rare path makes much brighter than its neighbours is limited.";
+        let caption = format!(
+            "A mirror and glass in the box.{limit} From three surfaces on, there is a bright spot below the glass \
+            ball, a caustic: light of the lamp that the glass has gathered. No ray to the lamp finds this light, only paths that happen to go through the glass. A pixel that \
+            one rare path makes much brighter than its neighbours is limited."
+        );
         let film = stage.film_of(320, 32, 1.0);
         stage.figure(
             "caustic",
-            caption,
-            &denoised(&film, &View::with_balls()?, ALL),
+            &caption,
+            &denoised(&film, &View::with_balls()?, path),
         )?;
     }
 

@@ -29,6 +29,12 @@ use raybook::render::whitted::Whitted;
 use std::process::ExitCode;
 use tea_table::{ALONG, EYE, FAR, FOCAL_LENGTH, NARROW_VIEW, POTS, VIEW, lamps, tea_table};
 
+/// Width of the sensor, in metres.
+const SENSOR: f32 = 0.036;
+
+/// From this number of pixels on, a polygon's sides can be seen.
+const TELLS: f32 = 5.0;
+
 /// What the pictures depend on.
 #[derive(Args, Clone, Debug)]
 pub struct Knobs {
@@ -74,11 +80,20 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let (f_number, blades) = (knobs.f_number(), knobs.blades);
     let focus = knobs.focus;
     if stage.wants("picture") {
+        let camera = through(&body, focus, f_number, blades)?;
+        let far = distance(&body, FAR);
+        let pixels = camera.lens.circle_of_confusion(far) / SENSOR * film.width as f32;
         let caption = format!(
-            "A lens of 50 mm at f/{f_number}, focused at {focus} m. Objects that are nearer or farther are blurred, and every \
-            lamp out of focus shows the shape of the aperture, a polygon with {blades} sides."
+            "A lens of 50 mm at f/{f_number}, focused at {focus} m. An object is the more blurred, the farther it is from this \
+            distance. A lamp at {far:.0} m becomes a polygon with {blades} sides, the shape of the aperture: {pixels:.1} pixels wide \
+            in this picture{}.",
+            if pixels < TELLS {
+                ", which is too small to show the sides"
+            } else {
+                ""
+            }
         );
-        let picture = photograph(&film, &through(&body, focus, f_number, blades)?);
+        let picture = photograph(&film, &camera);
         stage.picture("picture", &caption, &picture)?;
     }
 
@@ -97,9 +112,11 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             tiles.push((format!("f/{f_number}"), photograph(&tile, &camera)));
         }
         tiles[0].0 = String::from("a pin-hole: f/∞");
-        let caption = "The same focus with four apertures: a larger aperture blurs more. Through a pin-hole everything is sharp, \
-            and a lamp is no larger than a pixel.";
-        stage.figure("apertures", caption, &sheet(2, &named(&tiles))?)?;
+        let caption = format!(
+            "The same focus, {focus} m, with four apertures: a larger aperture blurs more. Through a pin-hole everything is sharp, \
+            and a lamp is no larger than a pixel."
+        );
+        stage.figure("apertures", &caption, &sheet(2, &named(&tiles))?)?;
     }
 
     if stage.wants("focus_pull") {
@@ -111,8 +128,10 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             let name = format!("{:.1} m", camera.lens.focus);
             tiles.push((name, photograph(&tile, &camera)));
         }
-        let caption = "A focus pull: as the film moves towards the lens, the plane in focus moves away from the lens, from teapot to teapot, and to the lamps far behind.";
-        stage.figure("focus_pull", caption, &sheet(6, &named(&tiles))?)?;
+        let caption = format!(
+            "A focus pull at f/{f_number}: as the film moves towards the lens, the plane in focus moves away from the lens, from teapot to teapot, and to the lamps far behind."
+        );
+        stage.figure("focus_pull", &caption, &sheet(6, &named(&tiles))?)?;
     }
 
     if stage.wants("bokeh") {
@@ -120,9 +139,11 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             "Lamps out of focus, seen through a round hole and through 5, 6 and 8 blades.";
         stage.figure("bokeh", caption, &bokeh::draw(&stage.tile(4, 1.0))?)?;
     }
-    let caption = "The circle of confusion of a 50 mm lens that is focused at 2 m: the disc on the sensor that a point becomes. \
-        A disc smaller than a pixel looks sharp: the shaded ranges are the depth of field.";
-    stage.diagram("blur", caption, &blur_plot::plot()?)
+    let caption = format!(
+        "The circle of confusion of a 50 mm lens that is focused at {focus} m: the disc on the sensor that a point becomes. A disc \
+        smaller than a pixel looks sharp: the shaded ranges are the depth of field."
+    );
+    stage.diagram("blur", &caption, &blur_plot::plot(focus)?)
 }
 
 impl Knobs {

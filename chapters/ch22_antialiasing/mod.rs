@@ -9,6 +9,7 @@
 //! New: render/supersample.rs scene/horizon.rs
 
 use crate::kit::chapter;
+use crate::kit::knobs;
 use crate::kit::sheet::sheet;
 use crate::kit::stage::{Drawn, Stage};
 use crate::lab::plot::Plot;
@@ -99,10 +100,11 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         };
         let caption = format!(
             "One picture in three bands: left, one ray through the middle of each pixel; middle and right, {} and {most} rays \
-            per pixel by the pattern “{}”. With one ray, the far squares make a pattern that does not exist, and the edges are \
+            per pixel by the pattern “{}”, averaged by the filter “{}”. With one ray, the far squares make a pattern that does not exist, and the edges are \
             stairs. With more rays, the far squares melt into grey, as they should.",
             most.isqrt(),
-            chosen.title
+            chosen.title,
+            knobs::word(knobs.filter)
         );
         stage.picture("picture", &caption, &sheets::ruled(&view, ways.len()))?;
     }

@@ -69,7 +69,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         let words = described::words(shown.width(), shown.height(), &question)?;
         stage.figure(
         "description",
-        "A scene, and the line of text that describes the scene and the ray through the middle of the picture.",
+        &format!("The scene “{}”, and the line of text that describes the scene and the ray through the middle of the picture.", knobs.scene),
         &sheet(2, &[("the picture", shown), ("the question", words)])?,
     )?;
     }

@@ -67,11 +67,40 @@ impl Bars<'_> {
             let corners = [(BEGIN, middle - BAR / 2), (end, middle + BAR / 2)];
             canvas.draw(&Rectangle::new(corners, BLUE.filled()))?;
             write(canvas, name, (BEGIN - 28, middle), text(40).pos(RIGHT))?;
-            let value = format!("{value:.1} {}", self.unit);
+            let value = format!("{} {}", number(*value), self.unit);
             write(canvas, &value, (end + 24, middle), text(40).pos(LEFT))?;
         }
         let axis = vec![(BEGIN, HEAD), (BEGIN, bottom)];
         canvas.draw(&PathElement::new(axis, FAINT.stroke_width(4)))?;
         centred(self.note, bottom + FOOT / 2, 34)
+    }
+}
+
+/// A number with a digit after the point, and with two digits that are not zeros in front, however small it is.
+fn number(value: f64) -> String {
+    let zeros = if value > 0.0 {
+        -value.log10().floor()
+    } else {
+        0.0
+    };
+    let digits = (1.0 + zeros).clamp(1.0, 9.0) as usize;
+    format!("{value:.digits$}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::number;
+
+    #[test]
+    fn a_small_number_is_not_shown_as_zero() {
+        for (value, expected) in [
+            (0.0, "0.0"),
+            (0.0041, "0.0041"),
+            (0.44, "0.44"),
+            (1.0, "1.0"),
+            (283.14, "283.1"),
+        ] {
+            assert_eq!(number(value), expected);
+        }
     }
 }

@@ -3,14 +3,16 @@
 use crate::kit::knobs::{self, Kind, Knob};
 use crate::kit::options::Options;
 use crate::kit::say::{complain, lost, say};
-use crate::kit::stage::{Output, Stage, progress_bar};
+use crate::kit::stage::{Drawn, Output, Stage, progress_bar};
 use crate::kit::terminal::colourless;
 use crate::kit::untrusted::Untrusted;
 use crate::kit::vary::{self, Vary};
 use crate::lesson::{self, Lesson};
 use clap::{Args, Command, FromArgMatches};
 use raybook_workbook::answer::unwritten;
+use std::env;
 use std::error::Error;
+use std::ffi::OsString;
 use std::iter::successors;
 use std::panic;
 use std::process::ExitCode;
@@ -31,18 +33,9 @@ struct Shared {
 /// The `main` of a chapter binary: parses the options, draws, and says what was written.
 pub fn run(chapter: &str) -> ExitCode {
     end_at_what_is_unwritten();
-    match drawn(chapter) {
-        Ok(outputs) => {
-            for output in outputs {
-                let beside = match (&output.exr, &output.svg) {
-                    (Some(_), _) => " and .exr",
-                    (_, Some(_)) => " and .svg",
-                    _ => "",
-                };
-                say(format!("wrote {}{beside}", output.png.display()));
-            }
-            said_all(ExitCode::SUCCESS)
-        }
+    let words: Vec<_> = env::args_os().skip(1).collect();
+    match draw_as(chapter, chapter, &words) {
+        Ok(()) => said_all(ExitCode::SUCCESS),
         Err(error) => {
             report(&*error);
             ExitCode::from(2)
@@ -50,10 +43,25 @@ pub fn run(chapter: &str) -> ExitCode {
     }
 }
 
-/// Draws what the command line asks for.
-fn drawn(chapter: &str) -> Result<Vec<Output>, Box<dyn Error>> {
+/// Draws what these words of a command line ask for, and says what was written; `called` is what stands before them.
+///
+/// # Errors
+/// If there is no such chapter, or a picture cannot be drawn or written. Wrong words end the program with a sentence.
+pub fn draw_as(called: &str, chapter: &str, words: &[OsString]) -> Drawn {
+    for output in drawn(called, chapter, words)? {
+        let beside = match (&output.exr, &output.svg) {
+            (Some(_), _) => " and .exr",
+            (_, Some(_)) => " and .svg",
+            _ => "",
+        };
+        say(format!("wrote {}{beside}", output.png.display()));
+    }
+    Ok(())
+}
+
+fn drawn(called: &str, chapter: &str, words: &[OsString]) -> Result<Vec<Output>, Box<dyn Error>> {
     let lesson = lesson::find(chapter).ok_or_else(|| format!("there is no chapter {chapter}"))?;
-    let matches = command(lesson).get_matches();
+    let matches = command(lesson, called).get_matches_from(words);
     knobs::check(&lesson.knobs(), &matches).unwrap_or_else(|error| error.exit());
     let shared = Shared::from_arg_matches(&matches)?;
     let turned = knobs::turned(&lesson.knobs(), &matches);
@@ -68,25 +76,21 @@ fn drawn(chapter: &str) -> Result<Vec<Output>, Box<dyn Error>> {
 }
 
 /// The command of a chapter: the options of all chapters, then its own knobs, and examples.
-pub fn command(lesson: &Lesson) -> Command {
-    let command = Command::new(lesson.name).next_help_heading("Pictures");
+fn command(lesson: &Lesson, called: &str) -> Command {
+    let command = Command::new(lesson.name)
+        .bin_name(called)
+        .no_binary_name(true)
+        .next_help_heading("Pictures");
     let command = Shared::augment_args(command).next_help_heading(lesson.chapter().title);
     (lesson.add_knobs)(command)
         .about(lesson.teaches())
-        .after_help(examples(lesson))
+        .after_help(examples(lesson, called))
 }
 
 /// One knob turned, and one varied.
-fn examples(lesson: &Lesson) -> String {
+fn examples(lesson: &Lesson, called: &str) -> String {
     let knobs = knobs::of(&lesson.knobs());
-    let turned = |knob: &Knob| {
-        Some(format!(
-            "  {} --{} {}\n",
-            lesson.name,
-            knob.name,
-            knob.example()?
-        ))
-    };
+    let turned = |knob: &Knob| Some(format!("  {called} --{} {}\n", knob.name, knob.example()?));
     let first = knobs.iter().find_map(turned).unwrap_or_default();
     let number = knobs
         .iter()
@@ -94,8 +98,7 @@ fn examples(lesson: &Lesson) -> String {
     let varied = number.and_then(|knob| {
         let (name, one, two) = (&knob.name, knob.default.as_ref()?, knob.example()?);
         Some(format!(
-            "  {} --vary {name}={one},{two} --width 320\n",
-            lesson.name
+            "  {called} --vary {name}={one},{two} --width 320\n"
         ))
     });
     format!("Examples:\n{first}{}", varied.unwrap_or_default())

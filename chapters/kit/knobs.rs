@@ -6,7 +6,7 @@
 
 use clap::error::ErrorKind;
 use clap::parser::ValueSource;
-use clap::{Arg, ArgMatches, Args, Command, Error};
+use clap::{Arg, ArgMatches, Args, Command, Error, ValueEnum};
 use std::ops::RangeInclusive;
 
 /// A knob, as its command describes it.
@@ -112,6 +112,12 @@ pub fn check(knobs: &Command, matches: &ArgMatches) -> Result<(), Error> {
         }
     }
     Ok(())
+}
+
+/// The word on the command line that stands for the value of a choice.
+pub fn word(choice: impl ValueEnum) -> String {
+    let value = choice.to_possible_value();
+    value.map_or_else(String::new, |value| value.get_name().to_owned())
 }
 
 impl Knob {

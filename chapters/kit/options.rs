@@ -1,6 +1,7 @@
 //! The options that every chapter and the tour share.
 
-use clap::Args;
+use clap::builder::Resettable;
+use clap::{Args, Command, Error, FromArgMatches};
 use raybook::image::rgb::Rgb;
 use raybook::memory::{BUDGET, gigabytes};
 use std::path::PathBuf;
@@ -31,6 +32,17 @@ pub struct Options {
 }
 
 impl Options {
+    /// Sets one of the options, and leaves the others: `--samples=4`.
+    ///
+    /// # Errors
+    /// If there is no such option, or its value is out of range.
+    pub fn turn(&mut self, argument: &str) -> Result<(), Error> {
+        // A default would count as if it were asked for.
+        let command = Self::augment_args(Command::new("options").no_binary_name(true))
+            .mut_args(|arg| arg.default_value(Resettable::Reset));
+        self.update_from_arg_matches(&command.try_get_matches_from([argument])?)
+    }
+
     /// Number of threads that draw: the option, or one per core.
     pub fn threads(&self) -> usize {
         let cores = || thread::available_parallelism().map_or(1, std::num::NonZeroUsize::get);

@@ -5,7 +5,7 @@ use crate::kit::options::Options;
 use crate::kit::sheet::sheet;
 use crate::kit::stage::{Output, Stage, progress_bar};
 use crate::lesson::Lesson;
-use clap::Args;
+use clap::{Args, Command};
 use raybook::image::{Image, file, rgb::Rgb, tone};
 use raybook::store;
 use std::error::Error;
@@ -14,7 +14,7 @@ use std::path::Path;
 /// What is varied, and what is made of it.
 #[derive(Args, Debug)]
 pub struct Vary {
-    /// Draw the picture that a knob changes at several values of this knob, side by side
+    /// Draw the picture that a knob changes at several values of this knob, side by side; --vary samples=1,4,16 works, too
     #[arg(long, value_name = "KNOB=A,B,…", value_parser = varied)]
     pub vary: Option<Varied>,
     /// Another picture to vary, by its file's name
@@ -55,6 +55,9 @@ fn varied(text: &str) -> Result<Varied, String> {
     Ok(Varied { name, values })
 }
 
+/// Options beside the knobs that can be varied, too.
+const OPTIONS: [&str; 2] = ["samples", "seed"];
+
 /// Draws a chapter's picture at each value, with its other knobs as they are turned. Each picture is kept in a folder of its own;
 /// the strip or the animation lies beside these folders.
 ///
@@ -79,11 +82,15 @@ pub fn draw(
     };
     let turn = format!("--{}=", what.name);
     let arguments = |value: &String| {
-        let others = turned
-            .iter()
-            .filter(|word| !word.starts_with(&turn))
-            .cloned();
-        lesson.turn(&others.chain([format!("{turn}{value}")]).collect::<Vec<_>>())
+        let (mut options, word) = (options.clone(), format!("{turn}{value}"));
+        let others = turned.iter().filter(|word| !word.starts_with(&turn));
+        let mut words: Vec<_> = others.cloned().collect();
+        if OPTIONS.contains(&what.name.as_str()) {
+            options.turn(&word)?;
+        } else {
+            words.push(word);
+        }
+        Ok::<_, clap::Error>((options, lesson.turn(&words)?))
     };
     // All values are checked before the first picture is drawn.
     let knobs = what
@@ -93,8 +100,8 @@ pub fn draw(
         .collect::<Result<Vec<_>, _>>()?;
     let folder = options.out.join(lesson.name);
     let mut tiles = Vec::new();
-    for (value, knobs) in what.values.iter().zip(knobs) {
-        let stage = Stage::new(lesson.name, options.clone(), false, progress_bar());
+    for (value, (options, knobs)) in what.values.iter().zip(knobs) {
+        let stage = Stage::new(lesson.name, options, false, progress_bar());
         let own = folder.join(format!("{}_{}", what.name, value.replace(['/', '\\'], "_")));
         let stage = stage.in_folder(own).until(name);
         lesson.draw_turned(&stage, &knobs)?;
@@ -130,7 +137,10 @@ pub fn draw(
 }
 
 fn find(lesson: &Lesson, name: &str) -> Result<Knob, String> {
-    let knobs = knobs::of(&lesson.knobs());
+    let mut knobs = knobs::of(&lesson.knobs());
+    let options = knobs::of(&Options::augment_args(Command::new("options")));
+    let varied = options.into_iter();
+    knobs.extend(varied.filter(|option| OPTIONS.contains(&option.name.as_str())));
     let names: Vec<_> = knobs.iter().map(|knob| knob.name.clone()).collect();
     let found = knobs.into_iter().find(|knob| knob.name == name);
     found.ok_or_else(|| {

@@ -23,6 +23,8 @@ struct Command {
 enum Task {
     /// Draw every chapter's pictures, and a gallery of them
     Tour(Tour),
+    /// Draw one chapter's pictures, with its knobs
+    Chapter(commands::one_chapter::OneChapter),
     /// Make a workbook: a folder in which you write the functions
     New(commands::new::New),
     /// Check a workbook: what is right, what is not, and the next step
@@ -79,6 +81,7 @@ fn main() -> ExitCode {
     let done = match task {
         None => commands::map::print(Path::new(".")),
         Some(Task::Tour(task)) => task.run().map(|()| true),
+        Some(Task::Chapter(task)) => task.run(),
         Some(Task::New(task)) => task.run(),
         Some(Task::Check(task)) => task.run(),
         Some(Task::Watch(task)) => task.run(),

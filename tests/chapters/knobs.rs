@@ -71,7 +71,7 @@ fn every_structure_draws_the_same_mesh_at_its_own_cost() {
     };
     let drawn = words.iter().map(|word| {
         let arguments = [mesh.clone(), format!("--structure={word}")];
-        ["picture", "heat"].map(|picture| draw(chapter, &arguments, picture))
+        ["picture", "heat"].map(|picture| draw(chapter, &arguments, picture).0)
     });
     let drawn: Vec<_> = drawn.collect();
     assert_eq!(drawn.len(), 6, "{words:?}");
@@ -137,12 +137,116 @@ fn every_knob_changes_a_picture() {
                 .or_insert_with(|| draw(lesson, &[], picture));
             let after = draw(lesson, &arguments, picture);
             assert!(
-                *before != after,
+                before.0 != after.0,
                 "{} {arguments:?} does not change `{picture}`",
                 lesson.name
             );
+            let says_so = match (&knob.kind, &knob.default) {
+                (Kind::Choice(_), _) => before.1 != after.1,
+                (Kind::Number(..), Some(usual)) => before.1 != after.1 || !says(&before.1, usual),
+                _ => true,
+            };
+            assert!(
+                says_so,
+                "{} {arguments:?}: `{picture}` is still captioned “{}”",
+                lesson.name, after.1
+            );
         }
     });
+}
+
+/// Whether a text has a number among its words.
+fn says(text: &str, number: &str) -> bool {
+    let is_part = |c: char| c.is_ascii_digit() || c == '.';
+    let mut words = text.split(|c| !is_part(c));
+    let value = |word: &str| word.trim_end_matches('.').parse::<f64>().ok();
+    words.any(|word| value(word).is_some() && value(word) == value(number))
+}
+
+#[test]
+fn captions_are_true_where_a_topic_ends() {
+    for (chapter, arguments, picture, expected) in [
+        (
+            "ch14_refraction",
+            "--index=1",
+            "fresnel",
+            "nothing is reflected, at any angle",
+        ),
+        (
+            "ch14_refraction",
+            "--index=1",
+            "beams",
+            "nothing is reflected",
+        ),
+        (
+            "ch14_refraction",
+            "--index=2.42",
+            "beams",
+            "index of refraction of 2.42",
+        ),
+        (
+            "ch14_refraction",
+            "--index=2.42",
+            "beams",
+            "nothing goes through beyond 24.4°",
+        ),
+        (
+            "ch19_depth_of_field",
+            "--f-number=26.8",
+            "picture",
+            "too small to show the sides",
+        ),
+        ("ch19_depth_of_field", "--focus=5", "blur", "focused at 5 m"),
+        (
+            "ch06_triangle",
+            "--look=normal",
+            "picture",
+            "The geometric normal",
+        ),
+        (
+            "ch10_octree",
+            "--depth=5",
+            "picture",
+            "after at most 5, 4 cuts",
+        ),
+        (
+            "ch17_rendering_equation",
+            "--depth=1",
+            "picture",
+            "straight from the lamp, and the ceiling gets none",
+        ),
+        (
+            "ch17_rendering_equation",
+            "--strategy=light",
+            "picture",
+            "found by directions towards the lamp",
+        ),
+    ] {
+        let lesson = find(chapter).expect("there is this chapter");
+        let (_, caption) = draw(lesson, &[arguments.to_owned()], picture);
+        assert!(
+            caption.contains(expected),
+            "{chapter} {arguments}: {caption}"
+        );
+    }
+}
+
+#[test]
+fn figures_follow_the_knobs_of_their_topic() {
+    for (chapter, argument, picture) in [
+        ("ch14_refraction", "--index=2.42", "beams"),
+        ("ch14_refraction", "--index=2.42", "fresnel"),
+        ("ch19_depth_of_field", "--focus=5", "blur"),
+        ("ch10_octree", "--depth=4", "levels"),
+        ("ch17_rendering_equation", "--depth=1", "caustic"),
+    ] {
+        let lesson = find(chapter).expect("there is this chapter");
+        let of = |arguments: &[String]| draw(lesson, arguments, picture).0;
+        assert!(
+            of(&[]) != of(&[argument.to_owned()]),
+            "{chapter} {argument} does not change `{picture}`"
+        );
+    }
 }
 
 fn turned(lesson: &Lesson, knob: &Knob) -> Vec<String> {
@@ -174,8 +278,8 @@ fn small(out: &Path) -> Options {
     }
 }
 
-/// A picture of a chapter, as bytes.
-fn draw(lesson: &Lesson, arguments: &[String], picture: &str) -> Vec<u8> {
+/// A picture of a chapter, as bytes, and its caption.
+fn draw(lesson: &Lesson, arguments: &[String], picture: &str) -> (Vec<u8>, String) {
     let out = tempfile::tempdir().expect("a temporary folder");
     let stage = Stage::new(lesson.name, small(out.path()), false, progress_bar()).until(picture);
     let knobs = lesson
@@ -193,7 +297,8 @@ fn draw(lesson: &Lesson, arguments: &[String], picture: &str) -> Vec<u8> {
         "{}: nothing after `{picture}` is drawn",
         lesson.name
     );
-    fs::read(&last.png).expect("it is written")
+    let bytes = fs::read(&last.png).expect("it is written");
+    (bytes, last.caption.clone())
 }
 
 /// Runs a chapter small, and returns its exit code, what it said, and its folder.
@@ -274,8 +379,13 @@ fn nonsense_is_refused_in_a_sentence() {
         ("ch12_phong", &["--vary", "exponent"], "exponent=1,8,64"),
         (
             "ch12_phong",
+            &["--vary", "samples=0,4"],
+            "'0' for '--samples",
+        ),
+        (
+            "ch12_phong",
             &["--vary", "expnent=1,2"],
-            "has no such knob; it has exponent, incidence, turn, lamp",
+            "has no such knob; it has exponent, incidence, turn, lamp, samples, seed",
         ),
         (
             "ch12_phong",
@@ -333,6 +443,17 @@ fn a_varied_knob_makes_a_labelled_strip_or_an_animation() {
     assert!(
         picture("radius_0.1") != picture("radius_0.5"),
         "they differ"
+    );
+
+    let (code, said, out) = run("ch12_phong", &["--vary", "samples=1,4"]);
+    assert_eq!(code, Some(0), "{said}");
+    let picture = |name: &str| {
+        let folder = out.path().join("ch12_phong").join(name);
+        fs::read(folder.join("picture.png")).expect("each is kept")
+    };
+    assert!(
+        picture("samples_1") != picture("samples_4"),
+        "an option beside the knobs"
     );
 
     let (code, said, out) = run("ch03_sphere", &["--vary", "radius=0.1,0.3", "--animate"]);

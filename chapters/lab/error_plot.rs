@@ -170,6 +170,50 @@ impl Plot for ErrorPlot {
     }
 }
 
+/// The same curves, a panel for each: its own curve as it is, and the others pale. So many curves that they hide each other are
+/// told apart.
+#[derive(Debug)]
+pub struct OneByOne<'a>(pub &'a ErrorPlot);
+
+/// Panels in a row, and the width and height of a panel in pixels.
+const PANELS: u32 = 4;
+const PANEL: (u32, u32) = (330, 250);
+
+impl Plot for OneByOne<'_> {
+    fn size(&self) -> (u32, u32) {
+        let rows = (self.0.curves.len() as u32).div_ceil(PANELS);
+        (PANELS * PANEL.0, rows * PANEL.1)
+    }
+
+    fn draw<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn
+    where
+        B::ErrorType: 'static,
+    {
+        let [left, right, bottom, top] = self.0.range();
+        let places = |curve: &Curve| -> Vec<_> {
+            let inside = curve.errors.iter().filter(|e| e.median >= bottom);
+            inside.map(|e| (e.n as f64, e.median)).collect()
+        };
+        let rows = self.0.curves.len().div_ceil(PANELS as usize);
+        let panels = canvas.split_evenly((rows, PANELS as usize));
+        for (curve, panel) in self.0.curves.iter().zip(&panels) {
+            let samples = Axis::log2(left..1.1 * right).named("samples").labels(5);
+            let errors = Axis::log(bottom..top).named("error").format(power_of_ten);
+            let mut chart = Chart::new(samples, errors).titled(&curve.title).text(26);
+            for other in &self.0.curves {
+                chart.line(places(other), FAINT.stroke_width(2));
+            }
+            chart.curve(places(curve), curve.pen);
+            chart.draw(panel)?;
+        }
+        Ok(())
+    }
+
+    fn csv(&self) -> String {
+        self.0.csv()
+    }
+}
+
 /// A pen's colour.
 fn rgb(pen: Pen) -> RGBColor {
     let colour = pen.stroke.color;

@@ -6,6 +6,7 @@ use crate::kit::stage::Drawn;
 use crate::lab::page_style::{SCRIPT, STYLE};
 use crate::lab::plot::Plot;
 use crate::lab::settings::Settings;
+use crate::lab::subject::known;
 use crate::lab::table;
 use crate::lab::table::{COLUMNS, Row};
 use maud::{Markup, PreEscaped, html};
@@ -24,6 +25,8 @@ pub struct Page {
     remarks: Vec<String>,
     command: String,
     slides: bool,
+    /// Whether the lab knows more patterns than it shows.
+    shows_a_choice: bool,
     sections: Vec<(&'static str, Markup, Vec<Markup>)>,
     /// The picture that is being written.
     saving: Option<JoinHandle<Result<(), FileError>>>,
@@ -50,6 +53,10 @@ impl Page {
             remarks: settings.remarks.clone(),
             command: settings.command.clone(),
             slides: settings.slides,
+            shows_a_choice: {
+                let is_shown = |name| settings.subjects.iter().any(|s| s.pattern.name == name);
+                !known().all(|pattern| is_shown(pattern.name))
+            },
             sections: Vec::new(),
             saving: None,
         }
@@ -177,6 +184,8 @@ impl Page {
                 h1 { "The sampling lab" }
                 p { "Patterns that place samples in a pixel, and what can be measured of these patterns. Everything here was \
                     drawn and measured on this machine, by the command " code { (self.command) } "." }
+                @if self.shows_a_choice { p { "These are some of the patterns that the lab knows: " code { "raybook samplers --patterns all" } " \
+                    shows all of them, and " code { "--patterns random,halton" } " those that you name." } }
                 @if !self.remarks.is_empty() { ul { @for remark in &self.remarks { li { (remark) } } } }
             }
             @for (title, text, parts) in &self.sections {

@@ -69,14 +69,17 @@ impl Portrait {
     }
 
     /// A chart over the frequency.
-    fn over_frequency(&self, title: &str, [low, high]: [f64; 2]) -> Chart {
+    fn over_frequency(&self, title: &str, values: &str, [low, high]: [f64; 2]) -> Chart {
         let right = self.spectrum.limit as f64;
         let whole = |v: f64| format!("{v:.0}").replace('-', "−");
         let frequencies = Axis::linear(0.0..right)
             .named("frequency, waves across the square")
             .labels(6)
             .format(whole);
-        let values = Axis::linear(low..high).labels(6).format(whole);
+        let values = Axis::linear(low..high)
+            .named(values)
+            .labels(6)
+            .format(whole);
         let mut chart = Chart::new(frequencies, values).titled(title).text(30);
         let root = (self.n as f64).sqrt();
         if root < right {
@@ -87,7 +90,7 @@ impl Portrait {
 
     fn radial(&self) -> Chart {
         const MOST: f64 = 3.0;
-        let mut chart = self.over_frequency("mean power by frequency", [0.0, MOST]);
+        let mut chart = self.over_frequency("mean power by frequency", "power", [0.0, MOST]);
         let radial = self.spectrum.radial();
         let ends = |sign: f64| {
             move |k: &Known| (k.frequency, (k.value + sign * k.within).clamp(0.0, MOST))
@@ -108,7 +111,7 @@ impl Portrait {
 
     fn anisotropy(&self) -> Chart {
         let decibels = |a: f64| (10.0 * a.max(1e-3).log10()).clamp(-30.0, 20.0);
-        let mut chart = self.over_frequency("anisotropy, dB", [-30.0, 20.0]);
+        let mut chart = self.over_frequency("anisotropy", "dB", [-30.0, 20.0]);
         let known = self.spectrum.anisotropy();
         let ends = |sign: f64| move |k: &Known| (k.frequency, decibels(k.value + sign * k.within));
         let band = known
@@ -131,7 +134,9 @@ impl Portrait {
         let distances = Axis::linear(0.0..right)
             .named("distance, in units of 1/√n")
             .labels(6);
-        let values = Axis::linear(0.0..MOST).labels(6);
+        let values = Axis::linear(0.0..MOST)
+            .named("pairs, of those at random")
+            .labels(6);
         let mut chart = Chart::new(distances, values)
             .titled("pair correlation")
             .text(30);
@@ -145,7 +150,7 @@ impl Portrait {
     /// The power of the points' projections on the axes: the spectrum along its own axes.
     fn projected(&self) -> Chart {
         const MOST: f64 = 3.0;
-        let mut chart = self.over_frequency("power on x ——, on y – – –", [0.0, MOST]);
+        let mut chart = self.over_frequency("power on x ——, on y – – –", "power", [0.0, MOST]);
         let along = |of: &dyn Fn(i32) -> f64| -> Vec<_> {
             let frequencies = 1..=self.spectrum.limit as i32;
             frequencies
@@ -170,20 +175,23 @@ impl Portrait {
     fn strata(&self) -> Chart {
         let title = format!("points in each of {} intervals", self.n);
         let counts = Axis::linear(-0.5..(CROWDED as f64 + 0.5))
-            .named("points in an interval of x (blue) or of y")
+            .named("points in an interval of x (filled) or of y")
             .format(|v| {
                 let more = if v as usize == CROWDED { " +" } else { "" };
                 format!("{v:.0}{more}")
             })
             .marks(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0]);
         let shares = Axis::linear(0.0..1.0)
+            .named("share of the intervals")
             .labels(6)
             .format(|share| format!("{:.0} %", 100.0 * share));
         let mut chart = Chart::new(counts, shares).titled(&title).text(30);
-        for (onto, colour, left) in [(0, BLUE, -0.36), (1, VERMILION, 0.02)] {
-            for (count, share) in self.intervals[onto].iter().enumerate() {
+        // Filled and empty: in grey print, the two colours are alike.
+        let bars = [(BLUE.filled(), -0.36), (VERMILION.stroke_width(5), 0.02)];
+        for (shares, (style, left)) in self.intervals.iter().zip(bars) {
+            for (count, share) in shares.iter().enumerate() {
                 let left = count as f64 + left;
-                chart.bar([(left, 0.0), (left + 0.34, *share)], colour.filled());
+                chart.bar([(left, 0.0), (left + 0.34, *share)], style);
             }
         }
         chart

@@ -1,7 +1,7 @@
 //! The sampling lab from the first plot to the page.
 
 use crate::kit::stage::Drawn;
-use crate::lab::error_plot::{Curve, ErrorPlot};
+use crate::lab::error_plot::{Curve, ErrorPlot, OneByOne};
 use crate::lab::errors::{EACH, errors};
 use crate::lab::integrands::{CLASSES, Integrand};
 use crate::lab::page::{Page, Tiles};
@@ -24,6 +24,9 @@ use std::thread;
 
 /// Number of realisations for what takes long and is known well from few: discrepancies and the table.
 const FEW_TIMES: u64 = 20;
+
+/// Maximum number of curves that are told apart in one plot.
+const TOGETHER: usize = 8;
 
 /// Number of pairs of pixels whose errors are compared.
 const PAIRS: usize = 500;
@@ -150,6 +153,11 @@ impl Lab<'_> {
             let draws = format!("{range}, {} functions", EACH * wanted);
             let how = self.how(&draws, wanted as u64) + ", fewer for large n";
             self.page.plot(&name, &alt, &how, plot)?;
+            if plot.curves.len() > TOGETHER {
+                let alt = "The same curves, one in each panel, before the others.";
+                let name = format!("{name}_one_by_one");
+                self.page.plot(&name, alt, &how, &OneByOne(plot))?;
+            }
         }
         Ok(())
     }

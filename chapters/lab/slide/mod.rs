@@ -81,6 +81,10 @@ pub fn make(settings: &Settings) -> Result<PathBuf, Box<dyn Error>> {
     let name = |extension: &str| settings.folder.join("slide").with_extension(extension);
     let Diagram { pixels, svg } = slide.large()?;
     file::save(&name("png"), &pixels)?;
+    // As large as the projector's screen: the view box keeps its shape.
+    let (width, height) = slide.size();
+    let own = format!("width=\"{width}\" height=\"{height}\"");
+    let svg = svg.replacen(&own, "width=\"100%\" height=\"100%\"", 1);
     store::write(&name("svg"), svg.as_bytes())?;
     store::write(&name("csv"), slide.csv().as_bytes())?;
     Ok(name("svg"))

@@ -6,7 +6,7 @@ use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
 use std::process::{Child, Command, Stdio};
 use std::thread;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 use tempfile::TempDir;
 
 /// The server, which ends with the test.
@@ -37,6 +37,7 @@ impl Server {
         let mut process = Command::new(env!("CARGO_BIN_EXE_raybook"))
             .args(["present", "--no-open", "--width", width, "--samples", "1"])
             .args(["--threads", "1", "--chapter", "sphere", "--out"])
+            .env_remove("CARGO") // an installed command
             .arg(out.path())
             .stdout(Stdio::piped())
             .spawn()
@@ -165,6 +166,7 @@ fn a_chapter_is_shown_and_a_knob_redraws_its_picture() {
         "\"instead\":[\"focal-length\"]",
         "\"most\":500",
         "\"picture\":\"patterns\"",
+        "\"command\":\"raybook chapter ch03_sphere\"",
     ] {
         assert!(course.contains(expected), "{expected}: {course}");
     }
@@ -274,6 +276,54 @@ fn a_chapter_that_is_drawn_for_good_rests_while_a_knob_is_followed_and_goes_on_t
     });
     let (status, _) = server.get("screens/ch07_mesh");
     assert_eq!(status, 200, "its captions are written");
+}
+
+#[test]
+fn a_picture_that_is_no_longer_wanted_holds_up_nothing() {
+    let server = Server::of_width("1920");
+    let slow = "picture/ch22_antialiasing/picture?pattern=poisson-disk&filter=mitchell";
+    thread::scope(|scope| {
+        let old = scope.spawn(|| server.get(slow));
+        let mut left = 600;
+        while server.get("progress.json").1 == b"{\"share\":null}" {
+            left -= 1;
+            assert!(left > 0 && !old.is_finished(), "it is being drawn");
+            thread::sleep(Duration::from_millis(20));
+        }
+        let start = Instant::now();
+        let (status, _) = server.get("picture/ch22_antialiasing/picture?count=16&quick=1");
+        assert_eq!(status, 200);
+        // Ten times as long as it takes on a busy machine, and a tenth of what the old picture takes.
+        let time = start.elapsed();
+        assert!(time < Duration::from_secs(5), "{time:?}");
+        let (status, said) = old.join().expect("it is answered");
+        let said = String::from_utf8_lossy(&said);
+        assert_eq!(
+            status, 202,
+            "no error, so that a browser complains of none: {said}"
+        );
+    });
+}
+
+#[test]
+fn what_the_page_shows_as_command_draws_the_chapter() {
+    let out = tempfile::tempdir().expect("a temporary folder");
+    let output = Command::new(env!("CARGO_BIN_EXE_raybook"))
+        .args(["chapter", "ch03_sphere", "--radius", "0.5", "--width", "32"])
+        .args(["--samples", "1", "--out"])
+        .arg(out.path())
+        .output()
+        .expect("it runs");
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{said}");
+    assert!(out.path().join("ch03_sphere/roots.png").exists(), "{said}");
+    let output = Command::new(env!("CARGO_BIN_EXE_raybook"))
+        .args(["chapter", "3", "--radius", "7"])
+        .output()
+        .expect("it runs");
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(said.contains("a number from 0.02 to 0.8"), "{said}");
 }
 
 #[test]

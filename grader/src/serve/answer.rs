@@ -70,10 +70,10 @@ impl Answer {
         Self::of("404 Not Found", TEXT, why)
     }
 
-    /// Another picture was asked for before this one was drawn.
+    /// Another picture was asked for before this one was drawn. This is no fault: who still wants this one asks again.
     pub fn outdated() -> Self {
         let why = "another picture is wanted now";
-        Self::of("409 Conflict", TEXT, why)
+        Self::of("202 Accepted", TEXT, why)
     }
 
     /// What it says, for people.

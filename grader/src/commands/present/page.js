@@ -5,7 +5,7 @@ let course = [], chapter = 0, screen = 0, screens = [], complete = false, later 
 /** Asks for something, again and again while it is wanted and another drawing is in the way. */
 async function ask(path, turn = wanted, patience = 300) {
   const answer = await fetch(path);
-  if (answer.status === 409) { // somebody wanted another picture: here, or in another window
+  if (answer.status === 202) { // somebody wanted another picture: here, or in another window
     await new Promise(later => setTimeout(later, patience * (1 + Math.random())));
     return turn === wanted ? ask(path, turn, Math.min(2 * patience, 8000)) : null;
   }
@@ -32,6 +32,7 @@ async function open(number, which = 0) {
   chapter = Math.max(0, Math.min(course.length - 1, number));
   turned = {}; shown = ""; screens = []; complete = false; later = null;
   const turn = ++wanted, { name, number: n, title, teaches } = course[chapter];
+  at("note").textContent = "";
   at("chapters").value = chapter;
   at("count").textContent = ""; at("caption").textContent = teaches; at("status").textContent = "drawing …";
   at("picture").removeAttribute("src");
@@ -69,6 +70,7 @@ async function sketch(knobs, turn) {
 
 /** Shows what a knob changes: the picture on the screen, or else the knob's own. */
 async function follow(knob) {
+  at("note").textContent = "";
   if (query() !== shown && screens[screen].name !== knob.picture) {
     const turn = ++wanted;
     at("status").textContent = "drawing …";
@@ -77,7 +79,10 @@ async function follow(knob) {
       if (before === now) await rest(turn);
       if (turn !== wanted) return;
       const own = screens.findIndex(one => one.name === knob.picture);
-      if (before === now && own >= 0) screen = own;
+      if (before === now && own >= 0) {
+        screen = own;
+        at("note").textContent = knob.name.replaceAll("-", " ") + " is a knob of picture " + (own + 1) + ", which is shown now";
+      }
     } catch (error) { if (turn === wanted) fail(error); return; }
   }
   show();
@@ -91,8 +96,7 @@ async function show() {
   at("caption").textContent = caption;
   at("picture").alt = caption;
   const words = Object.entries(turned);
-  at("command").textContent = "cargo run --release --bin " + of + (words.length ? " --" : "") +
-    words.map(([knob, value]) => " --" + knob + " " + value).join("");
+  at("command").textContent = course[chapter].command + words.map(([knob, value]) => " --" + knob + " " + value).join("");
   shown = query();
   at("status").textContent = "drawing …";
   try {
@@ -105,7 +109,7 @@ async function show() {
       if (said) at("caption").textContent = decodeURIComponent(said);
       const picture = URL.createObjectURL(await answer.blob()), before = at("picture").src;
       at("picture").src = picture;
-      at("picture").className = quick ? "quick" : "";
+      at("picture").className = quick === "quick=1" ? "quick" : "";
       if (quick === "half=1") at("status").textContent = "drawing in full …";
       if (before.startsWith("blob:")) URL.revokeObjectURL(before);
     }
@@ -115,6 +119,7 @@ async function show() {
 }
 
 function step(by) {
+  at("note").textContent = "";
   const next = screen + by;
   if (!complete && next >= screens.length) { later = () => { later = null; step(by); }; return; }
   if (next >= 0 && next < screens.length) { screen = next; show(); }
@@ -130,7 +135,8 @@ function knobs() {
     const label = document.createElement("label"), name = document.createElement("b"), value = document.createElement("output");
     const help = document.createElement("small"), input = document.createElement(knob.kind === "choice" ? "select" : "input");
     name.textContent = knob.name.replaceAll("-", " ");
-    help.textContent = knob.help;
+    const own = knob.picture === "picture" ? "" : " (picture “" + knob.picture.replaceAll("_", " ") + "”)";
+    help.textContent = knob.help + own;
     const unit = knob.unit ? (knob.unit === "°" ? "°" : " " + knob.unit) : "";
     if (knob.kind === "choice") {
       if (knob.default === null) input.append(new Option("as it is", ""));

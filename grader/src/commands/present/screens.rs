@@ -7,6 +7,7 @@ use raybook_chapters::kit::knobs::{self, Kind, Knob};
 use raybook_chapters::kit::stage::Output;
 use raybook_chapters::lesson::Lesson;
 use serde_json::{Value, json};
+use std::env;
 use std::path::Path;
 
 /// Every chapter: its name, number, title, what it teaches, and its knobs.
@@ -25,8 +26,17 @@ fn chapter(lesson: &Lesson) -> Value {
         "number": chapter.number(),
         "title": chapter.title,
         "teaches": lesson.teaches(),
+        "command": command(lesson),
         "knobs": knobs.map(|knob| of_knob(&knob)).collect::<Value>(),
     })
+}
+
+/// What stands before the knobs on a command line that draws the chapter: this command, or cargo, if cargo has started it.
+fn command(lesson: &Lesson) -> String {
+    match env::var_os("CARGO") {
+        Some(_) => format!("cargo run --release --bin {} --", lesson.name),
+        None => format!("raybook chapter {}", lesson.name),
+    }
 }
 
 fn of_knob(knob: &Knob) -> Value {

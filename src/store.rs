@@ -92,7 +92,7 @@ fn expect_file(there: &Metadata) -> io::Result<()> {
     if there.is_file() {
         return Ok(());
     }
-    let what = format!("it is {}, and not a file", kind(there.file_type()));
+    let what = format!("it is {}", kind(there.file_type()));
     Err(io::Error::new(ErrorKind::InvalidInput, what))
 }
 
@@ -114,7 +114,7 @@ fn kind(of: FileType) -> &'static str {
     if of.is_dir() {
         "a folder"
     } else {
-        "something else"
+        "neither a file nor a folder"
     }
 }
 

@@ -25,7 +25,7 @@ pub struct Mesh {
 pub enum MeshError {
     /// A triangle names a vertex that does not exist.
     #[error(
-        "triangle {triangle} uses vertex {index}, but there are only {vertices} (the first is 0)"
+        "triangle {triangle} uses vertex {index}, which is not there: the mesh has {vertices}, counted from 0"
     )]
     Index {
         /// Which triangle, from 0.

@@ -92,6 +92,9 @@ pub enum Reason {
     /// The text ends too early.
     #[error("the file ends, but {0} is missing")]
     End(&'static str),
+    /// What every file of the kind has is not there.
+    #[error("there is no {0}")]
+    Missing(&'static str),
 }
 
 impl Wrong {

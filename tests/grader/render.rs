@@ -85,7 +85,7 @@ fn what_is_wrong_is_said_at_once_and_nothing_is_written() {
             &["render", "none.toml"],
             "none.toml: cannot read this file",
         ),
-        (SCENE, &["render", "."], "it is a folder, and not a file"),
+        (SCENE, &["render", "."], "it is a folder"),
         (SCENE, &["render", "scene.toml", "--width", "9000"], "9000"),
         (SCENE, &["render"], "<SCENE>"),
     ] {

@@ -172,7 +172,7 @@ fn what_cannot_be_kept_does_not_keep_the_verdict_back() {
             |kept| {
                 fs::create_dir_all(kept.join("progress.json")).expect("a folder");
             },
-            "progress.json: cannot read this file: it is a folder, and not a file",
+            "progress.json: cannot read this file: it is a folder",
         ),
         #[cfg(unix)]
         (
@@ -184,7 +184,7 @@ fn what_cannot_be_kept_does_not_keep_the_verdict_back() {
                     .status();
                 assert!(made.is_ok_and(|made| made.success()), "a named pipe");
             },
-            "progress.json: cannot read this file: it is a named pipe (FIFO), and not a file",
+            "progress.json: cannot read this file: it is a named pipe (FIFO)",
         ),
     ];
     for (what, trap, said_of_it) in traps {

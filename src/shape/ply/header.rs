@@ -164,7 +164,7 @@ impl Header {
         } else {
             (
                 header.lines,
-                Reason::End("the line `end_header`, in the first MiB,"),
+                Reason::Missing("line `end_header` in the first MiB of the file"),
             )
         };
         let column = 1;

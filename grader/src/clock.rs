@@ -5,6 +5,7 @@
 
 #[cfg(target_os = "linux")]
 use crate::stat::Stat;
+use crate::suspend::now;
 use std::time::{Duration, Instant};
 
 /// The maximum time on the wall for an answer, however busy the machine is, in time limits.
@@ -42,7 +43,7 @@ impl Clock {
     pub(crate) fn new(group: Option<u32>) -> Self {
         Self {
             group,
-            since: Instant::now(),
+            since: now(),
             wall: Duration::ZERO,
             noted: None,
             looked: None,
@@ -72,6 +73,11 @@ impl Clock {
             }
     }
 
+    /// Whether nobody has looked yet since the beginning, a part of the time limit ago.
+    pub(crate) fn is_young(&self) -> bool {
+        self.noted.is_none()
+    }
+
     /// Whether a program is at work; not known is no.
     pub(crate) fn is_at_work(&self) -> bool {
         self.usage().is_some_and(|usage| usage.at_work)
@@ -79,10 +85,11 @@ impl Clock {
 
     /// Whether the time is over: `limit`, plus `start` for a program that has not answered anything yet.
     pub(crate) fn is_over(&mut self, limit: Duration, start: Duration) -> bool {
-        if Instant::now() < self.next_look(limit) {
+        if now() < self.next_look(limit) {
             return false;
         }
-        let (elapsed, total) = (self.since.elapsed(), limit + start);
+        let elapsed = now().saturating_duration_since(self.since);
+        let total = limit + start;
         let usage = self.usage();
         let Some(before) = self.noted else {
             let used = usage.map_or(Duration::ZERO, |usage| usage.time);

@@ -4,6 +4,7 @@ use crate::keys;
 use crate::sandbox::Sandbox;
 #[cfg(target_os = "linux")]
 use crate::stat::Stat;
+use crate::suspend;
 #[cfg(target_os = "linux")]
 use rustix::process::Pid;
 use std::io;
@@ -89,22 +90,46 @@ fn wait(child: &mut Child, limit: Duration) -> Option<ExitStatus> {
     }
 }
 
-/// From now on, Ctrl-C and the polite signals end the grader with all that it started.
+/// From now on, Ctrl-C and the polite signals end the grader with all that it started, and Ctrl-Z stops both.
 ///
 /// # Errors
 /// If the system refuses.
-pub fn end_all_on_signals() -> Result<(), ctrlc::Error> {
+pub fn obey_signals() -> Result<(), ctrlc::Error> {
     /// What shells report of a program that Ctrl-C ended: 128 and the signal's number.
     const INTERRUPTED: i32 = 130;
-    ctrlc::set_handler(|| {
-        let held = held();
-        for (group, mark) in held.iter() {
-            signal_group(*group, Signal::Kill);
-            kill_left(*group, mark);
+    suspend::suspend_on_signals();
+    ctrlc::set_handler(|| end_all(INTERRUPTED))
+}
+
+/// Ends the grader at once, with this exit code and with all that it started.
+pub fn end_all(code: i32) -> ! {
+    let held = held();
+    for (group, mark) in held.iter() {
+        signal_group(*group, Signal::Kill);
+        kill_left(*group, mark);
+    }
+    keys::restore();
+    std::process::exit(code)
+}
+
+/// All that is held stands still, and nothing is started, until this is dropped.
+pub(crate) struct Stopped(MutexGuard<'static, Vec<(u32, String)>>);
+
+/// Stops all that is held.
+pub(crate) fn stop_all() -> Stopped {
+    let held = held();
+    for (group, _) in held.iter() {
+        signal_group(*group, Signal::Stop);
+    }
+    Stopped(held)
+}
+
+impl Drop for Stopped {
+    fn drop(&mut self) {
+        for (group, _) in self.0.iter() {
+            signal_group(*group, Signal::GoOn);
         }
-        keys::restore();
-        std::process::exit(INTERRUPTED);
-    })
+    }
 }
 
 fn held() -> MutexGuard<'static, Vec<(u32, String)>> {
@@ -158,6 +183,8 @@ fn die_with_the_grader(command: &mut Command) {
 #[derive(Clone, Copy)]
 enum Signal {
     Kill,
+    Stop,
+    GoOn,
     /// To say where it is: SIGUSR1, which ends a program that has not asked for it.
     SayWhere,
 }
@@ -170,6 +197,8 @@ fn signal_group(group: u32, signal: Signal) {
     {
         let signal = match signal {
             Signal::Kill => rustix::process::Signal::KILL,
+            Signal::Stop => rustix::process::Signal::STOP,
+            Signal::GoOn => rustix::process::Signal::CONT,
             Signal::SayWhere => rustix::process::Signal::USR1,
         };
         // Nobody left to hear it is no error.

@@ -13,14 +13,16 @@ pub enum Pressed {
     Closed,
 }
 
+pub(crate) use terminal::as_before;
 pub use terminal::{are_there, restore, wait};
 
 #[cfg(unix)]
 mod terminal {
     use super::{Duration, Pressed};
+    use crate::suspend::suspend;
     use rustix::event::{PollFd, PollFlags, Timespec, poll};
     use rustix::io::{Errno, read};
-    use rustix::process::{Signal, getpgrp, getpid, kill_process};
+    use rustix::process::getpgrp;
     use rustix::termios::{
         LocalModes, OptionalActions, SpecialCodeIndex, Termios, isatty, tcgetattr, tcgetpgrp,
         tcsetattr,
@@ -50,8 +52,7 @@ mod terminal {
         let pressed = press(time);
         drop(changed);
         if pressed == Pressed::Key(SUSPEND) {
-            // Without a shell that could wake it again, the system refuses.
-            let _ = kill_process(getpid(), Signal::TSTP);
+            suspend();
             return Pressed::Nothing;
         }
         pressed
@@ -90,22 +91,25 @@ mod terminal {
 
     impl Drop for Changed {
         fn drop(&mut self) {
-            let mut kept = BEFORE.lock().unwrap_or_else(PoisonError::into_inner);
-            if let Some(before) = kept.take() {
-                // A terminal that is gone needs nothing.
-                let _ = tcsetattr(stdin(), OptionalActions::Now, &before);
-            }
+            as_before(|| {});
         }
+    }
+
+    /// Makes the terminal as it was before, and calls this before anybody can change it again.
+    pub(crate) fn as_before(then: impl FnOnce()) {
+        let mut kept = BEFORE.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(before) = kept.take() {
+            // A terminal that is gone needs nothing.
+            let _ = tcsetattr(stdin(), OptionalActions::Now, &before);
+        }
+        then();
     }
 
     /// Makes the terminal as it was, for good: for a command that ends at once.
     pub fn restore() {
-        let mut kept = BEFORE.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(before) = kept.take() {
-            let _ = tcsetattr(stdin(), OptionalActions::Now, &before);
-        }
+        as_before(|| {});
         // The lock is kept, so that no other thread can change the terminal again.
-        std::mem::forget(kept);
+        std::mem::forget(BEFORE.lock());
     }
 }
 
@@ -127,4 +131,9 @@ mod terminal {
 
     /// Nothing was changed.
     pub fn restore() {}
+
+    /// Nothing was changed.
+    pub(crate) fn as_before(then: impl FnOnce()) {
+        then();
+    }
 }

@@ -59,6 +59,7 @@ pub mod starter;
 #[cfg(target_os = "linux")]
 mod stat;
 pub mod student;
+mod suspend;
 pub mod together;
 pub mod traits;
 pub mod triple;

@@ -74,7 +74,7 @@ enum Task {
 
 fn main() -> ExitCode {
     let task = Command::parse().task;
-    if let Err(error) = contain::end_all_on_signals() {
+    if let Err(error) = contain::obey_signals() {
         report(&error);
         return ExitCode::from(2);
     }

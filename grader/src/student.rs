@@ -8,7 +8,7 @@ use crate::sandbox::Sandbox;
 use crate::starter::{self, MARKER};
 use raybook_chapters::kit::untrusted::Untrusted;
 use serde_json::Value;
-use std::io;
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::Duration;
@@ -157,15 +157,22 @@ pub fn build_binary(
     binary: &str,
     options: &[&str],
 ) -> Result<Program, StudentError> {
-    let output = cargo
+    cargo
         .args(["build", "--message-format=json-render-diagnostics", "--bin"])
         .arg(binary)
         .args(options)
         .current_dir(folder)
-        .stderr(Stdio::inherit())
-        .output()
-        .map_err(StudentError::NoCargo)?;
-    if !output.status.success() {
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped());
+    let mut held = contain::start(cargo, None).map_err(StudentError::NoCargo)?;
+    let mut messages = String::new();
+    if let Some(mut output) = held.child.stdout.take() {
+        output
+            .read_to_string(&mut messages)
+            .map_err(StudentError::NoCargo)?;
+    }
+    let status = held.end(true, LONGEST);
+    if !status.is_some_and(|status| status.success()) {
         return Err(StudentError::DoesNotCompile);
     }
     let executable = |line: &str| {
@@ -176,9 +183,7 @@ pub fn build_binary(
             .filter(|_| is_asked_for)
             .map(PathBuf::from)
     };
-    let file = String::from_utf8_lossy(&output.stdout)
-        .lines()
-        .find_map(executable);
+    let file = messages.lines().find_map(executable);
     let file = file.ok_or_else(|| StudentError::NoProgram {
         folder: folder.to_owned(),
         program: binary.to_owned(),

@@ -4,6 +4,8 @@
 use crate::common::executable;
 
 use std::fs;
+use std::os::unix::process::CommandExt;
+use std::path::PathBuf;
 use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
@@ -47,11 +49,70 @@ fn nothing_is_left_when_the_grader_is_interrupted() {
     }
 }
 
+#[test]
+fn who_stops_the_grader_stops_the_program_too() {
+    // A number that no other process on this machine sleeps for.
+    let seconds = format!("96{:06}", std::process::id() % 1_000_000);
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let program = folder.path().join("endless");
+    executable::script(&program, &format!("#!/bin/sh\nexec sleep {seconds}\n"));
+    let mut grader = Command::new(env!("CARGO_BIN_EXE_raybook"))
+        .args([
+            "check",
+            "ray_at",
+            "--time-limit",
+            "60",
+            "--trust",
+            "--program",
+        ])
+        .arg(&program)
+        .process_group(0) // as a shell does it
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("the command starts");
+    assert!(becomes(1, &seconds), "the program starts");
+    let send = |signal: &str| {
+        let sent = Command::new("kill")
+            .args(["-s", signal, &grader.id().to_string()])
+            .status();
+        assert!(sent.is_ok_and(|sent| sent.success()), "{signal} is sent");
+    };
+    let stopped = || {
+        let own = PathBuf::from(format!("/proc/{}", grader.id()));
+        let all = sleepers(&seconds).into_iter().chain([own]);
+        all.filter(|process| {
+            let stat = fs::read_to_string(process.join("stat")).unwrap_or_default();
+            stat.rsplit(") ")
+                .next()
+                .is_some_and(|rest| rest.starts_with('T'))
+        })
+        .count()
+    };
+    for (signal, count) in [("TSTP", 2), ("CONT", 0), ("TSTP", 2), ("CONT", 0)] {
+        send(signal);
+        assert!(
+            within(|| stopped() == count),
+            "{signal}: {} stand",
+            stopped()
+        );
+    }
+    send("INT");
+    let ended = grader.wait().expect("the grader can be waited for");
+    assert_eq!(ended.code(), Some(130), "it can be ended afterwards");
+    assert!(becomes(0, &seconds), "no process is left");
+}
+
 /// Whether `count` processes sleep for this number of seconds, within ten seconds from now.
 fn becomes(count: usize, seconds: &str) -> bool {
+    within(|| sleepers(seconds).len() == count)
+}
+
+/// Whether something becomes true within ten seconds from now.
+fn within(is_so: impl Fn() -> bool) -> bool {
     let deadline = Instant::now() + Duration::from_secs(10);
     while Instant::now() < deadline {
-        if sleepers(seconds) == count {
+        if is_so() {
             return true;
         }
         sleep(Duration::from_millis(10));
@@ -59,10 +120,11 @@ fn becomes(count: usize, seconds: &str) -> bool {
     false
 }
 
-fn sleepers(seconds: &str) -> usize {
+fn sleepers(seconds: &str) -> Vec<PathBuf> {
     let entries = fs::read_dir("/proc").into_iter().flatten().flatten();
-    let commands = entries.filter_map(|entry| fs::read(entry.path().join("cmdline")).ok());
-    commands
-        .filter(|command| command.starts_with(format!("sleep\0{seconds}").as_bytes()))
-        .count()
+    let sleeps = |process: &PathBuf| {
+        let command = fs::read(process.join("cmdline")).unwrap_or_default();
+        command.starts_with(format!("sleep\0{seconds}").as_bytes())
+    };
+    entries.map(|entry| entry.path()).filter(sleeps).collect()
 }

@@ -22,11 +22,13 @@ use std::time::{Duration, Instant};
 /// does not know the exercise, or hangs.
 const SILENT: usize = 5;
 
-/// After the first two waits in vain for an answer to an exercise, each halves the time for its next answers, this number of times:
-/// a loop that ends in no case is seen in ten seconds instead of a minute. Of a program that has not answered anything yet, the waits of
-/// all exercises count, and its start has less time too: one that only hangs takes three seconds of an exercise, and whoever hangs in
-/// the first exercises and is right in the last is found right.
+/// Each wait in vain for an answer to an exercise halves the time for its next answers, this number of times: a loop that never ends is
+/// seen in twice the time of one answer. Of a program that has not answered anything yet, the waits of all exercises count, and its
+/// start has less time too: whoever hangs in the first exercises and is right in the last is found right.
 const HALVED: u32 = 4;
+
+/// After this number of waits in vain for an answer to an exercise the rest is not asked, even if others are answered in between.
+const WAITS: u32 = 12;
 
 /// Questions of pixels that are open at a time.
 const AHEAD: usize = 256;
@@ -66,6 +68,8 @@ pub struct Asker<'a> {
     has_answered: bool,
     /// Waits in vain for an answer: to this exercise, or since the beginning if there was none before it.
     waits: u32,
+    /// How many of them were before this exercise.
+    waits_before: u32,
 }
 
 impl<'a> Asker<'a> {
@@ -81,6 +85,7 @@ impl<'a> Asker<'a> {
             process: None,
             has_answered: false,
             waits: 0,
+            waits_before: 0,
         }
     }
 
@@ -98,6 +103,7 @@ impl<'a> Asker<'a> {
         if self.has_answered {
             self.waits = 0;
         }
+        self.waits_before = self.waits;
     }
 
     /// What is asked from now on goes to a new process.
@@ -193,12 +199,15 @@ impl<'a> Asker<'a> {
     /// Why no more is asked, if so.
     fn stops(&self, replies: &[Reply]) -> Option<Said> {
         let over = self.budget.over(Duration::ZERO, 0).map(Said::Over);
-        over.or_else(|| ends_silent(replies).then_some(Said::NotAsked(SILENT)))
+        let waits = self.waits - self.waits_before;
+        let hangs = || (waits >= WAITS).then_some(Said::NotAsked(WAITS as usize));
+        let silent = || ends_silent(replies).then_some(Said::NotAsked(SILENT));
+        over.or_else(silent).or_else(hangs)
     }
 
     /// What the next answers may use, and the time for the program's start.
     fn limits(&self) -> (Limits, Duration) {
-        let part = 1 << self.waits.saturating_sub(1).min(HALVED);
+        let part = 1 << self.waits.min(HALVED);
         let limits = Limits {
             time: self.limits.time / part,
             ..self.limits

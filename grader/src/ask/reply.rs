@@ -60,7 +60,7 @@ impl Said {
                 format!("your program gave {answers} answers to one question")
             }
             Self::NotAsked(questions) => {
-                format!("not asked, since there was no answer to {questions} questions in a row")
+                format!("not asked, since there was no answer to {questions} questions")
             }
             Self::Over(over) => over.why(),
         })

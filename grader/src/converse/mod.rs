@@ -8,12 +8,14 @@ use crate::budget::{Budget, Over};
 use crate::clock::Clock;
 use crate::contain::{self, Held};
 use crate::listen::{Event, listen};
+use crate::suspend::now;
 use prints::Printed;
 use program::cannot_start;
 use raybook_chapters::kit::untrusted::Untrusted;
 use std::collections::VecDeque;
 use std::io::{self, Write};
-use std::process::{Command, ExitStatus, Stdio};
+use std::process::{ChildStdin, Command, ExitStatus, Stdio};
+use std::sync::Arc;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -78,15 +80,47 @@ pub(crate) struct Waits {
 /// A running answer program. Nothing of it is left when it is dropped.
 pub(crate) struct Process {
     held: Option<Held>,
-    /// To the thread that writes the questions; none when no more will be asked.
-    questions: Option<Sender<String>>,
+    /// None when no more will be asked.
+    questions: Option<Questions>,
     events: Receiver<Vec<Event>>,
     /// What has come and is not heard yet.
     come: VecDeque<Event>,
     /// Since the last answer, or the start.
     clock: Clock,
+    /// Whether its start is over: it has read a question.
+    has_started: bool,
     /// Whether it has answered anything yet.
     pub(crate) has_answered: bool,
+}
+
+/// The way of the questions to a process, which ends where this is dropped.
+struct Questions {
+    /// To the thread that writes them.
+    to_write: Sender<String>,
+    pipe: Arc<ChildStdin>,
+}
+
+impl Questions {
+    fn new(pipe: ChildStdin) -> Self {
+        let pipe = Arc::new(pipe);
+        let (to_write, questions) = channel::<String>();
+        let written = Arc::clone(&pipe);
+        // A program that ends early does not read it all, and that is its business.
+        thread::spawn(move || {
+            questions
+                .iter()
+                .try_for_each(|text| (&*written).write_all(text.as_bytes()))
+        });
+        Self { to_write, pipe }
+    }
+
+    /// Whether the process has read all that was written, where the system tells.
+    fn are_read(&self) -> bool {
+        #[cfg(target_os = "linux")]
+        return rustix::io::ioctl_fionread(&*self.pipe).is_ok_and(|unread| unread == 0);
+        #[cfg(not(target_os = "linux"))]
+        false
+    }
 }
 
 impl Process {
@@ -111,23 +145,16 @@ impl Process {
         }
         let mut held =
             contain::start(&mut command, sandbox).map_err(|error| cannot_start(program, &error))?;
-        let (questions, to_write) = channel::<String>();
-        if let Some(mut stdin) = held.child.stdin.take() {
-            // A program that ends early does not read it all, and that is its business.
-            thread::spawn(move || {
-                to_write
-                    .iter()
-                    .try_for_each(|text| stdin.write_all(text.as_bytes()))
-            });
-        }
+        let questions = held.child.stdin.take().map(Questions::new);
         let outputs = held.child.stdout.take().zip(held.child.stderr.take());
         let (stdout, stderr) = outputs.ok_or(io::ErrorKind::BrokenPipe)?;
         Ok(Self {
             clock: Clock::new(Some(held.child.id())),
             held: Some(held),
-            questions: Some(questions),
+            questions,
             events: listen(stdout, stderr),
             come: VecDeque::new(),
+            has_started: false,
             has_answered: false,
         })
     }
@@ -148,18 +175,18 @@ impl Process {
             .iter()
             .flat_map(|question| [question, "\n"])
             .collect();
-        if let Some(writer) = &self.questions {
+        if let Some(questions) = &self.questions {
             // The writer has gone where the program has ended, which is heard below.
-            let _ = writer.send(text);
+            let _ = questions.to_write.send(text);
         }
         let mut conversation = self.listen(questions.len(), limits, waits, budget);
         if let Some(end) = &mut conversation.end
             && let Some(held) = self.held.take()
         {
             self.questions = None;
-            let start = Instant::now();
+            let start = now();
             let status = held.end(matches!(end, End::Exited(_)), limits.time);
-            budget.spend(start.elapsed(), 0);
+            budget.spend(now().saturating_duration_since(start), 0);
             if let End::Exited(how) = end {
                 *how = status;
             }
@@ -173,7 +200,7 @@ impl Process {
             if let Some(event) = self.come.pop_front() {
                 return Ok(event);
             }
-            let wait = deadline.saturating_duration_since(Instant::now());
+            let wait = deadline.saturating_duration_since(now());
             self.come.extend(self.events.recv_timeout(wait)?);
         }
     }
@@ -184,7 +211,7 @@ impl Process {
         if let Some(held) = &self.held {
             held.interrupt();
         }
-        let deadline = Instant::now() + LAST_WORDS;
+        let deadline = now() + LAST_WORDS;
         while let Ok(event) = self.next_until(deadline) {
             if let Event::Error(text) = event {
                 printed.complain(&text);
@@ -201,17 +228,18 @@ impl Process {
     ) -> Conversation {
         let (mut answers, mut printed) = (Vec::new(), Printed::default());
         let (mut bytes, mut bytes_in_all) = (0, 0);
-        let start = Instant::now();
+        let start = now();
         let lost_before = self.clock.lost();
         let (mut heard, mut closed) = (start, None);
         let mut patience = waits.patience;
         self.clock.restart();
+        let elapsed = || now().saturating_duration_since(start);
         // What a busy machine took does not count against a total limit, but a tenth of all time does.
         let lost = |clock: &Clock| {
             let lost = clock.lost().saturating_sub(lost_before);
-            lost.min(start.elapsed() * 9 / 10)
+            lost.min(elapsed() * 9 / 10)
         };
-        let blamed = |clock: &Clock| start.elapsed().saturating_sub(lost(clock));
+        let blamed = |clock: &Clock| elapsed().saturating_sub(lost(clock));
         let end = loop {
             if patience.is_none() {
                 self.questions = None;
@@ -219,7 +247,7 @@ impl Process {
             let hurry = self.questions.is_some();
             let complete = answers.len() == wanted;
             let limit = limits.time;
-            let starting = if self.has_answered {
+            let starting = if self.has_started {
                 Duration::ZERO
             } else {
                 waits.start
@@ -242,8 +270,8 @@ impl Process {
                         break Some(End::TooMany);
                     }
                     bytes = 0;
-                    heard = Instant::now();
-                    self.has_answered = true;
+                    heard = now();
+                    (self.has_started, self.has_answered) = (true, true);
                     self.clock.restart();
                 }
                 Ok(Event::Print(text, whole)) => {
@@ -256,7 +284,7 @@ impl Process {
                     bytes_in_all += text.len();
                     printed.complain(&text);
                 }
-                Ok(Event::End) => closed = Some(Instant::now()),
+                Ok(Event::End) => closed = Some(now()),
                 Err(RecvTimeoutError::Disconnected) => break Some(End::Exited(None)),
                 Err(RecvTimeoutError::Timeout) if closed.is_some() => {
                     break Some(End::Exited(None));
@@ -267,7 +295,16 @@ impl Process {
                     if let Some(over) = budget.over(blamed(&self.clock), bytes_in_all) {
                         break Some(End::Over(over));
                     }
-                    let looked = Instant::now();
+                    let are_read = |questions: &Questions| questions.are_read();
+                    if !self.has_started && self.questions.as_ref().is_some_and(are_read) {
+                        self.has_started = true;
+                        // A short start is a part of the first answer.
+                        if !self.clock.is_young() {
+                            self.clock.restart();
+                            continue;
+                        }
+                    }
+                    let looked = now();
                     if complete || self.clock.is_over(limit, starting) {
                         self.hear_where(&mut printed);
                         break Some(End::TimedOut(limit));

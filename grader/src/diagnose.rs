@@ -45,8 +45,21 @@ pub struct Diagnosis {
     pub explained: usize,
     /// How many answers are wrong.
     pub wrong: usize,
-    /// Other mistakes: made after this one, or in other parts of the answer, or in other cases.
+    /// How it goes with the mistake that is told before it, if there is one.
+    pub beside: Beside,
+    /// Other mistakes.
     pub also: Vec<Diagnosis>,
+}
+
+/// How another mistake goes with the one that is told first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Beside {
+    /// In other parts of the answer, or in other cases.
+    Apart,
+    /// In the same answers, which only both together explain.
+    Together,
+    /// It alone explains the same answers as well.
+    Instead,
 }
 
 /// An explanation must give this share of the wrong answers.

@@ -2,7 +2,7 @@
 
 use crate::ask::Said;
 use crate::check::{Outcome, Report, State, Verdict};
-use crate::diagnose::Diagnosis;
+use crate::diagnose::{Beside, Diagnosis};
 use crate::dress::Dress;
 use crate::examine::Examiner;
 use crate::pictured;
@@ -156,11 +156,16 @@ pub fn heading(report: &Report, outcome: &Outcome, dress: Dress) -> Vec<String> 
         Verdict::NotStarted => "  Not written yet.".to_owned(),
         Verdict::Wrong(why) => {
             let why = capitalised(why) + outcome.reply.said.help();
-            let stop = if why.ends_with('?') { "" } else { "." };
-            format!("  {why}{stop}")
+            format!("  {}", ended(&why))
         }
     };
     vec![dress.paint("1", &title), verdict]
+}
+
+/// The sentence with its full stop, if it has no mark of its own.
+pub fn ended(sentence: &str) -> String {
+    let stop = if sentence.ends_with('?') { "" } else { "." };
+    format!("{sentence}{stop}")
 }
 
 /// The sentence with a capital letter first, unless that is a name of its own: t, b1.
@@ -236,31 +241,41 @@ fn asked(examiner: &dyn Examiner, outcome: &Outcome) -> Vec<String> {
 
 /// What explains the wrong answers: as a fact if all answers speak for it, else as what it looks like.
 fn diagnosed(diagnosis: &Diagnosis, dress: Dress) -> Vec<String> {
-    let mut lines = vec![explained(diagnosis, dress, false)];
-    lines.push(format!("  Hint: {}", diagnosis.hint));
-    for also in &diagnosis.also {
-        lines.push(explained(also, dress, true));
+    let (together, others): (Vec<_>, Vec<_>) = diagnosis
+        .also
+        .iter()
+        .partition(|also| also.beside == Beside::Together);
+    let first: Vec<_> = [diagnosis].into_iter().chain(together).collect();
+    let names = first.iter().map(|one| dress.paint("1", &one.name));
+    let names = names.collect::<Vec<_>>().join(", and also ");
+    let mut lines = vec![explained(diagnosis, &names, "")];
+    lines.extend(first.iter().map(|one| format!("  Hint: {}", one.hint)));
+    for also in others {
+        let how = match also.beside {
+            Beside::Instead => "Or ",
+            Beside::Apart | Beside::Together => "And ",
+        };
+        lines.push(explained(also, &dress.paint("1", &also.name), how));
         lines.push(format!("  Hint: {}", also.hint));
     }
     lines
 }
 
-fn explained(diagnosis: &Diagnosis, dress: Dress, also: bool) -> String {
+/// What a mistake of this name explains, behind a word that joins it to the one before.
+fn explained(diagnosis: &Diagnosis, name: &str, and: &str) -> String {
     let Diagnosis {
-        name,
         part,
         certain,
         explained,
         wrong,
         ..
     } = diagnosis;
-    let name = dress.paint("1", name);
-    let (and, your) = match (also, part) {
-        (false, None) => (String::new(), "Your"),
-        (false, Some(part)) => (format!("In {part}: "), "your"),
-        (true, None) => ("And ".to_owned(), "your"),
-        (true, Some(part)) => (format!("And in {part}: "), "your"),
+    let and = match (and, part) {
+        (and, None) => and.to_owned(),
+        ("", Some(part)) => format!("In {part}: "),
+        (and, Some(part)) => format!("{and}in {part}: "),
     };
+    let your = if and.is_empty() { "Your" } else { "your" };
     if *certain {
         let wrong = match wrong {
             1 => "the wrong one".to_owned(),

@@ -6,7 +6,7 @@
 //!     "right": 40, "asked": 40, "picture": null | "file",
 //!     "pictures": [ { "name": "…", "alt": "…", "right": 3450, "of": 3452, "undecided": 4, "error": 0.01, "passed": true } ],
 //!     "diagnosis": null | { "name": "…", "hint": "…", "explained": 37, "wrong": 40,
-//!         "certain": true, "part": null | "…", "also": [ …as this… ] },
+//!         "certain": true, "part": null | "…", "also": [ …as this, and "beside": "apart" | "together" | "instead" ] },
 //!     "smallest": null | { …a case, the first wrong one with a simpler question… },
 //!     "cases": [ { "number": 1, "name": "…", "verdict": "right" | "wrong" | "not started", "why": null | "…",
 //!         "question": "…", "answers": ["…"], "got": null | "…", "printed": "…", "stderr": "…" } ] } ] }
@@ -19,7 +19,7 @@
 
 use crate::ask::Said;
 use crate::check::{Outcome, Report, State, Verdict};
-use crate::diagnose::Diagnosis;
+use crate::diagnose::{Beside, Diagnosis};
 use crate::triple::Triple;
 use raybook_chapters::kit::untrusted::is_hidden;
 use serde_json::{Value, json};
@@ -69,6 +69,13 @@ pub fn state_name(state: &State) -> (&'static str, Option<&str>) {
     }
 }
 
+/// The state of a name, and of what it waits for; none if the name means none.
+pub fn state(name: &str, waits_for: &str) -> Option<State> {
+    let waits = State::WaitsFor(waits_for.to_owned());
+    let mut all = [State::Right, State::Wrong, State::NotStarted, waits].into_iter();
+    all.find(|state| state_name(state).0 == name)
+}
+
 fn exercise(report: &Report, picture: Option<&PathBuf>) -> Value {
     let state = report.state();
     let (state, waits_for) = state_name(&state);
@@ -83,11 +90,23 @@ fn exercise(report: &Report, picture: Option<&PathBuf>) -> Value {
     })
 }
 
+/// A diagnosis beside another one.
+fn also(d: &Diagnosis) -> Value {
+    let mut also = diagnosed(d);
+    also["beside"] = match d.beside {
+        Beside::Apart => "apart",
+        Beside::Together => "together",
+        Beside::Instead => "instead",
+    }
+    .into();
+    also
+}
+
 /// A diagnosis.
 pub fn diagnosed(d: &Diagnosis) -> Value {
     json!({
         "name": d.name, "hint": d.hint, "explained": d.explained, "wrong": d.wrong, "certain": d.certain, "part": d.part,
-        "also": d.also.iter().map(diagnosed).collect::<Vec<_>>(),
+        "also": d.also.iter().map(also).collect::<Vec<_>>(),
     })
 }
 

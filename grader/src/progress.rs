@@ -1,9 +1,10 @@
 //! What a student has finished, kept in the folder between checks.
 
-use crate::check::Report;
+use crate::check::{Report, State};
 use crate::json;
 use crate::lock::Lock;
 use raybook::store::{self, StoreError};
+use raybook_workbook::curriculum::{CHAPTERS, Chapter};
 use serde_json::{Map, Value, json};
 use std::fs;
 use std::io::ErrorKind;
@@ -12,7 +13,8 @@ use std::path::{Path, PathBuf};
 /// For each exercise that was checked, how it stood then.
 #[derive(Clone, Debug, Default)]
 pub struct Progress {
-    /// By exercise: its state ("right", "wrong", "not started" or "waits"), how many cases were right, and how many were asked.
+    /// By exercise: its state ("right", "wrong", "not started" or "waits"), what it waits for, how many cases were right, and how many were
+    /// asked.
     exercises: Map<String, Value>,
 }
 
@@ -60,11 +62,23 @@ impl Progress {
         }
     }
 
+    /// How an exercise stood when it was last checked; none if it never was.
+    pub fn state(&self, exercise: &str) -> Option<State> {
+        let standing = self.exercises.get(exercise)?;
+        let waits_for = standing["waits_for"].as_str().unwrap_or_default();
+        json::state(standing["state"].as_str()?, waits_for)
+    }
+
     /// Whether an exercise was right when it was last checked.
     pub fn is_right(&self, exercise: &str) -> bool {
-        self.exercises
-            .get(exercise)
-            .is_some_and(|standing| standing["state"] == "right")
+        self.state(exercise) == Some(State::Right)
+    }
+
+    /// The first exercise of the course that was not right when it was last checked, or never was.
+    pub fn first_open(&self) -> Option<&'static str> {
+        let mut all = CHAPTERS.iter().flat_map(Chapter::exercises);
+        let open = all.find(|exercise| !self.is_right(exercise.name));
+        open.map(|exercise| exercise.name)
     }
 
     /// Adds these reports to the progress kept in a student's folder, whatever other checks do there at the same time. A damaged
@@ -97,8 +111,9 @@ impl Progress {
 
 /// How an exercise stands.
 fn standing(report: &Report) -> Value {
-    let (state, _) = json::state_name(&report.state());
-    json!({ "state": state, "right": report.right(), "asked": report.cases.len() })
+    let state = report.state();
+    let (state, waits_for) = json::state_name(&state);
+    json!({ "state": state, "waits_for": waits_for, "right": report.right(), "asked": report.cases.len() })
 }
 
 /// The folder in a workbook for what is not the student's.

@@ -223,10 +223,67 @@ fn the_first_hint_leads_on_and_the_next_exercise_is_named() {
     fs::copy(solution, folder.join("ch01_rays.py")).expect("it can be copied");
     let (code, said) = raybook(&folder, &["check", "ch01", "--plain"]);
     assert_eq!(code, 0, "{said}");
-    assert!(
-        said.contains("Next: write expose in ch02_hdr.py."),
-        "{said}"
+    let next = "Next: expose in ch02_hdr.py; `raybook check expose` says how it stands.";
+    assert!(said.contains(next), "{said}");
+}
+
+#[cfg(unix)]
+#[test]
+fn the_next_step_fits_how_the_exercise_stands() {
+    use raybook_grader::language::Language;
+    use raybook_grader::starter;
+    if !Path::new("/usr/bin/python3").exists() {
+        println!("there is no python3 here: its workbook is not asked");
+        return;
+    }
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let folder = home.path().join("rays");
+    starter::create(&folder, Language::Python).expect("the folder can be made");
+    let solution = |file: &str| {
+        let file = raybook_common::project("tests/solutions/python").join(file);
+        fs::read_to_string(file).expect("there is a solution")
+    };
+    let write = |file: &str, text: &str| {
+        fs::write(folder.join(file), text).expect("it can be written");
+    };
+    let stub = fs::read_to_string(folder.join("ch01_rays.py")).expect("there is a stub");
+    let wrong = stub.replacen(
+        "raise NotImplementedError(\"ray_at\")",
+        "return ray.origin",
+        1,
     );
+    write("ch02_hdr.py", &solution("ch02_hdr.py"));
+    // Another chapter is right: the next step is about what was never checked, not started, wrong, and right.
+    for (text, next) in [
+        (
+            "",
+            "Next: ray_at in ch01_rays.py; `raybook check ray_at` says how it stands.",
+        ),
+        (
+            &stub[..],
+            "Next: write ray_at in ch01_rays.py; `raybook exercise ray_at`",
+        ),
+        (&wrong, "Next: mend ray_at in ch01_rays.py."),
+        (
+            &solution("ch01_rays.py"),
+            "Next: solve_quadratic in ch03_sphere.py; ",
+        ),
+    ] {
+        if !text.is_empty() {
+            write("ch01_rays.py", text);
+            raybook(&folder, &["check", "ch01", "--plain"]);
+        }
+        let (code, said) = raybook(&folder, &["check", "ch02", "--plain"]);
+        assert!(code == 0 && said.contains(next), "{next}: {said}");
+        let (code, said) = raybook(&folder, &[]);
+        assert!(code == 0 && said.contains(next), "and in the map: {said}");
+        let state = if text == wrong {
+            "wrong: ray_at; "
+        } else {
+            "right: expose, "
+        };
+        assert!(said.contains(state), "the map names states: {said}");
+    }
 }
 
 #[test]

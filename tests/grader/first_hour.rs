@@ -104,7 +104,7 @@ fn the_first_hour() {
     );
     let (code, said) = raybook(&rays, &[]);
     assert!(
-        code == 0 && said.contains("[2 of 2]") && said.contains("Next: raybook check"),
+        code == 0 && said.contains("[2 of 2]") && said.contains("Next: mend sphere_hit"),
         "progress is kept: {said}"
     );
 

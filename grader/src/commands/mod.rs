@@ -20,6 +20,7 @@ pub mod keep;
 pub mod manner;
 pub mod map;
 pub mod new;
+pub mod next;
 pub mod one_chapter;
 pub mod pace;
 pub mod pack;

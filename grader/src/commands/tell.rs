@@ -1,5 +1,6 @@
 //! What `raybook check` prints: a line per exercise, the first that is wrong in full, and the next step.
 
+use super::next;
 use super::unwritten::Unwritten;
 use raybook::store::{self, StoreError};
 use raybook_chapters::kit::say::say;
@@ -66,7 +67,8 @@ impl Telling<'_> {
                 .iter()
                 .filter(|(report, _)| report.state() == State::Right)
                 .count();
-            if let Some(name) = ignored(reports) {
+            // The program of a workbook answers `= todo` by itself.
+            if let (Some(name), None) = (ignored(reports), self.folder) {
                 say(format!(
                     "\nYour program says nothing to `{name}`, nor to some others: let it answer `= todo` to what it does not know. Then nobody waits for it, and what is not written counts as not started."
                 ));
@@ -122,29 +124,17 @@ impl Telling<'_> {
     fn next_step(&self, reports: &[Pictured]) -> String {
         let first =
             |state: fn(&State) -> bool| reports.iter().map(|(r, _)| r).find(|r| state(&r.state()));
-        // Where the function is, in a workbook.
-        let place = |report: &Report| {
-            let place = self
-                .folder
-                .and_then(|folder| student::place(folder, report.exercise));
-            place.map_or_else(String::new, |file| format!(" in {file}"))
-        };
-        if let Some(report) = first(|state| *state == State::Wrong) {
-            format!("Next: mend {}{}.", report.exercise, place(report))
-        } else if let Some(report) = first(|state| *state == State::NotStarted) {
-            format!(
-                "Next: write {0}{1}; `raybook exercise {0}` says what it is asked.",
-                report.exercise,
-                place(report)
-            )
-        } else if let Some(report) = first(|state| matches!(state, State::WaitsFor(_))) {
-            format!("Next: write what {} waits for.", report.exercise)
-        } else {
-            let next = self.folder.and_then(next_in_course);
-            format!(
-                "Everything that was asked for is right.{}",
-                next.unwrap_or_default()
-            )
+        let open = first(|state| *state == State::Wrong)
+            .or_else(|| first(|state| *state == State::NotStarted))
+            .or_else(|| first(|state| matches!(state, State::WaitsFor(_))));
+        if let Some(report) = open {
+            return next::step(self.folder, report.exercise, Some(&report.state()));
+        }
+        let done = "Everything that was asked for is right.";
+        let kept = |folder| Some((folder, Progress::load(folder).ok()?));
+        match self.folder.and_then(kept) {
+            Some((folder, progress)) => format!("{done}\n{}", next::in_course(folder, &progress)),
+            None => done.to_owned(),
         }
     }
 
@@ -168,16 +158,6 @@ fn ignored(reports: &[Pictured]) -> Option<&'static str> {
     let answers = reports().any(|report| report.cases.iter().any(|o| o.reply.said.is_line()));
     let silent = reports().find(says_nothing).filter(|_| answers)?;
     Some(silent.exercise)
-}
-
-/// The first exercise of the course that was not right yet, when it was last checked.
-fn next_in_course(folder: &Path) -> Option<String> {
-    let progress = Progress::load(folder).ok()?;
-    let mut all = CHAPTERS.iter().flat_map(Chapter::exercises);
-    let next = all.find(|exercise| !progress.is_right(exercise.name))?.name;
-    let place = student::place(folder, next);
-    let place = place.map_or_else(String::new, |file| format!(" in {file}"));
-    Some(format!("\nNext: write {next}{place}."))
 }
 
 /// Writes a chapter's reference functions beside the student's, once these are right: in the student's language, if the course has them.

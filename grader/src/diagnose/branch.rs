@@ -1,7 +1,7 @@
 //! The branch of the calculation that all wrong answers have in common, and no right one: what is left to say where no mistake gives
 //! the same answers, and where there are none because the program stops with an error.
 
-use super::{Diagnosis, number::short};
+use super::{Beside, Diagnosis, number::short};
 use crate::attempt::attempt;
 use crate::examine::{Case, Examiner};
 use crate::explain::find;
@@ -87,6 +87,7 @@ pub fn search(
         certain: (silent || same.is_some()) && wrong.len() > 1,
         explained: wrong.len(),
         wrong: wrong.len(),
+        beside: Beside::Apart,
         also: Vec::new(),
     })
 }

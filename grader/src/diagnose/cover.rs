@@ -1,7 +1,7 @@
 //! Several of the exercise's own mistakes in one function, each of which shows in other cases: who begins makes two at once.
 
-use super::Diagnosis;
 use super::evidence::{Evidence, Score};
+use super::{Beside, Diagnosis};
 use crate::attempt::attempt;
 
 /// Mistakes that are told at once.
@@ -49,6 +49,7 @@ impl Cover {
             certain,
             explained: one.score.explained,
             wrong: self.wrong,
+            beside: Beside::Apart,
             also: Vec::new(),
         };
         let mut all = self.chosen.iter().map(told);

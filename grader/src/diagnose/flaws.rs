@@ -1,7 +1,7 @@
 //! What can be read off wrong answers themselves, where no mistake gives the same ones: complaints of the judge that have a name.
 
 use super::evidence::{Evidence, Item};
-use super::{Diagnosis, MOST};
+use super::{Beside, Diagnosis, MOST};
 use crate::Flaw;
 use std::cmp::Reverse;
 
@@ -86,6 +86,7 @@ fn told(flaw: &Flaw, explained: usize, wrong: usize) -> Diagnosis {
         certain: explained == wrong,
         explained,
         wrong,
+        beside: Beside::Apart,
         also: Vec::new(),
     }
 }

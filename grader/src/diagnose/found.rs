@@ -1,9 +1,9 @@
 //! An explanation that was found, and what may be said of it.
 
-use super::Diagnosis;
 use super::evidence::{Evidence, Scope, Score};
 use super::fit::Answers;
 use super::special::SEEN;
+use super::{Beside, Diagnosis};
 
 /// A guess that explains all wrong answers may be contradicted by this many right ones for each.
 const SOME: usize = 4;
@@ -96,23 +96,22 @@ impl Found {
             Scope::Part(part) => Some(evidence.parts[part].name.clone()),
             Scope::Shape => Some("the number of answers".to_owned()),
         };
-        let one = |name: &String, hint: &String| Diagnosis {
+        let one = |name: &String, hint: &String, beside: Beside| Diagnosis {
             name: name.clone(),
             hint: hint.clone(),
             part: part.clone(),
             certain: self.is_certain(),
             explained: self.score.explained,
             wrong: evidence.wrong,
+            beside,
             also: Vec::new(),
         };
-        let then = self
-            .then
-            .iter()
-            .chain(&self.rival)
-            .map(|(name, hint)| one(name, hint));
+        let told = |beside| move |(name, hint): &(String, String)| one(name, hint, beside);
+        let then = self.then.iter().map(told(Beside::Together));
+        let rival = self.rival.iter().map(told(Beside::Instead));
         Diagnosis {
-            also: then.collect(),
-            ..one(&self.name, &self.hint)
+            also: then.chain(rival).collect(),
+            ..one(&self.name, &self.hint, Beside::Apart)
         }
     }
 }

@@ -1,6 +1,6 @@
 //! What a function dies of where it has no guard: languages say it in their own words.
 
-use super::{Diagnosis, MOST};
+use super::{Beside, Diagnosis, MOST};
 
 /// A way to end without an answer.
 struct Death {
@@ -107,6 +107,7 @@ fn common(messages: &[String], wrong: usize) -> Option<Diagnosis> {
         certain: explained == wrong,
         explained,
         wrong,
+        beside: Beside::Apart,
         also: Vec::new(),
     })
 }

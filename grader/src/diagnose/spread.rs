@@ -5,7 +5,7 @@ use super::fit::{self, Answers};
 use super::misread::Misreading;
 use super::search::{golden, misread};
 use super::slips::{Slipped, slipped};
-use super::{Diagnosis, MOST, special};
+use super::{Beside, Diagnosis, MOST, special};
 
 /// What is not explained by a mistake may be this share of what it explains …
 const REST: f64 = 0.35;
@@ -171,6 +171,7 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Likely
         certain: *rank == 0 && rivals == 0 && *rest < 0.2 * whole.norm() && may_be_certain(),
         explained: evidence.wrong,
         wrong: evidence.wrong,
+        beside: Beside::Apart,
         also: Vec::new(),
     };
     Some(Likely {

@@ -51,6 +51,34 @@ fn several_pictures() {
     );
 }
 
+/// Each alone explains nothing: they are told in one sentence.
+#[test]
+fn two_mistakes_in_the_same_answers_are_one_explanation() {
+    let report = report("camera_ray", |_, question| {
+        let words = question.split_whitespace();
+        let q: Vec<f32> = words.map(|word| word.parse().expect("a number")).collect();
+        let axis = |first: usize, length: f32| glam::Vec3::from_slice(&q[first..]) * length;
+        let ahead = axis(3, q[12]);
+        let direction = ahead + axis(6, q[15] * q[13]) + axis(9, q[16] * q[14]);
+        let [o, d] = [axis(0, 1.0), direction.normalize()];
+        Said::Answer(format!("{} {} {} {} {} {}", o.x, o.y, o.z, d.x, d.y, d.z).into())
+    });
+    let told = told(&report);
+    let explained = told
+        .lines()
+        .find(|line| line.contains(" look as if your function "));
+    let explained = explained.unwrap_or_else(|| panic!("it is explained: {told}"));
+    assert!(
+        explained.contains("41 of the 41") && explained.contains(", and also "),
+        "{told}"
+    );
+    assert_eq!(told.matches("41 of the 41").count(), 1, "{told}");
+    assert_eq!(told.matches("  Hint: ").count(), 2, "{told}");
+    let json = json::results(&[(report, None)]);
+    let also = &json["exercises"][0]["diagnosis"]["also"][0]["beside"];
+    assert_eq!(also, "together", "{json}");
+}
+
 #[test]
 fn an_unknown_mistake() {
     let off = |examiner: &dyn Examiner, question: &str| match right(examiner, question) {

@@ -11,18 +11,26 @@ use page::Page;
 use raybook_chapters::kit::chapter::{error_text, report};
 use raybook_chapters::kit::say::say;
 use raybook_chapters::kit::untrusted::Untrusted;
+use raybook_grader::contain;
 use raybook_grader::keys::{self, Pressed};
 use raybook_grader::progress::Progress;
 use raybook_grader::student;
 use raybook_grader::watched::{Seen, changed};
 use raybook_workbook::curriculum::{CHAPTERS, Chapter};
 use std::error::Error;
+use std::panic::resume_unwind;
 use std::path::{Path, PathBuf};
-use std::thread::sleep;
+use std::thread::{self, sleep};
 use std::time::Duration;
 
 /// How often the files are looked at, and how long they must stay the same after a save.
 const PAUSE: Duration = Duration::from_millis(250);
+
+/// How long a key is waited for, and then whether a check has ended.
+const GLANCE: Duration = Duration::from_millis(30);
+
+/// How deep hints go.
+const LEVELS: u8 = 3;
 
 /// Watches the workbook: whenever you save a file, checks what it changed, until you press Ctrl-C. In a terminal, keys hint, explain, go
 /// on to the next chapter, list the course, and quit.
@@ -66,17 +74,31 @@ impl Watch {
         let mut seen = Seen::of(&folder);
         let mut asked = self.asked();
         let mut names = Self::names(&asked, &folder, &[]);
-        self.check(&names, page.as_mut())?;
+        let mut hints = 0;
+        let mut waiting = self.check(&folder, &names, page.as_mut())?;
         loop {
-            match keys::wait(PAUSE) {
+            match waiting
+                .take()
+                .map_or_else(|| keys::wait(PAUSE), Pressed::Key)
+            {
                 Pressed::Key('q') | Pressed::Closed => return Ok(true),
                 Pressed::Key('n') => {
                     asked.clear(); // who goes on leaves what was asked for
                     names = next(&folder, &names);
-                    self.check(&names, page.as_mut())?;
+                    hints = 0;
+                    waiting = self.check(&folder, &names, page.as_mut())?;
                 }
-                Pressed::Key(key) => self.answer(key, &folder, &names)?,
-                Pressed::Nothing => {}
+                Pressed::Key('h') => {
+                    hints = LEVELS.min(hints + 1);
+                    let level = ["--level".to_owned(), hints.to_string()];
+                    waiting = self.command(&folder, "hint", &[&names[..], &level].concat())?;
+                }
+                Pressed::Key('e') => {
+                    let open = open(&folder, &names);
+                    waiting = self.command(&folder, "explain", &[open])?;
+                }
+                Pressed::Key('l') => list(&folder),
+                Pressed::Key(_) | Pressed::Nothing => {}
             }
             let now = Seen::of(&folder);
             let files = changed(&seen, &now);
@@ -91,59 +113,48 @@ impl Watch {
             }
             seen = later;
             say(format!("\n── {} changed ──", told(&files)));
+            hints = 0;
             names = Self::names(&asked, &folder, &files);
-            self.check(&names, page.as_mut())?;
+            waiting = self.check(&folder, &names, page.as_mut())?;
         }
     }
 
-    /// Does what a key asks for with the exercises that were checked last.
-    fn answer(&self, key: char, folder: &Path, names: &[String]) -> Result<(), Box<dyn Error>> {
-        match key {
-            'h' => {
-                self.command("hint", names)?;
-            }
-            'e' => {
-                self.command("explain", &[open(folder, names)])?;
-            }
-            'l' => {
-                if let Err(error) = map::print(folder) {
-                    report(&*error);
-                }
-            }
-            _ => return Ok(()),
-        }
-        prompt();
-        Ok(())
-    }
-
-    /// Checks exercises or chapters by name, and shows on the page what became of them.
-    fn check(&self, names: &[String], page: Option<&mut Page>) -> Result<(), Box<dyn Error>> {
-        if let Task::Check(check) = self.task("check", names)? {
-            let alone = page.as_ref().map(|page| page.alone());
-            let checked = check.reports();
-            drop(alone);
-            if let Err(error) = &checked {
-                report(&**error);
-            }
-            if let Some(page) = page {
-                page.show(checked.map_err(|error| error_text(&*error)));
-            }
+    /// Checks exercises or chapters by name, and shows on the page what became of them. Returns the key that waits for that.
+    fn check(
+        &self,
+        folder: &Path,
+        names: &[String],
+        page: Option<&mut Page>,
+    ) -> Result<Option<char>, clap::Error> {
+        let Task::Check(check) = self.task("check", names)? else {
+            return Ok(None);
+        };
+        let alone = page.as_ref().map(|page| page.alone());
+        let (checked, waiting) = meanwhile(folder, || told_if_wrong(check.reports()));
+        drop(alone);
+        if let Some(page) = page {
+            page.show(checked);
         }
         prompt();
-        Ok(())
+        Ok(waiting)
     }
 
-    /// Runs another command. What is wrong with the program is told, and does not end the watch.
-    fn command(&self, command: &str, names: &[String]) -> Result<(), clap::Error> {
-        let done = match self.task(command, names)? {
+    /// Runs another command. What is wrong with the program is told, and does not end the watch. Returns the key that waits for its end.
+    fn command(
+        &self,
+        folder: &Path,
+        command: &str,
+        words: &[String],
+    ) -> Result<Option<char>, clap::Error> {
+        let task = self.task(command, words)?;
+        let run = || match &task {
             Task::Check(task) => task.run(),
             Task::Hint(task) => task.run(),
             Task::Explain(task) => task.run(),
         };
-        if let Err(error) = done {
-            report(&*error);
-        }
-        Ok(())
+        let (_, waiting) = meanwhile(folder, || told_if_wrong(run()));
+        prompt();
+        Ok(waiting)
     }
 
     /// Another command, as if it were typed, with the folder as it was typed.
@@ -190,10 +201,49 @@ impl Watch {
     }
 }
 
+/// Does some work, and obeys the keys that are pressed meanwhile: quits and lists at once; returns the last of the others, which has to wait.
+fn meanwhile<T: Send>(folder: &Path, work: impl FnOnce() -> T + Send) -> (T, Option<char>) {
+    thread::scope(|scope| {
+        let work = scope.spawn(work);
+        let mut waiting = None;
+        while !work.is_finished() {
+            match keys::wait(GLANCE) {
+                Pressed::Key('q') | Pressed::Closed => contain::end_all(0),
+                Pressed::Key('l') => list(folder),
+                Pressed::Key(key @ ('h' | 'e' | 'n')) => {
+                    say(format!("\n{key} comes next: a check is going on."));
+                    waiting = Some(key);
+                }
+                Pressed::Key(_) | Pressed::Nothing => {}
+            }
+        }
+        match work.join() {
+            Ok(done) => (done, waiting),
+            Err(panic) => resume_unwind(panic),
+        }
+    })
+}
+
+/// The same, once it is told; an error as its text, which other threads can read.
+fn told_if_wrong<T>(done: Result<T, Box<dyn Error>>) -> Result<T, String> {
+    done.map_err(|error| {
+        report(&*error);
+        error_text(&*error)
+    })
+}
+
+/// Lists the course.
+fn list(folder: &Path) {
+    if let Err(error) = map::print(folder) {
+        report(&*error);
+    }
+    prompt();
+}
+
 /// Says what can be done.
 fn prompt() {
     let keys = if keys::are_there() {
-        ", or press h hint, e explain, n next, l list, q quit"
+        ", or press h hint (again: deeper), e explain, n next, l list, q quit"
     } else {
         ""
     };

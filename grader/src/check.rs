@@ -234,7 +234,12 @@ fn check_and_draw(
         };
         (report.pictures, report.stopped) = draw(asker, examiner)?;
     } else if pixels == Pixels::All && !examiner.pictures().is_empty() {
-        let why = "not every case has an answer. Let your program answer something, all zeros say, to what you have not written";
+        let is_to_do = |outcome: &Outcome| matches!(outcome.reply.said, Said::Todo(_));
+        let why = if report.cases.iter().any(is_to_do) {
+            "not every case has an answer. Let your program answer something, all zeros say, to what you have not written"
+        } else {
+            "not every case has an answer"
+        };
         report.stopped = Some(why.to_owned());
     }
     Ok(report)

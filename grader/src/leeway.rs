@@ -25,13 +25,13 @@ const TRIED: usize = 3;
 /// How often the error is doubled, from 10⁻⁹ of the number.
 const DOUBLINGS: i32 = 60;
 
-/// How far each tried value of part number `part` of the right answer to a question may be off.
+/// How far each tried value of part number `part` of the right answer to a question may be above it, and how far below it.
 pub fn leeways(
     examiner: &dyn Examiner,
     question: &[f64],
     golden: &[f64],
     part: usize,
-) -> Vec<Leeway> {
+) -> Vec<[Leeway; 2]> {
     let answer = &examiner.asked().answer;
     let layout = layout(answer.kind, golden);
     let leaves: Vec<_> = layout.of_part(part).collect();
@@ -62,20 +62,21 @@ pub fn leeways(
             let size = size.fold(0.0, f64::max);
             if size.is_finite() {
                 let whole = is_whole(answer.kind, part);
-                found.push(leeway(size, whole, |error| is_right(&places, error)));
+                let off = |sign| leeway(size, whole, |error| is_right(&places, sign * error));
+                found.push([off(1.0), off(-1.0)]);
             }
         }
     }
     found
 }
 
-/// The largest error that is still right in both directions; errors grow by factors of 2.
+/// The largest error that is still right; errors grow by factors of 2.
 fn leeway(size: f64, whole: bool, is_right: impl Fn(f64) -> bool) -> Leeway {
     let first = if whole { 1.0 } else { 1e-9 * size.max(1e-3) };
     let mut largest = None;
     for doubling in 0..DOUBLINGS {
         let error = first * 2_f64.powi(doubling);
-        if !(is_right(error) && is_right(-error)) {
+        if !is_right(error) {
             return largest.map_or(Leeway::Exact, Leeway::Within);
         }
         largest = Some(error);

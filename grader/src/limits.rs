@@ -165,40 +165,63 @@ fn of_comparing(
     said
 }
 
-/// How far the values of a part may be off, in a sentence.
-fn of_leeways(name: &str, measured: &[Leeway], together: bool) -> Option<String> {
-    let name = if together {
-        format!("All `{name}` together")
-    } else {
-        format!("`{name}`")
-    };
+/// How far the values of a part may be off, in a sentence: in both directions, or where that is nothing, in each. Where any other value is
+/// wrong, another answer as a whole may still be right.
+fn of_leeways(name: &str, measured: &[[Leeway; 2]], together: bool) -> Option<String> {
     if measured.is_empty() {
         return None;
     }
-    if measured.iter().all(|leeway| *leeway == Leeway::Free) {
-        return Some(format!("{name}: not compared by value."));
+    if measured.iter().flatten().all(|off| *off == Leeway::Free) {
+        return Some(format!("`{name}`: not compared by value."));
     }
-    let error = |leeway: &Leeway| match leeway {
+    let error = |leeway: Leeway| match leeway {
         Leeway::Exact => 0.0,
-        Leeway::Within(error) => *error,
+        Leeway::Within(error) => error,
         Leeway::Free => f64::INFINITY,
     };
-    let mut errors: Vec<_> = measured.iter().map(error).collect();
+    let how = |off: &str, choose: &dyn Fn([f64; 2]) -> f64| {
+        let errors = measured.iter().map(|both| choose(both.map(error)));
+        how_far(errors.collect(), off)
+    };
+    let both = how("off", &|[above, below]| above.min(below));
+    // A value that may be off by anything in one direction is a yes or a no.
+    let some = |error: f64| if error.is_finite() { error } else { 0.0 };
+    let above = || how("larger", &|[above, _]| some(above));
+    let below = || how("smaller", &|[_, below]| some(below));
+    let how = both.or_else(|| match (above(), below()) {
+        (None, None) => None,
+        (Some(above), None) => Some(format!("{above}; a smaller value is wrong")),
+        (None, Some(below)) => Some(format!("{below}; a larger value is wrong")),
+        (Some(above), Some(below)) => Some(format!("{above}; {below}")),
+    });
+    let always = measured.iter().flatten().all(|off| *off == Leeway::Exact);
+    let often = if always { "" } else { " in most cases" };
+    let how = how.unwrap_or_else(|| format!("changed alone makes the answer wrong{often}"));
+    let together = if together {
+        "all of them together, "
+    } else {
+        ""
+    };
+    Some(format!("`{name}`: {together}{how}."))
+}
+
+/// How far values may be off that were measured; none if mostly by nothing.
+fn how_far(mut errors: Vec<f64>, off: &str) -> Option<String> {
     errors.sort_by(f64::total_cmp);
-    let (least, middle) = (errors[0], errors[errors.len() / 2]);
+    let (least, middle) = (*errors.first()?, errors[errors.len() / 2]);
+    let amount = |error: f64| match error {
+        1.0..1e4 => format!("{error:.0}"),
+        _ => format!("{error:.0e}"),
+    };
+    let (by_least, by_middle) = (amount(least), amount(middle));
     Some(match (least, middle) {
-        (_, 0.0) => format!("{name}: compared exactly."),
-        (0.0, middle) if middle.is_infinite() => format!("{name}: compared in some cases only."),
-        (0.0, middle) => {
-            format!("{name}: may typically be off by {middle:.0e}, in some cases by nothing.")
-        }
-        (least, middle) if middle < 4.0 * least => format!("{name}: may be off by {least:.0e}."),
-        (least, middle) if middle.is_infinite() => {
-            format!("{name}: may be off by at least {least:.0e}.")
-        }
-        (least, middle) => {
-            format!("{name}: may be off by {least:.0e} at the least, typically by {middle:.0e}.")
-        }
+        (_, 0.0) => return None,
+        (0.0, middle) if middle.is_infinite() => format!("may be {off} by anything in most cases"),
+        (0.0, _) => format!("may typically be {off} by {by_middle}, in some cases by nothing"),
+        (least, _) if least.is_infinite() => format!("may be {off} by anything"),
+        (least, middle) if middle < 4.0 * least => format!("may be {off} by {by_least}"),
+        (_, middle) if middle.is_infinite() => format!("may be {off} by at least {by_least}"),
+        _ => format!("may be {off} by {by_least} at the least, typically by {by_middle}"),
     })
 }
 

@@ -3,7 +3,7 @@
 use crate::asked_picture::MISSING;
 use crate::examine::Examiner;
 use crate::score::Score;
-use raybook::image::{Image, rgb::Rgb, rms::rms};
+use raybook::image::{Image, rgb::Rgb, rms::rms, tone::to_bytes};
 use raybook_chapters::kit::palette;
 use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_workbook::row;
@@ -79,6 +79,14 @@ fn in_digits(examiner: &dyn Examiner, got: &str) -> Untrusted {
         |read| row::format(asked.answer.kind, &read),
     )
     .into()
+}
+
+impl Triple {
+    /// Whether a display shows any difference.
+    pub fn differs(&self) -> bool {
+        let bytes = to_bytes(&self.difference);
+        bytes.into_iter().any(|byte| byte != u8::MAX)
+    }
 }
 
 /// The pictures of the answers to the questions of picture number `picture`.

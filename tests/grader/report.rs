@@ -35,12 +35,13 @@ fn the_report_of_a_workbook_is_one_page() {
             "grid_walk",
             "octree_walk",
             "ch11",
+            "triangle_hit",
         ],
     );
     assert_eq!(code, 1, "{said}");
     let page = fs::read_to_string(folder.join("out/report.html")).expect("it is written");
     for part in [
-        "6 of 8 exercises are right",
+        "7 of 9 exercises are right",
         "takes the far root",
         "data:image/png;base64,",
         "data:image/svg+xml;base64,",
@@ -57,6 +58,10 @@ fn the_report_of_a_workbook_is_one_page() {
     ] {
         assert!(page.contains(part), "`{part}` is in {page:.2000}");
     }
+    assert!(
+        page.contains("id=\"triangle_hit-0\"") && !page.contains("triangle_hit-0-difference"),
+        "no empty picture where there is no difference"
+    );
     assert!(!page.contains("<script"), "nothing runs in the page");
     for (attribute, address) in addresses(&page) {
         assert!(

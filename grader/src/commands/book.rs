@@ -24,7 +24,7 @@ pub struct Book {
 }
 
 impl Book {
-    /// Opens it; false if there are only lessons as text.
+    /// Opens it, or says where the lesson is.
     pub fn run(&self) -> Done {
         let chapter = self.chapter.as_deref().map(chapter).transpose()?;
         let page = chapter.map_or("index", |chapter| chapter.name);
@@ -60,7 +60,7 @@ impl Book {
             "There is no built book here: `book/build` in the course's repository builds one, and --folder names it. The lesson as text: {}",
             Untrusted::from(lesson.as_path())
         ));
-        Ok(false)
+        Ok(true)
     }
 }
 

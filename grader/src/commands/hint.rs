@@ -60,7 +60,10 @@ impl Hint {
                     let (case, why) =
                         first.map_or(("", ""), |(outcome, why)| (outcome.case.name.as_str(), why));
                     let case = Untrusted::from(case);
-                    say(format!("{name}: think of the case \"{case}\": {why}."));
+                    say(format!(
+                        "{name}: think of the case \"{case}\": {}",
+                        feedback::ended(why)
+                    ));
                     if self.level > 1 {
                         say(feedback::diagnosis(&report, Dress::default()).join("\n"));
                     }
@@ -88,7 +91,8 @@ fn on_the_way(report: &Report, examiner: &dyn Examiner, outcome: &Outcome) -> St
         .filter(|step| !step.value.is_empty())
         .collect();
     // The first ones are known, and the last one is the answer.
-    if let Some(step) = steps.get(steps.len() / 2) {
+    let before = steps.split_last().map_or(&[][..], |(_, before)| before);
+    if let Some(step) = before.get(before.len() / 2) {
         let name = step.name.trim_end_matches(" =");
         let value = format!("{} {}", words(&step.value), step.unit);
         let value = value.trim_end();

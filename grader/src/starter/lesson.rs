@@ -1,6 +1,6 @@
 //! The lessons as text: what a student's folder carries of the book, so that the derivations can be read beside the stubs.
 //!
-//! The text is the book's own, up to "Your turn", where the stubs go on. Directives are expanded as the book does; figures and drawings
+//! The text is the book's own, up to "Your turn", where the stubs go on, and "In practice": the care that a formula needs. Directives are expanded as the book does; figures and drawings
 //! become their alternative texts, and formulas stay as they are typed.
 
 use super::StarterFile;
@@ -9,6 +9,7 @@ use crate::cases;
 use raybook_workbook::curriculum::{CHAPTERS, Chapter};
 use raybook_workbook::for_each_chapter;
 use raybook_workbook::row;
+use std::borrow::Cow;
 use std::path::PathBuf;
 
 macro_rules! pages {
@@ -28,6 +29,9 @@ const MACROS: &str = include_str!("../../../book/macros.txt");
 /// The heading where the stubs go on.
 const YOUR_TURN: &str = "## Your turn";
 
+/// The heading behind it of what is told all the same.
+const PRACTICE: &str = "## In practice";
+
 /// The lessons of all chapters, in a folder of their own.
 ///
 /// # Errors
@@ -46,11 +50,15 @@ fn text(chapter: &Chapter, page: &str) -> Result<String, BookError> {
     let mut text = String::new();
     let mut drawing: Option<String> = None;
     let mut fenced = false;
-    for (line, number) in page
-        .lines()
-        .zip(1..)
-        .take_while(|(line, _)| *line != YOUR_TURN)
-    {
+    let (mut turned, mut left_out) = (false, false);
+    for (line, number) in page.lines().zip(1..) {
+        if line.starts_with("## ") {
+            turned |= line == YOUR_TURN;
+            left_out = turned && line != PRACTICE;
+        }
+        if left_out {
+            continue;
+        }
         fenced ^= line.starts_with("```");
         let part = if let Some(mut drawn) = drawing.take() {
             drawn.push_str(line);
@@ -77,7 +85,7 @@ fn text(chapter: &Chapter, page: &str) -> Result<String, BookError> {
         } else if fenced {
             line.to_owned()
         } else {
-            plain(line)
+            plain(&unfolded(line))
         };
         // Where something is left out, one empty line is enough.
         if !part.is_empty() || !text.ends_with("\n\n") {
@@ -86,7 +94,7 @@ fn text(chapter: &Chapter, page: &str) -> Result<String, BookError> {
         }
     }
     Ok(format!(
-        "{}\n\n---\n\nNow write {}. The book's page `{}.html` goes on with worked questions, mistakes and practice.\n",
+        "{}\n\n---\n\nNow write {}. The book's page `{}.html` goes on with mistakes, and questions with their answers.\n",
         text.trim_end(),
         names.join(", "),
         chapter.name
@@ -180,6 +188,22 @@ fn told(drawing: &str) -> String {
     let shown = between("aria-label=\"", "\"").unwrap_or_default();
     let caption = between("<figcaption>", "</figcaption>").unwrap_or_default();
     format!("> Drawing: {shown} {}", plain(caption))
+}
+
+/// The title of what the book folds, in bold; another line as it is.
+fn unfolded(line: &str) -> Cow<'_, str> {
+    let folds = line.starts_with("<details") || line.starts_with("</details>");
+    let title = line
+        .split_once("<summary>")
+        .and_then(|(_, title)| title.strip_suffix("</summary>"));
+    match title {
+        Some(title) => {
+            let title = title.replace("<code>", "`").replace("</code>", "`");
+            format!("**{title}**").into()
+        }
+        None if folds => "".into(),
+        None => line.into(),
+    }
 }
 
 /// A line without links to other pages than lessons, and with the names of formulas spelt out.

@@ -17,7 +17,8 @@ fn every_chapter_has_its_lesson_as_text() {
         let directive = text.lines().find(|line| line.starts_with("{{"));
         assert_eq!(directive, None, "{}", path.display());
         for part in [
-            "figure>", "<p ", "\n\n\n", "<svg", "<path", "\\origin", ".md#", "\ncargo ",
+            "figure>", "<p ", "\n\n\n", "<svg", "<path", "<details", "<summary", "<code",
+            "\\origin", ".md#", "\ncargo ",
         ] {
             assert!(!text.contains(part), "{}: {part}", path.display());
         }
@@ -32,7 +33,7 @@ fn every_chapter_has_its_lesson_as_text() {
             }
         }
     }
-    assert!(bytes < 300_000, "{bytes} bytes: the starter is small");
+    assert!(bytes < 350_000, "{bytes} bytes: the starter is small");
     let rays = String::from_utf8_lossy(&files[0].1);
     let commands = "```sh\nraybook tour --only ch01\nraybook tour --only ch01 --width 64 --samples 1   # single pixels\n```";
     assert!(
@@ -46,6 +47,10 @@ fn every_chapter_has_its_lesson_as_text() {
         "    origin         0 0 -3",
         "    → t            2",
         "> Drawing: A circle of centre c",
+        // The care that the lesson promises, and the exercise asks for.
+        "### Roots without cancellation",
+        "\\frac{C}{q}",
+        "**For the curious: the discriminant in double precision**",
         "Now write solve_quadratic, sphere_hit, sphere_normal.",
     ] {
         assert!(sphere.contains(part), "`{part}` is in {sphere}");
@@ -60,8 +65,8 @@ fn the_book_is_opened_where_it_is_built_and_else_the_lesson_is_named() {
     let folder = home.path().join("rays");
     let book = |arguments: &[&str]| raybook(&folder, &[&["book", "--no-open"], arguments].concat());
     for (arguments, code, part) in [
-        (&["sphere"][..], 1, "lessons/ch03_sphere.md"),
-        (&[], 1, "lessons"),
+        (&["sphere"][..], 0, "lessons/ch03_sphere.md"),
+        (&[], 0, "lessons"),
         (&["nothing"], 2, "no chapter is called so"),
         (
             &["ch03", "--folder", ".."],

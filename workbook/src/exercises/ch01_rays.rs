@@ -8,6 +8,8 @@ use raybook::math::{dir3::Dir3, ray::Ray};
 
 exercises! { ($) ch01_rays
     /// Return the point at distance t along the ray.
+    ///
+    /// In Rust: a `Dir3` is a `Vec3` of length 1, and `*self.direction` is that vector.
     RayAt: ray_at(
         /// The ray.
         ray: Ray,
@@ -22,6 +24,8 @@ exercises! { ($) ch01_rays
 
     /// Return the ray from the focal point through the place `film` of the image plane; film (0, 0) is the picture's
     /// top left, (1, 1) its bottom right.
+    ///
+    /// In Rust: `Dir3::new_or(v, self.forward)` is the direction of a vector v of any length.
     CameraRay: camera_ray(
         /// The focal point, in metres: all rays start here.
         focal_point: Vec3,

@@ -113,9 +113,11 @@ pub fn end_all(code: i32) -> ! {
 }
 
 /// All that is held stands still, and nothing is started, until this is dropped.
+#[cfg(unix)]
 pub(crate) struct Stopped(MutexGuard<'static, Vec<(u32, String)>>);
 
 /// Stops all that is held.
+#[cfg(unix)]
 pub(crate) fn stop_all() -> Stopped {
     let held = held();
     for (group, _) in held.iter() {
@@ -124,6 +126,7 @@ pub(crate) fn stop_all() -> Stopped {
     Stopped(held)
 }
 
+#[cfg(unix)]
 impl Drop for Stopped {
     fn drop(&mut self) {
         for (group, _) in self.0.iter() {
@@ -183,7 +186,9 @@ fn die_with_the_grader(command: &mut Command) {
 #[derive(Clone, Copy)]
 enum Signal {
     Kill,
+    #[cfg(unix)]
     Stop,
+    #[cfg(unix)]
     GoOn,
     /// To say where it is: SIGUSR1, which ends a program that has not asked for it.
     SayWhere,

@@ -13,6 +13,7 @@ pub enum Pressed {
     Closed,
 }
 
+#[cfg(unix)]
 pub(crate) use terminal::as_before;
 pub use terminal::{are_there, restore, wait};
 
@@ -131,9 +132,4 @@ mod terminal {
 
     /// Nothing was changed.
     pub fn restore() {}
-
-    /// Nothing was changed.
-    pub(crate) fn as_before(then: impl FnOnce()) {
-        then();
-    }
 }

@@ -1,5 +1,6 @@
 //! Ctrl-Z stops the grader with all that it started, and the time until it goes on is nobody's.
 
+#[cfg(unix)]
 use crate::{contain, keys};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
@@ -15,6 +16,7 @@ pub(crate) fn now() -> Instant {
 }
 
 /// Stops the grader and the programs that it asks, until somebody lets it go on.
+#[cfg(unix)]
 pub(crate) fn suspend() {
     let mut stopped = STOPPED.lock().unwrap_or_else(PoisonError::into_inner);
     let since = Instant::now();
@@ -55,6 +57,3 @@ fn signal() -> nix::sys::signal::SigSet {
 /// No such signal on this system.
 #[cfg(not(unix))]
 pub(crate) fn suspend_on_signals() {}
-
-#[cfg(not(unix))]
-fn stop_here() {}

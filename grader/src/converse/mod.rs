@@ -116,11 +116,20 @@ impl Questions {
 
     /// Whether the process has read all that was written, where the system tells.
     fn are_read(&self) -> bool {
-        #[cfg(target_os = "linux")]
-        return rustix::io::ioctl_fionread(&*self.pipe).is_ok_and(|unread| unread == 0);
-        #[cfg(not(target_os = "linux"))]
-        false
+        are_read(&self.pipe)
     }
+}
+
+/// Whether a pipe is empty.
+#[cfg(target_os = "linux")]
+fn are_read(pipe: &ChildStdin) -> bool {
+    rustix::io::ioctl_fionread(pipe).is_ok_and(|unread| unread == 0)
+}
+
+/// The same elsewhere: nothing is known.
+#[cfg(not(target_os = "linux"))]
+fn are_read(_pipe: &ChildStdin) -> bool {
+    false
 }
 
 impl Process {

@@ -102,9 +102,9 @@ fn limits_are_those_of_the_cases_and_the_judge() {
         ("bounds_of", "May be empty in a question: `points`."),
         ("voxels_of_triangle", "The order of `cells` does not count."),
         ("grid_walk", "The order of `visits` counts."),
-        ("grid_walk", "`x`: changed alone makes the answer wrong."),
+        ("grid_walk", "`x`: changed alone makes the answer wrong"),
         // Other splits may cost as little.
-        ("sah_split", "`left`: changed alone makes the answer wrong."),
+        ("sah_split", "`left`: changed alone makes the answer wrong"),
         // Few boxes too many are forgiven, and none too few are believed.
         ("bvh_closest", "`boxes`: may be larger by "),
         (

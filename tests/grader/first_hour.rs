@@ -104,7 +104,10 @@ fn the_first_hour() {
     );
     let (code, said) = raybook(&rays, &[]);
     assert!(
-        code == 0 && said.contains("[2 of 2]") && said.contains("Next: mend sphere_hit"),
+        code == 0
+            && said.contains("[2 of 2]")
+            && said.contains("wrong: sphere_hit")
+            && said.contains("Next: write expose"),
         "progress is kept: {said}"
     );
 

@@ -114,6 +114,13 @@ pub fn check(knobs: &Command, matches: &ArgMatches) -> Result<(), Error> {
     Ok(())
 }
 
+/// Why an argument is refused, in a sentence: the first line of what clap prints, without its `error: `.
+pub fn sentence(error: &Error) -> String {
+    let text = error.to_string();
+    let line = text.lines().next().unwrap_or_default();
+    line.trim_start_matches("error: ").to_owned()
+}
+
 /// The word on the command line that stands for the value of a choice.
 pub fn word(choice: impl ValueEnum) -> String {
     let value = choice.to_possible_value();

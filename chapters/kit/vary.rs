@@ -96,7 +96,7 @@ pub fn draw(
     let knobs = what
         .values
         .iter()
-        .map(arguments)
+        .map(|value| arguments(value).map_err(|error| knobs::sentence(&error)))
         .collect::<Result<Vec<_>, _>>()?;
     let folder = options.out.join(lesson.name);
     let mut tiles = Vec::new();

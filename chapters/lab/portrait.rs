@@ -3,7 +3,7 @@
 use crate::kit::axis::Axis;
 use crate::kit::chart::Chart;
 use crate::kit::figure::{CENTRE, LEFT, RIGHT, text, write};
-use crate::kit::palette::{BLUE, FAINT, INK, VERMILION};
+use crate::kit::palette::{BLUE, FAINT, INK, ORANGE, VERMILION};
 use crate::kit::pen::Pen;
 use crate::kit::stage::Drawn;
 use crate::lab::pair_correlation::pair_correlation;
@@ -13,7 +13,7 @@ use crate::lab::raster::Raster;
 use crate::lab::spectrum::{Known, Spectrum};
 use crate::lab::subject::Subject;
 use plotters::coord::Shift;
-use plotters::prelude::{Color, DrawingArea, DrawingBackend, PathElement};
+use plotters::prelude::{Color, DrawingArea, DrawingBackend, PathElement, RGBColor};
 use raybook::image::Image;
 use raybook::image::rgb::Rgb;
 use std::fmt::Write;
@@ -28,6 +28,9 @@ const BAR: (i32, i32) = (26, 30);
 
 /// The power that is white, where random points have 1.
 const WHITE_POWER: f64 = 2.0;
+
+/// The colours of the bars of x and of y.
+const BARS: [RGBColor; 2] = [BLUE, ORANGE];
 
 /// More points than this in one interval are counted as this number.
 const CROWDED: usize = 5;
@@ -173,9 +176,9 @@ impl Portrait {
 
     /// How many intervals of each axis hold 0, 1, 2 … points.
     fn strata(&self) -> Chart {
-        let title = format!("points in each of {} intervals", self.n);
+        let title = format!("points per interval, of {}", self.n);
         let counts = Axis::linear(-0.5..(CROWDED as f64 + 0.5))
-            .named("points in an interval of x (filled) or of y")
+            .named("points in an interval of x (dark) or y (light)")
             .format(|v| {
                 let more = if v as usize == CROWDED { " +" } else { "" };
                 format!("{v:.0}{more}")
@@ -186,8 +189,8 @@ impl Portrait {
             .labels(6)
             .format(|share| format!("{:.0} %", 100.0 * share));
         let mut chart = Chart::new(counts, shares).titled(&title).text(30);
-        // Filled and empty: in grey print, the two colours are alike.
-        let bars = [(BLUE.filled(), -0.36), (VERMILION.stroke_width(5), 0.02)];
+        // Dark and light: in grey print, too.
+        let bars = [(BARS[0].filled(), -0.36), (BARS[1].filled(), 0.02)];
         for (shares, (style, left)) in self.intervals.iter().zip(bars) {
             for (count, share) in shares.iter().enumerate() {
                 let left = count as f64 + left;
@@ -328,5 +331,17 @@ impl Plot for Portrait {
             }
         }
         csv
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::BARS;
+    use crate::kit::palette::linear;
+
+    #[test]
+    fn bars_of_x_and_of_y_are_told_apart_in_grey_print() {
+        let [dark, light] = BARS.map(|colour| linear(colour).luminance());
+        assert!(light > 2.0 * dark, "{dark} and {light}");
     }
 }

@@ -151,3 +151,23 @@ fn a_drawing_is_as_wide_as_its_figure_and_its_letters_are_large_enough() {
     }
     assert!(looked_at > 200, "letters: {looked_at}");
 }
+
+#[test]
+fn the_page_tells_of_further_patterns_and_shows_many_curves_one_by_one() {
+    let (out, page) = page(&[]);
+    assert!(page.contains("raybook samplers --patterns all"), "{page}");
+    assert!(!out.path().join("error_smooth_one_by_one.svg").exists());
+    let out = tempfile::tempdir().expect("a temporary folder");
+    let all = ["--patterns", "all", "--quick", "--realisations", "2"];
+    let small = ["--points", "16", "--samples", "1", "--width", "8"];
+    samplers(out.path(), &[&all[..], &small].concat()).success();
+    let read = |name: &str| fs::read_to_string(out.path().join(name)).expect("it is there");
+    assert!(
+        !read("index.html").contains("raybook samplers --patterns all</code> shows"),
+        "nothing is left out"
+    );
+    let panels = read("error_smooth_one_by_one.svg");
+    for name in ["regular grid", "Halton", "best candidate", "blue noise"] {
+        assert!(panels.contains(name), "a panel for {name}");
+    }
+}

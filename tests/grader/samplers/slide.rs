@@ -19,7 +19,11 @@ fn the_slide_is_a_picture_a_drawing_and_numbers_that_say_who_wins() {
     let svg = String::from_utf8(read("slide.svg")).expect("text");
     let drawing = roxmltree::Document::parse(&svg).expect("XML");
     let root = drawing.root_element();
-    assert_eq!(root.attribute("width"), Some("100%"), "as wide as any screen");
+    assert_eq!(
+        root.attribute("width"),
+        Some("100%"),
+        "as wide as any screen"
+    );
     assert_eq!(root.attribute("viewBox"), Some("0 0 3840 2160"), "16:9");
     let images = drawing
         .descendants()

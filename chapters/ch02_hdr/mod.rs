@@ -51,21 +51,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         LazyCell::new(|| film.refine(|place, _| window::radiance(&camera.ray(place, Vec2::ZERO))));
     let exposure = knobs.exposure;
     let room = format!("An evening room at {exposure} stops.").replace('-', "−");
-    let (ends, curve): (_, fn(Rgb) -> Rgb) = match knobs.curve {
-        Curve::Clamp => (
-            "The display clamps the sky at white. The EXR file keeps the radiance of the sky.",
-            |p| p,
-        ),
-        Curve::Reinhard => (
-            "Reinhard's curve maps every luminance to less than white. The EXR file holds the mapped values.",
-            tone::reinhard,
-        ),
-        Curve::Aces => (
-            "The ACES-like curve changes every radiance, and reaches white at a radiance of 7.2. The EXR file holds the mapped \
-            values.",
-            tone::aces,
-        ),
-    };
+    let (ends, curve) = knobs.curve.toned();
     let picture = LazyCell::new(|| radiance.map(|p| curve(tone::expose(p, exposure))));
     if stage.wants("picture") {
         stage.picture("picture", &format!("{room} {ends}"), &picture)?;
@@ -166,6 +152,27 @@ fn halved(picture: &Image) -> Image {
             .sum();
         sum / 4.0
     })
+}
+
+impl Curve {
+    /// What the curve does to the brightest radiance, in words, and the curve.
+    fn toned(self) -> (&'static str, fn(Rgb) -> Rgb) {
+        match self {
+            Self::Clamp => (
+                "The display clamps the sky at white. The EXR file keeps the radiance of the sky.",
+                |p| p,
+            ),
+            Self::Reinhard => (
+                "Reinhard's curve maps every luminance to less than white. The EXR file holds the mapped values.",
+                tone::reinhard,
+            ),
+            Self::Aces => (
+                "The ACES-like curve changes every radiance, and reaches white at a radiance of 7.2. The EXR file holds the mapped \
+            values.",
+                tone::aces,
+            ),
+        }
+    }
 }
 
 /// The chapter's binary.

@@ -134,7 +134,7 @@ fn draw_teapot(
         let tree = Bvh::with_leaves(mesh.facets(), building.method, building.leaf);
         let caption = format!(
             "The boxes of some levels of the teapot's tree, built by the method “{}”. The deeper the level, the closer the boxes follow the shape of the teapot.",
-            knobs::word(method)
+            knobs::word(&method)
         );
         let figure = tree_levels::figure(film, &room, &tree, &[2, 5, 8, 11])?;
         stage.figure("levels", &caption, &figure)?;

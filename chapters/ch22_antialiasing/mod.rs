@@ -93,10 +93,10 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             (pattern.points)(samples, rng)
         };
         let view = match knobs.filter {
-            By::Box => supersample(&film, points, see),
-            By::Tent => filtered(&film, points, &Filter::TENT, see),
-            By::Gaussian => filtered(&film, points, &Filter::GAUSSIAN, see),
-            By::Mitchell => filtered(&film, points, &Filter::MITCHELL, see),
+            By::Box => supersample(&film, &points, see),
+            By::Tent => filtered(&film, &points, &Filter::TENT, see),
+            By::Gaussian => filtered(&film, &points, &Filter::GAUSSIAN, see),
+            By::Mitchell => filtered(&film, &points, &Filter::MITCHELL, see),
         };
         let caption = format!(
             "One picture in three bands: left, one ray through the middle of each pixel; middle and right, {} and {most} rays \
@@ -104,7 +104,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             stairs. With more rays, the far squares melt into grey, as they should.",
             most.isqrt(),
             chosen.title,
-            knobs::word(knobs.filter)
+            knobs::word(&knobs.filter)
         );
         stage.picture("picture", &caption, &sheets::ruled(&view, ways.len()))?;
     }

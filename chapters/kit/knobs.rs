@@ -122,7 +122,7 @@ pub fn sentence(error: &Error) -> String {
 }
 
 /// The word on the command line that stands for the value of a choice.
-pub fn word(choice: impl ValueEnum) -> String {
+pub fn word(choice: &impl ValueEnum) -> String {
     let value = choice.to_possible_value();
     value.map_or_else(String::new, |value| value.get_name().to_owned())
 }

@@ -20,7 +20,7 @@ pub trait Points: Sync {
     fn in_pixel(&self, film: &Film, x: usize, y: usize, rng: &mut Pcg) -> Vec<Vec2>;
 }
 
-impl Points for &Pattern {
+impl Points for Pattern {
     fn in_pixel(&self, film: &Film, _: usize, _: usize, rng: &mut Pcg) -> Vec<Vec2> {
         (self.points)(film.samples, rng)
     }
@@ -38,7 +38,7 @@ impl<F: Fn(usize, usize, &mut Pcg) -> Vec<Vec2> + Sync> Points for F {
 /// Every pixel has its own random numbers, and so its own points if the pattern is random.
 pub fn supersample<S: Into<Followed>>(
     film: &Film,
-    points: impl Points,
+    points: &impl Points,
     radiance: impl Radiance<S>,
 ) -> Image {
     let size = vec2(film.width as f32, film.height as f32);
@@ -58,7 +58,7 @@ pub fn supersample<S: Into<Followed>>(
 /// A pixel near the picture's edge has fewer samples; their weights are divided by their sum there too.
 pub fn filtered<S: Into<Followed>>(
     film: &Film,
-    points: impl Points,
+    points: &impl Points,
     filter: &Filter,
     radiance: impl Radiance<S>,
 ) -> Image {

@@ -181,7 +181,7 @@ fn a_filtered_picture_that_is_no_longer_wanted_places_no_more_points() {
         progress: &|_| ControlFlow::Break(()),
         ..film(1)
     };
-    let picture = supersample::filtered(&stopped, points, &Filter::MITCHELL, |_, _| Rgb::WHITE);
+    let picture = supersample::filtered(&stopped, &points, &Filter::MITCHELL, |_, _| Rgb::WHITE);
     let placed = placed.into_inner();
     assert!(placed <= 16 * stopped.threads, "{placed} pixels");
     let drawn = picture.pixels().iter().filter(|p| **p != Rgb::BLACK);
@@ -214,6 +214,6 @@ fn every_pixel_may_have_points_of_its_own() {
         assert_eq!(rays.swap(0, Ordering::Relaxed), expected);
         assert!(picture.pixels().iter().all(|p| *p == Rgb::WHITE));
     };
-    check(supersample::supersample(&film, points, counted));
-    check(supersample::filtered(&film, points, &Filter::BOX, counted));
+    check(supersample::supersample(&film, &points, counted));
+    check(supersample::filtered(&film, &points, &Filter::BOX, counted));
 }

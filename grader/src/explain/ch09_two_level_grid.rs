@@ -68,9 +68,10 @@ impl Explained for RefineCell {
             let [first, end] = [first, end].map(|cell| cell.clamp(DVec3::ZERO, last).as_uvec3());
             for z in first.z..=end.z {
                 for y in first.y..=end.y {
-                    answer
-                        .entries
-                        .extend((first.x..=end.x).map(|x| Entry { x, y, z, shape }));
+                    for x in first.x..=end.x {
+                        way.goes_on();
+                        answer.entries.push(Entry { x, y, z, shape });
+                    }
                 }
             }
         }

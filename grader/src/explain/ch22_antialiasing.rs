@@ -90,9 +90,12 @@ impl Explained for RotatedGrid {
         ) as i32;
         let steps =
             (-reach..=reach).flat_map(|j| (-reach..=reach).map(move |i| dvec2(i.into(), j.into())));
-        let points = steps.map(|step| middle + spacing * turned(step + offset));
         let inside = |p: &DVec2| p.cmpge(DVec2::ZERO).all() && p.cmplt(DVec2::ONE).all();
-        let points: Vec<_> = points.filter(inside).map(DVec2::as_vec2).collect();
+        let points = steps.map(|step| {
+            way.goes_on();
+            middle + spacing * turned(step + offset)
+        });
+        let points: Vec<_> = points.filter(inside).map(|p| p.as_vec2()).collect();
         way.number("of all of them in the square", "", points.len() as f64);
         points
     }

@@ -231,6 +231,11 @@ impl Way {
         all.into_iter().map(each).collect()
     }
 
+    /// A round of a loop in which nothing is written down, of as many as a step before it says: a slip there may make them endless.
+    pub fn goes_on(&mut self) {
+        self.count();
+    }
+
     fn count(&mut self) {
         self.calculated += 1;
         if self.slips[0].is_some() {

@@ -95,6 +95,8 @@ pub enum Keeps {
 pub struct How {
     /// Asks the children's boxes whether they are met.
     pub asks: bool,
+    /// Asks the box of the first child for all of them.
+    pub asks_the_first: bool,
     /// How many of a branch's children are looked at.
     pub looks_at: usize,
     /// How many of those that are met are opened.
@@ -111,11 +113,14 @@ pub struct How {
     pub stops: bool,
     /// Ends a leaf at its first hit.
     pub stops_in_leaf: bool,
+    /// Ends a leaf before its last triangle.
+    pub forgets_the_last: bool,
 }
 
 /// As it should be.
 const WELL: How = How {
     asks: true,
+    asks_the_first: false,
     looks_at: usize::MAX,
     opens: usize::MAX,
     order: Order::Nearest,
@@ -124,6 +129,7 @@ const WELL: How = How {
     keeps: Keeps::Nearest,
     stops: false,
     stops_in_leaf: false,
+    forgets_the_last: false,
 };
 
 /// What a search found, and what it cost.
@@ -222,7 +228,8 @@ impl Search<'_> {
             Node::Branch(branch) => self.open_children(*branch),
             Node::Leaf(triangles) => {
                 self.found.leaves += 1;
-                for &id in triangles {
+                let last = usize::from(self.how.forgets_the_last);
+                for &id in &triangles[..triangles.len().saturating_sub(last)] {
                     if self.test(id) && self.how.stops_in_leaf {
                         break;
                     }
@@ -233,7 +240,12 @@ impl Search<'_> {
 
     fn open_children(&mut self, branch: u32) {
         self.found.branches += 1;
-        let children = (self.tree.children)(branch).into_iter();
+        let mut children = (self.tree.children)(branch);
+        if self.how.asks_the_first {
+            let first = children[0].0;
+            children.iter_mut().for_each(|child| child.0 = first);
+        }
+        let children = children.into_iter();
         let mut met: Vec<_> = children
             .take(self.how.looks_at)
             .filter_map(|(bounds, child)| Some((self.enters(&bounds)?, child)))

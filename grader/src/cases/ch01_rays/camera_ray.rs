@@ -14,6 +14,10 @@ impl Graded for CameraRay {
             sample::point(rng, 5.0),
             sample::direction(rng),
             sample::number(rng, 0.02, 0.1),
+            vec2(
+                sample::number(rng, 0.01, 0.06),
+                sample::number(rng, 0.01, 0.06),
+            ),
             film,
         )
     }
@@ -37,6 +41,11 @@ impl Graded for CameraRay {
             name: "draws the picture mirrored",
             hint: "A place on the right of the film is on the camera's right.",
             answer: |q| Self::misread(q, |q| q.film.x = 1.0 - q.film.x),
+        },
+        Mistake {
+            name: "turns the picture by 180°, upside down and mirrored",
+            hint: "A place to the right of the film's middle is on the camera's right, and a place above it is upwards: which signs do `right` and `up` have in your direction?",
+            answer: |q| Self::misread(q, |q| q.film = 1.0 - q.film),
         },
         Mistake {
             name: "ignores the focal length",
@@ -130,6 +139,7 @@ impl Graded for CameraRay {
                 Vec3::ZERO,
                 -Dir3::Z,
                 0.024,
+                vec2(0.036, 0.024),
                 vec2((x as f32 + 0.5) / 96.0, (y as f32 + 0.5) / 54.0),
             )
         },
@@ -139,8 +149,14 @@ impl Graded for CameraRay {
     }];
 }
 
-/// A camera of the 35 mm format whose up is anything perpendicular to its view.
-fn question(focal_point: Vec3, forward: Dir3, focal_length: f32, film: Vec2) -> CameraRay {
+/// A camera whose up is anything perpendicular to its view.
+fn question(
+    focal_point: Vec3,
+    forward: Dir3,
+    focal_length: f32,
+    plane: Vec2,
+    film: Vec2,
+) -> CameraRay {
     let Basis { x: right, y, .. } = Basis::around(-forward);
     CameraRay {
         focal_point,
@@ -148,7 +164,7 @@ fn question(focal_point: Vec3, forward: Dir3, focal_length: f32, film: Vec2) -> 
         right,
         up: y,
         focal_length,
-        plane: vec2(0.036, 0.024),
+        plane,
         film,
     }
 }

@@ -77,6 +77,11 @@ impl Graded for SolveQuadratic {
             answer: |q| SolveQuadratic::answer(q).map(|t| vec2(-t.y, -t.x)),
         },
         Mistake {
+            name: "takes 0 for the sign of b where b is 0",
+            hint: "In −½(b + sign(b)·√(b² − 4ac)) the root must never get lost: which sign does it need where b is 0, and what does your sign function say of 0?",
+            answer: |q| SolveQuadratic::answer(q).map(|t| if q.b == 0.0 { Vec2::ZERO } else { t }),
+        },
+        Mistake {
             name: "returns none for a double root",
             hint: "When b² = 4ac the parabola touches zero: how often?",
             answer: |q| SolveQuadratic::answer(q).filter(|t| t.x != t.y),

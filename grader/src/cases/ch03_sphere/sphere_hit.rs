@@ -122,6 +122,32 @@ impl Graded for SphereHit {
             },
         },
         Mistake {
+            name: "returns the far root unchecked where the near root does not count",
+            hint: "The whole sphere may lie before the interval, or behind it: is the far root between min and max then?",
+            answer: |q| both(q).map(|t| if q.within.contains(t.x) { t.x } else { t.y }),
+        },
+        Mistake {
+            name: "calls every sphere a miss whose centre is behind the origin",
+            hint: "Stand in a large sphere with your back to its centre: do you see a wall?",
+            answer: |q| {
+                let is_ahead = (q.center - q.ray.origin).dot(*q.ray.direction) >= 0.0;
+                Self::misread(q, |_| {}).filter(|_| is_ahead)
+            },
+        },
+        Mistake {
+            name: "takes the radius less the centre's distance from the ray for half of the chord",
+            hint: "Half of the chord, the radius and the distance of the ray from the centre make a right triangle: which theorem gives the third side?",
+            answer: |q| {
+                let to_center = q.center - q.ray.origin;
+                let foot = to_center.dot(*q.ray.direction);
+                let half = q.radius - (to_center - foot * *q.ray.direction).length();
+                let roots = [foot - half, foot + half].into_iter();
+                roots
+                    .filter(|_| half >= 0.0)
+                    .find(|t| q.within.contains(*t))
+            },
+        },
+        Mistake {
             name: "asks only whether the near root is ahead",
             hint: "The near root may lie before the interval although it is ahead: what about the far root then?",
             answer: |q| pick(q, |near, far| Some(if near > 0.0 { near } else { far })),

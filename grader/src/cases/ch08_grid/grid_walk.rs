@@ -146,27 +146,24 @@ impl Graded for GridWalk {
         Mistake {
             name: "begins in the cell that is nearest to the ray's origin",
             hint: "The origin may lie outside the lattice: at which t does the ray enter, and which cell is there?",
-            answer: |q| student(q, |_| 0.0, ahead, least),
+            answer: |q| student(q, |_| 0.0, ahead, nearest),
         },
         Mistake {
             name: "begins in the cell where the interval begins, inside the lattice or not",
             hint: "Where the interval begins the ray may still be outside the lattice: at which t does it enter, and which cell is there?",
-            answer: |q| student(q, |q| q.within.min, ahead, least),
+            answer: |q| student(q, |q| q.within.min, ahead, nearest),
         },
         Mistake {
             name: "looks at a cell's upper plane even where the ray goes backwards",
             hint: "A ray that goes left leaves its cell through the left face: which of the cell's two planes is that?",
-            answer: |q| student(q, start, |_, i| i + 1, least),
+            answer: |q| student(q, start, |_, i| i + 1, nearest),
         },
         Mistake {
             name: "crosses the farthest plane first",
             hint: "The ray leaves the cell through the face that it meets first.",
             answer: |q| {
                 student(q, start, ahead, |next| {
-                    (0..3)
-                        .filter(|&i| next[i].is_finite())
-                        .max_by(|&a, &b| next[a].total_cmp(&next[b]))
-                        .unwrap_or(0)
+                    by_distance(next).pop().into_iter().collect()
                 })
             },
         },
@@ -198,8 +195,19 @@ impl Graded for GridWalk {
             },
         },
         Mistake {
-            name: "skips every second cell, as if it stepped along two axes at once",
+            name: "steps along two axes at once",
             hint: "A ray leaves a cell through one face: which of the three numbers changes then?",
+            answer: |q| {
+                student(q, start, ahead, |next| {
+                    let mut axes = by_distance(next);
+                    axes.truncate(2);
+                    axes
+                })
+            },
+        },
+        Mistake {
+            name: "skips every second cell",
+            hint: "How often in a round of your loop does the cell change, and how often is it visited?",
             answer: |q| {
                 let visits = GridWalk::answer(q);
                 visits.into_iter().step_by(2).collect()
@@ -331,18 +339,27 @@ fn ahead(backward: bool, cell: i64) -> i64 {
     if backward { cell } else { cell + 1 }
 }
 
-fn least(next: [f32; 3]) -> usize {
-    (0..3)
-        .min_by(|&a, &b| next[a].total_cmp(&next[b]))
-        .unwrap_or(0)
+/// The axes along which the ray meets a plane, that of the nearest plane first.
+fn by_distance(next: [f32; 3]) -> Vec<usize> {
+    let mut axes: Vec<_> = (0..3).filter(|&axis| next[axis].is_finite()).collect();
+    axes.sort_by(|&a, &b| next[a].total_cmp(&next[b]));
+    axes
 }
 
-/// A walk with a beginning, a plane and an axis of the student's choice.
+/// The axis of the nearest plane.
+fn nearest(next: [f32; 3]) -> Vec<usize> {
+    let mut axes = by_distance(next);
+    axes.truncate(1);
+    axes
+}
+
+/// A walk with a beginning, a plane, and axes along which it steps of the student's choice: where the first of them is crossed, the
+/// ray leaves the cell.
 fn student(
     q: &GridWalk,
     begin: fn(&GridWalk) -> f32,
     plane: fn(bool, i64) -> i64,
-    choose: fn([f32; 3]) -> usize,
+    choose: fn([f32; 3]) -> Vec<usize>,
 ) -> Vec<Visit> {
     let lattice: Lattice = q.lattice();
     if slab::clip(&lattice.bounds(), &q.ray, q.within).is_none() {
@@ -357,24 +374,25 @@ fn student(
             let t = (lattice.min[axis] + number * lattice.cell[axis] - o) / d;
             if t.is_nan() { f32::INFINITY } else { t }
         });
-        let axis = choose(next);
-        let leave = next[axis].min(q.within.max);
+        let axes = choose(next);
+        let leave = axes.first().map_or(f32::INFINITY, |&axis| next[axis]);
+        let leave = leave.min(q.within.max);
         let UVec3 { x, y, z } = cell;
         visits.push(Visit { x, y, z, leave });
-        let forward = !q.ray.direction[axis].is_sign_negative();
-        let last = if forward {
-            lattice.resolution[axis] - 1
-        } else {
-            0
+        let forward = |axis: usize| !q.ray.direction[axis].is_sign_negative();
+        let last = |axis: usize| match forward(axis) {
+            true => lattice.resolution[axis] - 1,
+            false => 0,
         };
-        if leave >= q.within.max || cell[axis] == last {
+        if leave >= q.within.max || axes.iter().any(|&axis| cell[axis] == last(axis)) {
             break;
         }
-        cell[axis] = if forward {
-            cell[axis] + 1
-        } else {
-            cell[axis] - 1
-        };
+        for axis in axes {
+            cell[axis] = match forward(axis) {
+                true => cell[axis] + 1,
+                false => cell[axis] - 1,
+            };
+        }
     }
     visits
 }

@@ -126,6 +126,16 @@ impl Graded for BvhClosest {
             answer: |q| search(q, |how| how.stops_in_leaf = true),
         },
         Mistake {
+            name: "asks the first child's box for both children",
+            hint: "Each child has a box of its own: which node's `min` and `max` do you ask for the second child?",
+            answer: |q| search(q, |how| how.asks_the_first = true),
+        },
+        Mistake {
+            name: "leaves out the last triangle of each leaf",
+            hint: "A leaf of one triangle: how often does your loop over its triangles go round?",
+            answer: |q| search(q, |how| how.forgets_the_last = true),
+        },
+        Mistake {
             name: "begins to count the tests at 1",
             hint: "A ray that misses all boxes: how many triangles does it test?",
             answer: |q| {

@@ -120,6 +120,18 @@ impl Graded for SahCost {
             },
         },
         Mistake {
+            name: "does not weigh the leaves by their area",
+            hint: "Is every leaf tested by every ray?",
+            answer: |q| {
+                let leaves = q.nodes.iter().filter(|n| n.count > 0);
+                let tests: f32 = leaves.map(|n| node_price(q, n)).sum();
+                let root = q.nodes.first().map_or(1.0, node_area);
+                let of_branch =
+                    |q: &SahCost, n: &NodeRow| if n.count == 0 { q.branch } else { 0.0 };
+                weighted(q, node_area, of_branch) + tests / root
+            },
+        },
+        Mistake {
             name: "does not weigh the branches by their area",
             hint: "Is every branch entered by every ray?",
             answer: |q| {

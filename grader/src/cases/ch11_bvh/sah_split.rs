@@ -50,6 +50,12 @@ fn sah(bounds: &Aabb, count: f32) -> f32 {
     area(bounds.min, bounds.max) * count
 }
 
+/// What a cut costs.
+fn cost(q: &SahSplit, sides: &[Vec<u32>; 2]) -> f32 {
+    let side = |side: &Vec<u32>| sah(&around(&q.boxes, side), side.len() as f32);
+    side(&sides[0]) + side(&sides[1])
+}
+
 /// The axis along which all boxes together are longest.
 pub(super) fn longest(q: &SahSplit) -> usize {
     let all: Vec<_> = (0..q.boxes.len() as u32).collect();
@@ -139,6 +145,42 @@ impl Graded for SahSplit {
             },
         },
         Mistake {
+            name: "tries only the cut in the middle of each axis's row",
+            hint: "One box lies far away from nine others: is the cheapest cut that which leaves five boxes on each side?",
+            answer: |q| {
+                cut_with(q, |_, sides| {
+                    let is_middle = sides[0].len() == q.boxes.len() / 2;
+                    if is_middle {
+                        cost(q, sides)
+                    } else {
+                        f32::INFINITY
+                    }
+                })
+            },
+        },
+        Mistake {
+            name: "looks for the cut whose sides overlap least",
+            hint: "Two sides that do not overlap may be large all the same: what does a ray pay for a side that it meets?",
+            answer: |q| {
+                cut_with(q, |_, [left, right]| {
+                    let [left, right] = [left, right].map(|side| around(&q.boxes, side));
+                    let (min, max) = (left.min.max(right.min), left.max.min(right.max));
+                    (max - min).max(Vec3::ZERO).element_product()
+                })
+            },
+        },
+        Mistake {
+            name: "looks for two sides that cost the same, and not for the least sum",
+            hint: "A side's cost is what a ray pays that meets it: is it well spent where both are high?",
+            answer: |q| {
+                cut_with(q, |_, sides| {
+                    let [left, right] =
+                        [0, 1].map(|i| sah(&around(&q.boxes, &sides[i]), sides[i].len() as f32));
+                    (left - right).abs()
+                })
+            },
+        },
+        Mistake {
             name: "returns places in the sorted row instead of the boxes' numbers",
             hint: "After sorting, which box is at the first place, and what was its number before?",
             answer: |q| {
@@ -151,22 +193,14 @@ impl Graded for SahSplit {
             hint: "Is the best cut always across the longest side?",
             answer: |q| {
                 cut_with(q, |axis, sides| {
-                    let [left, right] =
-                        [0, 1].map(|i| sah(&around(&q.boxes, &sides[i]), sides[i].len() as f32));
-                    left + right + if axis == longest(q) { 0.0 } else { 1e9 }
+                    cost(q, sides) + if axis == longest(q) { 0.0 } else { 1e9 }
                 })
             },
         },
         Mistake {
             name: "tries the x axis only",
             hint: "Stack the boxes along y: where do you cut?",
-            answer: |q| {
-                cut_with(q, |axis, sides| {
-                    let [left, right] =
-                        [0, 1].map(|i| sah(&around(&q.boxes, &sides[i]), sides[i].len() as f32));
-                    left + right + 1e9 * axis as f32
-                })
-            },
+            answer: |q| cut_with(q, |axis, sides| cost(q, sides) + 1e9 * axis as f32),
         },
         Mistake {
             name: "does not multiply by the number of shapes",
@@ -196,12 +230,7 @@ impl Graded for SahSplit {
         Mistake {
             name: "sorts by the least corners",
             hint: "A long box begins before most others and ends after them: between which of them does it stand in your row?",
-            answer: |q| {
-                cheapest(cuts(&q.boxes, |b| b.min), |_, sides| {
-                    let side = |s: &Vec<u32>| sah(&around(&q.boxes, s), s.len() as f32);
-                    side(&sides[0]) + side(&sides[1])
-                })
-            },
+            answer: |q| cheapest(cuts(&q.boxes, |b| b.min), |_, sides| cost(q, sides)),
         },
         Mistake {
             name: "multiplies each side by the number of boxes on the other",

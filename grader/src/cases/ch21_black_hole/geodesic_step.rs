@@ -84,6 +84,15 @@ impl Graded for GeodesicStep {
             },
         },
         Mistake {
+            name: "turns the velocity for half of the step only",
+            hint: "In the middle of the step the velocity has turned half of its way: what is missing until the end of the step?",
+            answer: |q| {
+                let (x, v, step) = parts(q);
+                let half = v + 0.5 * step * pull(x, v);
+                after(x + step * half, half)
+            },
+        },
+        Mistake {
             name: "moves with the velocity after the step",
             hint: "During the step the velocity is neither what it was nor what it will be.",
             answer: |q| {

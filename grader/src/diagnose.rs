@@ -16,6 +16,7 @@ pub mod misread;
 mod number;
 mod pairs;
 mod panics;
+mod regime;
 mod scalars;
 pub(crate) mod search;
 mod slips;
@@ -90,9 +91,13 @@ pub fn diagnose(
             let branch = branch::search(examiner, cases, answers);
             // What is seen in a branch says more than a guess, and that more than a branch.
             let seen = branch.clone().filter(|branch| branch.certain);
-            seen.or(found).or(branch)?
+            let found = seen.or(found).or(branch);
+            found.or_else(|| regime::search(&evidence))?
         }
     };
+    if flaws::are_called(&diagnosis.name, examiner) {
+        regime::add_to(&mut diagnosis, &evidence);
+    }
     diagnosis.wrong = wrong;
     for also in &mut diagnosis.also {
         also.wrong = wrong;
@@ -111,7 +116,11 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
         return Some(found.told(evidence));
     }
     let cover = cover::search(evidence);
-    if let Some(found) = cover.as_ref().filter(|cover| cover.is_whole()) {
+    // Of several mistakes each explains a share; one that explains all is simpler, if the answers tell enough to know it.
+    let is_one = complete.is_some_and(|one| {
+        one.then.is_none() && 2.0 * one.score.tells >= one.score.explained as f64
+    });
+    if let Some(found) = cover.as_ref().filter(|cover| cover.is_whole() && !is_one) {
         return found.told();
     }
     // A mistake whose answers have the same traits says more than what can be seen in any answer, and that more than a guess.
@@ -140,11 +149,15 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
         return Some(found);
     }
     let likely = likely.map(|one| one.diagnosis);
-    if let Some(found) = complete {
+    // One mistake is told before two of which each is in a part of its own, and these before two one after the other.
+    if let Some(found) = complete.filter(|found| found.then.is_none()) {
         return Some(found.told(evidence));
     }
     let parts = of_parts(evidence, &readings);
     let are_certain = parts.iter().all(|one| one.certain);
+    if let Some(found) = complete.filter(|_| parts.is_empty() || !are_certain) {
+        return Some(found.told(evidence));
+    }
     let told: usize = parts.iter().map(|one| one.explained).sum();
     let tells = told as f64 >= SOME * evidence.wrong as f64;
     let parts = in_parts(parts).filter(|_| tells);

@@ -4,6 +4,7 @@ mod flaws;
 mod mistakes;
 mod operations;
 mod panics;
+mod regimes;
 mod several;
 
 use mistakes::{MISTAKES, Slip};
@@ -88,6 +89,16 @@ fn every_question_can_be_misread() {
     };
     let changed: usize = cases::all().into_par_iter().map(misread).sum();
     assert!(changed > 100_000, "{changed} questions were misread");
+}
+
+#[test]
+fn only_a_direction_is_turned_round() {
+    let examiner = cases::find("camera_ray").expect("it exists");
+    let readings = misreadings(examiner.asked().question, examiner.limits());
+    let turned = readings.iter().filter(|one| one.name.starts_with("turns "));
+    let turned: Vec<_> = turned.map(|one| one.name.as_str()).collect();
+    let directions = ["forward", "right", "up"].map(|name| format!("turns {name} round"));
+    assert_eq!(turned, directions);
 }
 
 /// All names.

@@ -3,6 +3,7 @@
 use super::evidence::{Evidence, Item};
 use super::{Beside, Diagnosis, MOST};
 use crate::Flaw;
+use crate::examine::Examiner;
 use std::cmp::Reverse;
 
 /// The share of the wrong answers that a flaw must be seen in, if nothing better is known.
@@ -35,6 +36,12 @@ const COMMON: &[Flaw] = &[
 /// What the wrong answers of an exercise have in common by its own complaints.
 pub fn search(evidence: &Evidence<'_>) -> Option<Diagnosis> {
     of(evidence.examiner.flaws(), evidence, MOST)
+}
+
+/// Whether this is the name of what can be seen in wrong answers, and not of a mistake.
+pub fn are_called(name: &str, examiner: &dyn Examiner) -> bool {
+    let mut all = examiner.flaws().iter().chain(COMMON);
+    all.any(|flaw| flaw.name == name)
 }
 
 /// What some of them have in common, or what most have by complaints that many judges have.

@@ -26,13 +26,16 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Found>
 }
 
 /// The best: of the exercise's own mistakes that agree as well as each other, the one that is nearest to all answers. Of those that yes
-/// and no cannot tell apart, the second is its rival.
+/// and no cannot tell apart, the second is its rival; and so is of other explanations the second that is as common and agrees as well.
 fn best(mut found: Vec<Found>) -> Option<Found> {
     found.sort_by_key(Found::key);
     let mut found = found.into_iter();
     let mut best = found.next()?;
-    let as_good = |one: &Found| one.is_own() && one.is_complete();
-    if as_good(&best) && best.is_categorical() {
+    let as_good = |one: &Found| match best.is_own() {
+        true => one.is_own() && one.is_complete() && best.is_categorical(),
+        false => one.key() == best.key() && one.name != best.name,
+    };
+    if best.is_complete() {
         let rival = found.find(as_good);
         best.rival = rival.map(|rival| (rival.name, rival.hint));
     }

@@ -3,6 +3,9 @@
 use super::evidence::{Evidence, Scope};
 use super::fit::{Answers, Explanation};
 use super::number::short;
+use crate::attempt::attempt;
+use crate::explain::find;
+use crate::explain::way::Way;
 use crate::layout::{Part, layout};
 use raybook_workbook::kind::Kind;
 
@@ -46,11 +49,18 @@ pub fn explanations(evidence: &Evidence<'_>, base: &Answers) -> Vec<Explanation>
         .all(|two| two[0].got == two[1].got);
     if let (true, [first, _, _, ..]) = (same, &evidence.items[..]) {
         let one = first.got.clone();
+        let none = matches!(kind, Kind::Optional(_)) && one == [0.0];
+        let hint = Some(evidence).filter(|_| none).and_then(ways_to_none);
+        let hint = hint.unwrap_or_else(|| {
+            "Which of its arguments does your function use? Does it return what it calculates?"
+                .to_owned()
+        });
+        let what = in_words(kind, &one);
         add(
             SEEN,
             0,
-            "gives the same answer to every question".to_owned(),
-            "Which of its arguments does your function use? Does it return what it calculates?",
+            format!("gives the same answer to every question{what}"),
+            &hint,
             each(&|_, _| Some(one.clone())),
         );
     }
@@ -301,6 +311,54 @@ pub fn explanations(evidence: &Evidence<'_>, base: &Answers) -> Vec<Explanation>
         );
     }
     all
+}
+
+/// A short answer in words, behind a colon; nothing of a long one.
+fn in_words(kind: &Kind, answer: &[f64]) -> String {
+    /// More numbers are not read at a glance.
+    const SHORT: usize = 6;
+    match (kind, answer) {
+        (Kind::Optional(_), [0.0]) => ": none".to_owned(),
+        (Kind::List(_), [0.0]) => ": an empty list".to_owned(),
+        (Kind::Optional(_) | Kind::List(_), _) => String::new(),
+        (_, numbers) if numbers.len() <= SHORT => {
+            let numbers: Vec<_> = numbers.iter().map(|v| short(*v)).collect();
+            format!(": {}", numbers.join(" "))
+        }
+        _ => String::new(),
+    }
+}
+
+/// Of a function that always returns none, a question that leads on: where right ways end with nothing to return, by what they decide
+/// there. Nothing if no step by step way is known.
+fn ways_to_none(evidence: &Evidence<'_>) -> Option<String> {
+    let explainer = find(evidence.examiner.asked().name)?;
+    let mut ends: [Vec<String>; 2] = Default::default();
+    for item in evidence.items.iter().filter(|item| item.golden() == [0.0]) {
+        let last = attempt(|| {
+            let mut way = Way::default();
+            (explainer.work)(0, &item.question, &mut way);
+            way.end().decisions.pop()
+        });
+        let Some(last) = last.flatten() else { continue };
+        let (end, name) = (
+            &mut ends[usize::from(last.held)],
+            format!("“{}”", last.name),
+        );
+        if !end.contains(&name) {
+            end.push(name);
+        }
+    }
+    let [failed, held] = ends.map(|names| names.join(" or "));
+    let ends = match (held.is_empty(), failed.is_empty()) {
+        (true, true) => return None,
+        (true, false) => format!("{failed} is false"),
+        (false, true) => format!("{held} is true"),
+        (false, false) => format!("{held} is true, or {failed} is false"),
+    };
+    Some(format!(
+        "An answer is none where {ends}. Which of these is it in your program for the first wrong case? Print both sides of that comparison, and what they are made of."
+    ))
 }
 
 /// All three parts of an answer that can stand in for each other.

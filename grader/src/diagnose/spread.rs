@@ -5,7 +5,7 @@ use super::fit::{self, Answers};
 use super::misread::Misreading;
 use super::search::{golden, misread};
 use super::slips::{Slipped, slipped};
-use super::{Beside, Diagnosis, MOST, special};
+use super::{Beside, Diagnosis, MOST, SOME, special};
 
 /// What is not explained by a mistake may be this share of what it explains …
 const REST: f64 = 0.35;
@@ -148,8 +148,8 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Likely
     let mut near: Vec<_> = found.iter().filter(near).collect();
     near.sort_by(|a, b| a.1.cmp(&b.1).then(a.0.total_cmp(&b.0)));
     let (rest, rank, name, hint) = near.first()?;
-    // Costs and counts may be alike by chance where the answers are not.
-    let is_exact = || {
+    // Costs and counts may be alike by chance where the answers are not: of an own mistake the share of answers that are its own tells.
+    let given = || {
         let mut own = examiner.mistakes().into_iter();
         let number = own.position(|(own, _)| own == *name)?;
         let gives = |k: &usize| {
@@ -157,9 +157,15 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Likely
             answer.is_some_and(|answer| evidence.explains(*k, &answer))
         };
         let given = (0..evidence.wrong).filter(gives).count();
-        Some(given as f64 >= MOST * evidence.wrong as f64)
+        Some(given as f64 / evidence.wrong as f64)
     };
-    let may_be_certain = || !evidence.goes_the_same_way() || is_exact().unwrap_or(false);
+    let given = match evidence.goes_the_same_way() {
+        true => given().unwrap_or(1.0),
+        false => 1.0,
+    };
+    if given < SOME {
+        return None;
+    }
     let rivals = found
         .iter()
         .filter(|other| other.2 != *name && other.0 < 2.0 * rest + 2.0 * errors)
@@ -168,7 +174,7 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Likely
         name: name.clone(),
         hint: hint.clone(),
         part: None,
-        certain: *rank == 0 && rivals == 0 && *rest < 0.2 * whole.norm() && may_be_certain(),
+        certain: *rank == 0 && rivals == 0 && *rest < 0.2 * whole.norm() && given >= MOST,
         explained: evidence.wrong,
         wrong: evidence.wrong,
         beside: Beside::Apart,

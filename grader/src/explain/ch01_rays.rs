@@ -48,8 +48,12 @@ fn from_corner(asked: &CameraRay, way: &mut Way) -> CameraRayAnswer {
     let f = way.part("focal_length", f64::from(asked.focal_length));
     let wide = way.part("plane.x", f64::from(asked.plane.x));
     let high = way.part("plane.y", f64::from(asked.plane.y));
-    let left = way.part("half of plane.x", 0.5 * wide);
-    let top = way.part("half of plane.y", 0.5 * high);
+    // Whoever takes one for the other does so in the corner, or on the way from there.
+    let of_corner = way.part("plane.x in the corner", wide);
+    let left = way.part("half of plane.x", 0.5 * of_corner);
+    let of_corner = way.part("plane.y in the corner", high);
+    let top = way.part("half of plane.y", 0.5 * of_corner);
+    let [right, up] = [way.part("right", right), way.part("up", up)];
     let ahead = way.part("focal_length·forward", f * forward);
     let to_left = way.part("from the middle to the left edge", left * right);
     let to_top = way.part("from the middle to the top edge", top * up);
@@ -58,6 +62,8 @@ fn from_corner(asked: &CameraRay, way: &mut Way) -> CameraRayAnswer {
     let y = way.part("film.y", f64::from(asked.film.y));
     let wide = way.part("plane.x, across", wide);
     let high = way.part("plane.y, down", high);
+    let right = way.part("right, across", right);
+    let up = way.part("up, down", up);
     let across = way.part("film.x · plane.x · right", x * wide * right);
     let down = way.part("film.y · plane.y · up", y * high * up);
     let place = way.part("the place on the film", corner + across - down);
@@ -69,8 +75,31 @@ fn from_corner(asked: &CameraRay, way: &mut Way) -> CameraRayAnswer {
     }
 }
 
+/// The same from the place of the film in space: the direction leads there from the focal point.
+fn from_place(asked: &CameraRay, way: &mut Way) -> CameraRayAnswer {
+    let [forward, right, up] = [asked.forward, asked.right, asked.up].map(|d| d.as_dvec3());
+    let (film, plane) = (asked.film.as_dvec2(), asked.plane.as_dvec2());
+    let start = way.part("focal_point", asked.focal_point.as_dvec3());
+    let ahead = way.part(
+        "focal_length·forward",
+        f64::from(asked.focal_length) * forward,
+    );
+    let middle = way.part("the middle of the film", start + ahead);
+    let aside = way.part("x·right", (film.x - 0.5) * plane.x * right);
+    let upward = way.part("y·up", (0.5 - film.y) * plane.y * up);
+    let place = way.part("the place of the film in space", middle + aside + upward);
+    let from = way.part("focal_point", asked.focal_point.as_dvec3());
+    let toward = way.part("the way to that place", place - from);
+    let direction = way.part("the direction", toward.normalize());
+    CameraRayAnswer {
+        origin: start.as_vec3(),
+        direction: direction.as_vec3(),
+    }
+}
+
 impl Explained for CameraRay {
-    const WAYS: &'static [fn(&Self, &mut Way) -> CameraRayAnswer] = &[Self::work, from_corner];
+    const WAYS: &'static [fn(&Self, &mut Way) -> CameraRayAnswer] =
+        &[Self::work, from_corner, from_place];
 
     fn work(&self, way: &mut Way) -> CameraRayAnswer {
         let [forward, right, up] = [self.forward, self.right, self.up].map(|d| d.as_dvec3());

@@ -8,12 +8,33 @@ use super::way::Way;
 use glam::dvec2;
 use raybook_workbook::exercises::ch04_plane::PlaneHit;
 
+/// The same by similar triangles: the height above the plane, and how much of it a metre of the ray takes.
+fn by_height(asked: &PlaneHit, way: &mut Way) -> Option<f32> {
+    let (o, d) = rays::parts(&asked.ray);
+    let n = way.part("n", asked.normal.as_dvec3());
+    let offset = way.part("offset", f64::from(asked.offset));
+    let start = way.part("n·o", n.dot(o));
+    let height = way.part("n·o − offset, the height above the plane", start - offset);
+    let speed = way.part("n·d", n.dot(d));
+    let sinks = way.part("−n·d, how fast the ray sinks", -speed);
+    if way.decides("the ray is parallel to the plane", sinks == 0.0) {
+        return None;
+    }
+    let t = way.part("t = the height/(−n·d)", height / sinks);
+    rays::counts(way, asked.within, t).then_some(t as f32)
+}
+
 impl Explained for PlaneHit {
+    const WAYS: &'static [fn(&Self, &mut Way) -> Option<f32>] = &[Self::work, by_height];
+
     fn work(&self, way: &mut Way) -> Option<f32> {
         let (o, d) = rays::parts(&self.ray);
-        let n = self.normal.as_dvec3();
+        let o = way.part("o", o);
+        let n = way.part("n", self.normal.as_dvec3());
         let offset = way.part("offset", f64::from(self.offset));
         let height = way.part("n·o", n.dot(o));
+        let n = way.part("n in n·d", n);
+        let d = way.part("d in n·d", d);
         let numerator = way.number(
             "offset − n·o: from the ray's start to the plane, along n",
             "m",

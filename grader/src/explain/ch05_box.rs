@@ -10,15 +10,28 @@ use raybook_workbook::exercises::ch05_box::{BoundsOf, BoxClip, Corners};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// The distances at which a ray is between the two planes of a box across an axis; NaN where it runs in one of them.
-fn slab(q: &BoxClip, axis: usize, way: &mut Way) -> [f64; 2] {
+/// The distances at which a ray is between the two planes of a box across an axis, by the sign of the direction or by their size; NaN
+/// where it runs in one of them.
+fn slab(q: &BoxClip, axis: usize, way: &mut Way, is_sorted: bool) -> [f64; 2] {
     let (o, d) = rays::parts(&q.ray);
     let start = way.part("the start's coordinate", o[axis]);
     let speed = way.part("the direction's component", d[axis]);
     let low = way.part("the box's least coordinate", f64::from(q.min[axis]));
     let high = way.part("the box's greatest coordinate", f64::from(q.max[axis]));
+    if is_sorted && way.decides("the ray runs along two planes", speed == 0.0) {
+        let is_between = low <= start && start <= high;
+        return if way.decides("such a ray is between the planes", is_between) {
+            [f64::NEG_INFINITY, f64::INFINITY]
+        } else {
+            [f64::INFINITY, f64::NEG_INFINITY]
+        };
+    }
     let low = way.part("t of the least plane", (low - start) / speed);
     let high = way.part("t of the greatest plane", (high - start) / speed);
+    if is_sorted {
+        let near = way.part("the smaller t", low.min(high));
+        return [near, way.part("the larger t", low.max(high))];
+    }
     // The sign bit, so that −0.0 is the mirror image of 0.0.
     if way.decides(
         "the ray runs backwards along an axis",
@@ -63,34 +76,40 @@ fn by_half_spaces(q: &BoxClip, way: &mut Way) -> Option<Interval> {
     remains.then(|| Interval::new(enter as f32, leave as f32))
 }
 
+/// Slab by slab.
+fn by_slabs(q: &BoxClip, way: &mut Way, is_sorted: bool) -> Option<Interval> {
+    let mut min = way.part("within.min", f64::from(q.within.min));
+    let mut max = way.part("within.max", f64::from(q.within.max));
+    for (axis, name) in AXES.iter().enumerate() {
+        let [near, far] = slab(q, axis, way, is_sorted);
+        let planes = way.pair(
+            format!("between the planes across {name}"),
+            "m",
+            dvec2(near, far),
+        );
+        // `max` and `min` drop the NaN of a ray that runs in a face.
+        let left = dvec2(min.max(planes.x), max.min(planes.y));
+        let left = way.pair(format!("what remains after {name}"), "m", left);
+        [min, max] = left.to_array();
+    }
+    if way.decides("the end is not before the beginning", max - min >= 0.0) {
+        Some(Interval::new(min as f32, max as f32))
+    } else {
+        way.remark("The end is before the beginning: nothing remains.");
+        None
+    }
+}
+
 impl Explained for BoxClip {
-    const WAYS: &'static [fn(&Self, &mut Way) -> Option<Interval>] = &[Self::work, by_half_spaces];
+    const WAYS: &'static [fn(&Self, &mut Way) -> Option<Interval>] =
+        &[Self::work, by_half_spaces, |q, way| by_slabs(q, way, true)];
 
     fn work(&self, way: &mut Way) -> Option<Interval> {
-        let mut min = way.part("within.min", f64::from(self.within.min));
-        let mut max = way.part("within.max", f64::from(self.within.max));
-        for (axis, name) in AXES.iter().enumerate() {
-            let [near, far] = slab(self, axis, way);
-            let planes = way.pair(
-                format!("between the planes across {name}"),
-                "m",
-                dvec2(near, far),
-            );
-            // `max` and `min` drop the NaN of a ray that runs in a face.
-            let left = dvec2(min.max(planes.x), max.min(planes.y));
-            let left = way.pair(format!("what remains after {name}"), "m", left);
-            [min, max] = left.to_array();
-        }
-        if way.decides("the end is not before the beginning", max - min >= 0.0) {
-            Some(Interval::new(min as f32, max as f32))
-        } else {
-            way.remark("The end is before the beginning: nothing remains.");
-            None
-        }
+        by_slabs(self, way, false)
     }
 
     fn draw(&self, right: &Option<Interval>, yours: Option<&Option<Interval>>) -> Option<Diagram> {
-        let slabs = [0, 1, 2].map(|axis| slab(self, axis, &mut Way::default()));
+        let slabs = [0, 1, 2].map(|axis| slab(self, axis, &mut Way::default(), false));
         let of = |within: &Interval| [within.min, within.max].map(f64::from);
         let within = of(&self.within);
         let (right, yours) = (

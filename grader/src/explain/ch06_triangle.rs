@@ -16,8 +16,13 @@ pub fn meets(way: &mut Way, ray: &Ray, within: Interval, corners: [Vec3; 3]) -> 
     let [p0, p1, p2] = corners.map(Vec3::as_dvec3);
     let o = way.part("o", o);
     let d = way.part("d", d);
-    let e1 = way.vector("e₁ = p₁ − p₀", "m", p1 - p0);
-    let e2 = way.vector("e₂ = p₂ − p₀", "m", p2 - p0);
+    // p₀ goes into three steps, and whoever takes another point for it does so in one of them.
+    let p1 = way.part("p₁", p1);
+    let p2 = way.part("p₂", p2);
+    let from = way.part("p₀ in e₁", p0);
+    let e1 = way.vector("e₁ = p₁ − p₀", "m", p1 - from);
+    let from = way.part("p₀ in e₂", p0);
+    let e2 = way.vector("e₂ = p₂ − p₀", "m", p2 - from);
     let s1 = way.vector("s₁ = d × e₂", "m", d.cross(e2));
     let determinant = way.number("determinant = s₁·e₁", "m²", s1.dot(e1));
     // The library says which determinants are too small to divide by.
@@ -26,21 +31,21 @@ pub fn meets(way: &mut Way, ray: &Ray, within: Interval, corners: [Vec3; 3]) -> 
         way.remark("The determinant is 0 but for rounding: the ray is parallel to the triangle, or the triangle has no area.");
         return None;
     }
-    let s = way.vector("s = o − p₀", "m", o - p0);
+    let from = way.part("p₀ in s", p0);
+    let s = way.vector("s = o − p₀", "m", o - from);
     let b1 = way.part("s₁·s", s1.dot(s));
     let b1 = way.number("u = b₁ = s₁·s/determinant", "", b1 / determinant);
     let s2 = way.vector("s₂ = s × e₁", "m²", s.cross(e1));
     let b2 = way.part("s₂·d", s2.dot(d));
     let b2 = way.number("v = b₂ = s₂·d/determinant", "", b2 / determinant);
     let b0 = way.number("b₀ = 1 − b₁ − b₂", "", 1.0 - b1 - b2);
+    let e2 = way.part("e₂ in s₂·e₂", e2);
     let t = way.part("s₂·e₂", s2.dot(e2));
     let t = way.number("t = s₂·e₂/determinant", "m", t / determinant);
-    let outside = [
-        way.decides("b₀ is negative", b0 < -EDGE),
-        way.decides("b₁ is negative", b1 < -EDGE),
-        way.decides("b₂ is negative", b2 < -EDGE),
-    ];
-    if outside.contains(&true) {
+    let is_outside = way.decides("b₀ is negative", b0 < -EDGE)
+        || way.decides("b₁ is negative", b1 < -EDGE)
+        || way.decides("b₂ is negative", b2 < -EDGE);
+    if is_outside {
         way.remark("A weight is negative: the point is beyond the edge opposite to that corner.");
         None
     } else if rays::counts(way, within, t) {
@@ -74,16 +79,14 @@ fn by_volumes(asked: &TriangleHit, way: &mut Way) -> Option<[f64; 3]> {
     let b0 = way.part("b₀", v0 / whole);
     let b1 = way.part("b₁", v1 / whole);
     let b2 = way.part("b₂", v2 / whole);
-    let outside = [
-        way.decides("b₀ is negative", b0 < -EDGE),
-        way.decides("b₁ is negative", b1 < -EDGE),
-        way.decides("b₂ is negative", b2 < -EDGE),
-    ];
+    let is_outside = way.decides("b₀ is negative", b0 < -EDGE)
+        || way.decides("b₁ is negative", b1 < -EDGE)
+        || way.decides("b₂ is negative", b2 < -EDGE);
     let of_a = way.part("b₀ a", b0 * a);
     let of_b = way.part("b₁ b", b1 * b);
     let of_c = way.part("b₂ c", b2 * c);
     let t = way.part("t = (b₀ a + b₁ b + b₂ c)·d", (of_a + of_b + of_c).dot(d));
-    (!outside.contains(&true) && rays::counts(way, asked.within, t)).then_some([t, b1, b2])
+    (!is_outside && rays::counts(way, asked.within, t)).then_some([t, b1, b2])
 }
 
 /// The same by the plane of the triangle first, and then the areas on the inner side of its edges.
@@ -110,12 +113,10 @@ fn by_plane(asked: &TriangleHit, way: &mut Way) -> Option<[f64; 3]> {
     let b1 = way.part("b₁", a1 / area);
     let b2 = way.part("b₂", a2 / area);
     let b0 = way.part("b₀ = 1 − b₁ − b₂", 1.0 - b1 - b2);
-    let outside = [
-        way.decides("b₀ is negative", b0 < -EDGE),
-        way.decides("b₁ is negative", b1 < -EDGE),
-        way.decides("b₂ is negative", b2 < -EDGE),
-    ];
-    (!outside.contains(&true) && rays::counts(way, asked.within, t)).then_some([t, b1, b2])
+    let is_outside = way.decides("b₀ is negative", b0 < -EDGE)
+        || way.decides("b₁ is negative", b1 < -EDGE)
+        || way.decides("b₂ is negative", b2 < -EDGE);
+    (!is_outside && rays::counts(way, asked.within, t)).then_some([t, b1, b2])
 }
 
 /// A hit by its numbers.

@@ -128,23 +128,38 @@ fn clipped(mut polygon: Vec<DVec3>, min: DVec3, max: DVec3) -> Vec<DVec3> {
     polygon
 }
 
-impl Explained for GridWalk {
-    fn work(&self, way: &mut Way) -> Vec<Visit> {
-        let (o, d) = rays::parts(&self.ray);
-        let (min, size) = (self.min.as_dvec3(), self.cell.as_dvec3());
-        let count = UVec3::new(self.nx, self.ny, self.nz);
+/// Where a walk begins.
+struct Start {
+    o: DVec3,
+    d: DVec3,
+    min: DVec3,
+    size: DVec3,
+    count: UVec3,
+    /// Where the interval ends.
+    limit: f64,
+    /// Where the ray leaves the lattice, or the interval ends.
+    end: f64,
+    /// The first cell.
+    cell: UVec3,
+}
+
+impl Start {
+    /// None if the ray misses the lattice.
+    fn of(asked: &GridWalk, way: &mut Way) -> Option<Self> {
+        let (o, d) = rays::parts(&asked.ray);
+        let (min, size) = (asked.min.as_dvec3(), asked.cell.as_dvec3());
+        let count = UVec3::new(asked.nx, asked.ny, asked.nz);
         let o = way.part("o", o);
         let d = way.part("d", d);
         let min = way.part("min", min);
         let size = way.part("the extents of a cell", size);
-        let mut enter = way.part("within.min", f64::from(self.within.min));
-        let limit = way.part("within.max", f64::from(self.within.max));
+        let mut enter = way.part("within.min", f64::from(asked.within.min));
+        let limit = way.part("within.max", f64::from(asked.within.max));
         let mut end = limit;
-        let backward = |axis: usize| d[axis].is_sign_negative();
         for axis in 0..3 {
             let planes = [0.0, f64::from(count[axis])]
                 .map(|i| (min[axis] + i * size[axis] - o[axis]) / d[axis]);
-            let [near, far] = if backward(axis) {
+            let [near, far] = if d[axis].is_sign_negative() {
                 [planes[1], planes[0]]
             } else {
                 planes
@@ -159,32 +174,145 @@ impl Explained for GridWalk {
         let [enter, end] = both.to_array();
         if way.decides("the ray leaves the lattice before it enters", end < enter) {
             way.remark("It leaves before it enters: the ray misses the lattice.");
-            return Vec::new();
+            return None;
         }
         let start = way.part("o + enter·d", o + enter * d);
         let inside = way.part("o + enter·d − min", start - min);
         let place = way.part("(o + enter·d − min)/cell", inside / size);
-        let mut cell = place
+        let cell = place
             .floor()
             .as_ivec3()
             .clamp(IVec3::ZERO, count.as_ivec3() - 1)
             .as_uvec3();
+        Some(Self {
+            o,
+            d,
+            min,
+            size,
+            count,
+            limit,
+            end,
+            cell,
+        })
+    }
+
+    /// Whether the ray goes backwards along an axis.
+    fn backward(&self, axis: usize) -> bool {
+        self.d[axis].is_sign_negative()
+    }
+
+    /// 1 for each axis along which the next plane is the upper one of a cell.
+    fn forward(&self) -> UVec3 {
+        UVec3::from([0, 1, 2].map(|axis| u32::from(!self.backward(axis))))
+    }
+
+    /// The next cell along an axis; none if the lattice ends there.
+    fn next(&self, cell: UVec3, axis: usize) -> Option<UVec3> {
+        let last = if self.backward(axis) {
+            0
+        } else {
+            self.count[axis] - 1
+        };
+        let mut next = cell;
+        if cell[axis] == last {
+            return None;
+        }
+        next[axis] = if self.backward(axis) {
+            cell[axis] - 1
+        } else {
+            cell[axis] + 1
+        };
+        Some(next)
+    }
+}
+
+/// The distances to planes ahead; those that are never met are infinitely far.
+fn met(ahead: DVec3, d: DVec3) -> DVec3 {
+    (ahead / d).map(|t| if t.is_finite() { t } else { f64::INFINITY })
+}
+
+/// The same with the distance from plane to plane added at each step (Amanatides and Woo 1987).
+fn by_increments(asked: &GridWalk, way: &mut Way) -> Vec<Visit> {
+    let Some(start) = Start::of(asked, way) else {
+        return Vec::new();
+    };
+    let Start {
+        o,
+        d,
+        min,
+        size,
+        end,
+        mut cell,
+        ..
+    } = start;
+    let plane = way.part(
+        "the numbers of the first planes",
+        (cell + start.forward()).as_dvec3(),
+    );
+    let along = way.part("the number of the first plane · cell", plane * size);
+    let min = way.part("min, where the planes begin", min);
+    let plane = way.part("min + the number of the first plane · cell", min + along);
+    let ahead = way.part("how far the first planes are ahead", plane - o);
+    let mut next = way.part("the first planes ahead, at t", met(ahead, d));
+    let apart = way.part("from plane to plane: cell/|d|", met(size, d.abs()));
+    let mut visits = Vec::new();
+    loop {
+        next = way.part("the next planes ahead, at t", next);
+        let nearest = way.part("the nearest of the next planes", next.min_element());
+        let is_beyond = way.decides("the way through the lattice ends in a cell", nearest > end);
+        let leave = if is_beyond { end } else { nearest };
+        let UVec3 { x, y, z } = cell;
+        visits.push(Visit {
+            x,
+            y,
+            z,
+            leave: leave as f32,
+        });
+        if way.decides("the way through the lattice has ended", leave >= end) {
+            return visits;
+        }
+        let axis = next.min_position();
+        let Some(beyond) = start.next(cell, axis) else {
+            return visits;
+        };
+        cell = beyond;
+        let step = way.part("the distance that is added", apart[axis]);
+        next[axis] += step;
+    }
+}
+
+impl Explained for GridWalk {
+    const WAYS: &'static [fn(&Self, &mut Way) -> Vec<Visit>] = &[Self::work, by_increments];
+
+    fn work(&self, way: &mut Way) -> Vec<Visit> {
+        let Some(start) = Start::of(self, way) else {
+            return Vec::new();
+        };
+        let Start {
+            o,
+            d,
+            min,
+            size,
+            limit,
+            mut cell,
+            ..
+        } = start;
         way.vector(
             "apart: the distance between two planes, along each axis",
             "m",
             (size / d).abs(),
         );
-        let forward = UVec3::from([0, 1, 2].map(|axis| u32::from(!backward(axis))));
         let mut visits = Vec::new();
         loop {
             let plane = way.part(
                 "the numbers of the next planes",
-                (cell + forward).as_dvec3(),
+                (cell + start.forward()).as_dvec3(),
             );
             let along = way.part("the number · cell", plane * size);
+            let min = way.part("min, where the planes begin", min);
             let plane = way.part("min + the number · cell", min + along);
             let ahead = way.part("how far the planes are ahead", plane - o);
-            let next = (ahead / d).map(|t| if t.is_finite() { t } else { f64::INFINITY });
+            let next = met(ahead, d);
             let UVec3 { x, y, z } = cell;
             let next = way.vector(
                 format!("cell ({x}, {y}, {z}): the next planes ahead, at t ="),
@@ -200,9 +328,8 @@ impl Explained for GridWalk {
                 z,
                 leave: leave as f32,
             });
-            let axis = next.min_position();
-            let last = if backward(axis) { 0 } else { count[axis] - 1 };
-            if leave >= limit || cell[axis] == last {
+            let beyond = start.next(cell, next.min_position());
+            let Some(beyond) = beyond.filter(|_| leave < limit) else {
                 let why = if leave >= limit {
                     "The interval ends here."
                 } else {
@@ -210,12 +337,8 @@ impl Explained for GridWalk {
                 };
                 way.remark(why);
                 return visits;
-            }
-            cell[axis] = if backward(axis) {
-                cell[axis] - 1
-            } else {
-                cell[axis] + 1
             };
+            cell = beyond;
         }
     }
 

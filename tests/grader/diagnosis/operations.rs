@@ -74,7 +74,10 @@ fn a_summand_with_the_wrong_sign_is_named() {
         })
     });
     let told = "goes wrong at the step “e₂ = p₂ − p₀”: adds “p₀” instead of subtracting it";
-    assert_eq!((&*found.name, found.certain), (told, true));
+    // (p₂ + p₁) × (p₀ − p₁) is the same, from the edges at the second corner.
+    let other = "goes wrong at the step “p₂ − p₁”: adds “p₁” instead of subtracting it";
+    assert_eq!((&*found.name, &*found.also[0].name), (told, other));
+    assert!(!found.certain);
 }
 
 #[test]
@@ -150,4 +153,180 @@ fn an_end_of_the_interval_that_counts_is_named_in_every_exercise() {
             assert_eq!(found.name, told, "{exercise}");
         }
     }
+}
+
+#[test]
+fn who_always_says_none_is_told_where_none_is_right() {
+    let found = diagnosed("sphere_hit", |_| Some(vec![0.0]));
+    let told = "gives the same answer to every question: none";
+    assert_eq!((&*found.name, found.certain), (told, true));
+    let ends =
+        "none where “the discriminant is negative” is true, or “the larger root counts” is false";
+    assert!(found.hint.contains(ends), "{}", found.hint);
+}
+
+#[test]
+fn steps_of_which_any_may_be_wrong_are_not_certain() {
+    let found = diagnosed("sphere_hit", |q| {
+        let [o, d, center] = [0, 3, 8].map(|from| glam::DVec3::from_slice(&q[from..]));
+        let m = o - center;
+        let (b, c) = (2.0 * m.dot(d), m.length_squared() - q[11] * q[11]);
+        let root = (b * b - c).sqrt();
+        let roots = [-b - root, -b + root].map(|t| 0.5 * t);
+        let hit = roots.into_iter().find(|t| q[6] < *t && *t < q[7]);
+        Some(hit.map_or(vec![0.0], |t| vec![1.0, t]))
+    });
+    let told = "takes a quarter of the value";
+    assert!(found.name.ends_with(told) && !found.certain, "{found:?}");
+    assert!(found.also[0].name.ends_with(told), "{found:?}");
+}
+
+#[test]
+fn another_point_in_one_place_of_a_formula_is_named() {
+    let found = diagnosed("triangle_hit", |q| {
+        let [o, d, p0, p1, p2] = [0, 3, 8, 11, 14].map(|from| glam::DVec3::from_slice(&q[from..]));
+        let (e1, e2) = (p1 - p0, p2 - p1);
+        let (s1, s) = (d.cross(e2), o - p0);
+        let (s2, determinant) = (s.cross(e1), s1.dot(e1));
+        let [b1, b2, t] = [s1.dot(s), s2.dot(d), s2.dot(e2)].map(|v| v / determinant);
+        let hits = b1 >= 0.0 && b2 >= 0.0 && b1 + b2 <= 1.0 && q[6] < t && t < q[7];
+        Some(if hits {
+            vec![1.0, t, b1, b2]
+        } else {
+            vec![0.0]
+        })
+    });
+    let told = "takes the value of “p₁” where that of “p₀ in e₂” belongs";
+    assert_eq!(found.name, told);
+}
+
+#[test]
+fn one_slip_that_explains_all_is_told_before_two_mistakes() {
+    let found = diagnosed("plane_hit", |q| {
+        let [o, d, n] = [0, 3, 8].map(|from| glam::DVec3::from_slice(&q[from..]));
+        let t = (n.dot(o) - q[11]) / n.dot(d).abs();
+        let hits = q[6] < t && t < q[7];
+        Some(if hits { vec![1.0, t] } else { vec![0.0] })
+    });
+    let told = "goes wrong at the step “−n·d, how fast the ray sinks”: takes the absolute value of the value";
+    assert_eq!(found.name, told);
+}
+
+#[test]
+fn a_walk_by_increments_is_followed_too() {
+    let told = "goes wrong at the step “from plane to plane: cell/|d|”: takes x for all three";
+    let found = diagnosed("grid_walk", |q| Some(walked(q)));
+    assert_eq!(found.name, told);
+}
+
+/// A walk that adds the distance between two planes along x, whichever axis it steps along.
+fn walked(q: &[f64]) -> Vec<f64> {
+    let [min, size, o, d] = [0, 3, 9, 12].map(|from| glam::DVec3::from_slice(&q[from..]));
+    let count = [6, 7, 8].map(|i| q[i]);
+    let plane = |axis: usize, i: f64| (min[axis] + i * size[axis] - o[axis]) / d[axis];
+    let (mut enter, mut end) = (q[15], q[16]);
+    for axis in 0..3 {
+        let [a, b] = [plane(axis, 0.0), plane(axis, count[axis])];
+        (enter, end) = (enter.max(a.min(b)), end.min(a.max(b)));
+    }
+    if end < enter {
+        return vec![0.0];
+    }
+    let mut cell = ((o + enter * d - min) / size).floor().to_array();
+    let (mut next, mut visits) = ([f64::INFINITY; 3], Vec::new());
+    for axis in 0..3 {
+        cell[axis] = cell[axis].clamp(0.0, count[axis] - 1.0);
+        if d[axis] != 0.0 {
+            next[axis] = plane(axis, cell[axis] + f64::from(d[axis] > 0.0));
+        }
+    }
+    let apart = (size.x / d.x.abs()).min(f64::INFINITY);
+    loop {
+        let axis = (0..3)
+            .min_by(|&a, &b| next[a].total_cmp(&next[b]))
+            .unwrap_or(0);
+        let leave = next[axis].min(end);
+        visits.extend([cell[0], cell[1], cell[2], leave]);
+        cell[axis] += d[axis].signum();
+        if leave >= end || !(0.0..count[axis]).contains(&cell[axis]) {
+            return [&[visits.len() as f64 / 4.0], &visits[..]].concat();
+        }
+        next[axis] += apart;
+    }
+}
+
+#[test]
+fn a_slip_that_makes_a_lattice_endless_ends() {
+    let found = diagnosed("rotated_grid", |q| {
+        let (spacing, offset) = (q[0], glam::DVec2::new(q[1], q[2]));
+        let turn = glam::DVec2::from_angle(std::f64::consts::FRAC_PI_4);
+        let mut answer = vec![0.0];
+        for (i, j) in (-40..=40).flat_map(|i| (-40..=40).map(move |j| (i, j))) {
+            let step = glam::DVec2::new(f64::from(i), f64::from(j)) + offset;
+            let p = 0.5 + spacing * turn.rotate(step);
+            if p.min_element() >= 0.0 && p.max_element() < 1.0 {
+                answer[0] += 1.0;
+                answer.extend(p.to_array());
+            }
+        }
+        Some(answer)
+    });
+    assert!(
+        found.name.contains("rotat") || found.name.contains("turn"),
+        "{found:?}"
+    );
+}
+
+#[test]
+fn a_box_whose_planes_are_sorted_is_followed_too() {
+    let found = diagnosed("box_clip", |q| {
+        let (mut enter, mut leave) = (q[6], q[7]);
+        for axis in 0..3 {
+            let [o, d, low, high] = [axis, 3 + axis, 8 + axis, 11 + axis].map(|i| q[i]);
+            if d == 0.0 && (o < low || high < o) {
+                return Some(vec![0.0]);
+            } else if d != 0.0 {
+                let [a, b] = [(o - low) / d, (high - o) / d];
+                (enter, leave) = (enter.max(a.min(b)), leave.min(a.max(b)));
+            }
+        }
+        Some(if enter <= leave {
+            vec![1.0, enter, leave]
+        } else {
+            vec![0.0]
+        })
+    });
+    let told = "“t of the least plane”: has the sign of the value wrong";
+    assert!(found.name.ends_with(told), "{found:?}");
+}
+
+#[test]
+fn another_vector_in_a_product_is_named() {
+    let found = diagnosed("plane_hit", |q| {
+        let [o, d, n] = [0, 3, 8].map(|from| glam::DVec3::from_slice(&q[from..]));
+        let t = (q[11] - n.dot(o)) / o.dot(d);
+        Some(if q[6] < t && t < q[7] {
+            vec![1.0, t]
+        } else {
+            vec![0.0]
+        })
+    });
+    assert_eq!(
+        found.name,
+        "takes the value of “o” where that of “n in n·d” belongs"
+    );
+}
+
+#[test]
+fn another_length_in_one_place_of_the_film_is_named() {
+    let found = diagnosed("camera_ray", |q| {
+        let [start, forward, right, up] =
+            [0, 3, 6, 9].map(|from| glam::DVec3::from_slice(&q[from..]));
+        let [f, wide, high, x, y] = [12, 13, 14, 15, 16].map(|i| q[i]);
+        let corner = f * forward - 0.5 * high * right + 0.5 * high * up;
+        let v = corner + x * wide * right - y * high * up;
+        Some([start.to_array(), v.normalize().to_array()].concat())
+    });
+    let told = "takes the value of “plane.y” where that of “plane.x in the corner” belongs";
+    assert_eq!(found.name, told);
 }

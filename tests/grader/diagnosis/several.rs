@@ -55,3 +55,24 @@ fn who_forgets_a_weight_and_asks_nothing_of_a_flat_triangle_is_told_the_weight()
     });
     assert_eq!(names(&found)[0], "forgets b1 + b2 <= 1");
 }
+
+#[test]
+fn a_mistake_in_each_of_two_parts_is_told_in_its_part() {
+    let found = diagnosed("camera_ray", |q| {
+        let [start, forward, right, up] =
+            [0, 3, 6, 9].map(|from| glam::DVec3::from_slice(&q[from..]));
+        let [f, wide, high, x, y] = [12, 13, 14, 15, 16].map(|i| q[i]);
+        let v = f * forward - (x - 0.5) * wide * right + (0.5 - y) * high * up;
+        Some([(-start).to_array(), v.normalize().to_array()].concat())
+    });
+    let told: Vec<_> = [&found]
+        .into_iter()
+        .chain(&found.also)
+        .map(|one| (one.part.as_deref(), one.name.as_str()))
+        .collect();
+    let both = [
+        (Some("origin"), "has the sign of origin wrong"),
+        (Some("direction"), "draws the picture mirrored"),
+    ];
+    assert_eq!(told, both);
+}

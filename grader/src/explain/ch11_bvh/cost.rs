@@ -39,8 +39,13 @@ impl Explained for SahCost {
         let mut cost = 0.0;
         for (i, row) in self.nodes.iter().enumerate() {
             let of_node = area_by_steps(way, row);
-            let share = way.part("a node's area over the root's", of_node / of_root);
             let is_branch = way.decides("a node is a branch", row.count == 0);
+            let of_node = if is_branch {
+                way.part("a branch's area", of_node)
+            } else {
+                way.part("a leaf's area", of_node)
+            };
+            let share = way.part("a node's area over the root's", of_node / of_root);
             let count = way.part("a leaf's number of shapes", f64::from(row.count));
             let what = if row.count == 0 {
                 format!("node {i}, a branch: its area/the root's · branch")

@@ -21,12 +21,19 @@ pub(super) fn vector(
         ));
     };
     let ignored = "Change `{}` alone: does your answer change as it should?";
-    value(
-        format!("turns {name} round, the sign of all its components"),
-        11,
-        "From where to where does `{}` point?",
-        Box::new(|v| each(v, |v| *v = -*v)),
-    );
+    // A direction points somewhere; other numbers may be a place or a size.
+    let (what, leads_on) = if unit {
+        (
+            format!("turns {name} round"),
+            "From where to where does `{}` point?",
+        )
+    } else {
+        (
+            format!("takes −{name} for {name}: the signs of all its components are wrong"),
+            "Wherever `{}` stands in your formula: is it added or subtracted there, and should it be?",
+        )
+    };
+    value(what, 11, leads_on, Box::new(|v| each(v, |v| *v = -*v)));
     if unit {
         for (axis, k) in axes.iter().zip(0..) {
             for (sign, s) in [("+", 1.0), ("-", -1.0)] {
@@ -97,6 +104,14 @@ pub(super) fn vector(
             19,
             "To which power does `{}` stand in the formula?",
             Box::new(|v| each(v, |v| *v *= *v)),
+        );
+    }
+    if !unit {
+        value(
+            format!("counts {name} from the opposite corner: 1 minus each of its components"),
+            10,
+            "From which corner is `{}` counted, and in which direction does each component of it grow?",
+            Box::new(|v| each(v, |v| *v = 1.0 - *v)),
         );
     }
     for (axis, k) in axes.iter().zip(0..) {

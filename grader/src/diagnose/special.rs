@@ -55,14 +55,11 @@ pub fn explanations(evidence: &Evidence<'_>, base: &Answers) -> Vec<Explanation>
             "Which of its arguments does your function use? Does it return what it calculates?"
                 .to_owned()
         });
-        let what = in_words(kind, &one);
-        add(
-            SEEN,
-            0,
-            format!("gives the same answer to every question{what}"),
-            &hint,
-            each(&|_, _| Some(one.clone())),
-        );
+        let name = match in_words(kind, &one) {
+            Some(words) => format!("answers every question with {words}"),
+            None => "gives the same answer to every question".to_owned(),
+        };
+        add(SEEN, 0, name, &hint, each(&|_, _| Some(one.clone())));
     }
     if let Kind::Optional(_) = kind {
         add(
@@ -313,19 +310,19 @@ pub fn explanations(evidence: &Evidence<'_>, base: &Answers) -> Vec<Explanation>
     all
 }
 
-/// A short answer in words, behind a colon; nothing of a long one.
-fn in_words(kind: &Kind, answer: &[f64]) -> String {
+/// A short answer in words; none of a long one.
+fn in_words(kind: &Kind, answer: &[f64]) -> Option<String> {
     /// More numbers are not read at a glance.
     const SHORT: usize = 6;
     match (kind, answer) {
-        (Kind::Optional(_), [0.0]) => ": none".to_owned(),
-        (Kind::List(_), [0.0]) => ": an empty list".to_owned(),
-        (Kind::Optional(_) | Kind::List(_), _) => String::new(),
+        (Kind::Optional(_), [0.0]) => Some("none".to_owned()),
+        (Kind::List(_), [0.0]) => Some("an empty list".to_owned()),
+        (Kind::Optional(_) | Kind::List(_), _) => None,
         (_, numbers) if numbers.len() <= SHORT => {
             let numbers: Vec<_> = numbers.iter().map(|v| short(*v)).collect();
-            format!(": {}", numbers.join(" "))
+            Some(numbers.join(" "))
         }
-        _ => String::new(),
+        _ => None,
     }
 }
 

@@ -158,7 +158,7 @@ fn an_end_of_the_interval_that_counts_is_named_in_every_exercise() {
 #[test]
 fn who_always_says_none_is_told_where_none_is_right() {
     let found = diagnosed("sphere_hit", |_| Some(vec![0.0]));
-    let told = "gives the same answer to every question: none";
+    let told = "answers every question with none";
     assert_eq!((&*found.name, found.certain), (told, true));
     let ends =
         "none where “the discriminant is negative” is true, or “the larger root counts” is false";

@@ -243,7 +243,9 @@ impl Search<'_> {
         let mut children = (self.tree.children)(branch);
         if self.how.asks_the_first {
             let first = children[0].0;
-            children.iter_mut().for_each(|child| child.0 = first);
+            for child in &mut children {
+                child.0 = first;
+            }
         }
         let children = children.into_iter();
         let mut met: Vec<_> = children

@@ -36,8 +36,8 @@ pub fn search(evidence: &Evidence<'_>) -> Option<Diagnosis> {
 /// Says of what is seen in the wrong answers where it is seen, for then it is no mistake of all answers.
 pub fn add_to(seen: &mut Diagnosis, evidence: &Evidence<'_>) {
     if let Some(words) = shared(evidence) {
-        seen.name += &format!(", but only where {words}");
-        seen.hint = HINT.to_owned();
+        seen.name = format!("{}, but only where {words}", seen.name);
+        HINT.clone_into(&mut seen.hint);
     }
 }
 

@@ -31,9 +31,12 @@ fn best(mut found: Vec<Found>) -> Option<Found> {
     found.sort_by_key(Found::key);
     let mut found = found.into_iter();
     let mut best = found.next()?;
-    let as_good = |one: &Found| match best.is_own() {
-        true => one.is_own() && one.is_complete() && best.is_categorical(),
-        false => one.key() == best.key() && one.name != best.name,
+    let as_good = |one: &Found| {
+        if best.is_own() {
+            one.is_own() && one.is_complete() && best.is_categorical()
+        } else {
+            one.key() == best.key() && one.name != best.name
+        }
     };
     if best.is_complete() {
         let rival = found.find(as_good);

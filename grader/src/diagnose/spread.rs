@@ -159,9 +159,10 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Likely
         let given = (0..evidence.wrong).filter(gives).count();
         Some(given as f64 / evidence.wrong as f64)
     };
-    let given = match evidence.goes_the_same_way() {
-        true => given().unwrap_or(1.0),
-        false => 1.0,
+    let given = if evidence.goes_the_same_way() {
+        given().unwrap_or(1.0)
+    } else {
+        1.0
     };
     if given < SOME {
         return None;

@@ -95,7 +95,7 @@ impl Explained for RotatedGrid {
             way.goes_on();
             middle + spacing * turned(step + offset)
         });
-        let points: Vec<_> = points.filter(inside).map(|p| p.as_vec2()).collect();
+        let points: Vec<_> = points.filter(inside).map(DVec2::as_vec2).collect();
         way.number("of all of them in the square", "", points.len() as f64);
         points
     }

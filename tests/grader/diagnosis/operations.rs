@@ -225,8 +225,8 @@ fn walked(q: &[f64]) -> Vec<f64> {
     let count = [6, 7, 8].map(|i| q[i]);
     let plane = |axis: usize, i: f64| (min[axis] + i * size[axis] - o[axis]) / d[axis];
     let (mut enter, mut end) = (q[15], q[16]);
-    for axis in 0..3 {
-        let [a, b] = [plane(axis, 0.0), plane(axis, count[axis])];
+    for (axis, count) in count.into_iter().enumerate() {
+        let [a, b] = [plane(axis, 0.0), plane(axis, count)];
         (enter, end) = (enter.max(a.min(b)), end.min(a.max(b)));
     }
     if end < enter {

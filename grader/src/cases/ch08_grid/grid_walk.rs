@@ -380,17 +380,21 @@ fn student(
         let UVec3 { x, y, z } = cell;
         visits.push(Visit { x, y, z, leave });
         let forward = |axis: usize| !q.ray.direction[axis].is_sign_negative();
-        let last = |axis: usize| match forward(axis) {
-            true => lattice.resolution[axis] - 1,
-            false => 0,
+        let last = |axis: usize| {
+            if forward(axis) {
+                lattice.resolution[axis] - 1
+            } else {
+                0
+            }
         };
         if leave >= q.within.max || axes.iter().any(|&axis| cell[axis] == last(axis)) {
             break;
         }
         for axis in axes {
-            cell[axis] = match forward(axis) {
-                true => cell[axis] + 1,
-                false => cell[axis] - 1,
+            cell[axis] = if forward(axis) {
+                cell[axis] + 1
+            } else {
+                cell[axis] - 1
             };
         }
     }

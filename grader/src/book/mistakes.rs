@@ -4,9 +4,11 @@ use super::{example::short, kept};
 use crate::examine::{Case, Examiner, visible_rng};
 use maud::{Markup, html};
 use raybook::image::{Image, file};
+use raybook::store;
 use raybook_chapters::kit::palette;
 use raybook_workbook::row;
 use rayon::prelude::{IntoParallelIterator, ParallelIterator};
+use std::collections::HashMap;
 use std::path::Path;
 
 /// The answer of a mistake to the first case that shows it.
@@ -30,11 +32,12 @@ pub(super) fn expand(examiner: &dyn Examiner, pictures: &Path) -> Result<String,
 fn drawn(examiner: &dyn Examiner, pictures: &Path) -> Result<String, String> {
     let name = examiner.name();
     let cases = examiner.cases(&mut visible_rng(name)).cases;
-    let right = picture(examiner, |question| Some((examiner.asked().call)(question)));
+    let right = picture(examiner, |question| Some((examiner.asked().call)(question)))?;
     let (mut cards, mut unseen) = (Vec::new(), Vec::new());
+    let mut saved = Saved::new(pictures);
     if let Some(right) = &right {
         let alt = examiner.pictures()[0].alt;
-        let file = save(pictures, &format!("{name}_right"), right)?;
+        let file = saved.address(&format!("{name}_right"), right)?;
         cards.push(html! {
             figure class="right" { img src=(file) alt=(alt) loading="lazy"; figcaption { b { "Right." } } }
         });
@@ -44,10 +47,10 @@ fn drawn(examiner: &dyn Examiner, pictures: &Path) -> Result<String, String> {
         let wrong = picture(examiner, |question| {
             let answer = examiner.mistake_answers(i, question).map(printed)?;
             examiner.asked().read_answer(&answer).ok() // what no program could print has no colour
-        });
+        })?;
         let seen = wrong.filter(|wrong| right.as_ref() != Some(wrong));
         let image = match &seen {
-            Some(wrong) => Some(save(pictures, &format!("{name}_{}", i + 1), wrong)?),
+            Some(wrong) => Some(saved.address(&format!("{name}_{}", i + 1), wrong)?),
             None => None,
         };
         let alt = format!("What is drawn by a function that {mistake}");
@@ -92,28 +95,50 @@ fn first_shown<'a>(examiner: &dyn Examiner, i: usize, cases: &'a [Case]) -> Opti
     })
 }
 
-/// The exercise's first picture by these answers, if it has one.
+/// The exercise's first picture by these answers, if it has one: the PNG, since pictures are alike if a display shows them alike.
 fn picture(
     examiner: &dyn Examiner,
     answer: impl Fn(&[f64]) -> Option<Vec<f64>> + Sync,
-) -> Option<Image> {
-    let size = *examiner.pictures().first()?;
+) -> Result<Option<Vec<u8>>, String> {
+    let Some(&size) = examiner.pictures().first() else {
+        return Ok(None);
+    };
     let colour = |i: u32| {
         let question = examiner.pixel(0, i % size.width, i / size.width)?;
         examiner.colour(0, &question, &answer(&question)?)
     };
     let pixels = (0..size.width * size.height).into_par_iter();
     let pixels: Vec<_> = pixels.map(colour).collect();
-    Some(Image::from_fn(
-        size.width as usize,
-        size.height as usize,
-        |x, y| pixels[y * size.width as usize + x].unwrap_or(palette::linear(palette::INK)),
-    ))
+    let picture = Image::from_fn(size.width as usize, size.height as usize, |x, y| {
+        pixels[y * size.width as usize + x].unwrap_or(palette::linear(palette::INK))
+    });
+    let png = file::to_png(&picture).map_err(|error| error.to_string())?;
+    Ok(Some(png))
 }
 
-/// Writes a picture, and returns its address in the book.
-fn save(pictures: &Path, name: &str, picture: &Image) -> Result<String, String> {
-    let path = format!("mistakes/{name}.png");
-    file::save(&pictures.join(&path), picture).map_err(|error| error.to_string())?;
-    Ok(format!("pictures/{path}"))
+/// The pictures of a gallery that are written already.
+struct Saved<'a> {
+    folder: &'a Path,
+    pictures: HashMap<Vec<u8>, String>,
+}
+
+impl<'a> Saved<'a> {
+    fn new(folder: &'a Path) -> Self {
+        Self {
+            folder,
+            pictures: HashMap::new(),
+        }
+    }
+
+    /// The address in the book of a picture. It is written under this name, unless an equal picture is there.
+    fn address(&mut self, name: &str, png: &[u8]) -> Result<String, String> {
+        if let Some(address) = self.pictures.get(png) {
+            return Ok(address.clone());
+        }
+        let path = format!("mistakes/{name}.png");
+        store::write(&self.folder.join(&path), png).map_err(|error| error.to_string())?;
+        let address = format!("pictures/{path}");
+        self.pictures.insert(png.to_vec(), address.clone());
+        Ok(address)
+    }
 }

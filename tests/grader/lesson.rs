@@ -5,6 +5,7 @@ use raybook_common::project;
 use raybook_grader::book::{Book, BookError, Page, WIDEST};
 use raybook_grader::cases;
 use raybook_workbook::curriculum::{CHAPTERS, Chapter};
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
@@ -116,6 +117,11 @@ fn what_a_page_becomes_is_the_courses_own() {
     ] {
         assert!(turn.contains(part), "{part} is in {turn}");
     }
+    let meaning = expanded("{{turn shadow_ray}}");
+    assert!(
+        meaning.contains("wrong by up to <code>error</code>.") && !meaning.contains("`error`"),
+        "names in a parameter's meaning are code: {meaning}"
+    );
     let reference = expanded("{{reference sphere_hit}}");
     for part in [
         r#"ray: &amp;<a href="library.html#Ray">Ray</a>"#,
@@ -138,6 +144,26 @@ fn what_a_page_becomes_is_the_courses_own() {
 }
 
 #[test]
+fn a_gallery_has_no_picture_twice() {
+    let pictures = tempfile::tempdir().expect("a folder");
+    // Some of its mistakes change less than a display can show, and some draw the same picture.
+    let gallery = "{{mistakes blinn_phong}}";
+    let expanded = book(pictures.path()).expand("ch12_phong.md", gallery);
+    let expanded = expanded.expect("it is a gallery");
+    let files = fs::read_dir(pictures.path().join("mistakes")).expect("pictures were drawn");
+    let pngs: Vec<_> = files
+        .filter_map(|file| Some(file.ok()?.path()))
+        .filter(|file| file.extension().is_some_and(|form| form == "png"))
+        .map(|file| fs::read(file).expect("a picture"))
+        .collect();
+    let distinct: BTreeSet<_> = pngs.iter().collect();
+    assert!(pngs.len() > 3, "{} pictures were drawn", pngs.len());
+    assert_eq!(distinct.len(), pngs.len(), "no two are equal");
+    let right = expanded.matches("blinn_phong_right.png").count();
+    assert_eq!(right, 1, "no mistake shows the right picture");
+}
+
+#[test]
 fn a_wrong_directive_is_an_error_with_its_line() {
     for (line, said) in [
         ("{{turn sphere_hitt}}", "no exercise `sphere_hitt`"),
@@ -150,6 +176,7 @@ fn a_wrong_directive_is_an_error_with_its_line() {
         ("{{listing src/none.rs:a}}", "no file src/none.rs"),
         ("{{listing src/shape/mod.rs:none}}", "no `// ANCHOR: none`"),
         ("{{reference nothing}}", "no exercise"),
+        ("{{measured nothing}}", "golden/measured has creases"),
         ("{{path 1 12}}", "chapter 12 (Phong) needs chapter 2"),
         ("{{index words.md}}", "no page words.md"),
         ("{{library sources}}", "no files in `sources`"),

@@ -10,7 +10,7 @@ use crate::language::Language;
 use crate::library;
 use crate::limits::limits;
 use crate::starter::{cpp, place, python};
-use maud::html;
+use maud::{Markup, html};
 use raybook_workbook::exercise::Asked;
 use raybook_workbook::kind::{Field, Kind};
 use std::fmt::Write;
@@ -119,7 +119,7 @@ fn pseudocode(asked: &Asked) -> String {
 /// A row for each parameter, and one for the answer.
 fn parameters(asked: &Asked) -> String {
     let row = |field: &Field| {
-        html! { tr { td { code { (field.name) } } td { (words(field.kind)) } td { (field.meaning) } } }
+        html! { tr { td { code { (field.name) } } td { (words(field.kind)) } td { (coded(field.meaning)) } } }
     };
     let table = html! {
         table class="parameters" {
@@ -130,6 +130,15 @@ fn parameters(asked: &Asked) -> String {
         }
     };
     table.into_string()
+}
+
+/// A text whose names in back quotes are code.
+fn coded(text: &str) -> Markup {
+    html! {
+        @for (i, part) in text.split('`').enumerate() {
+            @if i % 2 == 1 { code { (part) } } @else { (part) }
+        }
+    }
 }
 
 fn fields(asked: &Asked) -> &'static [Field] {

@@ -80,7 +80,14 @@ impl Shape for Instance {
         };
         let Aabb { min, max } = Aabb::of((0..8).map(corner));
         // A corner is rounded three times, and points in the box are rounded differently.
-        let pad = Vec3::splat(ROUNDING * min.abs().max(max.abs()).max(self.translation.abs()).max_element());
+        let pad = Vec3::splat(
+            ROUNDING
+                * min
+                    .abs()
+                    .max(max.abs())
+                    .max(self.translation.abs())
+                    .max_element(),
+        );
         Aabb {
             min: min - pad,
             max: max + pad,
@@ -111,7 +118,10 @@ impl Shape for Instance {
         };
         let surface = self.shape.surface(&self.back(ray), &local);
         let position = self.translation + self.scale * (self.rotation * surface.position);
-        let largest = position.abs().max(self.translation.abs()).max(ray.origin.abs());
+        let largest = position
+            .abs()
+            .max(self.translation.abs())
+            .max(ray.origin.abs());
         Surface {
             position,
             error: 2.0 * self.scale * surface.error + ROUNDING * largest.max_element(),

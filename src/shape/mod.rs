@@ -3,13 +3,13 @@
 pub mod attributes;
 pub mod bezier;
 pub mod cuboid;
+pub mod instance;
 pub mod mesh;
 #[cfg(feature = "files")]
 pub mod mesh_file;
 pub mod mesh_looks;
 pub mod normal_map;
 pub mod obj;
-pub mod instance;
 pub mod plane;
 pub mod ply;
 pub mod sphere;

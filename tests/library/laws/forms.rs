@@ -5,8 +5,8 @@ use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use raybook::accel::{Meshed, list::List};
 use raybook::math::{dir3::Dir3, ray::Ray};
-use raybook::shape::mesh::{Facet, Mesh};
 use raybook::shape::instance::Instance;
+use raybook::shape::mesh::{Facet, Mesh};
 use raybook::shape::{Shape, cuboid::Cuboid, plane::Plane, sphere::Sphere, triangle::Triangle};
 use std::sync::Arc;
 

@@ -1,7 +1,7 @@
 //! What the questions with a wrong answer have in common, and no others: a number that is 0, a direction along an axis, two points one
 //! above the other, an empty list.
 
-use super::Diagnosis;
+use super::{Beside, Diagnosis};
 use super::evidence::{Evidence, Item};
 use crate::layout::{Part, layout, parts};
 use raybook_workbook::kind::{Kind, VECTOR};
@@ -29,6 +29,7 @@ pub fn search(evidence: &Evidence<'_>) -> Option<Diagnosis> {
         certain: false,
         explained: evidence.wrong,
         wrong: evidence.wrong,
+        beside: Beside::Apart,
         also: Vec::new(),
     })
 }

@@ -220,9 +220,10 @@ impl<'a> Asker<'a> {
         (limits, start)
     }
 
-    /// Counts a wait in vain.
-    fn note(&mut self, heard: &Conversation) {
-        self.waits += u32::from(matches!(heard.end, Some(End::TimedOut(_))));
+    /// Counts a wait in vain for one question. Of several, those without an answer are asked again, and have all of their time.
+    fn note(&mut self, questions: &[String], heard: &Conversation) {
+        let in_vain = matches!(heard.end, Some(End::TimedOut(_)));
+        self.waits += u32::from(in_vain && questions.len() == 1);
     }
 
     /// Sends questions to the process that runs, or a new one, and returns what it says until it has answered them, or ended.
@@ -240,7 +241,7 @@ impl<'a> Asker<'a> {
         };
         let (starts, start) = (!process.has_answered, Instant::now());
         let heard = process.converse(questions, &limits, waits, &mut self.budget);
-        self.note(&heard);
+        self.note(questions, &heard);
         if starts && process.has_answered {
             self.start = self.start.min(2 * start.elapsed());
         }
@@ -279,7 +280,7 @@ impl<'a> Asker<'a> {
         };
         let mut process = Process::start(self.program)?;
         let heard = process.converse(questions, &limits, waits, &mut self.budget);
-        self.note(&heard);
+        self.note(questions, &heard);
         let Conversation {
             answers,
             end,

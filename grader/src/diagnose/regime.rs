@@ -1,8 +1,8 @@
 //! What the questions with a wrong answer have in common, and no others: a number that is 0, a direction along an axis, two points one
 //! above the other, an empty list.
 
-use super::{Beside, Diagnosis};
 use super::evidence::{Evidence, Item};
+use super::{Beside, Diagnosis};
 use crate::layout::{Part, layout, parts};
 use raybook_workbook::kind::{Kind, VECTOR};
 

@@ -28,7 +28,8 @@ async function open(address, width, scheme, height = 900) {
 // What is seriously wrong with a page as it is now.
 async function examine({ page, fault }, name) {
   await page.evaluate(axe);
-  const { violations } = await page.evaluate(() => axe.run(document, { resultTypes: ["violations"] }));
+  // Without preload: axe would ask for the style sheets again, which a browser refuses to a page that is a file.
+  const { violations } = await page.evaluate(() => axe.run(document, { resultTypes: ["violations"], preload: false }));
   for (const { id, impact, nodes } of violations.filter(one => ["serious", "critical"].includes(one.impact)))
     fault(`${impact} ${id}: ${nodes.length} times, first ${nodes[0].html.slice(0, 160)} (${nodes[0].any.concat(nodes[0].all)[0]?.message ?? ""})`);
   const [inside, window] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
@@ -96,7 +97,8 @@ for (const lesson of lessons) {
   await page.evaluate(() => { window.shown = new Map(); });
   for (let screen = 1; screen <= screens; screen++) {
     await page.waitForFunction(() => [...document.querySelectorAll("main .on img")].every(image => image.complete || !image.checkVisibility()));
-    await page.evaluate(() => new Promise(drawn => requestAnimationFrame(() => requestAnimationFrame(drawn)))); // a picture that came is fitted
+    // A picture or a font that came is fitted soon.
+    await page.waitForFunction(() => document.documentElement.scrollHeight <= innerHeight, { timeout: 3_000 }).catch(() => {});
     const wrong = await page.evaluate(screen => {
       for (const part of document.querySelectorAll("main .on")) window.shown.set(part, [...window.shown.get(part) ?? [], screen]);
       const { scrollWidth, scrollHeight } = document.documentElement, over = [scrollWidth - innerWidth, scrollHeight - innerHeight];

@@ -114,6 +114,7 @@
   addEventListener("resize", () => { if (running()) start(screens[at].at(-1)); });
   main.addEventListener("toggle", () => { if (running()) fit(); }, true);
   main.addEventListener("load", () => { if (running()) fit(); }, true);
+  document.fonts.addEventListener("loadingdone", () => { if (running()) fit(); }); // a formula's font comes when it is first shown
 
   const place = document.createElement("output");
   place.className = "slide-number";

@@ -97,7 +97,8 @@ for (const lesson of lessons) {
   await page.evaluate(() => { window.shown = new Map(); });
   for (let screen = 1; screen <= screens; screen++) {
     await page.waitForFunction(() => [...document.querySelectorAll("main .on img")].every(image => image.complete || !image.checkVisibility()));
-    // A picture or a font that came is fitted soon.
+    // A picture or a font that came is fitted in the next frames, or a little later on a busy machine.
+    await page.evaluate(() => new Promise(drawn => requestAnimationFrame(() => requestAnimationFrame(drawn))));
     await page.waitForFunction(() => document.documentElement.scrollHeight <= innerHeight, { timeout: 3_000 }).catch(() => {});
     const wrong = await page.evaluate(screen => {
       for (const part of document.querySelectorAll("main .on")) window.shown.set(part, [...window.shown.get(part) ?? [], screen]);

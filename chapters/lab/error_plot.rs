@@ -170,7 +170,7 @@ impl Plot for ErrorPlot {
     }
 }
 
-/// The same curves, a panel for each: its own curve as it is, and the others pale. So many curves that they hide each other are
+/// The same curves, a panel for each: its own curve in colour, and the others pale. Curves that hide each other in a single plot are
 /// told apart.
 #[derive(Debug)]
 pub struct OneByOne<'a>(pub &'a ErrorPlot);

@@ -189,18 +189,25 @@ exec awk '{{
     );
 }
 
+/// A folder with a new workbook in Python, `rays`; none where nothing can ask it.
+#[cfg(unix)]
+fn new_in_python() -> Option<tempfile::TempDir> {
+    use raybook_grader::language::Language;
+    if !Path::new("/usr/bin/python3").exists() {
+        println!("there is no python3 here: its workbook is not asked");
+        return None;
+    }
+    let home = tempfile::tempdir().expect("a temporary folder");
+    raybook_grader::starter::create(&home.path().join("rays"), Language::Python)
+        .expect("the folder can be made");
+    Some(home)
+}
+
 #[cfg(unix)]
 #[test]
 fn the_first_hint_leads_on_and_the_next_exercise_is_named() {
-    use raybook_grader::language::Language;
-    use raybook_grader::starter;
-    if !Path::new("/usr/bin/python3").exists() {
-        println!("there is no python3 here: its workbook is not asked");
-        return;
-    }
-    let home = tempfile::tempdir().expect("a temporary folder");
+    let Some(home) = new_in_python() else { return };
     let folder = home.path().join("rays");
-    starter::create(&folder, Language::Python).expect("the folder can be made");
     let (code, said) = raybook(&folder, &["hint", "sphere_hit"]);
     assert_eq!(code, 0, "{said}");
     for part in [
@@ -230,15 +237,8 @@ fn the_first_hint_leads_on_and_the_next_exercise_is_named() {
 #[cfg(unix)]
 #[test]
 fn the_next_step_fits_how_the_exercise_stands() {
-    use raybook_grader::language::Language;
-    use raybook_grader::starter;
-    if !Path::new("/usr/bin/python3").exists() {
-        println!("there is no python3 here: its workbook is not asked");
-        return;
-    }
-    let home = tempfile::tempdir().expect("a temporary folder");
+    let Some(home) = new_in_python() else { return };
     let folder = home.path().join("rays");
-    starter::create(&folder, Language::Python).expect("the folder can be made");
     let solution = |file: &str| {
         let file = raybook_common::project("tests/solutions/python").join(file);
         fs::read_to_string(file).expect("there is a solution")

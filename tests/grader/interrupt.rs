@@ -5,10 +5,23 @@ use crate::common::executable;
 
 use std::fs;
 use std::os::unix::process::CommandExt;
+use std::path::Path;
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
+
+/// The command that asks a program, which has a minute for each answer, and says nothing.
+fn check(program: &Path) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_raybook"));
+    command
+        .args(["check", "ray_at", "--time-limit", "60", "--trust"])
+        .arg("--program")
+        .arg(program)
+        .stdout(Stdio::null())
+        .stderr(Stdio::null());
+    command
+}
 
 #[test]
 fn nothing_is_left_when_the_grader_is_interrupted() {
@@ -21,20 +34,7 @@ fn nothing_is_left_when_the_grader_is_interrupted() {
             "#!/bin/sh\nsetsid sleep {seconds} &\nsleep {seconds} &\nwhile true; do sleep {seconds}; done\n"
         );
         executable::script(&program, &script);
-        let mut grader = Command::new(env!("CARGO_BIN_EXE_raybook"))
-            .args([
-                "check",
-                "ray_at",
-                "--time-limit",
-                "60",
-                "--trust",
-                "--program",
-            ])
-            .arg(&program)
-            .stdout(Stdio::null())
-            .stderr(Stdio::null())
-            .spawn()
-            .expect("the command starts");
+        let mut grader = check(&program).spawn().expect("the command starts");
         assert!(
             becomes(3, &seconds),
             "the program starts its three processes"
@@ -56,19 +56,8 @@ fn who_stops_the_grader_stops_the_program_too() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let program = folder.path().join("endless");
     executable::script(&program, &format!("#!/bin/sh\nexec sleep {seconds}\n"));
-    let mut grader = Command::new(env!("CARGO_BIN_EXE_raybook"))
-        .args([
-            "check",
-            "ray_at",
-            "--time-limit",
-            "60",
-            "--trust",
-            "--program",
-        ])
-        .arg(&program)
+    let mut grader = check(&program)
         .process_group(0) // as a shell does it
-        .stdout(Stdio::null())
-        .stderr(Stdio::null())
         .spawn()
         .expect("the command starts");
     assert!(becomes(1, &seconds), "the program starts");

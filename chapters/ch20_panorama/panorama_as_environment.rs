@@ -2,9 +2,9 @@
 
 use super::all_around::{Rays, wide};
 use crate::kit::sheet::sheet;
-use glam::{Vec3, vec3};
+use glam::{Vec3, vec2, vec3};
 use raybook::camera::pinhole::{LookAtError, Pinhole};
-use raybook::image::{Image, tone};
+use raybook::image::{Image, mip::MipMap, tone};
 use raybook::light::environment::Environment;
 use raybook::render::clamped::Clamped;
 use raybook::render::film::Film;
@@ -59,12 +59,24 @@ fn difference(a: &Image, b: &Image) -> Image {
 /// # Errors
 /// If a caption cannot be drawn.
 pub(super) fn lit(film: &Film, panorama: &Environment) -> Result<Image, Box<dyn Error>> {
-    let clamped = Environment::new(panorama.map().map(tone::clamp));
+    let map = smooth(panorama.map());
+    let clamped = map.map(tone::clamp);
     let tiles = [
-        ("the panorama", photograph(film, panorama.clone())?),
-        ("cut off at white", photograph(film, clamped)?),
+        ("the panorama", photograph(film, Environment::new(map))?),
+        ("cut off at white", photograph(film, Environment::new(clamped))?),
     ];
     sheet(2, &tiles)
+}
+
+/// The map with twice as many texels along each axis, interpolated: the camera sees so small a part of the map that its texels
+/// would be seen as blocks.
+fn smooth(map: &Image) -> Image {
+    let [width, height] = [map.width(), map.height()].map(|n| 2 * n);
+    let map = MipMap::new(map);
+    Image::from_fn(width, height, |x, y| {
+        let place = (vec2(x as f32, y as f32) + 0.5) / vec2(width as f32, height as f32);
+        map.bilinear(0, vec2(place.x, 1.0 - place.y))
+    })
 }
 
 fn photograph(film: &Film, light: Environment) -> Result<Image, LookAtError> {

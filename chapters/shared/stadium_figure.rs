@@ -24,8 +24,13 @@ pub fn figure(film: &Film, stadium: &Stadium, accel: &impl Accel<Facet>, boxes: 
     let near = camera(vec3(0.32, 0.36, 0.9), vec3(0.02, 0.17, 0.0))?;
     // The pictures are the same with any structure; the heat maps are those of `accel`.
     let tree = WideBvh::new(stadium.mesh.facets());
+    // From afar, the lines of the field are thinner than a pixel.
+    let fine = Film {
+        samples: 4 * film.samples,
+        ..*film
+    };
     let shown = |camera: &Pinhole| {
-        film.refine(|place, _| {
+        fine.refine(|place, _| {
             let ray = camera.ray_through(place);
             tree.closest(&ray, Interval::AHEAD)
                 .map_or(sky(ray.direction), |(_, hit)| {

@@ -28,7 +28,7 @@ pub fn reinhard(radiance: Rgb) -> Rgb {
 // ANCHOR: film_like
 /// A film-like curve per channel, (x(2.51x + 0.03)) / (x(2.43x + 0.59) + 0.14), clamped to [0, 1]:
 /// dark in the shadows, steep in the middle, and bright colours fade to white
-/// (Narkowicz, "ACES filmic tone mapping curve", 2015, a fit to the Academy's reference transform).
+/// (Narkowicz, "ACES filmic tone mapping curve", 2016, a fit to the Academy's reference transform).
 pub fn aces(radiance: Rgb) -> Rgb {
     radiance.map(|x| {
         let x = x.clamp(0.0, 1e6); // beyond it the squares overflow, and the curve has long reached 1

@@ -1,4 +1,4 @@
-//! The bibliography: all that lessons recommend, with the same title and the same DOI.
+//! The bibliography: all that lessons recommend, with the same title, and found at the same place.
 
 use super::{page, pages};
 
@@ -21,7 +21,7 @@ fn what_a_lesson_recommends_is_in_the_bibliography() {
             let found = entries.iter().find(|entry| entry.contains(title));
             let entry = found
                 .unwrap_or_else(|| panic!("book/src/bibliography.md lacks “{title}” of {name}"));
-            assert_eq!(doi(&work), doi(entry), "the DOI of “{title}” in {name}");
+            assert_eq!(found_at(&work), found_at(entry), "“{title}” in {name}");
             assert!(
                 entry.contains(&format!("]({name})")),
                 "book/src/bibliography.md: “{title}” is recommended in {name} too"
@@ -32,6 +32,40 @@ fn what_a_lesson_recommends_is_in_the_bibliography() {
     assert!(compared > 90, "{compared} recommendations were compared");
 }
 
+#[test]
+fn every_work_can_be_found() {
+    for entry in page("bibliography.md").lines() {
+        let Some(work) = entry.strip_prefix("- ") else {
+            continue;
+        };
+        assert!(
+            found_at(work).is_some(),
+            "book/src/bibliography.md: where is this found? Give its DOI, its ISBN or an address: {work}"
+        );
+    }
+}
+
+#[test]
+fn a_work_without_a_place_is_noticed() {
+    for (work, place) in [
+        (
+            "A. B., 1986: \"C\", *D*, [doi:10.1/2](https://doi.org/10.1/2). In [E](e.md).",
+            Some("https://doi.org/10.1/2"),
+        ),
+        (
+            "A. B., 1986: *C*, [e.org](http://e.org/c). In [E](e.md).",
+            Some("http://e.org/c"),
+        ),
+        (
+            "A. B., 1986: *C*, ISBN 978-0-12-286160-4. In [E](e.md).",
+            Some("978-0-12-286160-4"),
+        ),
+        ("A. B., 1986: *C*, PhD thesis. In [E](e.md).", None),
+    ] {
+        assert_eq!(found_at(work), place, "{work}");
+    }
+}
+
 /// The title of a work: the first part in quotation marks or in italics after the year.
 fn title(work: &str) -> Option<&str> {
     let rest = work.split_once(": ")?.1;
@@ -39,8 +73,12 @@ fn title(work: &str) -> Option<&str> {
     rest[1..].split(mark).next()
 }
 
-/// The DOI's address, if the work has one.
-fn doi(work: &str) -> Option<&str> {
-    let address = work.split_once("https://doi.org/")?.1;
-    address.split(')').next()
+/// Where a work is found: the address of its DOI or of a page, or the ISBN of its book.
+fn found_at(work: &str) -> Option<&str> {
+    let address = work.split("](").skip(1).find(|to| to.starts_with("http"));
+    if let Some(address) = address {
+        return address.split(')').next();
+    }
+    let isbn = work.split_once("ISBN ")?.1;
+    isbn.split(['.', ' ']).next()
 }

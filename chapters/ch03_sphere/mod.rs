@@ -63,8 +63,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         return Ok(());
     }
     let caption = format!(
-        "A sphere with a radius of {} m through a telescope. Top: the schoolbook formula loses the sphere as the sphere moves \
-        away. Middle: with distances counted from the point of the ray that is closest to the centre, nothing is lost. Bottom: \
+        "A sphere with a radius of {} m through a telescope. Top: by the schoolbook formula, the shape of the sphere is lost as the \
+        sphere moves away. Middle: with distances counted from the point of the ray that is closest to the centre, nothing is lost. Bottom: \
         along a slanting direction, the numbers of the ray itself are rounded.",
         knobs.sphere
     );

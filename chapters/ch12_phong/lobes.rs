@@ -140,9 +140,9 @@ fn in_plane(canvas: &Canvas, lobes: &[Lobe], incidence: f32) -> Drawn {
     }
     let mirrored = direction(incidence, 0.0);
     for (name, d, length) in [
-        ("N", Vec3::Z, 640.0),
-        ("L", *light.toward, 640.0),
-        ("R", *mirrored, 700.0),
+        ("n", Vec3::Z, 640.0),
+        ("l", *light.toward, 640.0),
+        ("m", *mirrored, 700.0),
     ] {
         line(at(d, 0.0), at(d, scale * length), INK, 3)?;
         write(
@@ -160,7 +160,7 @@ fn in_plane(canvas: &Canvas, lobes: &[Lobe], incidence: f32) -> Drawn {
 fn across(canvas: &Canvas, lobes: &[Lobe]) -> Drawn {
     let mut chart = Chart::new(
         Axis::linear(-65.0..65.0)
-            .named("angle around the normal from R")
+            .named("angle around the normal from m")
             .labels(7)
             .format(|degrees| format!("{}°", whole(degrees))),
         Axis::linear(0.0..1.05)

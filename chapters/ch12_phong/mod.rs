@@ -64,7 +64,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     }
 
     if stage.wants("lobes") {
-        let caption = "The light L comes from the left. The curves show how much light a point sends into each direction. In the \
+        let caption = "The direction l to the light points to the left, and m is its mirror direction. The curves show how much light a point sends into each direction. In the \
             plane of light and normal (left), Blinn's lobe with four times the exponent is nearly the same as Phong's. Out of that \
             plane, under slanting light (right), Blinn's lobe is much narrower.";
         stage.diagram(

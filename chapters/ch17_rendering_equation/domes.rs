@@ -88,7 +88,7 @@ fn dome(sketch: &Sketch, warp: Warp) -> Drawn {
     sketch.line(&circle(|x, y| vec3(x, 0.0, y)), INK, 2)?;
     sketch.line(&silhouette(), INK, 2)?;
     sketch.arrow(Vec3::ZERO, 1.2 * Vec3::Y, INK, 5)?;
-    sketch.label(1.2 * Vec3::Y, vec2(44.0, 0.0), "N", INK)
+    sketch.label(1.2 * Vec3::Y, vec2(44.0, 0.0), "n", INK)
 }
 
 /// A circle of radius 1 in some plane.

@@ -81,8 +81,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         LazyCell::new(|| wide_gain::rays(mesh, 60_000)),
     );
     if stage.wants("steps") {
-        let caption = "The same triangles and the same 60 000 rays. In a wide tree a ray takes far fewer steps, and tests a few more \
-            triangles, eight at a time.";
+        let caption = "The same triangles and the same 60 000 rays. In a wide tree a ray takes far fewer steps. It tests many \
+            more triangles, but all triangles of a leaf, up to eight, in one step.";
         stage.diagram("steps", caption, &wide_gain::steps(&rays, &two, &tree)?)?;
     }
     if stage.wants("gain") {

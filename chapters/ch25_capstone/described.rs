@@ -19,7 +19,7 @@ pub(super) fn words(
     let Trace { depth, ray, scene } = question;
     let mut lines = vec![
         (
-            "the exercise, and how many surfaces in a row",
+            "the exercise, and the depth",
             format!("trace {depth}"),
         ),
         ("the ray: origin, direction", ray.write()),
@@ -28,11 +28,11 @@ pub(super) fn words(
             format!("{}   {}", scene.ambient.write(), scene.backdrop.write()),
         ),
         (
-            "how many lamps: place and intensity of each",
+            "number of lamps; position and intensity of each",
             scene.lamps.write(),
         ),
         (
-            "how many things: shape and material of each",
+            "number of objects; shape and material of each",
             scene.objects.len().to_string(),
         ),
     ];

@@ -61,6 +61,67 @@ fn vectors_are_written_as_the_notation_page_says() {
     }
 }
 
+#[test]
+fn sentences_are_short() {
+    /// Maximum number of words, for readers whose language is not English.
+    const LONGEST: usize = 40;
+    let mut counted = 0;
+    for (page, text) in pages() {
+        for sentence in sentences(&text) {
+            counted += 1;
+            let words = sentence.split_whitespace().count();
+            assert!(
+                words <= LONGEST,
+                "book/src/{page}: a sentence of {words} words, where {LONGEST} are allowed; make two of it: {sentence}"
+            );
+        }
+    }
+    assert!(counted > 5000, "{counted} sentences were counted");
+}
+
+#[test]
+fn subscripts_are_set_below_the_line() {
+    for (page, text) in pages() {
+        for figure in text.split("<figure>").skip(1) {
+            let figure = figure.split("</figure>").next().unwrap_or_default();
+            let words = figure.split('>').filter_map(|part| part.split('<').next());
+            for words in words {
+                assert!(
+                    !words.contains('_'),
+                    "book/src/{page}: write <tspan dy=\"5\"> or <sub> in a drawing, not _: {words}"
+                );
+            }
+        }
+    }
+}
+
+/// The sentences of a page: what ends with a full stop, a question mark, a colon or a semicolon, without listings, drawings, tables and
+/// displayed formulas.
+fn sentences(text: &str) -> Vec<String> {
+    let (mut sentences, mut sentence) = (Vec::new(), String::new());
+    let mut fenced = false;
+    for line in text.lines() {
+        fenced ^= line.starts_with("```") || line.starts_with("$$") != line.ends_with("$$");
+        let ends = line.is_empty() || line.starts_with("- ");
+        if ends || fenced {
+            sentences.push(std::mem::take(&mut sentence));
+        }
+        if fenced || line.starts_with(['<', '|', '{', '#', '$', '`']) {
+            continue;
+        }
+        for word in line.split_whitespace() {
+            sentence.extend([word, " "]);
+            let bare = word.trim_end_matches(['*', ')', '"']);
+            if bare.ends_with(['.', '?', '!', ':', ';']) {
+                sentences.push(std::mem::take(&mut sentence));
+            }
+        }
+    }
+    sentences.push(sentence);
+    sentences.retain(|sentence| !sentence.is_empty());
+    sentences
+}
+
 /// The text of a page.
 fn page(name: &str) -> String {
     let path = project("book/src").join(name);

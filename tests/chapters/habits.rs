@@ -1,6 +1,7 @@
 //! Habits that every file keeps: what pages promise, who touches files, and what comments call a number.
 
 use raybook_chapters::MEASURED;
+use raybook_common::project;
 use raybook_common::source::{read, rust_files};
 use std::collections::BTreeSet;
 
@@ -125,7 +126,8 @@ const NAMELESS: [&str; 11] = [
 ];
 
 #[test]
-fn comments_call_a_number_by_its_name() {
+fn comments_and_pages_call_a_number_by_its_name() {
+    let mut comments = Vec::new();
     for folder in [
         "src",
         "workbook/src",
@@ -135,17 +137,30 @@ fn comments_call_a_number_by_its_name() {
         "benches",
     ] {
         for (file, text) in rust_files(folder) {
-            let comments = (1..).zip(text.lines().map(str::trim_start));
-            for (line, comment) in comments.filter(|(_, line)| line.starts_with("//")) {
-                let nameless = NAMELESS.iter().find(|words| {
-                    let after = comment.split_once(**words).map(|(_, after)| after);
-                    after.is_some_and(|after| !after.starts_with("that "))
-                });
-                assert!(
-                    nameless.is_none(),
-                    "{folder}/{file}:{line}: `{comment}`: say the parameter's name, or what is counted"
-                );
-            }
+            let lines = (1..).zip(text.lines().map(str::trim_start));
+            let here = lines.filter(|(_, line)| line.starts_with("//"));
+            comments
+                .extend(here.map(|(at, line)| (format!("{folder}/{file}:{at}"), line.to_owned())));
         }
+    }
+    for entry in std::fs::read_dir(project("book/src")).expect("the book is there") {
+        let path = entry.expect("the folder can be read").path();
+        if path.extension().is_some_and(|kind| kind == "md") {
+            let text = std::fs::read_to_string(&path).expect("a page is text");
+            let lines = (1..).zip(text.lines());
+            comments.extend(
+                lines.map(|(at, line)| (format!("{}:{at}", path.display()), line.to_owned())),
+            );
+        }
+    }
+    for (place, line) in comments {
+        let nameless = NAMELESS.iter().find(|words| {
+            let after = line.split_once(**words).map(|(_, after)| after);
+            after.is_some_and(|after| !after.starts_with("that "))
+        });
+        assert!(
+            nameless.is_none(),
+            "{place}: `{line}`: say the parameter's name, or what is counted"
+        );
     }
 }

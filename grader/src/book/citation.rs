@@ -7,7 +7,7 @@ pub(super) const BIBLIOGRAPHY: &str = "bibliography.md";
 
 /// A work of the bibliography: its line begins with its authors, its year and its title, `- James T. Kajiya, 1986: "The rendering equation"`.
 struct Work {
-    /// The authors' family names.
+    /// The authors' whole names, each of which ends with the family name.
     authors: Vec<String>,
     year: String,
     title: String,
@@ -20,20 +20,18 @@ impl Work {
         let (authors, year) = made.rsplit_once(", ")?;
         let title = title.split(['"', '*']).nth(1)?;
         let names = authors.split(", ").flat_map(|names| names.split(" and "));
-        let families = names.filter_map(|name| name.split_whitespace().next_back());
         is_year(year).then(|| Self {
-            authors: families.map(str::to_owned).collect(),
+            authors: names.map(str::to_owned).collect(),
             year: year.to_owned(),
             title: title.to_owned(),
         })
     }
 
-    /// Where the names of its authors with which a text ends begin; none if it does not end with one.
+    /// Where the names of its authors with which a text ends begin; none if it does not end with one. A name may be the family name alone, or
+    /// more of the name.
     fn names(&self, text: &str) -> Option<usize> {
-        let start = text.rfind([' ', '(']).map_or(0, |space| space + 1);
-        if !self.authors.iter().any(|author| *author == text[start..]) {
-            return None;
-        }
+        let starts = self.authors.iter().filter_map(|author| ends(text, author));
+        let start = starts.min()?;
         let before = &text[..start];
         let before = before.strip_suffix(" and ").or(before.strip_suffix(", "));
         before.and_then(|before| self.names(before)).or(Some(start))
@@ -85,12 +83,23 @@ impl Works {
                 .strip_suffix(" (")
                 .or(text[..at].strip_suffix(' '))?;
             let name = before.strip_suffix(" and others").unwrap_or(before);
-            let mut of_year = self.0.iter().filter(|work| work.year == year);
-            let (start, work) = of_year.find_map(|work| Some((work.names(name)?, work)))?;
+            let of_year = self.0.iter().filter(|work| work.year == year);
+            let cited = of_year.filter_map(|work| Some((work.names(name)?, work)));
+            // Of two works, the one of which more names stand here, and fewer are missing.
+            let (start, work) = cited.min_by_key(|(start, work)| (*start, work.authors.len()))?;
             let closed = text[before.len()..at].contains('(') && text[at + 4..].starts_with(')');
             Some((start, at + 4 + usize::from(closed), work))
         })
     }
+}
+
+/// Where the name of an author with which a text ends begins: the family name, with as much of the name before it as stands there.
+fn ends(text: &str, author: &str) -> Option<usize> {
+    let words = author.match_indices(' ').map(|(space, _)| space + 1);
+    let names = [0].into_iter().chain(words).map(|start| &author[start..]);
+    let starts = names.filter_map(|name| text.strip_suffix(name));
+    let mut starts = starts.filter(|before| before.is_empty() || before.ends_with([' ', '(']));
+    starts.next().map(str::len)
 }
 
 /// Whether a word is the number of a year.
@@ -104,7 +113,8 @@ mod tests {
 
     #[test]
     fn a_citation_leads_to_its_work() {
-        let text = "- James T. Kajiya, 1986: \"The rendering equation\".\n- Eric Veach and Leonidas J. Guibas, 1995: \"Optimally\".";
+        let text = "- Timothy L. Kay and James T. Kajiya, 1986: \"Slabs\".\n- James T. Kajiya, 1986: \"The rendering equation\".\n\
+            - Eric Veach and Leonidas J. Guibas, 1995: \"Optimally\".";
         let pages = [Page {
             name: BIBLIOGRAPHY.to_owned(),
             text: text.to_owned(),
@@ -122,6 +132,14 @@ mod tests {
             (
                 "(Kajiya 1986, Veach and Guibas 1995)",
                 "([Kajiya 1986](bibliography.md#the-rendering-equation), [Veach and Guibas 1995](bibliography.md#optimally))",
+            ),
+            (
+                "(Kay and Kajiya 1986)",
+                "([Kay and Kajiya 1986](bibliography.md#slabs))",
+            ),
+            (
+                "by Eric Veach and Leonidas J. Guibas (1995).",
+                "by [Eric Veach and Leonidas J. Guibas (1995)](bibliography.md#optimally).",
             ),
             (
                 "Kajiya and others 1986",

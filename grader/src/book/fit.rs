@@ -3,8 +3,8 @@
 /// The width of a page of the book: the maximum number of characters in a line of a listing.
 pub const WIDEST: usize = 85;
 
-/// The text, its common indent taken away, with every line that is too long broken at a space: comments go on as comments, code
-/// two steps further in.
+/// The text, its common indent taken away, with every line that is too long broken at a space, in code after a comma if there is one:
+/// comments go on as comments, code two steps further in.
 pub(super) fn fit(text: &str) -> String {
     let lines = || text.lines().filter(|line| !line.trim().is_empty());
     let indent = lines().map(|line| line.len() - line.trim_start().len());
@@ -63,22 +63,25 @@ fn broken(line: &str) -> Option<(&str, String)> {
         return Some((line[..place].trim_end(), next));
     }
     let next = comment.map_or_else(|| format!("{indent}        "), |(mark, _)| mark.to_owned());
-    let place = last_space(line, next.len())?;
+    let after_comma = last_space(line, WIDEST / 2, |before| before.ends_with(','));
+    let place = after_comma
+        .filter(|_| comment.is_none())
+        .or_else(|| last_space(line, next.len(), |_| true))?;
     Some((
         line[..place].trim_end(),
         format!("{next}{}", line[place..].trim_start()),
     ))
 }
 
-/// The last space before the margin and after `from`, outside of strings.
-fn last_space(line: &str, from: usize) -> Option<usize> {
+/// The last space before the margin and after `from`, outside of strings, that stands `after` what it should.
+fn last_space(line: &str, from: usize, after: impl Fn(&str) -> bool) -> Option<usize> {
     let (mut quoted, mut place) = (false, None);
     for (column, (i, c)) in line.char_indices().enumerate() {
         if column > WIDEST {
             break;
         }
         quoted ^= c == '"';
-        if c == ' ' && !quoted && i > from {
+        if c == ' ' && !quoted && i > from && after(&line[..i]) {
             place = Some(i);
         }
     }
@@ -127,6 +130,18 @@ mod tests {
         assert_eq!(
             fit(&format!("    {code} {comment}\n")),
             format!("{code}\n        {comment}\n")
+        );
+    }
+
+    #[test]
+    fn code_is_broken_after_a_comma() {
+        let parameters = "first: Vec3, second: Vec3, third: Vec3, fourth: f64";
+        assert_eq!(
+            fit(&format!(
+                "def sphere_hit({parameters}, fifth: f64) -> f64 | None:\n"
+            )),
+            format!("def sphere_hit({parameters},\n        fifth: f64) -> f64 | None:\n"),
+            "Python goes on in the next line within parentheses only"
         );
     }
 

@@ -17,7 +17,8 @@
 //! | `{{measured proof}}` | what a test measured and wrote down in `golden/measured`: a table, or a sentence of a paragraph |
 //!
 //! Besides, `chapter 7` and `Kajiya 1986` in a text become links, and so do names in back quotes: exercises, commands, files and items of the
-//! library. In a listing, the library's names are links. Above a lesson stands how long it takes to read, and which lessons it needs.
+//! library. In a listing, the library's names are links. Above a lesson stands how long it takes to read, and which lessons it needs. The
+//! terms of the glossary become headings.
 
 mod citation;
 mod code;
@@ -34,6 +35,7 @@ mod measured;
 mod mistakes;
 mod names;
 mod order;
+mod terms;
 mod text;
 mod turn;
 
@@ -42,6 +44,7 @@ use crate::examine::Examiner;
 use clap::Command;
 use directive::Directive;
 use std::path::PathBuf;
+use terms::Terms;
 use text::Links;
 
 pub use fit::WIDEST;
@@ -88,13 +91,26 @@ impl Book {
         let links = Links::of(&self.pages, &self.command);
         let mut expanded = String::with_capacity(2 * source.len());
         let mut fenced = false;
-        for (line, number) in source.lines().zip(1..) {
+        let mut terms = Terms::default();
+        let mut lines = source.lines().zip(1..).peekable();
+        while let Some((line, number)) = lines.next() {
             let at = |what| BookError {
                 page: page.to_owned(),
                 line: number,
                 what,
             };
             fenced ^= line.starts_with("```");
+            let below = lines.peek().map_or("", |(below, _)| below);
+            if let Some((heading, definition)) = terms.heading(line, below) {
+                expanded.extend([
+                    &heading,
+                    "\n",
+                    &text::linked(page, definition, &links),
+                    "\n",
+                ]);
+                lines.next();
+                continue;
+            }
             match directive::read(line).map_err(at)? {
                 Some(directive) => {
                     expanded.push_str(&self.become_text(page, &directive, &links).map_err(at)?);

@@ -66,6 +66,33 @@ fn a_work_without_a_place_is_noticed() {
     }
 }
 
+#[test]
+fn a_citation_stands_on_one_line() {
+    // What is broken over two lines does not become a link.
+    let bibliography = page("bibliography.md");
+    let works = bibliography.lines().filter_map(|line| {
+        let (authors, _) = line.strip_prefix("- ")?.split_once(": ")?;
+        let (authors, year) = authors.rsplit_once(", ")?;
+        Some((authors.rsplit(' ').next()?, year))
+    });
+    let works: Vec<_> = works.collect();
+    for (name, text) in pages() {
+        let lines: Vec<_> = text.lines().collect();
+        for pair in lines.windows(2) {
+            let below = pair[1].trim_start_matches('(');
+            let broken = works
+                .iter()
+                .find(|(author, year)| pair[0].ends_with(author) && below.starts_with(year));
+            assert!(
+                broken.is_none(),
+                "book/src/{name}: write the year on the line of the author: {} {}",
+                pair[0],
+                pair[1]
+            );
+        }
+    }
+}
+
 /// The title of a work: the first part in quotation marks or in italics after the year.
 fn title(work: &str) -> Option<&str> {
     let rest = work.split_once(": ")?.1;

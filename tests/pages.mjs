@@ -34,6 +34,9 @@ async function examine({ page, fault }, name) {
     fault(`${impact} ${id}: ${nodes.length} times, first ${nodes[0].html.slice(0, 160)} (${nodes[0].any.concat(nodes[0].all)[0]?.message ?? ""})`);
   const [inside, window] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
   if (inside > window) fault(`the page is ${inside} pixels wide in a window of ${window}`);
+  const small = await page.evaluate(() => [...document.querySelectorAll("figure > svg :is(text, tspan)")]
+    .map(word => [word.textContent, parseFloat(getComputedStyle(word).fontSize) * word.ownerSVGElement.getScreenCTM().a]).filter(([, pixels]) => pixels < 11));
+  if (small.length) fault(`${small.length} words of drawings are less than 11 pixels high: "${small[0][0]}" has ${small[0][1].toFixed(1)}`);
   if (shots) {
     mkdirSync(shots, { recursive: true });
     await page.screenshot({ path: `${shots}/${name}.png`, fullPage: inside <= window && name.startsWith("watch") });

@@ -1,7 +1,7 @@
-// What is wider than the page and scrolls by itself can be scrolled by the keyboard too: a formula, a listing, a table.
+// What is wider than the page and scrolls by itself can be scrolled by the keyboard too: a formula, a listing, a table, a drawing.
 (() => {
   "use strict";
-  const WIDE = ".katex-display, pre > code, .table-wrapper, figure > a";
+  const WIDE = ".katex-display, pre > code, .table-wrapper, figure, figure > a";
   function reach() {
     for (const part of document.querySelectorAll(WIDE)) {
       if (part.matches("a[href]")) continue; // a link is reached already

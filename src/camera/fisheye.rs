@@ -5,20 +5,20 @@ use crate::math::{dir3::Dir3, ray::Ray};
 use glam::{Vec2, vec2};
 use std::f32::consts::TAU;
 
-/// The function r(θ) of a fisheye: the distance from the middle of the disc, in focal lengths, at which a direction is drawn that
-/// makes the angle θ with the optical axis.
+/// The function ρ(α) of a fisheye: the distance from the middle of the disc, in focal lengths, at which a direction is drawn that
+/// makes the angle α with the optical axis.
 ///
 /// (The four are compared in Kannala and Brandt, "A generic camera model and calibration method for conventional,
 /// wide-angle, and fish-eye lenses", 2006.)
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Projection {
-    /// r = θ: equal angles are equal distances along a radius.
+    /// ρ = α: equal angles are equal distances along a radius.
     Equidistant,
-    /// r = 2 sin(θ/2): equal solid angles have equal areas, as in a mirror ball seen from far away.
+    /// ρ = 2 sin(α/2): equal solid angles have equal areas, as in a mirror ball seen from far away.
     Equisolid,
-    /// r = 2 tan(θ/2): angles are kept, so small things keep their shapes.
+    /// ρ = 2 tan(α/2): angles are kept, so small things keep their shapes.
     Stereographic,
-    /// r = sin θ: at most a hemisphere, as a globe looks from far away; areas are solid angle times cosine.
+    /// ρ = sin α: at most a hemisphere, as a globe looks from far away; areas are solid angle times cosine.
     Orthographic,
 }
 
@@ -32,23 +32,23 @@ impl Projection {
     ];
 
     // ANCHOR: fisheye_radius
-    /// r, in focal lengths, of an angle θ in radians.
-    pub fn radius(self, theta: f32) -> f32 {
+    /// ρ, in focal lengths, of an angle α in radians.
+    pub fn radius(self, alpha: f32) -> f32 {
         match self {
-            Self::Equidistant => theta,
-            Self::Equisolid => 2.0 * (0.5 * theta).sin(),
-            Self::Stereographic => 2.0 * (0.5 * theta).tan(),
-            Self::Orthographic => theta.sin(),
+            Self::Equidistant => alpha,
+            Self::Equisolid => 2.0 * (0.5 * alpha).sin(),
+            Self::Stereographic => 2.0 * (0.5 * alpha).tan(),
+            Self::Orthographic => alpha.sin(),
         }
     }
 
-    /// θ, in radians, of a radius r in focal lengths: the inverse of [`Projection::radius`].
-    pub fn angle(self, r: f32) -> f32 {
+    /// α, in radians, of a radius ρ in focal lengths: the inverse of [`Projection::radius`].
+    pub fn angle(self, rho: f32) -> f32 {
         match self {
-            Self::Equidistant => r,
-            Self::Equisolid => 2.0 * (0.5 * r).min(1.0).asin(),
-            Self::Stereographic => 2.0 * (0.5 * r).atan(),
-            Self::Orthographic => r.min(1.0).asin(),
+            Self::Equidistant => rho,
+            Self::Equisolid => 2.0 * (0.5 * rho).min(1.0).asin(),
+            Self::Stereographic => 2.0 * (0.5 * rho).atan(),
+            Self::Orthographic => rho.min(1.0).asin(),
         }
     }
     // ANCHOR_END: fisheye_radius
@@ -71,7 +71,7 @@ impl Projection {
 pub struct Fisheye {
     pose: Pose,
     projection: Projection,
-    /// r at the rim of the disc: the disc's radius in focal lengths.
+    /// ρ at the rim of the disc: the disc's radius in focal lengths.
     rim: f32,
     aspect: f32,
 }
@@ -115,16 +115,16 @@ impl Fisheye {
     // ANCHOR: fisheye_ray
     /// The ray of a place on the film, in [0, 1]² from the top left; `None` beside the disc.
     ///
-    /// ρ is the distance of the place from the film's middle, 1 at the rim; θ is the angle of the radius ρ·r(view/2). The ray's
-    /// direction is forward, turned by θ towards the side on which the place is.
+    /// q is the distance of the place from the film's middle, 1 at the rim; α is the angle of the radius q·ρ(view/2). The ray's
+    /// direction is forward, turned by α towards the side on which the place is.
     pub fn ray_through(&self, film: Vec2) -> Option<Ray> {
         let stretch = vec2(self.aspect.max(1.0), (1.0 / self.aspect).max(1.0));
         let p = vec2(2.0 * film.x - 1.0, 1.0 - 2.0 * film.y) * stretch;
-        let rho = p.length();
-        if rho > 1.0 {
+        let q = p.length();
+        if q > 1.0 {
             return None;
         }
-        let (sin, cos) = self.projection.angle(rho * self.rim).sin_cos();
+        let (sin, cos) = self.projection.angle(q * self.rim).sin_cos();
         let across = sin * p.normalize_or_zero();
         Some(self.pose.ray(Dir3::new_or(across.extend(-cos), -Dir3::Z)))
     }

@@ -62,7 +62,7 @@ impl Lens {
         self.focal_length / self.f_number
     }
 
-    /// v = f s/(s − f): the distance from the lens to the film, in metres, by the thin-lens equation 1/v + 1/s = 1/f.
+    /// d = f s/(s − f): the distance from the lens to the film, in metres, by the thin-lens equation 1/d + 1/s = 1/f.
     pub fn film_distance(&self) -> f32 {
         self.focal_length * self.focus / (self.focus - self.focal_length)
     }

@@ -21,7 +21,7 @@ pub struct ThinLens {
 pub struct Arrival {
     /// The place on the film, in [0, 1]² as for [`Camera::ray`], or outside [0, 1]² if the light misses the film.
     pub film: Vec2,
-    /// (v/x)²/cos θ: area on the film over area at the light's point, perpendicular to the ray, for one point of the lens.
+    /// (d/x)²/cos θ: area on the film over area at the light's point, perpendicular to the ray, for one point of the lens.
     pub magnified: f32,
     /// The ray from the point of the lens to the point that the light comes from.
     pub ray: Ray,
@@ -58,7 +58,7 @@ impl ThinLens {
 
     /// A camera with the view of the pin-hole camera `view`, through an aperture of the given `diameter`, in metres.
     ///
-    /// The film stays at the distance v behind the lens, and f = v s/(v + s) follows from the thin-lens equation.
+    /// The film stays at the distance d behind the lens, and f = d s/(d + s) follows from the thin-lens equation.
     ///
     /// # Errors
     /// As for [`Lens::new`].

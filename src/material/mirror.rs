@@ -13,7 +13,7 @@ pub struct Mirror {
 }
 
 // ANCHOR: reflect
-/// r = i − 2 (i·n) n: the mirror direction of i. i points to the surface; n may point to either side.
+/// m = i − 2 (i·n) n: the mirror direction of i. i points to the surface; n may point to either side.
 ///
 /// The part of i that is parallel to the surface stays, and the perpendicular part, (i·n) n, changes its sign.
 pub fn reflect(incoming: Dir3, normal: Dir3) -> Dir3 {

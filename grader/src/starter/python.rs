@@ -2,6 +2,7 @@
 
 use super::stub::{comment, parameters};
 use super::{StarterFile, readme};
+use crate::book::WIDEST;
 use crate::reader::python::{WORDS, class, read, type_of};
 use crate::reader::{Type, safe, types_of};
 use raybook_workbook::curriculum::{CHAPTERS, Chapter};
@@ -167,13 +168,13 @@ fn stubs(chapter: &Chapter) -> String {
     text
 }
 
-/// The function's head, up to its colon.
+/// The function's head, up to its colon: on one line if it is no wider than a listing of the book.
 pub fn signature(asked: &Asked) -> String {
     let one = |field: &Field| format!("{}: {}", parameter(field.name), type_of(field.kind));
     let given: Vec<_> = parameters(asked).iter().map(one).collect();
     let answer = type_of(asked.answer.kind);
     let line = format!("def {}({}) -> {answer}:", asked.name, given.join(", "));
-    if line.len() <= 100 {
+    if line.len() <= WIDEST {
         return line;
     }
     format!(

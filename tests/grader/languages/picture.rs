@@ -45,6 +45,31 @@ fn the_picture_grows_with_the_workbook() {
     }
 }
 
+/// The first hour of `book/src/how_to_read.md`.
+#[test]
+fn balls_with_light_and_shadows_take_the_functions_of_three_lessons() {
+    if !there_is("python3") {
+        return;
+    }
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let folder = new(home.path(), "rays", Language::Python);
+    let with = |chapters: &[&str]| {
+        for chapter in chapters {
+            let name = format!("{chapter}.py");
+            let solution = project("tests/solutions/python").join(&name);
+            fs::copy(solution, folder.join(&name)).expect("it can be copied");
+        }
+        let (code, said) = raybook_with(&folder, &["picture", "--width", "16"], &[]);
+        assert_eq!(code, 0, "{said}");
+        file::load(&folder.join("out/picture.png")).expect("it is drawn")
+    };
+    let flat = with(&["ch03_sphere"]);
+    let lit = with(&["ch12_phong"]);
+    let shadowed = with(&["ch15_shadows"]);
+    assert!(!flat.same_bits(&lit), "there is light");
+    assert!(!lit.same_bits(&shadowed), "there are shadows");
+}
+
 /// A function that answers nonsense draws what it can, and is told.
 #[test]
 fn a_function_that_is_wrong_ends_nothing() {

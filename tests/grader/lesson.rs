@@ -3,6 +3,7 @@
 use clap::Command;
 use raybook_common::project;
 use raybook_grader::book::{Book, BookError, Page, WIDEST};
+use raybook_grader::capstone::PARTS;
 use raybook_grader::cases;
 use raybook_workbook::curriculum::{CHAPTERS, Chapter};
 use std::collections::BTreeSet;
@@ -52,6 +53,7 @@ fn a_lesson_that_lacks_a_part_is_noticed() {
         "$$",
         "<details><summary>Answer</summary>",
         "raybook draw ch03",
+        "raybook picture",
         "doi.org",
     ] {
         let without = whole.replace(part, "");
@@ -241,6 +243,11 @@ fn wrong_parts(chapter: &Chapter, text: &str) -> Vec<String> {
         (part("What your tracer"), draw),
         (part("Further reading"), "https://doi.org/".to_owned()),
     ];
+    // Nothing is seen of the growing picture before there are balls.
+    let grows = |name: &str| PARTS[1..].iter().any(|part| part.exercise == name);
+    if chapter.exercises().iter().any(|asked| grows(asked.name)) {
+        needed.push((part("What your tracer"), "raybook picture".to_owned()));
+    }
     for exercise in chapter.exercises() {
         for (heading, word) in [
             ("Your turn", "turn"),

@@ -47,7 +47,7 @@ fn the_picture_grows_with_the_workbook() {
 
 /// The first hour of `book/src/how_to_read.md`.
 #[test]
-fn balls_with_light_and_shadows_take_the_functions_of_three_lessons() {
+fn a_lit_scene_with_shadows_takes_the_functions_of_four_lessons() {
     if !there_is("python3") {
         return;
     }
@@ -63,7 +63,7 @@ fn balls_with_light_and_shadows_take_the_functions_of_three_lessons() {
         assert_eq!(code, 0, "{said}");
         file::load(&folder.join("out/picture.png")).expect("it is drawn")
     };
-    let flat = with(&["ch03_sphere"]);
+    let flat = with(&["ch03_sphere", "ch04_plane"]);
     let lit = with(&["ch12_phong"]);
     let shadowed = with(&["ch15_shadows"]);
     assert!(!flat.same_bits(&lit), "there is light");

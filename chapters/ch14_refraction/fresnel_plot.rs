@@ -49,9 +49,12 @@ fn panel(canvas: &Canvas, title: &str, n1: f32, n2: f32) -> Drawn {
     let critical = (n2 < n1).then(|| (n2 / n1).asin().to_degrees());
     // Without a surface there is no such angle.
     let brewster = (n2 != n1).then(|| (n2 / n1).atan().to_degrees());
+    // The words at the left of Brewster's angle stand above Rs, the highest curve.
+    let above = |angle: f32| fresnel(angle.to_radians().cos(), n1, n2).s + 0.06;
+    let height = brewster.filter(|_| n1 < n2).map_or(0.5, above).max(0.5);
     // A line up to a height with its name beside it, and a dot where the curve touches the axis.
     let marks = [
-        (brewster, "Brewster's angle", 0.0, 0.5),
+        (brewster, "Brewster's angle", 0.0, height),
         (critical, "critical angle", 1.0, 0.6),
     ];
     for (angle, name, share, top) in marks {

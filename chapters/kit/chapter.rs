@@ -71,6 +71,11 @@ fn drawn(called: &str, chapter: &str, words: &[OsString]) -> Result<Vec<Output>,
         return Ok(vec![strip]);
     }
     let stage = Stage::new(lesson.name, shared.options, show, progress_bar());
+    if let Some(name) = &shared.vary.picture {
+        let stage = stage.until(name);
+        lesson.draw_turned(&stage, &matches)?;
+        return Ok(vec![vary::only(stage, name)?]);
+    }
     lesson.draw_turned(&stage, &matches)?;
     Ok(stage.into_outputs())
 }

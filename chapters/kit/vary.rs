@@ -17,8 +17,8 @@ pub struct Vary {
     /// Draw the picture that a knob changes at several values of this knob, side by side; --vary samples=1,4,16 works, too
     #[arg(long, value_name = "KNOB=A,B,…", value_parser = varied)]
     pub vary: Option<Varied>,
-    /// Another picture to vary, by its file's name
-    #[arg(long, requires = "vary")]
+    /// Draw only the picture with this file's name; with --vary, vary this picture
+    #[arg(long)]
     pub picture: Option<String>,
     /// Make an animation (APNG) of these pictures, two pictures a second
     #[arg(long, requires = "vary")]
@@ -105,9 +105,7 @@ pub fn draw(
         let own = folder.join(format!("{}_{}", what.name, value.replace(['/', '\\'], "_")));
         let stage = stage.in_folder(own).until(name);
         lesson.draw_turned(&stage, &knobs)?;
-        let names = stage.passed();
-        let picture = picture(&stage.into_outputs(), name, &names)?;
-        tiles.push((knob.label(value), picture));
+        tiles.push((knob.label(value), picture(stage, name)?));
     }
     let png = folder.join(format!("vary_{}.png", what.name));
     let tiles = as_large(&tiles);
@@ -152,17 +150,26 @@ fn find(lesson: &Lesson, name: &str) -> Result<Knob, String> {
     })
 }
 
-/// The picture of this name, as it was written for a display, or an error that says which names there are.
-fn picture(outputs: &[Output], name: &str, names: &[String]) -> Result<Image, Box<dyn Error>> {
+/// The picture of this name, as it was written for a display.
+fn picture(stage: Stage, name: &str) -> Result<Image, Box<dyn Error>> {
+    let one = only(stage, name)?;
+    Ok(file::load(&one.png)?)
+}
+
+/// The picture of this name, of a stage on which drawing ended with it.
+///
+/// # Errors
+/// If the chapter has no such picture: the error says which it has.
+pub fn only(stage: Stage, name: &str) -> Result<Output, String> {
+    let names = stage.passed();
     let is_it = |path: &Path| path.file_stem().is_some_and(|stem| stem == name);
-    let found = outputs.iter().find(|output| is_it(&output.png));
-    let found = found.ok_or_else(|| {
+    let mut outputs = stage.into_outputs().into_iter();
+    outputs.find(|output| is_it(&output.png)).ok_or_else(|| {
         format!(
             "--picture {name}: there is no such picture; there are {}",
             names.join(", ")
         )
-    })?;
-    Ok(file::load(&found.png)?)
+    })
 }
 
 /// The same pictures on white, all as wide and high as the widest and the highest.

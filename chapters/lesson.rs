@@ -77,10 +77,20 @@ impl Lesson {
 
     /// The files of `src/` that it introduces: its `New:` lines.
     pub fn new_files(&self) -> Vec<&'static str> {
-        let lists = self.header().filter_map(|line| line.strip_prefix("New: "));
+        self.listed("New: ")
+    }
+
+    /// Its pictures that every page shows pixel by pixel, because scaling would add patterns: its `Unscaled:` line.
+    pub fn unscaled(&self) -> Vec<&'static str> {
+        self.listed("Unscaled: ")
+    }
+
+    /// The words after this word, on all lines that begin with it.
+    fn listed(&self, first: &str) -> Vec<&'static str> {
+        let lists = self.header().filter_map(|line| line.strip_prefix(first));
         lists
             .flat_map(str::split_whitespace)
-            .map(|file| file.trim_end_matches(','))
+            .map(|word| word.trim_end_matches(','))
             .collect()
     }
 

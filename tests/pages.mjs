@@ -81,6 +81,41 @@ for (const [width, scheme] of views) {
   await examine(view, `watch-${width}-${scheme}`);
   await page.close();
 }
+
+// The page of `raybook present`, by the keyboard: its own size or the window's, more room, and the same state after a reload.
+const presents = others.find(other => other.startsWith("http"));
+if (presents) {
+  const { page, fault } = await open(presents.replace(/#.*/, "#ch22_antialiasing/zone_plates"), 1280, "dark", 720);
+  const right = (is, what) => is || fault(what);
+  const drawn = () => page.waitForFunction(() => document.getElementById("picture").naturalWidth && !document.getElementById("status").textContent, { timeout: 120_000 });
+  const isExact = () => page.$eval("#picture", one => one.getBoundingClientRect().width === one.naturalWidth);
+  const press = async key => { await page.keyboard.press(key); await page.evaluate(() => new Promise(requestAnimationFrame)); };
+  const count = () => page.$eval("#count", one => one.textContent), isHidden = id => page.$eval(id, one => one.hidden);
+  await drawn();
+  right(await isExact(), "rings are not scaled");
+  await press("1");
+  right(!await isExact(), "the key 1 scales them");
+  for (const [key, id] of [["c", "#words"], ["k", "#knobs"], ["b", "#black"]]) {
+    const before = await isHidden(id);
+    await press(key);
+    right(await isHidden(id) !== before, `the key ${key} works`);
+    await press(key);
+    right(await isHidden(id) === before, `the key ${key} works again`);
+  }
+  await page.focus("[data-knob=pattern]");
+  await page.select("[data-knob=pattern]", "halton");
+  await page.waitForFunction(() => location.hash.endsWith("?pattern=halton"));
+  await drawn();
+  const before = await count();
+  await page.reload();
+  await drawn();
+  const command = await page.$eval("#command", one => one.textContent);
+  right(await count() === before && command.endsWith("--picture picture --pattern halton"), `a reload keeps picture and knob: ${command}`);
+  right(await page.$eval("[data-knob=pattern]", one => one.value) === "halton", "the knob shows its value");
+  await press("r");
+  right(!(await page.$eval("#command", one => one.textContent)).includes("halton"), "the key r turns the knob back");
+  await page.close();
+}
 const { page } = await open(watch, 1400, "light");
 await page.waitForSelector("#sphere_hit-0-row", { timeout: 120_000 });
 await page.evaluate(() => { window.same = true; });

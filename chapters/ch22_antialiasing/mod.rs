@@ -7,6 +7,7 @@
 //! New: sample/pattern/n_rooks.rs sample/pattern/multi_jittered.rs sample/pattern/halton.rs sample/pattern/r2.rs
 //! New: sample/pattern/owen.rs sample/pattern/best_candidate.rs
 //! New: render/supersample.rs scene/horizon.rs
+//! Unscaled: zone_plates
 
 use crate::kit::chapter;
 use crate::kit::knobs;

@@ -58,17 +58,19 @@ fn section(folder: &Path, drawing: &Drawing) -> Markup {
                 @for (i, file) in lesson.new_files().iter().enumerate() { @if i > 0 { ", " } code { (file) } }
                 ". The " a href=(lesson_page(folder, chapter.name)) { "lesson" } " explains it, where " code { "book/build" } " has built the book."
             }
-            div class="figures" { @for output in outputs { (picture(folder, output)) } }
+            div class="figures" { @for output in outputs { (picture(folder, lesson, output)) } }
         }
     }
 }
 
 /// A picture that is also a link to the picture alone, and its caption. The page states the size of the picture, so that the page
 /// does not grow while its pictures are loaded.
-fn picture(folder: &Path, output: &Output) -> Markup {
+fn picture(folder: &Path, lesson: &Lesson, output: &Output) -> Markup {
     let file = link(folder, output.svg.as_ref().unwrap_or(&output.png));
     let (width, height) = output.size;
-    html! { figure {
+    let name = output.png.file_stem().unwrap_or_default();
+    let is_unscaled = lesson.unscaled().iter().any(|one| name == *one);
+    html! { figure class=[is_unscaled.then_some("unscaled")] {
         a href=(file) { img src=(file) alt=(output.caption) width=(width) height=(height) loading="lazy"; }
         figcaption {
             (output.caption)

@@ -7,7 +7,8 @@ const STYLE: &str = "
 body { font: 17px/1.5 system-ui, sans-serif; max-width: 1240px; margin: 2rem auto; padding: 0 1rem; color: #222; background: #fff; overflow-wrap: break-word }
 h1 { margin-bottom: 0 } section { margin-top: 3rem; border-top: 1px solid #ccc }
 .figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(480px, 100%), 1fr)); gap: 1.5rem }
-figure { margin: 0 } img { width: 100%; height: auto; background: #fff } figcaption { color: #444; font-size: 15px }
+figure { margin: 0; min-width: 0 } img { width: 100%; height: auto; background: #fff } figcaption { color: #444; font-size: 15px }
+.unscaled { grid-column: 1 / -1 } .unscaled a { display: block; overflow-x: auto } .unscaled img { width: auto; image-rendering: pixelated }
 table { border-collapse: collapse } th, td { padding: .2em .9em; border-bottom: 1px solid #ddd; text-align: right }
 th:first-child, td:first-child { text-align: left } .scroll { overflow-x: auto; max-width: 100% }
 code { background: #f0f0f0; padding: .1em .3em; border-radius: 3px; overflow-wrap: anywhere }

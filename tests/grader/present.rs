@@ -255,6 +255,27 @@ fn a_chapter_is_shown_and_a_knob_redraws_its_picture() {
 }
 
 #[test]
+fn a_drawing_is_sharp_on_every_projector() {
+    let server = Server::start();
+    let (status, _) = server.get("screens/ch14_refraction");
+    assert_eq!(status, 200);
+    for query in ["?quick=1", "", "?index=3&quick=1", "?index=3"] {
+        let path = format!("/{}/picture/ch14_refraction/fresnel{query}", server.token);
+        let host = &server.host;
+        let (head, body) = server.exchange(&format!("GET {path} HTTP/1.1\r\nHost: {host}\r\n\r\n"));
+        assert!(
+            head.contains("Content-Type: image/svg+xml\r\n"),
+            "{query}: {head}"
+        );
+        assert!(body.starts_with(b"<svg"), "{query}: it is an SVG");
+    }
+    let (_, course) = server.get("course.json");
+    let course = String::from_utf8(course).expect("it is text");
+    let unscaled = "\"unscaled\":[\"zone_plates\"]";
+    assert!(course.contains(unscaled), "rings are not scaled: {course}");
+}
+
+#[test]
 fn a_chapter_that_is_drawn_for_good_rests_while_a_knob_is_followed_and_goes_on_then() {
     let server = Server::of_width("480");
     let folder = server.out.path().join("ch07_mesh");
@@ -324,6 +345,17 @@ fn what_the_page_shows_as_command_draws_the_chapter() {
     let said = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(2));
     assert!(said.contains("a number from 0.02 to 0.8"), "{said}");
+}
+
+#[test]
+fn help_after_a_chapter_tells_its_knobs() {
+    let output = Command::new(env!("CARGO_BIN_EXE_raybook"))
+        .args(["chapter", "14", "--help"])
+        .output()
+        .expect("it runs");
+    let said = String::from_utf8_lossy(&output.stdout);
+    assert!(output.status.success(), "{said}");
+    assert!(said.contains("--index <1..3>"), "{said}");
 }
 
 #[test]

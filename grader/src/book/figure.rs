@@ -4,6 +4,7 @@ use super::text;
 use maud::{PreEscaped, html};
 use raybook::store;
 use raybook_chapters::kit::captions;
+use raybook_chapters::lesson;
 use std::path::Path;
 
 /// The size of letters that can be read, in pixels of the page.
@@ -33,7 +34,13 @@ pub(super) fn expand(page: &str, name: &str, alt: &str, pictures: &Path) -> Resu
     let sheet = sheet.as_deref().and_then(narrowest_sheet);
     let form = if drawing.is_some() { "svg" } else { "png" };
     let file = format!("pictures/{chapter}/{name}.{form}");
-    let class = drawing.map(|_| "drawing").or(sheet.map(|_| "sheet"));
+    let is_unscaled = lesson::find(chapter).is_some_and(|one| one.unscaled().contains(&name));
+    let class = match (drawing, sheet) {
+        (Some(_), _) => Some("drawing"),
+        (_, Some(_)) if is_unscaled => Some("sheet unscaled"),
+        (_, Some(_)) => Some("sheet"),
+        (None, None) => None,
+    };
     let style = drawing
         .or(sheet)
         .map(|pixels| format!("--narrowest: {pixels}px"));
@@ -115,6 +122,13 @@ mod tests {
         }
         let sheet = figure("sheet");
         assert!(sheet.contains("class=\"sheet\"") && sheet.contains("--narrowest: 594px"));
+        store::write(
+            &pictures.path().join("ch22_antialiasing/zone_plates.png"),
+            &png,
+        )
+        .expect("it can be written");
+        let rings = figure("ch22_antialiasing/zone_plates");
+        assert!(rings.contains("class=\"sheet unscaled\""), "{rings}");
         let picture = figure("picture");
         assert!(
             picture.contains("src=\"pictures/ch03_sphere/picture.png\"")

@@ -50,6 +50,11 @@ impl Answer {
         Self::of("200 OK", "image/png", body)
     }
 
+    /// The bytes of an SVG file.
+    pub fn svg(body: Vec<u8>) -> Self {
+        Self::of("200 OK", "image/svg+xml", body)
+    }
+
     /// The same with a caption, in a header of this name.
     #[must_use]
     pub fn captioned(self, caption: &str) -> Self {

@@ -125,13 +125,17 @@ impl Studio {
             let kept = self.options.out.join(&png);
             return match self.kept(&kept) {
                 Some(picture) => picture,
-                None if grade == Grade::Quick => read(&self.scratch("sketches").join(&png)),
+                None if grade == Grade::Quick => {
+                    let sketch = read(&self.scratch("sketches").join(&png));
+                    sketch.unwrap_or_else(Answer::unknown)
+                }
                 None => self.wait(lesson, &kept),
             };
         }
         let told = |outputs: &[Output]| match outputs.last() {
             Some(output) if output.png.ends_with(&png) => {
-                read(&output.png).captioned(&output.caption)
+                let picture = read(&output.png).unwrap_or_else(Answer::unknown);
+                picture.captioned(&output.caption)
             }
             _ => Answer::unknown(),
         };
@@ -154,8 +158,8 @@ impl Studio {
             captions::find(&text, png.file_stem()?.to_str()?).map(str::to_owned)
         };
         let caption = self.for_good.caption(png).or_else(before)?;
-        let bytes = store::read(png).ok()?;
-        Some(Answer::png(bytes).captioned(&caption))
+        let picture = read(png)?;
+        Some(picture.captioned(&caption))
     }
 
     /// Has a chapter's pictures drawn for good, if nobody does so yet, until this one is there.
@@ -289,8 +293,10 @@ impl Studio {
     }
 }
 
-fn read(png: &Path) -> Answer {
-    store::read(png).map_or_else(|_| Answer::unknown(), Answer::png)
+/// A picture that is there: of a drawing its SVG, which is sharp on every projector.
+fn read(png: &Path) -> Option<Answer> {
+    let svg = store::read(&png.with_extension("svg")).map(Answer::svg);
+    svg.or_else(|_| store::read(png).map(Answer::png)).ok()
 }
 
 /// The arguments that turn the knobs of a query: those of the chapter that no file belongs to.

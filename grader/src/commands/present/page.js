@@ -1,6 +1,7 @@
 // The page of `raybook present`: steps through the pictures, and turns the knobs.
 const at = id => document.getElementById(id);
 let course = [], chapter = 0, screen = 0, screens = [], complete = false, later = null, turned = {}, shown = "", wanted = 0, timer = 0;
+const asked = new Map();
 
 /** Asks for something, again and again while it is wanted and another drawing is in the way. */
 async function ask(path, turn = wanted, patience = 300) {
@@ -27,10 +28,10 @@ async function tell(since = null) {
 
 function fail(error) { at("status").textContent = error.message.split("\n")[0]; }
 
-/** Shows a chapter, at its first picture, its last (-1), or the one of a name. */
-async function open(number, which = 0) {
+/** Shows a chapter, at its first picture, its last (-1), or the one of a name, with knobs that are turned. */
+async function open(number, which = 0, set = {}) {
   chapter = Math.max(0, Math.min(course.length - 1, number));
-  turned = {}; shown = ""; screens = []; complete = false; later = null;
+  turned = set; shown = ""; screens = []; complete = false; later = null;
   const turn = ++wanted, { name, number: n, title, teaches } = course[chapter];
   at("note").textContent = "";
   at("chapters").value = chapter;
@@ -57,6 +58,9 @@ async function rest(turn) {
   at("count").textContent = screen + 1 + " / " + screens.length;
   if (later) later();
 }
+
+/** The picture on the screen, as part of an address. */
+const place = () => course[chapter].name + "/" + screens[screen].name;
 
 /** The knobs that are turned, as part of an address. */
 const query = () => new URLSearchParams(turned).toString();
@@ -91,12 +95,13 @@ async function follow(knob) {
 /** Shows the picture: at first what is quick, then what is good. */
 async function show() {
   const turn = ++wanted, { name, caption } = screens[screen], { name: of } = course[chapter];
-  history.replaceState(null, "", "#" + of + "/" + name);
+  // Who keeps this address comes back to this picture.
+  history.replaceState(null, "", "#" + place() + (query() && "?" + query()));
   at("count").textContent = screen + 1 + " / " + (complete ? screens.length : "…");
   at("caption").textContent = caption;
   at("picture").alt = caption;
   const words = Object.entries(turned);
-  at("command").textContent = course[chapter].command + words.map(([knob, value]) => " --" + knob + " " + value).join("");
+  at("command").textContent = course[chapter].command + " --picture " + name + words.map(([knob, value]) => " --" + knob + " " + value).join("");
   shown = query();
   at("status").textContent = "drawing …";
   try {
@@ -109,13 +114,24 @@ async function show() {
       if (said) at("caption").textContent = decodeURIComponent(said);
       const picture = URL.createObjectURL(await answer.blob()), before = at("picture").src;
       at("picture").src = picture;
-      at("picture").className = quick === "quick=1" ? "quick" : "";
+      at("picture").onload = size;
+      at("picture").className = quick.split("=")[0];
       if (quick === "half=1") at("status").textContent = "drawing in full …";
       if (before.startsWith("blob:")) URL.revokeObjectURL(before);
     }
     at("status").textContent = "";
     await rest(turn);
   } catch (error) { if (turn === wanted) fail(error); }
+}
+
+/** Whether the picture on the screen is shown pixel by pixel: as the key has said for it, or else as it must be. */
+const isExact = () => asked.get(place()) ?? course[chapter].unscaled.includes(screens[screen].name);
+
+/** Gives the picture its size: one screen pixel for each of its pixels, or the size of the window. */
+function size() {
+  const picture = at("picture"), exact = isExact() && picture.className === "";
+  document.body.classList.toggle("exact", exact);
+  picture.style.width = exact ? picture.naturalWidth / devicePixelRatio + "px" : "";
 }
 
 function step(by) {
@@ -129,8 +145,8 @@ function step(by) {
 
 /** The chapter's knobs: what is turned is drawn as soon as the hand rests for a moment. */
 function knobs() {
-  const place = at("knobs");
-  place.replaceChildren();
+  const panel = at("knobs");
+  panel.replaceChildren();
   for (const knob of course[chapter].knobs) {
     const label = document.createElement("label"), name = document.createElement("b"), value = document.createElement("output");
     const help = document.createElement("small"), input = document.createElement(knob.kind === "choice" ? "select" : "input");
@@ -141,7 +157,7 @@ function knobs() {
     if (knob.kind === "choice") {
       if (knob.default === null) input.append(new Option("as it is", ""));
       for (const word of knob.words) input.append(new Option(word, word));
-      input.value = knob.default ?? "";
+      input.set = value => input.value = value ?? "";
     } else {
       // Where the range goes over decades from above zero, so does the slider.
       const decades = knob.least > 0 && knob.most / knob.least > 50, whole = Number.isInteger(knob.least) && Number.isInteger(Number(knob.default ?? .5)) && knob.most - knob.least > 2;
@@ -152,7 +168,7 @@ function knobs() {
         return Math.min(knob.most, Math.max(knob.least, rounded));
       };
       Object.assign(input, { type: "range", min: 0, max: 1, step: .002 });
-      input.value = knob.default === null ? 1 : onto(Number(knob.default));
+      input.set = value => input.value = value === null ? 1 : onto(Number(value));
       input.read = () => from(Number(input.value));
     }
     const without = knob.instead.length ? "by " + knob.instead.join(", ").replaceAll("-", " ") : "as it is";
@@ -161,7 +177,7 @@ function knobs() {
       const read = String(input.read ? input.read() : input.value);
       if (read === "" || read === knob.default) delete turned[knob.name]; else turned[knob.name] = read;
       // Of two knobs that exclude each other, the one that is turned counts.
-      for (const other of knob.instead) { delete turned[other]; place.querySelector(`[data-knob="${other}"]`).reset(); }
+      for (const other of knob.instead) { delete turned[other]; panel.querySelector(`[data-knob="${other}"]`).reset(); }
       say();
       clearTimeout(timer);
       timer = setTimeout(() => screens.length && follow(knob), 120);
@@ -169,11 +185,11 @@ function knobs() {
     // After the mouse, keys step again; who came by keyboard goes on by keyboard.
     input.addEventListener(knob.kind === "choice" ? "change" : "pointerup", () => input.blur());
     input.dataset.knob = knob.name;
-    const untouched = input.value;
-    input.reset = () => { input.value = untouched; say(); };
+    input.reset = () => { input.set(knob.default); say(); };
+    input.set(turned[knob.name] ?? knob.default);
     say();
     label.append(name, value, input, help);
-    place.append(label);
+    panel.append(label);
   }
 }
 
@@ -185,6 +201,8 @@ const keys = {
   b: () => at("black").hidden = !at("black").hidden, ".": () => keys.b(),
   f: () => document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen(),
   k: () => at("knobs").hidden = !at("knobs").hidden,
+  c: () => at("words").hidden = !at("words").hidden,
+  1: () => { if (screens.length) { asked.set(place(), !isExact()); size(); } },
   r: () => { turned = {}; knobs(); if (screens.length) show(); },
   "?": () => at("keys").open ? at("keys").close() : at("keys").showModal(),
 };
@@ -192,7 +210,7 @@ addEventListener("keydown", event => {
   const inside = event.target.closest("input, select, dialog, button");
   if (event.ctrlKey || event.metaKey || event.altKey) return;
   if (event.key === "Escape") { document.activeElement.blur(); return; }
-  if (inside && !["b", "f", "k", "?"].includes(event.key)) return;
+  if (inside && !["b", "f", "k", "c", "1", "?"].includes(event.key)) return;
   const act = keys[event.key];
   if (act) { event.preventDefault(); act(); }
 });
@@ -204,6 +222,10 @@ tell();
 ask("course.json").then(answer => answer.json()).then(all => {
   course = all;
   all.forEach(({ number, title }, i) => at("chapters").append(new Option(number + "  " + title, i)));
-  const [name, picture] = location.hash.slice(1).split("/");
-  open(Math.max(0, all.findIndex(one => one.name === name)), picture);
+  const go = () => {
+    const [where, set] = location.hash.slice(1).split("?"), [name, picture] = where.split("/");
+    open(Math.max(0, all.findIndex(one => one.name === name)), picture, Object.fromEntries(new URLSearchParams(set)));
+  };
+  addEventListener("hashchange", go);
+  go();
 }).catch(fail);

@@ -27,6 +27,7 @@ fn chapter(lesson: &Lesson) -> Value {
         "title": chapter.title,
         "teaches": lesson.teaches(),
         "command": command(lesson),
+        "unscaled": lesson.unscaled(),
         "knobs": knobs.map(|knob| of_knob(&knob)).collect::<Value>(),
     })
 }

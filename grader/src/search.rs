@@ -107,6 +107,8 @@ pub struct How {
     pub drops: bool,
     /// A hit ends the interval.
     pub shortens: bool,
+    /// From the first hit on, the interval begins at 0.
+    pub begins_again: bool,
     /// Which hit stays.
     pub keeps: Keeps,
     /// Ends at the first leaf with a hit.
@@ -126,6 +128,7 @@ const WELL: How = How {
     order: Order::Nearest,
     drops: true,
     shortens: true,
+    begins_again: false,
     keeps: Keeps::Nearest,
     stops: false,
     stops_in_leaf: false,
@@ -283,6 +286,9 @@ impl Search<'_> {
         if let Some(hit) = &hit {
             if self.how.shortens {
                 self.within = self.within.before(hit.t);
+            }
+            if self.how.begins_again {
+                self.within.min = 0.0;
             }
             let stays = |best: &MeshHitAnswer| match self.how.keeps {
                 Keeps::Nearest => hit.t < best.t,

@@ -567,6 +567,57 @@ pub const MISTAKES: &[Slip] = &[
     ),
     slip(
         "grid_walk",
+        "goes on to the end of the grid",
+        &["past the interval's max"],
+        |q, right| {
+            let inside = right(q);
+            let endless = misread(q, right, |q| q[16] = f64::INFINITY);
+            if inside[0] > 0.0 { endless } else { inside }
+        },
+    ),
+    slip(
+        "grid_walk",
+        "walks to the end of the grid, with distances up to the interval's end",
+        &["but not the walk"],
+        |q, right| {
+            let inside = right(q);
+            let endless = misread(q, right, |q| q[16] = f64::INFINITY);
+            let cut = changed(endless, |n| {
+                n[1..].chunks_mut(4).for_each(|c| c[3] = c[3].min(q[16]))
+            });
+            if inside[0] > 0.0 { cut } else { inside }
+        },
+    ),
+    slip(
+        "mesh_hit",
+        "begins at 0 again after a hit",
+        &["at 0 again"],
+        |q, right| {
+            let mut best = vec![0.0];
+            let mut q = q.to_vec();
+            let triangles = q.split_off(8)[1..].to_vec();
+            for (i, triangle) in triangles.chunks(9).enumerate() {
+                let hit = right(&[&q[..], &[1.0], triangle].concat());
+                if let [_, t, _] = hit[..] {
+                    (q[6], q[7]) = (0.0, t);
+                    best = vec![1.0, t, i as f64];
+                }
+            }
+            best
+        },
+    ),
+    slip(
+        "refine_cell",
+        "all shapes in the first cell",
+        &["the first fine cell"],
+        |q, right| {
+            let entries = (0..q[7] as u32).map(|shape| [0.0, 0.0, 0.0, shape.into()]);
+            let entries: Vec<_> = entries.collect();
+            [&right(q)[..3], &[q[7]], &entries.concat()].concat()
+        },
+    ),
+    slip(
+        "grid_walk",
         "y and z exchanged",
         &["y and z"],
         |q, right| {

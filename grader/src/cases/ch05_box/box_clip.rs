@@ -93,6 +93,14 @@ impl Graded for BoxClip {
             },
         },
         Mistake {
+            name: "lets a comparison with NaN decide where a ray runs in a face",
+            hint: "In a face, one of the slab's two distances is 0/0, which is NaN: which of two numbers do your comparisons, or the least and the greatest of two vectors, take if one is NaN?",
+            answer: |q| {
+                let order = |a, b, _| (if a < b { a } else { b }, if a > b { a } else { b });
+                slabs(q, order, |min, max| min <= max)
+            },
+        },
+        Mistake {
             name: "skips an axis along which the ray does not move",
             hint: "A ray parallel to a slab is inside it always, or never: which?",
             answer: |q| {

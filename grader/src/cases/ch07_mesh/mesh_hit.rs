@@ -87,6 +87,24 @@ impl Graded for MeshHit {
             answer: |q| Self::misread(q, |q| q.within.min = f32::NEG_INFINITY),
         },
         Mistake {
+            name: "begins the interval at 0 again once something is hit",
+            hint: "A hit ends the interval at its distance: what becomes of the interval's beginning?",
+            answer: |q| {
+                let ahead = Self {
+                    within: Interval::new(0.0, q.within.max),
+                    ..q.clone()
+                };
+                let (mut within, mut nearest) = (q.within, None);
+                for hit in hits(&ahead) {
+                    if within.contains(hit.t) {
+                        within = Interval::new(0.0, hit.t);
+                        nearest = Some(hit);
+                    }
+                }
+                nearest
+            },
+        },
+        Mistake {
             name: "forgets the last triangle",
             hint: "Try a list of a single triangle.",
             answer: |q| {

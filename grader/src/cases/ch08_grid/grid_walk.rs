@@ -139,6 +139,16 @@ impl Graded for GridWalk {
             answer: |q| walked(q, Interval::new(q.within.min, f32::INFINITY)),
         },
         Mistake {
+            name: "goes on to the last cell of the grid, also past the interval's max",
+            hint: "The interval may end in the middle of the grid: in which cell, and when does your loop end?",
+            answer: |q| beyond(q, f32::INFINITY),
+        },
+        Mistake {
+            name: "ends the distances at the interval's max, but not the walk",
+            hint: "In which cell does the interval end? No cell after this one belongs to the answer.",
+            answer: |q| beyond(q, q.within.max),
+        },
+        Mistake {
             name: "starts before the interval's min",
             hint: "Where does the interval begin, and in which cell is the ray there?",
             answer: |q| walked(q, Interval::new(0.0, q.within.max)),
@@ -146,12 +156,12 @@ impl Graded for GridWalk {
         Mistake {
             name: "begins in the cell that is nearest to the ray's origin",
             hint: "The origin may lie outside the lattice: at which t does the ray enter, and which cell is there?",
-            answer: |q| student(q, |_| 0.0, ahead, nearest),
+            answer: |q| student(q, |_| 0.0, in_front, nearest),
         },
         Mistake {
             name: "begins in the cell where the interval begins, inside the lattice or not",
             hint: "Where the interval begins the ray may still be outside the lattice: at which t does it enter, and which cell is there?",
-            answer: |q| student(q, |q| q.within.min, ahead, nearest),
+            answer: |q| student(q, |q| q.within.min, in_front, nearest),
         },
         Mistake {
             name: "looks at a cell's upper plane even where the ray goes backwards",
@@ -162,7 +172,7 @@ impl Graded for GridWalk {
             name: "crosses the farthest plane first",
             hint: "The ray leaves the cell through the face that it meets first.",
             answer: |q| {
-                student(q, start, ahead, |next| {
+                student(q, start, in_front, |next| {
                     by_distance(next).pop().into_iter().collect()
                 })
             },
@@ -177,6 +187,17 @@ impl Graded for GridWalk {
                     .into_iter()
                     .take(if stays { 1 } else { usize::MAX })
                     .collect()
+            },
+        },
+        Mistake {
+            name: "steps along an axis along which the ray does not move",
+            hint: "Where a direction is 0, your division gives ∞ or −∞: which plane does the ray meet next along this axis, and is its distance the least of the three?",
+            answer: |q| {
+                let in_front = |d, i| ahead(d <= 0.0, i);
+                student(q, start, in_front, |next| {
+                    let least = |a: &usize, b: &usize| next[*a].total_cmp(&next[*b]);
+                    (0..3).min_by(least).into_iter().collect()
+                })
             },
         },
         Mistake {
@@ -198,7 +219,7 @@ impl Graded for GridWalk {
             name: "steps along two axes at once",
             hint: "A ray leaves a cell through one face: which of the three numbers changes then?",
             answer: |q| {
-                student(q, start, ahead, |next| {
+                student(q, start, in_front, |next| {
                     let mut axes = by_distance(next);
                     axes.truncate(2);
                     axes
@@ -334,9 +355,28 @@ fn walked(q: &GridWalk, within: Interval) -> Vec<Visit> {
     })
 }
 
+/// A walk to the end of the lattice, of a ray that enters the lattice within its interval; no distance is greater than `end`.
+fn beyond(q: &GridWalk, end: f32) -> Vec<Visit> {
+    if GridWalk::answer(q).is_empty() {
+        return Vec::new();
+    }
+    let visits = walked(q, Interval::new(q.within.min, f32::INFINITY)).into_iter();
+    visits
+        .map(|visit| Visit {
+            leave: visit.leave.min(end),
+            ..visit
+        })
+        .collect()
+}
+
 /// The number of the plane that the ray meets next, from that of its cell.
 fn ahead(backward: bool, cell: i64) -> i64 {
     if backward { cell } else { cell + 1 }
+}
+
+/// The same, from the ray's direction along the axis.
+fn in_front(direction: f32, cell: i64) -> i64 {
+    ahead(direction.is_sign_negative(), cell)
 }
 
 /// The axes along which the ray meets a plane, that of the nearest plane first.
@@ -358,7 +398,7 @@ fn nearest(next: [f32; 3]) -> Vec<usize> {
 fn student(
     q: &GridWalk,
     begin: fn(&GridWalk) -> f32,
-    plane: fn(bool, i64) -> i64,
+    plane: fn(f32, i64) -> i64,
     choose: fn([f32; 3]) -> Vec<usize>,
 ) -> Vec<Visit> {
     let lattice: Lattice = q.lattice();
@@ -370,7 +410,7 @@ fn student(
     for _ in 0..lattice.resolution.element_sum() {
         let next = [0, 1, 2].map(|axis| {
             let (o, d) = (q.ray.origin[axis], q.ray.direction[axis]);
-            let number = plane(d.is_sign_negative(), i64::from(cell[axis])) as f32;
+            let number = plane(d, i64::from(cell[axis])) as f32;
             let t = (lattice.min[axis] + number * lattice.cell[axis] - o) / d;
             if t.is_nan() { f32::INFINITY } else { t }
         });
@@ -379,7 +419,7 @@ fn student(
         let leave = leave.min(q.within.max);
         let UVec3 { x, y, z } = cell;
         visits.push(Visit { x, y, z, leave });
-        let forward = |axis: usize| !q.ray.direction[axis].is_sign_negative();
+        let forward = |axis: usize| q.ray.direction[axis] > 0.0;
         let last = |axis: usize| {
             if forward(axis) {
                 lattice.resolution[axis] - 1

@@ -96,6 +96,11 @@ impl Graded for VoxelsOfTriangle {
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
+            name: "takes all cells of the bounding box",
+            hint: "A large slanting triangle has a large bounding box: is it everywhere in it?",
+            answer: |q| kept(q, |_, _| true),
+        },
+        Mistake {
             name: "takes all cells",
             hint: "Which condition keeps a cell off the list, and when is it false?",
             answer: |q| {
@@ -104,11 +109,6 @@ impl Graded for VoxelsOfTriangle {
                 });
                 all.collect()
             },
-        },
-        Mistake {
-            name: "takes all cells of the bounding box",
-            hint: "A large slanting triangle has a large bounding box: is it everywhere in it?",
-            answer: |q| kept(q, |_, _| true),
         },
         Mistake {
             name: "takes only the cells that hold a corner",

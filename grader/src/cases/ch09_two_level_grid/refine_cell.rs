@@ -187,6 +187,21 @@ impl Graded for RefineCell {
             },
         },
         Mistake {
+            name: "names every shape in the first fine cell",
+            hint: "A shape reaches fine cells: of which grid are the numbers that you name, of the fine one or of the coarse one?",
+            answer: |q| {
+                let right = RefineCell::answer(q);
+                let first = |shape| Entry {
+                    x: 0,
+                    y: 0,
+                    z: 0,
+                    shape,
+                };
+                let entries = (0..q.shapes.len() as u32).map(first).collect();
+                RefineCellAnswer { entries, ..right }
+            },
+        },
+        Mistake {
             name: "cuts an empty cell too",
             hint: "What is there to be found in a cell without shapes?",
             answer: |q| {

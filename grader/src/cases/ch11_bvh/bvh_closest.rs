@@ -106,6 +106,11 @@ impl Graded for BvhClosest {
             answer: |q| Self::misread(q, |q| q.within.min = f32::NEG_INFINITY),
         },
         Mistake {
+            name: "begins the interval at 0 again once something is hit",
+            hint: "A hit ends the interval at its distance: what becomes of the interval's beginning?",
+            answer: |q| search(q, |how| how.begins_again = true),
+        },
+        Mistake {
             name: "opens a waiting node without asking again whether it is behind the hit",
             hint: "Something was hit since the node was put aside: can anything in it still be nearer?",
             answer: |q| search(q, |how| how.drops = false),

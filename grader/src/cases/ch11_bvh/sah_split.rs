@@ -135,6 +135,17 @@ impl Graded for SahSplit {
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
+            name: "returns the first boxes in the order of the axis that was sorted last",
+            hint: "The cheapest cut belongs to an axis: in which order are the boxes when you return those on its left?",
+            answer: |q| {
+                let left = least(q, sah).len();
+                let last = cuts(&q.boxes, center).into_iter().rev();
+                let mut last = last.map(|(_, sides)| sides.concat());
+                last.next()
+                    .map_or(Vec::new(), |order| order[..left].to_vec())
+            },
+        },
+        Mistake {
             name: "puts half of the boxes on each side",
             hint: "One box lies far away from nine others: should any of the nine share a side with it?",
             answer: |q| {

@@ -136,6 +136,11 @@ impl Graded for WideClosest {
             answer: |q| Self::misread(q, |q| q.within.max = f32::INFINITY),
         },
         Mistake {
+            name: "begins the interval at 0 again once something is hit",
+            hint: "A hit ends the interval at its distance: what becomes of the interval's beginning?",
+            answer: |q| search(q, |how| how.begins_again = true),
+        },
+        Mistake {
             name: "keeps the last hit that it finds",
             hint: "A triangle that is tested later may lie behind one that was hit: which one stays?",
             answer: |q| search(q, |how| (how.shortens, how.keeps) = (false, Keeps::Last)),

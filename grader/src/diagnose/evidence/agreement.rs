@@ -73,6 +73,9 @@ const SELDOM: f64 = 100.0;
 /// Two numbers this close are the same, of the size that answers have, beside [`crate::Graded::ALIKE`] of their own size.
 const CLOSE: f64 = 1e-5;
 
+/// Numbers that differ by less than this share of them are one number, calculated in single or in double precision.
+const SAME: f64 = 1e-6;
+
 impl Evidence<'_> {
     /// A prediction, as far as it is looked at; none if it says nothing, or far more than was answered.
     fn seen(&self, item: &Item, prediction: &[f64]) -> Option<Vec<f64>> {
@@ -163,11 +166,31 @@ impl Evidence<'_> {
         })
     }
 
+    /// Whether a wrong answer is the one that is predicted; and whether it is so to the last digits. It is never the right one: a
+    /// mistake that does not show in a case explains nothing there.
+    fn is_predicted(&self, item: &Item, prediction: &[f64]) -> (bool, bool) {
+        let same = |answer: &Vec<f64>| {
+            let pairs = answer.iter().zip(prediction);
+            let mut near = pairs.map(|(a, b)| a == b || (a - b).abs() <= SAME * a.abs());
+            answer.len() == prediction.len() && near.all(|near| near)
+        };
+        if item.answers.iter().any(same) {
+            return (false, false);
+        }
+        self.agrees(item, prediction)
+    }
+
     /// Whether an answer gives that of an item.
     pub fn explains(&self, item: usize, answer: &[f64]) -> bool {
         let item = &self.items[item];
-        self.seen(item, answer)
-            .is_some_and(|seen| self.agrees(item, &seen).0)
+        let gives = |seen: Vec<f64>| {
+            if item.right {
+                self.agrees(item, &seen).0
+            } else {
+                self.is_predicted(item, &seen).0
+            }
+        };
+        self.seen(item, answer).is_some_and(gives)
     }
 
     /// Whether any of a few wrong answers, from all over, is as predicted: of those that explain this share nearly always one is.
@@ -216,7 +239,7 @@ impl Evidence<'_> {
                 }
                 continue;
             }
-            let agree = |p: &Vec<f64>| self.agrees(item, p);
+            let agree = |p: &Vec<f64>| self.is_predicted(item, p);
             let (agrees, close) = prediction.as_ref().map_or((false, false), agree);
             if agrees {
                 rest.add(&item.got, prediction.as_deref().unwrap_or(&[]));

@@ -15,6 +15,17 @@ pub struct Function {
     pub of: fn(f64) -> f64,
 }
 
+impl Function {
+    /// Whether it can be made of such a value. Its hint says what it is about: a length has no cosine, and 2 no arc cosine; and only
+    /// where some value is an angle in radians, that or another can be taken for degrees.
+    pub fn suits(&self, value: &[f64], unit: &str, has_angles: bool) -> bool {
+        let (is_of_angles, is_of_units) = (self.hint.contains("angle"), self.hint.contains("unit"));
+        let exists = || value.iter().all(|v| (self.of)(*v).is_finite());
+        let fits = unit == "rad" || unit.is_empty() && (has_angles || !is_of_units);
+        !is_of_angles || fits && exists()
+    }
+}
+
 macro_rules! functions {
     ($($rank:literal $name:literal, $hint:literal: $of:expr;)+) => {
         /// All of them.
@@ -70,4 +81,31 @@ functions! {
     16 "returns 0", "Does your function return what it calculates?": |_| 0.0;
     16 "returns 1", "Does your function return what it calculates?": |_| 1.0;
     16 "returns a sign only", "Does your function return what it calculates?": f64::signum;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{FUNCTIONS, Function};
+
+    #[test]
+    fn a_length_has_no_cosine_and_is_not_in_degrees() {
+        let find = |name| -> &Function {
+            let found = FUNCTIONS.iter().find(|one| one.name.starts_with(name));
+            found.expect("there is such a function")
+        };
+        for (name, value, unit, has_angles, suits) in [
+            ("returns degrees", 2.0, "m", true, false),
+            ("returns degrees", 2.0, "", false, false),
+            ("returns degrees", 2.0, "", true, true),
+            ("returns degrees", 2.0, "rad", true, true),
+            ("returns the cosine", 2.0, "m", false, false),
+            ("returns the cosine", 2.0, "", false, true),
+            ("returns the arc cosine", 2.0, "", true, false),
+            ("returns the arc cosine", 0.5, "", true, true),
+            ("returns the square of", 2.0, "m", false, true),
+        ] {
+            let told = find(name).suits(&[value], unit, has_angles);
+            assert_eq!(told, suits, "{name} of {value} {unit}");
+        }
+    }
 }

@@ -59,8 +59,14 @@ const DEATHS: &[Death] = &[
         hint: "In which case does your function return without calling itself, and does the first case that stops with this error ever come to it?",
     },
     Death {
+        words: &["attempt to subtract with overflow"],
+        name: "subtracts more from a whole number than there is",
+        hint: "A number of an unsigned type cannot be below 0: which number is 0 in the first case that stops with this error, and what should happen then?",
+    },
+    Death {
         words: &[
-            "with overflow",
+            "add with overflow",
+            "multiply with overflow",
             "cannot convert float",
             "math range error",
             "Result too large",

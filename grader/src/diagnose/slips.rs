@@ -180,10 +180,11 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
             slip,
         });
     };
+    let has_angles = steps.iter().any(|(step, _)| step.unit == "rad");
     for (step, hint) in &steps {
         let name = short(step);
         let at = step.place;
-        for (what, leads_on, rank, change) in changes(step.value.len()) {
+        for (what, leads_on, rank, change) in changes(step, has_angles) {
             let name = format!("goes wrong at the step “{name}”: {what}");
             let hint = leads_on.unwrap_or(hint);
             add(name, hint, rank, Slip::Value(at, change));
@@ -237,14 +238,21 @@ const BY_HAND: &str =
 const CONDITION: &str =
     "Which of your conditions decides this? Print its two sides in the first wrong case.";
 
-/// What people make of a value of `size` numbers: in words, with a question that leads on if there is one, how common it is, and the
+/// What people make of a step's value: in words, with a question that leads on if there is one, how common it is, and the
 /// change itself.
-fn changes(size: usize) -> impl Iterator<Item = (String, Option<&'static str>, u32, Change)> {
+fn changes(
+    step: &Step,
+    has_angles: bool,
+) -> impl Iterator<Item = (String, Option<&'static str>, u32, Change)> {
+    let size = step.value.len();
     let common = COMMON
         .iter()
         .filter(move |one| [0, size].contains(&one.size));
     let common = common.map(|one| (one.name.to_owned(), None, one.rank, one.change));
-    let functions = FUNCTIONS.iter().map(|function| {
+    let functions = FUNCTIONS
+        .iter()
+        .filter(move |one| one.suits(&step.value, step.unit, has_angles));
+    let functions = functions.map(|function| {
         let name = function.name.replace("the answer", "the value");
         let name = name.replace("returns", "takes");
         let change = Change::Each(function.of);

@@ -65,6 +65,18 @@ fn a_missing_guard_is_named_by_what_the_function_dies_of() {
             "RecursionError: maximum recursion depth exceeded",
             "calls itself without end",
         ),
+        (
+            "octree_build",
+            "random 1",
+            "attempt to subtract with overflow",
+            "subtracts more from a whole number than there is",
+        ),
+        (
+            "grid_resolution",
+            "a flat square",
+            "attempt to add with overflow",
+            "makes a whole number of a number that is infinite, NaN, or too large",
+        ),
     ] {
         let found = found(exercise, message, |one| one.name == case, rightly);
         let found = found.unwrap_or_else(|| panic!("{exercise}: nothing is named"));

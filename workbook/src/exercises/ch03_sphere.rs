@@ -43,6 +43,8 @@ exercises! { ($) ch03_sphere
     }
 
     /// Return the unit vector that points out of the sphere at its point p.
+    ///
+    /// In Rust: `Dir3::new_or(v, Dir3::Y)` is the direction of a vector v of any length, and Y where v has none.
     SphereNormal: sphere_normal(
         /// The sphere's centre, in metres.
         center: Vec3,

@@ -37,6 +37,8 @@ exercises! { ($) ch06_triangle
 
     /// Return the unit normal of the side from which p0, p1, p2 run counter-clockwise. A triangle without area has no
     /// answer.
+    ///
+    /// In Rust: `Dir3::new(v)` is the direction of a vector v of any length, and None where v has none.
     TriangleNormal: triangle_normal(
         /// The first corner, in metres.
         p0: Vec3,

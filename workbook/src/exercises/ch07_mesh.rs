@@ -65,7 +65,7 @@ exercises! { ($) ch07_mesh
     /// Return the nearest triangle of the list that the ray hits with min < t < max: its distance and its number. There
     /// is no answer if the ray hits none. Of two triangles at the same distance, either is right.
     ///
-    /// In Rust: the shape and its `Hit`.
+    /// In Rust: the shape and its `Hit`; `count.tested_shape()` before each test, so that the work can be compared.
     MeshHit: mesh_hit(
         /// The ray.
         ray: Ray,

@@ -13,6 +13,9 @@ exercises! { ($) ch09_two_level_grid
     /// Cut a coarse cell into fine ones: along each axis as many as grid_resolution gives for its extents, its number
     /// of shapes and the density, but at most 255, and 0 without shapes. Return the resolution, and all pairs of a fine
     /// cell and a shape whose box reaches it, in any order.
+    ///
+    /// In Rust: `cells_of(shape, &fine)` lists the cells of a lattice that the shape with this number reaches, and
+    /// `fine_cells` below makes the lattice of the fine cells. An entry is a cell's `index` in it, and the shape.
     RefineCell: refine_cell(
         /// The coarse cell's least corner, in metres.
         min: Vec3,

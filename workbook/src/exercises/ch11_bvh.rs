@@ -53,6 +53,10 @@ exercises! { ($) ch11_bvh
 
     /// Build a bounding volume hierarchy over the boxes from the top down. Its cost by the surface-area heuristic shall
     /// be as small as you can make it, if opening a branch and testing a shape cost 1 each.
+    ///
+    /// In Rust: `split(items, &Extent::of(items), cost)` puts the items of the left side first, and returns their
+    /// number, or None if a leaf costs less; for more than `cost.most` items, `halve` splits them all the same. No
+    /// leaf has more than `levels` branches above it.
     BvhBuild: bvh_build(
         /// The maximum number of shapes in a leaf.
         most: u32,
@@ -76,6 +80,9 @@ exercises! { ($) ch11_bvh
 
     /// Return the nearest triangle of the tree that the ray hits with min < t < max: its distance and its number. Count
     /// every box and every triangle that you test, and test as few as you can.
+    ///
+    /// In Rust: `RayPair::new(ray, within, &root.bounds)` asks both boxes of a pair at once, which are two boxes for
+    /// `count`; `any` below uses it in the same way. The shapes of `unbounded`, which are in no box, count too.
     BvhClosest: bvh_closest(
         /// The ray.
         ray: Ray,

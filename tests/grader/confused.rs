@@ -133,7 +133,13 @@ fn who_ignores_what_it_does_not_know_is_told_to_say_so() {
     let check = ["check", "ch01", "--program", "answers", "--plain"];
     program(home.path(), &text(":"));
     let (_, said) = raybook(home.path(), &check);
-    assert!(said.contains("says nothing to `camera_ray`"), "{said}");
+    let advice = [
+        "says nothing to `camera_ray`, nor to some others: let it answer `= todo`",
+        "Then nobody waits for it, and what is not written counts as not started.",
+    ];
+    for part in advice {
+        assert!(said.contains(part), "`{part}` is in: {said}");
+    }
     program(home.path(), &text("echo \"= todo $name\""));
     let (_, said) = raybook(home.path(), &check);
     assert!(!said.contains("says nothing to"), "{said}");
@@ -219,6 +225,10 @@ fn the_first_hint_leads_on_and_the_next_exercise_is_named() {
     ] {
         assert!(said.contains(part), "`{part}`: {said}");
     }
+    // A tree of no shape, or of one, is a leaf.
+    let (_, said) = raybook(&folder, &["hint", "octree_build"]);
+    assert!(said.contains("by hand first, one in each child."), "{said}");
+
     let task = raybook_grader::cases::find("sphere_hit")
         .expect("an exercise")
         .task();

@@ -50,3 +50,13 @@ fn right(examiner: &dyn Examiner, question: &str) -> Said {
     let answer = examiner.answer_line(question).expect("it is a question");
     Said::Answer(answer.into())
 }
+
+#[test]
+fn a_sentence_has_one_mark_at_its_end() {
+    for (said, ended) in [
+        ("t is 1 m too large", "t is 1 m too large."),
+        ("which root is it?", "which root is it?"),
+    ] {
+        assert_eq!(feedback::ended(said), ended);
+    }
+}

@@ -92,6 +92,45 @@ fn who_stops_the_grader_stops_the_program_too() {
     assert!(becomes(0, &seconds), "no process is left");
 }
 
+#[test]
+fn the_time_for_an_answer_stands_still_while_the_grader_is_stopped() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let [program, asked, go] = ["answers", "asked", "go"].map(|name| folder.path().join(name));
+    let script = format!(
+        "#!/bin/sh\nread -r line; echo '= 0 0 0'\nread -r line; >{}\nwhile [ ! -e {} ]; do sleep 0.02; done\necho '= 0 0 0'\nwhile read -r line; do echo '= 0 0 0'; done\n",
+        asked.display(),
+        go.display()
+    );
+    executable::script(&program, &script);
+    let mut command = Command::new(env!("CARGO_BIN_EXE_raybook"));
+    let grader = command
+        .args(["check", "ray_at", "--plain", "--time-limit", "3", "--trust"])
+        .arg("--program")
+        .arg(&program)
+        .process_group(0)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("the command starts");
+    let send = |signal: &str| {
+        let sent = Command::new("kill")
+            .args(["-s", signal, &grader.id().to_string()])
+            .status();
+        assert!(sent.is_ok_and(|sent| sent.success()), "{signal} is sent");
+    };
+    assert!(within(|| asked.exists()), "the second question is asked");
+    send("TSTP");
+    sleep(Duration::from_secs(4)); // longer than the answer may take
+    fs::write(&go, "").expect("the answer may come");
+    send("CONT");
+    let said = grader.wait_with_output().expect("it can be waited for");
+    let said = String::from_utf8_lossy(&said.stdout);
+    assert!(
+        said.contains("40 of the 40 wrong ones"),
+        "every answer came in time: {said}"
+    );
+}
+
 /// Whether `count` processes sleep for this number of seconds, within ten seconds from now.
 fn becomes(count: usize, seconds: &str) -> bool {
     within(|| sleepers(seconds).len() == count)

@@ -13,6 +13,7 @@ use raybook_grader::explain::account::Account;
 use raybook_grader::explain::way::words;
 use raybook_grader::prints::abbreviated;
 use raybook_grader::{feedback, student};
+use raybook_workbook::kind::Kind;
 
 /// Hints at what is wrong.
 #[derive(clap::Args)]
@@ -104,15 +105,31 @@ fn on_the_way(report: &Report, examiner: &dyn Examiner, outcome: &Outcome) -> St
     })
 }
 
+/// Whether each list of a question has several elements: a tree of one box is a leaf, whatever the rule.
+fn has_several(examiner: &dyn Examiner, question: &str) -> bool {
+    let Kind::Record(record) = examiner.asked().question else {
+        return true;
+    };
+    let lists = record.fields.iter();
+    let lists = lists.filter(|field| matches!(field.kind, Kind::List(_)));
+    let names: Vec<_> = lists.map(|field| field.name).collect();
+    let parts = examiner.question_parts(question).into_iter();
+    parts
+        .filter(|(name, _)| names.contains(&&**name))
+        .all(|(_, words)| !matches!(words.split_whitespace().next(), Some("0" | "1")))
+}
+
 /// What leads on where nothing is written yet: the easiest case to do by hand, what to think of, and where it is derived.
 fn first_step(examiner: &dyn Examiner, report: &Report, level: u8) -> String {
     let name = examiner.name();
     let mut lines = Vec::new();
     // The first named case is the simplest that people thought of; one without anything to find teaches nothing.
-    let outcome = report
-        .cases
-        .iter()
-        .find(|outcome| !["none", "0"].contains(&outcome.case.answers[0].as_str()));
+    let teaches = |outcome: &&Outcome| !["none", "0"].contains(&outcome.case.answers[0].as_str());
+    let mut some = report.cases.iter().filter(teaches);
+    let outcome = some
+        .clone()
+        .find(|outcome| has_several(examiner, &outcome.case.question))
+        .or_else(|| some.next());
     if let Some(Outcome { case, .. }) = outcome {
         lines.push(format!("{name}: do one case by hand first, {}.", case.name));
         let shown = |lines: &mut Vec<String>, what: &str, parts: Vec<(String, String)>| {

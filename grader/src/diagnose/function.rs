@@ -11,76 +11,89 @@ pub struct Function {
     pub hint: &'static str,
     /// How common it is.
     pub rank: u32,
+    takes: Takes,
     /// The wrong number, made of the right one.
     pub of: fn(f64) -> f64,
 }
 
+/// What a function is taken of.
+enum Takes {
+    /// Any number.
+    Number,
+    /// An angle, or a sine, cosine or tangent.
+    Angle,
+    /// An angle, whose unit is mistaken.
+    Units,
+}
+
 impl Function {
-    /// Whether it can be made of such a value. Its hint says what it is about: a length has no cosine, and 2 no arc cosine; and only
-    /// where some value is an angle in radians, that or another can be taken for degrees.
+    /// Whether a value can be taken for what the function takes: a length has no cosine, 2 has no arc cosine, and a number without
+    /// a unit is only taken for degrees beside values that are angles.
     pub fn suits(&self, value: &[f64], unit: &str, has_angles: bool) -> bool {
-        let (is_of_angles, is_of_units) = (self.hint.contains("angle"), self.hint.contains("unit"));
-        let exists = || value.iter().all(|v| (self.of)(*v).is_finite());
-        let fits = unit == "rad" || unit.is_empty() && (has_angles || !is_of_units);
-        !is_of_angles || fits && exists()
+        let is_angle = match self.takes {
+            Takes::Number => return true,
+            Takes::Angle => unit == "rad" || unit.is_empty(),
+            Takes::Units => unit == "rad" || unit.is_empty() && has_angles,
+        };
+        is_angle && value.iter().all(|v| (self.of)(*v).is_finite())
     }
 }
 
 macro_rules! functions {
-    ($($rank:literal $name:literal, $hint:literal: $of:expr;)+) => {
+    ($($rank:literal $takes:ident $name:literal, $hint:literal: $of:expr;)+) => {
         /// All of them.
-        pub const FUNCTIONS: &[Function] = &[$(Function { name: $name, hint: $hint, rank: $rank, of: $of }),+];
+        pub const FUNCTIONS: &[Function] = &[$(Function { name: $name, hint: $hint, rank: $rank, takes: Takes::$takes, of: $of }),+];
     };
 }
 
 functions! {
-    9 "has the sign of the answer wrong", "Which sign should your answer have, and which sign does it have?": |v| -v;
-    11 "returns degrees instead of radians", "In which unit is the angle that is asked for?": f64::to_degrees;
-    11 "converts the answer from degrees to radians although it is in radians already", "In which unit is the angle that you have calculated?": f64::to_radians;
-    10 "returns the square of the answer: a missing root, or a square too many", "Check the unit of your answer: is a square root missing, or is something squared twice?": |v| v * v;
-    10 "returns the square root of the answer: a root too many, or a missing square", "Check the unit of your answer: is there a root too many?": |v| v.max(0.0).sqrt();
-    10 "returns the reciprocal, 1 over the answer", "Which way round is your fraction?": |v| 1.0 / v;
-    11 "returns the negative reciprocal, −1 over the answer", "Which way round is your fraction, and what is its sign?": |v| -1.0 / v;
-    10 "returns 1 minus the answer: the other way round", "Do you answer the opposite of what is asked?": |v| 1.0 - v;
-    11 "returns the absolute value of the answer", "May the answer be negative? What does its sign mean?": f64::abs;
-    11 "clamps the answer to the range from 0 to 1", "Is there an upper limit to what is asked for?": |v| v.clamp(0.0, 1.0);
-    11 "never returns less than 0", "May the answer be negative?": |v| v.max(0.0);
-    11 "never returns more than 1", "Is there an upper limit to what is asked for?": |v| v.min(1.0);
-    11 "never returns less than 1", "Is there a lower limit to what is asked for?": |v| v.max(1.0);
-    12 "rounds the answer down to a whole number", "Look for a division of integers, or for a type of whole numbers.": f64::floor;
-    12 "rounds the answer up to a whole number", "Is the answer a whole number?": f64::ceil;
-    12 "rounds the answer to a whole number", "Is the answer a whole number?": f64::round;
-    12 "cuts off what is behind the decimal point", "Look for a conversion to a whole number.": f64::trunc;
-    12 "returns only what is behind the decimal point", "May the answer be larger than 1?": |v| v - v.floor();
-    12 "encodes the answer for a display (sRGB)", "Is the answer meant for a display, or for calculations with light?": |v| encode_srgb(v as f32).into();
-    12 "decodes the answer as if it were an sRGB value", "Is the answer meant for a display, or for calculations with light?": |v| decode_srgb(v as f32).into();
-    12 "raises the answer to the power of 1/2.2, as for a display", "Is the answer meant for a display, or for calculations with light?": |v| v.max(0.0).powf(1.0 / 2.2);
-    12 "raises the answer to the power of 2.2", "Is the answer meant for a display, or for calculations with light?": |v| v.max(0.0).powf(2.2);
-    13 "returns the cosine of the answer: a missing arc cosine", "Are you asked for the angle or for its cosine?": f64::cos;
-    13 "returns the sine of the answer: a missing arc sine", "Are you asked for the angle or for its sine?": f64::sin;
-    13 "returns the tangent of the answer: a missing arc tangent", "Are you asked for the angle or for its tangent?": f64::tan;
-    13 "returns the arc cosine of the answer", "Are you asked for the cosine or for the angle?": f64::acos;
-    13 "returns the arc sine of the answer", "Are you asked for the sine or for the angle?": f64::asin;
-    13 "returns sin where cos is due (or the other way round): √(1 − answer²)", "Which of sine and cosine is 1 at the angle 0?": |v| (1.0 - v * v).max(0.0).sqrt();
-    13 "measures the angle from the other axis: π/2 minus the answer", "From where is the angle measured: from the axis, or from the horizon?": |v| FRAC_PI_2 - v;
-    13 "returns the supplement of the angle: π minus the answer", "Which of the two angles between two lines is asked for?": |v| PI - v;
-    13 "returns 2π minus the answer", "In which sense is the angle measured?": |v| TAU - v;
-    14 "is half a turn off: the answer plus π", "Where is the angle 0?": |v| v + PI;
-    14 "is half a turn off: the answer minus π", "Where is the angle 0?": |v| v - PI;
-    14 "is half of the range from 0 to 1 off", "Where does the range from 0 to 1 begin?": |v| (v + 0.5) - (v + 0.5).floor();
-    14 "returns the answer in the range from −1 to 1 instead of 0 to 1", "In which range is the answer?": |v| 2.0 * v - 1.0;
-    14 "returns the answer in the range from 0 to 1 instead of −1 to 1", "In which range is the answer?": |v| 0.5 * v + 0.5;
-    15 "cubes the answer", "Check the unit of your answer.": |v| v * v * v;
-    15 "returns 1 over the square of the answer", "Check the unit of your answer.": |v| 1.0 / (v * v);
-    15 "returns the exponential of the answer", "Is there an exponential too many, or a logarithm missing?": f64::exp;
-    15 "returns 2 to the power of the answer", "Is there a power too many, or a logarithm missing?": f64::exp2;
-    15 "returns the natural logarithm of the answer", "Is there a logarithm too many?": f64::ln;
-    15 "returns the logarithm to base 2 of the answer", "Is there a logarithm too many?": f64::log2;
-    15 "returns 1 + the reciprocal of the answer", "Write down the formula again.": |v| 1.0 + 1.0 / v;
-    15 "maps the answer to v/(1 + v)", "Is tone mapping asked for here?": |v| v / (1.0 + v);
-    16 "returns 0", "Does your function return what it calculates?": |_| 0.0;
-    16 "returns 1", "Does your function return what it calculates?": |_| 1.0;
-    16 "returns a sign only", "Does your function return what it calculates?": f64::signum;
+    9 Number "has the sign of the answer wrong", "Which sign should your answer have, and which sign does it have?": |v| -v;
+    11 Units "returns degrees instead of radians", "In which unit is the angle that is asked for?": f64::to_degrees;
+    11 Units "converts the answer from degrees to radians although it is in radians already", "In which unit is the angle that you have calculated?": f64::to_radians;
+    10 Number "returns the square of the answer: a missing root, or a square too many", "Check the unit of your answer: is a square root missing, or is something squared twice?": |v| v * v;
+    10 Number "returns the square root of the answer: a root too many, or a missing square", "Check the unit of your answer: is there a root too many?": |v| v.max(0.0).sqrt();
+    10 Number "returns the reciprocal, 1 over the answer", "Which way round is your fraction?": |v| 1.0 / v;
+    11 Number "returns the negative reciprocal, −1 over the answer", "Which way round is your fraction, and what is its sign?": |v| -1.0 / v;
+    10 Number "returns 1 minus the answer: the other way round", "Do you answer the opposite of what is asked?": |v| 1.0 - v;
+    11 Number "returns the absolute value of the answer", "May the answer be negative? What does its sign mean?": f64::abs;
+    11 Number "clamps the answer to the range from 0 to 1", "Is there an upper limit to what is asked for?": |v| v.clamp(0.0, 1.0);
+    11 Number "never returns less than 0", "May the answer be negative?": |v| v.max(0.0);
+    11 Number "never returns more than 1", "Is there an upper limit to what is asked for?": |v| v.min(1.0);
+    11 Number "never returns less than 1", "Is there a lower limit to what is asked for?": |v| v.max(1.0);
+    12 Number "rounds the answer down to a whole number", "Look for a division of integers, or for a type of whole numbers.": f64::floor;
+    12 Number "rounds the answer up to a whole number", "Is the answer a whole number?": f64::ceil;
+    12 Number "rounds the answer to a whole number", "Is the answer a whole number?": f64::round;
+    12 Number "cuts off what is behind the decimal point", "Look for a conversion to a whole number.": f64::trunc;
+    12 Number "returns only what is behind the decimal point", "May the answer be larger than 1?": |v| v - v.floor();
+    12 Number "encodes the answer for a display (sRGB)", "Is the answer meant for a display, or for calculations with light?": |v| encode_srgb(v as f32).into();
+    12 Number "decodes the answer as if it were an sRGB value", "Is the answer meant for a display, or for calculations with light?": |v| decode_srgb(v as f32).into();
+    12 Number "raises the answer to the power of 1/2.2, as for a display", "Is the answer meant for a display, or for calculations with light?": |v| v.max(0.0).powf(1.0 / 2.2);
+    12 Number "raises the answer to the power of 2.2", "Is the answer meant for a display, or for calculations with light?": |v| v.max(0.0).powf(2.2);
+    13 Angle "returns the cosine of the answer: a missing arc cosine", "Are you asked for the angle or for its cosine?": f64::cos;
+    13 Angle "returns the sine of the answer: a missing arc sine", "Are you asked for the angle or for its sine?": f64::sin;
+    13 Angle "returns the tangent of the answer: a missing arc tangent", "Are you asked for the angle or for its tangent?": f64::tan;
+    13 Angle "returns the arc cosine of the answer", "Are you asked for the cosine or for the angle?": f64::acos;
+    13 Angle "returns the arc sine of the answer", "Are you asked for the sine or for the angle?": f64::asin;
+    13 Angle "returns sin where cos is due (or the other way round): √(1 − answer²)", "Which of sine and cosine is 1 at the angle 0?": |v| (1.0 - v * v).max(0.0).sqrt();
+    13 Angle "measures the angle from the other axis: π/2 minus the answer", "From where is the angle measured: from the axis, or from the horizon?": |v| FRAC_PI_2 - v;
+    13 Angle "returns the supplement of the angle: π minus the answer", "Which of the two angles between two lines is asked for?": |v| PI - v;
+    13 Angle "returns 2π minus the answer", "In which sense is the angle measured?": |v| TAU - v;
+    14 Angle "is half a turn off: the answer plus π", "Where is the angle 0?": |v| v + PI;
+    14 Angle "is half a turn off: the answer minus π", "Where is the angle 0?": |v| v - PI;
+    14 Number "is half of the range from 0 to 1 off", "Where does the range from 0 to 1 begin?": |v| (v + 0.5) - (v + 0.5).floor();
+    14 Number "returns the answer in the range from −1 to 1 instead of 0 to 1", "In which range is the answer?": |v| 2.0 * v - 1.0;
+    14 Number "returns the answer in the range from 0 to 1 instead of −1 to 1", "In which range is the answer?": |v| 0.5 * v + 0.5;
+    15 Number "cubes the answer", "Check the unit of your answer.": |v| v * v * v;
+    15 Number "returns 1 over the square of the answer", "Check the unit of your answer.": |v| 1.0 / (v * v);
+    15 Number "returns the exponential of the answer", "Is there an exponential too many, or a logarithm missing?": f64::exp;
+    15 Number "returns 2 to the power of the answer", "Is there a power too many, or a logarithm missing?": f64::exp2;
+    15 Number "returns the natural logarithm of the answer", "Is there a logarithm too many?": f64::ln;
+    15 Number "returns the logarithm to base 2 of the answer", "Is there a logarithm too many?": f64::log2;
+    15 Number "returns 1 + the reciprocal of the answer", "Write down the formula again.": |v| 1.0 + 1.0 / v;
+    15 Number "maps the answer to v/(1 + v)", "Is tone mapping asked for here?": |v| v / (1.0 + v);
+    16 Number "returns 0", "Does your function return what it calculates?": |_| 0.0;
+    16 Number "returns 1", "Does your function return what it calculates?": |_| 1.0;
+    16 Number "returns a sign only", "Does your function return what it calculates?": f64::signum;
 }
 
 #[cfg(test)]

@@ -247,6 +247,10 @@ fn wrong_parts(chapter: &Chapter, text: &str) -> Vec<String> {
     let grows = |name: &str| PARTS[1..].iter().any(|part| part.exercise == name);
     if chapter.exercises().iter().any(|asked| grows(asked.name)) {
         needed.push((part("What your tracer"), "raybook picture".to_owned()));
+        needed.push((
+            part("What your tracer"),
+            format!("{{{{scene {} | ", chapter.name),
+        ));
     }
     for exercise in chapter.exercises() {
         for (heading, word) in [

@@ -10,6 +10,7 @@
 //! | `{{reference sphere_hit}}`, `{{reference src/render/path.rs:path}}` | the reference, folded |
 //! | `{{listing src/shape/mod.rs:shape}}` | an anchor of the library, open |
 //! | `{{mistakes sphere_hit}}` | the exercise's mistakes: name, message, answer, picture |
+//! | `{{scene ch12_phong \| alternative text}}` | the scene that grows, as the functions up to this chapter draw it |
 //! | `{{path 1 2 3 12}}` | an order in which these lessons can be read, by what each of them needs |
 //! | `{{index glossary.md}}` | the terms of the glossary, with the pages on which each occurs |
 //! | `{{library src}}` | the library's files, with their public items |
@@ -35,6 +36,7 @@ mod measured;
 mod mistakes;
 mod names;
 mod order;
+mod scene;
 mod terms;
 mod text;
 mod turn;
@@ -141,13 +143,14 @@ impl Book {
             "reference" => listing::reference(name, links),
             "listing" => listing::open(name, links),
             "mistakes" => mistakes::expand(exercise(name)?, &self.pictures),
+            "scene" => scene::expand(name, rest, &self.pictures),
             "path" => order::expand(name),
             "index" => index::expand(name, &self.pages),
             "library" => items::expand(page, name, links),
             "commands" => commands::expand(name, &self.command),
             "measured" => measured::expand(name),
             _ => Err(format!(
-                "there is no directive `{word}`; there are figure, example, turn, reference, listing, mistakes, path, index, library, commands and measured"
+                "there is no directive `{word}`; there are figure, example, turn, reference, listing, mistakes, scene, path, index, library, commands and measured"
             )),
         }
     }

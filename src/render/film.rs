@@ -79,7 +79,7 @@ impl Film<'_> {
     }
 
     /// A denoised picture: `draw` is called twice, each time with half of the samples and other random numbers, and [`denoise`]
-    /// combines the two pictures.
+    /// combines the two pictures. If drawing was ended, this is the first of them as it is.
     pub fn denoised(&self, draw: impl Fn(&Self) -> Image) -> Image {
         let half = |seed| {
             let samples = self.samples.div_ceil(2);
@@ -89,7 +89,12 @@ impl Film<'_> {
                 ..*self
             })
         };
-        denoise(&[half(self.seed), half(self.seed.wrapping_add(1))])
+        let halves = [half(self.seed), half(self.seed.wrapping_add(1))];
+        if (self.progress)(Done::default()).is_break() {
+            let [first, _] = halves;
+            return first;
+        }
+        denoise(&halves)
     }
 
     /// Width over height.

@@ -196,6 +196,29 @@ fn a_film_that_is_told_to_stop_ends_after_a_row_of_pixels() {
 }
 
 #[test]
+fn what_was_ended_is_not_denoised() {
+    let noise = |film: &Film| {
+        Film {
+            progress: SILENT,
+            ..*film
+        }
+        .sample(|_, rng| Rgb::gray(rng.random()))
+    };
+    let film = film(24, 24, 2, 1);
+    let ended = |_: Done| ControlFlow::Break(());
+    let one = noise(&Film { samples: 1, ..film });
+    let stopped = Film {
+        progress: &ended,
+        ..film
+    };
+    assert!(
+        stopped.denoised(noise).same_bits(&one),
+        "the first half, as it is"
+    );
+    assert!(!film.denoised(noise).same_bits(&one), "else it is denoised");
+}
+
+#[test]
 fn every_sampler_draws_the_same_picture_but_for_its_noise() {
     let ball = Thing::new(
         Sphere::new(Vec3::ZERO, 1.0),

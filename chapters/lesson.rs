@@ -64,7 +64,8 @@ impl Lesson {
     /// # Errors
     /// If there is no such knob, or its value is out of range.
     pub fn turn(&self, arguments: &[String]) -> Result<ArgMatches, Error> {
-        let matches = self.knobs().try_get_matches_from(arguments)?;
+        let matches = self.knobs().try_get_matches_from(arguments);
+        let matches = matches.map_err(|error| knobs::plain(&self.knobs(), error))?;
         knobs::check(&self.knobs(), &matches)?;
         Ok(matches)
     }

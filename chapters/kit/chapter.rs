@@ -61,7 +61,8 @@ pub fn draw_as(called: &str, chapter: &str, words: &[OsString]) -> Drawn {
 
 fn drawn(called: &str, chapter: &str, words: &[OsString]) -> Result<Vec<Output>, Box<dyn Error>> {
     let lesson = lesson::find(chapter).ok_or_else(|| format!("there is no chapter {chapter}"))?;
-    let matches = command(lesson, called).get_matches_from(words);
+    let matches = command(lesson, called).try_get_matches_from(words);
+    let matches = matches.unwrap_or_else(|error| knobs::plain(&lesson.knobs(), error).exit());
     knobs::check(&lesson.knobs(), &matches).unwrap_or_else(|error| error.exit());
     let shared = Shared::from_arg_matches(&matches)?;
     let turned = knobs::turned(&lesson.knobs(), &matches);

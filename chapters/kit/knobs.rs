@@ -4,7 +4,7 @@
 //! description. The name of a number's value is its range and its unit: `value_name = "5..200 mm"`. Where a knob changes another picture
 //! than the main one, its sentence ends with that picture's name: "Points of each pattern, in `patterns`".
 
-use clap::error::ErrorKind;
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::parser::ValueSource;
 use clap::{Arg, ArgMatches, Args, Command, Error, ValueEnum};
 use std::ops::RangeInclusive;
@@ -99,19 +99,52 @@ pub fn check(knobs: &Command, matches: &ArgMatches) -> Result<(), Error> {
         };
         let given = matches.get_raw(arg.get_id().as_str()).into_iter().flatten();
         for word in given.map(|word| word.to_string_lossy()) {
-            let is_inside = word.parse().is_ok_and(|value: f64| range.contains(&value));
-            if !is_inside {
-                let (low, high) = range.into_inner();
-                let message = format!(
-                    "--{} {word}: a number from {low} to {high}{}\n",
-                    name(arg),
-                    of_unit(&unit)
-                );
-                return Err(Error::raw(ErrorKind::ValueValidation, message));
+            if !is_within(&range, &word) {
+                return Err(wrong(arg, &word, &range, &unit));
             }
         }
     }
     Ok(())
+}
+
+/// An error of clap's; of a number that cannot be read it names the range and the unit, as [`check`] does.
+pub fn plain(knobs: &Command, error: Error) -> Error {
+    let text = |kind| match error.get(kind) {
+        Some(ContextValue::String(text)) => Some(text.as_str()),
+        _ => None,
+    };
+    let option = text(ContextKind::InvalidArg).unwrap_or_default();
+    let value = text(ContextKind::InvalidValue)
+        .unwrap_or_default()
+        .to_owned();
+    let is_it = |arg: &&Arg| option.split(' ').next() == Some(&format!("--{}", name(arg)));
+    let is_unreadable = error.kind() == ErrorKind::ValueValidation;
+    let arg = knobs.get_arguments().find(is_it).filter(|_| is_unreadable);
+    let number = arg.and_then(|arg| Some((arg, range(arg)?)));
+    number.map_or_else(
+        || error,
+        |(arg, (range, unit))| wrong(arg, &value, &range, &unit),
+    )
+}
+
+fn is_within(range: &RangeInclusive<f64>, word: &str) -> bool {
+    word.parse().is_ok_and(|value: f64| range.contains(&value))
+}
+
+/// What is said of a word that is no value of a number. One within its range is refused because a part of one is none.
+fn wrong(arg: &Arg, word: &str, range: &RangeInclusive<f64>, unit: &str) -> Error {
+    let number = if is_within(range, word) {
+        "a whole number"
+    } else {
+        "a number"
+    };
+    let (low, high) = (range.start(), range.end());
+    let message = format!(
+        "--{} {word}: {number} from {low} to {high}{}\n",
+        name(arg),
+        of_unit(unit)
+    );
+    Error::raw(ErrorKind::ValueValidation, message)
 }
 
 /// Why an argument is refused, in a sentence: the first line of what clap prints, without its `error: `.

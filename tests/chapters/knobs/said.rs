@@ -15,7 +15,21 @@ fn nonsense_is_refused_in_a_sentence() {
             &["--exponent", "NaN"],
             "--exponent NaN: a number from 1 to 1024",
         ),
-        ("ch12_phong", &["--exponent", "many"], "--exponent"),
+        (
+            "ch12_phong",
+            &["--exponent", "many"],
+            "--exponent many: a number from 1 to 1024",
+        ),
+        (
+            "ch12_phong",
+            &["--vary", "exponent=1:8:2"],
+            "--exponent 1:8:2: a number from 1 to 1024",
+        ),
+        (
+            "ch19_depth_of_field",
+            &["--blades", "4.5"],
+            "--blades 4.5: a whole number from 3 to 32 blades",
+        ),
         (
             "ch04_plane",
             &["--tilt", "-80"],

@@ -85,6 +85,30 @@ fn pixel(p: Vec3) -> (i32, i32) {
     ((ZOOM * x) as i32, (ZOOM * y) as i32)
 }
 
+/// Width of a digit, as a multiple of its height.
+const DIGIT: f32 = 0.6;
+
+/// Where a number of some digits, `height` metres high, begins in a cell: at the upper left, or at the lower right if the ray or a
+/// disc would cover it there.
+fn place_of_number(cell: &Aabb, digits: usize, height: f32) -> Vec3 {
+    let inset = 0.06 * cell.size().x.min(1.0);
+    let to_middle = 0.5 * height * vec3(DIGIT * digits as f32, -1.0, 0.0);
+    let left = vec3(cell.min.x + inset, cell.max.y - inset, 0.0);
+    let right = vec3(cell.max.x - inset, cell.min.y + inset, 0.0) - 2.0 * to_middle;
+    let (ray, discs) = (ray(), discs());
+    let room = |corner: Vec3| {
+        let middle = corner + to_middle;
+        let to_ray = (middle - ray.origin).cross(*ray.direction).length();
+        let to_discs = discs.iter().map(|disc| disc.center().distance(middle));
+        to_discs.fold(to_ray, f32::min)
+    };
+    if room(left) < height && room(right) > room(left) {
+        right
+    } else {
+        left
+    }
+}
+
 impl Plane<'_, '_> {
     /// A cell, filled if a colour is given, with an outline of this width in pixels.
     ///
@@ -101,16 +125,16 @@ impl Plane<'_, '_> {
         Ok(())
     }
 
-    /// A visited cell: filled, with its number in the corner.
+    /// A visited cell: filled, with its number in a corner.
     ///
     /// # Errors
     /// As for [`Plane::cell`].
     pub fn visited(&self, cell: &Aabb, number: usize, line: u32) -> Drawn {
         self.cell(cell, Some((ORANGE, 0.45)), line)?;
         let size = (44.0 * cell.size().x).clamp(35.0, 44.0);
-        let inset = 0.06 * cell.size().x.min(1.0);
-        let corner = vec3(cell.min.x + inset, cell.max.y - inset, 0.0);
-        write(self.0, &number.to_string(), pixel(corner), text(size))
+        let words = number.to_string();
+        let corner = place_of_number(cell, words.len(), size / ZOOM);
+        write(self.0, &words, pixel(corner), text(size))
     }
 
     fn arrow(&self, from: Vec3, to: Vec3) -> Drawn {
@@ -121,5 +145,24 @@ impl Plane<'_, '_> {
         self.0.draw(&PathElement::new(shaft, INK.stroke_width(5)))?;
         self.0.draw(&Polygon::new(head, INK.filled()))?;
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_number_stands_where_the_ray_does_not_cover_it() {
+        let cell = |middle: Vec3| Aabb {
+            min: middle - vec3(0.5, 0.5, 0.0),
+            max: middle + vec3(0.5, 0.5, 0.0),
+        };
+        let on_the_ray = ray().at(8.0);
+        for (part, is_left) in [(vec3(-0.4, 0.4, 0.0), false), (vec3(0.4, -0.4, 0.0), true)] {
+            let cell = cell(on_the_ray - part); // whose corner the ray passes
+            let place = place_of_number(&cell, 2, 0.3);
+            assert_eq!(place.x < cell.center().x - 0.3, is_left, "{part}: {place}");
+        }
     }
 }

@@ -132,7 +132,14 @@ function size() {
   const picture = at("picture"), exact = isExact() && picture.className === "";
   document.body.classList.toggle("exact", exact);
   picture.style.width = exact ? picture.naturalWidth / devicePixelRatio + "px" : "";
+  const { parentElement: place } = picture, isCut = place.scrollWidth > place.clientWidth || place.scrollHeight > place.clientHeight;
+  if (exact && isCut) at("note").textContent = CUT; else if (at("note").textContent === CUT) at("note").textContent = "";
 }
+const CUT = "pixel by pixel, and larger than its place: k and c make room, 1 scales it";
+
+/** Shows a part of the page, or hides it. */
+function toggle(id) { at(id).hidden = !at(id).hidden; if (screens.length) size(); }
+addEventListener("resize", () => screens.length && size());
 
 function step(by) {
   at("note").textContent = "";
@@ -200,8 +207,7 @@ const keys = {
   End: () => { if (screens.length) { screen = screens.length - 1; show(); } },
   b: () => at("black").hidden = !at("black").hidden, ".": () => keys.b(),
   f: () => document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen(),
-  k: () => at("knobs").hidden = !at("knobs").hidden,
-  c: () => at("words").hidden = !at("words").hidden,
+  k: () => toggle("knobs"), c: () => toggle("words"),
   1: () => { if (screens.length) { asked.set(place(), !isExact()); size(); } },
   r: () => { turned = {}; knobs(); if (screens.length) show(); },
   "?": () => at("keys").open ? at("keys").close() : at("keys").showModal(),

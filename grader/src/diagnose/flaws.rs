@@ -54,10 +54,18 @@ pub fn of_some(evidence: &Evidence<'_>) -> Option<Diagnosis> {
 fn of(flaws: &[Flaw], evidence: &Evidence<'_>, share: f64) -> Option<Diagnosis> {
     let examiner = evidence.examiner;
     let wrong = &evidence.items[..evidence.wrong];
-    let compared = wrong
-        .iter()
-        .map(|item| examiner.compare(&item.question, item.golden(), &item.got));
-    let mut complaints: Vec<_> = compared.filter_map(Result::err).collect();
+    let complaint = |item: &Item| {
+        let compared = examiner.compare(&item.question, item.golden(), &item.got);
+        let is_nan = item.got.iter().any(|v| v.is_nan());
+        // A judge may stop at something else: that there is an answer at all.
+        let why = compared.err()?;
+        Some(if is_nan {
+            format!("{why}, and is NaN")
+        } else {
+            why
+        })
+    };
+    let mut complaints: Vec<_> = wrong.iter().filter_map(complaint).collect();
     if complaints.is_empty() {
         // Each of them is right, and all of them together are not.
         let row = |item: &Item| (item.question.clone(), item.got.clone());

@@ -166,6 +166,48 @@ fn who_always_says_none_is_told_where_none_is_right() {
 }
 
 #[test]
+fn who_always_says_zero_is_asked_what_is_returned() {
+    let found = diagnosed("phong", |_| Some(vec![0.0; 3]));
+    let told = "answers every question with 0 0 0";
+    assert_eq!((&*found.name, found.certain), (told, true));
+    let hint = "Which of its arguments does your function use? Does it return what it calculates?";
+    assert_eq!(found.hint, hint);
+}
+
+#[test]
+fn an_answer_that_is_nan_is_called_so_where_there_is_none() {
+    // Who turns away what is outside of the interval keeps 0/0.
+    let found = diagnosed("plane_hit", |q| {
+        let [o, d, n] = [0, 3, 8].map(|from| glam::DVec3::from_slice(&q[from..]));
+        let t = (q[11] - n.dot(o)) / n.dot(d);
+        let is_outside = t <= q[6] || t >= q[7];
+        Some(if is_outside { vec![0.0] } else { vec![1.0, t] })
+    });
+    assert_eq!(found.name, "returns NaN, which is not a number");
+}
+
+#[test]
+fn a_mistake_explains_nothing_where_it_does_not_show() {
+    // Both ends of the interval count; and from far away, the formula has lost its digits.
+    let found = diagnosed("sphere_hit", |q| {
+        let q: Vec<_> = q.iter().map(|v| *v as f32).collect();
+        let [o, d, center] = [0, 3, 8].map(|from| glam::Vec3::from_slice(&q[from..]));
+        let m = o - center;
+        let (b, c) = (2.0 * m.dot(d), m.length_squared() - q[11] * q[11]);
+        let root = (b * b - 4.0 * c).sqrt();
+        let roots = [0.5 * (-b - root), 0.5 * (-b + root)];
+        let t = roots.into_iter().find(|t| (q[6]..=q[7]).contains(t));
+        Some(t.map_or(vec![0.0], |t| vec![1.0, t.into()]))
+    });
+    let names = [&*found.name, &*found.also[0].name];
+    let told = [
+        "computes b² − 4ac from far away",
+        "takes both ends of within to be inside the interval",
+    ];
+    assert_eq!((names, found.certain), (told, false));
+}
+
+#[test]
 fn steps_of_which_any_may_be_wrong_are_not_certain() {
     let found = diagnosed("sphere_hit", |q| {
         let [o, d, center] = [0, 3, 8].map(|from| glam::DVec3::from_slice(&q[from..]));

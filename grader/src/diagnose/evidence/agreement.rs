@@ -171,7 +171,8 @@ impl Evidence<'_> {
     fn is_predicted(&self, item: &Item, prediction: &[f64]) -> (bool, bool) {
         let same = |answer: &Vec<f64>| {
             let pairs = answer.iter().zip(prediction);
-            let mut near = pairs.map(|(a, b)| a == b || (a - b).abs() <= SAME * a.abs());
+            let mut near =
+                pairs.map(|(a, b)| a == b || a.is_finite() && (a - b).abs() <= SAME * a.abs());
             answer.len() == prediction.len() && near.all(|near| near)
         };
         if item.answers.iter().any(same) {

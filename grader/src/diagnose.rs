@@ -66,6 +66,9 @@ pub enum Beside {
 /// An explanation must give this share of the wrong answers.
 const MOST: f64 = 0.8;
 
+/// What may have made what is seen in the answers must explain answers that tell this much.
+const TELLS: f64 = 2.0;
+
 /// What is seen in single parts only must give this share of them.
 const SOME: f64 = 0.4;
 
@@ -139,6 +142,14 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
             }
         }
         let mut found = found.clone();
+        let complete = complete.filter(|one| one.then.is_none() && one.score.tells >= TELLS);
+        let nearly = search::nearly(evidence);
+        if let Some(cause) = complete.or(nearly.as_ref()) {
+            let mut told = cause.told(evidence);
+            told.also
+                .extend(Some(found).filter(|one| one.name != told.name));
+            return Some(told);
+        }
         let nearly = whole
             .as_ref()
             .filter(|one| one.is_own() && one.score.contradicted == 0);

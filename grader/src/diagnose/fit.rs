@@ -225,7 +225,7 @@ impl Maker<'_, '_> {
             make(pair.item, &mut made);
             let near = |(a, b): (&f64, &f64)| {
                 a == b
-                    || (a - b).abs() <= 1e-5 + 5e-3 * a.abs().max(b.abs())
+                    || (a - b).is_finite() && (a - b).abs() <= 1e-5 + 5e-3 * a.abs().max(b.abs())
                     || a.is_nan() && b.is_nan()
             };
             right += usize::from(made.iter().zip(&pair.got).all(near));

@@ -8,6 +8,9 @@ use super::{Beside, Diagnosis};
 /// A guess that explains all wrong answers may be contradicted by this many right ones for each.
 const SOME: usize = 4;
 
+/// An explanation is nearly complete if it gives this many wrong answers for each one that is not as it says.
+const NEARLY: usize = 6;
+
 /// An explanation, and how well it agrees.
 pub struct Found {
     pub name: String,
@@ -36,6 +39,11 @@ impl Found {
     /// Whether it explains all wrong answers, and contradicts no right one.
     pub fn is_complete(&self) -> bool {
         self.score.missed + self.score.contradicted == 0
+    }
+
+    /// Whether few answers are not as it says.
+    pub fn is_nearly_complete(&self) -> bool {
+        NEARLY * (self.score.missed + self.score.contradicted) <= self.score.explained
     }
 
     pub fn is_own(&self) -> bool {

@@ -45,8 +45,8 @@ fn best(mut found: Vec<Found>) -> Option<Found> {
     Some(best)
 }
 
-/// All explanations by one mistake that give this share of the wrong answers.
-pub fn plain(evidence: &Evidence<'_>, readings: &[Misreading], share: f64, found: &mut Vec<Found>) {
+/// The exercise's own mistakes that give this share of the wrong answers.
+fn own(evidence: &Evidence<'_>, share: f64, found: &mut Vec<Found>) {
     let examiner = evidence.examiner;
     for (i, (name, hint)) in examiner.mistakes().into_iter().enumerate() {
         let answer = |k: usize| examiner.mistake_answers(i, &evidence.items[k].question);
@@ -60,6 +60,20 @@ pub fn plain(evidence: &Evidence<'_>, readings: &[Misreading], share: f64, found
         };
         consider(evidence, share, one, &answer, found);
     }
+}
+
+/// The own mistake that gives nearly all answers. In a few cases rounding decides what is answered: a ray in a plane, a box that is only
+/// touched.
+pub fn nearly(evidence: &Evidence<'_>) -> Option<Found> {
+    let mut found = Vec::new();
+    own(evidence, MOST, &mut found);
+    found.retain(Found::is_nearly_complete);
+    best(found)
+}
+
+/// All explanations by one mistake that give this share of the wrong answers.
+pub fn plain(evidence: &Evidence<'_>, readings: &[Misreading], share: f64, found: &mut Vec<Found>) {
+    own(evidence, share, found);
     if share >= MOST && found.iter().any(Found::is_complete) {
         return; // a mistake of its own is told before any other
     }

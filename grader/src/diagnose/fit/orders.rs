@@ -16,7 +16,9 @@ impl Maker<'_, '_> {
             v.sort_by(f64::total_cmp);
             v
         };
-        let near = |(a, b): (&f64, &f64)| (a - b).abs() <= 1e-5 + 1e-3 * a.abs().max(b.abs());
+        let near = |(a, b): (&f64, &f64)| {
+            a == b || (a - b).is_finite() && (a - b).abs() <= 1e-5 + 1e-3 * a.abs().max(b.abs())
+        };
         let is_same = |a: &[f64], b: &[f64]| sorted(a).iter().zip(&sorted(b)).all(near);
         let make = |item: usize, v: &mut [f64]| {
             if let Some(got) = got.get(&item).filter(|got| is_same(got, v)) {

@@ -4,10 +4,12 @@ use super::{explanation, made};
 use crate::diagnose::evidence::Evidence;
 use crate::diagnose::fit::{Answers, Explanation};
 use crate::layout::{Part, layout};
+use raybook_workbook::kind::Kind;
 
 pub fn explanations(evidence: &Evidence<'_>, base: &Answers) -> Vec<Explanation> {
     let mut all = of_two(evidence, base);
     all.extend(of_three(evidence, base));
+    all.extend(from_one(evidence, base));
     all
 }
 
@@ -79,6 +81,38 @@ fn of_three(evidence: &Evidence<'_>, base: &Answers) -> Vec<Explanation> {
         }
     }
     all
+}
+
+/// Several whole numbers that stand side by side, all counted from 1.
+fn from_one(evidence: &Evidence<'_>, base: &Answers) -> Option<Explanation> {
+    let is_whole = |part: &&(usize, &Part)| matches!(part.1.kind, Kind::Whole);
+    let all = evidence.parts.iter().enumerate();
+    let mut groups: Vec<Vec<(usize, &Part)>> = Vec::new();
+    for part in all.filter(|part| is_whole(&part)) {
+        match groups.last_mut().filter(|group| alike(group[0].1, part.1)) {
+            Some(group) => group.push(part),
+            None => groups.push(vec![part]),
+        }
+    }
+    let group = groups.into_iter().find(|group| group.len() > 1)?;
+    let names: Vec<_> = group.iter().map(|(_, part)| &*part.name).collect();
+    let kind = evidence.examiner.asked().answer.kind;
+    let answers = made(base, |_, base| {
+        let fields = layout(kind, base);
+        let mut made = base.to_vec();
+        for (part, _) in &group {
+            for leaf in fields.of_part(*part) {
+                made[leaf.range()].iter_mut().for_each(|v| *v += 1.0);
+            }
+        }
+        Some(made)
+    });
+    Some(explanation(
+        11,
+        format!("counts {} from 1 instead of 0", names.join(", ")),
+        "What is the number of the first?",
+        answers,
+    ))
 }
 
 /// All three parts of an answer that can stand in for each other.

@@ -49,7 +49,7 @@ impl Explained for ToneMap {
 impl Explained for EncodeSrgb {
     fn work(&self, way: &mut Way) -> f32 {
         /// Where the curve's straight beginning ends.
-        const STRAIGHT: f64 = 0.003_130_8;
+        const STRAIGHT: f32 = 0.003_130_8;
         let v = f64::from(self.v);
         // NaN has no code value; it is shown as black.
         let is_light = way.decides("v is above 0", v > 0.0);
@@ -60,7 +60,10 @@ impl Explained for EncodeSrgb {
             least
         };
         let v = way.number("v, clamped to [0, 1]", "", most);
-        let end = way.part("0.0031308, where the straight part ends", STRAIGHT);
+        let end = way.part(
+            "0.0031308, where the straight part ends",
+            f64::from(STRAIGHT),
+        );
         let code = if way.decides("v is in the straight part of the curve", v <= end) {
             way.remark("v is at most 0.0031308: the curve is straight.");
             way.number("12.92 v", "", 12.92 * v)

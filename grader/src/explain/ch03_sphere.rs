@@ -82,9 +82,39 @@ fn solved(asked: &SolveQuadratic, way: &mut Way, roots: Roots) -> Option<Vec2> {
     Some(both.as_vec2())
 }
 
+/// The same by the normalised equation t² + p t + q = 0.
+fn by_halves(asked: &SolveQuadratic, way: &mut Way) -> Option<Vec2> {
+    let a = way.part("A", f64::from(asked.a));
+    if way.decides("A is 0", a == 0.0) {
+        return None;
+    }
+    let p = way.part("p = B/A", f64::from(asked.b) / a);
+    let c = way.part("C", f64::from(asked.c));
+    let q = way.part("q = C/A", c / a);
+    let last = way.part("q above the other root", q);
+    let half = way.part("p/2", 0.5 * p);
+    let square = way.part("(p/2)²", half * half);
+    let discriminant = way.part("(p/2)² − q", square - q);
+    if way.decides("the discriminant is negative", discriminant < 0.0) {
+        return None;
+    }
+    let root = way.part("√((p/2)² − q)", discriminant.sqrt());
+    let middle = way.part("−p/2", -half);
+    let large = way.part("the root of the larger size", middle - root.copysign(half));
+    if way.decides("both roots are 0", large == 0.0) {
+        return Some(Vec2::ZERO);
+    }
+    let small = way.part("q/the other root", last / large);
+    let [t0, t1] = sorted(way, large, small);
+    Some(dvec2(t0, t1).as_vec2())
+}
+
 impl Explained for SolveQuadratic {
-    const WAYS: &'static [fn(&Self, &mut Way) -> Option<Vec2>] =
-        &[Self::work, |asked, way| solved(asked, way, book_roots)];
+    const WAYS: &'static [fn(&Self, &mut Way) -> Option<Vec2>] = &[
+        Self::work,
+        |asked, way| solved(asked, way, book_roots),
+        by_halves,
+    ];
 
     fn work(&self, way: &mut Way) -> Option<Vec2> {
         solved(self, way, roots)
@@ -172,12 +202,31 @@ fn by_chord(asked: &SphereHit, way: &mut Way) -> Option<f32> {
     first(way, asked.within, [near, far]).map(|t| t as f32)
 }
 
+/// The same with the square of the distance by Pythagoras.
+fn by_pythagoras(asked: &SphereHit, way: &mut Way) -> Option<f32> {
+    let (o, d) = rays::parts(&asked.ray);
+    let to_center = asked.center.as_dvec3() - o;
+    let radius = way.part("r", f64::from(asked.radius));
+    let foot = way.part("s = (c − o)·d", to_center.dot(d));
+    let whole = way.part("|c − o|²", to_center.length_squared());
+    let leg = way.part("s²", foot * foot);
+    let away = way.part("|c − o|² − s²", whole - leg);
+    let most = way.part("r² that is compared", radius * radius);
+    if way.decides("the ray passes by the sphere", away > most) {
+        return None;
+    }
+    let square = way.part("r² − (|c − o|² − s²)", radius * radius - away);
+    let half = way.part("half of the chord", square.sqrt());
+    first(way, asked.within, [foot - half, foot + half]).map(|t| t as f32)
+}
+
 impl Explained for SphereHit {
     const WAYS: &'static [fn(&Self, &mut Way) -> Option<f32>] = &[
         Self::work,
         |asked, way| by_equation(asked, way, roots),
         |asked, way| by_equation(asked, way, book_roots),
         by_chord,
+        by_pythagoras,
     ];
 
     fn work(&self, way: &mut Way) -> Option<f32> {

@@ -24,8 +24,27 @@ fn by_height(asked: &PlaneHit, way: &mut Way) -> Option<f32> {
     rays::counts(way, asked.within, t).then_some(t as f32)
 }
 
+/// The same by a point of the plane.
+fn by_point(asked: &PlaneHit, way: &mut Way) -> Option<f32> {
+    let (o, d) = rays::parts(&asked.ray);
+    let o = way.part("o", o);
+    let d = way.part("d", d);
+    let n = way.part("n", asked.normal.as_dvec3());
+    let offset = way.part("offset", f64::from(asked.offset));
+    let point = way.part("a point of the plane, offset · n", offset * n);
+    let to_plane = way.part("from o to that point", point - o);
+    let beside = way.part("n in the numerator", n);
+    let numerator = way.part("(offset · n − o)·n", to_plane.dot(beside));
+    let denominator = way.part("n·d", n.dot(d));
+    if way.decides("the ray is parallel to the plane", denominator == 0.0) {
+        return None;
+    }
+    let t = way.part("t = (offset · n − o)·n/(n·d)", numerator / denominator);
+    rays::counts(way, asked.within, t).then_some(t as f32)
+}
+
 impl Explained for PlaneHit {
-    const WAYS: &'static [fn(&Self, &mut Way) -> Option<f32>] = &[Self::work, by_height];
+    const WAYS: &'static [fn(&Self, &mut Way) -> Option<f32>] = &[Self::work, by_height, by_point];
 
     fn work(&self, way: &mut Way) -> Option<f32> {
         let (o, d) = rays::parts(&self.ray);

@@ -10,15 +10,29 @@ use raybook_workbook::exercises::ch05_box::{BoundsOf, BoxClip, Corners};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// The distances at which a ray is between the two planes of a box across an axis, by the sign of the direction or by their size; NaN
-/// where it runs in one of them.
-fn slab(q: &BoxClip, axis: usize, way: &mut Way, is_sorted: bool) -> [f64; 2] {
+/// How a student clips by slabs.
+#[derive(Clone, Copy)]
+struct Slabs {
+    /// Asks first whether the ray runs along two planes; who does not may get NaN where it runs in one of them.
+    asks: bool,
+    /// Sorts two distances by their size, not by the sign of the direction.
+    sorts: bool,
+}
+
+/// The reference's way.
+const BY_SIGN: Slabs = Slabs {
+    asks: false,
+    sorts: false,
+};
+
+/// The distances at which a ray is between the two planes of a box across an axis.
+fn slab(q: &BoxClip, axis: usize, way: &mut Way, how: Slabs) -> [f64; 2] {
     let (o, d) = rays::parts(&q.ray);
     let start = way.part("the start's coordinate", o[axis]);
     let speed = way.part("the direction's component", d[axis]);
     let low = way.part("the box's least coordinate", f64::from(q.min[axis]));
     let high = way.part("the box's greatest coordinate", f64::from(q.max[axis]));
-    if is_sorted && way.decides("the ray runs along two planes", speed == 0.0) {
+    if how.asks && way.decides("the ray runs along two planes", speed == 0.0) {
         let is_between = low <= start && start <= high;
         return if way.decides("such a ray is between the planes", is_between) {
             [f64::NEG_INFINITY, f64::INFINITY]
@@ -28,7 +42,7 @@ fn slab(q: &BoxClip, axis: usize, way: &mut Way, is_sorted: bool) -> [f64; 2] {
     }
     let low = way.part("t of the least plane", (low - start) / speed);
     let high = way.part("t of the greatest plane", (high - start) / speed);
-    if is_sorted {
+    if how.sorts {
         let near = way.part("the smaller t", low.min(high));
         return [near, way.part("the larger t", low.max(high))];
     }
@@ -77,11 +91,11 @@ fn by_half_spaces(q: &BoxClip, way: &mut Way) -> Option<Interval> {
 }
 
 /// Slab by slab.
-fn by_slabs(q: &BoxClip, way: &mut Way, is_sorted: bool) -> Option<Interval> {
+fn by_slabs(q: &BoxClip, way: &mut Way, how: Slabs) -> Option<Interval> {
     let mut min = way.part("within.min", f64::from(q.within.min));
     let mut max = way.part("within.max", f64::from(q.within.max));
     for (axis, name) in AXES.iter().enumerate() {
-        let [near, far] = slab(q, axis, way, is_sorted);
+        let [near, far] = slab(q, axis, way, how);
         let planes = way.pair(
             format!("between the planes across {name}"),
             "m",
@@ -101,15 +115,31 @@ fn by_slabs(q: &BoxClip, way: &mut Way, is_sorted: bool) -> Option<Interval> {
 }
 
 impl Explained for BoxClip {
-    const WAYS: &'static [fn(&Self, &mut Way) -> Option<Interval>] =
-        &[Self::work, by_half_spaces, |q, way| by_slabs(q, way, true)];
+    const WAYS: &'static [fn(&Self, &mut Way) -> Option<Interval>] = &[
+        Self::work,
+        by_half_spaces,
+        |q, way| {
+            let how = Slabs {
+                asks: true,
+                sorts: true,
+            };
+            by_slabs(q, way, how)
+        },
+        |q, way| {
+            let how = Slabs {
+                asks: true,
+                sorts: false,
+            };
+            by_slabs(q, way, how)
+        },
+    ];
 
     fn work(&self, way: &mut Way) -> Option<Interval> {
-        by_slabs(self, way, false)
+        by_slabs(self, way, BY_SIGN)
     }
 
     fn draw(&self, right: &Option<Interval>, yours: Option<&Option<Interval>>) -> Option<Diagram> {
-        let slabs = [0, 1, 2].map(|axis| slab(self, axis, &mut Way::default(), false));
+        let slabs = [0, 1, 2].map(|axis| slab(self, axis, &mut Way::default(), BY_SIGN));
         let of = |within: &Interval| [within.min, within.max].map(f64::from);
         let within = of(&self.within);
         let (right, yours) = (

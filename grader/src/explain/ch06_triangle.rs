@@ -106,7 +106,9 @@ fn by_plane(asked: &TriangleHit, way: &mut Way) -> Option<[f64; 3]> {
     }
     let height = way.part("n·(p₀ − o)", n.dot(p0 - o));
     let t = way.part("t = n·(p₀ − o)/(n·d)", height / speed);
-    let p = way.part("p = o + t·d", o + t * d);
+    let start = way.part("o in o + t·d", o);
+    let along = way.part("t·d", t * d);
+    let p = way.part("p = o + t·d", start + along);
     let area = way.part("n·n", n.dot(n));
     let a1 = way.part("n·((p₀ − p₂) × (p − p₂))", n.dot((p0 - p2).cross(p - p2)));
     let a2 = way.part("n·((p₁ − p₀) × (p − p₀))", n.dot((p1 - p0).cross(p - p0)));

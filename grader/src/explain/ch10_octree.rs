@@ -11,7 +11,22 @@ use raybook::math::aabb::Aabb;
 use raybook_workbook::exercises::ch10_octree::{OctreeBuild, OctreeChild, OctreeWalk, reached};
 use raybook_workbook::octree_rows::{NodeRow, TreeRow};
 
+/// The same by the share of the cell that lies below the point, in halves.
+fn by_halves(asked: &OctreeChild, way: &mut Way) -> u32 {
+    let [min, max, p] = [asked.min, asked.max, asked.p].map(Vec3::as_dvec3);
+    let low = way.part("min in p − min", min);
+    let above = way.part("p − min", p - low);
+    let size = way.part("max − min", max - min);
+    let halves = way.part("2·(p − min)/(max − min)", 2.0 * above / size);
+    let whole = way.part("the same, rounded down", halves.floor());
+    let digits = way.part("the same, 1 at most", whole.min(DVec3::ONE));
+    let weights = way.part("the weights of x, y and z", DVec3::new(1.0, 2.0, 4.0));
+    way.part("4·z + 2·y + x", digits.dot(weights)) as u32
+}
+
 impl Explained for OctreeChild {
+    const WAYS: &'static [fn(&Self, &mut Way) -> u32] = &[Self::work, by_halves];
+
     fn work(&self, way: &mut Way) -> u32 {
         let [min, max, p] = [self.min, self.max, self.p].map(Vec3::as_dvec3);
         let min = way.part("min", min);

@@ -23,7 +23,35 @@ fn area_by_steps(way: &mut Way, row: &NodeRow) -> f64 {
     way.part("a node's area", 2.0 * half)
 }
 
+/// The same from the leaves up: what a search below a node costs a ray that meets the node's box.
+fn from_below(q: &SahCost, way: &mut Way) -> f32 {
+    let branch = way.part("branch", f64::from(q.branch));
+    let shape = way.part("shape", f64::from(q.shape));
+    let areas = q.nodes.iter().map(|row| area([row.min, row.max]));
+    let areas: Vec<_> = areas.collect();
+    let mut costs = vec![0.0; q.nodes.len()];
+    for (i, row) in q.nodes.iter().enumerate().rev() {
+        let first = row.first as usize;
+        costs[i] = if row.count > 0 {
+            shape * f64::from(row.count)
+        } else if let ([left, right], true) = ([first, first + 1], first > i) {
+            let of = way.part("the area of a branch", areas[i]);
+            let [of_left, of_right] = [left, right].map(|child| areas[child] / of);
+            let of_left = way.part("the share of a branch's left child", of_left);
+            let of_right = way.part("the share of a branch's right child", of_right);
+            let left = way.part("the cost of a branch's left child", costs[left]);
+            let right = way.part("the cost of a branch's right child", costs[right]);
+            branch + of_left * left + of_right * right
+        } else {
+            branch
+        };
+    }
+    costs.first().map_or(0.0, |cost| *cost as f32)
+}
+
 impl Explained for SahCost {
+    const WAYS: &'static [fn(&Self, &mut Way) -> f32] = &[Self::work, from_below];
+
     fn work(&self, way: &mut Way) -> f32 {
         let branch = way.part("branch", f64::from(self.branch));
         let shape = way.part("shape", f64::from(self.shape));

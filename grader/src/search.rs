@@ -115,6 +115,10 @@ pub struct How {
     pub stops: bool,
     /// Ends a leaf at its first hit.
     pub stops_in_leaf: bool,
+    /// Ends a leaf after its first triangle.
+    pub only_the_first: bool,
+    /// Counts a triangle's test only if it finds a hit.
+    pub counts_hits: bool,
     /// Ends a leaf before its last triangle.
     pub forgets_the_last: bool,
 }
@@ -132,6 +136,8 @@ const WELL: How = How {
     keeps: Keeps::Nearest,
     stops: false,
     stops_in_leaf: false,
+    only_the_first: false,
+    counts_hits: false,
     forgets_the_last: false,
 };
 
@@ -232,7 +238,12 @@ impl Search<'_> {
             Node::Leaf(triangles) => {
                 self.found.leaves += 1;
                 let last = usize::from(self.how.forgets_the_last);
-                for &id in &triangles[..triangles.len().saturating_sub(last)] {
+                let end = if self.how.only_the_first {
+                    triangles.len().min(1)
+                } else {
+                    triangles.len().saturating_sub(last)
+                };
+                for &id in &triangles[..end] {
                     if self.test(id) && self.how.stops_in_leaf {
                         break;
                     }
@@ -279,10 +290,10 @@ impl Search<'_> {
 
     /// Whether a triangle is hit.
     fn test(&mut self, id: u32) -> bool {
-        self.found.tests += 1;
         let Corners { p0, p1, p2 } = self.tree.triangles[id as usize];
         let corners = [p0, p1, p2];
         let hit = (Facet { corners, id }).hit(self.tree.ray, self.within);
+        self.found.tests += u32::from(hit.is_some() || !self.how.counts_hits);
         if let Some(hit) = &hit {
             if self.how.shortens {
                 self.within = self.within.before(hit.t);

@@ -65,5 +65,10 @@ impl Graded for Expose {
             hint: "Three stops: is that 3², or 2³?",
             answer: |q| q.radiance * (q.stops * q.stops),
         },
+        Mistake {
+            name: "adds 2^stops instead of multiplying by it",
+            hint: "Twice the light is twice the radiance of every channel: what becomes of black?",
+            answer: |q| { q.radiance + Rgb::gray(q.stops.exp2()) },
+        },
     ];
 }

@@ -167,6 +167,16 @@ impl Graded for SolveQuadratic {
             hint: "Which number stands before ac in the discriminant? Check one of your roots.",
             answer: |q| under(q, q.b * q.b - 2.0 * q.a * q.c),
         },
+        Mistake {
+            name: "writes /2*a, which divides by 2 and multiplies by a",
+            hint: "What does your language calculate first in x/2*a? Put parentheses round 2a.",
+            answer: |q| SolveQuadratic::answer(q).map(|t| q.a * q.a * t),
+        },
+        Mistake {
+            name: "returns none where both roots are 0",
+            hint: "t² = 0 has a root: which one?",
+            answer: |q| { SolveQuadratic::answer(q).filter(|t| *t != Vec2::ZERO) },
+        },
     ];
 }
 

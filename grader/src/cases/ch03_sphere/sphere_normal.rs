@@ -50,5 +50,10 @@ impl Graded for SphereNormal {
             hint: "Try a sphere of radius 2: how long is your normal?",
             answer: |q| (q.p - q.center) * q.radius,
         },
+        Mistake {
+            name: "divides the centre only by the radius, as p − c/r",
+            hint: "What does your language calculate first in p − c/r? Put parentheses round p − c.",
+            answer: |q| { q.p - q.center / q.radius },
+        },
     ];
 }

@@ -81,7 +81,7 @@ impl Graded for BoundsOf {
             answer: |q| bounds(q.points.first().into_iter().chain(q.points.last()).copied()),
         },
         Mistake {
-            name: "starts the greatest corner at the smallest positive number",
+            name: "starts the greatest corner at 0, or at the smallest positive number",
             hint: "Try points whose coordinates are all negative; what is your box's max before the first point?",
             answer: |q| {
                 let Corners { min, max } = BoundsOf::answer(q);
@@ -158,6 +158,21 @@ impl Graded for BoundsOf {
                     Corners { min, max }
                 }
             },
+        },
+        Mistake {
+            name: "never looks at x",
+            hint: "How often does your loop over the axes go round?",
+            answer: |q| { let mut right = BoundsOf::answer(q); let empty = bounds([].into_iter()); (right.min.x, right.max.x) = (empty.min.x, empty.max.x); right },
+        },
+        Mistake {
+            name: "never looks at y",
+            hint: "How often does your loop over the axes go round?",
+            answer: |q| { let mut right = BoundsOf::answer(q); let empty = bounds([].into_iter()); (right.min.y, right.max.y) = (empty.min.y, empty.max.y); right },
+        },
+        Mistake {
+            name: "never looks at z",
+            hint: "How often does your loop over the axes go round?",
+            answer: |q| { let mut right = BoundsOf::answer(q); let empty = bounds([].into_iter()); (right.min.z, right.max.z) = (empty.min.z, empty.max.z); right },
         },
     ];
 }

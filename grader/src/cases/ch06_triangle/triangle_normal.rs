@@ -59,5 +59,10 @@ impl Graded for TriangleNormal {
             hint: "What is the normal's dot product with each edge?",
             answer: |q| TriangleNormal::answer(q).map(|_| (q.p1 - q.p0).normalize()),
         },
+        Mistake {
+            name: "divides by the square of the length",
+            hint: "How long is n, and how long is n/|n|²?",
+            answer: |q| { TriangleNormal::answer(q).map(|_| { let n = (q.p1 - q.p0).cross(q.p2 - q.p0); n / n.length_squared() }) },
+        },
     ];
 }

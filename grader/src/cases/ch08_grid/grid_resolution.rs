@@ -163,6 +163,21 @@ impl Graded for GridResolution {
                 }
             },
         },
+        Mistake {
+            name: "forgets the root",
+            hint: "Cells per volume has the unit 1/m³: which root makes cells per metre of it?",
+            answer: |q| { let (volume, thick) = content(q); whole(q.extents * (cells(q) / volume) * thick, f32::round) },
+        },
+        Mistake {
+            name: "adds the extents instead of multiplying them",
+            hint: "The volume of a box 2 m long, 3 m wide and 4 m high is 24 m³: which operation gives it?",
+            answer: |q| { let (_, thick) = content(q); let sum = (q.extents * thick).element_sum(); whole(q.extents * (cells(q) / sum).powf(1.0 / thick.element_sum().max(1.0)) * thick, f32::round) },
+        },
+        Mistake {
+            name: "leaves thin axes out once, and does not ask again",
+            hint: "With fewer axes the cells are larger: may another axis now get less than one?",
+            answer: |q| { let once = Vec3::from([0, 1, 2].map(|i| f32::from(u8::from(q.extents[i] > 0.0)))); let thick = thicker(q, once); whole(along(q, thick) * thick, f32::round) },
+        },
     ];
 }
 
@@ -178,17 +193,41 @@ fn whole(along: Vec3, round: fn(f32) -> f32) -> Cell {
 
 /// What is to be rounded: it is right up to the last step.
 fn share(q: &GridResolution) -> Vec3 {
+    let thick = thick(q);
+    along(q, thick) * thick
+}
+
+/// 1 for each axis that is cut, and 0 for one that is left out.
+fn thick(q: &GridResolution) -> Vec3 {
     let mut thick = Vec3::from([0, 1, 2].map(|i| f32::from(u8::from(q.extents[i] > 0.0))));
     loop {
-        let root = |x: f32| x.powf(1.0 / thick.element_sum());
-        let volume: f32 = (0..3)
-            .filter(|&i| thick[i] > 0.0)
-            .map(|i| q.extents[i])
-            .product();
-        let along = q.extents * root(cells(q) / volume);
-        match (0..3).find(|&i| thick[i] > 0.0 && along[i] < 1.0) {
-            Some(i) => thick[i] = 0.0,
-            None => return along * thick,
+        let fewer = thicker(q, thick);
+        if fewer == thick {
+            return thick;
         }
+        thick = fewer;
     }
+}
+
+/// Those of some axes that get a cell or more, if they share all cells.
+fn thicker(q: &GridResolution, thick: Vec3) -> Vec3 {
+    let along = along(q, thick);
+    Vec3::from([0, 1, 2].map(|i| if along[i] >= 1.0 { thick[i] } else { 0.0 }))
+}
+
+/// The cells along each axis, if some of them share all cells.
+fn along(q: &GridResolution, thick: Vec3) -> Vec3 {
+    let root = |x: f32| x.powf(1.0 / thick.element_sum());
+    q.extents * root(cells(q) / product(q, thick))
+}
+
+/// The volume of the axes that are cut, or their area, or their length; and which these are.
+fn content(q: &GridResolution) -> (f32, Vec3) {
+    let thick = thick(q);
+    (product(q, thick), thick)
+}
+
+fn product(q: &GridResolution, thick: Vec3) -> f32 {
+    let some = (0..3).filter(|&i| thick[i] > 0.0);
+    some.map(|i| q.extents[i]).product()
 }

@@ -276,6 +276,31 @@ impl Graded for GridWalk {
                     .collect()
             },
         },
+        Mistake {
+            name: "takes 1/d, not cell/d, for the way between two planes",
+            hint: "How far is it along the ray from one plane to the next, if a cell is 0.7 m wide?",
+            answer: |q| { added(q, |_, d| (1.0 / d).abs(), |_| 0.0, f32::floor) },
+        },
+        Mistake {
+            name: "subtracts the way between two planes where the ray goes backwards",
+            hint: "Along an axis with a negative direction, does t grow or fall from plane to plane? What is the sign of cell/d?",
+            answer: |q| { added(q, |cell, d| cell / d, |_| 0.0, f32::floor) },
+        },
+        Mistake {
+            name: "measures the first planes from where the ray enters the grid",
+            hint: "From where is t measured: from the ray's origin, or from the place where the ray enters?",
+            answer: |q| { added(q, |cell, d| (cell / d).abs(), start, f32::floor) },
+        },
+        Mistake {
+            name: "rounds to the nearest cell where the ray begins",
+            hint: "A ray at 0.7 of a cell's width is in this cell: which one does your rounding give?",
+            answer: |q| { added(q, |cell, d| (cell / d).abs(), |_| 0.0, f32::round) },
+        },
+        Mistake {
+            name: "says how long the ray stays in a cell, not where it leaves",
+            hint: "From where is t measured: from the ray's origin, or from where the ray enters the cell?",
+            answer: |q| { let mut enter = start(q); let visits = GridWalk::answer(q).into_iter(); visits.map(|visit| { let leave = visit.leave - enter; enter = visit.leave; Visit { leave, ..visit } }).collect() },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {
@@ -437,6 +462,45 @@ fn student(
                 cell[axis] - 1
             };
         }
+    }
+    visits
+}
+
+/// A walk that adds the way between two planes in every step (Amanatides and Woo 1987). `apart` is that way, from the extent of a cell and the
+/// direction; `late` is what the distances of the first planes lack; `rounded` makes a cell's number of a place in the lattice.
+fn added(
+    q: &GridWalk,
+    apart: fn(f32, f32) -> f32,
+    late: fn(&GridWalk) -> f32,
+    rounded: fn(f32) -> f32,
+) -> Vec<Visit> {
+    let lattice: Lattice = q.lattice();
+    if slab::clip(&lattice.bounds(), &q.ray, q.within).is_none() {
+        return Vec::new();
+    }
+    let (o, d) = (q.ray.origin, *q.ray.direction);
+    let place = (q.ray.at(start(q)) - lattice.min) / lattice.cell;
+    let last = lattice.resolution.as_ivec3() - 1;
+    let mut cell = place.to_array().map(rounded).map(|i| i as i32);
+    for axis in 0..3 {
+        cell[axis] = cell[axis].clamp(0, last[axis]);
+    }
+    let mut next = [0, 1, 2].map(|axis| {
+        let plane = ahead(d[axis] < 0.0, i64::from(cell[axis])) as f32;
+        let t = (lattice.min[axis] + plane * lattice.cell[axis] - o[axis]) / d[axis];
+        if d[axis] == 0.0 { f32::INFINITY } else { t - late(q) }
+    });
+    let mut visits = Vec::new();
+    for _ in 0..=lattice.resolution.element_sum() {
+        let axis = (0..3).fold(0, |least, i| if next[i] < next[least] { i } else { least });
+        let [x, y, z] = cell.map(|i| i as u32);
+        let leave = next[axis].min(q.within.max);
+        visits.push(Visit { x, y, z, leave });
+        cell[axis] += if d[axis] < 0.0 { -1 } else { 1 };
+        if next[axis] >= q.within.max || !(0..=last[axis]).contains(&cell[axis]) {
+            break;
+        }
+        next[axis] += apart(lattice.cell[axis], d[axis]);
     }
     visits
 }

@@ -190,6 +190,26 @@ impl Graded for VoxelsOfTriangle {
                 })
             },
         },
+        Mistake {
+            name: "takes only the cells that hold a corner, and forgets the margin",
+            hint: "What if the triangle is larger than a cell?",
+            answer: |q| { kept(q, |bounds, corners| corners.iter().any(|&p| bounds.contains(p))) },
+        },
+        Mistake {
+            name: "takes a cell's least corner for its middle",
+            hint: "A cell begins at min + i·cell: where is its middle?",
+            answer: |q| { shifted(q, -0.5) },
+        },
+        Mistake {
+            name: "takes a cell's greatest corner for its middle",
+            hint: "A cell begins at min + i·cell: where is its middle?",
+            answer: |q| { shifted(q, 0.5) },
+        },
+        Mistake {
+            name: "never asks for the plane in which the triangle lies",
+            hint: "A cell may lie above the middle of a large triangle: which direction parts the two?",
+            answer: |q| { kept(q, |bounds, corners| !is_parted_by_edges(corners, &bounds.grown(q.margin))) },
+        },
     ];
 }
 
@@ -202,4 +222,33 @@ fn kept(q: &VoxelsOfTriangle, keep: impl Fn(Aabb, [Vec3; 3]) -> bool) -> Vec<Cel
         .filter(|&cell| keep(lattice.bounds_of(cell, cell), corners))
         .map(Cell::from)
         .collect()
+}
+
+/// The cells of the lattice that meet the triangle if each stands so many of its sizes beside its place.
+fn shifted(q: &VoxelsOfTriangle, by: f32) -> Vec<Cell> {
+    let (lattice, corners) = (q.lattice(), [q.p0, q.p1, q.p2]);
+    let meets = |cell: &UVec3| {
+        let bounds = lattice.bounds_of(*cell, *cell);
+        let by = by * bounds.size();
+        let bounds = Aabb::new(bounds.min + by, bounds.max + by).grown(q.margin);
+        triangle_meets_box(&corners, &bounds)
+    };
+    let cells = range(UVec3::ZERO, lattice.resolution - 1);
+    cells.filter(meets).map(Cell::from).collect()
+}
+
+/// Whether a direction across an axis and an edge parts a box and a triangle.
+fn is_parted_by_edges(corners: [Vec3; 3], bounds: &Aabb) -> bool {
+    let half = 0.5 * bounds.size();
+    let corners = corners.map(|p| p - bounds.center());
+    let edges = [0, 1, 2].map(|i| corners[(i + 1) % 3] - corners[i]);
+    let across = edges
+        .iter()
+        .flat_map(|edge| Vec3::AXES.map(|axis| axis.cross(*edge)));
+    across.into_iter().any(|along| {
+        let at = corners.map(|p| along.dot(p));
+        let reach = along.abs().dot(half);
+        let (least, most) = (at[0].min(at[1]).min(at[2]), at[0].max(at[1]).max(at[2]));
+        least > reach || most < -reach
+    })
 }

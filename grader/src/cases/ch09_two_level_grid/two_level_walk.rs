@@ -5,11 +5,13 @@ use crate::{
     passage::{self, passage},
     sample,
 };
-use glam::vec3;
+use glam::{UVec3, vec3};
 use rand::RngExt;
+use raybook::inside::grid::walk;
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch09_two_level_grid::{Resolution, TwoLevelWalk};
+use std::ops::ControlFlow;
 
 /// The boxes of all fine cells, in the row of all.
 pub(super) fn cells(q: &TwoLevelWalk) -> Vec<Aabb> {
@@ -253,6 +255,36 @@ impl Graded for TwoLevelWalk {
             hint: "Can the ray enter a cell that lies behind its origin?",
             answer: |q| Self::misread(q, |q| q.within.min = f32::NEG_INFINITY),
         },
+        Mistake {
+            name: "counts an empty coarse cell as one fine cell",
+            hint: "How many fine cells has an empty coarse cell, and what does that mean for the places of those after it?",
+            answer: |q| { let before = |place: u32| { let levels = q.levels(); levels.cuts.iter().take_while(|cut| cut.first <= place).filter(|cut| cut.resolution.x == 0).count() as u32 }; TwoLevelWalk::answer(q).into_iter().map(|place| place + before(place)).collect() },
+        },
+        Mistake {
+            name: "stops at the first empty coarse cell",
+            hint: "In an empty coarse cell there is nothing to visit: where does the ray go on?",
+            answer: |q| { looked_up(q, coarse_place, true) },
+        },
+        Mistake {
+            name: "looks up the coarse cells with y and z exchanged",
+            hint: "The coarse cells lie in a row along x first, then y, then z: by how much does the place grow with y, and with z?",
+            answer: |q| { looked_up(q, |[x, y, z], [nx, _, nz]| x + nx * (z + nz * y), false) },
+        },
+        Mistake {
+            name: "looks up the coarse cells along z first",
+            hint: "The coarse cells lie in a row along x first, then y, then z: by how much does the place grow with x?",
+            answer: |q| { looked_up(q, |[x, y, z], [_, ny, nz]| z + nz * (y + ny * x), false) },
+        },
+        Mistake {
+            name: "goes to the next row of coarse cells by the number of rows, not by that of cells in a row",
+            hint: "By how much does the place of a coarse cell grow with y: by the number of cells along x, or along y?",
+            answer: |q| { looked_up(q, |[x, y, z], [_, ny, nz]| x + ny * (y + nz * z), false) },
+        },
+        Mistake {
+            name: "returns the places of the coarse cells",
+            hint: "Which cells hold the shapes that the ray has to be tested with: the coarse ones, or the fine ones?",
+            answer: |q| { let levels = q.levels(); let of = |place: u32| levels.cuts.iter().rposition(|cut| cut.first <= place && cut.resolution.x > 0).unwrap_or(0) as u32; TwoLevelWalk::answer(q).into_iter().map(of).collect() },
+        },
     ];
 }
 
@@ -272,4 +304,42 @@ fn numbered(q: &TwoLevelWalk, number: fn(&TwoLevelWalk, [u32; 3], [u32; 3]) -> u
         .into_iter()
         .map(renumbered)
         .collect()
+}
+
+/// The walk, if each coarse cell is looked up at another place; it may end at the first empty one.
+fn looked_up(
+    q: &TwoLevelWalk,
+    place: fn([u32; 3], [u32; 3]) -> u32,
+    ends_at_empty: bool,
+) -> Vec<u32> {
+    let levels = q.levels();
+    let n = levels.top.resolution;
+    let mut places = Vec::new();
+    walk(&levels.top, &q.ray, q.within, |coarse, inside| {
+        let cut = levels.cuts.get(place(coarse.into(), n.into()) as usize);
+        let Some(cut) = cut.filter(|cut| cut.resolution.x > 0) else {
+            return if ends_at_empty {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            };
+        };
+        let fine = cut.resolution.as_uvec3();
+        let (begin, last) = (coarse * fine, fine - UVec3::ONE);
+        walk(&levels.cut(fine), &q.ray, inside, |cell, _| {
+            let cell = cell.clamp(begin, begin + last) - begin;
+            let place = cut.first + cell.x + fine.x * (cell.y + fine.y * cell.z);
+            if places.last() != Some(&place) {
+                places.push(place);
+            }
+            ControlFlow::Continue(())
+        });
+        ControlFlow::Continue(())
+    });
+    places
+}
+
+/// The place of a coarse cell x, y, z of nx × ny × nz.
+fn coarse_place([x, y, z]: [u32; 3], [nx, ny, _]: [u32; 3]) -> u32 {
+    x + nx * (y + ny * z)
 }

@@ -412,5 +412,10 @@ impl Graded for OctreeBuild {
             hint: "A cell has n shapes: how many names may all leaves in this cell have together?",
             answer: |q| Self::misread(q, |q| q.copies *= 0.5),
         },
+        Mistake {
+            name: "names a shape only in the first child that it reaches",
+            hint: "A ray can hit a shape in any part of the shape: in which leaves must the ray find the shape?",
+            answer: |q| { built(q, |l| l, |shape, cells| { let bits = reached(shape, cells); bits & bits.wrapping_neg() }) },
+        },
     ];
 }

@@ -212,6 +212,41 @@ impl Graded for OctreeWalk {
             hint: "Is the first leaf listed before the first step, or after it?",
             answer: |q| OctreeWalk::answer(q).into_iter().skip(1).collect(),
         },
+        Mistake {
+            name: "takes the order of the children from the direction's x only",
+            hint: "A ray that runs towards −y meets the upper half along y first: which bits of a child's number do you turn?",
+            answer: |q| { ordered(q, |d| u32::from(d[0] < 0.0)) },
+        },
+        Mistake {
+            name: "turns the order of the children round only where the ray moves down along all axes",
+            hint: "Each axis has a bit of its own: which of them do you turn for a ray that moves down along x only?",
+            answer: |q| { ordered(q, |d| if d.iter().all(|d| *d < 0.0) { 7 } else { 0 }) },
+        },
+        Mistake {
+            name: "turns the order of all children round where the ray moves down along any axis",
+            hint: "Each axis has a bit of its own: which of them do you turn for a ray that moves down along x only?",
+            answer: |q| { ordered(q, |d| if d.iter().any(|d| *d < 0.0) { 7 } else { 0 }) },
+        },
+        Mistake {
+            name: "exchanges the bits of x and z in the order of the children",
+            hint: "Which axis has the lowest bit of a child's number?",
+            answer: |q| { ordered(q, |d| u32::from(d[2] < 0.0) | u32::from(d[1] < 0.0) << 1 | u32::from(d[0] < 0.0) << 2) },
+        },
+        Mistake {
+            name: "returns a leaf's `first`, not the leaf's number",
+            hint: "A leaf's `first` is a place in another list: which number names the leaf itself?",
+            answer: |q| { OctreeWalk::answer(q).into_iter().map(|leaf| q.nodes[leaf as usize].first).collect() },
+        },
+        Mistake {
+            name: "looks at four children only",
+            hint: "How many children has a node of an octree?",
+            answer: |q| { let (all, mut open) = (OctreeWalk::answer(q), vec![0]); let mut seen = Vec::new(); while let Some(node) = open.pop() { let row = &q.nodes[node as usize]; seen.push(node); if row.inner == 1 { open.extend(row.first..row.first + 4); } } all.into_iter().filter(|leaf| seen.contains(leaf)).collect() },
+        },
+        Mistake {
+            name: "lists nodes with children too",
+            hint: "Which nodes hold shapes, and which hold nodes?",
+            answer: |q| { let mut found = Vec::new(); below(q, 0, mirror(q.ray.direction.to_array()), &mut |node| if q.nodes[node as usize].inner == 1 || q.nodes[node as usize].count > 0 { found.push(node); }); found },
+        },
     ];
 }
 
@@ -228,5 +263,33 @@ fn inner(first: u32) -> NodeRow {
         inner: 1,
         first,
         count: 0,
+    }
+}
+
+/// The right leaves in the order of a walk that turns other bits of the children's numbers.
+fn ordered(q: &OctreeWalk, turned: fn([f32; 3]) -> u32) -> Vec<u32> {
+    let right = OctreeWalk::answer(q);
+    let mut found = Vec::new();
+    below(q, 0, turned(q.ray.direction.to_array()), &mut |node| {
+        if right.contains(&node) {
+            found.push(node);
+        }
+    });
+    found
+}
+
+/// The bits of the axes along which a direction goes down.
+fn mirror(d: [f32; 3]) -> u32 {
+    (0..3).map(|axis| u32::from(d[axis] < 0.0) << axis).sum()
+}
+
+/// Visits a node and all below it, the children in the order of their numbers with some bits turned.
+fn below(q: &OctreeWalk, node: u32, turned: u32, visit: &mut dyn FnMut(u32)) {
+    visit(node);
+    let NodeRow { inner, first, .. } = q.nodes[node as usize];
+    if inner == 1 {
+        for i in 0..8 {
+            below(q, first + (i ^ turned), turned, visit);
+        }
     }
 }

@@ -6,6 +6,7 @@ mod operations;
 mod panics;
 mod regimes;
 mod several;
+mod students;
 
 use mistakes::{MISTAKES, Slip};
 use raybook_grader::cases;
@@ -14,6 +15,7 @@ use raybook_grader::diagnose::{Diagnosis, diagnose};
 use raybook_grader::examine::{Case, Examiner, visible_rng};
 use raybook_workbook::row;
 use rayon::prelude::*;
+use students::STUDENTS;
 
 /// What became of a mistake.
 enum Fate {
@@ -61,6 +63,22 @@ fn mistakes_that_are_on_no_list_are_called_by_their_names() {
         10 * named >= 9 * caught,
         "{named} of {caught} are named:\n{report}"
     );
+}
+
+#[test]
+fn what_students_write_is_called_by_its_name() {
+    let fates = STUDENTS.par_iter().map(|slip| (slip, fate(slip)));
+    let said = fates.filter_map(|(slip, fate)| {
+        let said = match fate {
+            Fate::Named => return None,
+            Fate::Passed => "passes".to_owned(),
+            Fate::Unnamed => "has no name".to_owned(),
+            Fate::Guessed(diagnosis) | Fate::Accused(diagnosis) => told(&diagnosis),
+        };
+        Some(format!("{}: \"{}\": {said}", slip.exercise, slip.what))
+    });
+    let unnamed: Vec<_> = said.collect();
+    assert!(unnamed.is_empty(), "{unnamed:#?}");
 }
 
 #[test]

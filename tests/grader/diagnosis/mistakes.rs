@@ -23,7 +23,7 @@ pub struct Slip {
     pub answer: Answer,
 }
 
-const fn slip(
+pub const fn slip(
     exercise: &'static str,
     what: &'static str,
     names: &'static [&'static str],
@@ -44,13 +44,17 @@ fn changed(mut answer: Vec<f64>, change: impl Fn(&mut [f64])) -> Vec<f64> {
 }
 
 /// The right answer to a question that was misread.
-fn misread(q: &[f64], right: &dyn Fn(&[f64]) -> Vec<f64>, change: impl Fn(&mut [f64])) -> Vec<f64> {
+pub fn misread(
+    q: &[f64],
+    right: &dyn Fn(&[f64]) -> Vec<f64>,
+    change: impl Fn(&mut [f64]),
+) -> Vec<f64> {
     let mut q = q.to_vec();
     change(&mut q);
     right(&q)
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
+pub fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
@@ -58,11 +62,11 @@ fn length(a: &[f64]) -> f64 {
     dot(a, a).sqrt()
 }
 
-fn minus(a: &[f64], b: &[f64]) -> Vec<f64> {
+pub fn minus(a: &[f64], b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| a - b).collect()
 }
 
-fn cross(a: &[f64], b: &[f64]) -> [f64; 3] {
+pub fn cross(a: &[f64], b: &[f64]) -> [f64; 3] {
     [
         a[1] * b[2] - a[2] * b[1],
         a[2] * b[0] - a[0] * b[2],

@@ -14,11 +14,9 @@ impl Explained for Reflect {
         let i = way.part("i", i);
         let n = way.part("n", n);
         let cosine = way.number("i·n", "", i.dot(n));
-        let part = way.vector(
-            "2 (i·n) n: twice the part of i along n",
-            "",
-            2.0 * cosine * n,
-        );
+        let twice = way.part("2 (i·n)", 2.0 * cosine);
+        let along = way.part("n, behind 2 (i·n)", n);
+        let part = way.vector("2 (i·n) n: twice the part of i along n", "", twice * along);
         let reflected = way.vector("i − 2 (i·n) n", "", i - part);
         way.vector("the same of length 1", "", reflected.normalize_or(-i))
             .as_vec3()

@@ -7,7 +7,46 @@ use super::way::Way;
 use glam::Vec3;
 use raybook_workbook::exercises::ch14_refraction::{Fresnel, FresnelAnswer, Refract};
 
+/// The same by one formula: η i + (η cos θ₁ − cos θ₂) n.
+fn by_the_formula(asked: &Refract, way: &mut Way) -> Option<Vec3> {
+    let i = way.part("i", asked.direction.as_dvec3());
+    let normal = way.part("the normal", asked.normal.as_dvec3());
+    let outside = way.part("outside", f64::from(asked.outside));
+    let inside = way.part("inside", f64::from(asked.inside));
+    let cosine = way.part("i·normal", i.dot(normal));
+    let leaves = cosine >= 0.0;
+    let cos1 = way.part("−i·normal", -cosine);
+    let is_below = way.decides("cos θ₁ would be negative", leaves);
+    let cos1 = way.part("cos θ₁", if is_below { -cos1 } else { cos1 });
+    let eta = if way.decides("the indices are exchanged, for the ray leaves", leaves) {
+        inside / outside
+    } else {
+        outside / inside
+    };
+    let eta = way.part("η = n₁/n₂", eta);
+    let is_turned = way.decides("the normal is turned, for the ray leaves", leaves);
+    let n = way.part(
+        "n, which is added in the end",
+        if is_turned { -normal } else { normal },
+    );
+    let factor = way.part("η²", eta * eta);
+    let square = way.part("cos²θ₁", cos1 * cos1);
+    let sine = way.part("1 − cos²θ₁", 1.0 - square);
+    let squared = way.part("cos²θ₂ = 1 − η² (1 − cos²θ₁)", 1.0 - factor * sine);
+    if way.decides("cos²θ₂ is negative", squared < 0.0) {
+        return None;
+    }
+    let cos2 = way.part("cos θ₂", squared.sqrt());
+    let product = way.part("η cos θ₁", eta * cos1);
+    let across = way.part("η cos θ₁ − cos θ₂", product - cos2);
+    let along = way.part("η i", eta * i);
+    let refracted = way.part("η i + (η cos θ₁ − cos θ₂) n", along + across * n);
+    Some(refracted.as_vec3())
+}
+
 impl Explained for Refract {
+    const WAYS: &'static [fn(&Self, &mut Way) -> Option<Vec3>] = &[Self::work, by_the_formula];
+
     fn work(&self, way: &mut Way) -> Option<Vec3> {
         let (i, normal) = (self.direction.as_dvec3(), self.normal.as_dvec3());
         let i = way.part("i", i);
@@ -84,7 +123,8 @@ impl Explained for Fresnel {
             way.remark("n₁ is n₂: there is no surface for the light, and nothing is reflected.");
             return both(0.0, 0.0);
         }
-        let sin1 = way.part("sin²θ₁ = 1 − cos²θ₁", 1.0 - cos1 * cos1);
+        let square = way.part("cos²θ₁", cos1 * cos1);
+        let sin1 = way.part("sin²θ₁ = 1 − cos²θ₁", 1.0 - square);
         let eta = way.part("n₁/n₂", n1 / n2);
         let eta = way.part("(n₁/n₂)²", eta * eta);
         let sin2 = way.number("sin²θ₂ = (n₁/n₂)² (1 − cos²θ₁)", "", eta * sin1);

@@ -95,10 +95,12 @@ impl Tracer<'_> {
             return DVec3::ZERO;
         }
         let Some((object, t)) = self.nearest(line) else {
+            let d = way.part("d", line.direction);
+            let from_below = way.part("d.y + 1", d.y + 1.0);
             let height = way.number(
                 "nothing is met: (d.y + 1)/2, from below to above",
                 "",
-                0.5 * (line.direction.y + 1.0),
+                0.5 * from_below,
             );
             let backdrop = &self.scene.backdrop;
             let seen = parts(backdrop.below).lerp(parts(backdrop.above), height);
@@ -126,7 +128,8 @@ impl Tracer<'_> {
             normal(&thing.form, p),
         );
         let is_inside = outside.dot(line.direction) > 0.0;
-        let n = if is_inside { -outside } else { outside };
+        let is_turned = way.decides("the normal points away from the viewer", is_inside);
+        let n = if is_turned { -outside } else { outside };
         match &thing.matter {
             Matter::Phong(phong) => self.lit(way, phong, [p, n, -line.direction]),
             Matter::Mirror(mirror) => {
@@ -135,13 +138,14 @@ impl Tracer<'_> {
                 way.vector("the mirror's share of that", "W·m⁻²·sr⁻¹", share * seen)
             }
             Matter::Glass(clear) => {
-                let inside = f64::from(clear.index);
-                let [here, there] = if is_inside {
-                    [inside, 1.0]
+                let index = f64::from(clear.index);
+                let is_leaving = way.decides("the ray comes from inside of the glass", is_inside);
+                let indices = if is_leaving {
+                    [index, 1.0]
                 } else {
-                    [1.0, inside]
+                    [1.0, index]
                 };
-                self.through(way, line, [p, n], here / there, depth)
+                self.through(way, line, [p, n], indices, depth)
             }
         }
     }
@@ -150,12 +154,14 @@ impl Tracer<'_> {
     fn lit(&mut self, way: &mut Way, phong: &Phong, [p, n, view]: [DVec3; 3]) -> DVec3 {
         let ambient = parts(phong.ambient) * parts(self.scene.ambient);
         let mut sum = way.vector("k_a i_a", "W·m⁻²·sr⁻¹", ambient);
-        let n = if n.dot(view) < 0.0 { -n } else { n };
+        let matte = way.part("k_d", parts(phong.diffuse));
+        let shiny = way.part("k_s", parts(phong.specular));
+        let exponent = way.part("α", f64::from(phong.exponent));
         for (i, lamp) in self.scene.lamps.iter().enumerate() {
             let to = lamp.position.as_dvec3() - p;
             let (distance, toward) = (to.length(), to.normalize_or(n));
             let lambert = way.number(format!("lamp {i}: L·N"), "", toward.dot(n));
-            if lambert <= 0.0 {
+            if way.decides("the lamp is behind the surface", lambert <= 0.0) {
                 way.remark("The lamp is behind the surface.");
                 continue;
             }
@@ -166,25 +172,29 @@ impl Tracer<'_> {
             let hides = |t: f64| t < distance * (1.0 - 1e-4);
             let objects = self.scene.objects.iter();
             let between = objects.map(|o| meets(&o.form, line).is_some_and(hides));
+            let hidden = between.into_iter().position(|hidden| hidden);
             self.parts.push(Part {
                 ends: [p, lamp.position.as_dvec3()],
                 is_to_lamp: true,
             });
-            if let Some(object) = between.into_iter().position(|hidden| hidden) {
+            if way.decides("a thing is in the way to the lamp", hidden.is_some()) {
+                let object = hidden.unwrap_or_default();
                 way.remark(format!(
                     "Object {object} is in the way: the lamp throws no light here."
                 ));
                 continue;
             }
-            let arriving = way.vector(
-                "I/r²",
-                "W/m²",
-                parts(lamp.intensity) / (distance * distance),
-            );
-            let cosine = (2.0 * lambert * n - toward).dot(view);
-            let cosine = way.number("R·V", "", cosine).max(0.0);
-            let highlight = parts(phong.specular) * cosine.powf(phong.exponent.into());
-            let light = (parts(phong.diffuse) * lambert + highlight) * arriving;
+            let intensity = parts(lamp.intensity);
+            let distance = way.part("r, the distance to the lamp", distance);
+            let square = way.part("r²", distance * distance);
+            let arriving = way.vector("I/r²", "W/m²", intensity / square);
+            let mirrored = way.part("R = 2 (L·N) N − L", 2.0 * lambert * n - toward);
+            let cosine = way.number("R·V", "", mirrored.dot(view));
+            let is_behind = way.decides("the highlight is on the other side", cosine <= 0.0);
+            let cosine = if is_behind { 0.0 } else { cosine };
+            let power = way.part("(R·V)^α", cosine.powf(exponent));
+            let height = way.part("L·N in the diffuse part", lambert);
+            let light = (matte * height + shiny * power) * arriving;
             sum += way.vector("(k_d (L·N) + k_s (R·V)^α) I/r²", "W·m⁻²·sr⁻¹", light);
         }
         way.vector("the surface's radiance, the sum", "W·m⁻²·sr⁻¹", sum)
@@ -192,11 +202,8 @@ impl Tracer<'_> {
 
     fn mirrored(&mut self, way: &mut Way, line: Line, [p, n]: [DVec3; 2], depth: u32) -> DVec3 {
         let d = line.direction;
-        let direction = way.vector(
-            "the mirror direction d − 2 (d·n) n",
-            "",
-            d - 2.0 * d.dot(n) * n,
-        );
+        let across = way.part("2 (d·n) n", 2.0 * d.dot(n) * n);
+        let direction = way.vector("the mirror direction d − 2 (d·n) n", "", d - across);
         self.radiance(
             way,
             Line {
@@ -207,29 +214,39 @@ impl Tracer<'_> {
         )
     }
 
-    /// What is seen in a surface of glass and through it; η is the index before it over the index behind.
+    /// What is seen in a surface of glass and through it, with the indices of refraction before it and behind it.
     fn through(
         &mut self,
         way: &mut Way,
         line: Line,
         [p, n]: [DVec3; 2],
-        eta: f64,
+        [before, behind]: [f64; 2],
         depth: u32,
     ) -> DVec3 {
         let d = line.direction;
+        let before = way.part("n₁", before);
+        let behind = way.part("n₂", behind);
         let cos1 = way.number("cos θ₁", "", -d.dot(n));
-        let eta = way.number("η = n₁/n₂", "", eta);
-        let squared = way.number(
-            "cos²θ₂ = 1 − η² (1 − cos²θ₁)",
-            "",
-            1.0 - eta * eta * (1.0 - cos1 * cos1),
-        );
-        let share = if squared <= 0.0 {
+        let eta = way.number("η = n₁/n₂", "", before / behind);
+        let factor = way.part("η²", eta * eta);
+        let sine = way.part("1 − cos²θ₁", 1.0 - cos1 * cos1);
+        let squared = way.number("cos²θ₂ = 1 − η² (1 − cos²θ₁)", "", 1.0 - factor * sine);
+        let is_total = way.decides("the ray is totally reflected", squared <= 0.0);
+        let cos2 = way.part("cos θ₂", squared.max(0.0).sqrt());
+        let share = if is_total {
             1.0
         } else {
-            let cos2 = squared.sqrt();
-            let square = |a: f64, b: f64| ((a - b) / (a + b)).powi(2);
-            0.5 * (square(eta * cos1, cos2) + square(eta * cos2, cos1))
+            let amplitude = |a: f64, b: f64| (a - b) / (a + b);
+            let s = way.part(
+                "the amplitude for Rs",
+                amplitude(before * cos1, behind * cos2),
+            );
+            let p = way.part(
+                "the amplitude for Rp",
+                amplitude(before * cos2, behind * cos1),
+            );
+            let (s, p) = (way.part("Rs", s * s), way.part("Rp", p * p));
+            0.5 * way.part("Rs + Rp", s + p)
         };
         let share = way.number("R, what Fresnel's equations say is reflected", "", share);
         let mut sum = DVec3::ZERO;
@@ -237,11 +254,14 @@ impl Tracer<'_> {
             way.remark("What is seen in the surface:");
             sum += share * self.mirrored(way, line, [p, n], depth);
         }
-        if squared > 0.0 {
+        if !is_total {
             way.remark("What is seen through the surface:");
-            let direction = (eta * d + (eta * cos1 - squared.sqrt()) * n).normalize();
+            let across = way.part("η cos θ₁ − cos θ₂", eta * cos1 - cos2);
+            let along = eta * d;
+            let direction = (along + across * n).normalize_or(d);
             let direction = way.vector("the refracted direction", "", direction);
-            sum += (1.0 - share)
+            let rest = way.part("1 − R", 1.0 - share);
+            sum += rest
                 * self.radiance(
                     way,
                     Line {

@@ -47,6 +47,23 @@ pub(super) fn matte_without_cosine(q: &Highlight, highlight: f32) -> Rgb {
     }
 }
 
+/// Both terms, but the power is taken of more than the highlight's cosine: of each channel's k_s times it, or of the whole sum.
+pub(super) fn power_of_more(q: &Highlight, cosine: f32, whole_sum: bool) -> Rgb {
+    let lambert = q.toward.dot(*q.normal);
+    if lambert <= 0.0 {
+        return Rgb::BLACK;
+    }
+    let matte = q.diffuse * lambert;
+    let shine = q.specular * cosine.max(0.0);
+    let power = |colour: Rgb| colour.map(|v| v.powf(q.exponent));
+    let sum = if whole_sum {
+        power(matte + shine)
+    } else {
+        matte + power(shine)
+    };
+    sum * q.arriving
+}
+
 /// The light that would reach the matte part from below the surface.
 pub(super) fn matte_from_below(q: &Highlight) -> Rgb {
     q.diffuse * (-q.toward.dot(*q.normal)).max(0.0) * q.arriving

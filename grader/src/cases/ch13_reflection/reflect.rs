@@ -99,6 +99,11 @@ impl Graded for Reflect {
                 }
             },
         },
+        Mistake {
+            name: "forgets the 2, and returns what is left along the surface",
+            hint: "Subtract (i·n) n once, and you are left with a vector along the surface: how far is it to the other side?",
+            answer: |q| *q.incoming - square(q),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

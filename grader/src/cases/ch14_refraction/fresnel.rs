@@ -224,6 +224,56 @@ impl Graded for Fresnel {
                 }
             },
         },
+        Mistake {
+            name: "squares half of the difference of both amplitudes for R",
+            hint: "Unpolarised light is half of one kind and half of the other: are amplitudes added, or shares of the light?",
+            answer: |q| {
+                let FresnelAnswer { rs, rp, r } = Fresnel::answer(q);
+                let r = cos2(q).map_or(r, |cos2| {
+                    let amplitude = |a: f32, b: f32| (a - b) / (a + b);
+                    let s = amplitude(q.n1 * q.cos1, q.n2 * cos2);
+                    let p = amplitude(q.n2 * q.cos1, q.n1 * cos2);
+                    (0.5 * (s + p)).powi(2)
+                });
+                FresnelAnswer { rs, rp, r }
+            },
+        },
+        Mistake {
+            name: "squares the mean of both amplitudes for R",
+            hint: "Unpolarised light is half of one kind and half of the other: are amplitudes added, or shares of the light?",
+            answer: |q| {
+                let FresnelAnswer { rs, rp, r } = Fresnel::answer(q);
+                let r = cos2(q).map_or(r, |cos2| {
+                    let amplitude = |a: f32, b: f32| (a - b) / (a + b);
+                    let s = amplitude(q.n1 * q.cos1, q.n2 * cos2);
+                    let p = amplitude(q.n1 * cos2, q.n2 * q.cos1);
+                    (0.5 * (s + p)).powi(2)
+                });
+                FresnelAnswer { rs, rp, r }
+            },
+        },
+        Mistake {
+            name: "exchanges the two media where the first is the denser one",
+            hint: "Out of glass, all is reflected from 42° on: is there such an angle in yours?",
+            answer: |q| {
+                Fresnel::answer(&Fresnel {
+                    n1: q.n1.min(q.n2),
+                    n2: q.n1.max(q.n2),
+                    ..*q
+                })
+            },
+        },
+        Mistake {
+            name: "compares the cosine with n₂/n₁ for total reflection",
+            hint: "At the critical angle, the sine is n₂/n₁: is the ray steeper or flatter where all is reflected?",
+            answer: |q| {
+                if q.n1 > q.n2 && q.cos1 < q.n2 / q.n1 {
+                    mean(1.0, 1.0)
+                } else {
+                    Self::answer(q)
+                }
+            },
+        },
     ];
 }
 

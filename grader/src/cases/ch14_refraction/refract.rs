@@ -120,6 +120,37 @@ impl Graded for Refract {
                     .then(|| angle.sin() * flat.normalize_or_zero() - angle.cos() * n)
             },
         },
+        Mistake {
+            name: "takes the root of the absolute value, so that it does not see total reflection",
+            hint: "What does it mean if the square of a cosine is negative?",
+            answer: |q| {
+                let (n, eta) = (facing(q), ratio(q));
+                let cos1 = -q.direction.dot(n);
+                let cos2 = (1.0 - eta * eta * (1.0 - cos1 * cos1)).abs().sqrt();
+                Some(eta * *q.direction + (eta * cos1 - cos2) * n)
+            },
+        },
+        Mistake {
+            name: "takes 0 for the root of what is negative, and lets the ray graze the surface where it is totally reflected",
+            hint: "What does it mean if the square of a cosine is negative?",
+            answer: |q| {
+                let (n, eta) = (facing(q), ratio(q));
+                let cos1 = -q.direction.dot(n);
+                let cos2 = (1.0 - eta * eta * (1.0 - cos1 * cos1)).max(0.0).sqrt();
+                Some(eta * *q.direction + (eta * cos1 - cos2) * n)
+            },
+        },
+        Mistake {
+            name: "takes the angles for their sines in Snell's law, but multiplies the direction by the ratio",
+            hint: "n₁ sin θ₁ = n₂ sin θ₂: which function of the angle do you multiply? Try 60°.",
+            answer: |q| {
+                let (n, eta) = (facing(q), ratio(q));
+                let cos1 = (-q.direction.dot(n)).clamp(-1.0, 1.0);
+                let angle = eta * cos1.acos();
+                (angle <= std::f32::consts::FRAC_PI_2)
+                    .then(|| eta * *q.direction + (eta * cos1 - angle.cos()) * n)
+            },
+        },
     ];
 }
 

@@ -4,7 +4,7 @@ use crate::{Graded, Mistake, Verdict, sample};
 use rand::RngExt;
 use raybook::math::{interval::Interval, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
-use raybook_workbook::exercises::ch15_shadows::{Ball, Lit};
+use raybook_workbook::exercises::ch15_shadows::{Ball, Lit, ShadowRay, Way};
 
 /// Whether any of these spheres is met from the point itself, at min < t < max.
 fn blocked(q: &Lit, spheres: &[Ball], within: Interval) -> bool {
@@ -16,6 +16,30 @@ fn blocked(q: &Lit, spheres: &[Ball], within: Interval) -> bool {
         within.contains(middle - half) || within.contains(middle + half)
     };
     spheres.iter().any(to_light)
+}
+
+/// Whether only the nearer of a sphere's two hits is asked for, from the right start.
+fn blocked_by_the_nearer(q: &Lit) -> bool {
+    let way = shadow(q);
+    let hides = |ball: &Ball| {
+        let from = way.origin - ball.center;
+        let middle = -from.dot(*q.toward);
+        let aside = (from + middle * *q.toward).length_squared();
+        let half = (ball.radius * ball.radius - aside).sqrt(); // NaN where it misses
+        way.within.contains(middle - half)
+    };
+    q.spheres.iter().any(hides)
+}
+
+/// The way to the light.
+fn shadow(q: &Lit) -> Way {
+    ShadowRay::answer(&ShadowRay {
+        position: q.position,
+        error: q.error,
+        normal: q.normal,
+        toward: q.toward,
+        distance: q.distance,
+    })
 }
 
 /// The spheres on which the point does not lie.
@@ -46,6 +70,12 @@ impl Graded for Lit {
         };
         let off = own.radius + sample::number(rng, -0.5, 0.5) * error;
         let position = own.center + off * *normal;
+        // The normal may point to either side of the surface.
+        let normal = if rng.random_bool(0.3) {
+            -normal
+        } else {
+            normal
+        };
         let distance = sample::number(rng, 4.0, 8.0);
         let other = |rng: &mut Pcg| {
             // In the way, behind the light, or behind the point.
@@ -186,6 +216,49 @@ impl Graded for Lit {
                 Self::misread(q, |q| {
                     q.spheres.iter_mut().for_each(|ball| ball.radius *= 0.5);
                 })
+            },
+        },
+        Mistake {
+            name: "asks only for the nearer of the two hits with each sphere",
+            hint: "A ray that starts inside of a sphere hits it once, on its way out: which of your two distances is that?",
+            answer: |q| u32::from(!blocked_by_the_nearer(q)),
+        },
+        Mistake {
+            name: "steps to the normal's side, wherever the light is",
+            hint: "The normal may point away from the light: on which side of the surface does the way to the light begin?",
+            answer: |q| {
+                let off = q.normal.abs().element_sum() * q.error;
+                let moved = Lit {
+                    position: q.position + off * *q.normal,
+                    ..q.clone()
+                };
+                let end = shadow(q).within.max;
+                u32::from(!blocked(&moved, &q.spheres, Interval::new(0.0, end)))
+            },
+        },
+        Mistake {
+            name: "takes a sphere anywhere on the line for an obstacle, before the light, behind it, and behind the point",
+            hint: "A line has no ends, the way to the light has two: where are they?",
+            answer: |q| {
+                let everywhere = Interval::new(f32::NEG_INFINITY, f32::INFINITY);
+                let moved = Lit {
+                    position: shadow(q).origin,
+                    ..q.clone()
+                };
+                u32::from(!blocked(&moved, &q.spheres, everywhere))
+            },
+        },
+        Mistake {
+            name: "looks for obstacles on the side away from the light",
+            hint: "In which direction from the point is a sphere that is in the way: what is the sign of its distance?",
+            answer: |q| {
+                let way = shadow(q);
+                let moved = Lit {
+                    position: way.origin,
+                    ..q.clone()
+                };
+                let away = Interval::new(-way.within.max, 0.0);
+                u32::from(!blocked(&moved, &q.spheres, away))
             },
         },
     ];

@@ -254,6 +254,18 @@ impl Graded for SampleSphereLight {
                     .collect()
             },
         },
+        Mistake {
+            name: "takes the sine of the cone's angle for its cosine",
+            hint: "Draw the cone and the radius to where it touches the sphere: is the radius over the distance the sine of its angle, or the cosine?",
+            answer: |q| {
+                let far = q.at.distance(q.center);
+                if far > q.radius {
+                    wide(q, 1.0 - q.radius / far)
+                } else {
+                    Self::answer(q)
+                }
+            },
+        },
     ];
 }
 

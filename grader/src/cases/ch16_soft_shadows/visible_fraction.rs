@@ -3,6 +3,7 @@
 use super::lattice;
 use crate::{Graded, Mistake, Verdict, judge, sample, traits};
 use glam::{Vec2, Vec3, vec3};
+use rand::RngExt;
 use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 use raybook::shape::{Shape, sphere::Sphere};
 use raybook_workbook::exercise::Exercise;
@@ -21,9 +22,13 @@ impl Graded for VisibleFraction {
         let balls = (0..3).map(|i| Ball {
             center: vec3(
                 sample::number(rng, -1.0, 1.0),
-                // The third is above the light, where it is in nobody's way.
+                // The third is above the light or below the points, where it is in nobody's way.
                 if i == 2 {
-                    height + 1.5
+                    if rng.random_bool(0.5) {
+                        height + 1.5
+                    } else {
+                        -1.5
+                    }
                 } else {
                     sample::number(rng, 0.9, 0.7 * height)
                 },
@@ -74,7 +79,7 @@ impl Graded for VisibleFraction {
     }
 
     fn traits(q: &VisibleFraction, got: &Vec<f32>) -> Vec<f64> {
-        let exact = seen(q, 12, |u| u, 1.0);
+        let exact = seen(q, 12, |u| u, [0.0, 1.0]);
         let pairs = || {
             exact
                 .iter()
@@ -103,7 +108,7 @@ impl Graded for VisibleFraction {
         Mistake {
             name: "samples the middle of the light only",
             hint: "What is the width of your penumbra?",
-            answer: |q| seen(q, 1, |u| u, 1.0),
+            answer: |q| seen(q, 1, |u| u, [0.0, 1.0]),
         },
         Mistake {
             name: "returns the fraction that is in the dark",
@@ -113,22 +118,22 @@ impl Graded for VisibleFraction {
         Mistake {
             name: "lets the shadow ray go on behind the light",
             hint: "A ball behind the light throws no shadow: where does your ray end?",
-            answer: |q| seen(q, 16, |u| u, f32::INFINITY),
+            answer: |q| seen(q, 16, |u| u, [0.0, f32::INFINITY]),
         },
         Mistake {
             name: "samples one quarter of the light only",
             hint: "Which points of the light do the numbers from 0 to 1 reach?",
-            answer: |q| seen(q, 16, |u| 0.5 * u, 1.0),
+            answer: |q| seen(q, 16, |u| 0.5 * u, [0.0, 1.0]),
         },
         Mistake {
             name: "samples one diagonal of the light only",
             hint: "Does each sample have two random numbers of its own?",
-            answer: |q| seen(q, 16, |u| Vec2::splat(u.x + (u.y - 0.5) / 16.0), 1.0),
+            answer: |q| seen(q, 16, |u| Vec2::splat(u.x + (u.y - 0.5) / 16.0), [0.0, 1.0]),
         },
         Mistake {
             name: "samples the light's four corners only",
             hint: "In the penumbra, how many different fractions do you get?",
-            answer: |q| seen(q, 2, |u| 2.0 * u - 0.5, 1.0),
+            answer: |q| seen(q, 2, |u| 2.0 * u - 0.5, [0.0, 1.0]),
         },
         Mistake {
             name: "takes every penumbra for full shadow",
@@ -178,7 +183,7 @@ impl Graded for VisibleFraction {
                             }
                         })
                     },
-                    1.0,
+                    [0.0, 1.0],
                 )
             },
         },
@@ -217,7 +222,7 @@ impl Graded for VisibleFraction {
         Mistake {
             name: "samples one half of the light only",
             hint: "Which points of the light do the numbers from 0 to 1 reach, along each side?",
-            answer: |q| seen(q, 16, |u| Vec2::new(0.5 * u.x, u.y), 1.0),
+            answer: |q| seen(q, 16, |u| Vec2::new(0.5 * u.x, u.y), [0.0, 1.0]),
         },
         Mistake {
             name: "takes half the radius of each ball",
@@ -239,17 +244,49 @@ impl Graded for VisibleFraction {
                 })
             },
         },
+        Mistake {
+            name: "takes balls behind the point for obstacles",
+            hint: "A hit at a negative t is not between the point and the light.",
+            answer: |q| seen(q, 16, |u| u, [f32::NEG_INFINITY, 1.0]),
+        },
+        Mistake {
+            name: "does not begin to count anew at each point",
+            hint: "The second point's count begins where the first one's ended: how large can its fraction become?",
+            answer: |q| {
+                let mut sum = 0.0;
+                let counted = |f: &f32| {
+                    sum += f;
+                    sum
+                };
+                VisibleFraction::answer(q).iter().map(counted).collect()
+            },
+        },
+        Mistake {
+            name: "takes the light's corner for its middle",
+            hint: "From where to where must your numbers go, so that the corner and the opposite corner are their ends?",
+            answer: |q| seen(q, 16, |u| u - 0.5, [0.0, 1.0]),
+        },
+        Mistake {
+            name: "takes no more samples at a point when one of them is hidden",
+            hint: "One sample is hidden: what do you know of the next ones?",
+            answer: |q| {
+                // As many in a row as are seen before the first that is not.
+                let before = |f: f32| (f / (1.0 - f) / q.samples as f32).min(1.0);
+                let all = VisibleFraction::answer(q).into_iter();
+                all.map(|f| if f < 1.0 { before(f) } else { f }).collect()
+            },
+        },
     ];
 }
 
 /// The fractions, by a lattice fine enough to stand for the exact value.
 fn exact(q: &VisibleFraction) -> Vec<f32> {
-    seen(q, 32, |u| u, 1.0)
+    seen(q, 32, |u| u, [0.0, 1.0])
 }
 
-/// The fractions by the points of the light to which an n × n lattice is mapped, and by rays that end at `end` times the
-/// distance of the light.
-fn seen(q: &VisibleFraction, n: u32, place: fn(Vec2) -> Vec2, end: f32) -> Vec<f32> {
+/// The fractions by the points of the light to which an n × n lattice is mapped, and by rays that begin and end at `ends`
+/// times the distance of the light.
+fn seen(q: &VisibleFraction, n: u32, place: fn(Vec2) -> Vec2, ends: [f32; 2]) -> Vec<f32> {
     let balls: Vec<_> = q
         .balls
         .iter()
@@ -257,7 +294,8 @@ fn seen(q: &VisibleFraction, n: u32, place: fn(Vec2) -> Vec2, end: f32) -> Vec<f
         .collect();
     let arrives = |from: Vec3, u: Vec2| {
         let r = q.corner + u.x * q.a + u.y * q.b - from;
-        let way = Interval::new(0.0, end * r.length());
+        let [begin, end] = ends.map(|end| end * r.length());
+        let way = Interval::new(begin, end);
         let free = |ray: &Ray| !balls.iter().any(|ball| ball.blocks(ray, way));
         r.dot(q.a.cross(q.b)) < 0.0 && Dir3::new(r).is_some_and(|d| free(&Ray::new(from, d)))
     };

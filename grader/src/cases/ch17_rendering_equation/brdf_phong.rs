@@ -153,5 +153,37 @@ impl Graded for BrdfPhong {
             hint: "Exchange light and viewer: a BRDF stays the same. To what does the cosine belong?",
             answer: |q| phong(q, cos_alpha(q), 1.0 / PI, norm(q) * q.normal.dot(*q.toward)),
         },
+        Mistake {
+            name: "takes (n + 2)/π for the factor",
+            hint: "Which integral should be 1, and is yours 2?",
+            answer: |q| phong(q, cos_alpha(q), 1.0 / PI, 2.0 * norm(q)),
+        },
+        Mistake {
+            name: "does not ask whether the viewer is above the surface",
+            hint: "The BRDF is 0 if the light is not above the surface: is that all that must be above it?",
+            answer: |q| {
+                if q.normal.dot(*q.toward) <= 0.0 {
+                    return Rgb::BLACK;
+                }
+                let highlight = cos_alpha(q).max(0.0).powf(q.exponent);
+                q.diffuse * (1.0 / PI) + q.specular * (norm(q) * highlight)
+            },
+        },
+        Mistake {
+            name: "does not ask whether the light is above the surface",
+            hint: "The BRDF is 0 if the viewer is not above the surface: is that all that must be above it?",
+            answer: |q| {
+                if q.normal.dot(*q.view) <= 0.0 {
+                    return Rgb::BLACK;
+                }
+                let highlight = cos_alpha(q).max(0.0).powf(q.exponent);
+                q.diffuse * (1.0 / PI) + q.specular * (norm(q) * highlight)
+            },
+        },
+        Mistake {
+            name: "divides the albedo of the highlight by π too",
+            hint: "The factor of the highlight has a π already: is there another one?",
+            answer: |q| phong(q, cos_alpha(q), 1.0 / PI, norm(q) / PI),
+        },
     ];
 }

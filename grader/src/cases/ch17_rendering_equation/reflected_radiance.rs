@@ -188,5 +188,15 @@ impl Graded for ReflectedRadiance {
             hint: "Where many directions are chosen, each of them counts less: by what do you divide?",
             answer: |q| weighted(q, |cosine| cosine / PI),
         },
+        Mistake {
+            name: "multiplies by the cosine twice",
+            hint: "If directions are chosen by the cosine, the density holds one cosine and the integrand another: is there a third in yours?",
+            answer: |q| weighted(q, |cosine| cosine),
+        },
+        Mistake {
+            name: "looks at the sky in the viewer's direction, whatever direction is chosen",
+            hint: "From which directions does light arrive at the surface?",
+            answer: |q| under(q, |_| q.sky(q.view)),
+        },
     ];
 }

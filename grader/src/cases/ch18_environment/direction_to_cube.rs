@@ -12,6 +12,16 @@ fn asks(direction: Dir3) -> DirectionToCube {
     DirectionToCube { direction }
 }
 
+/// The right answer, changed on some faces.
+fn on(q: &DirectionToCube, faces: &[u32], change: fn(CubePlace) -> CubePlace) -> CubePlace {
+    let right = DirectionToCube::answer(q);
+    if faces.contains(&right.face) {
+        change(right)
+    } else {
+        right
+    }
+}
+
 impl Graded for DirectionToCube {
     fn random(rng: &mut Pcg) -> DirectionToCube {
         asks(sample::direction(rng))
@@ -172,6 +182,61 @@ impl Graded for DirectionToCube {
                 };
                 CubePlace { face, ..right }
             },
+        },
+        Mistake {
+            name: "has the ceiling +y upside down",
+            hint: "Look at -z and raise or lower your eyes: at which edge of that face do you arrive?",
+            answer: |q| on(q, &[2], |p| CubePlace { u: p.u, v: 1.0 - p.v, ..p }),
+        },
+        Mistake {
+            name: "has the floor -y upside down",
+            hint: "Look at -z and raise or lower your eyes: at which edge of that face do you arrive?",
+            answer: |q| on(q, &[3], |p| CubePlace { u: p.u, v: 1.0 - p.v, ..p }),
+        },
+        Mistake {
+            name: "exchanges the faces +x and -x, with what is to the right on them",
+            hint: "What is the sign of the direction's x on each of the two faces?",
+            answer: |q| on(q, &[0, 1], |p| CubePlace { face: p.face ^ 1, u: 1.0 - p.u, v: p.v, ..p }),
+        },
+        Mistake {
+            name: "exchanges the faces +y and -y, with what is to the right on them",
+            hint: "What is the sign of the direction's y on each of the two faces?",
+            answer: |q| on(q, &[2, 3], |p| CubePlace { face: p.face ^ 1, u: p.u, v: 1.0 - p.v, ..p }),
+        },
+        Mistake {
+            name: "exchanges the faces +z and -z, with what is to the right on them",
+            hint: "What is the sign of the direction's z on each of the two faces?",
+            answer: |q| on(q, &[4, 5], |p| CubePlace { face: p.face ^ 1, u: 1.0 - p.u, v: p.v, ..p }),
+        },
+        Mistake {
+            name: "has left and right exchanged on the face +x only",
+            hint: "Stand in the cube and look at that face: what is on your right?",
+            answer: |q| on(q, &[0], |p| CubePlace { u: 1.0 - p.u, v: p.v, ..p }),
+        },
+        Mistake {
+            name: "has left and right exchanged on the face -x only",
+            hint: "Stand in the cube and look at that face: what is on your right?",
+            answer: |q| on(q, &[1], |p| CubePlace { u: 1.0 - p.u, v: p.v, ..p }),
+        },
+        Mistake {
+            name: "has left and right exchanged on the face +y only",
+            hint: "Stand in the cube and look at that face: what is on your right?",
+            answer: |q| on(q, &[2], |p| CubePlace { u: 1.0 - p.u, v: p.v, ..p }),
+        },
+        Mistake {
+            name: "has left and right exchanged on the face -y only",
+            hint: "Stand in the cube and look at that face: what is on your right?",
+            answer: |q| on(q, &[3], |p| CubePlace { u: 1.0 - p.u, v: p.v, ..p }),
+        },
+        Mistake {
+            name: "has left and right exchanged on the face +z only",
+            hint: "Stand in the cube and look at that face: what is on your right?",
+            answer: |q| on(q, &[4], |p| CubePlace { u: 1.0 - p.u, v: p.v, ..p }),
+        },
+        Mistake {
+            name: "has left and right exchanged on the face -z only",
+            hint: "Stand in the cube and look at that face: what is on your right?",
+            answer: |q| on(q, &[5], |p| CubePlace { u: 1.0 - p.u, v: p.v, ..p }),
         },
     ];
 

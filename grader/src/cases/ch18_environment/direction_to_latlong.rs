@@ -100,6 +100,15 @@ impl Graded for DirectionToLatlong {
                 vec2((2.0 * right.x - 0.5).rem_euclid(1.0), right.y)
             },
         },
+        Mistake {
+            name: "takes the angle from +z for the angle from +y",
+            hint: "Which axis points up on the map?",
+            answer: |q| {
+                let right = Self::answer(q);
+                let angle = q.direction.z.clamp(-1.0, 1.0).acos();
+                vec2(right.x, angle / std::f32::consts::PI)
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -46,6 +46,22 @@ impl OfDensity for EnvironmentPdf {
     }
 }
 
+/// The density of the texel whose column or row, or both, are rounded.
+fn rounded(q: &EnvironmentPdf, columns: bool, rows: bool) -> f32 {
+    let place = latlong::place(q.direction);
+    let near = |v: f32, n: u32| ((v * n as f32).round() as usize).min(n as usize - 1);
+    let (x, y) = q.texel();
+    let x = if columns { near(place.x, q.width) } else { x };
+    let y = if rows { near(place.y, q.height) } else { y };
+    let map = q.map();
+    let share = map.share(x, y);
+    if share.is_nan() {
+        0.0
+    } else {
+        (share / map.solid_angle(y)) as f32
+    }
+}
+
 impl Graded for EnvironmentPdf {
     fn random(rng: &mut Pcg) -> EnvironmentPdf {
         let map = SampleEnvironment::random(rng);
@@ -183,15 +199,31 @@ impl Graded for EnvironmentPdf {
         Mistake {
             name: "rounds the place to a texel instead of cutting off its fraction",
             hint: "The place 0.9 of three columns is 2.7: in which column is that, counted from 0?",
+            answer: |q| rounded(q, true, true),
+        },
+        Mistake {
+            name: "rounds the row instead of cutting off its fraction",
+            hint: "The place 0.9 of three rows is 2.7: in which row is that, counted from 0?",
+            answer: |q| rounded(q, false, true),
+        },
+        Mistake {
+            name: "rounds the column instead of cutting off its fraction",
+            hint: "The place 0.9 of three columns is 2.7: in which column is that, counted from 0?",
+            answer: |q| rounded(q, true, false),
+        },
+        Mistake {
+            name: "takes the sine in the middle of a row for the whole row",
+            hint: "The solid angle of a row is 2π times a difference of cosines: how far is the sine in its middle from that, near a pole?",
             answer: |q| {
-                let place = latlong::place(q.direction);
-                let near = |v: f32, n: u32| ((v * n as f32).round() as usize).min(n as usize - 1);
-                let (x, y) = q.texel();
-                let (right, map) = (Self::answer(q), q.map());
-                let here = map.texel(x, y) as f32;
-                let there = map.texel(near(place.x, q.width), near(place.y, q.height)) as f32;
-                if here > 0.0 {
-                    right * there / here
+                let (map, (x, y)) = (q.map(), q.texel());
+                let sine = |row: usize| (PI * (row as f64 + 0.5) / f64::from(q.height)).sin();
+                let all = q.texels.iter().enumerate();
+                let sum: f64 = all
+                    .map(|(i, t)| f64::from(*t) * sine(i / q.width as usize))
+                    .sum();
+                let texel = 2.0 * PI * PI / f64::from(q.width * q.height);
+                if sum > 0.0 {
+                    (map.texel(x, y) / (sum * texel)) as f32
                 } else {
                     0.0
                 }

@@ -311,5 +311,49 @@ impl Graded for ConcentricDisk {
             hint: "From where to where does your angle go?",
             answer: |q| q.mapped(|u| u.x.sqrt() * Vec2::from_angle(0.5 * TAU * u.y)),
         },
+        Mistake {
+            name: "has the quotients of both coordinates upside down in the angle",
+            hint: "Near an axis the angle is near 0 there: which of the two coordinates is the small one?",
+            answer: |q| {
+                q.mapped(|u| {
+                    let (a, b) = (2.0 * u - 1.0).into();
+                    let quotient = |over: f32, under: f32| if under == 0.0 { 0.0 } else { over / under };
+                    if a.abs() > b.abs() {
+                        a * Vec2::from_angle(FRAC_PI_4 * quotient(a, b))
+                    } else {
+                        b * Vec2::from_angle(FRAC_PI_2 - FRAC_PI_4 * quotient(b, a))
+                    }
+                })
+            },
+        },
+        Mistake {
+            name: "forgets π/2 in the angle above and below",
+            hint: "Straight above the middle, how large is the angle from the x axis?",
+            answer: |q| {
+                q.mapped(|u| {
+                    let (a, b) = (2.0 * u - 1.0).into();
+                    if a.abs() > b.abs() {
+                        a * Vec2::from_angle(FRAC_PI_4 * b / a)
+                    } else if b == 0.0 {
+                        Vec2::ZERO
+                    } else {
+                        b * Vec2::from_angle(FRAC_PI_4 * a / b)
+                    }
+                })
+            },
+        },
+        Mistake {
+            name: "does not bring back into the square what the shift moves out of it",
+            hint: "The points are fractional parts: what becomes of a coordinate above 1?",
+            answer: |q| {
+                let lattice = ConcentricDisk {
+                    shift: Vec2::ZERO,
+                    ..q.clone()
+                };
+                let moved = |u: Vec2| concentric_disk(vec2(u.x + q.shift.x, u.y));
+                let rows = lattice.points().into_iter().zip(q.points());
+                rows.map(|(u, right)| moved(vec2(u.x, right.y))).collect()
+            },
+        },
     ];
 }

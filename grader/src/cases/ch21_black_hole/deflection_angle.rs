@@ -1,12 +1,18 @@
 //! `deflection_angle`: by quadrature, by stepping the ray, by series where they are good enough.
 
-use crate::{Graded, Mistake, Verdict, judge, sample};
+use crate::{Flaw, Graded, Mistake, Verdict, judge, sample};
 use rand::RngExt;
 use raybook::math::pcg::Pcg;
 use raybook::render::curved::CRITICAL;
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch21_black_hole::DeflectionAngle;
 use std::f32::consts::PI;
+
+/// An angle this near to the right one is the result of a right method that is not exact enough.
+const NEARLY: f32 = 0.1;
+
+/// What is said of such an angle.
+const COARSE: &str = "that is nearly right, but not to a part in a thousand";
 
 impl Graded for DeflectionAngle {
     fn random(rng: &mut Pcg) -> DeflectionAngle {
@@ -22,9 +28,17 @@ impl Graded for DeflectionAngle {
         let (golden, got) = (golden.as_ref(), got.as_ref());
         judge::option("a ray that gets away", golden, got, |golden, got| {
             let tolerance = judge::RELATIVE * golden;
-            judge::number_within("the angle", "rad", *golden, *got, tolerance)
+            let why = judge::number_within("the angle", "rad", *golden, *got, tolerance);
+            let is_near = (golden - got).abs() <= NEARLY * golden;
+            why.map_err(|why| if is_near { format!("{why}: {COARSE}") } else { why })
         })
     }
+
+    const FLAWS: &'static [Flaw] = &[Flaw {
+        complaint: COARSE,
+        name: "follows the ray in steps that are too long, or begins or ends too near to the hole",
+        hint: "Halve your steps: does the angle change by more than a part in a thousand? And if you begin twice as far away?",
+    }];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
@@ -84,6 +98,21 @@ impl Graded for DeflectionAngle {
             name: "lets rays fall in up to b = 3",
             hint: "Between the rays that fall in and those that get away lies a ray that circles for ever: what is its b?",
             answer: |q| DeflectionAngle::answer(q).filter(|_| q.impact_parameter >= 3.0),
+        },
+        Mistake {
+            name: "leaves out whole turns: returns the rest of a division by 2π",
+            hint: "A ray may go around the hole before it leaves: is that a part of the angle by which it is turned?",
+            answer: |q| DeflectionAngle::answer(q).map(|angle| angle % (2.0 * PI)),
+        },
+        Mistake {
+            name: "leaves out half turns: returns the rest of a division by π",
+            hint: "A ray may come back to where it came from, and go on around the hole: may the angle be more than π?",
+            answer: |q| DeflectionAngle::answer(q).map(|angle| angle % PI),
+        },
+        Mistake {
+            name: "takes 1/b, as Newton would far away",
+            hint: "In 1919 an eclipse decided between two theories by a factor of two.",
+            answer: |q| escapes(q).map(|b| 1.0 / b),
         },
     ];
 }

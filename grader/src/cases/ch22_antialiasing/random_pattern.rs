@@ -15,6 +15,9 @@ fn each(q: &RandomPattern, point: impl Fn(Vec2) -> Vec2) -> Vec<Vec2> {
     u.map(point).collect()
 }
 
+/// Fewer points than these tell little of how they are distributed.
+const ENOUGH: usize = 100;
+
 impl Graded for RandomPattern {
     fn random(rng: &mut Pcg) -> RandomPattern {
         RandomPattern {
@@ -25,14 +28,16 @@ impl Graded for RandomPattern {
 
     fn judge(q: &RandomPattern, _golden: &Vec<Vec2>, got: &Vec<Vec2>) -> Verdict {
         points::in_square(q.n as usize, got)?;
+        if got.len() >= ENOUGH {
+            few_places(got)?; // before equal points are taken for the same random numbers
+        }
         judge::scattered("points", got)?;
         points::uniform("x", got.iter().map(|p| p.x))?;
         points::uniform("y", got.iter().map(|p| p.y))?;
         points::independent("x and y", got.iter().copied())?;
-        if got.len() < 100 {
+        if got.len() < ENOUGH {
             return Ok(()); // too few to tell more
         }
-        distinct(got)?;
         crowds(got)
     }
 
@@ -169,13 +174,15 @@ impl Graded for RandomPattern {
     ];
 }
 
-/// Equal coordinates are a coincidence of one in millions.
-fn distinct(points: &[Vec2]) -> Verdict {
+/// Equal coordinates are a coincidence of one in millions; but of numbers that are used again there may be any number.
+fn few_places(points: &[Vec2]) -> Verdict {
+    /// Whoever rounds has at least two digits: so many values are no single point that comes again.
+    const VALUES: usize = 4;
     let mut xs: Vec<_> = points.iter().map(|p| p.x).collect();
     xs.sort_by(f32::total_cmp);
     xs.dedup();
     // 1000 points of which many print only four digits have still nine different ones in ten.
-    if 4 * xs.len() < 3 * points.len() {
+    if xs.len() >= VALUES && 4 * xs.len() < 3 * points.len() {
         return Err(format!(
             "the {} points have only {} different x",
             points.len(),

@@ -10,10 +10,16 @@ use raybook_workbook::exercises::ch23_adaptive::NeedsMore;
 
 impl Graded for NeedsMore {
     fn random(rng: &mut Pcg) -> NeedsMore {
-        let n = rng.random_range(2..=8);
+        // Where no contrast is too much, the error alone decides: a little, and of few samples, whose noise has a colour.
+        let alone = rng.random_bool(0.4);
+        let n = rng.random_range(2..=if alone { 4 } else { 8 });
         let base = 10.0_f32.powf(sample::number(rng, -1.5, 1.5));
         let spread = sample::number(rng, 0.05, 0.7);
-        let channel = [(); 3].map(|()| spread * sample::number(rng, 0.1, 1.0));
+        let mut channel = [(); 3].map(|()| spread * sample::number(rng, 0.1, 1.0));
+        if alone {
+            let noisy = rng.random_range(0..3);
+            (0..3).filter(|i| *i != noisy).for_each(|i| channel[i] *= 0.1);
+        }
         let samples: Vec<_> = (0..n)
             .map(|_| {
                 let [r, g, b] = channel.map(|s| base * (1.0 + s * sample::number(rng, -1.0, 1.0)));
@@ -30,7 +36,12 @@ impl Graded for NeedsMore {
             samples,
         };
         // An error that is decided by a factor of up to three, this way or that.
-        q.error = standard_error(&q) * 3.0_f32.powf(sample::number(rng, -0.5, 1.0));
+        let mut power = sample::number(rng, -0.5, 1.0);
+        if alone {
+            q.contrast = Rgb::gray(f32::INFINITY);
+            power *= 0.4;
+        }
+        q.error = standard_error(&q) * 3.0_f32.powf(power);
         q
     }
 
@@ -187,5 +198,44 @@ impl Graded for NeedsMore {
             hint: "Samples that are all equal: do they need more?",
             answer: |q| 1 - decide(q, too_contrasty(q, ratio), standard_error(q)),
         },
+        Mistake {
+            name: "takes the mean of R, G and B for the luminance",
+            hint: "Green looks brighter than blue: with which weights does the luminance count them?",
+            answer: |q| by_weights(q, [1.0 / 3.0; 3]),
+        },
+        Mistake {
+            name: "takes the weights 0.299, 0.587 and 0.114 for the luminance, those of old television",
+            hint: "With which weights does the luminance count red, green and blue here?",
+            answer: |q| by_weights(q, [0.299, 0.587, 0.114]),
+        },
+        Mistake {
+            name: "wants more samples where a contrast is just what is allowed",
+            hint: "The contrast must be above its limit: what if it is the limit itself?",
+            answer: |q| {
+                let limits = q.contrast.channels();
+                let reaches = (0..3).any(|channel| ratio(range(q, channel)) >= limits[channel]);
+                decide(q, reaches, standard_error(q))
+            },
+        },
+        Mistake {
+            name: "takes half of the range of the luminance for its deviation",
+            hint: "One bright sample among seven dark ones: what is their variance?",
+            answer: |q| {
+                let values = || q.samples.iter().map(|s| s.luminance());
+                let range = values().fold(0.0, f32::max) - values().fold(f32::INFINITY, f32::min);
+                let error = 0.5 * range / (q.samples.len() as f32).sqrt();
+                decide(q, too_contrasty(q, ratio), error)
+            },
+        },
     ];
+}
+
+/// The answer by another luminance.
+fn by_weights(q: &NeedsMore, [r, g, b]: [f32; 3]) -> u32 {
+    let luminance = |s: &Rgb| Rgb::gray(r * s.r + g * s.g + b * s.b);
+    let gray = NeedsMore {
+        samples: q.samples.iter().map(luminance).collect(),
+        ..q.clone()
+    };
+    decide(q, too_contrasty(q, ratio), standard_error(&gray))
 }

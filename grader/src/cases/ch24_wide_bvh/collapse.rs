@@ -2,6 +2,7 @@
 
 use super::{MOST, half_area, is_branch, pair};
 use crate::{Flaw, Graded, Mistake, Verdict, sample, traits};
+use glam::Vec3;
 use rand::RngExt;
 use raybook::accel::bvh::build::Method;
 use raybook::inside::bvh::{COST, Cost, build};
@@ -76,10 +77,36 @@ fn boxes(rng: &mut Pcg, count: usize, most: f32) -> Vec<Aabb> {
     (0..count).map(of_any).collect()
 }
 
+/// Boxes in groups, of which some are cubes, some plates and some rods: where area, volume and length put them in other orders.
+fn groups(rng: &mut Pcg, count: usize) -> Vec<Aabb> {
+    let group = |rng: &mut Pcg| {
+        let mut stretch = [1.0; 3];
+        let thin = rng.random_range(0..3);
+        let first = rng.random_range(0..3);
+        (0..thin).for_each(|i| stretch[(first + i) % 3] = 0.02);
+        let size = sample::number(rng, 0.5, 4.0);
+        (sample::point(rng, 8.0), size * Vec3::from(stretch))
+    };
+    let groups: Vec<_> = (0..5).map(|_| group(rng)).collect();
+    let one = |_| {
+        let (middle, stretch) = groups[rng.random_range(0..groups.len())];
+        let at = middle + stretch * sample::point(rng, 1.0);
+        Aabb {
+            min: at,
+            max: at + stretch * (sample::point(rng, 0.1) + 0.2),
+        }
+    };
+    (0..count).map(one).collect()
+}
+
 impl Graded for Collapse {
     fn random(rng: &mut Pcg) -> Collapse {
         let count = rng.random_range(14..40);
-        binary_tree(&boxes(rng, count, 2.0))
+        if rng.random_bool(0.5) {
+            binary_tree(&groups(rng, count))
+        } else {
+            binary_tree(&boxes(rng, count, 2.0))
+        }
     }
 
     fn crowded(rng: &mut Pcg, count: usize) -> Option<Collapse> {
@@ -279,6 +306,57 @@ impl Graded for Collapse {
                 right
             },
         },
+        Mistake {
+            name: "opens the branch with the longest edges first",
+            hint: "Is a long, thin box met by more rays than a large one?",
+            answer: |q| families(q, while_fewer(MOST, |q, i| size(q, i).element_sum())),
+        },
+        Mistake {
+            name: "opens the branch that came into the list first, however small it is",
+            hint: "Not every branch is equally worth opening: what tells how often rays enter it?",
+            answer: |q| {
+                families(q, |q, members| {
+                    let first = members.iter().position(|&i| is_branch(q, i));
+                    first.filter(|_| members.len() < MOST)
+                })
+            },
+        },
+        Mistake {
+            name: "opens the branch that came into the list last, however small it is",
+            hint: "Not every branch is equally worth opening: what tells how often rays enter it?",
+            answer: |q| {
+                families(q, |q, members| {
+                    let last = members.iter().rposition(|&i| is_branch(q, i));
+                    last.filter(|_| members.len() < MOST)
+                })
+            },
+        },
+        Mistake {
+            name: "writes the list of the root only",
+            hint: "Some of the root's new children are branches: where are their children?",
+            answer: |q| Self::answer(q).into_iter().filter(|family| family.branch == 0).collect(),
+        },
+        Mistake {
+            name: "writes a list for branches that were opened, too",
+            hint: "A branch whose children have moved up is no member any more: does it still need a list?",
+            answer: |q| {
+                let one = |branch: u32| {
+                    let mut children = pair(q, branch).to_vec();
+                    while let Some(i) = while_fewer(MOST, half_area)(q, &children) {
+                        let opened = children.remove(i);
+                        children.extend(pair(q, opened));
+                    }
+                    FamilyRow { branch, children }
+                };
+                let all = 0..q.nodes.len() as u32;
+                all.filter(|&i| is_branch(q, i)).map(one).collect()
+            },
+        },
+        Mistake {
+            name: "opens the branch with the largest side along x and y first",
+            hint: "A box has three pairs of sides: how many of them are in your area?",
+            answer: |q| families(q, while_fewer(MOST, |q, i| size(q, i).x * size(q, i).y)),
+        },
     ];
 }
 
@@ -345,4 +423,10 @@ fn cover(q: &Collapse, node: u32, children: &[u32], met: &mut [u32]) -> Result<(
     } else {
         Err(node)
     }
+}
+
+/// The size of a node's box.
+fn size(q: &Collapse, i: u32) -> Vec3 {
+    let node = &q.nodes[i as usize];
+    node.max - node.min
 }

@@ -182,6 +182,48 @@ impl Graded for WideClosest {
                 }
             },
         },
+        Mistake {
+            name: "opens the children in the reverse order of the node, as they come from a stack",
+            hint: "Where is the nearest hit more likely, and what is spared if you find it first?",
+            answer: |q| search(q, |how| how.order = Order::Backwards),
+        },
+        Mistake {
+            name: "returns the number of the leaf for that of the triangle",
+            hint: "Which of the two numbers in your loops is the triangle's?",
+            answer: |q| {
+                let mut answer = q.answer();
+                if let Some(hit) = &mut answer.hit {
+                    let holds = |leaf: &WideLeaf| leaf.triangles.contains(&hit.id);
+                    let leaf = q.leaves.iter().position(holds);
+                    hit.id = leaf.unwrap_or_default() as u32;
+                }
+                answer
+            },
+        },
+        Mistake {
+            name: "returns the triangle's place in its leaf for its number",
+            hint: "A leaf holds numbers of triangles: do you return what is in the leaf, or where in the leaf it is?",
+            answer: |q| {
+                let mut answer = q.answer();
+                if let Some(hit) = &mut answer.hit {
+                    let place = |leaf: &WideLeaf| leaf.triangles.iter().position(|id| *id == hit.id);
+                    hit.id = q.leaves.iter().find_map(place).unwrap_or_default() as u32;
+                }
+                answer
+            },
+        },
+        Mistake {
+            name: "counts the triangles of a leaf as one test",
+            hint: "A leaf of four triangles: how many tests does it take?",
+            answer: |q| {
+                let found = with_tree(q, |tree| search::search(tree, &Node::Branch(0), |_| {}));
+                WideClosestAnswer {
+                    nodes: found.branches,
+                    tests: found.leaves,
+                    hit: found.hit,
+                }
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -116,7 +116,13 @@ impl Graded for Trace {
         let ratio = got.luminance() / golden.luminance();
         let same_colour =
             channels().all(|(golden, got)| (ratio * golden - got).abs() <= 0.02 * got);
-        let why = if *got == Rgb::BLACK {
+        let by_itself = answer(q, Slip::MirroredFromTheWrongSide);
+        let near = |(own, got): (f32, f32)| (own - got).abs() <= tolerance(own);
+        let meets_itself = by_itself.channels().into_iter().zip(got.channels()).all(near);
+        let mirrors = q.scene.nearest(&q.ray).is_some_and(|(object, _)| !matches!(object.matter, Matter::Phong(_)));
+        let why = if meets_itself && mirrors {
+            "your answer is what is seen if a new ray meets the surface that it leaves".to_owned()
+        } else if *got == Rgb::BLACK {
             "your answer is black, and there is light".to_owned()
         } else if *golden == Rgb::BLACK {
             "everything should be black here".to_owned()
@@ -139,6 +145,11 @@ impl Graded for Trace {
             complaint: "ambient light alone",
             name: "lets no lamp's light arrive: the shadow ray meets the surface that it starts from, or the normal points away from the viewer",
             hint: "Where does the way to the lamp begin: on the surface, or a little off it, on the side of the lamp? From behind, has the normal been turned?",
+        },
+        Flaw {
+            complaint: "meets the surface that it leaves",
+            name: "lets new rays meet the surface that they leave, at least some of them",
+            hint: "Rounding puts a point a hair above its surface or below it: what is the first thing that a ray from there meets? Start it a little off the surface, on the side to which it leaves.",
         },
         Flaw {
             complaint: "your answer is black",
@@ -368,6 +379,21 @@ impl Graded for Trace {
             name: "takes 1.5 for the index of any glass",
             hint: "Each glass has an index of its own: where does it stand?",
             answer: |q| answer(q, Slip::AlwaysCrownGlass),
+        },
+        Mistake {
+            name: "starts the refracted ray on the side of the surface from which the ray came",
+            hint: "Behind the surface the ray goes on: on which side of it must it start, so that it does not meet it again?",
+            answer: |q| answer(q, Slip::RefractedFromTheWrongSide),
+        },
+        Mistake {
+            name: "starts mirrored rays just below the surface that they leave",
+            hint: "What is the first thing that such a ray meets? Start it a little off the surface, on the side to which it leaves.",
+            answer: |q| answer(q, Slip::MirroredFromTheWrongSide),
+        },
+        Mistake {
+            name: "never turns the normal to the viewer, for no material",
+            hint: "From inside of a ball its normal points away from you: what becomes of a cosine, and of the start of a new ray?",
+            answer: |q| answer(q, Slip::NormalNeverTurned),
         },
     ];
 

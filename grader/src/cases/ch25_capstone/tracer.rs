@@ -13,6 +13,12 @@ use raybook::scene::description::{Backdrop, Description, Form, Matter, Object};
 use raybook::shape::{Hit, Shape, Surface, triangle::Triangle};
 use std::f32::consts::PI;
 
+/// A ray that begins on the side of the surface away from where it goes.
+fn wrong_side(at: &Surface, direction: Dir3) -> Ray {
+    let side = at.normal.dot(*direction).signum();
+    Ray::new(at.leave(direction).origin - 1e-3 * side * *at.normal, direction)
+}
+
 /// A ray tracer, and what it does wrongly.
 pub struct Tracer<'a> {
     pub scene: &'a Description,
@@ -47,8 +53,22 @@ impl Tracer<'_> {
             return if seen { backdrop } else { Rgb::BLACK };
         };
         let at = object.form.surface(ray, &hit);
-        let see = |direction: Dir3| self.radiance(&self.leave(&at, direction), depth - 1, false);
-        let normal = at.facing(-ray.direction);
+        let see_from =
+            |ray: Ray| self.radiance(&ray, depth - 1, false);
+        let see = |direction: Dir3| {
+            // Who never turns the normal steps off along it, wherever the ray goes.
+            let off_along_it =
+                self.is(Slip::NormalNeverTurned) && at.normal.dot(*direction) < 0.0;
+            if off_along_it || self.is(Slip::MirroredFromTheWrongSide) {
+                return see_from(wrong_side(&at, direction));
+            }
+            see_from(self.leave(&at, direction))
+        };
+        let normal = if self.is(Slip::NormalNeverTurned) {
+            at.normal
+        } else {
+            at.facing(-ray.direction)
+        };
         match &object.matter {
             Matter::Phong(phong) => self.phong(phong, &at, -ray.direction),
             Matter::Mirror(mirror) => {
@@ -71,7 +91,9 @@ impl Tracer<'_> {
                     (1.0, index)
                 };
                 let mirrored = || see(reflect(ray.direction, normal));
-                let Some(refracted) = refract(ray.direction, normal, here, there) else {
+                // The formula with the outward normal is right where the normal is turned in it.
+                let facing = at.facing(-ray.direction);
+                let Some(refracted) = refract(ray.direction, facing, here, there) else {
                     let seen = !self.is(Slip::NoTotalReflection);
                     return if seen { mirrored() } else { Rgb::BLACK };
                 };
@@ -91,7 +113,14 @@ impl Tracer<'_> {
                     Slip::Schlick => schlick(-ray.direction.dot(*normal), here, there),
                     _ => fresnel(-ray.direction.dot(*normal), here, there).unpolarised,
                 };
-                let through = see(refracted) * (1.0 - share);
+                let off_along_it =
+                    self.is(Slip::NormalNeverTurned) && at.normal.dot(*refracted) > 0.0;
+                let through = if off_along_it || self.is(Slip::RefractedFromTheWrongSide) {
+                    see_from(wrong_side(&at, refracted))
+                } else {
+                    see_from(self.leave(&at, refracted))
+                };
+                let through = through * (1.0 - share);
                 if share == 0.0 || self.is(Slip::NothingMirroredInGlass) {
                     through
                 } else {
@@ -134,8 +163,7 @@ impl Tracer<'_> {
     fn leave(&self, at: &Surface, direction: Dir3) -> Ray {
         let ray = at.leave(direction);
         if self.is(Slip::BelowTheSurface) {
-            let side = at.normal.dot(*direction).signum();
-            Ray::new(ray.origin - 1e-3 * side * *at.normal, direction)
+            wrong_side(at, direction)
         } else if self.is(Slip::FarOff) {
             let side = at.normal.dot(*direction).signum();
             Ray::new(ray.origin + 0.1 * side * *at.normal, direction)
@@ -192,7 +220,7 @@ impl Tracer<'_> {
 
     /// What the surface makes of it.
     fn lit(&self, phong: &Phong, at: &Surface, view: Dir3, light: &LightSample) -> Rgb {
-        let normal = if self.is(Slip::NormalNotTurned) {
+        let normal = if matches!(self.slip, Slip::NormalNotTurned | Slip::NormalNeverTurned) {
             at.normal
         } else {
             at.facing(view)

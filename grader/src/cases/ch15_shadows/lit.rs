@@ -236,30 +236,5 @@ impl Graded for Lit {
                 u32::from(!blocked(&moved, &q.spheres, Interval::new(0.0, end)))
             },
         },
-        Mistake {
-            name: "takes a sphere anywhere on the line for an obstacle, before the light, behind it, and behind the point",
-            hint: "A line has no ends, the way to the light has two: where are they?",
-            answer: |q| {
-                let everywhere = Interval::new(f32::NEG_INFINITY, f32::INFINITY);
-                let moved = Lit {
-                    position: shadow(q).origin,
-                    ..q.clone()
-                };
-                u32::from(!blocked(&moved, &q.spheres, everywhere))
-            },
-        },
-        Mistake {
-            name: "looks for obstacles on the side away from the light",
-            hint: "In which direction from the point is a sphere that is in the way: what is the sign of its distance?",
-            answer: |q| {
-                let way = shadow(q);
-                let moved = Lit {
-                    position: way.origin,
-                    ..q.clone()
-                };
-                let away = Interval::new(-way.within.max, 0.0);
-                u32::from(!blocked(&moved, &q.spheres, away))
-            },
-        },
     ];
 }

@@ -186,57 +186,123 @@ impl Graded for DirectionToCube {
         Mistake {
             name: "has the ceiling +y upside down",
             hint: "Look at -z and raise or lower your eyes: at which edge of that face do you arrive?",
-            answer: |q| on(q, &[2], |p| CubePlace { u: p.u, v: 1.0 - p.v, ..p }),
+            answer: |q| {
+                on(q, &[2], |p| CubePlace {
+                    u: p.u,
+                    v: 1.0 - p.v,
+                    ..p
+                })
+            },
         },
         Mistake {
             name: "has the floor -y upside down",
             hint: "Look at -z and raise or lower your eyes: at which edge of that face do you arrive?",
-            answer: |q| on(q, &[3], |p| CubePlace { u: p.u, v: 1.0 - p.v, ..p }),
+            answer: |q| {
+                on(q, &[3], |p| CubePlace {
+                    u: p.u,
+                    v: 1.0 - p.v,
+                    ..p
+                })
+            },
         },
         Mistake {
             name: "exchanges the faces +x and -x, with what is to the right on them",
             hint: "What is the sign of the direction's x on each of the two faces?",
-            answer: |q| on(q, &[0, 1], |p| CubePlace { face: p.face ^ 1, u: 1.0 - p.u, v: p.v, ..p }),
+            answer: |q| {
+                on(q, &[0, 1], |p| CubePlace {
+                    face: p.face ^ 1,
+                    u: 1.0 - p.u,
+                    v: p.v,
+                })
+            },
         },
         Mistake {
             name: "exchanges the faces +y and -y, with what is to the right on them",
             hint: "What is the sign of the direction's y on each of the two faces?",
-            answer: |q| on(q, &[2, 3], |p| CubePlace { face: p.face ^ 1, u: p.u, v: 1.0 - p.v, ..p }),
+            answer: |q| {
+                on(q, &[2, 3], |p| CubePlace {
+                    face: p.face ^ 1,
+                    u: p.u,
+                    v: 1.0 - p.v,
+                })
+            },
         },
         Mistake {
             name: "exchanges the faces +z and -z, with what is to the right on them",
             hint: "What is the sign of the direction's z on each of the two faces?",
-            answer: |q| on(q, &[4, 5], |p| CubePlace { face: p.face ^ 1, u: 1.0 - p.u, v: p.v, ..p }),
+            answer: |q| {
+                on(q, &[4, 5], |p| CubePlace {
+                    face: p.face ^ 1,
+                    u: 1.0 - p.u,
+                    v: p.v,
+                })
+            },
         },
         Mistake {
             name: "has left and right exchanged on the face +x only",
             hint: "Stand in the cube and look at that face: what is on your right?",
-            answer: |q| on(q, &[0], |p| CubePlace { u: 1.0 - p.u, v: p.v, ..p }),
+            answer: |q| {
+                on(q, &[0], |p| CubePlace {
+                    u: 1.0 - p.u,
+                    v: p.v,
+                    ..p
+                })
+            },
         },
         Mistake {
             name: "has left and right exchanged on the face -x only",
             hint: "Stand in the cube and look at that face: what is on your right?",
-            answer: |q| on(q, &[1], |p| CubePlace { u: 1.0 - p.u, v: p.v, ..p }),
+            answer: |q| {
+                on(q, &[1], |p| CubePlace {
+                    u: 1.0 - p.u,
+                    v: p.v,
+                    ..p
+                })
+            },
         },
         Mistake {
             name: "has left and right exchanged on the face +y only",
             hint: "Stand in the cube and look at that face: what is on your right?",
-            answer: |q| on(q, &[2], |p| CubePlace { u: 1.0 - p.u, v: p.v, ..p }),
+            answer: |q| {
+                on(q, &[2], |p| CubePlace {
+                    u: 1.0 - p.u,
+                    v: p.v,
+                    ..p
+                })
+            },
         },
         Mistake {
             name: "has left and right exchanged on the face -y only",
             hint: "Stand in the cube and look at that face: what is on your right?",
-            answer: |q| on(q, &[3], |p| CubePlace { u: 1.0 - p.u, v: p.v, ..p }),
+            answer: |q| {
+                on(q, &[3], |p| CubePlace {
+                    u: 1.0 - p.u,
+                    v: p.v,
+                    ..p
+                })
+            },
         },
         Mistake {
             name: "has left and right exchanged on the face +z only",
             hint: "Stand in the cube and look at that face: what is on your right?",
-            answer: |q| on(q, &[4], |p| CubePlace { u: 1.0 - p.u, v: p.v, ..p }),
+            answer: |q| {
+                on(q, &[4], |p| CubePlace {
+                    u: 1.0 - p.u,
+                    v: p.v,
+                    ..p
+                })
+            },
         },
         Mistake {
             name: "has left and right exchanged on the face -z only",
             hint: "Stand in the cube and look at that face: what is on your right?",
-            answer: |q| on(q, &[5], |p| CubePlace { u: 1.0 - p.u, v: p.v, ..p }),
+            answer: |q| {
+                on(q, &[5], |p| CubePlace {
+                    u: 1.0 - p.u,
+                    v: p.v,
+                    ..p
+                })
+            },
         },
     ];
 

@@ -317,7 +317,8 @@ impl Graded for ConcentricDisk {
             answer: |q| {
                 q.mapped(|u| {
                     let (a, b) = (2.0 * u - 1.0).into();
-                    let quotient = |over: f32, under: f32| if under == 0.0 { 0.0 } else { over / under };
+                    let quotient =
+                        |over: f32, under: f32| if under == 0.0 { 0.0 } else { over / under };
                     if a.abs() > b.abs() {
                         a * Vec2::from_angle(FRAC_PI_4 * quotient(a, b))
                     } else {
@@ -351,7 +352,7 @@ impl Graded for ConcentricDisk {
                     ..q.clone()
                 };
                 let moved = |u: Vec2| concentric_disk(vec2(u.x + q.shift.x, u.y));
-                let rows = lattice.points().into_iter().zip(q.points());
+                let rows = lattice.points().zip(q.points());
                 rows.map(|(u, right)| moved(vec2(u.x, right.y))).collect()
             },
         },

@@ -54,7 +54,10 @@ impl Graded for ThinLensRay {
             f_number: sample::number(rng, 1.0, 2.8),
             focus: focal_length * sample::number(rng, 4.0, 25.0),
             // A film of any shape, also one that is higher than it is wide.
-            plane: vec2(sample::number(rng, 0.01, 0.06), sample::number(rng, 0.01, 0.06)),
+            plane: vec2(
+                sample::number(rng, 0.01, 0.06),
+                sample::number(rng, 0.01, 0.06),
+            ),
             film: unit(rng),
             on_lens: concentric_disk(unit(rng)),
             ..question(sample::point(rng, 1.0), sample::direction(rng))

@@ -30,7 +30,13 @@ impl Graded for DeflectionAngle {
             let tolerance = judge::RELATIVE * golden;
             let why = judge::number_within("the angle", "rad", *golden, *got, tolerance);
             let is_near = (golden - got).abs() <= NEARLY * golden;
-            why.map_err(|why| if is_near { format!("{why}: {COARSE}") } else { why })
+            why.map_err(|why| {
+                if is_near {
+                    format!("{why}: {COARSE}")
+                } else {
+                    why
+                }
+            })
         })
     }
 

@@ -18,7 +18,9 @@ impl Graded for NeedsMore {
         let mut channel = [(); 3].map(|()| spread * sample::number(rng, 0.1, 1.0));
         if alone {
             let noisy = rng.random_range(0..3);
-            (0..3).filter(|i| *i != noisy).for_each(|i| channel[i] *= 0.1);
+            (0..3)
+                .filter(|i| *i != noisy)
+                .for_each(|i| channel[i] *= 0.1);
         }
         let samples: Vec<_> = (0..n)
             .map(|_| {

@@ -334,7 +334,12 @@ impl Graded for Collapse {
         Mistake {
             name: "writes the list of the root only",
             hint: "Some of the root's new children are branches: where are their children?",
-            answer: |q| Self::answer(q).into_iter().filter(|family| family.branch == 0).collect(),
+            answer: |q| {
+                Self::answer(q)
+                    .into_iter()
+                    .filter(|family| family.branch == 0)
+                    .collect()
+            },
         },
         Mistake {
             name: "writes a list for branches that were opened, too",

@@ -206,7 +206,8 @@ impl Graded for WideClosest {
             answer: |q| {
                 let mut answer = q.answer();
                 if let Some(hit) = &mut answer.hit {
-                    let place = |leaf: &WideLeaf| leaf.triangles.iter().position(|id| *id == hit.id);
+                    let place =
+                        |leaf: &WideLeaf| leaf.triangles.iter().position(|id| *id == hit.id);
                     hit.id = q.leaves.iter().find_map(place).unwrap_or_default() as u32;
                 }
                 answer

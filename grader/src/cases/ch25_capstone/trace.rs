@@ -118,8 +118,15 @@ impl Graded for Trace {
             channels().all(|(golden, got)| (ratio * golden - got).abs() <= 0.02 * got);
         let by_itself = answer(q, Slip::MirroredFromTheWrongSide);
         let near = |(own, got): (f32, f32)| (own - got).abs() <= tolerance(own);
-        let meets_itself = by_itself.channels().into_iter().zip(got.channels()).all(near);
-        let mirrors = q.scene.nearest(&q.ray).is_some_and(|(object, _)| !matches!(object.matter, Matter::Phong(_)));
+        let meets_itself = by_itself
+            .channels()
+            .into_iter()
+            .zip(got.channels())
+            .all(near);
+        let mirrors = q
+            .scene
+            .nearest(&q.ray)
+            .is_some_and(|(object, _)| !matches!(object.matter, Matter::Phong(_)));
         let why = if meets_itself && mirrors {
             "your answer is what is seen if a new ray meets the surface that it leaves".to_owned()
         } else if *got == Rgb::BLACK {

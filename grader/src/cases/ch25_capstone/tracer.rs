@@ -16,7 +16,10 @@ use std::f32::consts::PI;
 /// A ray that begins on the side of the surface away from where it goes.
 fn wrong_side(at: &Surface, direction: Dir3) -> Ray {
     let side = at.normal.dot(*direction).signum();
-    Ray::new(at.leave(direction).origin - 1e-3 * side * *at.normal, direction)
+    Ray::new(
+        at.leave(direction).origin - 1e-3 * side * *at.normal,
+        direction,
+    )
 }
 
 /// A ray tracer, and what it does wrongly.
@@ -53,12 +56,10 @@ impl Tracer<'_> {
             return if seen { backdrop } else { Rgb::BLACK };
         };
         let at = object.form.surface(ray, &hit);
-        let see_from =
-            |ray: Ray| self.radiance(&ray, depth - 1, false);
+        let see_from = |ray: Ray| self.radiance(&ray, depth - 1, false);
         let see = |direction: Dir3| {
             // Who never turns the normal steps off along it, wherever the ray goes.
-            let off_along_it =
-                self.is(Slip::NormalNeverTurned) && at.normal.dot(*direction) < 0.0;
+            let off_along_it = self.is(Slip::NormalNeverTurned) && at.normal.dot(*direction) < 0.0;
             if off_along_it || self.is(Slip::MirroredFromTheWrongSide) {
                 return see_from(wrong_side(&at, direction));
             }

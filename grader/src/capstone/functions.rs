@@ -4,7 +4,7 @@ use super::PARTS;
 use crate::ask::{Asker, Said};
 use crate::cases;
 use crate::converse::{Limits, Program};
-use raybook_workbook::curriculum::CHAPTERS;
+use raybook_workbook::curriculum::{CHAPTERS, Chapter};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::row;
 use std::io;
@@ -51,7 +51,7 @@ impl<'a> Functions<'a> {
     /// The course's own: those of the chapters up to this number.
     pub fn of_course(last: u32) -> Self {
         let chapters = CHAPTERS.iter().filter(|chapter| chapter.number() <= last);
-        let exercises = chapters.flat_map(|chapter| chapter.exercises());
+        let exercises = chapters.flat_map(Chapter::exercises);
         Self {
             asker: None,
             written: exercises.map(|asked| asked.name).collect(),

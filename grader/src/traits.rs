@@ -74,17 +74,29 @@ pub fn of_square(points: &[DVec2]) -> Vec<f64> {
     traits
 }
 
-/// The mean distance to the nearest other point.
+/// The mean distance to the nearest other point, of at most 500 points; 1 is the most.
 pub fn nearest(points: &[DVec2]) -> f64 {
-    let few = &points[..points.len().min(500)];
+    let mut few = points[..points.len().min(500)].to_vec();
+    few.sort_unstable_by(|p, q| p.x.total_cmp(&q.x));
     let near = |(i, p): (usize, &DVec2)| {
-        let others = few.iter().enumerate().filter(|(j, _)| *j != i);
-        let least = others
-            .map(|(_, q)| p.distance_squared(*q))
-            .fold(f64::INFINITY, f64::min);
+        let (before, after) = (few[..i].iter().rev(), few[i + 1..].iter());
+        let least = squared(p, before).min(squared(p, after));
         least.sqrt().min(1.0)
     };
     few.iter().enumerate().map(near).sum::<f64>() / few.len().max(1) as f64
+}
+
+/// The squared distance to the nearest of points that lie farther and farther away along x; only as many are looked at as may be nearer.
+fn squared<'a>(p: &DVec2, others: impl Iterator<Item = &'a DVec2>) -> f64 {
+    let mut least = f64::INFINITY;
+    for q in others {
+        if (p.x - q.x).powi(2) < least {
+            least = least.min(p.distance_squared(*q));
+        } else {
+            break;
+        }
+    }
+    least
 }
 
 /// The traits of points of the unit disc: how far out they are, whether they are all around, and whether they are round.
@@ -122,4 +134,36 @@ pub fn of_directions(directions: &[Vec3], normal: Vec3) -> Vec<f64> {
     traits.push(directions.iter().map(|d| d.length().min(10.0)).sum::<f64>() / n);
     traits.push(directions.iter().map(|d| d.dot(normal)).sum::<f64>() / n);
     traits
+}
+
+#[cfg(test)]
+mod tests {
+    use super::nearest;
+    use glam::{DVec2, dvec2};
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn the_nearest_point_is_the_nearest_of_all(points in prop::collection::vec(((0..20_u32), any::<f64>()), 0..60)) {
+            let points: Vec<_> = points.iter().map(|(x, y)| dvec2(f64::from(*x) / 20.0, y.fract())).collect();
+            let near = |p: &DVec2| {
+                let own = points.iter().filter(|q| p == *q).count();
+                let others = points.iter().filter(|q| p != *q).map(|q| p.distance(*q));
+                if own > 1 { 0.0 } else { others.fold(1.0, f64::min) }
+            };
+            let mean = points.iter().map(near).sum::<f64>() / points.len().max(1) as f64;
+            prop_assert!((nearest(&points) - mean).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn what_is_no_number_is_far_from_everything() {
+        let nan = DVec2::splat(f64::NAN);
+        assert_eq!(nearest(&[nan, nan]), 1.0);
+        assert_eq!(
+            nearest(&[nan, dvec2(0.25, 0.5), -nan, dvec2(0.5, 0.5)]),
+            0.625
+        );
+        assert_eq!(nearest(&[]), 0.0);
+    }
 }

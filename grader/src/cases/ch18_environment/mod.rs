@@ -26,8 +26,16 @@ pub(super) trait OfMap {
     /// The solid angle of a texel of a row.
     fn solid_angle(&self, y: usize) -> f64;
 
+    /// The light of a texel: its value times its solid angle.
+    fn light(&self, x: usize, y: usize) -> f64;
+
+    /// The light of all texels.
+    fn all_light(&self) -> f64;
+
     /// The share of a texel in all the light.
-    fn share(&self, x: usize, y: usize) -> f64;
+    fn share(&self, x: usize, y: usize) -> f64 {
+        self.light(x, y) / self.all_light()
+    }
 }
 
 impl OfMap for SampleEnvironment {
@@ -40,10 +48,13 @@ impl OfMap for SampleEnvironment {
         2.0 * PI * (top - bottom) / f64::from(self.width)
     }
 
-    fn share(&self, x: usize, y: usize) -> f64 {
-        let light = |x, y| self.texel(x, y) * self.solid_angle(y);
+    fn light(&self, x: usize, y: usize) -> f64 {
+        self.texel(x, y) * self.solid_angle(y)
+    }
+
+    fn all_light(&self) -> f64 {
         let cells =
             (0..self.height as usize).flat_map(|y| (0..self.width as usize).map(move |x| (x, y)));
-        light(x, y) / cells.map(|(x, y)| light(x, y)).sum::<f64>()
+        cells.map(|(x, y)| self.light(x, y)).sum()
     }
 }

@@ -98,7 +98,8 @@ impl Graded for SampleEnvironment {
             place - place.floor()
         };
         let mut traits = traits::of_square(&places.iter().map(in_texel).collect::<Vec<_>>());
-        let share = |p: &Vec2| q.share(cell(p.x, q.width), cell(p.y, q.height));
+        let all = q.all_light();
+        let share = |p: &Vec2| q.light(cell(p.x, q.width), cell(p.y, q.height)) / all;
         let texel = |p: &Vec2| q.texel(cell(p.x, q.width), cell(p.y, q.height));
         let texels = (width * height) as f64;
         let mean = q.texels.iter().map(|v| f64::from(*v)).sum::<f64>() / texels;

@@ -11,7 +11,7 @@ struct Change {
     rank: u32,
     name: &'static str,
     hint: &'static str,
-    /// Of a list of so many elements, the numbers of those that are returned, in their order.
+    /// Of a list of n elements, the numbers of those that are returned, in their order.
     which: fn(usize) -> Vec<usize>,
 }
 

@@ -63,7 +63,10 @@ pub(super) fn lit(film: &Film, panorama: &Environment) -> Result<Image, Box<dyn 
     let clamped = map.map(tone::clamp);
     let tiles = [
         ("the panorama", photograph(film, Environment::new(map))?),
-        ("cut off at white", photograph(film, Environment::new(clamped))?),
+        (
+            "cut off at white",
+            photograph(film, Environment::new(clamped))?,
+        ),
     ];
     sheet(2, &tiles)
 }

@@ -18,10 +18,7 @@ pub(super) fn words(
 ) -> Result<Image, Box<dyn Error>> {
     let Trace { depth, ray, scene } = question;
     let mut lines = vec![
-        (
-            "the exercise, and the depth",
-            format!("trace {depth}"),
-        ),
+        ("the exercise, and the depth", format!("trace {depth}")),
         ("the ray: origin, direction", ray.write()),
         (
             "ambient light; backdrop below, above",

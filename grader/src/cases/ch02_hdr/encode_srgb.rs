@@ -79,12 +79,26 @@ impl Graded for EncodeSrgb {
         Mistake {
             name: "takes the factor 1.055 into the power",
             hint: "Which comes first: the power of v, or the product with 1.055?",
-            answer: |q| { let v = q.v.clamp(0.0, 1.0); if v <= 0.003_130_8 { 12.92 * v } else { (1.055 * v).powf(1.0 / 2.4) - 0.055 } },
+            answer: |q| {
+                let v = q.v.clamp(0.0, 1.0);
+                if v <= 0.003_130_8 {
+                    12.92 * v
+                } else {
+                    (1.055 * v).powf(1.0 / 2.4) - 0.055
+                }
+            },
         },
         Mistake {
             name: "divides by 12.92 near black",
             hint: "The straight piece rises above v: which of 12.92 v and v/12.92 does?",
-            answer: |q| { let v = q.v.clamp(0.0, 1.0); if v <= 0.003_130_8 { v / 12.92 } else { curve(v, 0.003_130_8, 1.0 / 2.4, 0.055) } },
+            answer: |q| {
+                let v = q.v.clamp(0.0, 1.0);
+                if v <= 0.003_130_8 {
+                    v / 12.92
+                } else {
+                    curve(v, 0.003_130_8, 1.0 / 2.4, 0.055)
+                }
+            },
         },
     ];
 

@@ -68,7 +68,7 @@ impl Graded for Expose {
         Mistake {
             name: "adds 2^stops instead of multiplying by it",
             hint: "Twice the light is twice the radiance of every channel: what becomes of black?",
-            answer: |q| { q.radiance + Rgb::gray(q.stops.exp2()) },
+            answer: |q| q.radiance + Rgb::gray(q.stops.exp2()),
         },
     ];
 }

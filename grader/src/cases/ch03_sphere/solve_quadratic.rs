@@ -175,7 +175,7 @@ impl Graded for SolveQuadratic {
         Mistake {
             name: "returns none where both roots are 0",
             hint: "t² = 0 has a root: which one?",
-            answer: |q| { SolveQuadratic::answer(q).filter(|t| *t != Vec2::ZERO) },
+            answer: |q| SolveQuadratic::answer(q).filter(|t| *t != Vec2::ZERO),
         },
     ];
 }

@@ -53,7 +53,7 @@ impl Graded for SphereNormal {
         Mistake {
             name: "divides the centre only by the radius, as p − c/r",
             hint: "What does your language calculate first in p − c/r? Put parentheses round p − c.",
-            answer: |q| { q.p - q.center / q.radius },
+            answer: |q| q.p - q.center / q.radius,
         },
     ];
 }

@@ -162,17 +162,32 @@ impl Graded for BoundsOf {
         Mistake {
             name: "never looks at x",
             hint: "How often does your loop over the axes go round?",
-            answer: |q| { let mut right = BoundsOf::answer(q); let empty = bounds([].into_iter()); (right.min.x, right.max.x) = (empty.min.x, empty.max.x); right },
+            answer: |q| {
+                let mut right = BoundsOf::answer(q);
+                let empty = bounds([].into_iter());
+                (right.min.x, right.max.x) = (empty.min.x, empty.max.x);
+                right
+            },
         },
         Mistake {
             name: "never looks at y",
             hint: "How often does your loop over the axes go round?",
-            answer: |q| { let mut right = BoundsOf::answer(q); let empty = bounds([].into_iter()); (right.min.y, right.max.y) = (empty.min.y, empty.max.y); right },
+            answer: |q| {
+                let mut right = BoundsOf::answer(q);
+                let empty = bounds([].into_iter());
+                (right.min.y, right.max.y) = (empty.min.y, empty.max.y);
+                right
+            },
         },
         Mistake {
             name: "never looks at z",
             hint: "How often does your loop over the axes go round?",
-            answer: |q| { let mut right = BoundsOf::answer(q); let empty = bounds([].into_iter()); (right.min.z, right.max.z) = (empty.min.z, empty.max.z); right },
+            answer: |q| {
+                let mut right = BoundsOf::answer(q);
+                let empty = bounds([].into_iter());
+                (right.min.z, right.max.z) = (empty.min.z, empty.max.z);
+                right
+            },
         },
     ];
 }

@@ -62,7 +62,12 @@ impl Graded for TriangleNormal {
         Mistake {
             name: "divides by the square of the length",
             hint: "How long is n, and how long is n/|n|²?",
-            answer: |q| { TriangleNormal::answer(q).map(|_| { let n = (q.p1 - q.p0).cross(q.p2 - q.p0); n / n.length_squared() }) },
+            answer: |q| {
+                TriangleNormal::answer(q).map(|_| {
+                    let n = (q.p1 - q.p0).cross(q.p2 - q.p0);
+                    n / n.length_squared()
+                })
+            },
         },
     ];
 }

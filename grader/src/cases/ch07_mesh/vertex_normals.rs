@@ -243,7 +243,12 @@ impl Graded for VertexNormals {
         Mistake {
             name: "turns every normal up",
             hint: "It is the order of the corners that decides which side is outside, not the world.",
-            answer: |q| { VertexNormals::answer(q).into_iter().map(|n| if n.y < 0.0 { -n } else { n }).collect() },
+            answer: |q| {
+                VertexNormals::answer(q)
+                    .into_iter()
+                    .map(|n| if n.y < 0.0 { -n } else { n })
+                    .collect()
+            },
         },
     ];
 }

@@ -166,17 +166,31 @@ impl Graded for GridResolution {
         Mistake {
             name: "forgets the root",
             hint: "Cells per volume has the unit 1/m³: which root makes cells per metre of it?",
-            answer: |q| { let (volume, thick) = content(q); whole(q.extents * (cells(q) / volume) * thick, f32::round) },
+            answer: |q| {
+                let (volume, thick) = content(q);
+                whole(q.extents * (cells(q) / volume) * thick, f32::round)
+            },
         },
         Mistake {
             name: "adds the extents instead of multiplying them",
             hint: "The volume of a box 2 m long, 3 m wide and 4 m high is 24 m³: which operation gives it?",
-            answer: |q| { let (_, thick) = content(q); let sum = (q.extents * thick).element_sum(); whole(q.extents * (cells(q) / sum).powf(1.0 / thick.element_sum().max(1.0)) * thick, f32::round) },
+            answer: |q| {
+                let (_, thick) = content(q);
+                let sum = (q.extents * thick).element_sum();
+                whole(
+                    q.extents * (cells(q) / sum).powf(1.0 / thick.element_sum().max(1.0)) * thick,
+                    f32::round,
+                )
+            },
         },
         Mistake {
             name: "leaves thin axes out once, and does not ask again",
             hint: "With fewer axes the cells are larger: may another axis now get less than one?",
-            answer: |q| { let once = Vec3::from([0, 1, 2].map(|i| f32::from(u8::from(q.extents[i] > 0.0)))); let thick = thicker(q, once); whole(along(q, thick) * thick, f32::round) },
+            answer: |q| {
+                let once = Vec3::from([0, 1, 2].map(|i| f32::from(u8::from(q.extents[i] > 0.0))));
+                let thick = thicker(q, once);
+                whole(along(q, thick) * thick, f32::round)
+            },
         },
     ];
 }

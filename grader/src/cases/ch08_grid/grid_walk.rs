@@ -279,27 +279,37 @@ impl Graded for GridWalk {
         Mistake {
             name: "takes 1/d, not cell/d, for the way between two planes",
             hint: "How far is it along the ray from one plane to the next, if a cell is 0.7 m wide?",
-            answer: |q| { added(q, |_, d| (1.0 / d).abs(), |_| 0.0, f32::floor) },
+            answer: |q| added(q, |_, d| (1.0 / d).abs(), |_| 0.0, f32::floor),
         },
         Mistake {
             name: "subtracts the way between two planes where the ray goes backwards",
             hint: "Along an axis with a negative direction, does t grow or fall from plane to plane? What is the sign of cell/d?",
-            answer: |q| { added(q, |cell, d| cell / d, |_| 0.0, f32::floor) },
+            answer: |q| added(q, |cell, d| cell / d, |_| 0.0, f32::floor),
         },
         Mistake {
             name: "measures the first planes from where the ray enters the grid",
             hint: "From where is t measured: from the ray's origin, or from the place where the ray enters?",
-            answer: |q| { added(q, |cell, d| (cell / d).abs(), start, f32::floor) },
+            answer: |q| added(q, |cell, d| (cell / d).abs(), start, f32::floor),
         },
         Mistake {
             name: "rounds to the nearest cell where the ray begins",
             hint: "A ray at 0.7 of a cell's width is in this cell: which one does your rounding give?",
-            answer: |q| { added(q, |cell, d| (cell / d).abs(), |_| 0.0, f32::round) },
+            answer: |q| added(q, |cell, d| (cell / d).abs(), |_| 0.0, f32::round),
         },
         Mistake {
             name: "says how long the ray stays in a cell, not where it leaves",
             hint: "From where is t measured: from the ray's origin, or from where the ray enters the cell?",
-            answer: |q| { let mut enter = start(q); let visits = GridWalk::answer(q).into_iter(); visits.map(|visit| { let leave = visit.leave - enter; enter = visit.leave; Visit { leave, ..visit } }).collect() },
+            answer: |q| {
+                let mut enter = start(q);
+                let visits = GridWalk::answer(q).into_iter();
+                visits
+                    .map(|visit| {
+                        let leave = visit.leave - enter;
+                        enter = visit.leave;
+                        Visit { leave, ..visit }
+                    })
+                    .collect()
+            },
         },
     ];
 
@@ -488,7 +498,11 @@ fn added(
     let mut next = [0, 1, 2].map(|axis| {
         let plane = ahead(d[axis] < 0.0, i64::from(cell[axis])) as f32;
         let t = (lattice.min[axis] + plane * lattice.cell[axis] - o[axis]) / d[axis];
-        if d[axis] == 0.0 { f32::INFINITY } else { t - late(q) }
+        if d[axis] == 0.0 {
+            f32::INFINITY
+        } else {
+            t - late(q)
+        }
     });
     let mut visits = Vec::new();
     for _ in 0..=lattice.resolution.element_sum() {

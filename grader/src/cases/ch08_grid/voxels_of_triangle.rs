@@ -193,22 +193,30 @@ impl Graded for VoxelsOfTriangle {
         Mistake {
             name: "takes only the cells that hold a corner, and forgets the margin",
             hint: "What if the triangle is larger than a cell?",
-            answer: |q| { kept(q, |bounds, corners| corners.iter().any(|&p| bounds.contains(p))) },
+            answer: |q| {
+                kept(q, |bounds, corners| {
+                    corners.iter().any(|&p| bounds.contains(p))
+                })
+            },
         },
         Mistake {
             name: "takes a cell's least corner for its middle",
             hint: "A cell begins at min + i·cell: where is its middle?",
-            answer: |q| { shifted(q, -0.5) },
+            answer: |q| shifted(q, -0.5),
         },
         Mistake {
             name: "takes a cell's greatest corner for its middle",
             hint: "A cell begins at min + i·cell: where is its middle?",
-            answer: |q| { shifted(q, 0.5) },
+            answer: |q| shifted(q, 0.5),
         },
         Mistake {
             name: "never asks for the plane in which the triangle lies",
             hint: "A cell may lie above the middle of a large triangle: which direction parts the two?",
-            answer: |q| { kept(q, |bounds, corners| !is_parted_by_edges(corners, &bounds.grown(q.margin))) },
+            answer: |q| {
+                kept(q, |bounds, corners| {
+                    !is_parted_by_edges(corners, &bounds.grown(q.margin))
+                })
+            },
         },
     ];
 }

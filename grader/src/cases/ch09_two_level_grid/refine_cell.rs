@@ -298,47 +298,96 @@ impl Graded for RefineCell {
         Mistake {
             name: "ignores the number of shapes",
             hint: "A cell with eight times as many shapes: how many times as many fine cells does it get?",
-            answer: |q| { let one = GridResolution { extents: q.max - q.min, shapes: 1, density: q.density }; let Cell { x, y, z } = GridResolution::answer(&one); if q.shapes.is_empty() { Self::answer(q) } else { cut(q, UVec3::new(x, y, z).min(UVec3::splat(255))) } },
+            answer: |q| {
+                let one = GridResolution {
+                    extents: q.max - q.min,
+                    shapes: 1,
+                    density: q.density,
+                };
+                let Cell { x, y, z } = GridResolution::answer(&one);
+                if q.shapes.is_empty() {
+                    Self::answer(q)
+                } else {
+                    cut(q, UVec3::new(x, y, z).min(UVec3::splat(255)))
+                }
+            },
         },
         Mistake {
             name: "leaves out the last cell that a shape reaches, along each axis",
             hint: "A shape within one cell: how often does your loop go round?",
-            answer: |q| { without_last(q, [true; 3]) },
+            answer: |q| without_last(q, [true; 3]),
         },
         Mistake {
             name: "leaves out the last cell that a shape reaches, along x",
             hint: "A shape within one cell: how often does your loop over x go round?",
-            answer: |q| { without_last(q, [true, false, false]) },
+            answer: |q| without_last(q, [true, false, false]),
         },
         Mistake {
             name: "leaves out the last cell that a shape reaches, along y",
             hint: "A shape within one cell: how often does your loop over y go round?",
-            answer: |q| { without_last(q, [false, true, false]) },
+            answer: |q| without_last(q, [false, true, false]),
         },
         Mistake {
             name: "leaves out the last cell that a shape reaches, along z",
             hint: "A shape within one cell: how often does your loop over z go round?",
-            answer: |q| { without_last(q, [false, false, true]) },
+            answer: |q| without_last(q, [false, false, true]),
         },
         Mistake {
             name: "allows 256 cells along an axis",
             hint: "A resolution is kept in a byte: which is the largest number in it?",
-            answer: |q| { let counted = GridResolution { extents: q.max - q.min, shapes: q.shapes.len() as u32, density: q.density }; let Cell { x, y, z } = GridResolution::answer(&counted); if q.shapes.is_empty() { Self::answer(q) } else { cut(q, UVec3::new(x, y, z).min(UVec3::splat(256))) } },
+            answer: |q| {
+                let counted = GridResolution {
+                    extents: q.max - q.min,
+                    shapes: q.shapes.len() as u32,
+                    density: q.density,
+                };
+                let Cell { x, y, z } = GridResolution::answer(&counted);
+                if q.shapes.is_empty() {
+                    Self::answer(q)
+                } else {
+                    cut(q, UVec3::new(x, y, z).min(UVec3::splat(256)))
+                }
+            },
         },
         Mistake {
             name: "names a shape only where its middle is, and loses one whose middle is outside",
             hint: "A ray can hit a shape far from the shape's middle: in which cells must the ray find the shape?",
-            answer: |q| { without_those_outside(q, |shape| { let middle = 0.5 * (shape.min + shape.max); Corners { min: middle, max: middle } }) },
+            answer: |q| {
+                without_those_outside(q, |shape| {
+                    let middle = 0.5 * (shape.min + shape.max);
+                    Corners {
+                        min: middle,
+                        max: middle,
+                    }
+                })
+            },
         },
         Mistake {
             name: "measures from the origin, and loses the shapes that are then outside",
             hint: "Where does the first fine cell begin?",
-            answer: |q| { without_those_outside(q, |shape| Corners { min: shape.min + q.min, max: shape.max + q.min }) },
+            answer: |q| {
+                without_those_outside(q, |shape| Corners {
+                    min: shape.min + q.min,
+                    max: shape.max + q.min,
+                })
+            },
         },
         Mistake {
             name: "takes the coarse cell's greatest corner for its extents",
             hint: "How long is a cell that begins at x = 2 and ends at x = 3?",
-            answer: |q| { let counted = GridResolution { extents: q.max.max(Vec3::ZERO), shapes: q.shapes.len() as u32, density: q.density }; let Cell { x, y, z } = GridResolution::answer(&counted); if q.shapes.is_empty() { Self::answer(q) } else { cut(q, UVec3::new(x, y, z).min(UVec3::splat(255))) } },
+            answer: |q| {
+                let counted = GridResolution {
+                    extents: q.max.max(Vec3::ZERO),
+                    shapes: q.shapes.len() as u32,
+                    density: q.density,
+                };
+                let Cell { x, y, z } = GridResolution::answer(&counted);
+                if q.shapes.is_empty() {
+                    Self::answer(q)
+                } else {
+                    cut(q, UVec3::new(x, y, z).min(UVec3::splat(255)))
+                }
+            },
         },
     ];
 }

@@ -258,32 +258,56 @@ impl Graded for TwoLevelWalk {
         Mistake {
             name: "counts an empty coarse cell as one fine cell",
             hint: "How many fine cells has an empty coarse cell, and what does that mean for the places of those after it?",
-            answer: |q| { let before = |place: u32| { let levels = q.levels(); levels.cuts.iter().take_while(|cut| cut.first <= place).filter(|cut| cut.resolution.x == 0).count() as u32 }; TwoLevelWalk::answer(q).into_iter().map(|place| place + before(place)).collect() },
+            answer: |q| {
+                let before = |place: u32| {
+                    let levels = q.levels();
+                    levels
+                        .cuts
+                        .iter()
+                        .take_while(|cut| cut.first <= place)
+                        .filter(|cut| cut.resolution.x == 0)
+                        .count() as u32
+                };
+                TwoLevelWalk::answer(q)
+                    .into_iter()
+                    .map(|place| place + before(place))
+                    .collect()
+            },
         },
         Mistake {
             name: "stops at the first empty coarse cell",
             hint: "In an empty coarse cell there is nothing to visit: where does the ray go on?",
-            answer: |q| { looked_up(q, coarse_place, true) },
+            answer: |q| looked_up(q, coarse_place, true),
         },
         Mistake {
             name: "looks up the coarse cells with y and z exchanged",
             hint: "The coarse cells lie in a row along x first, then y, then z: by how much does the place grow with y, and with z?",
-            answer: |q| { looked_up(q, |[x, y, z], [nx, _, nz]| x + nx * (z + nz * y), false) },
+            answer: |q| looked_up(q, |[x, y, z], [nx, _, nz]| x + nx * (z + nz * y), false),
         },
         Mistake {
             name: "looks up the coarse cells along z first",
             hint: "The coarse cells lie in a row along x first, then y, then z: by how much does the place grow with x?",
-            answer: |q| { looked_up(q, |[x, y, z], [_, ny, nz]| z + nz * (y + ny * x), false) },
+            answer: |q| looked_up(q, |[x, y, z], [_, ny, nz]| z + nz * (y + ny * x), false),
         },
         Mistake {
             name: "goes to the next row of coarse cells by the number of rows, not by that of cells in a row",
             hint: "By how much does the place of a coarse cell grow with y: by the number of cells along x, or along y?",
-            answer: |q| { looked_up(q, |[x, y, z], [_, ny, nz]| x + ny * (y + nz * z), false) },
+            answer: |q| looked_up(q, |[x, y, z], [_, ny, nz]| x + ny * (y + nz * z), false),
         },
         Mistake {
             name: "returns the places of the coarse cells",
             hint: "Which cells hold the shapes that the ray has to be tested with: the coarse ones, or the fine ones?",
-            answer: |q| { let levels = q.levels(); let of = |place: u32| levels.cuts.iter().rposition(|cut| cut.first <= place && cut.resolution.x > 0).unwrap_or(0) as u32; TwoLevelWalk::answer(q).into_iter().map(of).collect() },
+            answer: |q| {
+                let levels = q.levels();
+                let of = |place: u32| {
+                    levels
+                        .cuts
+                        .iter()
+                        .rposition(|cut| cut.first <= place && cut.resolution.x > 0)
+                        .unwrap_or(0) as u32
+                };
+                TwoLevelWalk::answer(q).into_iter().map(of).collect()
+            },
         },
     ];
 }

@@ -415,7 +415,16 @@ impl Graded for OctreeBuild {
         Mistake {
             name: "names a shape only in the first child that it reaches",
             hint: "A ray can hit a shape in any part of the shape: in which leaves must the ray find the shape?",
-            answer: |q| { built(q, |l| l, |shape, cells| { let bits = reached(shape, cells); bits & bits.wrapping_neg() }) },
+            answer: |q| {
+                built(
+                    q,
+                    |l| l,
+                    |shape, cells| {
+                        let bits = reached(shape, cells);
+                        bits & bits.wrapping_neg()
+                    },
+                )
+            },
         },
     ];
 }

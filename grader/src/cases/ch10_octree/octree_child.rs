@@ -118,12 +118,18 @@ impl Graded for OctreeChild {
         Mistake {
             name: "looks at the next axis only if the point is in the lower half along those before (else if)",
             hint: "A point in the upper half along all three axes: how many of your conditions are asked?",
-            answer: |q| { let n = OctreeChild::answer(q); n & n.wrapping_neg() },
+            answer: |q| {
+                let n = OctreeChild::answer(q);
+                n & n.wrapping_neg()
+            },
         },
         Mistake {
             name: "takes 1, 2 and 3 for the weights of x, y and z",
             hint: "How many children are there, and how many different sums do your three weights have?",
-            answer: |q| { let n = OctreeChild::answer(q); (n & 1) + (n & 2) + 3 * (n >> 2) },
+            answer: |q| {
+                let n = OctreeChild::answer(q);
+                (n & 1) + (n & 2) + 3 * (n >> 2)
+            },
         },
     ];
 }

@@ -215,37 +215,65 @@ impl Graded for OctreeWalk {
         Mistake {
             name: "takes the order of the children from the direction's x only",
             hint: "A ray that runs towards −y meets the upper half along y first: which bits of a child's number do you turn?",
-            answer: |q| { ordered(q, |d| u32::from(d[0] < 0.0)) },
+            answer: |q| ordered(q, |d| u32::from(d[0] < 0.0)),
         },
         Mistake {
             name: "turns the order of the children round only where the ray moves down along all axes",
             hint: "Each axis has a bit of its own: which of them do you turn for a ray that moves down along x only?",
-            answer: |q| { ordered(q, |d| if d.iter().all(|d| *d < 0.0) { 7 } else { 0 }) },
+            answer: |q| ordered(q, |d| if d.iter().all(|d| *d < 0.0) { 7 } else { 0 }),
         },
         Mistake {
             name: "turns the order of all children round where the ray moves down along any axis",
             hint: "Each axis has a bit of its own: which of them do you turn for a ray that moves down along x only?",
-            answer: |q| { ordered(q, |d| if d.iter().any(|d| *d < 0.0) { 7 } else { 0 }) },
+            answer: |q| ordered(q, |d| if d.iter().any(|d| *d < 0.0) { 7 } else { 0 }),
         },
         Mistake {
             name: "exchanges the bits of x and z in the order of the children",
             hint: "Which axis has the lowest bit of a child's number?",
-            answer: |q| { ordered(q, |d| u32::from(d[2] < 0.0) | u32::from(d[1] < 0.0) << 1 | u32::from(d[0] < 0.0) << 2) },
+            answer: |q| {
+                ordered(q, |d| {
+                    u32::from(d[2] < 0.0) | u32::from(d[1] < 0.0) << 1 | u32::from(d[0] < 0.0) << 2
+                })
+            },
         },
         Mistake {
             name: "returns a leaf's `first`, not the leaf's number",
             hint: "A leaf's `first` is a place in another list: which number names the leaf itself?",
-            answer: |q| { OctreeWalk::answer(q).into_iter().map(|leaf| q.nodes[leaf as usize].first).collect() },
+            answer: |q| {
+                OctreeWalk::answer(q)
+                    .into_iter()
+                    .map(|leaf| q.nodes[leaf as usize].first)
+                    .collect()
+            },
         },
         Mistake {
             name: "looks at four children only",
             hint: "How many children has a node of an octree?",
-            answer: |q| { let (all, mut open) = (OctreeWalk::answer(q), vec![0]); let mut seen = Vec::new(); while let Some(node) = open.pop() { let row = &q.nodes[node as usize]; seen.push(node); if row.inner == 1 { open.extend(row.first..row.first + 4); } } all.into_iter().filter(|leaf| seen.contains(leaf)).collect() },
+            answer: |q| {
+                let (all, mut open) = (OctreeWalk::answer(q), vec![0]);
+                let mut seen = Vec::new();
+                while let Some(node) = open.pop() {
+                    let row = &q.nodes[node as usize];
+                    seen.push(node);
+                    if row.inner == 1 {
+                        open.extend(row.first..row.first + 4);
+                    }
+                }
+                all.into_iter().filter(|leaf| seen.contains(leaf)).collect()
+            },
         },
         Mistake {
             name: "lists nodes with children too",
             hint: "Which nodes hold shapes, and which hold nodes?",
-            answer: |q| { let mut found = Vec::new(); below(q, 0, mirror(q.ray.direction.to_array()), &mut |node| if q.nodes[node as usize].inner == 1 || q.nodes[node as usize].count > 0 { found.push(node); }); found },
+            answer: |q| {
+                let mut found = Vec::new();
+                below(q, 0, mirror(q.ray.direction.to_array()), &mut |node| {
+                    if q.nodes[node as usize].inner == 1 || q.nodes[node as usize].count > 0 {
+                        found.push(node);
+                    }
+                });
+                found
+            },
         },
     ];
 }

@@ -173,17 +173,23 @@ impl Graded for BvhClosest {
         Mistake {
             name: "counts one box for each branch",
             hint: "Both children's boxes are asked when a branch is opened: how many tests are that?",
-            answer: |q| { let right = q.answer(); BvhClosestAnswer { boxes: right.boxes / 2, ..right } },
+            answer: |q| {
+                let right = q.answer();
+                BvhClosestAnswer {
+                    boxes: right.boxes / 2,
+                    ..right
+                }
+            },
         },
         Mistake {
             name: "tests only the first triangle of each leaf",
             hint: "A leaf of two triangles: how often does your loop go round?",
-            answer: |q| { search(q, |how| how.only_the_first = true) },
+            answer: |q| search(q, |how| how.only_the_first = true),
         },
         Mistake {
             name: "counts only the triangles that are hit",
             hint: "Is a test work that finds nothing?",
-            answer: |q| { search(q, |how| how.counts_hits = true) },
+            answer: |q| search(q, |how| how.counts_hits = true),
         },
     ];
 

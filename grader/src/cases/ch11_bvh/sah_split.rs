@@ -258,32 +258,67 @@ impl Graded for SahSplit {
         Mistake {
             name: "leaves the faces across x out of the area",
             hint: "A box has six faces: which of them are in your sum?",
-            answer: |q| { least(q, |bounds, count| { let s = bounds.size(); (s.z * s.x + s.x * s.y) * count }) },
+            answer: |q| {
+                least(q, |bounds, count| {
+                    let s = bounds.size();
+                    (s.z * s.x + s.x * s.y) * count
+                })
+            },
         },
         Mistake {
             name: "leaves the faces across y out of the area",
             hint: "A box has six faces: which of them are in your sum?",
-            answer: |q| { least(q, |bounds, count| { let s = bounds.size(); (s.y * s.z + s.x * s.y) * count }) },
+            answer: |q| {
+                least(q, |bounds, count| {
+                    let s = bounds.size();
+                    (s.y * s.z + s.x * s.y) * count
+                })
+            },
         },
         Mistake {
             name: "leaves the faces across z out of the area",
             hint: "A box has six faces: which of them are in your sum?",
-            answer: |q| { least(q, |bounds, count| { let s = bounds.size(); (s.y * s.z + s.z * s.x) * count }) },
+            answer: |q| {
+                least(q, |bounds, count| {
+                    let s = bounds.size();
+                    (s.y * s.z + s.z * s.x) * count
+                })
+            },
         },
         Mistake {
             name: "keeps the best cut of the last axis, and forgets those of the others",
             hint: "Where does the least cost so far begin at infinity: before the loop over the axes, or in it?",
-            answer: |q| { cut_with(q, |axis, sides| cost(q, sides) + if axis == 2 { 0.0 } else { 1e9 }) },
+            answer: |q| {
+                cut_with(q, |axis, sides| {
+                    cost(q, sides) + if axis == 2 { 0.0 } else { 1e9 }
+                })
+            },
         },
         Mistake {
             name: "never tries to leave one box on the right",
             hint: "Of n boxes in a row there are n − 1 cuts: which is the last?",
-            answer: |q| { cut_with(q, |_, sides| if sides[1].len() == 1 { f32::INFINITY } else { cost(q, sides) }) },
+            answer: |q| {
+                cut_with(q, |_, sides| {
+                    if sides[1].len() == 1 {
+                        f32::INFINITY
+                    } else {
+                        cost(q, sides)
+                    }
+                })
+            },
         },
         Mistake {
             name: "never tries to leave one box on the left",
             hint: "Of n boxes in a row there are n − 1 cuts: which is the first?",
-            answer: |q| { cut_with(q, |_, sides| if sides[0].len() == 1 { f32::INFINITY } else { cost(q, sides) }) },
+            answer: |q| {
+                cut_with(q, |_, sides| {
+                    if sides[0].len() == 1 {
+                        f32::INFINITY
+                    } else {
+                        cost(q, sides)
+                    }
+                })
+            },
         },
     ];
 }

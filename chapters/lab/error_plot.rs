@@ -65,18 +65,16 @@ impl ErrorPlot {
 }
 
 impl ErrorPlot {
-    /// Slopes that have names, as dashes.
-    fn guides(&self, chart: &mut Chart) {
+    /// Slopes that have names: each guide's name, its two ends, and the place of its name.
+    fn guides(&self) -> impl Iterator<Item = (&'static str, [(f64, f64); 2], (f64, f64))> {
         let [left, right, bottom, top] = self.range();
-        for (slope, name) in GUIDES {
+        GUIDES.into_iter().map(move |(slope, name)| {
             let at = |n: f64| (n, 0.75 * top * (n / left).powf(slope));
             let end = right.min(left * (0.75 * top / bottom).powf(-1.0 / slope));
             let (n, error) = at(left * (end / left).powf(0.93));
             let below = (n, error * (bottom / top).powf(0.035));
-            chart
-                .dashes([at(left), at(end)], FAINT.stroke_width(3))
-                .label(CENTRE, below, name, INK);
-        }
+            (name, [at(left), at(end)], below)
+        })
     }
 
     /// The legend's lines: each curve's name, and its slope where there is one.
@@ -119,7 +117,9 @@ impl Plot for ErrorPlot {
         let samples = Axis::log2(left..end).named("samples").marks(&marks);
         let errors = Axis::log(bottom..top).named("error").format(power_of_ten);
         let mut chart = Chart::new(samples, errors).titled(&self.title).text(30);
-        self.guides(&mut chart);
+        for (_, ends, _) in self.guides() {
+            chart.dashes(ends, FAINT.stroke_width(3));
+        }
         for (i, curve) in self.curves.iter().enumerate() {
             let low = |e: &Error| (e.n as f64, e.low.max(bottom));
             let high = |e: &Error| (e.n as f64, e.high.max(bottom));
@@ -139,6 +139,10 @@ impl Plot for ErrorPlot {
         for curve in &self.curves {
             let inside = curve.errors.iter().filter(|e| e.median >= bottom);
             chart.curve(inside.map(|e| (e.n as f64, e.median)), curve.pen);
+        }
+        // Curves do not cover the names.
+        for (name, _, below) in self.guides() {
+            chart.label(CENTRE, below, name, INK);
         }
         let entries = self.entries();
         let has_slopes = entries.iter().any(|(_, _, slope)| !slope[0].is_empty());

@@ -1,6 +1,7 @@
 //! Answers as a whole: the same one to every question or none, lists in another order, parts exchanged, the other way round.
 
 mod alike;
+mod largest;
 mod lists;
 mod parts;
 
@@ -24,6 +25,7 @@ pub fn explanations(evidence: &Evidence<'_>, base: &Answers) -> Vec<Explanation>
         before,
     )];
     all.extend(alike::explanations(evidence, base));
+    all.extend(largest::explanations(evidence, base));
     all.extend(lists::explanations(evidence, base));
     if evidence.scope == Scope::Whole {
         all.extend(parts::explanations(evidence, base));

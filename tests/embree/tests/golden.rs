@@ -57,7 +57,14 @@ const TOO_MUCH_WORK: &[(&str, &str)] = &[
         "bvh_closest",
         "opens a waiting node without asking again whether it is behind the hit",
     ),
+    ("bvh_closest", "counts one box for each branch"),
+    ("bvh_closest", "counts only the triangles that are hit"),
     ("wide_closest", "opens every child"),
+    (
+        "wide_closest",
+        "opens the children in the reverse order of the node, as they come from a stack",
+    ),
+    ("wide_closest", "counts the triangles of a leaf as one test"),
     (
         "wide_closest",
         "opens the children in the order of the node",

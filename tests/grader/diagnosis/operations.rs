@@ -372,3 +372,22 @@ fn another_length_in_one_place_of_the_film_is_named() {
     let told = "takes the value of “plane.y” where that of “plane.x in the corner” belongs";
     assert_eq!(found.name, told);
 }
+
+#[test]
+fn an_infinite_number_that_was_made_whole_is_called_so() {
+    let found = diagnosed("grid_resolution", |q| {
+        let mut answer = (cases::find("grid_resolution")?.asked().call)(q);
+        let flat = (0..3).find(|axis| q[*axis] == 0.0);
+        if let Some(axis) = flat {
+            answer[axis] = u32::MAX.into();
+        }
+        Some(answer)
+    });
+    assert!(
+        found
+            .name
+            .starts_with("returns 4294967295, the end of its type's range"),
+        "{}",
+        found.name
+    );
+}

@@ -111,7 +111,7 @@ fn files_are_touched_in_one_place() {
 }
 
 /// Words in the place of a parameter's name, but for comparisons ("so many that").
-const NAMELESS: [&str; 11] = [
+const NAMELESS: [&str; 13] = [
     "/// So many ",
     "/// So much ",
     "/// So often ",
@@ -123,6 +123,8 @@ const NAMELESS: [&str; 11] = [
     "by so much ",
     "than so many",
     "for so long ",
+    " stands so many ",
+    ": so many ",
 ];
 
 #[test]

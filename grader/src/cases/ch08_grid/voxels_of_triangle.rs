@@ -232,7 +232,7 @@ fn kept(q: &VoxelsOfTriangle, keep: impl Fn(Aabb, [Vec3; 3]) -> bool) -> Vec<Cel
         .collect()
 }
 
-/// The cells of the lattice that meet the triangle if each stands so many of its sizes beside its place.
+/// The cells of the lattice that meet the triangle if each is moved along every axis by its size there times `by`.
 fn shifted(q: &VoxelsOfTriangle, by: f32) -> Vec<Cell> {
     let (lattice, corners) = (q.lattice(), [q.p0, q.p1, q.p2]);
     let meets = |cell: &UVec3| {

@@ -266,19 +266,7 @@ impl Graded for RefineCell {
         Mistake {
             name: "cuts an axis into more than 255 cells",
             hint: "A resolution is kept in a byte: which is the largest number in it?",
-            answer: |q| {
-                let counted = GridResolution {
-                    extents: q.max - q.min,
-                    shapes: q.shapes.len() as u32,
-                    density: q.density,
-                };
-                let Cell { x, y, z } = GridResolution::answer(&counted);
-                if q.shapes.is_empty() {
-                    Self::answer(q)
-                } else {
-                    cut(q, UVec3::new(x, y, z))
-                }
-            },
+            answer: |q| cut_for(q, q.max - q.min, q.shapes.len(), u32::MAX),
         },
         Mistake {
             name: "names only shapes that lie within a cell as a whole",
@@ -298,19 +286,7 @@ impl Graded for RefineCell {
         Mistake {
             name: "ignores the number of shapes",
             hint: "A cell with eight times as many shapes: how many times as many fine cells does it get?",
-            answer: |q| {
-                let one = GridResolution {
-                    extents: q.max - q.min,
-                    shapes: 1,
-                    density: q.density,
-                };
-                let Cell { x, y, z } = GridResolution::answer(&one);
-                if q.shapes.is_empty() {
-                    Self::answer(q)
-                } else {
-                    cut(q, UVec3::new(x, y, z).min(UVec3::splat(255)))
-                }
-            },
+            answer: |q| cut_for(q, q.max - q.min, 1, 255),
         },
         Mistake {
             name: "leaves out the last cell that a shape reaches, along each axis",
@@ -335,19 +311,7 @@ impl Graded for RefineCell {
         Mistake {
             name: "allows 256 cells along an axis",
             hint: "A resolution is kept in a byte: which is the largest number in it?",
-            answer: |q| {
-                let counted = GridResolution {
-                    extents: q.max - q.min,
-                    shapes: q.shapes.len() as u32,
-                    density: q.density,
-                };
-                let Cell { x, y, z } = GridResolution::answer(&counted);
-                if q.shapes.is_empty() {
-                    Self::answer(q)
-                } else {
-                    cut(q, UVec3::new(x, y, z).min(UVec3::splat(256)))
-                }
-            },
+            answer: |q| cut_for(q, q.max - q.min, q.shapes.len(), 256),
         },
         Mistake {
             name: "names a shape only where its middle is, and loses one whose middle is outside",
@@ -375,21 +339,23 @@ impl Graded for RefineCell {
         Mistake {
             name: "takes the coarse cell's greatest corner for its extents",
             hint: "How long is a cell that begins at x = 2 and ends at x = 3?",
-            answer: |q| {
-                let counted = GridResolution {
-                    extents: q.max.max(Vec3::ZERO),
-                    shapes: q.shapes.len() as u32,
-                    density: q.density,
-                };
-                let Cell { x, y, z } = GridResolution::answer(&counted);
-                if q.shapes.is_empty() {
-                    Self::answer(q)
-                } else {
-                    cut(q, UVec3::new(x, y, z).min(UVec3::splat(255)))
-                }
-            },
+            answer: |q| cut_for(q, q.max.max(Vec3::ZERO), q.shapes.len(), 255),
         },
     ];
+}
+
+/// The answer for the resolution of a cell of these extents with `shapes` shapes, and at most `most` along each axis; the right one for
+/// an empty cell.
+fn cut_for(q: &RefineCell, extents: Vec3, shapes: usize, most: u32) -> RefineCellAnswer {
+    if q.shapes.is_empty() {
+        return RefineCell::answer(q);
+    }
+    let Cell { x, y, z } = GridResolution::answer(&GridResolution {
+        extents,
+        shapes: shapes as u32,
+        density: q.density,
+    });
+    cut(q, UVec3::new(x, y, z).min(UVec3::splat(most)))
 }
 
 /// The answer for a resolution of one's own.

@@ -23,6 +23,23 @@ pub(super) fn cuts(boxes: &[BoxRow], key: fn(&BoxRow) -> Vec3) -> Vec<(usize, [V
     cuts
 }
 
+/// The cut of least cost by areas without the faces across an axis.
+fn without_faces(q: &SahSplit, axis: usize) -> Vec<u32> {
+    cut_with(q, |_, sides| {
+        let cost = |side: &Vec<u32>| {
+            let s = around(&q.boxes, side).size();
+            let [of_x, of_y, of_z] = [s.y * s.z, s.z * s.x, s.x * s.y];
+            let area = match axis {
+                0 => of_y + of_z,
+                1 => of_x + of_z,
+                _ => of_x + of_y,
+            };
+            area * side.len() as f32
+        };
+        cost(&sides[0]) + cost(&sides[1])
+    })
+}
+
 /// The left side of the cut that is least by some measure of a side, left plus right.
 fn least(q: &SahSplit, side: fn(&Aabb, f32) -> f32) -> Vec<u32> {
     cut_with(q, |_, sides| {
@@ -258,32 +275,17 @@ impl Graded for SahSplit {
         Mistake {
             name: "leaves the faces across x out of the area",
             hint: "A box has six faces: which of them are in your sum?",
-            answer: |q| {
-                least(q, |bounds, count| {
-                    let s = bounds.size();
-                    (s.z * s.x + s.x * s.y) * count
-                })
-            },
+            answer: |q| without_faces(q, 0),
         },
         Mistake {
             name: "leaves the faces across y out of the area",
             hint: "A box has six faces: which of them are in your sum?",
-            answer: |q| {
-                least(q, |bounds, count| {
-                    let s = bounds.size();
-                    (s.y * s.z + s.x * s.y) * count
-                })
-            },
+            answer: |q| without_faces(q, 1),
         },
         Mistake {
             name: "leaves the faces across z out of the area",
             hint: "A box has six faces: which of them are in your sum?",
-            answer: |q| {
-                least(q, |bounds, count| {
-                    let s = bounds.size();
-                    (s.y * s.z + s.z * s.x) * count
-                })
-            },
+            answer: |q| without_faces(q, 2),
         },
         Mistake {
             name: "keeps the best cut of the last axis, and forgets those of the others",

@@ -227,30 +227,12 @@ impl Graded for Fresnel {
         Mistake {
             name: "squares half of the difference of both amplitudes for R",
             hint: "Unpolarised light is half of one kind and half of the other: are amplitudes added, or shares of the light?",
-            answer: |q| {
-                let FresnelAnswer { rs, rp, r } = Fresnel::answer(q);
-                let r = cos2(q).map_or(r, |cos2| {
-                    let amplitude = |a: f32, b: f32| (a - b) / (a + b);
-                    let s = amplitude(q.n1 * q.cos1, q.n2 * cos2);
-                    let p = amplitude(q.n2 * q.cos1, q.n1 * cos2);
-                    (0.5 * (s + p)).powi(2)
-                });
-                FresnelAnswer { rs, rp, r }
-            },
+            answer: |q| by_amplitudes(q, |s, p| s - p),
         },
         Mistake {
             name: "squares the mean of both amplitudes for R",
             hint: "Unpolarised light is half of one kind and half of the other: are amplitudes added, or shares of the light?",
-            answer: |q| {
-                let FresnelAnswer { rs, rp, r } = Fresnel::answer(q);
-                let r = cos2(q).map_or(r, |cos2| {
-                    let amplitude = |a: f32, b: f32| (a - b) / (a + b);
-                    let s = amplitude(q.n1 * q.cos1, q.n2 * cos2);
-                    let p = amplitude(q.n1 * cos2, q.n2 * q.cos1);
-                    (0.5 * (s + p)).powi(2)
-                });
-                FresnelAnswer { rs, rp, r }
-            },
+            answer: |q| by_amplitudes(q, |s, p| s + p),
         },
         Mistake {
             name: "exchanges the two media where the first is the denser one",
@@ -275,6 +257,18 @@ impl Graded for Fresnel {
             },
         },
     ];
+}
+
+/// The answer whose R is the square of half of what is made of the two amplitudes.
+fn by_amplitudes(q: &Fresnel, both: fn(f32, f32) -> f32) -> FresnelAnswer {
+    let FresnelAnswer { rs, rp, r } = Fresnel::answer(q);
+    let r = cos2(q).map_or(r, |cos2| {
+        let amplitude = |a: f32, b: f32| (a - b) / (a + b);
+        let s = amplitude(q.n1 * q.cos1, q.n2 * cos2);
+        let p = amplitude(q.n1 * cos2, q.n2 * q.cos1);
+        (0.5 * both(s, p)).powi(2)
+    });
+    FresnelAnswer { rs, rp, r }
 }
 
 /// cos θ₂, unless all is reflected.

@@ -22,6 +22,18 @@ fn on(q: &DirectionToCube, faces: &[u32], change: fn(CubePlace) -> CubePlace) ->
     }
 }
 
+/// Left and right exchanged.
+fn left_for_right(mut p: CubePlace) -> CubePlace {
+    p.u = 1.0 - p.u;
+    p
+}
+
+/// Top and bottom exchanged.
+fn top_for_bottom(mut p: CubePlace) -> CubePlace {
+    p.v = 1.0 - p.v;
+    p
+}
+
 impl Graded for DirectionToCube {
     fn random(rng: &mut Pcg) -> DirectionToCube {
         asks(sample::direction(rng))
@@ -186,24 +198,12 @@ impl Graded for DirectionToCube {
         Mistake {
             name: "has the ceiling +y upside down",
             hint: "Look at -z and raise or lower your eyes: at which edge of that face do you arrive?",
-            answer: |q| {
-                on(q, &[2], |p| CubePlace {
-                    u: p.u,
-                    v: 1.0 - p.v,
-                    ..p
-                })
-            },
+            answer: |q| on(q, &[2], top_for_bottom),
         },
         Mistake {
             name: "has the floor -y upside down",
             hint: "Look at -z and raise or lower your eyes: at which edge of that face do you arrive?",
-            answer: |q| {
-                on(q, &[3], |p| CubePlace {
-                    u: p.u,
-                    v: 1.0 - p.v,
-                    ..p
-                })
-            },
+            answer: |q| on(q, &[3], top_for_bottom),
         },
         Mistake {
             name: "exchanges the faces +x and -x, with what is to the right on them",
@@ -241,68 +241,32 @@ impl Graded for DirectionToCube {
         Mistake {
             name: "has left and right exchanged on the face +x only",
             hint: "Stand in the cube and look at that face: what is on your right?",
-            answer: |q| {
-                on(q, &[0], |p| CubePlace {
-                    u: 1.0 - p.u,
-                    v: p.v,
-                    ..p
-                })
-            },
+            answer: |q| on(q, &[0], left_for_right),
         },
         Mistake {
             name: "has left and right exchanged on the face -x only",
             hint: "Stand in the cube and look at that face: what is on your right?",
-            answer: |q| {
-                on(q, &[1], |p| CubePlace {
-                    u: 1.0 - p.u,
-                    v: p.v,
-                    ..p
-                })
-            },
+            answer: |q| on(q, &[1], left_for_right),
         },
         Mistake {
             name: "has left and right exchanged on the face +y only",
             hint: "Stand in the cube and look at that face: what is on your right?",
-            answer: |q| {
-                on(q, &[2], |p| CubePlace {
-                    u: 1.0 - p.u,
-                    v: p.v,
-                    ..p
-                })
-            },
+            answer: |q| on(q, &[2], left_for_right),
         },
         Mistake {
             name: "has left and right exchanged on the face -y only",
             hint: "Stand in the cube and look at that face: what is on your right?",
-            answer: |q| {
-                on(q, &[3], |p| CubePlace {
-                    u: 1.0 - p.u,
-                    v: p.v,
-                    ..p
-                })
-            },
+            answer: |q| on(q, &[3], left_for_right),
         },
         Mistake {
             name: "has left and right exchanged on the face +z only",
             hint: "Stand in the cube and look at that face: what is on your right?",
-            answer: |q| {
-                on(q, &[4], |p| CubePlace {
-                    u: 1.0 - p.u,
-                    v: p.v,
-                    ..p
-                })
-            },
+            answer: |q| on(q, &[4], left_for_right),
         },
         Mistake {
             name: "has left and right exchanged on the face -z only",
             hint: "Stand in the cube and look at that face: what is on your right?",
-            answer: |q| {
-                on(q, &[5], |p| CubePlace {
-                    u: 1.0 - p.u,
-                    v: p.v,
-                    ..p
-                })
-            },
+            answer: |q| on(q, &[5], left_for_right),
         },
     ];
 

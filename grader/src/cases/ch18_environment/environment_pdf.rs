@@ -46,6 +46,22 @@ impl OfDensity for EnvironmentPdf {
     }
 }
 
+/// The density by the sine at one place in each row, where 0 is its upper edge and 1 its lower edge.
+fn by_sines(q: &EnvironmentPdf, place: f64) -> f32 {
+    let (map, (x, y)) = (q.map(), q.texel());
+    let sine = |row: usize| (PI * (row as f64 + place) / f64::from(q.height)).sin();
+    let all = q.texels.iter().enumerate();
+    let sum: f64 = all
+        .map(|(i, t)| f64::from(*t) * sine(i / q.width as usize))
+        .sum();
+    let texel = 2.0 * PI * PI / f64::from(q.width * q.height);
+    if sum > 0.0 {
+        (map.texel(x, y) / (sum * texel)) as f32
+    } else {
+        0.0
+    }
+}
+
 /// The density of the texel whose column or row, or both, are rounded.
 fn rounded(q: &EnvironmentPdf, columns: bool, rows: bool) -> f32 {
     let place = latlong::place(q.direction);
@@ -214,38 +230,12 @@ impl Graded for EnvironmentPdf {
         Mistake {
             name: "takes the sine in the middle of a row for the whole row",
             hint: "The solid angle of a row is 2π times a difference of cosines: how far is the sine in its middle from that, near a pole?",
-            answer: |q| {
-                let (map, (x, y)) = (q.map(), q.texel());
-                let sine = |row: usize| (PI * (row as f64 + 0.5) / f64::from(q.height)).sin();
-                let all = q.texels.iter().enumerate();
-                let sum: f64 = all
-                    .map(|(i, t)| f64::from(*t) * sine(i / q.width as usize))
-                    .sum();
-                let texel = 2.0 * PI * PI / f64::from(q.width * q.height);
-                if sum > 0.0 {
-                    (map.texel(x, y) / (sum * texel)) as f32
-                } else {
-                    0.0
-                }
-            },
+            answer: |q| by_sines(q, 0.5),
         },
         Mistake {
             name: "takes the sine at a row's upper edge for the whole row",
             hint: "How large is the solid angle of your first row?",
-            answer: |q| {
-                let (map, (x, y)) = (q.map(), q.texel());
-                let sine = |row: usize| (PI * row as f64 / f64::from(q.height)).sin();
-                let all = q.texels.iter().enumerate();
-                let sum: f64 = all
-                    .map(|(i, t)| f64::from(*t) * sine(i / q.width as usize))
-                    .sum();
-                let texel = 2.0 * PI * PI / f64::from(q.width * q.height);
-                if sum > 0.0 {
-                    (map.texel(x, y) / (sum * texel)) as f32
-                } else {
-                    0.0
-                }
-            },
+            answer: |q| by_sines(q, 0.0),
         },
         Mistake {
             name: "divides the radiance by the brightest texel",

@@ -176,7 +176,7 @@ impl Graded for RandomPattern {
 
 /// Equal coordinates are a coincidence of one in millions; but of numbers that are used again there may be any number.
 fn few_places(points: &[Vec2]) -> Verdict {
-    /// Whoever rounds has at least two digits: so many values are no single point that comes again.
+    /// Fewer different values are a single point that comes again; whoever rounds leaves more of them.
     const VALUES: usize = 4;
     let mut xs: Vec<_> = points.iter().map(|p| p.x).collect();
     xs.sort_by(f32::total_cmp);

@@ -54,7 +54,7 @@ pub struct Knobs {
 /// # Errors
 /// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
-    let film = stage.film_of(400, 40, 1.0);
+    let film = stage.film_of(400, 16, 1.0);
     let cornell_box = View::cornell_box()?;
     let path = Path {
         depth: knobs.depth.unwrap_or(ALL.depth),
@@ -83,7 +83,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             By::Both => "directions of both strategies, by the surface and by the light",
         };
         let caption = format!(
-            "The Cornell box.{limit} {arrived} The lamp is found by {by}. A filter has averaged the remaining noise."
+            "The Cornell box.{limit} {arrived} The lamp is found by {by}. A filter has removed the remaining noise."
         );
         stage.picture("picture", &caption, &picture)?;
     }
@@ -115,7 +115,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             ball, a caustic: light of the lamp that the glass has gathered. No ray to the lamp finds this light, only paths that happen to go through the glass. A pixel that \
             one rare path makes much brighter than its neighbours is limited."
         );
-        let film = stage.film_of(320, 32, 1.0);
+        let film = stage.film_of(320, 16, 1.0);
         stage.figure(
             "caustic",
             &caption,
@@ -127,11 +127,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         by the cosine on the right. Light counts in proportion to cos θ, so directions near the horizon contribute little.";
     stage.diagram("hemisphere", caption, &domes::draw()?)?;
 
-    let tile = stage.tile(3, 1.5);
-    let tile = Film {
-        samples: tile.samples.div_ceil(2),
-        ..tile
-    };
+    let tile = stage.tile(3, 1.5).halved();
     if stage.wants("strategies") {
         let caption = "Four plates, smooth behind and rough in front, mirror four lamps, small at the left and large at the right; \
             the number of samples is the same in all tiles. Directions by the surface find the large lamps, and directions by the \
@@ -156,9 +152,11 @@ fn photograph(film: &Film, view: &View, path: Path) -> Image {
     })
 }
 
-/// The same picture, denoised by a filter.
+/// The same picture, denoised by a filter that knows what the camera sees.
 fn denoised(film: &Film, view: &View, path: Path) -> Image {
-    film.denoised(|film| photograph(film, view, path))
+    film.denoised(&film.guides(&view.camera, &view.scene), |film| {
+        photograph(film, view, path)
+    })
 }
 
 /// The chapter's binary.

@@ -110,10 +110,7 @@ impl View {
 /// If a caption cannot be drawn.
 pub(super) fn figure(film: &Film) -> Result<Image, Box<dyn Error>> {
     let view = View::plates(film.aspect())?;
-    let half = Film {
-        samples: film.samples.div_ceil(2),
-        ..*film
-    };
+    let half = film.halved();
     let mut tiles = Vec::new();
     for (strategy, name) in STRATEGIES {
         let path = Path {

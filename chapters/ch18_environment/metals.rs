@@ -50,7 +50,9 @@ pub(super) fn draw(film: &Film, sky: Box<dyn Light>, alpha: f32) -> Result<Image
         roulette_after: 3,
         strategy: Strategy::Both,
     };
-    Ok(film.denoised(|film| film.render(&camera, &Sampler::Even, &path, &scene)))
+    Ok(film.denoised(&film.guides(&camera, &scene), |film| {
+        film.render(&camera, &Sampler::Even, &path, &scene)
+    }))
 }
 
 /// The light that rough silver of this α reflects, as a share of the light that nearly smooth silver (α = 0.01) reflects, seen

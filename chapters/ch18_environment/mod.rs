@@ -25,6 +25,7 @@ use raybook::render::mis::Strategy;
 use raybook::render::path::Path;
 use raybook::render::sampler::Sampler;
 use raybook::scene::still_life::{AT, EYE, still_life};
+use raybook::scene::world::Scene;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use uniform_environment::UniformEnvironment;
@@ -59,12 +60,10 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         return stage.picture("picture", &caption, &picture);
     }
     let tile = stage.tile(2, 1.6);
-    let samples = 3 * tile.samples / 2;
-    let film = Film { samples, ..tile };
     let maps = skies::FOUR.map(|sky| skies::map(sky, 1024));
     let [day, sunset, overcast, studio] = &maps;
     if stage.wants("picture") {
-        let under = |map: &Image| denoised(&film, Box::new(Environment::new(map.clone())));
+        let under = |map: &Image| denoised(&tile, Box::new(Environment::new(map.clone())));
         let lit = [
             under(day)?,
             under(sunset)?,
@@ -91,7 +90,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     }
 
     if stage.wants("metals") {
-        let film = stage.film_of(480, 32, 4.0 / 3.0);
+        let film = stage.film_of(480, 8, 4.0 / 3.0);
         let light = Box::new(Environment::new(studio.clone()));
         let metals = metals::draw(&film, light, knobs.roughness)?;
         let caption = format!(
@@ -106,8 +105,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     if !stage.wants("importance") {
         return Ok(());
     }
-    let samples = tile.samples.div_ceil(2);
-    let few = Film { samples, ..tile };
+    let few = tile.halved();
     let uniform = Box::new(UniformEnvironment(Environment::new(day.clone())));
     let by_light = Box::new(Environment::new(day.clone()));
     let tiles = [
@@ -121,27 +119,39 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
 
 /// The still life under one light.
 fn picture(film: &Film, light: Box<dyn Light>) -> Result<Image, LookAtError> {
-    Ok(still_life_under(light, film.aspect())?(film))
+    let view = View::under(light, film.aspect())?;
+    Ok(view.photograph(film))
 }
 
-/// The same picture, denoised by a filter.
+/// The same picture, denoised by a filter that knows what the camera sees.
 fn denoised(film: &Film, light: Box<dyn Light>) -> Result<Image, LookAtError> {
-    Ok(film.denoised(still_life_under(light, film.aspect())?))
+    let view = View::under(light, film.aspect())?;
+    let guides = film.guides(&view.camera, &view.scene);
+    Ok(film.denoised(&guides, |film| view.photograph(film)))
 }
 
-/// What draws the still life on a film.
-fn still_life_under(
-    light: Box<dyn Light>,
-    aspect: f32,
-) -> Result<impl Fn(&Film) -> Image, LookAtError> {
-    let scene = still_life(light);
-    let camera = Pinhole::look_at(EYE, AT, Vec3::Y, 0.05, aspect)?;
-    let path = Path {
-        depth: 6,
-        roulette_after: 3,
-        strategy: Strategy::Both,
-    };
-    Ok(move |film: &Film| film.render(&camera, &Sampler::Even, &path, &scene))
+/// The still life and a camera in front of it.
+struct View {
+    scene: Scene,
+    camera: Pinhole,
+}
+
+impl View {
+    fn under(light: Box<dyn Light>, aspect: f32) -> Result<Self, LookAtError> {
+        Ok(Self {
+            scene: still_life(light),
+            camera: Pinhole::look_at(EYE, AT, Vec3::Y, 0.05, aspect)?,
+        })
+    }
+
+    fn photograph(&self, film: &Film) -> Image {
+        let path = Path {
+            depth: 6,
+            roulette_after: 3,
+            strategy: Strategy::Both,
+        };
+        film.render(&self.camera, &Sampler::Even, &path, &self.scene)
+    }
 }
 
 /// The chapter's binary.

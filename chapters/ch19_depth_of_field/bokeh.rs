@@ -41,7 +41,8 @@ pub(super) fn draw(film: &Film) -> Result<Image, Box<dyn Error>> {
         ("8 blades", blades(8, 0.2)),
     ] {
         let camera = ThinLens::new(&body, f_number, focus, aperture)?;
-        let mut picture = film.denoised(|film| through_lens(film, &camera, |ray, _| dusk(ray)));
+        let mut picture =
+            film.denoised(&[], |film| through_lens(film, &camera, |ray, _| dusk(ray)));
         add_glints(&mut picture, film, &camera, &lamps, |_, _| true);
         tiles.push((name, picture));
     }

@@ -66,7 +66,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let whitted = Whitted { local, depth: 2 };
     let open = |ray: &_, distance| !scene.blocks(ray, Interval::new(0.0, distance));
     let photograph = |film: &Film, camera: &ThinLens| {
-        let mut picture = film.denoised(|film| {
+        let mut picture = film.denoised(&[], |film| {
             through_lens(film, camera, |ray, numbers| {
                 whitted.follow(&scene, ray, numbers)
             })
@@ -75,7 +75,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         picture
     };
 
-    let film = stage.film_of(960, 16, 16.0 / 9.0);
+    let film = stage.film_of(960, 8, 16.0 / 9.0);
     let body = Pinhole::look_at(EYE, VIEW, Vec3::Y, FOCAL_LENGTH, film.aspect())?;
     let (f_number, blades) = (knobs.f_number(), knobs.blades);
     let focus = knobs.focus;
@@ -105,7 +105,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     }
 
     if stage.wants("apertures") {
-        let tile = stage.tile(2, 16.0 / 9.0);
+        let tile = stage.tile(2, 16.0 / 9.0).halved();
         let mut tiles = vec![];
         for f_number in [f32::INFINITY, 8.0, 2.8, 1.4] {
             let camera = through(&body, focus, f_number, blades)?;
@@ -120,7 +120,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     }
 
     if stage.wants("focus_pull") {
-        let tile = stage.tile(4, 1.0);
+        let tile = stage.tile(4, 1.0).halved();
         let mut tiles = vec![];
         let body = Pinhole::look_at(ALONG, NARROW_VIEW, Vec3::Y, FOCAL_LENGTH, tile.aspect())?;
         for at in POTS.into_iter().chain([FAR]) {
@@ -137,7 +137,11 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     if stage.wants("bokeh") {
         let caption =
             "Lamps out of focus, seen through a round hole and through 5, 6 and 8 blades.";
-        stage.figure("bokeh", caption, &bokeh::draw(&stage.tile(4, 1.0))?)?;
+        stage.figure(
+            "bokeh",
+            caption,
+            &bokeh::draw(&stage.tile(4, 1.0).halved())?,
+        )?;
     }
     let caption = format!(
         "The circle of confusion of a 50 mm lens that is focused at {focus} m: the disc on the sensor that a point becomes. A disc \

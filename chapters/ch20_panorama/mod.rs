@@ -109,7 +109,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     }
     let caption = "Chapter 18's still life in the light of the panorama. On the right, the map is cut off at white, and so is \
         its sun: there is next to no sunlight, and no shadow.";
-    stage.figure("light", caption, &lit(&stage.tile(2, 1.5), &around)?)
+    let tile = stage.tile(2, 1.5).halved();
+    stage.figure("light", caption, &lit(&tile, &around)?)
 }
 
 /// What is seen of a scene along the rays of a camera; where the camera has no ray, the film stays black.

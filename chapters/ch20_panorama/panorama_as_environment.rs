@@ -97,5 +97,7 @@ fn photograph(film: &Film, light: Environment) -> Result<Image, LookAtError> {
         integrator: path,
         brightest: 8.0,
     };
-    Ok(film.denoised(|film| film.render(&camera, &Sampler::Even, &path, &scene)))
+    Ok(film.denoised(&film.guides(&camera, &scene), |film| {
+        film.render(&camera, &Sampler::Even, &path, &scene)
+    }))
 }

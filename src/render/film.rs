@@ -1,6 +1,10 @@
 //! The film loop: every pixel asks for the radiance of its samples and keeps their mean.
 
-use crate::image::{Image, denoise::denoise, rgb::Rgb};
+use crate::image::{
+    Image,
+    denoise::{Guide, denoise},
+    rgb::Rgb,
+};
 use crate::math::pcg::{self, Pcg};
 use crate::render::followed::Followed;
 use crate::sample::pattern::sobol::sobol;
@@ -78,15 +82,23 @@ impl Film<'_> {
         }
     }
 
+    /// The same film with half as many samples per pixel, rounded up.
+    #[must_use]
+    pub fn halved(&self) -> Self {
+        Self {
+            samples: self.samples.div_ceil(2),
+            ..*self
+        }
+    }
+
     /// A denoised picture: `draw` is called twice, each time with half of the samples and other random numbers, and [`denoise`]
-    /// combines the two pictures. If drawing was ended, this is the first of them as it is.
-    pub fn denoised(&self, draw: impl Fn(&Self) -> Image) -> Image {
+    /// combines the two pictures, guided by what is known of each pixel ([`Film::guides`]), or by nothing. If drawing was ended, this
+    /// is the first of the two pictures as it is.
+    pub fn denoised(&self, guides: &[Guide], draw: impl Fn(&Self) -> Image) -> Image {
         let half = |seed| {
-            let samples = self.samples.div_ceil(2);
             draw(&Film {
-                samples,
                 seed,
-                ..*self
+                ..self.halved()
             })
         };
         let halves = [half(self.seed), half(self.seed.wrapping_add(1))];
@@ -94,7 +106,7 @@ impl Film<'_> {
             let [first, _] = halves;
             return first;
         }
-        denoise(&halves)
+        denoise(&halves, guides)
     }
 
     /// Width over height.

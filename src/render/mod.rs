@@ -8,6 +8,7 @@ pub mod curved;
 pub mod film;
 pub mod followed;
 pub mod glints;
+pub mod guides;
 pub mod local;
 pub mod mis;
 pub mod needs_more;

@@ -26,6 +26,7 @@ mod ch19_depth_of_field;
 mod ch24_wide_bvh;
 mod domain;
 mod embree_recorded;
+mod guides;
 mod laws;
 mod noise;
 mod plastic;

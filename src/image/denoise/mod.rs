@@ -1,0 +1,267 @@
+//! Denoising a picture of random samples: the colours around each pixel that differ by noise only are replaced by a plane fitted
+//! to them.
+
+mod alike;
+mod fit;
+
+use crate::image::{Image, rgb::Rgb};
+use crate::threads;
+use alike::Alike;
+use fit::{Fit, Terms};
+use glam::Vec3;
+use std::ops::{AddAssign, Div};
+
+/// Between two pixels around which a plane is fitted, in pixels, along each axis.
+const APART: usize = 4;
+
+/// A plane is also fitted around a pixel for which the weights of the planes before it have a smaller sum: it looks like few others.
+const ENOUGH: f32 = 1.0;
+
+/// Maximum brightness of a pixel, in units of the brightest pixel that the other picture has around it. A brighter pixel comes
+/// from a very rare path.
+const BRIGHTEST: f32 = 2.0;
+
+/// What is known of a pixel without noise: means over what is seen in the pixel.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Guide {
+    /// The surface's colour: the share of the light that it reflects, or the radiance where no surface is seen.
+    pub colour: Rgb,
+    /// The surface's normal; 0 where no surface is seen.
+    pub normal: Vec3,
+    /// 1 over the distance of the surface, in 1/m: on a plane it is a first-order function of the place in the picture.
+    pub nearness: f32,
+}
+
+impl AddAssign for Guide {
+    fn add_assign(&mut self, other: Self) {
+        self.colour += other.colour;
+        self.normal += other.normal;
+        self.nearness += other.nearness;
+    }
+}
+
+impl Div<f32> for Guide {
+    type Output = Self;
+
+    fn div(self, divisor: f32) -> Self {
+        Self {
+            colour: self.colour / divisor,
+            normal: self.normal / divisor,
+            nearness: self.nearness / divisor,
+        }
+    }
+}
+
+// ANCHOR: denoise
+/// The mean of two pictures of the same view, made with different random numbers, with less noise and sharp edges.
+///
+/// Around every fourth pixel p of every fourth row, a plane is fitted to the pixels q that look as p does: their colour as a
+/// first-order function of their place and, where there are `guides`, of these. It is fitted by least squares, with weights
+/// w(p, q). Then a pixel becomes the mean of all planes around it, with the same weights (Bitterli et al., "Nonlinearly weighted
+/// first-order regression for denoising Monte Carlo renderings", 2016). So what the guides know stays sharp, as edges and
+/// textures, and what they do not know, as the edge of a shadow, stays where w tells it from noise.
+///
+/// w is that of non-local means (Rousselle, Knaus and Zwicker, "Adaptive rendering with non-local means filtering", 2012), see
+/// [`Alike`]. Each picture is fitted with the weights of the other one, so that noise does not choose its own weights.
+///
+/// The result is biased: a little too dark where a few rare paths bring much light. A pixel that is bright in only one of the
+/// pictures counts no more than twice the brightest pixel around it in the other.
+///
+/// # Panics
+/// If the pictures differ in size, or if there are guides, but not one per pixel, row by row.
+pub fn denoise(pictures: &[Image; 2], guides: &[Guide]) -> Image {
+    let [a, b] = pictures;
+    let size = |picture: &Image| (picture.width, picture.height);
+    assert_eq!(size(a), size(b), "both pictures have one size");
+    assert!(
+        [0, a.pixels.len()].contains(&guides.len()),
+        "one guide per pixel, or none"
+    );
+    let halves = [clamped(a, b), clamped(b, a)];
+    let [a, b] = &halves;
+    let variance = variance(a, b);
+    let (a, b) = threads::join(
+        || fitted(a, guides, &Alike::new(b, &variance)),
+        || fitted(b, guides, &Alike::new(a, &variance)),
+    );
+    let pixels = a.into_iter().zip(b).map(|(a, b)| (a + b) * 0.5);
+    Image {
+        pixels: pixels.collect(),
+        ..halves[0]
+    }
+}
+
+/// The pixels of `picture`, each the mean of the planes around it.
+fn fitted(picture: &Image, guides: &[Guide], alike: &Alike) -> Vec<Rgb> {
+    let place = |[x, y]: [usize; 2]| y * picture.width + x;
+    let terms = |p| Terms::of(p, guides.get(place(p)).copied().unwrap_or_default());
+    let mut sums = vec![(Rgb::BLACK, 0.0); picture.pixels.len()];
+    alike.visit(
+        &mut sums,
+        |sums, p| p.map(|i| i % APART) == [0, 0] || sums[place(p)].1 < ENOUGH,
+        |sums, p, around| {
+            let (centre, mut fit) = (terms(p), Fit::default());
+            let around = around
+                .iter()
+                .map(|&(q, weight)| (place(q), weight, terms(q).from(&centre)));
+            let around: Vec<_> = around.collect();
+            for (q, weight, terms) in &around {
+                fit.add(*weight, terms, picture.pixels[*q]);
+            }
+            let plane = fit.solve();
+            for (q, weight, terms) in &around {
+                let (sum, weights) = &mut sums[*q];
+                *sum += plane.at(terms) * *weight;
+                *weights += weight;
+            }
+        },
+    );
+    sums.into_iter()
+        .map(|(sum, weights)| sum / weights)
+        .collect()
+}
+// ANCHOR_END: denoise
+
+/// The variance of each pixel in one picture: half the squared difference of the two pictures, averaged over 3 × 3 pixels.
+fn variance(a: &Image, b: &Image) -> Image {
+    let squares = a.pixels.iter().zip(&b.pixels);
+    let pixels = squares.map(|(a, b)| {
+        let difference = *a + *b * -1.0;
+        difference * difference * 0.5
+    });
+    let noisy = Image {
+        pixels: pixels.collect(),
+        ..*a
+    };
+    neighbours(&noisy, |around| {
+        let (sum, count) = around.fold((Rgb::BLACK, 0.0), |(sum, n), v| (sum + v, n + 1.0));
+        sum / count
+    })
+}
+
+/// The picture, with each channel at most [`BRIGHTEST`] times the brightest that `other` has in the 3 × 3 pixels around.
+fn clamped(picture: &Image, other: &Image) -> Image {
+    let most = neighbours(other, |around| {
+        let brighter = |a: Rgb, b: Rgb| Rgb::new(a.r.max(b.r), a.g.max(b.g), a.b.max(b.b));
+        around.fold(Rgb::BLACK, brighter) * BRIGHTEST
+    });
+    let pairs = picture.pixels.iter().zip(&most.pixels);
+    let pixels = pairs.map(|(p, most)| Rgb::new(p.r.min(most.r), p.g.min(most.g), p.b.min(most.b)));
+    Image {
+        pixels: pixels.collect(),
+        ..*picture
+    }
+}
+
+/// The picture whose pixels are f of each pixel and the eight around it.
+fn neighbours(picture: &Image, f: impl Fn(&mut dyn Iterator<Item = Rgb>) -> Rgb) -> Image {
+    let near = |i: usize, n: usize| i.saturating_sub(1)..(i + 2).min(n);
+    Image::from_fn(picture.width, picture.height, |x, y| {
+        let columns = near(x, picture.width);
+        let rows = near(y, picture.height);
+        f(&mut rows.flat_map(|y| columns.clone().map(move |x| picture.at(x, y))))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Guide, denoise};
+    use crate::image::{Image, rgb::Rgb};
+    use crate::math::pcg;
+    use glam::Vec3;
+    use rand::RngExt;
+
+    /// A step from dark to bright in the middle, with noise of a tenth.
+    fn step(seed: u64) -> Image {
+        let mut rng = pcg::stream(seed, 3);
+        Image::from_fn(48, 24, |x, _| {
+            let radiance = if x < 24 { 0.2 } else { 1.0 };
+            Rgb::gray(radiance * rng.random_range(0.7..1.3))
+        })
+    }
+
+    #[test]
+    fn noise_falls_and_the_edge_stays() {
+        let pictures = [step(1), step(2)];
+        let clean = denoise(&pictures, &[]);
+        let error = |picture: &Image, x: usize, true_value: f32| {
+            let off = |y| (picture.at(x, y).g / true_value - 1.0).powi(2);
+            (0..24).map(off).sum::<f32>() / 24.0
+        };
+        for (x, value) in [(12, 0.2), (36, 1.0), (23, 0.2), (24, 1.0)] {
+            let before = 0.5 * error(&pictures[0], x, value);
+            let after = error(&clean, x, value);
+            assert!(after < 0.25 * before, "column {x}: {before} and {after}");
+        }
+        let mean = |from: usize| {
+            let row = |y| (from..from + 24).map(|x| clean.at(x, y).g).sum::<f32>();
+            (0..24).map(row).sum::<f32>() / 576.0
+        };
+        assert!((mean(0) / 0.2 - 1.0).abs() < 0.02 && (mean(24) - 1.0).abs() < 0.02);
+    }
+
+    #[test]
+    fn a_pixel_that_only_one_picture_has_is_no_pixel_of_the_view() {
+        let mut pictures = [step(1), step(2)];
+        pictures[0].set(40, 10, Rgb::gray(500.0));
+        let clean = denoise(&pictures, &[]);
+        for (x, y) in [(40, 10), (41, 10), (38, 12)] {
+            assert!(clean.at(x, y).g < 1.2, "{}", clean.at(x, y).g);
+        }
+    }
+
+    #[test]
+    fn a_first_order_function_stays_as_it_is() {
+        let slope = Image::from_fn(40, 30, |x, y| {
+            let (x, y) = (x as f32, y as f32);
+            Rgb::new(1.0 + 0.1 * x, 1.0 + 0.05 * y, 2.0 + 0.02 * x - 0.01 * y)
+        });
+        let clean = denoise(&[slope.clone(), slope.clone()], &[]);
+        for (clean, true_value) in clean.pixels.iter().zip(&slope.pixels) {
+            for (clean, true_value) in clean.channels().into_iter().zip(true_value.channels()) {
+                assert!(
+                    (clean / true_value - 1.0).abs() < 0.003,
+                    "{clean} for {true_value}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn what_a_guide_knows_stays_sharp_in_noise_that_hides_it() {
+        let dark = |x: usize, y: usize| (x + y).is_multiple_of(2);
+        let paper = |seed: u64| {
+            let mut rng = pcg::stream(seed, 4);
+            Image::from_fn(48, 48, |x, y| {
+                let colour = if dark(x, y) { 0.4 } else { 0.6 };
+                Rgb::gray(colour * rng.random_range(0.0..2.0))
+            })
+        };
+        let guides = |x: usize, y: usize| Guide {
+            colour: Rgb::gray(if dark(x, y) { 0.4 } else { 0.6 }),
+            normal: Vec3::Y,
+            nearness: 1.0,
+        };
+        let guides: Vec<_> = (0..48 * 48).map(|i| guides(i % 48, i / 48)).collect();
+        let error = |guides: &[Guide]| {
+            let clean = denoise(&[paper(1), paper(2)], guides);
+            let off = |(i, p): (usize, &Rgb)| {
+                let colour = if dark(i % 48, i / 48) { 0.4 } else { 0.6 };
+                (p.g - colour).powi(2)
+            };
+            (clean.pixels.iter().enumerate().map(off).sum::<f32>() / 48.0 / 48.0).sqrt()
+        };
+        let (known, unknown) = (error(&guides), error(&[]));
+        assert!(known < 0.04, "{known}");
+        assert!(
+            unknown > 0.08,
+            "{unknown}: without guides the squares are lost"
+        );
+    }
+
+    #[test]
+    #[should_panic(expected = "one guide per pixel")]
+    fn guides_of_another_picture_are_refused() {
+        denoise(&[step(1), step(2)], &[Guide::default()]);
+    }
+}

@@ -122,6 +122,25 @@ impl Report {
         self.pictures.iter().find(|picture| !picture.score.passed())
     }
 
+    /// The wrong case that is told in full: the first that the mistake explains, or else the first.
+    pub fn shown_wrong(&self) -> Option<(&Outcome, &str)> {
+        let shown = self.diagnosis.as_ref().and_then(|found| found.shown);
+        let outcome = shown.and_then(|place| self.cases.get(place));
+        let explained = outcome.and_then(|outcome| match &outcome.verdict {
+            Verdict::Wrong(why) => Some((outcome, why.as_str())),
+            _ => None,
+        });
+        explained.or_else(|| self.first_wrong())
+    }
+
+    /// The number of the exercise's own mistake that is told of some of the wrong answers, and not of all of them.
+    pub fn mistake_of_some(&self, examiner: &dyn Examiner) -> Option<usize> {
+        let found = self.diagnosis.as_ref()?;
+        let mut mistakes = examiner.mistakes().into_iter();
+        let number = mistakes.position(|(name, _)| name == found.name)?;
+        (found.explained < found.wrong).then_some(number)
+    }
+
     /// The first wrong case, and why it is wrong.
     pub fn first_wrong(&self) -> Option<(&Outcome, &str)> {
         self.cases
@@ -288,12 +307,7 @@ pub(crate) fn diagnose_outcomes(
         .map(|outcome| (answer(outcome), outcome.verdict == Verdict::Right))
         .collect();
     let wrong = answers.iter().filter(|(_, right)| !right).count();
-    let message = |outcome: &Outcome| match &outcome.reply.said {
-        Said::Panicked(message) => Some(message.unescaped().to_owned()),
-        _ => None,
-    };
-    let messages: Vec<_> = outcomes.iter().filter_map(message).collect();
-    with_panics(diagnose(examiner, &cases, &answers), &messages, wrong)
+    with_panics(diagnose(examiner, &cases, &answers), outcomes, wrong)
 }
 
 /// A function that answers some cases and says `todo` to others is begun: these are wrong like others.

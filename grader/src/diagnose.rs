@@ -46,6 +46,8 @@ pub struct Diagnosis {
     pub explained: usize,
     /// How many answers are wrong.
     pub wrong: usize,
+    /// The first case that it explains, by its place among all cases, where that is known.
+    pub shown: Option<usize>,
     /// How it goes with the mistake that is told before it, if there is one.
     pub beside: Beside,
     /// Other mistakes.
@@ -91,11 +93,17 @@ pub fn diagnose(
     let mut diagnosis = match found {
         Some(found) if named(&found) => found,
         found => {
-            let branch = branch::search(examiner, cases, answers);
-            // What is seen in a branch says more than a guess, and that more than a branch.
-            let seen = branch.clone().filter(|branch| branch.certain);
-            let found = seen.or(found).or(branch);
-            found.or_else(|| regime::search(&evidence))?
+            // What is seen in a branch says more than a guess, which may be its cause, and that more than a branch.
+            match branch::search(examiner, cases, answers) {
+                Some(seen) if seen.certain => {
+                    let cause = |one: &Diagnosis| one.explained == wrong && one.also.is_empty();
+                    Diagnosis {
+                        also: found.filter(cause).into_iter().collect(),
+                        ..seen
+                    }
+                }
+                branch => found.or(branch).or_else(|| regime::search(&evidence))?,
+            }
         }
     };
     if flaws::are_called(&diagnosis.name, examiner) {
@@ -154,12 +162,24 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
             .as_ref()
             .filter(|one| one.is_own() && one.score.contradicted == 0);
         let nearly = nearly.map(|one| one.told(evidence));
+        let is_good = slip.is_some() || likely.as_ref().is_some_and(|one| one.is_near);
         let likely = likely.filter(|one| one.is_cause).map(|one| one.diagnosis);
         let mut made = nearly.into_iter().chain(slip).chain(likely);
-        found.also.extend(made.find(|one| one.name != found.name));
-        return Some(found);
+        let cause = made.find(|one| one.name != found.name);
+        // Who knows what to look for is helped more than who knows what is wrong.
+        return match cause {
+            Some(mut cause) if is_good => {
+                cause.also.push(found);
+                Some(cause)
+            }
+            cause => {
+                found.also.extend(cause);
+                Some(found)
+            }
+        };
     }
     let likely = likely.map(|one| one.diagnosis);
+    let most = whole.as_ref().map_or(0, |found| found.score.explained);
     // One mistake is told before two of which each is in a part of its own, and these before two one after the other.
     if let Some(found) = complete.filter(|found| found.then.is_none()) {
         return Some(found.told(evidence));
@@ -175,10 +195,8 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
     parts
         .clone()
         .filter(|_| are_certain)
-        .or_else(|| {
-            let most = whole.as_ref().map_or(0, |found| found.score.explained);
-            cover.filter(|cover| cover.explained > most)?.told()
-        })
+        .or_else(|| cover.filter(|cover| cover.explained > most)?.told())
+        .or_else(|| slip.clone().filter(|slip| slip.explained > most))
         .or_else(|| whole.map(|found| with_rest(evidence, &readings, &found)))
         .or(slip)
         .or(seen)

@@ -45,7 +45,8 @@ pub struct Commands<'a> {
     pub explain: Option<&'a str>,
 }
 
-/// The first wrong case of an exercise, and what explains it, or the pictures that are wrong; empty if nothing is wrong.
+/// The wrong case of an exercise that the mistake explains, or else the first, and what explains it, or the pictures that are wrong; empty
+/// if nothing is wrong.
 ///
 /// `picture` is the file in which the pictures were written.
 pub fn explain(
@@ -55,7 +56,7 @@ pub fn explain(
     commands: Commands<'_>,
     dress: Dress,
 ) -> String {
-    let Some((outcome, _)) = report.first_wrong() else {
+    let Some((outcome, _)) = report.shown_wrong() else {
         return pictured::alone(report, picture, dress);
     };
     let shown = report.smallest.as_ref().unwrap_or(outcome);
@@ -239,23 +240,30 @@ fn asked(examiner: &dyn Examiner, outcome: &Outcome) -> Vec<String> {
         .collect()
 }
 
-/// What explains the wrong answers: as a fact if all answers speak for it, else as what it looks like.
+/// What explains the wrong answers: as a fact if all answers speak for it, else as what it looks like. Two mistakes that only together
+/// explain the same answers, or each of which does, are told in one sentence.
 fn diagnosed(diagnosis: &Diagnosis, dress: Dress) -> Vec<String> {
-    let (together, others): (Vec<_>, Vec<_>) = diagnosis
-        .also
-        .iter()
-        .partition(|also| also.beside == Beside::Together);
-    let first: Vec<_> = [diagnosis].into_iter().chain(together).collect();
-    let names = first.iter().map(|one| dress.paint("1", &one.name));
-    let names = names.collect::<Vec<_>>().join(", and also ");
+    let of = |beside: Beside| {
+        diagnosis
+            .also
+            .iter()
+            .filter(move |also| also.beside == beside)
+    };
+    let mut names = dress.paint("1", &diagnosis.name);
+    let mut hints = vec![&diagnosis.hint];
+    for (also, word) in of(Beside::Together)
+        .map(|also| (also, "and also"))
+        .chain(of(Beside::Instead).map(|also| (also, "or")))
+    {
+        names = format!("{names}, {word} {}", dress.paint("1", &also.name));
+        if !hints.contains(&&also.hint) {
+            hints.push(&also.hint);
+        }
+    }
     let mut lines = vec![explained(diagnosis, &names, "")];
-    lines.extend(first.iter().map(|one| format!("  Hint: {}", one.hint)));
-    for also in others {
-        let how = match also.beside {
-            Beside::Instead => "Or ",
-            Beside::Apart | Beside::Together => "And ",
-        };
-        lines.push(explained(also, &dress.paint("1", &also.name), how));
+    lines.extend(hints.into_iter().map(|hint| format!("  Hint: {hint}")));
+    for also in of(Beside::Apart) {
+        lines.push(explained(also, &dress.paint("1", &also.name), "And "));
         lines.push(format!("  Hint: {}", also.hint));
     }
     lines

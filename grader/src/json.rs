@@ -7,7 +7,7 @@
 //!     "pictures": [ { "name": "…", "alt": "…", "right": 3450, "of": 3452, "undecided": 4, "error": 0.01, "passed": true } ],
 //!     "diagnosis": null | { "name": "…", "hint": "…", "explained": 37, "wrong": 40,
 //!         "certain": true, "part": null | "…", "also": [ …as this, and "beside": "apart" | "together" | "instead" ] },
-//!     "smallest": null | { …a case, the first wrong one with a simpler question… },
+//!     "smallest": null | { …a case, the wrong one that is told, with a simpler question… },
 //!     "cases": [ { "number": 1, "name": "…", "verdict": "right" | "wrong" | "not started", "why": null | "…",
 //!         "question": "…", "answers": ["…"], "got": null | "…", "printed": "…", "stderr": "…" } ] } ] }
 //! ```

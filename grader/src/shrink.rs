@@ -8,6 +8,7 @@ pub mod domain;
 mod simpler;
 
 use crate::ask::{Reply, Said};
+use crate::attempt::attempt;
 use crate::check::{Outcome, Verdict, judge};
 use crate::diagnose::search::called;
 use crate::examine::{Case, Examiner};
@@ -30,7 +31,8 @@ const TIME: Duration = Duration::from_secs(5);
 /// Asks a program questions, each with the exercise's name before it.
 pub type Ask<'a> = dyn FnMut(&[String]) -> io::Result<Vec<Reply>> + 'a;
 
-/// A wrong case, made as small as it can be while its answer stays wrong; none if it is that already, or has no answer.
+/// A wrong case, made as small as it can be while its answer stays wrong, and stays that of the mistake of this number if there is one;
+/// none if it is that already, or has no answer.
 ///
 /// # Errors
 /// If the program cannot be asked.
@@ -38,8 +40,9 @@ pub fn smallest(
     ask: &mut Ask<'_>,
     examiner: &dyn Examiner,
     outcome: &Outcome,
+    mistake: Option<usize>,
 ) -> io::Result<Option<Outcome>> {
-    let Some(mut search) = Search::new(examiner, outcome) else {
+    let Some(mut search) = Search::new(examiner, outcome, mistake) else {
         return Ok(None);
     };
     search.run(ask)?;
@@ -53,6 +56,8 @@ pub fn smallest(
 struct Search<'a> {
     examiner: &'a dyn Examiner,
     domain: Domain<'a>,
+    /// The number of the mistake that explains the case.
+    mistake: Option<usize>,
     /// The smallest wrong case that was found, and its question's numbers.
     smallest: Outcome,
     question: Vec<f64>,
@@ -63,7 +68,7 @@ struct Search<'a> {
 
 impl<'a> Search<'a> {
     /// Begins with a wrong case; none if there was no answer to it that can be read, or the question is one of many elements.
-    fn new(examiner: &'a dyn Examiner, outcome: &Outcome) -> Option<Self> {
+    fn new(examiner: &'a dyn Examiner, outcome: &Outcome, mistake: Option<usize>) -> Option<Self> {
         let Said::Answer(answer) = &outcome.reply.said else {
             return None;
         };
@@ -76,6 +81,7 @@ impl<'a> Search<'a> {
         Some(Self {
             examiner,
             domain: Domain::of(examiner),
+            mistake,
             smallest: outcome.clone(),
             question,
             left: QUESTIONS,
@@ -116,6 +122,20 @@ impl<'a> Search<'a> {
         })
     }
 
+    /// Whether an answer is that of the mistake which explains the case.
+    fn is_explained(&self, question: &[f64], said: &Said) -> bool {
+        let (Some(mistake), Said::Answer(answer)) = (self.mistake, said) else {
+            return true;
+        };
+        let mistaken = attempt(|| self.examiner.mistake_answers(mistake, question)).flatten();
+        let answer = self.examiner.asked().read_answer(answer.unescaped()).ok();
+        let both = mistaken.zip(answer);
+        both.is_some_and(|(mistaken, answer)| {
+            let compared = self.examiner.compare(question, &mistaken, &answer);
+            compared.is_ok()
+        })
+    }
+
     fn sites(&self) -> Vec<Site> {
         sites(self.examiner, &self.question)
     }
@@ -151,7 +171,7 @@ impl<'a> Search<'a> {
             };
             let verdict = judge(self.examiner, &case, &reply.said);
             let is_wrong = matches!(reply.said, Said::Answer(_)) && verdict != Verdict::Right;
-            if is_wrong {
+            if is_wrong && self.is_explained(&question, &reply.said) {
                 self.question = question;
                 self.smallest = Outcome {
                     case,

@@ -161,7 +161,7 @@ fn every_step_matters() {
 }
 
 /// Steps that tell more than what is calculated with; and of a triangle's hit what a search has no use for.
-const ONLY_TOLD: [&str; 32] = [
+const ONLY_TOLD: [&str; 36] = [
     "sphere_hit: s = (c − o)·d/(d·d), where the ray is nearest to the centre",
     "mesh_hit: b₁, returned",
     "mesh_hit: b₂, returned",
@@ -178,6 +178,10 @@ const ONLY_TOLD: [&str; 32] = [
     "geodesic_step: |x|",
     "geodesic_step: x + step·v, straight on",
     "regular_grid: columns · rows: the number of points",
+    "rotated_grid: (offset.x, offset.y), of i = j = 0",
+    "rotated_grid: that, rotated",
+    "rotated_grid: (½, ½) + spacing times that",
+    "rotated_grid: of all of them in the square",
     "rotated_grid: (offset.x, offset.y), of i = j = 0",
     "rotated_grid: that, rotated",
     "rotated_grid: (½, ½) + spacing times that",

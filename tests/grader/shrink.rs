@@ -53,7 +53,7 @@ fn shrunk(examiner: &dyn Examiner, i: usize, outcome: &Outcome) -> (Option<Outco
         };
         Ok(questions.iter().map(reply).collect())
     };
-    let found = smallest(&mut ask, examiner, outcome).expect("it can be asked");
+    let found = smallest(&mut ask, examiner, outcome, None).expect("it can be asked");
     (found, asked.get())
 }
 
@@ -130,6 +130,6 @@ fn a_program_that_falls_silent_is_not_asked_on() {
         };
         Ok(vec![silent; questions.len()])
     };
-    let found = smallest(&mut ask, sphere, &outcome).expect("it can be asked");
+    let found = smallest(&mut ask, sphere, &outcome, None).expect("it can be asked");
     assert_eq!((found, asked.get()), (None, 1));
 }

@@ -61,8 +61,9 @@ fn find_smallest(
     if let Some(((examiner, _), report)) = exercises.iter().zip(reports).find(is_wrong) {
         let mut asker = Asker::new(program, limits);
         let mut ask = |questions: &[String]| asker.ask(questions);
-        if let Some((outcome, _)) = report.first_wrong() {
-            report.smallest = shrink::smallest(&mut ask, *examiner, outcome)?;
+        if let Some((outcome, _)) = report.shown_wrong() {
+            let mistake = report.mistake_of_some(*examiner);
+            report.smallest = shrink::smallest(&mut ask, *examiner, outcome, mistake)?;
         }
     }
     Ok(())

@@ -40,7 +40,7 @@ impl Hint {
                 examiner.cases(&mut visible_rng(examiner.name())).cases,
             )?;
             let name = report.exercise;
-            match (report.state(), &report.diagnosis, report.first_wrong()) {
+            match (report.state(), &report.diagnosis, report.shown_wrong()) {
                 (State::Right, ..) => continue,
                 (State::NotStarted, ..) => {
                     say(first_step(examiner, &report, self.level));
@@ -70,7 +70,7 @@ impl Hint {
                     }
                 }
             }
-            match (self.level, report.first_wrong()) {
+            match (self.level, report.shown_wrong()) {
                 (3, Some((outcome, _))) => say(on_the_way(&report, examiner, outcome)),
                 (3, None) => {}
                 (level, _) => say(format!("More: raybook hint {name} --level {}", level + 1)),

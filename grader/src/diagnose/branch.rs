@@ -8,7 +8,9 @@ use crate::explain::find;
 use crate::explain::slip::Place;
 use crate::explain::way::{Decision, Way};
 
-/// A branch is told if this many answers are right: with all wrong, nothing sets it apart.
+/// A branch is told if this many answers are right: with all wrong, nothing sets it apart. If no answers are there to see, or the same
+/// one again and again, that is told with it; else as many answers must be right as are wrong, for a branch that nearly all questions
+/// take tells nothing.
 const RIGHT: usize = 3;
 
 /// What leads on.
@@ -55,7 +57,17 @@ pub fn search(
     let each = cases.iter().zip(answers);
     let walks: Option<Vec<_>> = each.map(|(case, (_, right))| walk(case, *right)).collect();
     let (right, wrong): (Vec<_>, Vec<_>) = walks?.into_iter().partition(|walk| walk.right);
-    if right.len() < RIGHT || wrong.is_empty() {
+    let texts = answers.iter().filter(|(_, right)| !right);
+    let texts: Vec<_> = texts.map(|(text, _)| text.as_deref()).collect();
+    let silent = texts.iter().all(Option::is_none);
+    let same = always(&texts).filter(|_| !is_right_elsewhere(cases, answers));
+    let is_seen = silent || same.is_some();
+    let least = if is_seen {
+        RIGHT
+    } else {
+        RIGHT.max(wrong.len())
+    };
+    if right.len() < least || wrong.is_empty() {
         return None;
     }
     let outcomes = wrong[0].decisions.iter().rev();
@@ -66,10 +78,6 @@ pub fn search(
         let differs = |walk: &Walk| walk.takes(one.place, !holds);
         wrong.iter().all(takes) && !right.iter().any(takes) && right.iter().any(differs)
     })?;
-    let texts = answers.iter().filter(|(_, right)| !right);
-    let texts: Vec<_> = texts.map(|(text, _)| text.as_deref()).collect();
-    let silent = texts.iter().all(Option::is_none);
-    let same = always(&texts);
     let when = &decision.name;
     let name = match (silent, &same, holds) {
         (true, _, true) => format!("gives no answer when {when}, and only then"),
@@ -84,12 +92,26 @@ pub fn search(
         hint: HINT.to_owned(),
         part: None,
         // No answer is there to see, or the same answer; what makes an answer wrong is not.
-        certain: (silent || same.is_some()) && wrong.len() > 1,
+        certain: is_seen && wrong.len() > 1,
         explained: wrong.len(),
         wrong: wrong.len(),
+        shown: None,
         beside: Beside::Apart,
         also: Vec::new(),
     })
+}
+
+/// Whether one answer is due to all of the wrong cases, and what is answered there is right elsewhere: of yes and no, a wrong one is
+/// always the other, which tells nothing.
+fn is_right_elsewhere(cases: &[Case], answers: &[(Option<String>, bool)]) -> bool {
+    let each = || cases.iter().zip(answers);
+    let wrong: Vec<_> = each().filter(|(_, (_, right))| !right).collect();
+    let mut others = each().filter(|(_, (_, right))| *right);
+    let Some((case, (got, _))) = wrong.first() else {
+        return false;
+    };
+    let is_one = wrong.iter().all(|(one, _)| one.answers == case.answers);
+    is_one && others.any(|(_, (text, _))| text == got)
 }
 
 /// A short answer that all of them are.

@@ -28,6 +28,8 @@ struct One {
     score: Score,
     /// Of each wrong answer, whether the mistake gives it.
     gives: Vec<bool>,
+    /// The first case that it gives.
+    shown: Option<usize>,
 }
 
 impl Cover {
@@ -49,6 +51,7 @@ impl Cover {
             certain,
             explained: one.score.explained,
             wrong: self.wrong,
+            shown: one.shown,
             beside: Beside::Apart,
             also: Vec::new(),
         };
@@ -118,6 +121,7 @@ fn ones(evidence: &Evidence<'_>) -> Vec<One> {
             hint,
             score,
             gives: (0..evidence.wrong).map(gives).collect(),
+            shown: evidence.first_explained(&answers),
         })
     };
     let mistakes = examiner.mistakes().into_iter().enumerate();

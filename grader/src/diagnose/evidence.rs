@@ -24,6 +24,8 @@ pub enum Scope {
 /// A case whose answer could be read.
 #[derive(Clone)]
 pub struct Item {
+    /// Its place among all cases.
+    pub case: usize,
     /// The question.
     pub question: Vec<f64>,
     /// The right answers.
@@ -98,6 +100,7 @@ impl<'a> Evidence<'a> {
                 continue;
             }
             items.push(Item {
+                case: i,
                 question,
                 answers,
                 raw: got.clone(),

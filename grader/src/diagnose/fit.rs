@@ -39,6 +39,9 @@ struct Pair {
 /// What is made of a value: of which item, and its numbers.
 type Make<'a> = dyn Fn(usize, &mut [f64]) + 'a;
 
+/// The rank of the last function that is common.
+const COMMON: u32 = 11;
+
 /// Makes explanations of a part.
 struct Maker<'a, 'e> {
     evidence: &'a Evidence<'e>,
@@ -234,18 +237,39 @@ impl Maker<'_, '_> {
         2 * right >= all
     }
 
+    /// How many different numbers the right values hold, without those that many functions leave as they are or exchange; of whole
+    /// numbers, these too.
+    fn different(&self) -> usize {
+        let numbers = self.pairs.iter().flat_map(|pair| &pair.base);
+        let tells = |v: &&f64| self.is_whole() || ![0.0, 1.0, -1.0].contains(*v);
+        let mut numbers: Vec<_> = numbers.filter(tells).collect();
+        numbers.sort_by(|a, b| a.total_cmp(b));
+        numbers.dedup();
+        numbers.len()
+    }
+
     fn try_one(&mut self, rank: u32, fitted: u32, name: String, hint: &str, make: &Make<'_>) {
         if self.promises(make) {
             self.add(rank, fitted, name, hint, make);
         }
     }
 
+    /// The functions that so many different values cannot have hit by chance: a rare one needs several of them, and of whole numbers
+    /// more, since few of these are possible.
     fn functions(&mut self) {
+        let different = self.different();
         for function in FUNCTIONS {
-            if self.is_whole()
-                && !["returns 0", "returns 1"].contains(&function.name)
-                && function.rank != 10
-            {
+            let is_constant = ["returns 0", "returns 1"].contains(&function.name);
+            if self.is_whole() && !is_constant && function.rank != 10 {
+                continue;
+            }
+            let needed = match (is_constant, self.is_whole()) {
+                (true, _) => 1,
+                (_, true) => 3,
+                _ => 1 + usize::from(function.rank > COMMON),
+            };
+            // There are no pairs of estimates, which scatter.
+            if !self.pairs.is_empty() && different < needed {
                 continue;
             }
             let name = function.name.replace("the answer", &self.of);

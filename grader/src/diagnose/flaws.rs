@@ -59,26 +59,24 @@ fn of(flaws: &[Flaw], evidence: &Evidence<'_>, share: f64) -> Option<Diagnosis> 
         let is_nan = item.got.iter().any(|v| v.is_nan());
         // A judge may stop at something else: that there is an answer at all.
         let why = compared.err()?;
-        Some(if is_nan {
+        let why = if is_nan {
             format!("{why}, and is NaN")
         } else {
             why
-        })
+        };
+        Some((item.case, why))
     };
     let mut complaints: Vec<_> = wrong.iter().filter_map(complaint).collect();
     if complaints.is_empty() {
         // Each of them is right, and all of them together are not.
         let row = |item: &Item| (item.question.clone(), item.got.clone());
         let together = examiner.compare_together(&wrong.iter().map(row).collect::<Vec<_>>());
-        complaints = vec![together.err()?; evidence.wrong];
+        let why = together.err()?;
+        complaints = wrong.iter().map(|item| (item.case, why.clone())).collect();
     }
-    let count = |flaw: &Flaw| {
-        let has = |why: &&String| why.contains(flaw.complaint);
-        complaints.iter().filter(has).count()
-    };
     let mut found: Vec<_> = flaws
         .iter()
-        .map(|flaw| told(flaw, count(flaw), evidence.wrong))
+        .map(|flaw| told(flaw, &complaints, evidence.wrong))
         .collect();
     found.retain(|one| one.explained > 0);
     found.sort_by_key(|one| Reverse(one.explained));
@@ -93,7 +91,13 @@ fn of(flaws: &[Flaw], evidence: &Evidence<'_>, share: f64) -> Option<Diagnosis> 
     ((first.explained + also) as f64 >= share * evidence.wrong as f64).then_some(first)
 }
 
-fn told(flaw: &Flaw, explained: usize, wrong: usize) -> Diagnosis {
+/// A flaw, and how many of the complaints, each of a case, are about it.
+fn told(flaw: &Flaw, complaints: &[(usize, String)], wrong: usize) -> Diagnosis {
+    let of_it = complaints
+        .iter()
+        .filter(|(_, why)| why.contains(flaw.complaint));
+    let cases: Vec<_> = of_it.map(|(case, _)| *case).collect();
+    let explained = cases.len();
     Diagnosis {
         name: flaw.name.to_owned(),
         hint: flaw.hint.to_owned(),
@@ -101,6 +105,7 @@ fn told(flaw: &Flaw, explained: usize, wrong: usize) -> Diagnosis {
         certain: explained == wrong,
         explained,
         wrong,
+        shown: cases.into_iter().min(),
         beside: Beside::Apart,
         also: Vec::new(),
     }

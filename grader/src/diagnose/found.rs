@@ -11,6 +11,9 @@ const SOME: usize = 4;
 /// An explanation is nearly complete if it gives this many wrong answers for each one that is not as it says.
 const NEARLY: usize = 6;
 
+/// What is rarer than this is told only if it explains the answers to the last digits.
+const RARE: u32 = 26;
+
 /// An explanation, and how well it agrees.
 pub struct Found {
     pub name: String,
@@ -46,6 +49,12 @@ impl Found {
         NEARLY * (self.score.missed + self.score.contradicted) <= self.score.explained
     }
 
+    /// Whether most of what it explains is as it says to the last digits. Guesses are many: within a judge's tolerance, one or another
+    /// fits by chance.
+    fn is_sharp(&self) -> bool {
+        2 * self.score.sharp >= self.score.explained
+    }
+
     pub fn is_own(&self) -> bool {
         self.rank == 0
     }
@@ -59,6 +68,9 @@ impl Found {
             tells,
             ..
         } = self.score;
+        if self.rank > RARE && !self.is_sharp() {
+            return false;
+        }
         if tells >= 1.0 {
             let own = missed == 0 && self.is_own();
             contradicted <= explained
@@ -86,6 +98,7 @@ impl Found {
         };
         // Pairs of mistakes are many, and one may fit by chance.
         missed == 0
+            && (self.is_own() || self.is_sharp())
             && contradicted + strays == 0
             && !is_doubtful
             && tells >= needed
@@ -111,6 +124,7 @@ impl Found {
             certain: self.is_certain(),
             explained: self.score.explained,
             wrong: evidence.wrong,
+            shown: evidence.first_explained(&self.answers),
             beside,
             also: Vec::new(),
         };

@@ -1,6 +1,9 @@
 //! What a function dies of where it has no guard: languages say it in their own words.
 
 use super::{Beside, Diagnosis, MOST};
+use crate::ask::Said;
+use crate::check::Outcome;
+use raybook_chapters::kit::untrusted::Untrusted;
 
 /// A way to end without an answer.
 struct Death {
@@ -76,13 +79,21 @@ const DEATHS: &[Death] = &[
     },
 ];
 
-/// What was found in the answers, and what the messages of the function's panics have in common: first what explains more of the wrong cases.
+/// What is said of an error that no language is known for.
+const ANY: Death = Death {
+    words: &[""],
+    name: "stops with an error",
+    hint: "Read the message of that case, and print what stands in the line that it names.",
+};
+
+/// What was found in the answers, and what the errors with which the function stops have in common, with the first case that does:
+/// first what explains more of the wrong cases.
 pub fn with_panics(
     found: Option<Diagnosis>,
-    messages: &[String],
+    outcomes: &[Outcome],
     wrong: usize,
 ) -> Option<Diagnosis> {
-    let Some(died) = common(messages, wrong) else {
+    let Some(died) = common(outcomes, wrong) else {
         return found;
     };
     let Some(found) = found else {
@@ -97,23 +108,72 @@ pub fn with_panics(
     Some(first)
 }
 
-/// What most of the messages have in common.
-fn common(messages: &[String], wrong: usize) -> Option<Diagnosis> {
-    let of = |death: &&Death| {
-        let said = |message: &&String| death.words.iter().any(|words| message.contains(words));
-        messages.iter().filter(said).count()
+/// What most of the errors have in common.
+fn common(outcomes: &[Outcome], wrong: usize) -> Option<Diagnosis> {
+    let stopped: Vec<_> = outcomes
+        .iter()
+        .filter(|one| message(one).is_some())
+        .collect();
+    let is_of = |death: &Death, one: &Outcome| {
+        let says = |message: &str| death.words.iter().any(|words| message.contains(words));
+        message(one).is_some_and(says)
     };
-    let death = DEATHS.iter().max_by_key(of)?;
-    let explained = of(&death);
-    let most = explained > 0 && explained as f64 >= MOST * messages.len() as f64;
-    most.then(|| Diagnosis {
+    let count = |death: &Death| stopped.iter().filter(|one| is_of(death, one)).count();
+    let most = DEATHS.iter().max_by_key(|death| count(death))?;
+    let has_most = count(most) as f64 >= MOST * stopped.len() as f64;
+    let death = if has_most { most } else { &ANY };
+    let first = stopped.iter().find(|one| is_of(death, one))?;
+    let explained = count(death);
+    Some(Diagnosis {
         name: death.name.to_owned(),
-        hint: death.hint.to_owned(),
+        hint: format!("{} {}", death.hint, told(first)),
         part: None,
         certain: explained == wrong,
         explained,
         wrong,
+        shown: outcomes.iter().position(|one| is_of(death, one)),
         beside: Beside::Apart,
         also: Vec::new(),
     })
+}
+
+/// The message of a function that stopped with an error.
+fn message(outcome: &Outcome) -> Option<&str> {
+    match &outcome.reply.said {
+        Said::Panicked(message) => Some(message.unescaped()),
+        _ => None,
+    }
+}
+
+/// Which case stops with an error, and in which line, if the program printed that.
+fn told(outcome: &Outcome) -> String {
+    let printed = &outcome.reply.printed;
+    let outputs = [&printed.stderr, &printed.stdout];
+    let place = outputs
+        .into_iter()
+        .find_map(|output| place(output.unescaped()));
+    let place = place.map_or(String::new(), |place| {
+        format!(", in {}", Untrusted::from(place))
+    });
+    let case = &outcome.case;
+    format!("It is case {}, \"{}\"{place}.", case.number, case.name)
+}
+
+/// The innermost place that an error's report names, as `file:line`: in the words of Python, or of Rust.
+fn place(report: &str) -> Option<String> {
+    let of_python = |line: &str| {
+        let (path, rest) = line
+            .trim()
+            .strip_prefix("File \"")?
+            .split_once("\", line ")?;
+        let file = path.rsplit(['/', '\\']).next()?;
+        let line: u32 = rest.split(',').next()?.parse().ok()?;
+        Some(format!("{file}:{line}"))
+    };
+    let of_rust = |line: &str| {
+        let place = line.trim().strip_prefix("panicked at ")?;
+        Some(place.trim_end_matches(':').to_owned())
+    };
+    let place = |line| of_python(line).or_else(|| of_rust(line));
+    report.lines().rev().find_map(place)
 }

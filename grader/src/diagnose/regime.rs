@@ -29,6 +29,7 @@ pub fn search(evidence: &Evidence<'_>) -> Option<Diagnosis> {
         certain: false,
         explained: evidence.wrong,
         wrong: evidence.wrong,
+        shown: None,
         beside: Beside::Apart,
         also: Vec::new(),
     })

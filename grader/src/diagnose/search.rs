@@ -26,14 +26,16 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Found>
 }
 
 /// The best: of the exercise's own mistakes that agree as well as each other, the one that is nearest to all answers. Of those that yes
-/// and no cannot tell apart, the second is its rival; and so is of other explanations the second that is as common and agrees as well.
+/// and no cannot tell apart, the second is its rival; of estimates, which scatter, a factor is, too; and so is of other explanations the
+/// second that is as common and agrees as well.
 fn best(mut found: Vec<Found>) -> Option<Found> {
     found.sort_by_key(Found::key);
     let mut found = found.into_iter();
     let mut best = found.next()?;
     let as_good = |one: &Found| {
         if best.is_own() {
-            one.is_own() && one.is_complete() && best.is_categorical()
+            let is_vague = best.is_categorical() && one.is_own() || best.score.is_rough;
+            one.is_complete() && is_vague
         } else {
             one.key() == best.key() && one.name != best.name
         }
@@ -74,6 +76,12 @@ pub fn nearly(evidence: &Evidence<'_>) -> Option<Found> {
 /// All explanations by one mistake that give this share of the wrong answers.
 pub fn plain(evidence: &Evidence<'_>, readings: &[Misreading], share: f64, found: &mut Vec<Found>) {
     own(evidence, share, found);
+    if evidence.is_rough() {
+        for one in fit::factors(evidence, &golden(evidence)) {
+            let answers = one.answers.clone();
+            consider(evidence, share, one, &|k| answers[k].clone(), found);
+        }
+    }
     if share >= MOST && found.iter().any(Found::is_complete) {
         return; // a mistake of its own is told before any other
     }
@@ -119,7 +127,9 @@ fn by_slips(evidence: &Evidence<'_>, share: f64, found: &mut Vec<Found>) {
 /// The step that goes wrong where many answers are right, as of a tree: told if right answers are those of the same way. Few decisions
 /// make a structure, and several slips the same one, so it is never certain.
 pub fn slip_of_structure(evidence: &Evidence<'_>) -> Option<Diagnosis> {
-    if evidence.is_judged() || !evidence.goes_the_same_way() {
+    // Where none is right, it shows in the wrong ones: to the last digits they are those of the slip.
+    let is_known = evidence.wrong < evidence.items.len();
+    if evidence.is_judged() || is_known && !evidence.goes_the_same_way() {
         return None;
     }
     let short = evidence.of_short()?;

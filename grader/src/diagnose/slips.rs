@@ -37,6 +37,8 @@ common! {
     0 10 "takes 3 times the value": Each |v| 3.0 * v;
     0 10 "takes a third of the value": Each |v| v / 3.0;
     0 11 "takes 1½ times the value": Each |v| 1.5 * v;
+    0 12 "takes 10 times the value": Each |v| 10.0 * v;
+    0 12 "takes a tenth of the value": Each |v| 0.1 * v;
     0 10 "takes π times the value": Each |v| PI * v;
     0 10 "takes the value divided by π": Each |v| v / PI;
     0 10 "takes 2π times the value": Each |v| TAU * v;
@@ -47,6 +49,8 @@ common! {
     0 11 "takes the value minus 1": Each |v| v - 1.0;
     0 11 "takes the value plus ½": Each |v| v + 0.5;
     0 11 "takes the value minus ½": Each |v| v - 0.5;
+    0 12 "takes the value plus 2": Each |v| v + 2.0;
+    0 12 "takes the value minus 2": Each |v| v - 2.0;
     2 10 "exchanges both numbers": Together |v| v.swap(0, 1);
     2 11 "has the sign of the first number wrong": Together |v| v[0] = -v[0];
     2 11 "has the sign of the second number wrong": Together |v| v[1] = -v[1];
@@ -54,6 +58,10 @@ common! {
     2 12 "takes the second number twice": Together |v| v[0] = v[1];
     2 12 "takes 0 for the first number": Together |v| v[0] = 0.0;
     2 12 "takes 0 for the second number": Together |v| v[1] = 0.0;
+    2 11 "takes one more for the first number": Together |v| v[0] += 1.0;
+    2 11 "takes one less for the first number": Together |v| v[0] -= 1.0;
+    2 11 "takes one more for the second number": Together |v| v[1] += 1.0;
+    2 11 "takes one less for the second number": Together |v| v[1] -= 1.0;
     2 12 "counts the first number from the other end: 1 minus it": Together |v| v[0] = 1.0 - v[0];
     2 12 "counts the second number from the other end: 1 minus it": Together |v| v[1] = 1.0 - v[1];
     3 11 "has the sign of x wrong": Together |v| v[0] = -v[0];
@@ -76,6 +84,9 @@ common! {
     3 12 "takes 0 for x": Together |v| v[0] = 0.0;
     3 12 "takes 0 for y": Together |v| v[1] = 0.0;
     3 12 "takes 0 for z": Together |v| v[2] = 0.0;
+    3 12 "takes the absolute value of x": Together |v| v[0] = v[0].abs();
+    3 12 "takes the absolute value of y": Together |v| v[1] = v[1].abs();
+    3 12 "takes the absolute value of z": Together |v| v[2] = v[2].abs();
     3 10 "normalises the value": Together |v| {
         let length = v.iter().map(|v| v * v).sum::<f64>().sqrt();
         for v in v {
@@ -103,8 +114,17 @@ pub struct Slipped {
 impl Slipped {
     /// What is answered; nothing where the way has no end, or leads nowhere.
     pub fn answer(&self, question: &[f64]) -> Option<Vec<f64>> {
-        let work = || (self.explainer.work)(self.way, question, &mut Way::with(self.slip));
-        attempt(work)
+        let work = |way: &mut Way| (self.explainer.work)(self.way, question, way);
+        attempt(|| {
+            let mut way = Way::with(self.slip);
+            let answer = work(&mut way);
+            if !way.looks_ahead() {
+                return answer;
+            }
+            let mut right = Way::default();
+            work(&mut right);
+            work(&mut Way::with_ahead(self.slip, right.end()))
+        })
     }
 
     /// What is answered if another slip is made on the same way too.
@@ -181,14 +201,23 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
         });
     };
     let has_angles = steps.iter().any(|(step, _)| step.unit == "rad");
+    // Yes and no, or one number or two, are explained by some rare function of some step by chance.
+    let rarest = if evidence.tells_much() {
+        u32::MAX
+    } else {
+        RAREST
+    };
     for (step, hint) in &steps {
         let name = short(step);
         let at = step.place;
-        for (what, leads_on, rank, change) in changes(step, has_angles) {
+        let changes = changes(step, has_angles).filter(|(_, _, rank, _)| *rank <= rarest);
+        for (what, leads_on, rank, change) in changes {
             let name = format!("goes wrong at the step “{name}”: {what}");
             let hint = leads_on.unwrap_or(hint);
             add(name, hint, rank, Slip::Value(at, change));
         }
+        let stale = format!("takes for “{name}” the value of the round before");
+        add(stale, ROUND, 12, Slip::Stale(at));
         for (other, _) in &steps {
             let fits = [1, step.value.len()].contains(&other.value.len());
             if other.place != at && fits {
@@ -227,12 +256,19 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
     all
 }
 
+/// The rank of the rarest change that is tried on answers which tell little.
+const RAREST: u32 = 12;
+
 /// What leads on from a step that `raybook explain` tells.
 const TOLD: &str = "`raybook explain` shows this step with its right value: print yours beside it.";
 
 /// What leads on from a step that is not told.
 const BY_HAND: &str =
     "Calculate this value by hand for the first wrong case, and print yours beside it.";
+
+/// What leads on from a value that is not renewed.
+const ROUND: &str =
+    "Print this value in every round of your loop: is it calculated again before it is used?";
 
 /// What leads on from a decision.
 const CONDITION: &str =

@@ -13,6 +13,9 @@ const REST: f64 = 0.35;
 /// … or this many standard errors of it.
 const ERRORS: f64 = 3.0;
 
+/// Of what explains next to all, this share of the distance is left at most.
+const NEAR: f64 = 0.2;
+
 /// Traits this close are the same.
 const CLOSE: f64 = 2e-3;
 
@@ -100,6 +103,8 @@ pub struct Likely {
     pub diagnosis: Diagnosis,
     /// Whether it is a mistake in the function, and not only what its answers look like.
     pub is_cause: bool,
+    /// Whether next to nothing is left unexplained.
+    pub is_near: bool,
 }
 
 /// The mistake whose answers have the same traits as the student's; none if the exercise has none, or no mistake stands out.
@@ -171,19 +176,22 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Likely
         .iter()
         .filter(|other| other.2 != *name && other.0 < 2.0 * rest + 2.0 * errors)
         .count();
+    let is_near = *rest < NEAR * whole.norm();
     let diagnosis = Diagnosis {
         name: name.clone(),
         hint: hint.clone(),
         part: None,
-        certain: *rank == 0 && rivals == 0 && *rest < 0.2 * whole.norm() && given >= MOST,
+        certain: *rank == 0 && rivals == 0 && is_near && given >= MOST,
         explained: evidence.wrong,
         wrong: evidence.wrong,
+        shown: None,
         beside: Beside::Apart,
         also: Vec::new(),
     };
     Some(Likely {
         diagnosis,
         is_cause: *rank <= SLIP,
+        is_near,
     })
 }
 

@@ -34,7 +34,9 @@ pub fn roots(way: &mut Way, [a, b, c]: [f64; 3]) -> Option<[f64; 2]> {
     let [t0, t1] = if way.decides("q is 0", q == 0.0) {
         [0.0; 2]
     } else {
-        [q / a, c / q]
+        let under = way.part("A under q", a);
+        let above = way.part("C above q", c);
+        [q / under, above / q]
     };
     let t0 = way.number("q/A", "", t0);
     let t1 = way.number("C/q", "", t1);

@@ -137,6 +137,8 @@ struct Start {
     count: UVec3,
     /// Where the interval ends.
     limit: f64,
+    /// Where the ray enters the lattice, or the interval begins.
+    enter: f64,
     /// Where the ray leaves the lattice, or the interval ends.
     end: f64,
     /// The first cell.
@@ -146,6 +148,22 @@ struct Start {
 impl Start {
     /// None if the ray misses the lattice.
     fn of(asked: &GridWalk, way: &mut Way) -> Option<Self> {
+        let mut start = Self::outside(asked, way)?;
+        let at = way.part("o + enter·d", start.o + start.enter * start.d);
+        let inside = way.part("o + enter·d − min", at - start.min);
+        let place = way.part("(o + enter·d − min)/cell", inside / start.size);
+        start.cell = start.cell_of(place);
+        Some(start)
+    }
+
+    /// The cell of a place that is measured in cells.
+    fn cell_of(&self, place: DVec3) -> UVec3 {
+        let last = self.count.as_ivec3() - 1;
+        place.floor().as_ivec3().clamp(IVec3::ZERO, last).as_uvec3()
+    }
+
+    /// Where the ray enters and leaves the lattice, if it does not miss it; the first cell is not known yet.
+    fn outside(asked: &GridWalk, way: &mut Way) -> Option<Self> {
         let (o, d) = rays::parts(&asked.ray);
         let (min, size) = (asked.min.as_dvec3(), asked.cell.as_dvec3());
         let count = UVec3::new(asked.nx, asked.ny, asked.nz);
@@ -176,14 +194,6 @@ impl Start {
             way.remark("It leaves before it enters: the ray misses the lattice.");
             return None;
         }
-        let start = way.part("o + enter·d", o + enter * d);
-        let inside = way.part("o + enter·d − min", start - min);
-        let place = way.part("(o + enter·d − min)/cell", inside / size);
-        let cell = place
-            .floor()
-            .as_ivec3()
-            .clamp(IVec3::ZERO, count.as_ivec3() - 1)
-            .as_uvec3();
         Some(Self {
             o,
             d,
@@ -191,8 +201,9 @@ impl Start {
             size,
             count,
             limit,
+            enter,
             end,
-            cell,
+            cell: UVec3::ZERO,
         })
     }
 
@@ -281,8 +292,43 @@ fn by_increments(asked: &GridWalk, way: &mut Way) -> Vec<Visit> {
     }
 }
 
+/// The same by the distances to all planes, sorted: between two of them lies a cell, in which their middle is.
+fn by_sorting(asked: &GridWalk, way: &mut Way) -> Vec<Visit> {
+    let Some(start) = Start::outside(asked, way) else {
+        return Vec::new();
+    };
+    let Start { o, d, min, .. } = start;
+    let min = way.part("min, where the planes begin", min);
+    let mut planes = vec![start.enter, start.end];
+    for axis in (0..3).filter(|axis| d[*axis] != 0.0) {
+        for i in 0..=start.count[axis] {
+            let plane = way.part("min + i·cell", min[axis] + f64::from(i) * start.size[axis]);
+            let t = way.part("t of a plane", (plane - o[axis]) / d[axis]);
+            if start.enter < t && t < start.end {
+                planes.push(t);
+            }
+        }
+    }
+    planes.sort_by(f64::total_cmp);
+    planes.dedup();
+    let mut visits = Vec::new();
+    for ends in planes.windows(2) {
+        let enter = way.part("where the ray enters a cell", ends[0]);
+        let leave = way.part("where the ray leaves a cell", ends[1]);
+        let between = way.part("the middle of both", 0.5 * (enter + leave));
+        let at = way.part("o + that·d", o + between * d);
+        let inside = way.part("o + that·d − min", at - start.min);
+        let place = way.part("(o + that·d − min)/cell", inside / start.size);
+        let UVec3 { x, y, z } = start.cell_of(place);
+        let leave = way.part("leave, returned", leave) as f32;
+        visits.push(Visit { x, y, z, leave });
+    }
+    visits
+}
+
 impl Explained for GridWalk {
-    const WAYS: &'static [fn(&Self, &mut Way) -> Vec<Visit>] = &[Self::work, by_increments];
+    const WAYS: &'static [fn(&Self, &mut Way) -> Vec<Visit>] =
+        &[Self::work, by_increments, by_sorting];
 
     fn work(&self, way: &mut Way) -> Vec<Visit> {
         let Some(start) = Start::of(self, way) else {

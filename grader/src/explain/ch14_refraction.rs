@@ -44,8 +44,42 @@ fn by_the_formula(asked: &Refract, way: &mut Way) -> Option<Vec3> {
     Some(refracted.as_vec3())
 }
 
+/// The same by the sine along the surface and the cosine across it.
+fn by_angles(asked: &Refract, way: &mut Way) -> Option<Vec3> {
+    let i = way.part("i", asked.direction.as_dvec3());
+    let normal = way.part("the normal", asked.normal.as_dvec3());
+    let outside = way.part("outside", f64::from(asked.outside));
+    let inside = way.part("inside", f64::from(asked.inside));
+    let leaves = i.dot(normal) >= 0.0;
+    let n = if way.decides("the normal is turned, for the ray leaves", leaves) {
+        -normal
+    } else {
+        normal
+    };
+    let eta = if way.decides("the indices are exchanged, for the ray leaves", leaves) {
+        inside / outside
+    } else {
+        outside / inside
+    };
+    let eta = way.part("n₁/n₂", eta);
+    let across = way.part("(i·n) n, the part across the surface", i.dot(n) * n);
+    let along = way.part("the part along the surface", i - across);
+    let sin1 = way.part("sin θ₁, its length", along.length());
+    let sin2 = way.part("sin θ₂ = n₁/n₂ sin θ₁", eta * sin1);
+    if way.decides("sin θ₂ is greater than 1", sin2 > 1.0) {
+        return None;
+    }
+    let forward = along.try_normalize().unwrap_or(along);
+    let forward = way.part("the direction along the surface, of length 1", forward);
+    let square = way.part("sin²θ₂", sin2 * sin2);
+    let cos2 = way.part("cos θ₂", (1.0 - square).sqrt());
+    let refracted = way.part("sin θ₂ times it − cos θ₂ n", sin2 * forward - cos2 * n);
+    Some(refracted.as_vec3())
+}
+
 impl Explained for Refract {
-    const WAYS: &'static [fn(&Self, &mut Way) -> Option<Vec3>] = &[Self::work, by_the_formula];
+    const WAYS: &'static [fn(&Self, &mut Way) -> Option<Vec3>] =
+        &[Self::work, by_the_formula, by_angles];
 
     fn work(&self, way: &mut Way) -> Option<Vec3> {
         let (i, normal) = (self.direction.as_dvec3(), self.normal.as_dvec3());

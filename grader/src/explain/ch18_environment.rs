@@ -72,7 +72,28 @@ impl Explained for DirectionToCube {
     }
 }
 
+/// The same with φ by its cosine, and the side by the sign of x.
+fn by_cosines(asked: &DirectionToLatlong, way: &mut Way) -> Vec2 {
+    let d = way.part("the direction", asked.direction.as_dvec3());
+    let x = way.part("x", d.x);
+    let ahead = way.part("−z", -d.z);
+    let level = way.part("√(x² + z²)", d.x.hypot(d.z));
+    let is_pole = way.decides("the direction is straight up or down", level == 0.0);
+    let cosine = if is_pole { 1.0 } else { ahead / level };
+    let cosine = way.part("cos φ = −z/√(x² + z²)", cosine);
+    let phi = way.part("φ, on either side", cosine.clamp(-1.0, 1.0).acos());
+    let phi = way.part("φ", phi.copysign(x));
+    let y = way.part("y = cos θ", d.y);
+    let theta = way.part("θ", y.clamp(-1.0, 1.0).acos());
+    let turn = way.part("½ + φ/2π", 0.5 + phi / TAU);
+    let u = if turn >= 1.0 { 0.0 } else { turn };
+    let v = way.part("θ/π", theta / PI);
+    dvec2(u, v).as_vec2()
+}
+
 impl Explained for DirectionToLatlong {
+    const WAYS: &'static [fn(&Self, &mut Way) -> Vec2] = &[Self::work, by_cosines];
+
     fn work(&self, way: &mut Way) -> Vec2 {
         let d = way.part("the direction", self.direction.as_dvec3());
         let x = way.part("x", d.x);

@@ -63,41 +63,11 @@ impl Explained for RegularGrid {
 }
 
 impl Explained for RotatedGrid {
+    const WAYS: &'static [fn(&Self, &mut Way) -> Vec<Vec2>] =
+        &[Self::work, |asked, way| rotated(asked, way, -1.0)];
+
     fn work(&self, way: &mut Way) -> Vec<Vec2> {
-        let (spacing, offset) = (f64::from(self.spacing), self.offset.as_dvec2());
-        let spacing = way.part("spacing", spacing);
-        let offset = way.part("offset", offset);
-        let turn = way.pair(
-            "(cos, sin) of arctan ½: (2, 1)/√5",
-            "",
-            dvec2(2.0, 1.0) / 5.0_f64.sqrt(),
-        );
-        let [cos, sin] = turn.to_array();
-        let middle = way.part("the middle of the pixel", dvec2(0.5, 0.5));
-        let nearest = way.pair("(offset.x, offset.y), of i = j = 0", "", offset);
-        let turned = |q: DVec2| dvec2(cos * q.x - sin * q.y, sin * q.x + cos * q.y);
-        way.pair("that, rotated", "", turned(nearest));
-        way.pair(
-            "(½, ½) + spacing times that",
-            "",
-            middle + spacing * turned(nearest),
-        );
-        // The square's half diagonal, in spacings: beyond it no lattice point is in the square.
-        let reach = way.number(
-            "lattice steps to try on each side",
-            "",
-            (0.5 * 2.0_f64.sqrt() / spacing).ceil() + 1.0,
-        ) as i32;
-        let steps =
-            (-reach..=reach).flat_map(|j| (-reach..=reach).map(move |i| dvec2(i.into(), j.into())));
-        let inside = |p: &DVec2| p.cmpge(DVec2::ZERO).all() && p.cmplt(DVec2::ONE).all();
-        let points = steps.map(|step| {
-            way.goes_on();
-            middle + spacing * turned(step + offset)
-        });
-        let points: Vec<_> = points.filter(inside).map(DVec2::as_vec2).collect();
-        way.number("of all of them in the square", "", points.len() as f64);
-        points
+        rotated(self, way, 1.0)
     }
 
     fn draw(&self, right: &Vec<Vec2>, yours: Option<&Vec<Vec2>>) -> Option<Diagram> {
@@ -108,6 +78,46 @@ impl Explained for RotatedGrid {
             yours,
         ))
     }
+}
+
+/// The rotated grid, whose sine has this sign: turned either way it is right.
+fn rotated(asked: &RotatedGrid, way: &mut Way, sense: f64) -> Vec<Vec2> {
+    let (spacing, offset) = (f64::from(asked.spacing), asked.offset.as_dvec2());
+    let spacing = way.part("spacing", spacing);
+    let offset = way.part("offset", offset);
+    let turn = way.pair(
+        "(cos, sin) of arctan ½: (2, 1)/√5",
+        "",
+        dvec2(2.0, sense) / 5.0_f64.sqrt(),
+    );
+    let [cos, sin] = turn.to_array();
+    let sin_in_x = way.part("sin in x = cos · a − sin · b", sin);
+    let sin_in_y = way.part("sin in y = sin · a + cos · b", sin);
+    let middle = way.part("the middle of the pixel", dvec2(0.5, 0.5));
+    let nearest = way.pair("(offset.x, offset.y), of i = j = 0", "", offset);
+    let turned = |q: DVec2| dvec2(cos * q.x - sin_in_x * q.y, sin_in_y * q.x + cos * q.y);
+    way.pair("that, rotated", "", turned(nearest));
+    way.pair(
+        "(½, ½) + spacing times that",
+        "",
+        middle + spacing * turned(nearest),
+    );
+    // The square's half diagonal, in spacings: beyond it no lattice point is in the square.
+    let reach = way.number(
+        "lattice steps to try on each side",
+        "",
+        (0.5 * 2.0_f64.sqrt() / spacing).ceil() + 1.0,
+    ) as i32;
+    let steps =
+        (-reach..=reach).flat_map(|j| (-reach..=reach).map(move |i| dvec2(i.into(), j.into())));
+    let inside = |p: &DVec2| p.cmpge(DVec2::ZERO).all() && p.cmplt(DVec2::ONE).all();
+    let points = steps.map(|step| {
+        way.goes_on();
+        middle + spacing * turned(step + offset)
+    });
+    let points: Vec<_> = points.filter(inside).map(DVec2::as_vec2).collect();
+    way.number("of all of them in the square", "", points.len() as f64);
+    points
 }
 
 /// Points in the unit square, which is cut into columns and rows.

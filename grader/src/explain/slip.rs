@@ -65,7 +65,8 @@ impl Mixed {
 pub enum Slip {
     /// The value is changed.
     Value(Place, Change),
-    /// The last value of another step is taken, if it is as long, or a number: that for each of the value's.
+    /// The last value of another step is taken, if it is as long, or a number: that for each of the value's. Of a step that comes later,
+    /// its value on the right way.
     Other {
         /// The step that is wrong.
         at: Place,
@@ -83,6 +84,8 @@ pub enum Slip {
         /// Into which of the value's numbers; into all of them if none is given.
         only: Option<usize>,
     },
+    /// The value that the step had when the way came by it before, as one that a loop does not renew.
+    Stale(Place),
     /// A decision falls in another way.
     Decision(Place, fn(bool) -> bool),
 }
@@ -92,6 +95,7 @@ impl Slip {
     pub fn place(&self) -> Place {
         match *self {
             Self::Value(at, _)
+            | Self::Stale(at)
             | Self::Other { at, .. }
             | Self::Mix { at, .. }
             | Self::Decision(at, _) => at,

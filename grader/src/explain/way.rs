@@ -78,6 +78,11 @@ pub struct Way {
     untold: Vec<Step>,
     decisions: Vec<Decision>,
     slips: [Option<Slip>; 2],
+    /// The steps of the right way, for a slip that takes the value of one that comes later.
+    ahead: Vec<Step>,
+    looks_ahead: bool,
+    /// The value that a step had when the way came by it last, for a slip that keeps it.
+    before: Option<Vec<f64>>,
     is_watched: bool,
     calculated: usize,
 }
@@ -102,6 +107,21 @@ impl Way {
             slips: [Some(slip), None],
             ..Self::default()
         }
+    }
+
+    /// A way on which a slip is made that takes the value of a step which comes later: that of the right way.
+    pub fn with_ahead(slip: Slip, right: Walked) -> Self {
+        Self {
+            ahead: right.steps.into_iter().chain(right.untold).collect(),
+            ..Self::with(slip)
+        }
+    }
+
+    /// Whether a slip wanted the value of a step to which the way had not come, and the way is short: one of many rounds is not gone twice.
+    pub fn looks_ahead(&self) -> bool {
+        /// Steps and decisions of a short way.
+        const SHORT: usize = 200;
+        self.looks_ahead && self.calculated <= SHORT
     }
 
     /// A way on which two slips are made.
@@ -264,7 +284,9 @@ impl Way {
 
     /// The last value of a step, as `size` numbers: its own if it has as many, or its only number for each.
     fn last(&self, of: Place, size: usize) -> Option<Vec<f64>> {
-        let last = self.steps.iter().rev().find(|step| step.place == of)?;
+        let mut past = self.steps.iter().rev();
+        let last = past.find(|step| step.place == of);
+        let last = last.or_else(|| self.ahead.iter().find(|step| step.place == of))?;
         match last.value.as_slice() {
             [one] => Some(vec![*one; size]),
             value => (value.len() == size).then(|| value.to_vec()),
@@ -272,7 +294,7 @@ impl Way {
     }
 
     /// What a slip makes of the value of the step at a place.
-    fn slipped<V: Value>(&self, v: V, place: Place, slip: Slip) -> V {
+    fn slipped<V: Value>(&mut self, v: V, place: Place, slip: Slip) -> V {
         match slip {
             Slip::Value(at, change) if at == place => {
                 let mut value = v.numbers();
@@ -281,7 +303,12 @@ impl Way {
             }
             Slip::Other { at, of } if at == place => {
                 let value = self.last(of, v.numbers().len());
+                self.looks_ahead |= value.is_none();
                 value.map_or(v, |value| v.with(&value))
+            }
+            Slip::Stale(at) if at == place => {
+                let before = self.before.replace(v.numbers());
+                before.map_or(v, |before| v.with(&before))
             }
             Slip::Mix { at, of, how, only } if at == place => {
                 let mut value = v.numbers();
@@ -307,8 +334,8 @@ impl Way {
     ) -> V {
         self.count();
         let place = Place::here();
-        let slips = self.slips.iter().flatten();
-        let v = slips.fold(v, |v, slip| self.slipped(v, place, *slip));
+        let slips = self.slips.into_iter().flatten();
+        let v = slips.fold(v, |v, slip| self.slipped(v, place, slip));
         if self.is_read() {
             self.steps.push(Step {
                 name: name.into(),

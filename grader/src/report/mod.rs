@@ -114,7 +114,7 @@ fn exercise(report: &Report) -> Markup {
             State::WaitsFor(name) => p { "It calls " code { (name) } ", which is not written yet." },
             State::Right | State::Wrong => p { (counts) "." },
         }
-        @if let (Some((outcome, _)), Some(examiner)) = (report.first_wrong(), cases::find(report.exercise)) { (wrong(report, outcome, examiner)) }
+        @if let (Some((outcome, _)), Some(examiner)) = (report.shown_wrong(), cases::find(report.exercise)) { (wrong(report, outcome, examiner)) }
         @for (number, picture) in report.pictures.iter().enumerate() { (pictures::of(report.exercise, number, picture)) }
     } }
 }

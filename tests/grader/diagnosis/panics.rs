@@ -16,13 +16,18 @@ fn found(
 ) -> Option<Diagnosis> {
     let examiner = cases::find(exercise).expect("an exercise");
     let cases = examiner.cases(&mut visible_rng(exercise)).cases;
-    let reply = |case: &Case| Reply {
+    let reply = |case: &Case| {
+        Reply {
         said: if dies(case) {
             Said::Panicked(message.into())
         } else {
             Said::Answer(answer(case).into())
         },
-        printed: Prints::default(),
+        printed: Prints {
+            stderr: "Traceback (most recent call last):\n  File \"/home/me/rays/ch04_plane.py\", line 12, in plane_hit\nError".into(),
+            ..Prints::default()
+        },
+    }
     };
     let replies = cases.iter().map(reply).collect();
     assess(examiner, cases, replies).diagnosis
@@ -106,12 +111,32 @@ fn what_the_function_dies_of_stands_beside_what_it_gets_wrong() {
 }
 
 #[test]
-fn a_message_that_says_nothing_names_nothing() {
-    let found = found(
-        "plane_hit",
-        "what now?",
-        |case| case.name == "parallel to it",
-        rightly,
+fn an_error_beside_another_mistake_is_told_with_its_case_and_its_line() {
+    let examiner = cases::find("plane_hit").expect("an exercise");
+    let far = |case: &Case| examiner.mistaken(0, &case.question).expect("an answer");
+    for (message, name) in [
+        ("ZeroDivisionError: division by zero", "divides by 0"),
+        ("what now?", "stops with an error"),
+    ] {
+        let dies = |case: &Case| case.name == "parallel to it";
+        let found = found("plane_hit", message, dies, far).expect("a mistake is named");
+        let stopped = &found.also[0];
+        assert_eq!(stopped.name, name);
+        let cases = examiner.cases(&mut visible_rng("plane_hit")).cases;
+        let place = cases.iter().position(dies);
+        assert_eq!(stopped.shown, place);
+        let number = place.map_or(0, |place| cases[place].number);
+        let told = format!("It is case {number}, \"parallel to it\", in ch04_plane.py:12.");
+        assert!(stopped.hint.ends_with(&told), "{}", stopped.hint);
+    }
+}
+
+#[test]
+fn an_error_that_no_language_is_known_for_is_told_with_its_case() {
+    let dies = |case: &Case| case.name == "parallel to it";
+    let found = found("plane_hit", "what now?", dies, rightly).expect("it is told");
+    assert_eq!(
+        (found.name.as_str(), found.certain),
+        ("stops with an error", true)
     );
-    assert_eq!(found, None, "no language says so");
 }

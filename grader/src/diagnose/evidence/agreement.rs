@@ -16,8 +16,12 @@ pub struct Score {
     pub contradicted: usize,
     /// How many of all answers are as it says to the last digits.
     pub close: usize,
+    /// How many of the wrong answers that it explains are so to the last digits.
+    pub sharp: usize,
     /// How much the wrong answers that it explains tell: 1 for one with numbers, less for a yes or no.
     pub tells: f64,
+    /// Whether the answers are estimates, which scatter.
+    pub is_rough: bool,
     /// Whether the answers are estimates, which scatter, and leave it in doubt: they are few, or on the whole larger or smaller than it
     /// says, as those of a mistake that is nearly the same.
     pub is_doubtful: bool,
@@ -75,6 +79,26 @@ const CLOSE: f64 = 1e-5;
 
 /// Numbers that differ by less than this share of them are one number, calculated in single or in double precision.
 const SAME: f64 = 1e-6;
+
+/// What is predicted to the last digits is at most this share as far from an answer as the right one is.
+const NEAR: f64 = 0.25;
+
+/// How far two answers are apart: the sum of what their numbers differ by, as shares of these.
+fn distance(one: &[f64], other: &[f64]) -> f64 {
+    if one.len() != other.len() {
+        return f64::INFINITY;
+    }
+    let apart = |(a, b): (&f64, &f64)| {
+        if a == b || a.is_nan() && b.is_nan() {
+            0.0
+        } else if (a - b).is_finite() {
+            (a - b).abs() / a.abs().max(b.abs()).max(CLOSE)
+        } else {
+            f64::INFINITY
+        }
+    };
+    one.iter().zip(other).map(apart).sum()
+}
 
 impl Evidence<'_> {
     /// A prediction, as far as it is looked at; none if it says nothing, or far more than was answered.
@@ -166,7 +190,8 @@ impl Evidence<'_> {
         })
     }
 
-    /// Whether a wrong answer is the one that is predicted; and whether it is so to the last digits. It is never the right one: a
+    /// Whether a wrong answer is the one that is predicted; and whether it is so to the last digits, and much nearer to it than to the
+    /// right one. It is never the right one: a
     /// mistake that does not show in a case explains nothing there.
     fn is_predicted(&self, item: &Item, prediction: &[f64]) -> (bool, bool) {
         let same = |answer: &Vec<f64>| {
@@ -178,7 +203,10 @@ impl Evidence<'_> {
         if item.answers.iter().any(same) {
             return (false, false);
         }
-        self.agrees(item, prediction)
+        let (agrees, close) = self.agrees(item, prediction);
+        let mut far = item.answers.iter().map(|right| distance(right, &item.got));
+        let is_near = |far: f64| distance(prediction, &item.got) <= NEAR * far;
+        (agrees, close && far.all(is_near))
     }
 
     /// Whether an answer gives that of an item.
@@ -192,6 +220,21 @@ impl Evidence<'_> {
             }
         };
         self.seen(item, answer).is_some_and(gives)
+    }
+
+    /// Whether answers are estimates, which scatter.
+    pub fn is_rough(&self) -> bool {
+        self.examiner.alike() > ROUGH
+    }
+
+    /// The first case whose wrong answer these explain, one for each item: its place among all cases.
+    pub fn first_explained(&self, answers: &[Option<Vec<f64>>]) -> Option<usize> {
+        let wrong = self.items[..self.wrong].iter().zip(answers).enumerate();
+        let explained = wrong.filter(|(i, (_, answer))| {
+            let gives = |answer: &Vec<f64>| self.explains(*i, answer);
+            answer.as_ref().is_some_and(gives)
+        });
+        explained.map(|(_, (item, _))| item.case).min()
     }
 
     /// Whether any of a few wrong answers, from all over, is as predicted: of those that explain this share nearly always one is.
@@ -248,6 +291,7 @@ impl Evidence<'_> {
                 let strays = |all: &Vec<f64>| self.strays_elsewhere(item, all);
                 score.strays += usize::from(predicted.as_ref().is_some_and(strays));
                 score.close += usize::from(close);
+                score.sharp += usize::from(close);
                 score.tells += item.tells;
             } else {
                 score.missed += 1;
@@ -256,8 +300,8 @@ impl Evidence<'_> {
                 }
             }
         }
-        let is_rough = self.examiner.alike() > ROUGH;
-        score.is_doubtful = is_rough && (score.explained < MANY || rest.leans());
+        score.is_rough = self.is_rough();
+        score.is_doubtful = score.is_rough && (score.explained < MANY || rest.leans());
         Some(score)
     }
 }

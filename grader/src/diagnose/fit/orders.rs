@@ -19,9 +19,10 @@ impl Maker<'_, '_> {
         let near = |(a, b): (&f64, &f64)| {
             a == b || (a - b).is_finite() && (a - b).abs() <= 1e-5 + 1e-3 * a.abs().max(b.abs())
         };
-        let is_same = |a: &[f64], b: &[f64]| sorted(a).iter().zip(&sorted(b)).all(near);
+        let is_near = |a: &[f64], b: &[f64]| a.iter().zip(b).all(near);
+        let is_turned = |a: &[f64], b: &[f64]| !is_near(a, b) && is_near(&sorted(a), &sorted(b));
         let make = |item: usize, v: &mut [f64]| {
-            if let Some(got) = got.get(&item).filter(|got| is_same(got, v)) {
+            if let Some(got) = got.get(&item).filter(|got| is_turned(got, v)) {
                 v.copy_from_slice(got);
             }
         };

@@ -45,7 +45,7 @@
 //! | EXR, HDR and PNG files | `image/file.rs` |
 //! | files that appear whole or not at all, and their maximum size | `store.rs` `memory.rs` |
 //! | pictures looked up between their pixels, and blurred: mip maps for textures | `image/mip.rs` |
-//! | denoising | `image/denoise/`, `render/guides.rs` |
+//! | denoising | `image/denoise/mod.rs` `render/guides.rs` |
 //! | the width of a ray, which tells how much a texture is blurred (ray cones) | `render/cone.rs` |
 //! | the difference of two pictures | `image/compare.rs` `image/rms.rs` |
 //! | what a shape must answer; leaving a surface without hitting it again | `shape/mod.rs` |

@@ -71,7 +71,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             under(studio)?,
         ];
         let caption = "All light comes from the map: a clear day, a sunset, an overcast sky, a studio with two softboxes. A \
-            filter has averaged the remaining noise.";
+            filter has removed the remaining noise.";
         stage.picture("picture", caption, &quarters(&lit))?;
     }
 

@@ -2,7 +2,7 @@
 
 use crate::image::{
     Image,
-    denoise::{Guide, denoise},
+    denoise::{Guide, denoise_while},
     rgb::Rgb,
 };
 use crate::math::pcg::{self, Pcg};
@@ -91,9 +91,9 @@ impl Film<'_> {
         }
     }
 
-    /// A denoised picture: `draw` is called twice, each time with half of the samples and other random numbers, and [`denoise`]
-    /// combines the two pictures, guided by what is known of each pixel ([`Film::guides`]), or by nothing. If drawing was ended, this
-    /// is the first of the two pictures as it is.
+    /// A denoised picture: `draw` is called twice, each time with half of the samples and other random numbers, and
+    /// [`denoise`](crate::image::denoise::denoise) combines the two pictures, guided by what is known of each pixel
+    /// ([`Film::guides`]), or by nothing. If drawing was ended, this is the first of the two pictures as it is.
     pub fn denoised(&self, guides: &[Guide], draw: impl Fn(&Self) -> Image) -> Image {
         let half = |seed| {
             draw(&Film {
@@ -102,11 +102,10 @@ impl Film<'_> {
             })
         };
         let halves = [half(self.seed), half(self.seed.wrapping_add(1))];
-        if (self.progress)(Done::default()).is_break() {
-            let [first, _] = halves;
-            return first;
-        }
-        denoise(&halves, guides)
+        let goes_on = || (self.progress)(Done::default()).is_continue();
+        let denoised = denoise_while(&halves, guides, &goes_on);
+        let [first, _] = halves;
+        if goes_on() { denoised } else { first }
     }
 
     /// Width over height.

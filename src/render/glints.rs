@@ -4,14 +4,15 @@ use crate::camera::thin_lens::ThinLens;
 use crate::image::Image;
 use crate::light::point::PointLight;
 use crate::math::{pcg, ray::Ray};
-use crate::render::film::{Film, place_in_pixel};
+use crate::render::film::{Done, Film, place_in_pixel};
 use std::f32::consts::FRAC_PI_4;
 
 /// Number of rays for each pixel that a light's disc covers: enough that the disc shows no grain.
 const PER_PIXEL: f32 = 40.0;
 
-/// Minimum and maximum number of rays for a light.
-const RAYS: [f32; 2] = [256.0, 4e6];
+/// Minimum and maximum number of rays for a light. A disc that would need more is so large, and therefore so dark, that its grain
+/// is not seen.
+const RAYS: [f32; 2] = [256.0, 1e6];
 
 // ANCHOR: glints
 /// Adds to the picture the light of point lights that comes straight through the lens.
@@ -30,6 +31,9 @@ pub fn add_glints(
     let (width, height) = (picture.width() as f32, picture.height() as f32);
     let pixel = camera.view.plane.x * camera.view.plane.y / (width * height);
     for (light, i) in lights.iter().zip(0..) {
+        if (film.progress)(Done::default()).is_break() {
+            return;
+        }
         let depth = (light.position - camera.view.focal_point).dot(*camera.view.forward);
         if depth <= 0.0 {
             continue; // beside the lens or behind it: no light comes in

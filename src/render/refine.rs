@@ -66,14 +66,29 @@ fn all(film: &Film, radiance: &Radiance) -> Image {
 fn refined(film: &Film, radiance: &Radiance) -> Image {
     let all = film.samples;
     let first = first_of(all);
-    let begun = film.each_pixel(&|x, y, rng| {
+    // Half of each pixel is done with its first samples, and half with the rest.
+    let begins = Film {
+        progress: &|done| {
+            (film.progress)(Done {
+                pixels: done.pixels.div_ceil(2),
+                ..done
+            })
+        },
+        ..*film
+    };
+    let begun = begins.each_pixel(&|x, y, rng| {
         let sample = Sample::of(film, x, y, rng);
         let seen: Vec<_> = (0..first).map(|i| sample.seen(i, radiance)).collect();
         let begun = Begun::by(&seen);
         (begun, begun.sum.rays)
     });
     let again = Film {
-        progress: &|done| (film.progress)(Done { pixels: 0, ..done }),
+        progress: &|done| {
+            (film.progress)(Done {
+                pixels: done.pixels / 2,
+                ..done
+            })
+        },
         ..*film
     };
     again.render_pixels(|x, y, rng| {

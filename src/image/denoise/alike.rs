@@ -57,11 +57,12 @@ impl Alike {
         }
     }
 
-    /// Calls `see` with each pixel p that `chosen` chooses, row by row, and with all pixels q around it that look like it; p itself is
-    /// among them.
+    /// Calls `see` with each pixel p that `chosen` chooses, row by row, and with all pixels q around it that look like it, itself among
+    /// them; before each row it asks whether to go on.
     pub(super) fn visit<S>(
         &self,
         state: &mut S,
+        go_on: &dyn Fn() -> bool,
         chosen: impl Fn(&S, [usize; 2]) -> bool,
         see: impl Fn(&mut S, [usize; 2], &[Weighted]),
     ) {
@@ -72,11 +73,16 @@ impl Alike {
             let rows = top..(top + ROWS).min(height);
             let steps = along().flat_map(|dy| along().map(move |dx| [dx, dy]));
             let steps: Vec<_> = steps.map(|step| self.step(step, &rows)).collect();
-            for (y, x) in rows.flat_map(|y| (0..width).map(move |x| (y, x))) {
-                if chosen(state, [x, y]) {
-                    around.clear();
-                    around.extend(steps.iter().filter_map(|step| step.weighted([x, y])));
-                    see(state, [x, y], &around);
+            for y in rows {
+                if !go_on() {
+                    return;
+                }
+                for x in 0..width {
+                    if chosen(state, [x, y]) {
+                        around.clear();
+                        around.extend(steps.iter().filter_map(|step| step.weighted([x, y])));
+                        see(state, [x, y], &around);
+                    }
                 }
             }
         }

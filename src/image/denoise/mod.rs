@@ -70,6 +70,15 @@ impl Div<f32> for Guide {
 /// # Panics
 /// If the pictures differ in size, or if there are guides, but not one per pixel, row by row.
 pub fn denoise(pictures: &[Image; 2], guides: &[Guide]) -> Image {
+    denoise_while(pictures, guides, &|| true)
+}
+
+/// As [`denoise`], but it ends, without a picture that is of use, as soon as `go_on` returns false.
+pub(crate) fn denoise_while(
+    pictures: &[Image; 2],
+    guides: &[Guide],
+    go_on: &(dyn Fn() -> bool + Sync),
+) -> Image {
     let [a, b] = pictures;
     let size = |picture: &Image| (picture.width, picture.height);
     assert_eq!(size(a), size(b), "both pictures have one size");
@@ -81,8 +90,8 @@ pub fn denoise(pictures: &[Image; 2], guides: &[Guide]) -> Image {
     let [a, b] = &halves;
     let variance = variance(a, b);
     let (a, b) = threads::join(
-        || fitted(a, guides, &Alike::new(b, &variance)),
-        || fitted(b, guides, &Alike::new(a, &variance)),
+        || fitted(a, guides, &Alike::new(b, &variance), go_on),
+        || fitted(b, guides, &Alike::new(a, &variance), go_on),
     );
     let pixels = a.into_iter().zip(b).map(|(a, b)| (a + b) * 0.5);
     Image {
@@ -92,12 +101,13 @@ pub fn denoise(pictures: &[Image; 2], guides: &[Guide]) -> Image {
 }
 
 /// The pixels of `picture`, each the mean of the planes around it.
-fn fitted(picture: &Image, guides: &[Guide], alike: &Alike) -> Vec<Rgb> {
+fn fitted(picture: &Image, guides: &[Guide], alike: &Alike, go_on: &dyn Fn() -> bool) -> Vec<Rgb> {
     let place = |[x, y]: [usize; 2]| y * picture.width + x;
     let terms = |p| Terms::of(p, guides.get(place(p)).copied().unwrap_or_default());
     let mut sums = vec![(Rgb::BLACK, 0.0); picture.pixels.len()];
     alike.visit(
         &mut sums,
+        go_on,
         |sums, p| p.map(|i| i % APART) == [0, 0] || sums[place(p)].1 < ENOUGH,
         |sums, p, around| {
             let (centre, mut fit) = (terms(p), Fit::default());

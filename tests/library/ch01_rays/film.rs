@@ -219,6 +219,20 @@ fn what_was_ended_is_not_denoised() {
         !film.denoised(&[], noise).same_bits(&one),
         "else it is denoised"
     );
+
+    // Two threads denoise: each asks once more after the end.
+    let asked = AtomicUsize::new(0);
+    let later = |_: Done| match asked.fetch_add(1, Ordering::Relaxed) {
+        0..20 => ControlFlow::Continue(()),
+        _ => ControlFlow::Break(()),
+    };
+    let stopped = Film {
+        progress: &later,
+        ..film
+    };
+    let left = stopped.denoised(&[], noise);
+    assert!(left.same_bits(&one), "also when denoising has begun");
+    assert_eq!(asked.into_inner(), 20 + 2 + 1, "denoising ends at once");
 }
 
 #[test]

@@ -116,6 +116,35 @@ if (presents) {
   right(!(await page.$eval("#command", one => one.textContent)).includes("halton"), "the key r turns the knob back");
   await page.close();
 }
+// The sampling lab: a heading sorts, a key flips, no picture is scaled, and nothing is to be scrolled sideways in a wide window.
+const lab = others.find(other => other.endsWith("samplers/index.html"));
+if (lab) {
+  const { page, fault } = await open(pathToFileURL(lab).href, 1400, "light");
+  const right = (is, what) => is || fault(what);
+  const column = i => page.$$eval("tbody tr", (rows, i) => rows.map(row => row.children[i].dataset.value ?? row.children[i].textContent), i);
+  const sorted = (all, order) => all.every((one, i) => i === 0 || order(all[i - 1], one) <= 0);
+  const headings = await page.$$("th button");
+  await headings[1].click();
+  right(sorted(await column(1), (a, b) => a - b), `a click sorts by the numbers: ${await column(1)}`);
+  await headings[1].click();
+  right(sorted(await column(1), (a, b) => b - a), "another click sorts the other way round");
+  await headings[0].focus();
+  await page.keyboard.press("Enter");
+  right(sorted(await column(0), (a, b) => a.localeCompare(b)), `a key sorts by the names: ${await column(0)}`);
+  const shown = () => page.$eval(".flip", flip => [flip.querySelector("output").textContent, flip.querySelector("img").src].join(" "));
+  const [a, b] = [await shown(), (await page.keyboard.press("f"), await shown())];
+  right(a.startsWith("A: ") && b.startsWith("B: ") && a !== b, `the key f flips: ${a}, ${b}`);
+  const scaled = await page.evaluate(async () => {
+    const images = [...document.querySelectorAll(".pixels img")];
+    for (const image of images) image.loading = "eager";
+    await Promise.all(images.map(image => image.decode()));
+    return images.filter(image => image.getBoundingClientRect().width !== image.naturalWidth).length;
+  });
+  right(scaled === 0, `${scaled} pictures of pixels are scaled`);
+  const cut = await page.$$eval(".pixels, .scroll", all => all.filter(one => one.scrollWidth > one.clientWidth).length);
+  right(cut === 0, `${cut} figures are wider than a window of 1400 pixels`);
+  await page.close();
+}
 const { page } = await open(watch, 1400, "light");
 await page.waitForSelector("#sphere_hit-0-row", { timeout: 120_000 });
 await page.evaluate(() => { window.same = true; });

@@ -41,11 +41,13 @@ pub struct Knobs {
 pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     if let Some(path) = &knobs.own.mesh {
         let mesh = own_mesh::load(path)?;
-        warn_of_long_search(stage, &mesh);
-        return draw_mesh(stage, &mesh).map(|_| ());
+        let film = own_mesh::film_of_list(stage, &mesh);
+        warn_of_long_search(&film, &mesh);
+        return draw_mesh(stage, &film, &mesh).map(|_| ());
     }
     let n = knobs.cells;
-    let film = draw_mesh(stage, &teapot::mesh(n))?;
+    let teapot = teapot::mesh(n);
+    let film = draw_mesh(stage, &own_mesh::film_of_list(stage, &teapot), &teapot)?;
     if !stage.wants("tessellation") {
         return Ok(());
     }
@@ -64,22 +66,20 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
 }
 
 /// Says how long the search takes for a mesh of the user's own, and what is faster if that is long.
-fn warn_of_long_search(stage: &Stage, mesh: &Mesh) {
+fn warn_of_long_search(film: &Film, mesh: &Mesh) {
     own_mesh::warn_of_list(mesh);
-    let film = own_mesh::film_of_list(stage, mesh);
     let room = Showroom::around(mesh, film.aspect());
     let shape = Meshed::new(mesh.clone(), List::new);
-    own_mesh::say_estimate(&film, |place| {
+    own_mesh::say_estimate(film, |place| {
         black_box(nearest(&shape, &room.ray(place), &mut Tests::default()));
     });
 }
 
 /// Draws any mesh. Returns the film of the small pictures, for further sheets.
-fn draw_mesh<'a>(stage: &'a Stage, mesh: &Mesh) -> Result<Film<'a>, Box<dyn Error>> {
+fn draw_mesh<'a>(stage: &Stage, film: &Film<'a>, mesh: &Mesh) -> Result<Film<'a>, Box<dyn Error>> {
     let triangles = mesh.triangles().len();
-    let film = own_mesh::film_of_list(stage, mesh);
     if stage.wants("picture") {
-        let (main, tests) = picture(&film, mesh, showroom::SMOOTH);
+        let (main, tests) = picture(film, mesh, showroom::SMOOTH);
         let caption = format!(
             "A mesh of {triangles} triangles. Every ray that meets the mesh's box is tested against all triangles: {} million tests.",
             tests / 1_000_000
@@ -92,7 +92,7 @@ fn draw_mesh<'a>(stage: &'a Stage, mesh: &Mesh) -> Result<Film<'a>, Box<dyn Erro
         "these normals as colours",
         "texture coordinates",
     ];
-    let film = showroom::small(&film);
+    let film = showroom::small(film);
     if stage.wants("attributes") {
         let tiles: Vec<_> = names.into_iter().zip(attributes(&film, mesh)).collect();
         let caption = "The same triangles four times: with the normal of each triangle, with interpolated vertex normals, with these normals as colours, and with a checkerboard on the texture coordinates.";

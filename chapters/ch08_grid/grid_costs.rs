@@ -106,7 +106,7 @@ pub(super) fn plot(costs: &[Cost]) -> Figure {
         Axis::log(0.0007..450.0).named("λ: cells per triangle"),
         Axis::log(0.7..2.0 * most).named("per ray"),
     )
-    .text(32)
+    .text(33)
     .legend(Corner::UpperMiddle);
     for (name, colour, value) in curves {
         let points = || costs.iter().map(|cost| (cost.density, value(cost)));

@@ -67,7 +67,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
 
     let caption = "A two-level grid in the plane: thick lines are the borders of coarse cells, thin lines are those of fine \
         cells. The number of fine cells in a coarse cell depends on its discs; an empty coarse cell has none. The numbers are \
-        the ray's steps.";
+        the ray's steps; small cells have no room for them.";
     stage.diagram("walk", caption, &nested_cells::diagram()?)?;
 
     let tile = small(&film);

@@ -91,8 +91,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         stage.figure("levels", caption, &sheet(2, &tiles)?)?;
     }
 
-    let caption = "A quad-tree, which is an octree in the plane: a ray visits the leaves in the order of their numbers, and \
-        skips empty leaves.";
+    let caption = "A quad-tree, which is an octree in the plane: a ray visits the leaves in the order of their numbers, for \
+        which small leaves have no room, and skips empty leaves.";
     stage.diagram("quadtree", caption, &quadtree::diagram()?)?;
 
     if stage.wants("heat") {

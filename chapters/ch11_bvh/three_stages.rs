@@ -86,7 +86,7 @@ const APART: Vec2 = vec2(1.0, 0.88);
 impl Diagram<'_, '_, '_> {
     fn draw(&self, root: &Node) -> Drawn {
         self.subtree(root, 0, 0, &mut 0)?;
-        let text = |text: &str, y| self.paper.text(text, vec2(3.5, y), 34, INK);
+        let text = |text: &str, y| self.paper.text(text, vec2(3.5, y), 36, INK);
         text(
             "nodes, depth-first, the children of a branch side by side",
             -0.62,
@@ -118,7 +118,7 @@ impl Diagram<'_, '_, '_> {
         };
         disc(self.paper, place, 27, colour)?;
         disc(self.paper, place, 22, WHITE)?;
-        self.paper.text(&number.to_string(), place, 34, colour)?;
+        self.paper.text(&number.to_string(), place, 36, colour)?;
         let shape = self.tree.order.get(node.link.first as usize);
         let shape = shape.filter(|_| height(self.tree, node) == 0);
         let name = shape
@@ -154,7 +154,7 @@ impl Diagram<'_, '_, '_> {
             .draw(&Rectangle::new(corners, colour.stroke_width(3)))?;
         let middle = (corner + vec2(26.0, 20.0) - self.paper.origin) / self.paper.scale;
         let at = vec2(middle.x, -middle.y);
-        self.paper.text(&number.to_string(), at, 34, colour)?;
-        self.paper.text(name, at - vec2(0.0, 0.26), 34, INK)
+        self.paper.text(&number.to_string(), at, 36, colour)?;
+        self.paper.text(name, at - vec2(0.0, 0.26), 36, INK)
     }
 }

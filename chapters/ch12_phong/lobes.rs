@@ -170,7 +170,7 @@ fn across(canvas: &Canvas, lobes: &[Lobe]) -> Drawn {
     .titled(&format!(
         "turned out of that plane, {RIGHT}° from the normal"
     ))
-    .text(28)
+    .text(30)
     .legend(Corner::UpperLeft);
     let light = light(RIGHT);
     for lobe in lobes {

@@ -129,7 +129,7 @@ fn profile(canvas: &Canvas, shadow: &Shadow) -> Drawn {
         .named("light that is seen")
         .labels(5)
         .format(|share| format!("{:.0} %", 100.0 * share));
-    let mut chart = Chart::new(places, shares).text(32).left(BESIDE);
+    let mut chart = Chart::new(places, shares).text(38).left(BESIDE);
     for end in shadow.ends() {
         for x in [-end, end] {
             chart.line([(x, 0.0), (x, 1.05)], ORANGE.stroke_width(4));

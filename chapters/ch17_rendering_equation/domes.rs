@@ -54,7 +54,7 @@ pub(super) fn draw() -> Figure {
                 },
                 warp,
             )?;
-            for (words, y, size) in [(name, 70, 48), (note, height as i32 - 60, 32)] {
+            for (words, y, size) in [(name, 70, 48), (note, height as i32 - 60, 33)] {
                 let middle = (width as i32 / 2, y);
                 write(half, words, middle, text(size).pos(CENTRE))?;
             }

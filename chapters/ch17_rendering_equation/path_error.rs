@@ -34,22 +34,24 @@ pub(super) fn plot(film: &Film) -> Figure {
         };
         (name, measure(&view, &film, depth))
     });
-    figure(960, 760, |canvas| {
+    figure(960, 600, |canvas| {
         let panels = canvas.split_evenly((2, 2));
-        for ((name, curves), row) in measured.iter().zip(panels.chunks(2)) {
+        // The lower charts have room for the legend, which is that of all four.
+        let legends = [None, Some(Corner::LowerLeft)];
+        for ((name, curves), (row, legend)) in measured.iter().zip(panels.chunks(2).zip(legends)) {
             panel(
                 &row[0],
                 &format!("{name}: equal samples"),
                 "samples per pixel",
                 curves,
-                0,
+                (0, legend.clone()),
             )?;
             panel(
                 &row[1],
                 &format!("{name}: equal time"),
                 "milliseconds",
                 curves,
-                1,
+                (1, legend),
             )?;
         }
         Ok(())
@@ -85,7 +87,13 @@ fn measure(view: &View, film: &Film, depth: u32) -> Vec<Vec<Measured>> {
         .collect()
 }
 
-fn panel(canvas: &Canvas, title: &str, unit: &str, curves: &[Vec<Measured>], axis: usize) -> Drawn {
+fn panel(
+    canvas: &Canvas,
+    title: &str,
+    unit: &str,
+    curves: &[Vec<Measured>],
+    (axis, legend): (usize, Option<Corner>),
+) -> Drawn {
     let all = || curves.iter().flatten();
     let ends = |i: usize| {
         let least = all().map(|m| m[i]).fold(f64::INFINITY, f64::min);
@@ -100,10 +108,10 @@ fn panel(canvas: &Canvas, title: &str, unit: &str, curves: &[Vec<Measured>], axi
         .named("error")
         .marks(&round_numbers(low, high))
         .format(|v| format!("{} %", (100.0 * v) as f32));
-    let mut chart = Chart::new(costs, errors)
-        .titled(title)
-        .text(32)
-        .legend(Corner::LowerLeft);
+    let mut chart = Chart::new(costs, errors).titled(title).text(36);
+    if let Some(corner) = legend {
+        chart = chart.legend(corner);
+    }
     for ((curve, (_, name)), colour) in curves.iter().zip(STRATEGIES).zip([VERMILION, GREEN, BLUE])
     {
         let points = || curve.iter().map(|m| (m[axis], m[2]));

@@ -46,7 +46,7 @@ pub(super) fn draw() -> Figure {
         canvas.draw(&Circle::new(centre, radius(HORIZON), INK.filled()))?;
         let sphere = Circle::new(centre, radius(PHOTON_SPHERE), INK.stroke_width(3));
         canvas.draw(&sphere)?;
-        write(canvas, "horizon", centre, coloured(32, WHITE).pos(CENTRE))?;
+        write(canvas, "horizon", centre, coloured(33, WHITE).pos(CENTRE))?;
         let beside = (centre.0 + radius(2.9), centre.1);
         let [wide, high] = [130, 26];
         let corners = [
@@ -54,7 +54,7 @@ pub(super) fn draw() -> Figure {
             (beside.0 + wide, beside.1 + high),
         ];
         canvas.draw(&Rectangle::new(corners, WHITE.filled()))?;
-        write(canvas, "photon sphere", beside, text(32).pos(CENTRE))
+        write(canvas, "photon sphere", beside, text(33).pos(CENTRE))
     })
 }
 

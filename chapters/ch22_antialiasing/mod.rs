@@ -114,7 +114,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let all = PointSets {
         subjects: &subjects,
         n: knobs.count,
-        columns: 4,
+        columns: 6,
     };
     if stage.wants("patterns") {
         let caption = format!(

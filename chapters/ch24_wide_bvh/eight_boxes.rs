@@ -51,7 +51,7 @@ pub(super) fn draw() -> Figure {
             canvas.draw(&Rectangle::new(corners, colour.mix(0.16).filled()))?;
             canvas.draw(&Rectangle::new(corners, colour.stroke_width(5)))?;
             let middle = pixel(vec2(0.5 * (x0 + x1), y1 - 0.26));
-            text(canvas, &lane.to_string(), middle, 44, colour)?;
+            text(canvas, &lane.to_string(), middle, 48, colour)?;
         }
         let end = vec2(0.2, 0.5) + 9.3 * vec2(9.0, 3.2).normalize();
         let line = vec![pixel(vec2(0.2, 0.5)), pixel(end)];
@@ -98,10 +98,10 @@ fn table(canvas: &Canvas, boxes: &[Aabb], ray: &Ray, met: u32, order: &[usize]) 
             let band = [(60, y - 38), (1860, y + 38)];
             canvas.draw(&Rectangle::new(band, FAINT.mix(0.3).filled()))?;
         }
-        text(canvas, name, (200, y), 40, INK)?;
+        text(canvas, name, (200, y), 48, INK)?;
         for lane in 0..CHILDREN {
             let x = 460 + 180 * lane as i32;
-            text(canvas, &cell(lane), (x, y), 40, colour(met, lane))?;
+            text(canvas, &cell(lane), (x, y), 48, colour(met, lane))?;
         }
     }
     Ok(())

@@ -6,15 +6,15 @@ use crate::kit::stage::Drawn;
 use plotters::prelude::{Color, PathElement, Rectangle};
 
 /// Height of a bar, and of the space for a bar, in pixels of the canvas.
-const BAR: i32 = 76;
-const ROW: i32 = 120;
+const BAR: i32 = 56;
+const ROW: i32 = 84;
 /// Where the bars begin and the longest one ends, in pixels of the canvas.
 const BEGIN: i32 = 620;
 const END: i32 = 1580;
 /// The canvas, in its pixels.
 const WIDTH: u32 = 1920;
-const HEAD: i32 = 150;
-const FOOT: i32 = 130;
+const HEAD: i32 = 110;
+const FOOT: i32 = 100;
 
 /// A bar chart: bars from 0, one under the other, each with its name and its number.
 #[derive(Clone, Copy, Debug)]
@@ -72,7 +72,7 @@ impl Bars<'_> {
         }
         let axis = vec![(BEGIN, HEAD), (BEGIN, bottom)];
         canvas.draw(&PathElement::new(axis, FAINT.stroke_width(4)))?;
-        centred(self.note, bottom + FOOT / 2, 34)
+        centred(self.note, bottom + FOOT / 2, 38)
     }
 }
 

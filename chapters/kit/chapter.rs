@@ -8,7 +8,7 @@ use crate::kit::terminal::colourless;
 use crate::kit::untrusted::Untrusted;
 use crate::kit::vary::{self, Vary};
 use crate::lesson::{self, Lesson};
-use clap::{Args, Command, FromArgMatches};
+use clap::{Arg, ArgAction, Args, Command, FromArgMatches};
 use raybook_workbook::answer::unwritten;
 use std::env;
 use std::error::Error;
@@ -67,7 +67,7 @@ fn drawn(called: &str, chapter: &str, words: &[OsString]) -> Result<Vec<Output>,
     let shared = Shared::from_arg_matches(&matches)?;
     let turned = knobs::turned(&lesson.knobs(), &matches);
     let show = shared.show && can_show();
-    if let Some(what) = &shared.vary.vary {
+    if let Some(what) = shared.vary.one()? {
         let strip = vary::draw(lesson, &shared.options, &turned, what, &shared.vary)?;
         return Ok(vec![strip]);
     }
@@ -81,15 +81,24 @@ fn drawn(called: &str, chapter: &str, words: &[OsString]) -> Result<Vec<Output>,
     Ok(stage.into_outputs())
 }
 
-/// The command of a chapter: the options of all chapters, then its own knobs, and examples.
+/// The command of a chapter: examples, its own knobs, then the options of all chapters.
 fn command(lesson: &Lesson, called: &str) -> Command {
+    // The short help, for `--help` too: a line for each option.
+    let help = Arg::new("help")
+        .short('h')
+        .long("help")
+        .action(ArgAction::HelpShort)
+        .help("Print this help");
     let command = Command::new(lesson.name)
         .bin_name(called)
         .no_binary_name(true)
-        .next_help_heading("Pictures");
-    let command = Shared::augment_args(command).next_help_heading(lesson.chapter().title);
-    (lesson.add_knobs)(command)
+        .disable_help_flag(true)
+        .next_help_heading(lesson.chapter().title);
+    let command = (lesson.add_knobs)(command).next_help_heading("Pictures");
+    Shared::augment_args(command)
+        .arg(help)
         .about(lesson.teaches())
+        .help_template("{about}\n\n{usage-heading} {usage}{after-help}\n\n{all-args}")
         .after_help(examples(lesson, called))
 }
 
@@ -107,7 +116,10 @@ fn examples(lesson: &Lesson, called: &str) -> String {
             "  {called} --vary {name}={one},{two} --width 320\n"
         ))
     });
-    format!("Examples:\n{first}{}", varied.unwrap_or_default())
+    format!(
+        "Examples:\n{first}{}",
+        varied.unwrap_or_default().trim_end()
+    )
 }
 
 /// Whether there is a terminal that shows pictures; says why if not.

@@ -25,10 +25,10 @@ pub fn sheet(columns: usize, tiles: &[(&str, Image)]) -> Sheet {
             .all(|(_, t)| (t.width(), t.height()) == (width, height)),
         "the tiles of a sheet have one size"
     );
-    // The letters are as large in a sheet of five columns as in one of two.
-    let band = (columns * width / 36).clamp(20, 40);
-    let (across, down) = (width + GAP, band + height + GAP);
+    // The letters are as large in a sheet of five columns as in one of two, and larger in a high one, which is shown smaller.
     let rows = tiles.len().div_ceil(columns);
+    let band = (columns * width / 36).max(rows * height / 21).clamp(20, 60);
+    let (across, down) = (width + GAP, band + height + GAP);
     let mut whole = Image::from_fn(columns * across + GAP, rows * down + GAP, |_, _| Rgb::WHITE);
     for (i, (text, tile)) in tiles.iter().enumerate() {
         let (left, top) = (GAP + i % columns * across, GAP / 2 + i / columns * down);

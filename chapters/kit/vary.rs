@@ -15,8 +15,8 @@ use std::path::Path;
 #[derive(Args, Debug)]
 pub struct Vary {
     /// Draw the picture that a knob changes at several values of this knob, side by side; --vary samples=1,4,16 works, too
-    #[arg(long, value_name = "KNOB=A,B,…", value_parser = varied)]
-    pub vary: Option<Varied>,
+    #[arg(id = "vary", long, value_name = "KNOB=A,B,…", value_parser = varied)]
+    knobs: Vec<Varied>,
     /// Draw only the picture with this file's name; with --vary, vary this picture
     #[arg(long)]
     pub picture: Option<String>,
@@ -30,6 +30,27 @@ pub struct Vary {
 pub struct Varied {
     name: String,
     values: Vec<String>,
+}
+
+impl Vary {
+    /// What is varied, if anything is.
+    ///
+    /// # Errors
+    /// If several knobs are: the error says what to write instead.
+    pub fn one(&self) -> Result<Option<&Varied>, String> {
+        match &self.knobs[..] {
+            [] => Ok(None),
+            [one] => Ok(Some(one)),
+            [one, other, ..] if one.name == other.name => Err(format!(
+                "--vary is there twice: write all values of {0} behind one --vary, as in --vary {0}={1},{2}",
+                one.name, one.values[0], other.values[0]
+            )),
+            [one, other, ..] => Err(format!(
+                "--vary is there twice, and varies one knob: vary {0}, and give {1} one value with --{1} {2}",
+                one.name, other.name, other.values[0]
+            )),
+        }
+    }
 }
 
 /// Width of the whole strip, in pixels, if no width is asked for.

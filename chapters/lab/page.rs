@@ -18,6 +18,10 @@ use std::panic::resume_unwind;
 use std::path::PathBuf;
 use std::thread::{self, JoinHandle};
 
+/// Width of a row of pictures on a page of 1400 pixels, and of the space beside each picture, in pixels.
+const ROW: usize = 1368;
+const GAP: usize = 8;
+
 /// A page that grows section by section, and the folder of its files.
 #[derive(Debug)]
 pub struct Page {
@@ -112,22 +116,28 @@ impl Page {
         }
     }
 
-    /// Shows pictures that were written, a column for each pattern and a row for each number of samples, without scaling them.
+    /// Shows pictures that were written, unscaled: a figure for each number of samples, with a picture for each pattern. The pictures
+    /// are in as few rows as a wide page allows, and all rows are equally long.
     pub fn tiles(&mut self, alt: &str, how: &str, tiles: &Tiles) {
-        let columns = format!(
-            "grid-template-columns: repeat({}, max-content)",
-            tiles.patterns.len()
+        let (width, count) = (tiles.width, tiles.patterns.len());
+        let rows = (count * (width + GAP)).div_ceil(ROW).max(1);
+        let style = format!(
+            "--width: {width}px; max-width: {}px",
+            count.div_ceil(rows) * (width + GAP)
         );
-        let width = tiles.width;
-        self.add(html! { figure {
-            div class="pixels" style=(columns) tabindex="0" role="group" aria-label=(alt) {
-                @for samples in tiles.samples { @for (key, title) in tiles.patterns { span {
-                    (title) ", " (samples)
-                    img src={ (tiles.target) "_" (key) "_" (samples) ".png" } alt={ (tiles.target) ", " (title) ", " (samples) " samples" } width=(width) height=(width) loading="lazy";
-                } } }
-            }
-            figcaption { (alt) " " (self.how(how)) }
-        } });
+        for samples in tiles.samples {
+            let plural = if *samples == 1 { "" } else { "s" };
+            let alt = format!("{alt}, with {samples} sample{plural} per pixel.");
+            self.add(html! { figure {
+                div class="pixels" style=(style) tabindex="0" role="group" aria-label=(alt) {
+                    @for (key, title) in tiles.patterns { span {
+                        (title)
+                        img src={ (tiles.target) "_" (key) "_" (samples) ".png" } alt={ (tiles.target) ", " (title) ", " (samples) " sample" (plural) } width=(width) height=(width) loading="lazy";
+                    } }
+                }
+                figcaption { (alt) " " (self.how(how)) }
+            } });
+        }
     }
 
     /// Shows two of the pictures in turns.

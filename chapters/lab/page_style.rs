@@ -9,15 +9,18 @@ body { max-width: 1420px }
 .scroll > a > img, .scroll > img { width: auto; max-width: none; display: block }
 figcaption { max-width: 43em; margin-top: .4em } figcaption code { font-size: 13px }
 .pixels img, .flip img { width: auto; height: auto; max-width: none; image-rendering: pixelated; display: block }
-.pixels { display: grid; gap: .5rem; justify-content: start; overflow-x: auto; padding-bottom: 1rem }
+.pixels { display: grid; grid-template-columns: repeat(auto-fill, var(--width)); gap: 8px; padding-bottom: .5rem }
 .pixels span { font-size: 15px }
+@media (max-width: 700px) { .pixels { grid-auto-flow: column; grid-template-columns: none; justify-content: start; overflow-x: auto } }
+th, td { padding: .2em .45em }
 th { vertical-align: bottom } th button { font: inherit; font-weight: bold; border: 0; background: none; color: inherit; cursor: pointer; text-align: inherit; padding: .3em 0 }
 th button::after { content: ' ↕'; opacity: .5 } th[aria-sort=ascending] button::after { content: ' ↑'; opacity: 1 } th[aria-sort=descending] button::after { content: ' ↓'; opacity: 1 }
 th:last-child, td:last-child { text-align: left; min-width: 15em } dt { font-weight: bold } dd { margin: 0 0 .4em 1.5em }
 .flip { margin-top: 1rem } .flip label { margin-right: 1em } .flip select, .flip button { font: inherit } .flip p { margin: .5em 0 }
 body.slides { max-width: none; margin: 0; padding: 0 } body.slides .screen { min-height: 100vh; box-sizing: border-box; padding: 2vh 3vw; border: 0; margin: 0 }
 body.slides figcaption, body.slides section > p { font-size: 22px; max-width: none } body.slides figcaption code { font-size: 17px }
-body.slides .scroll > a > img { height: 68vh; max-width: 94vw; object-fit: contain; margin: auto } body.slides .figures { justify-content: center }
+body.slides figure { height: 96vh; display: flex; flex-direction: column } body.slides figure > .scroll, body.slides figure > .scroll > a { flex: 1; min-height: 0; display: flex }
+body.slides .scroll > a > img { width: 94vw; min-height: 0; object-fit: contain; margin: auto } body.slides .figures { justify-content: center }
 html:has(body.slides) { scroll-snap-type: y proximity } body.slides .screen { scroll-snap-align: start }
 body.slides table { font-size: 17px } body.slides th, body.slides td { padding: .3em .5em } body.slides td:first-child { white-space: nowrap }
 body.slides th:last-child, body.slides td:last-child { display: none } body.slides dl { columns: 2; font-size: 19px } body.slides dd { break-before: avoid }";

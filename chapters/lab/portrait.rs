@@ -19,9 +19,9 @@ use raybook::image::rgb::Rgb;
 use std::fmt::Write;
 
 /// The picture of the spectrum: its side, its left and its top, in pixels of the canvas.
-const SIDE: i32 = 480;
+const SIDE: i32 = 420;
 const LEFT_OF_IT: i32 = 110;
-const ABOVE_IT: i32 = 90;
+const ABOVE_IT: i32 = 80;
 
 /// Colour bar: how far to the right of the picture, and how wide.
 const BAR: (i32, i32) = (26, 30);
@@ -264,7 +264,7 @@ pub fn picture(spectrum: &Spectrum) -> Image {
 
 impl Plot for Portrait {
     fn size(&self) -> (u32, u32) {
-        (1160, 700)
+        (1160, 600)
     }
 
     fn draw<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn

@@ -100,7 +100,7 @@ impl Lab<'_> {
             let sets = PointSets {
                 subjects: &self.settings.subjects,
                 n,
-                columns: 4,
+                columns: self.settings.subjects.len().div_ceil(3).max(4),
             };
             self.page.plot(&format!("points_{n}"), &alt, &how, &sets)?;
         }
@@ -274,8 +274,7 @@ impl Lab<'_> {
             width: self.settings.width,
         };
         for (key, name, _) in &targets {
-            let alt =
-                format!("The {name}: a column for each pattern, a row for each number of samples.");
+            let alt = format!("The {name}");
             let size = format!("{0} × {0} pixels", self.settings.width);
             let how = format!(
                 "{size}, one of 256 realisations in each pixel, seed {}",

@@ -85,6 +85,12 @@ fn pixel(p: Vec3) -> (i32, i32) {
     ((ZOOM * x) as i32, (ZOOM * y) as i32)
 }
 
+/// Height of a number, in pixels of the canvas: on a projector with 720 lines, `raybook present` shows it 12 pixels high.
+const NUMBER: f32 = 58.0;
+
+/// A number fits into a cell if it takes at most this share of the cell's side.
+const FITS: f32 = 0.82;
+
 /// Width of a digit, as a multiple of its height.
 const DIGIT: f32 = 0.6;
 
@@ -125,16 +131,18 @@ impl Plane<'_, '_> {
         Ok(())
     }
 
-    /// A visited cell: filled, with its number in a corner.
+    /// A visited cell: filled, with its number in a corner if the cell has room for it.
     ///
     /// # Errors
     /// As for [`Plane::cell`].
     pub fn visited(&self, cell: &Aabb, number: usize, line: u32) -> Drawn {
         self.cell(cell, Some((ORANGE, 0.45)), line)?;
-        let size = (44.0 * cell.size().x).clamp(35.0, 44.0);
-        let words = number.to_string();
-        let corner = place_of_number(cell, words.len(), size / ZOOM);
-        write(self.0, &words, pixel(corner), text(size))
+        let (words, side) = (number.to_string(), ZOOM * cell.size().x);
+        if NUMBER.max(NUMBER * DIGIT * words.len() as f32) > FITS * side {
+            return Ok(());
+        }
+        let corner = place_of_number(cell, words.len(), NUMBER / ZOOM);
+        write(self.0, &words, pixel(corner), text(NUMBER))
     }
 
     fn arrow(&self, from: Vec3, to: Vec3) -> Drawn {

@@ -6,6 +6,7 @@
 use raybook::image::Image;
 use raybook::image::compare::{Tolerance, compare};
 use raybook::image::file;
+use raybook_chapters::kit::figure::SCALE;
 use raybook_chapters::kit::options::Options;
 use raybook_chapters::kit::stage::{Stage, progress_bar};
 use raybook_chapters::lesson::Lesson;
@@ -20,6 +21,12 @@ const WIDTH: u32 = 96;
 
 /// Enough that no pixel is a matter of luck.
 const SAMPLES: u32 = 4;
+
+/// Room that `raybook present` has for a picture on a projector with 1280 × 720 pixels, beside the knobs and above a caption of three lines.
+const ROOM: (f64, f64) = (955.0, 515.0);
+
+/// Height of the smallest letters that are allowed there, in pixels.
+const LETTER: f64 = 12.0;
 
 #[test]
 fn every_chapter_draws_its_golden_picture_on_one_thread_and_on_two() {
@@ -51,6 +58,35 @@ fn draws_its_golden_picture(lesson: &Lesson) {
     });
     assert_same_files(&one, &two);
     assert_golden(lesson.name, &one.join("picture.exr"));
+    assert_large_letters(&one);
+}
+
+/// Who sits in the last row reads every drawing.
+fn assert_large_letters(folder: &Path) {
+    for file in fs::read_dir(folder).expect("the chapter has made its folder") {
+        let file = file.expect("the folder can be read").path();
+        if file.extension().is_none_or(|extension| extension != "svg") {
+            continue;
+        }
+        let text = fs::read_to_string(&file).expect("text");
+        let numbers = |name: &str| {
+            let begin = format!(" {name}=\"");
+            let number = |rest: &str| rest.split('"').next()?.parse::<f64>().ok();
+            let values = text.split(&begin).skip(1);
+            values
+                .map(|rest| number(rest).expect("a number"))
+                .collect::<Vec<_>>()
+        };
+        let shown = (ROOM.0 / numbers("width")[0]).min(ROOM.1 / numbers("height")[0]);
+        for size in numbers("font-size") {
+            let size = size / f64::from(SCALE) * shown;
+            assert!(
+                size >= LETTER,
+                "{}: a letter of {size} pixels",
+                file.display()
+            );
+        }
+    }
 }
 
 /// The seed alone decides, in every figure.

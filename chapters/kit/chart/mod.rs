@@ -61,7 +61,7 @@ impl Chart {
             title: String::new(),
             x,
             y,
-            text: 34,
+            text: 35,
             legend: None,
             left: None,
             things: Vec::new(),
@@ -75,7 +75,7 @@ impl Chart {
         self
     }
 
-    /// With this size of text in pixels, instead of 34.
+    /// With this size of text in pixels, instead of 35.
     #[must_use]
     pub fn text(mut self, size: i32) -> Self {
         self.text = size;

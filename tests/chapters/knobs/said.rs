@@ -95,6 +95,16 @@ fn nonsense_is_refused_in_a_sentence() {
             "there are picture, roots, cancellation",
         ),
         ("ch03_sphere", &["--animate"], "--vary"),
+        (
+            "ch19_depth_of_field",
+            &["--vary", "f-number=2,4", "--vary", "focus=1,2"],
+            "vary f-number, and give focus one value with --focus 1",
+        ),
+        (
+            "ch19_depth_of_field",
+            &["--vary", "focus=1,2", "--vary", "focus=3"],
+            "write all values of focus behind one --vary",
+        ),
     ] {
         let (code, said, _) = run(chapter, arguments);
         assert_eq!(code, Some(2), "{chapter} {arguments:?}: {said}");
@@ -120,4 +130,12 @@ fn help_has_groups_units_and_an_example() {
     ] {
         assert!(said.contains(expected), "{expected}: {said}");
     }
+    let place = |what: &str| said.find(what).expect("it is there");
+    assert!(
+        place("Examples:") < place("Depth of field:")
+            && place("Depth of field:") < place("Pictures:"),
+        "an example first, then the topic's knobs: {said}"
+    );
+    let empty = said.lines().filter(|line| line.is_empty()).count();
+    assert_eq!(empty, 4, "a line for each option: {said}");
 }

@@ -56,6 +56,8 @@ class Words:
 
 def words_of(value: Any) -> str:
     """A value as the words of an answer."""
+    if hasattr(value, "tolist"):  # numpy's numbers and arrays
+        value = value.tolist()
     if value is None:
         return "none"
     if isinstance(value, bool):

@@ -117,6 +117,29 @@ fn a_loop_that_never_ends_is_found_in_a_folder_in_python() {
 }
 
 #[test]
+fn a_list_is_a_vector_in_python_where_a_vector_is_asked_for() {
+    if !there_is("/usr/bin/python3") {
+        return;
+    }
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let folder = new(home.path(), "rays", Language::Python);
+    let file = folder.join("ch01_rays.py");
+    let text = fs::read_to_string(&file).expect("it can be read");
+    let stub = "    raise NotImplementedError(\"ray_at\")";
+    // As an array of numpy does, which need not be there.
+    let array = "    class Array:\n        def tolist(self):\n            return [p.x, p.y, p.z]";
+    for value in ["[p.x, p.y, p.z]", "(p.x, p.y, p.z)", "Array()"] {
+        let body = format!("    p = ray.origin + t * ray.direction\n{array}\n    return {value}");
+        fs::write(&file, text.replace(stub, &body)).expect("it can be written");
+        let (code, said) = raybook_with(&folder, &["check", "ray_at"], &[WITHOUT_RUST]);
+        assert!(
+            code == 0 && said.contains("40 of 40 cases right"),
+            "{value}: {said}"
+        );
+    }
+}
+
+#[test]
 fn a_new_folder_in_python_has_sound_types() {
     // A shell finds it where a user has it; the tests need it no further.
     if !there_is("mypy") {
@@ -143,7 +166,17 @@ fn a_new_folder_in_cpp_is_all_to_do_and_compiles_without_a_warning() {
     assert_eq!(said, "", "not a word");
     is_all_to_do(&folder);
 
-    fs::write(folder.join("ch01_rays.cpp"), "int broken(\n").expect("it can be written");
+    let (file, stub) = (folder.join("ch01_rays.cpp"), "todo(\"ray_at\", ray, t);");
+    let text = fs::read_to_string(&file).expect("it can be read");
+    let forgotten = text.replace(stub, "ray.origin + t * ray.direction;");
+    fs::write(&file, forgotten).expect("it can be written");
+    let (code, said) = raybook_with(&folder, &["check", "ray_at"], &[WITHOUT_RUST]);
+    assert!(
+        text.contains(stub) && code == 2 && said.contains("return-type"),
+        "a forgotten `return` does not end in the next function: {said}"
+    );
+
+    fs::write(file, "int broken(\n").expect("it can be written");
     let (code, said) = raybook_with(&folder, &["check"], &[WITHOUT_RUST]);
     assert!(
         code == 2 && said.contains("ch01_rays.cpp:1:") && said.contains("does not compile"),

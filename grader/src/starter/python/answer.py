@@ -62,7 +62,13 @@ def say_where(_signal: int, frame: Any) -> None:
 def called(name: str, arguments: Tuple[Any, ...]) -> str:
     """What a function returns, in words. A chapter is loaded when it is asked for: an error in one leaves the others be."""
     function = getattr(importlib.import_module(CHAPTERS[name][0]), name)
-    return words_of(function(*arguments))
+    value = function(*arguments)
+    if hasattr(value, "tolist"):  # an array of numpy
+        value = value.tolist()
+    declared = str(function.__annotations__.get("return", "list"))
+    if isinstance(value, list) and "list" not in declared.lower():
+        value = tuple(value)  # [x, y, z] is a vector, where a vector is asked for
+    return words_of(value)
 
 
 def answer(line: str) -> str:
@@ -83,7 +89,7 @@ def answers(name: str, lines: List[str]) -> Iterator[str]:
         function = getattr(importlib.import_module(CHAPTERS[name][0]), f"{name}_batch", None)
         questions = [arguments_of(line) for line in lines]
     except Exception:
-        function = None  # Each question says by itself what is wrong.
+        function, questions = None, []  # Each question says by itself what is wrong.
     if function is None:
         return map(answer, lines)
     said = guarded(name, lambda: batch.answers(function, questions))

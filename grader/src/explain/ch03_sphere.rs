@@ -68,6 +68,27 @@ fn book_roots(way: &mut Way, [a, b, c]: [f64; 3]) -> Option<[f64; 2]> {
     Some(sorted(way, t0, t1))
 }
 
+/// The roots by the normalised equation t² + p t + q = 0.
+fn normalised_roots(way: &mut Way, [a, b, c]: [f64; 3]) -> Option<[f64; 2]> {
+    let p = way.part("p = B/A", b / a);
+    let q = way.part("q = C/A", c / a);
+    let last = way.part("q above the other root", q);
+    let half = way.part("p/2", 0.5 * p);
+    let square = way.part("(p/2)²", half * half);
+    let discriminant = way.part("(p/2)² − q", square - q);
+    if way.decides("the discriminant is negative", discriminant < 0.0) {
+        return None;
+    }
+    let root = way.part("√((p/2)² − q)", discriminant.sqrt());
+    let middle = way.part("−p/2", -half);
+    let large = way.part("the root of the larger size", middle - root.copysign(half));
+    if way.decides("both roots are 0", large == 0.0) {
+        return Some([0.0; 2]);
+    }
+    let small = way.part("q/the other root", last / large);
+    Some(sorted(way, large, small))
+}
+
 /// A way to the real roots of a quadratic equation.
 type Roots = fn(&mut Way, [f64; 3]) -> Option<[f64; 2]>;
 
@@ -84,38 +105,11 @@ fn solved(asked: &SolveQuadratic, way: &mut Way, roots: Roots) -> Option<Vec2> {
     Some(both.as_vec2())
 }
 
-/// The same by the normalised equation t² + p t + q = 0.
-fn by_halves(asked: &SolveQuadratic, way: &mut Way) -> Option<Vec2> {
-    let a = way.part("A", f64::from(asked.a));
-    if way.decides("A is 0", a == 0.0) {
-        return None;
-    }
-    let p = way.part("p = B/A", f64::from(asked.b) / a);
-    let c = way.part("C", f64::from(asked.c));
-    let q = way.part("q = C/A", c / a);
-    let last = way.part("q above the other root", q);
-    let half = way.part("p/2", 0.5 * p);
-    let square = way.part("(p/2)²", half * half);
-    let discriminant = way.part("(p/2)² − q", square - q);
-    if way.decides("the discriminant is negative", discriminant < 0.0) {
-        return None;
-    }
-    let root = way.part("√((p/2)² − q)", discriminant.sqrt());
-    let middle = way.part("−p/2", -half);
-    let large = way.part("the root of the larger size", middle - root.copysign(half));
-    if way.decides("both roots are 0", large == 0.0) {
-        return Some(Vec2::ZERO);
-    }
-    let small = way.part("q/the other root", last / large);
-    let [t0, t1] = sorted(way, large, small);
-    Some(dvec2(t0, t1).as_vec2())
-}
-
 impl Explained for SolveQuadratic {
     const WAYS: &'static [fn(&Self, &mut Way) -> Option<Vec2>] = &[
         Self::work,
         |asked, way| solved(asked, way, book_roots),
-        by_halves,
+        |asked, way| solved(asked, way, normalised_roots),
     ];
 
     fn work(&self, way: &mut Way) -> Option<Vec2> {
@@ -227,6 +221,7 @@ impl Explained for SphereHit {
         Self::work,
         |asked, way| by_equation(asked, way, roots),
         |asked, way| by_equation(asked, way, book_roots),
+        |asked, way| by_equation(asked, way, normalised_roots),
         by_chord,
         by_pythagoras,
     ];

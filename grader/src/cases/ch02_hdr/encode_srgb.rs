@@ -100,6 +100,18 @@ impl Graded for EncodeSrgb {
                 }
             },
         },
+        Mistake {
+            name: "takes a pure power, a gamma of 2.2, above the straight piece",
+            hint: "What stands beside the power of v in the formula, and which exponent has it?",
+            answer: |q| {
+                let v = q.v.clamp(0.0, 1.0);
+                if v <= 0.003_130_8 {
+                    12.92 * v
+                } else {
+                    v.powf(1.0 / 2.2)
+                }
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -204,6 +204,36 @@ impl Graded for SphereHit {
                     .find(|t| q.within.contains(*t))
             },
         },
+        Mistake {
+            name: "takes d·m for 2 d·m in the equation, and all else as if the 2 were there",
+            hint: "Write (m + t·d)² out: how often does d·m occur in it?",
+            answer: |q| {
+                let (d, m) = (*q.ray.direction, q.ray.origin - q.center);
+                let (b, c) = (d.dot(m), m.length_squared() - q.radius * q.radius);
+                let root = (b * b - 4.0 * c).sqrt();
+                [0.5 * (-b - root), 0.5 * (-b + root)]
+                    .into_iter()
+                    .find(|t| q.within.contains(*t))
+            },
+        },
+        Mistake {
+            name: "returns the root that is nearest to the origin, ahead of it or behind",
+            hint: "A root behind the origin may be nearer than the one that you see: is it between min and max?",
+            answer: |q| {
+                let near = both(q)?.to_array().into_iter();
+                near.filter(|t| *t < q.within.max)
+                    .min_by(|a, b| a.abs().total_cmp(&b.abs()))
+            },
+        },
+        Mistake {
+            name: "asks only whether the root that is nearest to the origin counts",
+            hint: "The root behind the origin may be the nearer of the two: what about the other one then?",
+            answer: |q| {
+                pick(q, |near, far| {
+                    Some(if near.abs() <= far.abs() { near } else { far })
+                })
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -151,6 +151,26 @@ impl Graded for BoxClip {
             hint: "At an edge, the ray enters and leaves at the same t: is that empty?",
             answer: |q| BoxClip::answer(q).filter(|part| part.min < part.max),
         },
+        Mistake {
+            name: "keeps the union of the slabs and the interval, not their overlap",
+            hint: "To be inside the box, the ray must be inside all three slabs and in the interval at once: is that the earliest entry or the latest?",
+            answer: |q| {
+                let slabs: Vec<_> = (0..3)
+                    .filter(|&axis| q.ray.direction[axis] != 0.0)
+                    .map(|axis| slab(q, axis))
+                    .collect();
+                let beside = |axis: usize| {
+                    let o = q.ray.origin[axis];
+                    q.ray.direction[axis] == 0.0 && !(q.min[axis]..=q.max[axis]).contains(&o)
+                };
+                if (0..3).any(beside) {
+                    return None;
+                }
+                let min = slabs.iter().fold(q.within.min, |min, slab| min.min(slab.0));
+                let max = slabs.iter().fold(q.within.max, |max, slab| max.max(slab.1));
+                finish(min, max)
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

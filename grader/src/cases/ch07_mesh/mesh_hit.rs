@@ -148,6 +148,21 @@ impl Graded for MeshHit {
                     .min_by(|a, b| a.t.total_cmp(&b.t))
             },
         },
+        Mistake {
+            name: "keeps the nearest hit ahead of the origin, and asks only then whether it is behind the interval's min",
+            hint: "A triangle lies before the interval, and another one in it: which of the two do you keep?",
+            answer: |q| counted_last(q, 0.0, |hit| hit.t),
+        },
+        Mistake {
+            name: "keeps the first hit of the whole line, and asks only then whether it is behind the interval's min",
+            hint: "A triangle lies behind the origin, and another one ahead: which of the two do you keep?",
+            answer: |q| counted_last(q, f32::NEG_INFINITY, |hit| hit.t),
+        },
+        Mistake {
+            name: "keeps the hit with the least |t|, and asks only then whether it counts",
+            hint: "A triangle close behind the origin, and one farther ahead: which of the two is in the interval?",
+            answer: |q| counted_last(q, f32::NEG_INFINITY, |hit| hit.t.abs()),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {
@@ -194,4 +209,18 @@ fn hits(q: &MeshHit) -> impl Iterator<Item = MeshHitAnswer> {
         };
         MeshHit::answer(&alone).map(|hit| MeshHitAnswer { id, ..hit })
     })
+}
+
+/// The least of the hits from `min` on by an order, if it is in the interval.
+fn counted_last(
+    q: &MeshHit,
+    min: f32,
+    order: impl Fn(&MeshHitAnswer) -> f32,
+) -> Option<MeshHitAnswer> {
+    let all = MeshHit {
+        within: Interval::new(min, q.within.max),
+        ..q.clone()
+    };
+    let least = hits(&all).min_by(|a, b| order(a).total_cmp(&order(b)));
+    least.filter(|hit| q.within.contains(hit.t))
 }

@@ -77,6 +77,18 @@ impl Graded for GridWalk {
         }
     }
 
+    /// Without the cells that the ray only touches.
+    fn canonical(q: &GridWalk, visits: Vec<Visit>) -> Vec<Visit> {
+        let mut enter = start(q);
+        let mut kept = visits;
+        kept.retain(|visit| {
+            let touched = (visit.leave - enter).abs() <= touch(q);
+            enter = visit.leave;
+            !touched || is_there(q, visit).is_err()
+        });
+        kept
+    }
+
     const POSITIVE: &'static [&'static str] = &["cell"];
 
     const FLAWS: &'static [Flaw] = &[
@@ -279,22 +291,34 @@ impl Graded for GridWalk {
         Mistake {
             name: "takes 1/d, not cell/d, for the way between two planes",
             hint: "How far is it along the ray from one plane to the next, if a cell is 0.7 m wide?",
-            answer: |q| added(q, |_, d| (1.0 / d).abs(), |_| 0.0, f32::floor),
+            answer: |q| {
+                let apart = |_, d: f32| (1.0 / d).abs();
+                added(q, Adding { apart, ..ADDING })
+            },
         },
         Mistake {
             name: "subtracts the way between two planes where the ray goes backwards",
             hint: "Along an axis with a negative direction, does t grow or fall from plane to plane? What is the sign of cell/d?",
-            answer: |q| added(q, |cell, d| cell / d, |_| 0.0, f32::floor),
+            answer: |q| {
+                let apart = |cell, d| cell / d;
+                added(q, Adding { apart, ..ADDING })
+            },
         },
         Mistake {
             name: "measures the first planes from where the ray enters the grid",
             hint: "From where is t measured: from the ray's origin, or from the place where the ray enters?",
-            answer: |q| added(q, |cell, d| (cell / d).abs(), start, f32::floor),
+            answer: |q| {
+                let late = start;
+                added(q, Adding { late, ..ADDING })
+            },
         },
         Mistake {
             name: "rounds to the nearest cell where the ray begins",
             hint: "A ray at 0.7 of a cell's width is in this cell: which one does your rounding give?",
-            answer: |q| added(q, |cell, d| (cell / d).abs(), |_| 0.0, f32::round),
+            answer: |q| {
+                let rounded = f32::round;
+                added(q, Adding { rounded, ..ADDING })
+            },
         },
         Mistake {
             name: "says how long the ray stays in a cell, not where it leaves",
@@ -309,6 +333,17 @@ impl Graded for GridWalk {
                         Visit { leave, ..visit }
                     })
                     .collect()
+            },
+        },
+        Mistake {
+            name: "crosses the farthest plane first, as far as the lattice reaches",
+            hint: "The ray leaves the cell through the face that it meets first: is the distance to it the least or the greatest of the three?",
+            answer: |q| {
+                let clipped = slab::clip(&q.lattice().bounds(), &q.ray, q.within);
+                let mut inside = q.clone();
+                inside.within = clipped.unwrap_or(q.within);
+                let chosen = |next| by_distance(next).pop();
+                added(&inside, Adding { chosen, ..ADDING })
             },
         },
     ];
@@ -362,14 +397,18 @@ fn is_there(q: &GridWalk, visit: &Visit) -> Verdict {
     }
 }
 
+/// A ray that is no longer than this in a cell only touches it.
+fn touch(q: &GridWalk) -> f32 {
+    1e-3 * q.cell.min_element()
+}
+
 /// The visits without those of cells that the ray only touches, as in an edge or a corner: in which order these come,
 /// and whether they do, is left to rounding.
 fn passed(q: &GridWalk, visits: &[Visit]) -> Vec<Visit> {
-    let touch = 1e-3 * q.cell.min_element();
     let mut enter = start(q);
     let mut passed = Vec::new();
     for visit in visits {
-        let touched = visit.leave - enter <= touch;
+        let touched = visit.leave - enter <= touch(q);
         enter = visit.leave;
         if !touched {
             passed.push(visit.clone());
@@ -476,14 +515,28 @@ fn student(
     visits
 }
 
-/// A walk that adds the way between two planes in every step (Amanatides and Woo 1987). `apart` is that way, from the extent of a cell and the
-/// direction; `late` is what the distances of the first planes lack; `rounded` makes a cell's number of a place in the lattice.
-fn added(
-    q: &GridWalk,
+/// What may be mistaken in a walk that adds the way between two planes in every step.
+struct Adding {
+    /// The way between two planes, from the extent of a cell and the direction.
     apart: fn(f32, f32) -> f32,
+    /// What the distances of the first planes lack.
     late: fn(&GridWalk) -> f32,
+    /// A cell's number, from a place in the lattice.
     rounded: fn(f32) -> f32,
-) -> Vec<Visit> {
+    /// The axis along which the ray leaves a cell.
+    chosen: fn([f32; 3]) -> Option<usize>,
+}
+
+/// The walk without a mistake.
+const ADDING: Adding = Adding {
+    apart: |cell, d| (cell / d).abs(),
+    late: |_| 0.0,
+    rounded: f32::floor,
+    chosen: |next| nearest(next).first().copied(),
+};
+
+/// A walk that adds the way between two planes in every step (Amanatides and Woo 1987).
+fn added(q: &GridWalk, by: Adding) -> Vec<Visit> {
     let lattice: Lattice = q.lattice();
     if slab::clip(&lattice.bounds(), &q.ray, q.within).is_none() {
         return Vec::new();
@@ -491,7 +544,7 @@ fn added(
     let (o, d) = (q.ray.origin, *q.ray.direction);
     let place = (q.ray.at(start(q)) - lattice.min) / lattice.cell;
     let last = lattice.resolution.as_ivec3() - 1;
-    let mut cell = place.to_array().map(rounded).map(|i| i as i32);
+    let mut cell = place.to_array().map(by.rounded).map(|i| i as i32);
     for axis in 0..3 {
         cell[axis] = cell[axis].clamp(0, last[axis]);
     }
@@ -501,12 +554,14 @@ fn added(
         if d[axis] == 0.0 {
             f32::INFINITY
         } else {
-            t - late(q)
+            t - (by.late)(q)
         }
     });
     let mut visits = Vec::new();
     for _ in 0..=lattice.resolution.element_sum() {
-        let axis = (0..3).fold(0, |least, i| if next[i] < next[least] { i } else { least });
+        let Some(axis) = (by.chosen)(next) else {
+            break;
+        };
         let [x, y, z] = cell.map(|i| i as u32);
         let leave = next[axis].min(q.within.max);
         visits.push(Visit { x, y, z, leave });
@@ -514,7 +569,7 @@ fn added(
         if next[axis] >= q.within.max || !(0..=last[axis]).contains(&cell[axis]) {
             break;
         }
-        next[axis] += apart(lattice.cell[axis], d[axis]);
+        next[axis] += (by.apart)(lattice.cell[axis], d[axis]);
     }
     visits
 }

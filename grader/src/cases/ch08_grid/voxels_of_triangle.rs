@@ -41,7 +41,7 @@ impl Graded for VoxelsOfTriangle {
 
     fn judge(q: &VoxelsOfTriangle, _golden: &Vec<Cell>, got: &Vec<Cell>) -> Verdict {
         // A cell that the triangle only touches is nobody's fault: these must be there, and only those may be.
-        let hair = 1e-4 * (q.cell.max_element() + q.min.abs().max_element());
+        let hair = hair(q);
         let with = |margin| grid::voxels_of_triangle(&q.lattice(), margin, &[q.p0, q.p1, q.p2]);
         let (must, may) = (with(q.margin - hair), with(q.margin + hair));
         let got: Vec<_> = got.iter().map(|c| uvec3(c.x, c.y, c.z)).collect();
@@ -67,6 +67,19 @@ impl Graded for VoxelsOfTriangle {
             )),
             None => Ok(()),
         }
+    }
+
+    /// Without the cells that only touch the triangle's bounding box.
+    fn canonical(q: &VoxelsOfTriangle, mut cells: Vec<Cell>) -> Vec<Cell> {
+        let around = Aabb::of([q.p0, q.p1, q.p2]).grown(q.margin);
+        cells.retain(|cell| {
+            let low = q.min + vec3(cell.x as f32, cell.y as f32, cell.z as f32) * q.cell;
+            let gaps = [around.min - (low + q.cell), low - around.max];
+            !gaps
+                .into_iter()
+                .any(|gap| gap.abs().cmple(Vec3::splat(hair(q))).any())
+        });
+        cells
     }
 
     const POSITIVE: &'static [&'static str] = &["cell"];
@@ -123,10 +136,8 @@ impl Graded for VoxelsOfTriangle {
             name: "takes all cells of the bounding box that the triangle's plane cuts",
             hint: "The plane goes on beyond the triangle's edges: along which directions can you tell that a box lies past an edge?",
             answer: |q| {
-                kept(q, |bounds, [p0, p1, p2]| {
-                    let n = (p1 - p0).cross(p2 - p0);
-                    let half = 0.5 * bounds.size() + q.margin;
-                    n.dot(bounds.center() - p0).abs() <= n.abs().dot(half)
+                kept(q, |bounds, corners| {
+                    plane_cuts(&bounds.grown(q.margin), corners)
                 })
             },
         },
@@ -218,7 +229,41 @@ impl Graded for VoxelsOfTriangle {
                 })
             },
         },
+        Mistake {
+            name: "takes all cells of the lattice that the triangle's plane cuts",
+            hint: "The plane goes on beyond the triangle: how far is a cell from the triangle's own bounding box?",
+            answer: |q| {
+                of_lattice(q, |bounds, corners| {
+                    plane_cuts(&bounds.grown(q.margin), corners)
+                })
+            },
+        },
+        Mistake {
+            name: "asks only for the directions across an edge and an axis",
+            hint: "A triangle and a cell may lie one behind the other along x, or on both sides of the triangle's plane: which directions do you have to try beside the nine?",
+            answer: |q| {
+                of_lattice(q, |bounds, corners| {
+                    !is_parted_by_edges(corners, &bounds.grown(q.margin))
+                })
+            },
+        },
+        Mistake {
+            name: "takes all cells that a piece of the triangle's plane within its bounding box cuts, and forgets the margin",
+            hint: "The plane goes on beyond the triangle's edges, and a cell beyond its own planes: how far?",
+            answer: |q| {
+                let without = Self {
+                    margin: 0.0,
+                    ..q.clone()
+                };
+                kept(&without, |bounds, corners| plane_cuts(&bounds, corners))
+            },
+        },
     ];
+}
+
+/// Less than this nobody is to blame for.
+fn hair(q: &VoxelsOfTriangle) -> f32 {
+    1e-4 * (q.cell.max_element() + q.min.abs().max_element())
 }
 
 /// The cells of the triangle's bounding box, grown by the margin, that a test keeps.
@@ -232,17 +277,29 @@ fn kept(q: &VoxelsOfTriangle, keep: impl Fn(Aabb, [Vec3; 3]) -> bool) -> Vec<Cel
         .collect()
 }
 
+/// The cells of the whole lattice that a test keeps.
+fn of_lattice(q: &VoxelsOfTriangle, keep: impl Fn(Aabb, [Vec3; 3]) -> bool) -> Vec<Cell> {
+    let (lattice, corners) = (q.lattice(), [q.p0, q.p1, q.p2]);
+    let cells = range(UVec3::ZERO, lattice.resolution - 1);
+    cells
+        .filter(|&cell| keep(lattice.bounds_of(cell, cell), corners))
+        .map(Cell::from)
+        .collect()
+}
+
+/// Whether the plane in which a triangle lies cuts a box.
+fn plane_cuts(bounds: &Aabb, [p0, p1, p2]: [Vec3; 3]) -> bool {
+    let n = (p1 - p0).cross(p2 - p0);
+    n.dot(bounds.center() - p0).abs() <= n.abs().dot(0.5 * bounds.size())
+}
+
 /// The cells of the lattice that meet the triangle if each is moved along every axis by its size there times `by`.
 fn shifted(q: &VoxelsOfTriangle, by: f32) -> Vec<Cell> {
-    let (lattice, corners) = (q.lattice(), [q.p0, q.p1, q.p2]);
-    let meets = |cell: &UVec3| {
-        let bounds = lattice.bounds_of(*cell, *cell);
+    of_lattice(q, |bounds, corners| {
         let by = by * bounds.size();
         let bounds = Aabb::new(bounds.min + by, bounds.max + by).grown(q.margin);
         triangle_meets_box(&corners, &bounds)
-    };
-    let cells = range(UVec3::ZERO, lattice.resolution - 1);
-    cells.filter(meets).map(Cell::from).collect()
+    })
 }
 
 /// Whether a direction across an axis and an edge parts a box and a triangle.

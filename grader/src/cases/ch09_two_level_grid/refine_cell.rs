@@ -26,6 +26,14 @@ fn without_those_outside(q: &RefineCell, shape: impl Fn(&Corners) -> Corners) ->
     answer
 }
 
+/// The reference's answer without the shapes that are dropped.
+fn without_shapes(q: &RefineCell, drops: impl Fn(&Corners) -> bool) -> RefineCellAnswer {
+    let mut answer = RefineCell::answer(q);
+    let kept = |entry: &Entry| !drops(&q.shapes[entry.shape as usize]);
+    answer.entries.retain(kept);
+    answer
+}
+
 impl Graded for RefineCell {
     fn random(rng: &mut Pcg) -> RefineCell {
         let min = sample::point(rng, 3.0);
@@ -236,13 +244,9 @@ impl Graded for RefineCell {
             name: "drops shapes that reach out of the coarse cell",
             hint: "A shape lies in two coarse cells: which of them names it?",
             answer: |q| {
-                let inside = |i: usize| {
-                    let shape = &q.shapes[i];
-                    shape.min.cmpge(q.min).all() && shape.max.cmple(q.max).all()
-                };
-                let mut answer = RefineCell::answer(q);
-                answer.entries.retain(|entry| inside(entry.shape as usize));
-                answer
+                without_shapes(q, |shape| {
+                    shape.min.cmplt(q.min).any() || shape.max.cmpgt(q.max).any()
+                })
             },
         },
         Mistake {
@@ -340,6 +344,16 @@ impl Graded for RefineCell {
             name: "takes the coarse cell's greatest corner for its extents",
             hint: "How long is a cell that begins at x = 2 and ends at x = 3?",
             answer: |q| cut_for(q, q.max.max(Vec3::ZERO), q.shapes.len(), 255),
+        },
+        Mistake {
+            name: "drops shapes that begin before the coarse cell",
+            hint: "A shape lies in two coarse cells: which of them names it?",
+            answer: |q| without_shapes(q, |shape| shape.min.cmplt(q.min).any()),
+        },
+        Mistake {
+            name: "drops shapes that end behind the coarse cell",
+            hint: "A shape lies in two coarse cells: which of them names it?",
+            answer: |q| without_shapes(q, |shape| shape.max.cmpgt(q.max).any()),
         },
     ];
 }

@@ -188,7 +188,7 @@ impl Graded for TwoLevelWalk {
         Mistake {
             name: "numbers the fine cells along z first",
             hint: "In each coarse cell the fine cells along x come first: by how much does the place grow with x, with y and with z?",
-            answer: |q| numbered(q, |_, [x, y, z], [_, ny, nz]| (x * ny + y) * nz + z),
+            answer: |q| numbered(q, |_, [x, y, z], [_, ny, nz]| z + nz * (y + ny * x)),
         },
         Mistake {
             name: "numbers the fine cells along y first",
@@ -307,6 +307,32 @@ impl Graded for TwoLevelWalk {
                         .unwrap_or(0) as u32
                 };
                 TwoLevelWalk::answer(q).into_iter().map(of).collect()
+            },
+        },
+        Mistake {
+            name: "numbers the fine cells along x first, then z",
+            hint: "In each coarse cell the fine cells along x come first: by how much does the place grow with x, with y and with z?",
+            answer: |q| numbered(q, |_, [x, y, z], [nx, _, nz]| x + nx * (z + nz * y)),
+        },
+        Mistake {
+            name: "looks up the coarse cells along y first",
+            hint: "The coarse cells lie in a row along x first, then y, then z: by how much does the place grow with y, and with z?",
+            answer: |q| looked_up(q, |[x, y, z], [nx, ny, _]| y + ny * (x + nx * z), false),
+        },
+        Mistake {
+            name: "takes every coarse cell before this one to have as many fine cells as this one",
+            hint: "The coarse cells are cut in different ways: how many fine cells lie before those of this one?",
+            answer: |q| {
+                let levels = q.levels();
+                let moved = |place: u32| {
+                    let mut cuts = levels.cuts.iter();
+                    let of = cuts.rposition(|cut| cut.first <= place && cut.resolution.x > 0);
+                    let before = of.unwrap_or(0);
+                    let cut = &levels.cuts[before];
+                    let count = cut.resolution.as_uvec3().element_product();
+                    place - cut.first + before as u32 * count
+                };
+                TwoLevelWalk::answer(q).into_iter().map(moved).collect()
             },
         },
     ];

@@ -291,7 +291,7 @@ impl Graded for OctreeBuild {
         },
         Mistake {
             name: "never cuts",
-            hint: "What does a ray gain from a tree that is a single leaf?",
+            hint: "What does a ray gain from a tree that is a single leaf? If your rule never allows a cut: which share of a child's shapes does a ray test?",
             answer: |q| built(q, |l| Limits { depth: 0, ..l }, reached),
         },
         Mistake {

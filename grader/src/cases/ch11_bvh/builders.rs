@@ -45,11 +45,36 @@ pub(super) fn one_leaf(q: &BvhBuild) -> BvhBuildAnswer {
     }
 }
 
-/// What a cut is said to cost, from the areas of its two sides and the numbers of boxes in them.
-type CutCost = fn([f32; 2], [usize; 2]) -> f32;
+/// Two sides of a node's boxes, and what they are said to cost.
+pub(super) struct Cut {
+    sides: [Vec<u32>; 2],
+    cost: f32,
+}
 
-/// The tree of the cuts that cost least. What a leaf can hold is not cut.
-pub(super) fn cut_by(q: &BvhBuild, cost: CutCost) -> BvhBuildAnswer {
+/// A rule by which at least two boxes are cut in two.
+pub(super) type Cutting = fn(&BvhBuild, &[u32]) -> Cut;
+
+/// When boxes that could be a leaf, or be cut like this, become a leaf.
+pub(super) type Leaf = fn(&BvhBuild, &[u32], &Cut) -> bool;
+
+/// A leaf as soon as the boxes fit in.
+pub(super) const FITS: Leaf = |_, _, _| true;
+
+/// A leaf where it costs no more than the branch and the cut.
+pub(super) const CHEAPER: Leaf = |q, which, cut| {
+    let own = area_around(q, which);
+    own + cut.cost >= own * which.len() as f32
+};
+
+/// A leaf where it costs no more than the cut, as if the branch cost nothing.
+pub(super) const CHEAPER_THAN_THE_CUT: Leaf =
+    |q, which, cut| cut.cost >= area_around(q, which) * which.len() as f32;
+
+/// A leaf of a single box only.
+pub(super) const SINGLE: Leaf = |_, which, _| which.len() == 1;
+
+/// The tree by these rules.
+pub(super) fn built(q: &BvhBuild, cutting: Cutting, leaf: Leaf) -> BvhBuildAnswer {
     let node = |which: &[u32]| {
         let Aabb { min, max } = around(&q.boxes, which);
         NodeRow {
@@ -66,15 +91,17 @@ pub(super) fn cut_by(q: &BvhBuild, cost: CutCost) -> BvhBuildAnswer {
     };
     let mut open = vec![(0, all)];
     while let Some((at, which)) = open.pop() {
-        if which.len() <= q.most.max(1) as usize {
+        let fits = which.len() <= q.most.max(1) as usize;
+        let cut = (which.len() > 1).then(|| cutting(q, &which));
+        let cut = cut.filter(|cut| !(fits && leaf(q, &which, cut)));
+        let Some(cut) = cut else {
             tree.nodes[at].first = tree.order.len() as u32;
             tree.nodes[at].count = which.len() as u32;
             tree.order.extend(which);
             continue;
-        }
-        let sides = cheapest(q, which, cost);
+        };
         tree.nodes[at].first = tree.nodes.len() as u32;
-        for side in sides {
+        for side in cut.sides {
             open.push((tree.nodes.len(), side.clone()));
             tree.nodes.push(node(&side));
         }
@@ -82,31 +109,77 @@ pub(super) fn cut_by(q: &BvhBuild, cost: CutCost) -> BvhBuildAnswer {
     tree
 }
 
-/// The two sides of the cheapest cut between the sorted centres, along any axis.
-fn cheapest(q: &BvhBuild, which: Vec<u32>, cost: CutCost) -> [Vec<u32>; 2] {
-    let n = which.len();
-    let mut best = (f32::INFINITY, which, n / 2);
-    for axis in 0..3 {
-        let mut sorted = best.1.clone();
-        let place = |&i: &u32| center(&q.boxes[i as usize])[axis];
-        sorted.sort_by(|a, b| place(a).total_cmp(&place(b)));
-        let areas = |order: &mut dyn Iterator<Item = &u32>| -> Vec<f32> {
-            let mut bounds = Aabb::EMPTY;
-            let grown = order.map(|&i| {
-                bounds = bounds.union(&Aabb::from(&q.boxes[i as usize]));
-                area(bounds.min, bounds.max)
-            });
-            grown.collect()
-        };
-        let (below, above) = (areas(&mut sorted.iter()), areas(&mut sorted.iter().rev()));
-        for cut in 1..n {
-            let cost = cost([below[cut - 1], above[n - cut - 1]], [cut, n - cut]);
-            if cost < best.0 {
-                best = (cost, sorted.clone(), cut);
+/// The area of the box around some boxes.
+pub(super) fn area_around(q: &BvhBuild, which: &[u32]) -> f32 {
+    let Aabb { min, max } = around(&q.boxes, which);
+    area(min, max)
+}
+
+/// The surface-area heuristic.
+pub(super) fn by_areas(q: &BvhBuild, side: &[u32]) -> f32 {
+    area_around(q, side) * side.len() as f32
+}
+
+/// The boxes in the order of their centres along an axis.
+fn sorted(q: &BvhBuild, which: &[u32], axis: usize) -> Vec<u32> {
+    let mut sorted = which.to_vec();
+    let place = |&i: &u32| center(&q.boxes[i as usize])[axis];
+    sorted.sort_by(|a, b| place(a).total_cmp(&place(b)));
+    sorted
+}
+
+/// The cheapest of all cuts between the sorted centres along some axes, if a side costs this.
+pub(super) fn cheapest(
+    q: &BvhBuild,
+    which: &[u32],
+    axes: impl IntoIterator<Item = usize>,
+    price: fn(&BvhBuild, &[u32]) -> f32,
+) -> Cut {
+    let mut best: Option<Cut> = None;
+    for axis in axes {
+        let sorted = sorted(q, which, axis);
+        for (left, right) in (1..sorted.len()).map(|i| sorted.split_at(i)) {
+            let cost = price(q, left) + price(q, right);
+            if best.as_ref().is_none_or(|best| cost < best.cost) {
+                let sides = [left.to_vec(), right.to_vec()];
+                best = Some(Cut { sides, cost });
             }
         }
     }
-    let (_, mut below, cut) = best;
-    let above = below.split_off(cut);
-    [below, above]
+    best.unwrap_or_else(|| middle(q, which, 0))
+}
+
+/// A cut in the middle of the row, along an axis.
+fn middle(q: &BvhBuild, which: &[u32], axis: usize) -> Cut {
+    let sorted = sorted(q, which, axis);
+    sides(q, sorted.split_at(sorted.len() / 2))
+}
+
+fn sides(q: &BvhBuild, (left, right): (&[u32], &[u32])) -> Cut {
+    Cut {
+        cost: by_areas(q, left) + by_areas(q, right),
+        sides: [left.to_vec(), right.to_vec()],
+    }
+}
+
+/// The axis along which a box is longest.
+pub(super) fn longest(bounds: &Aabb) -> usize {
+    bounds.size().max_position()
+}
+
+/// A cut at the middle of a box along its longest axis: of the boxes, those with a smaller centre are on the left. The middle of the row where
+/// a side would be empty.
+pub(super) fn halved(q: &BvhBuild, which: &[u32], bounds: &Aabb) -> Cut {
+    let axis = longest(bounds);
+    let sorted = sorted(q, which, axis);
+    let is_left = |i: &u32| center(&q.boxes[*i as usize])[axis] < bounds.center()[axis];
+    match sorted.partition_point(is_left) {
+        left if left == 0 || left == sorted.len() => middle(q, which, axis),
+        left => sides(q, sorted.split_at(left)),
+    }
+}
+
+/// The box around the boxes' centres.
+pub(super) fn around_centers(q: &BvhBuild, which: &[u32]) -> Aabb {
+    Aabb::of(which.iter().map(|&i| center(&q.boxes[i as usize])))
 }

@@ -1,9 +1,12 @@
 //! `bvh_build`: random questions, judge and mistakes.
 
-use super::builders::{chain, cut_by, one_leaf};
+use super::builders::{
+    CHEAPER, CHEAPER_THAN_THE_CUT, FITS, SINGLE, area_around, around_centers, built, by_areas,
+    chain, cheapest, halved, longest, one_leaf,
+};
 use super::bvh_tree::{tree_cost, wrong_choice};
 use super::sah_cost::node_area;
-use super::{center, crowd, cube, heaps, no_dearer, tree};
+use super::{around, center, crowd, cube, heaps, no_dearer, tree};
 use crate::{Flaw, Graded, Mistake, Verdict, sample, traits};
 use raybook::accel::bvh::build::Method;
 use raybook::math::pcg::Pcg;
@@ -250,16 +253,138 @@ impl Graded for BvhBuild {
         Mistake {
             name: "makes a leaf of all that a leaf can hold, without asking whether a cut is cheaper",
             hint: "A leaf of four costs four tests wherever the ray is in it: what would two leaves of two cost, and how often would each be opened?",
+            answer: |q| built(q, |q, which| cheapest(q, which, 0..3, by_areas), FITS),
+        },
+        Mistake {
+            name: "forgets the cost of opening a branch",
+            hint: "Is a branch free for a ray that enters it?",
             answer: |q| {
-                cut_by(q, |areas, counts| {
-                    areas[0] * counts[0] as f32 + areas[1] * counts[1] as f32
-                })
+                built(
+                    q,
+                    |q, which| cheapest(q, which, 0..3, by_areas),
+                    CHEAPER_THAN_THE_CUT,
+                )
             },
+        },
+        Mistake {
+            name: "makes leaves of single boxes only",
+            hint: "Two boxes that lie in the same place: what does a ray gain if they are in two leaves?",
+            answer: |q| built(q, |q, which| cheapest(q, which, 0..3, by_areas), SINGLE),
         },
         Mistake {
             name: "leaves the numbers of boxes out of the cost of a cut",
             hint: "A ray that enters a side tests what is in it: does a side of nine boxes cost as much as a side of one?",
-            answer: |q| cut_by(q, |areas, _| areas[0] + areas[1]),
+            answer: |q| built(q, |q, which| cheapest(q, which, 0..3, area_around), CHEAPER),
+        },
+        Mistake {
+            name: "leaves the numbers of boxes out of the cost of a cut, and makes a leaf of all that it can hold",
+            hint: "A ray that enters a side tests what is in it: does a side of nine boxes cost as much as a side of one?",
+            answer: |q| built(q, |q, which| cheapest(q, which, 0..3, area_around), FITS),
+        },
+        Mistake {
+            name: "weighs the sides of a cut by their volume",
+            hint: "A flat box has no volume: do rays enter it?",
+            answer: |q| {
+                built(
+                    q,
+                    |q, which| {
+                        cheapest(q, which, 0..3, |q, side| {
+                            around(&q.boxes, side).size().element_product() * side.len() as f32
+                        })
+                    },
+                    CHEAPER,
+                )
+            },
+        },
+        Mistake {
+            name: "weighs the sides of a cut by their volume, and makes a leaf of all that it can hold",
+            hint: "A flat box has no volume: do rays enter it?",
+            answer: |q| {
+                built(
+                    q,
+                    |q, which| {
+                        cheapest(q, which, 0..3, |q, side| {
+                            around(&q.boxes, side).size().element_product() * side.len() as f32
+                        })
+                    },
+                    FITS,
+                )
+            },
+        },
+        Mistake {
+            name: "tries cuts along x only",
+            hint: "Two rows of boxes, one above the other: along which axis would you cut, and do you try it?",
+            answer: |q| built(q, |q, which| cheapest(q, which, [0], by_areas), CHEAPER),
+        },
+        Mistake {
+            name: "tries cuts along x only, and makes a leaf of all that it can hold",
+            hint: "Two rows of boxes, one above the other: along which axis would you cut, and do you try it?",
+            answer: |q| built(q, |q, which| cheapest(q, which, [0], by_areas), FITS),
+        },
+        Mistake {
+            name: "tries cuts along z only, or forgets the best along x and y",
+            hint: "You keep the best cut while you try the places along an axis: what becomes of it when you go on to the next axis?",
+            answer: |q| built(q, |q, which| cheapest(q, which, [2], by_areas), CHEAPER),
+        },
+        Mistake {
+            name: "tries cuts along z only, or forgets the best along x and y, and makes a leaf of all that it can hold",
+            hint: "You keep the best cut while you try the places along an axis: what becomes of it when you go on to the next axis?",
+            answer: |q| built(q, |q, which| cheapest(q, which, [2], by_areas), FITS),
+        },
+        Mistake {
+            name: "tries cuts along the longest axis of a node's box only",
+            hint: "Nine boxes lie side by side along x, and one far above them: must the best cut be along x?",
+            answer: |q| {
+                built(
+                    q,
+                    |q, which| cheapest(q, which, [longest(&around(&q.boxes, which))], by_areas),
+                    CHEAPER,
+                )
+            },
+        },
+        Mistake {
+            name: "tries cuts along the longest axis of a node's box only, and makes a leaf of all that it can hold",
+            hint: "Nine boxes lie side by side along x, and one far above them: must the best cut be along x?",
+            answer: |q| {
+                built(
+                    q,
+                    |q, which| cheapest(q, which, [longest(&around(&q.boxes, which))], by_areas),
+                    FITS,
+                )
+            },
+        },
+        Mistake {
+            name: "cuts at the middle of a node's box along its longest axis",
+            hint: "One box lies far away from nine others: how many cuts does it take until a cut at the middle parts the nine?",
+            answer: |q| {
+                built(
+                    q,
+                    |q, which| halved(q, which, &around(&q.boxes, which)),
+                    CHEAPER,
+                )
+            },
+        },
+        Mistake {
+            name: "cuts at the middle of a node's box along its longest axis, and makes a leaf of all that it can hold",
+            hint: "One box lies far away from nine others: how many cuts does it take until a cut at the middle parts the nine?",
+            answer: |q| {
+                built(
+                    q,
+                    |q, which| halved(q, which, &around(&q.boxes, which)),
+                    FITS,
+                )
+            },
+        },
+        Mistake {
+            name: "cuts at the middle of the boxes' centres along their longest axis, and makes a leaf of all that it can hold",
+            hint: "One box lies far away from nine others: how many cuts does it take until a cut at the middle parts the nine?",
+            answer: |q| {
+                built(
+                    q,
+                    |q, which| halved(q, which, &around_centers(q, which)),
+                    FITS,
+                )
+            },
         },
         Mistake {
             name: "makes a node's box around the centres of its boxes",

@@ -362,6 +362,11 @@ impl Graded for Collapse {
             hint: "A box has three pairs of sides: how many of them are in your area?",
             answer: |q| families(q, while_fewer(MOST, |q, i| size(q, i).x * size(q, i).y)),
         },
+        Mistake {
+            name: "opens the branch with the largest volume first",
+            hint: "A flat box has no volume: do rays enter it?",
+            answer: |q| families(q, while_fewer(MOST, |q, i| size(q, i).element_product())),
+        },
     ];
 }
 

@@ -1,0 +1,284 @@
+//! The walk of a ray from cell to cell.
+
+use crate::explain::Explained;
+use crate::explain::diagram::{Diagram, Ink};
+use crate::explain::rays;
+use crate::explain::view::{View, middle, shrunk};
+use crate::explain::way::Way;
+use glam::{DVec2, DVec3, IVec3, UVec3, dvec2};
+use raybook_workbook::exercises::ch08_grid::{GridWalk, Visit};
+
+/// Where a walk begins.
+struct Start {
+    o: DVec3,
+    d: DVec3,
+    min: DVec3,
+    size: DVec3,
+    /// Where the interval ends.
+    limit: f64,
+    /// Where the ray leaves the lattice, or the interval ends.
+    end: f64,
+    /// The first cell.
+    cell: UVec3,
+    /// 1 for each axis along which the next plane is the upper one of a cell, 0 where it is the lower one.
+    ahead: DVec3,
+    /// Along each axis the number of the first cell that is no more in the lattice.
+    stop: DVec3,
+}
+
+impl Start {
+    /// None if the ray misses the lattice.
+    fn of(asked: &GridWalk, way: &mut Way) -> Option<Self> {
+        let (o, d) = rays::parts(&asked.ray);
+        let (min, size) = (asked.min.as_dvec3(), asked.cell.as_dvec3());
+        let count = UVec3::new(asked.nx, asked.ny, asked.nz);
+        let o = way.part("o", o);
+        let d = way.part("d", d);
+        let min = way.part("min", min);
+        let size = way.part("the extents of a cell", size);
+        let mut enter = way.part("within.min", f64::from(asked.within.min));
+        let limit = way.part("within.max", f64::from(asked.within.max));
+        let mut end = limit;
+        for axis in 0..3 {
+            let planes = [0.0, f64::from(count[axis])]
+                .map(|i| (min[axis] + i * size[axis] - o[axis]) / d[axis]);
+            let [near, far] = if d[axis].is_sign_negative() {
+                [planes[1], planes[0]]
+            } else {
+                planes
+            };
+            (enter, end) = (enter.max(near), end.min(far));
+        }
+        let both = way.pair(
+            "the distances at which the ray enters and leaves the lattice",
+            "m",
+            dvec2(enter, end),
+        );
+        let [enter, end] = both.to_array();
+        if way.decides("the ray leaves the lattice before it enters", end < enter) {
+            way.remark("It leaves before it enters: the ray misses the lattice.");
+            return None;
+        }
+        let start = way.part("o + enter·d", o + enter * d);
+        let inside = way.part("o + enter·d − min", start - min);
+        let place = way.part("(o + enter·d − min)/cell", inside / size);
+        let cell = place
+            .floor()
+            .as_ivec3()
+            .clamp(IVec3::ZERO, count.as_ivec3() - 1)
+            .as_uvec3();
+        let is_backward = [0, 1, 2].map(|axis| d[axis].is_sign_negative());
+        let forward = DVec3::from(is_backward.map(|it| f64::from(u8::from(!it))));
+        let ahead = way.part(
+            "the plane ahead: 1 for a cell's upper one, 0 for the lower one where the ray goes backwards",
+            forward,
+        );
+        let above = way.part(
+            "the number at which the walk ends where the ray goes forward",
+            count.as_dvec3(),
+        );
+        let below = way.part(
+            "the number at which the walk ends where the ray goes backwards",
+            DVec3::NEG_ONE,
+        );
+        let stop = forward * above + (1.0 - forward) * below;
+        Some(Self {
+            o,
+            d,
+            min,
+            size,
+            limit,
+            end,
+            cell,
+            ahead,
+            stop,
+        })
+    }
+
+    /// Whether the ray goes backwards along an axis.
+    fn backward(&self, axis: usize) -> bool {
+        self.d[axis].is_sign_negative()
+    }
+
+    /// The next cell along an axis; none if the lattice ends there.
+    fn next(&self, cell: UVec3, axis: usize) -> Option<UVec3> {
+        let mut next = cell;
+        let stop = self.stop[axis];
+        next[axis] = if self.backward(axis) {
+            let below = cell[axis].checked_sub(1);
+            below.filter(|at| f64::from(*at) > stop)?
+        } else {
+            Some(cell[axis] + 1).filter(|at| f64::from(*at) < stop)?
+        };
+        Some(next)
+    }
+}
+
+/// The distances to planes ahead; those that are never met are infinitely far.
+fn met(ahead: DVec3, d: DVec3) -> DVec3 {
+    (ahead / d).map(|t| if t.is_finite() { t } else { f64::INFINITY })
+}
+
+/// The same with the distance from plane to plane added at each step (Amanatides and Woo 1987).
+fn by_increments(asked: &GridWalk, way: &mut Way) -> Vec<Visit> {
+    let Some(start) = Start::of(asked, way) else {
+        return Vec::new();
+    };
+    let Start {
+        o,
+        d,
+        min,
+        size,
+        end,
+        mut cell,
+        ..
+    } = start;
+    let plane = way.part(
+        "the numbers of the first planes",
+        cell.as_dvec3() + start.ahead,
+    );
+    let along = way.part("the number of the first plane · cell", plane * size);
+    let min = way.part("min, where the planes begin", min);
+    let plane = way.part("min + the number of the first plane · cell", min + along);
+    let from = way.part("o, from where the first planes are measured", o);
+    let ahead = way.part("how far the first planes are ahead", plane - from);
+    let mut next = way.part("the first planes ahead, at t", met(ahead, d));
+    let apart = way.part("from plane to plane: cell/|d|", met(size, d.abs()));
+    let mut visits = Vec::new();
+    loop {
+        next = way.part("the next planes ahead, at t", next);
+        let nearest = way.part("the nearest of the next planes", next.min_element());
+        let is_beyond = way.decides("the way through the lattice ends in a cell", nearest > end);
+        let leave = if is_beyond { end } else { nearest };
+        let UVec3 { x, y, z } = cell;
+        visits.push(Visit {
+            x,
+            y,
+            z,
+            leave: leave as f32,
+        });
+        if way.decides("the way through the lattice has ended", leave >= end) {
+            return visits;
+        }
+        let axis = next.min_position();
+        let Some(beyond) = start.next(cell, axis) else {
+            return visits;
+        };
+        cell = beyond;
+        let step = way.part("the distance that is added", apart[axis]);
+        next[axis] += step;
+    }
+}
+
+impl Explained for GridWalk {
+    const WAYS: &'static [fn(&Self, &mut Way) -> Vec<Visit>] = &[Self::work, by_increments];
+
+    fn work(&self, way: &mut Way) -> Vec<Visit> {
+        let Some(start) = Start::of(self, way) else {
+            return Vec::new();
+        };
+        let Start {
+            o,
+            d,
+            min,
+            size,
+            limit,
+            mut cell,
+            ..
+        } = start;
+        way.vector(
+            "apart: the distance between two planes, along each axis",
+            "m",
+            (size / d).abs(),
+        );
+        let mut visits = Vec::new();
+        loop {
+            let plane = way.part(
+                "the numbers of the next planes",
+                cell.as_dvec3() + start.ahead,
+            );
+            let along = way.part("the number · cell", plane * size);
+            let min = way.part("min, where the planes begin", min);
+            let plane = way.part("min + the number · cell", min + along);
+            let ahead = way.part("how far the planes are ahead", plane - o);
+            let next = met(ahead, d);
+            let UVec3 { x, y, z } = cell;
+            let next = way.vector(
+                format!("cell ({x}, {y}, {z}): the next planes ahead, at t ="),
+                "m",
+                next,
+            );
+            let nearest = way.part("the nearest plane ahead", next.min_element());
+            let is_beyond = way.decides("the interval ends in a cell", nearest > limit);
+            let leave = if is_beyond { limit } else { nearest };
+            visits.push(Visit {
+                x,
+                y,
+                z,
+                leave: leave as f32,
+            });
+            let beyond = start.next(cell, next.min_position());
+            let Some(beyond) = beyond.filter(|_| leave < limit) else {
+                let why = if leave >= limit {
+                    "The interval ends here."
+                } else {
+                    "Behind the nearest of them the lattice ends."
+                };
+                way.remark(why);
+                return visits;
+            };
+            cell = beyond;
+        }
+    }
+
+    fn draw(&self, right: &Vec<Visit>, yours: Option<&Vec<Visit>>) -> Option<Diagram> {
+        let (o, d) = rays::parts(&self.ray);
+        let view = View::least(d);
+        let flat = |p: DVec3| view.at(p);
+        let (min, size) = (self.min.as_dvec3(), self.cell.as_dvec3());
+        let counts = [self.nx, self.ny, self.nz];
+        let max = min + UVec3::from(counts).as_dvec3() * size;
+        let mut drawing = Diagram::new(format!("The cells on the ray's way, {}", view.words()));
+        let square = |visit: &Visit, share: f64| {
+            let corner = min + visit.cell().as_dvec3() * size;
+            shrunk(view.rectangle(corner, corner + size), share)
+        };
+        for visit in right {
+            drawing.area(&square(visit, 0.94), Ink::Right);
+        }
+        // A list of a student's may hold anything.
+        let inside = |visit: &&Visit| visit.x < self.nx && visit.y < self.ny && visit.z < self.nz;
+        for visit in yours.into_iter().flatten().filter(inside) {
+            drawing.area(&square(visit, 0.7), Ink::Yours);
+        }
+        view.lattice(&mut drawing, [min, max], counts);
+        let end = right.last().map_or(0.0, |visit| f64::from(visit.leave));
+        let beyond = if end.is_finite() && end > 0.0 {
+            end
+        } else {
+            (max - min).length()
+        };
+        let way = |t: f64| flat(o + t * d);
+        let [from, to] =
+            [self.within.min, self.within.max].map(|t| f64::from(t).clamp(0.0, 1.12 * beyond));
+        if from < to {
+            drawing.line(&[way(from), way(to)], Ink::Interval);
+        }
+        drawing.arrow(way(0.0), way(1.12 * beyond), Ink::Ray);
+        let mut before = f64::from(self.within.min).max(0.0);
+        for (i, visit) in right.iter().enumerate() {
+            let leave = f64::from(visit.leave);
+            if leave.is_finite() && right.len() < 16 {
+                // The cell's number in the order of the walk, in the middle of the ray's way through it.
+                let entered: DVec2 = if i == 0 {
+                    middle(&square(visit, 1.0))
+                } else {
+                    way(0.5 * (before + leave))
+                };
+                drawing.label(entered, dvec2(0.0, 0.9), format!("{}", i + 1), Ink::Right);
+                before = leave;
+            }
+        }
+        Some(drawing)
+    }
+}

@@ -1,0 +1,151 @@
+//! The octree that is worth its price.
+
+use super::{MOST, leaves};
+use crate::explain::Explained;
+use crate::explain::diagram::{Diagram, Ink};
+use crate::explain::view::{View, shrunk};
+use crate::explain::way::Way;
+use glam::Vec3;
+use raybook::inside::octree::child_cell;
+use raybook::math::aabb::Aabb;
+use raybook_workbook::exercises::ch10_octree::{OctreeBuild, reached};
+use raybook_workbook::octree_rows::{NodeRow, TreeRow};
+
+/// A leaf that is still to be cut, or not.
+struct Growing {
+    node: usize,
+    cell: Aabb,
+    shapes: Vec<u32>,
+    depth: u32,
+    copies: f64,
+}
+
+impl Explained for OctreeBuild {
+    fn work(&self, way: &mut Way) -> TreeRow {
+        let leaf = |first: usize, count: usize| NodeRow {
+            inner: 0,
+            first: first as u32,
+            count: count as u32,
+        };
+        let mut tree = TreeRow {
+            nodes: vec![leaf(0, 0)],
+            names: Vec::new(),
+        };
+        let mut to_do = vec![Growing {
+            node: 0,
+            cell: Aabb::new(self.min, self.max),
+            shapes: (0..self.shapes.len() as u32).collect(),
+            depth: 0,
+            copies: self.copies.into(),
+        }];
+        if self.shapes.is_empty() {
+            way.remark("There are no shapes: the root is an empty leaf.");
+        }
+        let opening = way.part("opening", f64::from(self.opening));
+        let price = way.part("the price ¼ of a shape in a child", 0.25);
+        while let Some(growing) = to_do.pop() {
+            let Growing {
+                node,
+                cell,
+                shapes,
+                depth,
+                copies,
+            } = growing;
+            let cells: [Aabb; 8] = std::array::from_fn(|child| child_cell(&cell, child));
+            let reach = |&shape: &u32| reached(&self.shapes[shape as usize], &cells);
+            let reach: Vec<_> = shapes.iter().map(reach).collect();
+            let n = shapes.len() as f64;
+            let copies = way.part("the copies that are allowed in a cell", copies);
+            let below: u32 = reach.iter().map(|bits| bits.count_ones()).sum();
+            if shapes.is_empty() {
+                continue; // It stays an empty leaf.
+            }
+            let n = way.number(
+                format!("node {node}, at depth {depth}: n, its shapes"),
+                "",
+                n,
+            );
+            let below = way.number("Σ nᵢ, those of its children", "", below.into());
+            let cost = way.number("opening + ¼ Σ nᵢ", "", opening + price * below);
+            let named = way.part("Σ nᵢ/n, the copies that a cut makes", below / n);
+            let is_dear = way.decides("a cut costs no less than the leaf", cost >= n);
+            let is_many = way.decides("a cut makes too many copies", named > copies);
+            let is_deep = way.decides("the tree is as deep as it may be", depth >= self.depth);
+            let stop = if is_dear {
+                Some("That is not below n: it stays a leaf.")
+            } else if is_many {
+                Some(
+                    "It would be worth its price, but the limit allows no more copies: it stays a leaf.",
+                )
+            } else if is_deep {
+                Some(
+                    "It would be worth its price, but the limit allows no more depth: it stays a leaf.",
+                )
+            } else {
+                None
+            };
+            if let Some(why) = stop {
+                way.remark(why);
+                tree.nodes[node] = leaf(tree.names.len(), shapes.len());
+                tree.names.extend(shapes);
+                continue;
+            }
+            let first = tree.nodes.len();
+            way.remark(format!(
+                "That is below n: it is cut into the nodes {first} to {}.",
+                first + 7
+            ));
+            tree.nodes[node] = NodeRow {
+                inner: 1,
+                first: first as u32,
+                count: 0,
+            };
+            tree.nodes.extend((0..8).map(|_| leaf(0, 0)));
+            let left = way.part(
+                "the copies that are left to a child",
+                copies / named.max(1.0),
+            );
+            for child in (0..8).rev() {
+                let inside = shapes.iter().zip(&reach);
+                let inside = inside.filter(|(_, bits)| *bits >> child & 1 != 0);
+                to_do.push(Growing {
+                    node: first + child,
+                    cell: cells[child],
+                    shapes: inside.map(|(shape, _)| *shape).collect(),
+                    depth: depth + 1,
+                    copies: left,
+                });
+            }
+        }
+        tree
+    }
+
+    fn draw(&self, right: &TreeRow, yours: Option<&TreeRow>) -> Option<Diagram> {
+        let view = View::along(2);
+        let mut drawing = Diagram::new(format!(
+            "The leaves that have shapes, and the shapes' boxes, {}",
+            view.words()
+        ));
+        let root = Aabb::new(self.min, self.max);
+        for (tree, share, ink) in [(Some(right), 0.97, Ink::Right), (yours, 0.85, Ink::Yours)] {
+            let Some(tree) = tree else { continue };
+            let mut squares: Vec<_> = leaves(root, &tree.nodes)
+                .into_iter()
+                .filter(|(node, _)| tree.nodes[*node].count > 0)
+                .map(|(_, cell)| view.rectangle(cell.min.as_dvec3(), cell.max.as_dvec3()))
+                .collect();
+            // Of leaves behind each other one is enough.
+            squares.dedup();
+            for square in squares.into_iter().take(MOST) {
+                drawing.area(&shrunk(square, share), ink);
+            }
+        }
+        let [min, max] = [self.min, self.max].map(Vec3::as_dvec3);
+        view.lattice(&mut drawing, [min, max], [2; 3]);
+        for corners in self.shapes.iter().take(MOST) {
+            let [low, high] = [corners.min, corners.max].map(Vec3::as_dvec3);
+            drawing.area(&view.rectangle(low, high), Ink::Shape);
+        }
+        Some(drawing)
+    }
+}

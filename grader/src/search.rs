@@ -109,6 +109,8 @@ pub struct How {
     pub shortens: bool,
     /// From the first hit on, the interval begins at 0.
     pub begins_again: bool,
+    /// Triangles are tested from 0 on, boxes from the interval's min on.
+    pub tests_from_0: bool,
     /// Which hit stays.
     pub keeps: Keeps,
     /// Ends at the first leaf with a hit.
@@ -133,6 +135,7 @@ const WELL: How = How {
     drops: true,
     shortens: true,
     begins_again: false,
+    tests_from_0: false,
     keeps: Keeps::Nearest,
     stops: false,
     stops_in_leaf: false,
@@ -292,7 +295,11 @@ impl Search<'_> {
     fn test(&mut self, id: u32) -> bool {
         let Corners { p0, p1, p2 } = self.tree.triangles[id as usize];
         let corners = [p0, p1, p2];
-        let hit = (Facet { corners, id }).hit(self.tree.ray, self.within);
+        let mut within = self.within;
+        if self.how.tests_from_0 {
+            within.min = 0.0;
+        }
+        let hit = (Facet { corners, id }).hit(self.tree.ray, within);
         self.found.tests += u32::from(hit.is_some() || !self.how.counts_hits);
         if let Some(hit) = &hit {
             if self.how.shortens {

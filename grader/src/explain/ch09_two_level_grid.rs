@@ -153,7 +153,8 @@ impl Explained for TwoLevelWalk {
     fn work(&self, way: &mut Way) -> Vec<u32> {
         let levels = self.levels();
         let top = levels.top;
-        let coarse = through(self, self.min, top.cell, top.resolution, self.within);
+        let min = way.part("the grid's least corner", self.min.as_dvec3());
+        let coarse = through(self, min.as_vec3(), top.cell, top.resolution, self.within);
         way.remark("First through the coarse cells:");
         let visits = coarse.work(way);
         let (mut enter, mut places) = (self.within.min, Vec::new());
@@ -174,7 +175,8 @@ impl Explained for TwoLevelWalk {
             );
             // The ray is in the coarse cell from where it left the one before.
             let inside = Interval::new(enter, *leave);
-            let walk = through(self, fine.min, fine.cell, fine.resolution, inside);
+            let low = way.part("the least corner of a coarse cell", fine.min.as_dvec3());
+            let walk = through(self, low.as_vec3(), fine.cell, fine.resolution, inside);
             for cell in way.silently(|way| walk.work(way)) {
                 let Visit { x, y, z, .. } = cell;
                 let along = way.part("nx", f64::from(fine.resolution.x));

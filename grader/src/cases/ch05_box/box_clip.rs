@@ -135,6 +135,16 @@ impl Graded for BoxClip {
             },
         },
         Mistake {
+            name: "forgets the x axis",
+            hint: "How many pairs of planes has a box?",
+            answer: |q| Self::misread(q, |q| (q.min.x, q.max.x) = (-1e9, 1e9)),
+        },
+        Mistake {
+            name: "forgets the y axis",
+            hint: "How many pairs of planes has a box?",
+            answer: |q| Self::misread(q, |q| (q.min.y, q.max.y) = (-1e9, 1e9)),
+        },
+        Mistake {
             name: "forgets the z axis",
             hint: "How many pairs of planes has a box?",
             answer: |q| Self::misread(q, |q| (q.min.z, q.max.z) = (-1e9, 1e9)),

@@ -134,13 +134,16 @@ impl Graded for GridWalk {
         Mistake {
             name: "skips the first cell",
             hint: "The ray begins inside a cell, or enters one: is it visited before the first step?",
-            answer: |q| GridWalk::answer(q).into_iter().skip(1).collect(),
+            answer: |q| {
+                let visits = passed(q, &GridWalk::answer(q));
+                visits.into_iter().skip(1).collect()
+            },
         },
         Mistake {
             name: "forgets the last cell",
             hint: "Count the cells of a lattice of one cell.",
             answer: |q| {
-                let mut visits = GridWalk::answer(q);
+                let mut visits = passed(q, &GridWalk::answer(q));
                 visits.pop();
                 visits
             },
@@ -293,7 +296,7 @@ impl Graded for GridWalk {
             hint: "How far is it along the ray from one plane to the next, if a cell is 0.7 m wide?",
             answer: |q| {
                 let apart = |_, d: f32| (1.0 / d).abs();
-                added(q, Adding { apart, ..ADDING })
+                added(q, &Adding { apart, ..ADDING })
             },
         },
         Mistake {
@@ -301,7 +304,7 @@ impl Graded for GridWalk {
             hint: "Along an axis with a negative direction, does t grow or fall from plane to plane? What is the sign of cell/d?",
             answer: |q| {
                 let apart = |cell, d| cell / d;
-                added(q, Adding { apart, ..ADDING })
+                added(q, &Adding { apart, ..ADDING })
             },
         },
         Mistake {
@@ -309,7 +312,7 @@ impl Graded for GridWalk {
             hint: "From where is t measured: from the ray's origin, or from the place where the ray enters?",
             answer: |q| {
                 let late = start;
-                added(q, Adding { late, ..ADDING })
+                added(q, &Adding { late, ..ADDING })
             },
         },
         Mistake {
@@ -317,7 +320,7 @@ impl Graded for GridWalk {
             hint: "A ray at 0.7 of a cell's width is in this cell: which one does your rounding give?",
             answer: |q| {
                 let rounded = f32::round;
-                added(q, Adding { rounded, ..ADDING })
+                added(q, &Adding { rounded, ..ADDING })
             },
         },
         Mistake {
@@ -343,7 +346,7 @@ impl Graded for GridWalk {
                 let mut inside = q.clone();
                 inside.within = clipped.unwrap_or(q.within);
                 let chosen = |next| by_distance(next).pop();
-                added(&inside, Adding { chosen, ..ADDING })
+                added(&inside, &Adding { chosen, ..ADDING })
             },
         },
     ];
@@ -536,7 +539,7 @@ const ADDING: Adding = Adding {
 };
 
 /// A walk that adds the way between two planes in every step (Amanatides and Woo 1987).
-fn added(q: &GridWalk, by: Adding) -> Vec<Visit> {
+fn added(q: &GridWalk, by: &Adding) -> Vec<Visit> {
     let lattice: Lattice = q.lattice();
     if slab::clip(&lattice.bounds(), &q.ray, q.within).is_none() {
         return Vec::new();

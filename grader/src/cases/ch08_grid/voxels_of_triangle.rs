@@ -266,15 +266,13 @@ fn hair(q: &VoxelsOfTriangle) -> f32 {
     1e-4 * (q.cell.max_element() + q.min.abs().max_element())
 }
 
-/// The cells of the triangle's bounding box, grown by the margin, that a test keeps.
+/// The cells that reach the triangle's bounding box by the margin, and that a test keeps.
 fn kept(q: &VoxelsOfTriangle, keep: impl Fn(Aabb, [Vec3; 3]) -> bool) -> Vec<Cell> {
-    let (lattice, corners) = (q.lattice(), [q.p0, q.p1, q.p2]);
-    let bounds = Aabb::of(corners).grown(q.margin);
-    let (first, last) = lattice.cells_of(&bounds);
-    range(first, last)
-        .filter(|&cell| keep(lattice.bounds_of(cell, cell), corners))
-        .map(Cell::from)
-        .collect()
+    let around = Aabb::of([q.p0, q.p1, q.p2]).grown(q.margin);
+    of_lattice(q, |bounds, corners| {
+        let reaches = bounds.min.cmple(around.max) & around.min.cmple(bounds.max);
+        reaches.all() && keep(bounds, corners)
+    })
 }
 
 /// The cells of the whole lattice that a test keeps.

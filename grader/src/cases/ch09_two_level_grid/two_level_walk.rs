@@ -323,16 +323,23 @@ impl Graded for TwoLevelWalk {
             name: "takes every coarse cell before this one to have as many fine cells as this one",
             hint: "The coarse cells are cut in different ways: how many fine cells lie before those of this one?",
             answer: |q| {
-                let levels = q.levels();
-                let moved = |place: u32| {
-                    let mut cuts = levels.cuts.iter();
-                    let of = cuts.rposition(|cut| cut.first <= place && cut.resolution.x > 0);
-                    let before = of.unwrap_or(0);
-                    let cut = &levels.cuts[before];
-                    let count = cut.resolution.as_uvec3().element_product();
-                    place - cut.first + before as u32 * count
-                };
-                TwoLevelWalk::answer(q).into_iter().map(moved).collect()
+                before_is(q, |cuts| {
+                    let count = cuts.last().map_or(0, |of| of.element_product());
+                    (cuts.len() as u32 - 1) * count
+                })
+            },
+        },
+        Mistake {
+            name: "counts one fine cell for every coarse cell before this one, empty or not",
+            hint: "The coarse cells are cut in different ways: how many fine cells lie before those of this one?",
+            answer: |q| before_is(q, |cuts| cuts.len() as u32 - 1),
+        },
+        Mistake {
+            name: "counts one fine cell for every coarse cell before this one that is not empty",
+            hint: "The coarse cells are cut in different ways: how many fine cells lie before those of this one?",
+            answer: |q| {
+                let is_cut = |cut: &&UVec3| cut.x > 0;
+                before_is(q, |cuts| cuts.iter().filter(is_cut).count() as u32 - 1)
             },
         },
     ];
@@ -354,6 +361,20 @@ fn numbered(q: &TwoLevelWalk, number: fn(&TwoLevelWalk, [u32; 3], [u32; 3]) -> u
         .into_iter()
         .map(renumbered)
         .collect()
+}
+
+/// The walk with another number of fine cells before those of a coarse cell, from the resolutions of the coarse cells up to this one.
+fn before_is(q: &TwoLevelWalk, before: impl Fn(&[UVec3]) -> u32) -> Vec<u32> {
+    let levels = q.levels();
+    let cuts: Vec<_> = levels.cuts.iter().collect();
+    let along: Vec<_> = cuts.iter().map(|cut| cut.resolution.as_uvec3()).collect();
+    let moved = |place: u32| {
+        let of = cuts
+            .iter()
+            .rposition(|cut| cut.first <= place && cut.resolution.x > 0);
+        of.map_or(place, |of| place - cuts[of].first + before(&along[..=of]))
+    };
+    TwoLevelWalk::answer(q).into_iter().map(moved).collect()
 }
 
 /// The walk, if each coarse cell is looked up at another place; it may end at the first empty one.

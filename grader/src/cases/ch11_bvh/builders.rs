@@ -54,6 +54,38 @@ pub(super) struct Cut {
 /// A rule by which at least two boxes are cut in two.
 pub(super) type Cutting = fn(&BvhBuild, &[u32]) -> Cut;
 
+/// The cheapest cut of all.
+pub(super) const ALL_CUTS: Cutting = |q, which| cheapest(q, which, 0..3, by_areas);
+
+/// The cut whose sides have the least areas, however many boxes are in them.
+pub(super) const WITHOUT_NUMBERS: Cutting = |q, which| cheapest(q, which, 0..3, area_around);
+
+/// The cut whose sides have the least volumes, times their numbers of boxes.
+pub(super) const BY_VOLUMES: Cutting = |q, which| {
+    cheapest(q, which, 0..3, |q, side| {
+        around(&q.boxes, side).size().element_product() * side.len() as f32
+    })
+};
+
+/// The cheapest cut along x.
+pub(super) const ALONG_X: Cutting = |q, which| cheapest(q, which, [0], by_areas);
+
+/// The cheapest cut along z.
+pub(super) const ALONG_Z: Cutting = |q, which| cheapest(q, which, [2], by_areas);
+
+/// The cheapest cut along the axis along which the node's box is longest.
+pub(super) const ALONG_THE_LONGEST: Cutting =
+    |q, which| cheapest(q, which, [longest(&around(&q.boxes, which))], by_areas);
+
+/// The cut at the middle of the node's box.
+pub(super) const AT_THE_MIDDLE: Cutting = |q, which| halved(q, which, &around(&q.boxes, which));
+
+/// The cut at the middle of the box around the centres.
+pub(super) const AT_THE_CENTERS_MIDDLE: Cutting = |q, which| {
+    let centers = which.iter().map(|&i| center(&q.boxes[i as usize]));
+    halved(q, which, &Aabb::of(centers))
+};
+
 /// When boxes that could be a leaf, or be cut like this, become a leaf.
 pub(super) type Leaf = fn(&BvhBuild, &[u32], &Cut) -> bool;
 
@@ -110,13 +142,13 @@ pub(super) fn built(q: &BvhBuild, cutting: Cutting, leaf: Leaf) -> BvhBuildAnswe
 }
 
 /// The area of the box around some boxes.
-pub(super) fn area_around(q: &BvhBuild, which: &[u32]) -> f32 {
+fn area_around(q: &BvhBuild, which: &[u32]) -> f32 {
     let Aabb { min, max } = around(&q.boxes, which);
     area(min, max)
 }
 
 /// The surface-area heuristic.
-pub(super) fn by_areas(q: &BvhBuild, side: &[u32]) -> f32 {
+fn by_areas(q: &BvhBuild, side: &[u32]) -> f32 {
     area_around(q, side) * side.len() as f32
 }
 
@@ -129,7 +161,7 @@ fn sorted(q: &BvhBuild, which: &[u32], axis: usize) -> Vec<u32> {
 }
 
 /// The cheapest of all cuts between the sorted centres along some axes, if a side costs this.
-pub(super) fn cheapest(
+fn cheapest(
     q: &BvhBuild,
     which: &[u32],
     axes: impl IntoIterator<Item = usize>,
@@ -163,13 +195,13 @@ fn sides(q: &BvhBuild, (left, right): (&[u32], &[u32])) -> Cut {
 }
 
 /// The axis along which a box is longest.
-pub(super) fn longest(bounds: &Aabb) -> usize {
+fn longest(bounds: &Aabb) -> usize {
     bounds.size().max_position()
 }
 
 /// A cut at the middle of a box along its longest axis: of the boxes, those with a smaller centre are on the left. The middle of the row where
 /// a side would be empty.
-pub(super) fn halved(q: &BvhBuild, which: &[u32], bounds: &Aabb) -> Cut {
+fn halved(q: &BvhBuild, which: &[u32], bounds: &Aabb) -> Cut {
     let axis = longest(bounds);
     let sorted = sorted(q, which, axis);
     let is_left = |i: &u32| center(&q.boxes[*i as usize])[axis] < bounds.center()[axis];
@@ -177,9 +209,4 @@ pub(super) fn halved(q: &BvhBuild, which: &[u32], bounds: &Aabb) -> Cut {
         left if left == 0 || left == sorted.len() => middle(q, which, axis),
         left => sides(q, sorted.split_at(left)),
     }
-}
-
-/// The box around the boxes' centres.
-pub(super) fn around_centers(q: &BvhBuild, which: &[u32]) -> Aabb {
-    Aabb::of(which.iter().map(|&i| center(&q.boxes[i as usize])))
 }

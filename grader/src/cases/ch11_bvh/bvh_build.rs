@@ -1,12 +1,13 @@
 //! `bvh_build`: random questions, judge and mistakes.
 
 use super::builders::{
-    CHEAPER, CHEAPER_THAN_THE_CUT, FITS, SINGLE, area_around, around_centers, built, by_areas,
-    chain, cheapest, halved, longest, one_leaf,
+    ALL_CUTS, ALONG_THE_LONGEST, ALONG_X, ALONG_Z, AT_THE_CENTERS_MIDDLE, AT_THE_MIDDLE,
+    BY_VOLUMES, CHEAPER, CHEAPER_THAN_THE_CUT, FITS, SINGLE, WITHOUT_NUMBERS, built, chain,
+    one_leaf,
 };
 use super::bvh_tree::{tree_cost, wrong_choice};
 use super::sah_cost::node_area;
-use super::{around, center, crowd, cube, heaps, no_dearer, tree};
+use super::{center, crowd, cube, heaps, no_dearer, tree};
 use crate::{Flaw, Graded, Mistake, Verdict, sample, traits};
 use raybook::accel::bvh::build::Method;
 use raybook::math::pcg::Pcg;
@@ -253,138 +254,82 @@ impl Graded for BvhBuild {
         Mistake {
             name: "makes a leaf of all that a leaf can hold, without asking whether a cut is cheaper",
             hint: "A leaf of four costs four tests wherever the ray is in it: what would two leaves of two cost, and how often would each be opened?",
-            answer: |q| built(q, |q, which| cheapest(q, which, 0..3, by_areas), FITS),
+            answer: |q| built(q, ALL_CUTS, FITS),
         },
         Mistake {
             name: "forgets the cost of opening a branch",
             hint: "Is a branch free for a ray that enters it?",
-            answer: |q| {
-                built(
-                    q,
-                    |q, which| cheapest(q, which, 0..3, by_areas),
-                    CHEAPER_THAN_THE_CUT,
-                )
-            },
+            answer: |q| built(q, ALL_CUTS, CHEAPER_THAN_THE_CUT),
         },
         Mistake {
             name: "makes leaves of single boxes only",
             hint: "Two boxes that lie in the same place: what does a ray gain if they are in two leaves?",
-            answer: |q| built(q, |q, which| cheapest(q, which, 0..3, by_areas), SINGLE),
+            answer: |q| built(q, ALL_CUTS, SINGLE),
         },
         Mistake {
             name: "leaves the numbers of boxes out of the cost of a cut",
             hint: "A ray that enters a side tests what is in it: does a side of nine boxes cost as much as a side of one?",
-            answer: |q| built(q, |q, which| cheapest(q, which, 0..3, area_around), CHEAPER),
+            answer: |q| built(q, WITHOUT_NUMBERS, CHEAPER),
         },
         Mistake {
             name: "leaves the numbers of boxes out of the cost of a cut, and makes a leaf of all that it can hold",
             hint: "A ray that enters a side tests what is in it: does a side of nine boxes cost as much as a side of one?",
-            answer: |q| built(q, |q, which| cheapest(q, which, 0..3, area_around), FITS),
+            answer: |q| built(q, WITHOUT_NUMBERS, FITS),
         },
         Mistake {
             name: "weighs the sides of a cut by their volume",
             hint: "A flat box has no volume: do rays enter it?",
-            answer: |q| {
-                built(
-                    q,
-                    |q, which| {
-                        cheapest(q, which, 0..3, |q, side| {
-                            around(&q.boxes, side).size().element_product() * side.len() as f32
-                        })
-                    },
-                    CHEAPER,
-                )
-            },
+            answer: |q| built(q, BY_VOLUMES, CHEAPER),
         },
         Mistake {
             name: "weighs the sides of a cut by their volume, and makes a leaf of all that it can hold",
             hint: "A flat box has no volume: do rays enter it?",
-            answer: |q| {
-                built(
-                    q,
-                    |q, which| {
-                        cheapest(q, which, 0..3, |q, side| {
-                            around(&q.boxes, side).size().element_product() * side.len() as f32
-                        })
-                    },
-                    FITS,
-                )
-            },
+            answer: |q| built(q, BY_VOLUMES, FITS),
         },
         Mistake {
             name: "tries cuts along x only",
             hint: "Two rows of boxes, one above the other: along which axis would you cut, and do you try it?",
-            answer: |q| built(q, |q, which| cheapest(q, which, [0], by_areas), CHEAPER),
+            answer: |q| built(q, ALONG_X, CHEAPER),
         },
         Mistake {
             name: "tries cuts along x only, and makes a leaf of all that it can hold",
             hint: "Two rows of boxes, one above the other: along which axis would you cut, and do you try it?",
-            answer: |q| built(q, |q, which| cheapest(q, which, [0], by_areas), FITS),
+            answer: |q| built(q, ALONG_X, FITS),
         },
         Mistake {
             name: "tries cuts along z only, or forgets the best along x and y",
             hint: "You keep the best cut while you try the places along an axis: what becomes of it when you go on to the next axis?",
-            answer: |q| built(q, |q, which| cheapest(q, which, [2], by_areas), CHEAPER),
+            answer: |q| built(q, ALONG_Z, CHEAPER),
         },
         Mistake {
             name: "tries cuts along z only, or forgets the best along x and y, and makes a leaf of all that it can hold",
             hint: "You keep the best cut while you try the places along an axis: what becomes of it when you go on to the next axis?",
-            answer: |q| built(q, |q, which| cheapest(q, which, [2], by_areas), FITS),
+            answer: |q| built(q, ALONG_Z, FITS),
         },
         Mistake {
             name: "tries cuts along the longest axis of a node's box only",
             hint: "Nine boxes lie side by side along x, and one far above them: must the best cut be along x?",
-            answer: |q| {
-                built(
-                    q,
-                    |q, which| cheapest(q, which, [longest(&around(&q.boxes, which))], by_areas),
-                    CHEAPER,
-                )
-            },
+            answer: |q| built(q, ALONG_THE_LONGEST, CHEAPER),
         },
         Mistake {
             name: "tries cuts along the longest axis of a node's box only, and makes a leaf of all that it can hold",
             hint: "Nine boxes lie side by side along x, and one far above them: must the best cut be along x?",
-            answer: |q| {
-                built(
-                    q,
-                    |q, which| cheapest(q, which, [longest(&around(&q.boxes, which))], by_areas),
-                    FITS,
-                )
-            },
+            answer: |q| built(q, ALONG_THE_LONGEST, FITS),
         },
         Mistake {
             name: "cuts at the middle of a node's box along its longest axis",
             hint: "One box lies far away from nine others: how many cuts does it take until a cut at the middle parts the nine?",
-            answer: |q| {
-                built(
-                    q,
-                    |q, which| halved(q, which, &around(&q.boxes, which)),
-                    CHEAPER,
-                )
-            },
+            answer: |q| built(q, AT_THE_MIDDLE, CHEAPER),
         },
         Mistake {
             name: "cuts at the middle of a node's box along its longest axis, and makes a leaf of all that it can hold",
             hint: "One box lies far away from nine others: how many cuts does it take until a cut at the middle parts the nine?",
-            answer: |q| {
-                built(
-                    q,
-                    |q, which| halved(q, which, &around(&q.boxes, which)),
-                    FITS,
-                )
-            },
+            answer: |q| built(q, AT_THE_MIDDLE, FITS),
         },
         Mistake {
             name: "cuts at the middle of the boxes' centres along their longest axis, and makes a leaf of all that it can hold",
             hint: "One box lies far away from nine others: how many cuts does it take until a cut at the middle parts the nine?",
-            answer: |q| {
-                built(
-                    q,
-                    |q, which| halved(q, which, &around_centers(q, which)),
-                    FITS,
-                )
-            },
+            answer: |q| built(q, AT_THE_CENTERS_MIDDLE, FITS),
         },
         Mistake {
             name: "makes a node's box around the centres of its boxes",

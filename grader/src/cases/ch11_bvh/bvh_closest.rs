@@ -191,6 +191,16 @@ impl Graded for BvhClosest {
             hint: "Is a test work that finds nothing?",
             answer: |q| search(q, |how| how.counts_hits = true),
         },
+        Mistake {
+            name: "tests triangles from 0 on, not from the interval's min on",
+            hint: "A box may reach into the interval, and a triangle in it lie before: which distances count?",
+            answer: |q| search(q, |how| how.tests_from_0 = true),
+        },
+        Mistake {
+            name: "looks at the first child of each branch only",
+            hint: "A branch has two children: what is in the second one?",
+            answer: |q| search(q, |how| how.looks_at = 1),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -367,6 +367,11 @@ impl Graded for Collapse {
             hint: "A flat box has no volume: do rays enter it?",
             answer: |q| families(q, while_fewer(MOST, |q, i| size(q, i).element_product())),
         },
+        Mistake {
+            name: "opens the branch with the longest edge first",
+            hint: "Is a long, thin box met by more rays than a large one?",
+            answer: |q| families(q, while_fewer(MOST, |q, i| size(q, i).max_element())),
+        },
     ];
 }
 

@@ -225,6 +225,11 @@ impl Graded for WideClosest {
                 }
             },
         },
+        Mistake {
+            name: "tests triangles from 0 on, not from the interval's min on",
+            hint: "A box may reach into the interval, and a triangle in it lie before: which distances count?",
+            answer: |q| search(q, |how| how.tests_from_0 = true),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -63,17 +63,27 @@ fn by_directions(way: &mut Way, corners: [DVec3; 3], low: DVec3, size: DVec3, ma
     let half = way.part("half of a cell's extents, plus the margin", half + margin);
     let corners = corners.map(|p| p - (low + to_middle));
     let edges = [0, 1, 2].map(|i| corners[(i + 1) % 3] - corners[i]);
-    let parts = |along: &DVec3| {
+    let mut parts = |along: DVec3| {
         let at = corners.map(|p| along.dot(p));
         let reach = along.abs().dot(half);
         let least = at.into_iter().fold(f64::INFINITY, f64::min);
         let most = at.into_iter().fold(f64::NEG_INFINITY, f64::max);
-        least > reach || most < -reach
+        let is_above = way.decides("all of the triangle lies above a cell", least > reach);
+        let is_below = way.decides("all of the triangle lies below a cell", most < -reach);
+        is_above || is_below
     };
-    let by_faces = DVec3::AXES.iter().any(parts);
-    let by_plane = parts(&edges[0].cross(edges[1]));
-    let across = |edge: DVec3| DVec3::AXES.map(|axis| axis.cross(edge));
-    let by_edges = edges.map(across).iter().flatten().any(parts);
+    let by_faces = DVec3::AXES.map(&mut parts).contains(&true);
+    let by_plane = parts(edges[0].cross(edges[1]));
+    let mut across = |edge: DVec3| {
+        let each = DVec3::AXES.map(|axis| parts(axis.cross(edge)));
+        each.contains(&true)
+    };
+    let by_edges = edges.map(&mut across);
+    let by_edges = [
+        way.decides("a direction across p₁ − p₀ parts them", by_edges[0]),
+        way.decides("a direction across p₂ − p₁ parts them", by_edges[1]),
+        way.decides("a direction across p₀ − p₂ parts them", by_edges[2]),
+    ];
     let is_parted = [
         way.decides(
             "a normal of the cell's faces parts it from the triangle",
@@ -82,7 +92,7 @@ fn by_directions(way: &mut Way, corners: [DVec3; 3], low: DVec3, size: DVec3, ma
         way.decides("the triangle's normal parts it from a cell", by_plane),
         way.decides(
             "a direction across an edge and an axis parts a cell from the triangle",
-            by_edges,
+            by_edges.contains(&true),
         ),
     ];
     !is_parted.contains(&true)

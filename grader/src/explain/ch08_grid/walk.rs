@@ -16,6 +16,8 @@ struct Start {
     size: DVec3,
     /// Where the interval ends.
     limit: f64,
+    /// Where the ray enters the lattice, or the interval begins.
+    enter: f64,
     /// Where the ray leaves the lattice, or the interval ends.
     end: f64,
     /// The first cell.
@@ -88,6 +90,7 @@ impl Start {
             min,
             size,
             limit,
+            enter,
             end,
             cell,
             ahead,
@@ -119,8 +122,8 @@ fn met(ahead: DVec3, d: DVec3) -> DVec3 {
     (ahead / d).map(|t| if t.is_finite() { t } else { f64::INFINITY })
 }
 
-/// The same with the distance from plane to plane added at each step (Amanatides and Woo 1987).
-fn by_increments(asked: &GridWalk, way: &mut Way) -> Vec<Visit> {
+/// The same with the distance from plane to plane added at each step (Amanatides and Woo 1987). Cells that the ray only touches may be left out.
+fn by_increments(asked: &GridWalk, way: &mut Way, leaves_out: bool) -> Vec<Visit> {
     let Some(start) = Start::of(asked, way) else {
         return Vec::new();
     };
@@ -129,6 +132,7 @@ fn by_increments(asked: &GridWalk, way: &mut Way) -> Vec<Visit> {
         d,
         min,
         size,
+        mut enter,
         end,
         mut cell,
         ..
@@ -151,12 +155,15 @@ fn by_increments(asked: &GridWalk, way: &mut Way) -> Vec<Visit> {
         let is_beyond = way.decides("the way through the lattice ends in a cell", nearest > end);
         let leave = if is_beyond { end } else { nearest };
         let UVec3 { x, y, z } = cell;
-        visits.push(Visit {
-            x,
-            y,
-            z,
-            leave: leave as f32,
-        });
+        if leave > enter || !leaves_out {
+            visits.push(Visit {
+                x,
+                y,
+                z,
+                leave: leave as f32,
+            });
+        }
+        enter = leave;
         if way.decides("the way through the lattice has ended", leave >= end) {
             return visits;
         }
@@ -171,7 +178,11 @@ fn by_increments(asked: &GridWalk, way: &mut Way) -> Vec<Visit> {
 }
 
 impl Explained for GridWalk {
-    const WAYS: &'static [fn(&Self, &mut Way) -> Vec<Visit>] = &[Self::work, by_increments];
+    const WAYS: &'static [fn(&Self, &mut Way) -> Vec<Visit>] = &[
+        Self::work,
+        |asked, way| by_increments(asked, way, false),
+        |asked, way| by_increments(asked, way, true),
+    ];
 
     fn work(&self, way: &mut Way) -> Vec<Visit> {
         let Some(start) = Start::of(self, way) else {

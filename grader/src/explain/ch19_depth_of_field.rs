@@ -54,7 +54,36 @@ impl Explained for ConcentricDisk {
     const WAYS: &'static [fn(&Self, &mut Way) -> Vec<Vec2>] = &[Self::work, by_rings];
 }
 
+/// The same by the point in focus, which is on the film as it would be in the plane in focus, larger.
+fn by_the_plane_in_focus(asked: &ThinLensRay, way: &mut Way) -> CameraRayAnswer {
+    let [forward, right, up] = [asked.forward, asked.right, asked.up].map(|d| d.as_dvec3());
+    let f = way.part("f", f64::from(asked.focal_length));
+    let stop = way.part("f_number", f64::from(asked.f_number));
+    let focus = way.part("s", f64::from(asked.focus));
+    let longer = way.part("s − f", focus - f);
+    let distance = way.part("the film's distance, f·s/(s − f)", f * focus / longer);
+    let larger = way.part("s over the film's distance", focus / distance);
+    let from_middle = asked.film.as_dvec2() - 0.5;
+    let on_film = from_middle * asked.plane.as_dvec2() * dvec2(1.0, -1.0);
+    let on_film = way.part("the place on the film from its middle", on_film);
+    let place = way.part("the place in the plane in focus", on_film * larger);
+    let ahead = way.part("s, along forward", focus);
+    let in_focus = place.x * right + place.y * up + ahead * forward;
+    let radius = way.part("the aperture's radius, f/(2 f_number)", 0.5 * f / stop);
+    let lens = way.part("on_lens", asked.on_lens.as_dvec2());
+    let offset = way.part("on_lens · the radius", lens * radius);
+    let offset = offset.x * right + offset.y * up;
+    let from = way.part("the point of the lens, from its middle", offset);
+    CameraRayAnswer {
+        origin: (asked.lens_middle.as_dvec3() + offset).as_vec3(),
+        direction: (in_focus - from).normalize().as_vec3(),
+    }
+}
+
 impl Explained for ThinLensRay {
+    const WAYS: &'static [fn(&Self, &mut Way) -> CameraRayAnswer] =
+        &[Self::work, by_the_plane_in_focus];
+
     fn work(&self, way: &mut Way) -> CameraRayAnswer {
         let [forward, right, up] = [self.forward, self.right, self.up].map(|d| d.as_dvec3());
         let f = way.part("f", f64::from(self.focal_length));

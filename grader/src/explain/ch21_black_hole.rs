@@ -30,15 +30,21 @@ fn stepped(p: Photon, step: f64) -> Photon {
     p + (k1 + k2 * 2.0 + k3 * 2.0 + k4) * (step / 6.0)
 }
 
-/// The slope at a place, by its steps; `told` writes the change of the velocity down.
-fn slope_by_steps(way: &mut Way, p: Photon, told: fn(&mut Way, DVec3) -> DVec3) -> Photon {
+/// How the velocity changes at a place, by its steps.
+fn pull_by_steps(way: &mut Way, p: Photon) -> DVec3 {
     let h = way.part("h = |x × v|", p.angular_momentum());
     let square = way.part("h²", h * h);
     let r = way.part("|x|", p.x.length());
     let power = way.part("|x|⁵", r.powi(5));
     let factor = way.part("−3/2", -1.5);
+    let toward = way.part("x, along which it pulls", p.x);
+    factor * square / power * toward
+}
+
+/// The slope at a place, by its steps; `told` writes the change of the velocity down.
+fn slope_by_steps(way: &mut Way, p: Photon, told: fn(&mut Way, DVec3) -> DVec3) -> Photon {
     let x = way.part("dx/dλ = v", p.v);
-    let bend = factor * square / power * p.x;
+    let bend = pull_by_steps(way, p);
     Photon {
         x,
         v: told(way, bend),
@@ -52,7 +58,33 @@ fn hole(drawing: &mut Diagram) {
     drawing.circle(DVec2::ZERO, PHOTON_SPHERE, Ink::Guide);
 }
 
+/// The same by halves of a step (Verlet): the velocity turns for half of it, moves the photon, and turns for the other half.
+fn by_halves(asked: &GeodesicStep, way: &mut Way) -> GeodesicStepAnswer {
+    let start = Photon {
+        x: asked.position.as_dvec3(),
+        v: asked.velocity.as_dvec3(),
+    };
+    let step = way.part("step", f64::from(asked.step));
+    let first = pull_by_steps(way, start);
+    let first = way.part("dv/dλ at the start", first);
+    let half = way.part("the first half of the step", 0.5 * step);
+    let turned = way.part("v in the middle of the step", start.v + half * first);
+    let moved = way.part("the step, in which the photon moves", step);
+    let x = way.part("x after the step", start.x + moved * turned);
+    let there = Photon { x, v: turned };
+    let last = pull_by_steps(way, there);
+    let last = way.part("dv/dλ at the end", last);
+    let half = way.part("the second half of the step", 0.5 * step);
+    let v = way.part("v after the step", turned + half * last);
+    GeodesicStepAnswer {
+        position: x.as_vec3(),
+        velocity: v.as_vec3(),
+    }
+}
+
 impl Explained for GeodesicStep {
+    const WAYS: &'static [fn(&Self, &mut Way) -> GeodesicStepAnswer] = &[Self::work, by_halves];
+
     fn work(&self, way: &mut Way) -> GeodesicStepAnswer {
         let start = Photon {
             x: self.position.as_dvec3(),
@@ -65,17 +97,19 @@ impl Explained for GeodesicStep {
         );
         way.number("|x|", "", start.x.length());
         let step = way.part("step", f64::from(self.step));
-        let half = way.part("half a step", 0.5 * step);
         let k1 = slope_by_steps(way, start, |way, v| {
             way.vector("k₁ = dv/dλ at the start", "", v)
         });
-        let k2 = slope_by_steps(way, start + k1 * half, |way, v| {
+        let to_k2 = way.part("half a step, to k₂", 0.5 * step);
+        let k2 = slope_by_steps(way, start + k1 * to_k2, |way, v| {
             way.vector("k₂ = dv/dλ half a step along k₁", "", v)
         });
-        let k3 = slope_by_steps(way, start + k2 * half, |way, v| {
+        let to_k3 = way.part("half a step, to k₃", 0.5 * step);
+        let k3 = slope_by_steps(way, start + k2 * to_k3, |way, v| {
             way.vector("k₃ = dv/dλ half a step along k₂", "", v)
         });
-        let k4 = slope_by_steps(way, start + k3 * step, |way, v| {
+        let to_k4 = way.part("the whole step, to k₄", step);
+        let k4 = slope_by_steps(way, start + k3 * to_k4, |way, v| {
             way.vector("k₄ = dv/dλ a step along k₃", "", v)
         });
         let twice = way.part("the weight 2 of k₂ and k₃", 2.0);

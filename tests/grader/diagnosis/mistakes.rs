@@ -942,7 +942,7 @@ pub const MISTAKES: &[Slip] = &[
     slip(
         "reflected_radiance",
         "twice",
-        &["density of the whole sphere", "2 times", "2.0"],
+        &["twice the radiance", "2 times", "2.0"],
         |q, right| changed(right(q), |c| c.iter_mut().for_each(|v| *v *= 2.0)),
     ),
     slip("trace", "half of everything", &["half"], |q, right| {

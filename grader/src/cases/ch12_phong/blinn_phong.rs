@@ -41,6 +41,14 @@ impl Graded for BlinnPhongExercise {
             },
         },
         Mistake {
+            name: "takes the cross product of L and V for H",
+            hint: "Which direction is half way between two others, and which is perpendicular to both?",
+            answer: |q| {
+                let half = q.at.toward.cross(*q.at.view).normalize_or_zero();
+                with_highlight(&q.at, power(half.dot(*q.at.normal), &q.at))
+            },
+        },
+        Mistake {
             name: "takes R·V for N·H",
             hint: "That is Phong's highlight: which two directions does Blinn compare?",
             answer: |q| with_highlight(&q.at, power(mirrored(&q.at).dot(*q.at.view), &q.at)),

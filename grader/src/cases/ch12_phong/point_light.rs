@@ -94,6 +94,11 @@ impl Graded for PointLightExercise {
             },
         },
         Mistake {
+            name: "takes a near light for one at the point itself",
+            hint: "A lamp of a millimetre's distance: is there no direction to it?",
+            answer: |q| PointLightExercise::answer(q).filter(|right| right.distance > 0.005),
+        },
+        Mistake {
             name: "returns the squared distance",
             hint: "In which unit is your distance?",
             answer: |q| {

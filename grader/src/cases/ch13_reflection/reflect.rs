@@ -36,6 +36,14 @@ impl Graded for Reflect {
             answer: |q| (*q.incoming - square(q)).normalize_or_zero(),
         },
         Mistake {
+            name: "takes the cross product i × n for the part of i along n",
+            hint: "Which product of two vectors tells how much of one lies along the other, and which is perpendicular to both?",
+            answer: |q| {
+                let part = q.incoming.cross(*q.normal);
+                (*q.incoming - 2.0 * part).normalize_or_zero()
+            },
+        },
+        Mistake {
             name: "adds 2 (i·n) n instead of subtracting it",
             hint: "Let the ray fall straight down: how long is your answer?",
             answer: |q| *q.incoming + 2.0 * square(q),

@@ -81,9 +81,13 @@ impl Graded for Fresnel {
             name: "has the ratio in Snell's law upside down",
             hint: "In the denser medium the angle is the smaller one: is yours?",
             answer: |q| {
-                let eta = q.n2 / q.n1;
-                let cos2 = (1.0 - eta * eta * (1.0 - q.cos1 * q.cos1)).max(0.0).sqrt();
-                shares(q.n1, q.cos1, q.n2, cos2)
+                let turned = Fresnel {
+                    n1: q.n2,
+                    n2: q.n1,
+                    ..*q
+                };
+                cos2(&turned)
+                    .map_or_else(|| mean(1.0, 1.0), |cos2| shares(q.n1, q.cos1, q.n2, cos2))
             },
         },
         Mistake {
@@ -113,7 +117,8 @@ impl Graded for Fresnel {
             hint: "Unpolarised light is half of one kind and half of the other.",
             answer: |q| {
                 let FresnelAnswer { rs, rp, .. } = Fresnel::answer(q);
-                FresnelAnswer { rs, rp, r: rs + rp }
+                let r = if cos2(q).is_some() { rs + rp } else { 1.0 };
+                FresnelAnswer { rs, rp, r }
             },
         },
         Mistake {

@@ -113,6 +113,11 @@ impl Graded for ShadowRay {
             answer: |q| starting(q, q.position, 0.0),
         },
         Mistake {
+            name: "moves the start along the ray, not along the normal",
+            hint: "A lamp just above the horizon: how far above the surface does your ray start?",
+            answer: |q| starting(q, q.position + 2.0 * q.error * *q.toward, 0.0),
+        },
+        Mistake {
             name: "starts a fixed millimetre along the ray",
             hint: "Is a millimetre much on a grain of sand, and on a planet? Which number in the question says how far is enough?",
             answer: |q| starting(q, q.position, 1e-3),

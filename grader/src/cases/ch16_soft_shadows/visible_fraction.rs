@@ -16,6 +16,9 @@ impl Graded for VisibleFraction {
     /// The share of a whole light has no edges at which a last digit decides.
     const ULPS: i32 = 0;
 
+    /// Estimates scatter: of 1024 samples a fraction of a half by 3 % of itself, one of a twentieth by 14 %.
+    const ALIKE: f32 = 0.25;
+
     fn random(rng: &mut Pcg) -> VisibleFraction {
         let [width, depth] = [(); 2].map(|()| sample::number(rng, 1.0, 3.0));
         let height = sample::number(rng, 3.0, 5.0);
@@ -149,18 +152,26 @@ impl Graded for VisibleFraction {
             name: "lets a light shine backwards",
             hint: "Where does a × b point, and on which side of the light is the point?",
             answer: |q| {
-                let turned = VisibleFraction {
-                    corner: q.corner + q.a,
-                    a: -q.a,
-                    ..q.clone()
-                };
-                let (front, back) = (VisibleFraction::answer(q), VisibleFraction::answer(&turned));
+                let (front, back) = (
+                    VisibleFraction::answer(q),
+                    VisibleFraction::answer(&turned(q)),
+                );
                 front
                     .iter()
                     .zip(back)
                     .map(|(front, back)| front + back)
                     .collect()
             },
+        },
+        Mistake {
+            name: "lets the wrong side of the light shine",
+            hint: "Where does a × b point, and on which side of the light is the point?",
+            answer: |q| VisibleFraction::answer(&turned(q)),
+        },
+        Mistake {
+            name: "returns half of the fraction",
+            hint: "How much of the light is seen where nothing is in the way? Do you take as many samples as you divide by?",
+            answer: |q| VisibleFraction::answer(q).iter().map(|f| 0.5 * f).collect(),
         },
         Mistake {
             name: "returns a count instead of a fraction",
@@ -277,6 +288,15 @@ impl Graded for VisibleFraction {
             },
         },
     ];
+}
+
+/// The question of the same light, which shines to the other side.
+fn turned(q: &VisibleFraction) -> VisibleFraction {
+    VisibleFraction {
+        corner: q.corner + q.a,
+        a: -q.a,
+        ..q.clone()
+    }
 }
 
 /// The fractions, by a lattice fine enough to stand for the exact value.

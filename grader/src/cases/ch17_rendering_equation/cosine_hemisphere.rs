@@ -110,7 +110,7 @@ impl Graded for CosineHemisphere {
         },
         Flaw {
             complaint: "the mean to",
-            name: "does not go all the way round the normal, or goes around another axis",
+            name: "does not go evenly all the way round the normal",
             hint: "Seen from above, are there as many directions to each side? From where to where does your angle go, and are your axes perpendicular to the normal?",
         },
         Flaw {

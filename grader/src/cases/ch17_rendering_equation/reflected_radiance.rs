@@ -119,8 +119,8 @@ impl Graded for ReflectedRadiance {
             answer: |q| weighted(q, |_| hemisphere::UNIFORM),
         },
         Mistake {
-            name: "chooses directions of the hemisphere and divides by the density of the whole sphere",
-            hint: "Over how many steradians are your directions spread?",
+            name: "returns twice the radiance",
+            hint: "Over how many steradians are your directions spread: those of the density, or half of them? By how many samples do you divide? How bright is the sky at its zenith?",
             answer: |q| weighted(q, |_| 2.0),
         },
         Mistake {
@@ -149,8 +149,8 @@ impl Graded for ReflectedRadiance {
             answer: |q| weighted(q, |_| PI),
         },
         Mistake {
-            name: "chooses directions of the whole sphere and divides by the density of the hemisphere",
-            hint: "Half of a sphere is below the surface, and no light comes from there: what do such samples add, and to what density do they belong?",
+            name: "returns half of the radiance",
+            hint: "Half of a sphere is below the surface, and no light comes from there: what do such samples add, and to what density do they belong? Of directions chosen in two ways, half each, which density has one of them?",
             answer: |q| weighted(q, |_| 0.5),
         },
         Mistake {
@@ -172,6 +172,17 @@ impl Graded for ReflectedRadiance {
             name: "takes the same light from all of the sky",
             hint: "Is the sky as bright at its horizon as at its zenith?",
             answer: |q| under(q, |_| q.radiance),
+        },
+        Mistake {
+            name: "takes the direction to the light for the viewer's in the BRDF",
+            hint: "The BRDF has two directions, to the light and to the viewer: which of them do you hand over?",
+            answer: |q| {
+                let brdf = q.brdf();
+                let [sum] = integral(q.normal, |d| {
+                    [brdf.value(q.normal, d, d) * q.sky(d) * d.dot(*q.normal)]
+                });
+                sum
+            },
         },
         Mistake {
             name: "leaves out the highlight",

@@ -22,6 +22,21 @@ fn on(q: &DirectionToCube, faces: &[u32], change: fn(CubePlace) -> CubePlace) ->
     }
 }
 
+/// The place by the component along this axis, whether it is the largest or not.
+fn on_axis(q: &DirectionToCube, axis: usize) -> CubePlace {
+    let d = *q.direction;
+    let longer = 2.0 * d.abs().max_element();
+    let mut toward = d;
+    toward[axis] = longer.copysign(d[axis]);
+    let near = DirectionToCube::answer(&asks(Dir3::new_or(toward, q.direction)));
+    let farther = |place: f32| 0.5 + (place - 0.5) * longer / d[axis].abs();
+    CubePlace {
+        face: near.face,
+        u: farther(near.u),
+        v: farther(near.v),
+    }
+}
+
 /// Left and right exchanged.
 fn left_for_right(mut p: CubePlace) -> CubePlace {
     p.u = 1.0 - p.u;
@@ -93,9 +108,26 @@ impl Graded for DirectionToCube {
         Mistake {
             name: "takes the component that is largest with its sign, not the one of the largest absolute value",
             hint: "Which component of (-0.9, 0.1, 0.2) decides?",
-            answer: |q| CubePlace {
-                face: 2 * q.direction.max_position() as u32,
-                ..Self::answer(q)
+            answer: |q| on_axis(q, q.direction.max_position()),
+        },
+        Mistake {
+            name: "never compares x with z when it looks for the component of the largest absolute value",
+            hint: "Which component of (0.6, 0.1, 0.8) decides?",
+            answer: |q| {
+                let d = q.direction.abs();
+                let of_the_others = if d.y > d.z { 1 } else { 2 };
+                on_axis(q, if d.x > d.y { 0 } else { of_the_others })
+            },
+        },
+        Mistake {
+            name: "counts the three positive faces before the three negative ones",
+            hint: "Which number has the face -x: the one after +x, or the one after +z?",
+            answer: |q| {
+                let right = Self::answer(q);
+                CubePlace {
+                    face: right.face / 2 + 3 * (right.face % 2),
+                    ..right
+                }
             },
         },
         Mistake {

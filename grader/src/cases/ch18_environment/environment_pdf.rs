@@ -117,6 +117,11 @@ impl Graded for EnvironmentPdf {
             },
         },
         Mistake {
+            name: "multiplies by the sine at the direction once more",
+            hint: "A density per steradian is uniform inside a texel: does yours differ between two directions of the same texel?",
+            answer: |q| Self::answer(q) * q.direction.x.hypot(q.direction.z),
+        },
+        Mistake {
             name: "forgets that rows differ in solid angle when it chooses them",
             hint: "For a constant map the density must be 1/(4π) everywhere: is it, near a pole?",
             answer: |q| {
@@ -207,6 +212,36 @@ impl Graded for EnvironmentPdf {
                     .unwrap_or(0.0);
                 if here > 0.0 {
                     right * there / here
+                } else {
+                    0.0
+                }
+            },
+        },
+        Mistake {
+            name: "multiplies the row by the number of rows, not by the width, to find the texel in the list",
+            hint: "How many texels come in the list before the first one of the second row?",
+            answer: |q| {
+                let (x, y) = q.texel();
+                let Some(there) = q.texels.get(y * q.height as usize + x) else {
+                    return Self::answer(q);
+                };
+                let all = q.map().all_light();
+                if all > 0.0 {
+                    (f64::from(*there) / all) as f32
+                } else {
+                    0.0
+                }
+            },
+        },
+        Mistake {
+            name: "takes 4π over their number for the solid angle of every texel, in the sum too",
+            hint: "Texels at the equator and at a pole: which is larger on the sphere?",
+            answer: |q| {
+                let sum: f32 = q.texels.iter().sum();
+                let solid = 4.0 * std::f32::consts::PI / q.texels.len() as f32;
+                let (x, y) = q.texel();
+                if sum > 0.0 {
+                    q.map().texel(x, y) as f32 / (sum * solid)
                 } else {
                     0.0
                 }

@@ -151,7 +151,7 @@ impl Graded for SampleEnvironment {
         },
         Flaw {
             complaint: "in column",
-            name: "does not choose the texels by their light",
+            name: "gives some texels more directions than their light is worth, and others fewer",
             hint: "What does a texel weigh: its radiance, or its radiance times its solid angle? Which direction belongs to which row and column?",
         },
         Flaw {
@@ -244,6 +244,22 @@ impl Graded for SampleEnvironment {
                     .into_iter()
                     .map(|d| d * Vec3::new(-1.0, 1.0, -1.0))
                     .collect()
+            },
+        },
+        Mistake {
+            name: "is a quarter turn off, to the right",
+            hint: "Which column is straight ahead, and from which axis do you count the angle around?",
+            answer: |q| {
+                let all = Self::answer(q).into_iter();
+                all.map(|d| Vec3::new(-d.z, d.y, d.x)).collect()
+            },
+        },
+        Mistake {
+            name: "is a quarter turn off, to the left",
+            hint: "Which column is straight ahead, and from which axis do you count the angle around?",
+            answer: |q| {
+                let all = Self::answer(q).into_iter();
+                all.map(|d| Vec3::new(d.z, d.y, -d.x)).collect()
             },
         },
         Mistake {

@@ -163,7 +163,7 @@ impl Graded for ConcentricDisk {
     const FLAWS: &'static [Flaw] = &[
         Flaw {
             complaint: "where does the shift come in",
-            name: "ignores a coordinate of the shift",
+            name: "ignores the shift, or one of its coordinates",
             hint: "Change `shift` alone: do your points move?",
         },
         Flaw {

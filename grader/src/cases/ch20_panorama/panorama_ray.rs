@@ -7,7 +7,7 @@ use raybook_chapters::kit::palette::direction as direction_colour;
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch01_rays::CameraRayAnswer;
 use raybook_workbook::exercises::ch20_panorama::PanoramaRay;
-use std::f32::consts::{PI, TAU};
+use std::f32::consts::{FRAC_PI_2, PI, TAU};
 
 impl Graded for PanoramaRay {
     fn random(rng: &mut Pcg) -> PanoramaRay {
@@ -30,6 +30,11 @@ impl Graded for PanoramaRay {
             name: "draws the picture upside down",
             hint: "film (0, 0) is the top left: is the top edge of your picture the sky or the ground?",
             answer: |q| Self::misread(q, |q| q.film.y = 1.0 - q.film.y),
+        },
+        Mistake {
+            name: "takes the angle from up for the angle above the horizon",
+            hint: "At the top of the picture your angle is 0: is its sine, or its cosine, what goes with `up`?",
+            answer: |q| along(q, TAU * (q.film.x - 0.5), FRAC_PI_2 - PI * q.film.y),
         },
         Mistake {
             name: "draws the picture mirrored",

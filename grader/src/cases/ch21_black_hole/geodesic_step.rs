@@ -42,8 +42,8 @@ impl Graded for GeodesicStep {
             answer: |q| pulled(q, |x, v| -h2(x, v) * x / x.length().powi(5)),
         },
         Mistake {
-            name: "takes 1 for the hole's mass, not for its radius",
-            hint: "Here the radius is 1, and the mass is half of it: where would your ray go around in a circle?",
+            name: "pulls twice as strongly, as if 1 were the hole's mass and not its radius",
+            hint: "Here the radius is 1, and the mass is half of it. If the velocity turns in two halves of the step, is each of them half a step?",
             answer: |q| pulled(q, |x, v| -3.0 * h2(x, v) * x / x.length().powi(5)),
         },
         Mistake {
@@ -100,6 +100,39 @@ impl Graded for GeodesicStep {
                 let v = v + step * pull(x, v);
                 after(x + step * v, v)
             },
+        },
+        Mistake {
+            name: "goes straight on, as if there were no hole",
+            hint: "Does your velocity change at all?",
+            answer: |q| {
+                let (x, v, step) = parts(q);
+                after(x + step * v, v)
+            },
+        },
+        Mistake {
+            name: "gives the four slopes the same weight, and divides by 6",
+            hint: "The weights of the slopes must add up to 1: what are they, of the slopes in the middle of the step?",
+            answer: |q| by_slopes(q, pull, [1.0, 1.0, 1.0, 1.0].map(|w| w / 6.0), 1.0),
+        },
+        Mistake {
+            name: "leaves the fourth slope out of the sum",
+            hint: "The weights of the slopes must add up to 1: is the one at the end of the step among them?",
+            answer: |q| by_slopes(q, pull, [1.0, 2.0, 2.0, 0.0].map(|w| w / 6.0), 1.0),
+        },
+        Mistake {
+            name: "divides the weighted sum of the slopes by 3 instead of 6",
+            hint: "The weights of the slopes must add up to 1: do yours?",
+            answer: |q| by_slopes(q, pull, [1.0, 2.0, 2.0, 1.0].map(|w| w / 3.0), 1.0),
+        },
+        Mistake {
+            name: "takes the fourth slope in the middle of the step",
+            hint: "Two of the four slopes belong to the middle of the step: where does the fourth one belong?",
+            answer: |q| by_slopes(q, pull, [1.0, 2.0, 2.0, 1.0].map(|w| w / 6.0), 0.5),
+        },
+        Mistake {
+            name: "pulls along the velocity, not towards the hole",
+            hint: "To which point does the hole pull, and which of the two vectors points there?",
+            answer: |q| pulled(q, |x, v| -1.5 * h2(x, v) * v / x.length().powi(5)),
         },
         Mistake {
             name: "divides by the third power",
@@ -165,6 +198,17 @@ fn after(x: DVec3, v: DVec3) -> GeodesicStepAnswer {
 
 /// A good step (the classical fourth-order one) with another acceleration.
 fn pulled(q: &GeodesicStep, pull: fn(DVec3, DVec3) -> DVec3) -> GeodesicStepAnswer {
+    let weights = [1.0, 2.0, 2.0, 1.0].map(|w| w / 6.0);
+    by_slopes(q, pull, weights, 1.0)
+}
+
+/// A step by four slopes, with these weights; the fourth of them is taken at this share of the step.
+fn by_slopes(
+    q: &GeodesicStep,
+    pull: fn(DVec3, DVec3) -> DVec3,
+    weights: [f64; 4],
+    fourth: f64,
+) -> GeodesicStepAnswer {
     let (x, v, step) = parts(q);
     let slope = |p: Photon| Photon {
         x: p.v,
@@ -174,7 +218,8 @@ fn pulled(q: &GeodesicStep, pull: fn(DVec3, DVec3) -> DVec3) -> GeodesicStepAnsw
     let k1 = slope(p);
     let k2 = slope(p + k1 * (step / 2.0));
     let k3 = slope(p + k2 * (step / 2.0));
-    let k4 = slope(p + k3 * step);
-    let end = p + (k1 + k2 * 2.0 + k3 * 2.0 + k4) * (step / 6.0);
+    let k4 = slope(p + k3 * (fourth * step));
+    let [w1, w2, w3, w4] = weights;
+    let end = p + (k1 * w1 + k2 * w2 + k3 * w3 + k4 * w4) * step;
     after(end.x, end.v)
 }

@@ -188,6 +188,18 @@ impl Graded for NeedsMore {
             },
         },
         Mistake {
+            name: "is content as soon as the contrast of one channel is allowed",
+            hint: "Red is within its limit: what do you know of green, of blue, and of the error?",
+            answer: |q| {
+                let limits = q.contrast.channels();
+                let allowed = (0..3).any(|channel| ratio(range(q, channel)) <= limits[channel]);
+                if q.samples.len() >= 2 && allowed {
+                    return 0;
+                }
+                decide(q, false, standard_error(q))
+            },
+        },
+        Mistake {
             name: "turns the rule of the error round",
             hint: "Is a pixel with a large error the one that needs more samples, or the one with a small error?",
             answer: |q| {

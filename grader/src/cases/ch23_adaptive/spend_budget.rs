@@ -194,6 +194,14 @@ impl Graded for SpendBudget {
             },
         },
         Mistake {
+            name: "raises shares to the minimum without taking that from the others",
+            hint: "Add up your samples: is the sum the budget? Who pays for a quiet pixel's minimum?",
+            answer: |q| {
+                let counts = shares(q, 0, |d| d).into_iter();
+                counts.map(|n| n.max(q.least)).collect()
+            },
+        },
+        Mistake {
             name: "gives each pixel its minimum on top of the budget",
             hint: "Add up your samples: is the sum the budget?",
             answer: |q| {

@@ -243,6 +243,21 @@ impl Graded for Trace {
             answer: |q| answer(q, Slip::BelowTheSurface),
         },
         Mistake {
+            name: "starts shadow rays and mirrored rays on the side of the surface away from the viewer",
+            hint: "What is the first thing that such a ray meets? Start it a little off the surface, on the side to which it leaves.",
+            answer: |q| answer(q, Slip::FromTheSideAwayFromTheViewer),
+        },
+        Mistake {
+            name: "starts shadow rays and mirrored rays on the outside of the surface, even if the viewer is inside",
+            hint: "A viewer inside of a ball, or below a floor: on which side do the rays leave that you see?",
+            answer: |q| answer(q, Slip::AlwaysFromOutside),
+        },
+        Mistake {
+            name: "asks no further lamp after one that is in the shadow",
+            hint: "One lamp is hidden: what do you know of the next one? Which word leaves a loop, and which only its present round?",
+            answer: |q| answer(q, Slip::ShadowEndsTheLoop),
+        },
+        Mistake {
             name: "forgets the colour of mirrors",
             hint: "Gold is yellow: what does a mirror do to what is seen in it?",
             answer: |q| answer(q, Slip::MirrorsWithoutColour),
@@ -346,6 +361,11 @@ impl Graded for Trace {
             name: "forgets the lamp's light in the highlight",
             hint: "Switch the lamp off: is your highlight gone?",
             answer: |q| answer(q, Slip::HighlightUnlit),
+        },
+        Mistake {
+            name: "exchanges the two indices in Fresnel's equations",
+            hint: "Of the two indices, which one is on the side from which the light comes?",
+            answer: |q| answer(q, Slip::FresnelTurned),
         },
         Mistake {
             name: "gives Fresnel's equations a cosine below 0",

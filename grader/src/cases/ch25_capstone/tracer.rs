@@ -60,7 +60,9 @@ impl Tracer<'_> {
         let see = |direction: Dir3| {
             // Who never turns the normal steps off along it, wherever the ray goes.
             let off_along_it = self.is(Slip::NormalNeverTurned) && at.normal.dot(*direction) < 0.0;
-            if off_along_it || self.is(Slip::MirroredFromTheWrongSide) {
+            let wrong = self.is(Slip::MirroredFromTheWrongSide)
+                || self.is_on_the_wrong_side(&at, -ray.direction);
+            if off_along_it || wrong {
                 return see_from(wrong_side(&at, direction));
             }
             see_from(self.leave(&at, direction))
@@ -105,6 +107,9 @@ impl Tracer<'_> {
                     }
                     Slip::FresnelFromOutside => {
                         fresnel(-ray.direction.dot(*normal), 1.0, clear.index).unpolarised
+                    }
+                    Slip::FresnelTurned => {
+                        fresnel(-ray.direction.dot(*normal), there, here).unpolarised
                     }
                     Slip::FresnelBackwards => {
                         fresnel(ray.direction.dot(*normal), here, there).unpolarised
@@ -160,6 +165,15 @@ impl Tracer<'_> {
         }
     }
 
+    /// Whether rays to the viewer's side of a surface start on its other side.
+    fn is_on_the_wrong_side(&self, at: &Surface, view: Dir3) -> bool {
+        match self.slip {
+            Slip::FromTheSideAwayFromTheViewer => true,
+            Slip::AlwaysFromOutside => at.normal.dot(*view) < 0.0,
+            _ => false,
+        }
+    }
+
     /// The ray that leaves a surface.
     fn leave(&self, at: &Surface, direction: Dir3) -> Ray {
         let ray = at.leave(direction);
@@ -180,7 +194,11 @@ impl Tracer<'_> {
         } else {
             lamps.len()
         };
+        let mut is_over = false;
         let lights = lamps.iter().take(counted).filter_map(|lamp| {
+            if is_over {
+                return None;
+            }
             let mut light = lamp.sample(at.position, Vec2::ZERO)?;
             if self.is(Slip::NoFalloff) {
                 light.arriving = lamp.intensity;
@@ -193,7 +211,10 @@ impl Tracer<'_> {
             if self.is(Slip::FalloffByDistance) {
                 light.arriving = lamp.intensity / (lamp.position - at.position).length();
             }
-            self.arrives(at, &light).then_some(light)
+            let arrives = self.arrives(at, view, &light);
+            let is_above = light.toward.dot(*at.facing(view)) > 0.0;
+            is_over = self.is(Slip::ShadowEndsTheLoop) && is_above && !arrives;
+            arrives.then_some(light)
         });
         let lit: Rgb = lights.map(|light| self.lit(phong, at, view, &light)).sum();
         let times = match self.slip {
@@ -205,12 +226,16 @@ impl Tracer<'_> {
     }
 
     /// Whether a lamp's light arrives.
-    fn arrives(&self, at: &Surface, light: &LightSample) -> bool {
+    fn arrives(&self, at: &Surface, view: Dir3, light: &LightSample) -> bool {
         let (_, mut way) = shadow_ray(at, light);
         if self.is(Slip::ShadowsFromBeyondTheLamp) {
             way = Interval::AHEAD;
         }
-        let ray = self.leave(at, light.toward);
+        let ray = if self.is_on_the_wrong_side(at, view) {
+            wrong_side(at, light.toward)
+        } else {
+            self.leave(at, light.toward)
+        };
         let blocks = |object: &&Object| {
             let clear =
                 self.is(Slip::LightThroughGlass) && matches!(object.matter, Matter::Glass(_));

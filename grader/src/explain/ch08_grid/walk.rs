@@ -8,18 +8,24 @@ use crate::explain::way::Way;
 use glam::{DVec2, DVec3, IVec3, UVec3, dvec2};
 use raybook_workbook::exercises::ch08_grid::{GridWalk, Visit};
 
-/// Where a walk begins.
-struct Start {
+/// A ray's way through a lattice.
+struct Through {
     o: DVec3,
     d: DVec3,
     min: DVec3,
     size: DVec3,
+    count: UVec3,
     /// Where the interval ends.
     limit: f64,
     /// Where the ray enters the lattice, or the interval begins.
     enter: f64,
     /// Where the ray leaves the lattice, or the interval ends.
     end: f64,
+}
+
+/// Where a walk begins.
+struct Start {
+    through: Through,
     /// The first cell.
     cell: UVec3,
     /// 1 for each axis along which the next plane is the upper one of a cell, 0 where it is the lower one.
@@ -28,7 +34,7 @@ struct Start {
     stop: DVec3,
 }
 
-impl Start {
+impl Through {
     /// None if the ray misses the lattice.
     fn of(asked: &GridWalk, way: &mut Way) -> Option<Self> {
         let (o, d) = rays::parts(&asked.ray);
@@ -61,15 +67,40 @@ impl Start {
             way.remark("It leaves before it enters: the ray misses the lattice.");
             return None;
         }
-        let start = way.part("o + enter·d", o + enter * d);
-        let inside = way.part("o + enter·d − min", start - min);
-        let place = way.part("(o + enter·d − min)/cell", inside / size);
-        let cell = place
-            .floor()
-            .as_ivec3()
-            .clamp(IVec3::ZERO, count.as_ivec3() - 1)
-            .as_uvec3();
-        let is_backward = [0, 1, 2].map(|axis| d[axis].is_sign_negative());
+        Some(Self {
+            o,
+            d,
+            min,
+            size,
+            count,
+            limit,
+            enter,
+            end,
+        })
+    }
+
+    /// The cell of a place that is measured in cells.
+    fn cell(&self, place: DVec3) -> UVec3 {
+        let last = self.count.as_ivec3() - 1;
+        place.floor().as_ivec3().clamp(IVec3::ZERO, last).as_uvec3()
+    }
+
+    /// Whether the ray goes backwards along an axis.
+    fn backward(&self, axis: usize) -> bool {
+        self.d[axis].is_sign_negative()
+    }
+}
+
+impl Start {
+    /// None if the ray misses the lattice.
+    fn of(asked: &GridWalk, way: &mut Way) -> Option<Self> {
+        let through = Through::of(asked, way)?;
+        let start = through.o + through.enter * through.d;
+        let start = way.part("o + enter·d", start);
+        let inside = way.part("o + enter·d − min", start - through.min);
+        let place = way.part("(o + enter·d − min)/cell", inside / through.size);
+        let cell = through.cell(place);
+        let is_backward = [0, 1, 2].map(|axis| through.backward(axis));
         let forward = DVec3::from(is_backward.map(|it| f64::from(u8::from(!it))));
         let ahead = way.part(
             "the plane ahead: 1 for a cell's upper one, 0 for the lower one where the ray goes backwards",
@@ -77,7 +108,7 @@ impl Start {
         );
         let above = way.part(
             "the number at which the walk ends where the ray goes forward",
-            count.as_dvec3(),
+            through.count.as_dvec3(),
         );
         let below = way.part(
             "the number at which the walk ends where the ray goes backwards",
@@ -85,29 +116,18 @@ impl Start {
         );
         let stop = forward * above + (1.0 - forward) * below;
         Some(Self {
-            o,
-            d,
-            min,
-            size,
-            limit,
-            enter,
-            end,
+            through,
             cell,
             ahead,
             stop,
         })
     }
 
-    /// Whether the ray goes backwards along an axis.
-    fn backward(&self, axis: usize) -> bool {
-        self.d[axis].is_sign_negative()
-    }
-
     /// The next cell along an axis; none if the lattice ends there.
     fn next(&self, cell: UVec3, axis: usize) -> Option<UVec3> {
         let mut next = cell;
         let stop = self.stop[axis];
-        next[axis] = if self.backward(axis) {
+        next[axis] = if self.through.backward(axis) {
             let below = cell[axis].checked_sub(1);
             below.filter(|at| f64::from(*at) > stop)?
         } else {
@@ -127,16 +147,16 @@ fn by_increments(asked: &GridWalk, way: &mut Way, leaves_out: bool) -> Vec<Visit
     let Some(start) = Start::of(asked, way) else {
         return Vec::new();
     };
-    let Start {
+    let Through {
         o,
         d,
         min,
         size,
         mut enter,
         end,
-        mut cell,
         ..
-    } = start;
+    } = start.through;
+    let mut cell = start.cell;
     let plane = way.part(
         "the numbers of the first planes",
         cell.as_dvec3() + start.ahead,
@@ -177,26 +197,62 @@ fn by_increments(asked: &GridWalk, way: &mut Way, leaves_out: bool) -> Vec<Visit
     }
 }
 
+/// The same by the distances to all planes, sorted: between two of them lies a cell, in which their middle is.
+fn by_sorting(asked: &GridWalk, way: &mut Way) -> Vec<Visit> {
+    let Some(through) = Through::of(asked, way) else {
+        return Vec::new();
+    };
+    let Through { o, d, min, .. } = through;
+    let from = way.part("min, where the planes begin", min);
+    let mut planes = vec![through.enter, through.end];
+    for axis in (0..3).filter(|axis| d[*axis] != 0.0) {
+        for i in 0..=through.count[axis] {
+            let plane = from[axis] + f64::from(i) * through.size[axis];
+            let plane = way.part("min + i·cell", plane);
+            let t = way.part("t of a plane", (plane - o[axis]) / d[axis]);
+            if through.enter < t && t < through.end {
+                planes.push(t);
+            }
+        }
+    }
+    planes.sort_by(f64::total_cmp);
+    planes.dedup();
+    let mut visits = Vec::new();
+    for ends in planes.windows(2) {
+        let enter = way.part("where the ray enters a cell", ends[0]);
+        let leave = way.part("where the ray leaves a cell", ends[1]);
+        let between = way.part("the middle of both", 0.5 * (enter + leave));
+        let at = way.part("o + that·d", o + between * d);
+        let inside = way.part("o + that·d − min", at - min);
+        let place = way.part("(o + that·d − min)/cell", inside / through.size);
+        let UVec3 { x, y, z } = through.cell(place);
+        let leave = way.part("leave, returned", leave) as f32;
+        visits.push(Visit { x, y, z, leave });
+    }
+    visits
+}
+
 impl Explained for GridWalk {
     const WAYS: &'static [fn(&Self, &mut Way) -> Vec<Visit>] = &[
         Self::work,
         |asked, way| by_increments(asked, way, false),
         |asked, way| by_increments(asked, way, true),
+        by_sorting,
     ];
 
     fn work(&self, way: &mut Way) -> Vec<Visit> {
         let Some(start) = Start::of(self, way) else {
             return Vec::new();
         };
-        let Start {
+        let Through {
             o,
             d,
             min,
             size,
             limit,
-            mut cell,
             ..
-        } = start;
+        } = start.through;
+        let mut cell = start.cell;
         way.vector(
             "apart: the distance between two planes, along each axis",
             "m",

@@ -1,78 +1,17 @@
-//! Chapter 25: a ray through a whole scene, surface by surface, and its way in a drawing.
+//! The radiance along a line, surface by surface.
 
-use super::Explained;
-use super::ch12_phong::{colour, parts};
-use super::diagram::{Diagram, Ink};
-use super::view::View;
-use super::way::Way;
-use glam::{DVec3, Vec3, dvec2};
-use raybook::image::rgb::Rgb;
+use super::shapes::{Line, meets, normal};
+use crate::explain::ch12_phong::parts;
+use crate::explain::way::Way;
+use glam::DVec3;
 use raybook::material::phong::Phong;
 use raybook::scene::description::{Description, Form, Matter};
 use raybook_workbook::exercises::ch25_capstone::Trace;
 
-/// Nearer than this a ray does not meet anything: it has just left there.
-const LEAVES: f64 = 1e-5;
-
-/// A line that light takes to the eye, backwards.
-#[derive(Clone, Copy)]
-struct Line {
-    origin: DVec3,
-    direction: DVec3,
-}
-
-impl Line {
-    fn at(&self, t: f64) -> DVec3 {
-        self.origin + t * self.direction
-    }
-}
-
-/// The distance at which a line meets a shape ahead, if it does.
-fn meets(form: &Form, line: Line) -> Option<f64> {
-    let Line {
-        origin: o,
-        direction: d,
-    } = line;
-    let ahead = |t: f64| (t > LEAVES && t.is_finite()).then_some(t);
-    match form {
-        Form::Sphere(sphere) => {
-            let m = o - sphere.center.as_dvec3();
-            let (half, radius) = (m.dot(d), f64::from(sphere.radius));
-            let root = (half * half - m.length_squared() + radius * radius).sqrt();
-            // Of a line that misses the root is NaN, which is never ahead.
-            ahead(-half - root).or_else(|| ahead(-half + root))
-        }
-        Form::Plane(plane) => {
-            let n = plane.normal.as_dvec3();
-            ahead((f64::from(plane.offset) - n.dot(o)) / n.dot(d))
-        }
-        Form::Triangle(corners) => {
-            let [p0, p1, p2] = [corners.p0, corners.p1, corners.p2].map(Vec3::as_dvec3);
-            let n = (p1 - p0).cross(p2 - p0);
-            let t = ahead((p0 - o).dot(n) / d.dot(n))?;
-            let p = line.at(t);
-            let inside = |a: DVec3, b: DVec3| (b - a).cross(p - a).dot(n) >= 0.0;
-            (inside(p0, p1) && inside(p1, p2) && inside(p2, p0)).then_some(t)
-        }
-    }
-}
-
-/// The normal of a shape at a point, which points outside.
-fn normal(form: &Form, p: DVec3) -> DVec3 {
-    match form {
-        Form::Sphere(sphere) => (p - sphere.center.as_dvec3()).normalize_or(DVec3::Y),
-        Form::Plane(plane) => plane.normal.as_dvec3(),
-        Form::Triangle(corners) => {
-            let [p0, p1, p2] = [corners.p0, corners.p1, corners.p2].map(Vec3::as_dvec3);
-            (p1 - p0).cross(p2 - p0).normalize_or(DVec3::Y)
-        }
-    }
-}
-
 /// A part of the way: from one point to the next, or to a lamp.
-struct Part {
-    ends: [DVec3; 2],
-    is_to_lamp: bool,
+pub struct Part {
+    pub ends: [DVec3; 2],
+    pub is_to_lamp: bool,
 }
 
 /// A tracer that writes down what it does.
@@ -276,7 +215,7 @@ impl Tracer<'_> {
 }
 
 /// The parts of the way, and the radiance.
-fn traced(q: &Trace, way: &mut Way) -> (Vec<Part>, DVec3) {
+pub fn traced(q: &Trace, way: &mut Way) -> (Vec<Part>, DVec3) {
     let mut tracer = Tracer {
         scene: &q.scene,
         parts: Vec::new(),
@@ -288,76 +227,4 @@ fn traced(q: &Trace, way: &mut Way) -> (Vec<Part>, DVec3) {
     };
     let radiance = tracer.radiance(way, line, q.depth);
     (tracer.parts, radiance)
-}
-
-impl Explained for Trace {
-    fn work(&self, way: &mut Way) -> Rgb {
-        colour(traced(self, way).1)
-    }
-
-    fn draw(&self, _: &Rgb, _: Option<&Rgb>) -> Option<Diagram> {
-        let (traced, _) = traced(self, &mut Way::default());
-        let (o, d) = (self.ray.origin.as_dvec3(), self.ray.direction.as_dvec3());
-        let ends = || traced.iter().flat_map(|part| part.ends).chain([o]);
-        let (min, max) = ends().fold((o, o + d), |(min, max), p| (min.min(p), max.max(p)));
-        let view = View::least(max - min);
-        let size = (max - min).length();
-        let mut drawing = Diagram::new(format!(
-            "The way of the ray through the scene, {}; dashed from a surface to the lamps",
-            view.words()
-        ));
-        for (i, object) in self.scene.objects.iter().enumerate() {
-            let near = |p: DVec3| p.clamp(min, max).distance(p) < size;
-            let mut name =
-                |at: DVec3| drawing.label(view.at(at), dvec2(0.0, 0.0), format!("{i}"), Ink::Shape);
-            match &object.form {
-                Form::Sphere(sphere) if near(sphere.center.as_dvec3()) => {
-                    name(sphere.center.as_dvec3());
-                    drawing.circle(
-                        view.at(sphere.center.as_dvec3()),
-                        sphere.radius.into(),
-                        Ink::Shape,
-                    );
-                }
-                Form::Triangle(corners) => {
-                    let corners = [corners.p0, corners.p1, corners.p2].map(Vec3::as_dvec3);
-                    if corners.into_iter().all(near) {
-                        name((corners[0] + corners[1] + corners[2]) / 3.0);
-                        drawing.area(&corners.map(|p| view.at(p)), Ink::Shape);
-                    }
-                }
-                Form::Plane(plane) => {
-                    let n = plane.normal.as_dvec3();
-                    let middle = 0.5 * (min + max);
-                    let foot = middle + (f64::from(plane.offset) - n.dot(middle)) * n;
-                    let across = view.at(n).perp();
-                    // A plane that is seen from above is everywhere; one from its side is a line.
-                    if across.length() > 0.99 && near(foot) {
-                        let half = 0.5 * size * across;
-                        drawing.line(&[view.at(foot) - half, view.at(foot) + half], Ink::Shape);
-                        drawing.label(
-                            view.at(foot) + half,
-                            dvec2(0.0, 0.9),
-                            format!("{i}"),
-                            Ink::Shape,
-                        );
-                    }
-                }
-                Form::Sphere(_) => {}
-            }
-        }
-        for part in &traced {
-            let [from, to] = part.ends.map(|p| view.at(p));
-            if part.is_to_lamp {
-                drawing.line(&[from, to], Ink::Guide);
-                drawing.label(to, dvec2(0.0, 0.9), "lamp", Ink::Guide);
-            } else {
-                drawing.arrow(from, to, Ink::Ray);
-            }
-        }
-        if traced.is_empty() {
-            drawing.arrow(view.at(o), view.at(o + d), Ink::Ray);
-        }
-        Some(drawing)
-    }
 }

@@ -150,8 +150,10 @@ fn every_step_matters() {
                     std::panic::catch_unwind(other).is_ok_and(|other| other != right)
                 };
                 tried += 1;
-                if !questions.iter().any(changes) {
-                    idle.push(format!("{}: {name}", explainer.exercise));
+                let step = format!("{}: {name}", explainer.exercise);
+                // Several ways may have the same step.
+                if !questions.iter().any(changes) && !idle.contains(&step) {
+                    idle.push(step);
                 }
             }
         }
@@ -161,13 +163,10 @@ fn every_step_matters() {
 }
 
 /// Steps that tell more than what is calculated with; and of a triangle's hit what a search has no use for.
-const ONLY_TOLD: [&str; 36] = [
+const ONLY_TOLD: &[&str] = &[
     "sphere_hit: s = (c − o)·d/(d·d), where the ray is nearest to the centre",
     "mesh_hit: b₁, returned",
     "mesh_hit: b₂, returned",
-    "voxels_of_triangle: the first cell that it can be in",
-    "voxels_of_triangle: cells that the triangle meets",
-    "voxels_of_triangle: the margin around the triangle's box",
     "voxels_of_triangle: the first cell that it can be in",
     "voxels_of_triangle: cells that the triangle meets",
     "voxels_of_triangle: the margin around the triangle's box",
@@ -182,10 +181,6 @@ const ONLY_TOLD: [&str; 36] = [
     "geodesic_step: |x|",
     "geodesic_step: x + step·v, straight on",
     "regular_grid: columns · rows: the number of points",
-    "rotated_grid: (offset.x, offset.y), of i = j = 0",
-    "rotated_grid: that, rotated",
-    "rotated_grid: (½, ½) + spacing times that",
-    "rotated_grid: of all of them in the square",
     "rotated_grid: (offset.x, offset.y), of i = j = 0",
     "rotated_grid: that, rotated",
     "rotated_grid: (½, ½) + spacing times that",

@@ -235,7 +235,7 @@ fn the_texel_beside_the_right_one_is_named() {
         let y = ((place[1] * height as f64) as usize).min(height - 1);
         Some(vec![texels[y.saturating_sub(1) * width + x] / all])
     });
-    let told = "goes wrong at the step “its texel's column and row, from 0”: takes one less for the second number";
+    let told = "goes wrong at the step “its texel's row, from 0”: takes the value minus 1";
     assert_eq!(found.name, told);
 }
 

@@ -72,19 +72,18 @@ pub fn explain(
     } else if let Some(why) = &report.stopped {
         lines.extend([String::new(), format!("  No picture: {why}.")]);
     }
+    let number = outcome.case.number;
     let this = match report.smallest {
         Some(_) => "the case as it was",
         None => "this case again",
     };
     lines.extend([
         String::new(),
-        format!(
-            "  Ask {this}: {} --case {}",
-            commands.again, outcome.case.number
-        ),
+        format!("  Ask {this}: {} --case {number}", commands.again),
     ]);
     let explain = commands.explain;
-    lines.extend(explain.map(|command| format!("  See it step by step: {command}")));
+    lines
+        .extend(explain.map(|command| format!("  See it step by step: {command} --case {number}")));
     lines.extend(derived(report.exercise));
     lines.push(String::new());
     lines.join("\n")

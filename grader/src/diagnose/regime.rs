@@ -9,6 +9,9 @@ use raybook_workbook::kind::{Kind, VECTOR};
 /// A regime is told if this many answers are right: with all wrong, nothing sets it apart.
 const RIGHT: usize = 8;
 
+/// Of fewer wrong answers it is not said that what is seen in them is seen nowhere else: of one alone, much is true.
+const ENOUGH: usize = 2;
+
 /// What leads on.
 const HINT: &str = "Go through the first of these questions by hand, line by line: which of your steps makes no sense there, such as the division by a length of 0?";
 
@@ -37,6 +40,9 @@ pub fn search(evidence: &Evidence<'_>) -> Option<Diagnosis> {
 
 /// Says of what is seen in the wrong answers where it is seen, for then it is no mistake of all answers.
 pub fn add_to(seen: &mut Diagnosis, evidence: &Evidence<'_>) {
+    if evidence.wrong < ENOUGH {
+        return;
+    }
     if let Some(words) = shared(evidence) {
         seen.name = format!("{}, but only where {words}", seen.name);
         HINT.clone_into(&mut seen.hint);

@@ -218,14 +218,11 @@ impl Maker<'_, '_> {
         if self.is_whole() {
             return;
         }
-        let wrong = &self.evidence.items[..self.evidence.wrong];
+        // A program that prints more digits in any answer, even a right one, does not print too few.
+        let items = self.evidence.items.iter();
+        let words = || items.clone().flat_map(|item| item.text.split_whitespace());
         let behind = |word: &str| word.split_once('.').map_or(0, |(_, digits)| digits.len());
-        let most = wrong
-            .iter()
-            .flat_map(|item| item.text.split_whitespace())
-            .map(behind)
-            .max();
-        let decimals = most.unwrap_or(0).min(6);
+        let decimals = words().map(behind).max().unwrap_or(0).min(6);
         let unit = 10_f64.powi(decimals as i32);
         let hint = "How many digits does your program print? Seven that count are enough for any answer here.";
         let make = move |_: usize, v: &mut [f64]| {
@@ -248,7 +245,8 @@ impl Maker<'_, '_> {
             hint,
             &make,
         );
-        for digits in 1..4_usize {
+        let most = words().map(counting).max().unwrap_or(0);
+        for digits in most.max(1)..4 {
             let make = move |_: usize, v: &mut [f64]| {
                 for v in v {
                     let text = format!("{:.*e}", digits - 1, *v);
@@ -264,4 +262,11 @@ impl Maker<'_, '_> {
             );
         }
     }
+}
+
+/// The number of digits of a printed number that count: those from the first that is not 0 on, without the exponent.
+fn counting(word: &str) -> usize {
+    let number = word.split(['e', 'E']).next().unwrap_or_default();
+    let digits = number.chars().filter(char::is_ascii_digit);
+    digits.skip_while(|digit| *digit == '0').count()
 }

@@ -40,8 +40,8 @@ const DIAL: Dial = Dial {
     radius: 280.0,
 };
 
-/// Height of the numbers on the rings, in radii: 30 pixels beside a legend.
-const LETTERS: f64 = 30.0 / DIAL.radius;
+/// Height of the numbers on the rings, in radii: 34 pixels beside a legend.
+const LETTERS: f64 = 34.0 / DIAL.radius;
 
 /// Where the legend is, and its columns of numbers.
 const LEGEND: (i32, i32) = (720, 90);

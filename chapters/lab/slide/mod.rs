@@ -48,6 +48,9 @@ const SMALL: i32 = 330;
 const TOP: i32 = 240;
 const RINGS: i32 = 660;
 
+/// Size of the smallest letters, in pixels of the canvas: 12 pixels high on a projector of 720 lines.
+const LETTERS: i32 = 45;
+
 /// Samples per pixel of the polar plots, and where they are: one above the other, on the right.
 const EDGES: [usize; 2] = [4, 16];
 const DIALS: [Dial; 2] = [dial(660), dial(1650)];
@@ -175,19 +178,19 @@ impl Plot for Slide {
                 ),
                 ("rings, 4 samples a pixel", (left + 350, under_rings)),
             ] {
-                write(canvas, words, at, text(34).pos(CENTRE))?;
+                write(canvas, words, at, text(LETTERS).pos(CENTRE))?;
             }
         }
         for ((polar, n), dial) in self.polars.iter().zip(EDGES).zip(DIALS) {
             let words = format!("RMS error by the edge's angle, {n} samples a pixel");
             let above = dial.centre.1 - dial.radius as i32 - 106;
-            let style = text(40).pos(CENTRE);
+            let style = text(LETTERS).pos(CENTRE);
             write(canvas, &words, (dial.centre.0, above), style)?;
             polar.draw_on(canvas, dial)?;
         }
         let titles: Vec<_> = self.subjects.iter().map(|s| s.title.as_str()).collect();
         table::draw(canvas, &titles, &self.measures)?;
-        write(canvas, &self.how, (FIRST, 2125), text(32).pos(LEFT))
+        write(canvas, &self.how, (FIRST, 2120), text(LETTERS).pos(LEFT))
     }
 
     fn rasters(&self) -> Vec<Raster> {

@@ -1,7 +1,7 @@
 //! The slide's table: a line for each measure, the best pattern marked, and how often each pattern is the best and the worst.
 
-use super::FIRST;
 use super::measure::Measure;
+use super::{FIRST, LETTERS};
 use crate::kit::figure::{LEFT, RIGHT, text, write};
 use crate::kit::palette::BLUE;
 use crate::kit::stage::Drawn;
@@ -16,9 +16,6 @@ const LINE: i32 = 54;
 const NUMBERS: i32 = 1400;
 const APART: i32 = 400;
 
-/// Size of its letters.
-const SIZE: i32 = 38;
-
 /// Draws the measures of the patterns with these titles.
 pub(super) fn draw<B: DrawingBackend>(
     canvas: &DrawingArea<B, Shift>,
@@ -28,10 +25,11 @@ pub(super) fn draw<B: DrawingBackend>(
 where
     B::ErrorType: 'static,
 {
-    let name = |words: &str, y: i32| write(canvas, words, (FIRST, y), text(SIZE).pos(LEFT));
+    let name = |words: &str, y: i32| write(canvas, words, (FIRST, y), text(LETTERS).pos(LEFT));
     let column = |i: usize| NUMBERS + APART * i as i32;
-    let cell =
-        |words: &str, i: usize, y: i32| write(canvas, words, (column(i), y), text(SIZE).pos(RIGHT));
+    let cell = |words: &str, i: usize, y: i32| {
+        write(canvas, words, (column(i), y), text(LETTERS).pos(RIGHT))
+    };
     name("smaller is better; the best is marked", TOP)?;
     for (i, title) in titles.iter().enumerate() {
         cell(title, i, TOP)?;
@@ -42,7 +40,12 @@ where
         if let Some(best) = measure.winner() {
             let corners = [(column(best) - 200, y - 25), (column(best) + 16, y + 27)];
             canvas.draw(&Rectangle::new(corners, BLUE.mix(0.2).filled()))?;
-            write(canvas, "●", (column(best) - 180, y), text(28).pos(LEFT))?;
+            write(
+                canvas,
+                "●",
+                (column(best) - 180, y),
+                text(LETTERS).pos(LEFT),
+            )?;
         }
         for (i, v) in measure.numbers.iter().enumerate() {
             cell(&number(*v, measure.digits), i, y)?;

@@ -23,17 +23,13 @@ const UNSEEN: f32 = 1e-6;
 /// A smaller weight is left out.
 const LEAST: f32 = 1e-3;
 
-/// Rows for which weights are computed at a time: so that memory does not grow with the picture.
-const ROWS: usize = 24;
+/// Rows of a band: the weights of one band at a time are in memory.
+pub(super) const ROWS: usize = 24;
 
 /// A pixel's place, column and row, and its weight.
 pub(super) type Weighted = ([usize; 2], f32);
 
-/// How much the pixels of a picture look alike.
-///
-/// The weight of two pixels p and q is w = exp(−max(0, d²)), where d² is the mean over the patches around p and q of
-/// ((p − q)² − (V(p) + min(V(p), V(q))))/(ε + k²·(V(p) + min(V(q), 8 V(p)))), with k² = 0.5 and ε = 10⁻⁶. V is the variance of a
-/// pixel (Rousselle, Knaus and Zwicker, "Adaptive rendering with non-local means filtering", 2012).
+/// How much the pixels of a picture look alike: the weights w(p, q) of [`denoise`](super::denoise).
 pub(super) struct Alike {
     width: usize,
     height: usize,
@@ -57,35 +53,13 @@ impl Alike {
         }
     }
 
-    /// Calls `see` with each pixel p that `chosen` chooses, row by row, and with all pixels q around it that look like it, itself among
-    /// them; before each row it asks whether to go on.
-    pub(super) fn visit<S>(
-        &self,
-        state: &mut S,
-        go_on: &dyn Fn() -> bool,
-        chosen: impl Fn(&S, [usize; 2]) -> bool,
-        see: impl Fn(&mut S, [usize; 2], &[Weighted]),
-    ) {
-        let Self { width, height, .. } = *self;
+    /// The band of [`ROWS`] rows, or what is left of them, from `top` on.
+    pub(super) fn band(&self, top: usize) -> Band {
         let along = || -WINDOW..=WINDOW;
-        let mut around = Vec::with_capacity(along().count().pow(2));
-        for top in (0..height).step_by(ROWS) {
-            let rows = top..(top + ROWS).min(height);
-            let steps = along().flat_map(|dy| along().map(move |dx| [dx, dy]));
-            let steps: Vec<_> = steps.map(|step| self.step(step, &rows)).collect();
-            for y in rows {
-                if !go_on() {
-                    return;
-                }
-                for x in 0..width {
-                    if chosen(state, [x, y]) {
-                        around.clear();
-                        around.extend(steps.iter().filter_map(|step| step.weighted([x, y])));
-                        see(state, [x, y], &around);
-                    }
-                }
-            }
-        }
+        let rows = top..(top + ROWS).min(self.height);
+        let steps = along().flat_map(|dy| along().map(move |dx| [dx, dy]));
+        let steps = steps.map(|step| self.step(step, &rows)).collect();
+        Band { rows, steps }
     }
 
     /// All pixels of these rows, and of their patches, with those that are a step away.
@@ -128,6 +102,20 @@ impl Alike {
 /// The lesser of two numbers: one instruction, where `min` also asks for NaN.
 fn least(a: f32, b: f32) -> f32 {
     if a < b { a } else { b }
+}
+
+/// Some rows of a picture.
+pub(super) struct Band {
+    pub(super) rows: Range<usize>,
+    /// From each of their pixels to all pixels of its window.
+    steps: Vec<Step>,
+}
+
+impl Band {
+    /// The pixels that look like p, which is in the band; p itself is among them.
+    pub(super) fn around(&self, p: [usize; 2]) -> impl Iterator<Item = Weighted> {
+        self.steps.iter().filter_map(move |step| step.weighted(p))
+    }
 }
 
 /// Pixels p, each with the pixel q that is a step away.

@@ -6,7 +6,7 @@ mod fit;
 
 use crate::image::{Image, rgb::Rgb};
 use crate::threads;
-use alike::Alike;
+use alike::{Alike, ROWS};
 use fit::{Fit, Terms};
 use glam::Vec3;
 use std::ops::{AddAssign, Div};
@@ -61,8 +61,11 @@ impl Div<f32> for Guide {
 /// first-order regression for denoising Monte Carlo renderings", 2016). So what the guides know stays sharp, as edges and
 /// textures, and what they do not know, as the edge of a shadow, stays where w tells it from noise.
 ///
-/// w is that of non-local means (Rousselle, Knaus and Zwicker, "Adaptive rendering with non-local means filtering", 2012), see
-/// [`Alike`]. Each picture is fitted with the weights of the other one, so that noise does not choose its own weights.
+/// w = exp(−max(0, d²)), where d² is the mean over the patches around p and q of
+/// ((p − q)² − (V(p) + min(V(p), V(q))))/(ε + k²·(V(p) + min(V(q), 8 V(p)))), with k² = 0.5 and ε = 10⁻⁶ (non-local means:
+/// Rousselle, Knaus and Zwicker, "Adaptive rendering with non-local means filtering", 2012). V is the variance of a pixel,
+/// estimated from the difference of the two pictures. Each picture is fitted with the weights of the other one, so that noise does
+/// not choose its own weights.
 ///
 /// The result is biased: a little too dark where a few rare paths bring much light. A pixel that is bright in only one of the
 /// pictures counts no more than twice the brightest pixel around it in the other.
@@ -105,27 +108,30 @@ fn fitted(picture: &Image, guides: &[Guide], alike: &Alike, go_on: &dyn Fn() -> 
     let place = |[x, y]: [usize; 2]| y * picture.width + x;
     let terms = |p| Terms::of(p, guides.get(place(p)).copied().unwrap_or_default());
     let mut sums = vec![(Rgb::BLACK, 0.0); picture.pixels.len()];
-    alike.visit(
-        &mut sums,
-        go_on,
-        |sums, p| p.map(|i| i % APART) == [0, 0] || sums[place(p)].1 < ENOUGH,
-        |sums, p, around| {
-            let (centre, mut fit) = (terms(p), Fit::default());
-            let around = around
-                .iter()
-                .map(|&(q, weight)| (place(q), weight, terms(q).from(&centre)));
-            let around: Vec<_> = around.collect();
-            for (q, weight, terms) in &around {
-                fit.add(*weight, terms, picture.pixels[*q]);
+    for top in (0..picture.height).step_by(ROWS).take_while(|_| go_on()) {
+        let band = alike.band(top);
+        for y in band.rows.clone().take_while(|_| go_on()) {
+            for p in (0..picture.width).map(|x| [x, y]) {
+                if p.map(|i| i % APART) != [0, 0] && sums[place(p)].1 >= ENOUGH {
+                    continue;
+                }
+                let centre = terms(p);
+                let around = band.around(p);
+                let around = around.map(|(q, w)| (place(q), w, terms(q).from(&centre)));
+                let around: Vec<_> = around.collect();
+                let mut fit = Fit::default();
+                for (q, weight, terms) in &around {
+                    fit.add(*weight, terms, picture.pixels[*q]);
+                }
+                let plane = fit.solve();
+                for (q, weight, terms) in &around {
+                    let (sum, weights) = &mut sums[*q];
+                    *sum += plane.at(terms) * *weight;
+                    *weights += weight;
+                }
             }
-            let plane = fit.solve();
-            for (q, weight, terms) in &around {
-                let (sum, weights) = &mut sums[*q];
-                *sum += plane.at(terms) * *weight;
-                *weights += weight;
-            }
-        },
-    );
+        }
+    }
     sums.into_iter()
         .map(|(sum, weights)| sum / weights)
         .collect()

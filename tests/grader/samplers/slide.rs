@@ -30,6 +30,16 @@ fn the_slide_is_a_picture_a_drawing_and_numbers_that_say_who_wins() {
         .filter(|node| node.has_tag_name("image"));
     assert_eq!(images.count(), 6, "rings and spectra of three patterns");
     assert!(svg.len() < 1_500_000, "small: {}", svg.len());
+    let sizes = drawing
+        .descendants()
+        .filter_map(|node| node.attribute("font-size"));
+    let least = sizes.map(|size| size.parse::<f64>().expect("a number"));
+    let least = least.fold(f64::INFINITY, f64::min);
+    assert!(
+        (12.0..30.0).contains(&(least / 3.0)),
+        "on a projector of 720 lines the smallest letters have {} pixels",
+        least / 3.0
+    );
     let csv = String::from_utf8(read("slide.csv")).expect("text");
     let numbers = |measure: &str| -> Vec<f64> {
         let line = csv.lines().find(|line| line.contains(measure));

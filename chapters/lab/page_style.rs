@@ -4,7 +4,7 @@
 /// never scaled.
 pub const STYLE: &str = "
 body { max-width: 1420px }
-.figures { display: flex; flex-wrap: wrap; gap: 1.5rem }
+.figures { display: flex; flex-wrap: wrap; gap: 1.5rem .7rem }
 .figures > * { max-width: 100% }
 .scroll > a > img, .scroll > img { width: auto; max-width: none; display: block }
 figcaption { max-width: 43em; margin-top: .4em } figcaption code { font-size: 13px }

@@ -42,6 +42,9 @@ type Make<'a> = dyn Fn(usize, &mut [f64]) + 'a;
 /// The rank of the last function that is common.
 const COMMON: u32 = 11;
 
+/// The rank of functions that whole numbers may be mistaken by: powers, the reciprocal, and 1 minus the number.
+const OF_WHOLE: u32 = 10;
+
 /// Makes explanations of a part.
 struct Maker<'a, 'e> {
     evidence: &'a Evidence<'e>,
@@ -254,13 +257,13 @@ impl Maker<'_, '_> {
         }
     }
 
-    /// The functions that so many different values cannot have hit by chance: a rare one needs several of them, and of whole numbers
-    /// more, since few of these are possible.
+    /// The functions that may explain the answers. A rare function is only tried if the answers differ much, and on whole numbers if
+    /// they differ still more: else it may hit them by chance.
     fn functions(&mut self) {
         let different = self.different();
         for function in FUNCTIONS {
-            let is_constant = ["returns 0", "returns 1"].contains(&function.name);
-            if self.is_whole() && !is_constant && function.rank != 10 {
+            let is_constant = function.is_constant();
+            if self.is_whole() && !is_constant && function.rank != OF_WHOLE {
                 continue;
             }
             let needed = match (is_constant, self.is_whole()) {

@@ -27,6 +27,12 @@ enum Takes {
 }
 
 impl Function {
+    /// Whether it is the same number whatever the right one is.
+    pub fn is_constant(&self) -> bool {
+        let [first, others @ ..] = [0.3, 1.7, -1.7].map(self.of);
+        others.iter().all(|other| *other == first)
+    }
+
     /// Whether a value can be taken for what the function takes: a length has no cosine, 2 has no arc cosine, and a number without
     /// a unit is only taken for degrees beside values that are angles.
     pub fn suits(&self, value: &[f64], unit: &str, has_angles: bool) -> bool {
@@ -120,5 +126,8 @@ mod tests {
             let told = find(name).suits(&[value], unit, has_angles);
             assert_eq!(told, suits, "{name} of {value} {unit}");
         }
+        let constant = FUNCTIONS.iter().filter(|one| one.is_constant());
+        let constant: Vec<_> = constant.map(|one| one.name).collect();
+        assert_eq!(constant, ["returns 0", "returns 1"]);
     }
 }

@@ -87,6 +87,15 @@ fn a_new_folder_in_python_is_all_to_do() {
     );
 }
 
+/// Writes the body of `ray_at` in place of its stub.
+fn write_ray_at(folder: &Path, body: &str) {
+    let file = folder.join("ch01_rays.py");
+    let text = fs::read_to_string(&file).expect("it can be read");
+    let stub = "    raise NotImplementedError(\"ray_at\")";
+    assert!(text.contains(stub), "{text}");
+    fs::write(&file, text.replace(stub, body)).expect("it can be written");
+}
+
 #[test]
 fn a_loop_that_never_ends_is_found_in_a_folder_in_python() {
     if !there_is("/usr/bin/python3") {
@@ -94,12 +103,8 @@ fn a_loop_that_never_ends_is_found_in_a_folder_in_python() {
     }
     let home = tempfile::tempdir().expect("a temporary folder");
     let folder = new(home.path(), "rays", Language::Python);
-    let file = folder.join("ch01_rays.py");
-    let text = fs::read_to_string(&file).expect("it can be read");
-    let stub = "    raise NotImplementedError(\"ray_at\")";
-    assert!(text.contains(stub), "{text}");
-    let endless = "    while True:\n        t += 1  # and again";
-    fs::write(&file, text.replace(stub, endless)).expect("it can be written");
+    let text = fs::read_to_string(folder.join("ch01_rays.py")).expect("it can be read");
+    write_ray_at(&folder, "    while True:\n        t += 1  # and again");
     let line = 1 + text
         .lines()
         .position(|line| line.contains("\"ray_at\""))
@@ -122,15 +127,13 @@ fn a_list_is_a_vector_in_python_where_a_vector_is_asked_for() {
         return;
     }
     let home = tempfile::tempdir().expect("a temporary folder");
-    let folder = new(home.path(), "rays", Language::Python);
-    let file = folder.join("ch01_rays.py");
-    let text = fs::read_to_string(&file).expect("it can be read");
-    let stub = "    raise NotImplementedError(\"ray_at\")";
     // As an array of numpy does, which need not be there.
     let array = "    class Array:\n        def tolist(self):\n            return [p.x, p.y, p.z]";
-    for value in ["[p.x, p.y, p.z]", "(p.x, p.y, p.z)", "Array()"] {
+    let values = ["[p.x, p.y, p.z]", "(p.x, p.y, p.z)", "Array()"];
+    for (name, value) in ["list", "tuple", "array"].into_iter().zip(values) {
+        let folder = new(home.path(), name, Language::Python);
         let body = format!("    p = ray.origin + t * ray.direction\n{array}\n    return {value}");
-        fs::write(&file, text.replace(stub, &body)).expect("it can be written");
+        write_ray_at(&folder, &body);
         let (code, said) = raybook_with(&folder, &["check", "ray_at"], &[WITHOUT_RUST]);
         assert!(
             code == 0 && said.contains("40 of 40 cases right"),

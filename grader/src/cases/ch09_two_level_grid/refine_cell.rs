@@ -11,6 +11,15 @@ use raybook_workbook::exercises::ch08_grid::{Cell, GridResolution};
 use raybook_workbook::exercises::ch09_two_level_grid::{Entry, RefineCell, RefineCellAnswer};
 use std::collections::HashSet;
 
+/// The middle of a shape's box, as a box without extent.
+fn middle(shape: &Corners) -> Corners {
+    let middle = 0.5 * (shape.min + shape.max);
+    Corners {
+        min: middle,
+        max: middle,
+    }
+}
+
 /// The reference's answer with other boxes.
 fn with_shapes(q: &RefineCell, shape: impl Fn(&Corners) -> Corners) -> RefineCellAnswer {
     RefineCell::misread(q, |q| q.shapes = q.shapes.iter().map(shape).collect())
@@ -184,15 +193,7 @@ impl Graded for RefineCell {
         Mistake {
             name: "names a shape only where its middle is",
             hint: "A ray can hit a shape far from the shape's middle: in which cells must the ray find the shape?",
-            answer: |q| {
-                with_shapes(q, |shape| {
-                    let middle = 0.5 * (shape.min + shape.max);
-                    Corners {
-                        min: middle,
-                        max: middle,
-                    }
-                })
-            },
+            answer: |q| with_shapes(q, middle),
         },
         Mistake {
             name: "names a shape only where its least corner is",
@@ -320,15 +321,7 @@ impl Graded for RefineCell {
         Mistake {
             name: "names a shape only where its middle is, and loses one whose middle is outside",
             hint: "A ray can hit a shape far from the shape's middle: in which cells must the ray find the shape?",
-            answer: |q| {
-                without_those_outside(q, |shape| {
-                    let middle = 0.5 * (shape.min + shape.max);
-                    Corners {
-                        min: middle,
-                        max: middle,
-                    }
-                })
-            },
+            answer: |q| without_those_outside(q, middle),
         },
         Mistake {
             name: "measures from the origin, and loses the shapes that are then outside",

@@ -3,8 +3,11 @@
 #![cfg(unix)] // the programs are shell scripts
 
 mod answers;
+mod counted;
 mod failures;
+mod hanging;
 mod ill_mannered;
+mod many;
 mod one_process;
 mod totals;
 

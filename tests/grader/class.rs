@@ -12,7 +12,9 @@ mod interrupted;
 mod own;
 mod packed;
 mod pages;
+mod regrading;
 mod rust;
+mod similar;
 
 use raybook_common::project;
 use serde_json::Value;

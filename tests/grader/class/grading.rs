@@ -1,8 +1,6 @@
 //! A class from hand-ins to grades.
 
 use super::{Course, KEY, RIGHT, text, visible_only, wrong_sign};
-use rand::RngExt;
-use raybook::math::pcg;
 use raybook_grader::class::journal;
 use raybook_grader::class::record::{Record, Standing};
 use std::fs;
@@ -220,130 +218,6 @@ fn grades_are_the_same_in_parts_merged_by_concatenation() {
         let (code, _) = course.grade(&["--shard", wrong]);
         assert_eq!(code, Some(2), "{wrong}");
     }
-}
-
-#[test]
-fn other_hidden_cases_for_another_term_or_key() {
-    let course = Course::new(COURSE);
-    course.hand_in("right/answer.py", RIGHT);
-    let asked = |said: &str| said.contains(", 1 to grade");
-    assert!(asked(&course.grade(&[]).1), "at first");
-    assert!(!asked(&course.grade(&[]).1), "known");
-    fs::write(course.path("key"), "another key").expect("it is written");
-    assert!(asked(&course.grade(&[]).1), "another key");
-    fs::write(course.path("course.toml"), COURSE.replace("now", "later")).expect("it is written");
-    assert!(asked(&course.grade(&[]).1), "another term");
-    for (file, text, words) in [
-        ("key", "\n", "it is empty"),
-        ("course.toml", "x = 1", "no name `x`"),
-    ] {
-        fs::write(course.path(file), text).expect("it is written");
-        let (code, said) = course.grade(&[]);
-        assert!(code == Some(2) && said.contains(words), "{said}");
-        fs::write(course.path("key"), KEY).expect("it is written");
-    }
-}
-
-#[test]
-fn regrading_previews_who_changes_and_why() {
-    let course = Course::new(COURSE);
-    course.hand_in("right/answer.py", RIGHT);
-    course.hand_in("wrong/answer.py", &wrong_sign());
-    fs::write(course.path("times.csv"), "student,time\nright,2026-11-02T00:00:01Z\nwrong,2026-10-01T00:00:00Z\nnobody,2026-10-01T00:00:00Z\n").expect("times");
-    let (code, said) = course.grade(&["--times", "times.csv"]);
-    assert!(
-        code == Some(0) && said.contains("nobody, of whom there is no hand-in"),
-        "{said}"
-    );
-    let grades = || text(&course.path("results/grades.csv"));
-    let before = grades();
-
-    let other = "term = 'now'\npartial = 0\n[late]\nper_day = 0.25\n[[chapter]]\nchapter = 'ch01'\ndue = 2026-11-01T00:00:00Z\nexercises = { ray_at = 4, camera_ray = 1 }\n";
-    fs::write(course.path("other.toml"), other).expect("it is written");
-    let (code, said) = course.say(&["regrade", "results", "--course", "other.toml"]);
-    assert_eq!(code, Some(0), "{said}");
-    // Two days begun cost half of four points.
-    for words in [
-        "right: 1 of 2 → 2 of 5",
-        "ray_at: 1 → 4",
-        "days late of ch01_rays: nothing → 2",
-        "→ 0 of 5",
-        "2 students have other points",
-        "Nothing is written",
-    ] {
-        assert!(said.contains(words), "{words}: {said}");
-    }
-    assert_eq!(grades(), before, "a preview writes nothing");
-    let (code, said) = course.say(&["regrade", "results", "--course", "other.toml", "--write"]);
-    assert_eq!(code, Some(0), "{said}");
-    assert_eq!((course.points("right"), course.points("wrong")), (2.0, 0.0));
-    let (_, said) = course.say(&["regrade", "results", "--course", "other.toml"]);
-    assert!(said.contains("no grade changes"), "{said}");
-
-    // Grading does not change what was written, either.
-    let written = grades();
-    let (code, said) = course.grade(&["--times", "times.csv"]);
-    assert!(
-        code == Some(1)
-            && said.contains("right: 2 of 5 → 1 of 2")
-            && said.contains("nothing is written"),
-        "{said}"
-    );
-    assert_eq!(grades(), written);
-    let (code, said) = course.say(&["regrade", "nowhere", "--course", "other.toml"]);
-    assert!(code == Some(2) && said.contains("no such folder"), "{said}");
-    fs::write(course.path("times.csv"), "student,time\nright,soon\n").expect("times");
-    let (code, said) = course.grade(&["--times", "times.csv"]);
-    assert!(
-        code == Some(2) && said.contains("times.csv:2: this must be a date"),
-        "{said}"
-    );
-}
-
-#[test]
-fn nearly_identical_hand_ins_are_found() {
-    let course = Course::new(COURSE);
-    // Long enough to be compared, and not what everybody was given.
-    let own = |seed: u64| -> String {
-        let signs = ["+", "-", "*", "/", "%", "**", "//"];
-        let mut rng = pcg::stream(seed, 0);
-        let mut body = String::new();
-        for _ in 0..60 {
-            body += "    value = other";
-            for _ in 0..10 {
-                let sign = signs[rng.random_range(0..signs.len())];
-                let word = ["value", "3.5"][rng.random_range(0..2)];
-                body.extend([" ", sign, " ", word]);
-            }
-            body += "\n";
-        }
-        format!("def own(value, other):\n{body}    return value\n{RIGHT}")
-    };
-    course.hand_in("ann/answer.py", &own(1));
-    let renamed = own(1)
-        .replace("value", "amount")
-        .replace("other", "rest")
-        .replace("def own", "# mine\ndef mine");
-    course.hand_in("ben/answer.py", &renamed);
-    course.hand_in("cem/answer.py", &own(3));
-    for i in 0..6 {
-        let reader = raybook_grader::reader::python::program(
-            raybook_grader::cases::find("ray_at")
-                .expect("it is there")
-                .asked(),
-        );
-        course.hand_in(&format!("given{i}/answer.py"), &format!("# {i}\n{reader}"));
-    }
-    let (code, said) = course.grade(&[]);
-    assert_eq!(code, Some(0), "{said}");
-    let similar = text(&course.path("results/similar.csv"));
-    let lines: Vec<_> = similar.lines().skip(1).collect();
-    assert_eq!(
-        lines.len(),
-        1,
-        "renaming hides nothing, and what is given is nobody's: {similar}"
-    );
-    assert!(lines[0].starts_with("ann,ben,"), "{similar}");
 }
 
 #[test]

@@ -20,8 +20,8 @@ const NOISIER: f32 = 8.0;
 /// A squared difference of radiance that is too small to be seen; it keeps the denominator above 0.
 const UNSEEN: f32 = 1e-6;
 
-/// A smaller weight is left out.
-const LEAST: f32 = 1e-3;
+/// Maximum d²: a pixel that differs more is left out, for its weight would be below 10⁻³.
+const MOST: f32 = 6.9;
 
 /// Rows of a band: the weights of one band at a time are in memory.
 pub(super) const ROWS: usize = 24;
@@ -62,41 +62,69 @@ impl Alike {
         Band { rows, steps }
     }
 
-    /// All pixels of these rows, and of their patches, with those that are a step away.
+    /// All pixels of these rows with those that are a step away.
     fn step(&self, by: [isize; 2], rows: &Range<usize>) -> Step {
         let Self { width, height, .. } = *self;
-        let [columns, inside] = [(by[0], width), (by[1], height)].map(|(by, n)| inside(by, n));
-        let first = patch(rows.start, &inside).start;
-        let rows = first..patch(rows.end - 1, &inside).end.max(first);
-        let distances = rows
-            .clone()
-            .map(|y| self.distances(by, y, &columns))
-            .collect();
+        let inside = [(by[0], width), (by[1], height)].map(|(by, n)| inside(by, n));
+        let [columns, inside_rows] = &inside;
+        let rows = rows.start.max(inside_rows.start)..rows.end.min(inside_rows.end);
+        let patches = rows.clone().map(|y| patch(y, inside_rows));
+        let all = patches.clone().reduce(|all, last| all.start..last.end);
+        let all = all.unwrap_or_default();
+        let mut distances = Vec::with_capacity(all.len() * columns.len());
+        for y in all.clone() {
+            distances.extend(self.distances(by, y, columns));
+        }
+        let row = |y: usize| &distances[(y - all.start) * columns.len()..][..columns.len()];
+        let mut sums = Vec::with_capacity(rows.len() * columns.len());
+        for mut patch in patches {
+            let from = sums.len();
+            sums.extend_from_slice(patch.next().map_or(&[], row));
+            for y in patch {
+                let sums = sums[from..].iter_mut();
+                sums.zip(row(y))
+                    .for_each(|(sum, distance)| *sum += distance);
+            }
+        }
         Step {
             by,
-            columns,
+            inside,
             rows,
-            distances,
+            sums,
         }
     }
 
-    /// How much more the pixels of a row differ than by noise from those that are a step away: the mean of three channels.
-    fn distances<'a>(&'a self, [dx, dy]: [isize; 2], y: usize, columns: &Range<usize>) -> Vec<f32> {
-        let p = y * self.width + columns.start;
+    /// How much more the pixels of row y, in these columns, differ than by noise from those that are a step away: the mean of three
+    /// channels.
+    fn distances<'a>(
+        &'a self,
+        [dx, dy]: [isize; 2],
+        y: usize,
+        columns: &Range<usize>,
+    ) -> impl Iterator<Item = f32> + 'a {
+        let (p, n) = (y * self.width + columns.start, columns.len());
         let q = p.wrapping_add_signed(dy * self.width as isize + dx);
-        let mut sums = vec![0.0; columns.len()];
-        for (picture, variance) in self.picture.iter().zip(&self.variance) {
-            let row = |of: &'a Vec<f32>, first: usize| of[first..][..columns.len()].iter();
-            let pairs = row(picture, p).zip(row(picture, q));
-            let variances = row(variance, p).zip(row(variance, q));
-            for (sum, ((p, q), (of_p, of_q))) in sums.iter_mut().zip(pairs.zip(variances)) {
-                let noise = of_p + least(*of_p, *of_q);
-                let scale = UNSEEN + STRENGTH * (of_p + least(*of_q, NOISIER * of_p));
-                *sum += ((p - q).powi(2) - noise) / scale * (1.0 / 3.0);
-            }
-        }
-        sums
+        // Slices of one length: so the compiler compares several pixels at once.
+        let channel = |i: usize| {
+            let row = |of: &'a [Vec<f32>; 3], first: usize| &of[i][first..][..n];
+            let [picture, variance] = [&self.picture, &self.variance];
+            let (p, q) = (
+                [row(picture, p), row(variance, p)],
+                [row(picture, q), row(variance, q)],
+            );
+            move |x: usize| distance(p.map(|of| of[x]), q.map(|of| of[x]))
+        };
+        let (r, g, b) = (channel(0), channel(1), channel(2));
+        (0..n).map(move |x| (r(x) + g(x) + b(x)) * (1.0 / 3.0))
     }
+}
+
+/// How much more two numbers differ than by noise; each with its variance.
+#[inline]
+fn distance([p, of_p]: [f32; 2], [q, of_q]: [f32; 2]) -> f32 {
+    let noise = of_p + least(of_p, of_q);
+    let scale = UNSEEN + STRENGTH * (of_p + least(of_q, NOISIER * of_p));
+    ((p - q).powi(2) - noise) / scale
 }
 
 /// The lesser of two numbers: one instruction, where `min` also asks for NaN.
@@ -122,29 +150,34 @@ impl Band {
 struct Step {
     /// Columns and rows from p to q.
     by: [isize; 2],
-    /// The columns and the rows of p.
-    columns: Range<usize>,
+    /// The columns and the rows of the picture from which the step leads to a pixel.
+    inside: [Range<usize>; 2],
+    /// The rows of p.
     rows: Range<usize>,
-    /// What d² is the mean of, row by row.
-    distances: Vec<Vec<f32>>,
+    /// For each p, the sum over the rows of its patch of what d² is the mean of.
+    sums: Vec<f32>,
 }
 
 impl Step {
     /// The q of this p and its weight, unless it is outside the picture, or the weight is too small to count.
     fn weighted(&self, [x, y]: [usize; 2]) -> Option<Weighted> {
-        if !self.columns.contains(&x) || !self.rows.contains(&y) {
+        let [columns, rows] = &self.inside;
+        if !columns.contains(&x) || !self.rows.contains(&y) {
             return None;
         }
-        let (across, down) = (patch(x, &self.columns), patch(y, &self.rows));
-        let (left, count) = (across.start - self.columns.start, across.len() * down.len());
-        let row = |y: usize| &self.distances[y - self.rows.start][left..][..across.len()];
-        let sum: f32 = down.map(|y| row(y).iter().sum::<f32>()).sum();
-        let weight = (-(sum / count as f32).max(0.0)).exp();
-        let q = [
-            x.wrapping_add_signed(self.by[0]),
-            y.wrapping_add_signed(self.by[1]),
-        ];
-        (weight > LEAST).then_some((q, weight))
+        let (across, down) = (patch(x, columns), patch(y, rows));
+        let row = &self.sums[(y - self.rows.start) * columns.len()..];
+        let sum: f32 = row[across.start - columns.start..][..across.len()]
+            .iter()
+            .sum();
+        let squared = (sum / (across.len() * down.len()) as f32).max(0.0);
+        let q = || {
+            [
+                x.wrapping_add_signed(self.by[0]),
+                y.wrapping_add_signed(self.by[1]),
+            ]
+        };
+        (squared < MOST).then(|| (q(), (-squared).exp()))
     }
 }
 

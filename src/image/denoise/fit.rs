@@ -3,12 +3,7 @@
 use super::Guide;
 use super::alike::WINDOW;
 use crate::image::rgb::Rgb;
-
-/// Number of terms: 1, two of the place, and seven of the guide.
-const TERMS: usize = 10;
-
-/// The terms and the three channels, side by side; the rest is 0.
-const ROW: usize = 16;
+use std::array;
 
 /// How much the squares of each term are enlarged, as a share: so that a term that hardly changes, or follows from others, cannot
 /// explain noise (ridge regression, Hoerl and Kennard 1970).
@@ -17,75 +12,102 @@ const RIDGE: f32 = 1e-3;
 /// The same for a term that does not change at all.
 const UNCHANGED: f32 = 1e-6;
 
-/// What a colour depends on: 1, the place, and the guide.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Terms([f32; TERMS]);
+/// Number of terms: 1, and two of the place.
+pub(super) const PLACE: usize = 3;
 
-impl Terms {
+/// Number of terms with a guide, which has seven.
+pub(super) const GUIDED: usize = PLACE + 7;
+
+/// What a colour depends on: the first N of 1, the place, and the guide.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Terms<const N: usize>([f32; N]);
+
+impl<const N: usize> Terms<N> {
     /// Of a pixel in this column and row.
     pub(super) fn of([x, y]: [usize; 2], guide: Guide) -> Self {
         let [r, g, b] = guide.colour.channels();
         let [nx, ny, nz] = guide.normal.to_array();
         let [x, y] = [x, y].map(|i| i as f32 / WINDOW as f32);
-        Self([1.0, x, y, nx, ny, nz, r, g, b, guide.nearness])
+        let all: [f32; GUIDED] = [1.0, x, y, nx, ny, nz, r, g, b, guide.nearness];
+        Self(array::from_fn(|i| all[i]))
     }
 
     /// Relative to a centre, but for the 1.
     #[must_use]
     pub(super) fn from(&self, centre: &Self) -> Self {
-        let mut terms = self.0;
-        for (term, origin) in terms.iter_mut().zip(centre.0).skip(1) {
-            *term -= origin;
-        }
+        let mut terms = array::from_fn(|i| self.0[i] - centre.0[i]);
+        terms[0] = 1.0;
         Self(terms)
     }
 }
 
-/// A plane that is being fitted: the sums of weighted products, of which the normal equations consist.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Fit {
-    /// Σ w tᵢ tⱼ, and, from column [`TERMS`] on, Σ w tᵢ colour.
-    sums: [[f32; ROW]; TERMS],
+/// Red, green, blue, and a 0 beside them: a vector of the processor holds four numbers.
+type Channels = [f32; 4];
+
+/// Adds a multiple of some numbers to others.
+#[inline]
+fn add<const N: usize>(sums: &mut [f32; N], factor: f32, others: &[f32; N]) {
+    for (sum, other) in sums.iter_mut().zip(others) {
+        *sum += factor * other;
+    }
 }
 
-impl Fit {
+/// A plane that is being fitted: the sums of weighted products, of which the normal equations consist.
+#[derive(Clone, Debug)]
+pub(super) struct Fit<const N: usize> {
+    /// Σ w tᵢ tⱼ.
+    terms: [[f32; N]; N],
+    /// Σ w tᵢ colour.
+    colours: [Channels; N],
+}
+
+impl<const N: usize> Fit<N> {
+    /// Through nothing yet.
+    pub(super) fn new() -> Self {
+        Self {
+            terms: [[0.0; N]; N],
+            colours: [[0.0; 4]; N],
+        }
+    }
+
     /// Adds a colour, with a weight.
     #[inline]
-    pub(super) fn add(&mut self, weight: f32, Terms(terms): &Terms, colour: Rgb) {
-        let mut row = [0.0; ROW];
-        row[..TERMS].copy_from_slice(terms);
-        row[TERMS..][..3].copy_from_slice(&colour.channels());
-        for (sums, term) in self.sums.iter_mut().zip(terms) {
-            let share = weight * term;
-            for (sum, other) in sums.iter_mut().zip(&row) {
-                *sum += share * other;
-            }
+    pub(super) fn add(&mut self, weight: f32, Terms(terms): &Terms<N>, colour: Rgb) {
+        let colour = [colour.r, colour.g, colour.b, 0.0];
+        let rows = self.terms.iter_mut().zip(&mut self.colours);
+        for ((products, colours), term) in rows.zip(terms) {
+            add(products, weight * term, terms);
+            add(colours, weight * term, &colour);
         }
     }
 
     /// The plane for which Σ w |colour − plane|² is least, but for the ridge.
     ///
     /// Gaussian elimination; without pivots, for the matrix is symmetric and positive definite.
-    pub(super) fn solve(mut self) -> Plane {
-        let sums = &mut self.sums;
-        let all = sums[0][0];
-        for (i, sums) in sums.iter_mut().enumerate().skip(1) {
-            sums[i] += RIDGE * sums[i] + UNCHANGED * all;
+    pub(super) fn solve(self) -> Plane<N> {
+        let Self {
+            mut terms,
+            mut colours,
+        } = self;
+        let all = terms[0][0];
+        for (i, row) in terms.iter_mut().enumerate().skip(1) {
+            row[i] += RIDGE * row[i] + UNCHANGED * all;
         }
-        for i in 0..TERMS {
-            let pivot = sums[i];
-            for row in &mut sums[i + 1..] {
-                let share = row[i] / pivot[i];
-                for (sum, above) in row.iter_mut().zip(&pivot) {
-                    *sum -= share * above;
-                }
+        for i in 0..N {
+            let (pivot, colour) = (terms[i], colours[i]);
+            for j in i + 1..N {
+                let share = terms[j][i] / pivot[i];
+                add(&mut terms[j], -share, &pivot);
+                add(&mut colours[j], -share, &colour);
             }
         }
-        let mut slopes = [Rgb::BLACK; TERMS];
-        for i in (0..TERMS).rev() {
-            let [r, g, b] = [0, 1, 2].map(|channel| sums[i][TERMS + channel]);
-            let known = (i + 1..TERMS).map(|j| slopes[j] * sums[i][j]).sum::<Rgb>();
-            slopes[i] = (Rgb::new(r, g, b) + known * -1.0) / sums[i][i];
+        let mut slopes = [[0.0; 4]; N];
+        for i in (0..N).rev() {
+            let mut slope = colours[i];
+            for j in i + 1..N {
+                add(&mut slope, -terms[i][j], &slopes[j]);
+            }
+            slopes[i] = slope.map(|channel| channel / terms[i][i]);
         }
         Plane(slopes)
     }
@@ -93,18 +115,17 @@ impl Fit {
 
 /// A colour as a first-order function: the sum of terms times these.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Plane([Rgb; TERMS]);
+pub(super) struct Plane<const N: usize>([Channels; N]);
 
-impl Plane {
+impl<const N: usize> Plane<N> {
     /// Its colour; not below black.
     #[inline]
-    pub(super) fn at(&self, Terms(terms): &Terms) -> Rgb {
-        let colour: Rgb = self
-            .0
-            .iter()
-            .zip(terms)
-            .map(|(slope, term)| *slope * *term)
-            .sum();
-        Rgb::new(colour.r.max(0.0), colour.g.max(0.0), colour.b.max(0.0))
+    pub(super) fn at(&self, Terms(terms): &Terms<N>) -> Rgb {
+        let mut colour = [0.0; 4];
+        for (slope, term) in self.0.iter().zip(terms) {
+            add(&mut colour, *term, slope);
+        }
+        let [r, g, b, _] = colour.map(|channel| channel.max(0.0));
+        Rgb::new(r, g, b)
     }
 }

@@ -7,15 +7,15 @@ mod fit;
 use crate::image::{Image, rgb::Rgb};
 use crate::threads;
 use alike::{Alike, ROWS};
-use fit::{Fit, Terms};
+use fit::{Fit, GUIDED, PLACE, Terms};
 use glam::Vec3;
 use std::ops::{AddAssign, Div};
 
 /// Between two pixels around which a plane is fitted, in pixels, along each axis.
-const APART: usize = 4;
+const APART: usize = 6;
 
 /// A plane is also fitted around a pixel for which the weights of the planes before it have a smaller sum: it looks like few others.
-const ENOUGH: f32 = 1.0;
+const ENOUGH: f32 = 0.5;
 
 /// Maximum brightness of a pixel, in units of the brightest pixel that the other picture has around it. A brighter pixel comes
 /// from a very rare path.
@@ -55,7 +55,7 @@ impl Div<f32> for Guide {
 // ANCHOR: denoise
 /// The mean of two pictures of the same view, made with different random numbers, with less noise and sharp edges.
 ///
-/// Around every fourth pixel p of every fourth row, a plane is fitted to the pixels q that look as p does: their colour as a
+/// Around every sixth pixel p of every sixth row, a plane is fitted to the pixels q that look as p does: their colour as a
 /// first-order function of their place and, where there are `guides`, of these. It is fitted by least squares, with weights
 /// w(p, q). Then a pixel becomes the mean of all planes around it, with the same weights (Bitterli et al., "Nonlinearly weighted
 /// first-order regression for denoising Monte Carlo renderings", 2016). So what the guides know stays sharp, as edges and
@@ -92,6 +92,11 @@ pub(crate) fn denoise_while(
     let halves = [clamped(a, b), clamped(b, a)];
     let [a, b] = &halves;
     let variance = variance(a, b);
+    let fitted = if guides.is_empty() {
+        fitted::<PLACE>
+    } else {
+        fitted::<GUIDED>
+    };
     let (a, b) = threads::join(
         || fitted(a, guides, &Alike::new(b, &variance), go_on),
         || fitted(b, guides, &Alike::new(a, &variance), go_on),
@@ -103,32 +108,46 @@ pub(crate) fn denoise_while(
     }
 }
 
-/// The pixels of `picture`, each the mean of the planes around it.
-fn fitted(picture: &Image, guides: &[Guide], alike: &Alike, go_on: &dyn Fn() -> bool) -> Vec<Rgb> {
-    let place = |[x, y]: [usize; 2]| y * picture.width + x;
-    let terms = |p| Terms::of(p, guides.get(place(p)).copied().unwrap_or_default());
+/// The pixels of `picture`, each the mean of the planes around it, by N terms.
+fn fitted<const N: usize>(
+    picture: &Image,
+    guides: &[Guide],
+    alike: &Alike,
+    go_on: &dyn Fn() -> bool,
+) -> Vec<Rgb> {
+    let width = picture.width;
+    let place = |[x, y]: [usize; 2]| y * width + x;
+    let terms = |i| {
+        Terms::<N>::of(
+            [i % width, i / width],
+            guides.get(i).copied().unwrap_or_default(),
+        )
+    };
+    let terms: Vec<_> = (0..picture.pixels.len()).map(terms).collect();
     let mut sums = vec![(Rgb::BLACK, 0.0); picture.pixels.len()];
-    for top in (0..picture.height).step_by(ROWS).take_while(|_| go_on()) {
+    for top in (0..picture.height).step_by(ROWS) {
         let band = alike.band(top);
-        for y in band.rows.clone().take_while(|_| go_on()) {
-            for p in (0..picture.width).map(|x| [x, y]) {
-                if p.map(|i| i % APART) != [0, 0] && sums[place(p)].1 >= ENOUGH {
-                    continue;
-                }
-                let centre = terms(p);
-                let around = band.around(p);
-                let around = around.map(|(q, w)| (place(q), w, terms(q).from(&centre)));
-                let around: Vec<_> = around.collect();
-                let mut fit = Fit::default();
-                for (q, weight, terms) in &around {
-                    fit.add(*weight, terms, picture.pixels[*q]);
-                }
-                let plane = fit.solve();
-                for (q, weight, terms) in &around {
-                    let (sum, weights) = &mut sums[*q];
-                    *sum += plane.at(terms) * *weight;
-                    *weights += weight;
-                }
+        let every = |n: usize| {
+            let rows = band.rows.clone().step_by(n).take_while(|_| go_on());
+            rows.flat_map(move |y| (0..width).step_by(n).map(move |x| ([x, y], n)))
+        };
+        for (p, n) in every(APART).chain(every(1)) {
+            if n == 1 && sums[place(p)].1 >= ENOUGH {
+                continue;
+            }
+            let centre = terms[place(p)];
+            let around = band.around(p).map(|(q, weight)| (place(q), weight));
+            let around = around.map(|(q, weight)| (q, weight, terms[q].from(&centre)));
+            let around: Vec<_> = around.collect();
+            let mut fit = Fit::new();
+            for (q, weight, terms) in &around {
+                fit.add(*weight, terms, picture.pixels[*q]);
+            }
+            let plane = fit.solve();
+            for (q, weight, terms) in &around {
+                let (sum, weights) = &mut sums[*q];
+                *sum += plane.at(terms) * *weight;
+                *weights += weight;
             }
         }
     }

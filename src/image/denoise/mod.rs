@@ -117,37 +117,32 @@ fn fitted<const N: usize>(
 ) -> Vec<Rgb> {
     let width = picture.width;
     let place = |[x, y]: [usize; 2]| y * width + x;
-    let terms = |i| {
-        Terms::<N>::of(
-            [i % width, i / width],
-            guides.get(i).copied().unwrap_or_default(),
-        )
-    };
+    let guide = |i: usize| guides.get(i).copied().unwrap_or_default();
+    let terms = |i| Terms::<N>::of([i % width, i / width], guide(i));
     let terms: Vec<_> = (0..picture.pixels.len()).map(terms).collect();
     let mut sums = vec![(Rgb::BLACK, 0.0); picture.pixels.len()];
-    for top in (0..picture.height).step_by(ROWS) {
+    for top in (0..picture.height).step_by(ROWS).take_while(|_| go_on()) {
         let band = alike.band(top);
-        let every = |n: usize| {
-            let rows = band.rows.clone().step_by(n).take_while(|_| go_on());
-            rows.flat_map(move |y| (0..width).step_by(n).map(move |x| ([x, y], n)))
-        };
-        for (p, n) in every(APART).chain(every(1)) {
-            if n == 1 && sums[place(p)].1 >= ENOUGH {
-                continue;
-            }
-            let centre = terms[place(p)];
-            let around = band.around(p).map(|(q, weight)| (place(q), weight));
-            let around = around.map(|(q, weight)| (q, weight, terms[q].from(&centre)));
-            let around: Vec<_> = around.collect();
-            let mut fit = Fit::new();
-            for (q, weight, terms) in &around {
-                fit.add(*weight, terms, picture.pixels[*q]);
-            }
-            let plane = fit.solve();
-            for (q, weight, terms) in &around {
-                let (sum, weights) = &mut sums[*q];
-                *sum += plane.at(terms) * *weight;
-                *weights += weight;
+        let every = |n: usize| band.rows.clone().step_by(n).map(move |y| (y, n));
+        for (y, n) in every(APART).chain(every(1)).take_while(|_| go_on()) {
+            for p in (0..width).step_by(n).map(|x| [x, y]) {
+                if n == 1 && sums[place(p)].1 >= ENOUGH {
+                    continue;
+                }
+                let centre = terms[place(p)];
+                let around = band.around(p).map(|(q, weight)| (place(q), weight));
+                let around = around.map(|(q, weight)| (q, weight, terms[q].from(&centre)));
+                let around: Vec<_> = around.collect();
+                let mut fit = Fit::new();
+                for (q, weight, terms) in &around {
+                    fit.add(*weight, terms, picture.pixels[*q]);
+                }
+                let plane = fit.solve();
+                for (q, weight, terms) in &around {
+                    let (sum, weights) = &mut sums[*q];
+                    *sum += plane.at(terms) * *weight;
+                    *weights += weight;
+                }
             }
         }
     }
